@@ -29,14 +29,15 @@ print(bracket)
 print(bracket.export("urdf", name="bracket"))
 
 # %% [markdown]
-# The whole arm as one body: how much harder is it to turn at the shoulder when it is stretched out?
+# Every link, and the whole arm below them. Then what the shoulder carries as one body: how much harder is it to tilt when it is stretched out?
 
 # %%
 arm = EXAMPLES / "robots" / "arm.urdf"
-for elbow in np.radians([0, 60, 120]):
-    whole = polhode.inertia(arm, joints={"elbow": float(elbow)})
-    at_shoulder = whole.about([0.0, 0.0, 0.0])
-    print(f"elbow {np.degrees(elbow):4.0f}°   I_yy about the base {at_shoulder[1, 1]:.4f} kg·m²")
+print(polhode.link_table(arm))
+for elbow in (0, 55, 110):
+    carried = polhode.inertia(arm, subtree="upper_arm", joints={"elbow": f"{elbow} deg"})
+    at_shoulder = carried.about([0.0, 0.0, 0.0])
+    print(f"elbow {elbow:4.0f}°   I_yy about the shoulder {at_shoulder[1, 1]:.4f} kg·m²")
 
 # %% [markdown]
 # A payload of known shape, held 12 cm in front of the flange and turned by 30° about z.

@@ -56,7 +56,8 @@ fn model(data: &[u8], format: ModelFormat) {
     for finding in &findings {
         assert!(model.text.get(finding.span.clone()).is_some(), "{finding:?}");
     }
-    for lumping in [Lumping::Fixed, Lumping::All] {
+    let first = model.links.first().map_or("", |link| &link.name.text);
+    for lumping in [Lumping::Fixed, Lumping::All, Lumping::Subtree(first)] {
         for lump in lump(&model, lumping, &[]).unwrap_or_default() {
             assert_physical(&lump.properties);
             assert_written_is_read(&lump.properties);

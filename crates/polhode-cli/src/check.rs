@@ -41,6 +41,7 @@ use policy::PolicyFlags;
 Examples:
   polhode check robot.urdf
   polhode check robot.urdf --table
+  polhode check robot.urdf --fix | patch -p1
   polhode check robot.urdf --fix robot-fixed.urdf
   polhode check src/ --root src --json | jq '.[].findings[]'
   polhode check world.sdf --root models --strict
@@ -51,7 +52,7 @@ Examples:
 )]
 pub(crate) struct Check {
     /// Models, and folders to search for them.
-    #[arg(required_unless_present = "explain", value_name = "FILE")]
+    #[arg(required_unless_present_any = ["explain", "out"], value_name = "FILE")]
     files: Vec<PathBuf>,
     /// A folder that holds packages, for package:// and model://; may be repeated. No mesh outside is opened.
     #[arg(long = "root", value_name = "DIR")]
@@ -74,6 +75,7 @@ impl Check {
         if let Some(code) = &self.explain {
             return explain(code.as_deref());
         }
+        self.fix.require_models(&self.files)?;
         let (policy, fail_on) = self.policy.read()?;
         let found = files::models(&self.files);
         let one = found.len() == 1 && !self.files.iter().any(|file| file.is_dir());
@@ -84,7 +86,8 @@ impl Check {
         let excluded = count - inputs.len();
         let models: Vec<&Path> = inputs.iter().filter_map(|input| input.as_deref().ok()).collect();
         let target = self.fix.target(&models)?;
-        self.output.require_no_other_form(target.is_some())?;
+        self.output.require_no_other_form(self.fix.is_given())?;
+        self.output.require_no_table(self.fix.is_diff())?;
         for (option, out) in
             [("--output", self.output.file()), ("--write-baseline", self.policy.baseline_out())]
         {
@@ -114,13 +117,21 @@ impl Check {
             .collect();
         let judged = || judged.iter().map(|(file, judged)| (file.as_str(), *judged));
         let remarks = policy.remarks(judged(), |file| Path::new(file).exists());
-        self.output.write(
-            &Results { outcomes: &outcomes, one, excluded, remarks: &remarks, fail_on },
-            self.fix.force,
-        )?;
+        let results = Results { outcomes: &outcomes, one, excluded, remarks: &remarks, fail_on };
+        if self.fix.is_diff() && !self.output.is_json() {
+            self.output.write_diff(&results)?;
+        } else {
+            self.output.announce(&results)?;
+            if let (Some(target), [Outcome { report: Ok(report), .. }]) = (target, outcomes.as_slice()) {
+                fix::write(report, target)?;
+            }
+            self.output.write(&results, self.fix.force)?;
+        }
 
         let fails = |findings: &[Finding]| findings.iter().any(|finding| finding.severity >= fail_on);
-        let remaining = |report: &CheckReport| match &report.fixed {
+        // A diff repairs nothing yet.
+        let remaining = |report: &CheckReport| match report.fixed.as_ref().filter(|fixed| fixed.out.is_some())
+        {
             Some(fixed) => fails(&fixed.remaining),
             None => fails(report.findings()),
         };
@@ -150,10 +161,11 @@ impl Check {
         let Inspection { geometry, findings } = inspect(&model, shapes);
         let judged = policy.judge(&name(file), &model, findings);
         let report = CheckReport::new(model, geometry, judged);
-        match target {
-            Some(target) => fix::fixed(report, target, |text| self.findings_in(text, file, shapes, policy)),
-            None => Ok(report),
+        if !self.fix.is_given() {
+            return Ok(report);
         }
+        let out = target.map(|(out, _)| out);
+        fix::fixed(report, out, |text| self.findings_in(text, file, shapes, policy))
     }
 
     /// What is found in a text in place of the file's.

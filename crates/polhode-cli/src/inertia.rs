@@ -49,6 +49,8 @@ Examples:
   polhode inertia arm.obj --part \"rod=steel\" --part \"grip=85 g\" --as urdf
   polhode inertia robot.urdf --link forearm
   polhode inertia robot.urdf --lump all --joint elbow=\"30 deg\" --write mjcf
+  polhode inertia robot.urdf --subtree palm --joint left_finger=\"5 mm\"
+  polhode inertia robot.urdf --table
   polhode inertia torn.stl --unit mm --material steel --weld \"0.01 mm\" --write-mesh whole.stl
   polhode inertia parts/*.stl --unit mm --material steel --csv
   polhode inertia examples/notes/11-05-principal-axes.toml --axes")]
@@ -99,6 +101,9 @@ impl Inertia {
             ));
         }
         self.mesh.check_output(self.files.len())?;
+        if self.robot.table {
+            return self.tables();
+        }
         let mut answers = Vec::new();
         let mut progress = FileProgress::new(self.files.len());
         for file in &self.files {
@@ -116,8 +121,23 @@ impl Inertia {
         Failure::unless_empty(failures)
     }
 
-    /// The reports of a file: one, or one for each of its molecules.
-    fn reports(&self, file: &Path) -> Result<Vec<InertiaReport>, Failure> {
+    /// A table of each robot's links.
+    fn tables(&self) -> Result<(), Failure> {
+        let table = |file: &Path| {
+            self.kind(file)?;
+            robot::table(file, &self.robot)
+        };
+        let tables: Vec<_> = self
+            .files
+            .iter()
+            .map(|file| (file.as_path(), table(file).map_err(|failure| failure.about(file))))
+            .collect();
+        print(&self.output.tables(&tables))?;
+        Failure::unless_empty(tables.into_iter().filter_map(|(_, table)| table.err()).collect())
+    }
+
+    /// What a file is, if the flags fit that.
+    fn kind(&self, file: &Path) -> Result<Kind, Failure> {
         let Some(kind) = self.format.or_else(|| Kind::of_path(file)) else {
             return Err(Failure::usage(
                 format!("{} has an unknown file extension", shown(file)),
@@ -126,6 +146,12 @@ impl Inertia {
         };
         self.refuse_flags_for(kind, file)?;
         self.refuse_idle_units(kind, file)?;
+        Ok(kind)
+    }
+
+    /// The reports of a file: one, or one for each of its molecules.
+    fn reports(&self, file: &Path) -> Result<Vec<InertiaReport>, Failure> {
+        let kind = self.kind(file)?;
         let reports = match kind {
             Kind::Scenario => vec![of_scenario(file)?],
             Kind::Particles => {

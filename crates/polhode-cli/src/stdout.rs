@@ -12,6 +12,11 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
     print_script(printable_lines(text).as_bytes())
 }
 
+/// Writes text that a program takes byte by byte; to a terminal as [`print`] does.
+pub(crate) fn print_exact(text: &str) -> Result<(), Failure> {
+    if io::stdout().is_terminal() { print(text) } else { print_script(text.as_bytes()) }
+}
+
 /// Writes what is made of our own words alone.
 pub(crate) fn print_script(data: &[u8]) -> Result<(), Failure> {
     let mut out = io::stdout().lock();

@@ -47,7 +47,7 @@ mod _native {
     #[pymodule_export]
     use crate::motion::{PyMotion, motion_page, simulate};
     #[pymodule_export]
-    use crate::robot::{is_robot, robot_file, robot_links};
+    use crate::robot::{is_robot, robot_file, robot_groups, robot_links, robot_table};
     #[pymodule_export]
     use crate::shape::shape;
     #[pymodule_export]

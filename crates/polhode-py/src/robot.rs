@@ -1,126 +1,110 @@
-//! Bodies in models of robots: a link, or all of them as one.
+//! Bodies in models of robots: a link, links joined, or a table of all.
 
 use std::path::{Path, PathBuf};
 
-use polhode::math::{Body, Rotation};
 use polhode_formats::read_file;
-use polhode_report::plain::number;
-use polhode_report::{InertiaReport, SourceInfo};
-use polhode_robot::body::{LinkMass, link_mass};
-use polhode_robot::lump::{Lump, Lumping, lump};
-use polhode_robot::model::{JointKind, ModelFormat, RobotModel};
+use polhode_formats::unit::{self, Dimension};
+use polhode_report::InertiaReport;
+use polhode_robot::inertia::{InertiaError, of_link, of_lumps};
+use polhode_robot::line_index::{FilePlace, Places};
+use polhode_robot::link_table::LinkTable;
+use polhode_robot::lump::{Lumping, slides};
+use polhode_robot::model::RobotModel;
 use polhode_robot::read::{ReadOptions, format_of, read_model};
-use polhode_robot::remarks::remarks;
 use pyo3::prelude::*;
 
-use crate::error::{Raise, refused};
-use crate::files::of_file;
+use crate::error::{PolhodeError, Raise, refused};
+use crate::finding::{Remark, remarks};
 use crate::mass_properties::PyMassProperties;
 
-/// A link of a robot, or all its links at some values of its joints.
+/// The value of a joint: rad or m, or a text with its unit.
+#[derive(Debug, FromPyObject)]
+pub(crate) enum JointValue {
+    Number(f64),
+    Text(String),
+}
+
+/// A link of a robot, a link with all that hangs from it, or all links, at some values of the joints.
 #[pyfunction]
 pub(crate) fn robot_file(
     path: PathBuf,
     link: Option<&str>,
-    joints: Vec<(String, f64)>,
+    subtree: Option<&str>,
+    joints: Vec<(String, JointValue)>,
 ) -> PyResult<PyMassProperties> {
-    let model = read_model(&path, &ReadOptions::default()).map_err(Raise::raise)?;
-    let findings = remarks(&model, link).map_err(|twice| refused(&twice, Some(twice.hint())))?;
-    let report = match link {
-        Some(name) => of_link(&path, &model, name)?,
-        None => of_all(&path, &model, &joints)?,
+    let model = read(&path)?;
+    let report = match (link, subtree) {
+        (Some(link), _) => of_link(&model, link).map_err(|error| raised(&model, &error))?,
+        (None, subtree) => one(&model, subtree.map_or(Lumping::All, Lumping::Subtree), &joints)?,
     };
-    Ok(PyMassProperties::of(InertiaReport { findings, ..report }))
+    Ok(PyMassProperties::of(report))
 }
 
-fn of_link(path: &Path, model: &RobotModel, name: &str) -> PyResult<InertiaReport> {
-    let Some(link) = model.links.iter().find(|link| link.name.text == name) else {
-        let names: Vec<_> = model.links.iter().map(|link| link.name.text.as_str()).collect();
-        let hint = format!("its links are {}", names.join(", "));
-        return Err(refused(format!("{} has no link {name:?}", path.display()), Some(&hint)));
+/// What fixed joints hold together: a body for each group, and the link whose frame it is in.
+#[pyfunction]
+pub(crate) fn robot_groups(path: PathBuf) -> PyResult<Vec<(String, PyMassProperties)>> {
+    let model = read(&path)?;
+    let reports = of_lumps(&model, Lumping::Fixed, &[]).map_err(|error| raised(&model, &error))?;
+    let frame = |report: &InertiaReport| {
+        report.source.fields.get("link").and_then(|link| link.as_str()).unwrap_or_default().to_owned()
     };
-    let body = match link_mass(model.format, link) {
-        Ok(LinkMass::Body(body)) => body,
-        Ok(LinkMass::None) => {
-            let hint = "name another, or leave link out: then all links are one body";
-            return Err(refused(format!("the link {name:?} has no mass"), Some(hint)));
+    Ok(reports.into_iter().map(|report| (frame(&report), PyMassProperties::of(report))).collect())
+}
+
+/// All links of a robot: as JSON, as text, as CSV, and what was noticed.
+#[pyfunction]
+pub(crate) fn robot_table(
+    path: PathBuf,
+    joints: Vec<(String, JointValue)>,
+) -> PyResult<(String, String, String, Vec<Remark>)> {
+    let model = read(&path)?;
+    let positions = positions(&model, &joints)?;
+    let table = LinkTable::of(&model, &positions).map_err(|error| raised(&model, &error))?;
+    let csv = LinkTable::csv_head() + &table.to_csv();
+    Ok((table.to_json().to_string(), table.to_text(), csv, remarks(table.findings())))
+}
+
+fn read(path: &Path) -> PyResult<RobotModel> {
+    read_model(path, &ReadOptions::default()).map_err(Raise::raise)
+}
+
+/// The one body that links make.
+fn one(model: &RobotModel, lumping: Lumping<'_>, joints: &[(String, JointValue)]) -> PyResult<InertiaReport> {
+    let positions = positions(model, joints)?;
+    let mut reports = of_lumps(model, lumping, &positions).map_err(|error| raised(model, &error))?;
+    reports.pop().ok_or_else(|| refused(format!("no link of {} has a mass", model.path.display()), None))
+}
+
+/// Values of joints, rad or m.
+fn positions(model: &RobotModel, joints: &[(String, JointValue)]) -> PyResult<Vec<(String, f64)>> {
+    let value = |(name, value): &(String, JointValue)| match value {
+        JointValue::Number(value) => Ok((name.clone(), *value)),
+        JointValue::Text(text) => {
+            let slides = slides(model, name);
+            let dimension = if slides { Dimension::LENGTH } else { Dimension::ANGLE };
+            let parsed = unit::parse(text, dimension).map_err(|error| {
+                let hint = if slides {
+                    "it slides: a length, such as \"20 mm\""
+                } else {
+                    "it turns: an angle, such as \"30 deg\""
+                };
+                refused(format!("joints[{name:?}]: {error}"), Some(hint))
+            });
+            Ok((name.clone(), parsed?))
         }
-        Err(error) => {
-            return Err(refused(format!("the link {name:?} is no body: {error}"), Some(error.hint())));
+    };
+    joints.iter().map(value).collect()
+}
+
+/// The error with its place in the model, if it has one.
+fn raised(model: &RobotModel, error: &InertiaError) -> PyErr {
+    let (message, hint) = (error.to_string(), Some(error.hint()));
+    match error.span() {
+        Some(span) => {
+            let FilePlace { file, line, column, .. } = Places::of(model).place(&span);
+            PolhodeError::new_err((message, hint, file.display().to_string(), line, column))
         }
-    };
-    // The link's axes are the body's.
-    let properties = body.properties.in_frame::<Body>(Rotation::identity());
-    let source = of_file(path, format_name(model))
-        .described(format!("link {name} {}, in the link's frame", of_model(model)))
-        .with("link", name)
-        .with("frame", "link");
-    Ok(InertiaReport::new(rounded(source, body.rounding), properties))
-}
-
-fn of_all(path: &Path, model: &RobotModel, joints: &[(String, f64)]) -> PyResult<InertiaReport> {
-    let lumps = lump(model, Lumping::All, joints).map_err(|error| refused(&error, Some(&error.hint())))?;
-    let Some(Lump { frame, links, massless, rounding, properties }) = lumps.into_iter().next() else {
-        return Err(refused(format!("no link of {} has a mass", path.display()), None));
-    };
-    let links_words = if links.len() == 1 { "1 link".to_owned() } else { format!("{} links", links.len()) };
-    let words = format!(
-        "all {links_words} {}, {}, {}",
-        of_model(model),
-        joints_words(model, joints),
-        frame
-            .as_ref()
-            .map_or_else(|| "in the model's frame".to_owned(), |link| format!("in the frame of {link}")),
-    );
-    let values: serde_json::Map<String, serde_json::Value> =
-        joints.iter().map(|(name, value)| (name.clone(), (*value).into())).collect();
-    let source = of_file(path, format_name(model))
-        .described(words)
-        .with("link", frame.clone())
-        .with("frame", if frame.is_some() { "link" } else { "model" })
-        .with("links", links)
-        .with("massless", massless)
-        .with("joints", values);
-    Ok(InertiaReport::new(rounded(source, rounding), properties))
-}
-
-fn of_model(model: &RobotModel) -> String {
-    model.name.as_ref().map_or_else(|| "of the model".to_owned(), |name| format!("of {name}"))
-}
-
-/// `elbow = 0.523599 rad and other joints at zero`
-fn joints_words(model: &RobotModel, joints: &[(String, f64)]) -> String {
-    let slides = |name: &str| {
-        model.joints.iter().any(|joint| joint.name.text == name && joint.kind == JointKind::Prismatic)
-    };
-    let at = |(name, q): &(String, f64)| {
-        format!("{name} = {} {}", number(*q, 6), if slides(name) { "m" } else { "rad" })
-    };
-    match joints {
-        [] => "joints at zero".to_owned(),
-        _ => format!("{} and other joints at zero", joints.iter().map(at).collect::<Vec<_>>().join(", ")),
-    }
-}
-
-/// The source, and that digits were too few for a possible tensor.
-fn rounded(source: SourceInfo, rounding: f64) -> SourceInfo {
-    if rounding == 0.0 {
-        return source;
-    }
-    let words = format!(
-        "{}; tensor brought to the edge of the possible, {rounding:.1e} kg·m² away by its digits",
-        source.description
-    );
-    source.described(words).with("rounding", rounding)
-}
-
-const fn format_name(model: &RobotModel) -> &'static str {
-    match model.format {
-        ModelFormat::Urdf => "urdf",
-        ModelFormat::Sdf => "sdf",
-        ModelFormat::Mjcf => "mjcf",
-        ModelFormat::Usd => "usd",
-        ModelFormat::Osim => "osim",
+        None => PolhodeError::new_err((message, hint, model.path.display().to_string())),
     }
 }
 

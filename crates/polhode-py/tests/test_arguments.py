@@ -89,6 +89,8 @@ def functions() -> dict[Callable[..., object], dict[str, Any]]:
         polhode.Ensemble: {"omega": [[1.0, 2, 3]] * 2, "moments": [1.0, 2, 2.5], "attitude": [1, 0, 0, 0], "torques": ""},
         polhode.simulate: {"scenario": ROOT / "examples" / "t-handle.toml", "times": [0.0, 1.0], "error": "cheap"},
         polhode.check: {"path": ROOT / "examples" / "robots" / "arm.urdf", "roots": []},
+        polhode.fixed_groups: {"path": ROOT / "examples" / "robots" / "arm.urdf"},
+        polhode.link_table: {"path": ROOT / "examples" / "robots" / "arm.urdf", "joints": {"elbow": 0.3}},
         polhode.Body: {"parts": {"a": body}},
         body.about: {"point": [1, 2, 3]},
         body.along: {"rotation": [1, 0, 0, 0]},

@@ -109,6 +109,7 @@ def everything(tmp_path: Path) -> list[object]:
     free = polhode.FreeMotion(inertia=made[0], omega=[0.3, -0.5, 0.9], attitude=TURN)
     shared = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=omega, torques='[[torque]]\nmodel = "constant"\ntorque = ["0.1 N m", "0 N m", "0.2 N m"]\naxes = "body"\n')
     own = polhode.Ensemble(inertia=np.stack([made[0].inertia, made[5].inertia, made[6].inertia, made[0].inertia]), omega=omega, attitude=attitude)
+    links = polhode.link_table(EXAMPLES / "robots" / "arm.urdf", joints={"elbow": 0.3})
     error = polhode.PolhodeError("radius is wrong", "repair it", "a.toml", 3, 7)
     with pytest.warns(polhode.PolhodeWarning) as heard:
         polhode.inertia(EXAMPLES / "bracket.stl", unit="mm")
@@ -125,6 +126,9 @@ def everything(tmp_path: Path) -> list[object]:
         polhode.Failure(3, 1.25, "beyond the range of numbers"),
         checked,
         *checked.findings[:2],
+        links,
+        links.rows[3],
+        links.rows[-1],
         *(motion.events[0] for motion in moved if motion.events),
         *(motion.ending for motion in moved),
         *(motion.error for motion in moved if motion.error),

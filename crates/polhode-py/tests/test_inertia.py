@@ -91,7 +91,7 @@ def test_scenarios_and_robots(examples: Path) -> None:
     forearm = polhode.inertia(arm, link="forearm")
     assert 0.0 < forearm.mass < straight.mass
     assert np.isclose(polhode.inertia(examples / "robots" / "arm.sdf").mass, straight.mass)
-    with pytest.raises(polhode.PolhodeError, match='has no link "claw"\nhint: its links are'):
+    with pytest.raises(polhode.PolhodeError, match='there is no link "claw"\nhint: its links are'):
         polhode.inertia(arm, link="claw")
 
 
@@ -155,7 +155,7 @@ def test_where_a_body_came_from_is_told_as_the_command_tells_it(examples: Path, 
     ):
         assert body.to_dict()["source"] == {"path": str(path)} | wanted
     assert "all 5 links of arm, elbow = 0.3 rad and other joints at zero, in the frame of base" in str(polhode.inertia(robot, joints={"elbow": 0.3}))
-    with pytest.raises(polhode.PolhodeError, match='the link "tool" has no mass\nhint: name another, or leave link out'):
+    with pytest.raises(polhode.PolhodeError, match='the link "tool" has no mass\nhint: name another, or join it to others'):
         polhode.inertia(robot, link="tool")
 
 
@@ -168,3 +168,55 @@ def test_digits_too_few_for_a_tensor_are_said(tmp_path: Path) -> None:
     )
     for body in (polhode.inertia(path), polhode.inertia(path, link="rod")):
         assert body.to_dict()["source"]["rounding"] > 0.0 and "brought to the edge of the possible" in str(body)
+
+
+#: ``pin.crba`` of Pinocchio 4.1 at left_knuckle = 0.41: the composite below the joint turn, in its frame.
+PALM_CENTER = [0.04654461142223511, -0.01649181158020465, 0.00972670870271394]
+PALM_TENSOR = [
+    [0.0018425042066597015, -1.1027381846990538e-05, -5.918668101769643e-05],
+    [-1.1027381846990538e-05, 0.001709464724623935, 0.00011638251436951058],
+    [-5.918668101769643e-05, 0.00011638251436951058, 0.002734939254717088],
+]
+
+
+def test_what_hangs_from_a_link_and_what_follows_a_joint(examples: Path) -> None:
+    gripper = examples / "robots" / "gripper.urdf"
+    palm = polhode.inertia(gripper, subtree="palm", joints={"left_knuckle": 0.41})
+    assert np.isclose(palm.mass, 0.803, rtol=1e-15)
+    assert np.allclose(palm.center_of_mass, PALM_CENTER, rtol=0, atol=1e-15)
+    assert np.allclose(palm.inertia, PALM_TENSOR, rtol=0, atol=1e-16)
+    source = palm.to_dict()["source"]
+    assert source["joints"] == {"left_knuckle": 0.41} and np.isclose(source["followers"]["right_knuckle"], -0.087)
+    turned = polhode.inertia(gripper, subtree="palm", joints={"left_knuckle": "23.5 deg"})
+    assert turned.to_dict()["source"]["joints"] == {"left_knuckle": np.radians(23.5)}
+    with pytest.warns(polhode.PolhodeWarning, match=r"lift = 0.5 m is beyond its limits.*\[position.limits\]"):
+        polhode.inertia(gripper, joints={"lift": "50 cm"})
+    for options, says in (
+        ({"joints": {"right_knuckle": 0.1}}, '"right_knuckle" follows "left_knuckle"'),
+        ({"joints": {"lfit": 0.1}}, "did you mean lift"),
+        ({"joints": {"lift": "3 deg"}}, "it slides: a length"),
+        ({"subtree": "plam"}, "did you mean palm"),
+        ({"subtree": "palm", "joints": {"lift": 0.1}}, "moves nothing that hangs from"),
+        ({"subtree": "palm", "link": "palm"}, "link and subtree are both given"),
+    ):
+        with pytest.raises(polhode.PolhodeError, match=says):
+            polhode.inertia(gripper, **options)
+    with pytest.raises(polhode.PolhodeError) as error:
+        polhode.inertia(gripper, joints={"right_knuckle": 0.1})
+    assert (error.value.path, error.value.line) == (str(gripper), 44)
+
+
+def test_groups_and_the_table_of_a_robot(examples: Path) -> None:
+    arm = examples / "robots" / "arm.urdf"
+    groups = polhode.fixed_groups(arm)
+    assert list(groups) == ["base", "upper_arm", "forearm", "hand"] and np.isclose(groups["forearm"].mass, 1.02)
+    table = polhode.link_table(arm, joints={"elbow": "30 deg"})
+    whole = polhode.inertia(arm, joints={"elbow": "30 deg"})
+    assert [row.link for row in table] == ["base", "upper_arm", "forearm", "camera", "hand", "tool"] and len(table) == 6
+    assert table.rows[5] == polhode.LinkRow("tool", [], 0.0, None, None, None)
+    assert table.rows[0].shapes == ["box"]
+    assert np.array_equal(table.rows[3].inertia, polhode.inertia(arm, link="camera").inertia)
+    assert np.array_equal(table.whole.inertia, whole.inertia) and np.array_equal(table.whole.moments, whole.moments)
+    assert table.to_dict()["whole"] == whole.to_dict()
+    assert table.to_csv().splitlines()[7].split(",")[1:4] == ["whole", "arm", "base"]
+    assert str(table).splitlines()[-1].startswith("whole robot") and repr(table).endswith("arm.urdf': 6 links, 6.12 kg)")

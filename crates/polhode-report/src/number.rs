@@ -36,7 +36,7 @@ pub fn ungrouped(x: f64, digits: usize) -> String {
 }
 
 /// The shortest decimal that reads back bit for bit; what is not finite is a dash.
-pub(crate) fn exact(x: f64) -> String {
+pub fn exact(x: f64) -> String {
     if !x.is_finite() {
         return "—".to_owned();
     }

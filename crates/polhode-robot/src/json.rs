@@ -86,7 +86,7 @@ fn repair(places: &Places<'_>, text: &str, repair: &Repair) -> Value {
     json!({ "description": repair.description, "edits": repair.edits.iter().map(edit).collect::<Vec<_>>() })
 }
 
-/// What was written, which findings were repaired (by their place in `findings`), and what was left.
+/// What was written where and the diff to it, which findings were repaired (by their place in `findings`), and what was left.
 fn fix(findings: &[Finding], fixed: &Fixed) -> Value {
     let left = |Left { finding, why }: &Left| {
         let of = findings.get(*finding);
@@ -99,6 +99,7 @@ fn fix(findings: &[Finding], fixed: &Fixed) -> Value {
     };
     json!({
         "out": fixed.out,
+        "diff": fixed.diff,
         "changes": fixed.repaired.changes,
         "repaired": fixed.repaired.applied,
         "left": fixed.repaired.left.iter().map(left).collect::<Vec<_>>(),

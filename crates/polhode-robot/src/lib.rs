@@ -9,22 +9,28 @@
 //! - [`finding`]: what is wrong with a model, why, and what would repair it
 //! - [`inspect`]: a model with its shapes measured and its rules checked
 //! - [`policy`]: what of the findings counts: severities of one's own, allowances, baselines
-//! - [`repair`]: the text with repairs made, every other byte as it was
+//! - [`repair`]: the text with repairs made, every other byte as it was, and the diff to it
 //! - [`report`]: all that for people and for programs
 //! - [`body`]: a link's mass properties in its own frame
-//! - [`mod@lump`]: links joined to one body
+//! - [`mod@lump`]: links joined to one body, joints at values by name
+//! - [`mod@inertia`]: reports of these bodies
+//! - [`link_table`]: all links in one table, and the whole
 //! - [`mod@remarks`]: what a reader noticed, beside a link's mass properties
 //! - [`moments`]: tensors that may be impossible, taken apart
 //! - [`line_index`]: lines and columns of places
 
 pub mod body;
 pub mod check;
+mod coordinate;
+mod diff;
 pub mod finding;
 pub mod format;
 pub mod geometry;
+pub mod inertia;
 pub mod inspect;
 mod json;
 pub mod line_index;
+pub mod link_table;
 pub mod lump;
 pub mod model;
 pub mod moments;

@@ -1,6 +1,6 @@
-//! Links joined to one body: those that fixed joints hold together, or the whole robot in a position of its joints.
+//! Links joined to one body: those that fixed joints hold together, the whole robot in a position of its joints, or a part of it.
 //!
-//! The frame of a link in its parent's, with the joint at q, is
+//! The frame of a link in its parent's, with the joint at q from rest, is
 //!
 //! T_parent_child(q) = T_joint · M(q),   M: x ↦ a + R(n, q)(x − a) of a turn,   x ↦ x + q n of a way,
 //!
@@ -8,24 +8,29 @@
 //! The composite is [`polhode::body::assemble`]'s: masses and moments summed by parallel axes about a local point.
 
 mod error;
+mod position;
 mod tree;
 
 use polhode::body::{BodyError, MassProperties, PlacedPart, assemble};
 use polhode::math::{Body, Rotation};
 
 pub use self::error::LumpError;
+use self::position::Positions;
+pub use self::position::{JointPosition, PositionBy, slides};
 use self::tree::{Above, Tree};
 use crate::body::{LinkMass, link_mass};
-use crate::model::{Joint, JointKind, Link, ModelFormat, Pose, RobotModel};
+use crate::model::{JointKind, Link, ModelFormat, Pose, RobotModel};
 use crate::placement::Placement;
 
 /// Which links become one body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Lumping {
+pub enum Lumping<'a> {
     /// Those that fixed joints hold together: a body for each group, in the frame of its first link, the one nearest the root.
     Fixed,
     /// All of them: one body, in the frame of the model, which in URDF is that of the root link.
     All,
+    /// A link and all that hangs from it: one body, in the frame of that link.
+    Subtree(&'a str),
 }
 
 /// Links that are one body.
@@ -37,6 +42,8 @@ pub struct Lump {
     pub links: Vec<String>,
     /// Its links without.
     pub massless: Vec<String>,
+    /// The values of the joints between its links, and of those that lead these.
+    pub positions: Vec<JointPosition>,
     /// The largest change that brought a link's tensor over the edge of what is possible, kg·m²: see
     /// [`LinkBody::rounding`](crate::body::LinkBody::rounding). Zero for most.
     pub rounding: f64,
@@ -46,35 +53,66 @@ pub struct Lump {
 
 /// The links of a model as one body, or as few as its fixed joints make.
 ///
-/// `positions` are values of joints by name, in rad or m; a joint that is not named is at zero. Groups without mass are left
-/// out.
+/// `positions` are values of joints by name, in rad or m. A joint that follows another has the value that this one gives it, and takes
+/// none of its own. Any other that is not named is at rest: at zero, in MJCF at its `ref`, as the file draws it. Groups without
+/// mass are left out.
+///
+/// ```
+/// use polhode_robot::{lump::{Lumping, lump}, read::{ReadOptions, read_text}};
+/// let inertial = r#"<inertial><mass value="2"/>
+///     <inertia ixx="0.2" ixy="0" ixz="0" iyy="0.3" iyz="0" izz="0.4"/></inertial>"#;
+/// let text = format!(r#"<robot><link name="palm">{inertial}</link><link name="left">{inertial}</link><link name="right">{inertial}</link>
+///     <joint name="l" type="prismatic"><parent link="palm"/><child link="left"/><axis xyz="0 1 0"/></joint>
+///     <joint name="r" type="prismatic"><parent link="palm"/><child link="right"/><axis xyz="0 1 0"/>
+///         <mimic joint="l" multiplier="-0.5"/></joint></robot>"#);
+/// let model = read_text(&text, "gripper.urdf".as_ref(), &ReadOptions::default())?;
+/// let whole = lump(&model, Lumping::All, &[("l".to_owned(), 0.6)]).unwrap().remove(0);
+/// assert!((whole.properties.center_of_mass().to_array()[1] - (0.6 - 0.3) / 3.0).abs() < 1e-15);
+/// # Ok::<(), polhode_formats::FormatError>(())
+/// ```
 ///
 /// # Errors
-/// [`LumpError`] if a link is no body, the joints are no tree, or a value has no joint.
+/// [`LumpError`] if a link is no body, the joints are no tree, a value has no joint or nothing to move, or a joint's value cannot be
+/// told.
 pub fn lump(
     model: &RobotModel,
-    lumping: Lumping,
+    lumping: Lumping<'_>,
     positions: &[(String, f64)],
 ) -> Result<Vec<Lump>, LumpError> {
-    refuse_unknown(model, positions)?;
+    let mut positions = Positions::of(model, positions)?;
     let tree = Tree::of(model)?;
-    let root = common_frame(model, &tree, lumping)?;
+    let (root, frame) = match lumping {
+        Lumping::Fixed => (None, None),
+        Lumping::All => (None, common_frame(model, &tree)?),
+        Lumping::Subtree(name) => (Some(link_named(model, name)?), Some(name.to_owned())),
+    };
     let mut groups: Vec<Group> = Vec::new();
     // Of each link: its group, and where it stands in the group's frame.
     let mut places: Vec<Option<(usize, Place)>> = vec![None; model.links.len()];
+    let mut moving = Vec::new();
     for &k in &tree.order {
         let (Some(link), Some(above)) = (model.links.get(k), tree.above.get(k)) else { continue };
         let parent = above.parent.and_then(|parent| places.get(parent).copied().flatten());
-        let fixed = above.joints.iter().all(|joint| joint.kind == JointKind::Fixed);
+        let fixed = above.joints(model).all(|joint| joint.kind == JointKind::Fixed);
         let (group, place) = match (lumping, parent) {
-            (Lumping::All, None) => (0, moved(pose(&link.pose, &link.name.text, link)?, above, positions)?),
-            (Lumping::All, Some((group, parent))) => (group, hung(parent, link, above, positions)?),
-            (Lumping::Fixed, Some((group, parent))) if fixed => (group, hung(parent, link, above, &[])?),
+            (Lumping::Subtree(_), _) if root == Some(k) => (0, Place::identity()),
+            (Lumping::Subtree(_), None) => continue,
+            (Lumping::Fixed, Some((group, parent))) if fixed => {
+                (group, parent.then(at_rest(model, link, above)?))
+            }
             (Lumping::Fixed, _) => (groups.len(), Place::identity()),
+            (Lumping::All | Lumping::Subtree(_), _) => {
+                moving.extend(&above.joints);
+                let at_rest = match parent {
+                    Some((_, parent)) => parent.then(at_rest(model, link, above)?),
+                    None => in_model(model, link, above)?,
+                };
+                (0, moved(at_rest, model, above, &mut positions)?)
+            }
         };
         if groups.len() <= group {
             let own = || Some(link.name.text.clone());
-            groups.push(Group::new(if lumping == Lumping::All { root.clone() } else { own() }));
+            groups.push(Group::new(if lumping == Lumping::Fixed { own() } else { frame.clone() }));
         }
         if let Some(slot) = places.get_mut(k) {
             *slot = Some((group, place));
@@ -83,9 +121,36 @@ pub fn lump(
             group.add(model.format, link, place)?;
         }
     }
-    let lumps = groups.into_iter().filter(|group| !group.parts.is_empty()).map(Group::joined);
+    let subtree = match lumping {
+        Lumping::Subtree(name) => Some(name),
+        Lumping::Fixed | Lumping::All => None,
+    };
+    let positions = positions.of_joints(moving.into_iter(), subtree)?;
+    let lumps =
+        groups.into_iter().filter(|group| !group.parts.is_empty()).map(|group| group.joined(&positions));
     let lumps = lumps.collect::<Result<Vec<_>, _>>()?;
-    if lumps.is_empty() { Err(LumpError::Massless) } else { Ok(lumps) }
+    if lumps.is_empty() {
+        Err(LumpError::Massless { subtree: subtree.map(str::to_owned) })
+    } else {
+        Ok(lumps)
+    }
+}
+
+/// A link by its name.
+pub(crate) fn link_named(model: &RobotModel, name: &str) -> Result<usize, LumpError> {
+    let names = || model.links.iter().map(|link| link.name.text.as_str());
+    names().position(|link| link == name).ok_or_else(|| LumpError::UnknownLink {
+        link: name.to_owned(),
+        meant: polhode_formats::nearest(name, names()).map(str::to_owned),
+        links: links_by_use(model),
+    })
+}
+
+/// The names of the links, those with an inertial first.
+fn links_by_use(model: &RobotModel) -> Vec<String> {
+    let (with, without): (Vec<&Link>, Vec<&Link>) =
+        model.links.iter().partition(|link| link.inertial.is_some() || link.computed.is_some());
+    with.iter().chain(&without).map(|link| link.name.text.clone()).collect()
 }
 
 /// Where a link stands in its group's frame.
@@ -121,7 +186,7 @@ impl Group {
         Ok(())
     }
 
-    fn joined(self) -> Result<Lump, LumpError> {
+    fn joined(self, positions: &[JointPosition]) -> Result<Lump, LumpError> {
         let Self { frame, links, massless, rounding, parts } = self;
         let properties = assemble(&parts).map_err(|error| {
             // The first that the first cannot be joined to, or the last of a sum that is too large.
@@ -131,13 +196,14 @@ impl Group {
             let link = links.get(culprit.saturating_sub(1)).cloned().unwrap_or_default();
             LumpError::Joined { link, error }
         })?;
-        Ok(Lump { frame, links, massless, rounding, properties })
+        Ok(Lump { frame, links, massless, positions: positions.to_vec(), rounding, properties })
     }
 }
 
-/// The name of the link whose frame is the model's: the only root of a URDF.
-fn common_frame(model: &RobotModel, tree: &Tree<'_>, lumping: Lumping) -> Result<Option<String>, LumpError> {
-    if lumping == Lumping::Fixed || model.format != ModelFormat::Urdf {
+/// The name of the link whose frame is the model's: the only root of a URDF, unless it hangs on the world.
+fn common_frame(model: &RobotModel, tree: &Tree) -> Result<Option<String>, LumpError> {
+    let hangs = |k: &usize| tree.above.get(*k).is_some_and(|above| !above.joints.is_empty());
+    if model.format != ModelFormat::Urdf || tree.roots().all(|k| hangs(&k)) {
         return Ok(None);
     }
     let mut roots = tree.roots().filter_map(|k| model.links.get(k));
@@ -150,24 +216,33 @@ fn common_frame(model: &RobotModel, tree: &Tree<'_>, lumping: Lumping) -> Result
     }
 }
 
-/// Where a link stands that hangs on another.
-fn hung(
-    parent: Place,
-    link: &Link,
-    above: &Above<'_>,
-    positions: &[(String, f64)],
-) -> Result<Place, LumpError> {
-    let joint = match above.joints.first() {
-        Some(joint) => pose(&joint.pose, &joint.name.text, link)?,
-        None => Place::identity(),
-    };
-    moved(parent.then(joint), above, positions)
+/// Where a root stands in the model, its joints at rest.
+fn in_model(model: &RobotModel, link: &Link, above: &Above) -> Result<Place, LumpError> {
+    match model.format {
+        // These say it of the joint alone.
+        ModelFormat::Urdf | ModelFormat::Osim => at_rest(model, link, above),
+        ModelFormat::Sdf | ModelFormat::Mjcf | ModelFormat::Usd => pose(&link.pose, &link.name.text, link),
+    }
+}
+
+/// Where a link stands in the frame of what it hangs on, its joints at rest.
+fn at_rest(model: &RobotModel, link: &Link, above: &Above) -> Result<Place, LumpError> {
+    match above.joints(model).next() {
+        Some(joint) => pose(&joint.pose, &joint.name.text, link),
+        None => Ok(Place::identity()),
+    }
 }
 
 /// The place after the motions of the joints there.
-fn moved(place: Place, above: &Above<'_>, positions: &[(String, f64)]) -> Result<Place, LumpError> {
-    above.joints.iter().try_fold(place, |place, joint| {
-        let q = positions.iter().rev().find(|(name, _)| *name == joint.name.text).map_or(0.0, |(_, q)| *q);
+fn moved(
+    place: Place,
+    model: &RobotModel,
+    above: &Above,
+    positions: &mut Positions<'_>,
+) -> Result<Place, LumpError> {
+    above.joints.iter().try_fold(place, |place, &k| {
+        let Some(joint) = model.joints.get(k) else { return Ok(place) };
+        let q = positions.displacement(k)?;
         let motion = Place::motion(joint, q)
             .ok_or_else(|| LumpError::Pose { subject: joint.name.text.clone(), span: joint.span.clone() })?;
         Ok(place.then(motion))
@@ -184,16 +259,4 @@ fn pose(pose: &Pose, subject: &str, link: &Link) -> Result<Place, LumpError> {
         return Err(wrong());
     }
     Place::of(pose).map_err(|_: BodyError| wrong())
-}
-
-/// Every value has a joint that takes it.
-fn refuse_unknown(model: &RobotModel, positions: &[(String, f64)]) -> Result<(), LumpError> {
-    let takes = |joint: &&Joint| matches!(joint.kind, JointKind::Revolute | JointKind::Prismatic);
-    let movable = || model.joints.iter().filter(takes).map(|joint| joint.name.text.as_str());
-    match positions.iter().find(|(name, q)| !q.is_finite() || !movable().any(|joint| joint == name)) {
-        None => Ok(()),
-        Some((joint, _)) => {
-            Err(LumpError::Joint { joint: joint.clone(), movable: movable().map(str::to_owned).collect() })
-        }
-    }
 }

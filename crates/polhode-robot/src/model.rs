@@ -311,12 +311,14 @@ pub struct Joint {
     pub parent: Option<Name>,
     /// The link that hangs.
     pub child: Name,
-    /// The child's frame in the parent's with the joint at zero.
+    /// The child's frame in the parent's with the joint at rest ([`Coordinate::at_rest`]): at zero in all languages but MJCF.
     pub pose: Pose,
     /// In the child's frame, as written or the language's default.
     pub axis: [f64; 3],
     /// The point of the child's frame that the axis runs through: zero in URDF.
     pub anchor: [f64; 3],
+    /// What is said of its value.
+    pub coordinate: Coordinate,
 }
 
 /// What a joint lets move.
@@ -332,4 +334,33 @@ pub enum JointKind {
     Free,
     /// Something else: ball, planar, universal, screw.
     Other,
+}
+
+/// What a file says of a joint's value, rad or m.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Coordinate {
+    /// A name of its own, by which it may be given beside the joint's: OpenSim's coordinates.
+    pub name: Option<Name>,
+    /// The value at which the child stands as [`Joint::pose`] says, and that a joint has of which no value is
+    /// given: MJCF's `ref`, zero elsewhere.
+    pub at_rest: f64,
+    /// The least and the greatest value; either may be infinite.
+    pub limits: Option<[f64; 2]>,
+    /// The joint that it follows.
+    pub follows: Option<Follows>,
+}
+
+/// A joint whose value is a function of another's.
+///
+/// y = Σ c_k (x − x₀)^k of the leader's value x.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Follows {
+    /// Where that is written.
+    pub span: Span,
+    /// The joint that leads; `None` if the value is c₀ and hangs on none.
+    pub leader: Option<Name>,
+    /// x₀
+    pub reference: f64,
+    /// c, from the constant up; or why they are not known.
+    pub coefficients: Result<Vec<f64>, String>,
 }

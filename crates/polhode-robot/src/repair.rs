@@ -16,6 +16,8 @@ pub struct Repaired {
     pub left: Vec<Left>,
     /// Places of the text that were changed.
     pub changes: usize,
+    /// What was put in place of which spans of the model's text, ascending; they do not overlap.
+    pub edits: Vec<(Span, String)>,
 }
 
 /// A repair that was not made.
@@ -129,7 +131,10 @@ fn repaired_but(model: &RobotModel, findings: &[Finding], failing: &BTreeSet<usi
             Err(why) => left.push(Left { finding: k, why }),
         }
     }
-    Repaired { text: edits.text(&model.text), applied, left, changes: edits.0.len() }
+    let text = edits.text(&model.text);
+    let edits: Vec<(Span, String)> =
+        edits.0.into_iter().map(|((start, end), new)| (start..end, new)).collect();
+    Repaired { text, applied, left, changes: edits.len(), edits }
 }
 
 /// Edits that do not overlap, by the bytes that they replace: first, then last.

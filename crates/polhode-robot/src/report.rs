@@ -25,10 +25,12 @@ pub struct CheckReport {
 /// A repaired model.
 #[derive(Clone, Debug)]
 pub struct Fixed {
-    /// Where it was written.
-    pub out: String,
+    /// Where it was written; `None` if only the diff was asked for.
+    pub out: Option<String>,
     /// What was changed.
     pub repaired: Repaired,
+    /// The diff, the proof of each change above it.
+    pub diff: String,
     /// What is wrong with it still.
     pub remaining: Vec<Finding>,
 }

@@ -111,18 +111,23 @@ impl CheckReport {
         let _ = writeln!(text, "\n{advice}");
     }
 
-    fn write_fixed(&self, text: &mut String, fixed: &Fixed) {
-        let Fixed { out, repaired, remaining } = fixed;
-        text.push('\n');
-        for Left { finding, why } in &repaired.left {
+    /// The repairs that are known and were not made, a line each.
+    pub fn not_repaired(&self) -> String {
+        let mut text = String::new();
+        for Left { finding, why } in self.fixed.iter().flat_map(|fixed| &fixed.repaired.left) {
             if let Some(finding) = self.findings().get(*finding) {
-                paragraph(
-                    text,
-                    "not repaired: ",
-                    &format!("{} [{}]: {}", subject(finding), finding.code, why.in_words()),
-                );
+                let words = format!("{} [{}]: {}", subject(finding), finding.code, why.in_words());
+                paragraph(&mut text, "not repaired: ", &words);
             }
         }
+        text
+    }
+
+    fn write_fixed(&self, text: &mut String, fixed: &Fixed) {
+        let Fixed { out, repaired, remaining, .. } = fixed;
+        text.push('\n');
+        text.push_str(&self.not_repaired());
+        let Some(out) = out else { return };
         let rest = remaining.iter().filter(|f| f.severity > Severity::Note).count();
         let (out, changes) = (printable(out), many(repaired.changes, "place"));
         let _ = match rest {

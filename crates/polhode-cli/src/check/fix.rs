@@ -1,8 +1,8 @@
-//! `--fix OUT`: the model with its repairs, in a file of its own.
+//! `--fix`: what repairs change, as a diff; `--fix OUT`: the model with its repairs too, in a file of its own.
 
 use std::fs;
 use std::io::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use clap::Args;
 use polhode_formats::FormatError;
@@ -10,6 +10,7 @@ use polhode_robot::finding::Finding;
 use polhode_robot::repair::proved;
 use polhode_robot::report::{CheckReport, Fixed};
 
+use super::files::name;
 use crate::failure::Failure;
 use crate::partial;
 use crate::stderr::shown;
@@ -17,18 +18,48 @@ use crate::stderr::shown;
 /// Flags for repairs.
 #[derive(Debug, Args)]
 pub(super) struct FixFlags {
-    /// Write the model with all repairs that can be proved; every other byte stays as it is.
-    #[arg(long = "fix", value_name = "OUT", conflicts_with_all = ["baseline", "write_baseline"])]
-    out: Option<PathBuf>,
+    /// Print the diff of all repairs that can be proved, the proof of each above it, and write nothing; with OUT also write the model with
+    /// them there, after the diff. Every other byte stays as it is.
+    #[arg(long = "fix", value_name = "OUT", num_args = 0..=1, conflicts_with_all = ["baseline", "write_baseline"])]
+    out: Option<Option<PathBuf>>,
     /// Replace what --fix, --output or --write-baseline writes if it is there; never the model itself.
     #[arg(long, requires = "written")]
     pub(super) force: bool,
 }
 
 impl FixFlags {
+    /// Whether repairs are asked for.
+    pub(super) const fn is_given(&self) -> bool {
+        self.out.is_some()
+    }
+
+    /// Whether only the diff is.
+    pub(super) const fn is_diff(&self) -> bool {
+        matches!(self.out, Some(None))
+    }
+
+    /// A model has to be named before --fix, which takes the file after it.
+    pub(super) fn require_models(&self, models: &[PathBuf]) -> Result<(), Failure> {
+        match &self.out {
+            Some(Some(out)) if models.is_empty() => Err(Failure::usage(
+                format!("no model is named: {} is the file that --fix is to write", shown(out)),
+                format!("name the model first: polhode check {} --fix", shown(out)),
+            )),
+            _ => Ok(()),
+        }
+    }
+
     /// Where the repaired model goes, if anywhere: a file that is not there yet, or may be replaced.
     pub(super) fn target(&self, inputs: &[&Path]) -> Result<Option<(&Path, bool)>, Failure> {
-        let Some(out) = self.out.as_deref() else { return Ok(None) };
+        let Some(Some(out)) = &self.out else {
+            return match self.out {
+                Some(None) if self.force => Err(Failure::usage(
+                    "--fix without a file writes nothing, and --force replaces a file",
+                    "name the file, or leave --force out",
+                )),
+                _ => Ok(None),
+            };
+        };
         let shown = shown(out);
         let [input] = *inputs else {
             return Err(Failure::usage(
@@ -46,6 +77,9 @@ impl FixFlags {
                 format!("{shown} is there already"),
                 "choose another file, or replace it with --force",
             )),
+            _ if out.parent().is_some_and(|folder| folder != Path::new("") && !folder.is_dir()) => Err(
+                Failure::usage(format!("{shown} is in a folder that is not there"), "make the folder first"),
+            ),
             _ => Ok(Some((out, self.force))),
         }
     }
@@ -65,13 +99,13 @@ pub(super) fn require_not_read(option: &str, out: Option<&Path>, inputs: &[&Path
     }
 }
 
-/// The report with the model repaired and written.
+/// The report with the model repaired; nothing is written yet.
 ///
 /// What is to be written is read and checked first, in the place of the model: a repair that does not remove its finding is
 /// left out.
 pub(super) fn fixed(
     report: CheckReport,
-    (out, force): (&Path, bool),
+    out: Option<&Path>,
     check: impl FnMut(&str) -> Result<Vec<Finding>, FormatError>,
 ) -> Result<CheckReport, Failure> {
     let unreadable = |error: FormatError| {
@@ -81,7 +115,22 @@ pub(super) fn fixed(
         )
     };
     let (repaired, remaining) = proved(&report.model, report.findings(), check).map_err(unreadable)?;
-    partial::write(out, force, |file| file.write_all(repaired.text.as_bytes()))?;
-    let fixed = Fixed { out: out.display().to_string(), repaired, remaining };
-    Ok(CheckReport { fixed: Some(fixed), ..report })
+    let diff = repaired.diff(&report.model, report.findings(), &from_here(&report.model.path));
+    let out = out.map(|out| out.display().to_string());
+    Ok(CheckReport { fixed: Some(Fixed { out, repaired, diff, remaining }), ..report })
+}
+
+/// Writes the repaired model.
+pub(super) fn write(report: &CheckReport, (out, force): (&Path, bool)) -> Result<(), Failure> {
+    let Some(fixed) = &report.fixed else { return Ok(()) };
+    partial::write(out, force, |file| file.write_all(fixed.repaired.text.as_bytes()))
+}
+
+/// The name of a file in a diff: relative to the working directory; from the root of the file system if it is not in that.
+fn from_here(path: &Path) -> String {
+    let leads_up = path.components().any(|component| component == Component::ParentDir);
+    match fs::canonicalize(path).ok().filter(|_| leads_up) {
+        Some(real) => name(&real),
+        None => name(path),
+    }
 }

@@ -16,8 +16,8 @@ use serde_json::Value;
 use super::files::name;
 use crate::failure::Failure;
 use crate::partial;
-use crate::stderr::tell;
-use crate::stdout::print;
+use crate::stderr::{shown, tell};
+use crate::stdout::{print, print_exact};
 
 /// Flags for the form of results.
 #[derive(Debug, Args)]
@@ -85,6 +85,46 @@ impl OutputFlags {
         }
     }
 
+    /// Refuses a table where a diff is all that there is.
+    pub(super) fn require_no_table(&self, is_diff: bool) -> Result<(), Failure> {
+        if !(is_diff && self.table) {
+            return Ok(());
+        }
+        let message = "--fix without a file prints a diff, and --table asks for a table";
+        Err(Failure::usage(message, "leave one of them out, or name the file after --fix"))
+    }
+
+    /// Is the answer for a program?
+    pub(super) fn is_json(&self) -> bool {
+        self.json || self.format == Some(Format::Json)
+    }
+
+    /// Writes the diffs of all models, byte by byte as programs apply them, and says on standard error what is not in them.
+    pub(super) fn write_diff(&self, results: &Results<'_>) -> Result<(), Failure> {
+        for Outcome { path, report } in results.outcomes {
+            let Ok(report) = report else { continue };
+            let left = report.not_repaired();
+            if !left.is_empty() {
+                tell(&format!("{}\n{left}", shown(path)));
+            }
+        }
+        tell(about_policy(results).trim_start());
+        let diff = diffs(results);
+        match &self.output {
+            Some(path) => partial::write(path, false, |file| file.write_all(diff.as_bytes())),
+            None => print_exact(&diff),
+        }
+    }
+
+    /// Prints the diff of what is about to be written, where people read it.
+    pub(super) fn announce(&self, results: &Results<'_>) -> Result<(), Failure> {
+        if self.is_json() || self.output.is_some() {
+            return Ok(());
+        }
+        let diff = diffs(results);
+        if diff.is_empty() { Ok(()) } else { print(&format!("{diff}\n")) }
+    }
+
     /// The file that it goes to, if not to standard output.
     pub(super) fn file(&self) -> Option<&Path> {
         self.output.as_deref()
@@ -94,7 +134,10 @@ impl OutputFlags {
         let text = self.text(results);
         match &self.output {
             Some(path) => {
-                partial::write(path, force, |file| file.write_all(printable_lines(&text).as_bytes()))
+                let diff = if self.is_json() { String::new() } else { diffs(results) };
+                let gap = if diff.is_empty() { "" } else { "\n" };
+                let text = printable_lines(&format!("{diff}{gap}{text}"));
+                partial::write(path, force, |file| file.write_all(text.as_bytes()))
             }
             None => print(&text),
         }
@@ -118,6 +161,12 @@ impl OutputFlags {
             Some(Format::Markdown) => run(results).to_markdown(),
         }
     }
+}
+
+/// What the repairs of all models change.
+fn diffs(results: &Results<'_>) -> String {
+    let reports = results.outcomes.iter().filter_map(|outcome| outcome.report.as_ref().ok());
+    reports.filter_map(|report| report.fixed.as_ref()).map(|fixed| fixed.diff.as_str()).collect()
 }
 
 /// An object for each file; what is said of the policy goes to standard error.

@@ -7,6 +7,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser as _};
 use polhode::body::Finding;
 use polhode_report::plain::printable;
 use polhode_report::{ExportBody, ExportFormat, InertiaReport, export, pretty};
+use polhode_robot::link_table::LinkTable;
 use serde_json::Value;
 
 use crate::failure::Failure;
@@ -50,11 +51,33 @@ impl OutputFlags {
             if ["unit_assumed", "joints"].iter().any(|key| source.fields.contains_key(*key)) {
                 tell(&format!("info: {}: {}\n", shown(file), printable(&source.description)));
             }
-            for Finding { severity, message, code, .. } in &report.findings {
-                let severity = severity.name();
-                tell(&format!("{severity}: {}: {} [{code}]\n", shown(file), printable(message)));
-            }
+            report.findings.iter().for_each(|finding| tell_of(file, finding));
         }
+    }
+
+    /// The tables of robots, in the order of their files: JSON and CSV have those that failed as [`Self::text`] has them.
+    pub(super) fn tables(&self, tables: &[(&Path, Result<LinkTable, Failure>)]) -> String {
+        let each = || tables.iter().filter_map(|(file, table)| Some((*file, table.as_ref().ok()?)));
+        if self.json {
+            let value = |(file, table): &(&Path, Result<LinkTable, Failure>)| match table {
+                Ok(table) => table.to_json(),
+                Err(failure) => failure.to_json(file),
+            };
+            return match tables {
+                [one] => pretty(&value(one)) + "\n",
+                several => pretty(&Value::Array(several.iter().map(value).collect())) + "\n",
+            };
+        }
+        if !self.csv {
+            return each().map(|(_, table)| table.to_text()).collect::<Vec<_>>().join("\n");
+        }
+        for (file, table) in each() {
+            let description = printable(&table.whole.source.description);
+            tell(&format!("info: {}: {description}\n", shown(file)));
+            table.findings().iter().for_each(|finding| tell_of(file, finding));
+        }
+        let rows: String = each().map(|(_, table)| table.to_csv()).collect();
+        if rows.is_empty() { rows } else { LinkTable::csv_head() + &rows }
     }
 
     /// The answers as text, in the order of their files. One that failed has an object of its own in JSON, and is left out elsewhere.
@@ -86,6 +109,12 @@ impl OutputFlags {
             values => pretty(&Value::Array(values.to_vec())) + "\n",
         })
     }
+}
+
+/// Says on standard error what was noticed in a file.
+fn tell_of(file: &Path, Finding { severity, message, code, .. }: &Finding) {
+    let severity = severity.name();
+    tell(&format!("{severity}: {}: {} [{code}]\n", shown(file), printable(message)));
 }
 
 /// What becomes of a file: a report for each of its bodies, or why there is none.

@@ -4,7 +4,7 @@
 - :class:`FreeMotion`: a free motion at any time, in closed form
 - :func:`simulate`: the motion of a scenario
 - :class:`Ensemble`: many bodies at once; :mod:`polhode.batch` and :mod:`polhode.sweep`: plans of many motions, here and on clusters
-- :func:`check`: are the inertias of a robot right?
+- :func:`check`: are the inertias of a robot right? :func:`link_table`, :func:`fixed_groups`: its links as bodies
 - :mod:`plot`: figures, for those who have Matplotlib
 
 SI units: m, kg, s, rad, N·m, J. Quaternions are scalar first (w, x, y, z), Hamilton, and take body components to space components. ω is
@@ -24,6 +24,7 @@ from ._inertia import inertia
 from ._mass_properties import Finding, MassProperties, particles
 from ._motion import Ending, Event, Motion, simulate
 from ._native import VERSION as __version__
+from ._robot import LinkRow, LinkTable, fixed_groups, link_table
 
 __all__ = [
     "Body",
@@ -35,6 +36,8 @@ __all__ = [
     "Finding",
     "EnsembleStates",
     "FreeMotion",
+    "LinkRow",
+    "LinkTable",
     "MassProperties",
     "ModelFinding",
     "Motion",
@@ -44,7 +47,9 @@ __all__ = [
     "States",
     "__version__",
     "check",
+    "fixed_groups",
     "inertia",
+    "link_table",
     "particles",
     "plot",
     "shapes",
@@ -62,6 +67,8 @@ for _public in (
     Finding,
     EnsembleStates,
     FreeMotion,
+    LinkRow,
+    LinkTable,
     MassProperties,
     ModelFinding,
     Motion,

@@ -11,7 +11,7 @@ import warnings
 _SWITCHES = {"hull", "resume", "force"}
 _RENAMED = {"root": "roots", "joint": "joints", "threads": "workers"}
 _SAME = {"unit", "mass-unit", "products", "decimal", "shell", "density", "mass", "material", "isotopes", "molecule"}
-_SAME |= {"spacing", "origin", "per-value", "link", "workers", "worker-timeout"}
+_SAME |= {"spacing", "origin", "per-value", "link", "subtree", "workers", "worker-timeout"}
 
 #: A flag, and a value that stands beside it as an example or a placeholder.
 _FLAG = re.compile(r"(?<![\w-])--([a-z]+(?:-[a-z]+)*)( (?:negative|positive|point|comma|mm|cm|m|in|g|kg|lb)\b| [A-Z]+\b)?")

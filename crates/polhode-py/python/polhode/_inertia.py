@@ -11,6 +11,7 @@ import numpy.typing as npt
 from . import _arrays, _native
 from ._error import PolhodeError
 from ._mass_properties import MassProperties
+from ._robot import positions
 from ._substance import given
 
 #: What files are, by how their names end.
@@ -34,7 +35,7 @@ _OPTIONS = {
     "cad": ("a CAD report", {"unit", "mass_unit", "products", "decimal"}),
     "molecule": ("a molecule", {"isotopes", "molecule"}),
     "voxels": ("a voxel grid", {"unit", "spacing", "origin", "per_value"}),
-    "robot": ("a robot model", {"link", "joints"}),
+    "robot": ("a robot model", {"link", "subtree", "joints"}),
 }
 
 
@@ -56,7 +57,8 @@ def inertia(
     origin: npt.ArrayLike | None = None,
     per_value: float | None = None,
     link: str | None = None,
-    joints: Mapping[str, float] | None = None,
+    subtree: str | None = None,
+    joints: Mapping[str, float | str] | None = None,
     kind: str | None = None,
 ) -> MassProperties:
     """Mass, centre of mass and inertia tensor of a file, or of a mesh ``(vertices, triangles)``.
@@ -78,7 +80,9 @@ def inertia(
     ``cad`` (.txt, a CAD program's report)
         ``products`` ``"negative"`` or ``"positive"``, ``decimal`` ``"point"`` or ``"comma"``, ``unit``, ``mass_unit``, where it leaves that open.
     ``robot`` (.urdf, .usda, .osim, or .sdf and .xml of a model)
-        ``link`` by name; without it all links as one body, with ``joints`` at values by name (rad or m), others at zero.
+        ``link`` by name, in its own frame; ``subtree``, a link with all that hangs from it, in the frame of that link; without either all links
+        as one body. ``joints`` are values by name, in rad or m or as ``"30 deg"``; what follows a joint follows it, and others are at zero.
+        :func:`fixed_groups` has what fixed joints hold together, :func:`link_table` all links.
 
     An option that means nothing for the file is an error. What had to be assumed or turned is a :class:`PolhodeWarning`.
 
@@ -105,6 +109,7 @@ def inertia(
         "origin": origin,
         "per_value": per_value,
         "link": link,
+        "subtree": subtree,
         "joints": joints,
     }
     if isinstance(source, tuple) and len(source) != 2:
@@ -188,16 +193,13 @@ def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) 
         return MassProperties._of(_native.voxel_file(path, triple("spacing"), triple("origin"), length, per_value))
     if kind == "molecule":
         return _molecule(path, word("isotopes", ["abundant", "average"]), options["molecule"])
-    if not isinstance(options["joints"], (Mapping, type(None))):
-        raise TypeError(f"joints must be a dict of numbers by name, not {type(options['joints']).__name__}")
-    link = None if options["link"] is None else _arrays.text("link", options["link"])
-    joints = [
-        (_arrays.text("the name of a joint", name), _arrays.number(f"joints[{name!r}]", value))
-        for name, value in (options["joints"] or {}).items()
-    ]
+    link, subtree = (None if options[name] is None else _arrays.text(name, options[name]) for name in ("link", "subtree"))
+    joints = positions(options["joints"])
     if link is not None and joints:
         raise PolhodeError("link and joints are both given: a link in its own frame does not know of its joints")
-    return MassProperties._of(_native.robot_file(path, link, joints))
+    if link is not None and subtree is not None:
+        raise PolhodeError("link and subtree are both given: a link is taken alone, or with all that hangs from it")
+    return MassProperties._of(_native.robot_file(path, link, subtree, joints))
 
 
 def _molecule(path: str, isotopes: str | None, which: int | None) -> MassProperties:

@@ -67,9 +67,9 @@ fn row(body: &ExportBody) -> Vec<String> {
 
 /// The name on one line, quoted where it has to be.
 ///
-/// Spreadsheets take a text that begins with one of [`FORMULA`] for a formula, quoted or not, and run it: such a name gets an apostrophe
+/// Spreadsheets take a text that begins with the sign of a formula for one, quoted or not, and run it: such a name gets an apostrophe
 /// before it, which they take for the mark of a text. Tabs and line ends, which do the same, are escapes by then.
-fn quoted(name: &str) -> String {
+pub fn quoted(name: &str) -> String {
     /// The signs by which a formula begins, and their full-width forms.
     const FORMULA: [char; 8] = ['=', '+', '-', '@', '\u{ff1d}', '\u{ff0b}', '\u{ff0d}', '\u{ff20}'];
     let mark = if name.trim_start().starts_with(FORMULA) { "'" } else { "" };

@@ -13,7 +13,7 @@
 //! The frame of a link, prim or output coordinate system is the body's. All is SI. Text around the numbers is ASCII: these
 //! files meet old tools.
 
-mod csv;
+pub(crate) mod csv;
 mod error;
 mod mjcf;
 mod sdf;

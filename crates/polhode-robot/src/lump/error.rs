@@ -20,7 +20,19 @@ pub enum LumpError {
         error: LinkError,
     },
     /// No link has mass.
-    Massless,
+    Massless {
+        /// The link from which they hang, if it is not all of them.
+        subtree: Option<String>,
+    },
+    /// There is no such link.
+    UnknownLink {
+        /// The name.
+        link: String,
+        /// The one that was probably meant.
+        meant: Option<String>,
+        /// Those that are there, with mass first.
+        links: Vec<String>,
+    },
     /// A joint that names a link that is not there.
     NoLink {
         /// The joint.
@@ -64,8 +76,66 @@ pub enum LumpError {
     Joint {
         /// The name.
         joint: String,
+        /// The one that was probably meant.
+        meant: Option<String>,
         /// Those that take one.
         movable: Vec<String>,
+    },
+    /// A value for one of two joints of the same name.
+    TwoJoints {
+        /// The name.
+        joint: String,
+        /// Where it stands again.
+        span: Span,
+    },
+    /// A value for a joint that follows another.
+    Follower {
+        /// The joint.
+        joint: String,
+        /// The one that it follows; `None` if it is held at a constant.
+        leader: Option<String>,
+        /// Where that is written.
+        span: Span,
+    },
+    /// A value for a joint that moves nothing of what is joined.
+    Idle {
+        /// The joint.
+        joint: String,
+        /// The link from which this hangs; `None` if it is held together by fixed joints.
+        subtree: Option<String>,
+    },
+    /// A joint that follows one that is not there, or that takes no value.
+    Leader {
+        /// The follower.
+        joint: String,
+        /// The name of the other.
+        leader: String,
+        /// Whether there is a joint of that name, or are several.
+        is_there: bool,
+        /// The one that was probably meant.
+        meant: Option<String>,
+        /// Where it is named.
+        span: Span,
+    },
+    /// Joints that follow each other.
+    FollowCircle {
+        /// One of them, or one that follows them.
+        joint: String,
+        /// The one that it follows.
+        leader: String,
+        /// Where that is written.
+        span: Span,
+    },
+    /// A joint of which it cannot be told how it follows another.
+    Law {
+        /// The follower.
+        joint: String,
+        /// The joint that leads, if one does.
+        leader: Option<String>,
+        /// Why not.
+        why: String,
+        /// Where it is written.
+        span: Span,
     },
     /// An axis without a direction, or a pose that is none.
     Pose {
@@ -93,8 +163,17 @@ impl LumpError {
             | Self::TwoParents { span, .. }
             | Self::TwoRoots { span, .. }
             | Self::Circle { span, .. }
+            | Self::TwoJoints { span, .. }
+            | Self::Follower { span, .. }
+            | Self::Leader { span, .. }
+            | Self::FollowCircle { span, .. }
+            | Self::Law { span, .. }
             | Self::Pose { span, .. } => Some(span.clone()),
-            Self::Massless | Self::Joint { .. } | Self::Joined { .. } => None,
+            Self::Massless { .. }
+            | Self::UnknownLink { .. }
+            | Self::Joint { .. }
+            | Self::Idle { .. }
+            | Self::Joined { .. } => None,
         }
     }
 
@@ -102,7 +181,18 @@ impl LumpError {
     pub fn hint(&self) -> String {
         match self {
             Self::Link { error, .. } => error.hint().to_owned(),
-            Self::Massless => "give a link an inertial".to_owned(),
+            Self::Massless { .. } => "give a link an inertial".to_owned(),
+            Self::UnknownLink { meant, links, .. } => suggested(meant.as_deref(), "its links are", links),
+            Self::TwoJoints { .. } => "give each a name of its own".to_owned(),
+            Self::Follower { leader: Some(leader), .. } => {
+                format!("leave it out, and give a value to {}", printable(leader))
+            }
+            Self::Follower { leader: None, .. } => "leave it out".to_owned(),
+            Self::Idle { .. } => "leave it out".to_owned(),
+            Self::Leader { meant: Some(meant), .. } => format!("did you mean {}?", printable(meant)),
+            Self::Leader { meant: None, .. } => "name a joint that turns or slides".to_owned(),
+            Self::FollowCircle { .. } => "let one of them lead, and follow none".to_owned(),
+            Self::Law { .. } => "write numbers, or take the coupling out of the file".to_owned(),
             Self::NoLink { .. } | Self::Twice { .. } => "check the spelling of the names".to_owned(),
             Self::TwoRoots { .. } => "join them; --lump fixed needs no common frame".to_owned(),
             Self::TwoParents { .. } | Self::Circle { .. } => {
@@ -111,9 +201,8 @@ impl LumpError {
             Self::Joint { movable, .. } if movable.is_empty() => {
                 "no joint of this model takes a value".to_owned()
             }
-            Self::Joint { movable, .. } => {
-                let names: Vec<_> = movable.iter().map(|name| printable(name)).collect();
-                format!("those that take a value are {}", names.join(", "))
+            Self::Joint { meant, movable, .. } => {
+                suggested(meant.as_deref(), "those that take a value are", movable)
             }
             Self::Pose { .. } => "give it numbers that are finite, and an axis a length".to_owned(),
             Self::Joined { .. } => "check the units of its mass and of the poses above it".to_owned(),
@@ -125,7 +214,45 @@ impl fmt::Display for LumpError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Link { link, error } => write!(f, "the link {link:?} is no body: {error}"),
-            Self::Massless => f.write_str("no link has mass"),
+            Self::Massless { subtree: None } => f.write_str("no link has mass"),
+            Self::Massless { subtree: Some(link) } => {
+                write!(f, "neither the link {link:?} nor what hangs from it has mass")
+            }
+            Self::UnknownLink { link, .. } => write!(f, "there is no link {link:?}"),
+            Self::TwoJoints { joint, .. } => write!(f, "two joints are called {joint:?}"),
+            Self::Follower { joint, leader: Some(leader), .. } => {
+                write!(f, "the joint {joint:?} follows {leader:?}, and takes no value of its own")
+            }
+            Self::Follower { joint, leader: None, .. } => {
+                write!(f, "the joint {joint:?} is held at a constant, and takes no value")
+            }
+            Self::Idle { joint, subtree: Some(link) } => {
+                write!(f, "the joint {joint:?} moves nothing that hangs from the link {link:?}")
+            }
+            Self::Idle { joint, subtree: None } => {
+                write!(f, "the joint {joint:?} moves nothing within what fixed joints hold together")
+            }
+            Self::Leader { joint, leader, is_there: false, .. } => {
+                write!(f, "the joint {joint:?} follows {leader:?}, and there is no such joint")
+            }
+            Self::Leader { joint, leader, is_there: true, .. } => {
+                write!(
+                    f,
+                    "the joint {joint:?} follows {leader:?}, which is not one joint that turns or slides"
+                )
+            }
+            Self::FollowCircle { joint, leader, .. } => {
+                write!(
+                    f,
+                    "the joint {joint:?} follows {leader:?}, and joints follow each other in a circle there"
+                )
+            }
+            Self::Law { joint, leader: Some(leader), why, .. } => {
+                write!(f, "the joint {joint:?} follows {leader:?}, but not in a way that is known: {why}")
+            }
+            Self::Law { joint, leader: None, why, .. } => {
+                write!(f, "the joint {joint:?} is held at a value that is not known: {why}")
+            }
             Self::NoLink { joint, link, .. } => {
                 write!(f, "the joint {joint:?} names {link:?}, and there is no such link")
             }
@@ -147,3 +274,13 @@ impl fmt::Display for LumpError {
 }
 
 impl Error for LumpError {}
+
+/// The name that was probably meant, and those that there are; of very many, some.
+fn suggested(meant: Option<&str>, introduction: &str, names: &[String]) -> String {
+    /// Names that a hint lists.
+    const MOST: usize = 40;
+    let meant = meant.map_or_else(String::new, |meant| format!("did you mean {}? ", printable(meant)));
+    let listed: Vec<_> = names.iter().take(MOST).map(|name| printable(name)).collect();
+    let more = if names.len() > MOST { ", …" } else { "" };
+    format!("{meant}{introduction} {}{more}", listed.join(", "))
+}

@@ -7,25 +7,32 @@ use crate::model::{Joint, RobotModel};
 
 /// What each link hangs on, and an order in which every link comes after that.
 #[derive(Debug)]
-pub(super) struct Tree<'a> {
+pub(super) struct Tree {
     /// Of each link, in the order of the file.
-    pub(super) above: Vec<Above<'a>>,
+    pub(super) above: Vec<Above>,
     /// Every link once, from the roots outwards.
     pub(super) order: Vec<usize>,
 }
 
 /// What a link hangs on.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Above<'a> {
+pub(super) struct Above {
     /// The link; `None` if that is the world, or nothing.
     pub(super) parent: Option<usize>,
-    /// The joints, in the order of the file; none at a root that is free.
-    pub(super) joints: Vec<&'a Joint>,
+    /// The joints by their numbers, in the order of the file; none at a root that is free.
+    pub(super) joints: Vec<usize>,
 }
 
-impl<'a> Tree<'a> {
+impl Above {
+    /// The joints.
+    pub(super) fn joints<'m>(&self, model: &'m RobotModel) -> impl Iterator<Item = &'m Joint> {
+        self.joints.iter().filter_map(|&k| model.joints.get(k))
+    }
+}
+
+impl Tree {
     /// The tree of a model: found without recursion, so that no chain of joints is too long.
-    pub(super) fn of(model: &'a RobotModel) -> Result<Self, LumpError> {
+    pub(super) fn of(model: &RobotModel) -> Result<Self, LumpError> {
         let mut links = BTreeMap::new();
         for (k, link) in model.links.iter().enumerate() {
             if links.insert(link.name.text.as_str(), k).is_some() {
@@ -33,8 +40,8 @@ impl<'a> Tree<'a> {
                 return Err(LumpError::Twice { link, span });
             }
         }
-        let mut above: Vec<Option<Above<'a>>> = vec![None; model.links.len()];
-        for joint in &model.joints {
+        let mut above: Vec<Option<Above>> = vec![None; model.links.len()];
+        for (k, joint) in model.joints.iter().enumerate() {
             let find = |name: &crate::model::Name| {
                 links.get(name.text.as_str()).copied().ok_or_else(|| LumpError::NoLink {
                     joint: joint.name.text.clone(),
@@ -53,9 +60,9 @@ impl<'a> Tree<'a> {
                     span: joint.child.span.clone(),
                 });
             }
-            own.joints.push(joint);
+            own.joints.push(k);
         }
-        let above: Vec<Above<'a>> = above.into_iter().map(Option::unwrap_or_default).collect();
+        let above: Vec<Above> = above.into_iter().map(Option::unwrap_or_default).collect();
         let order = order(&above);
         let mut reached = vec![false; above.len()];
         order.iter().for_each(|&k| reached.get_mut(k).into_iter().for_each(|reached| *reached = true));
@@ -74,7 +81,7 @@ impl<'a> Tree<'a> {
 }
 
 /// Every link that a root carries, each after what it hangs on.
-fn order(above: &[Above<'_>]) -> Vec<usize> {
+fn order(above: &[Above]) -> Vec<usize> {
     let mut children: Vec<Vec<usize>> = vec![Vec::new(); above.len()];
     let mut order = Vec::with_capacity(above.len());
     for (k, above) in above.iter().enumerate() {

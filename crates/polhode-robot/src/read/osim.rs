@@ -6,6 +6,7 @@
 //!
 //! Source: simtk-confluence.stanford.edu, "OpenSim Models"; the properties of `Body`, `Joint` and `PhysicalOffsetFrame`.
 
+mod coordinate;
 mod frame;
 mod joint;
 
@@ -56,6 +57,7 @@ pub(super) fn read(root: Element<'_>, model: &mut RobotModel) -> Result<(), Cont
     for element in set(own, "JointSet") {
         model.joints.extend(joint::new(element, &frames));
     }
+    coordinate::couple(own, set(own, "ConstraintSet"), &mut model.joints);
     Ok(())
 }
 

@@ -12,15 +12,17 @@ use std::path::Path;
 
 use polhode_formats::ContentError;
 
+use crate::coordinate::limits;
 use crate::model::{
-    Geometry, GeometryShape, Inertial, Joint, JointKind, Link, Name, Note, Pose, RobotModel, Role, Tensor,
+    Coordinate, Follows, Geometry, GeometryShape, Inertial, Joint, JointKind, Link, Name, Note, Pose,
+    RobotModel, Role, Tensor,
 };
 use crate::pose::of_roll_pitch_yaw;
 use crate::read::files::Files;
 use crate::read::pose::Reading;
 use crate::read::unread;
 use crate::read::uri::Roots;
-use crate::read::xml::{Element, child_slot, is_true};
+use crate::read::xml::{Element, Written, child_slot, is_true};
 use frames::Frames;
 use gather::{gather, require_short};
 
@@ -211,5 +213,36 @@ fn joint(element: Element<'_>, scope: usize, frame: usize, frames: &Frames<'_>) 
         pose: Pose { unreadable: frames.unreadable(frame).to_vec(), ..in_parent.inverse().then(&in_child) },
         axis: axes.turned(written),
         anchor: place.position,
+        coordinate: axis
+            .map_or_else(Coordinate::default, |axis| coordinate(axis, &frames.scope(scope).prefix)),
     }
+}
+
+/// What an axis says of its limits, and of the joint that it follows: `<mimic joint="…">` since 1.10.
+fn coordinate(axis: Element<'_>, prefix: &str) -> Coordinate {
+    let number = |written: Written<'_>| written.number().value.unwrap_or(f64::NAN);
+    let limit = |side: &str| {
+        let written = axis.child("limit").and_then(|limit| limit.child_text(side))?;
+        // The default, ±1e16, says that there is none.
+        Some(number(written)).filter(|limit| limit.abs() < 1e16)
+    };
+    let follows = axis.child("mimic").map(|mimic| {
+        let start = mimic.span().start;
+        let leader = mimic
+            .attribute("joint")
+            .map_or(Name { text: String::new(), span: start..start }, |name| name.name());
+        let leader = Name { text: format!("{prefix}{}", leader.text), ..leader };
+        // The specification asks for a multiplier, and has no use for its default, zero.
+        let numbers = [("multiplier", f64::NAN), ("offset", 0.0), ("reference", 0.0)]
+            .map(|(name, default)| mimic.child_text(name).map_or(default, number));
+        let follows = Follows::line(mimic.span(), leader, numbers);
+        match mimic.word("axis") {
+            None | Some("" | "axis") => follows,
+            Some(_) => Follows {
+                coefficients: Err("it follows a second axis, which is not read".to_owned()),
+                ..follows
+            },
+        }
+    });
+    Coordinate { limits: limits(limit("lower"), limit("upper")), follows, ..Coordinate::default() }
 }

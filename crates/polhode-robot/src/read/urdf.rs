@@ -6,15 +6,16 @@ use std::path::Path;
 
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
 
+use crate::coordinate::limits;
 use crate::model::{
-    Geometry, GeometryShape, Inertial, Joint, JointKind, Link, Name, Note, Pose, RobotModel, Role, Slot,
-    Span, Tensor,
+    Coordinate, Follows, Geometry, GeometryShape, Inertial, Joint, JointKind, Link, Name, Note, Pose,
+    RobotModel, Role, Slot, Span, Tensor,
 };
 use crate::pose::of_roll_pitch_yaw;
 use crate::read::pose::Reading;
 use crate::read::unread;
 use crate::read::uri::Roots;
-use crate::read::xml::{Element, slot};
+use crate::read::xml::{Element, Written, slot};
 
 /// Fills the model with what the root says.
 pub(super) fn read(root: Element<'_>, roots: &Roots, model: &mut RobotModel) -> Result<(), ContentError> {
@@ -193,5 +194,26 @@ fn joint(element: Element<'_>) -> Joint {
         pose: origin(element),
         axis: axis.map_or([1.0, 0.0, 0.0], |axis| axis.array().unwrap_or([f64::NAN; 3])),
         anchor: [0.0; 3],
+        coordinate: coordinate(element),
     }
+}
+
+/// `<limit lower="…" upper="…"/>` and `<mimic joint="…" multiplier="…" offset="…"/>`.
+fn coordinate(element: Element<'_>) -> Coordinate {
+    let number = |written: Option<Written<'_>>, default: f64| {
+        written.map_or(default, |written| written.number().value.unwrap_or(f64::NAN))
+    };
+    // A continuous joint has no limits, and those of the others are zero where they are left out.
+    let limit =
+        element.child("limit").filter(|_| matches!(element.word("type"), Some("revolute" | "prismatic")));
+    let limits = limit.and_then(|limit| match ["lower", "upper"].map(|name| limit.attribute(name)) {
+        [None, None] => None,
+        [lower, upper] => limits(Some(number(lower, 0.0)), Some(number(upper, 0.0))),
+    });
+    let follows = element.child("mimic").map(|mimic| {
+        let [multiplier, offset] = [("multiplier", 1.0), ("offset", 0.0)]
+            .map(|(name, default)| number(mimic.attribute(name), default));
+        Follows::line(mimic.span(), name(mimic, "joint"), [multiplier, offset, 0.0])
+    });
+    Coordinate { limits, follows, ..Coordinate::default() }
 }

@@ -3,7 +3,7 @@
 use polhode_robot::body::LinkError;
 use polhode_robot::lump::{Lump, LumpError, Lumping, lump};
 use polhode_robot::model::{
-    Inertial, Joint, JointKind, Link, ModelFormat, Name, Number, Pose, RobotModel, Slot, Tensor,
+    Coordinate, Inertial, Joint, JointKind, Link, ModelFormat, Name, Number, Pose, RobotModel, Slot, Tensor,
 };
 
 type Vector = [f64; 3];
@@ -119,7 +119,17 @@ fn frame(text: &str) -> Link {
 
 fn joint(text: &str, kind: JointKind, between: [&str; 2], pose: Pose, axis: Vector, anchor: Vector) -> Joint {
     let [parent, child] = between.map(name);
-    Joint { name: name(text), span: 0..0, kind, parent: Some(parent), child, pose, axis, anchor }
+    Joint {
+        name: name(text),
+        span: 0..0,
+        kind,
+        parent: Some(parent),
+        child,
+        pose,
+        axis,
+        anchor,
+        coordinate: Coordinate::default(),
+    }
 }
 
 fn model(links: Vec<Link>, joints: Vec<Joint>) -> RobotModel {
@@ -308,7 +318,7 @@ fn what_has_no_position_is_refused() {
     let named = far.joints[3].child.text.clone();
     assert!(matches!(error(&far, &[]), LumpError::Joined { link, .. } if link == named));
     let empty = model(vec![frame("base")], Vec::new());
-    assert_eq!(error(&empty, &[]), LumpError::Massless);
+    assert_eq!(error(&empty, &[]), LumpError::Massless { subtree: None });
     let mut given = arm();
     given.links[0].from_geometry = true;
     assert!(matches!(error(&given, &[]), LumpError::Link { error: LinkError::Assumed { .. }, .. }));

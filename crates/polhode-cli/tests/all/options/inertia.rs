@@ -107,6 +107,8 @@ static INERTIA: Subcommand = Subcommand {
         choice("--decimal", &["--decimal", "comma"], &["cad"], &["--unit", "--mass-unit", "--products"]),
         choice("--link", &["--link", "forearm"], &["robot"], &[]),
         choice("--lump", &["--lump", "all"], &["robot"], &[]),
+        choice("--subtree", &["--subtree", "upper_arm"], &["robot"], &[]),
+        choice("--table", &["--table"], &["robot"], &[]),
         choice("--joint", &["--joint", "elbow=30 deg"], &["robot"], &["--lump"]),
         choice("--spacing", &["--spacing", "1 mm, 2 mm, 3 mm"], &["grid"], &[]),
         choice("--origin", &["--origin", "5 mm, 0, 7 mm"], &["grid"], &["--spacing"]),

@@ -15,6 +15,9 @@ impl<'a> Reader<'_, 'a, '_> {
         };
         let prefix = format!("{}{}", branch.prefix, element.word("prefix").unwrap_or(""));
         self.name_bytes += prefix.len();
+        if let Some(context) = context {
+            self.attached.push((context, prefix.as_str().into(), branch.suffix.clone()));
+        }
         let found = context.and_then(|context| Some((context, self.contexts.get(context)?.root)));
         let why = match (found, element.word("body")) {
             (None, _) => "its model is not among the assets, or could not be read",

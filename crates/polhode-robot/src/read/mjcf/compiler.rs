@@ -32,6 +32,8 @@ pub(super) struct Settings<'a> {
     pub(super) exact_meshes: bool,
     /// Primitives are fitted to the bounds of a mesh, not to its moments.
     pub(super) fit_bounds: bool,
+    /// A joint with a range has limits without saying so: `autolimits`.
+    pub(super) limits_by_range: bool,
     /// The least mass of a body, kg.
     pub(super) bound_mass: f64,
     /// The least moment of a body, kg·m².
@@ -54,6 +56,7 @@ impl<'a> Settings<'a> {
             groups: [0.0, 5.0],
             exact_meshes: false,
             fit_bounds: false,
+            limits_by_range: true,
             bound_mass: 0.0,
             bound_inertia: 0.0,
             balance: false,
@@ -76,6 +79,7 @@ impl<'a> Settings<'a> {
                 ("strippath", &mut settings.strip_path),
                 ("exactmeshinertia", &mut settings.exact_meshes),
                 ("fitaabb", &mut settings.fit_bounds),
+                ("autolimits", &mut settings.limits_by_range),
                 ("balanceinertia", &mut settings.balance),
             ] {
                 *setting = element.word(name).map_or(*setting, is_true);
@@ -109,7 +113,7 @@ impl<'a> Settings<'a> {
     }
 
     /// An angle in radians.
-    fn angle(&self, angle: f64) -> f64 {
+    pub(super) fn angle(&self, angle: f64) -> f64 {
         if self.radians { angle } else { angle.to_radians() }
     }
 

@@ -1,7 +1,12 @@
 //! Joints, and what hangs without one.
 
-use crate::model::{Joint, JointKind, Name, Pose, Span};
+use crate::coordinate::limits;
+use crate::model::{Coordinate, Joint, JointKind, Name, Pose, Span};
 
+use crate::read::xml::is_true;
+
+use super::compiler::Settings;
+use super::defaults::Source;
 use super::{Branch, Reader, made_up};
 
 impl<'a> Reader<'_, 'a, '_> {
@@ -28,7 +33,8 @@ impl<'a> Reader<'_, 'a, '_> {
             |name| branch.name(name.name()),
         );
         self.joint_order.push(self.elements);
-        self.hang(index, name, element.span(), kind, axis, anchor);
+        let coordinate = coordinate(&source, kind, &context.settings);
+        self.hang(index, name, element.span(), kind, (axis, anchor), coordinate);
     }
 
     /// Joins a link to the one above it.
@@ -38,15 +44,15 @@ impl<'a> Reader<'_, 'a, '_> {
         name: Name,
         span: Span,
         kind: JointKind,
-        axis: [f64; 3],
-        anchor: [f64; 3],
+        (axis, anchor): ([f64; 3], [f64; 3]),
+        coordinate: Coordinate,
     ) {
         let parent = self.jointed.get(index).and_then(|(parent, _)| *parent);
         let name_of = |link: usize| self.model.links.get(link).map(|link| link.name.clone());
         let Some(child) = name_of(index) else { return };
         let pose = self.frames_in_parents.get(index).cloned().unwrap_or(Pose::IDENTITY);
         let parent = parent.and_then(name_of);
-        self.model.joints.push(Joint { name, span, kind, parent, child, pose, axis, anchor });
+        self.model.joints.push(Joint { name, span, kind, parent, child, pose, axis, anchor, coordinate });
     }
 
     /// Fixes what has no joint, and puts the joints in the order of the file.
@@ -58,7 +64,8 @@ impl<'a> Reader<'_, 'a, '_> {
             let Some(link) = self.model.links.get(index) else { continue };
             let span = link.span.clone();
             let name = Name { text: format!("{} (fixed)", link.name.text), span: span.start..span.start + 1 };
-            self.hang(index, name, span, JointKind::Fixed, [0.0, 0.0, 1.0], [0.0; 3]);
+            let axis = ([0.0, 0.0, 1.0], [0.0; 3]);
+            self.hang(index, name, span, JointKind::Fixed, axis, Coordinate::default());
             let order = self.link_order.get(index).copied().unwrap_or(usize::MAX);
             self.joint_order.push(order);
         }
@@ -71,4 +78,17 @@ impl<'a> Reader<'_, 'a, '_> {
             link.from_geometry &= !link.geometry.is_empty();
         }
     }
+}
+
+/// `ref`, and `range` where it counts: angles in the unit that the compiler is told.
+fn coordinate(source: &Source<'_, '_>, kind: JointKind, settings: &Settings<'_>) -> Coordinate {
+    let unit = |value: f64| if kind == JointKind::Revolute { settings.angle(value) } else { value };
+    let range = source.written("range").and_then(|range| range.array());
+    let is_limited = match source.word("limited") {
+        None | Some("auto") => settings.limits_by_range,
+        Some(word) => is_true(word),
+    };
+    let limits =
+        range.filter(|_| is_limited).and_then(|[lower, upper]| limits(Some(unit(lower)), Some(unit(upper))));
+    Coordinate { at_rest: source.number("ref").map_or(0.0, unit), limits, ..Coordinate::default() }
 }

@@ -8,6 +8,7 @@ mod attach;
 mod compiler;
 mod context;
 mod defaults;
+mod equality;
 mod geom;
 mod inertial;
 mod joint;
@@ -71,6 +72,9 @@ impl Branch<'_> {
     }
 }
 
+/// A model, by its context, and what goes before and after its names.
+type Names = (usize, Rc<str>, Rc<str>);
+
 struct Reader<'c, 'a, 'm> {
     contexts: &'c [Context<'a>],
     solids: HashMap<(usize, String), Result<Rc<Solid>, String>>,
@@ -85,6 +89,8 @@ struct Reader<'c, 'a, 'm> {
     /// Elements so far, and bytes of their names.
     elements: usize,
     name_bytes: usize,
+    /// The models whose bodies are here, each with what goes before and after its names.
+    attached: Vec<Names>,
     /// Why bodies are missing.
     incomplete: Option<String>,
     model: &'m mut RobotModel,
@@ -102,6 +108,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
             link_order: Vec::new(),
             elements: 0,
             name_bytes: 0,
+            attached: vec![(0, Rc::from(""), Rc::from(""))],
             incomplete: None,
             model,
         }
@@ -113,6 +120,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
             self.tree(world)?;
         }
         self.fix_the_rest();
+        equality::couple(self.contexts, &self.attached, &mut self.model.joints);
         let settings: Vec<_> = self.contexts.iter().map(|context| &context.settings).collect();
         let blind = blind.then_some("an <include> could not be read");
         mass::compile(&mut self.model.links, self.masses, &settings, self.incomplete, blind);

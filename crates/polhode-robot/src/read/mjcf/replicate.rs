@@ -51,6 +51,7 @@ impl<'a> Reader<'_, 'a, '_> {
             let suffix: Rc<str> = format!("{separator}{k:0digits$}{}", branch.suffix).into();
             self.name_bytes += suffix.len();
             self.require_few(element)?;
+            self.attached.push((branch.context, branch.prefix.clone(), suffix.clone()));
             let copied = Branch { frame, class, suffix, ..branch.clone() };
             branches.extend(inner.iter().map(|&element| Branch { element, ..copied.clone() }));
         }

@@ -1,7 +1,7 @@
 //! Joints, in the set of a model or, until 3.x, in the body that hangs on them.
 
-use super::GROUND;
 use super::frame::{Frames, offset, socket};
+use super::{GROUND, coordinate};
 use crate::model::{Joint, JointKind, Name, Pose};
 use crate::read::xml::Element;
 
@@ -47,5 +47,6 @@ fn joint(element: Element<'_>, parent: Name, child: Name, in_parent: &Pose, in_c
         anchor: in_child.position,
         child,
         pose,
+        coordinate: coordinate::of(element),
     }
 }

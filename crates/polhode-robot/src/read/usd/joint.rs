@@ -1,7 +1,8 @@
 //! Joints of UsdPhysics: a frame on each of two bodies.
 
 use super::layer::Prim;
-use super::{Stage, xform};
+use super::path::absolute;
+use super::{Stage, coordinate, xform};
 use crate::model::{Joint, JointKind, Name, Pose};
 use crate::pose::unit;
 
@@ -19,10 +20,10 @@ pub(super) fn joint(stage: &Stage<'_>, prim: &Prim) -> Option<Joint> {
         return None;
     }
     let (first, second) = (end(stage, prim, 0), end(stage, prim, 1));
-    // a joint to the world may name its body as either end
-    let ((parent, in_parent), (child, in_child)) = match (first.0, second.0) {
-        (Some(only), None) => ((None, second.1), (only, first.1)),
-        (parent, Some(child)) => ((parent, first.1), (child, second.1)),
+    // a joint to the world may name its body as either end; its value is how far the second moves from the first
+    let ((parent, in_parent), (child, in_child), sense) = match (first.0, second.0) {
+        (Some(only), None) => ((None, second.1), (only, first.1), -1.0),
+        (parent, Some(child)) => ((parent, first.1), (child, second.1), 1.0),
         (None, None) => return None,
     };
     let axis = match words("physics:axis").map(String::as_str) {
@@ -38,8 +39,9 @@ pub(super) fn joint(stage: &Stage<'_>, prim: &Prim) -> Option<Joint> {
         kind,
         parent,
         child,
-        axis: in_child.turned(axis),
+        axis: in_child.turned(axis.map(|c: f64| sense * c)),
         anchor: in_child.position,
+        coordinate: coordinate::of(stage, prim, kind),
         pose,
     })
 }
@@ -83,20 +85,4 @@ fn end(stage: &Stage<'_>, prim: &Prim, number: usize) -> (Option<Name>, Pose) {
         }
     });
     (body, pose)
-}
-
-/// A path as it is from the root: one that does not begin there is from the prim that says it.
-fn absolute(path: &str, prim: &str) -> String {
-    if path.starts_with('/') {
-        return path.to_owned();
-    }
-    let mut names: Vec<&str> = prim.split('/').filter(|name| !name.is_empty()).collect();
-    for name in path.split('/') {
-        match name {
-            ".." => drop(names.pop()),
-            "." | "" => {}
-            name => names.push(name),
-        }
-    }
-    format!("/{}", names.join("/"))
 }

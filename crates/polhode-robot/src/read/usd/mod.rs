@@ -8,8 +8,10 @@
 //! Source: openusd.org, "Rigid Body Physics in USD"; the schemas UsdPhysics and UsdGeom.
 
 mod body;
+mod coordinate;
 mod joint;
 mod layer;
+mod path;
 mod shape;
 mod token;
 mod unit;

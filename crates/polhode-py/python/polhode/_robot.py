@@ -1,0 +1,143 @@
+"""The bodies of a robot model: what fixed joints hold together, and all links in a table."""
+
+from __future__ import annotations
+
+import copy
+import json
+import os
+from typing import Any, Iterator, Mapping, NamedTuple
+
+import numpy as np
+
+from . import _arrays, _native
+from ._arrays import Floats
+from ._mass_properties import Finding, MassProperties, findings_of, warn_of
+
+
+def positions(joints: object) -> list[tuple[str, float | str]]:
+    """Values of joints by name: numbers in rad or m, or texts with their units."""
+    if not isinstance(joints, (Mapping, type(None))):
+        raise TypeError(f"joints must be a dict of numbers by name, not {type(joints).__name__}")
+
+    def value(name: str, given: object) -> float | str:
+        return given if isinstance(given, str) else _arrays.number(f"joints[{name!r}]", given)
+
+    return [(_arrays.text("the name of a joint", name), value(name, given)) for name, given in (joints or {}).items()]
+
+
+def fixed_groups(path: str | os.PathLike[str]) -> dict[str, MassProperties]:
+    """What fixed joints hold together in a URDF, SDF, MJCF, USD or OpenSim file: a body for each group with mass.
+
+    Each is in the frame of its first link, the one nearest the root, and is found by the name of that.
+
+    >>> import pathlib, tempfile, polhode
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "arm.urdf"
+    >>> inertial = '<inertial><mass value="2"/><inertia ixx="0.2" iyy="0.3" izz="0.4" ixy="0" ixz="0" iyz="0"/></inertial>'
+    >>> _ = path.write_text(f'''<robot name="arm"><link name="base">{inertial}</link><link name="arm">{inertial}</link><link name="hand">{inertial}</link>
+    ...     <joint name="elbow" type="revolute"><parent link="base"/><child link="arm"/></joint>
+    ...     <joint name="flange" type="fixed"><parent link="arm"/><child link="hand"/><origin xyz="0.5 0 0"/></joint></robot>''')
+    >>> {name: body.mass for name, body in polhode.fixed_groups(path).items()}
+    {'base': 2.0, 'arm': 4.0}
+    """
+    groups = _native.robot_groups(_arrays.path("path", path))
+    bodies = {name: MassProperties._of(body) for name, body in groups}
+    for body in list(bodies.values())[:1]:  # what was noticed in the file, once
+        body._heard()
+    return bodies
+
+
+class LinkRow(NamedTuple):
+    """A link in a table, in its own frame."""
+
+    #: Its name.
+    link: str
+    #: Its shapes by their kinds, such as ``"box"`` or ``"mesh"``.
+    shapes: list[str]
+    #: kg; 0 if it has none, and then no tensor.
+    mass: float
+    #: In the link's frame (3,), m; None without mass.
+    center_of_mass: Floats | None
+    #: About the centre of mass, along the link's axes (3, 3), kg·m².
+    inertia: Floats | None
+    #: Principal moments (3,), ascending, kg·m².
+    moments: Floats | None
+
+
+class LinkTable:
+    """All links of a robot, in the order of the file, and the whole robot. It has the length and the elements of ``rows``."""
+
+    def __init__(self, path: str, table: dict[str, Any], text: str, csv: str, findings: list[Finding]) -> None:
+        self.path = path
+        self._table = table
+        self._text = text
+        self._csv = csv
+        self._findings = findings
+
+    @property
+    def rows(self) -> list[LinkRow]:
+        """The links."""
+        return [_row(link) for link in self._table["links"]]
+
+    @property
+    def whole(self) -> LinkRow:
+        """All links together, in the frame of the model; without a name."""
+        return _row({"link": "", "shapes": [], "massless": False, **self._table["whole"]})
+
+    @property
+    def findings(self) -> list[Finding]:
+        """What was noticed: a joint beyond its limits, what was not read."""
+        return list(self._findings)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The object that ``polhode inertia --table --json`` prints: its keys are stable."""
+        return copy.deepcopy(self._table)
+
+    def to_csv(self) -> str:
+        """The table that ``polhode inertia --table --csv`` prints, units in the heads of its columns."""
+        return self._csv
+
+    def __iter__(self) -> Iterator[LinkRow]:
+        return iter(self.rows)
+
+    def __len__(self) -> int:
+        return len(self._table["links"])
+
+    def __repr__(self) -> str:
+        return f"LinkTable({self.path!r}: {len(self)} links, {self.whole.mass:.6g} kg)"
+
+    def __str__(self) -> str:
+        return self._text
+
+
+def link_table(path: str | os.PathLike[str], *, joints: Mapping[str, float | str] | None = None) -> LinkTable:
+    """Mass, centre and inertia of every link of a robot model, and of the whole robot with its joints at these values.
+
+    Values are by name, in rad or m or as ``"30 deg"``; what follows a joint follows it, and others are at zero.
+
+    >>> import pathlib, tempfile, polhode
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "arm.urdf"
+    >>> inertial = '<inertial><mass value="2"/><inertia ixx="0.2" iyy="0.3" izz="0.4" ixy="0" ixz="0" iyz="0"/></inertial>'
+    >>> _ = path.write_text(f'''<robot name="arm"><link name="base">{inertial}</link><link name="arm">{inertial}</link><link name="tip"/>
+    ...     <joint name="rail" type="prismatic"><parent link="base"/><child link="arm"/><axis xyz="0 1 0"/></joint>
+    ...     <joint name="flange" type="fixed"><parent link="arm"/><child link="tip"/></joint></robot>''')
+    >>> table = polhode.link_table(path, joints={"rail": "30 cm"})
+    >>> [(row.link, row.mass) for row in table]
+    [('base', 2.0), ('arm', 2.0), ('tip', 0.0)]
+    >>> table.whole.center_of_mass.round(6).tolist()
+    [0.0, 0.15, 0.0]
+    """
+    name = _arrays.path("path", path)
+    table, text, csv, remarks = _native.robot_table(name, positions(joints))
+    findings = findings_of(remarks)
+    warn_of(findings)
+    return LinkTable(name, json.loads(table), text, csv, findings)
+
+
+def _row(link: Mapping[str, Any]) -> LinkRow:
+    if link["massless"]:
+        return LinkRow(link["link"], list(link["shapes"]), 0.0, None, None, None)
+    center, tensor, moments = (
+        np.array(numbers, dtype=np.float64)
+        for numbers in (link["center_of_mass"], link["inertia"]["tensor"], link["principal"]["moments"])
+    )
+    return LinkRow(link["link"], list(link["shapes"]), link["mass"], center, tensor, moments)

@@ -1,0 +1,30 @@
+//! The value of a joint by that of another, and where it belongs.
+
+use crate::model::{Follows, Name, Span};
+
+impl Follows {
+    /// y = multiplier (x − reference) + offset
+    pub(crate) fn line(span: Span, leader: Name, [multiplier, offset, reference]: [f64; 3]) -> Self {
+        let is_finite = [multiplier, offset, reference].iter().all(|number| number.is_finite());
+        let coefficients = if is_finite { Ok(vec![offset, multiplier]) } else { Err(NO_NUMBER.to_owned()) };
+        Self { span, leader: Some(leader), reference, coefficients }
+    }
+
+    /// The follower's value.
+    pub(crate) fn value(&self, leader: f64) -> Result<f64, &str> {
+        let coefficients = self.coefficients.as_ref().map_err(String::as_str)?;
+        let x = leader - self.reference;
+        let value = coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c);
+        if value.is_finite() { Ok(value) } else { Err("its value is beyond the largest double") }
+    }
+}
+
+/// Why a value is not known whose numbers are none.
+pub(crate) const NO_NUMBER: &str = "a number of it is none, or not finite";
+
+/// Limits in order: from what a file says, infinite where it says nothing.
+pub(crate) fn limits(lower: Option<f64>, upper: Option<f64>) -> Option<[f64; 2]> {
+    let limits = [lower.unwrap_or(f64::NEG_INFINITY), upper.unwrap_or(f64::INFINITY)];
+    (limits != [f64::NEG_INFINITY, f64::INFINITY] && !limits.iter().any(|limit| limit.is_nan()))
+        .then_some(limits)
+}

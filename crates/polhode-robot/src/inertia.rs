@@ -1,0 +1,236 @@
+//! Reports of the bodies of a model: a link, what fixed joints hold together, a link with all that hangs from it, or the whole.
+
+use std::error::Error;
+use std::fmt;
+use std::fmt::Write as _;
+
+use polhode::body::{Finding, Severity};
+use polhode::math::{Body, Rotation};
+use polhode_report::plain::number;
+use polhode_report::{InertiaReport, SourceInfo};
+use serde_json::{Map, Value};
+
+use crate::body::{LinkMass, link_mass};
+use crate::line_index::{FilePlace, Places};
+use crate::lump::{JointPosition, Lump, LumpError, Lumping, PositionBy, link_named, lump};
+use crate::model::{ModelFormat, RobotModel, Span};
+use crate::remarks::{Contradiction, remarks};
+
+/// Why there is no report.
+#[derive(Clone, Debug, PartialEq)]
+pub enum InertiaError {
+    /// A link is no body, a name is none, a joint's value cannot be told, or links cannot be joined.
+    Lump(LumpError),
+    /// A link without mass.
+    Massless {
+        /// The link.
+        link: String,
+        /// Where.
+        span: Span,
+    },
+    /// A link that says its numbers twice, and not the same.
+    Twice(Contradiction),
+}
+
+impl InertiaError {
+    /// Where in the model's text, if it is a place.
+    pub fn span(&self) -> Option<Span> {
+        match self {
+            Self::Lump(error) => error.span(),
+            Self::Massless { span, .. } => Some(span.clone()),
+            Self::Twice(twice) => Some(twice.span.clone()),
+        }
+    }
+
+    /// What to do about it.
+    pub fn hint(&self) -> String {
+        match self {
+            Self::Lump(error) => error.hint(),
+            Self::Massless { .. } => "name another, or join it to others".to_owned(),
+            Self::Twice(twice) => twice.hint().to_owned(),
+        }
+    }
+}
+
+impl fmt::Display for InertiaError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Lump(error) => error.fmt(f),
+            Self::Massless { link, .. } => write!(f, "the link {link:?} has no mass"),
+            Self::Twice(twice) => twice.fmt(f),
+        }
+    }
+}
+
+impl Error for InertiaError {}
+
+impl From<LumpError> for InertiaError {
+    fn from(error: LumpError) -> Self {
+        Self::Lump(error)
+    }
+}
+
+impl From<Contradiction> for InertiaError {
+    fn from(twice: Contradiction) -> Self {
+        Self::Twice(twice)
+    }
+}
+
+/// A link, in its own frame.
+///
+/// # Errors
+/// [`InertiaError`] if there is no such link, or it is no body.
+pub fn of_link(model: &RobotModel, name: &str) -> Result<InertiaReport, InertiaError> {
+    let link = link_named(model, name)?;
+    let findings = remarks(model, Some(name))?;
+    let Some(link) = model.links.get(link) else { return Err(LumpError::Massless { subtree: None }.into()) };
+    let body = match link_mass(model.format, link) {
+        Ok(LinkMass::Body(body)) => body,
+        Ok(LinkMass::None) => {
+            return Err(InertiaError::Massless { link: name.to_owned(), span: link.span.clone() });
+        }
+        Err(error) => return Err(LumpError::Link { link: name.to_owned(), error }.into()),
+    };
+    // The link's axes are the body's.
+    let properties = body.properties.in_frame::<Body>(Rotation::identity());
+    let source = source(model)
+        .described(format!("link {name} {}, in the link's frame", of_model(model)))
+        .with("link", name)
+        .with("frame", "link");
+    Ok(InertiaReport { findings, ..InertiaReport::new(rounded(source, body.rounding), properties) })
+}
+
+/// Links joined: a report for each body.
+///
+/// `source.joints` has the values that are given, `source.followers` those that follow from them, rad or m.
+///
+/// # Errors
+/// [`InertiaError`] as [`lump`] has it, or if the file says a number in two ways.
+pub fn of_lumps(
+    model: &RobotModel,
+    lumping: Lumping<'_>,
+    positions: &[(String, f64)],
+) -> Result<Vec<InertiaReport>, InertiaError> {
+    let lumps = lump(model, lumping, positions)?;
+    let mut findings = remarks(model, None)?;
+    if let Some(lump) = lumps.first() {
+        findings.extend(beyond_limits(model, &lump.positions));
+    }
+    let report = |lump| InertiaReport { findings: findings.clone(), ..of_lump(model, lumping, lump) };
+    Ok(lumps.into_iter().map(report).collect())
+}
+
+fn of_lump(model: &RobotModel, lumping: Lumping<'_>, lump: Lump) -> InertiaReport {
+    let Lump { frame, links, massless, positions, rounding, properties } = lump;
+    let of_model = of_model(model);
+    let frame_words = match &frame {
+        Some(link) => format!("in the frame of {link}"),
+        None => "in the model's frame".to_owned(),
+    };
+    let count = links.len();
+    let many = if count == 1 { "1 link".to_owned() } else { format!("{count} links") };
+    let pose = position_words(&positions);
+    let words = match lumping {
+        Lumping::Fixed => format!("{many} {of_model} held together by fixed joints, {frame_words}"),
+        Lumping::All => format!("all {many} {of_model}{pose}, {frame_words}"),
+        Lumping::Subtree(link) => {
+            format!("{link} and what hangs from it, {many} {of_model}{pose}, {frame_words}")
+        }
+    };
+    let values = |by: fn(&PositionBy) -> bool| -> Map<String, Value> {
+        let those = positions.iter().filter(|position| by(&position.by));
+        those.map(|position| (position.joint.clone(), position.value.into())).collect()
+    };
+    let followers = values(|by| matches!(by, PositionBy::Leader(_)));
+    let source = source(model)
+        .described(words)
+        .with("link", frame.clone())
+        .with("frame", if frame.is_some() { "link" } else { "model" })
+        .with("links", links)
+        .with("massless", massless)
+        .with("joints", values(|by| *by == PositionBy::Given));
+    let source = if followers.is_empty() { source } else { source.with("followers", followers) };
+    InertiaReport::new(rounded(source, rounding), properties)
+}
+
+/// `, elbow = 0.523599 rad and other joints at zero`
+pub(crate) fn position_words(positions: &[JointPosition]) -> String {
+    let mut text = String::new();
+    for position in positions.iter().filter(|position| position.by != PositionBy::Rest) {
+        let follows = match &position.by {
+            PositionBy::Leader(Some(leader)) => format!(" (follows {leader})"),
+            _ => String::new(),
+        };
+        let _ = write!(text, ", {}{follows}", in_words(position));
+    }
+    let at_rest = || positions.iter().filter(|position| position.by == PositionBy::Rest);
+    let place = if at_rest().all(|position| position.value == 0.0) { "zero" } else { "rest" };
+    match (text.is_empty(), at_rest().next().is_some()) {
+        (true, _) => format!(", joints at {place}"),
+        (false, true) => format!("{text} and other joints at {place}"),
+        (false, false) => text,
+    }
+}
+
+/// `elbow = 0.523599 rad`
+fn in_words(position: &JointPosition) -> String {
+    format!("{} = {} {}", position.joint, number(position.value, 6), unit(position))
+}
+
+const fn unit(position: &JointPosition) -> &'static str {
+    if position.slides { "m" } else { "rad" }
+}
+
+/// Joints where the model does not allow them to be: a warning if a value was asked for.
+pub(crate) fn beyond_limits(model: &RobotModel, positions: &[JointPosition]) -> Vec<Finding> {
+    let places = Places::of(model);
+    let outside = positions.iter().filter(|position| position.is_outside());
+    let finding = |position: &JointPosition| {
+        let [lower, upper] = position.limits?;
+        let joint = model.joints.iter().find(|joint| joint.name.text == position.joint)?;
+        let FilePlace { file, line, column, .. } = places.place(&joint.span);
+        let severity = if position.by == PositionBy::Rest { Severity::Info } else { Severity::Warning };
+        let unit = unit(position);
+        let limits = match (lower.is_finite(), upper.is_finite()) {
+            (true, true) => format!("from {} to {} {unit}", number(lower, 6), number(upper, 6)),
+            (true, false) => format!("no less than {} {unit}", number(lower, 6)),
+            _ => format!("no more than {} {unit}", number(upper, 6)),
+        };
+        Some(Finding {
+            code: "position.limits",
+            severity,
+            message: format!("the joint {} is beyond its limits, {limits}", in_words(position)),
+            place: Some(format!("{}:{line}:{column}", file.display())),
+        })
+    };
+    outside.filter_map(finding).collect()
+}
+
+/// The source, and that digits were too few for a possible tensor.
+fn rounded(source: SourceInfo, rounding: f64) -> SourceInfo {
+    if rounding == 0.0 {
+        return source;
+    }
+    let words = format!(
+        "{}; tensor brought to the edge of the possible, {rounding:.1e} kg·m² away by its digits",
+        source.description
+    );
+    source.described(words).with("rounding", rounding)
+}
+
+/// The model as a source.
+pub(crate) fn source(model: &RobotModel) -> SourceInfo {
+    let format = match model.format {
+        ModelFormat::Urdf => "urdf",
+        ModelFormat::Sdf => "sdf",
+        ModelFormat::Mjcf => "mjcf",
+        ModelFormat::Usd => "usd",
+        ModelFormat::Osim => "osim",
+    };
+    SourceInfo::new(model.path.display().to_string(), format)
+}
+
+/// `of arm`
+pub(crate) fn of_model(model: &RobotModel) -> String {
+    model.name.as_ref().map_or_else(|| "of the model".to_owned(), |name| format!("of {name}"))
+}

@@ -1,0 +1,17 @@
+//! Paths of prims.
+
+/// A path as it is from the root: one that does not begin there is from the prim that says it.
+pub(super) fn absolute(path: &str, prim: &str) -> String {
+    if path.starts_with('/') {
+        return path.to_owned();
+    }
+    let mut names: Vec<&str> = prim.split('/').filter(|name| !name.is_empty()).collect();
+    for name in path.split('/') {
+        match name {
+            ".." => drop(names.pop()),
+            "." | "" => {}
+            name => names.push(name),
+        }
+    }
+    format!("/{}", names.join("/"))
+}

@@ -1,0 +1,130 @@
+//! Joints that follow others as SDF, OpenSim and PhysX write them.
+
+use polhode_robot::lump::{LumpError, Lumping};
+
+use crate::common::read;
+use crate::mimic::{error, one, value};
+
+#[test]
+fn sdf_follows_from_a_reference() {
+    let link = |name: &str| {
+        format!(
+            "<link name='{name}'><inertial><mass>1</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial></link>"
+        )
+    };
+    let joint = |name: &str, child: &str, axis: &str| {
+        format!(
+            "<joint name='{name}' type='revolute'><parent>palm</parent><child>{child}</child><axis><xyz>0 0 1</xyz>{axis}</axis></joint>"
+        )
+    };
+    let text = |mimic: &str| {
+        let links: String = ["palm", "left", "right"].map(link).concat();
+        let left = joint("l", "left", "<limit><lower>-1e16</lower><upper>0.8</upper></limit>");
+        format!(
+            "<sdf version='1.11'><world name='w'><model name='hand'>{links}{left}{}</model></world></sdf>",
+            joint("r", "right", mimic)
+        )
+    };
+    let mimic = "<mimic joint='l'><multiplier>-0.7</multiplier><offset>0.2</offset><reference>0.15</reference></mimic>";
+    let whole = one(&read(&text(mimic)), Lumping::All, &[("hand::l", 0.41)]);
+    assert!((value(&whole, "hand::r") - (-0.7 * (0.41 - 0.15) + 0.2)).abs() < 1e-16);
+    assert_eq!(whole.positions[0].limits, Some([f64::NEG_INFINITY, 0.8]));
+    assert_eq!(whole.positions[1].limits, None);
+    let at_rest = one(&read(&text(mimic)), Lumping::All, &[]);
+    assert!((value(&at_rest, "hand::r") - (0.7 * 0.15 + 0.2)).abs() < 1e-16);
+    for wrong in [
+        mimic.replace("joint='l'", "joint='l' axis='axis2'"),
+        mimic.replace("0.15", "0,15"),
+        mimic.replace("<multiplier>-0.7</multiplier>", ""),
+    ] {
+        assert!(matches!(error(&read(&text(&wrong)), Lumping::All, &[]), LumpError::Law { .. }), "{wrong}");
+    }
+}
+
+#[test]
+fn opensim_couples_coordinates() {
+    let body = |name: &str| {
+        format!(
+            "<Body name='{name}'><mass>1.3</mass><mass_center>0.1 -0.2 0.05</mass_center><inertia>0.1 0.1 0.1 0 0 0</inertia></Body>"
+        )
+    };
+    let joint = |name: &str, parent: &str, child: &str, coordinate: &str| {
+        format!("<PinJoint name='{name}'><socket_parent_frame>{parent}</socket_parent_frame><socket_child_frame>{child}</socket_child_frame>
+            <coordinates><Coordinate name='{coordinate}'><default_value>0.4</default_value><range>-0.5 0.6</range><clamped>true</clamped></Coordinate></coordinates></PinJoint>")
+    };
+    let text = |function: &str| {
+        format!(
+            "<OpenSimDocument Version='40000'><Model name='leg'><BodySet><objects>{}{}{}</objects></BodySet><JointSet><objects>{}{}</objects></JointSet>
+            <ConstraintSet><objects><CoordinateCouplerConstraint name='c'><isEnforced>true</isEnforced>
+            <coupled_coordinates_function>{function}</coupled_coordinates_function>
+            <independent_coordinate_names>hip_angle</independent_coordinate_names>
+            <dependent_coordinate_name>knee_angle</dependent_coordinate_name><scale_factor>2</scale_factor></CoordinateCouplerConstraint></objects></ConstraintSet></Model></OpenSimDocument>",
+            body("pelvis"), body("thigh"), body("shank"),
+            joint("hip", "pelvis", "thigh", "hip_angle"), joint("knee", "thigh", "shank", "knee_angle"),
+        )
+    };
+    let line = text("<LinearFunction><coefficients>-0.7 0.2</coefficients></LinearFunction>");
+    let whole = one(&read(&line), Lumping::All, &[("hip_angle", 0.41)]);
+    assert!((value(&whole, "knee") - 2.0 * (-0.7 * 0.41 + 0.2)).abs() < 1e-16);
+    assert_eq!(whole.positions[0].limits, Some([-0.5, 0.6]));
+    // a joint by its own name, and not at its default
+    assert_eq!(one(&read(&line), Lumping::All, &[("hip", 0.41)]), whole);
+    assert_eq!(value(&one(&read(&line), Lumping::All, &[]), "hip"), 0.0);
+    assert!(matches!(error(&read(&line), Lumping::All, &[("knee_angle", 0.1)]), LumpError::Follower { .. }));
+    let held = read(&text("<Constant><value>0.3</value></Constant>"));
+    assert_eq!(value(&one(&held, Lumping::All, &[]), "knee"), 0.6);
+    let bent = read(&text("<SimmSpline><x>0 1</x><y>0 1</y></SimmSpline>"));
+    let refused = error(&bent, Lumping::All, &[]);
+    assert!(refused.to_string().contains("SimmSpline"), "{refused}");
+    // where the knee does not matter it is not asked
+    assert_eq!(one(&bent, Lumping::Subtree("shank"), &[]).properties.mass(), 1.3);
+    // one of several coordinates: the joint has no one value
+    let knee = line.replace("<PinJoint name='knee'>", "<UniversalJoint name='knee'>").replacen(
+        "</PinJoint></objects>",
+        "</UniversalJoint></objects>",
+        1,
+    );
+    let several = read(&knee.replacen(
+        "<Coordinate name='knee_angle'>",
+        "<Coordinate name='knee_turn'/><Coordinate name='knee_angle'>",
+        1,
+    ));
+    let refused = error(&several, Lumping::All, &[]);
+    assert!(matches!(&refused, LumpError::Law { joint, .. } if joint == "knee"), "{refused}");
+    let off = read(&line.replace("<isEnforced>true", "<isEnforced>false"));
+    assert_eq!(value(&one(&off, Lumping::All, &[]), "knee"), 0.0);
+}
+
+#[test]
+fn usd_gears_joints() {
+    let body = |name: &str| {
+        format!(
+            "def Xform \"{name}\" (prepend apiSchemas = [\"PhysicsRigidBodyAPI\", \"PhysicsMassAPI\"]) {{ float physics:mass = 1.3\n point3f physics:centerOfMass = (0.1, -0.2, 0.05)\n float3 physics:diagonalInertia = (0.1, 0.12, 0.15) }}\n"
+        )
+    };
+    let joint = |name: &str, kind: &str, child: &str, more: &str| {
+        format!(
+            "def {kind} \"{name}\" {{ uniform token physics:axis = \"Z\"\n rel physics:body0 = </r/palm>\n rel physics:body1 = </r/{child}>\n{more}\n}}\n"
+        )
+    };
+    let text = |kind: &str| {
+        let mimic = "rel physxMimicJoint:rotZ:referenceJoint = </r/l>\n float physxMimicJoint:rotZ:gearing = 0.7\n float physxMimicJoint:rotZ:offset = -11.5";
+        let limits = "float physics:lowerLimit = -20\n float physics:upperLimit = 50";
+        format!(
+            "#usda 1.0\n( metersPerUnit = 1 )\ndef Xform \"r\" {{\n{}{}{}{}{}\n}}\n",
+            body("palm"),
+            body("left"),
+            body("right"),
+            joint("l", "PhysicsRevoluteJoint", "left", limits),
+            joint("r", kind, "right", mimic),
+        )
+    };
+    let whole = one(&read(&text("PhysicsRevoluteJoint")), Lumping::All, &[("/r/l", 0.41)]);
+    assert!((value(&whole, "/r/r") - (-0.7 * 0.41 + 11.5_f64.to_radians())).abs() < 1e-15);
+    let limits = whole.positions[0].limits.unwrap();
+    assert!(
+        (limits[0] + 20_f64.to_radians()).abs() < 1e-15 && (limits[1] - 50_f64.to_radians()).abs() < 1e-15
+    );
+    let mixed = read(&text("PhysicsPrismaticJoint"));
+    assert!(matches!(error(&mixed, Lumping::All, &[]), LumpError::Law { .. }));
+}

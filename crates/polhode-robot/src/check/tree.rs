@@ -165,6 +165,7 @@ fn index(links: &[Link]) -> HashMap<&str, usize> {
 fn has_mass(format: ModelFormat, link: &Link) -> bool {
     match &link.inertial {
         Some(inertial) => inertial.mass.finite().is_none_or(|m| m > 0.0),
+        None if format == ModelFormat::Mjcf && matches!(link.computed, Some(Err(_))) => true, // it may be anywhere
         None if link.from_geometry => !link.geometry.is_empty(),
         None => format == ModelFormat::Sdf,
     }

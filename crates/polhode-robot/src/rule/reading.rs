@@ -5,7 +5,7 @@ use crate::finding::Severity::{Note, Suspect};
 
 const NOT_CHECKED: &str = "What is not read is not checked.";
 
-pub(super) const RULES: [Rule; 12] = [
+pub(super) const RULES: [Rule; 13] = [
     Rule {
         code: "read.inertials",
         severity: Suspect,
@@ -31,6 +31,20 @@ pub(super) const RULES: [Rule; 12] = [
                     <inertia ixx=\"0.031\" iyy=\"0.042\" izz=\"0.053\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>\n  </inertial>\n</link>",
             old: "\n    <mass value=\"2.3\"/>",
             new: "",
+        }),
+    },
+    Rule {
+        code: "pose.degrees",
+        severity: Suspect,
+        title: "roll, pitch and yaw of URDF and SDF are radians",
+        why: "90 rad are fourteen turns and a third: the link stands askew, and its tensor with it. Whole parts of a turn in degrees are \
+              hardly meant so.",
+        mend: "Write radians; SDF reads degrees in <pose degrees=\"true\">.",
+        example: Some(Example {
+            model: "<link name=\"arm\">\n  <inertial>\n    <origin xyz=\"0.1 0 0.2\" rpy=\"0 0 90\"/>\n    <mass value=\"1.7\"/>\n    \
+                    <inertia ixx=\"0.031\" iyy=\"0.042\" izz=\"0.053\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>\n  </inertial>\n</link>",
+            old: "0 0 90",
+            new: "0 0 1.5707963267948966",
         }),
     },
     Rule {

@@ -126,6 +126,11 @@ impl Tree {
         self.mass_below.get(k).copied().unwrap_or(true)
     }
 
+    /// True if any link has mass.
+    pub(super) fn has_mass(&self) -> bool {
+        self.mass_below.contains(&true)
+    }
+
     /// True if it or anything that is fixed to it has mass.
     pub(super) fn has_welded_mass(&self, k: usize) -> bool {
         self.welded_mass.get(k).copied().unwrap_or(true)

@@ -1,7 +1,7 @@
 //! What `<compiler>` says of how the rest is meant.
 
 use crate::finding::Severity;
-use crate::model::{Note, Pose};
+use crate::model::{Note, Number, Pose};
 use crate::pose::{about, about_axis, of_x_and_y, of_z_axis, product, unit};
 use crate::read::pose::Reading;
 use crate::read::xml::{Element, Written, is_true};
@@ -129,17 +129,16 @@ impl<'a> Settings<'a> {
             [("boundmass", 1), ("boundinertia", 1), ("settotalmass", 1), ("inertiagrouprange", 2)]
         {
             let is_right = |written: &Written<'_>| {
-                let values: Vec<f64> = written.values().collect();
-                values.len() == count && values.iter().all(|value| value.is_finite())
+                // an empty text is no setting, and MuJoCo takes NaN
+                let is_number = |number: Number| number.value.is_some_and(|value| !value.is_infinite());
+                written.value.is_empty()
+                    || written.numbers().count() == count && written.numbers().all(is_number)
             };
             if let Some(written) = compiler.attribute(name).filter(|written| !is_right(written)) {
                 refuse(written, name, if count == 1 { "a number" } else { "two numbers" });
             }
         }
-        let is_order = |written: &Written<'_>| {
-            written.value.len() == 3 && written.value.bytes().all(|axis| b"xyzXYZ".contains(&axis))
-        };
-        if let Some(written) = compiler.attribute("eulerseq").filter(|written| !is_order(written)) {
+        if let Some(written) = compiler.attribute("eulerseq").filter(|written| written.value.len() != 3) {
             refuse(written, "eulerseq", "three of x y z X Y Z");
         }
     }

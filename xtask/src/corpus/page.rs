@@ -61,7 +61,7 @@ fn by_repository(text: &mut String, audited: &[Audited], all: &Counts) {
     text.push_str(
         "\n## By repository\n\nFiles that were read by language, files that were refused, and findings: a finding may name several links. A file \
          with the same bytes as one in a row above, or in the same row, is a copy and not counted, and neither is one in a folder of tests, where \
-         models are wrong on purpose.\n\n| repository | commit | of | URDF | SDF | MJCF | USD | OpenSim | refused | copies | in tests | links | \
+         models are wrong on purpose.\n\n| repository | commit | date | URDF | SDF | MJCF | USD | OpenSim | refused | copies | in tests | links | \
          inertials | files with impossible | impossible | suspect | notes |\n|---|---|---|",
     );
     text.push_str(&"--:|".repeat(14));

@@ -111,21 +111,22 @@ pub(super) const RULES: [Rule; 13] = [
     },
     Rule {
         code: "read.compiler",
-        severity: Note,
-        title: "a model is checked as it is written",
-        why: "Some attributes of <compiler> have MuJoCo join bodies, or read places otherwise; here each body stands alone, as it is written.",
-        mend: "Save the model as MuJoCo has compiled it (mj_saveLastXML), and check that.",
+        severity: Suspect,
+        title: "settings of <compiler> are those that MuJoCo takes, and leave the model as it is written",
+        why: "With a setting that MuJoCo refuses no mass is known. Others have it join bodies, or read places otherwise: a note, as here each body \
+              stands alone, as it is written.",
+        mend: "Write one of the words or numbers that it takes; save the model as MuJoCo has compiled it (mj_saveLastXML), and check that.",
         example: Some(Example {
-            model: "<mujoco>\n  <compiler fusestatic=\"true\"/>\n  <worldbody/>\n</mujoco>",
-            old: " fusestatic=\"true\"",
-            new: "",
+            model: "<mujoco>\n  <compiler balanceinertia=\"yes\"/>\n  <worldbody/>\n</mujoco>",
+            old: "yes",
+            new: "true",
         }),
     },
     Rule {
         code: "read.numbers",
-        severity: Note,
-        title: "an attribute has as many numbers as its meaning",
-        why: "MuJoCo refuses more; the first ones are checked.",
+        severity: Suspect,
+        title: "an attribute or element has as many numbers as its meaning",
+        why: "MuJoCo refuses more, and OpenSim reads the first ones; these are checked.",
         mend: "Leave the others out.",
         example: Some(Example {
             model: "<mujoco>\n  <worldbody>\n    <body name=\"arm\">\n      \

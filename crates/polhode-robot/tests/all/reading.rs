@@ -316,3 +316,17 @@ fn a_models_own_package_goes_before_others_of_its_name() {
     let shape = format!("{:?}", model.links[0].geometry[0].shape);
     assert!(shape.contains("new/arm/part.stl") || shape.contains("new\\\\arm"), "{shape}");
 }
+
+#[test]
+fn moments_of_one_digit_are_no_other_unit() {
+    let link = |tensor: &str| {
+        format!(
+            "<robot name=\"r\"><link name=\"a\"><collision><geometry><box size=\"0.1 0.08 0.12\"/></geometry></collision><inertial>\
+             <mass value=\"0.1\"/><inertia {tensor} ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link></robot>"
+        )
+    };
+    let findings = found(&link("ixx=\"1\" iyy=\"1\" izz=\"0\""));
+    assert_eq!(codes(&findings), ["gyration.too_large"]);
+    assert!(findings[0].message.ends_with("a placeholder?"), "{}", findings[0].message);
+    assert_eq!(codes(&found(&link("ixx=\"1.3\" iyy=\"1.1\" izz=\"0.9\""))), ["inertia.unit"]);
+}

@@ -5,9 +5,9 @@ mod page;
 mod repository;
 
 use std::fs::File;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use serde_json::Value;
 
@@ -24,12 +24,13 @@ struct Audited {
     cost: Cost,
 }
 
-/// What a run of the command took.
+/// What a run of the command took, where the machine says it.
 #[derive(Clone, Copy, Debug, Default)]
 struct Cost {
+    /// Processor time, s.
     seconds: f64,
-    /// The most memory at a time, MiB; `None` where the machine does not say.
-    memory: Option<u64>,
+    /// The most memory at a time, MiB.
+    memory: u64,
 }
 
 /// Checks every work tree and writes `book/corpus.md`. What has the same bytes in several is counted in the first.
@@ -65,17 +66,15 @@ fn check(polhode: &Path, repository: &Repository) -> Result<(Vec<Value>, Cost), 
         command.arg("--root").arg(root);
     }
     let failed = |error| format!("polhode check in {}: {error}", repository.name);
-    let begun = Instant::now();
     let mut child = command.spawn().map_err(failed)?;
     let mut cost = Cost::default();
     let status = loop {
-        cost.memory = peak(child.id()).or(cost.memory);
+        cost = Cost::of(child.id()).unwrap_or(cost);
         if let Some(status) = child.try_wait().map_err(failed)? {
             break status;
         }
         std::thread::sleep(Duration::from_millis(10));
     };
-    cost.seconds = begun.elapsed().as_secs_f64();
     if !status.code().is_some_and(|code| (0..=2).contains(&code)) {
         return Err(format!("polhode check in {} ended with {status}", repository.name));
     }
@@ -87,9 +86,18 @@ fn check(polhode: &Path, repository: &Repository) -> Result<(Vec<Value>, Cost), 
     Ok((results, cost))
 }
 
-/// The most memory that a running program has had, MiB, on Linux.
-fn peak(process: u32) -> Option<u64> {
-    let status = std::fs::read_to_string(PathBuf::from(format!("/proc/{process}/status"))).ok()?;
-    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
-    Some(line.split_whitespace().next()?.parse::<u64>().ok()? / 1024)
+impl Cost {
+    /// That of a running program so far, on Linux.
+    fn of(process: u32) -> Option<Self> {
+        /// Linux counts processor time for programs in these.
+        const TICKS: f64 = 100.0;
+        let of = |file: &str| std::fs::read_to_string(format!("/proc/{process}/{file}")).ok();
+        let (status, stat) = (of("status")?, of("stat")?);
+        let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+        let memory = line.split_whitespace().next()?.parse::<u64>().ok()? / 1024;
+        // behind the name, which may have blanks: the state, and as the 12th and 13th the ticks of the program and of its calls
+        let mut fields = stat.rsplit_once(')')?.1.split_whitespace().skip(11);
+        let mut ticks = || fields.next()?.parse::<f64>().ok();
+        Some(Self { seconds: (ticks()? + ticks()?) / TICKS, memory })
+    }
 }

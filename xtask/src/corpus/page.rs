@@ -130,18 +130,15 @@ fn refused(text: &mut String, all: &Counts) {
 
 fn how(text: &mut String, audited: &[Audited]) {
     let seconds: f64 = audited.iter().map(|one| one.cost.seconds).sum();
-    let memory = audited.iter().filter_map(|one| one.cost.memory).max();
+    let memory = audited.iter().map(|one| one.cost.memory).max().unwrap_or(0);
     let absent: usize = audited.iter().map(|one| one.repository.absent).sum();
-    let processors = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let _ = write!(
         text,
         "\n## How\n\n```console\n$ cargo xtask corpus FOLDER…\n```\n\nEach folder is a work tree of a repository, at any commit; its name is that of \
          `origin`, or OWNER/NAME at the end of its path. In it `polhode check . --json` runs, with the folders around all packages \
-         (`package.xml`, `model.config`) as `--root`; {seconds:.0} s together on {processors} processors"
+         (`package.xml`, `model.config`) as `--root`. All together took {seconds:.0} s of a \
+         processor, and {memory} MiB of memory at most"
     );
-    if let Some(memory) = memory {
-        let _ = write!(text, ", and at most {memory} MiB of memory");
-    }
     let _ = write!(
         text,
         ".\n\nWhat these numbers are not:\n\n- A sample of all robots: the repositories are those that are well known and could be had.\n- A verdict on \

@@ -39,7 +39,7 @@ pub(super) const RULES: [Rule; 13] = [
         title: "roll, pitch and yaw of URDF and SDF are radians",
         why: "90 rad are fourteen turns and a third: the link stands askew, and its tensor with it. Whole parts of a turn in degrees are \
               hardly meant so.",
-        mend: "Write radians; SDF reads degrees in <pose degrees=\"true\">.",
+        mend: "Write radians; a pose of SDF with degrees=\"true\" has degrees.",
         example: Some(Example {
             model: "<link name=\"arm\">\n  <inertial>\n    <origin xyz=\"0.1 0 0.2\" rpy=\"0 0 90\"/>\n    <mass value=\"1.7\"/>\n    \
                     <inertia ixx=\"0.031\" iyy=\"0.042\" izz=\"0.053\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>\n  </inertial>\n</link>",
@@ -112,7 +112,7 @@ pub(super) const RULES: [Rule; 13] = [
     Rule {
         code: "read.compiler",
         severity: Suspect,
-        title: "settings of <compiler> are those that MuJoCo takes, and leave the model as it is written",
+        title: "the settings of the compiler are those that MuJoCo takes, and leave the model as it is written",
         why: "With a setting that MuJoCo refuses no mass is known. Others have it join bodies, or read places otherwise: a note, as here each body \
               stands alone, as it is written.",
         mend: "Write one of the words or numbers that it takes; save the model as MuJoCo has compiled it (mj_saveLastXML), and check that.",

@@ -131,17 +131,18 @@ fn refused(text: &mut String, all: &Counts) {
 fn how(text: &mut String, audited: &[Audited]) {
     let seconds: f64 = audited.iter().map(|one| one.cost.seconds).sum();
     let memory = audited.iter().map(|one| one.cost.memory).max().unwrap_or(0);
+    let cost = if memory > 0 {
+        format!(" All together took {seconds:.0} s of a processor, and {memory} MiB of memory at most.")
+    } else {
+        String::new()
+    };
     let absent: usize = audited.iter().map(|one| one.repository.absent).sum();
     let _ = write!(
         text,
         "\n## How\n\n```console\n$ cargo xtask corpus FOLDER…\n```\n\nEach folder is a work tree of a repository, at any commit; its name is that of \
          `origin`, or OWNER/NAME at the end of its path. In it `polhode check . --json` runs, with the folders around all packages \
-         (`package.xml`, `model.config`) as `--root`. All together took {seconds:.0} s of a \
-         processor, and {memory} MiB of memory at most"
-    );
-    let _ = write!(
-        text,
-        ".\n\nWhat these numbers are not:\n\n- A sample of all robots: the repositories are those that are well known and could be had.\n- A verdict on \
+         (`package.xml`, `model.config`) as `--root`.{cost}\n\n\
+         What these numbers are not:\n\n- A sample of all robots: the repositories are those that are well known and could be had.\n- A verdict on \
          programs: some simulators take a tensor that no body has, and go on.\n- Complete. The work trees were snapshots that lack large files: {} of \
          the commits' files were not there, nor symbolic links. What a mesh would have said of a link that lacks it is not in the numbers \
          ([geometry.unreadable](rules.md#geometryunreadable)), and neither is what files elsewhere say \

@@ -4,6 +4,7 @@ mod api;
 mod archive;
 mod book;
 mod circles;
+mod corpus;
 mod dependencies;
 mod dist;
 mod examples;
@@ -38,6 +39,7 @@ usage: cargo xtask TASK
   api        the public names of the core crate, compared with crates/polhode/api.txt; --write takes them over
   book       the book as a site in target/book, its links checked; --open shows it
   speed      measures anew what book/speed.md, work-precision.md and mass-properties.md say; needs python3 and what it compares with
+  corpus     what the check finds in FOLDER…, work trees of public models, on book/corpus.md; needs git
   viewer     the page's viewer: its bundle is the build of its source, and its tests pass in a browser
   python     the Python package: its wheel is built, and its tests and examples pass from there
   workflows  the workflows of GitHub, as their schema and zizmor read them
@@ -59,6 +61,7 @@ fn main() -> ExitCode {
         ["book"] => book::build(false),
         ["book", "--open"] => book::build(true),
         ["speed"] => speed::measure(),
+        ["corpus", ref folders @ ..] if !folders.is_empty() => corpus::audit(folders),
         ["viewer"] => viewer::check().and_then(|()| viewer::check_live()),
         ["python"] => python::check(),
         ["dist"] => dist::make(None),

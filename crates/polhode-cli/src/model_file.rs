@@ -1,37 +1,54 @@
 //! Which files are robot models: by their ending, and where that is not enough by their root element.
 
 use std::ffi::OsStr;
-use std::fs::{self, File};
-use std::io::{BufRead as _, BufReader};
+use std::fs;
+use std::io::{self, BufRead as _, BufReader, Read as _};
 use std::path::Path;
 
-use polhode_robot::read::format_of;
+use polhode_robot::model::ModelFormat;
+use polhode_robot::read::{format_of, root_of};
 
-/// True of .urdf, .usda and .osim files, and of .sdf, .world and .xml files whose root element is a model's.
+/// True of .urdf, .usda and .osim files, and of .sdf, .world, .xml and .mjcf files, but for those that are clearly something else: XML with
+/// another root element, or no XML. One that cannot be opened, or breaks off before its root element, is true: its reader says what is wrong.
 ///
 /// SDF is the name of two formats: SDFormat is XML and begins with `<`, a structure-data file of molecules does not.
 pub(crate) fn is_model(path: &Path) -> bool {
     let ending = path.extension().map(OsStr::to_ascii_lowercase);
-    match ending.as_ref().and_then(|ending| ending.to_str()) {
-        Some("urdf" | "usda" | "osim") => path.is_file(),
-        Some("sdf" | "world" | "xml" | "mjcf") => path.is_file() && has_model_root(path),
-        _ => false,
-    }
+    let needs_root = match ending.as_ref().and_then(|ending| ending.to_str()) {
+        Some("urdf" | "usda" | "osim") => false,
+        Some("sdf" | "world" | "xml" | "mjcf") => true,
+        _ => return false,
+    };
+    // a pipe would never end
+    let is_other = fs::metadata(path).is_ok_and(|meta| !meta.is_file());
+    !is_other && (!needs_root || has_model_root(path).unwrap_or(true))
 }
 
-/// True if the file's root element is a model's. Only a file that begins with `<` is read to its end. One in UTF-16 is a model too: its
-/// reader says what is wrong with it.
-fn has_model_root(path: &Path) -> bool {
+/// True if the file's root element is a model's, or cannot be found. Only a file that begins with `<` is read to its end. One in UTF-16 is a
+/// model too: its reader says what is wrong with it.
+fn has_model_root(path: &Path) -> io::Result<bool> {
     // The marks of both encodings, and half of each ASCII character in UTF-16.
     const UNSEEN: [u8; 6] = [0xef, 0xbb, 0xbf, 0xfe, 0xff, 0];
     let seen = |byte: &u8| !UNSEEN.contains(byte) && !byte.is_ascii_whitespace();
-    let begins = File::open(path)
-        .map(BufReader::new)
-        .and_then(|mut file| Ok(file.fill_buf()?.iter().find(|byte| seen(byte)) == Some(&b'<')));
-    let root = |mut bytes: Vec<u8>| {
-        bytes.retain(|byte| *byte != 0);
-        let start = bytes.iter().position(seen).unwrap_or(bytes.len());
-        format_of(&String::from_utf8_lossy(&bytes[start..])).is_some()
-    };
-    begins.unwrap_or(false) && fs::read(path).is_ok_and(root)
+    let mut file = BufReader::new(fs::File::open(path)?);
+    if file.fill_buf()?.iter().find(|byte| seen(byte)) != Some(&b'<') {
+        return Ok(false);
+    }
+    let mut bytes = Vec::new();
+    file.read_to_end(&mut bytes)?;
+    bytes.retain(|byte| *byte != 0);
+    let start = bytes.iter().position(seen).unwrap_or(bytes.len());
+    let text = String::from_utf8_lossy(bytes.get(start..).unwrap_or_default());
+    Ok(match format_of(&text) {
+        // the roots of other documents are the same: SRDF, and OpenSim's settings of tools
+        Some(ModelFormat::Urdf) => has_element(&text, "link"),
+        Some(ModelFormat::Osim) => has_element(&text, "Model"),
+        Some(_) => true,
+        None => root_of(&text).is_none(),
+    })
+}
+
+fn has_element(text: &str, name: &str) -> bool {
+    let ends = |rest: &str| rest.starts_with(|c: char| c.is_whitespace() || c == '>' || c == '/');
+    text.split('<').any(|after| after.strip_prefix(name).is_some_and(ends))
 }

@@ -14,12 +14,15 @@ use crate::line_index::{FilePlace, Places};
 use crate::model::{RobotModel, Span};
 use crate::policy::{Reason, Remark};
 use crate::report::CheckReport;
+use crate::text::many;
 
 /// What came of all files.
 #[derive(Debug)]
 pub struct Run<'a> {
     /// In their order.
     pub files: Vec<FileResult<'a>>,
+    /// How many files the configuration leaves out.
+    pub excluded: usize,
     /// What is to be said of the configuration and the baseline.
     pub remarks: &'a [Remark],
     /// The least severity that fails.
@@ -67,6 +70,7 @@ struct Item<'a> {
 /// A text to put in the place of another.
 #[derive(Debug)]
 struct Edit<'a> {
+    file: Cow<'a, str>,
     start: (usize, usize),
     end: (usize, usize),
     new: &'a str,
@@ -91,7 +95,12 @@ impl<'a> FileResult<'a> {
             id: id.to_owned(),
             settled,
             repair: finding.repair.as_ref().map(|repair| {
-                let edit = |(span, new): &'a (Span, String)| Edit { start: start(span), end: end(span), new };
+                let edit = |(span, new): &'a (Span, String)| Edit {
+                    file: self.name_of(&report.model, places.place(span)),
+                    start: start(span),
+                    end: end(span),
+                    new,
+                };
                 (repair.description.as_str(), repair.edits.iter().map(edit).collect())
             }),
         };
@@ -146,6 +155,20 @@ impl Run<'_> {
                 repair: None,
             })
         })
+    }
+
+    /// What was not looked at, or is not shown, by the configuration's choice: in a line each.
+    pub fn left_out(&self) -> Vec<String> {
+        let reports = self.files.iter().filter_map(|file| file.outcome.as_ref().ok());
+        let off = reports.map(|report| report.judged.off).sum();
+        let mut lines = Vec::new();
+        if self.excluded > 0 {
+            lines.push(format!("left out: {}, by exclude of the configuration", many(self.excluded, "file")));
+        }
+        if off > 0 {
+            lines.push(format!("off: {} of rules that are off", many(off, "finding")));
+        }
+        lines
     }
 
     /// How many count, from impossible to note, how many are allowed, and how many known.

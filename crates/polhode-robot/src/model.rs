@@ -296,6 +296,19 @@ pub enum GeometryShape {
     Other(String),
 }
 
+impl GeometryShape {
+    /// Bytes of the names in it.
+    pub(crate) fn named_bytes(&self) -> usize {
+        match self {
+            Self::Mesh { uri, path, .. } => {
+                uri.text.len() + path.as_ref().map_or_else(String::len, |path| path.as_os_str().len())
+            }
+            Self::Other(name) => name.len(),
+            _ => 0,
+        }
+    }
+}
+
 /// How one link hangs on another.
 ///
 /// An MJCF body may have several joints: they follow each other here with the same parent, child and pose, and act in this order.

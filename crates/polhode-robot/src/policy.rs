@@ -16,7 +16,6 @@ use crate::finding::{Finding, Severity};
 use crate::model::RobotModel;
 use crate::rule::rule;
 use baseline::{Baseline, KnownFinding};
-use comment::Comment;
 use config::Config;
 use date::Date;
 
@@ -81,6 +80,13 @@ pub struct Remark {
     pub message: String,
 }
 
+/// What allows what is said of a link, by its place among the comments of the model or the entries of the configuration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Allowing {
+    Comment(usize),
+    Entry(usize),
+}
+
 impl Remark {
     /// What it is known by.
     pub(crate) fn id(&self) -> String {
@@ -92,36 +98,36 @@ impl Policy {
     /// What becomes of the findings in a model. `file` is its name for globs and baselines: relative, with slashes.
     pub fn judge(&self, file: &str, model: &RobotModel, findings: Vec<Finding>) -> Judged {
         let comments = comment::comments(model);
-        // Of a finding about several links each has to be allowed.
-        let allowing = |finding: &Finding| -> Option<Vec<usize>> {
+        // Of a finding about several links each has to be allowed, whichever way.
+        let allowing = |finding: &Finding| -> Option<Vec<Allowing>> {
             let is_included = model.is_included(&finding.span);
             let allows = |of: &String| {
-                comments.iter().position(|comment| comment.allows(finding.code, of, is_included))
+                let comment = comments.iter().position(|one| one.allows(finding.code, of, is_included));
+                let entry = || self.config.allowance(file, finding.code, of, self.today);
+                comment.map(Allowing::Comment).or_else(|| entry().map(Allowing::Entry))
             };
             std::iter::once(&finding.subject).chain(&finding.others).map(allows).collect()
         };
-        let by_comment: Vec<Vec<usize>> =
+        let by_finding: Vec<Vec<Allowing>> =
             findings.iter().map(|finding| allowing(finding).unwrap_or_default()).collect();
-        let used: BTreeSet<(usize, &str)> = findings
+        let used: BTreeSet<(Allowing, &str)> = findings
             .iter()
-            .zip(&by_comment)
-            .flat_map(|(finding, all)| all.iter().map(|k| (*k, finding.code)))
+            .zip(&by_finding)
+            .flat_map(|(finding, all)| all.iter().map(|one| (*one, finding.code)))
             .collect();
-        let about_comments: Vec<Finding> = comments
+        let about_comments: Vec<(Vec<Allowing>, Finding)> = comments
             .iter()
             .enumerate()
-            .filter_map(|(k, c)| c.fault(|code| used.contains(&(k, code))))
+            .filter_map(|(k, c)| c.fault(|code| used.contains(&(Allowing::Comment(k), code))))
+            .map(|finding| (allowing(&finding).unwrap_or_default(), finding))
             .collect();
-        let mut all: Vec<(Finding, Option<&Comment>)> = findings
-            .into_iter()
-            .zip(by_comment.iter().map(|all| all.first().and_then(|k| comments.get(*k))))
-            .chain(about_comments.into_iter().map(|finding| (finding, None)))
-            .collect();
-        all.sort_by_key(|(finding, _)| finding.span.start);
-        let ids = identity::ids(file, all.iter().map(|(finding, _)| finding));
+        let mut all: Vec<(Vec<Allowing>, Finding)> =
+            by_finding.into_iter().zip(findings).chain(about_comments).collect();
+        all.sort_by_key(|(_, finding)| finding.span.start);
+        let ids = identity::ids(file, all.iter().map(|(_, finding)| finding));
 
         let mut judged = Judged::default();
-        for ((mut finding, comment), id) in all.into_iter().zip(ids) {
+        for ((allowing, mut finding), id) in all.into_iter().zip(ids) {
             match self.config.severity_of(finding.code) {
                 Some(None) => {
                     judged.off += 1;
@@ -130,15 +136,18 @@ impl Policy {
                 Some(Some(severity)) => finding.severity = severity,
                 None => {}
             }
-            let allowance = self.config.allowance(file, &finding, self.today);
-            let why = match (comment, allowance) {
-                (Some(comment), _) => Some(Reason::Allowed(comment.reason.clone())),
-                (None, Some((k, allowance))) => {
-                    judged.used.insert(k);
-                    Some(Reason::Allowed(allowance.reason.clone()))
-                }
-                _ if self.baseline.as_ref().is_some_and(|known| known.has(&id)) => Some(Reason::Known),
-                _ => None,
+            judged.used.extend(allowing.iter().filter_map(|one| match one {
+                Allowing::Entry(k) => Some(*k),
+                Allowing::Comment(_) => None,
+            }));
+            let reason = allowing.first().and_then(|first| match first {
+                Allowing::Comment(k) => comments.get(*k).map(|comment| &comment.reason),
+                Allowing::Entry(k) => self.config.allowances.get(*k).map(|entry| &entry.reason),
+            });
+            let why = match reason {
+                Some(reason) => Some(Reason::Allowed(reason.clone())),
+                None if self.baseline.as_ref().is_some_and(|known| known.has(&id)) => Some(Reason::Known),
+                None => None,
             };
             match why {
                 Some(why) => judged.settled.push(Settled { finding, id, why }),

@@ -84,10 +84,15 @@ pub fn read_text(text: &str, path: &Path, options: &ReadOptions) -> Result<Robot
 
 /// The language of a text by its root element or its first word, whether or not the rest can be read; `None` if it is none of these.
 pub fn format_of(text: &str) -> Option<ModelFormat> {
-    let mut rest = text.strip_prefix('\u{feff}').unwrap_or(text).trim_start();
-    if rest.starts_with("#usda") {
+    if text.trim_start_matches('\u{feff}').trim_start().starts_with("#usda") {
         return Some(ModelFormat::Usd);
     }
+    language(root_of(text)?)
+}
+
+/// The name of the root element of a text, whether or not the rest can be read; `None` if the text does not come to one.
+pub fn root_of(text: &str) -> Option<&str> {
+    let mut rest = text.strip_prefix('\u{feff}').unwrap_or(text).trim_start();
     loop {
         let close = if rest.starts_with("<!--") {
             "-->"
@@ -99,7 +104,7 @@ pub fn format_of(text: &str) -> Option<ModelFormat> {
         rest = rest.split_once(close)?.1.trim_start();
     }
     let name = rest.strip_prefix('<')?;
-    language(name.split(|c: char| c.is_whitespace() || c == '>' || c == '/').next()?)
+    name.split(|c: char| c.is_whitespace() || c == '>' || c == '/').next().filter(|name| !name.is_empty())
 }
 
 fn language(root: &str) -> Option<ModelFormat> {

@@ -157,7 +157,12 @@ impl OutputFlags {
             Some(Format::Sarif) => pretty(&run(results).to_sarif()) + "\n",
             Some(Format::Junit) => run(results).to_junit(),
             Some(Format::Github) => run(results).to_github(),
-            Some(Format::Gitlab) => pretty(&run(results).to_gitlab()) + "\n",
+            Some(Format::Gitlab) => {
+                // its list has room for issues alone
+                let run = run(results);
+                run.left_out().iter().for_each(|line| tell(&format!("{line}\n")));
+                pretty(&run.to_gitlab()) + "\n"
+            }
             Some(Format::Markdown) => run(results).to_markdown(),
         }
     }
@@ -210,6 +215,7 @@ fn run<'a>(results: &Results<'a>) -> Run<'a> {
     };
     Run {
         files: results.outcomes.iter().map(file).collect(),
+        excluded: results.excluded,
         remarks: results.remarks,
         fail_on: results.fail_on,
     }

@@ -181,6 +181,21 @@ fn folders_are_searched_for_models() {
     let reports = parsed(&scratch.run(&["check", "robots", "--json"]), 0);
     let files: Vec<&str> = reports.as_array().unwrap().iter().map(|r| r["file"].as_str().unwrap()).collect();
     assert_eq!(files, ["robots/b.urdf", "robots/inner/a.xml", "robots/inner/c.sdf"]);
+    // what breaks off before its root is said, and so is what cannot be opened; other documents are none
+    fs::create_dir_all(scratch.0.join("torn")).unwrap();
+    scratch.write("torn/a.world", "<?xml version=\"1.0\"?><!-- never closed <sdf><world/></sdf>");
+    scratch.write("torn/b.mjcf", "<?xml version=\"1.0\"?> text <mujoco/>");
+    scratch.write("torn/c.xml", "<robot name=\"r\"><group name=\"arm\"/></robot>");
+    scratch.write("torn/d.xml", "<OpenSimDocument Version=\"40000\"><AnalyzeTool><model_file>a</model_file></AnalyzeTool></OpenSimDocument>");
+    scratch.write("torn/e.xml", "<?xml version=\"1.0\"?><launch><unclosed></launch>");
+    scratch.write("torn/f.world", "include \"map.inc\"\n");
+    #[cfg(unix)]
+    std::os::unix::fs::symlink("nowhere.sdf", scratch.0.join("torn/g.sdf")).unwrap();
+    let reports = parsed(&scratch.run(&["check", "torn", "--json"]), 2);
+    let files: Vec<&str> = reports.as_array().unwrap().iter().map(|r| r["file"].as_str().unwrap()).collect();
+    let expected = ["torn/a.world", "torn/b.mjcf", "torn/g.sdf"];
+    assert_eq!(files, expected[..if cfg!(unix) { 3 } else { 2 }]);
+    assert!(reports.as_array().unwrap().iter().all(|report| report["error"].is_object()));
     fs::create_dir(scratch.0.join("empty")).unwrap();
     let text = refused(&scratch.run(&["check", "empty"]), 2);
     assert!(text.contains("holds no model"), "{text}");

@@ -50,7 +50,8 @@ pub(super) fn check(body: &Body, held: Held, findings: &mut Vec<Finding>) {
     let [moment, mass, radius] = [i3, body.mass, k].map(|x| short(x, 4));
     // A round number was typed, and never was one of CAD's.
     let round = super::placeholder::is_round(body);
-    let unit = nearest(trace(&body.written) / 3.0 / size, sure).filter(|_| !round && held != Held::Dummy);
+    let typed = super::placeholder::is_typed(body);
+    let unit = nearest(trace(&body.written) / 3.0 / size, sure).filter(|_| !typed && held != Held::Dummy);
     let padded = held == Held::Dummy || body.mass <= PADDED_MASS && i3 <= PADDED_MOMENT && round;
     let (code, severity) = match unit {
         Some(_) => ("inertia.unit", Severity::Suspect),
@@ -60,7 +61,7 @@ pub(super) fn check(body: &Body, held: Held, findings: &mut Vec<Finding>) {
         Some(unit) => {
             format!("; some {} kg·m² would be expected: {} written as kg·m²?", short(size, 1), unit.name)
         }
-        None if round && !padded => {
+        None if typed && !padded => {
             format!("; some {} kg·m² would be expected: a placeholder?", short(size, 1))
         }
         None => String::new(),

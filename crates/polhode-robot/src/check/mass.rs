@@ -41,8 +41,8 @@ fn given(
     let tensor = inertial.tensor.slots().into_iter().flatten().filter_map(Slot::finite).find(|x| *x != 0.0);
     if let Some(moment) = tensor {
         let message = format!("0 kg with a moment of inertia: {} kg·m²", short(moment, 6));
-        // What is fixed to another link, and a base that others hang on, can do without either.
-        let still = tree.is_carried(k) || tree.is_base(k);
+        // What is fixed to another link, a base that others hang on, and a lone link, which stands still, can do without either.
+        let still = tree.is_carried(k) || tree.is_base(k) || tree.len() == 1;
         let severity =
             if still && model.format == ModelFormat::Urdf { Severity::Suspect } else { Severity::Impossible };
         return tell("mass.not_positive", severity, message, "what has no mass has no inertia");
@@ -59,7 +59,9 @@ fn given(
     if tree.moves_itself(k) && !tree.has_mass_below(k) {
         let message =
             "mass 0 kg on a link that a joint moves, and nothing that hangs on it has mass".to_owned();
-        return tell("mass.not_positive", Severity::Impossible, message, NEEDED);
+        // A model without any mass is a drawing: it can be posed, and not simulated.
+        let severity = if tree.has_mass() { Severity::Impossible } else { Severity::Suspect };
+        return tell("mass.not_positive", severity, message, NEEDED);
     }
     touched(tree, k, link, findings);
 }

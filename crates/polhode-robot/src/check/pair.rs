@@ -10,7 +10,8 @@
 //! The centres say which of these are possible. It is a finding if products and moments have equal sizes on both sides
 //! and the signs are those of none of them. The same part twice, as a motor is, is none: its centre is the same on both
 //! sides, or turned by half a turn (two signs), and then its products are, too. If the centres are the same because
-//! they lie in the mirror plane, the joints' places say where that is.
+//! they lie in the mirror plane, the joints' places say where that is; but links of the same meshes in the same places are the same
+//! part.
 
 use std::collections::HashMap;
 
@@ -19,7 +20,7 @@ use super::finding;
 use super::tree::Tree;
 use super::written::short;
 use crate::finding::{Finding, Severity};
-use crate::model::{Joint, RobotModel};
+use crate::model::{Geometry, GeometryShape, Joint, Link, RobotModel};
 use crate::moments::{PLACES, norm};
 
 /// What sides are called: left, right; rear ones as in FL FR RL RR and LF RF LH RH.
@@ -142,6 +143,9 @@ fn pair(left: &Body, right: &Body, joints: [Option<&Joint>; 2], findings: &mut V
         return;
     }
     let fits = |s: &[f64; 3]| (0..3).all(|k| near(right.centre[k], s[k] * left.centre[k], distance));
+    if same_centre && have_the_same_meshes(left.link, right.link) {
+        return;
+    }
     let consistent: Vec<[f64; 3]> = if same_centre {
         mirror_of_joints(joints).into_iter().filter(fits).collect()
     } else {
@@ -175,6 +179,21 @@ fn pair(left: &Body, right: &Body, joints: [Option<&Joint>; 2], findings: &mut V
     let mut found = finding("inertia.mirrored_pair", Severity::Suspect, right.link, span, message, rule);
     found.numbers = vec![("ixy", right.tensor[3]), ("ixz", right.tensor[4]), ("iyz", right.tensor[5])];
     findings.push(found);
+}
+
+/// Whether both links have meshes, and the same ones in the same places.
+fn have_the_same_meshes(left: &Link, right: &Link) -> bool {
+    let meshes = |link: &Link| -> Vec<_> {
+        let mesh = |geometry: &Geometry| match &geometry.shape {
+            GeometryShape::Mesh { uri, scale, .. } => {
+                Some((uri.text.clone(), *scale, geometry.pose.position, geometry.pose.rotation))
+            }
+            _ => None,
+        };
+        link.geometry.iter().filter_map(mesh).collect()
+    };
+    let left = meshes(left);
+    !left.is_empty() && left == meshes(right)
 }
 
 #[cfg(test)]

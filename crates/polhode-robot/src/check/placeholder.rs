@@ -27,13 +27,23 @@ const RULE: &str = "a tensor follows from the mass and the shape of its own link
 
 /// True if the moments are equal, of one digit, and the products zero.
 pub(super) fn is_round(body: &Body) -> bool {
+    let [xx, yy, zz, ..] = body.written;
+    xx == yy && yy == zz && is_typed(body)
+}
+
+/// True if the moments that are not zero are equal, of one digit, and the products zero: no program has computed them.
+pub(super) fn is_typed(body: &Body) -> bool {
     let [xx, yy, zz, xy, xz, yz] = body.written;
+    let greatest = xx.max(yy).max(zz);
     let one_digit = |text: &str| {
         let digits = text.trim_start_matches('+').split(['e', 'E']).next().unwrap_or("").replace('.', "");
         digits.trim_matches('0').len() == 1
     };
-    let typed = body.numbers().filter(|(k, _)| *k < 3).all(|(_, n)| one_digit(&n.text));
-    xx == yy && yy == zz && [xy, xz, yz] == [0.0; 3] && typed
+    let alike = body
+        .numbers()
+        .filter(|(k, _)| *k < 3)
+        .all(|(k, number)| body.written[k] == 0.0 || body.written[k] == greatest && one_digit(&number.text));
+    [xy, xz, yz] == [0.0; 3] && alike
 }
 
 /// The identity.

@@ -23,6 +23,9 @@ const TYPED: f64 = 0.08;
 /// The part of i3 that single precision leaves of a flat plate's i1 + i2 = i3, printed with however many digits.
 const SINGLE_PRECISION: f64 = 1e-6;
 
+/// What has a radius of gyration of less than an atom's is a point, m: 1e-35 kg·m² is a program's zero.
+const POINT: f64 = 1e-10;
+
 /// What a link's mass and tensor are good for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Verdict {
@@ -37,7 +40,8 @@ pub(super) enum Verdict {
 /// Tells what is wrong with a tensor, whatever is wrong with the mass. `carried`: fixed to another link.
 pub(super) fn check(body: &Body, carried: bool, findings: &mut Vec<Finding>) -> Verdict {
     let weighs = body.mass > 0.0;
-    if body.written.iter().all(|x| *x == 0.0) {
+    let nothing = if weighs { body.mass * POINT * POINT } else { 0.0 };
+    if body.written.iter().all(|x| x.abs() <= nothing) {
         if weighs {
             zero(body, carried, findings);
         }
@@ -150,7 +154,9 @@ fn zero(body: &Body, carried: bool, findings: &mut Vec<Finding>) {
     } else {
         (Severity::Impossible, "a link with mass and a size has moments of inertia")
     };
-    let message = format!("all moments are zero, with {} kg", short(body.mass, 6));
+    let exact = body.written.iter().all(|x| *x == 0.0);
+    let zero = if exact { "zero" } else { "zero but for rounding" };
+    let message = format!("all moments are {zero}, with {} kg", short(body.mass, 6));
     let mut found = finding("inertia.zero", severity, body.link, body.tensor_place(), message, rule);
     found.numbers = vec![("mass", body.mass)];
     findings.push(found);

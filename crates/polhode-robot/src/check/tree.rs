@@ -126,6 +126,11 @@ impl Tree {
         self.mass_below.get(k).copied().unwrap_or(true)
     }
 
+    /// True if any link has mass.
+    pub(super) fn has_mass(&self) -> bool {
+        self.mass_below.contains(&true)
+    }
+
     /// True if it or anything that is fixed to it has mass.
     pub(super) fn has_welded_mass(&self, k: usize) -> bool {
         self.welded_mass.get(k).copied().unwrap_or(true)
@@ -165,6 +170,7 @@ fn index(links: &[Link]) -> HashMap<&str, usize> {
 fn has_mass(format: ModelFormat, link: &Link) -> bool {
     match &link.inertial {
         Some(inertial) => inertial.mass.finite().is_none_or(|m| m > 0.0),
+        None if format == ModelFormat::Mjcf && matches!(link.computed, Some(Err(_))) => true, // it may be anywhere
         None if link.from_geometry => !link.geometry.is_empty(),
         None => format == ModelFormat::Sdf,
     }

@@ -135,6 +135,10 @@ pub(super) fn complaint(text: &str) -> (String, Option<String>) {
             si.then(|| head.to_owned()),
         );
     }
+    let count = text.split_whitespace().count();
+    if count > 1 && text.split_whitespace().all(is_number) {
+        return (format!("has {count} numbers, which is not how many it needs"), None);
+    }
     ("is not a number".to_owned(), None)
 }
 
@@ -221,6 +225,7 @@ mod tests {
         assert!(complaint("1.5e-3 g").0.contains("unit \"g\""));
         assert!(complaint("${m}").0.contains("xacro"));
         assert_eq!(complaint("1.2.3"), ("is not a number".to_owned(), None));
+        assert_eq!(complaint("0 1.5708 0 0").0, "has 4 numbers, which is not how many it needs");
         assert_eq!(complaint("é").1, None);
         assert_eq!(complaint("eé").1, None);
     }

@@ -37,6 +37,9 @@ impl Run<'_> {
                 let _ = writeln!(text, "{}", logged(&line));
             }
         }
+        for line in self.left_out() {
+            let _ = writeln!(text, "::notice title=polhode check::{}", data(&line));
+        }
         let ([impossible, suspect, note], allowed, known) = self.counts();
         let (files, note) = (many(self.files.len(), "file"), many(note, "note"));
         let _ = writeln!(
@@ -70,9 +73,9 @@ fn property(text: &str) -> String {
     data(text).replace(':', "%3A").replace(',', "%2C")
 }
 
-/// A line of the log that is no command, whatever is in it.
+/// A line of the log that is no command, whatever is in it: neither `::error` nor its older form, which counts anywhere in a line, `##[error]`.
 fn logged(line: &str) -> String {
-    line.replace(['\r', '\n'], " ")
+    line.replace(['\r', '\n'], " ").replace("##[", "## [")
 }
 
 #[cfg(test)]
@@ -87,6 +90,6 @@ mod tests {
             text,
             "::error file=a%2Cb%3Ac.urdf,line=3,col=7,title=x::50 %25%0A::set-output name=a::b\n"
         );
-        assert_eq!(logged("a\r\n::error::b"), "a  ::error::b");
+        assert_eq!(logged("a\r\n::error::b ##[error]c"), "a  ::error::b ## [error]c");
     }
 }

@@ -7,7 +7,7 @@ use crate::policy::Reason;
 use crate::text::many;
 
 impl Run<'_> {
-    /// The counts, the table of what counts, and what is allowed.
+    /// The counts, what is left out, the table of what counts, and what is allowed.
     pub fn to_markdown(&self) -> String {
         let ([impossible, suspect, note], allowed, known) = self.counts();
         let (files, note) = (many(self.files.len(), "file"), many(note, "note"));
@@ -15,6 +15,9 @@ impl Run<'_> {
             "### polhode check\n\n{files}: **{impossible} impossible**, {suspect} suspect, {note}; {allowed} allowed, {known} \
              known.\n"
         );
+        for line in self.left_out() {
+            let _ = writeln!(text, "\n{}.", cell(&line));
+        }
         let items: Vec<Item<'_>> =
             self.files.iter().flat_map(FileResult::items).chain(self.remarks()).collect();
         let mut rows = String::new();

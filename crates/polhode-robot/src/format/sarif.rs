@@ -1,5 +1,7 @@
 //! SARIF 2.1.0 (OASIS), as GitHub's code scanning, Azure DevOps and editors read it.
 
+use std::collections::BTreeMap;
+
 use serde_json::{Map, Value, json};
 
 use super::{FileResult, Item, Run, about};
@@ -13,6 +15,8 @@ impl Run<'_> {
         let items: Vec<Item<'_>> =
             self.files.iter().flat_map(FileResult::items).chain(self.remarks()).collect();
         let unreadable: Vec<Value> = self.files.iter().filter_map(notification).collect();
+        let left_out = self.left_out().into_iter();
+        let left_out = left_out.map(|line| json!({ "level": "note", "message": { "text": line } }));
         json!({
             "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
             "version": "2.1.0",
@@ -25,7 +29,7 @@ impl Run<'_> {
                 "columnKind": "unicodeCodePoints",
                 "invocations": [{
                     "executionSuccessful": unreadable.is_empty(),
-                    "toolExecutionNotifications": unreadable,
+                    "toolExecutionNotifications": unreadable.iter().cloned().chain(left_out).collect::<Vec<_>>(),
                 }],
                 "results": items.iter().map(result).collect::<Vec<_>>(),
             }],
@@ -79,15 +83,15 @@ fn result(item: &Item<'_>) -> Value {
         result["suppressions"] = json!([{ "kind": "external", "justification": justification }]);
     }
     if let Some((description, edits)) = &item.repair {
-        let replacements: Vec<Value> = edits
-            .iter()
-            .map(|edit| {
-                json!({ "deletedRegion": region(edit.start, edit.end), "insertedContent": { "text": edit.new } })
-            })
-            .collect();
+        let mut changes: BTreeMap<&str, Vec<Value>> = BTreeMap::new();
+        for edit in edits {
+            let replacement = json!({ "deletedRegion": region(edit.start, edit.end), "insertedContent": { "text": edit.new } });
+            changes.entry(&edit.file).or_default().push(replacement);
+        }
+        let change = |(file, replacements): (&str, Vec<Value>)| json!({ "artifactLocation": { "uri": uri(file) }, "replacements": replacements });
         result["fixes"] = json!([{
             "description": { "text": description },
-            "artifactChanges": [{ "artifactLocation": { "uri": uri(&item.file) }, "replacements": replacements }],
+            "artifactChanges": changes.into_iter().map(change).collect::<Vec<_>>(),
         }]);
     }
     result

@@ -119,7 +119,9 @@ impl Measured {
         let corners = mesh.corners().flatten().filter(|corner| seen.insert(corner.map(f64::to_bits)));
         let corners: Vec<[f64; 3]> = corners.collect();
         let surface = ConvexHull::of(&corners).map_err(|error| error.to_string())?;
-        let solid = ClosedMesh::with_threads(&surface, threads).map_err(|error| error.to_string())?;
+        // a hull does not go through itself: nothing is left to be mentioned
+        let solid = ClosedMesh::without_remarks(&surface, threads, &|| true);
+        let solid = solid.map_err(|error| error.to_string())?;
         let hull = Some(solid.surface().coordinates().to_vec());
         Ok(Self { kind: VolumeKind::Hull, hull, ..Self::closed(&[solid])? })
     }

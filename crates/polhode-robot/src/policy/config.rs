@@ -10,7 +10,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::date::Date;
 use super::glob::{Glob, name_matches};
-use crate::finding::{Finding, Severity};
+use crate::finding::Severity;
 use crate::line_index::LineIndex;
 use crate::rule::{rule, rules};
 
@@ -47,11 +47,11 @@ pub struct Allowance {
 }
 
 impl Allowance {
-    /// A finding about several links is allowed if all of them are.
-    fn allows(&self, file: &str, finding: &Finding) -> bool {
-        let links = || finding.others.iter().chain([&finding.subject]);
-        let is_meant = |link: &String| self.link.as_ref().is_none_or(|glob| name_matches(glob, link));
-        self.rule == finding.code && self.file.matches(file) && links().all(is_meant)
+    /// Whether it allows what a rule says of a link, a joint, or with an empty name the model.
+    fn allows(&self, file: &str, code: &str, subject: &str) -> bool {
+        self.rule == code
+            && self.link.as_ref().is_none_or(|glob| name_matches(glob, subject))
+            && self.file.matches(file)
     }
 }
 
@@ -71,15 +71,11 @@ impl Config {
         self.severities.get(code).copied()
     }
 
-    /// The first allowance for a finding that has not expired, with its place in the list.
-    pub(super) fn allowance(
-        &self,
-        file: &str,
-        finding: &Finding,
-        today: Date,
-    ) -> Option<(usize, &Allowance)> {
-        let holds = |allowance: &Allowance| allowance.expires.is_none_or(|day| today < day);
-        self.allowances.iter().enumerate().find(|(_, a)| holds(a) && a.allows(file, finding))
+    /// The first allowance that has not expired for what a rule says of a link, by its place in the list.
+    pub(super) fn allowance(&self, file: &str, code: &str, subject: &str, today: Date) -> Option<usize> {
+        self.allowances.iter().position(|allowance| {
+            allowance.expires.is_none_or(|day| today < day) && allowance.allows(file, code, subject)
+        })
     }
 }
 

@@ -14,6 +14,7 @@ use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
 
 use crate::model::{Inertial, Link, Name, Pose, RobotModel, Slot, Tensor};
 use crate::read::pose::Reading;
+use crate::read::unread;
 use crate::read::xml::{Element, child_slot};
 use frame::Frames;
 
@@ -51,11 +52,13 @@ pub(super) fn read(root: Element<'_>, model: &mut RobotModel) -> Result<(), Cont
             model.joints.push(joint::old(holder, &name));
         }
         if name.text != GROUND {
+            unread::osim(body, &name.text, &mut model.notes);
             model.links.push(link(body, name));
         }
     }
     for element in set(own, "JointSet") {
-        model.joints.extend(joint::new(element, &frames));
+        let joint = joint::new(element, &frames, &mut model.notes);
+        model.joints.extend(joint);
     }
     coordinate::couple(own, set(own, "ConstraintSet"), &mut model.joints);
     Ok(())

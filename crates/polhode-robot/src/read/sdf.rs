@@ -24,7 +24,7 @@ use crate::read::unread;
 use crate::read::uri::Roots;
 use crate::read::xml::{Element, Written, child_slot, is_true};
 use frames::Frames;
-use gather::{gather, require_short};
+use gather::{gather, require_few, require_short};
 
 /// Fills the model with what the root says.
 pub(super) fn read(
@@ -37,12 +37,16 @@ pub(super) fn read(
     let most_name_bytes = files.most_name_bytes();
     let gathered = gather(root, &mut frames, model, most_name_bytes)?;
     frames.resolve(&mut model.notes);
+    let (mut name_bytes, mut shapes) = (0, 0);
     for (element, scope, frame) in gathered.links {
         let folder = files.folder(element);
         let link = link(element, scope, frame, &frames, (roots, folder), &mut model.notes);
+        shapes += link.geometry.len();
+        name_bytes += link.geometry.iter().map(|geometry| geometry.shape.named_bytes()).sum::<usize>();
+        require_few(shapes.max(model.notes.len()), element)?;
+        require_short(name_bytes, most_name_bytes, element)?;
         model.links.push(link);
     }
-    let mut name_bytes = 0;
     for (element, scope, frame) in gathered.joints {
         let joint = joint(element, scope, frame, &frames);
         name_bytes += joint.name.text.len() + joint.child.text.len();

@@ -1,5 +1,5 @@
 //! What a reader would pass over in silence though it may be meant: `read.inertials`, `read.twice`, `read.unknown`,
-//! `inertia.asymmetric`, `inertia.two_forms`.
+//! `inertia.asymmetric`, `inertia.two_forms`, `pose.degrees`.
 //!
 //! Programs read the first of two elements, the elements of a tensor above its diagonal, and no attribute that their language does
 //! not have. Where something else stands beside these, the file says more than programs read, and may say something else.
@@ -26,10 +26,12 @@ pub(super) fn urdf(link: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     reader.astray(link);
     for shape in link.children().filter(|child| matches!(child.name(), "visual" | "collision")) {
         reader.attributes(shape, "origin", &["xyz", "rpy"]);
+        reader.origin_degrees(shape);
     }
     let Some(inertial) = link.child("inertial") else { return };
     reader.elements(inertial, &["origin", "mass", "inertia"]);
     reader.attributes(inertial, "origin", &["xyz", "rpy"]);
+    reader.origin_degrees(inertial);
     reader.attributes(inertial, "mass", &["value"]);
     let Some(inertia) = inertial.child("inertia") else { return };
     let tensor: Vec<&str> = MOMENTS.into_iter().chain(MIRRORED.into_iter().flatten()).collect();
@@ -39,7 +41,9 @@ pub(super) fn urdf(link: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
 
 /// The origin of a URDF joint.
 pub(super) fn origin(joint: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
-    Unread { subject, notes }.attributes(joint, "origin", &["xyz", "rpy"]);
+    let mut reader = Unread { subject, notes };
+    reader.attributes(joint, "origin", &["xyz", "rpy"]);
+    reader.origin_degrees(joint);
 }
 
 /// An SDF link's inertial.
@@ -47,6 +51,10 @@ pub(super) fn sdf(link: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     let mut reader = Unread { subject, notes };
     reader.once(link, "inertial", "read.inertials");
     reader.astray(link);
+    for placed in link.children().filter(|child| matches!(child.name(), "inertial" | "visual" | "collision"))
+    {
+        sdf_pose(placed, subject, reader.notes);
+    }
     let Some(inertial) = link.child("inertial") else { return };
     reader.elements(
         inertial,
@@ -86,6 +94,35 @@ pub(super) fn mjcf(body: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     }
 }
 
+/// What an OpenSim body says of its mass.
+pub(super) fn osim(body: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
+    const NUMBERS: [(&str, usize); 3] = [("mass", 1), ("mass_center", 3), ("inertia", 6)];
+    let mut reader = Unread { subject, notes };
+    for (name, count) in NUMBERS {
+        reader.once(body, name, "read.twice");
+        let text = body.child_text(name);
+        if let Some(extra) = text.and_then(|text| text.numbers().nth(count)) {
+            reader.suspect("read.numbers", extra.span, format!("<{name}> has more than {count} numbers"));
+        }
+    }
+    for name in ["xx", "yy", "zz", "xy", "xz", "yz"] {
+        reader.once(body, &format!("inertia_{name}"), "read.twice");
+    }
+}
+
+/// The angles of an SDF element's pose, if they are degrees.
+pub(super) fn sdf_pose(element: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
+    let Some(pose) = element.child("pose") else { return };
+    if pose.says_true("degrees") || pose.word("rotation_format").is_some_and(|format| format != "euler_rpy") {
+        return;
+    }
+    if let Some(text) = pose.text()
+        && let Some([_, _, _, angles @ ..]) = text.array::<6>()
+    {
+        Unread { subject, notes }.degrees(angles, text.span);
+    }
+}
+
 /// Notes about one link or joint.
 struct Unread<'n> {
     subject: &'n str,
@@ -96,6 +133,29 @@ impl Unread<'_> {
     fn suspect(&mut self, code: &'static str, span: Span, message: String) {
         let note = Note::new(code, self.subject, span, message);
         self.notes.push(Note { severity: Severity::Suspect, ..note });
+    }
+
+    /// Roll, pitch and yaw that are no radians: more than a turn, and whole parts of a turn in degrees.
+    fn degrees(&mut self, angles: [f64; 3], span: Span) {
+        const STEP: f64 = 15.0;
+        let is_whole = angles.iter().all(|angle| angle % STEP == 0.0);
+        if !is_whole || angles.iter().all(|angle| angle.abs() <= std::f64::consts::TAU) {
+            return;
+        }
+        let words = |angles: [f64; 3]| angles.map(|angle| (angle + 0.0).to_string()).join(" ");
+        let (written, meant) = (words(angles), words(angles.map(f64::to_radians)));
+        let message =
+            format!("roll, pitch and yaw of {written} are radians here; in degrees they would be {meant}");
+        self.suspect("pose.degrees", span, message);
+    }
+
+    /// The angles of an `<origin>`.
+    fn origin_degrees(&mut self, parent: Element<'_>) {
+        if let Some(rpy) = parent.child("origin").and_then(|origin| origin.attribute("rpy"))
+            && let Some(angles) = rpy.array()
+        {
+            self.degrees(angles, rpy.span);
+        }
     }
 
     /// An element that there is one of.

@@ -22,6 +22,11 @@ pub(super) fn read(root: Element<'_>, roots: &Roots, model: &mut RobotModel) -> 
     if let Some(span) = macros(root) {
         return Err(xacro(&model.path, span));
     }
+    if let Some(span) = semantics(root) {
+        let what = "SRDF: what is said of a URDF's groups and poses, without its links".to_owned();
+        let error = ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Text(span));
+        return Err(error.hint("check the URDF that it is about"));
+    }
     model.name = root.word("name").map(str::to_owned);
     for child in root.children() {
         match child.name() {
@@ -58,8 +63,15 @@ fn hang_on_world(model: &mut RobotModel) {
 
 const WORLD: &str = "world";
 
-/// A macro file is not the model yet.
-/// Where a text is xacro that has not been expanded.
+/// Where a text is SRDF, whose root has the same name.
+fn semantics(root: Element<'_>) -> Option<Span> {
+    const OF_GROUPS: [&str; 5] =
+        ["group", "group_state", "virtual_joint", "end_effector", "disable_collisions"];
+    let first = root.children().find(|child| OF_GROUPS.contains(&child.name()))?;
+    root.child("link").is_none().then(|| first.span())
+}
+
+/// A macro file is not the model yet: where a text is xacro that has not been expanded.
 fn macros(root: Element<'_>) -> Option<Span> {
     let mut waiting = vec![root];
     while let Some(element) = waiting.pop() {

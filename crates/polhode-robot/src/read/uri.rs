@@ -24,19 +24,18 @@ impl Roots {
         let folder = folder.and_then(|folder| fs::canonicalize(folder).ok());
         let package =
             folder.as_deref().and_then(|folder| folder.ancestors().find(|folder| is_package(folder)));
-        let given = options.roots.iter().filter_map(|root| fs::canonicalize(root).ok());
-        let mut roots: Vec<PathBuf> = given.collect();
+        // a model's own package is what it means by that name, wherever others of the name are
+        let mut roots: Vec<PathBuf> = Vec::new();
         if !options.confined {
             roots.extend(package.map(Path::to_owned));
             roots.extend(folder.clone());
         }
+        roots.extend(options.roots.iter().filter_map(|root| fs::canonicalize(root).ok()));
         let mut seen = std::collections::HashSet::new();
         roots.retain(|root| seen.insert(root.clone()));
-        let named = roots.into_iter().map(|root| {
-            let names = names(&root);
-            (root, names)
-        });
-        Self { folder, roots: named.collect() }
+        let holds = |path: &Path| roots.iter().any(|root| path.starts_with(root));
+        let roots = roots.iter().map(|root| (root.clone(), names(root, holds))).collect();
+        Self { folder, roots }
     }
 
     /// The file that a URI names, canonical, or why it cannot be said. Nothing outside the roots is looked at.
@@ -158,14 +157,15 @@ fn model_file(folder: &Path, holds: impl Fn(&Path) -> bool) -> Option<String> {
 }
 
 /// What a root is called as a package: its last component, and the name in its `package.xml`.
-fn names(root: &Path) -> Vec<String> {
+fn names(root: &Path, holds: impl Fn(&Path) -> bool) -> Vec<String> {
     /// A package file is some hundred bytes; its name stands near the start.
     const MOST: u64 = 1 << 16;
     let mut names: Vec<String> =
         root.file_name().map(|name| name.to_string_lossy().into_owned()).into_iter().collect();
     let mut text = String::new();
-    let file = fs::File::open(root.join("package.xml"));
-    if let Ok(file) = file
+    // It may be a link to somewhere else.
+    let file = fs::canonicalize(root.join("package.xml")).ok().filter(|file| holds(file) && file.is_file());
+    if let Some(file) = file.and_then(|file| fs::File::open(file).ok())
         && std::io::Read::read_to_string(&mut std::io::Read::take(file, MOST), &mut text).is_ok()
         && let Some((_, rest)) = text.split_once("<name>")
         && let Some((name, _)) = rest.split_once("</name>")

@@ -5,7 +5,7 @@ use crate::finding::Severity::{Note, Suspect};
 
 const NOT_CHECKED: &str = "What is not read is not checked.";
 
-pub(super) const RULES: [Rule; 12] = [
+pub(super) const RULES: [Rule; 13] = [
     Rule {
         code: "read.inertials",
         severity: Suspect,
@@ -31,6 +31,20 @@ pub(super) const RULES: [Rule; 12] = [
                     <inertia ixx=\"0.031\" iyy=\"0.042\" izz=\"0.053\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>\n  </inertial>\n</link>",
             old: "\n    <mass value=\"2.3\"/>",
             new: "",
+        }),
+    },
+    Rule {
+        code: "pose.degrees",
+        severity: Suspect,
+        title: "roll, pitch and yaw of URDF and SDF are radians",
+        why: "90 rad are fourteen turns and a third: the link stands askew, and its tensor with it. Whole parts of a turn in degrees are \
+              hardly meant so.",
+        mend: "Write radians; a pose of SDF with degrees=\"true\" has degrees.",
+        example: Some(Example {
+            model: "<link name=\"arm\">\n  <inertial>\n    <origin xyz=\"0.1 0 0.2\" rpy=\"0 0 90\"/>\n    <mass value=\"1.7\"/>\n    \
+                    <inertia ixx=\"0.031\" iyy=\"0.042\" izz=\"0.053\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>\n  </inertial>\n</link>",
+            old: "0 0 90",
+            new: "0 0 1.5707963267948966",
         }),
     },
     Rule {
@@ -97,21 +111,22 @@ pub(super) const RULES: [Rule; 12] = [
     },
     Rule {
         code: "read.compiler",
-        severity: Note,
-        title: "a model is checked as it is written",
-        why: "Some attributes of <compiler> have MuJoCo join bodies, or read places otherwise; here each body stands alone, as it is written.",
-        mend: "Save the model as MuJoCo has compiled it (mj_saveLastXML), and check that.",
+        severity: Suspect,
+        title: "the settings of the compiler are those that MuJoCo takes, and leave the model as it is written",
+        why: "With a setting that MuJoCo refuses no mass is known. Others have it join bodies, or read places otherwise: a note, as here each body \
+              stands alone, as it is written.",
+        mend: "Write one of the words or numbers that it takes; save the model as MuJoCo has compiled it (mj_saveLastXML), and check that.",
         example: Some(Example {
-            model: "<mujoco>\n  <compiler fusestatic=\"true\"/>\n  <worldbody/>\n</mujoco>",
-            old: " fusestatic=\"true\"",
-            new: "",
+            model: "<mujoco>\n  <compiler balanceinertia=\"yes\"/>\n  <worldbody/>\n</mujoco>",
+            old: "yes",
+            new: "true",
         }),
     },
     Rule {
         code: "read.numbers",
-        severity: Note,
-        title: "an attribute has as many numbers as its meaning",
-        why: "MuJoCo refuses more; the first ones are checked.",
+        severity: Suspect,
+        title: "an attribute or element has as many numbers as its meaning",
+        why: "MuJoCo refuses more, and OpenSim reads the first ones; these are checked.",
         mend: "Leave the others out.",
         example: Some(Example {
             model: "<mujoco>\n  <worldbody>\n    <body name=\"arm\">\n      \

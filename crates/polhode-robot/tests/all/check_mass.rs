@@ -31,6 +31,14 @@ fn zero_mass_where_motion_needs_it() {
         + &link("hand", "0.7", TENSOR)
         + "<joint name=\"k\" type=\"revolute\"><parent link=\"tip\"/><child link=\"hand\"/></joint>";
     assert_eq!(findings(&hung("revolute", &more)), []);
+    // Where nothing has mass, it is a drawing.
+    let drawing = robot(&format!(
+        "{}{}<joint name=\"j\" type=\"revolute\"><parent link=\"base\"/><child link=\"tip\"/></joint>",
+        link("base", "0", ZERO),
+        link("tip", "0", ZERO)
+    ));
+    let all = findings(&drawing);
+    assert_eq!(only(&all, "mass.not_positive").severity, Severity::Suspect);
 }
 
 #[test]

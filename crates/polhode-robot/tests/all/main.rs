@@ -21,6 +21,7 @@ mod mjcf_compiler;
 mod osim;
 mod planted;
 mod policy;
+mod reading;
 mod repair;
 mod round_trip;
 mod rules;

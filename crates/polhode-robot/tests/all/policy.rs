@@ -169,6 +169,25 @@ fn a_group_is_allowed_if_all_of_it_is() {
         judged(&policy, "r.urdf", &text).open.len()
     };
     assert_eq!((allow("*_tip"), allow("left_tip"), allow("right_tip")), (0, 1, 1));
+    // entries and comments together cover it, each of use
+    let entry = |link: &str| {
+        format!(
+            "[[check.allow]]\nrule = \"mass.massless_collision\"\nfile = \"*\"\nreason = \"pad {link}\"\nlink = \"{link}\"\n"
+        )
+    };
+    let both = config(&(entry("left_tip") + &entry("right_tip")));
+    let found = judged(&both, "r.urdf", &text);
+    assert_eq!((found.open.len(), found.settled.len()), (0, 1), "{found:#?}");
+    assert_eq!(found.settled[0].why, Reason::Allowed("pad left_tip".to_owned()));
+    assert_eq!(remarks(&both, &[("r.urdf", &found)]), []);
+    let comment = "<!-- polhode: allow mass.massless_collision: a pad -->";
+    let commented = text.replace("<link name=\"right_tip\">", &format!("{comment}<link name=\"right_tip\">"));
+    let found = judged(&config(&entry("left_tip")), "r.urdf", &commented);
+    assert_eq!((found.open.len(), found.settled.len()), (0, 1), "{found:#?}");
+    // alone neither is enough, and both are said to be of no use
+    let one = config(&entry("left_tip"));
+    let found = judged(&one, "r.urdf", &text);
+    assert_eq!((found.open.len(), remarks(&one, &[("r.urdf", &found)]).len()), (1, 1));
 }
 
 #[test]

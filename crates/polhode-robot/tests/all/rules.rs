@@ -31,7 +31,7 @@ fn each_example_breaks_its_rule_until_it_is_mended() {
 
 /// Words in quotes that look like a code, in the code below a folder, tests apart.
 fn codes(folder: &Path, found: &mut BTreeSet<String>) {
-    const SUBJECTS: [&str; 11] = [
+    const SUBJECTS: [&str; 12] = [
         "number.",
         "mass.",
         "density.",
@@ -40,6 +40,7 @@ fn codes(folder: &Path, found: &mut BTreeSet<String>) {
         "geometry.",
         "tree.",
         "joint.",
+        "pose.",
         "read.",
         "allow.",
         "baseline.",

@@ -1,6 +1,7 @@
 //! What `<compiler>` says of how the rest is meant.
 
-use crate::model::{Note, Pose};
+use crate::finding::Severity;
+use crate::model::{Note, Number, Pose};
 use crate::pose::{about, about_axis, of_x_and_y, of_z_axis, product, unit};
 use crate::read::pose::Reading;
 use crate::read::xml::{Element, Written, is_true};
@@ -42,7 +43,23 @@ pub(super) struct Settings<'a> {
     pub(super) balance: bool,
     /// The sum of all masses, kg; that of the file if it is not positive.
     pub(super) total_mass: f64,
+    /// Why no mass is known: a setting that cannot be read.
+    pub(super) unreadable: Option<String>,
 }
+
+/// Settings that are one of some words; MuJoCo refuses others.
+const WORDS: [(&str, &[&str]); 9] = [
+    ("angle", &["degree", "radian"]),
+    ("inertiafromgeom", &["false", "true", "auto"]),
+    ("strippath", TRUTHS),
+    ("exactmeshinertia", TRUTHS),
+    ("fitaabb", TRUTHS),
+    ("balanceinertia", TRUTHS),
+    ("fusestatic", TRUTHS),
+    ("autolimits", TRUTHS),
+    ("coordinate", &["local", "global"]),
+];
+const TRUTHS: &[&str] = &["false", "true"];
 
 impl<'a> Settings<'a> {
     /// The settings of all `<compiler>` elements together: of two that say the same thing, the later counts.
@@ -61,6 +78,7 @@ impl<'a> Settings<'a> {
             bound_inertia: 0.0,
             balance: false,
             total_mass: -1.0,
+            unreadable: None,
         };
         for element in root.named("compiler") {
             settings.radians = element.word("angle").map_or(settings.radians, |angle| angle == "radian");
@@ -92,8 +110,41 @@ impl<'a> Settings<'a> {
                 *setting = element.word(name).and_then(|word| word.parse().ok()).unwrap_or(*setting);
             }
             notes.extend(Self::not_done(element));
+            settings.refused(element, notes);
         }
         settings
+    }
+
+    /// Settings that MuJoCo refuses: what masses would be then is not known.
+    fn refused(&mut self, compiler: Element<'a>, notes: &mut Vec<Note>) {
+        let mut refuse = |written: Written<'a>, name: &str, expected: &str| {
+            let message = format!("{name}={:?} is not {expected}: MuJoCo refuses the file", written.value);
+            self.unreadable.get_or_insert(format!("<compiler> says {name}={:?}", written.value));
+            let note = Note::new("read.compiler", "", written.span, message);
+            notes.push(Note { severity: Severity::Suspect, ..note });
+        };
+        for (name, words) in WORDS {
+            if let Some(written) = compiler.attribute(name).filter(|written| !words.contains(&written.value))
+            {
+                refuse(written, name, &words.join(" or "));
+            }
+        }
+        for (name, count) in
+            [("boundmass", 1), ("boundinertia", 1), ("settotalmass", 1), ("inertiagrouprange", 2)]
+        {
+            let is_right = |written: &Written<'_>| {
+                // an empty text is no setting, and MuJoCo takes NaN
+                let is_number = |number: Number| number.value.is_some_and(|value| !value.is_infinite());
+                written.value.is_empty()
+                    || written.numbers().count() == count && written.numbers().all(is_number)
+            };
+            if let Some(written) = compiler.attribute(name).filter(|written| !is_right(written)) {
+                refuse(written, name, if count == 1 { "a number" } else { "two numbers" });
+            }
+        }
+        if let Some(written) = compiler.attribute("eulerseq").filter(|written| written.value.len() != 3) {
+            refuse(written, "eulerseq", "three of x y z X Y Z");
+        }
     }
 
     /// What MuJoCo does and is not done here.

@@ -79,6 +79,12 @@ impl<'a> Classes<'a> {
         Source { element, class: self.class(element, None).map(|class| &class.mesh) }
     }
 
+    /// The class that an element names, its own or that of what stands in it, if there is none of that name.
+    pub(super) fn unknown(&self, element: Element<'a>) -> Option<Written<'a>> {
+        let named = ["class", "childclass"].into_iter().filter_map(|name| element.attribute(name));
+        named.into_iter().find(|written| !self.named.contains_key(written.value))
+    }
+
     fn class(&self, element: Element<'a>, around: Option<&str>) -> Option<&Class<'a>> {
         self.named.get(element.word("class").or(around).unwrap_or(MAIN))
     }

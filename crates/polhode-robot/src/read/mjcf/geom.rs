@@ -3,7 +3,7 @@
 use crate::model::{ComputedMass, Geometry, GeometryShape, Pose, Role};
 use crate::moments::{rotated, scaled};
 use crate::pose::{direction, of_z_axis};
-use crate::read::xml::{Element, is_true};
+use crate::read::xml::{Element, Written, is_true};
 
 use super::defaults::Source;
 use super::mass::LEAST;
@@ -52,6 +52,16 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
 
     fn form(&mut self, element: Element<'a>, source: &Source<'c, 'a>, branch: &Branch<'a>) -> Form<'a> {
         let ends = source.written("fromto").map(|written| written.array().unwrap_or([f64::NAN; 6]));
+        let place = source.written("pos").filter(|_| ends.is_some());
+        let is_placed = |written: &Written<'_>| written.values().any(|value| value != 0.0);
+        if let Some(written) = place.filter(is_placed) {
+            let subject = self.name_of(branch.link).to_owned();
+            let message = "a geom has both pos and fromto: MuJoCo refuses the file".to_owned();
+            if let Some(body) = branch.link.and_then(|link| self.masses.get_mut(link)) {
+                body.unknown.get_or_insert(message.clone());
+            }
+            self.suspect("read.unknown", &subject, written.span, message);
+        }
         let mut form = Form {
             kind: source.word("type").unwrap_or("sphere"),
             size: [f64::NAN; 3],

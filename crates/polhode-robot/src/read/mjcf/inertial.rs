@@ -58,7 +58,7 @@ impl<'a> Reader<'_, 'a, '_> {
         Inertial { span: element.span(), mass, pose, tensor }
     }
 
-    /// The numbers of an attribute; one that is not there is missing, and one too many is a note.
+    /// The numbers of an attribute; one that is not there is missing, and one too many is suspect.
     fn slots<const N: usize>(&mut self, written: &Written<'a>, names: [&str; N], link: &str) -> [Slot; N] {
         let mut numbers = written.numbers();
         let slots = names.map(|name| match numbers.next() {
@@ -67,7 +67,7 @@ impl<'a> Reader<'_, 'a, '_> {
         });
         if let Some(Number { span, .. }) = numbers.next() {
             let span = span.start..written.span.end.max(span.end);
-            self.note("read.numbers", link, span, format!("more than {N} numbers: MuJoCo refuses them"));
+            self.suspect("read.numbers", link, span, format!("more than {N} numbers: MuJoCo refuses them"));
         }
         slots
     }

@@ -1,9 +1,10 @@
 //! Joints, and what hangs without one.
 
+use polhode_formats::ContentError;
+
 use crate::coordinate::limits;
 use crate::model::{Coordinate, Joint, JointKind, Name, Pose, Span};
-
-use crate::read::xml::is_true;
+use crate::read::xml::{Element, is_true};
 
 use super::compiler::Settings;
 use super::defaults::Source;
@@ -52,11 +53,13 @@ impl<'a> Reader<'_, 'a, '_> {
         let Some(child) = name_of(index) else { return };
         let pose = self.frames_in_parents.get(index).cloned().unwrap_or(Pose::IDENTITY);
         let parent = parent.and_then(name_of);
+        self.name_bytes +=
+            name.text.len() + child.text.len() + parent.as_ref().map_or(0, |name| name.text.len());
         self.model.joints.push(Joint { name, span, kind, parent, child, pose, axis, anchor, coordinate });
     }
 
     /// Fixes what has no joint, and puts the joints in the order of the file.
-    pub(super) fn fix_the_rest(&mut self) {
+    pub(super) fn fix_the_rest(&mut self, root: Element<'a>) -> Result<(), ContentError> {
         for index in 0..self.jointed.len() {
             if self.jointed.get(index).is_some_and(|(_, jointed)| *jointed) {
                 continue;
@@ -66,6 +69,7 @@ impl<'a> Reader<'_, 'a, '_> {
             let name = Name { text: format!("{} (fixed)", link.name.text), span: span.start..span.start + 1 };
             let axis = ([0.0, 0.0, 1.0], [0.0; 3]);
             self.hang(index, name, span, JointKind::Fixed, axis, Coordinate::default());
+            self.require_few(root)?;
             let order = self.link_order.get(index).copied().unwrap_or(usize::MAX);
             self.joint_order.push(order);
         }
@@ -77,6 +81,7 @@ impl<'a> Reader<'_, 'a, '_> {
             // without geoms there is nothing to compute it from
             link.from_geometry &= !link.geometry.is_empty();
         }
+        Ok(())
     }
 }
 

@@ -48,7 +48,7 @@ pub(super) fn compile(
 
 fn compile_one(link: &mut Link, body: BodyMass, settings: &Settings<'_>, blind: Option<&str>) {
     let BodyMass { from_geoms, inertial, parts, unknown, position, .. } = body;
-    if let Some(why) = unknown {
+    if let Some(why) = settings.unreadable.clone().or(unknown) {
         link.computed = Some(Err(why));
         return;
     }

@@ -24,6 +24,7 @@ use std::rc::Rc;
 
 use polhode_formats::ContentError;
 
+use crate::finding::Severity;
 use crate::model::{Link, Name, Note, Pose, RobotModel, Span};
 use crate::read::pose::Reading;
 use crate::read::unread;
@@ -93,6 +94,8 @@ struct Reader<'c, 'a, 'm> {
     attached: Vec<Names>,
     /// Why bodies are missing.
     incomplete: Option<String>,
+    /// An `<include>` could not be read: what it says is not known.
+    is_blind: bool,
     model: &'m mut RobotModel,
 }
 
@@ -110,16 +113,22 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
             name_bytes: 0,
             attached: vec![(0, Rc::from(""), Rc::from(""))],
             incomplete: None,
+            is_blind: false,
             model,
         }
     }
 
     fn read(mut self, root: Element<'a>, blind: bool) -> Result<(), ContentError> {
-        let worlds = root.named("worldbody").chain((root.name() == "mujocoinclude").then_some(root));
-        for world in worlds {
-            self.tree(world)?;
+        // the defaults of a file that others include may be theirs
+        self.is_blind = blind || root.name() == "mujocoinclude";
+        if root.name() == "mujocoinclude" {
+            self.tree(root)?; // with or without a <worldbody> in it
+        } else {
+            for world in root.named("worldbody") {
+                self.tree(world)?;
+            }
         }
-        self.fix_the_rest();
+        self.fix_the_rest(root)?;
         equality::couple(self.contexts, &self.attached, &mut self.model.joints);
         let settings: Vec<_> = self.contexts.iter().map(|context| &context.settings).collect();
         let blind = blind.then_some("an <include> could not be read");
@@ -138,6 +147,9 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
             self.elements += 1;
             self.require_few(branch.element)?;
             let first = branches.len();
+            if matches!(branch.element.name(), "body" | "frame" | "replicate" | "geom" | "joint") {
+                self.require_class(&branch);
+            }
             match branch.element.name() {
                 "body" => Self::below(&self.body(&branch), &mut branches),
                 "frame" => Self::below(&self.frame(&branch), &mut branches),
@@ -154,6 +166,20 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
             }
         }
         Ok(())
+    }
+
+    /// Says which class of defaults is not there: MuJoCo refuses it, and what it would give is not known.
+    fn require_class(&mut self, branch: &Branch<'a>) {
+        let context = self.contexts.get(branch.context).filter(|_| !self.is_blind);
+        let Some(written) = context.and_then(|context| context.classes.unknown(branch.element)) else {
+            return;
+        };
+        let subject = self.name_of(branch.link).to_owned();
+        let message = format!("there is no class of defaults {:?}: MuJoCo refuses the file", written.value);
+        if let Some(body) = branch.link.and_then(|link| self.masses.get_mut(link)) {
+            body.unknown.get_or_insert(format!("there is no class of defaults {:?}", written.value));
+        }
+        self.suspect("read.unknown", &subject, written.span, message);
     }
 
     /// What stands in the element of a branch, in order.
@@ -249,7 +275,11 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
     fn left_out(&mut self, branch: &Branch<'a>) {
         let element = branch.element;
         if element.name() == "include" {
-            return; // it has its note
+            // it has its note; an inertial or geoms may be in it
+            if let Some(body) = branch.link.and_then(|link| self.masses.get_mut(link)) {
+                body.unknown.get_or_insert("an <include> in it could not be read".to_owned());
+            }
+            return;
         }
         self.incomplete = Some(format!("<{}> is not read", element.name()));
         let message = format!("<{}> is not read: what it makes is not checked", element.name());
@@ -262,7 +292,15 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         link.and_then(|link| self.model.links.get(link)).map_or("", |link| &link.name.text)
     }
 
+    fn suspect(&mut self, code: &'static str, subject: &str, span: Span, message: String) {
+        self.note(code, subject, span, message);
+        if let Some(note) = self.model.notes.last_mut() {
+            note.severity = Severity::Suspect;
+        }
+    }
+
     fn note(&mut self, code: &'static str, subject: &str, span: Span, message: String) {
+        self.name_bytes += subject.len();
         self.model.notes.push(Note::new(code, subject, span, message));
     }
 }

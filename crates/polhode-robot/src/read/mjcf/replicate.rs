@@ -63,7 +63,7 @@ impl<'a> Reader<'_, 'a, '_> {
         let what = if self.elements > MOST_ELEMENTS {
             format!("a model of more than {MOST_ELEMENTS} elements with its copies")
         } else if self.name_bytes > MOST_NAME_BYTES {
-            "names that grow with every copy beyond any model's".to_owned()
+            "names that grow longer together than any model's".to_owned()
         } else {
             return Ok(());
         };

@@ -1,6 +1,6 @@
 //! Frames that are fixed to bodies, by their names.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::model::{Name, Pose};
 use crate::pose::{about, product};
@@ -14,6 +14,8 @@ const MOST_STEPS: usize = 100;
 #[derive(Debug, Default)]
 pub(super) struct Frames<'a> {
     named: HashMap<&'a str, Element<'a>>,
+    /// Names of frames of other kinds, as those that stations define.
+    others: HashSet<&'a str>,
 }
 
 impl<'a> Frames<'a> {
@@ -22,24 +24,29 @@ impl<'a> Frames<'a> {
         let mut frames = Self::default();
         let mut waiting = vec![root];
         while let Some(element) = waiting.pop() {
-            if element.name() == "PhysicalOffsetFrame"
-                && let Some(name) = element.word("name")
-            {
-                frames.named.insert(name, element);
+            if let Some(name) = element.word("name").filter(|_| element.name().ends_with("Frame")) {
+                if element.name() == "PhysicalOffsetFrame" {
+                    frames.named.insert(name, element);
+                } else {
+                    frames.others.insert(name);
+                }
             }
             waiting.extend(element.children());
         }
         frames
     }
 
-    /// The body that a frame is fixed to, and the frame in it; the names of `own` go before.
-    pub(super) fn placed(&self, own: &Self, named: &Written<'a>) -> (Name, Pose) {
+    /// The body that a frame is fixed to, and the frame in it; the names of `own` go before. `None` for a frame of a kind that is not read.
+    pub(super) fn placed(&self, own: &Self, named: &Written<'a>) -> Option<(Name, Pose)> {
         let mut pose = Pose::IDENTITY;
         let mut at = named.clone();
         for _ in 0..MOST_STEPS {
             let last = at.value.rsplit('/').next().unwrap_or(at.value);
             let Some(frame) = own.named.get(last).or(self.named.get(last)) else {
-                return (Name { text: last.to_owned(), span: named.span.clone() }, pose);
+                if own.others.contains(last) || self.others.contains(last) {
+                    return None;
+                }
+                return Some((Name { text: last.to_owned(), span: named.span.clone() }, pose));
             };
             let offset = offset(*frame, "translation", "orientation");
             let unreadable = offset.unreadable.iter().chain(&pose.unreadable).cloned().collect();
@@ -49,7 +56,7 @@ impl<'a> Frames<'a> {
                 None => break,
             }
         }
-        (named.name(), pose)
+        Some((named.name(), pose))
     }
 }
 

@@ -2,14 +2,21 @@
 
 use super::frame::{Frames, offset, socket};
 use super::{GROUND, coordinate};
-use crate::model::{Joint, JointKind, Name, Pose};
+use crate::model::{Joint, JointKind, Name, Note, Pose};
 use crate::read::xml::Element;
 
-/// A joint between two frames; `None` if it does not say which.
-pub(super) fn new<'a>(element: Element<'a>, frames: &Frames<'a>) -> Option<Joint> {
+/// A joint between two frames; `None` if it does not say which, or with a note if one is of a kind that is not read.
+pub(super) fn new<'a>(element: Element<'a>, frames: &Frames<'a>, notes: &mut Vec<Note>) -> Option<Joint> {
     let own = Frames::of(element);
-    let (parent, in_parent) = frames.placed(&own, &socket(element, "parent_frame")?);
-    let (child, in_child) = frames.placed(&own, &socket(element, "child_frame")?);
+    let ends = ["parent_frame", "child_frame"].map(|side| socket(element, side));
+    let [Some(parent), Some(child)] = ends else { return None };
+    let placed = (frames.placed(&own, &parent), frames.placed(&own, &child));
+    let (Some((parent, in_parent)), Some((child, in_child))) = placed else {
+        let name = element.word("name").unwrap_or("");
+        let message = "the joint is not read: a frame of it is no PhysicalOffsetFrame".to_owned();
+        notes.push(Note::new("read.left_out", name, parent.span, message));
+        return None;
+    };
     Some(joint(element, parent, child, &in_parent, &in_child))
 }
 

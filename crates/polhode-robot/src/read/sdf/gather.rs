@@ -10,6 +10,7 @@ use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
 use super::frames::{FrameKind, Frames, Scope};
 use super::pose;
 use crate::model::{Note, Pose, RobotModel};
+use crate::read::unread;
 use crate::read::xml::{Element, is_true};
 
 /// Elements of a world with all that it includes. Ten files that include one another twice would fill any memory.
@@ -42,12 +43,12 @@ pub(super) fn gather<'a>(
     let mut waiting = below(root, 0, false);
     while let Some(Waiting { element, scope, in_world }) = waiting.pop() {
         elements += 1;
-        if elements > MOST_ELEMENTS {
-            let what = format!("more than {MOST_ELEMENTS} elements with all that is included");
-            let place = ContentPlace::Text(element.span());
-            return Err(ContentError::new(ContentErrorKind::Unsupported { what }, place));
-        }
+        require_few(elements, element)?;
         let name = element.word("name").unwrap_or("");
+        if matches!(element.name(), "model" | "include" | "link" | "joint" | "frame") {
+            unread::sdf_pose(element, name, &mut model.notes);
+            require_few(model.notes.len(), element)?;
+        }
         match element.name() {
             "world" => {
                 model.name = model.name.take().or_else(|| Some(name.to_owned()));
@@ -155,6 +156,15 @@ fn placement(model: Element<'_>) -> Option<&str> {
 
 fn says_static(model: Element<'_>) -> Option<bool> {
     model.child_text("static").map(|text| is_true(text.value))
+}
+
+/// Refuses more elements, shapes or notes than any world has.
+pub(super) fn require_few(count: usize, element: Element<'_>) -> Result<(), ContentError> {
+    if count <= MOST_ELEMENTS {
+        return Ok(());
+    }
+    let what = format!("more than {MOST_ELEMENTS} elements with all that is included");
+    Err(ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Text(element.span())))
 }
 
 /// Refuses names that are longer together than the text can account for.

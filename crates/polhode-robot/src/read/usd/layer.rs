@@ -19,6 +19,8 @@ pub(super) struct Layer {
     pub(super) prims: Vec<Prim>,
     /// Sets of variants, which are not read.
     pub(super) variants: Vec<Span>,
+    /// Of all paths together.
+    path_bytes: usize,
 }
 
 /// A prim.
@@ -62,6 +64,17 @@ impl Prim {
     }
 }
 
+/// Refuses paths that are longer together than the text can account for.
+pub(super) fn require_short(bytes: usize, text: usize, span: Span) -> Result<(), ContentError> {
+    const FOR_EACH_BYTE: usize = 16;
+    const ANYHOW: usize = 1 << 24;
+    if bytes <= FOR_EACH_BYTE * text + ANYHOW {
+        return Ok(());
+    }
+    let what = "paths that are longer together than the file many times over".to_owned();
+    Err(ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Text(span)))
+}
+
 impl Layer {
     pub(super) fn of(text: &str) -> Result<Self, ContentError> {
         let tokens = tokens(text)?;
@@ -89,10 +102,10 @@ impl Layer {
                 }
                 TokenKind::Word(_) => {
                     let property = reader.property()?;
-                    if let (Some((name, value)), Some(&prim)) = (property, open.last())
+                    if let (Some(property), Some(&prim)) = (property, open.last())
                         && let Some(prim) = layer.prims.get_mut(prim)
                     {
-                        prim.properties.insert(name, value);
+                        property.put_into(&mut prim.properties);
                     }
                 }
                 _ => return Err(reader.expected("a prim or a property")),
@@ -122,6 +135,8 @@ impl Layer {
         reader.expect('{')?;
         let parent = open.last().copied();
         let around = parent.and_then(|parent| self.prims.get(parent));
+        self.path_bytes += around.map_or(0, |around| around.path.len()) + name.text.len() + 1;
+        require_short(self.path_bytes, reader.end, first.span.clone())?;
         let path = format!("{}/{}", around.map_or("", |around| &around.path), name.text);
         is_abstract |= around.is_some_and(|around| around.is_abstract);
         is_abstract |= metadata.get("active").is_some_and(Value::is_false);
@@ -138,6 +153,50 @@ impl Layer {
             is_abstract,
         });
         Ok(())
+    }
+}
+
+/// What a line says of a list. Of one layer, what is taken from a list or put in order is in the layers below, which are not read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Edit {
+    /// The list is this.
+    Explicit,
+    /// `prepend`, `append` and `add`: these are in it, too.
+    Added,
+    /// `delete` and `reorder`.
+    OfOthers,
+}
+
+impl Edit {
+    fn of(word: &str) -> Self {
+        match word {
+            "prepend" | "append" | "add" => Self::Added,
+            "delete" | "reorder" => Self::OfOthers,
+            _ => Self::Explicit,
+        }
+    }
+}
+
+/// A property or a key of metadata.
+struct Property {
+    name: String,
+    edit: Edit,
+    value: Value,
+}
+
+impl Property {
+    fn put_into(self, all: &mut HashMap<String, Value>) {
+        let Self { name, edit, value } = self;
+        match (edit, all.get_mut(&name)) {
+            (Edit::OfOthers, _) => {}
+            (Edit::Added, Some(there)) => {
+                there.numbers.extend(value.numbers);
+                there.words.extend(value.words);
+            }
+            _ => {
+                all.insert(name, value);
+            }
+        }
     }
 }
 
@@ -187,8 +246,8 @@ impl<'t, 's> Reader<'t, 's> {
                 }
                 Some(TokenKind::Text(_) | TokenKind::Mark(';' | ',')) => self.at += 1,
                 Some(TokenKind::Word(_)) => {
-                    if let Some((key, value)) = self.property()? {
-                        metadata.insert(key, value);
+                    if let Some(property) = self.property()? {
+                        property.put_into(&mut metadata);
                     }
                 }
                 _ => return Err(self.expected("a key of metadata, or the ) after them")),
@@ -197,12 +256,17 @@ impl<'t, 's> Reader<'t, 's> {
     }
 
     /// Words, the last of which is the name, and what it says; `None` if it says nothing.
-    fn property(&mut self) -> Result<Option<(String, Value)>, ContentError> {
-        let mut name = "";
+    fn property(&mut self) -> Result<Option<Property>, ContentError> {
+        let (mut name, mut edit) = ("", Edit::Explicit);
         let mut is_first = true;
         while let Some(token) = self.peek().filter(|token| is_first || !token.begins_line) {
             match &token.kind {
-                TokenKind::Word(word) => name = word,
+                TokenKind::Word(word) => {
+                    if is_first {
+                        edit = Edit::of(word);
+                    }
+                    name = word;
+                }
                 TokenKind::Mark('[' | ']') => {}
                 _ => break,
             }
@@ -215,7 +279,7 @@ impl<'t, 's> Reader<'t, 's> {
         }
         let value = self.value()?;
         self.own_metadata()?;
-        Ok(Some((name.to_owned(), value)))
+        Ok(Some(Property { name: name.to_owned(), edit, value }))
     }
 
     /// The metadata of a property.

@@ -22,7 +22,7 @@ use std::collections::HashMap;
 use polhode_formats::ContentError;
 
 use crate::model::{Note, Pose, RobotModel};
-use layer::{Layer, Prim};
+use layer::{Layer, Prim, require_short};
 use unit::Units;
 use xform::Affine;
 
@@ -55,8 +55,13 @@ pub(super) fn read(text: &str, model: &mut RobotModel) -> Result<(), ContentErro
             }
         }
     }
+    let mut path_bytes = 0;
     for prim in layer.prims.iter().filter(|prim| !prim.is_abstract) {
-        model.joints.extend(joint::joint(&stage, prim));
+        let Some(joint) = joint::joint(&stage, prim) else { continue };
+        let parent = joint.parent.as_ref().map_or(0, |parent| parent.text.len());
+        path_bytes += joint.name.text.len() + joint.child.text.len() + parent;
+        require_short(path_bytes, text.len(), prim.span.clone())?;
+        model.joints.push(joint);
     }
     Ok(())
 }
@@ -107,7 +112,13 @@ impl<'l> Stage<'l> {
             let is_said = around.is_some_and(|parent| bodies.get(parent).copied().flatten().is_some());
             places.push(match around.and_then(|parent| places.get(parent)) {
                 Some(around) if is_said => Affine { unreadable: own.unreadable.clone(), ..around.then(&own) },
-                Some(around) => around.then(&own),
+                // one of a prim above is enough to tell: thousands below may have it, too
+                Some(around) => {
+                    let unreadable =
+                        around.unreadable.iter().take(1).chain(&own.unreadable).cloned().collect();
+                    let bare = Affine { unreadable: Vec::new(), ..*around };
+                    Affine { unreadable, ..bare.then(&own) }
+                }
                 None => own,
             });
             let around = prim.parent.and_then(|parent| bodies.get(parent).copied().flatten());

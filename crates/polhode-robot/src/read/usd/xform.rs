@@ -97,7 +97,7 @@ impl Affine {
                 // As of one that has values at times only.
                 let order = prim.properties.get("xformOpOrder");
                 let span = order.map_or_else(|| prim.span.clone(), |order| order.span.clone());
-                all.unreadable.push(Number { text: name.to_owned(), span, value: None });
+                all.unreadable.push(Number { text: shown(name), span, value: None });
                 continue;
             };
             let operation = Self::of_operation(name, value, metres);
@@ -105,11 +105,7 @@ impl Affine {
             all = match operation {
                 Some(operation) => all.then(&operation),
                 None => {
-                    all.unreadable.push(Number {
-                        text: name.to_owned(),
-                        span: value.span.clone(),
-                        value: None,
-                    });
+                    all.unreadable.push(Number { text: shown(name), span: value.span.clone(), value: None });
                     all
                 }
             };
@@ -150,6 +146,12 @@ impl Affine {
             _ => return None,
         })
     }
+}
+
+/// The start of a name: all prims below may repeat it.
+fn shown(name: &str) -> String {
+    const MOST: usize = 80;
+    name.chars().take(MOST).collect()
 }
 
 /// As many finite numbers as are asked for.

@@ -1,0 +1,332 @@
+//! What readers once took for something else, or passed over: files of public models were read to find them.
+
+use polhode_robot::check::check;
+use polhode_robot::finding::{Finding, Severity};
+use polhode_robot::geometry::Shapes;
+use polhode_robot::inspect::inspect;
+use polhode_robot::model::RobotModel;
+use polhode_robot::read::{ReadOptions, read_model, read_text};
+
+use crate::common::{Folder, read, refused};
+
+fn found(text: &str) -> Vec<Finding> {
+    inspect(&read(text), &Shapes::default()).findings
+}
+
+fn told<'f>(findings: &'f [Finding], code: &str) -> Vec<&'f str> {
+    findings.iter().filter(|finding| finding.code == code).map(|finding| finding.message.as_str()).collect()
+}
+
+fn codes(findings: &[Finding]) -> Vec<&str> {
+    findings.iter().filter(|finding| finding.severity > Severity::Note).map(|finding| finding.code).collect()
+}
+
+const INERTIA: &str = r#"<inertia ixx="0.031" iyy="0.042" izz="0.053" ixy="0.001" ixz="0.002" iyz="0.003"/>"#;
+
+#[test]
+fn angles_in_degrees_are_told_with_their_radians() {
+    let link = |rpy: &str| {
+        format!(
+            "<robot name=\"r\"><link name=\"a\"><inertial><origin xyz=\"0.1 0 0.2\" rpy=\"{rpy}\"/><mass value=\"1.7\"/>{INERTIA}</inertial>\
+             </link></robot>"
+        )
+    };
+    let findings = found(&link("0 -45 90"));
+    assert_eq!(codes(&findings), ["pose.degrees"]);
+    let message = told(&findings, "pose.degrees")[0];
+    assert!(
+        message.contains("0 -45 90") && message.contains("0 -0.7853981633974483 1.5707963267948966"),
+        "{message}"
+    );
+    for right in ["0 0 1.5707963", "0 -6.25 3", "0 0 0", "12.5664 0 0", "0 7 90"] {
+        assert_eq!(codes(&found(&link(right))), Vec::<&str>::new(), "{right}");
+    }
+    let joint = link("0 0 0").replace(
+        "</robot>",
+        "<link name=\"b\"/><joint name=\"j\" type=\"fixed\"><origin rpy=\"0 0 180\"/><parent link=\"a\"/><child link=\"b\"/></joint></robot>",
+    );
+    let findings = found(&joint);
+    assert_eq!((codes(&findings), findings[0].subject.as_str()), (vec!["pose.degrees"], "j"));
+    // SDF says whether they are degrees
+    let sdf = |attribute: &str| {
+        format!(
+            "<sdf version=\"1.9\"><model name=\"m\"><link name=\"a\"><pose{attribute}>1 2 3 90 0 0</pose><inertial><mass>1.7</mass>\
+             <inertia><ixx>0.031</ixx><iyy>0.042</iyy><izz>0.053</izz></inertia></inertial></link></model></sdf>"
+        )
+    };
+    assert_eq!(codes(&found(&sdf(""))), ["pose.degrees"]);
+    assert_eq!(codes(&found(&sdf(" degrees=\"true\""))), Vec::<&str>::new());
+}
+
+#[test]
+fn a_number_too_many_is_counted_in_words() {
+    let text = "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/><joint name=\"j\" type=\"fixed\"><origin rpy=\"0 1.57 0 0\"/>\
+                <parent link=\"a\"/><child link=\"b\"/></joint></robot>";
+    assert!(told(&found(text), "number.malformed")[0].contains("has 4 numbers"));
+}
+
+#[test]
+fn srdf_is_no_urdf() {
+    let text =
+        "<robot name=\"r\"><group name=\"arm\"><chain base_link=\"a\" tip_link=\"b\"/></group></robot>";
+    assert!(refused(text).message().contains("SRDF"));
+}
+
+#[test]
+fn moments_of_less_than_an_atom_are_zero() {
+    let text = "<robot name=\"r\"><link name=\"a\"><inertial><mass value=\"1.3\"/>\
+                <inertia ixx=\"0\" iyy=\"0\" izz=\"0\" ixy=\"0\" ixz=\"2.40741e-35\" iyz=\"0\"/></inertial></link></robot>";
+    let findings = found(text);
+    assert_eq!(codes(&findings), ["inertia.zero"]);
+    assert!(findings[0].message.contains("zero but for rounding"), "{}", findings[0].message);
+    // of a nanogram they are none
+    let small = text.replace("1.3", "1e-12").replace("2.40741e-35", "2.40741e-19");
+    assert_eq!(codes(&found(&small)), ["inertia.negative"]);
+}
+
+#[test]
+fn what_others_include_is_read_once() {
+    let text = r#"<mujocoinclude><worldbody><body name="a"><joint name="j"/><geom size="0.1"/></body></worldbody></mujocoinclude>"#;
+    let model = read(text);
+    assert_eq!((model.links.len(), model.joints.len()), (1, 1));
+    assert_eq!(read(&text.replace("<worldbody>", "").replace("</worldbody>", "")).links.len(), 1);
+}
+
+#[test]
+fn a_body_whose_include_is_not_there_may_have_mass() {
+    let body = |inner: &str| {
+        format!("<mujoco><worldbody><body name=\"a\">{inner}<joint/></body></worldbody></mujoco>")
+    };
+    let code =
+        |inner: &str| codes(&found(&body(inner))).iter().map(|code| (*code).to_owned()).collect::<Vec<_>>();
+    assert_eq!(code(""), ["mass.missing"]);
+    assert!(code("<include file=\"none.xml\"/>").is_empty());
+    assert!(code("<body><include file=\"none.xml\"/></body>").is_empty());
+}
+
+fn masses_are_known(model: &RobotModel) -> bool {
+    model.links.iter().all(|link| !matches!(link.computed, Some(Err(_))))
+}
+
+// As MuJoCo 4.0.0 takes and refuses them.
+#[test]
+fn settings_that_mujoco_refuses_are_told_and_masses_are_not_known() {
+    let model = |compiler: &str, geom: &str| {
+        format!(
+            "<mujoco><compiler {compiler}/><default><default class=\"soft\"/></default><worldbody><body name=\"a\"><joint/>\
+             <geom {geom}/></body></worldbody></mujoco>"
+        )
+    };
+    for right in [
+        "settotalmass=\"3\" angle=\"radian\" inertiagrouprange=\"0 2\" balanceinertia=\"true\" inertiafromgeom=\"auto\" eulerseq=\"XYZ\"",
+        "boundmass=\"1e-3\" boundinertia=\"\"",
+    ] {
+        let text = model(right, "size=\"0.1\" class=\"soft\"");
+        assert!(masses_are_known(&read(&text)), "{right}");
+        assert!(codes(&found(&text)).is_empty(), "{right}");
+    }
+    for (wrong, said) in [
+        ("settotalmass=\"3 kg\"", "a number"),
+        ("boundmass=\"small\"", "a number"),
+        ("boundinertia=\"1 2\"", "a number"),
+        ("inertiagrouprange=\"0\"", "two numbers"),
+        ("balanceinertia=\"yes\"", "false or true"),
+        ("inertiafromgeom=\"never\"", "false or true or auto"),
+        ("angle=\"radians\"", "degree or radian"),
+        ("eulerseq=\"xy\"", "three of"),
+    ] {
+        let text = model(wrong, "size=\"0.1\"");
+        let name = wrong.split('=').next().unwrap();
+        let findings = found(&text);
+        let message = told(&findings, "read.compiler")[0];
+        assert!(message.starts_with(name) && message.contains(said), "{message}");
+        assert!(!masses_are_known(&read(&text)), "{wrong}");
+    }
+    for wrong in
+        ["size=\"0.1\" class=\"hard\"", "type=\"capsule\" size=\"0.1\" fromto=\"0 0 0 0 0 1\" pos=\"1 0 0\""]
+    {
+        let text = model("", wrong);
+        let findings = found(&text);
+        assert_eq!(codes(&findings), ["read.unknown"], "{wrong}");
+        assert!(findings.iter().any(|finding| finding.message.contains("MuJoCo refuses the file")));
+        assert!(!masses_are_known(&read(&text)), "{wrong}");
+    }
+    let zero = model("", "type=\"capsule\" size=\"0.1\" fromto=\"0 0 0 0 0 1\" pos=\"0 0 0\"");
+    assert!(masses_are_known(&read(&zero)) && codes(&found(&zero)).is_empty());
+    // a class may be in what could not be read
+    let blind = model("", "size=\"0.1\" class=\"hard\"")
+        .replace("<worldbody>", "<include file=\"none.xml\"/><worldbody>");
+    assert!(codes(&found(&blind)).is_empty());
+}
+
+#[test]
+fn an_opensim_body_says_each_number_once() {
+    let model = |body: &str| {
+        format!(
+            "<OpenSimDocument Version=\"40000\"><Model name=\"leg\"><BodySet><objects><Body name=\"thigh\">{body}</Body></objects></BodySet>\
+             </Model></OpenSimDocument>"
+        )
+    };
+    let right =
+        "<mass>9.3</mass><mass_center>0 -0.17 0</mass_center><inertia>0.1339 0.0351 0.1412 0 0 0</inertia>";
+    assert!(codes(&found(&model(right))).is_empty());
+    for (from, to, code) in [
+        ("</mass>", "</mass><mass>8</mass>", "read.twice"),
+        ("</inertia>", "</inertia><inertia>1 1 1 0 0 0</inertia>", "read.twice"),
+        ("0 0 0</inertia>", "0 0 0 0.5</inertia>", "read.numbers"),
+        ("9.3<", "9.3 9.4<", "read.numbers"),
+    ] {
+        let findings = found(&model(&right.replace(from, to)));
+        assert!(codes(&findings).contains(&code), "{to}: {findings:#?}");
+    }
+}
+
+#[test]
+fn a_joint_of_an_unread_frame_is_left_out_with_a_note() {
+    let text = r#"<OpenSimDocument Version="40000"><Model name="m"><BodySet><objects>
+      <Body name="a"><mass>1</mass><mass_center>0 0 0</mass_center><inertia>1 1 1 0 0 0</inertia></Body></objects></BodySet>
+      <JointSet><objects><FreeJoint name="j"><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>/marked</socket_child_frame>
+      </FreeJoint></objects></JointSet>
+      <ComponentSet><objects><StationDefinedFrame name="marked"/></objects></ComponentSet></Model></OpenSimDocument>"#;
+    let model = read(text);
+    assert!(model.joints.is_empty());
+    assert_eq!((model.notes[0].code, model.notes[0].subject.as_str()), ("read.left_out", "j"));
+    assert!(check(&model, &[]).iter().all(|finding| finding.code != "tree.unknown_link"));
+}
+
+#[test]
+fn lists_of_usd_are_edited() {
+    let model = |schemas: &str| {
+        read(&format!(
+            "#usda 1.0\n(metersPerUnit = 1)\ndef Xform \"a\" (\n{schemas}\n)\n{{\n float physics:mass = 2\n def Xform \"b\" {{ float physics:mass = 3 }}\n}}"
+        ))
+    };
+    // a body by its schema, with b in it; or none, and then each that has a mass is one
+    for both in [
+        "prepend apiSchemas = [\"PhysicsMassAPI\"]\nappend apiSchemas = [\"PhysicsRigidBodyAPI\"]",
+        "prepend apiSchemas = [\"PhysicsRigidBodyAPI\"]\nprepend apiSchemas = [\"PhysicsMassAPI\"]",
+        "delete apiSchemas = [\"PhysicsRigidBodyAPI\"]\nprepend apiSchemas = [\"PhysicsRigidBodyAPI\"]",
+        "prepend apiSchemas = [\"PhysicsRigidBodyAPI\"]\nreorder apiSchemas = [\"PhysicsMassAPI\", \"PhysicsRigidBodyAPI\"]",
+    ] {
+        let text = model(both);
+        assert_eq!(text.links.len(), 1, "{both}");
+        assert!(!text.links[0].is_static);
+    }
+    let inner = |schemas: &str| {
+        let text = format!("#usda 1.0\n(metersPerUnit = 1)\ndef Xform \"a\" ({schemas}) {{}}");
+        read(&text).links.len()
+    };
+    assert_eq!(inner("prepend apiSchemas = [\"PhysicsRigidBodyAPI\"]"), 1);
+    assert_eq!(inner("delete apiSchemas = [\"PhysicsRigidBodyAPI\"]"), 0);
+    assert_eq!(inner("reorder apiSchemas = [\"PhysicsRigidBodyAPI\"]"), 0);
+    assert_eq!(
+        inner("prepend apiSchemas = [\"PhysicsMassAPI\"]\nappend apiSchemas = [\"PhysicsRigidBodyAPI\"]"),
+        1
+    );
+}
+
+#[test]
+fn names_that_would_fill_any_memory_are_refused() {
+    let long = "n".repeat(1 << 17);
+    let usd = format!("#usda 1.0\ndef Xform \"{long}\" {{\n{}}}\n", "def Xform \"a\" {}\n".repeat(400));
+    assert!(refused(&usd).message().contains("longer together"), "{}", refused(&usd).message());
+    // the same with names as long as the text accounts for
+    assert!(read(&usd.replace(&long, "n")).links.is_empty());
+    for inner in ["<joint/>", "<body name=\"b\"/>"] {
+        let mjcf = format!(
+            "<mujoco><worldbody><body name=\"{long}\"><geom size=\"1\"/>{}</body></worldbody></mujoco>",
+            inner.repeat(600)
+        );
+        assert!(refused(&mjcf).message().contains("longer together"), "{inner}");
+    }
+}
+
+#[test]
+fn shapes_of_a_model_that_is_included_often_are_counted() {
+    let shapes = "<visual><geometry><box><size>1 2 3</size></box></geometry></visual>".repeat(2000);
+    let part =
+        format!("<sdf version=\"1.9\"><model name=\"part\"><link name=\"a\">{shapes}</link></model></sdf>");
+    let include = "<include><uri>part.sdf</uri></include>";
+    let world = |count: usize| {
+        format!("<sdf version=\"1.9\"><world name=\"w\">{}</world></sdf>", include.repeat(count))
+    };
+    let (few, many) = (world(3), world(200));
+    let folder = Folder::of("sdf-shapes", &[("part.sdf", &part), ("few.sdf", &few), ("many.sdf", &many)]);
+    let read = |file: &str| read_model(&folder.path(file), &ReadOptions::default());
+    assert_eq!(read("few.sdf").unwrap().links.len(), 3);
+    assert!(read("many.sdf").unwrap_err().message().contains("more than 300000 elements"));
+}
+
+#[test]
+#[cfg(unix)]
+fn no_link_leads_out_of_a_confined_folder() {
+    use std::os::unix::fs::symlink;
+    let folder = Folder::of(
+        "confined-links",
+        &[
+            ("outside/package.xml", "<package><name>secret</name></package>"),
+            ("outside/model.config", "<model><sdf version=\"1.9\">model.sdf</sdf></model>"),
+            ("outside/model.sdf", "<sdf version=\"1.9\"><model name=\"m\"><link name=\"l\"/></model></sdf>"),
+            ("inside/part.stl", "solid"),
+            (
+                "inside/linked/model.sdf",
+                "<sdf version=\"1.9\"><model name=\"m\"><link name=\"own\"/></model></sdf>",
+            ),
+            (
+                "inside/deep/wheel.sdf",
+                "<sdf version=\"1.9\"><model name=\"m\"><link name=\"rim\"/></model></sdf>",
+            ),
+        ],
+    );
+    symlink(folder.path("outside/package.xml"), folder.path("inside/package.xml")).unwrap();
+    symlink(folder.path("outside/model.config"), folder.path("inside/linked/model.config")).unwrap();
+    let options = ReadOptions { roots: vec![folder.path("inside")], confined: true };
+    let model = |text: &str, file: &str| read_text(text, &folder.path(file), &options).unwrap();
+    let urdf = "<robot><link name=\"a\"><visual><geometry><mesh filename=\"package://secret/part.stl\"/></geometry></visual></link></robot>";
+    let shape = format!("{:?}", model(urdf, "inside/a.urdf").links[0].geometry[0].shape);
+    assert!(shape.contains("Err("), "the name in the linked package.xml is not the folder's: {shape}");
+    let world = |uri: &str| {
+        format!("<sdf version=\"1.9\"><world name=\"w\"><include><uri>{uri}</uri></include></world></sdf>")
+    };
+    let linked = model(&world("linked"), "inside/w.sdf");
+    assert!(linked.links.is_empty() && linked.notes[0].code == "read.include", "{linked:#?}");
+    // names are relative to the file that says them, and stay inside
+    assert_eq!(model(&world("deep/wheel.sdf"), "inside/w.sdf").links.len(), 1);
+    assert_eq!(model(&world("../deep/wheel.sdf"), "inside/linked/w.sdf").links.len(), 1);
+    for outside in ["../outside", "../outside/model.sdf", "deep/../../outside/model.sdf"] {
+        assert!(model(&world(outside), "inside/w.sdf").links.is_empty(), "{outside}");
+    }
+}
+
+#[test]
+fn a_models_own_package_goes_before_others_of_its_name() {
+    let package = "<package><name>arm</name></package>";
+    let folder = Folder::of(
+        "own-package",
+        &[
+            ("old/arm/package.xml", package),
+            ("old/arm/part.stl", "solid old"),
+            ("new/arm/package.xml", package),
+            ("new/arm/part.stl", "solid new"),
+        ],
+    );
+    let text = "<robot><link name=\"a\"><visual><geometry><mesh filename=\"package://arm/part.stl\"/></geometry></visual></link></robot>";
+    let options = ReadOptions { roots: vec![folder.path("old")], confined: false };
+    let model = read_text(text, &folder.path("new/arm/arm.urdf"), &options).unwrap();
+    let shape = format!("{:?}", model.links[0].geometry[0].shape);
+    assert!(shape.contains("new/arm/part.stl") || shape.contains("new\\\\arm"), "{shape}");
+}
+
+#[test]
+fn moments_of_one_digit_are_no_other_unit() {
+    let link = |tensor: &str| {
+        format!(
+            "<robot name=\"r\"><link name=\"a\"><collision><geometry><box size=\"0.1 0.08 0.12\"/></geometry></collision><inertial>\
+             <mass value=\"0.1\"/><inertia {tensor} ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link></robot>"
+        )
+    };
+    let findings = found(&link("ixx=\"1\" iyy=\"1\" izz=\"0\""));
+    assert_eq!(codes(&findings), ["gyration.too_large"]);
+    assert!(findings[0].message.ends_with("a placeholder?"), "{}", findings[0].message);
+    assert_eq!(codes(&found(&link("ixx=\"1.3\" iyy=\"1.1\" izz=\"0.9\""))), ["inertia.unit"]);
+}

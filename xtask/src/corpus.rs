@@ -1,0 +1,103 @@
+//! The page of what `polhode check` finds in public models: work trees in, numbers out. No model is kept.
+
+mod count;
+mod page;
+mod repository;
+
+use std::fs::File;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+use serde_json::Value;
+
+use crate::process::{build_folder, cargo, empty_folder, run};
+use crate::{Outcome, read, root};
+use count::{Counts, Seen};
+use repository::Repository;
+
+/// A repository and what was found in it.
+#[derive(Debug)]
+struct Audited {
+    repository: Repository,
+    counts: Counts,
+    cost: Cost,
+}
+
+/// What a run of the command took, where the machine says it.
+#[derive(Clone, Copy, Debug, Default)]
+struct Cost {
+    /// Processor time, s.
+    seconds: f64,
+    /// The most memory at a time, MiB.
+    memory: u64,
+}
+
+/// Checks every work tree and writes `book/corpus.md`. What has the same bytes in several is counted in the first.
+pub(crate) fn audit(folders: &[&str]) -> Outcome {
+    run(&mut cargo(&["build", "--release", "--quiet", "--locked", "--package", "polhode-cli"]))?;
+    let built = build_folder()?.with_file_name("release");
+    let polhode = built.join(format!("polhode{}", std::env::consts::EXE_SUFFIX));
+    let mut repositories =
+        folders.iter().map(|folder| Repository::at(Path::new(folder))).collect::<Result<Vec<_>, _>>()?;
+    repositories.sort_by_key(|repository| repository.name.to_lowercase());
+    let mut seen = Seen::default();
+    let mut audited = Vec::new();
+    for repository in repositories {
+        println!("   {}", repository.name);
+        let (results, cost) = check(&polhode, &repository)?;
+        let mut counts = Counts::default();
+        for result in results {
+            counts.add(&repository.folder, &result, &mut seen)?;
+        }
+        audited.push(Audited { repository, counts, cost });
+    }
+    let page = root().join("book/corpus.md");
+    std::fs::write(&page, page::text(&audited)).map_err(|error| format!("{}: {error}", page.display()))
+}
+
+/// What the command says of all models in a work tree, and what that took.
+fn check(polhode: &Path, repository: &Repository) -> Result<(Vec<Value>, Cost), String> {
+    let out = empty_folder("corpus")?.join("results.json");
+    let file = File::create(&out).map_err(|error| format!("{}: {error}", out.display()))?;
+    let mut command = Command::new(polhode);
+    command.args(["check", ".", "--json"]).current_dir(&repository.folder).stdout(file).stderr(Stdio::null());
+    for root in &repository.roots {
+        command.arg("--root").arg(root);
+    }
+    let failed = |error| format!("polhode check in {}: {error}", repository.name);
+    let mut child = command.spawn().map_err(failed)?;
+    let mut cost = Cost::default();
+    let status = loop {
+        cost = Cost::of(child.id()).unwrap_or(cost);
+        if let Some(status) = child.try_wait().map_err(failed)? {
+            break status;
+        }
+        std::thread::sleep(Duration::from_millis(10));
+    };
+    if !status.code().is_some_and(|code| (0..=2).contains(&code)) {
+        return Err(format!("polhode check in {} ended with {status}", repository.name));
+    }
+    let results: Value =
+        serde_json::from_str(&read(&out)?).map_err(|error| format!("{}: {error}", repository.name))?;
+    let Value::Array(results) = results else {
+        return Err(format!("{}: its results are no list", repository.name));
+    };
+    Ok((results, cost))
+}
+
+impl Cost {
+    /// That of a running program so far, on Linux.
+    fn of(process: u32) -> Option<Self> {
+        /// Linux counts processor time for programs in these.
+        const TICKS: f64 = 100.0;
+        let of = |file: &str| std::fs::read_to_string(format!("/proc/{process}/{file}")).ok();
+        let (status, stat) = (of("status")?, of("stat")?);
+        let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+        let memory = line.split_whitespace().next()?.parse::<u64>().ok()? / 1024;
+        // behind the name, which may have blanks: the state, and as the 12th and 13th the ticks of the program and of its calls
+        let mut fields = stat.rsplit_once(')')?.1.split_whitespace().skip(11);
+        let mut ticks = || fields.next()?.parse::<f64>().ok();
+        Some(Self { seconds: (ticks()? + ticks()?) / TICKS, memory })
+    }
+}

@@ -89,7 +89,7 @@ impl Documents {
         let bytes = fs::read(path).map_err(|error| unreadable(error.to_string()))?;
         let kind = Kind::of(path, &bytes).ok_or_else(|| {
             unreadable("its name does not say what it is".to_owned()).hint(
-                "the page shows scenarios (.toml), meshes (.stl .obj .ply .off .gltf .glb .3mf), robots (.urdf .sdf .xml .usda .osim), molecules (.xyz .mol .pdb) and particles (.csv)",
+                "the page shows scenarios (.toml), meshes (.stl .obj .ply .off .gltf .glb .3mf .dae), robots (.urdf .sdf .xml .usda .osim), molecules (.xyz .mol .pdb) and particles (.csv)",
             )
         })?;
         let made = |text: String, mut draft: Draft| -> Result<Content, Refusal> {

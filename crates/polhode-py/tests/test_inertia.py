@@ -17,6 +17,13 @@ def test_one_mesh_in_every_format_has_one_tensor(examples: Path, name: str) -> N
     assert np.allclose(found.inertia, wanted.inertia, rtol=1e-6) and np.isclose(found.mass, wanted.mass, rtol=1e-6)
 
 
+def test_a_mesh_that_says_its_unit_needs_none(examples: Path) -> None:
+    wanted = polhode.inertia(examples / "bracket.stl", unit="mm", material="aluminium")
+    for name in ["bracket.glb", "bracket.3mf", "bracket.dae"]:
+        found = polhode.inertia(examples / "meshes" / name, density=2700.0)
+        assert np.allclose(found.inertia, wanted.inertia, rtol=1e-12), name
+
+
 def test_hulls_and_sheets(examples: Path) -> None:
     solid = polhode.inertia(examples / "bracket.stl", unit="mm", density=1000.0)
     hull = polhode.inertia(examples / "bracket.stl", unit="mm", density=1000.0, hull=True)

@@ -3,6 +3,7 @@
 mod affine;
 mod assumed_unit;
 mod budget;
+pub mod collada;
 pub mod gltf;
 mod notes;
 mod number;
@@ -125,6 +126,11 @@ formats! {
     };
     /// 3MF; its build items are parts.
     ThreeMf: "3mf", "3MF", ["3mf"], |bytes, path| located(threemf::read(bytes), bytes, path);
+    /// COLLADA; the geometries of its scene are parts.
+    Collada: "dae", "COLLADA", ["dae"], |bytes, path| {
+        let text = str::from_utf8(bytes).map_err(|e| FormatError::not_utf8(path, bytes, e.valid_up_to()))?;
+        located(collada::read(text), bytes, path)
+    };
 }
 
 /// What was read has triangles; an error has its place in the file.

@@ -149,7 +149,7 @@ fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Resu
     let scenario = file.source().path;
     let path = &file.path()?;
     let Some(format) = MeshFormat::of_path(path) else {
-        let known: Vec<_> = MeshFormat::ALL.iter().map(|format| format.name()).collect();
+        let known: Vec<_> = MeshFormat::ALL.iter().flat_map(|format| format.extensions()).copied().collect();
         return Err(file.invalid("a mesh file").with_hint(format!("mesh files end in {}", known.join(", "))));
     };
     let weld = table.get("weld").map(|value| weld_tolerance(&value)).transpose()?;

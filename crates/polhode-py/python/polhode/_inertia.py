@@ -15,7 +15,7 @@ from ._substance import given
 
 #: What files are, by how their names end.
 _KINDS = {
-    **dict.fromkeys(["stl", "obj", "ply", "off", "gltf", "glb", "3mf"], "mesh"),
+    **dict.fromkeys(["stl", "obj", "ply", "off", "gltf", "glb", "3mf", "dae"], "mesh"),
     **dict.fromkeys(["xyz", "extxyz", "mol", "sdf", "sd", "pdb", "ent"], "molecule"),
     **dict.fromkeys(["csv", "tsv"], "particles"),
     **dict.fromkeys(["npy", "nrrd", "nhdr"], "voxels"),
@@ -63,7 +63,7 @@ def inertia(
 
     What a file is, its ending says, or ``kind``:
 
-    ``mesh`` (.stl .obj .ply .off .gltf .glb .3mf)
+    ``mesh`` (.stl .obj .ply .off .gltf .glb .3mf .dae)
         ``density`` (kg/m³), ``mass`` (kg) or ``material``, at most one; ``unit`` of length, as ``"mm"`` or in m; ``hull=True`` for its
         convex hull; ``shell`` for a sheet of that thickness, m. Arrays: vertices (n, 3), m unless ``unit`` says otherwise, and the
         numbers of three of them for each triangle (m, 3), from 0, counter-clockwise as seen from outside.

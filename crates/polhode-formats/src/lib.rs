@@ -3,6 +3,7 @@
 //!
 //! - [`scenario`]: one body and one motion, as TOML
 //! - [`mesh`]: triangle meshes, as STL, OBJ, PLY, OFF, glTF, 3MF and COLLADA
+//! - [`brep`]: STEP and IGES, which are recognised and refused
 //! - [`molecule`]: atoms, as XYZ, MOL, SDF and PDB
 //! - [`cad`]: mass-property reports of CAD programs, as text
 //! - [`particles`]: particles and point clouds, as CSV
@@ -16,6 +17,7 @@
 //!
 //! Whatever cannot be read is a [`FormatError`]: path, line, column, what stands there, the rule, a hint.
 
+pub mod brep;
 pub mod cad;
 mod content;
 mod error;

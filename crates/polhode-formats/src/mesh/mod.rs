@@ -195,7 +195,7 @@ impl MeshContents {
     pub fn as_one(mut self) -> Result<Self, BodyError> {
         let mesh = match self.parts.as_mut_slice() {
             [only] => std::mem::take(&mut only.mesh),
-            parts => solid::joined(parts)?,
+            parts => solid::joined(&*parts)?,
         };
         let parts = vec![MeshPart { name: String::new(), mesh }];
         Ok(Self { parts, ..self })

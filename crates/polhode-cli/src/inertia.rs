@@ -130,7 +130,7 @@ impl Inertia {
         if self.format.is_none_or(Kind::is_mesh)
             && let Some(format) = BrepFormat::of(file)
         {
-            return Err(Failure::usage(format!("{}: {}", shown(file), format.refusal()), format.hint(file)));
+            return Err(Failure::usage(format.refusal(), format.hint(file)));
         }
         let Some(kind) = self.format.or_else(|| Kind::of_path(file)) else {
             return Err(Failure::usage(

@@ -66,6 +66,13 @@ impl BrepFormat {
         }
     }
 
+    const fn ending(self) -> &'static str {
+        match self {
+            Self::Step => "step",
+            Self::Iges => "igs",
+        }
+    }
+
     /// Why a file of this format is not read.
     pub fn refusal(self) -> String {
         format!("polhode reads meshes, and a {} file has exact shapes", self.title())
@@ -73,13 +80,18 @@ impl BrepFormat {
 
     /// The commands that make a mesh of it, which is in millimetres whatever the file's unit is; and how it is measured as it is.
     pub fn hint(self, path: &Path) -> String {
-        let file = path.file_name().unwrap_or_default().to_string_lossy();
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-        let mesh = format!("make a mesh of it, in mm: gmsh {file} -2 -o {stem}.stl");
+        let (own, ending) = (path.file_name().unwrap_or_default().to_string_lossy(), self.ending());
+        // The programs go by the name.
+        let (renamed, file) = match Self::of_path(path) {
+            Some(_) => (String::new(), own.into_owned()),
+            None => (format!("call it {stem}.{ending}, and "), format!("{stem}.{ending}")),
+        };
+        let mesh = format!("{renamed}make a mesh of it, in mm: gmsh {file} -2 -o {stem}.stl");
         match self {
             Self::Step => format!(
                 "{mesh}, or python -c \"import cadquery as cq; cq.exporters.export(cq.importers.importStep('{file}'), '{stem}.stl')\"; \
-                 Python's polhode.inertia measures it exactly: pip install 'polhode[step]'"
+                 or have it measured exactly, by polhode.inertia in Python, after pip install cadquery-ocp"
             ),
             Self::Iges => format!("{mesh}, and read that with --unit mm"),
         }

@@ -31,7 +31,7 @@ pub(crate) struct Step {
     left_out: usize,
     /// Solids that OpenCASCADE finds fault with, from 1.
     invalid: Vec<usize>,
-    /// The largest error of its quadrature, relative to the volume.
+    /// How far two of its quadratures are apart, relative: of volume, centre and tensor of each solid the most.
     error: f64,
 }
 
@@ -107,7 +107,10 @@ impl Step {
             warn("step.invalid", format!("OpenCASCADE finds fault with solid {}", numbers.join(", ")));
         }
         if self.error > LARGE {
-            warn("step.error", format!("the volume of a solid is known to {:.1e} of it only", self.error));
+            warn(
+                "step.error",
+                format!("OpenCASCADE knows volume, centre and tensor of a solid to {:.1e} only", self.error),
+            );
         }
         findings
     }

@@ -76,7 +76,7 @@ def inertia(
         ``to_dict()["source"]``.
     ``step`` (.step .stp, ISO 10303-21)
         ``density``, ``mass`` or ``material``. Its solids are measured as the exact shapes that they are, each a part, by OpenCASCADE, which
-        ``pip install 'polhode[step]'`` brings; lengths are in the file's unit. What solids share counts for each of them, and is not looked for.
+        ``pip install cadquery-ocp`` brings (the extra ``step``); lengths are in the file's unit. What solids share counts for each of them, and is not looked for.
     ``scenario`` (.toml)
         Nothing: a scenario says it all.
     ``particles`` (.csv)

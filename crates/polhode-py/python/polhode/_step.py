@@ -54,12 +54,12 @@ def solids(path: str) -> tuple[list[_native.Solid], _native.Step]:
                 raise PolhodeError(f"{path}: solid {number} is open: one of its shells has edges of one face only", "close it in the CAD program")
         if not BRepCheck_Analyzer(solid).IsValid():
             invalid.append(number)
-        body, error = _measured(solid)
+        body, apart = _measured(solid)
         if not body["volume"] > 0.0:
             raise PolhodeError(f"{path}: solid {number} has the volume {body['volume']:.3g} m³", "its faces look inward: export it again")
         body["name"] = f"solid {number}" if len(all_solids) > 1 else ""
         bodies.append(body)
-        worst = max(worst, error)
+        worst = max(worst, apart)
     left_out = len(within(shape, Kind.TopAbs_SHELL, Kind.TopAbs_SOLID)) + len(within(shape, Kind.TopAbs_FACE, Kind.TopAbs_SHELL))
     if not bodies:
         raise PolhodeError(f"{path} has no solid, but {left_out} surfaces", "close them to a solid in the CAD program")

@@ -115,9 +115,10 @@ fn the_bound_holds_for_a_bulge_in_the_ball_about_the_hole() {
 #[test]
 fn the_bound_of_centre_and_tensor_holds_however_the_hole_was_closed() {
     let at = |[x, y, z]: [f64; 3]| [0.7 + x, -1.3 + 1.1 * y, 2.9 + 0.9 * z];
-    let (rim, top) = ([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(at), at([-9.0, -8.0, -10.0]));
-    let [a, b, c] = rim;
-    let open = [[a, top, b], [b, top, c], [c, top, a]];
+    let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(at);
+    let [d, e, f] = [[-2.5, -3.5, -3.5], [-3.5, -2.5, -3.5], [-3.5, -3.5, -2.5]].map(at);
+    let rim = [a, b, c];
+    let open = [[d, f, e], [a, d, e], [a, e, b], [b, e, f], [b, f, c], [c, f, d], [c, d, a]];
     let filled = filled(&open, 2.0);
     let own = ClosedMesh::of(&filled.mesh).unwrap();
     let of = |mesh: &ClosedMesh| mesh.mass_properties(Substance::Density(1.0)).unwrap();
@@ -152,14 +153,17 @@ fn the_bound_of_centre_and_tensor_holds_however_the_hole_was_closed() {
             most_tensor = most_tensor.max((p - q).abs() / largest);
         }
     }
-    assert!(tried > 200, "{tried}");
+    assert!(tried > 100, "{tried}");
     let outward = [0, 1, 2].map(|k| (middle[k] - center[k]) / apart(middle, center));
     let tip = std::array::from_fn(|k| middle[k] + filled.largest_radius * outward[k]);
     farthest = farthest.max(apart(tip, center));
     assert!(farthest > farthest_corner + filled.largest_radius, "no point would have told r from 2 r");
     assert!(farthest <= farthest_corner + 2.0 * filled.largest_radius);
-    assert!(most_center <= effect.center && most_center > 0.05 * effect.center, "{most_center} {effect:?}");
-    assert!(most_tensor <= effect.inertia && most_tensor > 0.05 * effect.inertia, "{most_tensor} {effect:?}");
+    assert!(most_center <= effect.center && most_center > 0.01 * effect.center, "{most_center} {effect:?}");
+    assert!(
+        most_tensor <= effect.inertia && most_tensor > 0.005 * effect.inertia,
+        "{most_tensor} {effect:?}"
+    );
 }
 
 /// The cuboid with each triangle cut into 4ⁿ.
@@ -176,7 +180,7 @@ fn fine(cuts: usize) -> Vec<Triangle> {
 
 #[test]
 fn an_open_mesh_says_at_which_size_its_holes_are_filled() {
-    let whole = fine(4);
+    let whole = fine(5);
     let mut triangles = whole.clone();
     // one triangle of a long side, and two that lie side by side in a short one
     triangles.remove(2_900);

@@ -13,6 +13,7 @@ mod parts;
 pub mod ply;
 mod polygon;
 mod repair;
+mod repair_bound;
 mod scan;
 mod solid;
 pub mod stl;
@@ -31,7 +32,8 @@ use crate::error::FormatError;
 use crate::file;
 
 pub use assumed_unit::{AssumedMetres, longest_side};
-pub use repair::{MeshLength, MeshRepair, RepairBound};
+pub use repair::{MeshLength, MeshRepair};
+pub use repair_bound::RepairBound;
 pub use solid::{MeshSolid, SolidPart};
 
 /// What a mesh file says: parts and their triangles, in the file's own unit of length.

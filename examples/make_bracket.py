@@ -163,10 +163,32 @@ def write_3mf(path, vertices, faces):
             archive.writestr(entry, declaration + text)
 
 
+def write_dae(path, vertices, faces):
+    points = "".join(f"{x} {y} {z}\n" for x, y, z in vertices)
+    corners = "".join(f"{a} {b} {c}\n" for a, b, c in faces)
+    path.write_text(
+        '<?xml version="1.0" encoding="UTF-8"?>\n'
+        '<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">\n'
+        '<asset><unit name="millimeter" meter="0.001"/><up_axis>Z_UP</up_axis></asset>\n'
+        '<library_geometries><geometry id="bracket" name="bracket"><mesh>\n'
+        f'<source id="positions"><float_array id="coordinates" count="{3 * len(vertices)}">\n{points}</float_array>'
+        f'<technique_common><accessor source="#coordinates" count="{len(vertices)}" stride="3">'
+        + "".join(f'<param name="{axis}" type="float"/>' for axis in "XYZ")
+        + "</accessor></technique_common></source>\n"
+        '<vertices id="vertices"><input semantic="POSITION" source="#positions"/></vertices>\n'
+        f'<triangles count="{len(faces)}"><input semantic="VERTEX" source="#vertices" offset="0"/><p>\n{corners}</p></triangles>\n'
+        "</mesh></geometry></library_geometries>\n"
+        '<library_visual_scenes><visual_scene id="scene"><node><instance_geometry url="#bracket"/></node></visual_scene>'
+        '</library_visual_scenes>\n<scene><instance_visual_scene url="#scene"/></scene>\n</COLLADA>\n',
+        newline="\n",
+    )
+
+
 if __name__ == "__main__":
     folder = Path(__file__).parent
     solid = bracket()
     write_stl(folder / "bracket.stl", solid)
     (folder / "meshes").mkdir(exist_ok=True)
-    for ending, write in {"obj": write_obj, "off": write_off, "ply": write_ply, "glb": write_glb, "3mf": write_3mf}.items():
+    writers = {"obj": write_obj, "off": write_off, "ply": write_ply, "glb": write_glb, "3mf": write_3mf, "dae": write_dae}
+    for ending, write in writers.items():
         write(folder / "meshes" / f"bracket.{ending}", *indexed(solid))

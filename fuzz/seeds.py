@@ -25,7 +25,7 @@ TEXTS = {
     "ply": ["formats/tests/all/ply.rs", "formats/src/mesh/ply.rs"],
     "off": ["formats/tests/all/off.rs", "formats/src/mesh/off.rs"],
     "gltf": ["formats/tests/all/gltf/mod.rs", "formats/tests/all/gltf/broken.rs", "formats/tests/all/gltf/file.rs"],
-    "collada": ["robot/tests/all/geometry.rs"],
+    "collada": ["formats/tests/all/collada.rs"],
     "xyz": ["formats/tests/all/molecule.rs", "formats/src/molecule/xyz.rs"],
     "mol": ["formats/tests/all/molecule.rs", "formats/src/molecule/mol.rs"],
     "pdb": ["formats/tests/all/molecule.rs", "formats/src/molecule/pdb.rs"],
@@ -51,7 +51,7 @@ TEXTS = {
 WORDS = {
     "stl": "formats/src/mesh/stl.rs", "obj": "formats/src/mesh/obj.rs", "ply": "formats/src/mesh/ply/*.rs",
     "off": "formats/src/mesh/off.rs", "gltf": "formats/src/mesh/gltf/*.rs", "threemf": "formats/src/mesh/threemf/*.rs",
-    "collada": "robot/src/geometry/collada.rs", "mol": "formats/src/molecule/mol.rs", "pdb": "formats/src/molecule/pdb.rs",
+    "collada": "formats/src/mesh/collada/*.rs", "mol": "formats/src/molecule/mol.rs", "pdb": "formats/src/molecule/pdb.rs",
     "xyz": "formats/src/molecule/xyz.rs", "particles": "formats/src/particles*.rs", "voxel": "formats/src/voxel/*.rs",
     "motion_table": "formats/src/scenario/motion_table.rs", "cad": "formats/src/cad/*.rs", "unit": "formats/src/unit/table.rs",
     "expression": "formats/src/expression/*.rs", "formula": "polhode/src/motion/state_variables.rs",

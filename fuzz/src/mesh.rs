@@ -50,12 +50,7 @@ pub fn threemf(data: &[u8]) {
 }
 
 pub fn collada(data: &[u8]) {
-    let Ok(text) = str::from_utf8(data) else { return };
-    let read = || polhode_robot::geometry::collada::read(text);
-    if let Ok(contents) = read() {
-        assert_eq!(Ok(&contents), read().as_ref());
-        accepted(contents, MeshFormat::Obj);
-    }
+    mesh(data, MeshFormat::Collada);
 }
 
 fn mesh(data: &[u8], format: MeshFormat) {

@@ -17,6 +17,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode::math::{Body, Part, Position, Rotation};
+use polhode_formats::brep::BrepFormat;
 use polhode_formats::mesh::MeshFormat;
 use polhode_formats::molecule::MoleculeFormat;
 use polhode_formats::scenario;
@@ -25,7 +26,7 @@ use polhode_report::{InertiaReport, SourceInfo};
 
 use self::cad::CadFlags;
 use self::kind::Kind;
-use self::mesh::MeshFlags;
+use self::mesh::{MeshFile, MeshFlags};
 use self::molecule::MoleculeFlags;
 use self::output::OutputFlags;
 use self::robot::RobotFlags;
@@ -104,18 +105,26 @@ impl Inertia {
         if self.robot.table {
             return self.tables();
         }
-        let mut answers = Vec::new();
+        let (mut answers, mut written) = (Vec::new(), Vec::new());
         let mut progress = FileProgress::new(self.files.len());
         for file in &self.files {
             progress.next(file);
-            answers.push((file.as_path(), self.reports(file).map_err(|failure| failure.about(file))));
+            answers.push((
+                file.as_path(),
+                self.reports(file, &mut written).map_err(|failure| failure.about(file)),
+            ));
         }
         drop(progress);
         let text = self.output.text(&answers);
         self.output.warn(&answers);
         let mut failures: Vec<_> = answers.into_iter().filter_map(|(_, answer)| answer.err()).collect();
         match text {
-            Ok(text) => print(&text)?,
+            Ok(text) => {
+                if failures.is_empty() {
+                    written.iter().try_for_each(MeshFile::write)?;
+                }
+                print(&text)?;
+            }
             Err(failure) => failures.push(failure),
         }
         Failure::unless_empty(failures)
@@ -138,6 +147,11 @@ impl Inertia {
 
     /// What a file is, if the flags fit that.
     fn kind(&self, file: &Path) -> Result<Kind, Failure> {
+        if self.format.is_none_or(Kind::is_mesh)
+            && let Some(format) = BrepFormat::of(file)
+        {
+            return Err(Failure::usage(format.refusal(), format.hint(file)));
+        }
         let Some(kind) = self.format.or_else(|| Kind::of_path(file)) else {
             return Err(Failure::usage(
                 format!("{} has an unknown file extension", shown(file)),
@@ -149,8 +163,8 @@ impl Inertia {
         Ok(kind)
     }
 
-    /// The reports of a file: one, or one for each of its molecules.
-    fn reports(&self, file: &Path) -> Result<Vec<InertiaReport>, Failure> {
+    /// The reports of a file: one, or one for each of its molecules. What is to be written with them, when all is known, goes to `written`.
+    fn reports(&self, file: &Path, written: &mut Vec<MeshFile>) -> Result<Vec<InertiaReport>, Failure> {
         let kind = self.kind(file)?;
         let reports = match kind {
             Kind::Scenario => vec![of_scenario(file)?],
@@ -167,13 +181,13 @@ impl Inertia {
             Kind::Robot => robot::reports(file, &self.robot)?,
             Kind::Npy => vec![voxel::report(file, "npy", &self.voxel, self.unit)?],
             Kind::Nrrd => vec![voxel::report(file, "nrrd", &self.voxel, self.unit)?],
-            Kind::Mesh(format) => vec![self.of_mesh(file, format)?],
+            Kind::Mesh(format) => {
+                let (report, file) = mesh::report(file, format, self.unit, &self.substance, &self.mesh)?;
+                written.extend(file);
+                vec![report]
+            }
         };
         reports.into_iter().map(|report| self.finished(report)).collect()
-    }
-
-    fn of_mesh(&self, file: &Path, format: MeshFormat) -> Result<InertiaReport, Failure> {
-        mesh::report(file, format, self.unit, &self.substance, &self.mesh)
     }
 
     /// The report with the point and the axes that are asked for.

@@ -2,7 +2,8 @@
 //! something stands.
 //!
 //! - [`scenario`]: one body and one motion, as TOML
-//! - [`mesh`]: triangle meshes, as STL, OBJ, PLY, OFF, glTF and 3MF
+//! - [`mesh`]: triangle meshes, as STL, OBJ, PLY, OFF, glTF, 3MF and COLLADA
+//! - [`brep`]: STEP and IGES, which are recognised and refused
 //! - [`molecule`]: atoms, as XYZ, MOL, SDF and PDB
 //! - [`cad`]: mass-property reports of CAD programs, as text
 //! - [`particles`]: particles and point clouds, as CSV
@@ -10,11 +11,13 @@
 //! - [`expression`]: formulas in text
 //! - [`voxel`]: densities on a grid, as NPY and NRRD
 //! - [`material`]: materials by name
+//! - [`xml`]: elements, attributes and numbers with their places
 //! - [`times`]: lists of times, one per line
 //! - [`table`]: the other way, trajectories as CSV and Parquet, curves as CSV
 //!
 //! Whatever cannot be read is a [`FormatError`]: path, line, column, what stands there, the rule, a hint.
 
+pub mod brep;
 pub mod cad;
 mod content;
 mod error;
@@ -31,6 +34,7 @@ mod text;
 pub mod times;
 pub mod unit;
 pub mod voxel;
+pub mod xml;
 
 pub use content::{ContentError, ContentErrorKind, ContentPlace};
 pub use error::{FormatError, FormatErrorKind, Place};

@@ -8,6 +8,7 @@ use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use hyper::StatusCode;
+use polhode_formats::brep::BrepFormat;
 use polhode_formats::scenario::Draft;
 
 use crate::answer::Refusal;
@@ -88,8 +89,11 @@ impl Documents {
         let [own, all] = [stamp(own.clone()), stamp(own.chain(draft.files()))];
         let bytes = fs::read(path).map_err(|error| unreadable(error.to_string()))?;
         let kind = Kind::of(path, &bytes).ok_or_else(|| {
+            if let Some(format) = BrepFormat::of(path) {
+                return unreadable(format.refusal()).hint(format.hint(path));
+            }
             unreadable("its name does not say what it is".to_owned()).hint(
-                "the page shows scenarios (.toml), meshes (.stl .obj .ply .off .gltf .glb .3mf), robots (.urdf .sdf .xml .usda .osim), molecules (.xyz .mol .pdb) and particles (.csv)",
+                "the page shows scenarios (.toml), meshes (.stl .obj .ply .off .gltf .glb .3mf .dae), robots (.urdf .sdf .xml .usda .osim), molecules (.xyz .mol .pdb) and particles (.csv)",
             )
         })?;
         let made = |text: String, mut draft: Draft| -> Result<Content, Refusal> {

@@ -5,6 +5,7 @@
 //! not compute.
 
 mod arrays;
+mod brep;
 mod check;
 mod command;
 mod ensemble;
@@ -30,6 +31,8 @@ use pyo3::prelude::*;
 mod _native {
     use pyo3::prelude::*;
 
+    #[pymodule_export]
+    use crate::brep::step_solids;
     #[pymodule_export]
     use crate::check::check_file;
     #[pymodule_export]

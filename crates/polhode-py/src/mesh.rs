@@ -6,7 +6,9 @@ use numpy::PyReadonlyArray2;
 use polhode::body::mesh::{ConvexHull, MeshShell, TriangleMesh};
 use polhode::body::shape::{Extent, Shape, Substance};
 use polhode::body::{Finding, MassProperties, Severity};
-use polhode_formats::mesh::{AssumedMetres, MeshContents, MeshFormat, MeshPart, MeshSolid};
+use polhode_formats::mesh::{
+    AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshPart, MeshRepair, MeshSolid, RepairBound,
+};
 use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
 use pyo3::prelude::*;
 
@@ -26,6 +28,16 @@ pub(crate) struct MeshOptions {
     hull: bool,
     /// A sheet of this thickness instead of the solid, m.
     shell: Option<f64>,
+    /// How far apart vertices of open edges may be that are joined, as text.
+    weld: Option<String>,
+    /// How far across holes may be that are filled, as text.
+    fill: Option<String>,
+}
+
+/// A length beside the mesh, of an option of this name.
+fn length(name: &str, text: Option<&String>) -> PyResult<Option<MeshLength>> {
+    let parsed = text.map(|text| MeshLength::parse(text)).transpose();
+    parsed.map_err(|error| refused(format!("{name}: {error}"), error.hint().as_deref()))
 }
 
 /// The mass properties of a mesh file.
@@ -94,15 +106,17 @@ fn of_contents(
     substance: Option<Substance>,
     (source, title): (SourceInfo, &str),
 ) -> PyResult<PyMassProperties> {
-    let (triangles, encoding) = (contents.triangles(), contents.encoding);
+    let (given, encoding) = (contents.triangles(), contents.encoding);
     let in_metres = options.unit.is_none() && contents.unit.is_none();
-    let described = |what: &str, parts: usize, unit: f64| {
+    let described = |what: &str, triangles: usize, parts: usize, unit: f64| {
         let several = if parts > 1 { format!(", {parts} parts") } else { String::new() };
         let assumed = if in_metres { ", in m as no unit is given" } else { "" };
-        let words = format!("{title}, {triangles} triangles{several}, {what}{assumed}");
+        let before = if given == triangles { String::new() } else { format!(" ({given} in the file)") };
+        let words = format!("{title}, {triangles} triangles{before}{several}, {what}{assumed}");
         let source = source.described(words);
         let source = if encoding.is_empty() { source } else { source.with("encoding", encoding) };
         let source = source.with("triangles", triangles).with("parts", parts).with("unit_m", unit);
+        let source = if given == triangles { source } else { source.with("triangles_in_file", given) };
         if in_metres { source.with("unit_assumed", true) } else { source }
     };
     if let Some(thickness) = options.shell {
@@ -112,7 +126,7 @@ fn of_contents(
         let pieces = pieces.map_err(Raise::raise)?;
         let unit = contents.unit.unwrap_or(1.0);
         return weighed(
-            described("taken as a sheet", pieces.len(), unit).with("taken_as", "sheet"),
+            described("taken as a sheet", given, pieces.len(), unit).with("taken_as", "sheet"),
             pieces,
             substance,
             contents.findings,
@@ -124,8 +138,13 @@ fn of_contents(
             part.mesh = ConvexHull::of(part.mesh.coordinates()).map_err(Raise::raise)?;
         }
     }
+    let (weld, fill) = (length("weld", options.weld.as_ref())?, length("fill", options.fill.as_ref())?);
+    let mended = contents.mended(weld, fill, options.unit, path).map_err(Raise::raise)?;
+    let (contents, repairs) = mended;
     let solid = MeshSolid::of(contents, path, format, options.unit).map_err(Raise::raise)?;
-    let findings = solid.findings_in(&path.display().to_string());
+    let file = path.display().to_string();
+    let mut findings = MeshRepair::findings(&repairs, &solid, &file);
+    findings.extend(solid.findings_in(&file));
     let turned = solid.parts.iter().any(|part| part.mesh.inverted());
     let (what, taken_as) = match (options.hull, turned) {
         (true, _) => ("taken as its convex hull", "convex_hull"),
@@ -133,14 +152,36 @@ fn of_contents(
         (false, false) => ("closed, consistently wound", "solid"),
     };
     let vertices: usize = solid.parts.iter().map(|part| part.mesh.vertices()).sum();
-    let source = described(what, solid.parts.len(), solid.unit);
+    let triangles = match options.hull || !repairs.is_empty() {
+        true => solid.parts.iter().map(|part| part.mesh.surface().triangles().len()).sum(),
+        false => given,
+    };
+    let source = described(what, triangles, solid.parts.len(), solid.unit);
     let source = source.with("vertices", vertices).with("taken_as", taken_as);
+    let source = repairs
+        .iter()
+        .map(MeshRepair::for_programs)
+        .fold(source, |source, (name, value)| source.with(name, value));
+    let source = match repairs.as_slice() {
+        [] => source,
+        all => source.with("volume_bound_m3", RepairBound::of(all).volume),
+    };
     let pieces = solid.parts.into_iter().map(|part| (part.name, boxed(part.mesh)));
     weighed(source, pieces.collect(), substance, findings, in_metres)
 }
 
 fn boxed<S: Shape + 'static>(shape: S) -> Box<dyn Shape> {
     Box::new(shape)
+}
+
+/// That nothing says what a body is made of.
+pub(crate) fn assumed() -> Finding {
+    Finding {
+        code: "mass.assumed",
+        severity: Severity::Warning,
+        message: "neither density, mass nor material is given: 1 kg/m³ is assumed".to_owned(),
+        place: None,
+    }
 }
 
 /// The parts with their masses, together.
@@ -158,12 +199,7 @@ fn weighed(
         Some(Substance::Mass(mass)) if pieces.len() > 1 => Substance::Density(mass / whole),
         Some(substance) => substance,
         None => {
-            findings.push(Finding {
-                code: "mass.assumed",
-                severity: Severity::Warning,
-                message: "neither density, mass nor material is given: 1 kg/m³ is assumed".to_owned(),
-                place: None,
-            });
+            findings.push(assumed());
             Substance::Density(1.0)
         }
     };

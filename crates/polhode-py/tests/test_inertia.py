@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import numpy as np
@@ -17,12 +18,53 @@ def test_one_mesh_in_every_format_has_one_tensor(examples: Path, name: str) -> N
     assert np.allclose(found.inertia, wanted.inertia, rtol=1e-6) and np.isclose(found.mass, wanted.mass, rtol=1e-6)
 
 
+def test_a_mesh_that_says_its_unit_needs_none(examples: Path) -> None:
+    wanted = polhode.inertia(examples / "bracket.stl", unit="mm", material="aluminium")
+    for name in ["bracket.glb", "bracket.3mf", "bracket.dae"]:
+        found = polhode.inertia(examples / "meshes" / name, density=2700.0)
+        assert np.allclose(found.inertia, wanted.inertia, rtol=1e-12), name
+
+
 def test_hulls_and_sheets(examples: Path) -> None:
     solid = polhode.inertia(examples / "bracket.stl", unit="mm", density=1000.0)
     hull = polhode.inertia(examples / "bracket.stl", unit="mm", density=1000.0, hull=True)
     sheet = polhode.inertia(examples / "bracket.stl", unit="mm", density=1000.0, shell=1e-4)
     assert hull.mass > solid.mass > sheet.mass > 0.0
     assert np.isclose(sheet.mass, 1000.0 * 1e-4 * solid.surface_area, rtol=1e-12)
+
+
+def test_torn_and_holed_meshes_are_mended_if_asked(tmp_path: Path) -> None:
+    vertices = [[0.1, 0, 0], [2.1, 0, 0], [0.1, 3, 0], [0.1, 0, 1], [0.1000021, 0, 1], [0.1, 0.0000013, 1]]
+    torn = [[0, 2, 1], [0, 1, 3], [0, 4, 2], [1, 2, 5]]
+    with pytest.raises(polhode.PolhodeError, match="the mesh is open.*\n.*it closes if welded"):
+        polhode.inertia((vertices, torn), unit="m", density=4.0)
+    for weld in (7e-7, "3 um"):
+        with pytest.warns(polhode.PolhodeWarning, match=r"3 vertices were welded to 1 point.*the volume may be off by .*\[mesh.welded\]"):
+            body = polhode.inertia((vertices, torn), unit="m", density=4.0, weld=weld)
+        source = body.to_dict()["source"]
+        assert source["weld"]["points"] == 1 and abs(body.volume - 1.0) <= source["volume_bound_m3"] < 2e-5
+    # the scaled mesh is as torn beside its size
+    with pytest.warns(polhode.PolhodeWarning, match="mesh.welded"):
+        polhode.inertia((vertices, torn), unit="mm", density=4.0, weld=7e-7)
+    with pytest.warns(polhode.PolhodeWarning) as said:
+        body = polhode.inertia((vertices, torn[1:]), unit="m", density=4.0, weld=7e-7, fill="4 m")
+    assert abs(body.volume - 1.0) < 1e-5 and len(said) == 2
+    source = body.to_dict()["source"]
+    assert (source["triangles"], source["triangles_in_file"], source["fill"]["holes"]) == (4, 3, 1)
+    assert source["volume_bound_m3"] > source["weld"]["volume_bound_m3"] + source["fill"]["volume_bound_m3"]
+    path = tmp_path / "torn.obj"
+    path.write_text("".join(f"v {x} {y} {z}\n" for x, y, z in vertices) + "".join(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in torn))
+    with pytest.warns(polhode.PolhodeWarning, match="mesh.welded"):
+        assert math.isclose(polhode.inertia(path, unit="m", density=4.0, weld=7e-7).mass, 4.0, rel_tol=1e-5)
+    for options, says in (
+        ({"weld": -1.0}, "weld = -1.0 must be positive"),
+        ({"weld": "3 kg"}, "weld: .*mass where a length belongs"),
+        ({"fill": "wide"}, "fill: "),
+        ({"weld": 1e-6, "hull": True}, "hull and weld are both given"),
+        ({"fill": 1e-6, "shell": 0.1}, "shell and fill are both given"),
+    ):
+        with pytest.raises(polhode.PolhodeError, match=says):
+            polhode.inertia((vertices, torn), density=4.0, **options)
 
 
 def test_an_assumed_density_is_said(examples: Path) -> None:

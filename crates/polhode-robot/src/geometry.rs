@@ -11,7 +11,6 @@
 //! quarter about x, (x, y, z) → (x, −z, y), before it is scaled and placed; others, and RViz before, take it as it is. COLLADA's
 //! `<up_axis>` is ignored by Gazebo and RViz, and applied by others. [`MeshReading`] names both.
 
-pub mod collada;
 mod mesh;
 mod mesh_files;
 mod primitive;

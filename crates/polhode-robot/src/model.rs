@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::finding::Severity;
 pub use crate::span::Span;
+pub use polhode_formats::xml::{Name, Number};
 
 /// The languages of models.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,15 +104,6 @@ impl Note {
     }
 }
 
-/// A name, and where it stands.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Name {
-    /// The name.
-    pub text: String,
-    /// Where it stands, without quotes.
-    pub span: Span,
-}
-
 /// A number that a file should have.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Slot {
@@ -124,17 +116,6 @@ pub enum Slot {
     },
     /// There, with its text.
     Given(Number),
-}
-
-/// A number as it is written.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Number {
-    /// The text: `"1676359E-6"`.
-    pub text: String,
-    /// Where it stands, without quotes or the spaces around it.
-    pub span: Span,
-    /// What it is: `None` if the text is not a number. It may be infinite or NaN: `"1e400"`, `"nan"`.
-    pub value: Option<f64>,
 }
 
 impl Slot {

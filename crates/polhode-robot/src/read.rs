@@ -13,7 +13,6 @@
 mod files;
 mod mjcf;
 mod osim;
-mod plain;
 mod pose;
 mod sdf;
 mod unread;

@@ -7,14 +7,13 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use polhode::body::mesh::{ConvexHull, MeshShell};
 use polhode::body::shape::{Extent, Shape, Substance};
-use polhode::body::{Finding, Form, MassProperties};
+use polhode::body::{Finding, Form, MassProperties, Severity};
 use polhode_formats::expression::Expression;
 use polhode_formats::mesh::{
-    AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshPart, MeshRepair, MeshSolid,
+    AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshPart, MeshRepair, MeshSolid, RepairBound,
 };
 use polhode_formats::unit::Dimension;
 use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
-use serde_json::json;
 
 use super::field;
 use super::model::{Model, Piece, unfit};
@@ -107,7 +106,7 @@ pub(super) fn report(
     unit: Option<f64>,
     substance: &SubstanceFlags,
     flags: &MeshFlags,
-) -> Result<InertiaReport, Failure> {
+) -> Result<(InertiaReport, Option<MeshFile>), Failure> {
     let mut findings = Vec::new();
     let Model { source, unit: in_m, pieces, field } = if flags.quick {
         quick::model(file, format, unit.unwrap_or(1.0), &mut findings)?
@@ -125,9 +124,9 @@ pub(super) fn report(
         _ => MassProperties::combined(&bodies).map_err(unfit)?,
     };
     let volume: f64 = pieces.iter().map(Piece::volume).sum();
-    if let Some(target) = &flags.write_mesh {
-        write(&pieces, in_m, target, flags.force)?;
-    }
+    let target = flags.write_mesh.as_ref();
+    let written =
+        target.map(|target| MeshFile::of(&pieces, in_m, target, flags.force, &mut findings)).transpose()?;
     let mut source = source;
     if unit.is_none() && !format.has_unit() {
         let words = format!("{}, in m as no unit is given", source.description);
@@ -143,13 +142,14 @@ pub(super) fn report(
     }
     let mut extras = if rows.len() > 1 { vec![parts(&rows)] } else { Vec::new() };
     extras.extend(field.map(|found| found.error));
-    Ok(InertiaReport {
+    let report = InertiaReport {
         surface_area: Some(pieces.iter().map(|piece| piece.shape.surface_area()).sum()),
         extras,
         findings,
         not_checked: if flags.quick { quick::NOT_CHECKED } else { &[] },
         ..InertiaReport::new(source, properties).with_volume(Some(volume))
-    })
+    };
+    Ok((report, written))
 }
 
 /// The model of a mesh that is read whole.
@@ -161,17 +161,18 @@ fn whole(
     findings: &mut Vec<Finding>,
 ) -> Result<Model, Failure> {
     let mut contents = MeshContents::read(file, format)?;
-    let (triangles, count) = (contents.triangles(), contents.parts.len());
+    let (given, count) = (contents.triangles(), contents.parts.len());
     let encoding = contents.encoding;
-    let described = |what: &str, parts: usize, unit: f64| {
+    let described = |what: &str, triangles: usize, parts: usize, unit: f64| {
         let kind = format!("{} {encoding}", format.title()).trim_end().to_owned();
         let several = if parts > 1 { format!(", {parts} parts") } else { String::new() };
-        SourceInfo::new(file.display().to_string(), format.name())
-            .described(format!("{kind}, {triangles} triangles{several}, {what}"))
+        let before = if given == triangles { String::new() } else { format!(" ({given} in the file)") };
+        let source = SourceInfo::new(file.display().to_string(), format.name())
+            .described(format!("{kind}, {triangles} triangles{before}{several}, {what}"))
             .with("encoding", encoding)
-            .with("triangles", triangles)
-            .with("parts", parts)
-            .with("unit_m", unit)
+            .with("triangles", triangles);
+        let source = if given == triangles { source } else { source.with("triangles_in_file", given) };
+        source.with("parts", parts).with("unit_m", unit)
     };
     if let Some(thickness) = flags.shell {
         let contents = contents.in_metres(unit);
@@ -180,8 +181,8 @@ fn whole(
         let named = contents.parts.iter().map(|part| part.name.clone()).zip(shells);
         let pieces = named.map(|(name, shell)| Piece { name, shape: Box::new(shell) as Box<dyn Shape> });
         findings.extend(contents.findings);
-        let source =
-            described("taken as a sheet", count, contents.unit.unwrap_or(1.0)).with("taken_as", "sheet");
+        let source = described("taken as a sheet", given, count, contents.unit.unwrap_or(1.0))
+            .with("taken_as", "sheet");
         return Ok(Model {
             source,
             unit: contents.unit.unwrap_or(1.0),
@@ -194,19 +195,9 @@ fn whole(
             part.mesh = ConvexHull::of(part.mesh.coordinates()).map_err(unfit)?;
         }
     }
-    let mut repairs = Vec::new();
-    if let Some(tolerance) = flags.weld {
-        let (welded, repair) = contents.welded(tolerance, unit, file)?;
-        contents = welded;
-        repairs.push(repair);
-    }
-    if let Some(size) = flags.fill {
-        let (filled, repair) = contents.filled(size, unit, file)?;
-        contents = filled;
-        repairs.push(repair);
-    }
+    let (contents, repairs) = contents.mended(flags.weld, flags.fill, unit, file)?;
     let solid = MeshSolid::of(contents, file, format, unit)?;
-    findings.extend(repairs.iter().map(|repair| repair.finding(&solid, &file.display().to_string())));
+    findings.extend(MeshRepair::findings(&repairs, &solid, &file.display().to_string()));
     findings.extend(solid.findings_in(&file.display().to_string()));
     let turned = solid.parts.iter().any(|part| part.mesh.inverted());
     let what = match (flags.hull, turned) {
@@ -215,10 +206,23 @@ fn whole(
         (false, false) => "closed, consistently wound",
     };
     let vertices: usize = solid.parts.iter().map(|part| part.mesh.vertices()).sum();
+    // of a hull and of what was mended, what they are of
+    let triangles = match flags.hull || !repairs.is_empty() {
+        true => solid.parts.iter().map(|part| part.mesh.surface().triangles().len()).sum(),
+        false => given,
+    };
     let taken_as = if flags.hull { "convex_hull" } else { "solid" };
-    let source =
-        described(what, solid.parts.len(), solid.unit).with("vertices", vertices).with("taken_as", taken_as);
-    let source = repairs.iter().fold(source, said);
+    let source = described(what, triangles, solid.parts.len(), solid.unit)
+        .with("vertices", vertices)
+        .with("taken_as", taken_as);
+    let source = repairs
+        .iter()
+        .map(MeshRepair::for_programs)
+        .fold(source, |source, (name, value)| source.with(name, value));
+    let source = match repairs.as_slice() {
+        [] => source,
+        all => source.with("volume_bound_m3", RepairBound::of(all).volume),
+    };
     let field = match &flags.field {
         Some(formula) => Some(field::found(&solid.parts, formula, flags.tolerance)?),
         None => None,
@@ -228,16 +232,51 @@ fn whole(
     Ok(Model { source, unit: solid.unit, pieces: solid.parts.into_iter().map(piece).collect(), field })
 }
 
-/// Writes the surfaces of the pieces, in their file's unit.
-fn write(pieces: &[Piece], unit: f64, target: &Path, force: bool) -> Result<(), Failure> {
-    let format = written_format(target)?;
-    let part = |piece: &Piece| match piece.shape.form() {
-        Some(Form::Mesh(mesh)) => Some(MeshPart { name: piece.name.clone(), mesh: mesh.scaled(1.0 / unit) }),
-        _ => None,
-    };
-    let parts: Vec<_> = pieces.iter().filter_map(part).collect();
-    let bytes = format.bytes(&parts).unwrap_or_default();
-    partial::write(target, force, |out| out.write_all(&bytes))
+/// The file of --write-mesh, which is written when the answer is known.
+pub(super) struct MeshFile {
+    target: PathBuf,
+    force: bool,
+    bytes: Vec<u8>,
+}
+
+impl MeshFile {
+    /// Of the surfaces of the pieces, in their file's unit. What is to be written bounds solids too; where rounding changes their volume, that is said.
+    fn of(
+        pieces: &[Piece],
+        unit: f64,
+        target: &Path,
+        force: bool,
+        findings: &mut Vec<Finding>,
+    ) -> Result<Self, Failure> {
+        /// Of the volume: what coordinates of seven digits change of a body that is not thin.
+        const MUCH: f64 = 1e-6;
+        let format = written_format(target)?;
+        let part = |piece: &Piece| match piece.shape.form() {
+            Some(Form::Mesh(mesh)) => {
+                Some(MeshPart { name: piece.name.clone(), mesh: mesh.scaled(1.0 / unit) })
+            }
+            _ => None,
+        };
+        let parts: Vec<_> = pieces.iter().filter_map(part).collect();
+        let (bytes, written) = format.checked_bytes(&parts, target)?;
+        let volume: f64 = pieces.iter().map(Piece::volume).sum();
+        let off = written * unit.powi(3) / volume - 1.0;
+        if off.abs() > MUCH {
+            findings.push(Finding {
+                code: "mesh.rounded",
+                severity: Severity::Warning,
+                message: format!(
+                    "rounded to seven digits, the written mesh encloses {off:+.1e} of the volume more"
+                ),
+                place: Some(target.display().to_string()),
+            });
+        }
+        Ok(Self { target: target.to_owned(), force, bytes })
+    }
+
+    pub(super) fn write(&self) -> Result<(), Failure> {
+        partial::write(&self.target, self.force, |out| out.write_all(&self.bytes))
+    }
 }
 
 fn written_format(file: &Path) -> Result<MeshFormat, Failure> {
@@ -250,33 +289,6 @@ fn written_format(file: &Path) -> Result<MeshFormat, Failure> {
             format!("a mesh is written as {names}"),
         )
     })
-}
-
-/// What was mended, for programs.
-fn said(source: SourceInfo, repair: &MeshRepair) -> SourceInfo {
-    match *repair {
-        MeshRepair::Welded { vertices, points, largest_distance, vanished, bound } => source.with(
-            "weld",
-            json!({
-                "vertices": vertices,
-                "points": points,
-                "largest_distance_m": largest_distance,
-                "triangles_vanished": vanished,
-                "volume_bound_m3": bound.volume,
-            }),
-        ),
-        MeshRepair::Filled { holes, triangles, largest, open_edges, bound } => source.with(
-            "fill",
-            json!({
-                "holes": holes,
-                "triangles": triangles,
-                "largest_m": largest,
-                "open_edges": open_edges,
-                "volume_bound_m3": bound.volume,
-            }),
-        ),
-        _ => source,
-    }
 }
 
 /// Each part with its mass.

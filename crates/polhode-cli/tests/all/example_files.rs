@@ -30,6 +30,7 @@ fn the_bracket_is_the_same_in_every_mesh_format() {
         ("bracket.ply", given),
         ("bracket.glb", own), // metres, by the format
         ("bracket.3mf", own), // millimetres, by the file
+        ("bracket.dae", own),
     ] {
         let body = inertia(&scratch, &format!("meshes/{file}"), flags);
         // The coordinates are the same doubles: only millimetres become metres earlier or later.

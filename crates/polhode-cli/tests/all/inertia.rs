@@ -415,10 +415,9 @@ fn a_hole_is_filled_if_asked_and_what_that_may_change_is_said() {
         let filled = json(&of(size));
         near(&filled["mass"], 8.0);
         let said = &filled["source"]["fill"];
-        assert_eq!(
-            (&said["holes"], &said["triangles"], &said["open_edges"]),
-            (&1.into(), &1.into(), &0.into())
-        );
+        assert_eq!((&said["holes"], &said["triangles"]), (&1.into(), &1.into()));
+        let triangles = (&filled["source"]["triangles"], &filled["source"]["triangles_in_file"]);
+        assert_eq!(triangles, (&8.into(), &7.into()));
         near(&said["largest_m"], 13_f64.sqrt());
         // the ball about a right triangle
         near(&said["volume_bound_m3"], std::f64::consts::PI / 6.0 * 13_f64.powf(1.5));
@@ -426,9 +425,19 @@ fn a_hole_is_filled_if_asked_and_what_that_may_change_is_said() {
         assert_eq!(finding["code"], "mesh.filled");
         let message = finding["message"].as_str().unwrap();
         assert!(
-            message.contains("1 hole of up to 3.61e0 m across was filled with 1 triangle, as was asked"),
+            message.contains("1 hole of up to 3.61e0 m across was filled with 1 triangle, as was asked; if what is missing lies"),
             "{message}"
         );
+    }
+    // asked for in vain, which is no warning
+    scratch.write("two.obj", TWO);
+    let closed = ["inertia", "two.obj", "--density", "4 kg/m^3", "--json", "--weld", "1e-6", "--fill", "0.5"];
+    let closed = json(&scratch.run(&closed));
+    for (k, code) in ["mesh.welded", "mesh.filled"].into_iter().enumerate() {
+        let finding = &closed["findings"][k];
+        assert_eq!((&finding["code"], &finding["severity"]), (&code.into(), &"info".into()));
+        let message = finding["message"].as_str().unwrap();
+        assert!(message.starts_with("nothing was") && !message.contains("may be off"), "{message}");
     }
     let refusal = |size: &str| refused(&scratch.run(&["inertia", "open.obj", "--fill", size]), 2);
     assert!(refusal("3 m").contains("the mesh is open"));
@@ -445,6 +454,130 @@ fn the_pieces_of_one_surface_are_filled_together() {
         json(&scratch.run(&["inertia", "open.obj", "--density", "4 kg/m^3", "--json", "--fill", "4 m"]));
     near(&filled["mass"], 4.0);
     assert_eq!(filled["source"]["fill"]["holes"], 1);
+    assert!(filled["findings"].to_string().contains("2 open parts of the file are pieces of one surface"));
+    // a closed part that is wound inward is turned as ever, and no cavity in them
+    let inner = "v 0.2 0.2 0.2\nv 0.4 0.2 0.2\nv 0.2 0.5 0.2\nv 0.2 0.2 0.3\ng c\nf 5 6 7\nf 5 8 6\nf 5 7 8\nf 6 8 7\n";
+    scratch.write("open.obj", &format!("{text}{inner}"));
+    let filled =
+        json(&scratch.run(&["inertia", "open.obj", "--density", "4 kg/m^3", "--json", "--fill", "4 m"]));
+    near(&filled["mass"], 4.004);
+    let findings = filled["findings"].to_string();
+    assert!(findings.contains("mesh.inverted") && findings.contains("mesh.parts_overlap"), "{findings}");
+}
+
+/// A cube of 3 m whose sides are of so many by so many squares, off the origin.
+fn squares(n: usize) -> Vec<[[f64; 3]; 3]> {
+    let mut triangles = Vec::new();
+    for axis in 0..3 {
+        let at = |i: usize, k: usize, far: bool| {
+            let step = 3.0 / n as f64;
+            let mut p = [0.3, -1.7, 0.9];
+            p[axis] += if far { 3.0 } else { 0.0 };
+            p[(axis + 1) % 3] += i as f64 * step;
+            p[(axis + 2) % 3] += k as f64 * step;
+            p
+        };
+        for (i, k) in (0..n * n).map(|at| (at / n, at % n)) {
+            for far in [false, true] {
+                let [a, b, c, d] =
+                    [at(i, k, far), at(i + 1, k, far), at(i + 1, k + 1, far), at(i, k + 1, far)];
+                triangles.extend(if far { [[a, b, c], [a, c, d]] } else { [[a, c, b], [a, d, c]] });
+            }
+        }
+    }
+    triangles
+}
+
+fn obj(triangles: &[[[f64; 3]; 3]]) -> String {
+    let vertices = triangles.iter().flatten().map(|[x, y, z]| format!("v {x} {y} {z}\n")).collect::<String>();
+    let faces = (0..triangles.len()).map(|k| format!("f {} {} {}\n", 3 * k + 1, 3 * k + 2, 3 * k + 3));
+    vertices + &faces.collect::<String>()
+}
+
+#[test]
+fn an_open_mesh_names_the_fill_that_closes_it_and_weld_and_fill_have_one_bound() {
+    let scratch = Scratch::new("fill-hint");
+    let mut triangles = squares(12);
+    triangles.remove(501);
+    scratch.write("holed.obj", &obj(&triangles));
+    let flags = ["inertia", "holed.obj", "--unit", "m", "--density", "2 kg/m^3", "--json"];
+    let refusal = refused(&scratch.run(&flags[..6]), 2);
+    let size = refusal.split("--fill ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap();
+    assert!(refusal.contains("(1 holes, 1 triangles)"), "{refusal}");
+    let filled = json(&scratch.run(&[flags.as_slice(), &["--fill", size]].concat()));
+    near(&filled["mass"], 54.0);
+
+    // the centre may be off by ΔV R/(V − ΔV), with the farthest point a ball's diameter beyond the farthest corner
+    let r = 0.25 * f64::sqrt(2.0) / 2.0;
+    let ball = 4.0 / 3.0 * std::f64::consts::PI * r.powi(3);
+    near(&filled["source"]["volume_bound_m3"], ball);
+    let center = ball * (1.5 * f64::sqrt(3.0) + 2.0 * r) / (27.0 - ball);
+    let message = filled["findings"][0]["message"].as_str().unwrap();
+    assert!(message.contains(&format!("the centre of mass by {center:.1e} m")), "{center} {message}");
+
+    // torn too: another weld is said, and the bound is of both
+    let torn = triangles[40][1];
+    let moved = [torn[0] + 2e-6, torn[1], torn[2] - 1e-6];
+    triangles[40][1] = moved;
+    scratch.write("holed.obj", &obj(&triangles));
+    let mended = [flags.as_slice(), &["--weld", "1e-5", "--fill", size]].concat();
+    let mended = json(&scratch.run(&mended));
+    let said = |k: usize| mended["findings"][k]["message"].as_str().unwrap();
+    assert!(said(0).contains("were welded") && !said(0).contains("may be off"), "{}", said(0));
+    assert!(said(1).contains("was filled") && said(1).contains("at most all together"), "{}", said(1));
+    let source = &mended["source"];
+    let each = number(&source["weld"]["volume_bound_m3"]) + number(&source["fill"]["volume_bound_m3"]);
+    let both = number(&source["volume_bound_m3"]);
+    assert!(both > each && both < 1.01 * each, "{both} {each}");
+}
+
+#[test]
+fn exact_shapes_are_refused_with_what_makes_a_mesh_of_them() {
+    let scratch = Scratch::new("brep");
+    scratch.write("part.step", "ISO-10303-21;\nHEADER;\n");
+    scratch.write("part.dat", "ISO-10303-21;\nHEADER;\n");
+    scratch.write("part.stl", "ISO-10303-21;\nHEADER;\n");
+    scratch.write("part.igs", &format!("{:<72}S{:>7}\n", "a part", 1));
+    for (file, says) in [
+        ("part.step", "gmsh part.step -2 -o part.stl, or python -c"),
+        ("part.dat", "call it part.step, and make a mesh of it, in mm: gmsh part.step"),
+        ("part.step", "polhode.inertia in Python, after pip install cadquery-ocp"),
+        ("part.stl", "a STEP file has exact shapes"),
+        ("part.igs", "gmsh part.igs -2 -o part.stl, and read that with --unit mm"),
+    ] {
+        let text = refused(&scratch.run(&["inertia", file, "--density", "2 kg/m^3"]), 2);
+        assert!(text.contains(says), "{file}: {text}");
+    }
+    let part = "shape = \"mesh\"\nfile = \"part.step\"\nmass = \"4 kg\"";
+    scratch.write("part.toml", &format!("[[body.part]]\n{part}\n[start]\nspin = {{ body = [0, 0, \"1 rad/s\"] }}\n[run]\nduration = \"1 s\"\n"));
+    let text = refused(&scratch.run(&["inertia", "part.toml"]), 2);
+    assert!(text.contains("gmsh part.step"), "{text}");
+}
+
+#[test]
+fn a_mesh_that_rounding_would_break_is_not_written() {
+    let scratch = Scratch::new("write-rounded");
+    let moved = |by: f64| {
+        let triangles: Vec<_> = squares(2).iter().map(|t| t.map(|p| p.map(|c| 1.0371 * c + by))).collect();
+        obj(&triangles)
+    };
+    scratch.write("near.obj", &moved(4321.0));
+    scratch.write("far.obj", &moved(1e8));
+    let of = |file: &str, rest: &[&str]| {
+        scratch.run(&[&["inertia", file, "--unit", "m", "--density", "2 kg/m^3", "--json"], rest].concat())
+    };
+    let text = |file: &str, rest: &[&str]| {
+        scratch.run(&[&["inertia", file, "--unit", "m", "--density", "2 kg/m^3"], rest].concat())
+    };
+    let near = json(&of("near.obj", &["--write-mesh", "near.stl"]));
+    assert!(near["findings"].to_string().contains("mesh.rounded"), "{}", near["findings"]);
+    let refusal = refused(&text("far.obj", &["--write-mesh", "far.stl"]), 2);
+    assert!(refusal.contains("so it would be written; OBJ keeps every digit"), "{refusal}");
+    json(&of("far.obj", &["--write-mesh", "far.ply"]));
+    // nor where the answer is no number
+    let refusal = refused(&text("near.obj", &["--about", "1e160 m, 0, 0", "--write-mesh", "none.obj"]), 2);
+    assert!(refusal.contains("too large"), "{refusal}");
+    assert!(!scratch.entries().iter().any(|name| name == "far.stl" || name == "none.obj"));
 }
 
 #[test]

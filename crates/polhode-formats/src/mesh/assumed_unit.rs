@@ -22,9 +22,9 @@ const THINNEST: f64 = 0.5;
 const MUCH_LONGER: f64 = 100.0;
 
 impl MeshFormat {
-    /// True if its files say in which unit they are.
+    /// True if its files, or the format where they do not, say in which unit they are.
     pub const fn has_unit(self) -> bool {
-        matches!(self, Self::Gltf | Self::ThreeMf)
+        matches!(self, Self::Gltf | Self::ThreeMf | Self::Collada)
     }
 }
 

@@ -3,6 +3,7 @@
 mod affine;
 mod assumed_unit;
 mod budget;
+pub mod collada;
 pub mod gltf;
 mod notes;
 mod number;
@@ -12,6 +13,7 @@ mod parts;
 pub mod ply;
 mod polygon;
 mod repair;
+mod repair_bound;
 mod scan;
 mod solid;
 pub mod stl;
@@ -30,7 +32,8 @@ use crate::error::FormatError;
 use crate::file;
 
 pub use assumed_unit::{AssumedMetres, longest_side};
-pub use repair::{MeshLength, MeshRepair, RepairBound};
+pub use repair::{MeshLength, MeshRepair};
+pub use repair_bound::RepairBound;
 pub use solid::{MeshSolid, SolidPart};
 
 /// What a mesh file says: parts and their triangles, in the file's own unit of length.
@@ -125,6 +128,11 @@ formats! {
     };
     /// 3MF; its build items are parts.
     ThreeMf: "3mf", "3MF", ["3mf"], |bytes, path| located(threemf::read(bytes), bytes, path);
+    /// COLLADA; the geometries of its scene are parts.
+    Collada: "dae", "COLLADA", ["dae"], |bytes, path| {
+        let text = str::from_utf8(bytes).map_err(|e| FormatError::not_utf8(path, bytes, e.valid_up_to()))?;
+        located(collada::read(text), bytes, path)
+    };
 }
 
 /// What was read has triangles; an error has its place in the file.
@@ -189,7 +197,7 @@ impl MeshContents {
     pub fn as_one(mut self) -> Result<Self, BodyError> {
         let mesh = match self.parts.as_mut_slice() {
             [only] => std::mem::take(&mut only.mesh),
-            parts => solid::joined(parts)?,
+            parts => solid::joined(&*parts)?,
         };
         let parts = vec![MeshPart { name: String::new(), mesh }];
         Ok(Self { parts, ..self })

@@ -4,8 +4,9 @@ use std::path::Path;
 
 use polhode::body::mesh::{FilledMesh, TriangleMesh, WeldedMesh};
 use polhode::body::{BodyError, Finding, Severity};
+use serde_json::{Value, json};
 
-use super::{MeshContents, MeshPart, MeshSolid, solid};
+use super::{MeshContents, MeshPart, MeshSolid, RepairBound, solid};
 use crate::error::FormatError;
 use crate::unit::{self, Dimension, UnitError};
 
@@ -78,48 +79,68 @@ pub enum MeshRepair {
         triangles: usize,
         /// The largest distance between two vertices of such a hole, m.
         largest: f64,
-        /// Edges that still belong to one triangle only.
-        open_edges: usize,
         /// What it may be off, if what is missing lies within the balls about the holes.
         bound: RepairBound,
     },
 }
 
-/// What a repair leaves open.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RepairBound {
-    /// How much more or less the mesh may enclose, m³.
-    pub volume: f64,
-    /// How much farther out than its corners that may be, m.
-    pub beyond: f64,
-}
-
 impl MeshRepair {
-    /// What was done, and what it means for the solids that came of it: a warning.
-    pub fn finding(&self, solid: &MeshSolid, file: &str) -> Finding {
-        let RepairBound { volume, beyond } = self.bound();
-        let whole: f64 = solid.parts.iter().map(|part| part.mesh.volume()).sum();
-        let effect = match solid.parts.as_slice() {
-            [only] => {
-                let effect = only.mesh.effect(volume, beyond);
-                format!(
-                    ", the centre of mass by {:.1e} m, the tensor at one density by {:.1e} of its largest moment",
-                    effect.center, effect.inertia
-                )
-            }
-            _ => String::new(),
-        };
-        let message = format!(
-            "{}{} the volume may be off by {volume:.1e} m³ ({:.1e} of it){effect}, at most",
-            self.in_words(),
-            if matches!(self, Self::Filled { holes: 1.., .. }) { "," } else { ";" },
-            volume / whole
-        );
+    /// What was done, and what all of it together means for the solids that came of it: warnings, or notes of what was asked for in vain.
+    pub fn findings(repairs: &[Self], solid: &MeshSolid, file: &str) -> Vec<Finding> {
+        let last = repairs.iter().rposition(Self::is_something);
         let place = Some(crate::text::escaped(file));
-        Finding { code: self.code(), severity: Severity::Warning, message, place }
+        let finding = |(k, repair): (usize, &Self)| {
+            let mut message = repair.in_words();
+            if Some(k) == last {
+                let before = if repairs[..k].iter().any(Self::is_something) { " all together" } else { "" };
+                message +=
+                    &format!("; {}{}", repair.proviso(), effect(RepairBound::of(repairs), before, solid));
+            }
+            let severity = if repair.is_something() { Severity::Warning } else { Severity::Info };
+            Finding { code: repair.code(), severity, message, place: place.clone() }
+        };
+        repairs.iter().enumerate().map(finding).collect()
     }
 
-    /// What it may be off.
+    /// Whether there was something to mend.
+    const fn is_something(&self) -> bool {
+        matches!(self, Self::Welded { points: 1.., .. } | Self::Filled { holes: 1.., .. })
+    }
+
+    /// What the bound supposes.
+    const fn proviso(&self) -> &'static str {
+        match self {
+            Self::Welded { .. } => "",
+            Self::Filled { .. } => "if what is missing lies within the balls about the holes, ",
+        }
+    }
+
+    /// Its name and numbers, for programs.
+    pub fn for_programs(&self) -> (&'static str, Value) {
+        match *self {
+            Self::Welded { vertices, points, largest_distance, vanished, bound } => (
+                "weld",
+                json!({
+                    "vertices": vertices,
+                    "points": points,
+                    "largest_distance_m": largest_distance,
+                    "triangles_vanished": vanished,
+                    "volume_bound_m3": bound.volume,
+                }),
+            ),
+            Self::Filled { holes, triangles, largest, bound } => (
+                "fill",
+                json!({
+                    "holes": holes,
+                    "triangles": triangles,
+                    "largest_m": largest,
+                    "volume_bound_m3": bound.volume,
+                }),
+            ),
+        }
+    }
+
+    /// What it alone may be off.
     pub const fn bound(&self) -> RepairBound {
         let (Self::Welded { bound, .. } | Self::Filled { bound, .. }) = self;
         *bound
@@ -148,14 +169,33 @@ impl MeshRepair {
             ),
             Self::Filled { holes: 0, .. } => "nothing was filled: no hole is so small".to_owned(),
             Self::Filled { holes, triangles, largest, .. } => format!(
-                "{} of up to {largest:.2e} m across {} filled with {}, as was asked; if what is missing lies within the \
-                 balls about the holes",
+                "{} of up to {largest:.2e} m across {} filled with {}, as was asked",
                 counted(holes, "hole"),
                 if holes == 1 { "was" } else { "were" },
                 counted(triangles, "triangle")
             ),
         }
     }
+}
+
+/// " the volume may be off by …, at most"
+fn effect(bound: RepairBound, together: &str, solid: &MeshSolid) -> String {
+    let RepairBound { volume, beyond } = bound;
+    let whole: f64 = solid.parts.iter().map(|part| part.mesh.volume()).sum();
+    let effect = match solid.parts.as_slice() {
+        [only] => {
+            let effect = only.mesh.effect(volume, beyond);
+            format!(
+                ", the centre of mass by {:.1e} m, the tensor at one density by {:.1e} of its largest moment",
+                effect.center, effect.inertia
+            )
+        }
+        _ => String::new(),
+    };
+    format!(
+        "the volume may be off by {volume:.1e} m³ ({:.1e} of it){effect}, at most{together}",
+        volume / whole
+    )
 }
 
 impl MeshContents {
@@ -195,8 +235,34 @@ impl MeshContents {
         Ok((self, repair))
     }
 
-    /// The mesh with holes closed that are no larger than this: [`TriangleMesh::filled`] of each part; of all together, which are one part then, if
-    /// edges that are open in one are closed by another. `unit` is as in [`MeshSolid::read`].
+    /// The mesh welded and then filled, as far as that is asked for, and what was done.
+    ///
+    /// # Errors
+    /// As [`MeshContents::welded`] and [`MeshContents::filled`].
+    pub fn mended(
+        mut self,
+        weld: Option<MeshLength>,
+        fill: Option<MeshLength>,
+        unit: Option<f64>,
+        path: &Path,
+    ) -> Result<(Self, Vec<MeshRepair>), FormatError> {
+        let mut repairs = Vec::new();
+        if let Some(tolerance) = weld {
+            let (welded, repair) = self.welded(tolerance, unit, path)?;
+            self = welded;
+            repairs.push(repair);
+        }
+        if let Some(size) = fill {
+            let (filled, repair) = self.filled(size, unit, path)?;
+            self = filled;
+            repairs.push(repair);
+        }
+        Ok((self, repairs))
+    }
+
+    /// The mesh with holes closed that are no larger than this: [`TriangleMesh::filled`] of each part. Open parts of which one closes edges of
+    /// another are pieces of one surface: they are filled together, and are one part then, which is a finding. `unit` is as in
+    /// [`MeshSolid::read`].
     ///
     /// # Errors
     /// [`FormatError`] for a size that is not positive.
@@ -208,21 +274,40 @@ impl MeshContents {
     ) -> Result<(Self, MeshRepair), FormatError> {
         let unit = unit.or(self.unit).unwrap_or(1.0);
         let refused = |error| solid::no_solid(path, "", error);
-        let all = solid::joined(&self.parts).map_err(refused)?;
-        let size = size.beside(all.diagonal(), unit);
-        let together = all.filled(size).map_err(refused)?;
+        let size = size.beside(solid::joined(&self.parts).map_err(refused)?.diagonal(), unit);
         let each = self.parts.iter().map(|part| part.mesh.filled(size));
         let each = each.collect::<Result<Vec<_>, _>>().map_err(refused)?;
-        let open: usize = each.iter().map(|mesh| mesh.edges_before).sum();
-        if open == together.edges_before {
+        let is_open: Vec<bool> = each.iter().map(|mesh| mesh.edges_before > 0).collect();
+        let open: Vec<_> =
+            self.parts.iter().zip(&is_open).filter(|(_, open)| **open).map(|(part, _)| part).collect();
+        let pieces = solid::joined(open.iter().copied()).and_then(|all| all.filled(size)).map_err(refused)?;
+        let edges: usize = each.iter().map(|mesh| mesh.edges_before).sum();
+        if edges == pieces.edges_before {
             let repair = repair_of_holes(&each, unit);
             for (part, filled) in self.parts.iter_mut().zip(each) {
                 part.mesh = filled.mesh;
             }
             return Ok((self, repair));
         }
-        let repair = repair_of_holes(std::slice::from_ref(&together), unit);
-        self.parts = vec![MeshPart { name: String::new(), mesh: together.mesh }];
+        let repair = repair_of_holes(std::slice::from_ref(&pieces), unit);
+        self.findings.push(Finding {
+            code: "mesh.joined",
+            severity: Severity::Info,
+            message: format!(
+                "{} open parts of the file are pieces of one surface, and one part now",
+                open.len()
+            ),
+            place: None,
+        });
+        let mut pieces = Some(pieces.mesh);
+        let parts = std::mem::take(&mut self.parts).into_iter().zip(is_open);
+        self.parts = parts
+            .filter_map(|(part, is_open)| match is_open {
+                // in the place of the first
+                true => pieces.take().map(|mesh| MeshPart { name: String::new(), mesh }),
+                false => Some(part),
+            })
+            .collect();
         Ok((self, repair))
     }
 }
@@ -258,7 +343,6 @@ fn repair_of_holes(filled: &[FilledMesh], unit: f64) -> MeshRepair {
         holes: count(|mesh| mesh.holes),
         triangles: count(|mesh| mesh.triangles),
         largest: most(|mesh| mesh.largest),
-        open_edges: count(|mesh| mesh.open_edges),
-        bound: RepairBound { volume, beyond: most(|mesh| mesh.largest_radius) },
+        bound: RepairBound { volume, beyond: 2.0 * most(|mesh| mesh.largest_radius) },
     }
 }

@@ -7,7 +7,7 @@ use polhode::body::shape::{Shape, Substance};
 use polhode::body::{BodyError, Finding, MassProperties, Severity};
 use polhode::math::Part;
 
-use super::{MeshContents, MeshFormat, MeshPart};
+use super::{MeshContents, MeshFormat, MeshLength, MeshPart};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::text::escaped;
 
@@ -100,7 +100,8 @@ impl MeshSolid {
         unit: Option<f64>,
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Self, FormatError> {
-        let (solids, joined) = solids(&contents.parts, path, goes_on)?;
+        let (solids, joined) = solids(&contents.parts, goes_on)
+            .map_err(|(part, error)| open_or_unsound(&contents, part, path, error, goes_on))?;
         contents.findings.extend(joined);
         Self::of_solids(contents, solids, path, format, unit)
     }
@@ -165,34 +166,46 @@ pub(super) fn no_solid(path: &Path, part: &str, error: BodyError) -> FormatError
     FormatError::new(path, None, FormatErrorKind::Mesh { part, error })
 }
 
-/// The same of one of the parts, with the weld that closes an open mesh.
+/// The same of one of the parts, with the weld or the fill that closes an open mesh.
 fn open_or_unsound(
-    parts: &[MeshPart],
-    part: &MeshPart,
+    contents: &MeshContents,
+    part: usize,
     path: &Path,
     error: BodyError,
     goes_on: &(dyn Fn() -> bool + Sync),
 ) -> FormatError {
     let is_open = matches!(error, BodyError::OpenMesh { .. });
-    let all = if is_open { joined(parts).ok() } else { None };
-    let weld = all.and_then(|mesh| mesh.closing_weld(goes_on));
-    let error = no_solid(path, &part.name, error);
-    let Some(weld) = weld else { return error };
-    error.with_hint(format!(
-        "it closes if welded at {:.1e} of its size: --weld {:e} ({} vertices become {}), or weld = {:e} in a scenario; \
-         or take its convex hull by --hull, or a sheet along it by --shell",
-        weld.least, weld.tolerance, weld.joined, weld.points, weld.tolerance
-    ))
+    let all = if is_open { joined(&contents.parts).ok() } else { None };
+    let name = contents.parts.get(part).map_or("", |part| &part.name);
+    let error = no_solid(path, name, error);
+    let Some(all) = all else { return error };
+    const ELSE: &str = "or take its convex hull by --hull, or a sheet along it by --shell";
+    if let Some(weld) = all.closing_weld(goes_on) {
+        return error.with_hint(format!(
+            "it closes if welded at {:.1e} of its size: --weld {:e} ({} vertices become {}), or weld = {:e} in a scenario; {ELSE}",
+            weld.least, weld.tolerance, weld.joined, weld.points, weld.tolerance
+        ));
+    }
+    let fill = all.closing_fill(goes_on).filter(|fill| {
+        let filled = contents.clone().filled(MeshLength::OfSize(fill.size), None, path);
+        filled.is_ok_and(|(filled, _)| solids(&filled.parts, goes_on).is_ok())
+    });
+    match fill {
+        Some(fill) => error.with_hint(format!(
+            "it closes if holes of up to {:.1e} of its size are filled: --fill {:e} ({} holes, {} triangles); {ELSE}",
+            fill.largest, fill.size, fill.holes, fill.triangles
+        )),
+        None => error,
+    }
 }
 
-/// Each part's solid, or that of all together.
+/// Each part's solid, or that of all together; else which part is none, and why.
 fn solids(
     parts: &[MeshPart],
-    path: &Path,
     goes_on: &(dyn Fn() -> bool + Sync),
-) -> Result<(Vec<SolidPart>, Option<Finding>), FormatError> {
+) -> Result<(Vec<SolidPart>, Option<Finding>), (usize, BodyError)> {
     let mut solids = Vec::new();
-    for part in parts {
+    for (k, part) in parts.iter().enumerate() {
         match ClosedMesh::watched(&part.mesh, goes_on) {
             Ok(mesh) => solids.push(SolidPart { name: part.name.clone(), mesh }),
             Err(error) => {
@@ -202,7 +215,7 @@ fn solids(
                 } else {
                     None
                 };
-                let Some(mesh) = one else { return Err(open_or_unsound(parts, part, path, error, goes_on)) };
+                let Some(mesh) = one else { return Err((k, error)) };
                 let finding = Finding {
                     code: "mesh.joined",
                     severity: Severity::Info,
@@ -246,6 +259,6 @@ fn overlap(parts: &[MeshPart], solids: &[SolidPart]) -> Option<Finding> {
 }
 
 /// The triangles of all parts as one mesh.
-pub(super) fn joined(parts: &[MeshPart]) -> Result<TriangleMesh, BodyError> {
-    parts.iter().try_fold(TriangleMesh::default(), |all, part| all.joined(&part.mesh))
+pub(super) fn joined<'a>(parts: impl IntoIterator<Item = &'a MeshPart>) -> Result<TriangleMesh, BodyError> {
+    parts.into_iter().try_fold(TriangleMesh::default(), |all, part| all.joined(&part.mesh))
 }

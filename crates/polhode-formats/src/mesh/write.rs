@@ -1,10 +1,13 @@
 //! Meshes as files: binary STL, OBJ, PLY.
 
+use std::collections::HashSet;
 use std::fmt::Write as _;
+use std::path::Path;
 
 use polhode::body::mesh::TriangleMesh;
 
-use super::{MeshFormat, MeshPart};
+use super::{MeshContents, MeshFormat, MeshPart, MeshSolid};
+use crate::error::FormatError;
 
 impl MeshFormat {
     /// The formats that are written.
@@ -12,7 +15,7 @@ impl MeshFormat {
 
     /// The bytes of a file with these parts; `None` for a format that is not written.
     ///
-    /// OBJ and PLY have every digit of a coordinate, and each vertex once. STL is binary: coordinates are rounded to f32, and parts lose
+    /// OBJ and PLY have every digit of a coordinate, and each vertex once. Parts that are called the same, or nothing, get a number in OBJ. STL is binary: coordinates are rounded to f32, and parts lose
     /// their names there and in PLY.
     ///
     /// ```
@@ -32,6 +35,30 @@ impl MeshFormat {
             _ => None,
         }
     }
+
+    /// The same, read again and looked at: with the volume that its solids enclose, in the mesh's unit cubed. `path` is for messages; nothing
+    /// is written there.
+    ///
+    /// # Errors
+    /// [`FormatError`] for a format that is not written, and if what was written would no longer bound solids: coordinates that are rounded to
+    /// seven digits may open it or let it go through itself, and parts without names become one.
+    pub fn checked_bytes(self, parts: &[MeshPart], path: &Path) -> Result<(Vec<u8>, f64), FormatError> {
+        let refused =
+            |error: FormatError| error.with_hint(format!("so it would be written; {}", self.alternative()));
+        let bytes = self.bytes(parts).unwrap_or_default();
+        let contents = MeshContents::parse(&bytes, path, self).map_err(refused)?;
+        let solid = MeshSolid::of(contents, path, self, None).map_err(refused)?;
+        let volume: f64 = solid.parts.iter().map(|part| part.mesh.volume()).sum();
+        Ok((bytes, volume))
+    }
+
+    const fn alternative(self) -> &'static str {
+        match self {
+            Self::Stl => "OBJ keeps every digit, and parts apart",
+            Self::Ply => "OBJ keeps parts apart",
+            _ => "write it in another format",
+        }
+    }
 }
 
 const STL_HEADER: usize = 80;
@@ -42,20 +69,19 @@ fn stl(parts: &[MeshPart]) -> Vec<u8> {
     bytes.extend_from_slice(b"binary STL, written by polhode");
     bytes.resize(STL_HEADER, b' ');
     bytes.extend_from_slice(&(count as u32).to_le_bytes());
-    for [a, b, c] in parts.iter().flat_map(|part| part.mesh.corners()) {
-        for number in [normal([a, b, c]), a, b, c].as_flattened() {
-            bytes.extend_from_slice(&(*number as f32).to_le_bytes());
+    for mesh in parts.iter().map(|part| &part.mesh) {
+        for (normal, [a, b, c]) in mesh.area_vectors().map(unit).zip(mesh.corners()) {
+            for number in [normal, a, b, c].as_flattened() {
+                bytes.extend_from_slice(&(*number as f32).to_le_bytes());
+            }
+            bytes.extend_from_slice(&[0; 2]);
         }
-        bytes.extend_from_slice(&[0; 2]);
     }
     bytes
 }
 
-/// The unit normal; zero for what has no area.
-fn normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
-    let from = |p: [f64; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
-    let (u, v) = (from(b), from(c));
-    let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+/// Of length 1; zero for what has no length.
+fn unit(n: [f64; 3]) -> [f64; 3] {
     let length = (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt();
     if length > 0.0 && length.is_finite() { n.map(|c| c / length) } else { [0.0; 3] }
 }
@@ -63,13 +89,12 @@ fn normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
 fn obj(parts: &[MeshPart]) -> String {
     let mut text = "# written by polhode\n".to_owned();
     let mut first = 1;
-    for MeshPart { name, mesh } in parts {
+    for (MeshPart { mesh, .. }, name) in parts.iter().zip(group_names(parts)) {
         for [x, y, z] in mesh.coordinates() {
             let _ = writeln!(text, "v {x} {y} {z}");
         }
-        if !name.trim().is_empty() {
-            let name: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-            let _ = writeln!(text, "g {}", name.trim());
+        if !name.is_empty() {
+            let _ = writeln!(text, "g {name}");
         }
         for corners in mesh.triangles() {
             let [a, b, c] = corners.map(|v| v as usize + first);
@@ -78,6 +103,35 @@ fn obj(parts: &[MeshPart]) -> String {
         first += mesh.coordinates().len();
     }
     text
+}
+
+/// Names on one line, and of several parts each its own: groups of one name are one part.
+fn group_names(parts: &[MeshPart]) -> Vec<String> {
+    let plain = |part: &MeshPart| -> String {
+        let name: String = part.name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+        name.trim().to_owned()
+    };
+    if let [only] = parts {
+        return vec![plain(only)];
+    }
+    let given: Vec<String> = parts.iter().map(plain).collect();
+    let mut taken = HashSet::new();
+    let mut names = Vec::new();
+    for (k, own) in given.iter().enumerate() {
+        let is_free = |name: &str| !name.is_empty() && !taken.contains(name);
+        let numbered = |stem: &str, from: usize| {
+            let mut tries = (from..).map(|number| format!("{stem}_{number}"));
+            tries.find(|name| is_free(name) && !given.contains(name)).unwrap_or_default()
+        };
+        let name = match own.as_str() {
+            "" => numbered("part", k + 1),
+            own if is_free(own) => own.to_owned(),
+            own => numbered(own, 2),
+        };
+        taken.insert(name.clone());
+        names.push(name);
+    }
+    names
 }
 
 fn ply(parts: &[MeshPart]) -> Vec<u8> {
@@ -103,4 +157,24 @@ fn ply(parts: &[MeshPart]) -> Vec<u8> {
         first += mesh.coordinates().len() as u32;
     }
     bytes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_that_are_called_the_same_stay_parts() {
+        let part = |name: &str, x: f64| {
+            let corners = [[x, 0.2, 0.3], [x + 0.7, 0.1, -0.2], [x, 1.9, 0.4]];
+            MeshPart { name: name.to_owned(), mesh: TriangleMesh::of_triangles(&[corners]).unwrap() }
+        };
+        let parts: Vec<_> =
+            ["", "a", "a", "a_2", "", " a\n"].iter().zip(0..).map(|(name, k)| part(name, k.into())).collect();
+        assert_eq!(group_names(&parts), ["part_1", "a", "a_3", "a_2", "part_5", "a_4"]);
+        let bytes = MeshFormat::Obj.bytes(&parts).unwrap();
+        let again = MeshContents::parse(&bytes, "a.obj".as_ref(), MeshFormat::Obj).unwrap();
+        assert!(again.parts.iter().map(|part| &part.mesh).eq(parts.iter().map(|part| &part.mesh)));
+        assert_eq!(group_names(&parts[..1]), [""]);
+    }
 }

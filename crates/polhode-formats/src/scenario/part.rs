@@ -15,8 +15,9 @@ use super::shape::{Geometry, SHAPES, shape};
 use super::substance::{self, Matter, matter};
 use super::tensor;
 use super::tree::Known;
+use crate::brep::BrepFormat;
 use crate::error::{FormatError, FormatErrorKind};
-use crate::mesh::{MeshContents, MeshFormat, MeshLength, MeshSolid};
+use crate::mesh::{MeshContents, MeshFormat, MeshLength, MeshRepair, MeshSolid};
 use crate::unit::{self, Dimension, UnitError};
 
 /// Keys that every part may have.
@@ -149,7 +150,14 @@ fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Resu
     let scenario = file.source().path;
     let path = &file.path()?;
     let Some(format) = MeshFormat::of_path(path) else {
-        let known: Vec<_> = MeshFormat::ALL.iter().map(|format| format.name()).collect();
+        if let Some(format) = BrepFormat::of(path) {
+            return Err(file.invalid("a mesh file").with_hint(format!(
+                "{}: {}",
+                format.refusal(),
+                format.hint(path)
+            )));
+        }
+        let known: Vec<_> = MeshFormat::ALL.iter().flat_map(|format| format.extensions()).copied().collect();
         return Err(file.invalid("a mesh file").with_hint(format!("mesh files end in {}", known.join(", "))));
     };
     let weld = table.get("weld").map(|value| weld_tolerance(&value)).transpose()?;
@@ -175,7 +183,7 @@ fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Resu
         _ => error.named_in(scenario, file.place()),
     })?;
     let place = format!("part \"{name}\", {written}");
-    findings.extend(repair.map(|repair| repair.finding(&solid, &place)));
+    findings.extend(MeshRepair::findings(repair.as_slice(), &solid, &place));
     findings.extend(solid.findings_in(&place));
     let mut parts = solid.parts;
     parts.pop().map(|part| part.mesh).ok_or_else(|| file.invalid("a mesh with triangles"))

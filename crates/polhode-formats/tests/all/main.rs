@@ -3,6 +3,7 @@
 
 mod book;
 mod cad;
+mod collada;
 mod examples;
 mod expression;
 mod files;

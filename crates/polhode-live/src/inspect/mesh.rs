@@ -252,7 +252,7 @@ fn hint(code: &str) -> Option<&'static str> {
         "mesh.inverted" => "turn the normals outward in the tool that made the mesh",
         "mesh.overlap" => "unite what goes through itself in the tool that made the mesh (boolean union)",
         "mesh.degenerate" => "merge vertices by distance in the tool that made the mesh",
-        "mesh.unit" => "export it as 3MF or glTF: these say their unit",
+        "mesh.unit" => "export it as 3MF, glTF or COLLADA: these say their unit",
         "mesh.more" => "the worst are listed first: mend these, and save the file",
         _ => return None,
     })

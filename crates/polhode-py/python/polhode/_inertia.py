@@ -8,7 +8,7 @@ from typing import Any, Mapping
 
 import numpy.typing as npt
 
-from . import _arrays, _native
+from . import _arrays, _native, _step
 from ._error import PolhodeError
 from ._mass_properties import MassProperties
 from ._robot import positions
@@ -16,10 +16,11 @@ from ._substance import given
 
 #: What files are, by how their names end.
 _KINDS = {
-    **dict.fromkeys(["stl", "obj", "ply", "off", "gltf", "glb", "3mf"], "mesh"),
+    **dict.fromkeys(["stl", "obj", "ply", "off", "gltf", "glb", "3mf", "dae"], "mesh"),
     **dict.fromkeys(["xyz", "extxyz", "mol", "sdf", "sd", "pdb", "ent"], "molecule"),
     **dict.fromkeys(["csv", "tsv"], "particles"),
     **dict.fromkeys(["npy", "nrrd", "nhdr"], "voxels"),
+    **dict.fromkeys(["step", "stp"], "step"),
     "toml": "scenario",
     "txt": "cad",
     "urdf": "robot",
@@ -30,7 +31,8 @@ _KINDS = {
 #: What each kind may be told, and what it is called.
 _OPTIONS = {
     "scenario": ("a scenario", set[str]()),
-    "mesh": ("a mesh", {"density", "mass", "material", "unit", "hull", "shell"}),
+    "mesh": ("a mesh", {"density", "mass", "material", "unit", "hull", "shell", "weld", "fill"}),
+    "step": ("a STEP file", {"density", "mass", "material"}),
     "particles": ("a table of particles", {"mass", "unit", "mass_unit"}),
     "cad": ("a CAD report", {"unit", "mass_unit", "products", "decimal"}),
     "molecule": ("a molecule", {"isotopes", "molecule"}),
@@ -48,6 +50,8 @@ def inertia(
     unit: str | float | None = None,
     hull: bool = False,
     shell: float | None = None,
+    weld: str | float | None = None,
+    fill: str | float | None = None,
     mass_unit: str | float | None = None,
     products: str | None = None,
     decimal: str | None = None,
@@ -65,10 +69,16 @@ def inertia(
 
     What a file is, its ending says, or ``kind``:
 
-    ``mesh`` (.stl .obj .ply .off .gltf .glb .3mf)
+    ``mesh`` (.stl .obj .ply .off .gltf .glb .3mf .dae)
         ``density`` (kg/m³), ``mass`` (kg) or ``material``, at most one; ``unit`` of length, as ``"mm"`` or in m; ``hull=True`` for its
         convex hull; ``shell`` for a sheet of that thickness, m. Arrays: vertices (n, 3), m unless ``unit`` says otherwise, and the
-        numbers of three of them for each triangle (m, 3), from 0, counter-clockwise as seen from outside.
+        numbers of three of them for each triangle (m, 3), from 0, counter-clockwise as seen from outside. ``weld`` joins vertices of open
+        edges that are at most so far apart, and ``fill`` then closes holes that are at most so large across: lengths such as ``"0.01 mm"``, or
+        plain numbers, parts of the mesh's size, the diagonal of its box. What was mended, and what that may change, is a warning, and in
+        ``to_dict()["source"]``.
+    ``step`` (.step .stp, ISO 10303-21)
+        ``density``, ``mass`` or ``material``. Its solids are measured as the exact shapes that they are, each a part, by OpenCASCADE, which
+        ``pip install cadquery-ocp`` brings (the extra ``step``); lengths are in the file's unit. What solids share counts for each of them, and is not looked for.
     ``scenario`` (.toml)
         Nothing: a scenario says it all.
     ``particles`` (.csv)
@@ -92,6 +102,15 @@ def inertia(
     >>> wedge = polhode.inertia((vertices, triangles), unit="mm", material="aluminium")
     >>> round(1e3 * wedge.mass, 6)
     2.7
+
+    A mesh with a hole is refused, and mended only if that is asked for:
+
+    >>> import warnings
+    >>> with warnings.catch_warnings(record=True) as said:
+    ...     warnings.simplefilter("always")
+    ...     mended = polhode.inertia((vertices, triangles[:-1]), unit="mm", material="aluminium", fill="40 mm")
+    >>> round(1e3 * mended.mass, 6), mended.to_dict()["source"]["fill"]["holes"], len(said)
+    (2.7, 1, 1)
     """
     options = {
         "density": density,
@@ -100,6 +119,8 @@ def inertia(
         "unit": unit,
         "hull": _arrays.truth("hull", hull) or None,
         "shell": shell,
+        "weld": weld,
+        "fill": fill,
         "mass_unit": mass_unit,
         "products": products,
         "decimal": decimal,
@@ -153,6 +174,10 @@ def _refuse_options(kind: str, path: str, options: Mapping[str, object]) -> None
         if value is not None and name not in known:
             hint = f"it may have {', '.join(sorted(known))}" if known else "it says all of it itself"
             raise PolhodeError(f"{name} means nothing for {path}, which is {words}", hint)
+    for whole in ("hull", "shell"):
+        for mend in ("weld", "fill"):
+            if options[whole] and options[mend] is not None:
+                raise PolhodeError(f"{whole} and {mend} are both given: a hull or a sheet is of any mesh, mended or not")
     if options["hull"] and options["shell"] is not None:
         raise PolhodeError("hull and shell are both given: a mesh is taken as its convex hull, or as a sheet")
 
@@ -170,7 +195,13 @@ def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) 
     length, weight = _unit(options["unit"], "unit", False), _unit(options["mass_unit"], "mass_unit", True)
     if kind == "mesh":
         substance = given(density=options["density"], mass=options["mass"], material=options["material"])
-        how: _native.MeshOptions = {"unit": length, "hull": bool(options["hull"]), "shell": number("shell")}
+        how: _native.MeshOptions = {
+            "unit": length,
+            "hull": bool(options["hull"]),
+            "shell": number("shell"),
+            "weld": _beside_mesh("weld", options["weld"]),
+            "fill": _beside_mesh("fill", options["fill"]),
+        }
         if path is None:
             vertices = _arrays.numbers("vertices", source[0], ("n", 3))
             if not len(vertices):
@@ -180,6 +211,10 @@ def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) 
         ending = _ending(path)
         return MassProperties._of(_native.mesh_file(path, "gltf" if ending == "glb" else ending, how, substance))
     assert path is not None
+    if kind == "step":
+        substance = given(density=options["density"], mass=options["mass"], material=options["material"])
+        solids, said = _step.solids(path)
+        return MassProperties._of(_native.step_solids(path, solids, said, substance))
     if kind == "scenario":
         return MassProperties._of(_native.scenario_file(path))
     if kind == "particles":
@@ -210,6 +245,13 @@ def _molecule(path: str, isotopes: str | None, which: int | None) -> MassPropert
     if which is not None and which >= len(molecules):
         raise PolhodeError(f"molecule = {which} must be from 0 to {len(molecules) - 1}")
     return MassProperties._of(molecules[which or 0])
+
+
+def _beside_mesh(name: str, length: str | float | None) -> str | None:
+    """A length with its unit, or a part of a mesh's size, as text."""
+    if length is None or isinstance(length, str):
+        return length
+    return repr(_arrays.positive(name, length))
 
 
 def _unit(unit: str | float | None, name: str, of_mass: bool) -> float | None:

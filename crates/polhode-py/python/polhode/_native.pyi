@@ -25,6 +25,20 @@ class MeshOptions(TypedDict):
     unit: float | None
     hull: bool
     shell: float | None
+    weld: str | None
+    fill: str | None
+
+class Solid(TypedDict):
+    name: str
+    volume: float
+    area: float
+    center: list[float]
+    tensor: list[list[float]]
+
+class Step(TypedDict):
+    left_out: int
+    invalid: list[int]
+    error: float
 
 class MassProperties:
     @staticmethod
@@ -160,6 +174,7 @@ def motion_page(title: str | None, data: str) -> str: ...
 def check_file(path: str, roots: list[str]) -> tuple[str, str, str]: ...
 def shape(kind: str, lengths: Sequence[float], ends: bool, given: Given) -> MassProperties: ...
 def mesh_file(path: str, format: str, options: MeshOptions, given: Given) -> MassProperties: ...
+def step_solids(path: str, solids: list[Solid], said: Step, given: Given) -> MassProperties: ...
 def mesh_arrays(
     vertices: Floats, triangles: npt.NDArray[np.uint32], options: MeshOptions, given: Given
 ) -> MassProperties: ...

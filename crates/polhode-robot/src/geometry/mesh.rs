@@ -7,10 +7,11 @@ use std::sync::Arc;
 use polhode::body::mesh::{ClosedMesh, ConvexHull, TriangleMesh};
 use polhode::body::shape::{Shape, Substance};
 use polhode::body::{BodyError, MassProperties};
+use polhode_formats::mesh::collada::{self, UpAxis};
 use polhode_formats::mesh::{MeshContents, MeshFormat};
 use polhode_formats::read_text_file;
 
-use super::{ENDED, MeshReading, Solid, VolumeKind, collada, z_up};
+use super::{ENDED, MeshReading, Solid, VolumeKind, z_up};
 
 /// A mesh file as it is written, in metres and its own frame.
 #[derive(Debug)]
@@ -39,19 +40,20 @@ impl Mesh {
         threads: usize,
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Self, String> {
-        let ending =
-            path.extension().map_or_else(String::new, |ending| ending.to_string_lossy().to_lowercase());
         let (contents, turned_in) = match MeshFormat::of_path(path) {
+            Some(MeshFormat::Collada) => {
+                let read = read_text_file(path, collada::read_with_axis);
+                let is_y_up = matches!(read, Ok((_, Some(UpAxis::Y))));
+                (read.map(|(contents, _)| contents), is_y_up.then_some(MeshReading::Other))
+            }
             Some(format) => {
                 let turned_in = (format == MeshFormat::Gltf).then_some(MeshReading::Usual);
                 (MeshContents::read(path, format), turned_in)
             }
-            None if ending == "dae" => {
-                let read = read_text_file(path, |text| Ok((collada::read(text)?, collada::is_y_up(text))));
-                let turned_in = matches!(read, Ok((_, true))).then_some(MeshReading::Other);
-                (read.map(|(contents, _)| contents), turned_in)
+            None => {
+                let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+                return Err(format!("polhode reads no .{ending} meshes"));
             }
-            None => return Err(format!("polhode reads no .{ending} meshes")),
         };
         let contents = contents.map_err(|error| error.message())?.in_metres(None);
         let mesh = Self::of(contents, threads, goes_on)?;

@@ -4,12 +4,12 @@
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
+use polhode_formats::xml::{plain, second_root};
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, FormatError, read_text_file};
 
 use crate::model::{Note, Source, Span};
-use crate::read::plain::{plain, second_root};
 use crate::read::uri::Roots;
-use crate::read::xml::{Element, Forest, Links, parsed_document};
+use crate::read::xml::{Document, Element, Forest, Links};
 
 /// Files that a model may consist of.
 const MOST_FILES: usize = 1000;
@@ -158,8 +158,8 @@ impl Files {
             self.notes.push(Note::new("read.left_out", "", span, message));
             copy.extend(rest.bytes().map(|byte| if byte == b'\n' { '\n' } else { ' ' }));
         }
-        let document = parsed_document(&source.text, &copy).map_err(located)?;
-        let forest = Forest::of_one(&document, 0);
+        let document = Document::parse(&source.text, &copy).map_err(located)?;
+        let forest = Forest::of_one(&document);
         let mut named = Vec::new();
         let mut elements = vec![(forest.root(), false)];
         while let Some((element, in_assets)) = elements.pop() {
@@ -199,14 +199,15 @@ impl Files {
     ) -> Result<T, FormatError> {
         let mut documents = Vec::new();
         for (source, copy) in self.sources.iter().zip(&self.copies) {
-            let document = parsed_document(&source.text, copy);
+            let document = Document::parse(&source.text, copy);
             documents.push(
                 document
                     .map_err(|error| FormatError::of_content(&source.path, source.text.as_bytes(), error))?,
             );
         }
         let starts = self.sources.iter().map(|source| source.start);
-        let forest = Forest::of(documents.iter().zip(starts), self.links.clone(), self.splices);
+        let forest = Forest::of(documents.iter().zip(starts), self.links.clone(), self.splices)
+            .map_err(|error| self.located(error))?;
         read(forest.root()).map_err(|error| self.located(error))
     }
 

@@ -262,9 +262,6 @@ fn a_collada_mesh_is_placed_by_its_nodes_in_its_unit() {
         Shapes::default().geometry(&geometry(mesh(&path, [1.0; 3]), Pose::IDENTITY)).unwrap_err()
     };
     assert!(says(&text.replace("url='#g'", "url='#h'")).contains("geometry"));
-    assert!(says(&text.replace("<p>0 7", "<p>4 7")).contains("vertex of that number"));
-    assert!(says(&text.replace("3 3 3", "3 3 4")).contains("corner of the last face"));
-    assert!(says(&text.replace("<instance_geometry", "<instance_node")).contains("node \"g\""));
     // a node of a library, and lines beside it: the same solid
     let inner =
         "<node><rotate>0.3 -0.5 0.8 50</rotate><scale>1 -2 1.5</scale><instance_geometry url='#g'/></node>";
@@ -280,37 +277,6 @@ fn a_collada_mesh_is_placed_by_its_nodes_in_its_unit() {
     assert!(instanced.contains("url='#n'"));
     fs::write(&path, &instanced).unwrap();
     assert_eq!(one(mesh(&path, [1.0; 3]), Pose::IDENTITY), got);
-    let contents = polhode_robot::geometry::collada::read(&instanced).unwrap();
-    assert_eq!(contents.findings[0].code, "mesh.not_a_surface");
-    let circle = instanced.replace("<node id='n'>", "<node id='n'><instance_node url='#n'/>");
-    assert!(says(&circle).contains("so often"));
-    for (right, wrong, said) in [
-        ("meter='0.5'", "meter='0,5'", "a finite number"),
-        ("meter='0.5'", "meter='-0.5'", "a positive number"),
-        ("count='12'", "count='13'", "13"),
-        ("count='4'", "count='5'", "5"),
-        ("triangles count='1'", "triangles count='2'", "faces"),
-        ("polylist count='3'", "polylist count='4'", "faces"),
-        ("stride='3'", "stride='three'", "a whole number"),
-        ("offset='0'", "offset='0.0'", "a whole number"),
-        ("<translate>1 2 3", "<translate>1 2 nan", "a finite number"),
-        ("<translate>1 2 3", "<translate>1 2", "3 numbers"),
-        ("<scale>1 -2 1.5", "<scale>1 -1e400 1.5", "a finite number"),
-        ("<scale>1 -2", "<scale>1e200 1 1</scale><scale>1e200 -2", "where the scene places it"),
-        ("0.3 -0.5 0.8 50", "0 0 0 50", "axis of the rotation"),
-    ] {
-        let message = says(&text.replacen(right, wrong, 1));
-        assert!(text.contains(right) && message.contains(said), "{wrong}: {message}");
-    }
-    let unreadable = text.replacen(&positions, &format!("{positions} /.0"), 1);
-    assert!(says(&unreadable).contains("a finite number"));
-    let often = "<instance_geometry url='#g'/>".repeat(40);
-    let longer = text.replace("triangles count='1'", "triangles count='501'").replacen(
-        "<p>",
-        &format!("<p>{}", "0 7 2 7 1 7 ".repeat(500)),
-        1,
-    );
-    assert!(says(&longer.replace("<instance_geometry url='#g'/>", &often)).contains("so often"));
     fs::remove_file(path).unwrap();
 }
 

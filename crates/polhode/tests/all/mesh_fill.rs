@@ -1,6 +1,7 @@
 //! Holes, filled: what comes of it, what it may be off, what stays open.
 
 use polhode::body::mesh::{ClosedMesh, Triangle, TriangleMesh};
+use polhode::body::shape::{Shape, Substance};
 
 /// A box of three sides with a corner at a generic point, each side of two triangles.
 fn cuboid() -> Vec<Triangle> {
@@ -84,11 +85,10 @@ fn what_is_larger_or_meets_another_hole_stays_open() {
     let first = triangles.iter().position(at).unwrap();
     let edges = |a: &Triangle, b: &Triangle| a.iter().filter(|p| b.contains(p)).count();
     let second = (0..12).find(|&k| at(&triangles[k]) && edges(&triangles[k], &triangles[first]) == 1);
-    if let Some(second) = second {
-        triangles.remove(first.max(second));
-        triangles.remove(first.min(second));
-        assert_eq!(filled(&triangles, 9.0).open_edges, 6);
-    }
+    let second = second.unwrap();
+    triangles.remove(first.max(second));
+    triangles.remove(first.min(second));
+    assert_eq!(filled(&triangles, 9.0).open_edges, 6);
     let mesh = TriangleMesh::of_triangles(&cuboid()).unwrap();
     for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(mesh.filled(wrong).is_err(), "{wrong}");
@@ -109,6 +109,97 @@ fn the_bound_holds_for_a_bulge_in_the_ball_about_the_hole() {
     let off = whole.unwrap().volume() - closed.volume();
     assert!(off > 0.05 * filled.volume_bound && off < filled.volume_bound, "{off} {}", filled.volume_bound);
     assert!(filled.largest_radius < filled.largest && filled.largest_radius > 0.5 * filled.largest);
+}
+
+/// The hole's rim lies askew to the axes, so that the ball about the middle of its box goes farther out than the rim, by more than its radius.
+#[test]
+fn the_bound_of_centre_and_tensor_holds_however_the_hole_was_closed() {
+    let at = |[x, y, z]: [f64; 3]| [0.7 + x, -1.3 + 1.1 * y, 2.9 + 0.9 * z];
+    let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(at);
+    let [d, e, f] = [[-2.5, -3.5, -3.5], [-3.5, -2.5, -3.5], [-3.5, -3.5, -2.5]].map(at);
+    let rim = [a, b, c];
+    let open = [[d, f, e], [a, d, e], [a, e, b], [b, e, f], [b, f, c], [c, f, d], [c, d, a]];
+    let filled = filled(&open, 2.0);
+    let own = ClosedMesh::of(&filled.mesh).unwrap();
+    let of = |mesh: &ClosedMesh| mesh.mass_properties(Substance::Density(1.0)).unwrap();
+    let (center, tensor) = (of(&own).center_of_mass().to_array(), of(&own).inertia().matrix());
+    let largest = of(&own).principal().moments()[2];
+    let effect = own.effect(filled.volume_bound, 2.0 * filled.largest_radius);
+    let apart = |p: [f64; 3], q: [f64; 3]| (0..3).map(|k| (p[k] - q[k]).powi(2)).sum::<f64>().sqrt();
+    let middle = [0, 1, 2].map(|k| {
+        let sides = rim.map(|p| p[k]);
+        0.5 * (sides.iter().fold(f64::INFINITY, |m, x| m.min(*x))
+            + sides.iter().fold(f64::NEG_INFINITY, |m, x| m.max(*x)))
+    });
+    let corners = own.surface().coordinates().iter().map(|p| apart(*p, center));
+    let farthest_corner = corners.fold(0.0, f64::max);
+    let (mut farthest, mut most_center, mut most_tensor) = (0.0_f64, 0.0_f64, 0.0_f64);
+    let mut tried = 0;
+    // domes and dents between the rim and points of the ball: each triangle of the fill raised to a point, its three sides to others
+    for k in 0..400 {
+        let part = |j: u32| (f64::from(k * j) * 0.618_034).fract();
+        let (turn, z, r) = (std::f64::consts::TAU * part(1), 2.0 * part(3) - 1.0, part(7).cbrt());
+        let across = (1.0 - z * z).sqrt();
+        let way = [across * turn.cos(), across * turn.sin(), z];
+        let tip: [f64; 3] = std::array::from_fn(|i| middle[i] + 0.999 * r * filled.largest_radius * way[i]);
+        farthest = farthest.max(apart(tip, center));
+        let closed = [open.as_slice(), &[[a, b, tip], [b, c, tip], [c, a, tip]]].concat();
+        let Ok(other) = ClosedMesh::from_triangles(closed) else { continue };
+        tried += 1;
+        let other = of(&other);
+        assert!((other.mass() - own.volume()).abs() <= filled.volume_bound);
+        most_center = most_center.max(apart(other.center_of_mass().to_array(), center));
+        for (p, q) in other.inertia().matrix().as_flattened().iter().zip(tensor.as_flattened()) {
+            most_tensor = most_tensor.max((p - q).abs() / largest);
+        }
+    }
+    assert!(tried > 100, "{tried}");
+    let outward = [0, 1, 2].map(|k| (middle[k] - center[k]) / apart(middle, center));
+    let tip = std::array::from_fn(|k| middle[k] + filled.largest_radius * outward[k]);
+    farthest = farthest.max(apart(tip, center));
+    assert!(farthest > farthest_corner + filled.largest_radius, "no point would have told r from 2 r");
+    assert!(farthest <= farthest_corner + 2.0 * filled.largest_radius);
+    assert!(most_center <= effect.center && most_center > 0.01 * effect.center, "{most_center} {effect:?}");
+    assert!(
+        most_tensor <= effect.inertia && most_tensor > 0.005 * effect.inertia,
+        "{most_tensor} {effect:?}"
+    );
+}
+
+/// The cuboid with each triangle cut into 4ⁿ.
+fn fine(cuts: usize) -> Vec<Triangle> {
+    (0..cuts).fold(cuboid(), |triangles, _| {
+        let middle = |p: [f64; 3], q: [f64; 3]| -> [f64; 3] { std::array::from_fn(|k| 0.5 * (p[k] + q[k])) };
+        let cut = |[a, b, c]: Triangle| {
+            let (d, e, f) = (middle(b, c), middle(c, a), middle(a, b));
+            [[a, f, e], [b, d, f], [c, e, d], [d, e, f]]
+        };
+        triangles.into_iter().flat_map(cut).collect()
+    })
+}
+
+#[test]
+fn an_open_mesh_says_at_which_size_its_holes_are_filled() {
+    let whole = fine(5);
+    let mut triangles = whole.clone();
+    // one triangle of a long side, and two that lie side by side in a short one
+    triangles.remove(2_900);
+    triangles.drain(302..304);
+    let mesh = TriangleMesh::of_triangles(&triangles).unwrap();
+    let fill = mesh.closing_fill(&|| true).unwrap();
+    assert_eq!((fill.holes, fill.triangles), (2, 3));
+    assert!(fill.largest < fill.size && fill.size <= 0.1, "{fill:?}");
+    let size = mesh.diagonal();
+    assert_eq!(mesh.filled(fill.size * size).unwrap().open_edges, 0);
+    assert!(mesh.filled(fill.largest * (1.0 - 1e-9) * size).unwrap().open_edges > 0);
+    let closed = ClosedMesh::of(&mesh.filled(fill.size * size).unwrap().mesh).unwrap();
+    assert!(
+        (closed.volume() / ClosedMesh::from_triangles(whole.clone()).unwrap().volume() - 1.0).abs() < 1e-13
+    );
+    assert_eq!(mesh.closing_fill(&|| false), None);
+    // closed already; a hole that is large beside the mesh
+    assert_eq!(TriangleMesh::of_triangles(&whole).unwrap().closing_fill(&|| true), None);
+    assert_eq!(TriangleMesh::of_triangles(&cuboid()[1..]).unwrap().closing_fill(&|| true), None);
 }
 
 #[test]

@@ -5,7 +5,7 @@ use super::threads::Threads;
 /// Pairs of points at most some distance apart.
 #[derive(Debug)]
 pub(super) struct ClosePairs {
-    /// Their numbers, ascending, each pair once.
+    /// Their numbers, the smaller first, in an order that is the same for any number of threads. A pair may be there more than once.
     pub(super) pairs: Vec<[u32; 2]>,
     /// False if there were more than are worth having.
     pub(super) complete: bool,
@@ -14,8 +14,8 @@ pub(super) struct ClosePairs {
 /// Points of a box that is gone through pair by pair.
 const FEW: usize = 32;
 
-/// Boxes before they are given to threads.
-const TASKS: usize = 64;
+/// Slabs of boxes that are given to threads.
+const SLABS: usize = 64;
 
 /// Pairs that are worth having: to a point, and more to all. A mesh whose every triangle was torn off has 5 for each 2 points, and 2 million where
 /// 2,000 triangles meet.
@@ -28,25 +28,24 @@ const EXAMPLES: usize = 10_000;
 impl ClosePairs {
     /// The pairs of different points; the same for any number of threads.
     ///
-    /// A box is cut in two across its longest side, and what is near the cut belongs to both halves: a close pair is whole in one of them.
+    /// The points go to the boxes of a grid, each to all that are within half the reach of it: then both points of a close pair are in the box that
+    /// their middle is in. Boxes are so large that points of a surface leave few in each, and hardly any point is in two.
     pub(super) fn of(points: &[[f64; 3]], reach: f64, threads: Threads) -> Self {
         let search = Search { points, reach };
-        let mut tasks = vec![(0..points.len() as u32).collect::<Vec<u32>>()];
-        let mut whole = Vec::new();
-        while !tasks.is_empty() && tasks.len() + whole.len() < TASKS {
-            let mut next = Vec::new();
-            for task in tasks {
-                match search.halves(&task) {
-                    Some(halves) => next.extend(halves),
-                    None => whole.push(task),
-                }
-            }
-            tasks = next;
-        }
-        tasks.extend(whole);
-        let found = threads.map(tasks.len(), |k| {
+        let grid = Grid::of(points, reach);
+        let slabs = grid.slabs(points);
+        let found = threads.map(slabs.len(), |k| {
+            let mut entries = slabs[k].clone();
+            entries.sort_unstable();
+            let most = most(entries.len());
             let mut pairs = Vec::new();
-            let complete = search.gather(&tasks[k], most(tasks[k].len()), &mut pairs);
+            let mut task = Vec::new();
+            let mut boxes = entries.chunk_by(|a, b| a.0 == b.0).filter(|points| points.len() > 1);
+            let complete = boxes.all(|points| {
+                task.clear();
+                task.extend(points.iter().map(|entry| entry.1));
+                search.gather(&task, most, &mut pairs)
+            });
             if !complete {
                 pairs.truncate(EXAMPLES);
                 pairs.shrink_to_fit();
@@ -54,9 +53,7 @@ impl ClosePairs {
             (pairs, complete)
         });
         let complete = found.iter().all(|(_, complete)| *complete);
-        let mut pairs: Vec<_> = found.into_iter().flat_map(|(pairs, _)| pairs).collect();
-        pairs.sort_unstable();
-        pairs.dedup();
+        let pairs: Vec<_> = found.into_iter().map(|(pairs, _)| pairs).collect::<Vec<_>>().concat();
         Self { complete: complete && pairs.len() <= most(points.len()), pairs }
     }
 }
@@ -74,12 +71,8 @@ struct Search<'a> {
 impl Search<'_> {
     /// The longest side of the points' box: along which axis, from where, how long.
     fn longest(&self, task: &[u32]) -> (usize, f64, f64) {
-        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        for p in task.iter().map(|&i| self.points[i as usize]) {
-            low = core::array::from_fn(|k| low[k].min(p[k]));
-            high = core::array::from_fn(|k| high[k].max(p[k]));
-        }
-        let sides = (0..3).map(|k| (k, low[k], high[k] - low[k]));
+        let (low, sides) = bounds(task.iter().map(|&i| self.points[i as usize]));
+        let sides = (0..3).map(|k| (k, low[k], sides[k]));
         sides.max_by(|a, b| a.2.total_cmp(&b.2)).unwrap_or((0, 0.0, 0.0))
     }
 
@@ -121,31 +114,112 @@ pub(super) fn distance(p: [f64; 3], q: [f64; 3]) -> f64 {
     (x * x + y * y + z * z).sqrt()
 }
 
+/// Boxes of equal sides about all points.
+struct Grid {
+    low: [f64; 3],
+    side: f64,
+    /// Half the reach, and a little more.
+    half: f64,
+}
+
+/// A box by its three numbers, and a point that belongs to it.
+type Entry = (u64, u32);
+
+/// Bits of the number of a box along an axis: there are fewer than the square root of the number of points.
+const BITS: u32 = 21;
+
+impl Grid {
+    fn of(points: &[[f64; 3]], reach: f64) -> Self {
+        let (low, sides) = bounds(points.iter().copied());
+        let longest = sides.into_iter().fold(0.0, f64::max);
+        let side = (4.0 * reach).max(4.0 * longest / (points.len().max(1) as f64).sqrt());
+        Self { low, side, half: 0.5 * reach * (1.0 + 1e-9) }
+    }
+
+    /// The first and the last box along an axis that are within half the reach of a point.
+    fn range(&self, p: [f64; 3], axis: usize) -> [u64; 2] {
+        let number = |x: f64| (((x - self.low[axis]) / self.side) as u64).min((1 << BITS) - 1);
+        [number(p[axis] - self.half), number(p[axis] + self.half)]
+    }
+
+    /// All points in their boxes, in slabs of some equal numbers across the first axis.
+    fn slabs(&self, points: &[[f64; 3]]) -> Vec<Vec<Entry>> {
+        let mut counts: Vec<usize> = Vec::new();
+        for &p in points {
+            let [first, last] = self.range(p, 0).map(|number| number as usize);
+            counts.resize(counts.len().max(last + 1), 0);
+            counts[first..=last].iter_mut().for_each(|count| *count += 1);
+        }
+        let all: usize = counts.iter().sum();
+        let mut before = 0;
+        let slab_of = counts.iter().map(|count| {
+            before += count;
+            (before - count) * SLABS / all.max(1)
+        });
+        let slab_of: Vec<usize> = slab_of.collect();
+        let mut slabs = vec![Vec::new(); SLABS];
+        for (number, &p) in (0..).zip(points) {
+            let [x, y, z] = [0, 1, 2].map(|axis| self.range(p, axis));
+            for i in x[0]..=x[1] {
+                for j in y[0]..=y[1] {
+                    for k in z[0]..=z[1] {
+                        slabs[slab_of[i as usize]].push(((i << BITS | j) << BITS | k, number));
+                    }
+                }
+            }
+        }
+        slabs
+    }
+}
+
+/// The least coordinates of points, and the sides of their box.
+fn bounds(points: impl Iterator<Item = [f64; 3]>) -> ([f64; 3], [f64; 3]) {
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    for p in points {
+        low = core::array::from_fn(|k| low[k].min(p[k]));
+        high = core::array::from_fn(|k| high[k].max(p[k]));
+    }
+    (low, core::array::from_fn(|k| high[k] - low[k]))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn every_close_pair_is_found_once() {
+    fn every_close_pair_is_found() {
         let mut seed = 7_u64;
         let mut random = || {
             seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             (seed >> 11) as f64 / (1_u64 << 53) as f64
         };
-        let points: Vec<[f64; 3]> = (0..900).map(|_| [random(), 0.3 * random(), random().powi(3)]).collect();
-        let reach = 0.031;
-        let mut all = Vec::new();
-        for i in 0..points.len() {
-            for j in i + 1..points.len() {
-                if distance(points[i], points[j]) <= reach {
-                    all.push([i as u32, j as u32]);
+        let spread: Vec<[f64; 3]> = (0..900).map(|_| [random(), 0.3 * random(), random().powi(3)]).collect();
+        // in the corners of boxes, on a line, all in one box, and one place a million times as far away
+        let grid: Vec<_> = (0..900).map(|k| [f64::from(k % 30), f64::from(k / 30), 0.0]).collect();
+        let line: Vec<_> = (0..900).map(|_| [-3.0, random(), 7.0]).collect();
+        let far = spread.iter().copied().chain([[3e6; 3], [3e6 + 0.01, 3e6, 3e6]]).collect();
+        for (points, reach, least) in [
+            (spread.clone(), 0.031, 500),
+            (grid, 1.0, 1_700),
+            (line, 1e-3, 500),
+            (far, 0.031, 500),
+            (spread, 2.0, 300_000),
+        ] {
+            let mut all = Vec::new();
+            for i in 0..points.len() {
+                for j in i + 1..points.len() {
+                    if distance(points[i], points[j]) <= reach {
+                        all.push([i as u32, j as u32]);
+                    }
                 }
             }
-        }
-        assert!(all.len() > 500, "{}", all.len());
-        for threads in [1, 3] {
-            let found = ClosePairs::of(&points, reach, Threads::of(threads));
-            assert!(found.complete && found.pairs == all, "{threads}");
+            assert!(all.len() > least, "{}", all.len());
+            for threads in [1, 3] {
+                let mut found = ClosePairs::of(&points, reach, Threads::of(threads));
+                found.pairs.sort_unstable();
+                found.pairs.dedup();
+                assert!(found.complete && found.pairs == all, "{reach} {threads}");
+            }
         }
     }
 }

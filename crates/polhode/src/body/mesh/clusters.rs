@@ -10,14 +10,24 @@ pub(super) type Cluster = Vec<u32>;
 pub(super) fn clusters(points: usize, pairs: impl IntoIterator<Item = [u32; 2]>) -> Vec<Cluster> {
     let mut parent: Vec<u32> = (0..points as u32).collect();
     pairs.into_iter().for_each(|[i, j]| join(&mut parent, i, j));
-    let mut members: Vec<[u32; 2]> = Vec::new();
-    for i in 0..points as u32 {
-        let root = root(&mut parent, i);
-        members.push([root, i]);
+    // A root is the least of its cluster.
+    let roots: Vec<u32> = (0..points as u32).map(|i| root(&mut parent, i)).collect();
+    let mut sizes = vec![0_u32; points];
+    roots.iter().for_each(|&root| sizes[root as usize] += 1);
+    let mut number = parent;
+    let mut found: Vec<Cluster> = Vec::new();
+    for (i, &root) in (0..).zip(&roots) {
+        let size = sizes[root as usize] as usize;
+        if size < 2 {
+            continue;
+        }
+        if root == i {
+            number[i as usize] = found.len() as u32;
+            found.push(Vec::with_capacity(size));
+        }
+        found[number[root as usize] as usize].push(i);
     }
-    members.sort_unstable();
-    let together = members.chunk_by(|a, b| a[0] == b[0]).filter(|cluster| cluster.len() > 1);
-    together.map(|cluster| cluster.iter().map(|member| member[1]).collect()).collect()
+    found
 }
 
 /// Points up to which their largest distance is looked for among all pairs.

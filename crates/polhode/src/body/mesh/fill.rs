@@ -4,6 +4,7 @@ use super::TriangleMesh;
 use super::close_pairs::distance;
 use super::clusters::across;
 use super::edges::{Edges, end_of, start_of};
+use super::predicate::normal;
 use super::threads::Threads;
 use super::weld::Welded;
 use super::weld_near::compact;
@@ -39,6 +40,11 @@ impl TriangleMesh {
     ///
     /// Of all ways to close a loop with triangles between its vertices the one with the least area is taken. What was there is not known:
     /// `volume_bound` is the volume of the balls about the holes, each about the middle of the box of its vertices and as far as they go.
+    ///
+    /// If what is missing lies within these balls, the mesh and the one that it was enclose the same everywhere else, so that the bound is one of the
+    /// volume that either has and the other has not. A ball has a vertex of its hole on it, and that is a corner of the mesh: no point of the ball is farther from
+    /// anywhere than the farthest corner and the ball's diameter. So [`ClosedMesh::effect`](super::ClosedMesh::effect) of `volume_bound` and twice the
+    /// `largest_radius` bounds the change of the centre of mass and of the tensor.
     ///
     /// ```
     /// use polhode::body::mesh::{ClosedMesh, TriangleMesh};
@@ -141,13 +147,7 @@ fn triangulated(points: &[[f64; 3]], hole: &[u32]) -> Vec<[u32; 3]> {
     let ring: Vec<u32> = hole[first..].iter().chain(&hole[..first]).copied().collect();
     let n = ring.len();
     let p = |i: usize| points[ring[i] as usize];
-    let area = |i: usize, k: usize, j: usize| {
-        let (a, b, c) = (p(i), p(k), p(j));
-        let (u, v): ([f64; 3], [f64; 3]) =
-            (core::array::from_fn(|x| b[x] - a[x]), core::array::from_fn(|x| c[x] - a[x]));
-        let normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-        0.5 * distance(normal, [0.0; 3])
-    };
+    let area = |i: usize, k: usize, j: usize| 0.5 * distance(normal([p(i), p(k), p(j)]), [0.0; 3]);
     let mut best = vec![(0.0_f64, 0_usize); n * n];
     for span in 2..n {
         for i in 0..n - span {

@@ -38,7 +38,7 @@ pub use effect::MeshEffect;
 pub use fill::FilledMesh;
 pub use flaws::MeshFlaws;
 pub use hull::ConvexHull;
-pub use near_miss::ClosingWeld;
+pub use near_miss::{ClosingFill, ClosingWeld};
 pub use places::MeshPlaces;
 pub use shell::MeshShell;
 pub use weld_near::WeldedMesh;
@@ -142,6 +142,11 @@ impl TriangleMesh {
     /// The triangles, by their corners.
     pub fn corners(&self) -> impl Iterator<Item = Triangle> + '_ {
         self.triangles.iter().map(|corners| corners.map(|index| self.vertices[index as usize]))
+    }
+
+    /// Each triangle's area twice, m², along its normal: (b − a) × (c − a).
+    pub fn area_vectors(&self) -> impl Iterator<Item = [f64; 3]> + '_ {
+        self.corners().map(predicate::normal)
     }
 
     /// This one's triangles and the other's.

@@ -1,4 +1,4 @@
-//! At which tolerance an open mesh would close.
+//! By which weld, or by which holes filled, an open mesh would close.
 
 use super::close_pairs::{ClosePairs, distance};
 use super::clusters::{across, clusters};
@@ -59,6 +59,44 @@ impl TriangleMesh {
             ClosedMesh::watched(&welded.mesh, goes_on).ok()?;
             Some(ClosingWeld { least, tolerance, joined: welded.joined, points: welded.points })
         })
+    }
+}
+
+/// The fill that closes a mesh: [`TriangleMesh::closing_fill`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ClosingFill {
+    /// How far its largest hole is across, in parts of the mesh's [`diagonal`](TriangleMesh::diagonal).
+    pub largest: f64,
+    /// A size of few digits that fills them all, in parts of the diagonal.
+    pub size: f64,
+    /// Holes that it closes.
+    pub holes: usize,
+    /// Triangles that close them.
+    pub triangles: usize,
+}
+
+/// The largest hole that is looked for, in parts of the diagonal: of a larger one it is not known what it was.
+const LARGEST_HOLE: f64 = 0.1;
+
+impl TriangleMesh {
+    /// The size of holes by which an open mesh bounds a solid once they are filled, up to a tenth of its own size; `None` if there is none, if the mesh is
+    /// not open, or if it does not `go_on`, which is asked often. What is found is filled and diagnosed.
+    pub fn closing_fill(&self, goes_on: &(dyn Fn() -> bool + Sync)) -> Option<ClosingFill> {
+        if !goes_on() {
+            return None;
+        }
+        let diagonal = self.diagonal();
+        let filled = self.filled(LARGEST_HOLE * diagonal).ok()?;
+        if filled.holes == 0 || filled.open_edges > 0 {
+            return None;
+        }
+        ClosedMesh::watched(&filled.mesh, goes_on).ok()?;
+        let largest = filled.largest / diagonal;
+        let sizes = [1, 2, 3].into_iter().map(|digits| rounded_up(largest, digits));
+        let size =
+            sizes.filter(|size| *size <= LARGEST_HOLE).find(|size| size * diagonal > filled.largest)?;
+        Some(ClosingFill { largest, size, holes: filled.holes, triangles: filled.triangles })
     }
 }
 

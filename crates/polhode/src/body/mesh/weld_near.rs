@@ -4,6 +4,7 @@ use super::TriangleMesh;
 use super::close_pairs::{ClosePairs, distance};
 use super::clusters::{across, clusters, mean};
 use super::edges::{Edges, end_of, start_of};
+use super::predicate::normal;
 use super::threads::Threads;
 use super::weld::{NONE, Welded, is_proper};
 use crate::body::error::{BodyError, positive};
@@ -152,11 +153,8 @@ fn swept(exact: &Welded, is_moved: &[bool], by: f64) -> f64 {
     let moved = exact.corners.iter().filter(|corners| corners.iter().any(|&v| is_moved[v as usize]));
     let area = moved.map(|corners| {
         let [a, b, c] = corners.map(|v| exact.points[v as usize]);
-        let (u, v): ([f64; 3], [f64; 3]) =
-            (core::array::from_fn(|k| b[k] - a[k]), core::array::from_fn(|k| c[k] - a[k]));
-        let normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
         let perimeter = distance(a, b) + distance(b, c) + distance(c, a);
-        0.5 * distance(normal, [0.0; 3]) + by * perimeter / 3.0 + 2.0 / 3.0 * by * by
+        0.5 * distance(normal([a, b, c]), [0.0; 3]) + by * perimeter / 3.0 + 2.0 / 3.0 * by * by
     });
     // More than what the sum rounds off.
     by * area.sum::<f64>() * (1.0 + 1e-9)

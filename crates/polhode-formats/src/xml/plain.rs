@@ -1,19 +1,19 @@
 //! The same bytes without what a tree does not need.
 //!
-//! Readers of robots are namespace-unaware and let `--` stand in comments; the parser of the tree is strict. So it gets a copy of the text, of the
+//! Readers of models are namespace-unaware and let `--` stand in comments; the parser of the tree is strict. So it gets a copy of the text, of the
 //! same length, in which comments and processing instructions are blank and the colons of names are underscores. Every place in
 //! the copy is a place in the text, and every attribute's value is unchanged. It also takes away what makes a strict parser slow:
 //! thousands of namespaces, and elements with more attributes than any language has, which it compares in pairs.
 
-use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+use std::ops::Range;
 
-use crate::model::Span;
+use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
-/// Several times the attributes of the richest element of the three languages.
+/// Several times the attributes of the richest element of the languages that are read.
 const MOST_ATTRIBUTES: usize = 256;
 
 /// The text with comments, instructions and namespaces taken out, byte for byte as long.
-pub(super) fn plain(text: &str) -> Result<String, ContentError> {
+pub fn plain(text: &str) -> Result<String, ContentError> {
     let mut copy = String::with_capacity(text.len());
     while let Some(rest) = text.get(copy.len()..).filter(|rest| !rest.is_empty()) {
         let here = copy.len();
@@ -48,7 +48,7 @@ fn end(rest: &str, close: &str, at: usize, opening: usize, what: &str) -> Result
     rest.find(close).map(|found| found + close.len()).ok_or_else(|| missing(what, at..at + opening))
 }
 
-fn missing(what: &str, span: Span) -> ContentError {
+fn missing(what: &str, span: Range<usize>) -> ContentError {
     let kind = ContentErrorKind::Expected { what: what.to_owned(), found: String::new() };
     ContentError::new(kind, ContentPlace::Text(span))
 }
@@ -81,7 +81,7 @@ fn tag(copy: &mut String, rest: &str) -> Result<(), ContentError> {
                 attributes += 1;
                 if attributes > MOST_ATTRIBUTES {
                     let value = format!("more than {MOST_ATTRIBUTES}");
-                    let rule = "those of a robot's model, which are fewer".to_owned();
+                    let rule = "those of a model, which are fewer".to_owned();
                     let kind = ContentErrorKind::Value {
                         what: "the attributes of the element".to_owned(),
                         value,
@@ -111,7 +111,7 @@ fn up_to_mark(rest: &str, is_first: bool) -> Option<(&str, &str, u8)> {
 }
 
 /// Where a second root element begins in a plain text; `None` if there is none.
-pub(super) fn second_root(copy: &str) -> Option<usize> {
+pub fn second_root(copy: &str) -> Option<usize> {
     let (mut depth, mut at) = (0_usize, 0);
     let mut is_over = false;
     loop {

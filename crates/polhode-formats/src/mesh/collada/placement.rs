@@ -1,0 +1,48 @@
+//! How a node is placed in the one above it.
+
+use crate::content::{ContentError, ContentErrorKind};
+use crate::mesh::affine::Affine;
+use crate::xml::Element;
+
+use super::value::{array, missing, start, unsupported};
+
+/// What an element of a node says of its place; `None` if it says nothing of it.
+pub(super) fn of(element: Element<'_>) -> Result<Option<Affine>, ContentError> {
+    const NO_TURN: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
+    Ok(Some(match element.name() {
+        "matrix" => {
+            // row by row
+            let [a, b, c, x, d, e, f, y, g, h, i, z, last @ ..] = array::<16>(element)?;
+            if last != [0.0, 0.0, 0.0, 1.0] {
+                let (what, value) = ("the last row of the matrix".to_owned(), format!("{last:?}"));
+                let rule = "0, 0, 0 and 1".to_owned();
+                return Err(ContentError::new(ContentErrorKind::Value { what, value, rule }, start(element)));
+            }
+            Affine { columns: [[a, d, g], [b, e, h], [c, f, i]], origin: [x, y, z] }
+        }
+        "translate" => Affine { origin: array(element)?, ..Affine::IDENTITY },
+        "scale" => Affine::of_parts([0.0; 3], NO_TURN, array(element)?),
+        "rotate" => {
+            let [x, y, z, degrees] = array(element)?;
+            let turn = match about_axis([x, y, z], degrees.to_radians()) {
+                Some(turn) => turn,
+                None if degrees == 0.0 => NO_TURN,
+                None => return Err(missing("axis of the rotation", element)),
+            };
+            Affine::of_parts([0.0; 3], turn, [1.0; 3])
+        }
+        "skew" | "lookat" => return Err(unsupported(element, "")),
+        _ => return Ok(None),
+    }))
+}
+
+/// The turn about a direction of any length, scalar last; `None` for no direction.
+fn about_axis(axis: [f64; 3], angle: f64) -> Option<[f64; 4]> {
+    // with components of size 1, the square of a small direction does not vanish
+    let size = axis.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+    let [x, y, z] = axis.map(|c| c / size);
+    let length = (x * x + y * y + z * z).sqrt();
+    let (sin, cos) = libm::sincos(0.5 * angle);
+    let turn = [sin * x / length, sin * y / length, sin * z / length, cos];
+    turn.iter().all(|c| c.is_finite()).then_some(turn)
+}

@@ -1,0 +1,105 @@
+"""The solids of a STEP file, through the OpenCASCADE that the user has."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from . import _native
+from ._error import PolhodeError
+
+#: OpenCASCADE's lengths, m: whatever the file's unit is, it is asked for millimetres.
+_UNIT = 1e-3
+
+#: Errors of its quadrature that it is asked for, relative to the volume. It halves faces until the volume is known so well, which says little of
+#: the tensor; what the second of these changes of all of it is said as the error. Without such a number, faces are not halved at all, and a hole's
+#: rim that is a free curve costs 3e-4 of the volume.
+_ERRORS = (1e-9, 1e-12)
+
+
+def solids(path: str) -> tuple[list[_native.Solid], _native.Step]:
+    """The solids in m and at a density of 1 kg/m³, and what is to be said of the file."""
+    try:
+        from OCP.BRep import BRep_Tool
+        from OCP.BRepCheck import BRepCheck_Analyzer
+        from OCP.IFSelect import IFSelect_ReturnStatus
+        from OCP.STEPControl import STEPControl_Reader
+        from OCP.TopAbs import TopAbs_ShapeEnum as Kind
+        from OCP.TopExp import TopExp_Explorer
+    except ImportError as error:
+        raise ImportError("STEP files need OpenCASCADE: pip install cadquery-ocp") from error
+
+    reader = STEPControl_Reader()
+    if reader.ReadFile(path) != IFSelect_ReturnStatus.IFSelect_RetDone:
+        raise PolhodeError(f"{path} is no STEP file that OpenCASCADE reads", "export it again, as AP203, AP214 or AP242")
+    reader.SetSystemLengthUnit(1.0)
+    reader.TransferRoots()
+    shape = reader.OneShape()
+    if shape is None or shape.IsNull():
+        raise PolhodeError(f"{path} has no shapes", "export the solid body, not the empty document")
+
+    def within(whole: Any, kind: Any, outside: Any = Kind.TopAbs_SHAPE) -> list[Any]:
+        found, explorer = [], TopExp_Explorer(whole, kind, outside)
+        while explorer.More():
+            found.append(explorer.Current())
+            explorer.Next()
+        return found
+
+    bodies: list[_native.Solid] = []
+    invalid = []
+    worst = 0.0
+    all_solids = within(shape, Kind.TopAbs_SOLID)
+    for number, solid in enumerate(all_solids, 1):
+        for shell in within(solid, Kind.TopAbs_SHELL):
+            if not BRep_Tool.IsClosed_s(shell):
+                raise PolhodeError(f"{path}: solid {number} is open: one of its shells has edges of one face only", "close it in the CAD program")
+        if not BRepCheck_Analyzer(solid).IsValid():
+            invalid.append(number)
+        body, apart = _measured(solid)
+        if not body["volume"] > 0.0:
+            raise PolhodeError(f"{path}: solid {number} has the volume {body['volume']:.3g} m³", "its faces look inward: export it again")
+        body["name"] = f"solid {number}" if len(all_solids) > 1 else ""
+        bodies.append(body)
+        worst = max(worst, apart)
+    left_out = len(within(shape, Kind.TopAbs_SHELL, Kind.TopAbs_SOLID)) + len(within(shape, Kind.TopAbs_FACE, Kind.TopAbs_SHELL))
+    if not bodies:
+        raise PolhodeError(f"{path} has no solid, but {left_out} surfaces", "close them to a solid in the CAD program")
+    return bodies, {"left_out": left_out, "invalid": invalid, "error": worst}
+
+
+def _measured(solid: Any) -> tuple[_native.Solid, float]:
+    """Volume, area and moments, and how far two quadratures are apart: of the volume, the centre and the tensor, relative."""
+    from OCP.BRepGProp import BRepGProp
+    from OCP.gp import gp_Pnt
+    from OCP.GProp import GProp_GProps
+
+    rough, surface = GProp_GProps(), GProp_GProps()
+    BRepGProp.VolumeProperties_s(solid, rough)
+    BRepGProp.SurfaceProperties_s(solid, surface, _ERRORS[0])
+    # About a point in the body: a place far from the origin costs no digits.
+    near = rough.CentreOfMass() if rough.Mass() > 0.0 else gp_Pnt()
+
+    def moments(error: float) -> tuple[float, list[float], list[list[float]]]:
+        found = GProp_GProps(near)
+        BRepGProp.VolumeProperties_s(solid, found, error)
+        center, tensor = found.CentreOfMass(), found.MatrixOfInertia()
+        return (
+            found.Mass(),
+            [center.X(), center.Y(), center.Z()],
+            [[tensor.Value(row, column) for column in (1, 2, 3)] for row in (1, 2, 3)],
+        )
+
+    (volume, center, tensor), other = moments(_ERRORS[1]), moments(_ERRORS[0])
+    body: _native.Solid = {
+        "name": "",
+        "volume": volume * _UNIT**3,
+        "area": surface.Mass() * _UNIT**2,
+        "center": [coordinate * _UNIT for coordinate in center],
+        "tensor": [[element * _UNIT**5 for element in row] for row in tensor],
+    }
+    if not volume > 0.0:
+        return body, 0.0
+    trace = sum(tensor[k][k] for k in range(3))
+    apart = [abs(other[0] / volume - 1.0)]
+    apart += [abs(a - b) / (trace / volume) ** 0.5 for a, b in zip(center, other[1])]
+    apart += [abs(a - b) / trace for row, others in zip(tensor, other[2]) for a, b in zip(row, others)]
+    return body, max(apart)

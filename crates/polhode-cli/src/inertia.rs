@@ -50,6 +50,7 @@ Examples:
   polhode inertia robot.urdf --link forearm
   polhode inertia robot.urdf --lump all --joint elbow=\"30 deg\" --write mjcf
   polhode inertia torn.stl --unit mm --material steel --weld \"0.01 mm\" --write-mesh whole.stl
+  polhode inertia gripper.stl --unit mm --material steel --union
   polhode inertia parts/*.stl --unit mm --material steel --csv
   polhode inertia examples/notes/11-05-principal-axes.toml --axes")]
 pub(crate) struct Inertia {

@@ -10,7 +10,7 @@ use polhode::body::shape::{Extent, Shape, Substance};
 use polhode::body::{Finding, Form, MassProperties};
 use polhode_formats::expression::Expression;
 use polhode_formats::mesh::{
-    AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshPart, MeshRepair, MeshSolid,
+    AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshPart, MeshRepair, MeshSolid, UnitedMesh,
 };
 use polhode_formats::unit::Dimension;
 use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
@@ -56,6 +56,10 @@ pub(super) struct MeshFlags {
     /// Close holes that are at most so large across, after a weld: a length such as "2 mm", or a plain number, a part of the mesh's size.
     #[arg(long, value_name = "SIZE", value_parser = beside_mesh, conflicts_with_all = ["hull", "shell", "quick"])]
     fill: Option<MeshLength>,
+    /// Take what lies in several parts of a mesh, or more than once in one, once: parts that overlap or repeat are one body, after a weld and a
+    /// fill.
+    #[arg(long, conflicts_with_all = ["shell", "quick", "part", "field", "tolerance", "write_mesh", "force"])]
+    union: bool,
     /// Write the mesh as it was used, welded, filled and wound outward, in the file's unit: .stl (binary), .obj or .ply.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["shell", "quick"])]
     write_mesh: Option<PathBuf>,
@@ -94,6 +98,7 @@ impl MeshFlags {
             (self.field.is_some(), "--field"),
             (self.weld.is_some(), "--weld"),
             (self.fill.is_some(), "--fill"),
+            (self.union, "--union"),
             (self.write_mesh.is_some(), "--write-mesh"),
             (self.quick, "--quick"),
         ];
@@ -205,9 +210,26 @@ fn whole(
         contents = filled;
         repairs.push(repair);
     }
+    let name = file.display().to_string();
+    if flags.union {
+        let united = UnitedMesh::of(contents, file, unit)?;
+        findings.extend(repairs.iter().map(|repair| united.finding_of(repair, &name)));
+        findings.extend(united.findings_in(&name));
+        let what = if flags.hull { "taken as the union of convex hulls" } else { "taken as the union of its parts" };
+        let union = json!({
+            "parts": united.union.parts(),
+            "shared_m3": united.union.shared(),
+            "volume_error_m3": united.union.error(),
+        });
+        let source = described(what, count, united.unit).with("taken_as", "union").with("union", union);
+        let source = repairs.iter().fold(source, said);
+        let unit = united.unit;
+        let pieces = vec![Piece { name: String::new(), shape: Box::new(united.union) }];
+        return Ok(Model { source, unit, pieces, field: None });
+    }
     let solid = MeshSolid::of(contents, file, format, unit)?;
-    findings.extend(repairs.iter().map(|repair| repair.finding(&solid, &file.display().to_string())));
-    findings.extend(solid.findings_in(&file.display().to_string()));
+    findings.extend(repairs.iter().map(|repair| repair.finding(&solid, &name)));
+    findings.extend(solid.findings_in(&name));
     let turned = solid.parts.iter().any(|part| part.mesh.inverted());
     let what = match (flags.hull, turned) {
         (true, _) => "taken as its convex hull",

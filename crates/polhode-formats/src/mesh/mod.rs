@@ -18,6 +18,7 @@ pub mod stl;
 pub(crate) mod stl_error;
 pub mod stl_quick;
 pub mod threemf;
+mod union;
 mod write;
 
 use std::path::Path;
@@ -32,6 +33,7 @@ use crate::file;
 pub use assumed_unit::{AssumedMetres, longest_side};
 pub use repair::{MeshLength, MeshRepair, RepairBound};
 pub use solid::{MeshSolid, SolidPart};
+pub use union::UnitedMesh;
 
 /// What a mesh file says: parts and their triangles, in the file's own unit of length.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use polhode::body::mesh::{FilledMesh, TriangleMesh, WeldedMesh};
+use polhode::body::mesh::{FilledMesh, MeshEffect, TriangleMesh, WeldedMesh};
 use polhode::body::{BodyError, Finding, Severity};
 
 use super::{MeshContents, MeshPart, MeshSolid, solid};
@@ -98,17 +98,23 @@ impl MeshRepair {
     /// What was done, and what it means for the solids that came of it: a warning.
     pub fn finding(&self, solid: &MeshSolid, file: &str) -> Finding {
         let RepairBound { volume, beyond } = self.bound();
-        let whole: f64 = solid.parts.iter().map(|part| part.mesh.volume()).sum();
+        let whole = solid.parts.iter().map(|part| part.mesh.volume()).sum();
         let effect = match solid.parts.as_slice() {
-            [only] => {
-                let effect = only.mesh.effect(volume, beyond);
-                format!(
-                    ", the centre of mass by {:.1e} m, the tensor at one density by {:.1e} of its largest moment",
-                    effect.center, effect.inertia
-                )
-            }
-            _ => String::new(),
+            [only] => Some(only.mesh.effect(volume, beyond)),
+            _ => None,
         };
+        self.finding_on(whole, effect, file)
+    }
+
+    /// The same for what encloses so much, m³.
+    pub(super) fn finding_on(&self, whole: f64, effect: Option<MeshEffect>, file: &str) -> Finding {
+        let volume = self.bound().volume;
+        let effect = effect.map_or(String::new(), |effect| {
+            format!(
+                ", the centre of mass by {:.1e} m, the tensor at one density by {:.1e} of its largest moment",
+                effect.center, effect.inertia
+            )
+        });
         let message = format!(
             "{}{} the volume may be off by {volume:.1e} m³ ({:.1e} of it){effect}, at most",
             self.in_words(),

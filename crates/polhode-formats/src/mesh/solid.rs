@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use polhode::body::mesh::{ClosedMesh, TriangleMesh};
+use polhode::body::mesh::{ClosedMesh, MeshFlaws, TriangleMesh};
 use polhode::body::shape::{Shape, Substance};
 use polhode::body::{BodyError, Finding, MassProperties, Severity};
 use polhode::math::Part;
 
-use super::{MeshContents, MeshFormat, MeshPart};
+use super::{MeshContents, MeshFormat, MeshPart, union};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::text::escaped;
 
@@ -165,18 +165,22 @@ pub(super) fn no_solid(path: &Path, part: &str, error: BodyError) -> FormatError
     FormatError::new(path, None, FormatErrorKind::Mesh { part, error })
 }
 
-/// The same of one of the parts, with the weld that closes an open mesh.
+/// The same of one of the parts, with the weld that closes an open mesh, and whether parts that overlap can be united.
 fn open_or_unsound(
     parts: &[MeshPart],
     part: &MeshPart,
     path: &Path,
-    error: BodyError,
+    flaws: MeshFlaws,
     goes_on: &(dyn Fn() -> bool + Sync),
 ) -> FormatError {
-    let is_open = matches!(error, BodyError::OpenMesh { .. });
+    let union = union::hint(parts, &flaws, goes_on);
+    let is_open = matches!(flaws.first, BodyError::OpenMesh { .. });
     let all = if is_open { joined(parts).ok() } else { None };
     let weld = all.and_then(|mesh| mesh.closing_weld(goes_on));
-    let error = no_solid(path, &part.name, error);
+    let error = no_solid(path, &part.name, flaws.first);
+    if let Some(union) = union {
+        return error.with_hint(union);
+    }
     let Some(weld) = weld else { return error };
     error.with_hint(format!(
         "it closes if welded at {:.1e} of its size: --weld {:e} ({} vertices become {}), or weld = {:e} in a scenario; \
@@ -193,16 +197,16 @@ fn solids(
 ) -> Result<(Vec<SolidPart>, Option<Finding>), FormatError> {
     let mut solids = Vec::new();
     for part in parts {
-        match ClosedMesh::watched(&part.mesh, goes_on) {
+        match ClosedMesh::or_flaws(&part.mesh, 0, goes_on) {
             Ok(mesh) => solids.push(SolidPart { name: part.name.clone(), mesh }),
-            Err(error) => {
+            Err(flaws) => {
                 // not a solid alone: one of a surface's pieces?
                 let one = if parts.len() > 1 {
                     joined(parts).and_then(|all| ClosedMesh::watched(&all, goes_on)).ok()
                 } else {
                     None
                 };
-                let Some(mesh) = one else { return Err(open_or_unsound(parts, part, path, error, goes_on)) };
+                let Some(mesh) = one else { return Err(open_or_unsound(parts, part, path, *flaws, goes_on)) };
                 let finding = Finding {
                     code: "mesh.joined",
                     severity: Severity::Info,
@@ -240,7 +244,7 @@ fn overlap(parts: &[MeshPart], solids: &[SolidPart]) -> Option<Finding> {
     );
     twice.then(|| {
         say(format!(
-            "what parts share counts for each of them: {error} (triangles numbered through all parts)"
+            "what parts share counts for each of them, if not united by --union: {error} (triangles numbered through all parts)"
         ))
     })
 }

@@ -42,8 +42,6 @@ pub(super) struct Boundaries {
     pub(super) levels: [Boundary; LEVELS.len()],
     /// From where they are measured, in the mesh's units.
     pub(super) reference: [f64; 3],
-    /// Triangles that others meet.
-    pub(super) met: usize,
 }
 
 impl Boundaries {
@@ -68,7 +66,7 @@ impl Boundaries {
         for part in parts {
             levels.iter_mut().zip(&part?).for_each(|(all, part)| all.append(part));
         }
-        (!work.is_spent()).then_some(Self { levels, reference, met: cut.len() })
+        (!work.is_spent()).then_some(Self { levels, reference })
     }
 }
 

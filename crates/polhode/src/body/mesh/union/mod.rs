@@ -23,6 +23,7 @@ mod weighted;
 use super::closed::ClosedMesh;
 use super::diagnosis::MeshDiagnosis;
 use super::effect::MeshEffect;
+use super::flaws::MeshFlaws;
 use super::integral::Polyhedron;
 use super::threads::Threads;
 use super::work::{GoesOn, Work};
@@ -66,7 +67,7 @@ pub struct MeshUnion {
     parts: usize,
     shared: f64,
     error: f64,
-    effect: MeshEffect,
+    /// What is drawn.
     surface: TriangleMesh,
     findings: Vec<Finding>,
     /// The mesh itself, if nothing of it overlaps.
@@ -92,9 +93,13 @@ impl MeshUnion {
     pub fn watched(mesh: &TriangleMesh, goes_on: &(dyn Fn() -> bool + Sync)) -> Result<Self, BodyError> {
         match ClosedMesh::or_flaws(mesh, 0, goes_on) {
             Ok(solid) if solid.diagnosis().self_overlaps.is_empty() => Ok(Self::of_solid(solid)),
-            Ok(solid) => Self::found(mesh, solid.diagnosis(), None, Threads::of_machine(), goes_on),
+            Ok(solid) => {
+                let unclear = BodyError::UnionUnclear { volume: solid.volume(), error: solid.volume() };
+                Self::found(mesh, solid.diagnosis(), unclear, goes_on)
+            }
             Err(flaws) => {
-                Self::found(mesh, &flaws.diagnosis, Some(&flaws.first), Threads::of_machine(), goes_on)
+                let MeshFlaws { diagnosis, first, .. } = *flaws;
+                Self::found(mesh, &diagnosis, first, goes_on)
             }
         }
     }
@@ -115,24 +120,24 @@ impl MeshUnion {
             parts,
             shared: 0.0,
             error: 0.0,
-            effect: solid.effect(0.0, 0.0),
             surface: solid.surface().clone(),
             findings: solid.findings().to_vec(),
             solid: Some(Box::new(solid)),
         }
     }
 
+    /// Of a mesh of which something overlaps, or `why_not`, if it is not closed.
     fn found(
         mesh: &TriangleMesh,
         diagnosis: &MeshDiagnosis,
-        why_not: Option<&BodyError>,
-        threads: Threads,
+        why_not: BodyError,
         goes_on: &GoesOn<'_>,
     ) -> Result<Self, BodyError> {
+        let threads = Threads::of_machine();
         let undecided = |steps| BodyError::OverlapsUndecided { triangles: diagnosis.triangles, steps };
         let inward = diagnosis.components.iter().map(|part| part.volume).sum::<f64>() < 0.0;
         let Some(weighted) = Self::is_possible(diagnosis).then(|| Weighted::of(mesh, inward, threads)).flatten() else {
-            return Err(why_not.cloned().unwrap_or(undecided(0)));
+            return Err(why_not);
         };
         let work = Work::of(STEPS + STEPS_EACH * diagnosis.triangles as u64, goes_on);
         let boundaries = Boundaries::of(&weighted, &work, threads);
@@ -168,7 +173,6 @@ impl MeshUnion {
             triangles: weighted.welded.corners,
             is_hull: false,
         };
-        let effect = MeshEffect::of(&spread, surface.coordinates(), error, 0.0);
         let parts = diagnosis.components.len();
         let mut findings = diagnosis.findings();
         findings.retain(|finding| matches!(finding.code, "mesh.flipped" | "mesh.degenerate"));
@@ -182,7 +186,6 @@ impl MeshUnion {
             parts,
             shared: twice.volume.max(0.0) * cubed,
             error,
-            effect,
             surface,
             findings,
             solid: None,
@@ -210,7 +213,6 @@ impl MeshUnion {
             area: self.area * squared,
             shared: self.shared * cubed,
             error: self.error * cubed,
-            effect: MeshEffect { center: self.effect.center * factor, ..self.effect },
             surface: self.surface.scaled(factor),
             ..self
         })
@@ -237,9 +239,10 @@ impl MeshUnion {
         self.error
     }
 
-    /// What [`MeshUnion::error`] means for the mass properties.
-    pub const fn effect(&self) -> MeshEffect {
-        self.effect
+    /// How far the mass properties may be off if so much volume may belong to the union or not, as [`ClosedMesh::effect`] says: of
+    /// [`MeshUnion::error`], what is rounded.
+    pub fn effect(&self, volume: f64, beyond: f64) -> MeshEffect {
+        MeshEffect::of(&self.spread, self.surface.coordinates(), volume, beyond)
     }
 
     /// All triangles of the mesh, each once, normals outward: what is inside is there, too.

@@ -215,7 +215,8 @@ fn whole(
         let united = UnitedMesh::of(contents, file, unit)?;
         findings.extend(repairs.iter().map(|repair| united.finding_of(repair, &name)));
         findings.extend(united.findings_in(&name));
-        let what = if flags.hull { "taken as the union of convex hulls" } else { "taken as the union of its parts" };
+        let what =
+            if flags.hull { "taken as the union of convex hulls" } else { "taken as the union of its parts" };
         let union = json!({
             "parts": united.union.parts(),
             "shared_m3": united.union.shared(),

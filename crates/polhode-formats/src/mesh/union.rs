@@ -50,7 +50,8 @@ impl UnitedMesh {
         let mesh = solid::joined(&contents.parts).map_err(refused)?;
         let union = MeshUnion::watched(&mesh, goes_on).map_err(refused)?;
         let (encoding, triangles) = (contents.encoding, contents.triangles());
-        let MeshContents { unit, findings, .. } = MeshContents { parts: Vec::new(), ..contents }.in_metres(unit);
+        let MeshContents { unit, findings, .. } =
+            MeshContents { parts: Vec::new(), ..contents }.in_metres(unit);
         let unit = unit.unwrap_or(1.0);
         let union = union.scaled(unit).map_err(refused)?;
         Ok(Self { encoding, unit, triangles, union, findings })
@@ -60,7 +61,8 @@ impl UnitedMesh {
     pub fn findings_in(&self, file: &str) -> Vec<Finding> {
         let file = escaped(file);
         let place = |own: &Option<String>| own.as_ref().map_or(file.clone(), |own| format!("{file}, {own}"));
-        let all = [self.united()].into_iter().chain(self.findings.iter().chain(self.union.findings()).cloned());
+        let all =
+            [self.united()].into_iter().chain(self.findings.iter().chain(self.union.findings()).cloned());
         all.map(|finding| Finding { place: Some(place(&finding.place)), ..finding }).collect()
     }
 

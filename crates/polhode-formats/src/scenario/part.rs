@@ -155,15 +155,17 @@ impl<'a> MeshFile<'a> {
         let value = table.require("file", "file = \"part.stl\"")?;
         let written = value.string()?;
         if written.is_empty() {
-            return Err(value.invalid("a path").with_hint("write file = \"part.stl\", relative to the scenario"));
+            return Err(value
+                .invalid("a path")
+                .with_hint("write file = \"part.stl\", relative to the scenario"));
         }
         let unit = table.get("unit").map(|value| length_unit(&value)).transpose()?;
         let path = value.path()?;
         let Some(format) = MeshFormat::of_path(&path) else {
             let known: Vec<_> = MeshFormat::ALL.iter().map(|format| format.name()).collect();
-            return Err(
-                value.invalid("a mesh file").with_hint(format!("mesh files end in {}", known.join(", ")))
-            );
+            return Err(value
+                .invalid("a mesh file")
+                .with_hint(format!("mesh files end in {}", known.join(", "))));
         };
         let weld = table.get("weld").map(|value| weld_tolerance(&value)).transpose()?;
         Ok(Self { value, written, path, format, unit, weld })

@@ -91,8 +91,18 @@ static INERTIA: Subcommand = Subcommand {
         ),
         choice("--field", &["--field", "2700 + 300*hypot(x, y)"], MESHES, &[]),
         choice("--tolerance", &["--tolerance", "1e-3"], MESHES, &["--field"]),
-        choice("--weld", &["--weld", "1e-6"], &["torn", "torn holed", "torn again", "torn unnamed", "torn overlapping"], &[]),
-        choice("--fill", &["--fill", "0.5"], &["holed", "torn holed", "holed again", "holed unnamed", "holed overlapping"], &[]),
+        choice(
+            "--weld",
+            &["--weld", "1e-6"],
+            &["torn", "torn holed", "torn again", "torn unnamed", "torn overlapping"],
+            &[],
+        ),
+        choice(
+            "--fill",
+            &["--fill", "0.5"],
+            &["holed", "torn holed", "holed again", "holed unnamed", "holed overlapping"],
+            &[],
+        ),
         choice(
             "--union",
             &["--union"],

@@ -115,7 +115,8 @@ pub(super) fn sphere(divisions: u32) -> Body {
 
 pub(super) fn torus(around: u32, along: u32, radius: f64) -> Body {
     let point = |k: u32| {
-        let [u, v] = [(k / along, around), (k % along, along)].map(|(i, n)| TAU * f64::from(i) / f64::from(n));
+        let [u, v] =
+            [(k / along, around), (k % along, along)].map(|(i, n)| TAU * f64::from(i) / f64::from(n));
         let r = 1.0 + radius * v.cos();
         [r * u.cos(), r * u.sin(), radius * v.sin()]
     };
@@ -284,7 +285,8 @@ fn repeated(random: &mut Random) -> Vec<Body> {
 
 fn nested(random: &mut Random) -> Vec<Body> {
     let outer = anywhere(sphere(1), 0.1, random);
-    let inner = [0.6, 0.3].map(|size| anywhere(torus(9, 6, 0.4).moved(|p| p.map(|c| 0.5 * size * c)), 0.1, random));
+    let inner =
+        [0.6, 0.3].map(|size| anywhere(torus(9, 6, 0.4).moved(|p| p.map(|c| 0.5 * size * c)), 0.1, random));
     let mut bodies = vec![outer];
     bodies.extend(inner);
     bodies.push(anywhere(any_brick(random), 0.5, random));

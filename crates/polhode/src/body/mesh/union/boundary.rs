@@ -56,9 +56,11 @@ impl Boundaries {
         let with_all = if collinear.is_empty() { None } else { Some(Tree::of(welded, |_| true, threads)) };
         let tree = with_all.as_ref().unwrap_or(&tree);
         let (reference, size) = middle(welded);
-        let arrangement = Arrangement { mesh, windings: Windings { welded, tree, patches, work }, reference, size };
+        let arrangement =
+            Arrangement { mesh, windings: Windings { welded, tree, patches, work }, reference, size };
         let mut levels = arrangement.whole(&met, has_area, threads)?;
-        let cut: Vec<u32> = (0..).zip(&met).filter(|&(t, met)| *met && has_area(t as usize)).map(|(t, _)| t).collect();
+        let cut: Vec<u32> =
+            (0..).zip(&met).filter(|&(t, met)| *met && has_area(t as usize)).map(|(t, _)| t).collect();
         let parts = threads.map_pieces(cut.len(), FACES, |faces| {
             let mut levels = Levels::default();
             cut[faces].iter().try_for_each(|&t| arrangement.cut(t as usize, &mut levels)).map(|()| levels)

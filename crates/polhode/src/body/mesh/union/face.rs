@@ -49,8 +49,7 @@ impl Face {
             all[0].max(all[1]).max(all[2]) - all[0].min(all[1]).min(all[2])
         };
         let [i, j] = [(axis + 1) % 3, (axis + 2) % 3];
-        let (axes, swapped) =
-            if extent(i) >= extent(j) { ([i, j, axis], 1.0) } else { ([j, i, axis], -1.0) };
+        let (axes, swapped) = if extent(i) >= extent(j) { ([i, j, axis], 1.0) } else { ([j, i, axis], -1.0) };
         let mut by_x = corners;
         by_x.sort_by(|p, q| p[axes[0]].total_cmp(&q[axes[0]]));
         let [origin, top, end] = by_x;
@@ -166,7 +165,8 @@ impl Face {
             if whole > 0.0 { height / whole } else { 0.5 }
         };
         let between = |from: [f64; 2], to: [f64; 2], part: f64| {
-            let c = |k: usize| (from[k] + part * (to[k] - from[k])).clamp(from[k].min(to[k]), from[k].max(to[k]));
+            let c =
+                |k: usize| (from[k] + part * (to[k] - from[k])).clamp(from[k].min(to[k]), from[k].max(to[k]));
             [c(0), c(1)]
         };
         if of_p <= of_q { between(p, q, part(of_p, of_q)) } else { between(q, p, part(of_q, of_p)) }

@@ -33,7 +33,8 @@ impl Closure {
         let volume = (moments[0][0] + moments[1][1] + moments[2][2]) / 3.0;
         let open = areas.iter().map(|area| area.value().abs()).fold(0.0, f64::max);
         let off = |i: usize, j: usize| (moments[i][j] - if i == j { volume } else { 0.0 }).abs();
-        let uneven = (0..3).flat_map(|i| (0..3).map(move |j| (i, j))).map(|(i, j)| off(i, j)).fold(0.0, f64::max);
+        let uneven =
+            (0..3).flat_map(|i| (0..3).map(move |j| (i, j))).map(|(i, j)| off(i, j)).fold(0.0, f64::max);
         Self { volume, defect: uneven + open * reach }
     }
 }

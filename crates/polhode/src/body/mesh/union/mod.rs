@@ -136,7 +136,9 @@ impl MeshUnion {
         let threads = Threads::of_machine();
         let undecided = |steps| BodyError::OverlapsUndecided { triangles: diagnosis.triangles, steps };
         let inward = diagnosis.components.iter().map(|part| part.volume).sum::<f64>() < 0.0;
-        let Some(weighted) = Self::is_possible(diagnosis).then(|| Weighted::of(mesh, inward, threads)).flatten() else {
+        let Some(weighted) =
+            Self::is_possible(diagnosis).then(|| Weighted::of(mesh, inward, threads)).flatten()
+        else {
             return Err(why_not);
         };
         let work = Work::of(STEPS + STEPS_EACH * diagnosis.triangles as u64, goes_on);
@@ -178,7 +180,12 @@ impl MeshUnion {
         findings.retain(|finding| matches!(finding.code, "mesh.flipped" | "mesh.degenerate"));
         if inward {
             let message = "the normals of the mesh pointed inward and were turned".to_owned();
-            findings.push(Finding { code: "mesh.inverted", severity: Severity::Warning, message, place: None });
+            findings.push(Finding {
+                code: "mesh.inverted",
+                severity: Severity::Warning,
+                message,
+                place: None,
+            });
         }
         Ok(Self {
             spread,

@@ -46,11 +46,13 @@ impl Region {
         let Face { top, end, .. } = *face;
         let edge = |from, to| Line { from, to, rise: [0; 3] };
         let origin = [0.0; 2];
-        let mut region = Self { lines: vec![edge(origin, end), edge(origin, top), edge(top, end)], ..Self::default() };
+        let mut region =
+            Self { lines: vec![edge(origin, end), edge(origin, top), edge(top, end)], ..Self::default() };
         for &line in lines {
             let cut = Cut::of(face, line);
             region.steps.extend(cut.step);
-            let inside = cut.above.and_then(|line| under(line, origin, top)).and_then(|line| under(line, top, end));
+            let inside =
+                cut.above.and_then(|line| under(line, origin, top)).and_then(|line| under(line, top, end));
             region.lines.extend(inside.map(rightward).filter(|line| line.from[0] < line.to[0]));
         }
         region.steps.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -93,7 +95,13 @@ impl Region {
     }
 
     /// Gives all pieces that are boundaries, if just above the lower edge the counts are these at some x; `None` if there is no work left.
-    pub(super) fn pieces(&self, at: f64, counts: Counts, work: &Work<'_>, mut piece: impl FnMut(Piece)) -> Option<()> {
+    pub(super) fn pieces(
+        &self,
+        at: f64,
+        counts: Counts,
+        work: &Work<'_>,
+        mut piece: impl FnMut(Piece),
+    ) -> Option<()> {
         let before = |x: f64| self.steps.partition_point(|step| step.0 <= x);
         let mut start = counts;
         for step in &self.steps[..before(at)] {
@@ -137,7 +145,8 @@ impl Region {
                 kept.extend((side != 0).then_some(Band { level, side, lower, upper, from }));
             }
             kept.sort_unstable_by_key(Band::key);
-            let goes_on = |some: &[Band], band: &Band| some.binary_search_by_key(&band.key(), Band::key).is_ok();
+            let goes_on =
+                |some: &[Band], band: &Band| some.binary_search_by_key(&band.key(), Band::key).is_ok();
             open.iter().filter(|band| !goes_on(&kept, band)).for_each(|band| piece(self.piece(band, from)));
             open.retain(|band| goes_on(&kept, band));
             let continued = open.len();
@@ -155,7 +164,8 @@ impl Region {
 
     fn piece(&self, band: &Band, to: f64) -> Piece {
         let at = |line: usize, x: f64| [x, height(&self.lines[line], x)];
-        let corners = [at(band.lower, band.from), at(band.lower, to), at(band.upper, to), at(band.upper, band.from)];
+        let corners =
+            [at(band.lower, band.from), at(band.lower, to), at(band.upper, to), at(band.upper, band.from)];
         Piece { level: band.level, side: band.side, corners }
     }
 }

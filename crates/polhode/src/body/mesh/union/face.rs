@@ -76,7 +76,7 @@ impl Face {
     }
 
     /// From the first corner.
-    fn from_origin(&self, [x, y]: [f64; 2]) -> [f64; 3] {
+    fn offset(&self, [x, y]: [f64; 2]) -> [f64; 3] {
         let mut p = [0.0; 3];
         p[self.axes[0]] = x;
         p[self.axes[1]] = self.up * y;
@@ -86,7 +86,7 @@ impl Face {
 
     /// A point of the plane, from a reference.
     pub(super) fn point(&self, at: [f64; 2], reference: [f64; 3]) -> [f64; 3] {
-        let p = self.from_origin(at);
+        let p = self.offset(at);
         core::array::from_fn(|k| (self.origin[k] - reference[k]) + p[k])
     }
 

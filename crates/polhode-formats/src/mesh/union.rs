@@ -74,7 +74,7 @@ impl UnitedMesh {
         }
         let (volume, effect) = (union.volume(), union.effect(union.error(), 0.0));
         let what = match union.parts() {
-            1 => "what goes through itself was united".to_owned(),
+            1 => "what overlaps was united".to_owned(),
             parts => format!("{parts} parts were united"),
         };
         let message = format!(

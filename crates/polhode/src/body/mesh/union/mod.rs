@@ -113,7 +113,7 @@ impl MeshUnion {
     }
 
     fn of_solid(solid: ClosedMesh) -> Self {
-        let parts = solid.diagnosis().components.len();
+        let parts = parts(solid.diagnosis());
         Self {
             spread: solid.spread(),
             area: solid.surface_area(),
@@ -147,10 +147,13 @@ impl MeshUnion {
         let unit = weighted.welded.unit;
         let [once, twice, negative] = &boundaries.levels;
         let polyhedron = Polyhedron { points: &once.points, corners: &once.corners, threads };
-        let integrals = polyhedron.integrate()?;
+        let cubed = unit * unit * unit;
+        let integrals = polyhedron.integrate().map_err(|error| match error {
+            BodyError::FlatMesh { volume } => BodyError::FlatMesh { volume: volume * cubed },
+            other => other,
+        })?;
         let [once, twice, negative] = [once, twice, negative].map(Closure::of);
         let volume = integrals.spread.extent.measure();
-        let cubed = unit * unit * unit;
         let error = once.defect + 4.0 * f64::EPSILON * volume.abs();
         if !(volume > 0.0 && error <= CLEAR * volume) {
             return Err(BodyError::UnionUnclear { volume: volume * cubed, error: error * cubed });
@@ -175,9 +178,9 @@ impl MeshUnion {
             triangles: weighted.welded.corners,
             is_hull: false,
         };
-        let parts = diagnosis.components.len();
+        let parts = parts(diagnosis);
         let mut findings = diagnosis.findings();
-        findings.retain(|finding| matches!(finding.code, "mesh.flipped" | "mesh.degenerate"));
+        findings.retain(|finding| matches!(finding.code, "mesh.flipped" | "mesh.degenerate" | "mesh.cavity"));
         if inward {
             let message = "the normals of the mesh pointed inward and were turned".to_owned();
             findings.push(Finding {
@@ -235,7 +238,7 @@ impl MeshUnion {
         self.shared
     }
 
-    /// Parts that hang together by their edges.
+    /// Parts that hang together by their edges, cavities apart.
     pub const fn parts(&self) -> usize {
         self.parts
     }
@@ -281,6 +284,12 @@ impl Shape for MeshUnion {
     fn form(&self) -> Option<Form> {
         Some(Form::Mesh(self.surface.clone()))
     }
+}
+
+/// Components that are no cavities.
+fn parts(diagnosis: &MeshDiagnosis) -> usize {
+    let is_part = |role| !matches!(role, ComponentRole::Cavity | ComponentRole::Flat);
+    diagnosis.components.iter().filter(|part| is_part(part.role)).count()
 }
 
 /// The largest error that is let through, of the volume.

@@ -36,6 +36,9 @@ pub(super) struct Region {
     cuts: Vec<f64>,
 }
 
+/// What a crossing costs, in visits of a ray: as there is only so much work, there are only so many of them.
+const CROSSING: u64 = 32;
+
 /// The numbers of a face's own edges.
 const LOWER: usize = 0;
 const UPPER: [usize; 2] = [1, 2];
@@ -73,15 +76,16 @@ impl Region {
         let high = |line: &Line| line.from[1].max(line.to[1]);
         for (k, a) in lines.iter().enumerate() {
             let next = lines[k + 1..].iter().take_while(|b| b.from[0] < a.to[0]);
-            let mut steps = 1;
+            let (mut steps, mut crossings) = (1, 0);
             for b in next.inspect(|_| steps += 1).filter(|b| low(a) <= high(b) && low(b) <= high(a)) {
                 let (from, to) = (b.from[0], a.to[0].min(b.to[0]));
                 let [at_from, at_to] = [from, to].map(|x| height(a, x) - height(b, x));
                 if at_from * at_to < 0.0 {
                     cuts.push(from + (to - from) * (at_from / (at_from - at_to)));
+                    crossings += 1;
                 }
             }
-            if !work.take(steps) {
+            if !work.take(steps + CROSSING * crossings) {
                 return None;
             }
         }

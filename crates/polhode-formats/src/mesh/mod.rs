@@ -19,6 +19,7 @@ pub(crate) mod stl_error;
 pub mod stl_quick;
 pub mod threemf;
 mod union;
+mod union_hint;
 mod write;
 
 use std::path::Path;

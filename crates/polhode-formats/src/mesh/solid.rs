@@ -7,7 +7,7 @@ use polhode::body::shape::{Shape, Substance};
 use polhode::body::{BodyError, Finding, MassProperties, Severity};
 use polhode::math::Part;
 
-use super::{MeshContents, MeshFormat, MeshPart, union};
+use super::{MeshContents, MeshFormat, MeshPart, union_hint};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::text::escaped;
 
@@ -173,10 +173,10 @@ fn open_or_unsound(
     flaws: MeshFlaws,
     goes_on: &(dyn Fn() -> bool + Sync),
 ) -> FormatError {
-    let union = union::hint(parts, &flaws, goes_on);
+    let all = joined(parts).ok();
+    let union = all.as_ref().and_then(|all| union_hint::hint(all, &flaws, goes_on));
     let is_open = matches!(flaws.first, BodyError::OpenMesh { .. });
-    let all = if is_open { joined(parts).ok() } else { None };
-    let weld = all.and_then(|mesh| mesh.closing_weld(goes_on));
+    let weld = all.filter(|_| is_open).and_then(|mesh| mesh.closing_weld(goes_on));
     let error = no_solid(path, &part.name, flaws.first);
     if let Some(union) = union {
         return error.with_hint(union);

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use polhode::body::mesh::{MeshFlaws, MeshUnion};
+use polhode::body::mesh::MeshUnion;
 use polhode::body::{BodyError, Finding, Severity};
 
-use super::{MeshContents, MeshPart, MeshRepair, solid};
+use super::{MeshContents, MeshRepair, solid};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::text::escaped;
 
@@ -96,24 +96,4 @@ impl UnitedMesh {
         let bound = repair.bound();
         repair.finding_on(self.union.volume(), Some(self.union.effect(bound.volume, bound.beyond)), file)
     }
-}
-
-/// How a mesh that bounds no solid is taken all the same, if the union of all parts is one: that was tried.
-pub(super) fn hint(
-    parts: &[MeshPart],
-    flaws: &MeshFlaws,
-    goes_on: &(dyn Fn() -> bool + Sync),
-) -> Option<&'static str> {
-    let may_be = matches!(
-        flaws.first,
-        BodyError::OverlappingMesh { .. }
-            | BodyError::NestedSolid { .. }
-            | BodyError::DuplicateTriangle { .. }
-            | BodyError::OverlapsUndecided { .. }
-    ) && MeshUnion::is_possible(&flaws.diagnosis);
-    let united = || solid::joined(parts).and_then(|all| MeshUnion::watched(&all, goes_on)).is_ok();
-    (may_be && united()).then_some(
-        "--union takes what lies in several parts once, or union = true in a scenario; or unite the solids in the tool that made the mesh; \
-         or take the convex hull of all of it by --hull",
-    )
 }

@@ -99,7 +99,7 @@ static INERTIA: Subcommand = Subcommand {
         ),
         choice(
             "--fill",
-            &["--fill", "0.5"],
+            &["--fill", "0.99"],
             &["holed", "torn holed", "holed again", "holed unnamed", "holed overlapping"],
             &[],
         ),

@@ -23,7 +23,6 @@ mod weighted;
 use super::closed::ClosedMesh;
 use super::diagnosis::MeshDiagnosis;
 use super::effect::MeshEffect;
-use super::flaws::MeshFlaws;
 use super::integral::Polyhedron;
 use super::threads::Threads;
 use super::work::{GoesOn, Work};
@@ -98,8 +97,10 @@ impl MeshUnion {
                 Self::found(mesh, solid.diagnosis(), unclear, goes_on)
             }
             Err(flaws) => {
-                let MeshFlaws { diagnosis, first, .. } = *flaws;
-                Self::found(mesh, &diagnosis, first, goes_on)
+                // Whatever is there twice, what is open is to be closed first.
+                let is_open = |error: &&BodyError| matches!(error, BodyError::OpenMesh { .. });
+                let why_not = flaws.errors().find(is_open).unwrap_or(&flaws.first).clone();
+                Self::found(mesh, &flaws.diagnosis, why_not, goes_on)
             }
         }
     }

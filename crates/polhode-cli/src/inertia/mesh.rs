@@ -220,6 +220,7 @@ fn whole(
         let union = json!({
             "parts": united.union.parts(),
             "shared_m3": united.union.shared(),
+            "left_out_m3": united.union.left_out(),
             "volume_error_m3": united.union.error(),
         });
         let source = described(what, count, united.unit).with("taken_as", "union").with("union", union);

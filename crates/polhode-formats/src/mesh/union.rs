@@ -77,9 +77,12 @@ impl UnitedMesh {
             1 => "what overlaps was united".to_owned(),
             parts => format!("{parts} parts were united"),
         };
+        let left_out = match union.left_out() {
+            0.0 => "as measured on the surface, ".to_owned(),
+            folds => format!("{folds:.1e} m³ in folds that are inside out were left out; with these, "),
+        };
         let message = format!(
-            "{what}, as was asked: {:.4e} m³ ({:.1e} of the volume) lay in more than one place of the mesh and counted once; as measured on the \
-             surface, the volume may be off by {:.1e} m³ ({:.1e} of it), the centre of mass by {:.1e} m, the tensor at one density by {:.1e} of \
+            "{what}, as was asked: {:.4e} m³ ({:.1e} of the volume) lay in more than one place of the mesh and counted once; {left_out}the volume may be off by {:.1e} m³ ({:.1e} of it), the centre of mass by {:.1e} m, the tensor at one density by {:.1e} of \
              its largest moment",
             union.shared(),
             union.shared() / volume,

@@ -38,8 +38,9 @@ use weighted::Weighted;
 /// The solid that the parts of a mesh are together: what lies in several of them, or twice in one that goes through itself, is there once.
 ///
 /// A place belongs to it if the mesh winds about it once or more often. So solids within solids are part of these; what is wound inward within a
-/// solid is a cavity, unless another solid fills it. About no place may the mesh wind negatively: then a part is wound the wrong way round, and it
-/// is refused ([`BodyError::NegativeUnion`]).
+/// solid is a cavity, unless another solid fills it. What it winds about negatively does not belong to it: of a part that is wound inward, or if
+/// it is more than a thousandth of the whole, the mesh is refused ([`BodyError::NegativeUnion`]); of small folds, where a surface goes through itself,
+/// it is left out, and is part of the error.
 ///
 /// The mesh has to be closed: every edge is run along as often one way as the other. Corners are the same vertex when their coordinates are equal,
 /// exactly, and which triangles meet is decided exactly; where they meet is rounded. What that may mean for the volume is measured on the surface
@@ -65,6 +66,7 @@ pub struct MeshUnion {
     area: f64,
     parts: usize,
     shared: f64,
+    left_out: f64,
     error: f64,
     /// What is drawn.
     surface: TriangleMesh,
@@ -120,6 +122,7 @@ impl MeshUnion {
             area: solid.surface_area(),
             parts,
             shared: 0.0,
+            left_out: 0.0,
             error: 0.0,
             surface: solid.surface().clone(),
             findings: solid.findings().to_vec(),
@@ -159,12 +162,15 @@ impl MeshUnion {
         if !(volume > 0.0 && error <= CLEAR * volume) {
             return Err(BodyError::UnionUnclear { volume: volume * cubed, error: error * cubed });
         }
-        // Slivers of rounded lines may be wound any way.
-        let below = -negative.volume;
-        if below > negative.defect.max(error).max(CLEAR * 1e-3 * volume) {
+        // Slivers of rounded lines may be wound any way, and folds are turned inside out; a part that is has hollowed out others, too.
+        let below = (-negative.volume).max(0.0);
+        let is_rounding = below <= negative.defect.max(error).max(CLEAR * 1e-3 * volume);
+        let has_inverted =
+            inward || diagnosis.components.iter().any(|part| part.role == ComponentRole::Inverted);
+        if !is_rounding && (has_inverted || below > FOLDS * volume) {
             return Err(BodyError::NegativeUnion { volume: below * cubed, whole: volume * cubed });
         }
-        let error = error + below.max(0.0);
+        let error = error + below;
         let Spread { centroid, covariance, .. } = integrals.spread;
         let centroid: [f64; 3] =
             core::array::from_fn(|k| (centroid.to_array()[k] + boundaries.reference[k]) * unit);
@@ -196,6 +202,7 @@ impl MeshUnion {
             area: integrals.area * unit * unit,
             parts,
             shared: twice.volume.max(0.0) * cubed,
+            left_out: if is_rounding { 0.0 } else { below * cubed },
             error,
             surface,
             findings,
@@ -223,6 +230,7 @@ impl MeshUnion {
             spread: spread.representable()?,
             area: self.area * squared,
             shared: self.shared * cubed,
+            left_out: self.left_out * cubed,
             error: self.error * cubed,
             surface: self.surface.scaled(factor),
             ..self
@@ -244,8 +252,13 @@ impl MeshUnion {
         self.parts
     }
 
-    /// What the volume may be off, m³: how much it differs between the axes along which the surface is summed over, and some rounding. Nothing if
-    /// no parts overlap.
+    /// The volume of folds that the mesh winds about the wrong way round, and that was left out, m³.
+    pub const fn left_out(&self) -> f64 {
+        self.left_out
+    }
+
+    /// What the volume may be off, m³: how much it differs between the axes along which the surface is summed over, some rounding, and what was
+    /// left out. Nothing if no parts overlap.
     pub const fn error(&self) -> f64 {
         self.error
     }
@@ -295,6 +308,9 @@ fn parts(diagnosis: &MeshDiagnosis) -> usize {
 
 /// The largest error that is let through, of the volume.
 const CLEAR: f64 = 1e-9;
+
+/// The most that folds may enclose the wrong way round, of the volume.
+const FOLDS: f64 = 1e-3;
 
 /// Steps for a mesh, and more for each of its triangles, as for its diagnosis.
 const STEPS: u64 = 300_000_000;

@@ -256,9 +256,10 @@ fn between(Line { from, to, .. }: Line, of_from: f64, of_to: f64) -> [f64; 2] {
     [0, 1].map(|k| (from[k] + part * (to[k] - from[k])).clamp(from[k].min(to[k]), from[k].max(to[k])))
 }
 
-/// The y of a line at an x.
+/// The y of a line at an x; of an upright edge, which a strip as narrow as rounding may reach, that of its start.
 fn height(Line { from, to, .. }: &Line, x: f64) -> f64 {
-    let part = ((x - from[0]) / (to[0] - from[0])).clamp(0.0, 1.0);
+    let width = to[0] - from[0];
+    let part = if width > 0.0 { ((x - from[0]) / width).clamp(0.0, 1.0) } else { 0.0 };
     from[1] + part * (to[1] - from[1])
 }
 

@@ -535,8 +535,8 @@ fn parts_that_overlap_are_united_where_that_is_asked() {
         let united = json(&run(&[file, "--union"]));
         near(&united["mass"], 12.0);
         near(&united["volume"], 3.0);
-        near(&united["inertia"][0][0], 12.0 * (1.0 + 1.0) / 12.0);
-        near(&united["inertia"][1][1], 12.0 * (9.0 + 1.0) / 12.0);
+        near(&united["inertia"]["tensor"][0][0], 12.0 * (1.0 + 1.0) / 12.0);
+        near(&united["inertia"]["tensor"][1][1], 12.0 * (9.0 + 1.0) / 12.0);
         near(&united["center_of_mass"][0], 1.5);
         let said = &united["source"]["union"];
         near(&said["shared_m3"], 2.0);

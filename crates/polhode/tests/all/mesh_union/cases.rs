@@ -54,7 +54,7 @@ impl Body {
 }
 
 pub(super) fn mesh(bodies: &[Body]) -> TriangleMesh {
-    let all = bodies.iter().skip(1).fold(bodies[0].clone(), |all, body| all.with(body));
+    let all = bodies.iter().skip(1).fold(bodies[0].clone(), Body::with);
     TriangleMesh::new(all.points, all.triangles).unwrap()
 }
 
@@ -162,7 +162,10 @@ pub(super) struct Case {
     pub(super) bodies: Vec<Body>,
 }
 
-const KINDS: [(&str, fn(&mut Random) -> Vec<Body>); 13] = [
+/// A kind of case, and what makes one.
+type Kind = (&'static str, fn(&mut Random) -> Vec<Body>);
+
+const KINDS: [Kind; 13] = [
     ("bricks", bricks),
     ("turned bricks", turned_bricks),
     ("spheres", spheres),

@@ -53,6 +53,7 @@ Examples:
   polhode inertia robot.urdf --subtree palm --joint left_finger=\"5 mm\"
   polhode inertia robot.urdf --table
   polhode inertia torn.stl --unit mm --material steel --weld \"0.01 mm\" --write-mesh whole.stl
+  polhode inertia gripper.stl --unit mm --material steel --union
   polhode inertia parts/*.stl --unit mm --material steel --csv
   polhode inertia examples/notes/11-05-principal-axes.toml --axes")]
 pub(crate) struct Inertia {

@@ -11,9 +11,11 @@ use polhode::body::{Finding, Form, MassProperties, Severity};
 use polhode_formats::expression::Expression;
 use polhode_formats::mesh::{
     AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshPart, MeshRepair, MeshSolid, RepairBound,
+    UnitedMesh,
 };
 use polhode_formats::unit::Dimension;
 use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
+use serde_json::json;
 
 use super::field;
 use super::model::{Model, Piece, unfit};
@@ -55,6 +57,10 @@ pub(super) struct MeshFlags {
     /// Close holes that are at most so large across, after a weld: a length such as "2 mm", or a plain number, a part of the mesh's size.
     #[arg(long, value_name = "SIZE", value_parser = beside_mesh, conflicts_with_all = ["hull", "shell", "quick"])]
     fill: Option<MeshLength>,
+    /// Take what lies in several parts of a mesh, or more than once in one, once: parts that overlap or repeat are one body, after a weld and a
+    /// fill.
+    #[arg(long, conflicts_with_all = ["shell", "quick", "part", "field", "tolerance", "write_mesh", "force"])]
+    union: bool,
     /// Write the mesh as it was used, welded, filled and wound outward, in the file's unit: .stl (binary), .obj or .ply.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["shell", "quick"])]
     write_mesh: Option<PathBuf>,
@@ -93,6 +99,7 @@ impl MeshFlags {
             (self.field.is_some(), "--field"),
             (self.weld.is_some(), "--weld"),
             (self.fill.is_some(), "--fill"),
+            (self.union, "--union"),
             (self.write_mesh.is_some(), "--write-mesh"),
             (self.quick, "--quick"),
         ];
@@ -196,9 +203,29 @@ fn whole(
         }
     }
     let (contents, repairs) = contents.mended(flags.weld, flags.fill, unit, file)?;
+    let name = file.display().to_string();
+    if flags.union {
+        let united = UnitedMesh::of(contents, file, unit)?;
+        findings.extend(united.findings_of(&repairs, &name));
+        findings.extend(united.findings_in(&name));
+        let what =
+            if flags.hull { "taken as the union of convex hulls" } else { "taken as the union of its parts" };
+        let union = json!({
+            "parts": united.union.parts(),
+            "shared_m3": united.union.shared(),
+            "left_out_m3": united.union.left_out(),
+            "volume_error_m3": united.union.error(),
+        });
+        let source =
+            described(what, given, count, united.unit).with("taken_as", "union").with("union", union);
+        let source = mended(source, &repairs);
+        let unit = united.unit;
+        let pieces = vec![Piece { name: String::new(), shape: Box::new(united.union) }];
+        return Ok(Model { source, unit, pieces, field: None });
+    }
     let solid = MeshSolid::of(contents, file, format, unit)?;
-    findings.extend(MeshRepair::findings(&repairs, &solid, &file.display().to_string()));
-    findings.extend(solid.findings_in(&file.display().to_string()));
+    findings.extend(MeshRepair::findings(&repairs, &solid, &name));
+    findings.extend(solid.findings_in(&name));
     let turned = solid.parts.iter().any(|part| part.mesh.inverted());
     let what = match (flags.hull, turned) {
         (true, _) => "taken as its convex hull",
@@ -215,14 +242,7 @@ fn whole(
     let source = described(what, triangles, solid.parts.len(), solid.unit)
         .with("vertices", vertices)
         .with("taken_as", taken_as);
-    let source = repairs
-        .iter()
-        .map(MeshRepair::for_programs)
-        .fold(source, |source, (name, value)| source.with(name, value));
-    let source = match repairs.as_slice() {
-        [] => source,
-        all => source.with("volume_bound_m3", RepairBound::of(all).volume),
-    };
+    let source = mended(source, &repairs);
     let field = match &flags.field {
         Some(formula) => Some(field::found(&solid.parts, formula, flags.tolerance)?),
         None => None,
@@ -230,6 +250,16 @@ fn whole(
     let piece =
         |part: polhode_formats::mesh::SolidPart| Piece { name: part.name, shape: Box::new(part.mesh) };
     Ok(Model { source, unit: solid.unit, pieces: solid.parts.into_iter().map(piece).collect(), field })
+}
+
+/// What was mended, for programs.
+fn mended(source: SourceInfo, repairs: &[MeshRepair]) -> SourceInfo {
+    if repairs.is_empty() {
+        return source;
+    }
+    let each = repairs.iter().map(MeshRepair::for_programs);
+    each.fold(source, |source, (name, value)| source.with(name, value))
+        .with("volume_bound_m3", RepairBound::of(repairs).volume)
 }
 
 /// The file of --write-mesh, which is written when the answer is known.

@@ -626,3 +626,91 @@ fn the_mesh_is_written_as_it_was_used_and_replaces_nothing_unasked() {
     refusal(&["new.obj", "two.obj"]);
     assert!(!scratch.entries().contains(&"new.obj".to_owned()));
 }
+
+/// Two bricks of 2 × 1 × 1 m that share a cube of 1 m, and a third one that the second one repeats, as one part or as three.
+fn three_bricks(groups: bool) -> String {
+    let mut text = String::new();
+    for (k, x) in [0.0, 1.0, 1.0].into_iter().enumerate() {
+        if groups {
+            text += &format!("g brick{k}\n");
+        }
+        for corner in 0..8 {
+            let [i, j, l] = [0, 1, 2].map(|axis| f64::from(corner >> axis & 1));
+            text += &format!("v {} {j} {l}\n", x + 2.0 * i);
+        }
+        for [a, b, c, d] in
+            [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+        {
+            let [a, b, c, d] = [a, b, c, d].map(|v| v + 8 * k + 1);
+            text += &format!("f {a} {b} {c}\nf {a} {c} {d}\n");
+        }
+    }
+    text
+}
+
+#[test]
+fn parts_that_overlap_are_united_where_that_is_asked() {
+    let scratch = Scratch::new("union");
+    scratch.write("one.obj", &three_bricks(false));
+    scratch.write("three.obj", &three_bricks(true));
+    let run = |arguments: &[&str]| {
+        scratch.run(&[&["inertia"], arguments, &["--unit", "m", "--density", "4 kg/m^3", "--json"]].concat())
+    };
+    let refusal = |arguments: &[&str]| refused(&scratch.run(&[&["inertia"], arguments].concat()), 2);
+    let error = refusal(&["one.obj"]);
+    assert!(error.contains("hint: --union takes what lies in several parts once"), "{error}");
+    let warned = json(&run(&["three.obj"]));
+    near(&warned["mass"], 24.0);
+    let overlap =
+        warned["findings"].as_array().unwrap().iter().find(|f| f["code"] == "mesh.parts_overlap").unwrap();
+    assert!(overlap["message"].as_str().unwrap().contains("--union"), "{overlap}");
+    for file in ["one.obj", "three.obj"] {
+        let united = json(&run(&[file, "--union"]));
+        near(&united["mass"], 12.0);
+        near(&united["volume"], 3.0);
+        near(&united["inertia"]["tensor"][0][0], 12.0 * (1.0 + 1.0) / 12.0);
+        near(&united["inertia"]["tensor"][1][1], 12.0 * (9.0 + 1.0) / 12.0);
+        near(&united["center_of_mass"][0], 1.5);
+        let said = &united["source"]["union"];
+        near(&said["shared_m3"], 2.0);
+        assert!(number(&said["volume_error_m3"]) < 1e-14 && united["source"]["taken_as"] == "union");
+        let finding = &united["findings"][0];
+        assert_eq!((&finding["code"], &finding["severity"]), (&"mesh.united".into(), &"warning".into()));
+        let message = finding["message"].as_str().unwrap();
+        assert!(
+            message.contains("as was asked: 2.0000e0 m³ (6.7e-1 of the volume) lay in more than one place"),
+            "{message}"
+        );
+    }
+    // In a scenario it is the same.
+    for (union, code) in [("true", "mesh.united"), ("false", "")] {
+        let part = format!(
+            "[[body.part]]\nshape = \"mesh\"\nfile = \"one.obj\"\nunit = \"m\"\nunion = {union}\ndensity = 4\n"
+        );
+        scratch.write("body.toml", &part);
+        if code.is_empty() {
+            assert!(refusal(&["body.toml"]).contains("union = true"));
+            continue;
+        }
+        let scenario = json(&scratch.run(&["inertia", "body.toml", "--json"]));
+        near(&scenario["mass"], 12.0);
+        assert_eq!(scenario["findings"][0]["code"], code);
+    }
+    // What is not closed is no union, and no hint says so.
+    scratch.write("open.obj", &three_bricks(false).replacen("f 1 3 4\n", "", 1));
+    for arguments in [&["open.obj"] as &[&str], &["open.obj", "--union"]] {
+        let error = refusal(arguments);
+        assert!(!error.contains("--union takes"), "{error}");
+    }
+    assert!(refusal(&["open.obj", "--union"]).contains("the mesh is open"));
+    let both = refusal(&["one.obj", "--union", "--write-mesh", "whole.stl"]);
+    assert!(both.contains("--union") && both.contains("--write-mesh"), "{both}");
+    // Nothing overlaps: the plain answer.
+    scratch
+        .write("sound.obj", three_bricks(false).split_inclusive('\n').take(20).collect::<String>().as_str());
+    let (plain, united) = (json(&run(&["sound.obj"])), json(&run(&["sound.obj", "--union"])));
+    assert_eq!((&plain["inertia"], &plain["mass"]), (&united["inertia"], &united["mass"]));
+    assert!(
+        united["findings"][0]["message"].as_str().unwrap().starts_with("nothing was united, as was asked")
+    );
+}

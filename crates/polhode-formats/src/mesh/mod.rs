@@ -20,6 +20,8 @@ pub mod stl;
 pub(crate) mod stl_error;
 pub mod stl_quick;
 pub mod threemf;
+mod union;
+mod union_hint;
 mod write;
 
 use std::path::Path;
@@ -35,6 +37,7 @@ pub use assumed_unit::{AssumedMetres, longest_side};
 pub use repair::{MeshLength, MeshRepair};
 pub use repair_bound::RepairBound;
 pub use solid::{MeshSolid, SolidPart};
+pub use union::UnitedMesh;
 
 /// What a mesh file says: parts and their triangles, in the file's own unit of length.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use polhode::body::mesh::{FilledMesh, TriangleMesh, WeldedMesh};
+use polhode::body::mesh::{FilledMesh, MeshEffect, TriangleMesh, WeldedMesh};
 use polhode::body::{BodyError, Finding, Severity};
 use serde_json::{Value, json};
 
@@ -87,14 +87,30 @@ pub enum MeshRepair {
 impl MeshRepair {
     /// What was done, and what all of it together means for the solids that came of it: warnings, or notes of what was asked for in vain.
     pub fn findings(repairs: &[Self], solid: &MeshSolid, file: &str) -> Vec<Finding> {
+        let whole = solid.parts.iter().map(|part| part.mesh.volume()).sum();
+        let effect = |bound: RepairBound| match solid.parts.as_slice() {
+            [only] => Some(only.mesh.effect(bound.volume, bound.beyond)),
+            _ => None,
+        };
+        Self::findings_on(repairs, whole, effect, file)
+    }
+
+    /// The same for what encloses so much, m³, and of which a bound says so much.
+    pub(super) fn findings_on(
+        repairs: &[Self],
+        whole: f64,
+        effect: impl Fn(RepairBound) -> Option<MeshEffect>,
+        file: &str,
+    ) -> Vec<Finding> {
         let last = repairs.iter().rposition(Self::is_something);
         let place = Some(crate::text::escaped(file));
         let finding = |(k, repair): (usize, &Self)| {
             let mut message = repair.in_words();
             if Some(k) == last {
                 let before = if repairs[..k].iter().any(Self::is_something) { " all together" } else { "" };
-                message +=
-                    &format!("; {}{}", repair.proviso(), effect(RepairBound::of(repairs), before, solid));
+                let bound = RepairBound::of(repairs);
+                let at_most = at_most(bound.volume, whole, effect(bound));
+                message += &format!("; {}{at_most}{before}", repair.proviso());
             }
             let severity = if repair.is_something() { Severity::Warning } else { Severity::Info };
             Finding { code: repair.code(), severity, message, place: place.clone() }
@@ -178,24 +194,15 @@ impl MeshRepair {
     }
 }
 
-/// " the volume may be off by …, at most"
-fn effect(bound: RepairBound, together: &str, solid: &MeshSolid) -> String {
-    let RepairBound { volume, beyond } = bound;
-    let whole: f64 = solid.parts.iter().map(|part| part.mesh.volume()).sum();
-    let effect = match solid.parts.as_slice() {
-        [only] => {
-            let effect = only.mesh.effect(volume, beyond);
-            format!(
-                ", the centre of mass by {:.1e} m, the tensor at one density by {:.1e} of its largest moment",
-                effect.center, effect.inertia
-            )
-        }
-        _ => String::new(),
-    };
-    format!(
-        "the volume may be off by {volume:.1e} m³ ({:.1e} of it){effect}, at most{together}",
-        volume / whole
-    )
+/// "the volume may be off by …, at most"
+fn at_most(volume: f64, whole: f64, effect: Option<MeshEffect>) -> String {
+    let effect = effect.map_or(String::new(), |effect| {
+        format!(
+            ", the centre of mass by {:.1e} m, the tensor at one density by {:.1e} of its largest moment",
+            effect.center, effect.inertia
+        )
+    });
+    format!("the volume may be off by {volume:.1e} m³ ({:.1e} of it){effect}, at most", volume / whole)
 }
 
 impl MeshContents {

@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use polhode::body::mesh::{ClosedMesh, TriangleMesh};
+use polhode::body::mesh::{ClosedMesh, MeshFlaws, TriangleMesh};
 use polhode::body::shape::{Shape, Substance};
 use polhode::body::{BodyError, Finding, MassProperties, Severity};
 use polhode::math::Part;
 
-use super::{MeshContents, MeshFormat, MeshLength, MeshPart};
+use super::{MeshContents, MeshFormat, MeshLength, MeshPart, union_hint};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::text::escaped;
 
@@ -101,7 +101,7 @@ impl MeshSolid {
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Self, FormatError> {
         let (solids, joined) = solids(&contents.parts, goes_on)
-            .map_err(|(part, error)| open_or_unsound(&contents, part, path, error, goes_on))?;
+            .map_err(|unsound| open_or_unsound(&contents, unsound, path, goes_on))?;
         contents.findings.extend(joined);
         Self::of_solids(contents, solids, path, format, unit)
     }
@@ -166,19 +166,22 @@ pub(super) fn no_solid(path: &Path, part: &str, error: BodyError) -> FormatError
     FormatError::new(path, None, FormatErrorKind::Mesh { part, error })
 }
 
-/// The same of one of the parts, with the weld or the fill that closes an open mesh.
+/// The same of one of the parts, with the weld or the fill that closes an open mesh, and whether parts that overlap can be united.
 fn open_or_unsound(
     contents: &MeshContents,
-    part: usize,
+    Unsound { part, flaws }: Unsound,
     path: &Path,
-    error: BodyError,
     goes_on: &(dyn Fn() -> bool + Sync),
 ) -> FormatError {
-    let is_open = matches!(error, BodyError::OpenMesh { .. });
-    let all = if is_open { joined(&contents.parts).ok() } else { None };
+    let is_open = matches!(flaws.first, BodyError::OpenMesh { .. });
+    let all = joined(&contents.parts).ok();
+    let union = all.as_ref().and_then(|all| union_hint::hint(all, &flaws, goes_on));
     let name = contents.parts.get(part).map_or("", |part| &part.name);
-    let error = no_solid(path, name, error);
-    let Some(all) = all else { return error };
+    let error = no_solid(path, name, flaws.first);
+    if let Some(union) = union {
+        return error.with_hint(union);
+    }
+    let Some(all) = all.filter(|_| is_open) else { return error };
     const ELSE: &str = "or take its convex hull by --hull, or a sheet along it by --shell";
     if let Some(weld) = all.closing_weld(goes_on) {
         return error.with_hint(format!(
@@ -199,23 +202,29 @@ fn open_or_unsound(
     }
 }
 
+/// Which part bounds no solid, and why.
+struct Unsound {
+    part: usize,
+    flaws: Box<MeshFlaws>,
+}
+
 /// Each part's solid, or that of all together; else which part is none, and why.
 fn solids(
     parts: &[MeshPart],
     goes_on: &(dyn Fn() -> bool + Sync),
-) -> Result<(Vec<SolidPart>, Option<Finding>), (usize, BodyError)> {
+) -> Result<(Vec<SolidPart>, Option<Finding>), Unsound> {
     let mut solids = Vec::new();
-    for (k, part) in parts.iter().enumerate() {
-        match ClosedMesh::watched(&part.mesh, goes_on) {
-            Ok(mesh) => solids.push(SolidPart { name: part.name.clone(), mesh }),
-            Err(error) => {
+    for (part, MeshPart { name, mesh }) in parts.iter().enumerate() {
+        match ClosedMesh::or_flaws(mesh, 0, goes_on) {
+            Ok((mesh, _)) => solids.push(SolidPart { name: name.clone(), mesh }),
+            Err(flaws) => {
                 // not a solid alone: one of a surface's pieces?
                 let one = if parts.len() > 1 {
                     joined(parts).and_then(|all| ClosedMesh::watched(&all, goes_on)).ok()
                 } else {
                     None
                 };
-                let Some(mesh) = one else { return Err((k, error)) };
+                let Some(mesh) = one else { return Err(Unsound { part, flaws }) };
                 let finding = Finding {
                     code: "mesh.joined",
                     severity: Severity::Info,
@@ -253,7 +262,7 @@ fn overlap(parts: &[MeshPart], solids: &[SolidPart]) -> Option<Finding> {
     );
     twice.then(|| {
         say(format!(
-            "what parts share counts for each of them: {error} (triangles numbered through all parts)"
+            "what parts share counts for each of them, if not united by --union: {error} (triangles numbered through all parts)"
         ))
     })
 }

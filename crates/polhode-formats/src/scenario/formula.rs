@@ -78,7 +78,7 @@ impl Formula {
         part: &str,
         findings: &mut Vec<Finding>,
     ) -> Result<MassProperties<Part>, FormatError> {
-        let solid = form.as_solid().ok_or_else(|| value.invalid("one number for what is thin"))?;
+        let solid = form.as_solid().ok_or_else(|| value.invalid("one number for what is thin or united"))?;
         let body = mass_properties_of_field(solid, &self.expression, self.cubature).map_err(|e| {
             let unreached = matches!(e, BodyError::Cubature { .. });
             let error = value.body(e);

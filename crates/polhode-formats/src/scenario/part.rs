@@ -1,9 +1,9 @@
 //! One `[[body.part]]`: a shape, a mesh, particles or a tensor, made of something, placed somewhere.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use polhode::body::mesh::ClosedMesh;
+use polhode::body::mesh::{ClosedMesh, MeshUnion};
 use polhode::body::shape::Extent;
 use polhode::body::{BodyPart, Finding, Particle, mass_properties_of_particles};
 use polhode::math::{Part, Position};
@@ -17,7 +17,7 @@ use super::tensor;
 use super::tree::Known;
 use crate::brep::BrepFormat;
 use crate::error::{FormatError, FormatErrorKind};
-use crate::mesh::{MeshContents, MeshFormat, MeshLength, MeshRepair, MeshSolid};
+use crate::mesh::{MeshContents, MeshFormat, MeshLength, MeshRepair, MeshSolid, UnitedMesh};
 use crate::unit::{self, Dimension, UnitError};
 
 /// Keys that every part may have.
@@ -52,6 +52,7 @@ pub(crate) fn part(
                 form: None,
             });
         }
+        "mesh" if is_united(&table)? => Geometry::Union(Box::new(united(&table, &name, findings)?)),
         "mesh" => Geometry::Mesh(mesh(&table, &name, findings)?),
         _ => shape(kind, &table)?,
     };
@@ -88,7 +89,7 @@ fn keys(kind: &str) -> Vec<&'static str> {
         "particles" => &[&["particles"]],
         "molecule" => &[&["file", "isotopes"]],
         "tensor" => &[&tensor::KEYS],
-        "mesh" => &[&["file", "unit", "weld"], &substance::KEYS],
+        "mesh" => &[&["file", "unit", "weld", "union"], &substance::KEYS],
         _ => &[SHAPES.iter().find(|(name, _)| *name == kind).map_or(&[], |(_, keys)| keys), &substance::KEYS],
     };
     COMMON.iter().chain(own.iter().copied().flatten()).copied().collect()
@@ -139,54 +140,102 @@ fn mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<Ar
     Ok(mesh)
 }
 
-/// The mesh of `file`, a path relative to the scenario, all its parts as one; in `unit`s, unless the file has a unit of its own.
-fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<ClosedMesh, FormatError> {
-    let file = table.require("file", "file = \"part.stl\"")?;
-    let written = file.string()?;
-    if written.is_empty() {
-        return Err(file.invalid("a path").with_hint("write file = \"part.stl\", relative to the scenario"));
-    }
-    let unit = table.get("unit").map(|value| length_unit(&value)).transpose()?;
-    let scenario = file.source().path;
-    let path = &file.path()?;
-    let Some(format) = MeshFormat::of_path(path) else {
-        if let Some(format) = BrepFormat::of(path) {
-            return Err(file.invalid("a mesh file").with_hint(format!(
-                "{}: {}",
-                format.refusal(),
-                format.hint(path)
-            )));
+/// What a mesh's table says of its file.
+struct MeshFile<'a> {
+    value: Value<'a>,
+    written: &'a str,
+    path: PathBuf,
+    format: MeshFormat,
+    unit: Option<f64>,
+    weld: Option<MeshLength>,
+}
+
+impl<'a> MeshFile<'a> {
+    /// `file`, a path relative to the scenario; in `unit`s, unless the file has a unit of its own.
+    fn of(table: &Table<'a>) -> Result<Self, FormatError> {
+        let value = table.require("file", "file = \"part.stl\"")?;
+        let written = value.string()?;
+        if written.is_empty() {
+            return Err(value
+                .invalid("a path")
+                .with_hint("write file = \"part.stl\", relative to the scenario"));
         }
-        let known: Vec<_> = MeshFormat::ALL.iter().flat_map(|format| format.extensions()).copied().collect();
-        return Err(file.invalid("a mesh file").with_hint(format!("mesh files end in {}", known.join(", "))));
-    };
-    let weld = table.get("weld").map(|value| weld_tolerance(&value)).transpose()?;
+        let unit = table.get("unit").map(|value| length_unit(&value)).transpose()?;
+        let path = value.path()?;
+        let Some(format) = MeshFormat::of_path(&path) else {
+            let hint = match BrepFormat::of(&path) {
+                Some(format) => format!("{}: {}", format.refusal(), format.hint(&path)),
+                None => {
+                    let known = MeshFormat::ALL.iter().flat_map(|format| format.extensions()).copied();
+                    format!("mesh files end in {}", known.collect::<Vec<_>>().join(", "))
+                }
+            };
+            return Err(value.invalid("a mesh file").with_hint(hint));
+        };
+        let weld = table.get("weld").map(|value| weld_tolerance(&value)).transpose()?;
+        Ok(Self { value, written, path, format, unit, weld })
+    }
+
+    /// What it holds, each part welded by itself, as the command does.
+    fn contents(&self) -> Result<(MeshContents, Option<MeshRepair>), FormatError> {
+        let contents = MeshContents::read_as(&self.path, self.written, self.format)?;
+        let Some(tolerance) = self.weld else { return Ok((contents, None)) };
+        let (welded, repair) = contents.welded(tolerance, self.unit, &self.path)?;
+        Ok((welded, Some(repair)))
+    }
+
+    fn blamed(&self, error: FormatError) -> FormatError {
+        match error.kind() {
+            // A file that is not there has no lines: the scenario's line is to blame.
+            kind @ FormatErrorKind::Io { .. } => self
+                .value
+                .error(kind.clone())
+                .with_hint(format!("paths are relative to the scenario: this one is {:?}", self.path)),
+            _ => error.named_in(self.value.source().path, self.value.place()),
+        }
+    }
+}
+
+/// All parts of a mesh file as one.
+fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<ClosedMesh, FormatError> {
+    let file = MeshFile::of(table)?;
+    let MeshFile { ref value, ref path, written, format, unit, weld } = file;
     let known =
-        file.source().mesh.filter(|known| known.path == *path && known.unit == unit && weld.is_none());
+        value.source().mesh.filter(|known| known.path == *path && known.unit == unit && weld.is_none());
     let mut repair = None;
     let read = || {
-        let mut contents = MeshContents::read_as(path, written, format)?;
-        // Each part by itself, as the command does.
-        if let Some(tolerance) = weld {
-            let (welded, done) = contents.welded(tolerance, unit, path)?;
-            (contents, repair) = (welded, Some(done));
-        }
+        let (contents, done) = file.contents()?;
+        repair = done;
         let one = contents.as_one().map_err(|e| FormatError::new(path, None, FormatErrorKind::Body(e)))?;
-        MeshSolid::watched(one, path, format, unit, file.source().watch.0)
+        MeshSolid::watched(one, path, format, unit, value.source().watch.0)
     };
     let solid = known.map_or_else(read, |known| Ok(known.solid.clone()));
-    let solid = solid.map_err(|error| match error.kind() {
-        // A file that is not there has no lines: the scenario's line is to blame.
-        kind @ FormatErrorKind::Io { .. } => file
-            .error(kind.clone())
-            .with_hint(format!("paths are relative to the scenario: this one is {path:?}")),
-        _ => error.named_in(scenario, file.place()),
-    })?;
+    let solid = solid.map_err(|error| file.blamed(error))?;
     let place = format!("part \"{name}\", {written}");
     findings.extend(MeshRepair::findings(repair.as_slice(), &solid, &place));
     findings.extend(solid.findings_in(&place));
     let mut parts = solid.parts;
-    parts.pop().map(|part| part.mesh).ok_or_else(|| file.invalid("a mesh with triangles"))
+    parts.pop().map(|part| part.mesh).ok_or_else(|| value.invalid("a mesh with triangles"))
+}
+
+/// `union = true`
+fn is_united(table: &Table<'_>) -> Result<bool, FormatError> {
+    table.get("union").map_or(Ok(false), |value| value.boolean())
+}
+
+/// What all parts of a mesh file enclose together.
+fn united(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<MeshUnion, FormatError> {
+    let file = MeshFile::of(table)?;
+    let read = || {
+        let (contents, repair) = file.contents()?;
+        let united = UnitedMesh::watched(contents, &file.path, file.unit, file.value.source().watch.0)?;
+        Ok((united, repair))
+    };
+    let (united, repair) = read().map_err(|error| file.blamed(error))?;
+    let place = format!("part \"{name}\", {}", file.written);
+    findings.extend(united.findings_of(repair.as_slice(), &place));
+    findings.extend(united.findings_in(&place));
+    Ok(united.union)
 }
 
 /// Of a mesh that has no unit and is given none, whether its mass is given; `None` of all other parts.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use polhode::body::density::{Parametrised, Solid};
-use polhode::body::mesh::ClosedMesh;
+use polhode::body::mesh::{ClosedMesh, MeshUnion};
 use polhode::body::shape::{
     BoxShape, BoxShell, Capsule, Cone, Cylinder, CylinderShell, Disk, Ellipsoid, Plate, Rod, Shape, Sphere,
     SphereShell, Tetrahedron, Torus,
@@ -37,6 +37,8 @@ pub(crate) enum Geometry {
     Solid(Box<dyn Parametrised>),
     /// A polyhedron, whose density may vary too.
     Mesh(Arc<ClosedMesh>),
+    /// What the parts of a mesh enclose together, of one density.
+    Union(Box<MeshUnion>),
     /// A thin shell, plate or rod.
     Thin(Box<dyn Shape>),
 }
@@ -54,6 +56,7 @@ impl Geometry {
         match self {
             Self::Solid(shape) => shape.as_ref(),
             Self::Mesh(mesh) => mesh.as_ref(),
+            Self::Union(union) => union.as_ref(),
             Self::Thin(shape) => shape.as_ref(),
         }
     }
@@ -63,7 +66,7 @@ impl Geometry {
         match self {
             Self::Solid(shape) => Some(Solid::Shape(shape.as_ref())),
             Self::Mesh(mesh) => Some(Solid::Mesh(mesh)),
-            Self::Thin(_) => None,
+            Self::Union(_) | Self::Thin(_) => None,
         }
     }
 }

@@ -152,6 +152,20 @@ pub enum BodyError {
         /// What it encloses, negative, in the mesh's own units cubed.
         volume: f64,
     },
+    /// A mesh that winds negatively about places: their union with the others would leave out what may be solid.
+    NegativeUnion {
+        /// How much that is, in the mesh's own units cubed.
+        volume: f64,
+        /// What it winds about once or more often.
+        whole: f64,
+    },
+    /// A mesh whose union cannot be computed well enough.
+    UnionUnclear {
+        /// What it would enclose, in the mesh's own units cubed.
+        volume: f64,
+        /// What that may be off.
+        error: f64,
+    },
     /// A closed mesh that encloses nothing.
     FlatMesh {
         /// Enclosed volume, in the mesh's own units cubed.
@@ -255,6 +269,15 @@ impl fmt::Display for BodyError {
                 "a part of the mesh is wound inward and in no solid, so its volume counts negative ({volume:e}): \
                  the part of triangle {triangle}, the first of {parts}"
             ),
+            Self::NegativeUnion { volume, whole } => write!(
+                f,
+                "the mesh winds about {volume:e} the wrong way round (about {whole:e} the right way), so its parts are no solids that could \
+                 be united"
+            ),
+            Self::UnionUnclear { volume, error } => write!(
+                f,
+                "what the parts of the mesh enclose together is not known well enough: {volume:e}, but for {error:.1e}"
+            ),
             Self::FlatMesh { volume } => write!(f, "the mesh is closed, but encloses no volume ({volume:e})"),
             Self::Density { at: [x, y, z], value } => {
                 write!(
@@ -317,6 +340,11 @@ impl BodyError {
             Self::NestedSolid { .. } => Some(
                 "a cavity is wound inward: turn its normals; a solid within a solid is to be united with it",
             ),
+            Self::NegativeUnion { .. } => Some(
+                "turn the normals of parts that are wound inward outward; where a part goes through itself, its inside turns out: mend it in \
+                 the tool that made the mesh",
+            ),
+            Self::UnionUnclear { .. } => Some("unite the parts in the tool that made the mesh"),
             Self::InvertedPart { .. } => Some("turn the normals of this part outward"),
             _ => None,
         }

@@ -23,6 +23,7 @@ mod mesh_diagnosis;
 mod mesh_fill;
 mod mesh_hull;
 mod mesh_shapes;
+mod mesh_union;
 mod mesh_weld;
 mod motion;
 mod orbits;

@@ -24,6 +24,7 @@ const ANY: &[&str] = &[
     "torn",
     "holed",
     "again",
+    "parts overlapping",
 ];
 const MESHES: &[&str] = &[
     "parts",
@@ -36,6 +37,7 @@ const MESHES: &[&str] = &[
     "holed again",
     "torn unnamed",
     "holed unnamed",
+    "parts overlapping",
 ];
 const NAMED: &[&str] = &[
     "parts",
@@ -63,6 +65,10 @@ static INERTIA: Subcommand = Subcommand {
         ("torn unnamed", &["two.dat"]),
         ("holed unnamed", &["two.dat"]),
         ("again unnamed", &["two.dat"]),
+        ("parts overlapping", &["two.obj"]),
+        ("torn overlapping", &["two.obj"]),
+        ("holed overlapping", &["two.obj"]),
+        ("unnamed overlapping", &["two.dat"]),
         ("stl", &["one.stl"]),
         ("points", &["points.csv"]),
         ("particles", &["particles.csv"]),
@@ -85,8 +91,24 @@ static INERTIA: Subcommand = Subcommand {
         ),
         choice("--field", &["--field", "2700 + 300*hypot(x, y)"], MESHES, &[]),
         choice("--tolerance", &["--tolerance", "1e-3"], MESHES, &["--field"]),
-        choice("--weld", &["--weld", "1e-6"], &["torn", "torn holed", "torn again", "torn unnamed"], &[]),
-        choice("--fill", &["--fill", "0.5"], &["holed", "torn holed", "holed again", "holed unnamed"], &[]),
+        choice(
+            "--weld",
+            &["--weld", "1e-6"],
+            &["torn", "torn holed", "torn again", "torn unnamed", "torn overlapping"],
+            &[],
+        ),
+        choice(
+            "--fill",
+            &["--fill", "0.99"],
+            &["holed", "torn holed", "holed again", "holed unnamed", "holed overlapping"],
+            &[],
+        ),
+        choice(
+            "--union",
+            &["--union"],
+            &["parts overlapping", "torn overlapping", "holed overlapping", "unnamed overlapping"],
+            &[],
+        ),
         choice(
             "--write-mesh",
             &["--write-mesh", "out.obj"],
@@ -116,7 +138,7 @@ static INERTIA: Subcommand = Subcommand {
         choice(
             "--format",
             &["--format", "obj"],
-            &["unnamed", "torn unnamed", "holed unnamed", "again unnamed"],
+            &["unnamed", "torn unnamed", "holed unnamed", "again unnamed", "unnamed overlapping"],
             &[],
         ),
         choice("--about", &["--about", "5 mm, 0, 8 mm"], ANY, &[]),

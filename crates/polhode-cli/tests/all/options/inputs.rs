@@ -113,6 +113,9 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
             if words.contains(&"again") {
                 scratch.write("out.obj", "an older one");
             }
+            if words.contains(&"overlapping") {
+                text = text.replace("v 10", "v 0").replace("v 12", "v 2");
+            }
             scratch.write("two.obj", &text);
             scratch.write("two.dat", &text);
         }

@@ -449,7 +449,13 @@ fn a_key_in_another_table_is_told_its_own() {
     assert!(!parse("").unwrap_err().hint().unwrap().contains('\n'));
     // Where nothing says which shape it is, the keys of all are listed.
     let many = parse("[[body.part]]\nzzz=1").unwrap_err().hint().unwrap();
-    assert!(!many.contains('…') && many.contains("semi_axes") && many.ends_with("vertices, weld"), "{many}");
+    assert!(
+        !many.contains('…')
+            && many.contains("semi_axes")
+            && many.contains("union")
+            && many.ends_with("vertices, weld"),
+        "{many}"
+    );
 }
 
 #[test]

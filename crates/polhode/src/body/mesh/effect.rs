@@ -2,7 +2,7 @@
 
 use super::ClosedMesh;
 use super::close_pairs::distance;
-use crate::body::shape::Shape;
+use crate::body::shape::{Shape, Spread};
 
 /// How far the mass properties of a solid may be off: [`ClosedMesh::effect`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,16 +22,22 @@ impl ClosedMesh {
     ///
     /// With V, its part ΔV, the farthest R of it from the centre of mass: Δc ≤ ΔV R/(V − ΔV), ΔI ≤ ΔV R² + (V + ΔV) Δc².
     pub fn effect(&self, volume: f64, beyond: f64) -> MeshEffect {
-        let spread = self.spread();
+        MeshEffect::of(&self.spread(), self.surface().coordinates(), volume, beyond)
+    }
+}
+
+impl MeshEffect {
+    /// The same of a solid with these corners.
+    pub(super) fn of(spread: &Spread, corners: &[[f64; 3]], volume: f64, beyond: f64) -> Self {
         let centroid = spread.centroid().to_array();
-        let from_center = self.surface().coordinates().iter().map(|p| distance(*p, centroid));
+        let from_center = corners.iter().map(|p| distance(*p, centroid));
         let reach = from_center.fold(0.0, f64::max) + beyond;
-        let whole = self.volume();
+        let whole = spread.extent().measure();
         let center = if volume < whole { volume * reach / (whole - volume) } else { f64::INFINITY };
         // tr C − λ, with the least eigenvalue λ of the covariance
         let least = spread.covariance.eigen().values.into_iter().fold(f64::INFINITY, f64::min);
         let largest = spread.size_squared() - least;
         let second = volume * reach * reach + (whole + volume) * center * center;
-        MeshEffect { volume: volume / whole, center, inertia: second / (whole * largest) }
+        Self { volume: volume / whole, center, inertia: second / (whole * largest) }
     }
 }

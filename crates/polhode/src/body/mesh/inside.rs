@@ -39,6 +39,8 @@ struct Hit {
     triangle: usize,
     /// It lies on the triangle that the ray begins at.
     coplanar: bool,
+    /// Its normal points along the ray.
+    along: bool,
 }
 
 impl Windings<'_> {
@@ -77,6 +79,19 @@ impl Windings<'_> {
         nesting
     }
 
+    /// How often a closed mesh winds about what is just before a triangle and just behind it, at its first corner, where each triangle counts
+    /// as often as it is there; `None` if the triangle has no area.
+    pub(crate) fn beside(&self, triangle: usize, times: impl Fn(usize) -> i32) -> Option<[i32; 2]> {
+        let germ = self.welded.triangle(triangle);
+        let (axis, sign) = facing(germ)?;
+        let (mut ahead, mut coplanar) = (0, 0);
+        self.hits(axis, &germ, |hit| {
+            let step = if hit.along { times(hit.triangle) } else { -times(hit.triangle) };
+            if hit.coplanar { coplanar += step } else { ahead += step }
+        });
+        Some(if sign > 0.0 { [ahead, ahead + coplanar] } else { [ahead + coplanar, ahead] })
+    }
+
     /// An axis along which a triangle is seen, and whether its outer side faces along it.
     fn facing(&self, triangle: usize) -> Option<(usize, bool)> {
         let (axis, sign) = facing(self.welded.triangle(triangle))?;
@@ -97,7 +112,7 @@ impl Windings<'_> {
             let height = first_sign(germ.iter().map(|&p| side(triangle, p)));
             // Ahead of the germ: behind the plane if its normal points along the ray, before it if against.
             if height == 0.0 || (height < 0.0) == left {
-                hit(Hit { triangle: t, coplanar: height == 0.0 });
+                hit(Hit { triangle: t, coplanar: height == 0.0, along: left });
             }
         });
         self.work.take(visits);

@@ -27,6 +27,7 @@ pub(crate) mod shell;
 mod threads;
 mod tree;
 mod umbrella;
+pub(crate) mod union;
 mod weld;
 pub(crate) mod weld_near;
 mod work;
@@ -41,6 +42,7 @@ pub use hull::ConvexHull;
 pub use near_miss::{ClosingFill, ClosingWeld};
 pub use places::MeshPlaces;
 pub use shell::MeshShell;
+pub use union::MeshUnion;
 pub use weld_near::WeldedMesh;
 
 use super::error::BodyError;

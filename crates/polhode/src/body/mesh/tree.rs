@@ -254,6 +254,20 @@ impl Tree {
         true
     }
 
+    /// Calls `hit` for every triangle whose box, a little larger than what is rounded, meets that of a triangle.
+    pub(crate) fn near(&self, welded: &Welded, triangle: &[[f64; 3]; 3], mut hit: impl FnMut(u32)) {
+        let mut about = self.bounds(triangle);
+        for k in 0..3 {
+            about.low[k] -= MARGIN;
+            about.high[k] += MARGIN;
+        }
+        let open = |_: usize, _: &Bounds| true;
+        self.all_within(welded, &about, open, |t, _| {
+            hit(t);
+            true
+        });
+    }
+
     /// Calls `hit` for every triangle whose box the ray from a point along an axis may meet.
     pub(crate) fn along(&self, welded: &Welded, point: [f64; 3], axis: usize, mut hit: impl FnMut(u32)) {
         let [x, y, z] = self.reduced(point);

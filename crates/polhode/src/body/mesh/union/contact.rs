@@ -1,0 +1,115 @@
+//! Which triangles have nothing in common with others but corners and edges.
+
+use core::ops::ControlFlow;
+
+use super::super::layer::Layers;
+use super::super::meeting::Meeting;
+use super::super::predicate::{across, facing, side, turn};
+use super::super::threads::Threads;
+use super::super::tree::Tree;
+use super::super::weld::Welded;
+use super::super::work::Work;
+use super::weighted::Weighted;
+
+/// For each triangle: may another one meet it beyond the corners and edges that they share? Also where it is only nearly so, but always where
+/// it is so, but for points.
+///
+/// Where neither of the two triangles of an edge is met, nothing lies on the edge: the winding number is the same on both of their outer sides.
+pub(super) fn met(
+    mesh: &Weighted,
+    tree: &Tree,
+    collinear: &[u32],
+    work: &Work<'_>,
+    threads: Threads,
+) -> Vec<bool> {
+    let welded = &mesh.welded;
+    let mut met = vec![false; welded.corners.len()];
+    let doubtful = Layers::of(welded, tree, &mesh.edges, collinear).doubtful(work, threads);
+    let doubtful = tree.part(welded, doubtful, threads);
+    let boxes = doubtful.boxes(welded, threads);
+    let found = threads.map_pieces(doubtful.leaves(), LEAVES, |leaves| {
+        let mut found = Vec::new();
+        doubtful.pairs(&boxes, leaves, |t, u| {
+            if !work.take(PAIR) {
+                return ControlFlow::Break(());
+            }
+            if may_meet(welded, t, u) {
+                found.extend([t, u]);
+            }
+            ControlFlow::Continue(())
+        });
+        found.sort_unstable();
+        found.dedup();
+        found
+    });
+    found.into_iter().flatten().for_each(|t| met[t as usize] = true);
+    met
+}
+
+/// Leaves in a piece of work.
+const LEAVES: usize = 1 << 9;
+
+/// What comparing two triangles costs, in visits of a ray.
+const PAIR: u64 = 4;
+
+/// Of two triangles that have areas and are not the same.
+fn may_meet(welded: &Welded, t: u32, u: u32) -> bool {
+    let [own, other] = [t, u].map(|t| welded.corners[t as usize]);
+    let [a, b] = [t, u].map(|t| welded.triangle(t as usize));
+    let shared = |v: [u32; 3], w: [u32; 3]| v.map(|corner| w.contains(&corner));
+    let (of_t, of_u) = (Corners::beside(b, a, shared(own, other)), Corners::beside(a, b, shared(other, own)));
+    if of_t.are_apart() || of_u.are_apart() {
+        return false;
+    }
+    let is_coplanar = of_u.heights == [0.0; 3];
+    if !is_coplanar && of_u.shared.iter().filter(|&&shared| shared).count() == 2 {
+        return false; // they have an edge in common, and so nothing else
+    }
+    if is_coplanar || !of_t.touch() && !of_u.touch() {
+        return Meeting::of(own, other, |v| welded.points[v as usize]) != Meeting::Apart;
+    }
+    !(of_t.touch_beside(b) || of_u.touch_beside(a))
+}
+
+/// The corners of a triangle beside the plane of another.
+struct Corners {
+    points: [[f64; 3]; 3],
+    heights: [f64; 3],
+    /// With the other triangle.
+    shared: [bool; 3],
+}
+
+impl Corners {
+    fn beside(plane: [[f64; 3]; 3], points: [[f64; 3]; 3], shared: [bool; 3]) -> Self {
+        let height = |k: usize| if shared[k] { 0.0 } else { side(plane, points[k]) };
+        Self { points, heights: [0, 1, 2].map(height), shared }
+    }
+
+    /// All but the shared ones lie on one side.
+    fn are_apart(&self) -> bool {
+        let all = |so: fn(f64) -> bool| (0..3).all(|k| self.shared[k] || so(self.heights[k]));
+        all(|h| h > 0.0) || all(|h| h < 0.0)
+    }
+
+    /// Some that are not shared lie in the plane.
+    fn touch(&self) -> bool {
+        (0..3).any(|k| !self.shared[k] && self.heights[k] == 0.0)
+    }
+
+    /// The triangle has nothing on one side of the plane, and what it has in it is beyond an edge of the other triangle, but for a shared
+    /// corner on that edge.
+    fn touch_beside(&self, other: [[f64; 3]; 3]) -> bool {
+        if self.heights.iter().any(|&h| h > 0.0) && self.heights.iter().any(|&h| h < 0.0) {
+            return false;
+        }
+        let Some((axis, sign)) = facing(other) else { return false };
+        let other = other.map(|p| across(axis, p));
+        (0..3).any(|edge| {
+            let inward = |p: [f64; 3]| sign * turn(other[edge], other[(edge + 1) % 3], across(axis, p));
+            (0..3).all(|k| {
+                let height = inward(self.points[k]);
+                self.heights[k] != 0.0 || height < 0.0 || self.shared[k] && height == 0.0
+            })
+        })
+    }
+}

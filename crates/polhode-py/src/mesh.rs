@@ -8,6 +8,7 @@ use polhode::body::shape::{Extent, Shape, Substance};
 use polhode::body::{Finding, MassProperties, Severity};
 use polhode_formats::mesh::{
     AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshPart, MeshRepair, MeshSolid, RepairBound,
+    UnitedMesh,
 };
 use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
 use pyo3::prelude::*;
@@ -32,6 +33,8 @@ pub(crate) struct MeshOptions {
     weld: Option<String>,
     /// How far across holes may be that are filled, as text.
     fill: Option<String>,
+    /// What lies in several parts once.
+    union: bool,
 }
 
 /// A length beside the mesh, of an option of this name.
@@ -106,7 +109,7 @@ fn of_contents(
     substance: Option<Substance>,
     (source, title): (SourceInfo, &str),
 ) -> PyResult<PyMassProperties> {
-    let (given, encoding) = (contents.triangles(), contents.encoding);
+    let (given, count, encoding) = (contents.triangles(), contents.parts.len(), contents.encoding);
     let in_metres = options.unit.is_none() && contents.unit.is_none();
     let described = |what: &str, triangles: usize, parts: usize, unit: f64| {
         let several = if parts > 1 { format!(", {parts} parts") } else { String::new() };
@@ -141,8 +144,26 @@ fn of_contents(
     let (weld, fill) = (length("weld", options.weld.as_ref())?, length("fill", options.fill.as_ref())?);
     let mended = contents.mended(weld, fill, options.unit, path).map_err(Raise::raise)?;
     let (contents, repairs) = mended;
-    let solid = MeshSolid::of(contents, path, format, options.unit).map_err(Raise::raise)?;
     let file = path.display().to_string();
+    if options.union {
+        let united = UnitedMesh::of(contents, path, options.unit).map_err(Raise::raise)?;
+        let mut findings = united.findings_of(&repairs, &file);
+        findings.extend(united.findings_in(&file));
+        let (name, numbers) = united.for_programs();
+        let source = described(
+            if options.hull {
+                "taken as the union of convex hulls"
+            } else {
+                "taken as the union of its parts"
+            },
+            given,
+            count,
+            united.unit,
+        );
+        let source = with_repairs(source.with("taken_as", "union").with(name, numbers), &repairs);
+        return weighed(source, vec![(String::new(), boxed(united.union))], substance, findings, in_metres);
+    }
+    let solid = MeshSolid::of(contents, path, format, options.unit).map_err(Raise::raise)?;
     let mut findings = MeshRepair::findings(&repairs, &solid, &file);
     findings.extend(solid.findings_in(&file));
     let turned = solid.parts.iter().any(|part| part.mesh.inverted());
@@ -158,16 +179,19 @@ fn of_contents(
     };
     let source = described(what, triangles, solid.parts.len(), solid.unit);
     let source = source.with("vertices", vertices).with("taken_as", taken_as);
-    let source = repairs
-        .iter()
-        .map(MeshRepair::for_programs)
-        .fold(source, |source, (name, value)| source.with(name, value));
-    let source = match repairs.as_slice() {
-        [] => source,
-        all => source.with("volume_bound_m3", RepairBound::of(all).volume),
-    };
+    let source = with_repairs(source, &repairs);
     let pieces = solid.parts.into_iter().map(|part| (part.name, boxed(part.mesh)));
     weighed(source, pieces.collect(), substance, findings, in_metres)
+}
+
+/// The source with what was mended, for programs.
+fn with_repairs(source: SourceInfo, repairs: &[MeshRepair]) -> SourceInfo {
+    if repairs.is_empty() {
+        return source;
+    }
+    let each = repairs.iter().map(MeshRepair::for_programs);
+    each.fold(source, |source, (name, value)| source.with(name, value))
+        .with("volume_bound_m3", RepairBound::of(repairs).volume)
 }
 
 fn boxed<S: Shape + 'static>(shape: S) -> Box<dyn Shape> {

@@ -33,6 +33,27 @@ def test_hulls_and_sheets(examples: Path) -> None:
     assert np.isclose(sheet.mass, 1000.0 * 1e-4 * solid.surface_area, rtol=1e-12)
 
 
+def test_parts_that_overlap_are_united_if_asked() -> None:
+    corner = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
+    faces = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]]
+    (a, b), (c, d) = ([0.0, 0.0, 0.0], [3.0, 2.0, 1.0]), ([1.0, 0.5, -0.25], [3.5, 1.0, 0.75])
+    vertices = np.vstack([a + corner * b, c + corner * d])
+    triangles = np.vstack([faces, np.array(faces) + 8])
+    with pytest.raises(polhode.PolhodeError, match="--union takes what lies in several parts once"):
+        polhode.inertia((vertices, triangles), unit="m", density=4.0)
+    with pytest.warns(polhode.PolhodeWarning, match=r"2 parts were united.*\[mesh.united\]"):
+        body = polhode.inertia((vertices, triangles), unit="m", density=4.0, union=True)
+    # of two boxes and what they share
+    shared = (np.array([1.0, 0.5, 0.0]), np.array([2.0, 1.0, 0.5]))
+    boxes = [(1.0, (np.array(a), np.array(b))), (1.0, (np.array(c), np.array(d))), (-1.0, shared)]
+    mass = sum(sign * 4.0 * np.prod(size) for sign, (_, size) in boxes)
+    center = sum(sign * 4.0 * np.prod(size) * (low + size / 2) for sign, (low, size) in boxes) / mass
+    assert math.isclose(body.mass, mass, rel_tol=1e-12) and np.allclose(body.center_of_mass, center, rtol=1e-12)
+    assert math.isclose(body.to_dict()["source"]["union"]["shared_m3"], 1.0, rel_tol=1e-12)
+    with pytest.raises(polhode.PolhodeError, match="shell and union are both given"):
+        polhode.inertia((vertices, triangles), unit="m", shell=0.01, union=True)
+
+
 def test_torn_and_holed_meshes_are_mended_if_asked(tmp_path: Path) -> None:
     vertices = [[0.1, 0, 0], [2.1, 0, 0], [0.1, 3, 0], [0.1, 0, 1], [0.1000021, 0, 1], [0.1, 0.0000013, 1]]
     torn = [[0, 2, 1], [0, 1, 3], [0, 4, 2], [1, 2, 5]]

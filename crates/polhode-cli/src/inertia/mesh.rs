@@ -15,7 +15,6 @@ use polhode_formats::mesh::{
 };
 use polhode_formats::unit::Dimension;
 use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
-use serde_json::json;
 
 use super::field;
 use super::model::{Model, Piece, unfit};
@@ -210,14 +209,9 @@ fn whole(
         findings.extend(united.findings_in(&name));
         let what =
             if flags.hull { "taken as the union of convex hulls" } else { "taken as the union of its parts" };
-        let union = json!({
-            "parts": united.union.parts(),
-            "shared_m3": united.union.shared(),
-            "left_out_m3": united.union.left_out(),
-            "volume_error_m3": united.union.error(),
-        });
+        let (union, numbers) = united.for_programs();
         let source =
-            described(what, given, count, united.unit).with("taken_as", "union").with("union", union);
+            described(what, given, count, united.unit).with("taken_as", "union").with(union, numbers);
         let source = mended(source, &repairs);
         let unit = united.unit;
         let pieces = vec![Piece { name: String::new(), shape: Box::new(united.union) }];

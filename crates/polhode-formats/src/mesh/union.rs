@@ -4,6 +4,7 @@ use std::path::Path;
 
 use polhode::body::mesh::MeshUnion;
 use polhode::body::{BodyError, Finding, Severity};
+use serde_json::{Value, json};
 
 use super::{MeshContents, MeshRepair, RepairBound, solid};
 use crate::error::{FormatError, FormatErrorKind};
@@ -55,6 +56,20 @@ impl UnitedMesh {
         let unit = unit.unwrap_or(1.0);
         let union = union.scaled(unit).map_err(refused)?;
         Ok(Self { encoding, unit, triangles, union, findings })
+    }
+
+    /// Its name and numbers, for programs.
+    pub fn for_programs(&self) -> (&'static str, Value) {
+        let union = &self.union;
+        (
+            "union",
+            json!({
+                "parts": union.parts(),
+                "shared_m3": union.shared(),
+                "left_out_m3": union.left_out(),
+                "volume_error_m3": union.error(),
+            }),
+        )
     }
 
     /// What was united, and what is worth a remark, each with the file that it is about.

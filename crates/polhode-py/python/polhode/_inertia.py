@@ -31,7 +31,7 @@ _KINDS = {
 #: What each kind may be told, and what it is called.
 _OPTIONS = {
     "scenario": ("a scenario", set[str]()),
-    "mesh": ("a mesh", {"density", "mass", "material", "unit", "hull", "shell", "weld", "fill"}),
+    "mesh": ("a mesh", {"density", "mass", "material", "unit", "hull", "shell", "weld", "fill", "union"}),
     "step": ("a STEP file", {"density", "mass", "material"}),
     "particles": ("a table of particles", {"mass", "unit", "mass_unit"}),
     "cad": ("a CAD report", {"unit", "mass_unit", "products", "decimal"}),
@@ -52,6 +52,7 @@ def inertia(
     shell: float | None = None,
     weld: str | float | None = None,
     fill: str | float | None = None,
+    union: bool = False,
     mass_unit: str | float | None = None,
     products: str | None = None,
     decimal: str | None = None,
@@ -75,7 +76,7 @@ def inertia(
         numbers of three of them for each triangle (m, 3), from 0, counter-clockwise as seen from outside. ``weld`` joins vertices of open
         edges that are at most so far apart, and ``fill`` then closes holes that are at most so large across: lengths such as ``"0.01 mm"``, or
         plain numbers, parts of the mesh's size, the diagonal of its box. What was mended, and what that may change, is a warning, and in
-        ``to_dict()["source"]``.
+        ``to_dict()["source"]``. ``union=True`` takes what lies in several parts, or more than once in one, once.
     ``step`` (.step .stp, ISO 10303-21)
         ``density``, ``mass`` or ``material``. Its solids are measured as the exact shapes that they are, each a part, by OpenCASCADE, which
         ``pip install cadquery-ocp`` brings (the extra ``step``); lengths are in the file's unit. What solids share counts for each of them, and is not looked for.
@@ -121,6 +122,7 @@ def inertia(
         "shell": shell,
         "weld": weld,
         "fill": fill,
+        "union": _arrays.truth("union", union) or None,
         "mass_unit": mass_unit,
         "products": products,
         "decimal": decimal,
@@ -178,6 +180,8 @@ def _refuse_options(kind: str, path: str, options: Mapping[str, object]) -> None
         for mend in ("weld", "fill"):
             if options[whole] and options[mend] is not None:
                 raise PolhodeError(f"{whole} and {mend} are both given: a hull or a sheet is of any mesh, mended or not")
+    if options["shell"] and options["union"]:
+        raise PolhodeError("shell and union are both given: a sheet is along the surface as it is")
     if options["hull"] and options["shell"] is not None:
         raise PolhodeError("hull and shell are both given: a mesh is taken as its convex hull, or as a sheet")
 
@@ -201,6 +205,7 @@ def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) 
             "shell": number("shell"),
             "weld": _beside_mesh("weld", options["weld"]),
             "fill": _beside_mesh("fill", options["fill"]),
+            "union": bool(options["union"]),
         }
         if path is None:
             vertices = _arrays.numbers("vertices", source[0], ("n", 3))

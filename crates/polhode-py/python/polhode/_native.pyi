@@ -27,6 +27,7 @@ class MeshOptions(TypedDict):
     shell: float | None
     weld: str | None
     fill: str | None
+    union: bool
 
 class Solid(TypedDict):
     name: str

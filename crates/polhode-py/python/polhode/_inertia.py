@@ -178,11 +178,11 @@ def _refuse_options(kind: str, path: str, options: Mapping[str, object]) -> None
             raise PolhodeError(f"{name} means nothing for {path}, which is {words}", hint)
     for whole in ("hull", "shell"):
         for mend in ("weld", "fill"):
-            if options[whole] and options[mend] is not None:
+            if options[whole] is not None and options[mend] is not None:
                 raise PolhodeError(f"{whole} and {mend} are both given: a hull or a sheet is of any mesh, mended or not")
-    if options["shell"] and options["union"]:
+    if options["shell"] is not None and options["union"]:
         raise PolhodeError("shell and union are both given: a sheet is along the surface as it is")
-    if options["hull"] and options["shell"] is not None:
+    if options["hull"] is not None and options["shell"] is not None:
         raise PolhodeError("hull and shell are both given: a mesh is taken as its convex hull, or as a sheet")
 
 

@@ -49,53 +49,24 @@ impl FixFlags {
         }
     }
 
-    /// Where the repaired model goes, if anywhere: a file that is not there yet, or may be replaced.
-    pub(super) fn target(&self, inputs: &[&Path]) -> Result<Option<(&Path, bool)>, Failure> {
-        let Some(Some(out)) = &self.out else {
-            return match self.out {
-                Some(None) if self.force => Err(Failure::usage(
-                    "--fix without a file writes nothing, and --force replaces a file",
-                    "name the file, or leave --force out",
-                )),
-                _ => Ok(None),
-            };
-        };
-        let shown = shown(out);
-        let [input] = *inputs else {
-            return Err(Failure::usage(
-                format!("--fix writes one model, and {} are named", inputs.len()),
+    /// Refuses a file for several models, and --force without a file.
+    pub(super) fn require_one(&self, models: usize) -> Result<(), Failure> {
+        match self.out {
+            Some(None) if self.force => Err(Failure::usage(
+                "--fix without a file writes nothing, and --force replaces a file",
+                "name the file, or leave --force out",
+            )),
+            Some(Some(_)) if models != 1 => Err(Failure::usage(
+                format!("--fix writes one model, and {models} are named"),
                 "repair them one by one",
-            ));
-        };
-        require_not_read("--fix", Some(out), &[input])?;
-        match fs::symlink_metadata(out) {
-            Ok(meta) if meta.is_dir() || out.is_dir() => Err(Failure::usage(
-                format!("{shown} is a folder, and --fix writes a file"),
-                "name a file in it",
             )),
-            Ok(_) if !self.force => Err(Failure::usage(
-                format!("{shown} is there already"),
-                "choose another file, or replace it with --force",
-            )),
-            _ if out.parent().is_some_and(|folder| folder != Path::new("") && !folder.is_dir()) => Err(
-                Failure::usage(format!("{shown} is in a folder that is not there"), "make the folder first"),
-            ),
-            _ => Ok(Some((out, self.force))),
+            _ => Ok(()),
         }
     }
-}
 
-/// Refuses to write over a model that is read, whatever --force says.
-pub(super) fn require_not_read(option: &str, out: Option<&Path>, inputs: &[&Path]) -> Result<(), Failure> {
-    let Some(out) = out else { return Ok(()) };
-    let real = fs::canonicalize(out).ok();
-    let is_out = |input: &&&Path| out == **input || real.is_some() && real == fs::canonicalize(input).ok();
-    match inputs.iter().find(is_out) {
-        Some(_) => Err(Failure::usage(
-            format!("{option} would overwrite the model itself, {}", shown(out)),
-            "write beside it, look at the difference, then move it there",
-        )),
-        None => Ok(()),
+    /// Where the repaired model goes, if anywhere.
+    pub(super) fn file(&self) -> Option<&Path> {
+        self.out.as_ref()?.as_deref()
     }
 }
 
@@ -121,7 +92,7 @@ pub(super) fn fixed(
 }
 
 /// Writes the repaired model.
-pub(super) fn write(report: &CheckReport, (out, force): (&Path, bool)) -> Result<(), Failure> {
+pub(super) fn write(report: &CheckReport, out: &Path, force: bool) -> Result<(), Failure> {
     let Some(fixed) = &report.fixed else { return Ok(()) };
     partial::write(out, force, |file| file.write_all(fixed.repaired.text.as_bytes()))
 }

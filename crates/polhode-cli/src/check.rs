@@ -14,6 +14,7 @@ use polhode_formats::FormatError;
 use polhode_robot::finding::Finding;
 use polhode_robot::geometry::Shapes;
 use polhode_robot::inspect::{Inspection, inspect};
+use polhode_robot::model::RobotModel;
 use polhode_robot::policy::{Judged, Policy};
 use polhode_robot::read::{ReadOptions, read_model, read_text};
 use polhode_robot::report::CheckReport;
@@ -23,7 +24,7 @@ use crate::failure::Failure;
 use crate::progress::FileProgress;
 use crate::stderr::{shown, tell};
 use crate::stdout::print;
-use files::{Unread, name};
+use files::{Unread, name, real_name};
 use fix::FixFlags;
 use output::{Outcome, OutputFlags, Results};
 use outputs::Outputs;
@@ -82,7 +83,7 @@ impl Check {
         let (policy, fail_on) = self.policy.read()?;
         let found = files::models(&self.files);
         let named: Vec<PathBuf> = found.iter().filter_map(|input| input.as_ref().ok()).cloned().collect();
-        let one = found.len() == 1 && !self.files.iter().any(|file| file.is_dir());
+        let one = matches!(self.files.as_slice(), [file] if !file.is_dir());
         let is_excluded = |path: &Path| policy.config.exclude.iter().any(|glob| glob.matches(&name(path)));
         let count = found.len();
         let inputs: Vec<Result<PathBuf, Unread>> =
@@ -168,7 +169,7 @@ impl Check {
     ) -> Result<CheckReport, Failure> {
         let model = read_model(file, &self.reading())?;
         let Inspection { geometry, findings } = inspect(&model, shapes);
-        let judged = policy.judge(&name(file), &model, findings);
+        let judged = judge(policy, file, &model, findings);
         let report = CheckReport::new(model, geometry, judged);
         if !self.fix.is_given() {
             return Ok(report);
@@ -186,7 +187,7 @@ impl Check {
     ) -> Result<Vec<Finding>, FormatError> {
         let model = read_text(text, file, &self.reading())?;
         let findings = inspect(&model, shapes).findings;
-        Ok(policy.judge(&name(file), &model, findings).open)
+        Ok(judge(policy, file, &model, findings).open)
     }
 
     /// What is written, in the order in which it is.
@@ -202,6 +203,11 @@ impl Check {
     fn reading(&self) -> ReadOptions {
         ReadOptions { roots: self.roots.clone(), confined: false }
     }
+}
+
+/// The file itself is called as it is named.
+fn judge(policy: &Policy, file: &Path, model: &RobotModel, findings: Vec<Finding>) -> Judged {
+    policy.judge(|path| if path == file { name(path) } else { real_name(path) }, model, findings)
 }
 
 /// A rule, or all of them.

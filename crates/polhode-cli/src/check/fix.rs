@@ -1,8 +1,7 @@
 //! `--fix`: what repairs change, as a diff; `--fix OUT`: the model with its repairs too, in a file of its own.
 
-use std::fs;
 use std::io::Write as _;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode_formats::FormatError;
@@ -10,7 +9,7 @@ use polhode_robot::finding::Finding;
 use polhode_robot::repair::proved;
 use polhode_robot::report::{CheckReport, Fixed};
 
-use super::files::name;
+use super::files::real_name;
 use crate::failure::Failure;
 use crate::partial;
 use crate::stderr::shown;
@@ -86,7 +85,7 @@ pub(super) fn fixed(
         )
     };
     let (repaired, remaining) = proved(&report.model, report.findings(), check).map_err(unreadable)?;
-    let diff = repaired.diff(&report.model, report.findings(), &from_here(&report.model.path));
+    let diff = repaired.diff(&report.model, report.findings(), &real_name(&report.model.path));
     let out = out.map(|out| out.display().to_string());
     Ok(CheckReport { fixed: Some(Fixed { out, repaired, diff, remaining }), ..report })
 }
@@ -95,13 +94,4 @@ pub(super) fn fixed(
 pub(super) fn write(report: &CheckReport, out: &Path, force: bool) -> Result<(), Failure> {
     let Some(fixed) = &report.fixed else { return Ok(()) };
     partial::write(out, force, |file| file.write_all(fixed.repaired.text.as_bytes()))
-}
-
-/// The name of a file in a diff: relative to the working directory; from the root of the file system if it is not in that.
-fn from_here(path: &Path) -> String {
-    let leads_up = path.components().any(|component| component == Component::ParentDir);
-    match fs::canonicalize(path).ok().filter(|_| leads_up) {
-        Some(real) => name(&real),
-        None => name(path),
-    }
 }

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::check_gate::{impossible, said, status};
+use crate::check_gate::{impossible, printed, said, status};
 use crate::common::{Scratch, refused};
 
 /// A model of two files and a mesh, a world of an included model, a configuration and a baseline.
@@ -133,4 +133,65 @@ fn a_baseline_that_is_not_written_is_said() {
         said(&output)
     );
     assert!(!scratch.entries().contains(&"part.json".to_owned()));
+}
+
+#[test]
+fn what_stands_in_an_included_file_is_allowed_by_that_files_name() {
+    let scratch = whole_model("gate-allow-included");
+    fs::create_dir(scratch.0.join("more")).unwrap();
+    let allow = |file: &str, link: &str| {
+        format!(
+            "[[check.allow]]\nrule = \"number.malformed\"\nfile = \"{file}\"\nlink = \"{link}\"\nreason = \"theirs\"\n"
+        )
+    };
+    scratch.write("more/top.xml", "<mujoco><worldbody><include file=\"../inc.xml\"/></worldbody></mujoco>");
+    for (model, file, link, code) in [
+        ("top.xml", "inc.xml", "a", 0),
+        ("top.xml", "./inc.*", "a", 0),
+        ("top.xml", "top.xml", "a", 0),
+        ("more/top.xml", "inc.xml", "a", 0),
+        ("more/../more/top.xml", "**/inc.xml", "a", 0),
+        ("top.xml", "more/inc.xml", "a", 1),
+        ("top.xml", "inc.xml", "b", 1),
+    ] {
+        scratch.write("polhode.toml", &allow(file, link));
+        let text = printed(&scratch.run(&["check", model, "--root", "."]), code);
+        assert_eq!(text.contains("allowed: a"), code == 0, "{model} {file}: {text}");
+        let asks = file == "inc.xml" && code == 1;
+        assert_eq!(text.contains("[allow.unused]"), asks || file == "more/inc.xml", "{model} {file}: {text}");
+    }
+    // what stands in the model itself is not in the included file
+    let own = "<mujoco><worldbody><include file=\"inc.xml\"/><body name=\"b\"><inertial pos=\"0 0 0\" mass=\"2,5\" diaginertia=\"1 1 1\"/></body></worldbody></mujoco>";
+    scratch.write("top.xml", own);
+    scratch.write("polhode.toml", &allow("inc.xml", "*"));
+    let text = printed(&scratch.run(&["check", "top.xml"]), 1);
+    assert!(text.contains("allowed: a") && text.contains("✗ b"), "{text}");
+}
+
+#[test]
+fn a_file_of_two_names_is_checked_once() {
+    let scratch = Scratch::new("gate-once");
+    fs::create_dir(scratch.0.join("src")).unwrap();
+    scratch.write("src/robot.urdf", &impossible());
+    let one = said(&scratch.run(&["check", "src/robot.urdf"]));
+    let once = |arguments: &[&str], names: &str| {
+        let output = scratch.run(&[&["check"], arguments, &["--json"]].concat());
+        let reports: serde_json::Value = serde_json::from_str(&printed(&output, 1)).unwrap();
+        assert_eq!(reports.as_array().unwrap().len(), 1, "{arguments:?}");
+        assert!(said(&output).contains(names), "{}", said(&output));
+        let diff = printed(&scratch.run(&[&["check"], arguments, &["--fix"]].concat()), 1);
+        assert_eq!(diff.matches("\n+++ ").count(), 1, "{diff}");
+    };
+    assert!(!one.contains("once"), "{one}");
+    once(
+        &["src/robot.urdf", "./src/robot.urdf"],
+        "./src/robot.urdf is src/robot.urdf, which is checked once",
+    );
+    once(&["src", "src/../src/robot.urdf"], "is src/robot.urdf, which is checked once");
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("robot.urdf", scratch.0.join("src/same.urdf")).unwrap();
+        once(&["src"], "src/same.urdf is src/robot.urdf, which is checked once");
+        once(&["src/same.urdf", "src/robot.urdf"], "src/robot.urdf is src/same.urdf, which is checked once");
+    }
 }

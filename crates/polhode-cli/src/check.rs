@@ -115,8 +115,11 @@ impl Check {
                 Err(Unread { path, failure }) => Some(Outcome { path, report: Err(failure) }),
             };
         let outcomes: Vec<Outcome> = inputs.into_iter().zip(reports).filter_map(outcome).collect();
-        for report in outcomes.iter().filter_map(|outcome| outcome.report.as_ref().ok()) {
-            outputs.require_not_part_of(&report.model)?;
+        for Outcome { path, report } in &outcomes {
+            match report {
+                Ok(report) => outputs.require_not_part_of(&report.model)?,
+                Err(failure) => outputs.require_not_named(path, failure)?,
+            }
         }
 
         let judged: Vec<(String, &Judged)> = outcomes

@@ -74,6 +74,21 @@ impl<'a> Outputs<'a> {
             });
         self.require_not_read("a mesh of the model", meshes)
     }
+
+    /// Refuses to write over a file in which a model breaks off, or that it names: what it is made of is not known where it cannot be read.
+    pub(super) fn require_not_named(&self, model: &Path, failure: &Failure) -> Result<(), Failure> {
+        let torn = if let Failure::Input(error) = failure { Some(error.path()) } else { None };
+        self.require_not_read("a file that the model includes", torn.into_iter())?;
+        let there = self.files.iter().filter(|(_, out)| out.is_file());
+        let names: Vec<_> = there.filter_map(|(_, out)| Some((*out, out.file_name()?.to_str()?))).collect();
+        if names.is_empty() {
+            return Ok(());
+        }
+        let text = fs::read(model).unwrap_or_default();
+        let text = String::from_utf8_lossy(&text);
+        let named = names.into_iter().find(|(_, name)| text.contains(name)).map(|(out, _)| out);
+        self.require_not_read("a file that the model names, which cannot be read", named.into_iter())
+    }
 }
 
 fn require_place(option: &str, out: &Path, force: bool) -> Result<(), Failure> {

@@ -103,6 +103,29 @@ fn no_output_takes_the_place_of_another_or_of_what_is_read() {
 }
 
 #[test]
+fn what_a_model_is_made_of_that_cannot_be_read_is_kept() {
+    let scratch = whole_model("gate-torn-include");
+    scratch.write("torn.xml", "<mujocoinclude><body>");
+    scratch.write(
+        "top.xml",
+        "<mujoco><worldbody><include file=\"torn.xml\"/><include file=\"inc.xml\"/></worldbody></mujoco>",
+    );
+    scratch.write("results.txt", "old");
+    let before = contents(&scratch.0);
+    for (out, said) in
+        [("torn.xml", "a file that the model includes"), ("inc.xml", "a file that the model names")]
+    {
+        let text = refused(&scratch.run(&["check", "top.xml", "robot.urdf", "-o", out, "--force"]), 2);
+        assert!(text.contains(said), "{text}");
+        assert_eq!(contents(&scratch.0), before, "{out}");
+    }
+    // results of the others are written
+    let output = scratch.run(&["check", "top.xml", "robot.urdf", "-o", "results.txt", "--force"]);
+    assert_eq!(status(&output), Some(2));
+    assert!(fs::read_to_string(scratch.0.join("results.txt")).unwrap().contains("robot.urdf"));
+}
+
+#[test]
 fn nothing_is_written_if_one_of_the_outputs_cannot_be() {
     let scratch = whole_model("gate-one-of-two");
     scratch.write("there.txt", "kept");

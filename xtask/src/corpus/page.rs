@@ -24,6 +24,10 @@ pub(super) fn text(audited: &[Audited]) -> String {
 fn introduction(audited: &[Audited], all: &Counts) -> String {
     let read = all.files_read();
     let largest = audited.iter().max_by_key(|one| one.counts.files_read());
+    let parts = match all.parts {
+        0 => String::new(),
+        parts => format!(", and {} more files that they include", count(parts)),
+    };
     let mut text = format!(
         "# Public models\n\nWritten by `cargo xtask corpus`; run it again rather than believe this page. What `polhode check` finds in {} public \
          repositories, each at the commit that is named below. No model is kept here.\n\n",
@@ -31,10 +35,9 @@ fn introduction(audited: &[Audited], all: &Counts) -> String {
     );
     let _ = writeln!(
         text,
-        "{} different models were read, and {} more files that they include, with {} links and {} inertials. **{} of {} files that say a mass have \
+        "{} different models were read{parts}, with {} links and {} inertials. **{} of {} files that say a mass have \
          one that no body has, {}**: a tensor, or a mass. {} files have an impossible finding of any kind, {} a suspect one.",
         count(read),
-        count(all.parts),
         count(all.links),
         count(all.inertials),
         count(all.impossible_bodies),

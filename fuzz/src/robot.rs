@@ -65,7 +65,7 @@ fn model(data: &[u8], format: ModelFormat) {
     }
     repairs_end(&model);
     // Comments of the model may allow some of it.
-    let judged = Policy::default().judge("input", &model, findings);
+    let judged = Policy::default().judge(|path| path.to_string_lossy().into_owned(), &model, findings);
     let report = CheckReport::new(model, geometry, judged);
     assert!(!report.to_text().contains('\u{1b}') && !report.to_table().contains('\u{1b}'));
     assert!(report.to_json().is_object());

@@ -46,10 +46,7 @@ pub(crate) fn audit(folders: &[&str]) -> Outcome {
     for repository in repositories {
         println!("   {}", repository.name);
         let (results, cost) = check(&polhode, &repository)?;
-        let mut counts = Counts::default();
-        for result in results {
-            counts.add(&repository.folder, &result, &mut seen)?;
-        }
+        let counts = Counts::of(&repository.folder, &results, &mut seen)?;
         audited.push(Audited { repository, counts, cost });
     }
     let page = root().join("book/corpus.md");

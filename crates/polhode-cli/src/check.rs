@@ -3,6 +3,7 @@
 mod files;
 mod fix;
 mod output;
+mod outputs;
 mod parallel;
 mod policy;
 
@@ -13,6 +14,7 @@ use polhode_formats::FormatError;
 use polhode_robot::finding::Finding;
 use polhode_robot::geometry::Shapes;
 use polhode_robot::inspect::{Inspection, inspect};
+use polhode_robot::model::RobotModel;
 use polhode_robot::policy::{Judged, Policy};
 use polhode_robot::read::{ReadOptions, read_model, read_text};
 use polhode_robot::report::CheckReport;
@@ -20,10 +22,12 @@ use polhode_robot::rule::{list, rule, rules};
 
 use crate::failure::Failure;
 use crate::progress::FileProgress;
+use crate::stderr::{shown, tell};
 use crate::stdout::print;
-use files::{Unread, name};
+use files::{Unread, name, real_name};
 use fix::FixFlags;
 use output::{Outcome, OutputFlags, Results};
+use outputs::Outputs;
 use policy::PolicyFlags;
 
 /// Are the inertias of a robot or simulation model right? URDF, SDF, MJCF, USD, OpenSim.
@@ -78,21 +82,22 @@ impl Check {
         self.fix.require_models(&self.files)?;
         let (policy, fail_on) = self.policy.read()?;
         let found = files::models(&self.files);
-        let one = found.len() == 1 && !self.files.iter().any(|file| file.is_dir());
+        let named: Vec<PathBuf> = found.iter().filter_map(|input| input.as_ref().ok()).cloned().collect();
+        let one = matches!(self.files.as_slice(), [file] if !file.is_dir());
         let is_excluded = |path: &Path| policy.config.exclude.iter().any(|glob| glob.matches(&name(path)));
         let count = found.len();
         let inputs: Vec<Result<PathBuf, Unread>> =
             found.into_iter().filter(|input| !input.as_ref().is_ok_and(|path| is_excluded(path))).collect();
         let excluded = count - inputs.len();
         let models: Vec<&Path> = inputs.iter().filter_map(|input| input.as_deref().ok()).collect();
-        let target = self.fix.target(&models)?;
+        self.fix.require_one(models.len())?;
+        let target = self.fix.file();
         self.output.require_no_other_form(self.fix.is_given())?;
         self.output.require_no_table(self.fix.is_diff())?;
-        for (option, out) in
-            [("--output", self.output.file()), ("--write-baseline", self.policy.baseline_out())]
-        {
-            fix::require_not_read(option, out, &models)?;
-        }
+        let outputs = self.outputs();
+        outputs.require_not_read("the model itself", named.iter().map(PathBuf::as_path))?;
+        self.policy.require_not_written(&outputs)?;
+        outputs.require_places()?;
 
         let threads = parallel::threads();
         let shapes = Shapes::with_threads((threads / models.len().max(1)).max(1));
@@ -110,6 +115,12 @@ impl Check {
                 Err(Unread { path, failure }) => Some(Outcome { path, report: Err(failure) }),
             };
         let outcomes: Vec<Outcome> = inputs.into_iter().zip(reports).filter_map(outcome).collect();
+        for Outcome { path, report } in &outcomes {
+            match report {
+                Ok(report) => outputs.require_not_part_of(&report.model)?,
+                Err(failure) => outputs.require_not_named(path, failure)?,
+            }
+        }
 
         let judged: Vec<(String, &Judged)> = outcomes
             .iter()
@@ -123,7 +134,7 @@ impl Check {
         } else {
             self.output.announce(&results)?;
             if let (Some(target), [Outcome { report: Ok(report), .. }]) = (target, outcomes.as_slice()) {
-                fix::write(report, target)?;
+                fix::write(report, target, self.fix.force)?;
             }
             self.output.write(&results, self.fix.force)?;
         }
@@ -140,6 +151,8 @@ impl Check {
                 || outcomes.iter().filter_map(|outcome| outcome.report.as_ref().ok()).any(remaining);
         if outcomes.iter().all(|outcome| outcome.report.is_ok()) {
             found &= !self.policy.write_baseline(judged(), self.fix.force)?;
+        } else if let Some(path) = self.policy.baseline_out() {
+            tell(&format!("{} is not written: not all files could be read\n", shown(path)));
         }
         let mut failures: Vec<Failure> =
             outcomes.into_iter().filter_map(|outcome| outcome.report.err()).collect();
@@ -153,18 +166,17 @@ impl Check {
     fn report(
         &self,
         file: &Path,
-        target: Option<(&Path, bool)>,
+        out: Option<&Path>,
         shapes: &Shapes<'_>,
         policy: &Policy,
     ) -> Result<CheckReport, Failure> {
         let model = read_model(file, &self.reading())?;
         let Inspection { geometry, findings } = inspect(&model, shapes);
-        let judged = policy.judge(&name(file), &model, findings);
+        let judged = judge(policy, file, &model, findings);
         let report = CheckReport::new(model, geometry, judged);
         if !self.fix.is_given() {
             return Ok(report);
         }
-        let out = target.map(|(out, _)| out);
         fix::fixed(report, out, |text| self.findings_in(text, file, shapes, policy))
     }
 
@@ -178,12 +190,27 @@ impl Check {
     ) -> Result<Vec<Finding>, FormatError> {
         let model = read_text(text, file, &self.reading())?;
         let findings = inspect(&model, shapes).findings;
-        Ok(policy.judge(&name(file), &model, findings).open)
+        Ok(judge(policy, file, &model, findings).open)
+    }
+
+    /// What is written, in the order in which it is.
+    fn outputs(&self) -> Outputs<'_> {
+        let options = [
+            ("--fix", self.fix.file()),
+            ("--output", self.output.file()),
+            ("--write-baseline", self.policy.baseline_out()),
+        ];
+        Outputs::new(options, self.fix.force)
     }
 
     fn reading(&self) -> ReadOptions {
         ReadOptions { roots: self.roots.clone(), confined: false }
     }
+}
+
+/// The file itself is called as it is named.
+fn judge(policy: &Policy, file: &Path, model: &RobotModel, findings: Vec<Finding>) -> Judged {
+    policy.judge(|path| if path == file { name(path) } else { real_name(path) }, model, findings)
 }
 
 /// A rule, or all of them.

@@ -24,7 +24,7 @@ pub(crate) fn check_file(
     py.detach(|| {
         let model = read_model(&path, &ReadOptions { roots, confined: false }).map_err(Raise::raise)?;
         let Inspection { geometry, findings } = inspect(&model, &Shapes::default());
-        let judged = Policy::default().judge(&path.to_string_lossy(), &model, findings);
+        let judged = Policy::default().judge(|path| path.to_string_lossy().into_owned(), &model, findings);
         let report = CheckReport::new(model, geometry, judged);
         Ok((report.to_json().to_string(), report.to_text(), report.to_table()))
     })

@@ -1,5 +1,8 @@
 //! A checked model for programs. Keys are stable; numbers are SI; what is not finite is `null`.
 
+use std::collections::BTreeMap;
+use std::path::Path;
+
 use serde_json::{Map, Value, json};
 
 use crate::finding::{Finding, Repair};
@@ -9,7 +12,7 @@ use crate::repair::Left;
 use crate::report::{CheckReport, Counts, Fixed, format_name};
 
 impl CheckReport {
-    /// One object: `file`, `format`, `links`, `inertials`, `counts` (of findings), `verdicts` (of links), `findings`, and what of them does not count: `allowed`,
+    /// One object: `file`, `format`, `links`, `inertials`, `includes` (what of them stands in which file that the model includes), `counts` (of findings), `verdicts` (of links), `findings`, and what of them does not count: `allowed`,
     /// `known`, `off`; `fix` where repairs were asked for.
     ///
     /// Lines and columns count from 1, columns in characters. `file` of a finding is there if that is a file that the model includes.
@@ -27,6 +30,7 @@ impl CheckReport {
         insert("name", self.model.name.clone().into());
         insert("links", self.model.links.len().into());
         insert("inertials", self.inertials().into());
+        insert("includes", self.includes(&places));
         insert("inertia_about", "center_of_mass".into());
         insert("products", "negative_integral".into());
         insert("counts", json!({ "impossible": impossible, "suspect": suspect, "note": note }));
@@ -52,6 +56,22 @@ impl CheckReport {
             insert("fix", fix(self.findings(), fixed));
         }
         Value::Object(object)
+    }
+
+    /// How many links and inertials stand in each file that the model includes.
+    fn includes(&self, places: &Places<'_>) -> Value {
+        let mut counts: BTreeMap<&Path, [usize; 2]> =
+            self.model.included.iter().map(|source| (source.path.as_path(), [0; 2])).collect();
+        let inertials = self.model.links.iter().filter_map(|link| link.inertial.as_ref());
+        let links = self.model.links.iter().map(|link| (&link.span, 0));
+        for (span, of) in links.chain(inertials.map(|inertial| (&inertial.span, 1))) {
+            let FilePlace { file, is_included, .. } = places.place(span);
+            if let Some(count) = counts.get_mut(file).filter(|_| is_included).and_then(|c| c.get_mut(of)) {
+                *count += 1;
+            }
+        }
+        let one = |(file, [links, inertials]): (&Path, [usize; 2])| json!({ "file": file.to_string_lossy(), "links": links, "inertials": inertials });
+        counts.into_iter().map(one).collect()
     }
 }
 

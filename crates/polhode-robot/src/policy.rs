@@ -11,11 +11,13 @@ pub mod glob;
 mod identity;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 
 use crate::finding::{Finding, Severity};
 use crate::model::RobotModel;
 use crate::rule::rule;
 use baseline::{Baseline, KnownFinding};
+use comment::Comment;
 use config::Config;
 use date::Date;
 
@@ -43,6 +45,10 @@ pub struct Judged {
     pub off: usize,
     /// Allowances of the configuration that allowed something, by their place in it.
     used: BTreeSet<usize>,
+    /// Links that none allows, by the allowances that allow others of the same finding.
+    lacking: BTreeMap<usize, BTreeSet<String>>,
+    /// The files that the model includes, by name.
+    included: Vec<String>,
 }
 
 /// A finding that does not count.
@@ -87,6 +93,40 @@ enum Allowing {
     Entry(usize),
 }
 
+/// A finding, and what allows what it says of each of its links; a link's name where nothing does. Each has to be allowed, whichever way.
+struct Allowed {
+    finding: Finding,
+    each: Vec<Result<Allowing, String>>,
+}
+
+impl Allowed {
+    fn is_whole(&self) -> bool {
+        self.each.iter().all(Result::is_ok)
+    }
+
+    /// The links that nothing allows.
+    fn lacking(&self) -> BTreeSet<String> {
+        self.each.iter().filter_map(|one| one.as_ref().err().cloned()).collect()
+    }
+
+    /// The entries of the configuration that allow some of it.
+    fn entries(&self) -> Vec<usize> {
+        let entry = |one: &Result<Allowing, String>| match one {
+            Ok(Allowing::Entry(k)) => Some(*k),
+            _ => None,
+        };
+        self.each.iter().filter_map(entry).collect()
+    }
+}
+
+/// Why what allows a link of a finding allows nothing, if it is for these other links of it.
+fn not_enough(lacking: &BTreeSet<String>) -> Option<String> {
+    let names: Vec<&str> = lacking.iter().map(String::as_str).collect();
+    let are = if names.len() == 1 { "is" } else { "are" };
+    let message = || format!("the finding is also about {}, which {are} not allowed", names.join(", "));
+    (!names.is_empty()).then(message)
+}
+
 impl Remark {
     /// What it is known by.
     pub(crate) fn id(&self) -> String {
@@ -95,39 +135,56 @@ impl Remark {
 }
 
 impl Policy {
-    /// What becomes of the findings in a model. `file` is its name for globs and baselines: relative, with slashes.
-    pub fn judge(&self, file: &str, model: &RobotModel, findings: Vec<Finding>) -> Judged {
+    /// What becomes of the findings in a model. `name` is what globs and baselines call its file, and those that it includes: relative, with
+    /// slashes.
+    pub fn judge(
+        &self,
+        name: impl Fn(&Path) -> String,
+        model: &RobotModel,
+        findings: Vec<Finding>,
+    ) -> Judged {
+        let file = name(&model.path);
+        let included: Vec<String> = model.included.iter().map(|source| name(&source.path)).collect();
         let comments = comment::comments(model);
-        // Of a finding about several links each has to be allowed, whichever way.
-        let allowing = |finding: &Finding| -> Option<Vec<Allowing>> {
-            let is_included = model.is_included(&finding.span);
+        let allowing = |finding: Finding| -> Allowed {
+            let within = model.included.iter().rposition(|source| source.start <= finding.span.start);
+            let own = within.and_then(|k| included.get(k)).map_or(file.as_str(), String::as_str);
             let allows = |of: &String| {
-                let comment = comments.iter().position(|one| one.allows(finding.code, of, is_included));
-                let entry = || self.config.allowance(file, finding.code, of, self.today);
-                comment.map(Allowing::Comment).or_else(|| entry().map(Allowing::Entry))
+                let comment = comments.iter().position(|one| one.allows(finding.code, of, within.is_some()));
+                let entry = || self.config.allowance(&[&file, own], finding.code, of, self.today);
+                let by = comment.map(Allowing::Comment).or_else(|| entry().map(Allowing::Entry));
+                by.ok_or_else(|| of.clone())
             };
-            std::iter::once(&finding.subject).chain(&finding.others).map(allows).collect()
+            let each = std::iter::once(&finding.subject).chain(&finding.others).map(allows).collect();
+            Allowed { finding, each }
         };
-        let by_finding: Vec<Vec<Allowing>> =
-            findings.iter().map(|finding| allowing(finding).unwrap_or_default()).collect();
-        let used: BTreeSet<(Allowing, &str)> = findings
-            .iter()
-            .zip(&by_finding)
-            .flat_map(|(finding, all)| all.iter().map(|one| (*one, finding.code)))
-            .collect();
-        let about_comments: Vec<(Vec<Allowing>, Finding)> = comments
+        let mut all: Vec<Allowed> = findings.into_iter().map(allowing).collect();
+        let about_comments: Vec<Allowed> = comments
             .iter()
             .enumerate()
-            .filter_map(|(k, c)| c.fault(|code| used.contains(&(Allowing::Comment(k), code))))
-            .map(|finding| (allowing(&finding).unwrap_or_default(), finding))
+            .filter_map(|(k, comment)| {
+                let uses = |one: &&Allowed| one.each.contains(&Ok(Allowing::Comment(k)));
+                comment.fault(|code| {
+                    let all: Vec<_> =
+                        all.iter().filter(|one| one.finding.code == code).filter(uses).collect();
+                    if all.iter().any(|one| one.is_whole()) {
+                        return None;
+                    }
+                    Some(all.into_iter().flat_map(Allowed::lacking).collect())
+                })
+            })
+            .map(allowing)
             .collect();
-        let mut all: Vec<(Vec<Allowing>, Finding)> =
-            by_finding.into_iter().zip(findings).chain(about_comments).collect();
-        all.sort_by_key(|(_, finding)| finding.span.start);
-        let ids = identity::ids(file, all.iter().map(|(_, finding)| finding));
+        all.extend(about_comments);
+        all.sort_by_key(|one| one.finding.span.start);
+        let ids = identity::ids(&file, all.iter().map(|one| &one.finding));
 
-        let mut judged = Judged::default();
-        for ((allowing, mut finding), id) in all.into_iter().zip(ids) {
+        let mut judged = Judged { included, ..Judged::default() };
+        for (allowed, id) in all.into_iter().zip(ids) {
+            let reasons = self.reasons(&allowed, &comments);
+            let entries = allowed.entries();
+            let lacking = allowed.lacking();
+            let mut finding = allowed.finding;
             match self.config.severity_of(finding.code) {
                 Some(None) => {
                     judged.off += 1;
@@ -136,16 +193,15 @@ impl Policy {
                 Some(Some(severity)) => finding.severity = severity,
                 None => {}
             }
-            judged.used.extend(allowing.iter().filter_map(|one| match one {
-                Allowing::Entry(k) => Some(*k),
-                Allowing::Comment(_) => None,
-            }));
-            let reason = allowing.first().and_then(|first| match first {
-                Allowing::Comment(k) => comments.get(*k).map(|comment| &comment.reason),
-                Allowing::Entry(k) => self.config.allowances.get(*k).map(|entry| &entry.reason),
-            });
-            let why = match reason {
-                Some(reason) => Some(Reason::Allowed(reason.clone())),
+            if reasons.is_some() {
+                judged.used.extend(entries);
+            } else {
+                entries
+                    .into_iter()
+                    .for_each(|k| judged.lacking.entry(k).or_default().extend(lacking.clone()));
+            }
+            let why = match reasons {
+                Some(reasons) => Some(Reason::Allowed(reasons)),
                 None if self.baseline.as_ref().is_some_and(|known| known.has(&id)) => Some(Reason::Known),
                 None => None,
             };
@@ -160,6 +216,21 @@ impl Policy {
         judged
     }
 
+    /// The reasons why a finding is allowed, each once; `None` if one of its links is not.
+    fn reasons(&self, allowed: &Allowed, comments: &[Comment]) -> Option<String> {
+        let mut reasons: Vec<&str> = Vec::new();
+        for by in &allowed.each {
+            let reason = match by.as_ref().ok()? {
+                Allowing::Comment(k) => &comments.get(*k)?.reason,
+                Allowing::Entry(k) => &self.config.allowances.get(*k)?.reason,
+            };
+            if !reasons.contains(&reason.as_str()) {
+                reasons.push(reason);
+            }
+        }
+        Some(reasons.join("; "))
+    }
+
     /// What is to be said of the configuration and the baseline after these models were judged: allowances that have expired or allow
     /// nothing in them, and what a baseline knows and is not there. `is_there` says whether a file is.
     pub fn remarks<'a>(
@@ -171,12 +242,17 @@ impl Policy {
         let used: BTreeSet<usize> = judged.values().flat_map(|judged| judged.used.iter().copied()).collect();
         let mut remarks = Vec::new();
         for (k, allowance) in self.config.allowances.iter().enumerate() {
+            let included = || judged.values().flat_map(|judged| &judged.included);
             let asked = judged.keys().any(|file| allowance.file.matches(file))
+                || included().any(|file| allowance.file.matches(file))
                 || allowance.file.plain().is_some_and(|file| !is_there(file));
             let (code, message) = if let Some(day) = allowance.expires.filter(|day| *day <= self.today) {
                 ("allow.expired", format!("{} in {}: expired on {day}", allowance.rule, allowance.file))
             } else if asked && !used.contains(&k) {
-                ("allow.unused", format!("{} in {}: nothing to allow", allowance.rule, allowance.file))
+                let lacking = judged.values().filter_map(|judged| judged.lacking.get(&k)).flatten();
+                let why =
+                    not_enough(&lacking.cloned().collect()).unwrap_or_else(|| "nothing to allow".to_owned());
+                ("allow.unused", format!("{} in {}: {why}", allowance.rule, allowance.file))
             } else {
                 continue;
             };

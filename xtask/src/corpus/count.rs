@@ -1,7 +1,7 @@
 //! What is counted of the results of a repository's models.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 use sha2::{Digest as _, Sha256};
@@ -11,6 +11,10 @@ pub(super) type Seen = BTreeSet<[u8; 32]>;
 
 /// How bad a finding is, the worst first.
 pub(super) const SEVERITIES: [&str; 3] = ["impossible", "suspect", "note"];
+
+/// The rules that a tensor or a mass breaks by what it says, not by what is left out or is no number, where no body has it.
+pub(super) const NO_BODY: [&str; 4] =
+    ["inertia.triangle", "inertia.negative", "inertia.zero", "mass.not_positive"];
 
 /// The counts of a repository, or of several.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -23,10 +27,12 @@ pub(super) struct Counts {
     pub(super) copies: usize,
     pub(super) tests: usize,
     pub(super) links: usize,
-    /// Links that say something of their mass, and files with such.
+    /// Files that others include and that are no models by themselves.
+    pub(super) parts: usize,
+    /// Inertials, and files with such.
     pub(super) inertials: usize,
     pub(super) weighed: usize,
-    /// Files with a finding of each severity; and with an impossible mass or tensor.
+    /// Files with a finding of each severity; and those of the weighed ones in which a rule of [`NO_BODY`] is broken.
     pub(super) files: [usize; 3],
     pub(super) impossible_bodies: usize,
     pub(super) rules: BTreeMap<String, RuleCounts>,
@@ -41,9 +47,50 @@ pub(super) struct RuleCounts {
     pub(super) repositories: usize,
 }
 
+/// What was said of a file, by itself or by the models that include it.
+#[derive(Debug, Default)]
+struct Holder {
+    /// Its language, if it was read by itself.
+    format: Option<String>,
+    /// Why it was refused, if it was.
+    refused: Option<String>,
+    links: usize,
+    inertials: usize,
+    /// The rank of each finding's severity, the worst that a model says of it.
+    findings: BTreeMap<Key, usize>,
+}
+
+/// A finding of a file: its rule, line, column and message.
+type Key = (String, u64, u64, String);
+
+impl Holder {
+    fn add(&mut self, links: usize, inertials: usize) {
+        self.links = self.links.max(links);
+        self.inertials = self.inertials.max(inertials);
+    }
+}
+
 impl Counts {
-    /// Adds what was said of one file.
-    pub(super) fn add(&mut self, tree: &Path, result: &Value, seen: &mut Seen) -> Result<(), String> {
+    /// Those of a work tree, of which this was said.
+    pub(super) fn of(tree: &Path, results: &[Value], seen: &mut Seen) -> Result<Self, String> {
+        let mut counts = Self::default();
+        let mut holders: BTreeMap<PathBuf, Holder> = BTreeMap::new();
+        for result in results {
+            counts.hold(tree, result, &mut holders)?;
+        }
+        for (file, holder) in &holders {
+            counts.add(tree, file, holder, seen);
+        }
+        Ok(counts)
+    }
+
+    /// Adds what was said of one model to the files that hold it.
+    fn hold(
+        &mut self,
+        tree: &Path,
+        result: &Value,
+        holders: &mut BTreeMap<PathBuf, Holder>,
+    ) -> Result<(), String> {
         let file = result["file"].as_str().ok_or("a result without its file")?;
         if tree.join(file).is_dir() {
             return Ok(()); // a folder without models
@@ -52,49 +99,91 @@ impl Counts {
             self.tests += 1;
             return Ok(());
         }
-        let Ok(bytes) = std::fs::read(tree.join(file)) else {
+        let real = |file: &str| std::fs::canonicalize(tree.join(file));
+        let Ok(own) = real(file) else {
             *self.refused.entry("files that cannot be opened".to_owned()).or_default() += 1;
             return Ok(());
         };
-        if !seen.insert(Sha256::digest(&bytes).into()) {
-            self.copies += 1;
-            return Ok(());
-        }
         if let Some(message) = result["error"]["message"].as_str() {
-            *self.refused.entry(reason(message).to_owned()).or_default() += 1;
+            holders.entry(own).or_default().refused = Some(reason(message).to_owned());
             return Ok(());
         }
-        let number = |key: &str| {
-            let number = result[key].as_u64().and_then(|number| usize::try_from(number).ok());
+        let number = |value: &Value, key: &str| {
+            let number = value[key].as_u64().and_then(|number| usize::try_from(number).ok());
             number.ok_or_else(|| format!("{file}: no {key}"))
         };
-        let format = result["format"].as_str().ok_or_else(|| format!("{file}: no format"))?;
-        *self.read.entry(format.to_owned()).or_default() += 1;
-        self.links += number("links")?;
-        self.inertials += number("inertials")?;
-        self.weighed += usize::from(number("inertials")? > 0);
-        let mut of_file: BTreeMap<&str, [usize; 3]> = BTreeMap::new();
+        let (mut links, mut inertials) = (number(result, "links")?, number(result, "inertials")?);
+        for part in result["includes"].as_array().ok_or_else(|| format!("{file}: no includes"))? {
+            let (within, of_links, of_inertials) = (
+                part["file"].as_str().unwrap_or_default(),
+                number(part, "links")?,
+                number(part, "inertials")?,
+            );
+            let within = real(within).map_err(|error| format!("{within}: {error}"))?;
+            holders.entry(within).or_default().add(of_links, of_inertials);
+            links = links.saturating_sub(of_links);
+            inertials = inertials.saturating_sub(of_inertials);
+        }
+        let holder = holders.entry(own.clone()).or_default();
+        holder.add(links, inertials);
+        holder.format =
+            Some(result["format"].as_str().ok_or_else(|| format!("{file}: no format"))?.to_owned());
         for finding in result["findings"].as_array().into_iter().flatten() {
-            let (Some(code), Some(severity)) = (finding["code"].as_str(), finding["severity"].as_str())
-            else {
-                return Err(format!("{file}: a finding without code or severity"));
-            };
+            let text =
+                |key: &str| finding[key].as_str().ok_or_else(|| format!("{file}: a finding without {key}"));
+            let at =
+                |key: &str| finding[key].as_u64().ok_or_else(|| format!("{file}: a finding without {key}"));
+            let severity = text("severity")?;
             let rank = SEVERITIES.iter().position(|known| *known == severity);
             let rank = rank.ok_or_else(|| format!("{file}: a finding is {severity}"))?;
-            of_file.entry(code).or_default()[rank] += 1;
+            let within = match finding["file"].as_str() {
+                Some(within) => real(within).map_err(|error| format!("{within}: {error}"))?,
+                None => own.clone(),
+            };
+            let key = (text("code")?.to_owned(), at("line")?, at("column")?, text("message")?.to_owned());
+            let worst = holders.entry(within).or_default().findings.entry(key).or_insert(rank);
+            *worst = rank.min(*worst);
+        }
+        Ok(())
+    }
+
+    /// Adds a file.
+    fn add(&mut self, tree: &Path, file: &Path, holder: &Holder, seen: &mut Seen) {
+        if file.strip_prefix(tree).is_ok_and(|within| is_test(&within.to_string_lossy())) {
+            return; // included by models that are none
+        }
+        let Ok(bytes) = std::fs::read(file) else {
+            *self.refused.entry("files that cannot be opened".to_owned()).or_default() += 1;
+            return;
+        };
+        if !seen.insert(Sha256::digest(&bytes).into()) {
+            self.copies += 1;
+            return;
+        }
+        match (&holder.format, &holder.refused) {
+            (Some(format), _) => *self.read.entry(format.clone()).or_default() += 1,
+            (None, Some(reason)) => *self.refused.entry(reason.clone()).or_default() += 1,
+            (None, None) => self.parts += 1,
+        }
+        self.links += holder.links;
+        self.inertials += holder.inertials;
+        let says_mass = holder.inertials > 0;
+        self.weighed += usize::from(says_mass);
+        let mut by_rule: BTreeMap<&str, [usize; 3]> = BTreeMap::new();
+        for ((code, ..), rank) in &holder.findings {
+            by_rule.entry(code).or_default()[*rank] += 1;
         }
         for rank in 0..SEVERITIES.len() {
-            self.files[rank] += usize::from(of_file.values().any(|counts| counts[rank] > 0));
+            self.files[rank] += usize::from(by_rule.values().any(|counts| counts[rank] > 0));
         }
-        let of_bodies = |code: &str| code.starts_with("inertia.") || code.starts_with("mass.");
-        self.impossible_bodies +=
-            usize::from(of_file.iter().any(|(code, counts)| of_bodies(code) && counts[0] > 0));
-        for (code, counts) in of_file {
+        let is_body = |code: &str| NO_BODY.contains(&code);
+        let is_impossible = by_rule.iter().any(|(code, counts)| is_body(code) && counts[0] > 0);
+        self.impossible_bodies += usize::from(says_mass && is_impossible);
+        for (code, counts) in by_rule {
             let rule = self.rules.entry(code.to_owned()).or_default();
             rule.add(&RuleCounts { findings: counts, files: 1, repositories: 0 });
             rule.repositories = 1;
         }
-        Ok(())
     }
 
     /// Adds those of another repository.
@@ -105,6 +194,7 @@ impl Counts {
         for (own, count) in [
             (&mut self.copies, other.copies),
             (&mut self.tests, other.tests),
+            (&mut self.parts, other.parts),
             (&mut self.links, other.links),
             (&mut self.inertials, other.inertials),
             (&mut self.weighed, other.weighed),
@@ -172,42 +262,44 @@ mod tests {
 
     use super::*;
 
-    fn finding(code: &str, severity: &str) -> Value {
-        json!({ "code": code, "severity": severity })
+    fn finding(code: &str, severity: &str, line: usize) -> Value {
+        json!({ "code": code, "severity": severity, "line": line, "column": 1, "message": "it is" })
+    }
+
+    /// A work tree of these files.
+    fn tree(name: &str, files: &[(&str, &str)]) -> PathBuf {
+        let tree = std::env::temp_dir().join(format!("polhode-corpus-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(tree.join("test")).unwrap();
+        files.iter().for_each(|(file, text)| std::fs::write(tree.join(file), text).unwrap());
+        std::fs::canonicalize(tree).unwrap()
     }
 
     #[test]
     fn each_file_counts_once_for_what_is_found_in_it() {
-        let tree = std::env::temp_dir().join(format!("polhode-corpus-{}", std::process::id()));
-        std::fs::create_dir_all(tree.join("test")).unwrap();
-        for (file, text) in
-            [("a.urdf", "a"), ("b.sdf", "b"), ("c.urdf", "a"), ("test/d.urdf", "d"), ("e.urdf", "e")]
-        {
-            std::fs::write(tree.join(file), text).unwrap();
-        }
-        let read = |file: &str, format: &str, findings: Value| json!({ "file": file, "format": format, "links": 5, "inertials": 3, "findings": findings });
+        let tree = tree(
+            "files",
+            &[("a.urdf", "a"), ("b.sdf", "b"), ("c.urdf", "a"), ("test/d.urdf", "d"), ("e.urdf", "e")],
+        );
+        let read = |file: &str, format: &str, findings: Value| json!({ "file": file, "format": format, "links": 5, "inertials": 3, "includes": [], "findings": findings });
         let results = [
             read(
                 "a.urdf",
                 "urdf",
                 json!([
-                    finding("inertia.triangle", "impossible"),
-                    finding("inertia.triangle", "impossible"),
-                    finding("inertia.triangle", "suspect"),
-                    finding("geometry.unreadable", "note")
+                    finding("inertia.triangle", "impossible", 3),
+                    finding("inertia.triangle", "impossible", 5),
+                    finding("inertia.triangle", "suspect", 7),
+                    finding("geometry.unreadable", "note", 8)
                 ]),
             ),
-            read("b.sdf", "sdf", json!([finding("tree.empty", "impossible")])),
-            read("c.urdf", "urdf", json!([finding("inertia.zero", "impossible")])),
-            read("test/d.urdf", "urdf", json!([finding("inertia.zero", "impossible")])),
+            read("b.sdf", "sdf", json!([finding("tree.empty", "impossible", 1)])),
+            read("c.urdf", "urdf", json!([finding("inertia.zero", "impossible", 1)])),
+            read("test/d.urdf", "urdf", json!([finding("inertia.zero", "impossible", 1)])),
             json!({ "file": "e.urdf", "error": { "message": "polhode does not read xacro: …" } }),
             json!({ "file": "gone.urdf", "error": { "message": "there is no such file" } }),
             json!({ "file": ".", "error": { "message": ". holds no model" } }),
         ];
-        let (mut counts, mut seen) = (Counts::default(), Seen::default());
-        for result in &results {
-            counts.add(&tree, result, &mut seen).unwrap();
-        }
+        let counts = Counts::of(&tree, &results, &mut Seen::default()).unwrap();
         std::fs::remove_dir_all(&tree).unwrap();
         assert_eq!((counts.files_read(), counts.copies, counts.tests), (2, 1, 1));
         assert_eq!(counts.refused.values().copied().collect::<Vec<_>>(), [1, 1]);
@@ -223,6 +315,71 @@ mod tests {
             both.rules["inertia.triangle"],
             RuleCounts { findings: [4, 2, 0], files: 2, repositories: 2 }
         );
+    }
+
+    #[test]
+    fn what_stands_in_an_included_file_counts_once_and_for_that_file() {
+        // two models of the same arm, which is a model itself, and of a hand, which is none; a test includes another
+        let tree = tree(
+            "includes",
+            &[
+                ("one.xml", "1"),
+                ("two.xml", "2"),
+                ("arm.xml", "arm"),
+                ("hand.inc", "hand"),
+                ("test/t.xml", "t"),
+                ("own.inc", "own"),
+            ],
+        );
+        let within = |file: &str, mut finding: Value| {
+            finding["file"] = file.into();
+            finding
+        };
+        let arm = finding("inertia.triangle", "impossible", 4);
+        let hand = finding("mass.not_positive", "suspect", 2);
+        let of = |file: &str, links: usize, hand: Value| {
+            json!({ "file": file, "format": "mjcf", "links": links, "inertials": 5, "findings": [within("arm.xml", arm.clone()), within("hand.inc", hand)],
+                "includes": [{ "file": "arm.xml", "links": 3, "inertials": 3 }, { "file": "hand.inc", "links": 2, "inertials": 2 }] })
+        };
+        let worse = finding("mass.not_positive", "impossible", 2);
+        let results = [
+            of("one.xml", 6, hand),
+            of("two.xml", 5, worse),
+            json!({ "file": "arm.xml", "format": "mjcf", "links": 3, "inertials": 3, "includes": [], "findings": [arm] }),
+            json!({ "file": "test/t.xml", "format": "mjcf", "links": 9, "inertials": 9, "findings": [],
+                "includes": [{ "file": "own.inc", "links": 9, "inertials": 9 }] }),
+        ];
+        let counts = Counts::of(&tree, &results, &mut Seen::default()).unwrap();
+        std::fs::remove_dir_all(&tree).unwrap();
+        assert_eq!((counts.files_read(), counts.parts, counts.tests), (3, 1, 1));
+        assert_eq!((counts.links, counts.inertials, counts.weighed), (6, 5, 2));
+        assert_eq!(
+            (counts.findings(0), counts.findings(1), counts.files, counts.impossible_bodies),
+            (2, 0, [2, 0, 0], 2)
+        );
+    }
+
+    #[test]
+    fn only_a_mass_or_a_tensor_that_no_body_has_counts_as_one() {
+        let counted = |code: &str, severity: &str, inertials: usize| {
+            let tree = tree(code, &[("a.urdf", "a")]);
+            let result = json!({ "file": "a.urdf", "format": "urdf", "links": 2, "inertials": inertials, "includes": [],
+                "findings": [finding(code, severity, 1)] });
+            let counts = Counts::of(&tree, &[result], &mut Seen::default()).unwrap();
+            std::fs::remove_dir_all(&tree).unwrap();
+            assert!(counts.impossible_bodies <= counts.weighed);
+            counts.impossible_bodies
+        };
+        for code in NO_BODY {
+            assert_eq!(
+                (counted(code, "impossible", 1), counted(code, "suspect", 1), counted(code, "impossible", 0)),
+                (1, 0, 0),
+                "{code}"
+            );
+        }
+        for code in ["mass.missing", "inertia.missing", "number.missing", "number.malformed", "tree.empty"] {
+            assert_eq!(counted(code, "impossible", 1), 0, "{code}");
+        }
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::Audited;
-use super::count::Counts;
+use super::count::{Counts, NO_BODY};
 
 /// What a language is called.
 const LANGUAGES: [(&str, &str); 5] =
@@ -24,6 +24,10 @@ pub(super) fn text(audited: &[Audited]) -> String {
 fn introduction(audited: &[Audited], all: &Counts) -> String {
     let read = all.files_read();
     let largest = audited.iter().max_by_key(|one| one.counts.files_read());
+    let parts = match all.parts {
+        0 => String::new(),
+        parts => format!(", and {} more files that they include", count(parts)),
+    };
     let mut text = format!(
         "# Public models\n\nWritten by `cargo xtask corpus`; run it again rather than believe this page. What `polhode check` finds in {} public \
          repositories, each at the commit that is named below. No model is kept here.\n\n",
@@ -31,8 +35,8 @@ fn introduction(audited: &[Audited], all: &Counts) -> String {
     );
     let _ = writeln!(
         text,
-        "{} different files were read, with {} links, {} of them with an inertial. **{} of {} files that say a mass have one that no body has, \
-         {}**: a tensor, or a mass. {} have an impossible finding of any kind, {} a suspect one.",
+        "{} different models were read{parts}, with {} links and {} inertials. **{} of {} files that say a mass have \
+         one that no body has, {}**: a tensor, or a mass. {} files have an impossible finding of any kind, {} a suspect one.",
         count(read),
         count(all.links),
         count(all.inertials),
@@ -54,12 +58,25 @@ fn introduction(audited: &[Audited], all: &Counts) -> String {
             percent(bodies, weighed),
         );
     }
+    let rules: Vec<String> = NO_BODY.into_iter().map(linked).collect();
+    let _ = writeln!(
+        text,
+        "\nA file says a mass if an inertial stands in it. It has one that no body has if one of these rules finds it impossible: {}. A mass or tensor that \
+         is left out, or is no number, is not counted there, nor what is wrong with the tree. Links, inertials and findings are those of the file in \
+         which they stand, once, however many models include it; where these disagree the worst counts.",
+        rules.join(", ")
+    );
     text
+}
+
+/// A rule with the place of its explanation.
+fn linked(code: &str) -> String {
+    format!("[{code}](rules.md#{})", code.replace('.', ""))
 }
 
 fn by_repository(text: &mut String, audited: &[Audited], all: &Counts) {
     text.push_str(
-        "\n## By repository\n\nFiles that were read by language, files that were refused, and findings: a finding may name several links. A file \
+        "\n## By repository\n\nModels that were read by language, files that were refused, and findings: a finding may name several links. A file \
          with the same bytes as one in a row above, or in the same row, is a copy and not counted, and neither is one in a folder of tests, where \
          models are wrong on purpose.\n\n| repository | commit | date | URDF | SDF | MJCF | USD | OpenSim | refused | copies | in tests | links | \
          inertials | files with impossible | impossible | suspect | notes |\n|---|---|---|",
@@ -108,7 +125,7 @@ fn by_rule(text: &mut String, all: &Counts) {
         others.findings.cmp(&counts.findings).then_with(|| code.cmp(other))
     });
     for (code, counts) in rules {
-        let _ = write!(text, "| [{code}](rules.md#{}) |", code.replace('.', ""));
+        let _ = write!(text, "| {} |", linked(code));
         for number in counts.findings.into_iter().chain([counts.files, counts.repositories]) {
             let _ = write!(text, " {} |", if number == 0 { String::new() } else { count(number) });
         }

@@ -1,6 +1,7 @@
 //! The models that a command line names: files as they are, folders searched.
 
-use std::collections::BTreeSet;
+use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet};
 use std::env;
 use std::fs;
 use std::io;
@@ -8,7 +9,7 @@ use std::path::{Component, Path, PathBuf};
 
 use crate::failure::Failure;
 use crate::model_file::is_model;
-use crate::stderr::shown;
+use crate::stderr::{shown, tell};
 
 /// A file or folder of which there is no report.
 #[derive(Debug)]
@@ -29,7 +30,7 @@ impl Unread {
 /// In a folder only files that are models by ending and root element count, and hidden folders are left out. Links are
 /// followed; a folder that has been searched is not searched again, so that links in a circle end.
 pub(super) fn models(named: &[PathBuf]) -> Vec<Result<PathBuf, Unread>> {
-    let mut models = Vec::new();
+    let mut models: Vec<Result<PathBuf, Unread>> = Vec::new();
     for path in named {
         if !path.is_dir() {
             models.push(Ok(path.clone()));
@@ -42,7 +43,28 @@ pub(super) fn models(named: &[PathBuf]) -> Vec<Result<PathBuf, Unread>> {
             models.push(Err(Unread::new(path, format!("{} holds no model", shown(path)), hint)));
         }
     }
-    models
+    once(models)
+}
+
+/// Each file under the first of its names; the others are said.
+fn once(models: Vec<Result<PathBuf, Unread>>) -> Vec<Result<PathBuf, Unread>> {
+    let mut names: BTreeMap<PathBuf, PathBuf> = BTreeMap::new();
+    let is_first = |input: &Result<PathBuf, Unread>| {
+        let Ok(path) = input else { return true };
+        let Ok(real) = fs::canonicalize(path) else { return true };
+        match names.entry(real) {
+            Entry::Vacant(place) => {
+                place.insert(path.clone());
+                true
+            }
+            Entry::Occupied(first) => {
+                let message = format!("{} is {}, which is checked once", shown(path), shown(first.get()));
+                tell(&format!("{message}\n"));
+                false
+            }
+        }
+    };
+    models.into_iter().filter(is_first).collect()
 }
 
 /// What globs, baselines and reports call a file: relative to the working directory if it is in it, with slashes.
@@ -63,6 +85,15 @@ pub(super) fn name(path: &Path) -> String {
         }
     }
     name
+}
+
+/// The same without `..`, as it is in diffs, and of files that a model includes.
+pub(super) fn real_name(path: &Path) -> String {
+    let leads_up = path.components().any(|component| component == Component::ParentDir);
+    match fs::canonicalize(path).ok().filter(|_| leads_up) {
+        Some(real) => name(&real),
+        None => name(path),
+    }
 }
 
 fn search(root: &Path, models: &mut Vec<Result<PathBuf, Unread>>) {

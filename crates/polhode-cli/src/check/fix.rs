@@ -1,8 +1,7 @@
 //! `--fix`: what repairs change, as a diff; `--fix OUT`: the model with its repairs too, in a file of its own.
 
-use std::fs;
 use std::io::Write as _;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode_formats::FormatError;
@@ -10,7 +9,7 @@ use polhode_robot::finding::Finding;
 use polhode_robot::repair::proved;
 use polhode_robot::report::{CheckReport, Fixed};
 
-use super::files::name;
+use super::files::real_name;
 use crate::failure::Failure;
 use crate::partial;
 use crate::stderr::shown;
@@ -49,53 +48,24 @@ impl FixFlags {
         }
     }
 
-    /// Where the repaired model goes, if anywhere: a file that is not there yet, or may be replaced.
-    pub(super) fn target(&self, inputs: &[&Path]) -> Result<Option<(&Path, bool)>, Failure> {
-        let Some(Some(out)) = &self.out else {
-            return match self.out {
-                Some(None) if self.force => Err(Failure::usage(
-                    "--fix without a file writes nothing, and --force replaces a file",
-                    "name the file, or leave --force out",
-                )),
-                _ => Ok(None),
-            };
-        };
-        let shown = shown(out);
-        let [input] = *inputs else {
-            return Err(Failure::usage(
-                format!("--fix writes one model, and {} are named", inputs.len()),
+    /// Refuses a file for several models, and --force without a file.
+    pub(super) fn require_one(&self, models: usize) -> Result<(), Failure> {
+        match self.out {
+            Some(None) if self.force => Err(Failure::usage(
+                "--fix without a file writes nothing, and --force replaces a file",
+                "name the file, or leave --force out",
+            )),
+            Some(Some(_)) if models != 1 => Err(Failure::usage(
+                format!("--fix writes one model, and {models} are named"),
                 "repair them one by one",
-            ));
-        };
-        require_not_read("--fix", Some(out), &[input])?;
-        match fs::symlink_metadata(out) {
-            Ok(meta) if meta.is_dir() || out.is_dir() => Err(Failure::usage(
-                format!("{shown} is a folder, and --fix writes a file"),
-                "name a file in it",
             )),
-            Ok(_) if !self.force => Err(Failure::usage(
-                format!("{shown} is there already"),
-                "choose another file, or replace it with --force",
-            )),
-            _ if out.parent().is_some_and(|folder| folder != Path::new("") && !folder.is_dir()) => Err(
-                Failure::usage(format!("{shown} is in a folder that is not there"), "make the folder first"),
-            ),
-            _ => Ok(Some((out, self.force))),
+            _ => Ok(()),
         }
     }
-}
 
-/// Refuses to write over a model that is read, whatever --force says.
-pub(super) fn require_not_read(option: &str, out: Option<&Path>, inputs: &[&Path]) -> Result<(), Failure> {
-    let Some(out) = out else { return Ok(()) };
-    let real = fs::canonicalize(out).ok();
-    let is_out = |input: &&&Path| out == **input || real.is_some() && real == fs::canonicalize(input).ok();
-    match inputs.iter().find(is_out) {
-        Some(_) => Err(Failure::usage(
-            format!("{option} would overwrite the model itself, {}", shown(out)),
-            "write beside it, look at the difference, then move it there",
-        )),
-        None => Ok(()),
+    /// Where the repaired model goes, if anywhere.
+    pub(super) fn file(&self) -> Option<&Path> {
+        self.out.as_ref()?.as_deref()
     }
 }
 
@@ -115,22 +85,13 @@ pub(super) fn fixed(
         )
     };
     let (repaired, remaining) = proved(&report.model, report.findings(), check).map_err(unreadable)?;
-    let diff = repaired.diff(&report.model, report.findings(), &from_here(&report.model.path));
+    let diff = repaired.diff(&report.model, report.findings(), &real_name(&report.model.path));
     let out = out.map(|out| out.display().to_string());
     Ok(CheckReport { fixed: Some(Fixed { out, repaired, diff, remaining }), ..report })
 }
 
 /// Writes the repaired model.
-pub(super) fn write(report: &CheckReport, (out, force): (&Path, bool)) -> Result<(), Failure> {
+pub(super) fn write(report: &CheckReport, out: &Path, force: bool) -> Result<(), Failure> {
     let Some(fixed) = &report.fixed else { return Ok(()) };
     partial::write(out, force, |file| file.write_all(fixed.repaired.text.as_bytes()))
-}
-
-/// The name of a file in a diff: relative to the working directory; from the root of the file system if it is not in that.
-fn from_here(path: &Path) -> String {
-    let leads_up = path.components().any(|component| component == Component::ParentDir);
-    match fs::canonicalize(path).ok().filter(|_| leads_up) {
-        Some(real) => name(&real),
-        None => name(path),
-    }
 }

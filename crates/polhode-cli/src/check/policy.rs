@@ -12,6 +12,7 @@ use polhode_robot::policy::config::Config;
 use polhode_robot::policy::date::Date;
 use polhode_robot::policy::{Judged, Policy};
 
+use super::outputs::Outputs;
 use crate::failure::Failure;
 use crate::partial;
 use crate::stderr::{shown, tell};
@@ -52,12 +53,22 @@ impl PolicyFlags {
         self.write_baseline.as_deref()
     }
 
+    /// Refuses to write over what says what counts. A baseline is written anew in its place, with what it knows.
+    pub(super) fn require_not_written(&self, outputs: &Outputs<'_>) -> Result<(), Failure> {
+        outputs.require_not_read("the configuration", self.config_file().into_iter())?;
+        let others = outputs.without("--write-baseline");
+        others.require_not_read("the baseline", self.baseline.iter().map(PathBuf::as_path))
+    }
+
+    /// The configuration that is read, if any is.
+    fn config_file(&self) -> Option<&Path> {
+        self.config.as_deref().or_else(|| Some(Path::new(USUAL)).filter(|usual| usual.is_file()))
+    }
+
     /// What counts, and the least severity that fails.
     pub(super) fn read(&self) -> Result<(Policy, Severity), Failure> {
-        let usual = Path::new(USUAL);
-        let config = match &self.config {
+        let config = match self.config_file() {
             Some(path) => read_text_file(path, |text| Ok(Config::read(path, text)))??,
-            None if usual.is_file() => read_text_file(usual, |text| Ok(Config::read(usual, text)))??,
             None => Config::default(),
         };
         let baseline = match &self.baseline {

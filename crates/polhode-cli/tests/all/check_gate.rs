@@ -43,7 +43,7 @@ fn suspect() -> String {
     )
 }
 
-fn status(output: &Output) -> Option<i32> {
+pub(crate) fn status(output: &Output) -> Option<i32> {
     output.status.code()
 }
 

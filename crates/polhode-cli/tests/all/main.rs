@@ -4,6 +4,7 @@
 mod check;
 mod check_forms;
 mod check_gate;
+mod check_outputs;
 mod command;
 mod common;
 mod cookbook;

@@ -3,6 +3,9 @@
 //! A comment is for the link or joint whose element it is in, or right before; before the root element, for the whole file; elsewhere, for
 //! what is about the model as a whole.
 
+use std::collections::BTreeSet;
+
+use super::not_enough;
 use crate::finding::{Finding, Severity};
 use crate::model::{ModelFormat, RobotModel, Span};
 use crate::rule::{rule, rules};
@@ -45,12 +48,19 @@ impl Comment {
             }
     }
 
-    /// What is wrong with the comment itself: it cannot be understood, or a rule of it was of no use.
-    pub(super) fn fault(&self, is_used: impl Fn(&str) -> bool) -> Option<Finding> {
+    /// What is wrong with the comment itself: it cannot be understood, or a rule of it was of no use. `lacking` says of a rule that was
+    /// which links would have to be allowed, too.
+    pub(super) fn fault(&self, lacking: impl Fn(&str) -> Option<BTreeSet<String>>) -> Option<Finding> {
         let (code, severity, message) = match &self.fault {
             Some(fault) => ("allow.malformed", Severity::Suspect, fault.clone()),
             None => {
-                let unused: Vec<&str> = self.codes.iter().copied().filter(|code| !is_used(code)).collect();
+                let (mut unused, mut others) = (Vec::new(), BTreeSet::new());
+                for code in &self.codes {
+                    if let Some(lacking) = lacking(code) {
+                        unused.push(*code);
+                        others.extend(lacking);
+                    }
+                }
                 if unused.is_empty() {
                     return None;
                 }
@@ -61,7 +71,8 @@ impl Comment {
                     }
                     Scope::Elements(names) => format!("of {}", names.join(", ")),
                 };
-                ("allow.unused", Severity::Note, format!("no {} {place}", unused.join(", ")))
+                let why = not_enough(&others).map_or(String::new(), |why| format!(" alone: {why}"));
+                ("allow.unused", Severity::Note, format!("no {} {place}{why}", unused.join(", ")))
             }
         };
         let title = rule(code).map_or("", |rule| rule.title);

@@ -48,10 +48,10 @@ pub struct Allowance {
 
 impl Allowance {
     /// Whether it allows what a rule says of a link, a joint, or with an empty name the model.
-    fn allows(&self, file: &str, code: &str, subject: &str) -> bool {
+    fn allows(&self, files: &[&str], code: &str, subject: &str) -> bool {
         self.rule == code
             && self.link.as_ref().is_none_or(|glob| name_matches(glob, subject))
-            && self.file.matches(file)
+            && files.iter().any(|file| self.file.matches(file))
     }
 }
 
@@ -71,10 +71,10 @@ impl Config {
         self.severities.get(code).copied()
     }
 
-    /// The first allowance that has not expired for what a rule says of a link, by its place in the list.
-    pub(super) fn allowance(&self, file: &str, code: &str, subject: &str, today: Date) -> Option<usize> {
+    /// The first allowance that has not expired for what a rule says of a link in one of these files, by its place in the list.
+    pub(super) fn allowance(&self, files: &[&str], code: &str, subject: &str, today: Date) -> Option<usize> {
         self.allowances.iter().position(|allowance| {
-            allowance.expires.is_none_or(|day| today < day) && allowance.allows(file, code, subject)
+            allowance.expires.is_none_or(|day| today < day) && allowance.allows(files, code, subject)
         })
     }
 }

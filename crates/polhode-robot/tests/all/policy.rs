@@ -17,10 +17,14 @@ use crate::check_common::link;
 const GOOD: [&str; 6] = ["0.0123", "0.0171", "0.0219", "-0.0011", "0.0007", "0.0013"];
 const BAD: [&str; 6] = ["0.0123", "0.0171", "0.219", "-0.0011", "0.0007", "0.0013"];
 
+fn name(path: &Path) -> String {
+    path.to_string_lossy().into_owned()
+}
+
 fn judged(policy: &Policy, file: &str, text: &str) -> Judged {
     let model = read_text(text, Path::new(file), &ReadOptions::default()).unwrap();
     let findings = inspect(&model, &Shapes::default()).findings;
-    policy.judge(file, &model, findings)
+    policy.judge(name, &model, findings)
 }
 
 /// Two impossible links, joined.
@@ -178,7 +182,7 @@ fn a_group_is_allowed_if_all_of_it_is() {
     let both = config(&(entry("left_tip") + &entry("right_tip")));
     let found = judged(&both, "r.urdf", &text);
     assert_eq!((found.open.len(), found.settled.len()), (0, 1), "{found:#?}");
-    assert_eq!(found.settled[0].why, Reason::Allowed("pad left_tip".to_owned()));
+    assert_eq!(found.settled[0].why, Reason::Allowed("pad left_tip; pad right_tip".to_owned()));
     assert_eq!(remarks(&both, &[("r.urdf", &found)]), []);
     let comment = "<!-- polhode: allow mass.massless_collision: a pad -->";
     let commented = text.replace("<link name=\"right_tip\">", &format!("{comment}<link name=\"right_tip\">"));
@@ -187,7 +191,32 @@ fn a_group_is_allowed_if_all_of_it_is() {
     // alone neither is enough, and both are said to be of no use
     let one = config(&entry("left_tip"));
     let found = judged(&one, "r.urdf", &text);
-    assert_eq!((found.open.len(), remarks(&one, &[("r.urdf", &found)]).len()), (1, 1));
+    let said = remarks(&one, &[("r.urdf", &found)]);
+    assert_eq!((found.open.len(), said.len()), (1, 1));
+    assert!(said[0].2.ends_with("the finding is also about right_tip, which is not allowed"), "{said:?}");
+    // so it is of three, where the same reason is said once, and of a comment
+    let three = text.replace("</robot>", &(tip("third_tip") + "</robot>"));
+    let two = config(&(entry("left_tip") + &entry("third_tip")));
+    let found = judged(&two, "r.urdf", &three);
+    let said = remarks(&two, &[("r.urdf", &found)]);
+    assert_eq!((found.open.len(), said.len()), (1, 2));
+    assert!(
+        said.iter().all(|(.., message)| message.ends_with("about right_tip, which is not allowed")),
+        "{said:?}"
+    );
+    let same = (entry("left_tip") + &entry("third_tip") + &entry("right_tip"))
+        .replace("pad third_tip", "pad left_tip");
+    let found = judged(&config(&same), "r.urdf", &three);
+    let Reason::Allowed(reasons) = &found.settled[0].why else { panic!("{found:#?}") };
+    assert_eq!(
+        reasons.split("; ").collect::<BTreeSet<_>>(),
+        BTreeSet::from(["pad left_tip", "pad right_tip"])
+    );
+    assert_eq!(reasons.matches("pad").count(), 2, "{reasons}");
+    let found = judged(&Policy::default(), "r.urdf", &commented);
+    let unused = found.open.iter().find(|finding| finding.code == "allow.unused").unwrap();
+    let expected = "no mass.massless_collision of right_tip alone: the finding is also about left_tip, which is not allowed";
+    assert_eq!(unused.message, expected);
 }
 
 #[test]
@@ -317,7 +346,7 @@ fn a_finding_about_several_links_is_allowed_if_all_of_them_are() {
         let mut findings = inspect(&model, &Shapes::default()).findings;
         findings.truncate(1);
         findings[0].others = vec!["right".to_owned()];
-        let judged = Policy::default().judge("r.urdf", &model, findings);
+        let judged = Policy::default().judge(name, &model, findings);
         let told = judged.open.iter().filter(|finding| finding.code == "inertia.triangle").count();
         assert_eq!((told, judged.settled.len()), (usize::from(is_open), usize::from(!is_open)));
         assert_eq!(judged.open.iter().any(|finding| finding.code == "allow.unused"), is_open);
@@ -333,7 +362,7 @@ fn what_is_worse_or_of_further_links_is_not_what_was_known() {
         let mut finding = finding.clone();
         finding.severity = severity;
         finding.others = others.iter().map(|name| (*name).to_owned()).collect();
-        Policy::default().judge("r.urdf", &model, vec![finding]).ids.remove(0)
+        Policy::default().judge(name, &model, vec![finding]).ids.remove(0)
     };
     let ids = [
         id(Severity::Suspect, &[]),

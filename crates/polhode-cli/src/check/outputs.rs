@@ -1,0 +1,125 @@
+//! The files that a run writes: each can be written, none is another one's, and none is read. That is known before the first is written.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use polhode_robot::model::{GeometryShape, RobotModel};
+
+use crate::failure::Failure;
+use crate::stderr::shown;
+
+/// Options and the files that they name.
+pub(super) struct Outputs<'a> {
+    files: Vec<(&'static str, &'a Path)>,
+    force: bool,
+}
+
+impl<'a> Outputs<'a> {
+    pub(super) fn new<const N: usize>(options: [(&'static str, Option<&'a Path>); N], force: bool) -> Self {
+        let files = options.into_iter().filter_map(|(option, file)| Some((option, file?))).collect();
+        Self { files, force }
+    }
+
+    /// All but that of an option.
+    pub(super) fn without(&self, option: &str) -> Self {
+        let files = self.files.iter().copied().filter(|(other, _)| *other != option).collect();
+        Self { files, force: self.force }
+    }
+
+    /// Refuses two outputs in one file, and a place where a file cannot be or is not to be replaced.
+    pub(super) fn require_places(&self) -> Result<(), Failure> {
+        for (k, (option, out)) in self.files.iter().enumerate() {
+            if let Some((other, _)) = self.files.iter().take(k).find(|(_, other)| is_same(out, other)) {
+                return Err(Failure::usage(
+                    format!("{other} and {option} would both write {}", shown(out)),
+                    "name a file for each",
+                ));
+            }
+        }
+        self.files.iter().try_for_each(|(option, out)| require_place(option, out, self.force))
+    }
+
+    /// Refuses to write over a file that is read, whatever --force says; `what` says what that is.
+    pub(super) fn require_not_read<'p>(
+        &self,
+        what: &str,
+        mut read: impl Iterator<Item = &'p Path>,
+    ) -> Result<(), Failure> {
+        if self.files.is_empty() {
+            return Ok(());
+        }
+        let overwritten = read.find_map(|file| self.files.iter().find(|(_, out)| is_same(out, file)));
+        match overwritten {
+            Some((option, out)) => Err(Failure::usage(
+                format!("{option} would overwrite {what}, {}", shown(out)),
+                "write beside it, look at the difference, then move it there",
+            )),
+            None => Ok(()),
+        }
+    }
+
+    /// Refuses to write over a file that a model is made of.
+    pub(super) fn require_not_part_of(&self, model: &RobotModel) -> Result<(), Failure> {
+        let included = || model.included.iter().map(|source| source.path.as_path());
+        self.require_not_read("a file that the model includes", included())?;
+        let manifests: Vec<PathBuf> = included().map(|path| path.with_file_name("model.config")).collect();
+        self.require_not_read(
+            "the model.config of a model that is included",
+            manifests.iter().map(PathBuf::as_path),
+        )?;
+        let meshes =
+            model.links.iter().flat_map(|link| &link.geometry).filter_map(|geometry| match &geometry.shape {
+                GeometryShape::Mesh { path: Ok(path), .. } => Some(path.as_path()),
+                _ => None,
+            });
+        self.require_not_read("a mesh of the model", meshes)
+    }
+
+    /// Refuses to write over a file in which a model breaks off, or that it names: what it is made of is not known where it cannot be read.
+    pub(super) fn require_not_named(&self, model: &Path, failure: &Failure) -> Result<(), Failure> {
+        let torn = if let Failure::Input(error) = failure { Some(error.path()) } else { None };
+        self.require_not_read("a file that the model includes", torn.into_iter())?;
+        let there = self.files.iter().filter(|(_, out)| out.is_file());
+        let names: Vec<_> = there.filter_map(|(_, out)| Some((*out, out.file_name()?.to_str()?))).collect();
+        if names.is_empty() {
+            return Ok(());
+        }
+        let text = fs::read(model).unwrap_or_default();
+        let text = String::from_utf8_lossy(&text);
+        let named = names.into_iter().find(|(_, name)| text.contains(name)).map(|(out, _)| out);
+        self.require_not_read("a file that the model names, which cannot be read", named.into_iter())
+    }
+}
+
+fn require_place(option: &str, out: &Path, force: bool) -> Result<(), Failure> {
+    let shown = shown(out);
+    match fs::symlink_metadata(out) {
+        Ok(meta) if meta.is_dir() || out.is_dir() => Err(Failure::usage(
+            format!("{shown} is a folder, and {option} writes a file"),
+            "name a file in it",
+        )),
+        Ok(_) if !force => Err(Failure::usage(
+            format!("{shown} is there already"),
+            "choose another file, or replace it with --force",
+        )),
+        _ if !folder(out).is_dir() => {
+            Err(Failure::usage(format!("{shown} is in a folder that is not there"), "make the folder first"))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Whether two names are of one file, by way of links perhaps, there or to come.
+fn is_same(one: &Path, other: &Path) -> bool {
+    let agree = |of: fn(&Path) -> Option<PathBuf>| of(one).is_some_and(|path| Some(path) == of(other));
+    one == other || agree(entry) || agree(|path| fs::canonicalize(path).ok())
+}
+
+/// A name in the real path of its folder.
+fn entry(path: &Path) -> Option<PathBuf> {
+    Some(fs::canonicalize(folder(path)).ok()?.join(path.file_name()?))
+}
+
+fn folder(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}

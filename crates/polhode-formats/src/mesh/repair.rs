@@ -107,10 +107,11 @@ impl MeshRepair {
         let finding = |(k, repair): (usize, &Self)| {
             let mut message = repair.in_words();
             if Some(k) == last {
-                let before = if repairs[..k].iter().any(Self::is_something) { " all together" } else { "" };
+                let together =
+                    if repairs[..k].iter().any(Self::is_something) { " all together" } else { "" };
                 let bound = RepairBound::of(repairs);
-                let at_most = at_most(bound.volume, whole, effect(bound));
-                message += &format!("; {}{at_most}{before}", repair.proviso());
+                let at_most = at_most(bound.volume, whole, effect(bound), together);
+                message += &format!("; {}{at_most}", repair.proviso());
             }
             let severity = if repair.is_something() { Severity::Warning } else { Severity::Info };
             Finding { code: repair.code(), severity, message, place: place.clone() }
@@ -194,15 +195,19 @@ impl MeshRepair {
     }
 }
 
-/// "the volume may be off by …, at most"
-fn at_most(volume: f64, whole: f64, effect: Option<MeshEffect>) -> String {
-    let effect = effect.map_or(String::new(), |effect| {
-        format!(
-            ", the centre of mass by {:.1e} m, the tensor at one density by {:.1e} of its largest moment",
+/// "the volume may be off by …, at most", perhaps "all together"
+fn at_most(volume: f64, whole: f64, effect: Option<MeshEffect>, together: &str) -> String {
+    let off = format!("the volume may be off by {volume:.1e} m³ ({:.1e} of it)", volume / whole);
+    match effect {
+        None => format!("{off}, at most{together}"),
+        Some(effect) if effect.center.is_finite() => format!(
+            "{off}, the centre of mass by {:.1e} m, the tensor at one density by {:.1e} of its largest moment, at most{together}",
             effect.center, effect.inertia
-        )
-    });
-    format!("the volume may be off by {volume:.1e} m³ ({:.1e} of it){effect}, at most", volume / whole)
+        ),
+        Some(_) => format!(
+            "{off}, at most{together}: so much that nothing is known of the centre of mass and of the tensor"
+        ),
+    }
 }
 
 impl MeshContents {

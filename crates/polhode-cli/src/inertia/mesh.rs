@@ -203,8 +203,9 @@ fn whole(
     }
     let (contents, repairs) = contents.mended(flags.weld, flags.fill, unit, file)?;
     let name = file.display().to_string();
+    let explained = |error| MeshRepair::explained(&repairs, error);
     if flags.union {
-        let united = UnitedMesh::of(contents, file, unit)?;
+        let united = UnitedMesh::of(contents, file, unit).map_err(explained)?;
         findings.extend(united.findings_of(&repairs, &name));
         findings.extend(united.findings_in(&name));
         let what =
@@ -217,7 +218,7 @@ fn whole(
         let pieces = vec![Piece { name: String::new(), shape: Box::new(united.union) }];
         return Ok(Model { source, unit, pieces, field: None });
     }
-    let solid = MeshSolid::of(contents, file, format, unit)?;
+    let solid = MeshSolid::of(contents, file, format, unit).map_err(explained)?;
     findings.extend(MeshRepair::findings(&repairs, &solid, &name));
     findings.extend(solid.findings_in(&name));
     let turned = solid.parts.iter().any(|part| part.mesh.inverted());

@@ -128,8 +128,8 @@ fn what_is_left_open_has_its_reason() {
         [left.many_edged, left.larger, left.sheets, left.loose_edges]
     };
     assert_eq!(left(&triangles, 0.5), [0, 1, 0, 0]);
-    assert_eq!(left(&prism(258).0, 9.0), [1, 0, 0, 0]);
-    assert_eq!(left(&prism(256).0, 9.0), [0; 4]);
+    assert_eq!(left(&prism(258).0, 40.0), [1, 0, 0, 0]);
+    assert_eq!(left(&prism(256).0, 40.0), [0; 4]);
     // two holes that meet in one corner
     let (first, at) = (triangles[0], |t: &Triangle| t.contains(&triangles[0][0]));
     let edges = |t: &Triangle| t.iter().filter(|p| first.contains(p)).count();

@@ -12,6 +12,7 @@ mod quick;
 mod robot;
 mod substance;
 mod voxel;
+mod written;
 
 use std::path::{Path, PathBuf};
 
@@ -26,12 +27,13 @@ use polhode_report::{InertiaReport, SourceInfo};
 
 use self::cad::CadFlags;
 use self::kind::Kind;
-use self::mesh::{MeshFile, MeshFlags};
+use self::mesh::MeshFlags;
 use self::molecule::MoleculeFlags;
 use self::output::OutputFlags;
 use self::robot::RobotFlags;
 use self::substance::SubstanceFlags;
 use self::voxel::VoxelFlags;
+use self::written::MeshFile;
 use crate::failure::Failure;
 use crate::numbers::{numbers, positive, rotation, unit_named};
 use crate::progress::FileProgress;

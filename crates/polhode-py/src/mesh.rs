@@ -145,8 +145,9 @@ fn of_contents(
     let mended = contents.mended(weld, fill, options.unit, path).map_err(Raise::raise)?;
     let (contents, repairs) = mended;
     let file = path.display().to_string();
+    let raised = |error| MeshRepair::explained(&repairs, error).raise();
     if options.union {
-        let united = UnitedMesh::of(contents, path, options.unit).map_err(Raise::raise)?;
+        let united = UnitedMesh::of(contents, path, options.unit).map_err(raised)?;
         let mut findings = united.findings_of(&repairs, &file);
         findings.extend(united.findings_in(&file));
         let (name, numbers) = united.for_programs();
@@ -163,7 +164,7 @@ fn of_contents(
         let source = with_repairs(source.with("taken_as", "union").with(name, numbers), &repairs);
         return weighed(source, vec![(String::new(), boxed(united.union))], substance, findings, in_metres);
     }
-    let solid = MeshSolid::of(contents, path, format, options.unit).map_err(Raise::raise)?;
+    let solid = MeshSolid::of(contents, path, format, options.unit).map_err(raised)?;
     let mut findings = MeshRepair::findings(&repairs, &solid, &file);
     findings.extend(solid.findings_in(&file));
     let turned = solid.parts.iter().any(|part| part.mesh.inverted());

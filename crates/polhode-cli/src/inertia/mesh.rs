@@ -1,17 +1,15 @@
 //! The mass properties of a mesh file.
 
 use std::collections::BTreeSet;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode::body::mesh::{ConvexHull, MeshShell};
 use polhode::body::shape::{Extent, Shape, Substance};
-use polhode::body::{Finding, Form, MassProperties, Severity};
+use polhode::body::{Finding, MassProperties};
 use polhode_formats::expression::Expression;
 use polhode_formats::mesh::{
-    AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshPart, MeshRepair, MeshSolid, RepairBound,
-    UnitedMesh,
+    AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshRepair, MeshSolid, RepairBound, UnitedMesh,
 };
 use polhode_formats::unit::Dimension;
 use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
@@ -21,11 +19,10 @@ use super::model::{Model, Piece, unfit};
 use super::quick;
 use super::substance::{PartSubstance, SubstanceFlags, assumed, part};
 use super::voxel::in_body;
+use super::written::{MeshFile, written_format};
 use crate::failure::Failure;
 use crate::numbers::{positive, quantity};
 use crate::page;
-use crate::partial;
-use crate::stderr::shown;
 
 /// What says a mesh's density otherwise than --field, or leaves no solid for it, and so for --tolerance: of an option that requires
 /// another, clap asks nothing where that other conflicts with what is given.
@@ -203,8 +200,9 @@ fn whole(
     }
     let (contents, repairs) = contents.mended(flags.weld, flags.fill, unit, file)?;
     let name = file.display().to_string();
+    let explained = |error| MeshRepair::explained(&repairs, error);
     if flags.union {
-        let united = UnitedMesh::of(contents, file, unit)?;
+        let united = UnitedMesh::of(contents, file, unit).map_err(explained)?;
         findings.extend(united.findings_of(&repairs, &name));
         findings.extend(united.findings_in(&name));
         let what =
@@ -217,7 +215,7 @@ fn whole(
         let pieces = vec![Piece { name: String::new(), shape: Box::new(united.union) }];
         return Ok(Model { source, unit, pieces, field: None });
     }
-    let solid = MeshSolid::of(contents, file, format, unit)?;
+    let solid = MeshSolid::of(contents, file, format, unit).map_err(explained)?;
     findings.extend(MeshRepair::findings(&repairs, &solid, &name));
     findings.extend(solid.findings_in(&name));
     let turned = solid.parts.iter().any(|part| part.mesh.inverted());
@@ -256,65 +254,6 @@ fn mended(source: SourceInfo, repairs: &[MeshRepair]) -> SourceInfo {
         .with("volume_bound_m3", RepairBound::of(repairs).volume)
 }
 
-/// The file of --write-mesh, which is written when the answer is known.
-pub(super) struct MeshFile {
-    target: PathBuf,
-    force: bool,
-    bytes: Vec<u8>,
-}
-
-impl MeshFile {
-    /// Of the surfaces of the pieces, in their file's unit. What is to be written bounds solids too; where rounding changes their volume, that is said.
-    fn of(
-        pieces: &[Piece],
-        unit: f64,
-        target: &Path,
-        force: bool,
-        findings: &mut Vec<Finding>,
-    ) -> Result<Self, Failure> {
-        /// Of the volume: what coordinates of seven digits change of a body that is not thin.
-        const MUCH: f64 = 1e-6;
-        let format = written_format(target)?;
-        let part = |piece: &Piece| match piece.shape.form() {
-            Some(Form::Mesh(mesh)) => {
-                Some(MeshPart { name: piece.name.clone(), mesh: mesh.scaled(1.0 / unit) })
-            }
-            _ => None,
-        };
-        let parts: Vec<_> = pieces.iter().filter_map(part).collect();
-        let (bytes, written) = format.checked_bytes(&parts, target)?;
-        let volume: f64 = pieces.iter().map(Piece::volume).sum();
-        let off = written * unit.powi(3) / volume - 1.0;
-        if off.abs() > MUCH {
-            findings.push(Finding {
-                code: "mesh.rounded",
-                severity: Severity::Warning,
-                message: format!(
-                    "rounded to seven digits, the written mesh encloses {off:+.1e} of the volume more"
-                ),
-                place: Some(target.display().to_string()),
-            });
-        }
-        Ok(Self { target: target.to_owned(), force, bytes })
-    }
-
-    pub(super) fn write(&self) -> Result<(), Failure> {
-        partial::write(&self.target, self.force, |out| out.write_all(&self.bytes))
-    }
-}
-
-fn written_format(file: &Path) -> Result<MeshFormat, Failure> {
-    let format = MeshFormat::of_path(file).filter(|format| MeshFormat::WRITTEN.contains(format));
-    format.ok_or_else(|| {
-        let names = MeshFormat::WRITTEN.iter().flat_map(|format| format.extensions());
-        let names = names.map(|name| format!(".{name}")).collect::<Vec<_>>().join(", ");
-        Failure::usage(
-            format!("--write-mesh does not write {}", shown(file)),
-            format!("a mesh is written as {names}"),
-        )
-    })
-}
-
 /// Each part with its mass.
 fn weighed(
     pieces: &[Piece],
@@ -340,6 +279,18 @@ fn weighed(
         return Err(Failure::usage(
             format!("--part {} is given twice", twice.name),
             "a part is made of one thing: leave one of them out",
+        ));
+    }
+    let called = |given: &PartSubstance| pieces.iter().filter(|piece| piece.name == given.name).count();
+    let is_mass = |given: &&PartSubstance| matches!(given.substance, Substance::Mass(_));
+    if let Some(shared) = flags.part.iter().filter(is_mass).find(|given| called(given) > 1) {
+        return Err(Failure::usage(
+            format!(
+                "{} parts of the mesh are named {:?}: is the mass that of each?",
+                called(shared),
+                shared.name
+            ),
+            "give a density or a material, which counts for each, or name the parts apart in the file",
         ));
     }
     let rest: Vec<_> = pieces.iter().filter(|piece| own(piece).is_none()).collect();

@@ -17,6 +17,7 @@ mod inertia;
 mod interrupted;
 mod limits;
 mod live;
+mod mend;
 mod names;
 mod options;
 mod page;

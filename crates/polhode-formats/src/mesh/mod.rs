@@ -4,6 +4,7 @@ mod affine;
 mod assumed_unit;
 mod budget;
 pub mod collada;
+mod fill;
 pub mod gltf;
 mod notes;
 mod number;

@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use polhode::body::mesh::{FilledMesh, MeshEffect, TriangleMesh, WeldedMesh};
+use polhode::body::mesh::{HolesLeft, MeshEffect, TriangleMesh, WeldedMesh};
 use polhode::body::{BodyError, Finding, Severity};
 use serde_json::{Value, json};
 
-use super::{MeshContents, MeshPart, MeshSolid, RepairBound, solid};
-use crate::error::FormatError;
+use super::{MeshContents, MeshPart, MeshSolid, RepairBound, fill, solid};
+use crate::error::{FormatError, FormatErrorKind};
 use crate::unit::{self, Dimension, UnitError};
 
 /// A length beside a mesh.
@@ -46,7 +46,7 @@ impl MeshLength {
     }
 
     /// In the mesh's own unit.
-    fn beside(self, diagonal: f64, unit: f64) -> f64 {
+    pub(super) fn beside(self, diagonal: f64, unit: f64) -> f64 {
         match self {
             Self::Metres(length) => length / unit,
             Self::OfSize(part) => part * diagonal,
@@ -79,6 +79,8 @@ pub enum MeshRepair {
         triangles: usize,
         /// The largest distance between two vertices of such a hole, m.
         largest: f64,
+        /// Holes that were not closed.
+        left: HolesLeft,
         /// What it may be off, if what is missing lies within the balls about the holes.
         bound: RepairBound,
     },
@@ -107,15 +109,32 @@ impl MeshRepair {
         let finding = |(k, repair): (usize, &Self)| {
             let mut message = repair.in_words();
             if Some(k) == last {
-                let before = if repairs[..k].iter().any(Self::is_something) { " all together" } else { "" };
+                let together = if repairs[..k].iter().any(Self::is_something) { " all together" } else { "" };
                 let bound = RepairBound::of(repairs);
-                let at_most = at_most(bound.volume, whole, effect(bound));
-                message += &format!("; {}{at_most}{before}", repair.proviso());
+                let at_most = at_most(bound.volume, whole, effect(bound), together);
+                message += &format!("; {}{at_most}", repair.proviso());
             }
             let severity = if repair.is_something() { Severity::Warning } else { Severity::Info };
             Finding { code: repair.code(), severity, message, place: place.clone() }
         };
         repairs.iter().enumerate().map(finding).collect()
+    }
+
+    /// The error of a mesh that is open still, with why its holes were not filled.
+    #[must_use]
+    pub fn explained(repairs: &[Self], error: FormatError) -> FormatError {
+        let is_open = matches!(error.kind(), FormatErrorKind::Mesh { error: BodyError::OpenMesh { .. }, .. });
+        let left = repairs.iter().find_map(|repair| match repair {
+            Self::Filled { left, .. } => fill::left_open(*left),
+            Self::Welded { .. } => None,
+        });
+        match left.filter(|_| is_open) {
+            None => error,
+            Some(left) => {
+                let hint = error.hint().map_or(String::new(), |hint| format!("; {hint}"));
+                error.with_hint(format!("not all of it was filled: {left}{hint}"))
+            }
+        }
     }
 
     /// Whether there was something to mend.
@@ -144,7 +163,7 @@ impl MeshRepair {
                     "volume_bound_m3": bound.volume,
                 }),
             ),
-            Self::Filled { holes, triangles, largest, bound } => (
+            Self::Filled { holes, triangles, largest, bound, .. } => (
                 "fill",
                 json!({
                     "holes": holes,
@@ -170,10 +189,6 @@ impl MeshRepair {
     }
 
     fn in_words(&self) -> String {
-        let counted = |count: usize, noun: &str| match count {
-            1 => format!("1 {noun}"),
-            many => format!("{many} {noun}s"),
-        };
         match *self {
             Self::Welded { points: 0, .. } => {
                 "nothing was welded: no vertices of open edges are so near each other".to_owned()
@@ -183,7 +198,10 @@ impl MeshRepair {
                 counted(points, "point"),
                 if vanished == 0 { "no triangle".to_owned() } else { counted(vanished, "triangle") }
             ),
-            Self::Filled { holes: 0, .. } => "nothing was filled: no hole is so small".to_owned(),
+            Self::Filled { holes: 0, left, .. } => {
+                let why = fill::left_open(left).unwrap_or_else(|| "the mesh has no open edges".to_owned());
+                format!("nothing was filled: {why}")
+            }
             Self::Filled { holes, triangles, largest, .. } => format!(
                 "{} of up to {largest:.2e} m across {} filled with {}, as was asked",
                 counted(holes, "hole"),
@@ -194,15 +212,26 @@ impl MeshRepair {
     }
 }
 
-/// "the volume may be off by …, at most"
-fn at_most(volume: f64, whole: f64, effect: Option<MeshEffect>) -> String {
-    let effect = effect.map_or(String::new(), |effect| {
-        format!(
-            ", the centre of mass by {:.1e} m, the tensor at one density by {:.1e} of its largest moment",
+pub(super) fn counted(count: usize, noun: &str) -> String {
+    match count {
+        1 => format!("1 {noun}"),
+        many => format!("{many} {noun}s"),
+    }
+}
+
+/// "the volume may be off by …, at most", perhaps "all together"
+fn at_most(volume: f64, whole: f64, effect: Option<MeshEffect>, together: &str) -> String {
+    let off = format!("the volume may be off by {volume:.1e} m³ ({:.1e} of it)", volume / whole);
+    match effect {
+        None => format!("{off}, at most{together}"),
+        Some(effect) if effect.center.is_finite() => format!(
+            "{off}, the centre of mass by {:.1e} m, the tensor at one density by {:.1e} of its largest moment, at most{together}",
             effect.center, effect.inertia
-        )
-    });
-    format!("the volume may be off by {volume:.1e} m³ ({:.1e} of it){effect}, at most", volume / whole)
+        ),
+        Some(_) => format!(
+            "{off}, at most{together}: so much that nothing is known of the centre of mass and of the tensor"
+        ),
+    }
 }
 
 impl MeshContents {
@@ -266,57 +295,6 @@ impl MeshContents {
         }
         Ok((self, repairs))
     }
-
-    /// The mesh with holes closed that are no larger than this: [`TriangleMesh::filled`] of each part. Open parts of which one closes edges of
-    /// another are pieces of one surface: they are filled together, and are one part then, which is a finding. `unit` is as in
-    /// [`MeshSolid::read`].
-    ///
-    /// # Errors
-    /// [`FormatError`] for a size that is not positive.
-    pub fn filled(
-        mut self,
-        size: MeshLength,
-        unit: Option<f64>,
-        path: &Path,
-    ) -> Result<(Self, MeshRepair), FormatError> {
-        let unit = unit.or(self.unit).unwrap_or(1.0);
-        let refused = |error| solid::no_solid(path, "", error);
-        let size = size.beside(solid::joined(&self.parts).map_err(refused)?.diagonal(), unit);
-        let each = self.parts.iter().map(|part| part.mesh.filled(size));
-        let each = each.collect::<Result<Vec<_>, _>>().map_err(refused)?;
-        let is_open: Vec<bool> = each.iter().map(|mesh| mesh.edges_before > 0).collect();
-        let open: Vec<_> =
-            self.parts.iter().zip(&is_open).filter(|(_, open)| **open).map(|(part, _)| part).collect();
-        let pieces = solid::joined(open.iter().copied()).and_then(|all| all.filled(size)).map_err(refused)?;
-        let edges: usize = each.iter().map(|mesh| mesh.edges_before).sum();
-        if edges == pieces.edges_before {
-            let repair = repair_of_holes(&each, unit);
-            for (part, filled) in self.parts.iter_mut().zip(each) {
-                part.mesh = filled.mesh;
-            }
-            return Ok((self, repair));
-        }
-        let repair = repair_of_holes(std::slice::from_ref(&pieces), unit);
-        self.findings.push(Finding {
-            code: "mesh.joined",
-            severity: Severity::Info,
-            message: format!(
-                "{} open parts of the file are pieces of one surface, and one part now",
-                open.len()
-            ),
-            place: None,
-        });
-        let mut pieces = Some(pieces.mesh);
-        let parts = std::mem::take(&mut self.parts).into_iter().zip(is_open);
-        self.parts = parts
-            .filter_map(|(part, is_open)| match is_open {
-                // in the place of the first
-                true => pieces.take().map(|mesh| MeshPart { name: String::new(), mesh }),
-                false => Some(part),
-            })
-            .collect();
-        Ok((self, repair))
-    }
 }
 
 /// The triangles of each part, of all together.
@@ -339,17 +317,5 @@ fn repair(welded: &[WeldedMesh], unit: f64) -> MeshRepair {
         largest_distance: most(|mesh| mesh.largest_distance),
         vanished: count(|mesh| mesh.vanished),
         bound: RepairBound { volume, beyond: most(|mesh| mesh.farthest_move) },
-    }
-}
-
-fn repair_of_holes(filled: &[FilledMesh], unit: f64) -> MeshRepair {
-    let count = |of: fn(&FilledMesh) -> usize| filled.iter().map(of).sum();
-    let most = |of: fn(&FilledMesh) -> f64| unit * filled.iter().map(of).fold(0.0, f64::max);
-    let volume = filled.iter().map(|mesh| mesh.volume_bound).sum::<f64>() * unit.powi(3);
-    MeshRepair::Filled {
-        holes: count(|mesh| mesh.holes),
-        triangles: count(|mesh| mesh.triangles),
-        largest: most(|mesh| mesh.largest),
-        bound: RepairBound { volume, beyond: 2.0 * most(|mesh| mesh.largest_radius) },
     }
 }

@@ -59,6 +59,7 @@ mod tests {
                 holes: radii.len(),
                 triangles: 7,
                 largest,
+                left: polhode::body::mesh::HolesLeft::default(),
                 bound: RepairBound { volume: radii.iter().copied().map(ball).sum(), beyond: 2.0 * largest },
             };
             assert_eq!(RepairBound::of(&[fill]), fill.bound());

@@ -7,6 +7,7 @@ use polhode::body::shape::{Shape, Substance};
 use polhode::body::{BodyError, Finding, MassProperties, Severity};
 use polhode::math::Part;
 
+use super::repair::counted;
 use super::{MeshContents, MeshFormat, MeshLength, MeshPart, union_hint};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::text::escaped;
@@ -195,8 +196,12 @@ fn open_or_unsound(
     });
     match fill {
         Some(fill) => error.with_hint(format!(
-            "it closes if holes of up to {:.1e} of its size are filled: --fill {:e} ({} holes, {} triangles); {ELSE}",
-            fill.largest, fill.size, fill.holes, fill.triangles
+            "it closes if holes of up to {:.1e} of its size are filled: --fill {:e} ({}, {}), or fill = {:e} in a scenario; {ELSE}",
+            fill.largest,
+            fill.size,
+            counted(fill.holes, "hole"),
+            counted(fill.triangles, "triangle"),
+            fill.size
         )),
         None => error,
     }

@@ -15,8 +15,8 @@ impl MeshFormat {
 
     /// The bytes of a file with these parts; `None` for a format that is not written.
     ///
-    /// OBJ and PLY have every digit of a coordinate, and each vertex once. Parts that are called the same, or nothing, get a number in OBJ. STL is binary: coordinates are rounded to f32, and parts lose
-    /// their names there and in PLY.
+    /// OBJ and PLY have every digit of a coordinate, and each vertex once. Parts that are called the same, or nothing, get a number in OBJ, and `#` and `\` are
+    /// spaces there. STL is binary: coordinates are rounded to f32, and parts lose their names there and in PLY.
     ///
     /// ```
     /// use polhode::body::mesh::TriangleMesh;
@@ -36,20 +36,18 @@ impl MeshFormat {
         }
     }
 
-    /// The same, read again and looked at: with the volume that its solids enclose, in the mesh's unit cubed. `path` is for messages; nothing
-    /// is written there.
+    /// The same, read again and looked at: with the solids that it bounds, in the mesh's unit. `path` is for messages; nothing is written there.
     ///
     /// # Errors
     /// [`FormatError`] for a format that is not written, and if what was written would no longer bound solids: coordinates that are rounded to
     /// seven digits may open it or let it go through itself, and parts without names become one.
-    pub fn checked_bytes(self, parts: &[MeshPart], path: &Path) -> Result<(Vec<u8>, f64), FormatError> {
+    pub fn checked_bytes(self, parts: &[MeshPart], path: &Path) -> Result<(Vec<u8>, MeshSolid), FormatError> {
         let refused =
             |error: FormatError| error.with_hint(format!("so it would be written; {}", self.alternative()));
         let bytes = self.bytes(parts).unwrap_or_default();
         let contents = MeshContents::parse(&bytes, path, self).map_err(refused)?;
         let solid = MeshSolid::of(contents, path, self, None).map_err(refused)?;
-        let volume: f64 = solid.parts.iter().map(|part| part.mesh.volume()).sum();
-        Ok((bytes, volume))
+        Ok((bytes, solid))
     }
 
     const fn alternative(self) -> &'static str {
@@ -108,8 +106,10 @@ fn obj(parts: &[MeshPart]) -> String {
 /// Names on one line, and of several parts each its own: groups of one name are one part.
 fn group_names(parts: &[MeshPart]) -> Vec<String> {
     let plain = |part: &MeshPart| -> String {
-        let name: String = part.name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-        name.trim().to_owned()
+        // A comment begins with #, and \ may go on with the next line.
+        let is_plain = |c: char| !c.is_control() && c != '#' && c != '\\';
+        let name: String = part.name.chars().map(|c| if is_plain(c) { c } else { ' ' }).collect();
+        name.split_whitespace().collect::<Vec<_>>().join(" ")
     };
     if let [only] = parts {
         return vec![plain(only)];
@@ -176,5 +176,24 @@ mod tests {
         let again = MeshContents::parse(&bytes, "a.obj".as_ref(), MeshFormat::Obj).unwrap();
         assert!(again.parts.iter().map(|part| &part.mesh).eq(parts.iter().map(|part| &part.mesh)));
         assert_eq!(group_names(&parts[..1]), [""]);
+    }
+
+    #[test]
+    fn names_that_obj_would_cut_are_read_again_as_they_are_written() {
+        let given = ["wheel #1", "wheel #2", "wheel \\2", "#", "#3", "a\\"];
+        let parts: Vec<_> = (0..given.len())
+            .map(|k| {
+                let x = 0.3 + 5.0 * k as f64;
+                let [o, a, b, c] = [[x, 0.2, 0.3], [x + 0.7, 0.1, -0.2], [x, 1.9, 0.4], [x, 0.1, 2.2]];
+                let mesh = TriangleMesh::of_triangles(&[[o, b, a], [o, a, c], [o, c, b], [a, b, c]]);
+                MeshPart { name: given[k].to_owned(), mesh: mesh.unwrap() }
+            })
+            .collect();
+        let (_, solid) = MeshFormat::Obj.checked_bytes(&parts, "a.obj".as_ref()).unwrap();
+        let names: Vec<_> = solid.parts.iter().map(|part| part.name.as_str()).collect();
+        assert_eq!(names, ["wheel 1", "wheel 2", "wheel 2_2", "part_4", "3", "a"]);
+        let alone = MeshFormat::Obj.bytes(&parts[5..]).unwrap();
+        let alone = MeshContents::parse(&alone, "a.obj".as_ref(), MeshFormat::Obj).unwrap();
+        assert_eq!(alone.parts[0].name, "a");
     }
 }

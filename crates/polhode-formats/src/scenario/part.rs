@@ -89,7 +89,7 @@ fn keys(kind: &str) -> Vec<&'static str> {
         "particles" => &[&["particles"]],
         "molecule" => &[&["file", "isotopes"]],
         "tensor" => &[&tensor::KEYS],
-        "mesh" => &[&["file", "unit", "weld", "union"], &substance::KEYS],
+        "mesh" => &[&["file", "unit", "weld", "fill", "union"], &substance::KEYS],
         _ => &[SHAPES.iter().find(|(name, _)| *name == kind).map_or(&[], |(_, keys)| keys), &substance::KEYS],
     };
     COMMON.iter().chain(own.iter().copied().flatten()).copied().collect()
@@ -125,8 +125,8 @@ fn particles(table: &Table<'_>, name: String, placement: &Placement) -> Result<B
 /// The mesh of a part, read once.
 fn mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<Arc<ClosedMesh>, FormatError> {
     let file = table.require("file", "file = \"part.stl\"")?;
-    // A weld may be varied, and then the same file is another mesh.
-    let is_kept = table.get("weld").is_none();
+    // A weld or a fill may be varied, and then the same file is another mesh.
+    let is_kept = table.get("weld").is_none() && table.get("fill").is_none();
     if let Some(Known::Mesh(mesh, noticed)) = file.known().filter(|_| is_kept) {
         findings.extend_from_slice(noticed);
         return Ok(mesh.clone());
@@ -148,6 +148,7 @@ struct MeshFile<'a> {
     format: MeshFormat,
     unit: Option<f64>,
     weld: Option<MeshLength>,
+    fill: Option<MeshLength>,
 }
 
 impl<'a> MeshFile<'a> {
@@ -172,16 +173,16 @@ impl<'a> MeshFile<'a> {
             };
             return Err(value.invalid("a mesh file").with_hint(hint));
         };
-        let weld = table.get("weld").map(|value| weld_tolerance(&value)).transpose()?;
-        Ok(Self { value, written, path, format, unit, weld })
+        let length = |key, example| table.get(key).map(|value| beside_mesh(&value, example)).transpose();
+        let weld = length("weld", "weld = \"0.01 mm\", or weld = 1e-6 of its size")?;
+        let fill = length("fill", "fill = \"2 mm\", or fill = 0.01 of its size")?;
+        Ok(Self { value, written, path, format, unit, weld, fill })
     }
 
-    /// What it holds, each part welded by itself, as the command does.
-    fn contents(&self) -> Result<(MeshContents, Option<MeshRepair>), FormatError> {
+    /// What it holds, each part mended by itself, as the command does.
+    fn contents(&self) -> Result<(MeshContents, Vec<MeshRepair>), FormatError> {
         let contents = MeshContents::read_as(&self.path, self.written, self.format)?;
-        let Some(tolerance) = self.weld else { return Ok((contents, None)) };
-        let (welded, repair) = contents.welded(tolerance, self.unit, &self.path)?;
-        Ok((welded, Some(repair)))
+        contents.mended(self.weld, self.fill, self.unit, &self.path)
     }
 
     fn blamed(&self, error: FormatError) -> FormatError {
@@ -199,20 +200,21 @@ impl<'a> MeshFile<'a> {
 /// All parts of a mesh file as one.
 fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<ClosedMesh, FormatError> {
     let file = MeshFile::of(table)?;
-    let MeshFile { ref value, ref path, written, format, unit, weld } = file;
-    let known =
-        value.source().mesh.filter(|known| known.path == *path && known.unit == unit && weld.is_none());
-    let mut repair = None;
+    let MeshFile { ref value, ref path, written, format, unit, weld, fill } = file;
+    let is_as_read = weld.is_none() && fill.is_none();
+    let known = value.source().mesh.filter(|known| known.path == *path && known.unit == unit && is_as_read);
+    let mut repairs = Vec::new();
     let read = || {
         let (contents, done) = file.contents()?;
-        repair = done;
+        repairs = done;
         let one = contents.as_one().map_err(|e| FormatError::new(path, None, FormatErrorKind::Body(e)))?;
-        MeshSolid::watched(one, path, format, unit, value.source().watch.0)
+        let solid = MeshSolid::watched(one, path, format, unit, value.source().watch.0);
+        solid.map_err(|error| MeshRepair::explained(&repairs, error))
     };
     let solid = known.map_or_else(read, |known| Ok(known.solid.clone()));
     let solid = solid.map_err(|error| file.blamed(error))?;
     let place = format!("part \"{name}\", {written}");
-    findings.extend(MeshRepair::findings(repair.as_slice(), &solid, &place));
+    findings.extend(MeshRepair::findings(&repairs, &solid, &place));
     findings.extend(solid.findings_in(&place));
     let mut parts = solid.parts;
     parts.pop().map(|part| part.mesh).ok_or_else(|| value.invalid("a mesh with triangles"))
@@ -227,13 +229,13 @@ fn is_united(table: &Table<'_>) -> Result<bool, FormatError> {
 fn united(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<MeshUnion, FormatError> {
     let file = MeshFile::of(table)?;
     let read = || {
-        let (contents, repair) = file.contents()?;
-        let united = UnitedMesh::watched(contents, &file.path, file.unit, file.value.source().watch.0)?;
-        Ok((united, repair))
+        let (contents, repairs) = file.contents()?;
+        let united = UnitedMesh::watched(contents, &file.path, file.unit, file.value.source().watch.0);
+        Ok((united.map_err(|error| MeshRepair::explained(&repairs, error))?, repairs))
     };
-    let (united, repair) = read().map_err(|error| file.blamed(error))?;
+    let (united, repairs) = read().map_err(|error| file.blamed(error))?;
     let place = format!("part \"{name}\", {}", file.written);
-    findings.extend(united.findings_of(repair.as_slice(), &place));
+    findings.extend(united.findings_of(&repairs, &place));
     findings.extend(united.findings_in(&place));
     Ok(united.union)
 }
@@ -248,17 +250,15 @@ pub(super) fn assumes_metres(table: &Table<'_>) -> Option<bool> {
 }
 
 /// `weld = "0.01 mm"`, or `weld = 1e-6` of the mesh's size.
-fn weld_tolerance(value: &Value<'_>) -> Result<MeshLength, FormatError> {
-    let tolerance = match value.string() {
+fn beside_mesh(value: &Value<'_>, example: &str) -> Result<MeshLength, FormatError> {
+    let length = match value.string() {
         Ok(text) => MeshLength::parse(text).map_err(|error| value.error(FormatErrorKind::Unit(error)))?,
         Err(_) => MeshLength::OfSize(value.number()?),
     };
-    if tolerance.value() > 0.0 && tolerance.value().is_finite() {
-        return Ok(tolerance);
+    if length.value() > 0.0 && length.value().is_finite() {
+        return Ok(length);
     }
-    Err(value
-        .invalid("positive and finite")
-        .with_hint("write weld = \"0.01 mm\", or weld = 1e-6 of its size"))
+    Err(value.invalid("positive and finite").with_hint(format!("write {example}")))
 }
 
 /// `unit = "mm"`: what one is, in metres.

@@ -96,6 +96,52 @@ fn what_is_larger_or_meets_another_hole_stays_open() {
     assert_eq!(mesh.filled(1.0).unwrap().holes, 0);
 }
 
+/// Sheets beside a closed solid: one plane with a vertex in it, one bent, one that is one triangle; and a bowl, which is none.
+#[test]
+fn the_rim_of_a_sheet_is_no_hole() {
+    let [a, b, c, d] = [[5.0, 0.1, 0.2], [5.3, 0.2, 0.1], [5.4, 0.5, 0.3], [4.9, 0.4, 0.5]];
+    let plane = |u: f64, v: f64| [7.1 + 0.3 * u - 0.1 * v, 0.2 * u + 0.7 * v, 1.3 - 0.4 * u + 0.2 * v];
+    let [e, f, g, m] = [plane(0.0, 0.0), plane(1.0, 0.1), plane(0.3, 0.9), plane(0.4, 0.3)];
+    let sheets = [vec![[a, b, c], [a, c, d]], vec![[e, f, m], [f, g, m], [g, e, m]], vec![[a, b, c]]];
+    for sheet in sheets {
+        let triangles = [cuboid(), sheet.clone()].concat();
+        let filled = filled(&triangles, 2.0);
+        assert_eq!((filled.holes, filled.triangles, filled.left.sheets), (0, 0, 1), "{sheet:?}");
+        assert!(filled.open_edges > 0);
+        let mesh = TriangleMesh::of_triangles(&triangles).unwrap();
+        assert_eq!(mesh.closing_fill(&|| true), None, "{sheet:?}");
+    }
+    let bowl = [[e, f, d], [f, g, d], [g, e, d]];
+    let filled = filled(&[cuboid().as_slice(), &bowl].concat(), 2.0);
+    assert_eq!(
+        (filled.holes, filled.open_edges, filled.left),
+        (1, 0, polhode::body::mesh::HolesLeft::default())
+    );
+}
+
+#[test]
+fn what_is_left_open_has_its_reason() {
+    let mut triangles = cuboid();
+    triangles.remove(7);
+    let left = |triangles: &[Triangle], size: f64| {
+        let left = filled(triangles, size).left;
+        [left.many_edged, left.larger, left.sheets, left.loose_edges]
+    };
+    assert_eq!(left(&triangles, 0.5), [0, 1, 0, 0]);
+    assert_eq!(left(&prism(258).0, 40.0), [1, 0, 0, 0]);
+    assert_eq!(left(&prism(256).0, 40.0), [0; 4]);
+    // two holes that meet in one corner
+    let (first, at) = (triangles[0], |t: &Triangle| t.contains(&triangles[0][0]));
+    let edges = |t: &Triangle| t.iter().filter(|p| first.contains(p)).count();
+    let mut whole = cuboid();
+    let second = (0..12).find(|&k| at(&whole[k]) && edges(&whole[k]) == 1).unwrap();
+    whole.remove(second);
+    whole.remove(0);
+    assert_eq!(left(&whole, 9.0), [0, 0, 0, 6]);
+    assert_eq!(TriangleMesh::of_triangles(&whole).unwrap().open_edges().len(), 6);
+    assert!(TriangleMesh::of_triangles(&cuboid()).unwrap().open_edges().is_empty());
+}
+
 #[test]
 fn the_bound_holds_for_a_bulge_in_the_ball_about_the_hole() {
     // A tetrahedron's base, which had a pyramid on it: its tip lies in the ball about the base.

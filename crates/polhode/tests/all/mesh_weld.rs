@@ -121,7 +121,7 @@ fn the_bound_holds_wherever_in_their_spread_the_vertices_are() {
 fn nothing_is_welded_unasked_and_what_is_closed_stays_as_it_is() {
     let mesh = TriangleMesh::of_triangles(&ring(9, 7)).unwrap();
     let welded = mesh.welded(0.01 * mesh.diagonal()).unwrap();
-    assert_eq!((welded.joined, welded.points, welded.volume_bound), (0, 0, 0.0));
+    assert_eq!((welded.joined, welded.points, welded.volume_bound.to_bits()), (0, 0, 0));
     assert_eq!(sorted(&welded.mesh), sorted(&mesh));
     assert!(ClosedMesh::of(&torn(&ring(9, 7), 1e-13, 5)).is_err());
 }
@@ -176,6 +176,24 @@ fn an_open_mesh_says_at_which_weld_it_closes() {
     assert_eq!(TriangleMesh::of_triangles(&whole).unwrap().closing_weld(&|| true), None);
     assert_eq!(TriangleMesh::of_triangles(&whole[1..]).unwrap().closing_weld(&|| true), None);
     assert_eq!(self::torn(&whole, 5e-3 * size, 4).closing_weld(&|| true), None);
+}
+
+/// Two squares of one side, 0.5 mm apart and wound against each other, without the walls between them.
+#[test]
+fn a_weld_that_presses_two_sheets_onto_each_other_closes_nothing_worth_a_mention() {
+    let at = |i: usize, k: usize, z: f64| [0.1 + 0.2 * i as f64, -0.3 + 0.2 * k as f64, z];
+    let squares = (0..5).flat_map(|i| (0..5).map(move |k| (i, k)));
+    let sheets = squares.flat_map(|(i, k)| {
+        let corners = |z: f64| [at(i, k, z), at(i + 1, k, z), at(i + 1, k + 1, z), at(i, k + 1, z)];
+        let ([a, b, c, d], [e, f, g, h]) = (corners(0.0005), corners(0.0));
+        [[a, b, c], [a, c, d], [e, g, f], [e, h, g]]
+    });
+    let mesh = TriangleMesh::of_triangles(&sheets.collect::<Vec<_>>()).unwrap();
+    let welded = mesh.welded(4e-4 * mesh.diagonal()).unwrap();
+    assert_eq!((welded.open_edges, welded.joined), (0, 40));
+    let solid = ClosedMesh::of(&welded.mesh).unwrap();
+    assert!(welded.volume_bound > 0.5 * solid.volume(), "{:e} {:e}", welded.volume_bound, solid.volume());
+    assert_eq!(mesh.closing_weld(&|| true), None);
 }
 
 proptest! {

@@ -4,9 +4,10 @@ use super::TriangleMesh;
 use super::close_pairs::distance;
 use super::clusters::across;
 use super::edges::{Edges, end_of, start_of};
+use super::patches::{join, root};
 use super::predicate::normal;
 use super::threads::Threads;
-use super::weld::Welded;
+use super::weld::{NONE, Welded, is_proper};
 use super::weld_near::compact;
 use crate::body::error::{BodyError, positive};
 
@@ -24,12 +25,41 @@ pub struct FilledMesh {
     pub largest: f64,
     /// Edges that belonged to one triangle only before.
     pub edges_before: usize,
-    /// Edges that still do: of larger holes, of such with more than 256 edges, and where holes meet in a vertex.
+    /// Edges that still do.
     pub open_edges: usize,
+    /// Why they do.
+    pub left: HolesLeft,
     /// How much more or less the mesh may enclose, m³, if what is missing lies within the balls about the holes.
     pub volume_bound: f64,
     /// The largest radius of these balls, m.
     pub largest_radius: f64,
+}
+
+/// Holes that were not closed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct HolesLeft {
+    /// Those with more than 256 edges.
+    pub many_edged: usize,
+    /// Others that are larger than was asked for.
+    pub larger: usize,
+    /// Rims of sheets, no holes: the triangles between them would have no less area than what they are the rim of, or lie on all of its vertices.
+    pub sheets: usize,
+    /// Edges that are part of no loop by itself, as of holes that meet in a vertex.
+    pub loose_edges: usize,
+}
+
+impl core::ops::Add for HolesLeft {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            many_edged: self.many_edged + other.many_edged,
+            larger: self.larger + other.larger,
+            sheets: self.sheets + other.sheets,
+            loose_edges: self.loose_edges + other.loose_edges,
+        }
+    }
 }
 
 /// Edges of the largest loop that is filled: the work goes with their cube.
@@ -38,7 +68,8 @@ const MOST_EDGES: usize = 256;
 impl TriangleMesh {
     /// The mesh with holes closed that are at most `size` across, m, the largest distance between two of their vertices.
     ///
-    /// Of all ways to close a loop with triangles between its vertices the one with the least area is taken. What was there is not known:
+    /// Of all ways to close a loop with triangles between its vertices the one with the least area is taken; if that has no less area than the surface
+    /// whose rim the loop is, or that has no other vertices, it is a sheet, not a hole, and left as it is. What was there is not known:
     /// `volume_bound` is the volume of the balls about the holes, each about the middle of the box of its vertices and as far as they go.
     ///
     /// If what is missing lies within these balls, the mesh and the one that it was enclose the same everywhere else, so that the bound is one of the
@@ -63,22 +94,33 @@ impl TriangleMesh {
         positive("the size of a hole", size)?;
         let threads = Threads::of_machine();
         let mut exact = Welded::of(self, threads);
-        let boundary = Edges::of(&exact.corners, exact.points.len(), threads).boundary;
+        let edges = Edges::of(&exact.corners, exact.points.len(), threads);
+        let boundary = &edges.boundary;
         let given = exact.corners.len();
+        let found = loops(&exact.corners, boundary);
+        let in_loops: usize = found.iter().map(|(_, hole)| hole.len()).sum();
+        let mut left = HolesLeft { loose_edges: boundary.len() - in_loops, ..HolesLeft::default() };
+        let sheets = if found.is_empty() { Sheets::default() } else { Sheets::of(&exact, &edges) };
         let (mut holes, mut closed, mut largest, mut radius, mut balls) = (0, 0, 0.0_f64, 0.0_f64, 0.0);
-        for hole in loops(&exact.corners, &boundary) {
+        for (half, hole) in found {
             if hole.len() > MOST_EDGES {
+                left.many_edged += 1;
                 continue;
             }
             let (width, _) = across(&exact.points, &hole);
             if width * exact.unit > size {
+                left.larger += 1;
+                continue;
+            }
+            let least_area = triangulated(&exact.points, &hole);
+            if sheets.has_rim(half / 3, &least_area, &exact.points) {
+                left.sheets += 1;
                 continue;
             }
             let around = reach(&exact.points, &hole);
             (holes, closed) = (holes + 1, closed + hole.len());
             (largest, radius) = (largest.max(width), radius.max(around));
             balls += 4.0 / 3.0 * core::f64::consts::PI * around.powi(3);
-            let least_area = triangulated(&exact.points, &hole);
             exact.corners.extend(least_area);
         }
         Ok(FilledMesh {
@@ -87,6 +129,7 @@ impl TriangleMesh {
             largest: largest * exact.unit,
             edges_before: boundary.len(),
             open_edges: boundary.len() - closed,
+            left,
             volume_bound: balls * exact.unit.powi(3),
             largest_radius: radius * exact.unit,
             mesh: compact(exact),
@@ -94,10 +137,70 @@ impl TriangleMesh {
     }
 }
 
-/// The loops of half-edges with one triangle, against them, each from its least vertex by coordinates; none through a vertex where two meet.
-fn loops(corners: &[[u32; 3]], boundary: &[u32]) -> Vec<Vec<u32>> {
-    let mut from: Vec<(u32, u32)> =
-        boundary.iter().map(|&h| (start_of(corners, h), end_of(corners, h))).collect();
+impl TriangleMesh {
+    /// The ends of the edges that belong to one triangle only, m, the lower one by coordinates first.
+    pub fn open_edges(&self) -> Vec<[[f64; 3]; 2]> {
+        let threads = Threads::of_machine();
+        let exact = Welded::of(self, threads);
+        let boundary = Edges::of(&exact.corners, exact.points.len(), threads).boundary;
+        let ends = |&half: &u32| [start_of(&exact.corners, half), end_of(&exact.corners, half)];
+        let sorted = |[a, b]: [[f64; 3]; 2]| if a <= b { [a, b] } else { [b, a] };
+        let places = |ends: [u32; 2]| ends.map(|v| exact.place(exact.points[v as usize]));
+        boundary.iter().map(|half| sorted(places(ends(half)))).collect()
+    }
+}
+
+/// What hangs together by edges.
+#[derive(Default)]
+struct Sheets {
+    /// The first triangle that each hangs together with.
+    first: Vec<u32>,
+    /// The triangles of each such first one, and their area.
+    sizes: Vec<(usize, f64)>,
+}
+
+impl Sheets {
+    fn of(exact: &Welded, edges: &Edges) -> Self {
+        let mut first: Vec<u32> = (0..exact.corners.len() as u32).collect();
+        for half in 0..3 * first.len() as u32 {
+            let twin = edges.twin(half);
+            if twin != NONE {
+                join(&mut first, half / 3, twin / 3);
+            }
+        }
+        for pair in edges.crowded.iter().flat_map(|edge| edge.windows(2)) {
+            join(&mut first, pair[0] / 3, pair[1] / 3);
+        }
+        let mut sizes = vec![(0, 0.0); first.len()];
+        for t in (0..first.len()).filter(|&t| is_proper(&exact.corners[t])) {
+            let (count, area) = &mut sizes[root(&mut first, t as u32) as usize];
+            (*count, *area) = (*count + 1, *area + area_of(exact.triangle(t)));
+        }
+        for t in 0..first.len() as u32 {
+            first[t as usize] = root(&mut first, t);
+        }
+        Self { first, sizes }
+    }
+
+    /// Is the loop whose triangles these are the rim of all that a triangle hangs together with? With no more triangles that has no vertex but
+    /// those of the loop.
+    fn has_rim(&self, triangle: u32, between: &[[u32; 3]], points: &[[f64; 3]]) -> bool {
+        /// What rounding changes of the area of a plane sheet.
+        const ROUNDED: f64 = 1e-6;
+        let (count, area) = self.sizes[self.first[triangle as usize] as usize];
+        let own: f64 = between.iter().map(|corners| area_of(corners.map(|v| points[v as usize]))).sum();
+        count <= between.len() || own >= area * (1.0 - ROUNDED)
+    }
+}
+
+fn area_of(triangle: [[f64; 3]; 3]) -> f64 {
+    0.5 * distance(normal(triangle), [0.0; 3])
+}
+
+/// The loops of half-edges with one triangle, against them, each with one of its half-edges; none through a vertex where two meet.
+fn loops(corners: &[[u32; 3]], boundary: &[u32]) -> Vec<(u32, Vec<u32>)> {
+    let mut from: Vec<(u32, u32, u32)> =
+        boundary.iter().map(|&h| (start_of(corners, h), end_of(corners, h), h)).collect();
     from.sort_unstable();
     let next = |v: u32| {
         let first = from.partition_point(|edge| edge.0 < v);
@@ -118,7 +221,7 @@ fn loops(corners: &[[u32; 3]], boundary: &[u32]) -> Vec<Vec<u32>> {
         // Back where it began, where nothing else begins.
         if at == Some(k) && next(from[k].0) == Some(k) && hole.len() > 2 {
             hole.reverse();
-            loops.push(hole);
+            loops.push((from[k].2, hole));
         }
     }
     loops
@@ -147,7 +250,7 @@ fn triangulated(points: &[[f64; 3]], hole: &[u32]) -> Vec<[u32; 3]> {
     let ring: Vec<u32> = hole[first..].iter().chain(&hole[..first]).copied().collect();
     let n = ring.len();
     let p = |i: usize| points[ring[i] as usize];
-    let area = |i: usize, k: usize, j: usize| 0.5 * distance(normal([p(i), p(k), p(j)]), [0.0; 3]);
+    let area = |i: usize, k: usize, j: usize| area_of([p(i), p(k), p(j)]);
     let mut best = vec![(0.0_f64, 0_usize); n * n];
     for span in 2..n {
         for i in 0..n - span {

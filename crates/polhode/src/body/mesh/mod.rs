@@ -36,7 +36,7 @@ pub use closed::ClosedMesh;
 pub use component::{ComponentRole, MeshComponent};
 pub use diagnosis::{EdgePlace, Faults, MeshDiagnosis, PairPlace, TrianglePlace};
 pub use effect::MeshEffect;
-pub use fill::FilledMesh;
+pub use fill::{FilledMesh, HolesLeft};
 pub use flaws::MeshFlaws;
 pub use hull::ConvexHull;
 pub use near_miss::{ClosingFill, ClosingWeld};

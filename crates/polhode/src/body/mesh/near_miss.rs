@@ -27,12 +27,15 @@ pub struct ClosingWeld {
 const LARGEST: f64 = 1e-3;
 const TENTHS: i32 = 9;
 
+/// The most of the volume that a weld worth a mention leaves open: one that presses sheets onto each other closes them too.
+const MOST_BOUND: f64 = 0.01;
+
 /// Open edges up to which it is looked for: the bisection sorts them some thirty times.
 const MOST_EDGES: usize = 2_000_000;
 
 impl TriangleMesh {
-    /// The weld by which an open mesh bounds a solid, up to a thousandth of its size; `None` if there is none, if the mesh is not open, or if it
-    /// does not `go_on`, which is asked often.
+    /// The weld by which an open mesh bounds a solid, up to a thousandth of its size; `None` if there is none, if it leaves more than a hundredth of
+    /// the volume open, if the mesh is not open, or if it does not `go_on`, which is asked often.
     ///
     /// It is not looked for among more than two million open edges. Where the edges of one triangle come in pairs is bisected over the distances of their vertices; what is found is welded and diagnosed.
     ///
@@ -56,8 +59,9 @@ impl TriangleMesh {
         [1, 2, 3].into_iter().find_map(|digits| {
             let tolerance = rounded_up(least, digits);
             let welded = self.welded(tolerance * diagonal).ok().filter(|welded| welded.open_edges == 0)?;
-            ClosedMesh::watched(&welded.mesh, goes_on).ok()?;
-            Some(ClosingWeld { least, tolerance, joined: welded.joined, points: welded.points })
+            let solid = ClosedMesh::watched(&welded.mesh, goes_on).ok()?;
+            let is_known = welded.volume_bound <= MOST_BOUND * solid.volume();
+            is_known.then_some(ClosingWeld { least, tolerance, joined: welded.joined, points: welded.points })
         })
     }
 }

@@ -157,7 +157,7 @@ fn swept(exact: &Welded, is_moved: &[bool], by: f64) -> f64 {
         0.5 * distance(normal([a, b, c]), [0.0; 3]) + by * perimeter / 3.0 + 2.0 / 3.0 * by * by
     });
     // More than what the sum rounds off.
-    by * area.sum::<f64>() * (1.0 + 1e-9)
+    by * area.sum::<f64>() * (1.0 + 1e-9) + 0.0 // the sum of nothing is −0
 }
 
 /// The mesh with those points that triangles have.

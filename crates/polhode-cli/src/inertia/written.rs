@@ -1,0 +1,95 @@
+//! The mesh that is written as it was used.
+
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+use polhode::body::shape::{Shape, Substance};
+use polhode::body::{Finding, Form, MassProperties, Severity};
+use polhode::math::Body;
+use polhode_formats::mesh::{MeshFormat, MeshPart};
+
+use super::model::{Piece, unfit};
+use super::voxel::in_body;
+use crate::failure::Failure;
+use crate::partial;
+use crate::stderr::shown;
+
+/// The file of --write-mesh, which is written when the answer is known.
+pub(super) struct MeshFile {
+    target: PathBuf,
+    force: bool,
+    bytes: Vec<u8>,
+}
+
+impl MeshFile {
+    /// Of the surfaces of the pieces, in their file's unit. What is to be written bounds solids too; where rounding changes them, that is said.
+    pub(super) fn of(
+        pieces: &[Piece],
+        unit: f64,
+        target: &Path,
+        force: bool,
+        findings: &mut Vec<Finding>,
+    ) -> Result<Self, Failure> {
+        let format = written_format(target)?;
+        let part = |piece: &Piece| match piece.shape.form() {
+            Some(Form::Mesh(mesh)) => {
+                Some(MeshPart { name: piece.name.clone(), mesh: mesh.scaled(1.0 / unit) })
+            }
+            _ => None,
+        };
+        let parts: Vec<_> = pieces.iter().filter_map(part).collect();
+        let (bytes, written) = format.checked_bytes(&parts, target)?;
+        let written = written.parts.into_iter().map(|part| part.mesh.scaled(unit));
+        let written = written.collect::<Result<Vec<_>, _>>().map_err(unfit)?;
+        let used = at_one_density(pieces.iter().map(|piece| piece.shape.as_ref()))?;
+        let written = at_one_density(written.iter().map(|mesh| mesh as &dyn Shape))?;
+        findings.extend(rounded(&used, &written, target));
+        Ok(Self { target: target.to_owned(), force, bytes })
+    }
+
+    pub(super) fn write(&self) -> Result<(), Failure> {
+        partial::write(&self.target, self.force, |out| out.write_all(&self.bytes))
+    }
+}
+
+/// All of them together, at 1 kg/m³.
+fn at_one_density<'a>(shapes: impl Iterator<Item = &'a dyn Shape>) -> Result<MassProperties<Body>, Failure> {
+    let each = shapes.map(|shape| shape.mass_properties(Substance::Density(1.0)).and_then(in_body));
+    MassProperties::combined(&each.collect::<Result<Vec<_>, _>>().map_err(unfit)?).map_err(unfit)
+}
+
+/// What rounding to seven digits changes of a mesh, if that is much.
+fn rounded(used: &MassProperties<Body>, written: &MassProperties<Body>, target: &Path) -> Option<Finding> {
+    /// Of the volume, the size and the largest moment: what coordinates of seven digits change of a body that is not thin.
+    const MUCH: f64 = 1e-6;
+    let [used_tensor, tensor] = [used, written].map(|body| body.inertia().matrix());
+    let largest = used_tensor.as_flattened().iter().fold(0.0_f64, |max, element| max.max(element.abs()));
+    let size = (largest / used.mass()).sqrt();
+    let differences =
+        tensor.as_flattened().iter().zip(used_tensor.as_flattened()).map(|(a, b)| (a - b).abs());
+    let volume = written.mass() / used.mass() - 1.0;
+    let center = (written.center_of_mass() - used.center_of_mass()).norm();
+    let inertia = differences.fold(0.0, f64::max) / largest;
+    let is_much = volume.abs() > MUCH || center > MUCH * size || inertia > MUCH;
+    is_much.then(|| Finding {
+        code: "mesh.rounded",
+        severity: Severity::Warning,
+        message: format!(
+            "rounded to seven digits, the written mesh encloses {volume:+.1e} of the volume more; its centre of mass is {center:.1e} m away, and \
+             its tensor differs by {inertia:.1e} of the largest element"
+        ),
+        place: Some(target.display().to_string()),
+    })
+}
+
+pub(super) fn written_format(file: &Path) -> Result<MeshFormat, Failure> {
+    let format = MeshFormat::of_path(file).filter(|format| MeshFormat::WRITTEN.contains(format));
+    format.ok_or_else(|| {
+        let names = MeshFormat::WRITTEN.iter().flat_map(|format| format.extensions());
+        let names = names.map(|name| format!(".{name}")).collect::<Vec<_>>().join(", ");
+        Failure::usage(
+            format!("--write-mesh does not write {}", shown(file)),
+            format!("a mesh is written as {names}"),
+        )
+    })
+}

@@ -1,0 +1,117 @@
+//! Holes of a mesh file's parts, filled.
+
+use std::collections::HashMap;
+use std::path::Path;
+
+use polhode::body::mesh::{FilledMesh, HolesLeft};
+use polhode::body::{Finding, Severity};
+
+use super::repair::counted;
+use super::{MeshContents, MeshLength, MeshPart, MeshRepair, RepairBound, solid};
+use crate::error::FormatError;
+
+impl MeshContents {
+    /// The mesh with holes closed that are no larger than this: [`TriangleMesh::filled`](polhode::body::mesh::TriangleMesh::filled) of each part. Parts
+    /// that have open edges in common are pieces of one surface: they are filled together, and are one part then, which is a finding. `unit` is as in
+    /// [`MeshSolid::read`](super::MeshSolid::read).
+    ///
+    /// # Errors
+    /// [`FormatError`] for a size that is not positive.
+    pub fn filled(
+        mut self,
+        size: MeshLength,
+        unit: Option<f64>,
+        path: &Path,
+    ) -> Result<(Self, MeshRepair), FormatError> {
+        let unit = unit.or(self.unit).unwrap_or(1.0);
+        let refused = |error| solid::no_solid(path, "", error);
+        let size = size.beside(solid::joined(&self.parts).map_err(refused)?.diagonal(), unit);
+        let first = first_pieces(&self.parts);
+        let (mut parts, mut fills) = (Vec::new(), Vec::new());
+        for (k, MeshPart { name, mesh }) in self.parts.iter().enumerate() {
+            if first[k] != k {
+                continue; // with the first piece, in its place
+            }
+            let pieces =
+                || self.parts.iter().zip(&first).filter(|(_, first)| **first == k).map(|piece| piece.0);
+            let (name, filled) = match pieces().count() {
+                1 => (name.clone(), mesh.filled(size)),
+                count => {
+                    self.findings.push(Finding {
+                        code: "mesh.joined",
+                        severity: Severity::Info,
+                        message: format!(
+                            "{count} open parts of the file are pieces of one surface, and one part now"
+                        ),
+                        place: None,
+                    });
+                    (String::new(), solid::joined(pieces()).and_then(|all| all.filled(size)))
+                }
+            };
+            let mut filled = filled.map_err(refused)?;
+            parts.push(MeshPart { name, mesh: std::mem::take(&mut filled.mesh) });
+            fills.push(filled);
+        }
+        self.parts = parts;
+        Ok((self, repair(&fills, unit)))
+    }
+}
+
+/// Of each part the first one that is a piece of the same surface: open edges in common, from one to the next.
+fn first_pieces(parts: &[MeshPart]) -> Vec<usize> {
+    let mut first: Vec<usize> = (0..parts.len()).collect();
+    if let [_] = parts {
+        return first;
+    }
+    let mut known = HashMap::new();
+    for (k, part) in parts.iter().enumerate() {
+        for edge in part.mesh.open_edges() {
+            let bits = edge.map(|end| end.map(f64::to_bits));
+            let other = first[*known.entry(bits).or_insert(k)];
+            let (low, high) = (other.min(first[k]), other.max(first[k]));
+            if low != high {
+                first.iter_mut().filter(|first| **first == high).for_each(|first| *first = low);
+            }
+        }
+    }
+    first
+}
+
+fn repair(filled: &[FilledMesh], unit: f64) -> MeshRepair {
+    let count = |of: fn(&FilledMesh) -> usize| filled.iter().map(of).sum();
+    let most = |of: fn(&FilledMesh) -> f64| unit * filled.iter().map(of).fold(0.0, f64::max);
+    let volume = filled.iter().map(|mesh| mesh.volume_bound).sum::<f64>() * unit.powi(3);
+    MeshRepair::Filled {
+        holes: count(|mesh| mesh.holes),
+        triangles: count(|mesh| mesh.triangles),
+        largest: most(|mesh| mesh.largest),
+        left: filled.iter().map(|mesh| mesh.left).fold(HolesLeft::default(), |all, left| all + left),
+        bound: RepairBound { volume, beyond: 2.0 * most(|mesh| mesh.largest_radius) },
+    }
+}
+
+/// Why holes were not filled, if there were any.
+pub(super) fn left_open(left: HolesLeft) -> Option<String> {
+    let reasons = [
+        (left.larger, "hole", "is larger", "are larger"),
+        (left.many_edged, "hole", "has more than 256 edges", "have more than 256 edges"),
+        (
+            left.sheets,
+            "loop",
+            "is the rim of a sheet, not of a hole: what closes it would be no smaller than the sheet",
+            "are rims of sheets, not of holes: what closes them would be no smaller than the sheets",
+        ),
+        (
+            left.loose_edges,
+            "open edge",
+            "is part of no loop by itself",
+            "are part of no loop by itself, as where holes meet in a vertex",
+        ),
+    ];
+    let said = reasons.into_iter().filter(|reason| reason.0 > 0);
+    let said = said.map(|(count, noun, is, are)| {
+        format!("{} {}", counted(count, noun), if count == 1 { is } else { are })
+    });
+    let said: Vec<_> = said.collect();
+    (!said.is_empty()).then(|| said.join(", "))
+}

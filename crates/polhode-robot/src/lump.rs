@@ -242,6 +242,10 @@ fn moved(
 ) -> Result<Place, LumpError> {
     above.joints.iter().try_fold(place, |place, &k| {
         let Some(joint) = model.joints.get(k) else { return Ok(place) };
+        if let Some(why) = &joint.coordinate.unread {
+            let (joint, span) = (joint.name.text.clone(), joint.name.span.clone());
+            return Err(LumpError::Unread { joint, why: why.clone(), span });
+        }
         let q = positions.displacement(k)?;
         let motion = Place::motion(joint, q)
             .ok_or_else(|| LumpError::Pose { subject: joint.name.text.clone(), span: joint.span.clone() })?;

@@ -137,6 +137,15 @@ pub enum LumpError {
         /// Where it is written.
         span: Span,
     },
+    /// A joint of which it is not known where it holds its child.
+    Unread {
+        /// The joint.
+        joint: String,
+        /// Why not.
+        why: String,
+        /// Where it stands.
+        span: Span,
+    },
     /// An axis without a direction, or a pose that is none.
     Pose {
         /// The joint or link.
@@ -168,6 +177,7 @@ impl LumpError {
             | Self::Leader { span, .. }
             | Self::FollowCircle { span, .. }
             | Self::Law { span, .. }
+            | Self::Unread { span, .. }
             | Self::Pose { span, .. } => Some(span.clone()),
             Self::Massless { .. }
             | Self::UnknownLink { .. }
@@ -193,6 +203,7 @@ impl LumpError {
             Self::Leader { meant: None, .. } => "name a joint that turns or slides".to_owned(),
             Self::FollowCircle { .. } => "let one of them lead, and follow none".to_owned(),
             Self::Law { .. } => "write numbers, or take the coupling out of the file".to_owned(),
+            Self::Unread { .. } => "ask for what hangs on it, or for links one by one".to_owned(),
             Self::NoLink { .. } | Self::Twice { .. } => "check the spelling of the names".to_owned(),
             Self::TwoRoots { .. } => "join them; --lump fixed needs no common frame".to_owned(),
             Self::TwoParents { .. } | Self::Circle { .. } => {
@@ -252,6 +263,9 @@ impl fmt::Display for LumpError {
             }
             Self::Law { joint, leader: None, why, .. } => {
                 write!(f, "the joint {joint:?} is held at a value that is not known: {why}")
+            }
+            Self::Unread { joint, why, .. } => {
+                write!(f, "where the joint {joint:?} holds its child is not known: {why}")
             }
             Self::NoLink { joint, link, .. } => {
                 write!(f, "the joint {joint:?} names {link:?}, and there is no such link")

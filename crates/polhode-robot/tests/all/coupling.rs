@@ -39,6 +39,14 @@ fn sdf_follows_from_a_reference() {
     ] {
         assert!(matches!(error(&read(&text(&wrong)), Lumping::All, &[]), LumpError::Law { .. }), "{wrong}");
     }
+    // of two axes none has one value
+    let second = text(
+        "</axis><axis2><xyz>0 1 0</xyz><mimic joint='l'><multiplier>1</multiplier></mimic></axis2><axis>",
+    );
+    let second =
+        second.replace("<axis></axis>", "").replace("name='r' type='revolute'", "name='r' type='universal'");
+    let refused = error(&read(&second), Lumping::All, &[("hand::l", 0.41)]);
+    assert!(matches!(&refused, LumpError::Law { joint, .. } if joint == "hand::r"), "{refused}");
 }
 
 #[test]
@@ -127,4 +135,8 @@ fn usd_gears_joints() {
     );
     let mixed = read(&text("PhysicsPrismaticJoint"));
     assert!(matches!(error(&mixed, Lumping::All, &[]), LumpError::Law { .. }));
+    // a joint of six axes has no one value, and a fixed one none
+    let six = error(&read(&text("PhysicsJoint")), Lumping::All, &[("/r/l", 0.41)]);
+    assert!(matches!(&six, LumpError::Law { joint, .. } if joint == "/r/r"), "{six}");
+    one(&read(&text("PhysicsFixedJoint")), Lumping::All, &[("/r/l", 0.41)]);
 }

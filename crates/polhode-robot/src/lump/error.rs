@@ -88,6 +88,20 @@ pub enum LumpError {
         /// Where it stands again.
         span: Span,
     },
+    /// A value under a name that two joints have, one of them as its coordinate's.
+    Ambiguous {
+        /// The name.
+        name: String,
+        /// The joints' own names.
+        joints: [String; 2],
+        /// Where the second is.
+        span: Span,
+    },
+    /// Two values for a joint, one under its coordinate's name.
+    GivenTwice {
+        /// The names.
+        names: [String; 2],
+    },
     /// A value for a joint that follows another.
     Follower {
         /// The joint.
@@ -173,6 +187,7 @@ impl LumpError {
             | Self::TwoRoots { span, .. }
             | Self::Circle { span, .. }
             | Self::TwoJoints { span, .. }
+            | Self::Ambiguous { span, .. }
             | Self::Follower { span, .. }
             | Self::Leader { span, .. }
             | Self::FollowCircle { span, .. }
@@ -182,6 +197,7 @@ impl LumpError {
             Self::Massless { .. }
             | Self::UnknownLink { .. }
             | Self::Joint { .. }
+            | Self::GivenTwice { .. }
             | Self::Idle { .. }
             | Self::Joined { .. } => None,
         }
@@ -194,6 +210,13 @@ impl LumpError {
             Self::Massless { .. } => "give a link an inertial".to_owned(),
             Self::UnknownLink { meant, links, .. } => suggested(meant.as_deref(), "its links are", links),
             Self::TwoJoints { .. } => "give each a name of its own".to_owned(),
+            Self::Ambiguous { name, joints, .. } => match joints.iter().find(|joint| *joint != name) {
+                Some(other) => {
+                    format!("{} has that coordinate: name joints that have a name alone", printable(other))
+                }
+                None => "give each a name of its own".to_owned(),
+            },
+            Self::GivenTwice { .. } => "leave one of them out".to_owned(),
             Self::Follower { leader: Some(leader), .. } => {
                 format!("leave it out, and give a value to {}", printable(leader))
             }
@@ -231,6 +254,12 @@ impl fmt::Display for LumpError {
             }
             Self::UnknownLink { link, .. } => write!(f, "there is no link {link:?}"),
             Self::TwoJoints { joint, .. } => write!(f, "two joints are called {joint:?}"),
+            Self::Ambiguous { name, joints: [a, b], .. } => {
+                write!(f, "the joints {a:?} and {b:?} both take a value as {name:?}")
+            }
+            Self::GivenTwice { names: [a, b] } => {
+                write!(f, "{a:?} and {b:?} are one joint, and each is given a value")
+            }
             Self::Follower { joint, leader: Some(leader), .. } => {
                 write!(f, "the joint {joint:?} follows {leader:?}, and takes no value of its own")
             }

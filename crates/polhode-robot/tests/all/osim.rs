@@ -1,6 +1,7 @@
 //! OpenSim's models of three versions.
 
 use polhode_robot::body::{LinkMass, link_mass};
+use polhode_robot::inertia::of_lumps;
 use polhode_robot::lump::{LumpError, Lumping};
 use polhode_robot::model::{JointKind, ModelFormat, RobotModel, Tensor};
 
@@ -159,7 +160,13 @@ fn a_custom_joint_stands_where_its_functions_are_at_zero() {
     assert_eq!(one(&custom(&read_all), Lumping::All, &[]).links.len(), 2);
     // where nothing moves it is as a pin at zero
     let pin = one(&read(NEW), Lumping::All, &[]).properties;
-    assert_eq!(one(&custom(""), Lumping::All, &[]).properties, pin);
+    let custom_pin = one(&custom(""), Lumping::All, &[]);
+    assert_eq!(custom_pin.properties, pin);
+    assert_eq!(custom_pin.held, ["root", "knee"]);
+    let heading =
+        |model: &RobotModel| of_lumps(model, Lumping::All, &[]).unwrap().remove(0).source.description;
+    assert!(heading(&read(NEW)).contains("joints at zero, root as drawn (takes no value)"));
+    assert!(heading(&custom("")).contains("leg, root and knee as drawn"));
 
     let unit = "<Constant name='function'><value>0.1</value></Constant>";
     for (wrong, why) in [

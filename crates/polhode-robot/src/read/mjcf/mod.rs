@@ -5,6 +5,7 @@
 //! Source: mujoco.readthedocs.io, XML Reference; the order of the operations where it says less is that of MuJoCo's compiler.
 
 mod attach;
+mod attributes;
 mod compiler;
 mod context;
 mod defaults;

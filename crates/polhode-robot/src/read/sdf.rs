@@ -221,6 +221,9 @@ fn joint(element: Element<'_>, scope: usize, frame: usize, frames: &Frames<'_>) 
     }
 }
 
+const KINDS: [&str; 9] =
+    ["fixed", "revolute", "continuous", "prismatic", "ball", "universal", "screw", "gearbox", "revolute2"];
+
 /// What the axes of a joint say. Of the second it is read that it follows a joint, as nothing is known then.
 fn coordinates(joint: Element<'_>, prefix: &str) -> Coordinate {
     let mut own = joint.child("axis").map_or_else(Coordinate::default, |axis| coordinate(axis, prefix));
@@ -228,6 +231,8 @@ fn coordinates(joint: Element<'_>, prefix: &str) -> Coordinate {
         let coefficients = Err("its second axis does, which is not read".to_owned());
         own.follows = Some(Follows { coefficients, ..follows });
     }
+    let kind = joint.word("type").unwrap_or_default();
+    own.unread = (!KINDS.contains(&kind)).then(|| format!("type {kind:?} is no kind of joint"));
     own
 }
 

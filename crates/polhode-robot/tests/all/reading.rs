@@ -353,6 +353,23 @@ fn a_kind_of_joint_that_is_none_is_told_and_refused() {
         assert!(matches!(&refused, LumpError::Unread { joint, .. } if joint == "j"), "{refused}");
     }
     assert_eq!(codes(&found(&model(" type=\"planar\""))), Vec::<&str>::new());
+    let inertia = "<inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>";
+    let sdf = |kind: &str| {
+        let link =
+            |name: &str| format!("<link name='{name}'><inertial><mass>1</mass>{inertia}</inertial></link>");
+        let joint = format!("<joint name='j' type='{kind}'><parent>a</parent><child>b</child></joint>");
+        format!("<sdf version='1.9'><model name='m'>{}{}{joint}</model></sdf>", link("a"), link("b"))
+    };
+    let mjcf = |kind: &str| {
+        format!(
+            "<mujoco><worldbody><body name='a'><joint name='j' type='{kind}'/><geom size='0.1'/></body></worldbody></mujoco>"
+        )
+    };
+    for (wrong, right) in [(sdf("Revolute"), sdf("ball")), (mjcf("hnge"), mjcf("ball"))] {
+        let refused = crate::mimic::error(&crate::common::read(&wrong), Lumping::All, &[]);
+        assert!(matches!(&refused, LumpError::Unread { joint, .. } if joint == "j"), "{refused}");
+        crate::mimic::one(&crate::common::read(&right), Lumping::All, &[]);
+    }
 }
 
 #[test]

@@ -35,7 +35,9 @@ impl<'a> Reader<'_, 'a, '_> {
         );
         self.joint_order.push(self.elements);
         self.joint_origins.push(branch.origin);
-        let coordinate = coordinate(&source, kind, &context.settings);
+        let unread = source.word("type").filter(|word| kind == JointKind::Other && *word != "ball");
+        let unread = unread.map(|word| format!("type {word:?} is no kind of joint"));
+        let coordinate = Coordinate { unread, ..coordinate(&source, kind, &context.settings) };
         self.hang(index, name, element.span(), kind, (axis, anchor), coordinate);
     }
 

@@ -71,9 +71,8 @@ fn of_function(function: Element<'_>) -> Result<f64, String> {
         let last = |text: Option<Written<'_>>, default: f64| {
             text.map_or(Some(default), |text| text.values().last()).filter(|value| value.is_finite())
         };
-        let is_numbers = |name: &str| {
-            function.child_text(name).is_none_or(|text| text.values().all(|value| value.is_finite()))
-        };
+        let is_numbers =
+            |name: &str| function.child_text(name).is_none_or(|text| text.values().all(f64::is_finite));
         let value = match function.name() {
             "Constant" => last(function.child_text("value"), 0.0),
             // from the highest power down

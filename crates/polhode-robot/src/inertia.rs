@@ -121,7 +121,7 @@ pub fn of_lumps(
 }
 
 fn of_lump(model: &RobotModel, lumping: Lumping<'_>, lump: Lump) -> InertiaReport {
-    let Lump { frame, links, massless, positions, rounding, properties } = lump;
+    let Lump { frame, links, massless, positions, held, rounding, properties } = lump;
     let of_model = of_model(model);
     let frame_words = match &frame {
         Some(link) => format!("in the frame of {link}"),
@@ -129,7 +129,7 @@ fn of_lump(model: &RobotModel, lumping: Lumping<'_>, lump: Lump) -> InertiaRepor
     };
     let count = links.len();
     let many = if count == 1 { "1 link".to_owned() } else { format!("{count} links") };
-    let pose = position_words(&positions);
+    let pose = position_words(&positions, &held);
     let words = match lumping {
         Lumping::Fixed => format!("{many} {of_model} held together by fixed joints, {frame_words}"),
         Lumping::All => format!("all {many} {of_model}{pose}, {frame_words}"),
@@ -154,7 +154,7 @@ fn of_lump(model: &RobotModel, lumping: Lumping<'_>, lump: Lump) -> InertiaRepor
 }
 
 /// `, elbow = 0.523599 rad and other joints at zero`
-pub(crate) fn position_words(positions: &[JointPosition]) -> String {
+pub(crate) fn position_words(positions: &[JointPosition], held: &[String]) -> String {
     let mut text = String::new();
     for position in positions.iter().filter(|position| position.by != PositionBy::Rest) {
         let follows = match &position.by {
@@ -165,10 +165,22 @@ pub(crate) fn position_words(positions: &[JointPosition]) -> String {
     }
     let at_rest = || positions.iter().filter(|position| position.by == PositionBy::Rest);
     let place = if at_rest().all(|position| position.value == 0.0) { "zero" } else { "rest" };
-    match (text.is_empty(), at_rest().next().is_some()) {
+    let words = match (text.is_empty(), at_rest().next().is_some()) {
+        (true, false) if !held.is_empty() => String::new(),
         (true, _) => format!(", joints at {place}"),
         (false, true) => format!("{text} and other joints at {place}"),
         (false, false) => text,
+    };
+    words + &held_words(held)
+}
+
+/// `, root as drawn (takes no value)`
+fn held_words(held: &[String]) -> String {
+    match held {
+        [] => String::new(),
+        [one] => format!(", {one} as drawn (takes no value)"),
+        [one, two] => format!(", {one} and {two} as drawn (take no value)"),
+        _ => format!(", {} joints as drawn (take no value)", held.len()),
     }
 }
 

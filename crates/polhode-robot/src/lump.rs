@@ -44,6 +44,8 @@ pub struct Lump {
     pub massless: Vec<String>,
     /// The values of the joints between its links, and of those that lead these.
     pub positions: Vec<JointPosition>,
+    /// The joints between its links that move and take no value, as floating ones and balls: they are held where the file draws them.
+    pub held: Vec<String>,
     /// The largest change that brought a link's tensor over the edge of what is possible, kg·m²: see
     /// [`LinkBody::rounding`](crate::body::LinkBody::rounding). Zero for most.
     pub rounding: f64,
@@ -125,15 +127,27 @@ pub fn lump(
         Lumping::Subtree(name) => Some(name),
         Lumping::Fixed | Lumping::All => None,
     };
+    let held: Vec<String> = held(model, &moving);
     let positions = positions.of_joints(moving.into_iter(), subtree)?;
-    let lumps =
-        groups.into_iter().filter(|group| !group.parts.is_empty()).map(|group| group.joined(&positions));
+    let lumps = groups
+        .into_iter()
+        .filter(|group| !group.parts.is_empty())
+        .map(|group| group.joined(&positions, &held));
     let lumps = lumps.collect::<Result<Vec<_>, _>>()?;
     if lumps.is_empty() {
         Err(LumpError::Massless { subtree: subtree.map(str::to_owned) })
     } else {
         Ok(lumps)
     }
+}
+
+/// The names of the joints among these that move and take no value, in the order of the file.
+fn held(model: &RobotModel, joints: &[usize]) -> Vec<String> {
+    let mut joints = joints.to_vec();
+    joints.sort_unstable();
+    let joints = joints.into_iter().filter_map(|k| model.joints.get(k));
+    let held = joints.filter(|joint| matches!(joint.kind, JointKind::Free | JointKind::Other));
+    held.map(|joint| joint.name.text.clone()).collect()
 }
 
 /// A link by its name.
@@ -186,7 +200,7 @@ impl Group {
         Ok(())
     }
 
-    fn joined(self, positions: &[JointPosition]) -> Result<Lump, LumpError> {
+    fn joined(self, positions: &[JointPosition], held: &[String]) -> Result<Lump, LumpError> {
         let Self { frame, links, massless, rounding, parts } = self;
         let properties = assemble(&parts).map_err(|error| {
             // The first that the first cannot be joined to, or the last of a sum that is too large.
@@ -196,7 +210,8 @@ impl Group {
             let link = links.get(culprit.saturating_sub(1)).cloned().unwrap_or_default();
             LumpError::Joined { link, error }
         })?;
-        Ok(Lump { frame, links, massless, positions: positions.to_vec(), rounding, properties })
+        let (positions, held) = (positions.to_vec(), held.to_vec());
+        Ok(Lump { frame, links, massless, positions, held, rounding, properties })
     }
 }
 
@@ -242,6 +257,10 @@ fn moved(
 ) -> Result<Place, LumpError> {
     above.joints.iter().try_fold(place, |place, &k| {
         let Some(joint) = model.joints.get(k) else { return Ok(place) };
+        if let Some(why) = &joint.coordinate.unread {
+            let (joint, span) = (joint.name.text.clone(), joint.name.span.clone());
+            return Err(LumpError::Unread { joint, why: why.clone(), span });
+        }
         let q = positions.displacement(k)?;
         let motion = Place::motion(joint, q)
             .ok_or_else(|| LumpError::Pose { subject: joint.name.text.clone(), span: joint.span.clone() })?;

@@ -342,6 +342,8 @@ pub struct Coordinate {
     pub limits: Option<[f64; 2]>,
     /// The joint that it follows.
     pub follows: Option<Follows>,
+    /// Why it is not known where the joint holds the child, if it is not: what it does at rest is not read.
+    pub unread: Option<String>,
 }
 
 /// A joint whose value is a function of another's.

@@ -122,7 +122,7 @@ fn joint(text: &str) -> Result<(String, String), String> {
 
 /// The value of a joint, rad or m.
 fn position(model: &RobotModel, name: &str, value: &str) -> Result<(String, f64), Failure> {
-    let slides = slides(model, name);
+    let slides = slides(model, name).map_err(|error| failure(model, &error.into()))?;
     let dimension = if slides { Dimension::LENGTH } else { Dimension::ANGLE };
     match quantity(value, dimension) {
         Ok(q) => Ok((name.to_owned(), q)),

@@ -88,6 +88,20 @@ pub enum LumpError {
         /// Where it stands again.
         span: Span,
     },
+    /// A value under a name that two joints have, one of them as its coordinate's.
+    Ambiguous {
+        /// The name.
+        name: String,
+        /// The joints' own names.
+        joints: [String; 2],
+        /// Where the second is.
+        span: Span,
+    },
+    /// Two values for a joint, one under its coordinate's name.
+    GivenTwice {
+        /// The names.
+        names: [String; 2],
+    },
     /// A value for a joint that follows another.
     Follower {
         /// The joint.
@@ -137,6 +151,15 @@ pub enum LumpError {
         /// Where it is written.
         span: Span,
     },
+    /// A joint of which it is not known where it holds its child.
+    Unread {
+        /// The joint.
+        joint: String,
+        /// Why not.
+        why: String,
+        /// Where it stands.
+        span: Span,
+    },
     /// An axis without a direction, or a pose that is none.
     Pose {
         /// The joint or link.
@@ -164,14 +187,17 @@ impl LumpError {
             | Self::TwoRoots { span, .. }
             | Self::Circle { span, .. }
             | Self::TwoJoints { span, .. }
+            | Self::Ambiguous { span, .. }
             | Self::Follower { span, .. }
             | Self::Leader { span, .. }
             | Self::FollowCircle { span, .. }
             | Self::Law { span, .. }
+            | Self::Unread { span, .. }
             | Self::Pose { span, .. } => Some(span.clone()),
             Self::Massless { .. }
             | Self::UnknownLink { .. }
             | Self::Joint { .. }
+            | Self::GivenTwice { .. }
             | Self::Idle { .. }
             | Self::Joined { .. } => None,
         }
@@ -184,6 +210,13 @@ impl LumpError {
             Self::Massless { .. } => "give a link an inertial".to_owned(),
             Self::UnknownLink { meant, links, .. } => suggested(meant.as_deref(), "its links are", links),
             Self::TwoJoints { .. } => "give each a name of its own".to_owned(),
+            Self::Ambiguous { name, joints, .. } => match joints.iter().find(|joint| *joint != name) {
+                Some(other) => {
+                    format!("{} has that coordinate: name joints that have a name alone", printable(other))
+                }
+                None => "give each a name of its own".to_owned(),
+            },
+            Self::GivenTwice { .. } => "leave one of them out".to_owned(),
             Self::Follower { leader: Some(leader), .. } => {
                 format!("leave it out, and give a value to {}", printable(leader))
             }
@@ -193,6 +226,7 @@ impl LumpError {
             Self::Leader { meant: None, .. } => "name a joint that turns or slides".to_owned(),
             Self::FollowCircle { .. } => "let one of them lead, and follow none".to_owned(),
             Self::Law { .. } => "write numbers, or take the coupling out of the file".to_owned(),
+            Self::Unread { .. } => "ask for what hangs on it, or for links one by one".to_owned(),
             Self::NoLink { .. } | Self::Twice { .. } => "check the spelling of the names".to_owned(),
             Self::TwoRoots { .. } => "join them; --lump fixed needs no common frame".to_owned(),
             Self::TwoParents { .. } | Self::Circle { .. } => {
@@ -220,6 +254,12 @@ impl fmt::Display for LumpError {
             }
             Self::UnknownLink { link, .. } => write!(f, "there is no link {link:?}"),
             Self::TwoJoints { joint, .. } => write!(f, "two joints are called {joint:?}"),
+            Self::Ambiguous { name, joints: [a, b], .. } => {
+                write!(f, "the joints {a:?} and {b:?} both take a value as {name:?}")
+            }
+            Self::GivenTwice { names: [a, b] } => {
+                write!(f, "{a:?} and {b:?} are one joint, and each is given a value")
+            }
             Self::Follower { joint, leader: Some(leader), .. } => {
                 write!(f, "the joint {joint:?} follows {leader:?}, and takes no value of its own")
             }
@@ -252,6 +292,9 @@ impl fmt::Display for LumpError {
             }
             Self::Law { joint, leader: None, why, .. } => {
                 write!(f, "the joint {joint:?} is held at a value that is not known: {why}")
+            }
+            Self::Unread { joint, why, .. } => {
+                write!(f, "where the joint {joint:?} holds its child is not known: {why}")
             }
             Self::NoLink { joint, link, .. } => {
                 write!(f, "the joint {joint:?} names {link:?}, and there is no such link")

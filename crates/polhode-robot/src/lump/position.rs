@@ -60,7 +60,7 @@ pub(super) struct Positions<'a> {
 }
 
 impl<'a> Positions<'a> {
-    /// Values by name; of two for the same joint the later counts.
+    /// Values by name; of two under the same name the later counts.
     pub(super) fn of(model: &'a RobotModel, given: &[(String, f64)]) -> Result<Self, LumpError> {
         let mut numbers = HashMap::new();
         for (k, joint) in model.joints.iter().enumerate() {
@@ -68,12 +68,15 @@ impl<'a> Positions<'a> {
         }
         let nothing = || vec![None; model.joints.len()];
         let mut positions = Self { model, numbers, given: nothing(), known: nothing() };
+        let mut names: HashMap<usize, &str> = HashMap::new();
         for (name, value) in given {
-            if let Some(twice) = model.joints.iter().filter(|joint| joint.name.text == *name).nth(1) {
-                return Err(LumpError::TwoJoints { joint: name.clone(), span: twice.name.span.clone() });
+            let k = named(model, name)?;
+            if !value.is_finite() {
+                return Err(unknown(model, name));
             }
-            let k = positions.named(name).filter(|_| value.is_finite());
-            let k = k.ok_or_else(|| unknown(model, name))?;
+            if let Some(other) = names.insert(k, name).filter(|other| other != name) {
+                return Err(LumpError::GivenTwice { names: [other.to_owned(), name.clone()] });
+            }
             if let Some(Joint { coordinate, name, .. }) = model.joints.get(k)
                 && let Some(follows) = &coordinate.follows
             {
@@ -86,16 +89,6 @@ impl<'a> Positions<'a> {
             }
         }
         Ok(positions)
-    }
-
-    /// The joint that takes a value under a name, its own or its coordinate's.
-    fn named(&self, name: &str) -> Option<usize> {
-        let by_coordinate = || {
-            let has = |joint: &Joint| joint.coordinate.name.as_ref().is_some_and(|own| own.text == name);
-            self.model.joints.iter().position(has)
-        };
-        let k = self.numbers.get(name).copied().flatten().or_else(by_coordinate)?;
-        self.model.joints.get(k).filter(|joint| takes_value(joint)).map(|_| k)
     }
 
     /// The value of a joint: leaders are asked until one knows, and then the followers on the way back.
@@ -246,10 +239,33 @@ fn movable(model: &RobotModel) -> impl Iterator<Item = &str> {
     model.joints.iter().filter(leads).map(|joint| joint.name.text.as_str())
 }
 
-/// Whether a joint of this name, its own or its coordinate's, slides: its value is a length then, and otherwise an angle.
-pub fn slides(model: &RobotModel, name: &str) -> bool {
-    let is_it = |joint: &&Joint| {
-        joint.name.text == name || joint.coordinate.name.as_ref().is_some_and(|own| own.text == name)
+/// The joint that takes a value under a name, its own or its coordinate's.
+fn named(model: &RobotModel, name: &str) -> Result<usize, LumpError> {
+    if let Some(twice) = model.joints.iter().filter(|joint| joint.name.text == name).nth(1) {
+        return Err(LumpError::TwoJoints { joint: name.to_owned(), span: twice.name.span.clone() });
+    }
+    let is_it = |joint: &Joint| {
+        let coordinate = joint.coordinate.name.as_ref().is_some_and(|own| own.text == name);
+        takes_value(joint) && (coordinate || joint.name.text == name)
     };
-    model.joints.iter().find(is_it).is_some_and(|joint| joint.kind == JointKind::Prismatic)
+    let mut found = model.joints.iter().enumerate().filter(|(_, joint)| is_it(joint));
+    match (found.next(), found.next()) {
+        (Some((_, first)), Some((_, second))) => Err(LumpError::Ambiguous {
+            name: name.to_owned(),
+            joints: [first.name.text.clone(), second.name.text.clone()],
+            span: second.name.span.clone(),
+        }),
+        (Some((k, _)), None) => Ok(k),
+        (None, _) => Err(unknown(model, name)),
+    }
+}
+
+/// Whether the joint that takes a value under a name, its own or its coordinate's, slides: the value is a length then, and otherwise an
+/// angle.
+///
+/// # Errors
+/// [`LumpError`] if no joint takes a value under that name, or several do.
+pub fn slides(model: &RobotModel, name: &str) -> Result<bool, LumpError> {
+    let joint = model.joints.get(named(model, name)?);
+    Ok(joint.is_some_and(|joint| joint.kind == JointKind::Prismatic))
 }

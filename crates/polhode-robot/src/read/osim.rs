@@ -9,6 +9,7 @@
 mod coordinate;
 mod frame;
 mod joint;
+mod transform;
 
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
 

@@ -217,9 +217,23 @@ fn joint(element: Element<'_>, scope: usize, frame: usize, frames: &Frames<'_>) 
         pose: Pose { unreadable: frames.unreadable(frame).to_vec(), ..in_parent.inverse().then(&in_child) },
         axis: axes.turned(written),
         anchor: place.position,
-        coordinate: axis
-            .map_or_else(Coordinate::default, |axis| coordinate(axis, &frames.scope(scope).prefix)),
+        coordinate: coordinates(element, &frames.scope(scope).prefix),
     }
+}
+
+const KINDS: [&str; 9] =
+    ["fixed", "revolute", "continuous", "prismatic", "ball", "universal", "screw", "gearbox", "revolute2"];
+
+/// What the axes of a joint say. Of the second it is read that it follows a joint, as nothing is known then.
+fn coordinates(joint: Element<'_>, prefix: &str) -> Coordinate {
+    let mut own = joint.child("axis").map_or_else(Coordinate::default, |axis| coordinate(axis, prefix));
+    if let Some(follows) = joint.child("axis2").and_then(|axis| coordinate(axis, prefix).follows) {
+        let coefficients = Err("its second axis does, which is not read".to_owned());
+        own.follows = Some(Follows { coefficients, ..follows });
+    }
+    let kind = joint.word("type").unwrap_or_default();
+    own.unread = (!KINDS.contains(&kind)).then(|| format!("type {kind:?} is no kind of joint"));
+    own
 }
 
 /// What an axis says of its limits, and of the joint that it follows: `<mimic joint="…">` since 1.10.

@@ -135,15 +135,20 @@ impl Unread<'_> {
         self.notes.push(Note { severity: Severity::Suspect, ..note });
     }
 
-    /// Roll, pitch and yaw that are no radians: more than a turn, and whole parts of a turn in degrees.
+    /// Roll, pitch and yaw of which one is no angle in radians: more than a turn, and a round number of degrees.
     fn degrees(&mut self, angles: [f64; 3], span: Span) {
-        const STEP: f64 = 15.0;
-        let is_whole = angles.iter().all(|angle| angle % STEP == 0.0);
-        if !is_whole || angles.iter().all(|angle| angle.abs() <= std::f64::consts::TAU) {
+        const STEP: f64 = 2.5;
+        let is_degrees = |angle: f64| angle % STEP == 0.0 && angle.abs() > std::f64::consts::TAU;
+        if !angles.into_iter().any(is_degrees) {
             return;
         }
+        // beside a whole number of degrees, as in 0 1 90, small ones may be degrees; a fraction is hardly one
+        let meant = angles.map(|angle| match angle % 0.5 == 0.0 {
+            true => angle.to_radians(),
+            false => angle,
+        });
         let words = |angles: [f64; 3]| angles.map(|angle| (angle + 0.0).to_string()).join(" ");
-        let (written, meant) = (words(angles), words(angles.map(f64::to_radians)));
+        let (written, meant) = (words(angles), words(meant));
         let message =
             format!("roll, pitch and yaw of {written} are radians here; in degrees they would be {meant}");
         self.suspect("pose.degrees", span, message);

@@ -7,6 +7,7 @@ use std::path::Path;
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
 
 use crate::coordinate::limits;
+use crate::finding::Severity;
 use crate::model::{
     Coordinate, Follows, Geometry, GeometryShape, Inertial, Joint, JointKind, Link, Name, Note, Pose,
     RobotModel, Role, Slot, Span, Tensor,
@@ -37,6 +38,12 @@ pub(super) fn read(root: Element<'_>, roots: &Roots, model: &mut RobotModel) -> 
             "joint" => {
                 let joint = joint(child);
                 unread::origin(child, &joint.name.text, &mut model.notes);
+                if let Some(why) = &joint.coordinate.unread {
+                    let start = child.span().start;
+                    let span = child.attribute("type").map_or(start..start + 1, |written| written.span);
+                    let note = Note::new("read.unknown", &joint.name.text, span, why.clone());
+                    model.notes.push(Note { severity: Severity::Suspect, ..note });
+                }
                 model.joints.push(joint);
             }
             _ => {}
@@ -206,8 +213,19 @@ fn joint(element: Element<'_>) -> Joint {
         pose: origin(element),
         axis: axis.map_or([1.0, 0.0, 0.0], |axis| axis.array().unwrap_or([f64::NAN; 3])),
         anchor: [0.0; 3],
-        coordinate: coordinate(element),
+        coordinate: Coordinate { unread: unknown_kind(element), ..coordinate(element) },
     }
+}
+
+/// That a joint's kind is none of the language.
+fn unknown_kind(element: Element<'_>) -> Option<String> {
+    const KINDS: [&str; 6] = ["revolute", "continuous", "prismatic", "fixed", "floating", "planar"];
+    let Some(written) = element.word("type") else { return Some("the joint has no type".to_owned()) };
+    if KINDS.contains(&written) {
+        return None;
+    }
+    let kinds = KINDS.join(", ");
+    Some(format!("type {written:?} is no kind of joint; those that are, are {kinds}"))
 }
 
 /// `<limit lower="…" upper="…"/>` and `<mimic joint="…" multiplier="…" offset="…"/>`.

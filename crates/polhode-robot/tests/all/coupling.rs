@@ -1,6 +1,6 @@
 //! Joints that follow others as SDF, OpenSim and PhysX write them.
 
-use polhode_robot::lump::{LumpError, Lumping};
+use polhode_robot::lump::{LumpError, Lumping, slides};
 
 use crate::common::read;
 use crate::mimic::{error, one, value};
@@ -39,6 +39,14 @@ fn sdf_follows_from_a_reference() {
     ] {
         assert!(matches!(error(&read(&text(&wrong)), Lumping::All, &[]), LumpError::Law { .. }), "{wrong}");
     }
+    // of two axes none has one value
+    let second = text(
+        "</axis><axis2><xyz>0 1 0</xyz><mimic joint='l'><multiplier>1</multiplier></mimic></axis2><axis>",
+    );
+    let second =
+        second.replace("<axis></axis>", "").replace("name='r' type='revolute'", "name='r' type='universal'");
+    let refused = error(&read(&second), Lumping::All, &[("hand::l", 0.41)]);
+    assert!(matches!(&refused, LumpError::Law { joint, .. } if joint == "hand::r"), "{refused}");
 }
 
 #[test]
@@ -127,4 +135,61 @@ fn usd_gears_joints() {
     );
     let mixed = read(&text("PhysicsPrismaticJoint"));
     assert!(matches!(error(&mixed, Lumping::All, &[]), LumpError::Law { .. }));
+    // a joint of six axes has no one value, and a fixed one none
+    let six = error(&read(&text("PhysicsJoint")), Lumping::All, &[("/r/l", 0.41)]);
+    assert!(matches!(&six, LumpError::Law { joint, .. } if joint == "/r/r"), "{six}");
+    one(&read(&text("PhysicsFixedJoint")), Lumping::All, &[("/r/l", 0.41)]);
+}
+
+#[test]
+fn a_name_means_one_joint() {
+    let body = |name: &str| {
+        format!(
+            "<Body name='{name}'><mass>1.3</mass><mass_center>0.1 -0.2 0.05</mass_center><inertia>0.1 0.1 0.1 0 0 0</inertia></Body>"
+        )
+    };
+    let joint = |kind: &str, name: &str, parent: &str, child: &str, coordinate: &str| {
+        format!("<{kind} name='{name}'><socket_parent_frame>{parent}</socket_parent_frame><socket_child_frame>{child}</socket_child_frame>
+            <coordinates><Coordinate name='{coordinate}'/></coordinates></{kind}>")
+    };
+    let model = |joints: [(&str, &str, &str); 2], more: &str| {
+        let [first, second] = joints;
+        read(&format!(
+            "<OpenSimDocument Version='40000'><Model name='m'><BodySet><objects>{}{}</objects></BodySet><JointSet><objects>{}{}</objects></JointSet>{more}</Model></OpenSimDocument>",
+            body("a"),
+            body("b"),
+            joint(first.0, first.1, "/ground", "a", first.2),
+            joint(second.0, second.1, "a", "b", second.2),
+        ))
+    };
+    // a joint of one name, and a coordinate of another joint
+    let crossed = model([("SliderJoint", "j", "x"), ("PinJoint", "x", "y")], "");
+    let refused = error(&crossed, Lumping::All, &[("x", 0.05)]);
+    assert!(
+        matches!(&refused, LumpError::Ambiguous { .. }) && refused.hint().starts_with("j has"),
+        "{refused}"
+    );
+    assert_eq!(slides(&crossed, "x"), Err(refused));
+    assert_eq!((slides(&crossed, "j"), slides(&crossed, "y")), (Ok(true), Ok(false)));
+    assert!(matches!(slides(&crossed, "z"), Err(LumpError::Joint { .. })));
+    // two coordinates of one name, also where a constraint names them
+    let joints = [("SliderJoint", "j", "q"), ("PinJoint", "k", "q")];
+    assert!(matches!(error(&model(joints, ""), Lumping::All, &[("q", 0.05)]), LumpError::Ambiguous { .. }));
+    let coupler = |leader: &str, follower: &str| {
+        format!("<ConstraintSet><objects><CoordinateCouplerConstraint name='c'>
+            <coupled_coordinates_function><Constant><value>0.3</value></Constant></coupled_coordinates_function>
+            <independent_coordinate_names>{leader}</independent_coordinate_names>
+            <dependent_coordinate_name>{follower}</dependent_coordinate_name></CoordinateCouplerConstraint></objects></ConstraintSet>")
+    };
+    for names in [("", "q"), ("q", "q")] {
+        let coupled = model(joints, &coupler(names.0, names.1));
+        assert!(matches!(error(&coupled, Lumping::All, &[]), LumpError::Law { .. }));
+    }
+    // a joint and its coordinate
+    let straight = model([("SliderJoint", "j", "x"), ("PinJoint", "k", "y")], "");
+    let refused = error(&straight, Lumping::All, &[("k", 0.1), ("y", 0.2)]);
+    assert!(matches!(&refused, LumpError::GivenTwice { names } if names == &["k", "y"]), "{refused}");
+    // a coordinate that has the name of what takes no value
+    let held = model([("WeldJoint", "x", "w"), ("PinJoint", "k", "x")], "");
+    assert_eq!(value(&one(&held, Lumping::All, &[("x", 0.2)]), "k"), 0.2);
 }

@@ -1,7 +1,7 @@
 //! Joints that follow others, and what hangs from a link, against MuJoCo 3.17 and Pinocchio 4.1.
 
 use polhode_robot::lump::{JointPosition, Lump, LumpError, Lumping, PositionBy, lump};
-use polhode_robot::model::RobotModel;
+use polhode_robot::model::{Joint, RobotModel};
 
 use crate::common::read;
 
@@ -236,6 +236,60 @@ fn copies_follow_copies() {
     let whole = one(&read(&text), Lumping::All, &[("j1", 0.3)]);
     assert!((value(&whole, "k0") - 0.1).abs() < 1e-16);
     assert!((value(&whole, "k1") - 0.7).abs() < 1e-15);
+}
+
+/// What MuJoCo 3.17 makes of them: no constraint between a copy and what is not copied along, but for one that names a copy.
+#[test]
+fn copies_follow_what_is_copied_along() {
+    let mass = "<inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>";
+    let copies = |inner: &str| format!("<replicate count='2' offset='0 0 1' sep='-'>{inner}</replicate>");
+    let b = format!("<body name='b'>{mass}<joint name='j'/></body>");
+    let read_with = |world: &str, names: &str| {
+        read(&format!(
+            "<mujoco><worldbody><body name='z'>{mass}<joint name='z'/></body>{world}</worldbody>
+            <equality><joint {names} polycoef='0.1 2'/></equality></mujoco>"
+        ))
+    };
+    let nested = copies(&format!("<body name='o'>{mass}<joint name='o'/>{}</body>", copies(&b)));
+    for (world, names) in [
+        (copies(&b), "joint1='j' joint2='z'"),
+        (copies(&b), "joint1='z' joint2='j'"),
+        (nested.clone(), "joint1='j' joint2='o'"),
+        (nested.clone(), "joint1='o' joint2='j'"),
+    ] {
+        assert!(
+            read_with(&world, names).joints.iter().all(|joint| joint.coordinate.follows.is_none()),
+            "{names}"
+        );
+    }
+    let followers = |world: &str, names: &str| {
+        let model = read_with(world, names);
+        let follower = |joint: &Joint| {
+            let follows = joint.coordinate.follows.as_ref()?;
+            Some(format!("{} {}", joint.name.text, follows.leader.as_ref().map_or("", |leader| &leader.text)))
+        };
+        model.joints.iter().filter_map(follower).collect::<Vec<_>>().join(", ")
+    };
+    assert_eq!(followers(&copies(&b), "joint1='j-0' joint2='z'"), "j-0 z");
+    assert_eq!(followers(&copies(&b), "joint1='z' joint2='j-1'"), "z j-1");
+    assert_eq!(followers(&copies(&b), "joint1='j-0' joint2='j-1'"), "j-0 j-1");
+    assert_eq!(followers(&nested, "joint1='j-0' joint2='o'"), "j-0-0 o-0, j-0-1 o-1");
+    assert_eq!(followers(&nested, "joint1='j-0-1'"), "j-0-1 ");
+    // what is nowhere is asked for where it matters: MuJoCo refuses the file
+    let lost = read_with(&copies(&b), "joint1='z' joint2='q'");
+    assert!(matches!(error(&lost, Lumping::All, &[]), LumpError::Leader { is_there: false, .. }));
+}
+
+/// Once a hundred seconds.
+#[test]
+fn copies_and_constraints_do_not_multiply() {
+    let constraints: String =
+        (0..20_000).map(|k| format!("<joint joint1='j' joint2='i{k}'/><joint joint1='l{k}'/>")).collect();
+    let model = read(&format!(
+        "<mujoco><worldbody><replicate count='40000' offset='1 0 0'><body><joint name='j'/></body></replicate></worldbody>
+        <equality>{constraints}</equality></mujoco>"
+    ));
+    assert!(model.joints.iter().all(|joint| joint.coordinate.follows.is_some()));
 }
 
 #[test]

@@ -1,11 +1,15 @@
 //! OpenSim's models of three versions.
 
 use polhode_robot::body::{LinkMass, link_mass};
+use polhode_robot::inertia::of_lumps;
+use polhode_robot::lump::{LumpError, Lumping};
 use polhode_robot::model::{JointKind, ModelFormat, RobotModel, Tensor};
 
 use crate::common::{
-    applied, assert_close, assert_near, matrix_about, plus, read, refused, times, transposed, written,
+    applied, assert_close, assert_near, matrix_about, matrix_about_axis, plus, read, refused, times,
+    transposed, written,
 };
+use crate::mimic::{error, one};
 
 const NEW: &str = r#"<OpenSimDocument Version="40000"><Model name="leg"><Ground name="ground"/>
   <BodySet name="bodyset"><objects>
@@ -108,4 +112,86 @@ fn other_documents_of_opensim_are_refused() {
 fn frames_that_go_round_end() {
     let text = NEW.replace("<socket_parent>/bodyset/thigh<", "<socket_parent>thigh_offset<");
     assert_eq!(read(&text).joints.len(), 2);
+}
+
+/// Turns about axes that turn along, and ways along the parent's.
+#[test]
+fn a_custom_joint_stands_where_its_functions_are_at_zero() {
+    let custom = |transform: &str| {
+        let text = NEW.replace("PinJoint", "CustomJoint");
+        read(&text.replace("</frames></CustomJoint>", &format!("</frames>{transform}</CustomJoint>")))
+    };
+    let axis = |name: &str, axis: &str, function: &str| {
+        format!(
+            "<TransformAxis name='{name}'><coordinates>q</coordinates><axis>{axis}</axis>{function}</TransformAxis>"
+        )
+    };
+    let all = |axes: &[String]| format!("<SpatialTransform>{}</SpatialTransform>", axes.concat());
+    let read_all = all(&[
+        axis(
+            "rotation1",
+            "0 0.6 0.8",
+            "<LinearFunction name='function'><coefficients>1 0.3</coefficients></LinearFunction>",
+        ),
+        axis(
+            "rotation2",
+            "1 0 0",
+            "<function><PolynomialFunction><coefficients>0.1 0.7 -0.2</coefficients></PolynomialFunction></function>",
+        ),
+        axis("rotation3", "0 1 0", ""),
+        axis(
+            "translation1",
+            "1 0 0",
+            "<SimmSpline name='function'><x>-1 0 1</x><y>0.3 -0.05 0.2</y></SimmSpline>",
+        ),
+        axis(
+            "translation2",
+            "0 1 0",
+            "<MultiplierFunction name='function'><function><Constant><value>-0.4</value></Constant></function><scale>1.1</scale></MultiplierFunction>",
+        ),
+    ]);
+    let knee = &custom(&read_all).joints[1];
+    let outer = times(times(matrix_about(0, 0.3), matrix_about(1, -0.4)), matrix_about(2, 0.5));
+    let moved = times(matrix_about_axis([0.0, 0.6, 0.8], 0.3), matrix_about(0, -0.2));
+    let attitude = times(times(outer, moved), transposed(matrix_about(1, 0.2)));
+    assert_near(&knee.pose.matrix(), &attitude, 1e-15);
+    let way = plus(applied(outer, [-0.05, -0.44, 0.0]), applied(attitude, [0.0, -0.05, -0.02]));
+    assert_close(knee.pose.position, plus([0.1, -0.4, 0.0], way), 1e-15);
+    assert_eq!(one(&custom(&read_all), Lumping::All, &[]).links.len(), 2);
+    // where nothing moves it is as a pin at zero
+    let pin = one(&read(NEW), Lumping::All, &[]).properties;
+    let custom_pin = one(&custom(""), Lumping::All, &[]);
+    assert_eq!(custom_pin.properties, pin);
+    assert_eq!(custom_pin.held, ["root", "knee"]);
+    let heading =
+        |model: &RobotModel| of_lumps(model, Lumping::All, &[]).unwrap().remove(0).source.description;
+    assert!(heading(&read(NEW)).contains("joints at zero, root as drawn (takes no value)"));
+    assert!(heading(&custom("")).contains("leg, root and knee as drawn"));
+
+    let unit = "<Constant name='function'><value>0.1</value></Constant>";
+    for (wrong, why) in [
+        (
+            axis("rotation1", "0 0 1", "<SimmSpline name='function'><x>-1 1</x><y>0.3 0.2</y></SimmSpline>"),
+            "SimmSpline",
+        ),
+        (axis("rotation1", "0 0 1", "<Sine name='function'/>"), "Sine"),
+        (axis("rotation1", "0 0 1", "<Sine/>"), "Sine"),
+        (axis("rotation1", "0 0 1", "<Constant name='function'><value>0,1</value></Constant>"), "Constant"),
+        (axis("translation3", "0 0 2", unit), "length 1"),
+        (axis("translation4", "0 0 1", unit), "translation4"),
+        (axis("translation3", "0 0 1", unit).repeat(2), "two of"),
+    ] {
+        let model = custom(&all(&[wrong]));
+        let refused = error(&model, Lumping::All, &[]);
+        assert!(matches!(&refused, LumpError::Unread { joint, .. } if joint == "knee"), "{refused}");
+        assert!(refused.to_string().contains(why), "{refused}");
+        // what hangs on it has its place
+        assert_eq!(one(&model, Lumping::Subtree("shank"), &[]).properties.mass(), 3.7);
+    }
+    for text in [
+        NEW.replace("PinJoint", "EllipsoidJoint"),
+        NEW.replace("</frames></PinJoint>", "</frames><reverse>true</reverse></PinJoint>"),
+    ] {
+        assert!(matches!(error(&read(&text), Lumping::All, &[]), LumpError::Unread { .. }));
+    }
 }

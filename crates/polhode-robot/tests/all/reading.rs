@@ -4,6 +4,7 @@ use polhode_robot::check::check;
 use polhode_robot::finding::{Finding, Severity};
 use polhode_robot::geometry::Shapes;
 use polhode_robot::inspect::inspect;
+use polhode_robot::lump::{LumpError, Lumping};
 use polhode_robot::model::RobotModel;
 use polhode_robot::read::{ReadOptions, read_model, read_text};
 
@@ -38,7 +39,12 @@ fn angles_in_degrees_are_told_with_their_radians() {
         message.contains("0 -45 90") && message.contains("0 -0.7853981633974483 1.5707963267948966"),
         "{message}"
     );
-    for right in ["0 0 1.5707963", "0 -6.25 3", "0 0 0", "12.5664 0 0", "0 7 90"] {
+    for wrong in ["0 0 22.5", "0 -10 0", "1.57 0 90", "0 7 90"] {
+        assert_eq!(codes(&found(&link(wrong))), ["pose.degrees"], "{wrong}");
+    }
+    for right in
+        ["0 0 1.5707963", "0 -6.25 3", "0 0 0", "12.5664 0 0", "0 7 0", "3.14159 6.2832 7.0", "0 5 -2.5"]
+    {
         assert_eq!(codes(&found(&link(right))), Vec::<&str>::new(), "{right}");
     }
     let joint = link("0 0 0").replace(
@@ -329,4 +335,67 @@ fn moments_of_one_digit_are_no_other_unit() {
     assert_eq!(codes(&findings), ["gyration.too_large"]);
     assert!(findings[0].message.ends_with("a placeholder?"), "{}", findings[0].message);
     assert_eq!(codes(&found(&link("ixx=\"1.3\" iyy=\"1.1\" izz=\"0.9\""))), ["inertia.unit"]);
+}
+
+#[test]
+fn a_kind_of_joint_that_is_none_is_told_and_refused() {
+    let model = |kind: &str| {
+        let inertial = format!("<inertial><mass value=\"1.7\"/>{INERTIA}</inertial>");
+        format!(
+            "<robot name=\"r\"><link name=\"a\">{inertial}</link><link name=\"b\">{inertial}</link>\
+             <joint name=\"j\"{kind}><parent link=\"a\"/><child link=\"b\"/><axis xyz=\"0 0 1\"/></joint></robot>"
+        )
+    };
+    for wrong in [" type=\"Revolute\"", ""] {
+        let findings = found(&model(wrong));
+        assert_eq!((codes(&findings), findings[0].subject.as_str()), (vec!["read.unknown"], "j"), "{wrong}");
+        let refused = crate::mimic::error(&crate::common::read(&model(wrong)), Lumping::All, &[]);
+        assert!(matches!(&refused, LumpError::Unread { joint, .. } if joint == "j"), "{refused}");
+    }
+    assert_eq!(codes(&found(&model(" type=\"planar\""))), Vec::<&str>::new());
+    let inertia = "<inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>";
+    let sdf = |kind: &str| {
+        let link =
+            |name: &str| format!("<link name='{name}'><inertial><mass>1</mass>{inertia}</inertial></link>");
+        let joint = format!("<joint name='j' type='{kind}'><parent>a</parent><child>b</child></joint>");
+        format!("<sdf version='1.9'><model name='m'>{}{}{joint}</model></sdf>", link("a"), link("b"))
+    };
+    let mjcf = |kind: &str| {
+        format!(
+            "<mujoco><worldbody><body name='a'><joint name='j' type='{kind}'/><geom size='0.1'/></body></worldbody></mujoco>"
+        )
+    };
+    for (wrong, right) in [(sdf("Revolute"), sdf("ball")), (mjcf("hnge"), mjcf("ball"))] {
+        let refused = crate::mimic::error(&crate::common::read(&wrong), Lumping::All, &[]);
+        assert!(matches!(&refused, LumpError::Unread { joint, .. } if joint == "j"), "{refused}");
+        crate::mimic::one(&crate::common::read(&right), Lumping::All, &[]);
+    }
+}
+
+#[test]
+fn attributes_that_mujoco_refuses_are_told_with_what_was_meant() {
+    let model = |compiler: &str, geom: &str| {
+        format!(
+            "<mujoco><compiler {compiler}/><worldbody><body name='arm'><joint/><geom size='0.1' {geom}/></body></worldbody></mujoco>"
+        )
+    };
+    for (text, subject, meant) in [
+        (model("", "densty='30'"), "arm", "density"),
+        (model("settotalMass='3'", ""), "", "settotalmass"),
+        (model("", "").replace("<joint/>", "<joint axs='0 0 1'/>"), "arm", "axis"),
+    ] {
+        let findings = found(&text);
+        assert_eq!(codes(&findings), ["read.unknown"], "{text}");
+        assert_eq!(findings[0].subject, subject);
+        assert!(findings[0].message.contains(&format!("; {meant} is one")), "{}", findings[0].message);
+    }
+    assert_eq!(
+        codes(&found(
+            &model("angle='radian'", "density='30' class='c' rgba='1 0 0 1'").replace(" class='c'", "")
+        )),
+        Vec::<&str>::new()
+    );
+    // what MuJoCo takes and is not read here is not said to be refused
+    let findings = found(&model("settotalmass='0x10'", ""));
+    assert!(findings.iter().any(|finding| finding.message.contains("hexadecimal")));
 }

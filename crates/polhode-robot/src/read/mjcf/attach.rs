@@ -2,6 +2,7 @@
 
 use crate::read::xml::Element;
 
+use super::equality::Origin;
 use super::{Branch, Reader};
 
 impl<'a> Reader<'_, 'a, '_> {
@@ -15,8 +16,14 @@ impl<'a> Reader<'_, 'a, '_> {
         };
         let prefix = format!("{}{}", branch.prefix, element.word("prefix").unwrap_or(""));
         self.name_bytes += prefix.len();
+        let origin = self.origins.len();
         if let Some(context) = context {
-            self.attached.push((context, prefix.as_str().into(), branch.suffix.clone()));
+            self.origins.push(Origin {
+                context,
+                prefix: prefix.as_str().into(),
+                suffix: branch.suffix.clone(),
+                within: Some(branch.origin),
+            });
         }
         let found = context.and_then(|context| Some((context, self.contexts.get(context)?.root)));
         let why = match (found, element.word("body")) {
@@ -31,6 +38,7 @@ impl<'a> Reader<'_, 'a, '_> {
                         context,
                         class,
                         prefix: prefix.as_str().into(),
+                        origin,
                         ..branch.clone()
                     };
                     branches.push(attached);
@@ -44,6 +52,7 @@ impl<'a> Reader<'_, 'a, '_> {
                         context,
                         class,
                         prefix: prefix.into(),
+                        origin,
                         ..branch.clone()
                     });
                     return;

@@ -118,7 +118,12 @@ impl<'a> Settings<'a> {
     /// Settings that MuJoCo refuses: what masses would be then is not known.
     fn refused(&mut self, compiler: Element<'a>, notes: &mut Vec<Note>) {
         let mut refuse = |written: Written<'a>, name: &str, expected: &str| {
-            let message = format!("{name}={:?} is not {expected}: MuJoCo refuses the file", written.value);
+            let says = if is_hexadecimal(written.value) {
+                "is hexadecimal, and is not read".to_owned()
+            } else {
+                format!("is not {expected}: MuJoCo refuses the file")
+            };
+            let message = format!("{name}={:?} {says}", written.value);
             self.unreadable.get_or_insert(format!("<compiler> says {name}={:?}", written.value));
             let note = Note::new("read.compiler", "", written.span, message);
             notes.push(Note { severity: Severity::Suspect, ..note });
@@ -204,6 +209,12 @@ impl<'a> Settings<'a> {
         }
         (axes.len() == 3).then_some(rotation)
     }
+}
+
+/// `0x10`, which MuJoCo takes.
+fn is_hexadecimal(text: &str) -> bool {
+    let digits = text.trim().trim_start_matches(['+', '-']);
+    digits.get(..2).is_some_and(|start| start.eq_ignore_ascii_case("0x"))
 }
 
 fn numbers<const N: usize>(reading: &mut Reading, written: &Written<'_>) -> [f64; N] {

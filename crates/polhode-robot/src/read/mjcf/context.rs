@@ -50,6 +50,7 @@ pub(super) fn all<'a>(
 impl<'a> Context<'a> {
     /// Of the root of a model; its paths are relative to the folders of the files.
     pub(super) fn of(root: Element<'a>, folders: &[PathBuf], roots: &Roots, notes: &mut Vec<Note>) -> Self {
+        super::attributes::unknown(root, notes);
         let settings = Settings::of(root, notes);
         let classes = Classes::of(root);
         let mut context = Self {

@@ -3,70 +3,128 @@
 //! y − y₀ = Σ a_k (x − x₀)^k for `polycoef`, with y of `joint1`, x of `joint2` and their `ref` y₀ and x₀; angles in radians whatever the
 //! compiler says. MuJoCo pulls towards this by a force; here it holds.
 //!
-//! Copies and attached models bring theirs along, with the names of their joints: what names a joint that is not there is another's.
+//! Copies and attached models bring theirs along, with the names of their joints.
 //!
 //! Source: mujoco.readthedocs.io, XML Reference, equality/joint.
 
 use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
 
 use crate::coordinate::NO_NUMBER;
 use crate::model::{Follows, Joint, Name};
 use crate::read::xml::{Element, is_true};
 
-use super::Names;
 use super::context::Context;
 
 /// The coefficients that are not given: y − y₀ = x − x₀.
 const POLYNOMIAL: [f64; 5] = [0.0, 1.0, 0.0, 0.0, 0.0];
 
-/// Tells joints which others they follow.
-pub(super) fn couple(contexts: &[Context<'_>], attached: &[Names], joints: &mut [Joint]) {
-    let constraints: Vec<Vec<Element<'_>>> = contexts.iter().map(constraints).collect();
-    if constraints.iter().all(Vec::is_empty) {
+/// Where joints come from: a model, one of its copies, or one attached, within another.
+#[derive(Debug)]
+pub(super) struct Origin {
+    /// The model, by its context.
+    pub(super) context: usize,
+    /// What goes before and after the names.
+    pub(super) prefix: Rc<str>,
+    pub(super) suffix: Rc<str>,
+    /// The one that it stands in.
+    pub(super) within: Option<usize>,
+}
+
+/// The constraints that place the joints of one name: the first, and whether there are others.
+struct Constraint<'a> {
+    element: Element<'a>,
+    is_only: bool,
+}
+
+/// Tells joints which others they follow; `of_joints` says where each comes from.
+///
+/// A copy's constraint holds where both its joints are copied together, as MuJoCo has it.
+pub(super) fn couple(
+    contexts: &[Context<'_>],
+    origins: &[Origin],
+    of_joints: &[usize],
+    joints: &mut [Joint],
+) {
+    let constraints: Vec<HashMap<&str, Constraint<'_>>> = contexts.iter().map(constraints).collect();
+    if constraints.iter().all(HashMap::is_empty) {
         return;
     }
     let numbers: HashMap<String, usize> =
         joints.iter().enumerate().map(|(k, joint)| (joint.name.text.clone(), k)).collect();
-    let mut done = HashSet::new();
-    for (context, prefix, suffix) in attached {
-        for &element in constraints.get(*context).into_iter().flatten() {
-            let named = |attribute: &str| {
-                let written = element.attribute(attribute)?;
-                let own = written.name();
-                let copied = Name { text: format!("{prefix}{}{suffix}", own.text), ..own };
-                Some(copied)
-            };
-            let Some(follower) = named("joint1") else { continue };
-            let leader = named("joint2");
-            let Some(&k) = numbers.get(&follower.text) else { continue };
-            // a copy may follow what is not copied
-            let leader =
-                leader.map(|leader| match element.attribute("joint2").map(|written| written.name()) {
-                    Some(own) if !numbers.contains_key(&leader.text) => own,
-                    _ => leader,
-                });
-            if !done.insert((follower.text, element.span().start)) {
-                continue;
+    let names: HashSet<(usize, String)> = joints
+        .iter()
+        .zip(of_joints)
+        .flat_map(|(joint, &origin)| {
+            chain(origins, origin).filter_map(|origin| Some((origin.context, origin.own(&joint.name.text)?)))
+        })
+        .map(|(context, own)| (context, own.to_owned()))
+        .collect();
+    for (k, &origin) in of_joints.iter().enumerate() {
+        let mut found: Vec<(Follows, usize)> = Vec::new();
+        let Some(joint) = joints.get(k) else { continue };
+        for origin in chain(origins, origin) {
+            let of_context = constraints.get(origin.context);
+            let own = origin.own(&joint.name.text);
+            let Some(constraint) = own.and_then(|own| of_context?.get(own)) else { continue };
+            let element = constraint.element;
+            let leader = element.attribute("joint2").map(|written| written.name()).map(|own| {
+                let text = format!("{}{}{}", origin.prefix, own.text, origin.suffix);
+                (own.text.clone(), Name { text, ..own })
+            });
+            let number = leader.as_ref().and_then(|(_, leader)| numbers.get(&leader.text));
+            if let (Some((own, _)), None) = (&leader, number)
+                && names.contains(&(origin.context, own.clone()))
+            {
+                continue; // it is elsewhere, and the two are not copied together
             }
-            let reference = leader.as_ref().and_then(|leader| joints.get(*numbers.get(&leader.text)?));
+            let leader = leader.map(|(_, leader)| leader);
+            let reference = number.and_then(|&leader| joints.get(leader));
             let reference = reference.map_or(0.0, |leader| leader.coordinate.at_rest);
-            let Some(coordinate) = joints.get_mut(k).map(|joint| &mut joint.coordinate) else { continue };
-            let coefficients = match coordinate.follows {
-                Some(_) => Err("another constraint says where it is, too".to_owned()),
-                None => coefficients(element, leader.is_some(), coordinate.at_rest),
+            let coefficients = match constraint.is_only {
+                true => coefficients(element, leader.is_some(), joint.coordinate.at_rest),
+                false => Err(TWICE.to_owned()),
             };
-            coordinate.follows = Some(Follows { span: element.span(), leader, reference, coefficients });
+            let start = element.span().start;
+            // the same one under two origins that change no names
+            if found.iter().all(|(_, other)| *other != start) {
+                found.push((Follows { span: element.span(), leader, reference, coefficients }, start));
+            }
         }
+        let is_twice = found.len() > 1;
+        let Some(((follows, _), joint)) = found.into_iter().next().zip(joints.get_mut(k)) else { continue };
+        let coefficients = if is_twice { Err(TWICE.to_owned()) } else { follows.coefficients };
+        joint.coordinate.follows = Some(Follows { coefficients, ..follows });
     }
 }
 
-/// The constraints of joints in a model that are on.
-fn constraints<'a>(context: &Context<'a>) -> Vec<Element<'a>> {
+const TWICE: &str = "another constraint says where it is, too";
+
+/// An origin and those that it stands in.
+fn chain(origins: &[Origin], first: usize) -> impl Iterator<Item = &Origin> {
+    std::iter::successors(origins.get(first), |origin| origins.get(origin.within?))
+}
+
+impl Origin {
+    /// A joint's name as the model has it.
+    fn own<'n>(&self, name: &'n str) -> Option<&'n str> {
+        name.strip_prefix(&*self.prefix)?.strip_suffix(&*self.suffix)
+    }
+}
+
+/// The constraints of a model that are on, by the names of the joints that they place.
+fn constraints<'a>(context: &Context<'a>) -> HashMap<&'a str, Constraint<'a>> {
     let is_on = |element: &Element<'a>| {
         let written = element.word("active").or_else(|| active_by_class(context.root, element.word("class")));
         written.is_none_or(is_true)
     };
-    context.root.named("equality").flat_map(|all| all.named("joint")).filter(is_on).collect()
+    let mut constraints = HashMap::new();
+    for element in context.root.named("equality").flat_map(|all| all.named("joint")).filter(is_on) {
+        let Some(joint) = element.word("joint1") else { continue };
+        let several = |one: &mut Constraint<'_>| one.is_only = false;
+        constraints.entry(joint).and_modify(several).or_insert(Constraint { element, is_only: true });
+    }
+    constraints
 }
 
 /// What a class says of `active`, or one around it; the outermost class is that of what names none.

@@ -34,7 +34,10 @@ impl<'a> Reader<'_, 'a, '_> {
             |name| branch.name(name.name()),
         );
         self.joint_order.push(self.elements);
-        let coordinate = coordinate(&source, kind, &context.settings);
+        self.joint_origins.push(branch.origin);
+        let unread = source.word("type").filter(|word| kind == JointKind::Other && *word != "ball");
+        let unread = unread.map(|word| format!("type {word:?} is no kind of joint"));
+        let coordinate = Coordinate { unread, ..coordinate(&source, kind, &context.settings) };
         self.hang(index, name, element.span(), kind, (axis, anchor), coordinate);
     }
 
@@ -72,11 +75,14 @@ impl<'a> Reader<'_, 'a, '_> {
             self.require_few(root)?;
             let order = self.link_order.get(index).copied().unwrap_or(usize::MAX);
             self.joint_order.push(order);
+            self.joint_origins.push(0);
         }
         let joints = std::mem::take(&mut self.model.joints);
-        let mut ordered: Vec<_> = self.joint_order.iter().copied().zip(joints).collect();
+        let origins = self.joint_origins.drain(..);
+        let mut ordered: Vec<_> =
+            self.joint_order.iter().copied().zip(joints.into_iter().zip(origins)).collect();
         ordered.sort_by_key(|(order, _)| *order);
-        self.model.joints = ordered.into_iter().map(|(_, joint)| joint).collect();
+        (self.model.joints, self.joint_origins) = ordered.into_iter().map(|(_, joint)| joint).unzip();
         for link in &mut self.model.links {
             // without geoms there is nothing to compute it from
             link.from_geometry &= !link.geometry.is_empty();

@@ -5,6 +5,7 @@
 //! Source: mujoco.readthedocs.io, XML Reference; the order of the operations where it says less is that of MuJoCo's compiler.
 
 mod attach;
+mod attributes;
 mod compiler;
 mod context;
 mod defaults;
@@ -33,6 +34,7 @@ use crate::read::xml::Element;
 use compiler::FromGeometry;
 use context::Context;
 use defaults::Source;
+use equality::Origin;
 use mass::BodyMass;
 use mesh::Solid;
 
@@ -64,6 +66,8 @@ struct Branch<'a> {
     /// What goes before and after names.
     prefix: Rc<str>,
     suffix: Rc<str>,
+    /// Its copy or attached model, among [`Reader::origins`].
+    origin: usize,
 }
 
 impl Branch<'_> {
@@ -72,9 +76,6 @@ impl Branch<'_> {
         Name { text: format!("{}{}{}", self.prefix, name.text, self.suffix), ..name }
     }
 }
-
-/// A model, by its context, and what goes before and after its names.
-type Names = (usize, Rc<str>, Rc<str>);
 
 struct Reader<'c, 'a, 'm> {
     contexts: &'c [Context<'a>],
@@ -90,8 +91,9 @@ struct Reader<'c, 'a, 'm> {
     /// Elements so far, and bytes of their names.
     elements: usize,
     name_bytes: usize,
-    /// The models whose bodies are here, each with what goes before and after its names.
-    attached: Vec<Names>,
+    /// The models whose bodies are here, and their copies; and for each joint its own.
+    origins: Vec<Origin>,
+    joint_origins: Vec<usize>,
     /// Why bodies are missing.
     incomplete: Option<String>,
     /// An `<include>` could not be read: what it says is not known.
@@ -111,7 +113,8 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
             link_order: Vec::new(),
             elements: 0,
             name_bytes: 0,
-            attached: vec![(0, Rc::from(""), Rc::from(""))],
+            origins: vec![Origin { context: 0, prefix: Rc::from(""), suffix: Rc::from(""), within: None }],
+            joint_origins: Vec::new(),
             incomplete: None,
             is_blind: false,
             model,
@@ -129,7 +132,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
             }
         }
         self.fix_the_rest(root)?;
-        equality::couple(self.contexts, &self.attached, &mut self.model.joints);
+        equality::couple(self.contexts, &self.origins, &self.joint_origins, &mut self.model.joints);
         let settings: Vec<_> = self.contexts.iter().map(|context| &context.settings).collect();
         let blind = blind.then_some("an <include> could not be read");
         mass::compile(&mut self.model.links, self.masses, &settings, self.incomplete, blind);
@@ -142,7 +145,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         let (prefix, suffix) = (Rc::from(""), Rc::from(""));
         let frame = Pose::IDENTITY;
         let mut branches =
-            vec![Branch { element: world, context: 0, link: None, frame, class, prefix, suffix }];
+            vec![Branch { element: world, context: 0, link: None, frame, class, prefix, suffix, origin: 0 }];
         while let Some(branch) = branches.pop() {
             self.elements += 1;
             self.require_few(branch.element)?;

@@ -7,6 +7,7 @@ use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
 use crate::model::Pose;
 use crate::read::xml::Element;
 
+use super::equality::Origin;
 use super::{Branch, Reader};
 
 /// Elements of a tree with all its copies. A file of a hundred bytes could ask for more than any memory holds.
@@ -51,8 +52,14 @@ impl<'a> Reader<'_, 'a, '_> {
             let suffix: Rc<str> = format!("{separator}{k:0digits$}{}", branch.suffix).into();
             self.name_bytes += suffix.len();
             self.require_few(element)?;
-            self.attached.push((branch.context, branch.prefix.clone(), suffix.clone()));
-            let copied = Branch { frame, class, suffix, ..branch.clone() };
+            let origin = self.origins.len();
+            self.origins.push(Origin {
+                context: branch.context,
+                prefix: branch.prefix.clone(),
+                suffix: suffix.clone(),
+                within: Some(branch.origin),
+            });
+            let copied = Branch { frame, class, suffix, origin, ..branch.clone() };
             branches.extend(inner.iter().map(|&element| Branch { element, ..copied.clone() }));
         }
         Ok(())

@@ -39,35 +39,43 @@ pub(super) fn couple<'a>(
     for element in constraints.filter(|element| element.name() == "CoordinateCouplerConstraint") {
         let is_off = says(element, "isEnforced") == Some(false) || says(element, "isDisabled") == Some(true);
         let follower = element.child_text("dependent_coordinate_name").filter(|_| !is_off);
-        let Some(follower) = follower.and_then(|name| owners.get(name.value).copied()) else { continue };
+        let Some(followers) = follower.and_then(|name| owners.get(name.value)) else { continue };
         let leaders = element.child_text("independent_coordinate_names");
         let mut words = leaders.iter().flat_map(|names| names.value.split_ascii_whitespace());
         let (leader, more) = (words.next(), words.next());
+        let leading = leader.and_then(|leader| owners.get(leader));
+        let is_double = followers.len() > 1 || leading.is_some_and(|leading| leading.len() > 1);
         // Joints are known by their own names.
         let leader = leaders.as_ref().zip(leader).map(|(names, leader)| {
-            let text = owners.get(leader).and_then(|&k| joints.get(k)).map(|joint| &joint.name.text);
+            let text = leading.and_then(|owners| joints.get(*owners.first()?)).map(|joint| &joint.name.text);
             Name { text: text.map_or_else(|| leader.to_owned(), String::clone), span: names.span.clone() }
         });
-        let Some(joint) = joints.get_mut(follower) else { continue };
-        let coefficients = match (&joint.coordinate.follows, more) {
-            (Some(_), _) => Err("another constraint says where it is, too".to_owned()),
-            (None, Some(_)) => Err("it is a function of several coordinates".to_owned()),
-            (None, None) => coefficients(element),
-        };
-        joint.coordinate.follows =
-            Some(Follows { span: element.span(), leader, reference: 0.0, coefficients });
+        for &follower in followers {
+            let Some(joint) = joints.get_mut(follower) else { continue };
+            let coefficients = match (&joint.coordinate.follows, more) {
+                _ if is_double => Err("two joints have a coordinate of one name".to_owned()),
+                (Some(_), _) => Err("another constraint says where it is, too".to_owned()),
+                (None, Some(_)) => Err("it is a function of several coordinates".to_owned()),
+                (None, None) => coefficients(element),
+            };
+            let leader = leader.clone().filter(|_| !is_double);
+            joint.coordinate.follows =
+                Some(Follows { span: element.span(), leader, reference: 0.0, coefficients });
+        }
     }
 }
 
-/// The joint of each coordinate, also of those that have several.
-fn owners<'a>(model: Element<'a>, joints: &[Joint]) -> HashMap<&'a str, usize> {
+/// The joints that have a coordinate of each name, also those that have several: one, or the name is none.
+fn owners<'a>(model: Element<'a>, joints: &[Joint]) -> HashMap<&'a str, Vec<usize>> {
     let numbers: HashMap<usize, usize> =
         joints.iter().enumerate().map(|(k, joint)| (joint.span.start, k)).collect();
-    let mut owners = HashMap::new();
+    let mut owners: HashMap<_, Vec<usize>> = HashMap::new();
     let mut waiting = vec![model];
     while let Some(element) = waiting.pop() {
         if let Some(&k) = numbers.get(&element.span().start) {
-            owners.extend(coordinates(element).filter_map(|own| Some((own.word("name")?, k))));
+            for name in coordinates(element).filter_map(|own| own.word("name")) {
+                owners.entry(name).or_default().push(k);
+            }
         }
         waiting.extend(element.children());
     }

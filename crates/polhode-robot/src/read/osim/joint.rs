@@ -1,9 +1,9 @@
 //! Joints, in the set of a model or, until 3.x, in the body that hangs on them.
 
 use super::frame::{Frames, offset, socket};
-use super::{GROUND, coordinate};
-use crate::model::{Joint, JointKind, Name, Note, Pose};
-use crate::read::xml::Element;
+use super::{GROUND, coordinate, transform};
+use crate::model::{Coordinate, Joint, JointKind, Name, Note, Pose};
+use crate::read::xml::{Element, is_true};
 
 /// A joint between two frames; `None` if it does not say which, or with a note if one is of a kind that is not read.
 pub(super) fn new<'a>(element: Element<'a>, frames: &Frames<'a>, notes: &mut Vec<Note>) -> Option<Joint> {
@@ -40,8 +40,22 @@ fn joint(element: Element<'_>, parent: Name, child: Name, in_parent: &Pose, in_c
         "FreeJoint" => (JointKind::Free, [0.0, 0.0, 1.0]),
         _ => (JointKind::Other, [0.0, 0.0, 1.0]),
     };
+    let is_reversed = element.child_text("reverse").is_some_and(|reverse| is_true(reverse.value));
+    let moved = match element.name() {
+        "WeldJoint" => Ok(Pose::IDENTITY),
+        _ if is_reversed => Err("it moves its parent in its child, and that is not read".to_owned()),
+        "PinJoint" | "SliderJoint" | "FreeJoint" | "BallJoint" | "UniversalJoint" | "PlanarJoint"
+        | "GimbalJoint" => Ok(Pose::IDENTITY),
+        "CustomJoint" => transform::at_zero(element),
+        other => Err(format!("what {other} does with its coordinates at zero is not read")),
+    };
+    let (moved, unread) = match moved {
+        Ok(pose) => (pose, None),
+        Err(why) => (Pose::IDENTITY, Some(why)),
+    };
     let unreadable = in_parent.unreadable.iter().chain(&in_child.unreadable).cloned().collect();
-    let pose = Pose { unreadable, span: in_parent.span.clone(), ..in_parent.then(&in_child.inverse()) };
+    let pose =
+        Pose { unreadable, span: in_parent.span.clone(), ..in_parent.then(&moved).then(&in_child.inverse()) };
     Joint {
         name: element.attribute("name").map_or_else(
             || Name { text: format!("{} of {}", element.name(), child.text), span: start..start + 1 },
@@ -54,6 +68,6 @@ fn joint(element: Element<'_>, parent: Name, child: Name, in_parent: &Pose, in_c
         anchor: in_child.position,
         child,
         pose,
-        coordinate: coordinate::of(element),
+        coordinate: Coordinate { unread, ..coordinate::of(element) },
     }
 }

@@ -14,7 +14,9 @@ pub(super) fn of(stage: &Stage<'_>, prim: &Prim, kind: JointKind) -> Coordinate 
     let unit = match kind {
         JointKind::Revolute => 1_f64.to_radians(),
         JointKind::Prismatic => stage.units.metres,
-        _ => return Coordinate::default(),
+        // a fixed joint does not move whatever it follows
+        JointKind::Fixed => return Coordinate::default(),
+        JointKind::Free | JointKind::Other => f64::NAN,
     };
     let limit =
         |side: &str| number(prim.properties.get(&format!("physics:{side}Limit"))?).map(|limit| unit * limit);

@@ -186,7 +186,7 @@ impl<'a> Element<'a> {
         let says = |node: &Node<'a, 'a>| node.text().is_none_or(|text| !text.trim().is_empty());
         let mut nodes = self.node.children().filter(says);
         let first = nodes.next()?;
-        let others = nodes.next().map(|second| nodes.last().unwrap_or(second));
+        let others = nodes.next().map(|second| nodes.next_back().unwrap_or(second));
         let text = self.node.document().input_text();
         let written = match others {
             None if first.is_text() => Written::new(text, first.range(), first.text().unwrap_or("")),

@@ -23,6 +23,7 @@ use polhode_formats::mesh::MeshFormat;
 use polhode_formats::molecule::MoleculeFormat;
 use polhode_formats::scenario;
 use polhode_formats::unit::Dimension;
+use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, read_file};
 use polhode_report::{InertiaReport, SourceInfo};
 
 use self::cad::CadFlags;
@@ -151,8 +152,17 @@ impl Inertia {
     /// What a file is, if the flags fit that.
     fn kind(&self, file: &Path) -> Result<Kind, Failure> {
         if self.format.is_none_or(Kind::is_mesh)
-            && let Some(format) = BrepFormat::of(file)
+            && let Some(format) = BrepFormat::of_content(file)
         {
+            return Err(Failure::usage(format.refusal(), format.hint(file)));
+        }
+        if self.format.is_none()
+            && let Some(format) = BrepFormat::of_path(file)
+        {
+            read_file(file, |bytes| match bytes {
+                [] => Err(nothing_of(format)),
+                _ => Ok(()),
+            })?;
             return Err(Failure::usage(format.refusal(), format.hint(file)));
         }
         let Some(kind) = self.format.or_else(|| Kind::of_path(file)) else {
@@ -269,6 +279,13 @@ impl Inertia {
     fn only_mass_of(&self, kind: Kind) -> bool {
         kind == Kind::Particles && self.substance.mass().is_some()
     }
+}
+
+/// That a file has no bytes.
+fn nothing_of(format: BrepFormat) -> ContentError {
+    let kind =
+        ContentErrorKind::Expected { what: format!("a {} file", format.title()), found: String::new() };
+    ContentError::new(kind, ContentPlace::Whole).hint("the file is empty: export it again")
 }
 
 /// `.stl, .obj, …`

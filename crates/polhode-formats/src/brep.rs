@@ -19,6 +19,11 @@ const HEAD: u64 = 96;
 impl BrepFormat {
     /// What a file is, by its first bytes, or by its name if it cannot be read or says nothing.
     pub fn of(path: &Path) -> Option<Self> {
+        Self::of_content(path).or_else(|| Self::of_path(path))
+    }
+
+    /// What a file is, by its first bytes alone.
+    pub fn of_content(path: &Path) -> Option<Self> {
         // What is taken from a pipe is gone.
         let head = || -> io::Result<Vec<u8>> {
             let mut head = Vec::new();
@@ -27,7 +32,7 @@ impl BrepFormat {
             }
             Ok(head)
         };
-        head().ok().and_then(|head| Self::of_bytes(&head)).or_else(|| Self::of_path(path))
+        head().ok().and_then(|head| Self::of_bytes(&head))
     }
 
     /// The format of files with this extension, in any case.
@@ -52,6 +57,7 @@ impl BrepFormat {
             let (number, section) = (line.get(73..80)?, line.get(72)?);
             Some(*section == b'S' && matches!(number.trim_ascii(), b"1" | b"0000001"))
         };
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         if bytes.trim_ascii_start().starts_with(b"ISO-10303-21") {
             return Some(Self::Step);
         }
@@ -75,27 +81,43 @@ impl BrepFormat {
 
     /// Why a file of this format is not read.
     pub fn refusal(self) -> String {
-        format!("polhode reads meshes, and a {} file has exact shapes", self.title())
+        let article = if matches!(self, Self::Iges) { "an" } else { "a" };
+        format!("polhode reads meshes, and {article} {} file has exact shapes", self.title())
     }
 
     /// The commands that make a mesh of it, which is in millimetres whatever the file's unit is; and how it is measured as it is.
     pub fn hint(self, path: &Path) -> String {
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-        let (own, ending) = (path.file_name().unwrap_or_default().to_string_lossy(), self.ending());
+        let mesh = shell_word(&path.with_extension("stl"));
         // The programs go by the name.
         let (renamed, file) = match Self::of_path(path) {
-            Some(_) => (String::new(), own.into_owned()),
-            None => (format!("call it {stem}.{ending}, and "), format!("{stem}.{ending}")),
+            Some(_) => (String::new(), shell_word(path)),
+            None => {
+                let file = shell_word(&path.with_extension(self.ending()));
+                (format!("call it {file}, and "), file)
+            }
         };
-        let mesh = format!("{renamed}make a mesh of it, in mm: gmsh {file} -2 -o {stem}.stl");
+        let made = format!("{renamed}make a mesh of it, in mm: gmsh {file} -2 -o {mesh}");
         match self {
-            Self::Step => format!(
-                "{mesh}, or python -c \"import cadquery as cq; cq.exporters.export(cq.importers.importStep('{file}'), '{stem}.stl')\"; \
-                 or have it measured exactly, by polhode.inertia in Python, after pip install cadquery-ocp"
-            ),
-            Self::Iges => format!("{mesh}, and read that with --unit mm"),
+            Self::Step => {
+                let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
+                let kind = if ending == "step" || ending == "stp" { "" } else { " with kind=\"step\"" };
+                format!(
+                    "{made}, or python -c \"import sys, cadquery as cq; cq.exporters.export(cq.importers.importStep(sys.argv[1]), sys.argv[2])\" \
+                     {file} {mesh}; or have it measured exactly, by polhode.inertia in Python{kind}, after pip install cadquery-ocp"
+                )
+            }
+            Self::Iges => format!("{made}, and read that with --unit mm"),
         }
     }
+}
+
+/// A path as a word of a shell.
+fn shell_word(path: &Path) -> String {
+    let name = path.to_string_lossy();
+    let is_plain = |c: char| c.is_alphanumeric() || "/._-+,:@%".contains(c);
+    // What begins with a dash is taken as an option.
+    let name = if name.starts_with('-') { format!("./{name}").into() } else { name };
+    if name.chars().all(is_plain) { name.into_owned() } else { format!("'{}'", name.replace('\'', r"'\''")) }
 }
 
 #[cfg(test)]
@@ -117,6 +139,25 @@ mod tests {
         assert_eq!(BrepFormat::of_bytes(line("a part", "S").as_bytes()), Some(BrepFormat::Iges));
         assert_eq!(BrepFormat::of_bytes(line("a part", "G").as_bytes()), None);
         assert_eq!(BrepFormat::of_bytes(b"\n ISO-10303-21;"), Some(BrepFormat::Step));
+        assert_eq!(BrepFormat::of_bytes("\u{feff}ISO-10303-21;".as_bytes()), Some(BrepFormat::Step));
         assert_eq!(BrepFormat::of_bytes(b"solid"), None);
+    }
+
+    #[test]
+    fn commands_are_for_a_shell_and_this_file() {
+        let hint = |format: BrepFormat, path: &str| format.hint(Path::new(path));
+        let says = hint(BrepFormat::Step, "arms/it's left.step");
+        assert!(says.contains(r"gmsh 'arms/it'\''s left.step' -2 -o 'arms/it'\''s left.stl', or"), "{says}");
+        assert!(
+            says.contains(r#"sys.argv[2])" 'arms/it'\''s left.step' 'arms/it'\''s left.stl'; or"#),
+            "{says}"
+        );
+        assert!(!says.contains("kind="), "{says}");
+        let says = hint(BrepFormat::Step, "-a.dat");
+        assert!(says.contains("call it ./-a.step, and make") && says.contains("kind=\"step\""), "{says}");
+        assert!(hint(BrepFormat::Step, "a.P21").contains("gmsh a.P21 -2 -o a.stl"));
+        assert!(hint(BrepFormat::Step, "a.P21").contains("kind=\"step\""));
+        assert!(hint(BrepFormat::Iges, "ä/b.igs").contains("gmsh ä/b.igs -2 -o ä/b.stl"));
+        assert_eq!(BrepFormat::Iges.refusal(), "polhode reads meshes, and an IGES file has exact shapes");
     }
 }

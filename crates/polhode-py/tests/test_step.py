@@ -6,6 +6,7 @@ No part of the gate, as OpenCASCADE is large: `pip install cadquery-ocp`, and `p
 from __future__ import annotations
 
 import math
+import re
 import sys
 from pathlib import Path
 from typing import Any
@@ -177,6 +178,33 @@ def test_what_is_no_solid_is_refused_or_said(occ: Any, tmp_path: Path) -> None:
         polhode.inertia(_write(tmp_path / "alone.step", cylinder))
     broken = tmp_path / "broken.step"
     broken.write_text("ISO-10303-21;\nHEADER;\nnothing")
-    for path in (broken, tmp_path / "none.step"):
-        with pytest.raises(polhode.PolhodeError, match="is no STEP file that OpenCASCADE reads"):
-            polhode.inertia(path, density=1.0)
+    with pytest.raises(polhode.PolhodeError, match="is no STEP file that OpenCASCADE reads"):
+        polhode.inertia(broken, density=1.0)
+    empty = tmp_path / "empty.step"
+    empty.touch()
+    (tmp_path / "folder.step").mkdir()
+    for name, message in (("empty", "is empty"), ("folder", "cannot read .*: Is a directory"), ("none", "cannot read .*: No such file")):
+        with pytest.raises(polhode.PolhodeError, match=message):
+            polhode.inertia(tmp_path / f"{name}.step", density=1.0)
+
+
+def test_what_opencascade_passes_over_is_refused(occ: Any, tmp_path: Path) -> None:
+    """It reads the ball alone of each of these, and of the last both in millimetres, and says nothing."""
+    from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox, BRepPrimAPI_MakeSphere
+    from OCP.gp import gp_Pnt
+
+    ball = BRepPrimAPI_MakeSphere(gp_Pnt(80, 3, -7), 9.0).Shape()
+    whole = _write(tmp_path / "whole.step", BRepPrimAPI_MakeBox(gp_Pnt(1, 2, 3), 10, 20, 30).Shape(), ball)
+    assert math.isclose(polhode.inertia(whole, density=1e9).mass, 6000.0 + 4.0 / 3.0 * math.pi * 729.0, rel_tol=1e-12)
+    for pattern, replacement, message in (
+        (r"(MANIFOLD_SOLID_BREP\('',)#\d+", r"\1#99999", "cannot read entity .*, ManifoldSolidBrep"),
+        ("MANIFOLD_SOLID_BREP", "MANIFOLD_SOLID", "cannot read entity .*, AdvancedBrepShapeRepresentation"),
+        (r"(CLOSED_SHELL\('',\()[#\d,\s]+", r"\1", "names 2 solids, and OpenCASCADE reads 1 of them"),
+        ("GLOBAL_UNIT_ASSIGNED", "OTHER_UNIT_ASSIGNED", "says no unit of length"),
+    ):
+        text, changed = re.subn(pattern, replacement, whole.read_text(), count=1)
+        damaged = tmp_path / "damaged.step"
+        damaged.write_text(text)
+        assert changed
+        with pytest.raises(polhode.PolhodeError, match=message):
+            polhode.inertia(damaged, density=1e9)

@@ -548,6 +548,23 @@ fn exact_shapes_are_refused_with_what_makes_a_mesh_of_them() {
         let text = refused(&scratch.run(&["inertia", file, "--density", "2 kg/m^3"]), 2);
         assert!(text.contains(says), "{file}: {text}");
     }
+    scratch.write("empty.step", "");
+    for (file, says) in [("empty.step", "the file is empty"), ("none.step", "cannot read")] {
+        let text = refused(&scratch.run(&["inertia", file, "--density", "2 kg/m^3"]), 2);
+        assert!(text.contains(says) && !text.contains("exact shapes"), "{file}: {text}");
+    }
+    // What the user says it is counts for more than its name, and its content for more than that.
+    scratch.write("wedge.step", "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    let answer =
+        scratch.run(&["inertia", "wedge.step", "--format", "obj", "--unit", "m", "--density", "2 kg/m^3"]);
+    assert!(answer.status.success());
+    let text =
+        refused(&scratch.run(&["inertia", "part.step", "--format", "dae", "--density", "2 kg/m^3"]), 2);
+    assert!(text.contains("a STEP file has exact shapes"), "{text}");
+    let part = "shape = \"mesh\"\nfile = \"part.stl\"\nmass = \"4 kg\"";
+    scratch.write("stl.toml", &format!("[[body.part]]\n{part}\n[start]\nspin = {{ body = [0, 0, \"1 rad/s\"] }}\n[run]\nduration = \"1 s\"\n"));
+    let text = refused(&scratch.run(&["inertia", "stl.toml"]), 2);
+    assert!(text.contains("polhode does not read STEP") && text.contains("gmsh part.step"), "{text}");
     let part = "shape = \"mesh\"\nfile = \"part.step\"\nmass = \"4 kg\"";
     scratch.write("part.toml", &format!("[[body.part]]\n{part}\n[start]\nspin = {{ body = [0, 0, \"1 rad/s\"] }}\n[run]\nduration = \"1 s\"\n"));
     let text = refused(&scratch.run(&["inertia", "part.toml"]), 2);

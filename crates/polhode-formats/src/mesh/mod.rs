@@ -30,6 +30,7 @@ use std::path::Path;
 use polhode::body::mesh::TriangleMesh;
 use polhode::body::{BodyError, Finding, Severity};
 
+use crate::brep::BrepFormat;
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::FormatError;
 use crate::file;
@@ -177,6 +178,12 @@ impl MeshContents {
     /// # Errors
     /// [`FormatError`] if the bytes do not follow the format.
     pub fn parse(bytes: &[u8], path: &Path, format: MeshFormat) -> Result<Self, FormatError> {
+        if let Some(shapes) = BrepFormat::of_bytes(bytes) {
+            let what = format!("{}, whatever the file is called: its shapes are exact", shapes.title());
+            let kind = ContentErrorKind::Unsupported { what };
+            let error = ContentError::new(kind, ContentPlace::Whole).hint(shapes.hint(path));
+            return Err(FormatError::of_content(path, bytes, error));
+        }
         format.reader()(bytes, path)
     }
 

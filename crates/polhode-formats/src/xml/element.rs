@@ -180,13 +180,21 @@ impl<'a> Element<'a> {
         self.node.attributes().any(|attribute| attribute.name().strip_prefix("xmlns_") == Some(prefix))
     }
 
-    /// The text in it: the first that is not blank.
+    /// The text in it. What stands beside text as an element is part of it as it is written, `<a/>`, which is no number and no
+    /// name.
     pub fn text(self) -> Option<Written<'a>> {
+        let says = |node: &Node<'a, 'a>| node.text().is_none_or(|text| !text.trim().is_empty());
+        let mut nodes = self.node.children().filter(says);
+        let first = nodes.next()?;
+        let others = nodes.next().map(|second| nodes.next_back().unwrap_or(second));
         let text = self.node.document().input_text();
-        let words =
-            |node: &Node<'a, 'a>| node.is_text() && node.text().is_some_and(|text| !text.trim().is_empty());
-        let node = self.node.children().find(words)?;
-        let written = Written::new(text, node.range(), node.text().unwrap_or(""));
+        let written = match others {
+            None if first.is_text() => Written::new(text, first.range(), first.text().unwrap_or("")),
+            Some(last) if self.node.children().any(|node| node.is_text() && says(&node)) => {
+                Written::raw(text, first.range().start..last.range().end)
+            }
+            _ => return None,
+        };
         Some(written.moved(self.forest.start(self.tree)))
     }
 }

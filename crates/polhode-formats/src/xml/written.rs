@@ -16,9 +16,17 @@ pub struct Written<'a> {
 impl<'a> Written<'a> {
     pub(super) fn new(text: &'a str, span: Range<usize>, value: &'a str) -> Self {
         let raw = text.get(span.clone()).unwrap_or("");
-        if raw.contains(['&', '<']) {
+        // The value is longer than the text with sections (CDATA) after it, and shorter by a byte for each end of a line in two.
+        let is_whole = || raw.len() == value.len() || raw.len() == value.len() + raw.matches("\r\n").count();
+        if raw.contains(['&', '<']) || !is_whole() {
             return Self { value: value.trim(), span, literal: false };
         }
+        Self::raw(text, span)
+    }
+
+    /// Bytes as they are written.
+    pub(super) fn raw(text: &'a str, span: Range<usize>) -> Self {
+        let raw = text.get(span.clone()).unwrap_or("");
         let start = span.start + (raw.len() - raw.trim_start().len());
         let value = raw.trim();
         Self { value, span: start..start + value.len(), literal: true }

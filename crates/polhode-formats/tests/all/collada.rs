@@ -238,6 +238,28 @@ fn numbers_may_be_laid_out_otherwise() {
         .replace("count='18'", "count='30'")
         .replace("count='6' stride='3'", "count='6' offset='2' stride='4'");
     assert_eq!(soup(&read(&text).unwrap()), wanted);
+    // what has no name is passed over
+    let text = plain()
+        .replace(&numbers, &POINTS.iter().map(|[x, y, z]| format!("{x} {y} 7.5 {z} ")).collect::<String>())
+        .replace("count='18'", "count='24'")
+        .replace("stride='3'", "stride='4'")
+        .replace("<param name='Z'", "<param type='float'/><param name='Z'");
+    assert_eq!(soup(&read(&text).unwrap()), wanted);
+    // all the text of an element is its numbers
+    for (sections, bare) in [
+        ("<![CDATA[9 3 7]]> 9 4 7<!-- --> 9 5", "9 3 7 9 4 7 9 5"),
+        ("9 3 7 <![CDATA[9 4 7]]> 9 5", "9 3 7 9 4 7 9 5"),
+    ] {
+        let text = plain().replacen(bare, sections, 1);
+        assert_ne!(text, plain());
+        assert_eq!(soup(&read(&text).unwrap()), wanted);
+    }
+    // a matrix that was computed
+    let matrix = "<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5e-8 1.0000001</matrix><instance_geometry";
+    assert_eq!(soup(&read(&plain().replace("<instance_geometry", matrix)).unwrap()), wanted);
+    // a node may be called as its geometry
+    let same = plain().replace("<node name='heap'>", "<node id='g'>");
+    assert_eq!(soup(&read(&same).unwrap()), wanted);
     // without what has a default
     let bare =
         plain().replace(" count='18'", "").replace("count='6' stride='3'", "").replace("count='8'", "");
@@ -260,10 +282,32 @@ fn what_is_wrong_is_refused_where_it_stands() {
     for (text, right, wrong, said, place) in [
         (&text, "url='#g'", "url='#h'", "no geometry \"h\"", "<instance_geometry"),
         (&text, "url='#g'", "url='#s'", "no geometry \"s\"", "<instance_geometry"),
-        (&text, "url='#scene'", "url='#other'", "no scene \"other\"", "<instance_visual_scene"),
-        (&text, "source='#v'", "source='#w'", "no element \"w\"", "<input semantic='VERTEX'"),
-        (&text, "source='#s'", "source='#t'", "no element \"t\"", "<input semantic='POSITION'"),
-        (&text, "source='#f'", "source='#s'", "no float_array", "<source"),
+        (&text, "url='#scene'", "url='#other'", "no visual_scene \"other\"", "<instance_visual_scene"),
+        (&text, "source='#v'", "source='#w'", "no vertices \"w\"", "<input semantic='VERTEX'"),
+        (&text, "source='#s'", "source='#t'", "no source \"t\"", "<input semantic='POSITION'"),
+        (&text, "source='#f'", "source='#s'", "no float_array \"s\"", "<accessor"),
+        (&text, "url='#g'", "url='walls.dae#g'", "in another file, \"walls.dae\"", "<instance_geometry"),
+        (&text, "id='wire'", "id='g'", "the id of <geometry> = \"g\"", "<geometry id='g'><mesh><lines"),
+        (&text, "name='Y' ", "", "parameters are not X, Y and Z", "<accessor"),
+        (
+            &text,
+            "<scene>",
+            "<library_visual_scenes><visual_scene id='other'/></library_visual_scenes><extra>",
+            "no <scene>, which says which visual scene is shown",
+            "<visual_scene id='other'",
+        ),
+        (
+            &text,
+            "url='#scene'/>",
+            "url='#scene'/><instance_visual_scene url='#scene'/>",
+            "<instance_visual_scene> of COLLADA after another one",
+            "<instance_visual_scene url='#scene'/></scene>",
+        ),
+        (&text, " meter='0.0254'", "", "no meter of the unit \"inch\"", "<unit"),
+        (&text, "meter='0.0254'", "meter=''", "a positive number, found \"nothing\"", "'/><up_axis>"),
+        (&text, "9 0 7 9 2 7", "9 0 7 9 <q/> 7", "the number of a vertex, found \"<q/>\"", "<q/>"),
+        (&text, "9 0 7 9 2 7", "9 <q/> 7 <q/> 2 7", "the number of a vertex, found \"<q/>\"", "<q/>"),
+        (&text, "1.75", "1.75<q/>", "a finite number", "1.75<q/>"),
         (&text, "'VERTEX'", "'POSITION'", "no input of vertices", "<triangles"),
         (&text, "'POSITION'", "'NORMAL'", "no positions", "<vertices"),
         (&text, "instance_geometry", "instance_node", "no node \"g\"", "<instance_node"),
@@ -341,12 +385,15 @@ fn what_is_wrong_is_refused_where_it_stands() {
         (&polylist, "3 3<", "3 4<", "no corner of the last face", "<p>"),
         (&polylist, "3 3<", "3 3 3<", "3 faces of <vcount> are declared, and 2", "<polylist"),
         (&polylist, "3 3<", "6 0<", "2 faces of <vcount> are declared, and 1", "<polylist"),
-        (&polylist, "3 3<", "3 0 3<", "no corner of the last face", "<p>"),
+        (&polylist, "3 3<", "3 0 3<", "expected the count of a face's corners, found \"0\"", "0 3<"),
         (&strip, "9 2 7 ", "", "no corner of the last face", "<p>"),
         (&strip, "count='1'", "count='2'", "2 faces are declared, and 1", "<tristrips"),
         (&strip, "<p>", "<ph><p>", "polygons with holes", "<ph>"),
     ] {
         let mut wrong = text.replacen(right, wrong, 1);
+        if right == "<scene>" && wrong.contains("<extra>") {
+            wrong = wrong.replace("</scene></COLLADA>", "</extra></COLLADA>");
+        }
         if said.contains("holes") {
             wrong = wrong.replacen("</p>", "</p><h>0</h></ph>", 1);
         }

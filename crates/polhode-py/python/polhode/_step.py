@@ -28,9 +28,17 @@ def solids(path: str) -> tuple[list[_native.Solid], _native.Step]:
     except ImportError as error:
         raise ImportError("STEP files need OpenCASCADE: pip install cadquery-ocp") from error
 
+    try:
+        with open(path, "rb") as file:
+            is_empty = not file.read(1)
+    except OSError as error:
+        raise PolhodeError(f"cannot read {path}: {error.strerror}") from error
+    if is_empty:
+        raise PolhodeError(f"{path} is empty", "export it again")
     reader = STEPControl_Reader()
     if reader.ReadFile(path) != IFSelect_ReturnStatus.IFSelect_RetDone:
         raise PolhodeError(f"{path} is no STEP file that OpenCASCADE reads", "export it again, as AP203, AP214 or AP242")
+    named = _named(reader.StepModel(), path)
     reader.SetSystemLengthUnit(1.0)
     reader.TransferRoots()
     shape = reader.OneShape()
@@ -63,7 +71,48 @@ def solids(path: str) -> tuple[list[_native.Solid], _native.Step]:
     left_out = len(within(shape, Kind.TopAbs_SHELL, Kind.TopAbs_SOLID)) + len(within(shape, Kind.TopAbs_FACE, Kind.TopAbs_SHELL))
     if not bodies:
         raise PolhodeError(f"{path} has no solid, but {left_out} surfaces", "close them to a solid in the CAD program")
+    # A solid that stands at several places is one.
+    different = 0
+    for number, solid in enumerate(all_solids):
+        different += not any(solid.IsPartner(other) for other in all_solids[:number])
+    if different < named:
+        raise PolhodeError(f"{path} names {named} solids, and OpenCASCADE reads {different} of them", _AGAIN)
     return bodies, {"left_out": left_out, "invalid": invalid, "error": worst}
+
+
+#: What a solid is made of and placed by. Faults of anything else, such as colours and dimensions, do not change it.
+_SHAPES = (
+    "StepGeom_GeometricRepresentationItem",
+    "StepShape_TopologicalRepresentationItem",
+    "StepRepr_MappedItem",
+    "StepShape_ShapeRepresentation",
+    "StepShape_ShapeDefinitionRepresentation",
+    "StepShape_ContextDependentShapeRepresentation",
+    "StepRepr_RepresentationRelationship",
+    "StepRepr_ItemDefinedTransformation",
+    "StepRepr_NextAssemblyUsageOccurrence",
+)
+
+_AGAIN = "the file is damaged, or has what OpenCASCADE does not know: export it again, as AP203, AP214 or AP242"
+
+
+def _named(model: Any, path: str) -> int:
+    """How many solids the file names. OpenCASCADE passes over what it cannot read, and takes millimetres where no unit is said; both are refused."""
+    solids = 0
+    for number in range(1, model.NbEntities() + 1):
+        entity = model.Value(number)
+        name = entity.DynamicType().Name()
+        solids += entity.IsKind("StepShape_SolidModel")
+        if name.startswith("StepVisual_") or not any(entity.IsKind(kind) for kind in _SHAPES):
+            continue
+        if entity.IsKind("StepShape_ShapeRepresentation"):
+            context = entity.ContextOfItems()
+            if context is None or "Unit" not in context.DynamicType().Name():
+                raise PolhodeError(f"{path} says no unit of length of a shape", "export it again with its unit")
+        check = model.Check(number, True)
+        if check.NbFails():
+            raise PolhodeError(f"{path}: OpenCASCADE cannot read entity {number}, {name.partition('_')[2]}: {check.CFail(1)}", _AGAIN)
+    return solids
 
 
 def _measured(solid: Any) -> tuple[_native.Solid, float]:

@@ -2,13 +2,16 @@
 
 use std::collections::HashMap;
 
-use crate::content::ContentError;
+use crate::content::{ContentError, ContentErrorKind};
 use crate::xml::Element;
 
-use super::value::{missing, positive, unsupported};
+use super::value::{missing, positive, start, unsupported};
 
-/// All elements that have an `id`.
-pub(super) struct Library<'a>(HashMap<&'a str, Element<'a>>);
+/// What others name.
+const NAMED: [&str; 6] = ["visual_scene", "node", "geometry", "vertices", "source", "float_array"];
+
+/// The elements that others name, by their names and ids: the first that has both, and another if there is one.
+pub(super) struct Library<'a>(HashMap<(&'a str, &'a str), (Element<'a>, Option<Element<'a>>)>);
 
 impl<'a> Library<'a> {
     /// Those of a document in one unit: an `<asset>` inside may say another, which no program that writes it is known to do.
@@ -16,8 +19,11 @@ impl<'a> Library<'a> {
         let mut named = HashMap::new();
         let mut waiting = vec![root];
         while let Some(element) = waiting.pop() {
-            if let Some(id) = element.word("id") {
-                named.entry(id).or_insert(element);
+            if NAMED.contains(&element.name())
+                && let Some(id) = element.word("id")
+            {
+                let entry = named.entry((element.name(), id));
+                entry.and_modify(|(_, other)| *other = Some(element)).or_insert((element, None));
             }
             if element.name() == "asset"
                 && let Some(own) = meter(element)?
@@ -30,21 +36,37 @@ impl<'a> Library<'a> {
         Ok(Self(named))
     }
 
-    /// The element that an attribute of another names: `url="#id"`.
+    /// The element of this name that an attribute of another names: `url="#id"`.
     pub(super) fn named(
         &self,
         by: Element<'a>,
         attribute: &str,
-        what: &str,
+        name: &'static str,
     ) -> Result<Element<'a>, ContentError> {
         let url = by.word(attribute).unwrap_or("");
-        let element = self.0.get(url.trim_start_matches('#')).copied();
-        element.ok_or_else(|| missing(&format!("{what} {:?}", url.trim_start_matches('#')), by))
+        let (file, id) = url.split_once('#').unwrap_or(("", url));
+        if !file.is_empty() {
+            return Err(unsupported(by, &format!(" that is in another file, {file:?}")));
+        }
+        match self.0.get(&(name, id)) {
+            Some((element, None)) => Ok(*element),
+            Some((first, Some(other))) => {
+                let later = if first.span().start < other.span().start { other } else { first };
+                let (what, rule) = (format!("the id of <{name}>"), "that of one element".to_owned());
+                let kind = ContentErrorKind::Value { what, value: format!("{id:?}"), rule };
+                Err(ContentError::new(kind, start(*later)))
+            }
+            None => Err(missing(&format!("{name} {id:?}"), by)),
+        }
     }
 }
 
 /// Metres in the unit that an `<asset>` says.
 pub(super) fn meter(asset: Element<'_>) -> Result<Option<f64>, ContentError> {
-    let unit = asset.child("unit").and_then(|unit| unit.attribute("meter"));
-    unit.map(|meter| positive(&meter)).transpose()
+    let Some(unit) = asset.child("unit") else { return Ok(None) };
+    match (unit.attribute("meter"), unit.word("name")) {
+        (Some(meter), _) => positive(&meter).map(Some),
+        (None, None | Some("meter" | "metre" | "m")) => Ok(None),
+        (None, Some(name)) => Err(missing(&format!("meter of the unit {name:?}"), unit)),
+    }
 }

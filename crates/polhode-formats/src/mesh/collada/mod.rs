@@ -171,16 +171,27 @@ enum Step<'a> {
 }
 
 impl<'a> Reader<'a> {
+    /// The visual scene that the file says is shown, or its only one.
+    fn shown(&self, root: Element<'a>) -> Result<Element<'a>, ContentError> {
+        let mut instances = root.named("scene").flat_map(|scene| scene.named("instance_visual_scene"));
+        if let Some(instance) = instances.next() {
+            return match instances.next() {
+                None => self.library.named(instance, "url", "visual_scene"),
+                Some(other) => Err(unsupported(other, " after another one")),
+            };
+        }
+        let libraries = root.named("library_visual_scenes");
+        let mut scenes = libraries.flat_map(|library| library.named("visual_scene"));
+        match (scenes.next(), scenes.next()) {
+            (Some(scene), None) => Ok(scene),
+            (None, _) => Err(missing("visual_scene", root)),
+            (Some(_), Some(other)) => Err(missing("<scene>, which says which visual scene is shown", other)),
+        }
+    }
+
     /// Places the geometries of the scene, and returns its name.
     fn scene(&mut self, root: Element<'a>) -> Result<String, ContentError> {
-        let scene = match root.child("scene").and_then(|scene| scene.child("instance_visual_scene")) {
-            Some(instance) => self.library.named(instance, "url", "scene")?,
-            None => {
-                let scenes = root.child("library_visual_scenes");
-                let scene = scenes.and_then(|scenes| scenes.child("visual_scene"));
-                scene.ok_or_else(|| missing("scene", root))?
-            }
-        };
+        let scene = self.shown(root)?;
         let mut above = HashSet::new();
         let mut steps = vec![Step::Enter { node: scene, map: Affine::IDENTITY, asked: scene }];
         while let Some(step) = steps.pop() {
@@ -216,9 +227,6 @@ impl<'a> Reader<'a> {
                 "node" => inner.push(Step::Enter { node: child, map, asked: child }),
                 "instance_node" => {
                     let node = self.library.named(child, "url", "node")?;
-                    if node.name() != "node" {
-                        return Err(missing(&format!("node {:?}", node.word("id").unwrap_or("")), child));
-                    }
                     inner.push(Step::Enter { node, map, asked: child });
                 }
                 "instance_geometry" => self.place(child, node, is_alone, &map)?,
@@ -245,9 +253,6 @@ impl<'a> Reader<'a> {
         map: &Affine,
     ) -> Result<(), ContentError> {
         let geometry = self.library.named(instance, "url", "geometry")?;
-        if geometry.name() != "geometry" {
-            return Err(missing(&format!("geometry {:?}", geometry.word("id").unwrap_or("")), instance));
-        }
         let number = geometry.span().start;
         let sizes = match self.surfaces.get(&number) {
             Some(surface) => [surface.vertices.len(), surface.triangles.len()],

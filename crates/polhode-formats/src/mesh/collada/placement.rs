@@ -13,7 +13,9 @@ pub(super) fn of(element: Element<'_>) -> Result<Option<Affine>, ContentError> {
         "matrix" => {
             // row by row
             let [a, b, c, x, d, e, f, y, g, h, i, z, last @ ..] = array::<16>(element)?;
-            if last != [0.0, 0.0, 0.0, 1.0] {
+            // Programs that multiply such matrices write what they have rounded.
+            let is_usual = last.iter().zip([0.0, 0.0, 0.0, 1.0]).all(|(e, usual)| (e - usual).abs() <= 1e-6);
+            if !is_usual {
                 let (what, value) = ("the last row of the matrix".to_owned(), format!("{last:?}"));
                 let rule = "0, 0, 0 and 1".to_owned();
                 return Err(ContentError::new(ContentErrorKind::Value { what, value, rule }, start(element)));

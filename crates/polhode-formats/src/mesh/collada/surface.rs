@@ -49,7 +49,7 @@ impl Surface {
                 _ => continue, // sources
             };
             let corners = Corners::of(faces)?;
-            let vertices = library.named(corners.input, "source", "element")?;
+            let vertices = library.named(corners.input, "source", "vertices")?;
             // all faces of a mesh have the same vertices
             let (known, surface) = match &mut surface {
                 Some((known, surface)) => (*known, surface),
@@ -99,9 +99,11 @@ impl Surface {
                 Joining::List(_) => {
                     let mut rest = corners.as_slice();
                     while !rest.is_empty() {
-                        let size = sizes.next().and_then(|size| size.parse().ok()).filter(|size| *size > 0);
-                        let face = size.and_then(|size| rest.split_at_checked(size));
-                        let (face, later) = face.ok_or_else(|| short(list))?;
+                        let size = sizes.next().ok_or_else(|| short(list))?;
+                        let Some(size) = size.parse().ok().filter(|size| *size > 0) else {
+                            return Err(no_size(faces, present));
+                        };
+                        let (face, later) = rest.split_at_checked(size).ok_or_else(|| short(list))?;
                         polygons.split(vertices, face, triangles);
                         rest = later;
                         present += 1;
@@ -132,6 +134,15 @@ impl Surface {
             return Err(count(faces, "faces of <vcount>", present + unused, present));
         }
         declared(faces, "faces", present)
+    }
+}
+
+/// That a number of `<vcount>` is none of corners.
+fn no_size(faces: Element<'_>, face: usize) -> ContentError {
+    let number = faces.child_text("vcount").and_then(|counts| counts.numbers().nth(face));
+    match number {
+        Some(number) => expected("the count of a face's corners", &number.text, number.span),
+        None => missing("vcount", faces),
     }
 }
 
@@ -188,38 +199,28 @@ impl<'a> Corners<'a> {
 fn positions<'a>(vertices: Element<'a>, library: &Library<'a>) -> Result<Vec<[f64; 3]>, ContentError> {
     let position = vertices.named("input").find(|input| input.word("semantic") == Some("POSITION"));
     let position = position.ok_or_else(|| missing("positions", vertices))?;
-    let source = library.named(position, "source", "element")?;
+    let source = library.named(position, "source", "source")?;
     let accessor = source.child("technique_common").and_then(|technique| technique.child("accessor"));
     let array = match accessor {
         Some(accessor) if accessor.word("source").is_some() => {
-            library.named(accessor, "source", "element")?
+            library.named(accessor, "source", "float_array")?
         }
         _ => source.child("float_array").ok_or_else(|| missing("float_array", source))?,
     };
-    if array.name() != "float_array" {
-        return Err(missing("float_array", source));
-    }
     let values = finite(&array.text().ok_or_else(|| missing("numbers", array))?)?;
     declared(array, "numbers of <float_array>", values.len())?;
     let of = |name: &str, default| accessor.map_or(Ok(default), |accessor| whole(accessor, name, default));
     let (stride, offset) = (of("stride", 3)?, of("offset", 0)?);
-    if stride < 3 {
+    let columns = accessor.map_or(Ok([0, 1, 2]), columns)?;
+    if stride <= columns[2] {
         return Err(missing("three coordinates", source));
     }
-    if let Some(accessor) = accessor {
-        let mut names = accessor.named("param").map(|param| param.word("name").unwrap_or(""));
-        let first = [names.next(), names.next(), names.next()];
-        let is_usual = ["X", "Y", "Z"]
-            .iter()
-            .zip(first)
-            .all(|(usual, name)| name.is_none_or(|name| name.is_empty() || name.eq_ignore_ascii_case(usual)));
-        if !is_usual {
-            return Err(unsupported(accessor, " whose first parameters are not X, Y and Z"));
-        }
-    }
     let values = values.get(offset..).unwrap_or_default();
-    let points = values.chunks(stride).filter_map(|point| point.first_chunk().copied());
-    let mut points: Vec<[f64; 3]> = points.collect();
+    let coordinates = |point: &[f64]| {
+        let [x, y, z] = columns.map(|column| point.get(column).copied());
+        Some([x?, y?, z?])
+    };
+    let mut points: Vec<[f64; 3]> = values.chunks(stride).filter_map(coordinates).collect();
     if let Some(accessor) = accessor {
         let wanted = whole(accessor, "count", points.len())?;
         if wanted > points.len() {
@@ -228,4 +229,20 @@ fn positions<'a>(vertices: Element<'a>, library: &Library<'a>) -> Result<Vec<[f6
         points.truncate(wanted);
     }
     Ok(points)
+}
+
+/// Where the coordinates stand among the numbers of a point: parameters without a name are passed over.
+fn columns(accessor: Element<'_>) -> Result<[usize; 3], ContentError> {
+    let names = || accessor.named("param").map(|param| param.word("name").unwrap_or(""));
+    if names().next().is_none() {
+        return Ok([0, 1, 2]);
+    }
+    let mut named = names().enumerate().filter(|(_, name)| !name.is_empty());
+    let mut column = |axis: &str| {
+        named.next().filter(|(_, name)| name.eq_ignore_ascii_case(axis)).map(|(column, _)| column)
+    };
+    match (column("X"), column("Y"), column("Z")) {
+        (Some(x), Some(y), Some(z)) => Ok([x, y, z]),
+        _ => Err(unsupported(accessor, " whose first parameters are not X, Y and Z")),
+    }
 }

@@ -27,6 +27,7 @@ pub(super) fn count(element: Element<'_>, what: &str, declared: usize, present: 
 pub(super) fn positive(written: &Written<'_>) -> Result<f64, ContentError> {
     match finite(written)?[..] {
         [number] if number > 0.0 => Ok(number),
+        [] => Err(expected("a positive number", "nothing", written.span.clone())),
         _ => Err(expected("a positive number", written.value, written.span.clone())),
     }
 }

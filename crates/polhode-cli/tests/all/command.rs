@@ -150,6 +150,8 @@ fn bad_input_names_its_place_and_writes_nothing() {
     }
     refused(&scratch.run(&["inertia", "nowhere.toml"]), 2);
     refused(&scratch.run(&["inertia", "."]), 2);
+    refused(&scratch.run(&["inertia", "nowhere.step"]), 2);
+    scratch.write("bad.step", "ISO-10303-21;\n");
     let text = refused(&scratch.run(&["inertia", "bad.step"]), 2);
     assert!(text.contains(".stl"), "{text}");
     refused(&scratch.run(&["inertia"]), 2);

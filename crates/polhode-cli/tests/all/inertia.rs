@@ -503,7 +503,7 @@ fn an_open_mesh_names_the_fill_that_closes_it_and_weld_and_fill_have_one_bound()
     let flags = ["inertia", "holed.obj", "--unit", "m", "--density", "2 kg/m^3", "--json"];
     let refusal = refused(&scratch.run(&flags[..6]), 2);
     let size = refusal.split("--fill ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap();
-    assert!(refusal.contains("(1 holes, 1 triangles)"), "{refusal}");
+    assert!(refusal.contains("(1 hole, 1 triangle)"), "{refusal}");
     let filled = json(&scratch.run(&[flags.as_slice(), &["--fill", size]].concat()));
     near(&filled["mass"], 54.0);
 

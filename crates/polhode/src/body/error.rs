@@ -159,6 +159,13 @@ pub enum BodyError {
         /// What it winds about once or more often.
         whole: f64,
     },
+    /// A mesh whose union takes too long to find.
+    UnionUndecided {
+        /// Its triangles.
+        triangles: usize,
+        /// Steps that were not enough.
+        steps: u64,
+    },
     /// A mesh whose union cannot be computed well enough.
     UnionUnclear {
         /// What it would enclose, in the mesh's own units cubed.
@@ -274,6 +281,11 @@ impl fmt::Display for BodyError {
                 "the mesh winds about {volume:e} the wrong way round (about {whole:e} the right way), so its parts are no solids that could \
                  be united"
             ),
+            Self::UnionUndecided { triangles, steps } => write!(
+                f,
+                "what the parts of the mesh enclose together was not found: its {triangles} triangles meet so often that it takes more than \
+                 {steps} steps"
+            ),
             Self::UnionUnclear { volume, error } => write!(
                 f,
                 "what the parts of the mesh enclose together is not known well enough: {volume:e}, but for {error:.1e}"
@@ -344,7 +356,9 @@ impl BodyError {
                 "turn the normals of parts that are wound inward outward; where a part goes through itself, its inside turns out: mend it in \
                  the tool that made the mesh",
             ),
-            Self::UnionUnclear { .. } => Some("unite the parts in the tool that made the mesh"),
+            Self::UnionUndecided { .. } | Self::UnionUnclear { .. } => {
+                Some("unite the parts in the tool that made the mesh")
+            }
             Self::InvertedPart { .. } => Some("turn the normals of this part outward"),
             _ => None,
         }

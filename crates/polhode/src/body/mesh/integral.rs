@@ -33,13 +33,14 @@ pub(crate) struct Integrals {
 impl Polyhedron<'_> {
     /// Volume, centroid and covariance of the polyhedron, and its area.
     ///
-    /// A sum over the signed tetrahedra from a local reference point to each triangle (a, b, c), d = a · (b × c):
+    /// A sum over the signed tetrahedra from a local reference point to each triangle (a, b, c), d = a · ((b − a) × (c − a)) = a · (b × c):
     ///
     /// 6 V = Σ d,  24 V c = Σ d s,  120 V ⟨x xᵀ⟩ = Σ d (a aᵀ + b bᵀ + c cᵀ + s sᵀ),  s = a + b + c
     ///
     /// Exact for the polyhedron but for rounding, some 4e-16 of half the tensor's trace. The reference is first the middle of the
     /// bounding box, then the centroid: a body far from the origin, or far from the middle of its box, loses nothing. A thin-walled body is
-    /// a small difference of large terms: where they are more than [`CANCELLED`] times their sum, all is done again in two words.
+    /// a small difference of large terms, and so is the volume of a needle, or of a small triangle that is far away: where the terms are more
+    /// than [`CANCELLED`] times their sum, or the products in them more than [`ROUNDED`] times, all is done again in two words.
     ///
     /// The same bits for any number of threads and any width of vectors.
     ///
@@ -66,7 +67,8 @@ impl Polyhedron<'_> {
         let mut sums = self.sum(|piece| self.piece::<10>(piece, reference, per_unit));
         let trace: f64 = sums.terms[4..7].iter().map(|sum| sum.value()).sum();
         // Not `>`: what is not a number is done again, too.
-        if !(sums.magnitude.value() <= CANCELLED * trace.abs()) {
+        let [terms, products] = [sums.magnitude, sums.products].map(Double::value);
+        if !(terms <= CANCELLED * trace.abs() && products <= ROUNDED * trace.abs()) {
             sums = self.sum(|piece| self.piece_in_two_words(piece, reference, per_unit));
         }
         let rest = sums.centroid();
@@ -150,6 +152,9 @@ impl Polyhedron<'_> {
 /// Terms that are so many times larger than their sum leave it too few digits.
 const CANCELLED: f64 = 4.0;
 
+/// Products of which terms are made, all taken as positive, that are so many times larger than their sum leave its terms too few digits.
+const ROUNDED: f64 = 64.0;
+
 /// The reference point is a multiple of this, in units near the size: so near the centroid that nothing is lost.
 const GRID: f64 = 1.0 / 1_048_576.0;
 
@@ -167,7 +172,8 @@ fn terms<T>([a, b, c]: [[T; 3]; 3]) -> [T; 10]
 where
     T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
 {
-    let n = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2], b[0] * c[1] - b[1] * c[0]];
+    let [e, f] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
+    let n = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
     let d = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
     let s: [T; 3] = [0, 1, 2].map(|k| a[k] + b[k] + c[k]);
     let element = |i: usize, j: usize| d * (a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + s[i] * s[j]);
@@ -183,6 +189,17 @@ where
         element(0, 2),
         element(1, 2),
     ]
+}
+
+/// What the terms of the trace are made of: d (a² + b² + c² + s²) with every product in d positive.
+#[inline(always)]
+fn products([a, b, c]: [[Vectors; 3]; 3]) -> Vectors {
+    let positive = |v: [Vectors; 3]| v.map(|x| x.map(f64::abs));
+    let [e, f] = [b, c].map(|p| positive([p[0] - a[0], p[1] - a[1], p[2] - a[2]]));
+    let m = [e[1] * f[2] + e[2] * f[1], e[2] * f[0] + e[0] * f[2], e[0] * f[1] + e[1] * f[0]];
+    let dot = |p: [Vectors; 3], q: [Vectors; 3]| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+    let s = [0, 1, 2].map(|k| a[k] + b[k] + c[k]);
+    dot(positive(a), m) * (dot(a, a) + dot(b, b) + dot(c, c) + dot(s, s))
 }
 
 /// ½ |(b − a) × (c − a)|
@@ -202,6 +219,8 @@ struct MomentSums {
     area: Double,
     /// Of the terms of the trace, without their signs.
     magnitude: Double,
+    /// As [`products`].
+    products: Double,
 }
 
 impl MomentSums {
@@ -210,6 +229,7 @@ impl MomentSums {
             terms: core::array::from_fn(|k| self.terms[k] + other.terms[k]),
             area: self.area + other.area,
             magnitude: self.magnitude + other.magnitude,
+            products: self.products + other.products,
         }
     }
 
@@ -226,13 +246,14 @@ struct LaneSums<const TERMS: usize> {
     low: [Vectors; TERMS],
     area: Vectors,
     magnitude: Vectors,
+    products: Vectors,
 }
 
 impl<const TERMS: usize> LaneSums<TERMS> {
     #[inline(always)]
     fn new() -> Self {
         let zero = Vectors::splat(0.0);
-        Self { high: [zero; TERMS], low: [zero; TERMS], area: zero, magnitude: zero }
+        Self { high: [zero; TERMS], low: [zero; TERMS], area: zero, magnitude: zero, products: zero }
     }
 
     #[inline(always)]
@@ -246,13 +267,14 @@ impl<const TERMS: usize> LaneSums<TERMS> {
         self.area = self.area + area(triangles);
         if TERMS > 4 {
             self.magnitude = self.magnitude + (terms[4] + terms[5] + terms[6]).map(f64::abs);
+            self.products = self.products + products(triangles);
         }
     }
 
     fn total(&self) -> MomentSums {
         let total = |lanes: Vectors| lanes.0.iter().fold(Double::default(), |sum, &x| sum + Double::from(x));
-        let mut sums =
-            MomentSums { area: total(self.area), magnitude: total(self.magnitude), ..MomentSums::default() };
+        let [area, magnitude, products] = [self.area, self.magnitude, self.products].map(total);
+        let mut sums = MomentSums { area, magnitude, products, ..MomentSums::default() };
         for (sum, (high, low)) in sums.terms.iter_mut().zip(self.high.iter().zip(&self.low)) {
             let lanes = high.0.iter().zip(low.0).map(|(&high, low)| {
                 let (high, low) = quick_two_sum(high, low);

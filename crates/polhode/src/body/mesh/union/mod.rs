@@ -80,7 +80,7 @@ impl MeshUnion {
     ///
     /// # Errors
     /// Why the mesh bounds nothing, as [`ClosedMesh::of`] says, if it is not closed; [`BodyError::NegativeUnion`];
-    /// [`BodyError::OverlapsUndecided`] if too many triangles are too near each other; [`BodyError::UnionUnclear`] if the pieces of the surface
+    /// [`BodyError::UnionUndecided`] if too many triangles are too near each other; [`BodyError::UnionUnclear`] if the pieces of the surface
     /// do not fit together to a billionth of the volume; [`BodyError::FlatMesh`], and [`BodyError::Parameter`] if f64 does not hold the
     /// volume.
     pub fn of(mesh: &TriangleMesh) -> Result<Self, BodyError> {
@@ -93,7 +93,7 @@ impl MeshUnion {
     /// As [`MeshUnion::of`].
     pub fn watched(mesh: &TriangleMesh, goes_on: &(dyn Fn() -> bool + Sync)) -> Result<Self, BodyError> {
         match ClosedMesh::or_flaws(mesh, 0, goes_on) {
-            Ok((solid, _)) if solid.diagnosis().self_overlaps.is_empty() => Ok(Self::of_solid(solid)),
+            Ok((solid, _)) if is_apart(solid.diagnosis()) => Ok(Self::of_solid(solid)),
             Ok((solid, _)) => {
                 let unclear = BodyError::UnionUnclear { volume: solid.volume(), error: solid.volume() };
                 Self::found(mesh, solid.diagnosis(), unclear, goes_on)
@@ -138,7 +138,7 @@ impl MeshUnion {
         goes_on: &GoesOn<'_>,
     ) -> Result<Self, BodyError> {
         let threads = Threads::of_machine();
-        let undecided = |steps| BodyError::OverlapsUndecided { triangles: diagnosis.triangles, steps };
+        let undecided = |steps| BodyError::UnionUndecided { triangles: diagnosis.triangles, steps };
         let inward = diagnosis.components.iter().map(|part| part.volume).sum::<f64>() < 0.0;
         let Some(weighted) =
             Self::is_possible(diagnosis).then(|| Weighted::of(mesh, inward, threads)).flatten()
@@ -158,15 +158,18 @@ impl MeshUnion {
         })?;
         let [once, twice, negative] = [once, twice, negative].map(Closure::of);
         let volume = integrals.spread.extent.measure();
-        let error = once.defect + 4.0 * f64::EPSILON * volume.abs();
+        let error = once.defect + (volume - once.volume).abs() + 4.0 * f64::EPSILON * volume.abs();
         if !(volume > 0.0 && error <= CLEAR * volume) {
             return Err(BodyError::UnionUnclear { volume: volume * cubed, error: error * cubed });
         }
         // Slivers of rounded lines may be wound any way, and folds are turned inside out; a part that is has hollowed out others, too.
         let below = (-negative.volume).max(0.0);
         let is_rounding = below <= negative.defect.max(error).max(CLEAR * 1e-3 * volume);
-        let has_inverted =
-            inward || diagnosis.components.iter().any(|part| part.role == ComponentRole::Inverted);
+        let mut parts_of_it = diagnosis.components.iter();
+        let has_inverted = match inward {
+            true => parts_of_it.any(|part| part.volume > 0.0),
+            false => parts_of_it.any(|part| part.role == ComponentRole::Inverted),
+        };
         if !is_rounding && (has_inverted || below > FOLDS * volume) {
             return Err(BodyError::NegativeUnion { volume: below * cubed, whole: volume * cubed });
         }
@@ -298,6 +301,11 @@ impl Shape for MeshUnion {
     fn form(&self) -> Option<Form> {
         Some(Form::Mesh(self.surface.clone()))
     }
+}
+
+/// Whether all of a solid's surface is between what is in it and what is not.
+fn is_apart(diagnosis: &MeshDiagnosis) -> bool {
+    diagnosis.self_overlaps.is_empty() && diagnosis.contacts.is_empty() && diagnosis.back_to_back.is_empty()
 }
 
 /// Components that are no cavities.

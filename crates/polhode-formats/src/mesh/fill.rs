@@ -6,7 +6,6 @@ use std::path::Path;
 use polhode::body::mesh::{FilledMesh, HolesLeft};
 use polhode::body::{Finding, Severity};
 
-use super::repair::counted;
 use super::{MeshContents, MeshLength, MeshPart, MeshRepair, RepairBound, solid};
 use crate::error::FormatError;
 
@@ -88,30 +87,4 @@ fn repair(filled: &[FilledMesh], unit: f64) -> MeshRepair {
         left: filled.iter().map(|mesh| mesh.left).fold(HolesLeft::default(), |all, left| all + left),
         bound: RepairBound { volume, beyond: 2.0 * most(|mesh| mesh.largest_radius) },
     }
-}
-
-/// Why holes were not filled, if there were any.
-pub(super) fn left_open(left: HolesLeft) -> Option<String> {
-    let reasons = [
-        (left.larger, "hole", "is larger", "are larger"),
-        (left.many_edged, "hole", "has more than 256 edges", "have more than 256 edges"),
-        (
-            left.sheets,
-            "loop",
-            "is the rim of a sheet, not of a hole: what closes it would be no smaller than the sheet",
-            "are rims of sheets, not of holes: what closes them would be no smaller than the sheets",
-        ),
-        (
-            left.loose_edges,
-            "open edge",
-            "is part of no loop by itself",
-            "are part of no loop by itself, as where holes meet in a vertex",
-        ),
-    ];
-    let said = reasons.into_iter().filter(|reason| reason.0 > 0);
-    let said = said.map(|(count, noun, is, are)| {
-        format!("{} {}", counted(count, noun), if count == 1 { is } else { are })
-    });
-    let said: Vec<_> = said.collect();
-    (!said.is_empty()).then(|| said.join(", "))
 }

@@ -6,6 +6,7 @@ mod budget;
 pub mod collada;
 mod fill;
 pub mod gltf;
+mod holes_left;
 mod notes;
 mod number;
 pub mod obj;

@@ -6,8 +6,9 @@ use polhode::body::mesh::{HolesLeft, MeshEffect, TriangleMesh, WeldedMesh};
 use polhode::body::{BodyError, Finding, Severity};
 use serde_json::{Value, json};
 
-use super::{MeshContents, MeshPart, MeshSolid, RepairBound, fill, solid};
+use super::{MeshContents, MeshPart, MeshSolid, RepairBound, holes_left, solid};
 use crate::error::{FormatError, FormatErrorKind};
+use crate::text::counted;
 use crate::unit::{self, Dimension, UnitError};
 
 /// A length beside a mesh.
@@ -125,7 +126,7 @@ impl MeshRepair {
     pub fn explained(repairs: &[Self], error: FormatError) -> FormatError {
         let is_open = matches!(error.kind(), FormatErrorKind::Mesh { error: BodyError::OpenMesh { .. }, .. });
         let left = repairs.iter().find_map(|repair| match repair {
-            Self::Filled { left, .. } => fill::left_open(*left),
+            Self::Filled { left, .. } => holes_left::why(*left),
             Self::Welded { .. } => None,
         });
         match left.filter(|_| is_open) {
@@ -199,7 +200,7 @@ impl MeshRepair {
                 if vanished == 0 { "no triangle".to_owned() } else { counted(vanished, "triangle") }
             ),
             Self::Filled { holes: 0, left, .. } => {
-                let why = fill::left_open(left).unwrap_or_else(|| "the mesh has no open edges".to_owned());
+                let why = holes_left::why(left).unwrap_or_else(|| "the mesh has no open edges".to_owned());
                 format!("nothing was filled: {why}")
             }
             Self::Filled { holes, triangles, largest, .. } => format!(
@@ -209,13 +210,6 @@ impl MeshRepair {
                 counted(triangles, "triangle")
             ),
         }
-    }
-}
-
-pub(super) fn counted(count: usize, noun: &str) -> String {
-    match count {
-        1 => format!("1 {noun}"),
-        many => format!("{many} {noun}s"),
     }
 }
 

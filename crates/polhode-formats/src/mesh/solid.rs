@@ -7,10 +7,9 @@ use polhode::body::shape::{Shape, Substance};
 use polhode::body::{BodyError, Finding, MassProperties, Severity};
 use polhode::math::Part;
 
-use super::repair::counted;
 use super::{MeshContents, MeshFormat, MeshLength, MeshPart, union_hint};
 use crate::error::{FormatError, FormatErrorKind};
-use crate::text::escaped;
+use crate::text::{counted, escaped};
 
 /// A mesh file as solids, in metres.
 #[derive(Clone, Debug)]

@@ -18,6 +18,7 @@ mod interrupted;
 mod limits;
 mod live;
 mod mend;
+mod mesh;
 mod names;
 mod options;
 mod page;

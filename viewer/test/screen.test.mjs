@@ -90,16 +90,18 @@ test("a window that is made narrow and wide again never scrolls sideways", async
       look();
     });
     for (const width of [390, 1440, 390]) {
+      const before = await page.evaluate(() => window.beyond.length);
       await page.setViewportSize({ width, height: width < 800 ? 844 : 600 });
       await page.waitForFunction((width) => {
         const plot = document.querySelector("#plot-omega canvas").getBoundingClientRect().width;
         const panel = document.querySelector("#panel-plots").clientWidth;
         return innerWidth === width && plot > 0.8 * panel && plot <= panel;
       }, width);
+      await page.waitForFunction((frames) => window.beyond.length >= frames, before + 4);
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, `${name}, ${colorScheme}, ${width}`);
     }
     const beyond = await page.evaluate(() => window.beyond);
-    assert.ok(beyond.length > 8 && beyond.every((x) => x === 0), `${name}, ${colorScheme}: ${beyond.filter((x) => x !== 0)} px in ${beyond.length} frames`);
+    assert.ok(beyond.every((x) => x === 0), `${name}, ${colorScheme}: ${beyond.filter((x) => x !== 0)} px in ${beyond.length} frames`);
     assert.deepEqual(problems, []);
   }
 });

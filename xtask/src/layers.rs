@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use crate::{Outcome, files, read, root, short};
 
 /// The modules of the core crate, in order: each may import itself and those before it.
-const MODULES: [&str; 10] = [
+const MODULES: [&str; 11] = [
     "math",
     "body",
     "motion/error",
@@ -18,6 +18,7 @@ const MODULES: [&str; 10] = [
     "motion/run",
     "motion/task",
     "observe",
+    "infer",
     "interop",
 ];
 

@@ -49,12 +49,14 @@
 //! | [`body`] | what has mass → mass, centre, inertia tensor, principal axes | time |
 //! | [`motion`] | torque → motion, motion → torque | files |
 //! | [`observe`] | what can be read off a motion | integration |
+//! | [`infer`] | whether another program's motion is right, and if not why | files |
 //!
 //! Each uses those above it only. [`prelude`] has the names that most programs use; [`interop`] are conversions to nalgebra, glam, mint and serde.
 
 #![forbid(unsafe_code)]
 
 pub mod body;
+pub mod infer;
 pub mod interop;
 pub mod math;
 pub mod motion;

@@ -1,0 +1,176 @@
+//! A motion as another program wrote it, before it is known what its numbers mean.
+
+use core::fmt;
+
+/// In which order a log has the four numbers of a quaternion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum QuaternionOrder {
+    /// w, x, y, z
+    ScalarFirst,
+    /// x, y, z, w
+    ScalarLast,
+}
+
+impl QuaternionOrder {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::ScalarFirst, Self::ScalarLast];
+
+    /// The quaternion, scalar first.
+    pub const fn scalar_first(self, [a, b, c, d]: [f64; 4]) -> [f64; 4] {
+        match self {
+            Self::ScalarFirst => [a, b, c, d],
+            Self::ScalarLast => [d, a, b, c],
+        }
+    }
+}
+
+/// Times and attitudes, and perhaps angular velocities, row by row, as a program wrote them.
+///
+/// The four numbers of an attitude are proportional to a quaternion. Which of them is the scalar, which way it turns and along which axes
+/// the angular velocity is: a [`super::ReadMotion`] says it.
+///
+/// ```
+/// use polhode::infer::judge::MotionLog;
+/// let log = MotionLog::new(vec![0.0, 0.1], vec![[1.0, 0.0, 0.0, 0.0], [0.8, 0.0, 0.6, 0.0]])?;
+/// assert_eq!(log.times().len(), 2);
+/// assert!(MotionLog::new(vec![0.1, 0.0], vec![[1.0, 0.0, 0.0, 0.0]; 2]).is_err());
+/// # Ok::<(), polhode::infer::judge::LogError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct MotionLog {
+    times: Vec<f64>,
+    attitude: Vec<[f64; 4]>,
+    omega: Option<Vec<[f64; 3]>>,
+}
+
+/// Why numbers are not the log of a motion. Rows count from 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum LogError {
+    /// Fewer than two rows.
+    TooShort {
+        /// How many there are.
+        rows: usize,
+    },
+    /// Not as many attitudes, or angular velocities, as times.
+    Lengths {
+        /// What there are too few or too many of.
+        what: &'static str,
+        /// How many.
+        count: usize,
+        /// How many times.
+        times: usize,
+    },
+    /// A time that is not later than the one before.
+    NotLater {
+        /// Of this row.
+        row: usize,
+        /// The time, s.
+        time: f64,
+        /// The time of the row before, s.
+        before: f64,
+    },
+    /// A number that is NaN or infinite.
+    NotFinite {
+        /// Of this row.
+        row: usize,
+        /// What it is.
+        what: &'static str,
+        /// The number.
+        value: f64,
+    },
+    /// A quaternion of length 0.
+    ZeroQuaternion {
+        /// Of this row.
+        row: usize,
+    },
+}
+
+impl fmt::Display for LogError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooShort { rows } => write!(f, "a motion needs at least 2 rows, and here are {rows}"),
+            Self::Lengths { what, count, times } => write!(f, "there are {count} {what} of {times} times"),
+            Self::NotLater { row, time, before } => {
+                write!(f, "row {row}: the time {time} s is not later than {before} s, that of the row before")
+            }
+            Self::NotFinite { row, what, value } => {
+                write!(f, "row {row}: {what} is {value}, and has to be finite")
+            }
+            Self::ZeroQuaternion { row } => {
+                write!(f, "row {row}: the quaternion is zero, which is no attitude")
+            }
+        }
+    }
+}
+
+impl core::error::Error for LogError {}
+
+impl MotionLog {
+    /// Of times (s, ascending) and attitudes.
+    ///
+    /// # Errors
+    /// [`LogError`] of fewer than two rows, of numbers that are not finite, of times that do not ascend and of a quaternion that is zero.
+    pub fn new(times: Vec<f64>, attitude: Vec<[f64; 4]>) -> Result<Self, LogError> {
+        let rows = times.len();
+        if rows < 2 {
+            return Err(LogError::TooShort { rows });
+        }
+        require_rows("attitudes", attitude.len(), rows)?;
+        for (row, time) in times.iter().enumerate() {
+            require_finite(row, "the time", *time)?;
+        }
+        if let Some(k) = (1..rows).find(|&k| times[k] <= times[k - 1]) {
+            return Err(LogError::NotLater { row: k, time: times[k], before: times[k - 1] });
+        }
+        for (row, quaternion) in attitude.iter().enumerate() {
+            quaternion.iter().try_for_each(|&c| require_finite(row, "a number of the attitude", c))?;
+            if quaternion.iter().all(|&c| c == 0.0) {
+                return Err(LogError::ZeroQuaternion { row });
+            }
+        }
+        Ok(Self { times, attitude, omega: None })
+    }
+
+    /// With angular velocities, rad/s.
+    ///
+    /// # Errors
+    /// [`LogError`] of numbers that are not finite, and unless there are as many as times.
+    pub fn with_omega(self, omega: Vec<[f64; 3]>) -> Result<Self, LogError> {
+        require_rows("angular velocities", omega.len(), self.times.len())?;
+        for (row, vector) in omega.iter().enumerate() {
+            vector.iter().try_for_each(|&c| require_finite(row, "a number of ω", c))?;
+        }
+        Ok(Self { omega: Some(omega), ..self })
+    }
+
+    /// When, s.
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// The numbers of the attitudes.
+    pub fn attitude(&self) -> &[[f64; 4]] {
+        &self.attitude
+    }
+
+    /// The numbers of the angular velocities, rad/s, where there are any.
+    pub fn omega(&self) -> Option<&[[f64; 3]]> {
+        self.omega.as_deref()
+    }
+
+    /// Whether every number but the times has no more than the 24 bits of single precision.
+    pub fn is_single_precision(&self) -> bool {
+        let single = |c: &f64| f64::from(*c as f32) == *c;
+        let omega = self.omega.iter().flatten().flatten();
+        self.attitude.iter().flatten().chain(omega).all(single)
+    }
+}
+
+fn require_rows(what: &'static str, count: usize, times: usize) -> Result<(), LogError> {
+    if count == times { Ok(()) } else { Err(LogError::Lengths { what, count, times }) }
+}
+
+fn require_finite(row: usize, what: &'static str, value: f64) -> Result<(), LogError> {
+    if value.is_finite() { Ok(()) } else { Err(LogError::NotFinite { row, what, value }) }
+}

@@ -1,0 +1,5 @@
+//! From motions back to what made them: whether a program's motion is right, and if not why.
+//!
+//! [`judge`] compares a motion that another program computed with the exact one.
+
+pub mod judge;

@@ -3,8 +3,10 @@
 //! Energy and angular momentum that are kept prove little: without ω × I ω they are kept to the last digit, and the attitude is wrong after
 //! a second. So the attitude itself is compared, row by row, with the exact one.
 
+pub(crate) mod declared;
 pub(crate) mod log;
 pub(crate) mod motion;
 
+pub use declared::{AttitudeSense, DeclaredReading, OmegaAxes};
 pub use log::{LogError, MotionLog, QuaternionOrder};
 pub use motion::ReadMotion;

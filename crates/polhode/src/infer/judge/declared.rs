@@ -1,5 +1,6 @@
 //! What a log itself says of the meaning of its numbers.
 
+use super::axes::SignedAxes;
 use super::log::QuaternionOrder;
 
 /// Which way the rotations of a log go.
@@ -39,6 +40,8 @@ pub struct DeclaredReading {
     pub sense: Option<AttitudeSense>,
     /// Along which axes its ω is.
     pub omega_axes: Option<OmegaAxes>,
+    /// Its axes.
+    pub axes: Option<SignedAxes>,
     /// The log's time at the scenario's time 0, s.
     pub time_origin: Option<f64>,
 }

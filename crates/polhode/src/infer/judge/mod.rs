@@ -3,10 +3,31 @@
 //! Energy and angular momentum that are kept prove little: without ω × I ω they are kept to the last digit, and the attitude is wrong after
 //! a second. So the attitude itself is compared, row by row, with the exact one.
 
+pub(crate) mod accuracy_order;
+pub(crate) mod axes;
 pub(crate) mod declared;
+mod difference;
+pub(crate) mod error;
+pub(crate) mod growth;
+pub(crate) mod judgement;
 pub(crate) mod log;
 pub(crate) mod motion;
+pub(crate) mod reading;
+pub(crate) mod readings;
+pub(crate) mod reference;
+pub(crate) mod row_errors;
+pub(crate) mod split;
 
+pub use accuracy_order::{AccuracyOrder, StepErrors};
+pub use axes::SignedAxes;
 pub use declared::{AttitudeSense, DeclaredReading, OmegaAxes};
+pub use error::JudgeError;
+pub use growth::Growth;
+pub use judgement::Judgement;
 pub use log::{LogError, MotionLog, QuaternionOrder};
 pub use motion::ReadMotion;
+pub use reading::Reading;
+pub use readings::{ReadingResidual, Readings};
+pub use reference::Reference;
+pub use row_errors::{RateErrors, RowErrors};
+pub use split::{PartKind, Split, SplitPart};

@@ -1,0 +1,93 @@
+//! Why a motion cannot be judged.
+
+use core::fmt;
+
+use super::readings::ReadingResidual;
+use crate::motion::MotionError;
+
+/// Why a motion cannot be judged.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum JudgeError {
+    /// The scenario's motion is given: there is nothing to compute, and so nothing to compare with.
+    NoMotion,
+    /// A time before the scenario's start.
+    BeforeStart {
+        /// The time, s.
+        time: f64,
+        /// That of the start, s.
+        start: f64,
+    },
+    /// A time after an event of the scenario has ended its motion.
+    Ends {
+        /// The time, s.
+        time: f64,
+        /// When the motion ends, s.
+        end: f64,
+    },
+    /// The exact motion cannot be computed.
+    Motion(MotionError),
+    /// No reading of the log's numbers begins as the scenario does.
+    NoReading {
+        /// All that were tried, best first.
+        tried: Vec<ReadingResidual>,
+    },
+    /// Several readings of the log's numbers fit about as well, and differ later on.
+    Ambiguous {
+        /// All that were tried, best first.
+        tried: Vec<ReadingResidual>,
+        /// How many of them fit.
+        fitting: usize,
+    },
+    /// ω may be along the axes of space or of the body, and the log does not tell which.
+    AmbiguousOmega {
+        /// |δω| / |ω| at the beginning if it is along the axes of the body.
+        body: f64,
+        /// The same if it is along those of space.
+        space: f64,
+    },
+}
+
+impl fmt::Display for JudgeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoMotion => {
+                f.write_str("the scenario prescribes its motion, so there is no motion to judge another by")
+            }
+            Self::BeforeStart { time, start } => {
+                write!(f, "the run has a row at {time} s, before the scenario's start at {start} s")
+            }
+            Self::Ends { time, end } => {
+                write!(f, "the run has a row at {time} s, after the scenario's motion has ended at {end} s")
+            }
+            Self::Motion(error) => error.fmt(f),
+            Self::NoReading { tried } => {
+                f.write_str("no reading of the run's attitudes begins as the scenario does")?;
+                list(f, tried, 4)
+            }
+            Self::Ambiguous { tried, fitting } => {
+                write!(f, "{fitting} readings of the run's attitudes fit its beginning, and differ later")?;
+                list(f, tried, *fitting)
+            }
+            Self::AmbiguousOmega { body, space } => write!(
+                f,
+                "ω may be along the axes of the body or of space: at the beginning it differs by {body:.1e} or {space:.1e} of itself"
+            ),
+        }
+    }
+}
+
+fn list(f: &mut fmt::Formatter<'_>, tried: &[ReadingResidual], count: usize) -> fmt::Result {
+    for (k, ReadingResidual { reading, attitude, .. }) in tried.iter().take(count).enumerate() {
+        write!(f, "{} {reading} ({attitude:.1e} rad off)", if k == 0 { ":" } else { ";" })?;
+    }
+    Ok(())
+}
+
+impl core::error::Error for JudgeError {}
+
+impl From<MotionError> for JudgeError {
+    fn from(error: MotionError) -> Self {
+        Self::Motion(error)
+    }
+}

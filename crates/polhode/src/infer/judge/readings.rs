@@ -1,0 +1,246 @@
+//! The reading of a log, found by the motion that it has to begin with.
+
+use super::axes::SignedAxes;
+use super::declared::{AttitudeSense, DeclaredReading, OmegaAxes};
+use super::difference::{angle_between, conjugate, product};
+use super::error::JudgeError;
+use super::log::{MotionLog, QuaternionOrder};
+use super::motion::ReadMotion;
+use super::reading::Reading;
+use super::reference::{spread, states};
+use crate::math::vector::AngularVelocity;
+use crate::motion::{Scenario, State};
+
+/// How well a log begins as its scenario, if it is read so.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReadingResidual {
+    /// The reading.
+    pub reading: Reading,
+    /// The angle between the attitudes that are read and the exact ones, rad: root of the mean square over the beginning.
+    pub attitude: f64,
+    /// The same as a part of the angle that the exact motion turns through in the beginning.
+    pub relative: f64,
+}
+
+/// A log's reading, and those that it was found among.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Readings {
+    /// What its numbers mean.
+    pub reading: Reading,
+    /// Along which axes its ω is, if it has any.
+    pub omega_axes: Option<OmegaAxes>,
+    /// All readings that were tried, best first.
+    pub tried: Vec<ReadingResidual>,
+    /// How many of them, from the first, give the same motion to the last row, so that it does not matter which of them is meant.
+    pub equivalent: usize,
+    /// Whether the readings were compared from the log's own first attitude on, as none begins with that of the scenario.
+    pub from_own_start: bool,
+}
+
+/// The beginning of a motion: until it has turned so far, rad, and three rows at least.
+const BEGINNING: f64 = 0.1;
+/// A reading fits if it is off by no more than this part of the turn: a wrong law of motion is second order in the turn.
+const FITS: f64 = 0.3;
+/// It is the one that is meant if all others are so many times farther off.
+const CLEARLY: f64 = 10.0;
+/// How many rows are compared.
+const COMPARED: usize = 64;
+/// The angle between motions that are the same, rad.
+const SAME: f64 = 1e-12;
+/// What is taken for the turn of a motion that does not turn, rad.
+const NO_TURN: f64 = 1e-6;
+
+impl Readings {
+    /// What the numbers of a log mean: what is declared, and of the rest what begins as the scenario does.
+    ///
+    /// Orders, senses and time origins are tried first; where none of these fits, other axes; then, as the run may start elsewhere, the
+    /// turn since its first row. Readings that give the same motion to the last row are one. Where order and sense are declared and nothing
+    /// fits, they are believed.
+    ///
+    /// # Errors
+    /// [`JudgeError::NoReading`], [`JudgeError::Ambiguous`] and [`JudgeError::AmbiguousOmega`] where the log does not tell, and was not
+    /// declared; as [`super::Reference::of`].
+    pub fn of(log: &MotionLog, scenario: &Scenario, declared: &DeclaredReading) -> Result<Self, JudgeError> {
+        let beginnings = time_origins(log, scenario, declared)
+            .into_iter()
+            .map(|origin| Beginning::of(log, scenario, origin))
+            .collect::<Result<Vec<_>, _>>()?;
+        let plain = [declared.axes.unwrap_or(SignedAxes::SAME)];
+        let others: &[SignedAxes] = if declared.axes.is_some() { &[] } else { &SignedAxes::ALL };
+        let attempt = |axes: &[SignedAxes], from_own_start| {
+            let tried = residuals(log, declared, axes, from_own_start, &beginnings);
+            (tried, from_own_start)
+        };
+        let fits = |(tried, _): &(Vec<ReadingResidual>, bool)| {
+            tried.first().is_some_and(|best| best.relative <= FITS)
+        };
+        let first = attempt(&plain, false);
+        let attempts = [(others, false), (&plain[..], true)];
+        let found = if fits(&first) {
+            Some(first.clone())
+        } else {
+            attempts.into_iter().map(|(axes, own)| attempt(axes, own)).find(fits)
+        };
+        let is_declared = declared.order.is_some() && declared.sense.is_some();
+        let (tried, from_own_start) = match found {
+            Some(found) => found,
+            None if is_declared => (as_declared(first.0), false),
+            None => return Err(JudgeError::NoReading { tried: first.0 }),
+        };
+        let [best, ..] = tried[..] else { return Err(JudgeError::NoReading { tried }) };
+        let near = |other: &&ReadingResidual| other.attitude <= CLEARLY * best.attitude.max(SAME);
+        let fitting = if best.relative <= FITS { tried.iter().take_while(near).count() } else { 1 };
+        let is_same = |other: &&ReadingResidual| is_same_motion(log, &best.reading, &other.reading);
+        let equivalent = tried.iter().take(fitting).filter(is_same).count();
+        if equivalent < fitting {
+            return Err(JudgeError::Ambiguous { tried, fitting });
+        }
+        let beginning = beginnings.iter().find(|beginning| beginning.origin == best.reading.time_origin);
+        let omega_axes = match (log.omega(), beginning, declared.omega_axes) {
+            (Some(_), _, Some(declared)) => Some(declared),
+            (Some(omega), Some(beginning), None) => Some(omega_axes(log, omega, &best.reading, beginning)?),
+            _ => None,
+        };
+        Ok(Self { reading: best.reading, omega_axes, tried, equivalent, from_own_start })
+    }
+
+    /// A log's motion.
+    pub fn read(&self, log: &MotionLog) -> ReadMotion {
+        self.reading.read(log, self.omega_axes)
+    }
+}
+
+/// The first rows of a log, with the exact states there if its times are read so.
+struct Beginning {
+    origin: f64,
+    rows: Vec<usize>,
+    exact: Vec<State>,
+}
+
+impl Beginning {
+    fn of(log: &MotionLog, scenario: &Scenario, origin: f64) -> Result<Self, JudgeError> {
+        let times = log.times();
+        let upto = |last: usize| {
+            let rows = spread(last + 1, COMPARED);
+            let at: Vec<f64> = rows.iter().map(|&row| times[row] - origin).collect();
+            states(scenario, &at).map(|exact| Self { origin, rows, exact })
+        };
+        let mut last = times.len().min(3) - 1;
+        let mut found = upto(last)?;
+        while last + 1 < times.len() {
+            last = (2 * last).min(times.len() - 1);
+            let further = upto(last)?;
+            if further.turn() > BEGINNING {
+                break;
+            }
+            found = further;
+        }
+        Ok(found)
+    }
+
+    /// ∫ |ω| dt by the trapezoidal rule, rad.
+    fn turn(&self) -> f64 {
+        let part = |pair: &[State]| {
+            0.5 * (pair[0].omega.norm() + pair[1].omega.norm()) * (pair[1].time - pair[0].time)
+        };
+        self.exact.windows(2).map(part).sum()
+    }
+
+    fn residual(&self, log: &MotionLog, reading: Reading, from_own_start: bool) -> ReadingResidual {
+        let read = |row: usize| reading.quaternion(log.attitude()[row]);
+        // S = R_read(0) R_exact(0)ᵀ, if that is left out of the comparison
+        let own = self.exact.first().map(|first| product(read(0), conjugate(first.attitude.quaternion())));
+        let start =
+            if from_own_start { own.map_or([1.0, 0.0, 0.0, 0.0], conjugate) } else { [1.0, 0.0, 0.0, 0.0] };
+        let square = |(&row, exact): (&usize, &State)| {
+            angle_between(exact.attitude.quaternion(), product(start, read(row))).powi(2)
+        };
+        let squares: f64 = self.rows.iter().zip(&self.exact).map(square).sum();
+        let attitude = (squares / self.rows.len().max(1) as f64).sqrt();
+        ReadingResidual { reading, attitude, relative: attitude / self.turn().max(NO_TURN) }
+    }
+}
+
+/// The times as they are, or from the scenario's start; what is declared alone if it is.
+fn time_origins(log: &MotionLog, scenario: &Scenario, declared: &DeclaredReading) -> Vec<f64> {
+    let (first, start) = (log.times()[0], scenario.start().time);
+    match declared.time_origin {
+        Some(origin) => vec![origin],
+        None if first == start => vec![0.0],
+        None if first < start => vec![first - start],
+        None => vec![0.0, first - start],
+    }
+}
+
+/// All readings that are not excluded, best first; of equals the plainest.
+fn residuals(
+    log: &MotionLog,
+    declared: &DeclaredReading,
+    axes: &[SignedAxes],
+    from_own_start: bool,
+    beginnings: &[Beginning],
+) -> Vec<ReadingResidual> {
+    let orders =
+        QuaternionOrder::ALL.into_iter().filter(|&order| declared.order.is_none_or(|said| said == order));
+    let senses =
+        AttitudeSense::ALL.into_iter().filter(|&sense| declared.sense.is_none_or(|said| said == sense));
+    let mut tried = Vec::new();
+    for beginning in beginnings {
+        for &axes in axes {
+            for order in orders.clone() {
+                for sense in senses.clone() {
+                    let reading = Reading { order, sense, axes, time_origin: beginning.origin };
+                    tried.push(beginning.residual(log, reading, from_own_start));
+                }
+            }
+        }
+    }
+    tried.sort_by(|a, b| a.attitude.total_cmp(&b.attitude));
+    tried
+}
+
+/// Of readings that differ by their time origin only, and none of which fits: the times are what they say.
+fn as_declared(mut tried: Vec<ReadingResidual>) -> Vec<ReadingResidual> {
+    tried.sort_by_key(|other| other.reading.time_origin != 0.0);
+    tried
+}
+
+/// Whether two readings give the same motion at the same times.
+fn is_same_motion(log: &MotionLog, a: &Reading, b: &Reading) -> bool {
+    let same = |row: usize| {
+        let numbers = log.attitude()[row];
+        angle_between(a.quaternion(numbers), b.quaternion(numbers)) <= SAME
+    };
+    a.time_origin == b.time_origin && spread(log.times().len(), COMPARED).into_iter().all(same)
+}
+
+/// Along which axes ω is: those along which it begins as the scenario's.
+///
+/// # Errors
+/// [`JudgeError::AmbiguousOmega`] where neither is clearly nearer, and they are not the same.
+fn omega_axes(
+    log: &MotionLog,
+    omega: &[[f64; 3]],
+    reading: &Reading,
+    beginning: &Beginning,
+) -> Result<OmegaAxes, JudgeError> {
+    let read = |row: usize, axes| reading.omega(omega[row], axes, log.attitude()[row]);
+    let rms = |of: &dyn Fn(usize, &State) -> AngularVelocity<crate::math::Body>| {
+        let squares = |(&row, exact): (&usize, &State)| of(row, exact).norm().powi(2);
+        beginning.rows.iter().zip(&beginning.exact).map(squares).sum::<f64>().sqrt()
+    };
+    let size = rms(&|_, exact| exact.omega);
+    let off = |axes| rms(&|row, exact| read(row, axes) - exact.omega) / size;
+    let (body, space) = (off(OmegaAxes::Body), off(OmegaAxes::Space));
+    let rows = spread(log.times().len(), COMPARED);
+    let is_same = |&row: &usize| {
+        let (body, space) = (read(row, OmegaAxes::Body), read(row, OmegaAxes::Space));
+        (body - space).norm() <= SAME * body.norm()
+    };
+    match (body, space) {
+        _ if rows.iter().all(is_same) => Ok(OmegaAxes::Body),
+        _ if CLEARLY * body <= space => Ok(OmegaAxes::Body),
+        _ if CLEARLY * space <= body => Ok(OmegaAxes::Space),
+        _ => Err(JudgeError::AmbiguousOmega { body, space }),
+    }
+}

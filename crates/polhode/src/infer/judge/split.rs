@@ -1,0 +1,237 @@
+//! The error of a motion, split into what its author can mend.
+
+use super::difference::{conjugate, length, product, rotation_vector, to_body};
+use super::motion::ReadMotion;
+use super::reference::spread;
+use crate::motion::State;
+
+/// What an error is made of: each part is a motion that differs from the exact one in one respect.
+///
+/// θ of R = R_exact exp(θ), in body axes, is fitted by least squares with
+///
+/// θ = R_exactᵀ (σ + t δ) + β + (τ + t ρ) ω,
+///
+/// t since the start, as far as |θ| ≤ 0.3 rad. A wrong first attitude is taken out before, however large.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Split {
+    /// The parts, in the order of [`PartKind`].
+    pub parts: Vec<SplitPart>,
+    /// What no part has, rad, root of the mean square.
+    pub rest: f64,
+    /// How much of it changes from row to row without rule, rad, root of the mean square.
+    pub noise: f64,
+    /// All of it, rad, root of the mean square.
+    pub total: f64,
+    /// Until when it could be split, s.
+    pub until: f64,
+}
+
+/// A part of an error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SplitPart {
+    /// Which.
+    pub kind: PartKind,
+    /// Its numbers, in units of [`PartKind::unit`]; one that is a scalar has it first. `None` where in this run it looks like parts before it.
+    pub value: Option<[f64; 3]>,
+    /// What it is worth, rad, root of the mean square.
+    pub attitude: f64,
+}
+
+/// The ways in which a motion may differ from the exact one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PartKind {
+    /// σ: it starts turned, in space.
+    Start,
+    /// β: its axes in the body are turned.
+    BodyAxes,
+    /// τ: its clock is ahead.
+    Clock,
+    /// ρ: it turns too fast.
+    Rate,
+    /// δ: it turns away slowly, in space.
+    Drift,
+}
+
+impl PartKind {
+    /// All, in the order in which they are fitted.
+    pub const ALL: [Self; 5] = [Self::Start, Self::BodyAxes, Self::Clock, Self::Rate, Self::Drift];
+
+    /// The unit of its numbers.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Start | Self::BodyAxes => "rad",
+            Self::Clock => "s",
+            Self::Rate => "1",
+            Self::Drift => "rad/s",
+        }
+    }
+
+    /// How many numbers it has.
+    pub const fn count(self) -> usize {
+        match self {
+            Self::Start | Self::BodyAxes | Self::Drift => 3,
+            Self::Clock | Self::Rate => 1,
+        }
+    }
+
+    /// θ of a unit of each of its numbers.
+    fn shapes(self, state: &State, since: f64) -> Vec<[f64; 3]> {
+        let space = |factor: f64| {
+            let axis = |k: usize| to_body(state.attitude.quaternion(), unit(k)).map(|c| c * factor);
+            vec![axis(0), axis(1), axis(2)]
+        };
+        let omega = state.omega.to_array();
+        match self {
+            Self::Start => space(1.0),
+            Self::BodyAxes => vec![unit(0), unit(1), unit(2)],
+            Self::Clock => vec![omega],
+            Self::Rate => vec![omega.map(|c| c * since)],
+            Self::Drift => space(since),
+        }
+    }
+}
+
+fn unit(k: usize) -> [f64; 3] {
+    core::array::from_fn(|i| if i == k { 1.0 } else { 0.0 })
+}
+
+/// |θ| up to which it is a small rotation, rad.
+const SMALL: f64 = 0.3;
+/// A first attitude that is farther off is taken out before, rad.
+const WRONG_START: f64 = 0.05;
+/// How many rows are fitted.
+const FITTED: usize = 4000;
+/// A part of which less than this is left without those before it cannot be told from them.
+const DISTINCT: f64 = 0.02;
+
+impl Split {
+    /// Of a motion and the exact states at its times.
+    pub fn of(motion: &ReadMotion, exact: &[State]) -> Self {
+        let wrong = wrong_start(motion, exact);
+        let undone = conjugate(wrong.unwrap_or([1.0, 0.0, 0.0, 0.0]));
+        let theta = |row: usize| {
+            rotation_vector(exact[row].attitude.quaternion(), product(undone, motion.attitude[row]))
+        };
+        let rows = exact.len().min(motion.attitude.len());
+        let small = (0..rows).take_while(|&row| length(theta(row)) <= SMALL).count();
+        let picked = spread(small, FITTED);
+        let picked: Vec<usize> = picked.into_iter().filter(|&row| row < small).collect();
+        let began = exact.first().map_or(0.0, |state| state.time);
+        let errors: Vec<f64> = picked.iter().flat_map(|&row| theta(row)).collect();
+
+        let mut fit = Fit::default();
+        for kind in PartKind::ALL {
+            let shapes = picked.iter().map(|&row| kind.shapes(&exact[row], exact[row].time - began));
+            let mut columns = vec![Vec::with_capacity(errors.len()); kind.count()];
+            for row in shapes {
+                columns.iter_mut().zip(row).for_each(|(column, shape)| column.extend(shape));
+            }
+            columns.into_iter().for_each(|column| fit.take(column));
+        }
+        let values = fit.solve(&errors);
+        let rms = |of: &[f64]| (of.iter().map(|c| c * c).sum::<f64>() / picked.len().max(1) as f64).sqrt();
+        let (mut parts, mut rest, mut at) = (Vec::new(), errors.clone(), 0);
+        for kind in PartKind::ALL {
+            let columns = at..at + kind.count();
+            at = columns.end;
+            let mut worth = vec![0.0; errors.len()];
+            for k in columns.clone() {
+                let value = values[k].unwrap_or(0.0);
+                worth.iter_mut().zip(&fit.columns[k]).for_each(|(sum, shape)| *sum += value * shape);
+            }
+            rest.iter_mut().zip(&worth).for_each(|(rest, part)| *rest -= part);
+            let is_known = columns.clone().any(|k| values[k].is_some());
+            let mut value = [0.0; 3];
+            columns.zip(&mut value).for_each(|(k, slot)| *slot = values[k].unwrap_or(0.0));
+            parts.push(SplitPart { kind, value: is_known.then_some(value), attitude: rms(&worth) });
+        }
+        if let (Some(wrong), Some(start)) = (wrong, parts.first_mut()) {
+            // The turn in space that was taken out, and what was fitted after it.
+            let taken = rotation_vector([1.0, 0.0, 0.0, 0.0], wrong);
+            let value = start.value.unwrap_or_default();
+            let sum = [taken[0] + value[0], taken[1] + value[1], taken[2] + value[2]];
+            *start = SplitPart { value: Some(sum), attitude: length(sum), ..*start };
+        }
+        let noise = noise(&rest).min(rms(&rest));
+        let until = picked.last().map_or(began, |&row| exact[row].time);
+        let total = rms(&errors)
+            .hypot(wrong.map_or(0.0, |wrong| length(rotation_vector([1.0, 0.0, 0.0, 0.0], wrong))));
+        Self { parts, rest: rms(&rest), noise, total, until }
+    }
+
+    /// The parts that make at least a tenth of the error, largest first.
+    pub fn main_parts(&self) -> Vec<SplitPart> {
+        let mut parts: Vec<SplitPart> =
+            self.parts.iter().copied().filter(|part| part.attitude >= 0.1 * self.total).collect();
+        parts.sort_by(|a, b| b.attitude.total_cmp(&a.attitude));
+        parts
+    }
+}
+
+/// R_read R_exactᵀ of the first row, if that is no small error.
+fn wrong_start(motion: &ReadMotion, exact: &[State]) -> Option<[f64; 4]> {
+    let (read, exact) = (*motion.attitude.first()?, exact.first()?.attitude.quaternion());
+    (length(rotation_vector(exact, read)) > WRONG_START).then(|| product(read, conjugate(exact)))
+}
+
+/// What changes from one row to the next without rule: of e_k with the variance σ², e_(k−1) − 2 e_k + e_(k+1) has 6 σ², and fourth
+/// differences have 70 σ²; what is smooth adds to both, less to one of them.
+fn noise(theta: &[f64]) -> f64 {
+    let rows = theta.len() / 3;
+    let rms = |binomial: &[f64], variance: f64| {
+        let places = (rows + 1).saturating_sub(binomial.len());
+        let difference = |k: usize, i: usize| {
+            binomial.iter().enumerate().map(|(j, c)| c * theta[3 * (k + j) + i]).sum::<f64>()
+        };
+        let sum: f64 = (0..places).flat_map(|k| (0..3).map(move |i| difference(k, i).powi(2))).sum();
+        if places == 0 { 0.0 } else { (sum / (variance * places as f64)).sqrt() }
+    };
+    rms(&[1.0, -2.0, 1.0], 6.0).min(rms(&[1.0, -4.0, 6.0, -4.0, 1.0], 70.0))
+}
+
+/// Least squares by Gram–Schmidt, column by column: a column that those before it make almost alone is left out.
+#[derive(Default)]
+struct Fit {
+    columns: Vec<Vec<f64>>,
+    orthonormal: Vec<Option<Vec<f64>>>,
+    /// R of A = Q R: of each column its components along those before it, and what is left.
+    triangle: Vec<Vec<f64>>,
+}
+
+impl Fit {
+    fn take(&mut self, column: Vec<f64>) {
+        let size = dot(&column, &column).sqrt();
+        let (mut left, mut along) = (column.clone(), vec![0.0; self.columns.len() + 1]);
+        // Twice, so that what is left is orthogonal to the last digit.
+        for _ in 0..2 {
+            for (k, q) in self.orthonormal.iter().enumerate() {
+                let Some(q) = q else { continue };
+                let part = dot(q, &left);
+                along[k] += part;
+                left.iter_mut().zip(q).for_each(|(c, q)| *c -= part * q);
+            }
+        }
+        let rest = dot(&left, &left).sqrt();
+        let is_distinct = rest > DISTINCT * size;
+        self.orthonormal.push(is_distinct.then(|| left.iter().map(|c| c / rest).collect()));
+        along[self.columns.len()] = rest;
+        self.triangle.push(along);
+        self.columns.push(column);
+    }
+
+    /// The factors of the columns; `None` of one that was left out.
+    fn solve(&self, errors: &[f64]) -> Vec<Option<f64>> {
+        let mut values: Vec<Option<f64>> = vec![None; self.columns.len()];
+        for k in (0..self.columns.len()).rev() {
+            let Some(q) = &self.orthonormal[k] else { continue };
+            let later: f64 =
+                (k + 1..self.columns.len()).map(|j| values[j].unwrap_or(0.0) * self.triangle[j][k]).sum();
+            values[k] = Some((dot(q, errors) - later) / self.triangle[k][k]);
+        }
+        values
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

@@ -97,21 +97,21 @@ impl Document {
 }
 
 impl Section {
-    pub(super) fn new(number: u8, title: &str) -> Self {
+    pub(crate) fn new(number: u8, title: &str) -> Self {
         Self { number, title: title.to_owned(), blocks: Vec::new() }
     }
 
     /// Names from outside may be in it: what is unseen in them is shown.
-    pub(super) fn say(&mut self, text: impl AsRef<str>) {
+    pub(crate) fn say(&mut self, text: impl AsRef<str>) {
         self.blocks.push(Block::Paragraph(printable(text.as_ref())));
     }
 
-    pub(super) fn formula(&mut self, text: &str, latex: &str) {
+    pub(crate) fn formula(&mut self, text: &str, latex: &str) {
         self.blocks.push(Block::Formula { text: text.to_owned(), latex: latex.to_owned() });
     }
 
     /// One line of numbers; consecutive ones stand together.
-    pub(super) fn line(&mut self, line: impl AsRef<str>) {
+    pub(crate) fn line(&mut self, line: impl AsRef<str>) {
         let line = printable(line.as_ref());
         if let Some(Block::Lines(lines)) = self.blocks.last_mut() {
             lines.push(line);
@@ -121,19 +121,19 @@ impl Section {
     }
 
     /// The line `lhs = term + term + … = result`.
-    pub(super) fn sum(&mut self, lhs: &str, terms: &[String], result: &str) {
+    pub(crate) fn sum(&mut self, lhs: &str, terms: &[String], result: &str) {
         self.line(format!("{lhs} = {} = {result}", terms.join(" + ")));
     }
 
-    pub(super) fn matrix(&mut self, name: impl Into<String>, rows: [[f64; 3]; 3], unit: &'static str) {
+    pub(crate) fn matrix(&mut self, name: impl Into<String>, rows: [[f64; 3]; 3], unit: &'static str) {
         self.blocks.push(Block::Matrix { name: name.into(), rows, unit });
     }
 
-    pub(super) fn graph(&mut self, graph: Graph) {
+    pub(crate) fn graph(&mut self, graph: Graph) {
         self.blocks.push(Block::Graph(graph));
     }
 
-    pub(super) fn table(&mut self, headers: &[&str], rows: Vec<Vec<String>>) {
+    pub(crate) fn table(&mut self, headers: &[&str], rows: Vec<Vec<String>>) {
         let headers = headers.iter().map(|h| (*h).to_owned()).collect();
         self.blocks.push(Block::Table { headers, rows });
     }

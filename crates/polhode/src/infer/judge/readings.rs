@@ -164,11 +164,14 @@ impl Beginning {
 /// The times as they are, or from the scenario's start; what is declared alone if it is.
 fn time_origins(log: &MotionLog, scenario: &Scenario, declared: &DeclaredReading) -> Vec<f64> {
     let (first, start) = (log.times()[0], scenario.start().time);
+    // Rounded so that the first row is not before the start.
+    let from_start = first - start;
+    let from_start = if first - from_start < start { from_start.next_down() } else { from_start };
     match declared.time_origin {
         Some(origin) => vec![origin],
         None if first == start => vec![0.0],
-        None if first < start => vec![first - start],
-        None => vec![0.0, first - start],
+        None if first < start => vec![from_start],
+        None => vec![0.0, from_start],
     }
 }
 

@@ -33,7 +33,8 @@ pub struct SplitPart {
     pub kind: PartKind,
     /// Its numbers, in units of [`PartKind::unit`]; one that is a scalar has it first. `None` where in this run it looks like parts before it.
     pub value: Option<[f64; 3]>,
-    /// What it is worth, rad, root of the mean square.
+    /// What it takes from the error that the parts before it leave, rad, root of the mean square: with the rest, the squares add up to
+    /// that of the whole.
     pub attitude: f64,
 }
 
@@ -134,16 +135,20 @@ impl Split {
         for kind in PartKind::ALL {
             let columns = at..at + kind.count();
             at = columns.end;
-            let mut worth = vec![0.0; errors.len()];
-            for k in columns.clone() {
-                let value = values[k].unwrap_or(0.0);
-                worth.iter_mut().zip(&fit.columns[k]).for_each(|(sum, shape)| *sum += value * shape);
+            let mut squares = 0.0;
+            for q in columns.clone().filter_map(|k| fit.orthonormal[k].as_ref()) {
+                let along = dot(q, &rest);
+                squares += along * along;
+                rest.iter_mut().zip(q).for_each(|(rest, q)| *rest -= along * q);
             }
-            rest.iter_mut().zip(&worth).for_each(|(rest, part)| *rest -= part);
             let is_known = columns.clone().any(|k| values[k].is_some());
             let mut value = [0.0; 3];
             columns.zip(&mut value).for_each(|(k, slot)| *slot = values[k].unwrap_or(0.0));
-            parts.push(SplitPart { kind, value: is_known.then_some(value), attitude: rms(&worth) });
+            parts.push(SplitPart {
+                kind,
+                value: is_known.then_some(value),
+                attitude: (squares / picked.len().max(1) as f64).sqrt(),
+            });
         }
         if let (Some(wrong), Some(start)) = (wrong, parts.first_mut()) {
             // The turn in space that was taken out, and what was fitted after it.
@@ -192,7 +197,6 @@ fn noise(theta: &[f64]) -> f64 {
 /// Least squares by Gram–Schmidt, column by column: a column that those before it make almost alone is left out.
 #[derive(Default)]
 struct Fit {
-    columns: Vec<Vec<f64>>,
     orthonormal: Vec<Option<Vec<f64>>>,
     /// R of A = Q R: of each column its components along those before it, and what is left.
     triangle: Vec<Vec<f64>>,
@@ -200,8 +204,8 @@ struct Fit {
 
 impl Fit {
     fn take(&mut self, column: Vec<f64>) {
-        let size = dot(&column, &column).sqrt();
-        let (mut left, mut along) = (column.clone(), vec![0.0; self.columns.len() + 1]);
+        let (count, size) = (self.orthonormal.len(), dot(&column, &column).sqrt());
+        let (mut left, mut along) = (column, vec![0.0; count + 1]);
         // Twice, so that what is left is orthogonal to the last digit.
         for _ in 0..2 {
             for (k, q) in self.orthonormal.iter().enumerate() {
@@ -214,18 +218,17 @@ impl Fit {
         let rest = dot(&left, &left).sqrt();
         let is_distinct = rest > DISTINCT * size;
         self.orthonormal.push(is_distinct.then(|| left.iter().map(|c| c / rest).collect()));
-        along[self.columns.len()] = rest;
+        along[count] = rest;
         self.triangle.push(along);
-        self.columns.push(column);
     }
 
     /// The factors of the columns; `None` of one that was left out.
     fn solve(&self, errors: &[f64]) -> Vec<Option<f64>> {
-        let mut values: Vec<Option<f64>> = vec![None; self.columns.len()];
-        for k in (0..self.columns.len()).rev() {
+        let mut values: Vec<Option<f64>> = vec![None; self.orthonormal.len()];
+        for k in (0..self.orthonormal.len()).rev() {
             let Some(q) = &self.orthonormal[k] else { continue };
             let later: f64 =
-                (k + 1..self.columns.len()).map(|j| values[j].unwrap_or(0.0) * self.triangle[j][k]).sum();
+                (k + 1..self.orthonormal.len()).map(|j| values[j].unwrap_or(0.0) * self.triangle[j][k]).sum();
             values[k] = Some((dot(q, errors) - later) / self.triangle[k][k]);
         }
         values

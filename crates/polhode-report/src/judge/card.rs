@@ -1,0 +1,189 @@
+//! The grade card of a program: all cases of the suite.
+
+use polhode::infer::judge::AccuracyOrder;
+use serde_json::{Value, json};
+
+use super::{JudgedRun, accuracy_order, graph, json, words};
+use crate::VERSION;
+use crate::explain::document::{Document, Section};
+use crate::layout::printable;
+use crate::number::{error, number};
+
+/// The grade card of a program: all cases of the suite.
+#[derive(Clone, Debug)]
+pub struct Card {
+    /// What was graded: a folder.
+    pub name: String,
+    /// The cases, in the suite's order.
+    pub cases: Vec<CardCase>,
+    /// A case is passed if no attitude of its best run is off by more than this, rad.
+    pub limit: f64,
+}
+
+/// One case of the suite.
+#[derive(Clone, Debug)]
+pub struct CardCase {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub title: String,
+    /// What came of it.
+    pub run: CardRun,
+}
+
+/// What came of a case.
+#[derive(Clone, Debug)]
+pub enum CardRun {
+    /// The runs of the program, one for each of its steps.
+    Judged(Vec<JudgedRun>),
+    /// It was not run, and why.
+    NotRun(String),
+    /// A run is there, and cannot be read or judged; and why.
+    Unreadable(String),
+}
+
+/// What a case is worth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Grade {
+    Passed,
+    Failed,
+    NotRun,
+}
+
+impl Grade {
+    const fn word(self) -> &'static str {
+        match self {
+            Self::Passed => "passed",
+            Self::Failed => "failed",
+            Self::NotRun => "not run",
+        }
+    }
+}
+
+impl CardCase {
+    /// The run with the smallest error: that of the smallest step, where steps matter.
+    fn best(&self) -> Option<&JudgedRun> {
+        match &self.run {
+            CardRun::Judged(runs) => runs.iter().min_by(|a, b| a.largest().total_cmp(&b.largest())),
+            _ => None,
+        }
+    }
+
+    fn grade(&self, limit: f64) -> Grade {
+        match (&self.run, self.best()) {
+            (CardRun::NotRun(_), _) => Grade::NotRun,
+            (_, Some(run)) if run.largest() <= limit => Grade::Passed,
+            _ => Grade::Failed,
+        }
+    }
+
+    fn order(&self) -> Option<AccuracyOrder> {
+        match &self.run {
+            CardRun::Judged(runs) => accuracy_order(runs),
+            _ => None,
+        }
+    }
+
+    fn row(&self, limit: f64) -> Vec<String> {
+        let grade = self.grade(limit).word().to_owned();
+        let Some(run) = self.best() else {
+            let why = match &self.run {
+                CardRun::NotRun(why) | CardRun::Unreadable(why) => printable(why),
+                CardRun::Judged(_) => String::new(),
+            };
+            return vec![self.name.clone(), grade, "—".into(), "—".into(), "—".into(), why];
+        };
+        let last_order = self.order().and_then(|order| order.orders.into_iter().flatten().last());
+        let order = last_order.map_or_else(|| "—".to_owned(), |p| format!("{p:.2}"));
+        let why = if run.is_exact() { "right".to_owned() } else { words::why(run) };
+        vec![self.name.clone(), grade, words::step(run), error(run.largest()), order, why]
+    }
+
+    fn to_json(&self, limit: f64) -> Value {
+        let grade = self.grade(limit).word().replace(' ', "_");
+        let (runs, why) = match &self.run {
+            CardRun::Judged(runs) => (runs.iter().map(json::run).collect(), Value::Null),
+            CardRun::NotRun(why) | CardRun::Unreadable(why) => (json!([]), why.as_str().into()),
+        };
+        json!({
+            "case": self.name,
+            "title": self.title,
+            "grade": grade,
+            "attitude_largest_rad": self.best().map(JudgedRun::largest),
+            "order_of_accuracy": self.order().map(|order| order.orders),
+            "why_not": why,
+            "runs": runs,
+        })
+    }
+}
+
+impl Card {
+    /// How many cases have this grade.
+    fn count(&self, grade: Grade) -> usize {
+        self.cases.iter().filter(|case| case.grade(self.limit) == grade).count()
+    }
+
+    /// Whether a case was run and not passed.
+    pub fn has_failed(&self) -> bool {
+        self.count(Grade::Failed) > 0
+    }
+
+    /// Whether any case was run.
+    pub fn was_run(&self) -> bool {
+        self.count(Grade::NotRun) < self.cases.len()
+    }
+
+    /// The programs that the runs say they are by.
+    fn engines(&self) -> Vec<String> {
+        let runs = self.cases.iter().filter_map(|case| match &case.run {
+            CardRun::Judged(runs) => Some(runs),
+            _ => None,
+        });
+        let mut engines: Vec<String> =
+            runs.flatten().filter_map(|run| run.engine.as_deref()).map(printable).collect();
+        engines.sort();
+        engines.dedup();
+        engines
+    }
+
+    /// The card as data.
+    pub fn to_json(&self) -> Value {
+        json!({
+            "polhode": VERSION,
+            "suite": self.name,
+            "engines": self.engines(),
+            "limit_rad": self.limit,
+            "passed": self.count(Grade::Passed),
+            "failed": self.count(Grade::Failed),
+            "not_run": self.count(Grade::NotRun),
+            "cases": self.cases.iter().map(|case| case.to_json(self.limit)).collect::<Value>(),
+        })
+    }
+
+    /// The card as a document: text, Markdown, a page.
+    pub fn to_document(&self) -> Document {
+        let [passed, failed, not_run] = [Grade::Passed, Grade::Failed, Grade::NotRun].map(|grade| self.count(grade));
+        let limit = number(self.limit, 3);
+        let mut answer = vec![format!(
+            "{passed} of {} cases passed: no attitude off by more than {limit} rad. {failed} failed, {not_run} not run.",
+            self.cases.len()
+        )];
+        let engines = self.engines();
+        if !engines.is_empty() {
+            answer.push(format!("Made by {}.", engines.join("; ")));
+        }
+        let mut cases = Section::new(1, "The cases");
+        let headers = ["case", "grade", "step", "largest error (rad)", "order", "why"];
+        cases.table(&headers, self.cases.iter().map(|case| case.row(self.limit)).collect());
+        let mut errors = Section::new(2, "The errors over the time");
+        for case in &self.cases {
+            let Some(run) = case.best() else { continue };
+            errors.say(format!("{}. {}: {}.", case.name, case.title, words::how_far(run)));
+            if let Some(graph) = graph::of_error(run) {
+                errors.graph(graph);
+            }
+        }
+        let sections = if errors.blocks.is_empty() { vec![cases] } else { vec![cases, errors] };
+        Document { title: format!("Grade card: {}", printable(&self.name)), answer, sections, findings: Vec::new() }
+    }
+}

@@ -1,0 +1,208 @@
+//! One scenario and the runs of it that other programs made.
+
+use polhode::infer::judge::{AccuracyOrder, OmegaAxes};
+use polhode::motion::Scenario;
+use serde_json::Value;
+
+use super::{JudgedRun, accuracy_order, graph, json, words};
+use crate::explain::document::{Document, Section};
+use crate::layout::printable;
+use crate::number::{count, error, number};
+
+/// One scenario and the runs of it that other programs made, judged.
+#[derive(Clone, Debug)]
+pub struct JudgeReport {
+    title: String,
+    runs: Vec<JudgedRun>,
+    order: Option<AccuracyOrder>,
+}
+
+/// How many readings, and causes, are shown of each run: the best.
+const SHOWN: usize = 8;
+
+impl JudgeReport {
+    /// Of a scenario and its runs; the order of accuracy is that of runs with different steps.
+    pub fn new(scenario: &Scenario, runs: Vec<JudgedRun>) -> Self {
+        let order = accuracy_order(&runs);
+        Self { title: scenario.title().unwrap_or("scenario").to_owned(), runs, order }
+    }
+
+    /// The largest angle between an attitude and the exact one, of all runs, rad.
+    pub fn largest_attitude_error(&self) -> f64 {
+        self.runs.iter().map(JudgedRun::largest).fold(0.0, f64::max)
+    }
+
+    /// The report as data.
+    pub fn to_json(&self) -> Value {
+        json::report(&self.title, &self.runs, self.order.as_ref())
+    }
+
+    /// The report as a document: text, Markdown, a page.
+    pub fn to_document(&self) -> Document {
+        let named = |run: &JudgedRun, what: String| match self.runs.len() {
+            1 => what,
+            _ => format!("{}: {what}", printable(&run.name)),
+        };
+        let answer = self.runs.iter().flat_map(|run| {
+            let far = named(run, words::how_far(run));
+            let why = (!run.is_exact()).then(|| named(run, words::why(run)));
+            std::iter::once(far).chain(why)
+        });
+        let mut sections = vec![self.runs(), self.readings(), self.errors(), self.parts()];
+        sections.extend(self.causes());
+        sections.extend(self.order.as_ref().map(order));
+        for (k, section) in sections.iter_mut().enumerate() {
+            section.number = u8::try_from(k + 1).unwrap_or(u8::MAX);
+        }
+        let title = match &self.runs[..] {
+            [run] => format!("{}: {}", self.title, run.name),
+            _ => self.title.clone(),
+        };
+        Document { title, answer: answer.collect(), sections, findings: Vec::new() }
+    }
+
+    fn runs(&self) -> Section {
+        let mut s = Section::new(1, "The runs");
+        let row = |run: &JudgedRun| {
+            let times = &run.judgement.motion.times;
+            let (first, last) = (times.first().copied().unwrap_or(0.0), times.last().copied().unwrap_or(0.0));
+            vec![
+                printable(&run.name),
+                run.engine.as_deref().map_or_else(|| "not said".to_owned(), printable),
+                count(times.len() as u64),
+                format!("{} … {}", number(first, 6), number(last, 6)),
+                words::step(run),
+            ]
+        };
+        s.table(&["run", "program", "rows", "t (s)", "step"], self.runs.iter().map(row).collect());
+        for run in self.runs.iter().filter(|run| !run.ignored.is_empty()) {
+            let names: Vec<String> = run.ignored.iter().map(|name| printable(name)).collect();
+            s.say(format!("Not read of {}: {}.", run.name, names.join(", ")));
+        }
+        for run in self.runs.iter().filter(|run| run.judgement.is_single_precision) {
+            s.say(format!("The numbers of {} are in single precision, 6e-8 of themselves.", run.name));
+        }
+        s
+    }
+
+    fn readings(&self) -> Section {
+        let mut s = Section::new(2, "What their numbers mean");
+        for run in &self.runs {
+            let readings = &run.judgement.readings;
+            let omega = match readings.omega_axes {
+                Some(OmegaAxes::Body) => "ω along body axes",
+                Some(OmegaAxes::Space) => "ω along space axes",
+                None => "no ω",
+            };
+            s.say(format!("{}: {}; {omega}.", run.name, readings.reading));
+            if readings.from_own_start {
+                s.say("None begins with the scenario's attitude: what is compared is the turn since the first row.");
+            }
+            if readings.equivalent > 1 {
+                s.say(format!("The first {} of these give the same motion to the last row.", readings.equivalent));
+            }
+            let row = |tried: &polhode::infer::judge::ReadingResidual| {
+                vec![tried.reading.to_string(), error(tried.attitude), number(tried.relative, 3)]
+            };
+            let headers = ["read as", "off at the beginning (rad)", "of the turn"];
+            s.table(&headers, readings.tried.iter().take(SHOWN).map(row).collect());
+            if let Some(more) = readings.tried.len().checked_sub(SHOWN + 1) {
+                s.say(format!("{} more are farther off.", more + 1));
+            }
+        }
+        s
+    }
+
+    fn errors(&self) -> Section {
+        let mut s = Section::new(3, "How far off they are");
+        let row = |run: &JudgedRun| {
+            let (judgement, errors) = (&run.judgement, &run.judgement.errors);
+            let largest = |of: &[f64]| error(of.iter().map(|e| e.abs()).fold(0.0, f64::max));
+            let rates = errors.rates.as_ref();
+            let rate = |of: &dyn Fn(&polhode::infer::judge::RateErrors) -> String| {
+                rates.map_or_else(|| "—".to_owned(), of)
+            };
+            vec![
+                printable(&run.name),
+                error(judgement.last_attitude_error()),
+                error(run.largest()),
+                rate(&|rates| largest(&rates.omega)),
+                rate(&|rates| largest(&rates.kinetic_energy)),
+                rate(&|rates| largest(&rates.momentum)),
+                rate(&|rates| largest(&rates.momentum_direction)),
+                error(judgement.floor()),
+            ]
+        };
+        let headers = ["run", "attitude, end", "largest", "ω", "T", "|L|", "direction of L", "exact to"];
+        s.table(&headers, self.runs.iter().map(row).collect());
+        s.say(
+            "Angles in rad; ω, T and |L| as parts of the largest of the exact motion, each the largest of all rows. The exact \
+             attitude itself may be wrong by the last column.",
+        );
+        for run in &self.runs {
+            if run.judgement.errors.norm > 1e-6 {
+                let norm = error(run.judgement.errors.norm);
+                s.say(format!("{}: the quaternions' length differs from 1 by up to {norm}.", run.name));
+            }
+        }
+        self.runs.iter().filter_map(graph::of_error).for_each(|graph| s.graph(graph));
+        s
+    }
+
+    fn parts(&self) -> Section {
+        let mut s = Section::new(4, "What the errors are made of");
+        for run in self.runs.iter().filter(|run| !run.is_exact()) {
+            let split = &run.judgement.split;
+            let until = number(split.until, 4);
+            s.say(format!("{}, until {until} s, of {} rad (root of the mean square):", run.name, error(split.total)));
+            let of_total = |part: f64| words::share(part / split.total.max(f64::MIN_POSITIVE));
+            let mut rows: Vec<Vec<String>> = (split.parts.iter())
+                .map(|part| {
+                    let worth = part.value.map_or_else(|| "—".to_owned(), |_| of_total(part.attitude));
+                    vec![words::part_name(part.kind).to_owned(), worth, words::part(part)]
+                })
+                .collect();
+            rows.push(vec!["noise".to_owned(), of_total(split.noise), format!("{} rad from row to row", error(split.noise))]);
+            let rest = (split.rest.powi(2) - split.noise.powi(2)).max(0.0).sqrt();
+            rows.push(vec!["rest".to_owned(), of_total(rest), "none of these".to_owned()]);
+            s.table(&["part", "of the error", "what it is"], rows);
+        }
+        if s.blocks.is_empty() {
+            s.say("There is no error that could be told from zero.");
+        }
+        s
+    }
+
+    /// The causes that were tried; none where none was.
+    fn causes(&self) -> Option<Section> {
+        let mut s = Section::new(5, "Likeliest causes");
+        for run in self.runs.iter().filter(|run| !run.causes.tried.is_empty()) {
+            let causes = &run.causes;
+            let [from, to] = causes.span.map(|time| number(time, 4));
+            s.say(format!("{}, from {from} to {to} s; {}.", run.name, words::why(run)));
+            let row = |tried: &polhode::infer::judge::TriedCause| {
+                let named = if tried.is_named { "yes" } else { "" };
+                let explained = words::share(tried.explained.max(0.0));
+                vec![printable(&tried.cause.to_string()), error(tried.residual), explained, named.to_owned()]
+            };
+            let headers = ["a program that does this", "is off the run by (rad)", "explains", "named"];
+            s.table(&headers, causes.tried.iter().take(SHOWN).map(row).collect());
+            for tried in causes.named().take(2) {
+                s.say(tried.cause.hint());
+            }
+        }
+        (!s.blocks.is_empty()).then_some(s)
+    }
+}
+
+fn order(order: &AccuracyOrder) -> Section {
+    let mut s = Section::new(6, "Order of accuracy");
+    let until = number(order.time, 4);
+    s.say(format!("The largest error until {until} s, up to which every run is off by less than 0.5 rad:"));
+    let row = |(k, (step, off)): (usize, &(f64, f64))| {
+        let found = k.checked_sub(1).and_then(|k| order.orders[k]);
+        vec![number(*step, 6), error(*off), found.map_or_else(|| "—".to_owned(), |p| format!("{p:.2}"))]
+    };
+    s.table(&["step (s)", "error (rad)", "order"], order.runs.iter().enumerate().map(row).collect());
+    s
+}

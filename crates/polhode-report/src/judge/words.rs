@@ -1,0 +1,77 @@
+//! Sentences about one run.
+
+use polhode::infer::judge::{Growth, PartKind, SplitPart};
+
+use super::JudgedRun;
+use crate::layout::printable;
+use crate::number::{error, number, vector};
+
+/// `2.1e-9 rad off at the end, 3.2e-9 rad at most; grows as t^1.00`
+pub(super) fn how_far(run: &JudgedRun) -> String {
+    let judgement = &run.judgement;
+    if run.is_exact() {
+        let floor = error(judgement.floor());
+        return format!("right: no error beyond {floor} rad, to which the exact motion is known");
+    }
+    let (last, largest) = (judgement.last_attitude_error(), run.largest());
+    let growth = match judgement.growth {
+        Growth::Unknown => String::new(),
+        growth => format!("; {growth}"),
+    };
+    format!("{} rad off at the end, {} rad at most{growth}", error(last), error(largest))
+}
+
+/// `ω × I ω is left out: explains 99.9 % of the error`
+pub(super) fn why(run: &JudgedRun) -> String {
+    let causes = &run.causes;
+    if let Some(why) = causes.untried {
+        return format!("no cause was looked for: {why}");
+    }
+    match causes.likeliest() {
+        Some(tried) if tried.cause.is_mistake() => {
+            format!("likeliest cause: {} (explains {})", printable(&tried.cause.to_string()), share(tried.explained))
+        }
+        Some(tried) => format!("no mistake: {} (explains {})", printable(&tried.cause.to_string()), share(tried.explained)),
+        None => format!("none of {} causes that were tried explains it", causes.tried.len()),
+    }
+}
+
+/// `99.97 %`: not rounded to all.
+pub(super) fn share(part: f64) -> String {
+    let percent = 100.0 * part;
+    if percent > 99.99 && percent < 100.0 { "more than 99.99 %".to_owned() } else { format!("{} %", number(percent, 4)) }
+}
+
+/// `it turns too fast, by 1.2e-7 of ω`
+pub(super) fn part(part: &SplitPart) -> String {
+    let Some(value) = part.value else { return "not to be told from those above".to_owned() };
+    match part.kind {
+        PartKind::Start => format!("it starts turned by {} rad in space", vector(value, 3)),
+        PartKind::BodyAxes => format!("its axes in the body are turned by {} rad", vector(value, 3)),
+        PartKind::Clock if value[0] < 0.0 => format!("it is {} s late", number(-value[0], 3)),
+        PartKind::Clock => format!("it is {} s early", number(value[0], 3)),
+        PartKind::Rate if value[0] < 0.0 => format!("it turns too slowly, by {} of ω", number(-value[0], 3)),
+        PartKind::Rate => format!("it turns too fast, by {} of ω", number(value[0], 3)),
+        PartKind::Drift => format!("it turns away at {} rad/s in space", vector(value, 3)),
+    }
+}
+
+/// `start`
+pub(super) const fn part_name(kind: PartKind) -> &'static str {
+    match kind {
+        PartKind::Start => "start",
+        PartKind::BodyAxes => "body axes",
+        PartKind::Clock => "clock",
+        PartKind::Rate => "rate",
+        PartKind::Drift => "drift",
+    }
+}
+
+/// `0.002 s`, `0.01 s (of the rows)`
+pub(super) fn step(run: &JudgedRun) -> String {
+    match (run.step, run.step_is_said) {
+        (Some(step), true) => format!("{} s", number(step, 6)),
+        (Some(step), false) => format!("{} s (of the rows)", number(step, 6)),
+        (None, _) => "not even".to_owned(),
+    }
+}

@@ -9,6 +9,7 @@ use crate::check::Check;
 use crate::explain::Explain;
 use crate::failure::Failure;
 use crate::inertia::Inertia;
+use crate::judge::Judge;
 #[cfg(feature = "live")]
 use crate::live::Live;
 use crate::new::New;
@@ -21,7 +22,7 @@ use crate::torque::Torque;
 
 /// Rigid-body dynamics: from mass to motion.
 ///
-/// Exit status: 0 fine, 1 check found something, 2 bad input or usage, 3 the computation could not reach its tolerance; of
+/// Exit status: 0 fine, 1 check or judge found something, 2 bad input or usage, 3 the computation could not reach its tolerance; of
 /// several files the worst, 2 before 3 before 1. Data goes to standard output, everything else to standard error.
 #[derive(Debug, Parser)]
 #[command(name = "polhode", version, after_help = EXAMPLES, max_term_width = 100)]
@@ -38,7 +39,8 @@ Examples:
   polhode simulate examples/t-handle.toml
   polhode spin --moments 1,2,3 --omega 0.01,1,0.01
   polhode torque examples/notes/11-10-dumbbell.toml
-  polhode explain examples/notes/11-10-dumbbell.toml";
+  polhode explain examples/notes/11-10-dumbbell.toml
+  polhode judge examples/judge/mujoco-rk4.csv";
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
@@ -51,6 +53,7 @@ pub(crate) enum Command {
     Torque(Torque),
     Sweep(Sweep),
     Explain(Explain),
+    Judge(Box<Judge>),
     #[cfg(feature = "live")]
     Live(Live),
     Completions(Completions),
@@ -69,6 +72,7 @@ impl Command {
             Self::Torque(command) => command.run(),
             Self::Sweep(command) => command.run(),
             Self::Explain(command) => command.run(),
+            Self::Judge(command) => command.run(),
             #[cfg(feature = "live")]
             Self::Live(command) => command.run(),
             Self::Completions(command) => command.run(Polhode::command()),

@@ -113,6 +113,12 @@ impl Failure {
         json!({ "polhode": VERSION, "file": file.to_string_lossy(), "error": error })
     }
 
+    /// What is wrong, in one line.
+    pub(crate) fn line(&self) -> String {
+        let text = self.text();
+        text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned()
+    }
+
     fn text(&self) -> String {
         match self {
             Self::Input(error) => input(error),

@@ -10,6 +10,7 @@ mod explain;
 mod failure;
 mod folder;
 mod inertia;
+mod judge;
 #[cfg(feature = "live")]
 mod live;
 mod model_file;

@@ -13,6 +13,7 @@
 //! - [`material`]: materials by name
 //! - [`xml`]: elements, attributes and numbers with their places
 //! - [`times`]: lists of times, one per line
+//! - [`suite`]: the cases by which other programs are graded
 //! - [`table`]: the other way, trajectories as CSV and Parquet, curves as CSV
 //!
 //! Whatever cannot be read is a [`FormatError`]: path, line, column, what stands there, the rule, a hint.
@@ -29,6 +30,7 @@ pub mod molecule;
 pub mod particles;
 mod reading;
 pub mod scenario;
+pub mod suite;
 pub mod table;
 mod text;
 pub mod times;

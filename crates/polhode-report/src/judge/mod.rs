@@ -4,14 +4,12 @@ mod card;
 mod graph;
 mod json;
 mod report;
-mod suite;
 mod words;
 
 use polhode::infer::judge::{AccuracyOrder, Causes, Judgement, StepErrors};
 
 pub use card::{Card, CardCase, CardRun};
 pub use report::JudgeReport;
-pub use suite::suite_case;
 
 /// A run of another program, judged.
 #[derive(Clone, Debug)]

@@ -1,0 +1,152 @@
+//! The suite: written for programs, and their runs of it graded.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+use polhode_formats::run_log;
+use polhode_formats::suite::{self, CASES, SuiteCase};
+use polhode_formats::table::{self, Surroundings};
+use polhode_report::{Card, CardCase, CardRun, pretty};
+
+use super::Judge;
+use crate::failure::Failure;
+use crate::partial::{Partial, output};
+use crate::stderr::shown;
+use crate::stdout::print;
+
+/// The folder of the exact motions, in that of the suite.
+const EXACT: &str = "exact";
+/// Why cases were not run, in the folder of the runs.
+const NOT_RUN: &str = "not-run.txt";
+/// What files of runs end in.
+const ENDINGS: [&str; 4] = ["csv", "parquet", "jsonl", "ndjson"];
+
+/// Writes the suite into a new folder, whole or not at all.
+pub(super) fn write(target: &Path) -> Result<(), Failure> {
+    if fs::symlink_metadata(target).is_ok() {
+        let message = format!("{} is there already", shown(target));
+        return Err(Failure::usage(message, "name a new folder"));
+    }
+    let folder = Partial::folder(target, |path| fs::remove_dir_all(path))?;
+    let put = |name: PathBuf, write: &dyn Fn(&mut Vec<u8>) -> io::Result<()>| {
+        let mut bytes = Vec::new();
+        write(&mut bytes).and_then(|()| fs::write(folder.path().join(&name), &bytes)).map_err(|error| output(&target.join(&name), error))
+    };
+    fs::create_dir(folder.path().join(EXACT)).map_err(|error| output(target, error))?;
+    let json = pretty(&suite::to_json()?) + "\n";
+    put("suite.json".into(), &|out| out.write_all(json.as_bytes()))?;
+    for case in CASES {
+        put(format!("{}.toml", case.name).into(), &|out| out.write_all(case.text.as_bytes()))?;
+        let file = case.scenario()?;
+        let failed = |error| Failure::Motion { path: case.name.to_owned(), error };
+        if let Some(motion) = file.scenario.simulate() {
+            let motion = motion.map_err(failed)?;
+            let surroundings = Surroundings::from(&file.scenario);
+            put(Path::new(EXACT).join(format!("{}.csv", case.name)), &|out| table::csv::write(&motion, &surroundings, out))?;
+        }
+    }
+    folder.publish(|partial| fs::rename(partial.path(), target)).map_err(|error| output(target, error))?;
+    print(&format!(
+        "wrote {}: {} cases; run them, write NAME.csv for each beside suite.json, then: polhode judge --suite {}\n",
+        shown(target),
+        CASES.len(),
+        shown(target)
+    ))
+}
+
+/// Grades the runs in a folder.
+pub(super) fn grade(folder: &Path, judge: &Judge, limit: f64) -> Result<Card, Failure> {
+    let runs = runs(folder)?;
+    let reasons = reasons(folder)?;
+    let case = |case: &SuiteCase| {
+        let run = match runs.get(case.name) {
+            Some(runs) => judged(case, runs, judge)?,
+            None => CardRun::NotRun(reasons.get(case.name).cloned().unwrap_or_else(|| "there is no run of it".to_owned())),
+        };
+        let title = case.scenario()?.scenario.title().unwrap_or(case.name).to_owned();
+        Ok(CardCase { name: case.name.to_owned(), title, run })
+    };
+    let cases = CASES.iter().map(case).collect::<Result<Vec<_>, Failure>>()?;
+    let card = Card { name: shown(folder), cases, limit };
+    if card.was_run() {
+        return Ok(card);
+    }
+    Err(Failure::usage(
+        format!("{} has no run of any case of the suite", shown(folder)),
+        format!("a run is a file such as {}.csv; `polhode judge --write-suite DIR` writes the cases", CASES[0].name),
+    ))
+}
+
+/// The runs of one case. One that cannot be judged fails the case, and says why.
+fn judged(case: &SuiteCase, runs: &[(PathBuf, Option<f64>)], judge: &Judge) -> Result<CardRun, Failure> {
+    let scenario = case.scenario()?;
+    let mut judged = Vec::new();
+    for (path, step) in runs {
+        let log = run_log::read(path, judge.read_as.columns.as_ref()).map_err(Failure::from);
+        match log.and_then(|log| judge.judged(&scenario, path, log, *step)) {
+            Ok(run) => judged.push(run),
+            Err(failure) => return Ok(CardRun::Unreadable(failure.line())),
+        }
+    }
+    Ok(CardRun::Judged(judged))
+}
+
+/// Of each case its files, with the step that their names say.
+fn runs(folder: &Path) -> Result<BTreeMap<String, Vec<(PathBuf, Option<f64>)>>, Failure> {
+    let unreadable = |error: io::Error| Failure::usage(format!("{} cannot be listed: {error}", shown(folder)), "name a folder of runs");
+    let mut found: BTreeMap<String, Vec<(PathBuf, Option<f64>)>> = BTreeMap::new();
+    let mut paths = Vec::new();
+    for entry in fs::read_dir(folder).map_err(unreadable)? {
+        paths.push(entry.map_err(unreadable)?.path());
+    }
+    paths.sort();
+    for path in paths {
+        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
+        if !ENDINGS.contains(&ending) {
+            continue;
+        }
+        let (name, step) = match stem.split_once('@') {
+            None => (stem, None),
+            Some((name, step)) => {
+                let number = step.parse::<f64>().ok().filter(|step| *step > 0.0 && step.is_finite());
+                let wrong = || {
+                    let message = format!("{} names no step: {step:?} is no number of s", shown(&path));
+                    Failure::usage(message, "after @ stands the program's step: free-flips@0.001.csv")
+                };
+                (name, Some(number.ok_or_else(wrong)?))
+            }
+        };
+        if CASES.iter().all(|case| case.name != name) {
+            let nearest = polhode_formats::nearest(name, CASES.iter().map(|case| case.name));
+            let hint = nearest.map_or_else(|| "`polhode judge --write-suite DIR` writes the cases".to_owned(), |name| format!("did you mean {name}?"));
+            return Err(Failure::usage(format!("{} is a run of no case of the suite", shown(&path)), hint));
+        }
+        found.entry(name.to_owned()).or_default().push((path.clone(), step));
+    }
+    Ok(found)
+}
+
+/// `NAME: reason`, line by line.
+fn reasons(folder: &Path) -> Result<BTreeMap<String, String>, Failure> {
+    let path = folder.join(NOT_RUN);
+    let text = match fs::read_to_string(&path) {
+        Ok(text) => text,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(BTreeMap::new()),
+        Err(error) => return Err(output(&path, error)),
+    };
+    let mut reasons = BTreeMap::new();
+    for (k, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
+        let named = line.split_once(':').map(|(name, why)| (name.trim(), why.trim()));
+        match named.filter(|(name, _)| CASES.iter().any(|case| case.name == *name)) {
+            Some((name, why)) => drop(reasons.insert(name.to_owned(), why.to_owned())),
+            None => {
+                let message = format!("{line:?} names no case of the suite");
+                return Err(Failure::located(message, &path, [k + 1, 1], "a line is NAME: reason"));
+            }
+        }
+    }
+    Ok(reasons)
+}

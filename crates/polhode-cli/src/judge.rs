@@ -106,8 +106,10 @@ impl Judge {
     }
 
     fn report(&self) -> Result<JudgeReport, Failure> {
-        let is_scenario = |path: &PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
-        let (scenarios, runs): (Vec<&PathBuf>, Vec<&PathBuf>) = self.files.iter().partition(|path| is_scenario(path));
+        let is_scenario =
+            |path: &PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+        let (scenarios, runs): (Vec<&PathBuf>, Vec<&PathBuf>) =
+            self.files.iter().partition(|path| is_scenario(path));
         if let [_, second, ..] = scenarios[..] {
             let message = format!("{} is a second scenario", shown(second));
             return Err(Failure::usage(message, "judge the runs of one scenario at a time"));
@@ -118,7 +120,10 @@ impl Judge {
         }
         if let (Some(_), [_, second, ..]) = (self.step, &runs[..]) {
             let message = format!("--step is of one run, and {} is another", shown(second));
-            return Err(Failure::usage(message, "write the step into each run: a line `# step = 0.001` before the header"));
+            return Err(Failure::usage(
+                message,
+                "write the step into each run: a line `# step = 0.001` before the header",
+            ));
         }
         let columns = self.read_as.columns.as_ref();
         let logs = runs
@@ -144,11 +149,18 @@ impl Judge {
             let path = shown(named.0);
             let Some(scenario) = of(named) else {
                 let hint = "name the scenario before it, or in it: a line `# scenario = \"t-handle.toml\"` before the header";
-                return Err(Failure::usage(format!("{path} does not say of which scenario it is a run"), hint));
+                return Err(Failure::usage(
+                    format!("{path} does not say of which scenario it is a run"),
+                    hint,
+                ));
             };
             match &found {
                 Some(other) if *other != scenario => {
-                    let message = format!("{path} is a run of {}, and the one before of {}", shown(&scenario), shown(other));
+                    let message = format!(
+                        "{path} is a run of {}, and the one before of {}",
+                        shown(&scenario),
+                        shown(other)
+                    );
                     return Err(Failure::usage(message, "judge the runs of one scenario at a time"));
                 }
                 _ => found = Some(scenario),
@@ -158,9 +170,16 @@ impl Judge {
     }
 
     /// A run with what there is to say of it. `step` is the step that its name says.
-    fn judged(&self, file: &ScenarioFile, path: &Path, log: RunLog, step: Option<f64>) -> Result<JudgedRun, Failure> {
+    fn judged(
+        &self,
+        file: &ScenarioFile,
+        path: &Path,
+        log: RunLog,
+        step: Option<f64>,
+    ) -> Result<JudgedRun, Failure> {
         let declared = self.read_as.declared(&log.says);
-        let judgement = Judgement::of(&file.scenario, &log.log, &declared).map_err(|error| refused(path, &declared, error))?;
+        let judgement = Judgement::of(&file.scenario, &log.log, &declared)
+            .map_err(|error| refused(path, &declared, error))?;
         let said = self.step.or(step).or(log.step);
         let step = said.or_else(|| spacing(log.log.times()));
         let causes = causes(&file.scenario, &judgement.motion, judgement.reference.states(), step);
@@ -189,14 +208,20 @@ fn spacing(times: &[f64]) -> Option<f64> {
 fn refused(path: &Path, declared: &DeclaredReading, error: JudgeError) -> Failure {
     let hint = match &error {
         JudgeError::Motion(error) => return Failure::Motion { path: shown(path), error: error.clone() },
-        JudgeError::NoMotion => "give a scenario with [start]; of a prescribed motion `polhode torque` says what it needs",
+        JudgeError::NoMotion => {
+            "give a scenario with [start]; of a prescribed motion `polhode torque` says what it needs"
+        }
         JudgeError::BeforeStart { .. } => "--time-origin says the run's time at the scenario's time 0",
         JudgeError::Ends { .. } => "leave the event that stops the scenario out, or judge the rows before it",
-        JudgeError::NoReading { .. } if declared.order.is_some() => "is it the run of another scenario? Else say which way its rotations go: --sense body-to-space or space-to-body",
+        JudgeError::NoReading { .. } if declared.order.is_some() => {
+            "is it the run of another scenario? Else say which way its rotations go: --sense body-to-space or space-to-body"
+        }
         JudgeError::NoReading { .. } => {
             "is it the run of another scenario? Else say what its numbers are: --quaternion wxyz or xyzw, and --sense body-to-space or space-to-body"
         }
-        JudgeError::Ambiguous { .. } => "say what its numbers are: --quaternion, --sense, --axes, --time-origin",
+        JudgeError::Ambiguous { .. } => {
+            "say what its numbers are: --quaternion, --sense, --axes, --time-origin"
+        }
         JudgeError::AmbiguousOmega { .. } => "say it: --omega body or --omega space",
         _ => "say what its numbers are: --quaternion, --sense, --omega, --axes, --time-origin",
     };

@@ -32,7 +32,9 @@ pub(super) fn write(target: &Path) -> Result<(), Failure> {
     let folder = Partial::folder(target, |path| fs::remove_dir_all(path))?;
     let put = |name: PathBuf, write: &dyn Fn(&mut Vec<u8>) -> io::Result<()>| {
         let mut bytes = Vec::new();
-        write(&mut bytes).and_then(|()| fs::write(folder.path().join(&name), &bytes)).map_err(|error| output(&target.join(&name), error))
+        write(&mut bytes)
+            .and_then(|()| fs::write(folder.path().join(&name), &bytes))
+            .map_err(|error| output(&target.join(&name), error))
     };
     fs::create_dir(folder.path().join(EXACT)).map_err(|error| output(target, error))?;
     let json = pretty(&suite::to_json()?) + "\n";
@@ -44,7 +46,9 @@ pub(super) fn write(target: &Path) -> Result<(), Failure> {
         if let Some(motion) = file.scenario.simulate() {
             let motion = motion.map_err(failed)?;
             let surroundings = Surroundings::from(&file.scenario);
-            put(Path::new(EXACT).join(format!("{}.csv", case.name)), &|out| table::csv::write(&motion, &surroundings, out))?;
+            put(Path::new(EXACT).join(format!("{}.csv", case.name)), &|out| {
+                table::csv::write(&motion, &surroundings, out)
+            })?;
         }
     }
     folder.publish(|partial| fs::rename(partial.path(), target)).map_err(|error| output(target, error))?;
@@ -63,7 +67,9 @@ pub(super) fn grade(folder: &Path, judge: &Judge, limit: f64) -> Result<Card, Fa
     let case = |case: &SuiteCase| {
         let run = match runs.get(case.name) {
             Some(runs) => judged(case, runs, judge)?,
-            None => CardRun::NotRun(reasons.get(case.name).cloned().unwrap_or_else(|| "there is no run of it".to_owned())),
+            None => CardRun::NotRun(
+                reasons.get(case.name).cloned().unwrap_or_else(|| "there is no run of it".to_owned()),
+            ),
         };
         let title = case.scenario()?.scenario.title().unwrap_or(case.name).to_owned();
         Ok(CardCase { name: case.name.to_owned(), title, run })
@@ -75,7 +81,10 @@ pub(super) fn grade(folder: &Path, judge: &Judge, limit: f64) -> Result<Card, Fa
     }
     Err(Failure::usage(
         format!("{} has no run of any case of the suite", shown(folder)),
-        format!("a run is a file such as {}.csv; `polhode judge --write-suite DIR` writes the cases", CASES[0].name),
+        format!(
+            "a run is a file such as {}.csv; `polhode judge --write-suite DIR` writes the cases",
+            CASES[0].name
+        ),
     ))
 }
 
@@ -95,7 +104,9 @@ fn judged(case: &SuiteCase, runs: &[(PathBuf, Option<f64>)], judge: &Judge) -> R
 
 /// Of each case its files, with the step that their names say.
 fn runs(folder: &Path) -> Result<BTreeMap<String, Vec<(PathBuf, Option<f64>)>>, Failure> {
-    let unreadable = |error: io::Error| Failure::usage(format!("{} cannot be listed: {error}", shown(folder)), "name a folder of runs");
+    let unreadable = |error: io::Error| {
+        Failure::usage(format!("{} cannot be listed: {error}", shown(folder)), "name a folder of runs")
+    };
     let mut found: BTreeMap<String, Vec<(PathBuf, Option<f64>)>> = BTreeMap::new();
     let mut paths = Vec::new();
     for entry in fs::read_dir(folder).map_err(unreadable)? {
@@ -121,7 +132,10 @@ fn runs(folder: &Path) -> Result<BTreeMap<String, Vec<(PathBuf, Option<f64>)>>, 
         };
         if CASES.iter().all(|case| case.name != name) {
             let nearest = polhode_formats::nearest(name, CASES.iter().map(|case| case.name));
-            let hint = nearest.map_or_else(|| "`polhode judge --write-suite DIR` writes the cases".to_owned(), |name| format!("did you mean {name}?"));
+            let hint = nearest.map_or_else(
+                || "`polhode judge --write-suite DIR` writes the cases".to_owned(),
+                |name| format!("did you mean {name}?"),
+            );
             return Err(Failure::usage(format!("{} is a run of no case of the suite", shown(&path)), hint));
         }
         found.entry(name.to_owned()).or_default().push((path.clone(), step));

@@ -162,7 +162,8 @@ impl Card {
 
     /// The card as a document: text, Markdown, a page.
     pub fn to_document(&self) -> Document {
-        let [passed, failed, not_run] = [Grade::Passed, Grade::Failed, Grade::NotRun].map(|grade| self.count(grade));
+        let [passed, failed, not_run] =
+            [Grade::Passed, Grade::Failed, Grade::NotRun].map(|grade| self.count(grade));
         let limit = number(self.limit, 3);
         let mut answer = vec![format!(
             "{passed} of {} cases passed: no attitude off by more than {limit} rad. {failed} failed, {not_run} not run.",
@@ -184,6 +185,11 @@ impl Card {
             }
         }
         let sections = if errors.blocks.is_empty() { vec![cases] } else { vec![cases, errors] };
-        Document { title: format!("Grade card: {}", printable(&self.name)), answer, sections, findings: Vec::new() }
+        Document {
+            title: format!("Grade card: {}", printable(&self.name)),
+            answer,
+            sections,
+            findings: Vec::new(),
+        }
     }
 }

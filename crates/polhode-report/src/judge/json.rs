@@ -48,9 +48,7 @@ pub(super) fn run(run: &JudgedRun) -> Value {
 }
 
 fn readings(readings: &Readings) -> Value {
-    let tried = |tried: &polhode::infer::judge::ReadingResidual| {
-        json!({ "reading": reading(&tried.reading), "attitude_rad": tried.attitude, "of_the_turn": tried.relative })
-    };
+    let tried = |tried: &polhode::infer::judge::ReadingResidual| json!({ "reading": reading(&tried.reading), "attitude_rad": tried.attitude, "of_the_turn": tried.relative });
     json!({
         "found": reading(&readings.reading),
         "omega_axes": readings.omega_axes.map(|axes| match axes { OmegaAxes::Body => "body", OmegaAxes::Space => "space" }),

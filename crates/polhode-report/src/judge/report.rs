@@ -99,7 +99,10 @@ impl JudgeReport {
                 s.say("None begins with the scenario's attitude: what is compared is the turn since the first row.");
             }
             if readings.equivalent > 1 {
-                s.say(format!("The first {} of these give the same motion to the last row.", readings.equivalent));
+                s.say(format!(
+                    "The first {} of these give the same motion to the last row.",
+                    readings.equivalent
+                ));
             }
             let row = |tried: &polhode::infer::judge::ReadingResidual| {
                 vec![tried.reading.to_string(), error(tried.attitude), number(tried.relative, 3)]
@@ -154,7 +157,11 @@ impl JudgeReport {
         for run in self.runs.iter().filter(|run| !run.is_exact()) {
             let split = &run.judgement.split;
             let until = number(split.until, 4);
-            s.say(format!("{}, until {until} s, of {} rad (root of the mean square):", run.name, error(split.total)));
+            s.say(format!(
+                "{}, until {until} s, of {} rad (root of the mean square):",
+                run.name,
+                error(split.total)
+            ));
             let of_total = |part: f64| words::share(part / split.total.max(f64::MIN_POSITIVE));
             let mut rows: Vec<Vec<String>> = (split.parts.iter())
                 .map(|part| {
@@ -162,7 +169,11 @@ impl JudgeReport {
                     vec![words::part_name(part.kind).to_owned(), worth, words::part(part)]
                 })
                 .collect();
-            rows.push(vec!["noise".to_owned(), of_total(split.noise), format!("{} rad from row to row", error(split.noise))]);
+            rows.push(vec![
+                "noise".to_owned(),
+                of_total(split.noise),
+                format!("{} rad from row to row", error(split.noise)),
+            ]);
             let rest = (split.rest.powi(2) - split.noise.powi(2)).max(0.0).sqrt();
             rows.push(vec!["rest".to_owned(), of_total(rest), "none of these".to_owned()]);
             s.table(&["part", "of the error", "what it is"], rows);

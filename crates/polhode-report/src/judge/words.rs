@@ -29,9 +29,17 @@ pub(super) fn why(run: &JudgedRun) -> String {
     }
     match causes.likeliest() {
         Some(tried) if tried.cause.is_mistake() => {
-            format!("likeliest cause: {} (explains {})", printable(&tried.cause.to_string()), share(tried.explained))
+            format!(
+                "likeliest cause: {} (explains {})",
+                printable(&tried.cause.to_string()),
+                share(tried.explained)
+            )
         }
-        Some(tried) => format!("no mistake: {} (explains {})", printable(&tried.cause.to_string()), share(tried.explained)),
+        Some(tried) => format!(
+            "no mistake: {} (explains {})",
+            printable(&tried.cause.to_string()),
+            share(tried.explained)
+        ),
         None => format!("none of {} causes that were tried explains it", causes.tried.len()),
     }
 }
@@ -39,7 +47,11 @@ pub(super) fn why(run: &JudgedRun) -> String {
 /// `99.97 %`: not rounded to all.
 pub(super) fn share(part: f64) -> String {
     let percent = 100.0 * part;
-    if percent > 99.99 && percent < 100.0 { "more than 99.99 %".to_owned() } else { format!("{} %", number(percent, 4)) }
+    if percent > 99.99 && percent < 100.0 {
+        "more than 99.99 %".to_owned()
+    } else {
+        format!("{} %", number(percent, 4))
+    }
 }
 
 /// `it turns too fast, by 1.2e-7 of ω`

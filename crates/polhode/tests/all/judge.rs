@@ -159,6 +159,19 @@ fn what_the_numbers_do_not_tell_is_asked() {
     assert_eq!(Readings::of(&log, &scenario, &declared).unwrap().omega_axes, Some(OmegaAxes::Space));
 }
 
+/// A program that logs from its first step on, and is a step's length off: its times are those that it says.
+#[test]
+fn the_times_of_a_rough_run_are_not_shifted() {
+    let scenario = free();
+    let states = exact(&scenario, &times(0.41, 0.01, 300));
+    let late = turned(&states, |s| (s.omega * -0.006).to_array());
+    let log = MotionLog::new(states.iter().map(|s| s.time).collect(), late).unwrap();
+    let judgement = Judgement::of(&scenario, &log, &DeclaredReading::default()).unwrap();
+    assert_eq!(judgement.readings.reading.time_origin, 0.0);
+    let [clock] = judgement.split.main_parts()[..] else { panic!("{:?}", judgement.split) };
+    assert!(clock.kind == PartKind::Clock && (clock.value.unwrap()[0] + 0.006).abs() < 1e-5, "{clock:?}");
+}
+
 /// 1e-10 rad is known to 1e-6 of itself.
 #[test]
 fn a_small_error_is_known_to_six_digits() {

@@ -53,7 +53,7 @@ const NO_TURN: f64 = 1e-6;
 impl Readings {
     /// What the numbers of a log mean: what is declared, and of the rest what begins as the scenario does.
     ///
-    /// Orders, senses and time origins are tried first; where none of these fits, other axes; then, as the run may start elsewhere, the
+    /// The times are those that the log says, unless from the scenario's start it begins clearly better. Orders and senses are tried first; where none of these fits, other axes; then, as the run may start elsewhere, the
     /// turn since its first row. Readings that give the same motion to the last row are one. Where order and sense are declared and nothing
     /// fits, they are believed.
     ///
@@ -87,6 +87,7 @@ impl Readings {
             None if is_declared => (as_declared(first.0), false),
             None => return Err(JudgeError::NoReading { tried: first.0 }),
         };
+        let tried = times_as_said(tried);
         let [best, ..] = tried[..] else { return Err(JudgeError::NoReading { tried }) };
         let near = |other: &&ReadingResidual| other.attitude <= CLEARLY * best.attitude.max(SAME);
         let fitting = if best.relative <= FITS { tried.iter().take_while(near).count() } else { 1 };
@@ -199,6 +200,20 @@ fn residuals(
         }
     }
     tried.sort_by(|a, b| a.attitude.total_cmp(&b.attitude));
+    tried
+}
+
+/// The times of a log are those that it says, unless from another origin it begins clearly better: of the others those that come near are
+/// put behind. A rough method's first steps are as far off as its rows are apart.
+fn times_as_said(mut tried: Vec<ReadingResidual>) -> Vec<ReadingResidual> {
+    let is_said = |other: &ReadingResidual| other.reading.time_origin == 0.0;
+    let best = tried.first().map_or(0.0, |best| best.attitude);
+    let said = tried.iter().find(|other| is_said(other)).copied();
+    if said.is_some_and(|said| said.relative <= FITS && said.attitude <= CLEARLY * best) {
+        tried.sort_by_key(|other| !is_said(other));
+        let count = tried.iter().take_while(|other| is_said(other)).count();
+        tried.truncate(count);
+    }
     tried
 }
 

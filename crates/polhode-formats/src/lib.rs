@@ -21,6 +21,7 @@
 pub mod brep;
 pub mod cad;
 mod content;
+mod decimal;
 mod error;
 pub mod expression;
 mod file;

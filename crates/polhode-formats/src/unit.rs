@@ -17,6 +17,7 @@
 mod dimension;
 mod exact;
 mod number;
+mod scale;
 mod table;
 
 use std::error::Error;
@@ -25,6 +26,7 @@ use std::fmt;
 pub use dimension::Dimension;
 use exact::Exact;
 use number::{Split, split};
+pub(crate) use scale::Scale;
 use table::Unit;
 
 use crate::text::cut;

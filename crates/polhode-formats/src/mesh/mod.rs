@@ -8,7 +8,6 @@ mod fill;
 pub mod gltf;
 mod holes_left;
 mod notes;
-mod number;
 pub mod obj;
 pub mod off;
 mod parts;

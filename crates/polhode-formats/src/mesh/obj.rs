@@ -13,10 +13,10 @@ use polhode::body::{Finding, Severity};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::MeshContents;
-use super::number;
 use super::parts;
 use super::polygon::Polygons;
 use super::scan::Scan;
+use crate::decimal;
 
 /// Reads the bytes of an OBJ file.
 ///
@@ -124,13 +124,13 @@ impl<'a> Reader<'a> {
     #[inline(always)]
     fn corner(&self, scan: &mut Scan) -> Result<u32, ContentError> {
         let start = scan.at;
-        let Some((written, mut end)) = number::integer(scan.bytes, start) else {
+        let Some((written, mut end)) = decimal::integer(scan.bytes, start) else {
             return Err(no_index(*scan, start));
         };
         for _ in 0..2 {
             if scan.bytes.get(end) == Some(&b'/') {
                 end += 1;
-                end = number::integer(scan.bytes, end).map_or(end, |(_, end)| end);
+                end = decimal::integer(scan.bytes, end).map_or(end, |(_, end)| end);
             }
         }
         if !scan.pass(end) {
@@ -205,7 +205,7 @@ impl<'a> Reader<'a> {
 fn plain_triangle(scan: &Scan, count: usize) -> Option<([u32; 3], usize)> {
     let (mut at, mut triangle) = (scan.at, [0; 3]);
     for corner in &mut triangle {
-        let (written, end) = number::short_integer(scan.bytes, at + 1)?;
+        let (written, end) = decimal::short_integer(scan.bytes, at + 1)?;
         // 0 becomes larger than any count
         let index = (written as u32).wrapping_sub(1);
         if scan.bytes.get(at) != Some(&b' ') || index as usize >= count {

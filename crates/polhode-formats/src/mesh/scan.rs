@@ -2,7 +2,7 @@
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
-use super::number;
+use crate::decimal;
 
 /// A place in a text: `at` is the offset of the next byte.
 #[derive(Clone, Copy, Debug)]
@@ -138,7 +138,7 @@ impl<'a> Scan<'a> {
     /// The finite number that starts here.
     #[inline(always)]
     pub(super) fn float(&mut self, what: &str) -> Result<f64, ContentError> {
-        match number::float(self.bytes, self.at) {
+        match decimal::float(self.bytes, self.at) {
             Some((value, end)) if value.is_finite() && self.pass(end) => Ok(value),
             _ => Err(self.no_float(what)),
         }
@@ -147,7 +147,7 @@ impl<'a> Scan<'a> {
     /// The integer that starts here.
     #[inline(always)]
     pub(super) fn integer(&mut self, what: &str) -> Result<i64, ContentError> {
-        match number::integer(self.bytes, self.at) {
+        match decimal::integer(self.bytes, self.at) {
             Some((value, end)) if self.pass(end) => Ok(value),
             _ => Err(self.expected(what)),
         }
@@ -210,7 +210,7 @@ fn find(bytes: &[u8], start: usize, byte: u8) -> usize {
     let mut at = start;
     while at < bytes.len() {
         // The lowest zero of x is found surely: no borrow reaches it from below.
-        let x = number::word(bytes, at) ^ wanted;
+        let x = decimal::word(bytes, at) ^ wanted;
         let zeros = x.wrapping_sub(ONES) & !x & (0x80 * ONES);
         if zeros != 0 {
             return at + zeros.trailing_zeros() as usize / 8;

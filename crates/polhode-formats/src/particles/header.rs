@@ -8,7 +8,7 @@ use super::fields::text_of;
 use super::{ParticleOptions, finding, missing};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::text::{cut, escaped};
-use crate::unit::{self, Dimension};
+use crate::unit::{self, Dimension, Scale};
 
 /// The numbers of a line, in this order wherever ten numbers stand.
 pub(super) const NAMES: [&str; 10] = ["mass", "x", "y", "z", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
@@ -185,28 +185,6 @@ impl Products {
                 Err(super::value("products", other.to_owned(), rule, ContentPlace::Text(comment.clone())))
             }
         })
-    }
-}
-
-/// A unit's value, so that powers of ten below one are divided by and round once only.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Scale {
-    Times(f64),
-    Over(f64),
-}
-
-impl Scale {
-    fn by(factor: f64) -> Self {
-        let inverse = (1.0 / factor).round();
-        let exact = factor < 1.0 && 1.0 / inverse == factor;
-        if exact { Self::Over(inverse) } else { Self::Times(factor) }
-    }
-
-    pub(super) fn apply(self, value: f64) -> f64 {
-        match self {
-            Self::Times(factor) => value * factor,
-            Self::Over(inverse) => value / inverse,
-        }
     }
 }
 

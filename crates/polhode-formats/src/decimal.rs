@@ -1,4 +1,4 @@
-//! Decimal numbers in the text of a mesh, to the nearest double.
+//! Decimal numbers in text, to the nearest double, fast.
 //!
 //! A decimal is w·10^e with an integer w. Where w and the power of ten are doubles themselves, one product or one
 //! quotient is correctly rounded. Where only w < 2^64 holds, w/10^k is a product with 128 bits of 5^-k, correctly rounded
@@ -24,7 +24,7 @@ const SAFE_DIGITS: usize = 19;
 /// The grammar is `[+-] digits [. digits] [e [+-] digits]`, with a digit before or behind the point; nothing else is a
 /// number here, infinities least of all. What overflows is infinite.
 #[inline(always)]
-pub(super) fn float(bytes: &[u8], start: usize) -> Option<(f64, usize)> {
+pub(crate) fn float(bytes: &[u8], start: usize) -> Option<(f64, usize)> {
     let sign = byte(bytes, start);
     let first = start + usize::from(sign == b'-' || sign == b'+');
     let (mut w, mut at) = digits(bytes, first, 0);
@@ -62,13 +62,13 @@ fn rare(bytes: &[u8], mantissa: Range<usize>, w: u64, decimals: usize) -> Option
 
 /// The integer that starts at `start`, and the offset behind it; one of more than 18 digits is as large as can be.
 #[inline(always)]
-pub(super) fn integer(bytes: &[u8], start: usize) -> Option<(i64, usize)> {
+pub(crate) fn integer(bytes: &[u8], start: usize) -> Option<(i64, usize)> {
     short_integer(bytes, start).or_else(|| rare_integer(bytes, start))
 }
 
 /// The integer that starts at `start`, if it has one to seven digits and no sign, and the offset behind it.
 #[inline(always)]
-pub(super) fn short_integer(bytes: &[u8], start: usize) -> Option<(i64, usize)> {
+pub(crate) fn short_integer(bytes: &[u8], start: usize) -> Option<(i64, usize)> {
     match leading_digits(word(bytes, start)) {
         (value, length @ 1..8) => Some((value as i64, start + length)),
         _ => None,
@@ -187,7 +187,7 @@ fn leading_digits(word: u64) -> (u64, usize) {
 
 /// Eight bytes, the first in the lowest place; zeros behind the end.
 #[inline(always)]
-pub(super) fn word(bytes: &[u8], at: usize) -> u64 {
+pub(crate) fn word(bytes: &[u8], at: usize) -> u64 {
     match bytes.get(at..).and_then(<[u8]>::first_chunk) {
         Some(&chunk) => u64::from_le_bytes(chunk),
         None => last_word(bytes, at),

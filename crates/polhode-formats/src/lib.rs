@@ -30,6 +30,7 @@ pub mod mesh;
 pub mod molecule;
 pub mod particles;
 mod reading;
+pub mod run_log;
 pub mod scenario;
 pub mod suite;
 pub mod table;

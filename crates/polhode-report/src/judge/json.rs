@@ -1,7 +1,7 @@
 //! Judgements as data.
 
 use polhode::infer::judge::{
-    AccuracyOrder, AttitudeSense, Growth, OmegaAxes, QuaternionOrder, RateErrors, Reading, Readings, Split,
+    AccuracyOrder, AttitudeSense, Cause, Growth, OmegaAxes, QuaternionOrder, RateErrors, Reading, Readings, Split,
 };
 use serde_json::{Value, json};
 
@@ -108,7 +108,7 @@ fn causes(run: &JudgedRun) -> Value {
     let tried = |tried: &polhode::infer::judge::TriedCause| {
         json!({
             "cause": tried.cause.to_string(),
-            "id": tried.cause.id(),
+            "id": id(&tried.cause),
             "is_mistake": tried.cause.is_mistake(),
             "named": tried.is_named,
             "residual_rad": tried.residual,
@@ -122,6 +122,19 @@ fn causes(run: &JudgedRun) -> Value {
         "error_rad": run.causes.error,
         "tried": run.causes.tried.iter().map(tried).collect::<Value>(),
     })
+}
+
+/// `no_gyroscopic_term`: the name of a cause, without its numbers.
+fn id(cause: &Cause) -> String {
+    let name = format!("{cause:?}");
+    let mut id = String::new();
+    for c in name.chars().take_while(|c| c.is_ascii_alphanumeric()) {
+        if c.is_ascii_uppercase() && !id.is_empty() {
+            id.push('_');
+        }
+        id.push(c.to_ascii_lowercase());
+    }
+    id
 }
 
 fn order_of_accuracy(order: &AccuracyOrder) -> Value {

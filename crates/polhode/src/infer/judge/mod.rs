@@ -5,6 +5,7 @@
 
 pub(crate) mod accuracy_order;
 pub(crate) mod axes;
+pub(crate) mod cause;
 pub(crate) mod declared;
 mod difference;
 pub(crate) mod error;
@@ -20,6 +21,7 @@ pub(crate) mod split;
 
 pub use accuracy_order::{AccuracyOrder, StepErrors};
 pub use axes::SignedAxes;
+pub use cause::{Cause, Causes, Scheme, TriedCause, TriedStart, Turn, Untried, causes};
 pub use declared::{AttitudeSense, DeclaredReading, OmegaAxes};
 pub use error::JudgeError;
 pub use growth::Growth;

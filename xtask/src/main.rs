@@ -7,6 +7,7 @@ mod circles;
 mod corpus;
 mod dependencies;
 mod dist;
+mod engines;
 mod examples;
 mod gate;
 mod layers;
@@ -40,6 +41,7 @@ usage: cargo xtask TASK
   book       the book as a site in target/book, its links checked; --open shows it
   speed      measures anew what book/speed.md, work-precision.md and mass-properties.md say; needs python3 and what it compares with
   corpus     what the check finds in FOLDER…, work trees of public models, on book/corpus.md; needs git
+  engines    what engines make of the suite, FOLDER… of their runs, on book/judge-engines.md
   viewer     the page's viewer: its bundle is the build of its source, and its tests pass in a browser
   python     the Python package: its wheel is built, and its tests and examples pass from there
   workflows  the workflows of GitHub, as their schema and zizmor read them
@@ -62,6 +64,7 @@ fn main() -> ExitCode {
         ["book", "--open"] => book::build(true),
         ["speed"] => speed::measure(),
         ["corpus", ref folders @ ..] if !folders.is_empty() => corpus::audit(folders),
+        ["engines", ref folders @ ..] if !folders.is_empty() => engines::grade(folders),
         ["viewer"] => viewer::check().and_then(|()| viewer::check_live()),
         ["python"] => python::check(),
         ["dist"] => dist::make(None),

@@ -1,7 +1,8 @@
 //! Judgements as data.
 
 use polhode::infer::judge::{
-    AccuracyOrder, AttitudeSense, Cause, Growth, OmegaAxes, QuaternionOrder, RateErrors, Reading, Readings, Split,
+    AccuracyOrder, AttitudeSense, Cause, Growth, OmegaAxes, QuaternionOrder, RateErrors, Reading, Readings,
+    Split,
 };
 use serde_json::{Value, json};
 

@@ -1,0 +1,140 @@
+//! The page of what physics engines make of the suite: folders of their runs in, numbers out.
+
+use std::fmt::Write as _;
+use std::path::Path;
+use std::process::Command;
+
+use serde_json::Value;
+
+use crate::process::{build_folder, cargo, run};
+use crate::{Outcome, read, root};
+
+/// The graded runs of one engine with one setting.
+struct Graded {
+    /// The folder's name.
+    setting: String,
+    card: Value,
+}
+
+/// Grades the runs in every folder, and writes `book/judge-engines.md`.
+pub(crate) fn grade(folders: &[&str]) -> Outcome {
+    run(&mut cargo(&["build", "--release", "--quiet", "--locked", "--package", "polhode-cli"]))?;
+    let built = build_folder()?.with_file_name("release");
+    let polhode = built.join(format!("polhode{}", std::env::consts::EXE_SUFFIX));
+    let graded =
+        folders.iter().map(|folder| card(&polhode, Path::new(folder))).collect::<Result<Vec<_>, _>>()?;
+    let notes = read(&root().join("judge/engines/NOTES.md"))?;
+    let page = root().join("book/judge-engines.md");
+    std::fs::write(&page, text(&graded, &notes)).map_err(|error| format!("{}: {error}", page.display()))
+}
+
+fn card(polhode: &Path, folder: &Path) -> Result<Graded, String> {
+    let setting = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    println!("   {setting}");
+    let out = Command::new(polhode).args(["judge", "--json", "--suite"]).arg(folder).output();
+    let out = out.map_err(|error| format!("polhode judge in {setting}: {error}"))?;
+    if !out.status.code().is_some_and(|code| code < 2) {
+        return Err(format!("polhode judge in {setting}: {}", String::from_utf8_lossy(&out.stderr)));
+    }
+    let card = serde_json::from_slice(&out.stdout).map_err(|error| format!("{setting}: {error}"))?;
+    Ok(Graded { setting, card })
+}
+
+fn text(graded: &[Graded], notes: &str) -> String {
+    let mut page = "# Engines, judged\n\n<!-- Written by `cargo xtask engines`; the last part is judge/engines/NOTES.md. -->\n\n\
+        The cases of the [suite](judge.md#the-suite) as physics engines compute them: each with the setting that it comes with, and with the one that its documentation \
+        recommends for accuracy. The programs that ran them are in `judge/engines`.\n\n\
+        The error is the largest angle between the attitude of a row and the exact one, rad. A case is passed up to 0.01 rad.\n\n\
+        ## The settings\n\n| setting | engine | step (s) | passed | failed | not run |\n|---|---|---|---|---|---|\n"
+        .to_owned();
+    for Graded { setting, card } in graded {
+        let engines: Vec<&str> =
+            card["engines"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+        let _ = writeln!(
+            page,
+            "| {setting} | {} | {} | {} | {} | {} |",
+            engines.join("; "),
+            steps(card),
+            card["passed"],
+            card["failed"],
+            card["not_run"]
+        );
+    }
+    let heads: String = graded.iter().map(|graded| format!(" {} |", graded.setting)).collect();
+    let _ =
+        write!(page, "\n## The largest errors\n\n| case |{heads}\n|---|{}\n", "---|".repeat(graded.len()));
+    for (k, case) in cases(&graded[0]).iter().enumerate() {
+        let errors: String = graded.iter().map(|graded| format!(" {} |", shown(&cases(graded)[k]))).collect();
+        let _ = writeln!(page, "| {} |{errors}", word(&case["case"]));
+    }
+    page.push_str("\n## The likeliest causes\n\nOf the cases that were not passed: how often each cause was named first.\n\n| setting | cause | cases |\n|---|---|---|\n");
+    for graded in graded {
+        for (cause, count) in causes(graded) {
+            let _ = writeln!(page, "| {} | {cause} | {count} |", graded.setting);
+        }
+    }
+    page.push_str("\n## Not run\n\n| setting | case | why |\n|---|---|---|\n");
+    for graded in graded {
+        for case in cases(graded).iter().filter(|case| !case["why_not"].is_null()) {
+            let _ = writeln!(
+                page,
+                "| {} | {} | {} |",
+                graded.setting,
+                word(&case["case"]),
+                word(&case["why_not"])
+            );
+        }
+    }
+    page + "\n" + notes
+}
+
+fn cases(graded: &Graded) -> &[Value] {
+    graded.card["cases"].as_array().map_or(&[], Vec::as_slice)
+}
+
+/// `2.1e-9`, **`0.83`** where that is a failure, `—` where there is none.
+fn shown(case: &Value) -> String {
+    let error = case["attitude_largest_rad"].as_f64();
+    match (error, case["grade"].as_str()) {
+        (Some(error), Some("passed")) => format!("{error:.1e}"),
+        (Some(error), _) => format!("**{error:.1e}**"),
+        (None, Some("failed")) => "**no run**".to_owned(),
+        (None, _) => "—".to_owned(),
+    }
+}
+
+/// The steps of all runs: the least and the greatest.
+fn steps(card: &Value) -> String {
+    let cases = card["cases"].as_array().into_iter().flatten();
+    let runs = cases.flat_map(|case| case["runs"].as_array().into_iter().flatten());
+    let said = runs.filter(|run| run["step_is_said"] == true).filter_map(|run| run["step_s"].as_f64());
+    let mut steps: Vec<f64> = said.collect();
+    steps.sort_by(f64::total_cmp);
+    match (steps.first(), steps.last()) {
+        (Some(least), Some(most)) if least == most => format!("{least}"),
+        (Some(least), Some(most)) => format!("{least} … {most}"),
+        _ => "its own".to_owned(),
+    }
+}
+
+/// What was named first in cases that were not passed, most often first.
+fn causes(graded: &Graded) -> Vec<(String, usize)> {
+    let mut counts: Vec<(String, usize)> = Vec::new();
+    for case in cases(graded).iter().filter(|case| case["grade"] == "failed") {
+        let tried =
+            case["runs"].as_array().into_iter().flatten().flat_map(|run| run["causes"]["tried"].as_array());
+        let named = tried.flatten().find(|cause| cause["named"] == true);
+        let name = named.map_or("none that was tried", |cause| cause["id"].as_str().unwrap_or_default());
+        let name = name.replace('_', " ");
+        match counts.iter_mut().find(|(other, _)| *other == name) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((name, 1)),
+        }
+    }
+    counts.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
+    counts
+}
+
+fn word(value: &Value) -> &str {
+    value.as_str().unwrap_or_default()
+}

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use clap::{ArgGroup, Args};
 use polhode_formats::FormatError;
 use polhode_robot::finding::Finding;
-use polhode_robot::geometry::Shapes;
+use polhode_robot::geometry::{Shapes, mesh_files};
 use polhode_robot::inspect::{Inspection, inspect};
 use polhode_robot::model::RobotModel;
 use polhode_robot::policy::{Judged, Policy};
@@ -99,22 +99,27 @@ impl Check {
         self.policy.require_not_written(&outputs)?;
         outputs.require_places()?;
 
-        let threads = parallel::threads();
-        let shapes = Shapes::with_threads((threads / models.len().max(1)).max(1));
-        let mut progress = FileProgress::new(models.len());
-        let report = |input: &Result<PathBuf, Unread>| {
-            Some(self.report(input.as_ref().ok()?, target, &shapes, &policy))
+        let read = |input: Result<PathBuf, Unread>| match input {
+            Ok(path) => {
+                let model = read_model(&path, &self.reading());
+                Input { model: model.map_err(|error| Failure::from(error).about(&path)), path }
+            }
+            Err(Unread { path, failure }) => Input { path, model: Err(failure) },
         };
-        let done = |input: &Result<PathBuf, Unread>| input.iter().for_each(|file| progress.next(file));
-        let reports = parallel::map(&inputs, threads, report, done);
-        drop(progress);
-        let outcome =
-            |(input, report): (Result<PathBuf, Unread>, Option<Result<CheckReport, Failure>>)| match input {
-                Ok(path) => report
-                    .map(|report| Outcome { report: report.map_err(|failure| failure.about(&path)), path }),
-                Err(Unread { path, failure }) => Some(Outcome { path, report: Err(failure) }),
-            };
-        let outcomes: Vec<Outcome> = inputs.into_iter().zip(reports).filter_map(outcome).collect();
+        let inputs = side_by_side(inputs, read, |input| match input {
+            Ok(path) | Err(Unread { path, .. }) => path,
+        });
+        // All meshes before the models: these would wait for each other where they have meshes in common.
+        let meshes = mesh_files(inputs.iter().filter_map(|input| input.model.as_ref().ok()));
+        let shapes = Shapes::with_threads((parallel::threads() / meshes.len().max(1)).max(1));
+        side_by_side(meshes, |mesh| shapes.read_ahead(&mesh), PathBuf::as_path);
+        let outcome = |Input { path, model }: Input| Outcome {
+            report: model.and_then(|model| {
+                self.report(&path, model, target, &shapes, &policy).map_err(|failure| failure.about(&path))
+            }),
+            path,
+        };
+        let outcomes = side_by_side(inputs, outcome, |input| &input.path);
         for Outcome { path, report } in &outcomes {
             match report {
                 Ok(report) => outputs.require_not_part_of(&report.model)?,
@@ -166,11 +171,11 @@ impl Check {
     fn report(
         &self,
         file: &Path,
+        model: RobotModel,
         out: Option<&Path>,
         shapes: &Shapes<'_>,
         policy: &Policy,
     ) -> Result<CheckReport, Failure> {
-        let model = read_model(file, &self.reading())?;
         let Inspection { geometry, findings } = inspect(&model, shapes);
         let judged = judge(policy, file, &model, findings);
         let report = CheckReport::new(model, geometry, judged);
@@ -206,6 +211,24 @@ impl Check {
     fn reading(&self) -> ReadOptions {
         ReadOptions { roots: self.roots.clone(), confined: false }
     }
+}
+
+/// A file that is named, or found in a folder.
+struct Input {
+    path: PathBuf,
+    model: Result<RobotModel, Failure>,
+}
+
+/// What comes of each item, on all threads; how far that is, is shown by their files.
+fn side_by_side<I: Send, T: Send>(
+    items: Vec<I>,
+    work: impl Fn(I) -> T + Sync,
+    file: impl Fn(&I) -> &Path,
+) -> Vec<T> {
+    let files: Vec<PathBuf> = items.iter().map(|item| file(item).to_owned()).collect();
+    let mut progress = FileProgress::new(files.len());
+    let done = |k: usize| files.get(k).into_iter().for_each(|file| progress.next(file));
+    parallel::map(items, parallel::threads(), work, done)
 }
 
 /// The file itself is called as it is named.

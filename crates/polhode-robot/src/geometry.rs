@@ -29,6 +29,7 @@ use crate::model::{Geometry, GeometryShape, Link, Role, Span};
 use crate::pose::{dot, sum};
 use mesh::{Measured, Mesh};
 use mesh_files::MeshFiles;
+pub use mesh_files::mesh_files;
 use primitive::Primitive;
 
 /// What a shape, or several, enclose. All of it is in the link's frame.
@@ -131,6 +132,12 @@ impl<'a> Shapes<'a> {
     /// Measures each mesh on at most so many threads: one is best where several ask.
     pub fn with_threads(threads: usize) -> Self {
         Self { threads, ..Self::default() }
+    }
+
+    /// Measures a mesh file before a link asks for it.
+    pub fn read_ahead(&self, path: &Path) {
+        // why it cannot be measured is said to who asks
+        let _ = self.mesh(path);
     }
 
     /// All shapes of a link that have this role, as one.

@@ -1,8 +1,7 @@
 //! Files side by side, with results in their order.
 
 use std::num::NonZero;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc;
+use std::sync::{Mutex, PoisonError, mpsc};
 use std::thread;
 
 /// As many as the machine gives this process.
@@ -10,29 +9,31 @@ pub(super) fn threads() -> usize {
     thread::available_parallelism().map_or(1, NonZero::get)
 }
 
-/// What comes of each item, on so many threads; `done` is told of each when it is.
-pub(super) fn map<I: Sync, T: Send>(
-    items: &[I],
+/// What comes of each item, on so many threads; `done` is told of each when it is, by its number.
+pub(super) fn map<I: Send, T: Send>(
+    items: Vec<I>,
     threads: usize,
-    work: impl Fn(&I) -> T + Sync,
-    mut done: impl FnMut(&I),
+    work: impl Fn(I) -> T + Sync,
+    mut done: impl FnMut(usize),
 ) -> Vec<T> {
-    let next = AtomicUsize::new(0);
+    let threads = threads.min(items.len());
+    let items = Mutex::new(items.into_iter().enumerate());
+    let next = || items.lock().unwrap_or_else(PoisonError::into_inner).next();
     let (sender, results) = mpsc::channel();
     let (work, next) = (&work, &next);
     let mut all: Vec<(usize, T)> = thread::scope(|scope| {
         let run = |sender: mpsc::Sender<(usize, T)>| {
-            move || loop {
-                let k = next.fetch_add(1, Ordering::Relaxed);
-                let Some(item) = items.get(k) else { return };
-                // Nobody listens any more only if all of it has failed.
-                if sender.send((k, work(item))).is_err() {
-                    return;
+            move || {
+                while let Some((k, item)) = next() {
+                    // Nobody listens any more only if all of it has failed.
+                    if sender.send((k, work(item))).is_err() {
+                        return;
+                    }
                 }
             }
         };
         let mut started = 0;
-        for _ in 0..threads.min(items.len()) {
+        for _ in 0..threads {
             // A thread that cannot be had is done without.
             started += usize::from(thread::Builder::new().spawn_scoped(scope, run(sender.clone())).is_ok());
         }
@@ -41,7 +42,7 @@ pub(super) fn map<I: Sync, T: Send>(
         } else {
             drop(sender);
         }
-        let told = results.iter().inspect(|(k, _)| items.get(*k).into_iter().for_each(&mut done));
+        let told = results.iter().inspect(|(k, _)| done(*k));
         told.collect()
     });
     all.sort_unstable_by_key(|(k, _)| *k);
@@ -57,10 +58,10 @@ mod tests {
         let items: Vec<u64> = (0..100).collect();
         for threads in [0, 1, 3, 200] {
             let mut told = 0;
-            let squares = map(&items, threads, |k| k * k, |_| told += 1);
+            let squares = map(items.clone(), threads, |k| k * k, |_| told += 1);
             assert_eq!(squares, items.iter().map(|k| k * k).collect::<Vec<_>>());
             assert_eq!(told, items.len());
         }
-        assert_eq!(map(&[0_u8; 0], 2, |k| *k, |_| ()), [0_u8; 0]);
+        assert_eq!(map(Vec::<u8>::new(), 2, |k| k, |_| ()), [0_u8; 0]);
     }
 }

@@ -1,6 +1,5 @@
 //! A mesh file of a model: its triangles, and what they enclose.
 
-use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -70,24 +69,27 @@ impl Mesh {
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Self, String> {
         let solid = |mesh: &TriangleMesh| ClosedMesh::without_remarks(mesh, threads, goes_on);
-        let parts = contents.parts.iter().map(|part| solid(&part.mesh));
-        let are_several = contents.parts.len() > 1;
-        let mut solids = parts.collect::<Result<Vec<_>, _>>().unwrap_or_default();
+        let mut solids = Vec::new();
+        if let parts @ [_, _, ..] = contents.parts.as_slice() {
+            let parts = parts.iter().map(|part| solid(&part.mesh));
+            solids = parts.collect::<Result<_, _>>().unwrap_or_default();
+        }
         let one = contents.as_one().map_err(|error| error.to_string())?;
         let Some(all) = one.parts.into_iter().next() else { return Err("it has no triangles".to_owned()) };
-        if solids.is_empty() && are_several {
-            // pieces of one surface, or no solid
-            solids.extend(solid(&all.mesh));
+        let all = all.mesh.with_shared_vertices(threads);
+        if solids.is_empty() {
+            // one part, pieces of one surface, or no solid
+            solids.extend(solid(&all));
         }
         let measured = match solids[..] {
             // A hull is no answer to what was not decided.
             [] if !goes_on() => Err(ENDED.to_owned()),
-            [] => Measured::hull(&all.mesh, threads),
+            [] => Measured::hull(&all, threads),
             _ => Measured::closed(&solids),
         };
         let surface = solids.iter().try_fold(TriangleMesh::default(), |all, part| all.joined(part.surface()));
         let surface = surface.map_err(|error| error.to_string())?;
-        let surface = if solids.is_empty() { all.mesh } else { surface };
+        let surface = if solids.is_empty() { all } else { surface };
         let surface = Arc::new(surface);
         Ok(Self { usual: surface.clone(), surface, measured, turned_in: None })
     }
@@ -114,13 +116,9 @@ impl Measured {
         Ok(Self { solid: Solid::of(&body), kind: VolumeKind::Closed, hull: None })
     }
 
-    /// The convex hull of the corners of all triangles.
+    /// The convex hull of the vertices of a mesh, all of which triangles use.
     fn hull(mesh: &TriangleMesh, threads: usize) -> Result<Self, String> {
-        // Each of them once: STL has each some six times.
-        let mut seen = HashSet::new();
-        let corners = mesh.corners().flatten().filter(|corner| seen.insert(corner.map(f64::to_bits)));
-        let corners: Vec<[f64; 3]> = corners.collect();
-        let surface = ConvexHull::of(&corners).map_err(|error| error.to_string())?;
+        let surface = ConvexHull::of(mesh.coordinates()).map_err(|error| error.to_string())?;
         // a hull does not go through itself: nothing is left to be mentioned
         let solid = ClosedMesh::without_remarks(&surface, threads, &|| true);
         let solid = solid.map_err(|error| error.to_string())?;

@@ -1,25 +1,28 @@
 //! Mesh files that have been read, each once: by its path, and by what is in it, as robots that are variants of each other come with copies.
 
-use std::collections::HashMap;
-use std::ffi::OsStr;
-use std::fs;
+use std::cmp::Reverse;
+use std::collections::{HashMap, HashSet};
+use std::ffi::OsString;
+use std::fs::{self, File};
+use std::io::{self, BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use super::Mesh;
+use crate::model::{GeometryShape, RobotModel};
 
 /// A mesh that is read when it is first asked for; whoever asks meanwhile waits.
 type MeshOnce = OnceLock<Result<Arc<Mesh>, String>>;
 
 /// What has been read, for several threads.
 #[derive(Debug, Default)]
-pub(super) struct MeshFiles(Mutex<Known>);
-
-#[derive(Debug, Default)]
-struct Known {
-    by_path: HashMap<PathBuf, Arc<MeshOnce>>,
-    by_size: HashMap<u64, Vec<PathBuf>>,
+pub(super) struct MeshFiles {
+    by_path: Mutex<HashMap<PathBuf, Arc<MeshOnce>>>,
+    /// Different files with so many bytes and this ending: whoever compares them keeps others from these alone.
+    by_size: Mutex<HashMap<(u64, OsString), Arc<Mutex<Alike>>>>,
 }
+
+type Alike = Vec<(PathBuf, Arc<MeshOnce>)>;
 
 impl MeshFiles {
     /// The mesh in a file, read now if it has not been.
@@ -28,37 +31,63 @@ impl MeshFiles {
         path: &Path,
         read: impl FnOnce(&Path) -> Result<Mesh, String>,
     ) -> Result<Arc<Mesh>, String> {
-        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let mesh = known.file(path);
-        drop(known);
+        let known = locked(&self.by_path).get(path).cloned();
+        let mesh = known.unwrap_or_else(|| {
+            let mesh = self.file(path);
+            locked(&self.by_path).entry(path.to_owned()).or_insert(mesh).clone()
+        });
         mesh.get_or_init(|| read(path).map(Arc::new)).clone()
+    }
+
+    /// What is known of a file with the same bytes and ending, or else nothing yet. glTF names other files, so that equal bytes say nothing
+    /// of it.
+    fn file(&self, path: &Path) -> Arc<MeshOnce> {
+        let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
+        let size = fs::metadata(path).ok().filter(fs::Metadata::is_file).map(|metadata| metadata.len());
+        let (Some(size), false) = (size, ending == "gltf" || ending == "glb") else { return Arc::default() };
+        let alike = Arc::clone(locked(&self.by_size).entry((size, ending)).or_default());
+        let mut alike = locked(&alike);
+        let same = alike.iter().find(|(other, _)| have_same_bytes(path, other).unwrap_or(false));
+        if let Some((_, mesh)) = same {
+            return Arc::clone(mesh);
+        }
+        let mesh = Arc::default();
+        alike.push((path.to_owned(), Arc::clone(&mesh)));
+        mesh
     }
 }
 
-impl Known {
-    fn file(&mut self, path: &Path) -> Arc<MeshOnce> {
-        if let Some(mesh) = self.by_path.get(path) {
-            return Arc::clone(mesh);
-        }
-        let same = self.copy_of(path).and_then(|copy| self.by_path.get(&copy)).map(Arc::clone);
-        let mesh = same.unwrap_or_default();
-        self.by_path.insert(path.to_owned(), Arc::clone(&mesh));
-        mesh
-    }
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
-    /// A file with the same bytes and ending. glTF names other files, so that equal bytes say nothing of it.
-    fn copy_of(&mut self, path: &Path) -> Option<PathBuf> {
-        let ending = |path: &Path| path.extension().map(OsStr::to_ascii_lowercase);
-        let own = ending(path).filter(|ending| ending != "gltf" && ending != "glb")?;
-        let others = self.by_size.entry(fs::metadata(path).ok()?.len()).or_default();
-        let bytes = if others.is_empty() { Vec::new() } else { fs::read(path).ok()? };
-        let is_same = |other: &&PathBuf| {
-            ending(other).as_ref() == Some(&own) && fs::read(other).is_ok_and(|others| others == bytes)
-        };
-        let same = others.iter().find(is_same).cloned();
-        if same.is_none() {
-            others.push(path.to_owned());
+/// Piece by piece: most files of one size are different from the first pieces on.
+fn have_same_bytes(one: &Path, other: &Path) -> io::Result<bool> {
+    let [mut one, mut other] =
+        [File::open(one)?, File::open(other)?].map(|file| BufReader::with_capacity(PIECE, file));
+    loop {
+        let [a, b] = [one.fill_buf()?, other.fill_buf()?];
+        let length = a.len().min(b.len());
+        if a[..length] != b[..length] || length == 0 {
+            return Ok(a.is_empty() && b.is_empty());
         }
-        same
+        one.consume(length);
+        other.consume(length);
     }
+}
+
+/// Bytes that are compared at once.
+const PIECE: usize = 1 << 16;
+
+/// The mesh files of models, each once, the largest first: in this order threads that share them end at about the same time.
+pub fn mesh_files<'a>(models: impl Iterator<Item = &'a RobotModel>) -> Vec<PathBuf> {
+    let mut seen = HashSet::new();
+    let geometry = models.flat_map(|model| &model.links).flat_map(|link| &link.geometry);
+    let paths = geometry.filter_map(|geometry| match &geometry.shape {
+        GeometryShape::Mesh { path: Ok(path), .. } => Some(path),
+        _ => None,
+    });
+    let mut files: Vec<_> = paths.filter(|path| seen.insert(path.as_path())).cloned().collect();
+    files.sort_by_cached_key(|path| Reverse(fs::metadata(path).map_or(0, |metadata| metadata.len())));
+    files
 }

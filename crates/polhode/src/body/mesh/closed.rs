@@ -248,9 +248,6 @@ impl MeshDiagnosis {
     /// Why the mesh bounds no solid, all that is wrong with it; the first is what [`ClosedMesh::of`] says. What is closed and encloses
     /// nothing only that one finds.
     pub fn errors(&self) -> Vec<BodyError> {
-        if self.components.is_empty() {
-            return vec![BodyError::Empty { what: "triangles" }];
-        }
         let mut errors = Vec::new();
         if let Some(pair) = self.duplicates.first {
             let [first, second] = pair.triangles;
@@ -263,6 +260,9 @@ impl MeshDiagnosis {
                 example: edge.ends,
                 triangle: edge.triangle,
             });
+        }
+        if errors.is_empty() && self.components.is_empty() {
+            return vec![BodyError::Empty { what: "triangles" }];
         }
         errors.extend(self.winding_error());
         if let Some(steps) = self.undecided {

@@ -77,6 +77,7 @@ impl ComponentRole {
 }
 
 /// What can be said of components one by one; their roles as if none lay in another.
+#[derive(Default)]
 pub(crate) struct Measured {
     pub(crate) components: Vec<MeshComponent>,
     /// The largest triangle of each.

@@ -153,23 +153,30 @@ impl Analysis {
         let welded = Welded::of(mesh, threads);
         let corners = &welded.corners;
         let edges = Edges::of(corners, welded.points.len(), threads);
+        // What is open or there twice bounds nothing, whatever meets.
+        let is_torn = !edges.boundary.is_empty() || edges.duplicates.iter().any(|&(_, _, same_way)| same_way);
+        if sought == Sought::FirstError && is_torn {
+            let (patches, meetings) = (Patches::default(), Meetings::default());
+            let diagnosis =
+                Findings { welded: &welded, edges: &edges }.diagnosis(Measured::default(), &meetings);
+            return Self { welded, patches, edges, meetings, diagnosis };
+        }
         let patches = Patches::of(corners, &edges, threads);
         let mut measured = Measured::of(&welded, &patches);
         // What has no area has no sides, and meets nothing that its neighbours do not meet.
         let has_area =
             |t: usize| patches.component[t] != NONE && measured.collinear.binary_search(&(t as u32)).is_err();
-        let tree = Tree::of(&welded, has_area, threads);
-        let windings = Windings { welded: &welded, tree: &tree, patches: &patches, work };
-        // What is open or there twice bounds nothing, whatever meets.
+        // Neither does what is wound both ways; and one surface without edges of more than two triangles meets none but itself, which
+        // is a remark.
+        let is_one = measured.components.len() == 1 && edges.crowded.is_empty();
         let is_known = sought == Sought::FirstError
-            && (!edges.boundary.is_empty() || edges.duplicates.iter().any(|&(_, _, same_way)| same_way));
+            && (is_one || measured.components.iter().any(|component| !component.role.is_closed()));
+        let tree = Tree::of(&welded, |t| !is_known && has_area(t), threads);
+        let windings = Windings { welded: &welded, tree: &tree, patches: &patches, work };
         if !is_known {
             measured.nest(&windings, threads);
         }
-        // One surface without edges of more than two triangles meets none but itself, which is a remark.
-        let is_one = measured.components.len() == 1 && edges.crowded.is_empty();
-        let is_passed_by = is_known || sought == Sought::FirstError && is_one;
-        let meetings = if mesh.is_hull || is_passed_by || !work.goes_on() {
+        let meetings = if mesh.is_hull || is_known || !work.goes_on() {
             // A corner of many faces of a hull has as many pairs as their square, and none of them meet elsewhere.
             Meetings::default()
         } else {
@@ -177,7 +184,7 @@ impl Analysis {
             let (mut doubtful, again) = (layers.doubtful(work, threads), edges.again());
             doubtful.retain(|t| again.binary_search(t).is_err());
             let doubtful = tree.part(&welded, doubtful, threads);
-            Meetings::of(&windings, &edges, &doubtful, lowest_winding(&measured.components), threads)
+            Meetings::of(&windings, &edges, &doubtful, lowest_winding(&measured.components), sought, threads)
         };
         let undecided = work.not_enough();
         // What was found until then depends on the threads.

@@ -15,6 +15,7 @@
 
 use core::ops::ControlFlow;
 
+use super::diagnosis::Sought;
 use super::edges::{Edges, end_of, start_of};
 use super::fan::overlapping;
 use super::inside::{Windings, centroid};
@@ -62,7 +63,7 @@ impl Overlaps {
     }
 }
 
-/// What the triangles of a mesh do to each other.
+/// What the triangles of a mesh do to each other. Where only the [first error](Sought::FirstError) is sought, nothing is known of one surface.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Meetings {
     /// Of different surfaces.
@@ -83,6 +84,7 @@ impl Meetings {
         edges: &Edges,
         tree: &Tree,
         lowest: Option<i32>,
+        sought: Sought,
         threads: Threads,
     ) -> Self {
         let mut at_edges = Self::default();
@@ -99,7 +101,7 @@ impl Meetings {
                 parts.iter().for_each(|part| at_edges.join(part));
             }
         }
-        let search = Search { windings, lowest, threads, found: at_edges };
+        let search = Search { windings, lowest, sought, threads, found: at_edges };
         let near = FEW + NEIGHBOURS * tree.order().len() as u64;
         search.by_boxes(tree, near).unwrap_or_else(|| search.by_oriented_boxes(tree))
     }
@@ -133,12 +135,13 @@ impl Meetings {
         &mut self,
         windings: &Windings<'_>,
         beside: &mut Option<Neighborhoods<'_>>,
+        sought: Sought,
         [t, u]: [u32; 2],
     ) -> ControlFlow<()> {
         let Windings { welded, patches, .. } = windings;
         let [i, j] = [t as usize, u as usize];
         let one_surface = patches.surface(i) == patches.surface(j);
-        if one_surface && self.within.is_full() {
+        if one_surface && (sought == Sought::FirstError || self.within.is_full()) {
             return ControlFlow::Continue(());
         }
         let meeting = Meeting::of(welded.corners[i], welded.corners[j], |v| welded.points[v as usize]);
@@ -173,6 +176,7 @@ impl Meetings {
 struct Search<'a> {
     windings: &'a Windings<'a>,
     lowest: Option<i32>,
+    sought: Sought,
     threads: Threads,
     /// At edges.
     found: Meetings,
@@ -184,10 +188,13 @@ impl Search<'_> {
         let goes_on = || self.windings.work.goes_on();
         let near = Work::of(near, &goes_on);
         let boxes = tree.boxes(self.windings.welded, self.threads);
+        let Windings { patches, .. } = self.windings;
+        let surfaces = (self.sought == Sought::FirstError)
+            .then(|| tree.alike(|triangle| patches.surface(triangle as usize)));
         let all = self.pieces(tree.leaves().div_ceil(LEAVES), |piece, look_at| {
             let leaves = piece * LEAVES..((piece + 1) * LEAVES).min(tree.leaves());
             let mut pairs = 0;
-            tree.pairs(&boxes, leaves, |t, u| {
+            tree.pairs(&boxes, surfaces.as_deref(), leaves, |t, u| {
                 pairs += 1;
                 if pairs % SOME_PAIRS == 0 && !near.take(SOME_PAIRS) {
                     return ControlFlow::Break(());
@@ -227,7 +234,7 @@ impl Search<'_> {
                 let mut meetings = Meetings::default();
                 let mut beside = self.lowest.map(|lowest| Neighborhoods::of(self.windings, lowest));
                 work(begin + piece, &mut |t, u| {
-                    meetings.look_at(self.windings, &mut beside, [t.min(u), t.max(u)])
+                    meetings.look_at(self.windings, &mut beside, self.sought, [t.min(u), t.max(u)])
                 });
                 meetings
             });

@@ -7,7 +7,7 @@ use super::threads::Threads;
 use super::weld::{NONE, is_proper};
 
 /// Components of a mesh, numbered by their first triangles.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Patches {
     /// The component of each triangle; [`NONE`] for one with two equal corners.
     pub(crate) component: Vec<u32>,

@@ -5,7 +5,7 @@ use core::ops::{ControlFlow, Range};
 
 use super::predicate::{across, certain_turn};
 use super::threads::Threads;
-use super::weld::Welded;
+use super::weld::{NONE, Welded};
 
 /// An axis-parallel box. Its coordinates are rounded, but never change their order: boxes of what meets, meet.
 #[derive(Clone, Copy, Debug)]
@@ -172,17 +172,35 @@ impl Tree {
         x | y << 1 | z << 2
     }
 
+    /// What all triangles of each node are alike in; [`NONE`] where they are not.
+    pub(crate) fn alike(&self, of: impl Fn(u32) -> u32) -> Vec<u32> {
+        let mut alike = vec![NONE; 2 * self.leaves];
+        for (node, triangles) in alike[self.leaves..].iter_mut().zip(self.order.chunks(LEAF)) {
+            let first = of(triangles[0]);
+            *node = if triangles.iter().all(|&t| of(t) == first) { first } else { NONE };
+        }
+        for n in (1..self.leaves).rev() {
+            let is_empty = self.nodes[2 * n + 1].low[0] > self.nodes[2 * n + 1].high[0];
+            alike[n] = if is_empty || alike[2 * n] == alike[2 * n + 1] { alike[2 * n] } else { NONE };
+        }
+        alike
+    }
+
     /// Calls `pair` for every two triangles whose [`Tree::boxes`] meet and the first of which is in one of the leaves, until it breaks.
+    /// Leaves and nodes that are [`Tree::alike`] in the same are left out, if that is given.
     pub(crate) fn pairs(
         &self,
         boxes: &[Bounds],
+        alike: Option<&[u32]>,
         leaves: Range<usize>,
         mut pair: impl FnMut(u32, u32) -> ControlFlow<()>,
     ) {
         let mut waiting = Vec::with_capacity(64);
         for leaf in leaves {
             let own = leaf * LEAF..((leaf + 1) * LEAF).min(self.order.len());
-            for i in own.clone() {
+            let same = alike.map_or(NONE, |alike| alike[self.leaves + leaf]);
+            let is_alike = |node: usize| same != NONE && alike.is_some_and(|alike| alike[node] == same);
+            for i in own.clone().filter(|_| same == NONE) {
                 for j in i + 1..own.end {
                     if boxes[i].meets(&boxes[j]) && pair(self.order[i], self.order[j]).is_break() {
                         return;
@@ -193,7 +211,10 @@ impl Tree {
             waiting.push((1, self.leaves));
             while let Some((node, covered)) = waiting.pop() {
                 // Only leaves behind this one: every pair once.
-                if (node + 1) * covered - self.leaves <= leaf + 1 || !self.nodes[node].meets(&about) {
+                if (node + 1) * covered - self.leaves <= leaf + 1
+                    || !self.nodes[node].meets(&about)
+                    || is_alike(node)
+                {
                     continue;
                 }
                 if covered > 1 {

@@ -82,7 +82,8 @@ fn both(soup: &Soup, threads: usize) -> ([Meetings; 2], usize) {
     let wanted = |t: usize| patches.component[t] != NONE && collinear.binary_search(&(t as u32)).is_err();
     let (tree, work) = (Tree::of(&welded, wanted, threads), Work::of(u64::MAX, &|| true));
     let windings = Windings { welded: &welded, tree: &tree, patches: &patches, work: &work };
-    let search = Search { windings: &windings, lowest: Some(0), threads, found: Meetings::default() };
+    let (sought, found) = (Sought::All, Meetings::default());
+    let search = Search { windings: &windings, lowest: Some(0), sought, threads, found };
     let side_by_side = umbrellas(&welded, tree.order(), &patches.component);
     let side_by_side = side_by_side.iter().filter(|&&group| group != NONE).count();
     ([search.by_boxes(&tree, u64::MAX).unwrap(), search.by_oriented_boxes(&tree)], side_by_side)

@@ -29,7 +29,7 @@ pub(super) fn met(
     let boxes = doubtful.boxes(welded, threads);
     let found = threads.map_pieces(doubtful.leaves(), LEAVES, |leaves| {
         let mut found = Vec::new();
-        doubtful.pairs(&boxes, leaves, |t, u| {
+        doubtful.pairs(&boxes, None, leaves, |t, u| {
             if !work.take(PAIR) {
                 return ControlFlow::Break(());
             }

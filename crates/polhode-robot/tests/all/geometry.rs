@@ -5,8 +5,9 @@ use std::path::PathBuf;
 
 use crate::common::{Matrix, applied, assert_close, assert_near, matrix_about_axis, plus, times, transposed};
 use polhode_robot::check::LinkGeometry;
-use polhode_robot::geometry::{MeshReading, Shapes, Volume, VolumeKind};
+use polhode_robot::geometry::{MeshReading, Shapes, Volume, VolumeKind, mesh_files};
 use polhode_robot::model::{Geometry, GeometryShape, Link, Name, Pose, Role};
+use polhode_robot::read::{ReadOptions, read_text};
 
 /// A pose about a generic axis, and the same as a place and a matrix.
 fn generic(k: usize) -> (Pose, [f64; 3], Matrix) {
@@ -362,4 +363,21 @@ fn copies_of_a_mesh_measure_alike_and_others_of_its_size_do_not() {
     assert_eq!(of(&second), Ok(found.clone()));
     assert_ne!(of(&third), Ok(found));
     [first, second, third].iter().for_each(|path| std::fs::remove_file(path).unwrap());
+}
+
+#[test]
+fn mesh_files_come_once_and_the_largest_first() {
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let [large, small, none] = ["bracket.stl", "meshes/bracket.glb", "none.stl"].map(|path| root.join(path));
+    let size = |path| fs::metadata(path).unwrap().len();
+    assert!(size(&large) > size(&small));
+    let robot = |meshes: &[&PathBuf]| {
+        let mut model = read_text("<robot name='r'/>", "r.urdf".as_ref(), &ReadOptions::default()).unwrap();
+        let meshes = meshes.iter().map(|path| geometry(mesh(path, [1.0; 3]), Pose::IDENTITY));
+        model.links =
+            vec![link(vec![geometry(GeometryShape::Sphere(0.3), Pose::IDENTITY)]), link(meshes.collect())];
+        model
+    };
+    let models = [robot(&[&none, &small]), robot(&[&small, &large, &small])];
+    assert_eq!(mesh_files(models.iter()), [large, small, none]);
 }

@@ -17,6 +17,7 @@ const { Motion } = await load("motion.ts");
 const { directions, Farthest } = await load("scene/framing.ts");
 const { svgOf } = await load("plot/figure-svg.ts");
 const { f64, indices, readPage } = await load("decode.ts");
+const { motionAnswer } = await load("live/motion-answer.ts");
 
 const numbersOf = (text) => new Float64Array(Uint8Array.from(Buffer.from(text, "base64")).buffer);
 const base64 = (numbers) => Buffer.from(numbers.buffer, numbers.byteOffset, numbers.byteLength).toString("base64");
@@ -419,6 +420,29 @@ test("data that break the contract are refused, with what and how", () => {
   const page = (text) => ({ getElementById: () => ({ textContent: text }) });
   assert.throws(() => readPage(page('{"version":2}')), /version 2/);
   assert.throws(() => readPage({ getElementById: () => null }), /no motion/);
+});
+
+test("the numbers of a live motion stand behind its JSON and are read where they are", () => {
+  const numbers = Float64Array.of(0.25, -1.5, 5e-324, Number.MAX_VALUE, 1 / 3);
+  const motion = { count: 2, times: { f64: [0, 2] }, torque: null, drift: [{ name: "T", values: { f64: [3, 2] } }] };
+  const free = { period: 1.5, polhode: { f64: [2, 1] }, family: [{ f64: [1, 2] }, { f64: [5, 0] }] };
+  const packed = (answer) => {
+    const head = new TextEncoder().encode(JSON.stringify(answer));
+    const length = 8 * Math.ceil(head.length / 8);
+    const bytes = new Uint8Array(8 + length + numbers.byteLength).fill(32);
+    new DataView(bytes.buffer).setBigUint64(0, BigInt(length), true);
+    bytes.set(head, 8);
+    bytes.set(new Uint8Array(numbers.buffer), 8 + length);
+    return bytes.buffer;
+  };
+  const bytes = packed({ text: "ω", motion: { page: { title: "ψ", motion, free }, body: "7" }, took: 1 });
+  const { text, motion: found } = motionAnswer(bytes);
+  assert.deepEqual([text, found.page.title, found.body], ["ω", "ψ", "7"]);
+  assert.deepEqual(found.page.motion, { count: 2, times: numbers.slice(0, 2), torque: null, drift: [{ name: "T", values: numbers.slice(3, 5) }] });
+  assert.deepEqual(found.page.free, { period: 1.5, polhode: numbers.slice(2, 3), family: [numbers.slice(1, 3), new Float64Array(0)] });
+  assert.equal(found.page.motion.times.buffer, bytes, "nothing is copied");
+  assert.equal(motionAnswer(packed({ motion: { page: { motion, free: null } } })).motion.page.free, null);
+  assert.equal(motionAnswer(packed({ motion: null })).motion, null);
 });
 
 test("of many points those that are farthest in each direction are found, in any order and from any distance", () => {

@@ -283,7 +283,7 @@ export class MotionScene {
     this.#put("sphere", "Momentum sphere", null, "area", { sphere: true });
     this.#put("family", "Other motions", "contour", "line", { sphere: true });
     // A symmetric body has none.
-    this.#put("separatrix", "Separatrix", "ink", "line", free.separatrix.some((row) => row !== "") ? { sphere: true } : {});
+    this.#put("separatrix", "Separatrix", "ink", "line", free.separatrix.some(({ length }) => length > 0) ? { sphere: true } : {});
     this.#put("trace", "This motion", "omega", "line", { sphere: true });
     this.#put("mark", "L now", "ink", "area", { sphere: true });
   }

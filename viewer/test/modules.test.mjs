@@ -457,5 +457,13 @@ test("of many points those that are farthest in each direction are found, in any
     // In each of the directions, in the order that it has them, one is as far as any.
     const reach = (some, d) => Math.max(...some.map((p) => p.dot(d)));
     for (const d of directions(300)) assert.ok(Math.abs(reach(farthest.points, d) - reach(points, d)) <= 1e-15, `${d.toArray()}`);
+    // What was found of some is where it goes on with the others; those that went before stay as they were.
+    const some = new Farthest(300);
+    for (const p of points.slice(0, 400)) some.add(p);
+    const found = some.points.map((p) => p.clone());
+    const both = new Farthest(300, some.points);
+    for (const p of points.slice(400)) both.add(p);
+    assert.deepEqual(both.points, farthest.points);
+    assert.deepEqual(some.points, found);
   }
 });

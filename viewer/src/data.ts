@@ -3,7 +3,7 @@
  *
  * The page holds it as JSON in `<script id="polhode-data" type="application/json">`, every `<` written as `\u003c`. All is SI and
  * radians. Quaternions are (w, x, y, z) and take components in body axes to components in space axes. Long rows of numbers are base64
- * of little-endian numbers.
+ * of little-endian numbers; what comes from `polhode live` has those of f64 as the numbers themselves.
  */
 export interface PageData {
   version: 1;
@@ -27,8 +27,11 @@ export interface PageData {
   explanation: ExplanationBlock[];
 }
 
-/** Base64 of little-endian f64, f32 or u32. */
+/** Base64 of little-endian f32 or u32. */
 export type Base64 = string;
+
+/** Base64 of little-endian f64, or the numbers. */
+export type Row = Base64 | Float64Array;
 
 export interface BodyData {
   /** kg; null if only the moments are known. */
@@ -113,30 +116,30 @@ export interface MotionData {
   /** How it was computed: "exact", "dop853", … */
   method: string;
   /** f64, n, s. */
-  times: Base64;
+  times: Row;
   /** f64, 4 n. */
-  attitude: Base64;
+  attitude: Row;
   /** f64, 3 n, body axes, rad/s. */
-  omega: Base64;
+  omega: Row;
   /** f64, 3 n, space axes, kg·m²/s, about the point that the body turns about. */
-  momentum: Base64;
+  momentum: Row;
   /** f64, 3 n, body axes, N·m; null without torque. */
-  torque: Base64 | null;
+  torque: Row | null;
   /** f64, n, J. */
-  kinetic: Base64;
+  kinetic: Row;
   /** f64, n, J; null without a potential. */
-  potential: Base64 | null;
+  potential: Row | null;
   /** What the torques, or the motors of wheels, have done since the start: f64, n, J; null with a potential and for a free body. */
-  work: { name: string; values: Base64 } | null;
+  work: { name: string; values: Row } | null;
   /** What should stay the same, and how much it moves: lines of the drift plot, |value| relative, f64, n. */
-  drift: { name: string; values: Base64 }[];
+  drift: { name: string; values: Row }[];
   /**
    * Wheels inside the body. Axis: a unit vector, body axes. Along it, f64, n: the angular momentum h, kg·m²/s; the speed relative to the
    * body, rad/s, null where it is held; the motor's torque on the wheel, N·m, null without a motor.
    */
-  wheels: { name: string; axis: [number, number, number]; momentum: Base64; speed: Base64 | null; motor: Base64 | null }[];
+  wheels: { name: string; axis: [number, number, number]; momentum: Row; speed: Row | null; motor: Row | null }[];
   /** Angles from directions of the body to others: f64, n, rad. */
-  pointings: { name: string; values: Base64 }[];
+  pointings: { name: string; values: Row }[];
   /** What happened on the way, the first of it: t, s, and its name. */
   events: { time: number; name: string }[];
   /** How much happened in all. */
@@ -167,15 +170,15 @@ export interface FreeData {
   /** T, J. */
   energy: number;
   /** ω along the polhode, body axes, rad/s; one period, closed. */
-  polhode: Base64;
+  polhode: Row;
   /** ω along the herpolhode, space axes, rad/s; some periods. */
-  herpolhode: Base64;
+  herpolhode: Row;
   /** On the unit sphere, principal axes: the two separatrices. */
-  separatrix: Base64[];
+  separatrix: Row[];
   /** On the unit sphere, principal axes: other motions of this body. */
-  family: Base64[];
+  family: Row[];
   /** On the unit sphere, principal axes: this motion's L/|L|, one period. */
-  trace: Base64;
+  trace: Row;
   /**
    * Least and greatest angles, rad: of ω from ± the axis that L circles, and of ω from L. The sense of the precession of a symmetric
    * body; null for any other.

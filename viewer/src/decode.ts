@@ -2,7 +2,7 @@
  * The page's data as typed arrays. Everything is checked once, here: what comes out has the lengths that the contract promises and
  * finite numbers, so no other file has to ask.
  */
-import type { Base64, PageData } from "./data";
+import type { Base64, PageData, Row } from "./data";
 
 /** Data that are not what the contract says. */
 export class BadData extends Error {
@@ -22,9 +22,8 @@ export function readPage(from: Document): PageData {
 }
 
 /** Numbers of 64 bits, `length` of them if it is given, all finite. */
-export function f64(text: Base64, what: string, length?: number): Float64Array {
-  const bytes = decode(text, what, 8);
-  const numbers = new Float64Array(bytes.buffer);
+export function f64(row: Row, what: string, length?: number): Float64Array {
+  const numbers = typeof row === "string" ? new Float64Array(decode(row, what, 8).buffer) : row;
   if (length !== undefined && numbers.length !== length) {
     throw new BadData(`${what}: ${numbers.length} numbers instead of ${length}`);
   }
@@ -33,8 +32,8 @@ export function f64(text: Base64, what: string, length?: number): Float64Array {
 }
 
 /** Points of three numbers of 64 bits. */
-export function points(text: Base64, what: string): Float64Array {
-  const numbers = f64(text, what);
+export function points(row: Row, what: string): Float64Array {
+  const numbers = f64(row, what);
   if (numbers.length % 3 !== 0) throw new BadData(`${what}: ${numbers.length} numbers are not points`);
   return numbers;
 }

@@ -2,7 +2,7 @@
  * The motion at any time: samples, and what is between them. Attitudes follow the rates at both samples; ω follows a cubic
  * through its neighbours, momentum is linear in space, and torque in space or in the body, where it changes less.
  */
-import type { MotionData } from "./data";
+import type { MotionData, Row } from "./data";
 import { between, makeContinuous, type Quaternion, rotate, type Vector, writeRotated } from "./attitude";
 import { indexAt } from "./clock";
 import { BadData, f64 } from "./decode";
@@ -61,7 +61,7 @@ export class Motion {
     this.torque = data.torque === null ? null : f64(data.torque, "torque", 3 * n);
     this.kinetic = f64(data.kinetic, "kinetic energy", n);
     this.potential = data.potential === null ? null : f64(data.potential, "potential energy", n);
-    const named = ({ name, values }: { name: string; values: string }): { name: string; values: Float64Array } => {
+    const named = ({ name, values }: { name: string; values: Row }): { name: string; values: Float64Array } => {
       return { name, values: f64(values, name, n) };
     };
     this.work = data.work === null ? null : named(data.work);

@@ -17,6 +17,7 @@ const { Motion } = await load("motion.ts");
 const { directions, Farthest } = await load("scene/framing.ts");
 const { svgOf } = await load("plot/figure-svg.ts");
 const { f64, indices, readPage } = await load("decode.ts");
+const { motionAnswer } = await load("live/motion-answer.ts");
 
 const numbersOf = (text) => new Float64Array(Uint8Array.from(Buffer.from(text, "base64")).buffer);
 const base64 = (numbers) => Buffer.from(numbers.buffer, numbers.byteOffset, numbers.byteLength).toString("base64");
@@ -421,6 +422,29 @@ test("data that break the contract are refused, with what and how", () => {
   assert.throws(() => readPage({ getElementById: () => null }), /no motion/);
 });
 
+test("the numbers of a live motion stand behind its JSON and are read where they are", () => {
+  const numbers = Float64Array.of(0.25, -1.5, 5e-324, Number.MAX_VALUE, 1 / 3);
+  const motion = { count: 2, times: { f64: [0, 2] }, torque: null, drift: [{ name: "T", values: { f64: [3, 2] } }] };
+  const free = { period: 1.5, polhode: { f64: [2, 1] }, family: [{ f64: [1, 2] }, { f64: [5, 0] }] };
+  const packed = (answer) => {
+    const head = new TextEncoder().encode(JSON.stringify(answer));
+    const length = 8 * Math.ceil(head.length / 8);
+    const bytes = new Uint8Array(8 + length + numbers.byteLength).fill(32);
+    new DataView(bytes.buffer).setBigUint64(0, BigInt(length), true);
+    bytes.set(head, 8);
+    bytes.set(new Uint8Array(numbers.buffer), 8 + length);
+    return bytes.buffer;
+  };
+  const bytes = packed({ text: "ω", motion: { page: { title: "ψ", motion, free }, body: "7" }, took: 1 });
+  const { text, motion: found } = motionAnswer(bytes);
+  assert.deepEqual([text, found.page.title, found.body], ["ω", "ψ", "7"]);
+  assert.deepEqual(found.page.motion, { count: 2, times: numbers.slice(0, 2), torque: null, drift: [{ name: "T", values: numbers.slice(3, 5) }] });
+  assert.deepEqual(found.page.free, { period: 1.5, polhode: numbers.slice(2, 3), family: [numbers.slice(1, 3), new Float64Array(0)] });
+  assert.equal(found.page.motion.times.buffer, bytes, "nothing is copied");
+  assert.equal(motionAnswer(packed({ motion: { page: { motion, free: null } } })).motion.page.free, null);
+  assert.equal(motionAnswer(packed({ motion: null })).motion, null);
+});
+
 test("of many points those that are farthest in each direction are found, in any order and from any distance", () => {
   let state = 1;
   const random = () => (state = (state * 16807) % 2147483647) / 2147483647 - 0.5;
@@ -433,5 +457,13 @@ test("of many points those that are farthest in each direction are found, in any
     // In each of the directions, in the order that it has them, one is as far as any.
     const reach = (some, d) => Math.max(...some.map((p) => p.dot(d)));
     for (const d of directions(300)) assert.ok(Math.abs(reach(farthest.points, d) - reach(points, d)) <= 1e-15, `${d.toArray()}`);
+    // What was found of some is where it goes on with the others; those that went before stay as they were.
+    const some = new Farthest(300);
+    for (const p of points.slice(0, 400)) some.add(p);
+    const found = some.points.map((p) => p.clone());
+    const both = new Farthest(300, some.points);
+    for (const p of points.slice(400)) both.add(p);
+    assert.deepEqual(both.points, farthest.points);
+    assert.deepEqual(some.points, found);
   }
 });

@@ -62,9 +62,23 @@ pub(crate) fn bytes(status: StatusCode, kind: &'static str, body: impl Into<Byte
 }
 
 pub(crate) fn json(value: &impl Serialize) -> Result<Answer, Refusal> {
-    let unwritable =
-        |error: serde_json::Error| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string());
-    serde_json::to_vec(value).map(|body| bytes(StatusCode::OK, "application/json", body)).map_err(unwritable)
+    Ok(bytes(StatusCode::OK, "application/json", written(value)?))
+}
+
+/// JSON with rows of f64 behind it: the length of the JSON as a u64, the JSON with spaces up to a multiple of eight, and the rows. All is
+/// little-endian and aligned, so that the page reads the numbers where they are.
+pub(crate) fn json_and_rows(value: &impl Serialize, rows: &[u8]) -> Result<Answer, Refusal> {
+    const WORD: usize = size_of::<u64>();
+    let mut head = written(value)?;
+    head.resize(head.len().next_multiple_of(WORD), b' ');
+    let length = (head.len() as u64).to_le_bytes();
+    let body = [&length, head.as_slice(), rows].concat();
+    Ok(bytes(StatusCode::OK, "application/octet-stream", body))
+}
+
+fn written(value: &impl Serialize) -> Result<Vec<u8>, Refusal> {
+    serde_json::to_vec(value)
+        .map_err(|error| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string()))
 }
 
 pub(crate) fn refusal(Refusal { status, message, hint }: Refusal) -> Answer {

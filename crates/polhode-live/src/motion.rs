@@ -9,7 +9,7 @@ use polhode::body::{Finding, Severity};
 use polhode::motion::{ErrorEffort, MotionError, Run, Scenario, Trajectory};
 use polhode_formats::FormatError;
 use polhode_formats::scenario::{Draft, ScenarioFile};
-use polhode_report::{PageInput, PageSubject, VERSION, explain_motion, page_json};
+use polhode_report::{PageInput, PageSubject, VERSION, explain_motion, page_rows};
 
 use crate::answer::Refusal;
 use crate::edit::edited;
@@ -126,11 +126,12 @@ fn motion(file: &ScenarioFile, trajectory: &Trajectory, draft: &Draft, request: 
     let with_free = format!("{body} free");
     let is_known = |known: &&String| **known == with_free || (**known == body && !input.is_free());
     if let Some(known) = request.body.as_ref().filter(is_known) {
-        return Motion { page: page_json(&PageInput { whole: false, ..input }), body: known.clone() };
+        let (page, rows) = page_rows(&PageInput { whole: false, ..input });
+        return Motion { page, rows, body: known.clone() };
     }
-    let page = page_json(&input);
+    let (page, rows) = page_rows(&input);
     let body = if page["free"].is_null() { body } else { with_free };
-    Motion { page, body }
+    Motion { page, rows, body }
 }
 
 fn of_motion(file: &ScenarioFile, error: &MotionError) -> TextError {

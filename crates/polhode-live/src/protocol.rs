@@ -64,6 +64,9 @@ pub(crate) struct MotionAnswer {
 #[derive(Debug, Serialize)]
 pub(crate) struct Motion {
     pub(crate) page: Value,
+    /// Of the page: what stands behind the JSON.
+    #[serde(skip)]
+    pub(crate) rows: Vec<u8>,
     pub(crate) body: String,
 }
 

@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use hyper::{Method, StatusCode};
 use serde::de::DeserializeOwned;
 
-use crate::answer::{Answer, Refusal, bytes, json};
+use crate::answer::{Answer, Refusal, bytes, json, json_and_rows};
 use crate::asset::asset;
 use crate::documents::Content;
 use crate::inspect::{Inspection, RobotInspection};
@@ -120,7 +120,8 @@ impl Route {
             Self::Motion => {
                 let request: MotionRequest = read(body)?;
                 let document = session.documents.get(request.document)?;
-                json(&motion::answer(document.draft()?, &request, stop)?)
+                let answer = motion::answer(document.draft()?, &request, stop)?;
+                json_and_rows(&answer, answer.motion.as_ref().map_or(&[], |motion| &motion.rows))
             }
             Self::Complete => {
                 let request: CompleteRequest = read(body)?;

@@ -68,7 +68,7 @@ pub use json::pretty;
 pub use judge::{Card, CardCase, CardRun, JudgeReport, JudgedRun};
 pub use molecule::MoleculeReport;
 pub use motion::MotionReport;
-pub use page::{PageInput, PageSubject, page, page_data, page_json, page_of};
+pub use page::{PageInput, PageSubject, page, page_data, page_of, page_rows};
 pub use parts::{PartRow, parts};
 pub use periods::Periods;
 pub use plot::{Figure, MotionFigures, Picture, PlotError, SweepFigures};

@@ -39,7 +39,11 @@ export type DocumentContent =
 /** `GET mesh/ID`: a mesh and what is found in it, also of one that bounds a solid and so has a motion. */
 export type MeshContent = Extract<DocumentContent, { kind: "mesh" }>;
 
-/** `POST motion`: change a scenario, and compute its motion. */
+/**
+ * `POST motion`: change a scenario, and compute its motion. The answer is JSON with rows of f64 behind it: the length of the JSON as a u64, the
+ * JSON, and the numbers, all little-endian. Where a row belongs into `page.motion` and `page.free` the JSON has `{"f64": [at, count]}`, counted
+ * in numbers; its length is a multiple of eight, so that they can be read where they are.
+ */
 export interface MotionRequest {
   /** Whose files the scenario may name. */
   document: number;

@@ -1,4 +1,5 @@
 /** The server's answers, as the contract has them. */
+import { motionAnswer } from "./motion-answer";
 import type {
   CompleteAnswer,
   CompleteRequest,
@@ -29,22 +30,29 @@ export const server = {
   documents: (): Promise<Documents> => ask("documents"),
   document: (id: number): Promise<DocumentContent> => ask(`document/${id}`),
   mesh: (id: number): Promise<MeshContent> => ask(`mesh/${id}`),
-  motion: (request: MotionRequest, signal: AbortSignal): Promise<MotionAnswer> => post("motion", request, signal),
-  complete: (request: CompleteRequest, signal: AbortSignal): Promise<CompleteAnswer> => post("complete", request, signal),
+  motion: async (request: MotionRequest, signal: AbortSignal): Promise<MotionAnswer> => {
+    const answer = await answered("motion", posted(request, signal));
+    return motionAnswer(await answer.arrayBuffer());
+  },
+  complete: (request: CompleteRequest, signal: AbortSignal): Promise<CompleteAnswer> => ask("complete", posted(request, signal)),
   lessons: (): Promise<Lessons> => ask("lessons"),
   lesson: (id: string): Promise<Lesson> => ask(`lesson/${encodeURIComponent(id)}`),
   drop: (set: number, path: string, file: File): Promise<unknown> => {
     return ask(`drop?${new URLSearchParams({ name: path, set: String(set) })}`, { method: "POST", body: file });
   },
-  open: (request: OpenRequest): Promise<OpenAnswer> => post("open", request),
+  open: (request: OpenRequest): Promise<OpenAnswer> => ask("open", posted(request)),
 };
 
-function post<T>(path: string, body: unknown, signal?: AbortSignal): Promise<T> {
+function posted(body: unknown, signal?: AbortSignal): RequestInit {
   const headers = { "Content-Type": "application/json" };
-  return ask(path, { method: "POST", headers, body: JSON.stringify(body), ...(signal ? { signal } : {}) });
+  return { method: "POST", headers, body: JSON.stringify(body), ...(signal ? { signal } : {}) };
 }
 
 async function ask<T>(path: string, init?: RequestInit): Promise<T> {
+  return (await (await answered(path, init)).json()) as T;
+}
+
+async function answered(path: string, init?: RequestInit): Promise<Response> {
   let answer: Response;
   try {
     answer = await fetch(path, { cache: "no-store", ...init });
@@ -52,7 +60,7 @@ async function ask<T>(path: string, init?: RequestInit): Promise<T> {
     if (problem instanceof DOMException && problem.name === "AbortError") throw problem;
     throw new Refused({ message: "polhode live does not answer", hint: "it has ended, or another program has its port; start it again" });
   }
-  if (answer.ok) return (await answer.json()) as T;
+  if (answer.ok) return answer;
   throw new Refused(await refusal(answer));
 }
 

@@ -84,14 +84,22 @@ export function legend(view: View, first: SceneData["captions"]): Legend {
   byId("home").addEventListener("click", () => view.orbit.home());
   show("body");
   reserve();
-  const update = (next: SceneData["captions"]): void => {
-    const said = captions[view.picture];
-    captions = next;
+  let [next, isRefilled] = [0, false];
+  const update = (said: SceneData["captions"]): void => {
+    captions = said;
     offer();
-    const changed = filled !== signature(view);
-    if (changed) refresh();
-    else if (said !== captions[view.picture]) caption.textContent = captions[view.picture] ?? "";
-    if (changed || caption.scrollHeight > caption.clientHeight) reserve();
+    const words = captions[view.picture] ?? "";
+    if (filled !== signature(view)) {
+      refresh();
+      isRefilled = true;
+    } else if (caption.textContent !== words) caption.textContent = words;
+    else return;
+    // With the next frame, for which all is laid out anyway.
+    cancelAnimationFrame(next);
+    next = requestAnimationFrame(() => {
+      if (isRefilled || caption.scrollHeight > caption.clientHeight) reserve();
+      isRefilled = false;
+    });
   };
   return { show, update };
 }

@@ -1,5 +1,5 @@
 /** What a camera has to see, and the nearest place from which all of it is in the frame. */
-import { Vector3 } from "three";
+import { type Quaternion, Vector3 } from "three";
 import type { Moment, Motion } from "../motion";
 
 /** Of a motion, and of the points that stand for all: some directions are 0.2 rad apart, where a sphere is 0.5 % beyond them. */
@@ -57,18 +57,33 @@ export class Farthest {
   readonly #directions: Float64Array;
   readonly #bundles: Bundle[];
   readonly #far: Float64Array;
-  /** Of each bundle the least of them, and of all. */
+  /** Of each bundle the least of them. */
   readonly #least: Float64Array;
-  #leastOfAll = -Infinity;
+  /** What is nearer to the origin is inside of what there is. */
+  least = -Infinity;
 
-  constructor(count: number) {
+  /** `before`: points that were found of so many directions. */
+  constructor(count: number, before: readonly Vector3[] | null = null) {
     const made = BUNDLED.get(count) ?? bundled(count);
     BUNDLED.set(count, made);
     this.#directions = made.directions;
     this.#bundles = made.bundles;
     this.#far = new Float64Array(count).fill(-Infinity);
     this.#least = new Float64Array(made.bundles.length).fill(-Infinity);
-    this.points = Array.from({ length: count }, () => new Vector3());
+    this.points = Array.from({ length: count }, (_, k) => before?.[k].clone() ?? new Vector3());
+    if (before) this.#begin();
+  }
+
+  // With a point for each direction.
+  #begin(): void {
+    const d = this.#directions;
+    this.points.forEach(({ x, y, z }, k) => {
+      this.#far[k] = d[3 * k] * x + d[3 * k + 1] * y + d[3 * k + 2] * z;
+    });
+    this.#bundles.forEach(({ from, to }, b) => {
+      this.#least[b] = Math.min(...this.#far.subarray(from, to));
+    });
+    this.least = Math.min(...this.#least);
   }
 
   add({ x, y, z }: Vector3): void {
@@ -76,7 +91,7 @@ export class Farthest {
     const far = this.#far;
     const square = x * x + y * y + z * z;
     const size = Math.sqrt(square);
-    if (size < this.#leastOfAll) return;
+    if (size < this.least) return;
     let isFarther = false;
     for (let b = 0; b < this.#bundles.length; b += 1) {
       const { middle, cos, sin, from, to } = this.#bundles[b];
@@ -96,12 +111,19 @@ export class Farthest {
       isFarther ||= least > this.#least[b];
       this.#least[b] = least;
     }
-    if (isFarther) this.#leastOfAll = Math.min(...this.#least);
+    if (isFarther) this.least = Math.min(...this.#least);
   }
 }
 
-/** What is to be seen at a time: the whole of it, or what goes farthest. */
-type PointsAt = (now: Moment, time: number, isWhole: boolean) => Vector3[];
+/** What is to be seen. */
+export interface Seen {
+  /** At a time, in the frame of the camera: the whole of it, or what goes farthest. Without `rigid`. */
+  at: (now: Moment, time: number, isWhole: boolean) => Vector3[];
+  /** What only turns. */
+  rigid: readonly Vector3[];
+  /** How that is turned at the time of which `at` was asked last. */
+  turn: () => Quaternion;
+}
 
 /**
  * All that is in a picture, at every time of the motion. `before`: of the motion until now. The frame stays as it was, and is only made
@@ -124,16 +146,18 @@ export class Contents {
     this.#before.clear();
   }
 
-  /** `points` of a time; what they are of is named by `key`. */
-  of(key: string, motion: Motion, points: PointsAt): Vector3[] {
+  /** The outermost of `seen`, which is named by `key`. */
+  of(key: string, motion: Motion, seen: () => Seen): Vector3[] {
     const before = this.#before.get(key);
     let found = this.#found.get(key) ?? (this.#isHeld ? before : undefined);
     if (!found) {
-      const all = sampled(motion, points);
-      const farthest = new Farthest(DIRECTIONS);
-      // These first: most of the others are inside and change nothing.
-      if (before && size(all) > LIKE * size(before)) for (const p of before) farthest.add(p);
-      for (const p of all) farthest.add(p);
+      const { at, rigid, turn } = seen();
+      const { points, turns } = sampled(motion, at, turn);
+      const isLike = before && Math.max(size(points), size(rigid)) > LIKE * size(before);
+      // Then most of the others are inside and change nothing.
+      const farthest = new Farthest(DIRECTIONS, isLike ? before : null);
+      for (const p of points) farthest.add(p);
+      addTurned(farthest, rigid, turns);
       found = farthest.points;
     }
     this.#found.set(key, found);
@@ -141,13 +165,30 @@ export class Contents {
   }
 }
 
-function sampled(motion: Motion, points: PointsAt): Vector3[] {
+/** What is seen at many times, and how what only turns is turned at those at which the whole is looked at. */
+function sampled(motion: Motion, at: Seen["at"], turn: Seen["turn"]): { points: Vector3[]; turns: Quaternion[] } {
   const count = Math.min(motion.telling, TIMES);
-  return Array.from({ length: count }, (_, k) => {
+  const [points, turns]: [Vector3[], Quaternion[]] = [[], []];
+  for (let k = 0; k < count; k += 1) {
     // Spread by the golden ratio: no oscillation is in step with it.
     const i = count < TIMES ? k : Math.floor(((k * GOLDEN) % 1) * motion.telling);
-    return points(motion.sample(i), motion.times[i], count < TIMES || k % WHOLE === 0);
-  }).flat();
+    const isWhole = count < TIMES || k % WHOLE === 0;
+    points.push(...at(motion.sample(i), motion.times[i], isWhole));
+    if (isWhole) turns.push(turn());
+  }
+  return { points, turns };
+}
+
+/** However they are turned, points are as far out as they were: most need not be turned at all. */
+function addTurned(farthest: Farthest, points: readonly Vector3[], turns: readonly Quaternion[]): void {
+  const turned = new Vector3();
+  for (const p of points) {
+    const far = p.length();
+    for (const turn of turns) {
+      if (far < farthest.least) break;
+      farthest.add(turned.copy(p).applyQuaternion(turn));
+    }
+  }
 }
 
 function size(points: readonly Vector3[]): number {

@@ -12,7 +12,7 @@ import { BodyModel } from "./body";
 import { Cones } from "./cones";
 import { dispose } from "./dispose";
 import { corners, equivalentBox } from "./equivalent-box";
-import { Contents, directions } from "./framing";
+import { Contents, directions, type Seen } from "./framing";
 import type { Label } from "./labels";
 import type { Layer, Picture } from "./layers";
 import { Marker } from "./marker";
@@ -157,20 +157,29 @@ export class MotionScene {
   content(picture: Picture, rides: "space" | "body"): Vector3[] {
     const seen = (id: string): boolean => this.#isOn(id, picture) || this.#first.has(`${picture} ${id}`);
     const shown = this.layers.filter(({ id }) => seen(id)).map(({ id }) => id);
+    return this.#contents.of([picture, rides, ...shown].join(), this.#motion, () => this.#seen(new Set(shown), picture, rides));
+  }
+
+  #seen(shown: ReadonlySet<string>, picture: Picture, rides: "space" | "body"): Seen {
+    const seen = (id: string): boolean => shown.has(id);
     const back = new Quaternion();
-    return this.#contents.of([picture, rides, ...shown].join(), this.#motion, (now, time, isWhole) => {
-      this.#turn(now, time, picture);
-      this.aim(picture, rides, back);
-      back.invert();
-      const named = this.#names(seen, picture, time, null).flatMap(({ tip, along }) => {
-        if (!along) return [tip];
-        // Those of curves are many.
-        return isWhole || along.length <= FEW ? along : [];
-      });
-      const outline = !isWhole ? [] : picture === "sphere" ? directions(100) : this.#outline(seen, picture);
-      // Tips of arrows are other places at other times.
-      return [...named, ...outline, ...(this.#heavy?.floor(seen) ?? [])].map((p) => p.clone().applyQuaternion(back));
-    });
+    const isSphere = picture === "sphere";
+    return {
+      at: (now, time, isWhole) => {
+        this.#turn(now, time, picture);
+        this.aim(picture, rides, back);
+        back.invert();
+        const named = this.#names(seen, picture, time, null).flatMap(({ tip, along }) => {
+          if (!along) return [tip];
+          // Those of curves are many.
+          return isWhole || along.length <= FEW ? along : [];
+        });
+        // Tips of arrows are other places at other times.
+        return [...named, ...(this.#heavy?.floor(seen) ?? [])].map((p) => p.clone().applyQuaternion(back));
+      },
+      rigid: isSphere ? directions(100) : this.#outline(seen, picture),
+      turn: () => (isSphere ? back.clone() : back.clone().multiply(this.body.quaternion)),
+    };
   }
 
   /** From here on the frames are those of this motion alone. */
@@ -225,15 +234,15 @@ export class MotionScene {
 
   /** Points around what no name of an arrow may cover. */
   outline(picture: Picture, eye: Vector3): Vector3[] {
-    return picture === "sphere" ? round(eye) : this.#outline((id) => this.#isOn(id, picture), picture);
+    return picture === "sphere" ? round(eye) : this.#outline((id) => this.#isOn(id, picture), picture).map(this.#turned);
   }
 
+  // As the body has them.
   #outline(on: (id: string) => boolean, picture: Picture): Vector3[] {
-    const turned = (points: Vector3[]): Vector3[] => points.map(this.#turned);
-    if (picture === "poinsot" && this.poinsot) return turned(this.poinsot.outline);
-    if (picture === "cones" && this.cones) return turned(this.cones.outline);
+    if (picture === "poinsot" && this.poinsot) return this.poinsot.outline;
+    if (picture === "cones" && this.cones) return this.cones.outline;
     const box = on("box") ? corners(this.#page.body, this.model.radius) : [];
-    return turned([...this.model.outline, ...(on("ellipsoid") ? this.model.ellipsoidOutline : []), ...box]);
+    return [...this.model.outline, ...(on("ellipsoid") ? this.model.ellipsoidOutline : []), ...box];
   }
 
   #build(): void {
@@ -283,7 +292,7 @@ export class MotionScene {
     this.#put("sphere", "Momentum sphere", null, "area", { sphere: true });
     this.#put("family", "Other motions", "contour", "line", { sphere: true });
     // A symmetric body has none.
-    this.#put("separatrix", "Separatrix", "ink", "line", free.separatrix.some((row) => row !== "") ? { sphere: true } : {});
+    this.#put("separatrix", "Separatrix", "ink", "line", free.separatrix.some(({ length }) => length > 0) ? { sphere: true } : {});
     this.#put("trace", "This motion", "omega", "line", { sphere: true });
     this.#put("mark", "L now", "ink", "area", { sphere: true });
   }

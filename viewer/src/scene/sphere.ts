@@ -3,7 +3,7 @@
  * the separatrix parts those around the least axis from those around the greatest.
  */
 import { Group, Mesh, MeshStandardMaterial, SphereGeometry, Vector3 } from "three";
-import type { BodyData, FreeData } from "../data";
+import type { BodyData, FreeData, Row } from "../data";
 import { points } from "../decode";
 import { kept } from "./dispose";
 import type { Label } from "./labels";
@@ -32,7 +32,7 @@ export class MomentumSphere {
   constructor(free: FreeData, body: BodyData, palette: Palette) {
     const material = palette.shared("sphere", "solid", () => new MeshStandardMaterial({ roughness: 0.85 }));
     this.object.add(new Mesh(SPHERE, material));
-    const draw = (into: Group, rows: string[], what: string, pen: Parameters<typeof curve>[2]): void => {
+    const draw = (into: Group, rows: Row[], what: string, pen: Parameters<typeof curve>[2]): void => {
       for (const row of rows) {
         const line = points(row, what);
         if (line.length >= 6) into.add(curve(line, ABOVE, pen, palette));

@@ -154,7 +154,36 @@ impl Answer {
     }
 
     pub(crate) fn json(&self) -> Value {
-        serde_json::from_slice(&self.body).unwrap()
+        match self.headers["content-type"].as_str() {
+            "application/octet-stream" => self.json_with_rows(),
+            _ => serde_json::from_slice(&self.body).unwrap(),
+        }
+    }
+
+    /// JSON with rows of f64 behind it, which come to stand in their places; each number belongs to one row.
+    fn json_with_rows(&self) -> Value {
+        let (length, rest) = self.body.split_first_chunk().unwrap();
+        let (head, rows) = rest.split_at(u64::from_le_bytes(*length).try_into().unwrap());
+        let (words, []) = rows.as_chunks() else { panic!("{} bytes are no rows", rows.len()) };
+        assert_eq!(head.len() % 8, 0, "the rows are aligned");
+        let mut left: Vec<_> = words.iter().map(|word| Some(f64::from_le_bytes(*word))).collect();
+        let mut value = serde_json::from_slice(head).unwrap();
+        put_rows(&mut value, &mut left);
+        assert!(left.iter().all(Option::is_none), "a row is of nothing");
+        value
+    }
+}
+
+fn put_rows(value: &mut Value, left: &mut [Option<f64>]) {
+    if let Some(place) = value.get("f64") {
+        let [at, count] = [0, 1].map(|k| usize::try_from(place[k].as_u64().unwrap()).unwrap());
+        *value = left[at..at + count].iter_mut().map(|x| x.take().unwrap()).collect();
+        return;
+    }
+    match value {
+        Value::Array(items) => items.iter_mut().for_each(|item| put_rows(item, left)),
+        Value::Object(entries) => entries.values_mut().for_each(|entry| put_rows(entry, left)),
+        _ => {}
     }
 }
 
@@ -196,9 +225,9 @@ pub(crate) fn u32s(value: &Value) -> Vec<u32> {
     words(value).into_iter().map(u32::from_le_bytes).collect()
 }
 
-/// The f64 that it has.
+/// The numbers of a row.
 pub(crate) fn f64s(value: &Value) -> Vec<f64> {
-    words(value).into_iter().map(f64::from_le_bytes).collect()
+    value.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect()
 }
 
 fn words<const N: usize>(value: &Value) -> Vec<[u8; N]> {

@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use super::motion::Shown;
+use super::rows::Rows;
 use super::shapes::{self, Budget};
 use super::turning::Turning;
 use super::{PageInput, PageSubject, body, explanation, facts, free, motion, scene, top};
@@ -15,18 +16,19 @@ const PAGE: usize = 2_000_000;
 const LEAST_MESH: usize = 240_000;
 
 /// The data of a page whose frame has so many bytes without them.
-pub(super) fn json(input: &PageInput<'_>, frame: usize) -> Value {
+pub(super) fn json(input: &PageInput<'_>, frame: usize, rows: &mut Rows) -> Value {
     let turning = Turning::of(&input.subject);
     let shown = Shown::of(input.trajectory, &input.subject);
     let free_facts = free::facts(input);
-    let motion = motion::json(&shown);
-    let free = free_facts.as_ref().map_or(Value::Null, |free| free::json(free, &shown, input.whole));
+    let motion = motion::json(&shown, rows);
+    let free = free_facts.as_ref().map_or(Value::Null, |free| free::json(free, &shown, input.whole, rows));
     let explanation = input.explanation.map_or_else(|| json!([]), explanation::json);
     let mut left = LEAST_MESH;
     if input.whole && shapes::has_triangles(&turning) {
         let others =
             [&motion, &free, &explanation].map(|value| value.to_string().len()).iter().sum::<usize>()
-                + input.scenario_text.map_or(0, str::len);
+                + input.scenario_text.map_or(0, str::len)
+                + rows.beside();
         left = left.max(PAGE.saturating_sub(frame + others));
     }
     let mut budget = Budget::new(left);

@@ -7,8 +7,8 @@ use serde_json::{Value, json};
 
 use super::cones::ConeAngles;
 use super::motion::Shown;
+use super::rows::Rows;
 use super::{PageInput, PageSubject};
-use crate::base64::f64s;
 use crate::free_facts::FreeFacts;
 
 /// Chords are so near to their curves, relative to the largest vector: no eye sees more.
@@ -38,26 +38,28 @@ pub(super) fn facts(input: &PageInput<'_>) -> Option<FreeFacts> {
 }
 
 /// The curves; null where one of them cannot be drawn. Other motions of the body only if it is `whole`.
-pub(super) fn json(free: &FreeFacts, shown: &Shown<'_>, whole: bool) -> Value {
-    curves(free, shown, whole).unwrap_or(Value::Null)
+pub(super) fn json(free: &FreeFacts, shown: &Shown<'_>, whole: bool, rows: &mut Rows) -> Value {
+    curves(free, shown, whole, rows).unwrap_or(Value::Null)
 }
 
-fn curves(free: &FreeFacts, shown: &Shown<'_>, whole: bool) -> Result<Value, CurveError> {
+fn curves(free: &FreeFacts, shown: &Shown<'_>, whole: bool, rows: &mut Rows) -> Result<Value, CurveError> {
     let motion = &free.motion;
     let polhode = Polhode::of(motion, CHORD)?;
     let trace = MomentumTrace::of(motion, CHORD)?;
+    let herpolhode = herpolhode(motion, shown)?;
     let Family { sisters, separatrices } = if whole { Family::of(motion)? } else { Family::default() };
+    let mut row = |points: &mut dyn Iterator<Item = [f64; 3]>| rows.put(points.flatten());
     Ok(json!({
         "regime": motion.regime().description(),
         "period": motion.period(),
         "momentum": motion.momentum().norm(),
         "energy": motion.kinetic_energy(),
-        "polhode": row(polhode.curve.points().iter().map(|p| p.to_array())),
-        "herpolhode": row(herpolhode(motion, shown)?),
-        "separatrix": separatrices.into_iter().map(row).collect::<Vec<_>>(),
-        "family": sisters.into_iter().map(row).collect::<Vec<_>>(),
+        "polhode": row(&mut polhode.curve.points().iter().map(|p| p.to_array())),
+        "herpolhode": row(&mut herpolhode.into_iter()),
+        "separatrix": separatrices.into_iter().map(|line| row(&mut line.into_iter())).collect::<Vec<_>>(),
+        "family": sisters.into_iter().map(|line| row(&mut line.into_iter())).collect::<Vec<_>>(),
         "cones": ConeAngles::of(free).json(),
-        "trace": row(trace.curve.points().iter().map(|l| in_principal_axes(motion, *l))),
+        "trace": row(&mut trace.curve.points().iter().map(|l| in_principal_axes(motion, *l))),
     }))
 }
 
@@ -131,8 +133,4 @@ fn unit(v: [f64; 3]) -> [f64; 3] {
     let v = v.map(|x| x / largest);
     let norm = v.iter().map(|x| x * x).sum::<f64>().sqrt();
     v.map(|x| x / norm)
-}
-
-fn row(points: impl IntoIterator<Item = [f64; 3]>) -> String {
-    f64s(points.into_iter().flatten())
 }

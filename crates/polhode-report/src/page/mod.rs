@@ -14,6 +14,7 @@ mod facts;
 mod free;
 mod motion;
 mod placed;
+mod rows;
 mod scene;
 mod shapes;
 mod sizes;
@@ -28,6 +29,7 @@ use serde_json::Value;
 pub use shapes::shape_of;
 pub use turning::equivalent_box;
 
+use self::rows::Rows;
 use crate::explain::document::Document;
 use crate::mathml::escaped;
 
@@ -100,12 +102,15 @@ pub fn page(input: &PageInput<'_>) -> String {
 
 /// What a page holds besides the viewer, as JSON: [`page_of`] makes the page of it, here or elsewhere.
 pub fn page_data(input: &PageInput<'_>) -> String {
-    inert(&page_json(input).to_string())
+    inert(&data::json(input, TEMPLATE.len(), &mut Rows::Inside).to_string())
 }
 
-/// What a page holds besides the viewer, for who does not write it into a page.
-pub fn page_json(input: &PageInput<'_>) -> Value {
-    data::json(input, TEMPLATE.len())
+/// What a page holds besides the viewer, for who does not write it into a page: JSON, and its rows of numbers as little-endian f64, one after
+/// the other. In their places the JSON has `{"f64": [at, count]}`, counted in numbers.
+pub fn page_rows(input: &PageInput<'_>) -> (Value, Vec<u8>) {
+    let mut rows = Rows::Beside(Vec::new());
+    let value = data::json(input, TEMPLATE.len(), &mut rows);
+    (value, rows.bytes())
 }
 
 /// The page of a title and of what [`page_data`] gave.

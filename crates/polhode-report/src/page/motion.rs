@@ -4,8 +4,8 @@ use polhode::motion::{Crossing, Pointing, Sample, Trajectory, Wheel};
 use serde_json::{Value, json};
 
 use super::PageSubject;
+use super::rows::Rows;
 use crate::balance::{Balance, Driven, balances, has_potential};
-use crate::base64::f64s;
 use crate::json::finite;
 use crate::layout::printable;
 use crate::plot::series;
@@ -61,47 +61,47 @@ impl<'a> Shown<'a> {
         }
     }
 
-    fn rows<const N: usize>(&self, row: impl Fn(&Sample) -> [f64; N]) -> String {
-        f64s(self.samples.iter().flat_map(|sample| row(sample)))
+    fn row<const N: usize>(&self, rows: &mut Rows, of: impl Fn(&Sample) -> [f64; N]) -> Value {
+        rows.put(self.samples.iter().flat_map(|sample| of(sample)))
     }
 
     /// Lines of the drift plot: what should stay the same.
-    fn drift(&self) -> Value {
-        let line = |balance: &Balance| json!({ "name": balance.name, "values": f64s(balance.values.iter().map(|&d| finite(d))) });
+    fn drift(&self, rows: &mut Rows) -> Value {
+        let line = |balance: &Balance| json!({ "name": balance.name, "values": rows.put(balance.values.iter().map(|&d| finite(d))) });
         self.drift.iter().map(line).collect()
     }
 
     /// What each wheel does; `null` for a speed that is held.
-    fn wheels(&self) -> Value {
+    fn wheels(&self, rows: &mut Rows) -> Value {
         let one = |(name, wheel): &(String, Wheel)| {
             let speeds: Option<Vec<f64>> =
                 self.samples.iter().map(|s| wheel.speed_at(s.state.time, s.state.omega)).collect();
             json!({
                 "name": printable(name),
                 "axis": wheel.axis().to_array(),
-                "motor": wheel.is_driven().then(|| self.rows(|s| [wheel.torque_at(s.state.time)])),
-                "momentum": self.rows(|s| [wheel.momentum_at(s.state.time)]),
-                "speed": speeds.map(f64s),
+                "motor": wheel.is_driven().then(|| self.row(rows, |s| [wheel.torque_at(s.state.time)])),
+                "momentum": self.row(rows, |s| [wheel.momentum_at(s.state.time)]),
+                "speed": speeds.map(|speeds| rows.put(speeds)),
             })
         };
         self.wheels.iter().map(one).collect()
     }
 
     /// The angles of directions of the body to nadir, velocity or what else is of interest.
-    fn pointings(&self) -> Value {
+    fn pointings(&self, rows: &mut Rows) -> Value {
         let one = |pointing: &Pointing| {
             let angle = |s: &Sample| [finite(pointing.angle(&s.state))];
-            json!({ "name": printable(pointing.name()), "values": self.rows(angle) })
+            json!({ "name": printable(pointing.name()), "values": self.row(rows, angle) })
         };
         self.pointings.iter().map(one).collect()
     }
 
     /// What the torques or the motors have done since the start; null where there is a potential to tell instead, or nothing acts.
-    fn work(&self, has_potential: bool) -> Value {
+    fn work(&self, has_potential: bool, rows: &mut Rows) -> Value {
         if has_potential || !self.driven.at_all() {
             return Value::Null;
         }
-        json!({ "name": self.driven.work(), "values": self.rows(|s| [finite(s.work)]) })
+        json!({ "name": self.driven.work(), "values": self.row(rows, |s| [finite(s.work)]) })
     }
 
     /// The first of the events that happened: more would hide the curves.
@@ -126,22 +126,22 @@ fn chosen(count: usize) -> Vec<usize> {
     (0..MOST).map(|k| k * (count - 1) / (MOST - 1)).collect()
 }
 
-pub(super) fn json(shown: &Shown<'_>) -> Value {
+pub(super) fn json(shown: &Shown<'_>, rows: &mut Rows) -> Value {
     let has_potential = has_potential(shown.samples.iter().copied());
     json!({
         "count": shown.samples.len(),
         "method": shown.method,
-        "times": shown.rows(|s| [s.state.time]),
-        "attitude": shown.rows(|s| s.state.attitude.quaternion()),
-        "omega": shown.rows(|s| s.state.omega.to_array()),
-        "momentum": shown.rows(|s| s.momentum.to_array()),
-        "torque": shown.is_turned().then(|| shown.rows(|s| s.torque.to_array())),
-        "kinetic": shown.rows(|s| [s.kinetic_energy]),
-        "potential": has_potential.then(|| shown.rows(|s| [s.potential_energy.unwrap_or_default()])),
-        "work": shown.work(has_potential),
-        "drift": shown.drift(),
-        "wheels": shown.wheels(),
-        "pointings": shown.pointings(),
+        "times": shown.row(rows, |s| [s.state.time]),
+        "attitude": shown.row(rows, |s| s.state.attitude.quaternion()),
+        "omega": shown.row(rows, |s| s.state.omega.to_array()),
+        "momentum": shown.row(rows, |s| s.momentum.to_array()),
+        "torque": shown.is_turned().then(|| shown.row(rows, |s| s.torque.to_array())),
+        "kinetic": shown.row(rows, |s| [s.kinetic_energy]),
+        "potential": has_potential.then(|| shown.row(rows, |s| [s.potential_energy.unwrap_or_default()])),
+        "work": shown.work(has_potential, rows),
+        "drift": shown.drift(rows),
+        "wheels": shown.wheels(rows),
+        "pointings": shown.pointings(rows),
         "events": shown.events(),
         "eventCount": shown.events.len(),
         "complete": shown.is_complete,

@@ -3,22 +3,31 @@
 use polhode::body::shape::{Cone, Tetrahedron};
 use polhode::motion::{ClosedForm, EventAction, Measure, Pointing, Reference, Sense, Solution};
 use polhode::prelude::*;
-use polhode_report::{PageInput, PageSubject, explain_motion, page};
+use polhode_report::{Document, PageInput, PageSubject, explain_motion, page, page_rows};
 use serde_json::Value;
 
 const OPEN: &str = "<script id=\"polhode-data\" type=\"application/json\">";
 
 pub(crate) fn html_of(scenario: &Scenario, trajectory: &Trajectory, text: &str) -> String {
     let explanation = explain_motion(scenario, trajectory).unwrap();
-    page(&PageInput {
+    page(&input(scenario, trajectory, text, &explanation))
+}
+
+fn input<'a>(
+    scenario: &'a Scenario,
+    trajectory: &'a Trajectory,
+    text: &'a str,
+    explanation: &'a Document,
+) -> PageInput<'a> {
+    PageInput {
         title: scenario.title().unwrap(),
         source: "polhode simulate",
         scenario_text: Some(text),
         subject: PageSubject::Scenario(scenario),
         trajectory,
-        explanation: Some(&explanation),
+        explanation: Some(explanation),
         whole: true,
-    })
+    }
 }
 
 /// What a browser reads in the page's data block: up to the first end of a script.
@@ -62,6 +71,36 @@ pub(crate) fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
 }
 
+/// The same page with its rows beside the JSON: in the places of base64 that of the same bytes, each after the one before.
+fn rows_beside_are_those_inside(scenario: &Scenario, trajectory: &Trajectory, inside: &Value) {
+    fn compare(inside: &Value, beside: &Value, rows: &[u8], seen: &mut Vec<(usize, usize)>) {
+        if let Some(place) = beside.get("f64") {
+            let [at, count] = [0, 1].map(|k| 8 * usize::try_from(place[k].as_u64().unwrap()).unwrap());
+            assert_eq!(bytes(inside), rows[at..at + count]);
+            seen.push((at, at + count));
+            return;
+        }
+        match (inside, beside) {
+            (Value::Array(a), Value::Array(b)) => {
+                assert_eq!(a.len(), b.len());
+                a.iter().zip(b).for_each(|(a, b)| compare(a, b, rows, seen));
+            }
+            (Value::Object(a), Value::Object(b)) => {
+                assert!(a.keys().eq(b.keys()));
+                a.values().zip(b.values()).for_each(|(a, b)| compare(a, b, rows, seen));
+            }
+            (a, b) => assert_eq!(a, b),
+        }
+    }
+    let explanation = explain_motion(scenario, trajectory).unwrap();
+    let (beside, rows) = page_rows(&input(scenario, trajectory, "title = \"x\"", &explanation));
+    let mut seen = Vec::new();
+    compare(inside, &beside, &rows, &mut seen);
+    seen.sort_unstable();
+    assert!(seen.len() >= 7 && seen.windows(2).all(|pair| pair[0].1 == pair[1].0));
+    assert_eq!((seen[0].0, seen[seen.len() - 1].1), (0, rows.len()));
+}
+
 #[test]
 fn the_rows_are_the_trajectory_bit_for_bit() {
     for scenario in [crate::common::t_handle(), crate::common::thruster(), crate::common::pendulum()] {
@@ -85,6 +124,7 @@ fn the_rows_are_the_trajectory_bit_for_bit() {
             let bits = |numbers: Vec<f64>| numbers.into_iter().map(f64::to_bits).collect::<Vec<_>>();
             assert_eq!(bits(doubles(&motion[key])), bits(wanted), "{key}");
         }
+        rows_beside_are_those_inside(&scenario, &trajectory, &data);
         // The worst sample of each line is the drift that the reports print.
         let drift = Drift::of(&trajectory).unwrap();
         let lines = motion["drift"].as_array().unwrap();

@@ -184,7 +184,8 @@ impl Judge {
         let step = said.or_else(|| spacing(log.log.times()));
         let causes = causes(&file.scenario, &judgement.motion, judgement.reference.states(), step);
         Ok(JudgedRun {
-            name: shown(path),
+            name: path.file_name().map_or_else(|| shown(path), |name| shown(Path::new(name))),
+            path: path.display().to_string(),
             engine: log.engine,
             step,
             step_is_said: said.is_some(),

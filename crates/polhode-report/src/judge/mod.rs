@@ -14,8 +14,10 @@ pub use report::JudgeReport;
 /// A run of another program, judged.
 #[derive(Clone, Debug)]
 pub struct JudgedRun {
-    /// What it is called: its file.
+    /// What it is called: its file's name.
     pub name: String,
+    /// Its file.
+    pub path: String,
     /// The program that made it, and how, if the run says so.
     pub engine: Option<String>,
     /// The program's time step, s.

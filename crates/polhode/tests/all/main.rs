@@ -18,6 +18,7 @@ mod heavy_top;
 mod inverse;
 mod jacobi_form;
 mod jacobian;
+mod judge_causes;
 mod mesh;
 mod mesh_diagnosis;
 mod mesh_fill;

@@ -92,7 +92,7 @@ impl Rotor {
     }
 
     /// The same body with another inertia tensor about the same point and another lever; `None` if it is unphysical.
-    pub(in crate::motion) fn with_inertia(&self, inertia: Symmetric3, lever: Position<Body>) -> Option<Self> {
+    pub(crate) fn with_inertia(&self, inertia: Symmetric3, lever: Position<Body>) -> Option<Self> {
         let inertia = InertiaAbout::from_symmetric(self.inertia.point(), inertia).ok()?;
         Some(Self { principal: PrincipalFrame::about(&inertia), inertia, lever, ..self.clone() })
     }

@@ -1,0 +1,270 @@
+//! Euler's equations as a program may have them: right, or with mistakes.
+
+use crate::math::frame::{Body, Space};
+use crate::math::rotation::{Attitude, Rotation};
+use crate::math::symmetric3::Symmetric3;
+use crate::math::vector::{AngularVelocity, Direction};
+use crate::motion::torque::TorqueModel;
+use crate::motion::{Rotor, Scenario, State};
+
+/// What is computed along body axes, whatever its quantity.
+pub(super) type BodyVector = Direction<Body>;
+
+/// I ω̇ = L × Ω + N − ḣ − c I ω with L = I ω + h, and q̇ = ½ q Ω: right if Ω = ω (that of the sinks apart) and c = 0.
+#[derive(Clone, Debug)]
+pub(super) struct Law<'a> {
+    /// What torques are torques on.
+    pub(super) rotor: Rotor,
+    /// Those that act, each with what is made of it.
+    pub(super) torques: Vec<(&'a TorqueModel, TorqueUse)>,
+    /// I, possible or not.
+    pub(super) tensor: Symmetric3,
+    /// I⁻¹
+    pub(super) inverse: Symmetric3,
+    /// Moments and axes of the tensor.
+    pub(super) principal: [(f64, BodyVector); 3],
+    /// What stands for L × ω.
+    pub(super) gyroscopic: Gyroscopic,
+    /// By which numbers the attitude turns.
+    pub(super) turning: Turning,
+    /// c, 1/s.
+    pub(super) damping: f64,
+    /// The greatest |ω|, rad/s.
+    pub(super) speed_limit: f64,
+}
+
+/// The gyroscopic term.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Gyroscopic {
+    /// L × ω
+    Right,
+    /// Zero.
+    LeftOut,
+    /// L × Ω with the Ω by which the attitude turns: L is kept in space and taken into the body by that attitude.
+    OfAttitude,
+}
+
+/// The angular velocity of the attitude.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Turning {
+    /// Ω = ω
+    Right,
+    /// q̇ = ½ ω q with ω along body axes.
+    BodyAsSpace,
+    /// q̇ = ½ q ω with ω along space axes.
+    SpaceAsBody,
+}
+
+/// What is made of a torque.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct TorqueUse {
+    /// What it is multiplied by.
+    pub(super) factor: f64,
+    /// Along which axes its components are taken to be.
+    pub(super) axes: TorqueAxes,
+}
+
+/// Along which axes a torque's components are taken to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum TorqueAxes {
+    /// Those that they are along.
+    Right,
+    /// Components along body axes are taken along those of space.
+    BodyAsSpace,
+    /// Components along space axes are taken along those of the body.
+    SpaceAsBody,
+}
+
+/// A moment below this part of the greatest is that of a rod about its own line.
+const MASSLESS: f64 = 1e-13;
+
+impl<'a> Law<'a> {
+    /// The right one.
+    pub(super) fn of(scenario: &'a Scenario) -> Self {
+        let off = scenario.switched_off();
+        let acting = scenario.torques().iter().enumerate().filter(|(k, _)| !off.contains(k));
+        let right = TorqueUse { factor: 1.0, axes: TorqueAxes::Right };
+        let rotor = scenario.rotor().clone();
+        let tensor = *rotor.inertia().symmetric();
+        Self {
+            torques: acting.map(|(_, torque)| (torque, right)).collect(),
+            rotor,
+            tensor,
+            inverse: tensor,
+            principal: [(0.0, BodyVector::ZERO); 3],
+            gyroscopic: Gyroscopic::Right,
+            turning: Turning::Right,
+            damping: 0.0,
+            speed_limit: f64::INFINITY,
+        }
+        .with_tensor(tensor)
+    }
+
+    /// With another tensor, possible or not.
+    pub(super) fn with_tensor(&self, tensor: Symmetric3) -> Self {
+        let eigen = tensor.eigen();
+        let least = MASSLESS * tensor.max_abs();
+        let principal: [(f64, BodyVector); 3] =
+            core::array::from_fn(|k| (eigen.values[k], BodyVector::from_array(eigen.vectors[k])));
+        let inverse = principal.iter().fold(Symmetric3::default(), |sum, (moment, axis)| {
+            let over = if moment.abs() > least { 1.0 / moment } else { 0.0 };
+            sum + Symmetric3::outer(axis.to_array()) * over
+        });
+        let rotor = self.rotor.with_inertia(tensor, self.rotor.lever()).unwrap_or_else(|| self.rotor.clone());
+        Self { rotor, tensor, inverse, principal, ..self.clone() }
+    }
+
+    /// Without wheels, of a body whose tensor is `tensor`.
+    pub(super) fn without_wheels(&self, tensor: Symmetric3) -> Self {
+        let mut law = self.with_tensor(tensor);
+        law.rotor = law.rotor.with_wheels(&[]).unwrap_or_else(|_| self.rotor.clone());
+        law
+    }
+
+    /// With another use of one torque, or of all.
+    pub(super) fn using(&self, which: Option<usize>, usage: TorqueUse) -> Self {
+        let mut law = self.clone();
+        for (k, (_, used)) in law.torques.iter_mut().enumerate() {
+            if which.is_none_or(|which| which == k) {
+                *used = usage;
+            }
+        }
+        law
+    }
+
+    /// How many torques act.
+    pub(super) const fn torque_count(&self) -> usize {
+        self.torques.len()
+    }
+
+    /// What a torque is called.
+    pub(super) fn torque_name(&self, which: usize) -> &'static str {
+        self.torques.get(which).map_or("torque", |(torque, _)| torque.name())
+    }
+
+    /// True if wheels spin inside.
+    pub(super) fn has_wheels(&self) -> bool {
+        !self.rotor.wheels().is_empty()
+    }
+
+    /// The tensor.
+    pub(super) const fn tensor(&self) -> &Symmetric3 {
+        &self.tensor
+    }
+
+    /// Σ h a of the wheels.
+    pub(super) fn wheel_momentum(&self, time: f64) -> BodyVector {
+        if self.has_wheels() { self.rotor.wheel_momentum(time).as_quantity() } else { BodyVector::ZERO }
+    }
+
+    /// L = I ω + h.
+    pub(super) fn momentum(&self, state: &State) -> BodyVector {
+        BodyVector::from_array(self.tensor.apply(state.omega.to_array())) + self.wheel_momentum(state.time)
+    }
+
+    /// ω = I⁻¹ (L − h).
+    pub(super) fn omega(&self, momentum: BodyVector, time: f64) -> AngularVelocity<Body> {
+        self.over_inertia(momentum - self.wheel_momentum(time)).as_quantity()
+    }
+
+    fn over_inertia(&self, v: BodyVector) -> BodyVector {
+        BodyVector::from_array(self.inverse.apply(v.to_array()))
+    }
+
+    /// N − ḣ of the torques that act just after the time `since`.
+    pub(super) fn torque(&self, state: &State, since: f64) -> BodyVector {
+        let mut sum = BodyVector::ZERO;
+        for (torque, TorqueUse { factor, axes }) in &self.torques {
+            let Some(acting) = torque.acting(since) else { continue };
+            let torque: BodyVector = acting.torque(&self.rotor, state).as_quantity();
+            let taken = match axes {
+                TorqueAxes::Right => torque,
+                TorqueAxes::BodyAsSpace => state.attitude.inverse() * torque.as_frame::<Space>(),
+                TorqueAxes::SpaceAsBody => (state.attitude * torque).as_frame(),
+            };
+            sum += taken * *factor;
+        }
+        if self.has_wheels() { sum - self.rotor.motor_torque(since).as_quantity() } else { sum }
+    }
+
+    /// N alone.
+    pub(super) fn outer_torque(&self, state: &State) -> BodyVector {
+        let motors: BodyVector = self.rotor.motor_torque(state.time).as_quantity();
+        self.torque(state, state.time) + motors
+    }
+
+    /// Ω, by which the attitude turns.
+    pub(super) fn turning(&self, state: &State) -> BodyVector {
+        let omega: BodyVector = state.omega.as_quantity();
+        match self.turning {
+            Turning::Right => omega,
+            Turning::BodyAsSpace => state.attitude.inverse() * omega.as_frame::<Space>(),
+            Turning::SpaceAsBody => (state.attitude * omega).as_frame(),
+        }
+    }
+
+    /// ω̇
+    pub(super) fn acceleration(&self, state: &State, since: f64) -> BodyVector {
+        let omega: BodyVector = state.omega.as_quantity();
+        let momentum = self.momentum(state);
+        let gyroscopic = match self.gyroscopic {
+            Gyroscopic::Right => momentum.cross(omega),
+            Gyroscopic::LeftOut => BodyVector::ZERO,
+            Gyroscopic::OfAttitude => momentum.cross(self.turning(state)),
+        };
+        let sink: f64 = self.torques.iter().map(|(torque, usage)| torque.sink() * usage.factor).sum();
+        let sunk =
+            if sink == 0.0 { gyroscopic } else { gyroscopic + momentum.cross(momentum.cross(omega)) * sink };
+        self.over_inertia(sunk + self.torque(state, since)) - omega * self.damping
+    }
+
+    /// When a torque begins or ends next after a time.
+    pub(super) fn next_change(&self, time: f64) -> f64 {
+        let torques = self.torques.iter().map(|(torque, _)| torque.next_change(time));
+        let wheels = self.rotor.wheels().iter().map(|wheel| wheel.next_change(time));
+        torques.chain(wheels).fold(f64::INFINITY, f64::min)
+    }
+
+    /// How fast a state changes, 1/s: its steps are a part of the inverse.
+    pub(super) fn rate(&self, state: &State) -> f64 {
+        let (omega, turning) = (state.omega.norm(), self.turning(state).norm());
+        let wheels = self.over_inertia(self.wheel_momentum(state.time)).norm();
+        let torque = self.over_inertia(self.torque(state, state.time)).norm();
+        omega.max(turning) + wheels + torque.sqrt() + self.damping.abs()
+    }
+}
+
+/// The attitude and ω as seven numbers.
+pub(super) type Numbers = [f64; 7];
+
+pub(super) fn numbers(state: &State) -> Numbers {
+    let ([w, x, y, z], omega) = (state.attitude.quaternion(), state.omega);
+    [w, x, y, z, omega.x, omega.y, omega.z]
+}
+
+pub(super) fn state(time: f64, [w, x, y, z, a, b, c]: Numbers) -> State {
+    let attitude: Attitude = Rotation::from_quaternion([w, x, y, z]).unwrap_or_else(|_| Rotation::identity());
+    State { time, attitude, omega: AngularVelocity::new(a, b, c) }
+}
+
+/// q̇ = ½ q Ω, of a quaternion of any length, and ω̇.
+pub(super) fn derivative(law: &Law<'_>, time: f64, numbers: &Numbers, since: f64) -> Numbers {
+    let [w, x, y, z, ..] = *numbers;
+    let state = state(time, *numbers);
+    let (turning, acceleration) = (law.turning(&state), law.acceleration(&state, since));
+    let (a, b, c) = (0.5 * turning.x, 0.5 * turning.y, 0.5 * turning.z);
+    [
+        -x * a - y * b - z * c,
+        w * a + y * c - z * b,
+        w * b + z * a - x * c,
+        w * c + x * b - y * a,
+        acceleration.x,
+        acceleration.y,
+        acceleration.z,
+    ]
+}
+
+/// y + s d
+pub(super) fn advanced(y: &Numbers, s: f64, d: &Numbers) -> Numbers {
+    core::array::from_fn(|k| y[k] + s * d[k])
+}

@@ -1,0 +1,105 @@
+//! Methods of fixed steps, with the step that is declared or one that is found.
+
+use super::name::Cause;
+use super::rows::Rows;
+use super::scheme::Scheme;
+use super::trial::{Trials, judged, scale};
+
+/// Steps of one method, at most.
+const MOST: f64 = 10_000.0;
+
+/// Between two rows there may be more.
+const MOST_BETWEEN_ROWS: f64 = 200_000.0;
+
+/// How far a body turns while a step is looked for, rad.
+const LOOK: f64 = 20.0;
+
+/// The angle of the first step that is tried, rad.
+const ANGLE: f64 = 0.05;
+
+/// A method that leaves more of the error than this, with the best scale, is not looked at again.
+const HOPELESS: f64 = 0.5;
+
+impl Trials<'_> {
+    /// All methods: with the step that is declared; if that explains nothing, with the rows' spacing in 1, 2, 3 … parts.
+    pub(super) fn try_methods(&mut self, declared: Option<f64>) {
+        let count = self.tried.len();
+        let declared = declared.filter(|h| h.is_finite() && *h > 0.0);
+        if let Some(step) = declared {
+            for scheme in self.schemes() {
+                self.try_method(scheme, step, false);
+            }
+        }
+        if self.tried[count..].iter().any(|tried| tried.passes) {
+            return;
+        }
+        for scheme in self.schemes() {
+            if let Some(step) = self.step_of(scheme) {
+                self.try_method(scheme, step, true);
+            }
+        }
+    }
+
+    /// All that differ: without a torque L is the same before and after.
+    fn schemes(&self) -> impl Iterator<Item = Scheme> + use<> {
+        let is_free = self.law.torque_count() == 0 && !self.law.has_wheels();
+        Scheme::ALL.into_iter().filter(move |scheme| !(is_free && matches!(scheme, Scheme::MomentumLast(_))))
+    }
+
+    fn try_method(&mut self, scheme: Scheme, step: f64, is_found: bool) {
+        if self.rows.spacing / step > MOST_BETWEEN_ROWS {
+            return;
+        }
+        let rows = self.window.rows_until(self.start.time + MOST * step);
+        let states = scheme.follow(&self.law, self.start, &rows.times, step);
+        if 2 * states.len() > rows.times.len() {
+            let (left, base) = (rows.misfit(&states), rows.base(states.len()));
+            self.tried.push(judged(Cause::Method { scheme, step }, left, base, is_found));
+        }
+    }
+
+    /// The step with which a method comes nearest to the run: its error is in proportion to a power of the step.
+    fn step_of(&self, scheme: Scheme) -> Option<f64> {
+        const ROUNDS: usize = 4;
+        const NEIGHBOURS: f64 = 12.0;
+        let spacing = self.rows.spacing;
+        let rows = self.window.rows_until(self.start.time + LOOK / self.rows.rate);
+        let span = rows.times.last()? - self.start.time;
+        let at = |parts: f64| scheme.follow(&self.law, self.start, &rows.times, spacing / parts);
+        let misfit = |parts: f64| rows.misfit(&at(parts)).size();
+        let mut parts = (spacing * self.rows.rate / ANGLE).ceil().max(1.0);
+        let mut best = (misfit(parts), parts);
+        for _ in 0..ROUNDS {
+            let (times, left) = scale(&rows, &at(parts));
+            if !(times > 0.0) || left > HOPELESS {
+                break;
+            }
+            let next = (parts * times.powf(-1.0 / f64::from(scheme.order()))).round().max(1.0);
+            if next == parts || !is_short(span, spacing / next) {
+                break;
+            }
+            parts = next;
+            best = better(best, (misfit(parts), parts));
+        }
+        if best.1 <= NEIGHBOURS && self.explains(&rows, best.0) {
+            for next in [best.1 - 1.0, best.1 + 1.0] {
+                if next >= 1.0 {
+                    best = better(best, (misfit(next), next));
+                }
+            }
+        }
+        Some(spacing / best.1)
+    }
+
+    fn explains(&self, rows: &Rows, left: f64) -> bool {
+        left < HOPELESS * rows.base(rows.times.len()).size()
+    }
+}
+
+fn is_short(span: f64, step: f64) -> bool {
+    span / step < 2.0 * MOST
+}
+
+fn better(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    if b.0 < a.0 { b } else { a }
+}

@@ -1,0 +1,105 @@
+//! The tensor that the run itself implies.
+
+use super::law::{BodyVector, Law};
+use super::name::Cause;
+use super::rows::Window;
+use super::trial::Trials;
+use crate::math::frame::Space;
+use crate::math::symmetric3::Symmetric3;
+use crate::math::vector::Direction;
+use crate::motion::State;
+
+/// Rows that the torque is summed over, at most.
+const SUMMED: usize = 4096;
+
+/// A tensor that differs less, relative to its greatest moment, is the error of a method.
+const NOTICED: f64 = 0.01;
+
+/// What keeps an element that the motion does not tell near that of the scenario, relative to the sum of squares.
+const RIDGE: f64 = 1e-10;
+
+/// How much the trace counts where the motion tells ratios alone.
+const TRACE: f64 = 1e3;
+
+impl Trials<'_> {
+    /// The tensor I with which R I ω + R h − ∫ R N dt is constant along the run, by least squares.
+    pub(super) fn try_other_tensor(&mut self) {
+        let law = self.law.clone();
+        let has_scale = law.torque_count() > 0 || law.has_wheels();
+        let Some(tensor) = implied(&self.window, &law, has_scale) else { return };
+        let difference = (tensor + *law.tensor() * -1.0).max_abs();
+        if difference > NOTICED * law.tensor().max_abs() {
+            let cause = Cause::OtherTensor { tensor: tensor.rows(), has_scale };
+            self.try_law(cause, &law.with_tensor(tensor));
+        }
+    }
+}
+
+fn implied(window: &Window<'_>, law: &Law<'_>, has_scale: bool) -> Option<Symmetric3> {
+    let states = window.states(SUMMED);
+    let unit: [Symmetric3; 6] = core::array::from_fn(|k| {
+        let mut elements = [0.0; 6];
+        elements[k] = 1.0;
+        Symmetric3::from_elements(elements)
+    });
+    let space = |state: &State, v: BodyVector| -> Direction<Space> { state.attitude * v };
+    // The unknown is the difference from the scenario's tensor: six columns, and what is missing.
+    let mut rows: Vec<[Direction<Space>; 7]> = Vec::with_capacity(states.len());
+    let mut impulse = Direction::<Space>::ZERO;
+    let mut before: Option<(f64, Direction<Space>)> = None;
+    for state in &states {
+        let torque = space(state, law.outer_torque(state));
+        if let Some((time, last)) = before {
+            impulse += (torque + last) * (0.5 * (state.time - time));
+        }
+        before = Some((state.time, torque));
+        let momentum =
+            |tensor: &Symmetric3| space(state, BodyVector::from_array(tensor.apply(state.omega.to_array())));
+        let known = momentum(law.tensor()) + space(state, law.wheel_momentum(state.time));
+        let [a, b, c, d, e, f] = unit.each_ref().map(momentum);
+        rows.push([a, b, c, d, e, f, impulse - known]);
+    }
+    let count = rows.len() as f64;
+    let mean: [Direction<Space>; 7] =
+        core::array::from_fn(|k| rows.iter().fold(Direction::ZERO, |sum, row| sum + row[k]) * (1.0 / count));
+    let mut normal = [[0.0; 7]; 6];
+    for row in &rows {
+        let centred: [Direction<Space>; 7] = core::array::from_fn(|k| row[k] - mean[k]);
+        for (i, line) in normal.iter_mut().enumerate() {
+            for (element, column) in line.iter_mut().zip(&centred) {
+                *element += centred[i].dot(*column);
+            }
+        }
+    }
+    let whole: f64 = (0..6).map(|k| normal[k][k]).sum();
+    for (k, line) in normal.iter_mut().enumerate() {
+        line[k] += RIDGE * whole;
+        if k < 3 && !has_scale {
+            line.iter_mut().take(3).for_each(|element| *element += TRACE * whole);
+        }
+    }
+    Some(*law.tensor() + Symmetric3::from_elements(solved(normal)?))
+}
+
+/// Gaussian elimination of a positive definite matrix with the right side as its last column.
+fn solved(mut lines: [[f64; 7]; 6]) -> Option<[f64; 6]> {
+    for k in 0..6 {
+        let pivot = lines[k][k];
+        if !(pivot > 0.0) {
+            return None;
+        }
+        let from = lines[k];
+        for line in lines.iter_mut().skip(k + 1) {
+            let factor = line[k] / pivot;
+            for (element, above) in line.iter_mut().zip(from) {
+                *element -= factor * above;
+            }
+        }
+    }
+    let mut x = [0.0; 6];
+    for k in (0..6).rev() {
+        let known: f64 = (k + 1..6).map(|l| lines[k][l] * x[l]).sum();
+        x[k] = (lines[k][6] - known) / lines[k][k];
+    }
+    x.iter().all(|x| x.is_finite()).then_some(x)
+}

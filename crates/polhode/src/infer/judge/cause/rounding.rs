@@ -1,0 +1,113 @@
+//! Rows of few digits, and steps in single precision.
+
+use super::found::TriedCause;
+use super::name::Cause;
+use super::trial::Trials;
+use crate::infer::judge::motion::ReadMotion;
+use crate::math::rotation::Rotation;
+use crate::motion::State;
+
+/// How the numbers of a log are rounded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Rounding {
+    /// To the 24 bits of single precision.
+    Single,
+    /// To so many digits behind the point.
+    Decimals(u32),
+}
+
+/// More digits than these are no rounding that matters.
+const MOST_DECIMALS: u32 = 8;
+
+/// Rows that are looked at, at most.
+const LOOKED: usize = 64;
+
+/// An error of no more than this many times what rounding makes is its.
+const LEVEL: f64 = 1.5;
+
+/// If it is not known how many steps are between two rows, it may be so many.
+const MOST_STEPS_A_ROW: f64 = 100.0;
+
+/// 2⁻²⁴, the rounding of single precision.
+const SINGLE: f64 = 1.0 / (1_u64 << 24) as f64;
+
+impl Rounding {
+    /// That of the attitudes of a log.
+    pub(super) fn of(motion: &ReadMotion) -> Option<Self> {
+        let stride = motion.attitude.len() / LOOKED + 1;
+        // A number that is exact, such as the 1 of the start, has any rounding.
+        let rows = || motion.attitude.iter().skip(1).step_by(stride).flatten().copied();
+        if rows().all(is_single) {
+            return Some(Self::Single);
+        }
+        (1..=MOST_DECIMALS).map(Self::Decimals).find(|rounding| rows().all(|x| rounding.rounded(x) == x))
+    }
+
+    fn rounded(self, x: f64) -> f64 {
+        match self {
+            Self::Single => f64::from(x as f32),
+            Self::Decimals(count) => {
+                let scale = 10_f64.powi(count.cast_signed());
+                (x * scale).round() / scale
+            }
+        }
+    }
+
+    fn state(self, state: &State) -> State {
+        let attitude = state.attitude.quaternion().map(|x| self.rounded(x));
+        let omega = state.omega.to_array().map(|x| self.rounded(x));
+        State {
+            attitude: Rotation::from_quaternion(attitude).unwrap_or(state.attitude),
+            omega: omega.into(),
+            ..*state
+        }
+    }
+}
+
+/// Is it a number of single precision, or the shortest decimal of one?
+fn is_single(x: f64) -> bool {
+    let single = x as f32;
+    f64::from(single) == x || format!("{single}").parse() == Ok(x)
+}
+
+impl Trials<'_> {
+    /// The exact motion with rounded rows; and steps in single precision. Neither is computed again bit by bit: they are known by the size of
+    /// their errors.
+    pub(super) fn try_rounding(&mut self, motion: &ReadMotion, step: Option<f64>) {
+        let Some(rounding) = Rounding::of(motion) else { return };
+        let states: Vec<State> = self.rows.exact.iter().map(|state| rounding.state(state)).collect();
+        let error = self.rows.base(usize::MAX).attitude;
+        let rounded =
+            self.rows.exact.iter().zip(&states).map(|(a, b)| a.attitude.angle_to(b.attitude).powi(2));
+        let rounded = (rounded.sum::<f64>() / states.len() as f64).sqrt();
+        let is_rounding = error < LEVEL * rounded;
+        self.try_states(Cause::RoundedRows(rounding.decimals()), &states);
+        if let Some(tried) = self.tried.last_mut() {
+            tried.passes = is_rounding;
+        }
+        if rounding != Rounding::Single || self.tried.iter().any(|tried| tried.passes) {
+            return;
+        }
+        let steps =
+            step.map_or(MOST_STEPS_A_ROW * self.duration() / self.rows.spacing, |h| self.duration() / h);
+        let grows = error > 2.0 * self.rows.base(states.len() / 4).attitude;
+        self.tried.push(TriedCause {
+            cause: Cause::SinglePrecisionArithmetic,
+            residual: error,
+            error,
+            explained: 0.0,
+            is_named: false,
+            score: 1.0,
+            passes: grows && error < LEVEL * SINGLE * steps.max(1.0),
+        });
+    }
+}
+
+impl Rounding {
+    const fn decimals(self) -> Option<u32> {
+        match self {
+            Self::Single => None,
+            Self::Decimals(count) => Some(count),
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! Trying causes one after the other.
+
+use super::follow::follow;
+use super::found::TriedCause;
+use super::law::Law;
+use super::name::Cause;
+use super::rows::{Misfit, Rows, Window, rotation_vector};
+use crate::motion::State;
+
+/// A cause that leaves no more than this part of the error explains it; the second where numbers were fitted, or the step was found.
+const BAR: [f64; 2] = [0.1, 0.03];
+
+/// How many times a residual counts, of a cause with one fitted number and one with several.
+const FITTED: [f64; 2] = [3.0, 30.0];
+
+/// Below this part of the error no residual tells causes apart.
+const ALIKE: f64 = 1e-6;
+
+/// Steps of extrapolation at most, for one motion.
+const MOST: usize = 20_000;
+
+/// The run, the right law, and what was tried.
+#[derive(Debug)]
+pub(super) struct Trials<'a> {
+    pub(super) window: Window<'a>,
+    pub(super) rows: Rows,
+    pub(super) law: Law<'a>,
+    pub(super) start: State,
+    pub(super) tried: Vec<TriedCause>,
+}
+
+impl Trials<'_> {
+    /// The motion of a law over the rows.
+    pub(super) fn motion(&self, law: &Law<'_>) -> Vec<State> {
+        follow(law, self.start, &self.rows.times, MOST)
+    }
+
+    /// Compares the motion of a law.
+    pub(super) fn try_law(&mut self, cause: Cause, law: &Law<'_>) {
+        let states = self.motion(law);
+        self.try_states(cause, &states);
+    }
+
+    /// Compares states at the rows.
+    pub(super) fn try_states(&mut self, cause: Cause, states: &[State]) {
+        let is_found = cause.fitted() > 0;
+        let judged = judged(cause, self.rows.misfit(states), self.rows.base(states.len()), is_found);
+        // A motion that cannot be followed over half of the rows says nothing.
+        if 2 * states.len() > self.rows.times.len() {
+            self.tried.push(judged);
+        }
+    }
+
+    /// The best of several causes of a kind, each with its law.
+    pub(super) fn try_best_law<'l>(&mut self, laws: impl IntoIterator<Item = (Cause, Law<'l>)>) {
+        let count = self.tried.len();
+        for (cause, law) in laws {
+            self.try_law(cause, &law);
+        }
+        let best = self.tried.drain(count..).min_by(|a, b| a.score.total_cmp(&b.score));
+        self.tried.extend(best);
+    }
+
+    /// From the start to the last row, s.
+    pub(super) fn duration(&self) -> f64 {
+        self.rows.times.last().map_or(1.0, |end| end - self.start.time)
+    }
+
+    /// A number fitted so that the states, a function of it, are as near to the run as they can be: by Gauss and Newton, from zero.
+    pub(super) fn fitted(&self, scale: f64, states: impl Fn(f64) -> Vec<State>) -> Option<f64> {
+        const ROUNDS: usize = 6;
+        let (mut number, mut difference) = (0.0, scale);
+        for _ in 0..ROUNDS {
+            let here = self.rows.differences(&states(number));
+            let there = self.rows.differences(&states(number + difference));
+            let (mut across, mut square) = (0.0, 0.0);
+            for (a, b) in here.iter().zip(&there) {
+                let slope = (b - a) / difference;
+                across += a * slope;
+                square += slope * slope;
+            }
+            let step = -across / square;
+            if !step.is_finite() {
+                return None;
+            }
+            number += step;
+            if step.abs() < 1e-12 * scale {
+                break;
+            }
+            difference = (1e-2 * step).abs().max(1e-3 * scale);
+        }
+        Some(number)
+    }
+}
+
+/// A cause with how well it explains the rows.
+pub(super) fn judged(cause: Cause, left: Misfit, base: Misfit, is_found: bool) -> TriedCause {
+    let ratio = left.size() / base.size();
+    let weight = match cause.fitted() {
+        0 => 1.0,
+        1 => FITTED[0],
+        _ => FITTED[1],
+    };
+    let bar = BAR[usize::from(is_found)];
+    let keeps_omega = left.omega <= 1.5 * base.omega + 0.1 * base.attitude;
+    let residual = left.attitude;
+    let part = residual / base.attitude;
+    TriedCause {
+        cause,
+        residual,
+        error: base.attitude,
+        explained: 1.0 - part,
+        is_named: false,
+        score: if ratio.is_nan() { f64::INFINITY } else { (ratio + ALIKE) * weight },
+        passes: part <= bar && keeps_omega,
+    }
+}
+
+/// How many times the way from the exact states to others has to be gone to come nearest to the run, and which part of the error is left.
+pub(super) fn scale(rows: &Rows, states: &[State]) -> (f64, f64) {
+    let run = rows.differences(&rows.exact[..states.len().min(rows.exact.len())]);
+    let (mut across, mut square, mut whole) = (0.0, 0.0, 0.0);
+    for ((state, exact), run) in states.iter().zip(&rows.exact).zip(run.chunks_exact(3)) {
+        let way = rotation_vector(exact.attitude, state.attitude).to_array();
+        for (a, b) in way.iter().zip(run) {
+            across += a * b;
+            square += a * a;
+            whole += b * b;
+        }
+    }
+    let times = across / square;
+    (times, (1.0 - times * across / whole).max(0.0).sqrt())
+}

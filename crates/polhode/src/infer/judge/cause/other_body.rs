@@ -7,7 +7,7 @@ use super::trial::Trials;
 use crate::math::frame::Space;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Direction;
-use crate::motion::State;
+use crate::motion::model::state::State;
 
 /// Rows that the torque is summed over, at most.
 const SUMMED: usize = 4096;

@@ -5,7 +5,7 @@ use super::name::Cause;
 use super::trial::Trials;
 use crate::infer::judge::motion::ReadMotion;
 use crate::math::rotation::Rotation;
-use crate::motion::State;
+use crate::motion::model::state::State;
 
 /// How the numbers of a log are rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

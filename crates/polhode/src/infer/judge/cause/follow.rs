@@ -1,7 +1,7 @@
 //! The motion of a law, right or wrong, by extrapolation.
 
 use super::law::{Law, Numbers, advanced, derivative, numbers, state};
-use crate::motion::State;
+use crate::motion::model::state::State;
 
 /// The angle of a step, rad: its error is about 1e-10.
 const ANGLE: f64 = 0.4;

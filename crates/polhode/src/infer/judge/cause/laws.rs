@@ -3,7 +3,7 @@
 use super::law::{Gyroscopic, Law, TorqueAxes, TorqueUse, Turning};
 use super::name::Cause;
 use super::trial::Trials;
-use crate::motion::State;
+use crate::motion::model::state::State;
 
 /// Where engines cut |ω| off unless they are told otherwise, rad/s: Unity, Jolt, PhysX.
 const LIMITS: [f64; 3] = [7.0, 47.123_889_803_846_9, 100.0];

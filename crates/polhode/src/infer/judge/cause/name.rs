@@ -316,7 +316,7 @@ impl fmt::Display for Cause {
             }
             Self::OtherStart { angle, omega } => {
                 write!(f, "it starts elsewhere: {angle:.6} rad from the scenario's attitude")?;
-                omega.map_or(Ok(()), |omega| write!(f, ", with ω = {omega} rad/s"))
+                omega.map_or(Ok(()), |omega| write!(f, ", with ω = {omega}"))
             }
             Self::OtherTensor { tensor: [a, b, c], has_scale } => {
                 let scale = if *has_scale { "kg·m²" } else { "kg·m² times any factor" };

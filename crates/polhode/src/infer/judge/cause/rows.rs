@@ -3,7 +3,7 @@
 use super::law::BodyVector;
 use crate::infer::judge::motion::ReadMotion;
 use crate::math::rotation::{Attitude, Rotation};
-use crate::motion::State;
+use crate::motion::model::state::State;
 
 /// Beyond this error the phases of a motion mean nothing, rad.
 const LOST: f64 = 1.5;

@@ -6,7 +6,7 @@ use super::law::{BodyVector, Law, Numbers, advanced, derivative, numbers, state}
 use crate::math::frame::{Body, Space};
 use crate::math::rotation::{Attitude, Rotation};
 use crate::math::vector::{AngularVelocity, Direction};
-use crate::motion::State;
+use crate::motion::model::state::State;
 
 /// How a step h with the angular velocity ω turns an attitude.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

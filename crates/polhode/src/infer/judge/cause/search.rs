@@ -8,7 +8,10 @@ use super::trial::Trials;
 use crate::infer::judge::motion::ReadMotion;
 use crate::math::frame::Space;
 use crate::math::rotation::Rotation;
-use crate::motion::{Event, Scenario, Simulation, State};
+use crate::motion::model::event::Event;
+use crate::motion::model::state::State;
+use crate::motion::run::simulation::Simulation;
+use crate::motion::task::scenario::Scenario;
 
 /// A run that is nearer to the exact motion than this, rad, needs no cause.
 const EXACT: f64 = 1e-8;
@@ -35,7 +38,8 @@ pub fn causes(scenario: &Scenario, motion: &ReadMotion, exact: &[State], step: O
     };
     let found = from_start(scenario, motion, window, start, step);
     let Some(first) = window.state(window.first()) else { return found };
-    let off = rotation_vector(start.attitude, first.attitude).norm();
+    let faster = (first.omega - start.omega).norm() / start.omega.norm().max(f64::MIN_POSITIVE);
+    let off = rotation_vector(start.attitude, first.attitude).norm().max(faster);
     if found.likeliest().is_some() || first.time != start.time || off < ELSEWHERE * found.error {
         return found;
     }

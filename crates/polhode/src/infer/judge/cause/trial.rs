@@ -5,7 +5,7 @@ use super::found::TriedCause;
 use super::law::Law;
 use super::name::Cause;
 use super::rows::{Misfit, Rows, Window, rotation_vector};
-use crate::motion::State;
+use crate::motion::model::state::State;
 
 /// A cause that leaves no more than this part of the error explains it; the second where numbers were fitted, or the step was found.
 const BAR: [f64; 2] = [0.1, 0.03];

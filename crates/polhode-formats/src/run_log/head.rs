@@ -1,0 +1,110 @@
+//! What the head of a log says: `scenario`, `step`, `engine`, `units`, `columns`.
+
+use std::path::PathBuf;
+
+use super::columns::{Columns, Key, unquoted};
+use super::name::spelt_unit;
+use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use crate::unit::{self, Dimension};
+
+/// What the head of a log says.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Head {
+    pub(super) scenario: Option<PathBuf>,
+    pub(super) step: Option<f64>,
+    pub(super) engine: Option<String>,
+    pub(super) units: Units,
+    pub(super) columns: Option<Columns>,
+    /// Keys that mean nothing here.
+    pub(super) ignored: Vec<String>,
+}
+
+/// Units of columns whose names have none.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Units {
+    time: Option<String>,
+    angle: Option<String>,
+    rate: Option<String>,
+}
+
+impl Units {
+    /// The unit of such columns.
+    pub(super) fn of(&self, key: Key) -> Option<String> {
+        match key {
+            Key::Time => self.time.clone(),
+            Key::Euler => self.angle.clone(),
+            Key::Omega => self.rate.clone(),
+            Key::Quaternion | Key::Matrix => None,
+        }
+    }
+
+    /// `SI`, or units with commas between: `ms, deg, deg/s`.
+    fn parse(text: &str) -> Result<Self, String> {
+        let mut units = Self::default();
+        for written in text.split([',', ';']).map(str::trim).filter(|unit| !unit.is_empty()) {
+            let unit = spelt_unit(written);
+            let is = |dimension| unit::factor(&unit, dimension).is_ok();
+            if written == "SI" {
+                let [time, angle, rate] = ["s", "rad", "rad/s"].map(|unit| Some(unit.to_owned()));
+                units = Self { time, angle, rate };
+            } else if is(Dimension::TIME) {
+                units.time = Some(unit);
+            } else if is(Dimension::ANGULAR_VELOCITY) {
+                units.rate = Some(unit);
+            } else if is(Dimension::ANGLE) {
+                units.angle = Some(unit);
+            } else {
+                return Err(written.to_owned());
+            }
+        }
+        Ok(units)
+    }
+}
+
+impl Head {
+    /// Adds what `key = value` says, which stands there.
+    pub(super) fn add(&mut self, key: &str, value: &str, place: &ContentPlace) -> Result<(), ContentError> {
+        let value = unquoted(value.trim());
+        let refused = |rule: String| {
+            let kind = ContentErrorKind::Value { what: key.to_owned(), value: value.to_owned(), rule };
+            Err(ContentError::new(kind, place.clone()))
+        };
+        match key.strip_prefix("polhode.").unwrap_or(key) {
+            "scenario" if value.is_empty() => refused("the path of a scenario".to_owned())?,
+            "scenario" => self.scenario = Some(PathBuf::from(value)),
+            "engine" => self.engine = Some(value.to_owned()).filter(|engine| !engine.is_empty()),
+            "step" => match unit::parse(value, Dimension::TIME) {
+                Ok(step) if step > 0.0 => self.step = Some(step),
+                Ok(_) => refused("positive: it is the engine's time step, in s".to_owned())?,
+                Err(error) => refused(format!("the engine's time step, in s: {error}"))?,
+            },
+            // Tables of polhode have an object here, and a unit in each name.
+            "units" if value.starts_with('{') => {}
+            "units" => match Units::parse(value) {
+                Ok(units) => self.units = units,
+                Err(unit) => {
+                    let hint = "units = SI, or units of time, angles and angular velocities: ms, deg, deg/s";
+                    let error = refused(format!("units of a motion, and {unit:?} is none"));
+                    error.map_err(|error| error.hint(hint))?;
+                }
+            },
+            "columns" => match Columns::parse(value) {
+                Ok(columns) => self.columns = Some(columns),
+                Err(error) => {
+                    let refused = refused(format!("what columns are: {error}"));
+                    refused.map_err(|refused| refused.hint(error.hint()))?;
+                }
+            },
+            _ => self.ignored.push(key.to_owned()),
+        }
+        Ok(())
+    }
+
+    /// The key and the value of a comment that is `key = value`, where the key is one word.
+    pub(super) fn pair(comment: &str) -> Option<(&str, &str)> {
+        let (key, value) = comment.trim_start_matches('#').split_once('=')?;
+        let key = key.trim();
+        let is_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.' | '-');
+        (!key.is_empty() && key.chars().all(is_word)).then_some((key, value))
+    }
+}

@@ -130,8 +130,11 @@ impl Name {
             return Some(Self { kind: Kind::Euler, distance, ..named });
         }
         // Plain w, x, y, z are a quaternion where all four are there.
-        let distance = if stems.is_empty() && is_letter { 2 } else { stem(&stems, ATTITUDES)?.0 };
-        Some(Self { kind: Kind::Attitude, distance, ..named })
+        let (distance, word) =
+            if stems.is_empty() && is_letter { (2, String::new()) } else { stem(&stems, ATTITUDES)? };
+        // Behind other words, one letter says little: kg_m2.
+        let is_said = distance == 0 || !has("m c a", &word);
+        is_said.then_some(Self { kind: Kind::Attitude, distance, ..named })
     }
 
     /// Whether a time of this name needs a unit.

@@ -134,7 +134,7 @@ impl RowError {
             }
             Problem::NotFinite { slot, found } => {
                 let hint = "a program that writes NaN has lost the motion before: cut the log off there";
-                (ContentErrorKind::NotFinite { what: of(slot), found }, hint)
+                (value(of(slot), found, "finite"), hint)
             }
             Problem::Missing { slot } => {
                 let kind = ContentErrorKind::Missing { what: of(slot) };

@@ -10,7 +10,7 @@ const TWO: &str = "0,1,0,0,0,5,6\n1,0.8,0.6,0,0,7,8\n";
 
 #[test]
 fn polhodes_own_table_says_everything() {
-    let text = "[[body.part]]\nshape = 'box'\nsize = [0.1, 0.2, 0.3]\nmass = 1.7\n[start]\nomega = [0.1, 2, 0.3]\n\
+    let text = "[[body.part]]\nshape = 'box'\nsize = [0.1, 0.2, 0.3]\nmass = 1.7\n[start]\nspin = { body = [0.1, 2, 0.3] }\n\
                 [run]\nduration = 5\nsamples = 41\n";
     let scenario = scenario::parse(text, "t.toml".as_ref()).unwrap();
     let motion = scenario.simulate().unwrap().unwrap();

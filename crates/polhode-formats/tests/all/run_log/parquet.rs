@@ -96,7 +96,7 @@ fn mistakes_name_row_and_column() {
         run_log::from_bytes(&file(SCHEMA, &[], &columns, Compression::SNAPPY), None).unwrap_err().to_string()
     };
     assert_eq!(error(&|c| c[2][6] = f64::NAN), "expected a number as qy of row 7, found \"nothing\"");
-    assert_eq!(error(&|c| c[4][7] = f64::INFINITY), "qw of row 8 inf is not finite");
+    assert_eq!(error(&|c| c[4][7] = f64::INFINITY), "qw of row 8 = inf must be finite");
     assert_eq!(
         error(&|c| c[0][3] = 1e9),
         "the time of row 4 = 1000 s must be later than 1000.5 s, that of the row before"

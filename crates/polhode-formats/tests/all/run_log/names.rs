@@ -44,7 +44,9 @@ fn the_plain_name_comes_first_and_a_tie_is_refused() {
         ("stamp,qw,qx,qy,qz,n,m", "in which unit is stamp? The file does not say"),
         ("t,qw,qx,qy,QW,qz,m", "the column = QW must be named once"),
         ("n,qw,qx,qy,qz,n,m", "the file has no column of the time"),
-        ("t,qw,qx,qy,n,m,k", "the file has no complete set of columns of an attitude"),
+        ("t,qw,qx,qy,n,m,k", "the file has no column of z beside qw, qx, qy"),
+        ("t,a,b,c,n,m,k", "the file has no columns of an attitude"),
+        ("t,pitch [deg],n,m,k,l,yaw [deg]", "the file has no column of roll beside yaw [deg], pitch [deg]"),
     ] {
         let text = format!("{header}\n{TWO}");
         if message.is_empty() {
@@ -79,6 +81,8 @@ fn a_user_names_what_names_do_not_say() {
     let error = told(text, "t = tik, q = b b c d").unwrap_err();
     assert_eq!(error.hint.as_deref(), Some("did you mean tick?"));
     assert!(error.to_string().contains("tick, a, or so, b, c, d"), "{error}");
+    let twice = "t,a,b,b,c\n0,1,0,0,0\n1,1,0,0,0\n";
+    assert!(told(twice, "q wxyz = a b c c").unwrap_err().to_string().contains("b must be named once"));
     let error = told(text, "t = tick, q = b b c d").unwrap_err();
     assert!(error.to_string().contains("the column = b must be read as one thing"), "{error}");
     let error = told(text, "t = tick, q = b..d").unwrap_err();

@@ -53,7 +53,7 @@ fn file(schema: &str, pairs: &[(&str, &str)], columns: &[Vec<f64>], compression:
     bytes
 }
 
-const SCHEMA: &str = "message schema { optional int64 stamp (TIMESTAMP(MICROS,false)); optional float qx; optional float qy; \
+const SCHEMA: &str = "message schema { optional int64 time_s (TIMESTAMP(MICROS,false)); optional float qx; optional float qy; \
                       required float qz; required double qw; required int64 frame; }";
 
 fn columns(rows: usize) -> Vec<Vec<f64>> {

@@ -176,8 +176,8 @@ impl RowError {
                 (value(format!("|RᵀR − 1| of row {row}"), format!("{departure:.2e}"), &rule), hint)
             }
             Problem::Matrix(NoRotation::Mirrors) => {
-                let hint = "its axes are left-handed: reverse one of them in space and the same one in the body before it is \
-                            written";
+                let hint =
+                    "one of its two frames is left-handed: reverse an axis of that one before it is written";
                 (value(format!("det R of row {row}"), "−1".to_owned(), "+1: the matrix mirrors"), hint)
             }
         };

@@ -2,23 +2,29 @@
 
 use polhode::math::{Body, Rotation};
 
-use super::rows::Problem;
-
 /// The largest element of |RᵀR − 1| at which a matrix still is a rotation: single precision, and six printed digits.
 pub(super) const TOLERANCE: f64 = 1e-5;
+
+/// Why a matrix is no rotation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum NoRotation {
+    /// The largest element of |RᵀR − 1|.
+    Departs(f64),
+    Mirrors,
+}
 
 type Matrix = [[f64; 3]; 3];
 
 /// The quaternion, scalar first, of the rotation nearest to a matrix of finite numbers, which come row by row.
-pub(super) fn quaternion(numbers: [f64; 9]) -> Result<[f64; 4], Problem> {
+pub(super) fn quaternion(numbers: [f64; 9]) -> Result<[f64; 4], NoRotation> {
     let [a, b, c, d, e, f, g, h, i] = numbers;
     let mut r = [[a, b, c], [d, e, f], [g, h, i]];
     let departure = departure(&r);
     if !(departure <= TOLERANCE) {
-        return Err(Problem::NotRotation { departure });
+        return Err(NoRotation::Departs(departure));
     }
     if a * (e * i - f * h) + b * (f * g - d * i) + c * (d * h - e * g) < 0.0 {
-        return Err(Problem::Mirrored);
+        return Err(NoRotation::Mirrors);
     }
     // Newton's steps to the nearest rotation square the departure: 1e-5, 1e-10, less than rounding.
     for _ in 0..2 {
@@ -26,7 +32,7 @@ pub(super) fn quaternion(numbers: [f64; 9]) -> Result<[f64; 4], Problem> {
     }
     Rotation::<Body, Body>::from_matrix(r)
         .map(Rotation::quaternion)
-        .map_err(|_| Problem::NotRotation { departure })
+        .map_err(|_| NoRotation::Departs(departure))
 }
 
 /// RᵀR, of which the rotations have 1.

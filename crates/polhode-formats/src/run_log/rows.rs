@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::choice::{Form, Plan};
-use super::matrix;
+use super::matrix::{self, NoRotation};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 /// Numbers of a row: the time, nine of an attitude at most, and an angular velocity.
@@ -38,8 +38,7 @@ pub(super) enum Problem {
     NotJson { message: String, line: String },
     NotLater { time: f64, before: f64 },
     ZeroQuaternion,
-    NotRotation { departure: f64 },
-    Mirrored,
+    Matrix(NoRotation),
 }
 
 impl Rows {
@@ -58,7 +57,7 @@ impl Rows {
                 return Err(Problem::ZeroQuaternion);
             }
             (Form::Quaternion, &[a, b, c, d]) => [a, b, c, d],
-            (Form::Matrix, attitude) => matrix::quaternion(array(attitude))?,
+            (Form::Matrix, attitude) => matrix::quaternion(array(attitude)).map_err(Problem::Matrix)?,
             (Form::Euler { sequence, unit }, attitude) => {
                 sequence.quaternion(array(attitude).map(|angle| unit.apply(angle)))
             }
@@ -134,7 +133,7 @@ impl RowError {
             }
             Problem::NotFinite { slot, found } => {
                 let hint = "a program that writes NaN has lost the motion before: cut the log off there";
-                (ContentErrorKind::NotFinite { what: of(slot), found }, hint)
+                (value(of(slot), found, "finite"), hint)
             }
             Problem::Missing { slot } => {
                 let kind = ContentErrorKind::Missing { what: of(slot) };
@@ -171,14 +170,14 @@ impl RowError {
                 let hint = "four zeros are no attitude: begin the log where the program knows it";
                 (value(what, "0, 0, 0, 0".to_owned(), "other than zero"), hint)
             }
-            Problem::NotRotation { departure } => {
+            Problem::Matrix(NoRotation::Departs(departure)) => {
                 let rule = format!("{} or less: the matrix has to be a rotation", matrix::TOLERANCE);
                 let hint = "name the nine columns of one matrix, row by row, and write six digits or more";
                 (value(format!("|RᵀR − 1| of row {row}"), format!("{departure:.2e}"), &rule), hint)
             }
-            Problem::Mirrored => {
-                let hint = "its axes are left-handed: reverse one of them in space and the same one in the body before it is \
-                            written";
+            Problem::Matrix(NoRotation::Mirrors) => {
+                let hint =
+                    "one of its two frames is left-handed: reverse an axis of that one before it is written";
                 (value(format!("det R of row {row}"), "−1".to_owned(), "+1: the matrix mirrors"), hint)
             }
         };

@@ -241,7 +241,7 @@ fn what_cannot_be_judged_is_refused() {
     );
     for (name, text, said) in [
         ("short.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n", "at least 2 rows"),
-        ("back.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0,0,0\n0.5,1,0,0,0\n", "not later"),
+        ("back.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0,0,0\n0.5,1,0,0,0\n", "must be later"),
         ("zero.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0,0,0,0\n", "zero"),
     ] {
         scratch.write(name, text);

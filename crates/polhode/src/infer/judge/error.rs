@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::readings::ReadingResidual;
-use crate::motion::MotionError;
+use crate::motion::error::MotionError;
 
 /// Why a motion cannot be judged.
 #[derive(Clone, Debug, PartialEq)]

@@ -9,7 +9,8 @@ use super::motion::ReadMotion;
 use super::reading::Reading;
 use super::reference::{spread, states};
 use crate::math::vector::AngularVelocity;
-use crate::motion::{Scenario, State};
+use crate::motion::model::state::State;
+use crate::motion::task::scenario::Scenario;
 
 /// How well a log begins as its scenario, if it is read so.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 use super::difference::{conjugate, length, product, rotation_vector, to_body};
 use super::motion::ReadMotion;
 use super::reference::spread;
-use crate::motion::State;
+use crate::motion::model::state::State;
 
 /// What an error is made of: each part is a motion that differs from the exact one in one respect.
 ///

@@ -1,9 +1,10 @@
 //! Methods of fixed steps, with the step that is declared or one that is found.
 
+use super::law::Law;
 use super::name::Cause;
 use super::rows::Rows;
 use super::scheme::Scheme;
-use super::trial::{Trials, judged, scale};
+use super::trial::{Trials, fitted, judged, scale};
 
 /// Steps of one method, at most.
 const MOST: f64 = 10_000.0;
@@ -37,6 +38,26 @@ impl Trials<'_> {
             if let Some(step) = self.step_of(scheme) {
                 self.try_method(scheme, step, true);
             }
+        }
+    }
+
+    /// The methods of engines with ω damped, where nothing simpler explains the run.
+    pub(super) fn try_damped_methods(&mut self, declared: Option<f64>) {
+        if self.tried.iter().any(|tried| tried.passes) {
+            return;
+        }
+        let step = declared.filter(|h| h.is_finite() && *h > 0.0).unwrap_or(self.rows.spacing);
+        let look = (LOOK / self.rows.rate).max(MOST / 10.0 * step).min(MOST * step);
+        let rows = self.window.rows_until(self.start.time + look);
+        for scheme in Scheme::ENGINES {
+            let damped = |rate: f64| {
+                let law = Law { damping: rate, ..self.law.clone() };
+                scheme.follow(&law, self.start, &rows.times, step)
+            };
+            let least = 1e-3 / self.duration();
+            let Some(rate) = fitted(&rows, least, damped).filter(|rate| *rate > least) else { continue };
+            let (left, base) = (rows.misfit(&damped(rate)), rows.base(usize::MAX));
+            self.tried.push(judged(Cause::MethodWithDamping { scheme, step, rate }, left, base, true));
         }
     }
 

@@ -93,6 +93,7 @@ fn from_start(
     trials.try_damping();
     trials.try_time_shift();
     trials.try_other_tensor();
+    trials.try_damped_methods(step);
     trials.try_rounding(motion, step);
     Causes { tried: trials.tried, error, span, start: TriedStart::Scenario, untried: None }.ranked()
 }

@@ -65,32 +65,32 @@ impl Trials<'_> {
     pub(super) fn duration(&self) -> f64 {
         self.rows.times.last().map_or(1.0, |end| end - self.start.time)
     }
+}
 
-    /// A number fitted so that the states, a function of it, are as near to the run as they can be: by Gauss and Newton, from zero.
-    pub(super) fn fitted(&self, scale: f64, states: impl Fn(f64) -> Vec<State>) -> Option<f64> {
-        const ROUNDS: usize = 6;
-        let (mut number, mut difference) = (0.0, scale);
-        for _ in 0..ROUNDS {
-            let here = self.rows.differences(&states(number));
-            let there = self.rows.differences(&states(number + difference));
-            let (mut across, mut square) = (0.0, 0.0);
-            for (a, b) in here.iter().zip(&there) {
-                let slope = (b - a) / difference;
-                across += a * slope;
-                square += slope * slope;
-            }
-            let step = -across / square;
-            if !step.is_finite() {
-                return None;
-            }
-            number += step;
-            if step.abs() < 1e-12 * scale {
-                break;
-            }
-            difference = (1e-2 * step).abs().max(1e-3 * scale);
+/// A number fitted so that the states, a function of it, are as near to the run as they can be: by Gauss and Newton, from zero.
+pub(super) fn fitted(rows: &Rows, scale: f64, states: impl Fn(f64) -> Vec<State>) -> Option<f64> {
+    const ROUNDS: usize = 6;
+    let (mut number, mut difference) = (0.0, scale);
+    for _ in 0..ROUNDS {
+        let here = rows.differences(&states(number));
+        let there = rows.differences(&states(number + difference));
+        let (mut across, mut square) = (0.0, 0.0);
+        for (a, b) in here.iter().zip(&there) {
+            let slope = (b - a) / difference;
+            across += a * slope;
+            square += slope * slope;
         }
-        Some(number)
+        let step = -across / square;
+        if !step.is_finite() {
+            return None;
+        }
+        number += step;
+        if step.abs() < 1e-9 * number.abs() {
+            break;
+        }
+        difference = (1e-2 * step).abs().max(1e-3 * scale);
     }
+    Some(number)
 }
 
 /// A cause with how well it explains the rows.

@@ -19,6 +19,9 @@ pub(super) enum Rounding {
 /// More digits than these are no rounding that matters.
 const MOST_DECIMALS: u32 = 8;
 
+/// So many digits are fewer than those of single precision.
+const FEW_DECIMALS: u32 = 6;
+
 /// Rows that are looked at, at most.
 const LOOKED: usize = 64;
 
@@ -37,10 +40,15 @@ impl Rounding {
         let stride = motion.attitude.len() / LOOKED + 1;
         // A number that is exact, such as the 1 of the start, has any rounding.
         let rows = || motion.attitude.iter().skip(1).step_by(stride).flatten().copied();
-        if rows().all(is_single) {
-            return Some(Self::Single);
-        }
-        (1..=MOST_DECIMALS).map(Self::Decimals).find(|rounding| rows().all(|x| rounding.rounded(x) == x))
+        let all = |rounding: &Self| rows().all(|x| rounding.rounded(x) == x);
+        let decimals = |least: u32, most: u32| (least..=most).map(Self::Decimals).find(all);
+        let single = || rows().all(is_shortest).then_some(Self::Single);
+        // Every decimal of few digits is the shortest of some number of single precision.
+        let exactly = Some(Self::Single).filter(all);
+        exactly
+            .or_else(|| decimals(1, FEW_DECIMALS))
+            .or_else(single)
+            .or_else(|| decimals(FEW_DECIMALS + 1, MOST_DECIMALS))
     }
 
     fn rounded(self, x: f64) -> f64 {
@@ -64,10 +72,9 @@ impl Rounding {
     }
 }
 
-/// Is it a number of single precision, or the shortest decimal of one?
-fn is_single(x: f64) -> bool {
-    let single = x as f32;
-    f64::from(single) == x || format!("{single}").parse() == Ok(x)
+/// Is it the shortest decimal of a number of single precision?
+fn is_shortest(x: f64) -> bool {
+    format!("{}", x as f32).parse() == Ok(x)
 }
 
 impl Trials<'_> {

@@ -24,7 +24,7 @@ const ELSEWHERE: f64 = 1e-3;
 ///
 /// `exact` are the exact states at the run's times, `step` the length of the program's steps, s, if it is known.
 ///
-/// Rows are compared from the scenario's start until the run and the exact motion are 1.5 rad apart, or the body has turned by 400 rad.
+/// Rows are compared from the scenario's start until the run and the exact motion are 1.5 rad apart, or the body has turned by 120 rad.
 pub fn causes(scenario: &Scenario, motion: &ReadMotion, exact: &[State], step: Option<f64>) -> Causes {
     if scenario.prescribed().is_some() {
         return Causes::untried(Untried::Prescribed);
@@ -41,6 +41,12 @@ pub fn causes(scenario: &Scenario, motion: &ReadMotion, exact: &[State], step: O
     let faster = (first.omega - start.omega).norm() / start.omega.norm().max(f64::MIN_POSITIVE);
     let off = rotation_vector(start.attitude, first.attitude).norm().max(faster);
     if found.likeliest().is_some() || first.time != start.time || off < ELSEWHERE * found.error {
+        return found;
+    }
+    // Noise is another one in the next row.
+    let error = |k: usize| Some(rotation_vector(exact.get(k)?.attitude, window.attitude(k)?));
+    let errors = error(window.first()).zip(error(window.first() + 1));
+    if errors.is_some_and(|(here, next)| here.norm() > faster && (next - here).norm() > here.norm()) {
         return found;
     }
     from_first_row(scenario, motion, window, first, step).unwrap_or(found)
@@ -93,6 +99,7 @@ fn from_start(
     trials.try_damping();
     trials.try_time_shift();
     trials.try_other_tensor();
+    trials.try_damped_methods(step);
     trials.try_rounding(motion, step);
     Causes { tried: trials.tried, error, span, start: TriedStart::Scenario, untried: None }.ranked()
 }

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::readings::ReadingResidual;
+use super::reading::ReadingResidual;
 use crate::motion::error::MotionError;
 
 /// Why a motion cannot be judged.

@@ -1,6 +1,6 @@
 //! Wrong tensors.
 
-use polhode::infer::judge::cause::Cause;
+use polhode::infer::judge::Cause;
 use polhode::prelude::*;
 
 use super::program::*;

@@ -1,6 +1,6 @@
 //! Mistakes in the equations of motion and in the quaternion.
 
-use polhode::infer::judge::cause::Cause;
+use polhode::infer::judge::Cause;
 
 use super::program::*;
 use super::scene::*;

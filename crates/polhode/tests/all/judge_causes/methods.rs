@@ -1,6 +1,6 @@
 //! Methods of fixed steps.
 
-use polhode::infer::judge::cause::{Cause, Scheme, Turn};
+use polhode::infer::judge::{Cause, Scheme, Turn};
 
 use super::program::*;
 use super::scene::*;

@@ -1,6 +1,6 @@
 //! Right motions, noise, few digits and other starts: what is not to be accused.
 
-use polhode::infer::judge::cause::{Cause, Scheme, TriedStart, Untried};
+use polhode::infer::judge::{Cause, Scheme, TriedStart, Untried};
 use polhode::prelude::*;
 
 use super::methods::is_scheme;

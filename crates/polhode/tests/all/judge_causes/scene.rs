@@ -1,7 +1,7 @@
 //! The body, its scenarios, the program's equations, and what is asked of causes.
 
 use polhode::infer::judge::ReadMotion;
-use polhode::infer::judge::cause::{Cause, Causes, causes};
+use polhode::infer::judge::{Cause, Causes, causes};
 use polhode::prelude::*;
 
 use super::program::*;

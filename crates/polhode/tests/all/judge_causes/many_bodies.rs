@@ -1,6 +1,6 @@
 //! Bodies of many shapes, nearly symmetric ones and such that turn near an axis too.
 
-use polhode::infer::judge::cause::{Cause, Scheme, Turn};
+use polhode::infer::judge::{Cause, Scheme, Turn};
 use polhode::prelude::*;
 
 use super::methods::is_scheme;

@@ -97,6 +97,14 @@ def motions() -> list[polhode.Motion]:
     return [polhode.simulate(EXAMPLES / f"{name}.toml") for name in names]
 
 
+def judgement(with_omega: bool) -> polhode.Judgement:
+    """Of a program that is late."""
+    path, times = EXAMPLES / "heavy-top.toml", np.linspace(0.0, 1.0, 60)
+    motion = polhode.simulate(path, times=times)
+    omega = motion.omega_space[:-1] if with_omega else None
+    return polhode.judge(path, times=times[1:], attitude=motion.attitude[:-1], omega=omega, time_origin=0.0)
+
+
 def everything(tmp_path: Path) -> list[object]:
     """Objects of every public class, filled as generically as can be."""
     made = bodies(tmp_path)
@@ -111,6 +119,7 @@ def everything(tmp_path: Path) -> list[object]:
     own = polhode.Ensemble(inertia=np.stack([made[0].inertia, made[5].inertia, made[6].inertia, made[0].inertia]), omega=omega, attitude=attitude)
     links = polhode.link_table(EXAMPLES / "robots" / "arm.urdf", joints={"elbow": 0.3})
     error = polhode.PolhodeError("radius is wrong", "repair it", "a.toml", 3, 7)
+    judged = [judgement(with_omega) for with_omega in (True, False)]
     with pytest.warns(polhode.PolhodeWarning) as heard:
         polhode.inertia(EXAMPLES / "bracket.stl", unit="mm")
     return [
@@ -134,6 +143,13 @@ def everything(tmp_path: Path) -> list[object]:
         *(motion.error for motion in moved if motion.error),
         free.error([0.5, -1e6, 3.0]),
         *made[1].findings,
+        *judged,
+        judged[0].reading,
+        judged[0].reading.tried[1],
+        judged[0].growth,
+        judged[0].split,
+        judged[0].split.parts[1],
+        judged[0].likeliest,
         error,
         heard[0].message,
         plan,

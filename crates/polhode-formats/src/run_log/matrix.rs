@@ -1,24 +1,70 @@
 //! Matrices of rotations, as programs print them: in single precision, or with six digits.
 
-use polhode::math::{Body, Rotation};
+use std::error::Error;
+use std::fmt;
 
-use super::rows::Problem;
+use polhode::math::{Body, Rotation};
 
 /// The largest element of |RᵀR − 1| at which a matrix still is a rotation: single precision, and six printed digits.
 pub(super) const TOLERANCE: f64 = 1e-5;
 
+/// Why a matrix is no rotation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MatrixError {
+    /// RᵀR is not 1.
+    NotRotation {
+        /// The largest element of |RᵀR − 1|.
+        departure: f64,
+    },
+    /// det R is −1.
+    Mirrored,
+}
+
+impl MatrixError {
+    /// What to do about it.
+    pub const fn hint(&self) -> &'static str {
+        match self {
+            Self::NotRotation { .. } => {
+                "name the nine columns of one matrix, row by row, and write six digits or more"
+            }
+            Self::Mirrored => {
+                "its axes are left-handed: reverse one of them in space and the same one in the body before it is written"
+            }
+        }
+    }
+}
+
+impl fmt::Display for MatrixError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotRotation { departure } => {
+                write!(
+                    f,
+                    "|RᵀR − 1| = {departure:.2e} must be {TOLERANCE} or less: the matrix has to be a rotation"
+                )
+            }
+            Self::Mirrored => f.write_str("det R = −1 must be +1: the matrix mirrors"),
+        }
+    }
+}
+
+impl Error for MatrixError {}
+
 type Matrix = [[f64; 3]; 3];
 
 /// The quaternion, scalar first, of the rotation nearest to a matrix of finite numbers, which come row by row.
-pub(super) fn quaternion(numbers: [f64; 9]) -> Result<[f64; 4], Problem> {
+///
+/// # Errors
+/// [`MatrixError`] of one that is farther from a rotation than six digits are, or mirrors.
+pub fn matrix_quaternion(numbers: [f64; 9]) -> Result<[f64; 4], MatrixError> {
     let [a, b, c, d, e, f, g, h, i] = numbers;
     let mut r = [[a, b, c], [d, e, f], [g, h, i]];
     let departure = departure(&r);
     if !(departure <= TOLERANCE) {
-        return Err(Problem::NotRotation { departure });
+        return Err(MatrixError::NotRotation { departure });
     }
     if a * (e * i - f * h) + b * (f * g - d * i) + c * (d * h - e * g) < 0.0 {
-        return Err(Problem::Mirrored);
+        return Err(MatrixError::Mirrored);
     }
     // Newton's steps to the nearest rotation square the departure: 1e-5, 1e-10, less than rounding.
     for _ in 0..2 {
@@ -26,7 +72,7 @@ pub(super) fn quaternion(numbers: [f64; 9]) -> Result<[f64; 4], Problem> {
     }
     Rotation::<Body, Body>::from_matrix(r)
         .map(Rotation::quaternion)
-        .map_err(|_| Problem::NotRotation { departure })
+        .map_err(|_| MatrixError::NotRotation { departure })
 }
 
 /// RᵀR, of which the rotations have 1.

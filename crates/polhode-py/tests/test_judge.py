@@ -339,12 +339,13 @@ def test_arrays_are_to_be_looked_at(exact: polhode.Motion) -> None:
                     array[0] = 0.0
 
 
-def test_what_was_assumed_of_the_body_is_said(examples: Path) -> None:
+def test_what_was_assumed_of_the_scenario_is_said(examples: Path) -> None:
     mesh = f'[[body.part]]\nshape = "mesh"\nfile = "{examples / "bracket.stl"}"\nmaterial = "aluminium"\n'
-    text = mesh + "[start]\nspin = { body = [0.1, 2, -0.3] }\n"
-    times = np.linspace(0.0, 1.0, 11)
+    sweep = '[sweep]\nmembers = 9\nseed = 7\nsampling = "monte carlo"\n[[sweep.vary]]\nkey = "start.spin.body[1]"\nuniform = { from = 1, to = 3 }\n'
+    text = f"{mesh}[start]\nspin = {{ body = [0.1, 2, -0.3] }}\n[run]\nduration = 1\nsamples = 11\n{sweep}"
     with pytest.warns(polhode.PolhodeWarning):
-        attitude = polhode.simulate(text, times=times).attitude
-    with pytest.warns(polhode.PolhodeWarning, match=r"\[mesh.unit\]") as heard:
-        assert polhode.judge(text, times=times, attitude=attitude).is_exact
-    assert heard[0].filename == __file__
+        motion = polhode.simulate(text)
+    with pytest.warns(polhode.PolhodeWarning) as heard:
+        assert polhode.judge(text, times=motion.times, attitude=motion.attitude).is_exact
+    assert [str(warning.message).split()[-1] for warning in heard] == ["[mesh.unit]", "[sweep.nominal]"]
+    assert {warning.filename for warning in heard} == {__file__}

@@ -12,7 +12,8 @@ import numpy.typing as npt
 from . import _arrays, _html, _native
 from ._arrays import Floats
 from ._error import PolhodeError, in_python
-from ._mass_properties import findings_of, warn_of
+from ._mass_properties import findings_of
+from ._motion import warn_of_scenario
 
 
 class TriedReading(NamedTuple):
@@ -156,7 +157,7 @@ class Judgement:
 
     @property
     def omega_error(self) -> Floats | None:
-        """|δω| (n,), as a part of the largest exact \\|ω\\| of the run."""
+        """\\|δω\\| (n,), as a part of the largest exact \\|ω\\| of the run."""
         return _shown_if(self._judged["omega_error"])
 
     @property
@@ -326,7 +327,8 @@ def judge(
     ``axes``, the run's x, y, z as axes of the scenario, such as ``"x,z,-y"``; ``time_origin``, the run's time at the scenario's time 0, s. A
     ``Rotation`` takes body components to space components unless ``sense`` is given. ``step``, s, and ``engine`` are the program's own.
 
-    A :exc:`PolhodeError` says which readings fit where the run does not tell, what of the arrays is no motion, and where a log is wrong.
+    A :exc:`PolhodeError` says which readings fit where the run does not tell, what of the arrays is no motion, and where a log is wrong. What
+    had to be assumed of the body is a :class:`PolhodeWarning`.
 
     >>> import numpy as np, polhode
     >>> scenario = '''
@@ -380,7 +382,7 @@ def judge(
             raise PolhodeError("omega_axes mean nothing without omega")
         rates = None if omega is None else _arrays.numbers("omega", omega, ("n", 3))
         judged = _native.judge_arrays(path, text, _arrays.numbers("times", times, ("n",)), _attitudes(attitude, said), rates, said)
-    warn_of(findings_of(judged["findings"]))
+    warn_of_scenario(findings_of(judged["findings"]))
     return Judgement(judged)
 
 

@@ -33,6 +33,7 @@ TEXTS = {
     "voxel": ["formats/tests/all/voxel.rs", "formats/src/voxel/mod.rs"],
     "times": ["formats/src/times.rs"],
     "motion_table": ["formats/tests/all/prescribed.rs", "formats/src/scenario/motion_table.rs"],
+    "run_log": ["formats/tests/all/run_log/*.rs", "formats/src/run_log/mod.rs"],
     "cad": ["formats/tests/all/cad.rs", "formats/src/cad/mod.rs"],
     "unit": ["formats/tests/all/unit.rs", "formats/src/unit.rs", "formats/src/unit/table.rs"],
     "expression": ["formats/tests/all/expression.rs", "formats/src/expression/mod.rs", "formats/src/expression/parse.rs"],
@@ -53,7 +54,7 @@ WORDS = {
     "off": "formats/src/mesh/off.rs", "gltf": "formats/src/mesh/gltf/*.rs", "threemf": "formats/src/mesh/threemf/*.rs",
     "collada": "formats/src/mesh/collada/*.rs", "mol": "formats/src/molecule/mol.rs", "pdb": "formats/src/molecule/pdb.rs",
     "xyz": "formats/src/molecule/xyz.rs", "particles": "formats/src/particles*.rs", "voxel": "formats/src/voxel/*.rs",
-    "motion_table": "formats/src/scenario/motion_table.rs", "cad": "formats/src/cad/*.rs", "unit": "formats/src/unit/table.rs",
+    "motion_table": "formats/src/scenario/motion_table.rs", "run_log": "formats/src/run_log/*.rs", "cad": "formats/src/cad/*.rs", "unit": "formats/src/unit/table.rs",
     "expression": "formats/src/expression/*.rs", "formula": "polhode/src/motion/state_variables.rs",
     "urdf": "robot/src/read/urdf.rs", "sdf": "robot/src/read/sdf*.rs", "mjcf": "robot/src/read/mjcf/*.rs",
     "usd": "robot/src/read/usd/*.rs", "osim": "robot/src/read/osim*.rs",
@@ -210,6 +211,13 @@ def grids():
     add("motion_table", "time_s,omega_body_x_rad_s,omega_body_y_rad_s,omega_body_z_rad_s\n0,1,2,3\n0.25,1,2.5,3\n0.5,1,3,3.25\n0.75,1,3,3\n")
     add("motion_table", "time_s,omega_space_x_rad_s,omega_space_y_rad_s,omega_space_z_rad_s\n0,1,2,3\n0.25,1,2.5,3\n1,1,3,3.25\n")
     add("motion_table", "time_s,attitude_w,attitude_x,attitude_y,attitude_z\n0,1,0,0,0\n0.25,0.9,0.1,0,0.1\n0.5,0.8,0.2,0,0.1\n0.75,0.7,0.3,0,0.1\n")
+    add("run_log", "# step = 0.001\n# engine = \"a, b\"\ntime_s,attitude_w,attitude_x,attitude_y,attitude_z,omega_body_x_rad_s,omega_body_y_rad_s,omega_body_z_rad_s\n"
+        "0,1,0,0,0,0.5,2,-0.25\n0.125,0.8,-0.6,0,0,0.5,1.5e-1,3\n0.25,0.6,0.8,0,0,0,2.5,3\n")
+    add("run_log", "# units = ms, deg, deg/s\r\nt;\"roll\";pitch;yaw;gyro_x;gyro_y;gyro_z;note\r\n0;10;20;-30;1;2;3;a\r\n250;11;22;-33;1;2;3;\r\n")
+    add("run_log", "t r11 r12 r13 r21 r22 r23 r31 r32 r33\n0 1 0 0 0 1 0 0 0 1\n1 0.6 -0.8 0 0.8 0.6 0 0 0 1\n")
+    add("run_log", '{"scenario": "a.toml", "step": 0.001}\n{"t": 0, "q": [1, 0, 0, 0], "omega": {"x": 1, "y": 2, "z": 0.5}}\n'
+        '{"t": 0.5, "q": [0.8, 0, 0.6, 0], "omega": {"x": 1, "y": 2, "z": 0.25}}\n')
+    add("run_log", '{"time": 0, "R": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}\n{"time": 2, "R": [[0, -1, 0], [1, 0, 0], [0, 0, 1]]}\n')
     add("mjcf", '<mujoco><compiler angle="degree"/><worldbody><body name="a" pos="1 2 3" euler="10 20 30"><inertial pos="0 0 0.1" mass="1.7" '
         'fullinertia="1 2 2.5 0.1 0.2 0.3"/><joint type="hinge" axis="0 1 1"/><geom type="box" size="0.1 0.2 0.3"/></body></worldbody></mujoco>')
     add("scenario", BODY)

@@ -17,7 +17,7 @@ pub mod text;
 pub type Target = fn(&[u8]);
 
 /// All targets by name: what the folders of the corpora are called.
-pub const TARGETS: [(&str, Target); 25] = [
+pub const TARGETS: [(&str, Target); 26] = [
     ("stl", mesh::stl),
     ("obj", mesh::obj),
     ("ply", mesh::ply),
@@ -32,6 +32,7 @@ pub const TARGETS: [(&str, Target); 25] = [
     ("voxel", table::voxel),
     ("times", table::times),
     ("motion_table", motion::motion_table),
+    ("run_log", motion::run_log),
     ("cad", text::cad),
     ("unit", text::unit),
     ("expression", text::expression),

@@ -1,10 +1,10 @@
-//! Scenarios and plans: what is accepted is simulated a little, and every number of its table is finite.
+//! Scenarios and plans: what is accepted is simulated a little, and every number of its table is finite. Logs of motions.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use polhode::motion::{ErrorEffort, Scenario, Trajectory};
-use polhode_formats::{scenario, table};
+use polhode_formats::{run_log, scenario, table};
 use polhode_sweep::Plan;
 
 use super::physical::assert_physical;
@@ -40,6 +40,28 @@ pub fn motion_table(data: &[u8]) {
     if let Ok(Ok(scenario)) = read {
         accepted(scenario);
     }
+}
+
+pub fn run_log(data: &[u8]) {
+    // The parquet crate panics on some broken pages; that is caught, but not by libFuzzer.
+    if data.starts_with(b"PAR1") {
+        return;
+    }
+    let read = || run_log::from_bytes(data, None);
+    let log = match read() {
+        Ok(log) => log,
+        Err(error) => return assert!(!error.to_string().is_empty() && error.hint != Some(String::new())),
+    };
+    assert_eq!(Ok(&log), read().as_ref());
+    assert!(log.log.times().is_sorted_by(|a, b| a < b));
+    let names = if log.log.omega().is_some() { "t,q0,q1,q2,q3,wx,wy,wz" } else { "t,q0,q1,q2,q3" };
+    let mut text = format!("{names}\n");
+    for (k, time) in log.log.times().iter().enumerate() {
+        let omega = log.log.omega().map_or(&[][..], |omega| &omega[k]);
+        let numbers = [&[*time], &log.log.attitude()[k][..], omega].concat();
+        text += &(numbers.iter().map(|n| format!("{n:?}")).collect::<Vec<_>>().join(",") + "\n");
+    }
+    assert_eq!(run_log::from_bytes(text.as_bytes(), None).unwrap().log, log.log);
 }
 
 pub fn plan(data: &[u8]) {

@@ -179,7 +179,7 @@ impl Judge {
     ) -> Result<JudgedRun, Failure> {
         let declared = self.read_as.declared(&log.says);
         let step = self.step.or(step).or(log.step);
-        let judged = JudgedRun::of(shown(path), &file.scenario, &log.log, &declared, step)
+        let judged = JudgedRun::of(Some(path), &file.scenario, &log.log, &declared, step)
             .map_err(|error| refused(path, error))?;
         Ok(JudgedRun { engine: log.engine, ignored: log.ignored, ..judged })
     }

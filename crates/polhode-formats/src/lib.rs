@@ -7,6 +7,7 @@
 //! - [`molecule`]: atoms, as XYZ, MOL, SDF and PDB
 //! - [`cad`]: mass-property reports of CAD programs, as text
 //! - [`particles`]: particles and point clouds, as CSV
+//! - [`run_log`]: motions that other programs logged, as CSV, Parquet and JSON lines
 //! - [`mod@unit`]: quantities in text
 //! - [`expression`]: formulas in text
 //! - [`voxel`]: densities on a grid, as NPY and NRRD

@@ -7,7 +7,7 @@ use polhode::infer::judge::{
     AttitudeSense, DeclaredReading, JudgeError, LogError, MotionLog, OmegaAxes, QuaternionOrder, RateErrors,
     SignedAxes,
 };
-use polhode_formats::run_log::{self, Columns, MatrixError, RunLog, matrix_quaternion};
+use polhode_formats::run_log::{self, Columns, RunLog, matrix_quaternion};
 use polhode_formats::scenario::ScenarioFile;
 use polhode_report::{JudgeReport, JudgedRun, judge_hint};
 use pyo3::prelude::*;
@@ -16,9 +16,6 @@ use crate::arrays::{matrix, numbers, rows};
 use crate::error::{PolhodeError, Raise, refused};
 use crate::finding::{Remark, remarks};
 use crate::free_motion::signed;
-
-/// What a run is called that is no file.
-const UNNAMED: &str = "run";
 
 /// What the user says of a run; the rest is found.
 #[derive(Clone, Debug, FromPyObject)]
@@ -117,7 +114,7 @@ pub(crate) fn judge_arrays<'py>(
     let declared = said.declared(&says)?;
     let (scenario, run) = py.detach(|| {
         let scenario = scenario(&path, text)?;
-        let run = JudgedRun::of(UNNAMED.to_owned(), &scenario.scenario, &log, &declared, said.step)
+        let run = JudgedRun::of(None, &scenario.scenario, &log, &declared, said.step)
             .map_err(|error| unjudged(&scenario, None, &error))?;
         Ok::<_, PyErr>((scenario, JudgedRun { engine: said.engine, ..run }))
     })?;
@@ -144,8 +141,7 @@ pub(crate) fn judge_file<'py>(
             run_log::read(&run, columns.as_ref()).map_err(Raise::raise)?;
         let declared = said.declared(&says)?;
         let scenario = scenario(&path, text)?;
-        let name = run.display().to_string();
-        let judged = JudgedRun::of(name, &scenario.scenario, &log, &declared, said.step.or(step))
+        let judged = JudgedRun::of(Some(&run), &scenario.scenario, &log, &declared, said.step.or(step))
             .map_err(|error| unjudged(&scenario, Some(&run), &error))?;
         Ok::<_, PyErr>((scenario, JudgedRun { engine: said.engine.or(engine), ignored, ..judged }))
     })?;
@@ -172,13 +168,8 @@ fn unjudged(scenario: &ScenarioFile, run: Option<&Path>, error: &JudgeError) -> 
 /// Quaternions of matrices.
 fn quaternions(matrices: &[[f64; 9]]) -> PyResult<Vec<[f64; 4]>> {
     let one = |(row, numbers): (usize, &[f64; 9])| {
-        matrix_quaternion(*numbers).map_err(|error| {
-            let hint = match error {
-                MatrixError::Mirrored => Some(error.hint()),
-                MatrixError::NotRotation { .. } => None,
-            };
-            refused(format!("attitude[{row}]: {error}"), hint)
-        })
+        matrix_quaternion(*numbers)
+            .map_err(|error| refused(format!("attitude[{row}]: {error}"), Some(error.hint())))
     };
     matrices.iter().enumerate().map(one).collect()
 }

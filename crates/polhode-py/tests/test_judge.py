@@ -277,7 +277,7 @@ def test_a_log_is_judged_as_its_arrays(tmp_path: Path) -> None:
         for array in ("times", "attitude_error", "attitude_error_vector", "omega_error", "momentum_direction_error", "exact_attitude"):
             assert np.array_equal(getattr(log, array), getattr(arrays, array)), array
         assert log.likeliest is not None and log.likeliest.id == "no_gyroscopic_term"
-        assert log.to_dict()["runs"][0]["run"] == str(path)
+        assert log.to_dict()["runs"][0]["path"] == str(path)
     named = polhode.judge(BODY, tmp_path / "named.csv")
     assert (named.engine, named.step) == ("an engine", 0.01)
     told = polhode.judge(BODY, str(tmp_path / "named.csv"), engine="another", step=0.005)

@@ -15,6 +15,7 @@ mod explain;
 mod fix;
 mod inertia;
 mod interrupted;
+mod judge;
 mod limits;
 mod live;
 mod mend;

@@ -152,6 +152,24 @@ pub(super) fn attitudes(names: &[Option<Name>]) -> Vec<Candidate> {
     found
 }
 
+/// What is missing of an attitude whose other columns are there, and these.
+pub(super) fn incomplete(names: &[Option<Name>]) -> Option<(&'static str, Vec<usize>)> {
+    let groups = groups(names, Kind::Attitude).into_iter().chain(groups(names, Kind::Euler));
+    groups
+        .filter_map(|group| {
+            [QUATERNIONS[0].0, EULERS[0].0].into_iter().find_map(|labels| {
+                let column = |label: &str| {
+                    let is_it = |c: &&usize| names[**c].as_ref().is_some_and(|name| name.label == label);
+                    group.columns.iter().find(is_it).copied()
+                };
+                let there: Vec<usize> = labels.split(' ').filter_map(column).collect();
+                let missing = labels.split(' ').find(|label| column(label).is_none())?;
+                (there.len() >= 2).then_some((missing, there))
+            })
+        })
+        .max_by_key(|(_, there)| there.len())
+}
+
 /// Columns that may be the angular velocity: along body axes rather than along space axes, and rather than along unknown ones.
 pub(super) fn omegas(names: &[Option<Name>]) -> Vec<Candidate> {
     let mut found = Vec::new();

@@ -6,7 +6,7 @@ use std::ops::Range;
 use polhode::infer::judge::{AttitudeSense, DeclaredReading, OmegaAxes, QuaternionOrder};
 
 use super::ReadColumns;
-use super::candidate::{Candidate, Numbers, attitudes, omegas};
+use super::candidate::{Candidate, Numbers, attitudes, incomplete, omegas};
 use super::columns::{Columns, Key, Said};
 use super::euler::Sequence;
 use super::head::Units;
@@ -87,6 +87,15 @@ impl Header {
         self.named(columns).iter().map(|name| cut(&escaped(name))).collect::<Vec<_>>().join(", ")
     }
 
+    /// `a "b c" d`, as a user names them.
+    fn quoted(&self, columns: &[usize]) -> String {
+        let quoted = |name: &String| match name.contains([' ', ',', ';', '=', '\t']) {
+            true => format!("'{name}'"),
+            false => name.clone(),
+        };
+        self.named(columns).iter().map(quoted).collect::<Vec<_>>().join(" ")
+    }
+
     /// The columns, as a message lists them.
     fn all(&self) -> String {
         const MOST: usize = 24;
@@ -109,6 +118,9 @@ impl Header {
         let mut found = Vec::new();
         for name in &said.columns {
             let exact = |name: &str| self.names.iter().position(|own| own == name);
+            if self.names.iter().filter(|own| *own == name).count() > 1 {
+                return Err(value("the column", name.clone(), "named once".to_owned(), self.whole()));
+            }
             let elements = || {
                 let is_element =
                     |own: &String| own.strip_prefix(name).is_some_and(|rest| rest.starts_with('['));
@@ -125,22 +137,18 @@ impl Header {
         }
         if found.len() != said.key.count() {
             let rule = format!("{} columns; here are {}", said.key.count(), found.len());
-            return Err(self.value("the columns", said.columns.join(" "), rule, self.whole()));
+            return Err(value("the columns", said.columns.join(" "), rule, self.whole()));
         }
         Ok(found)
     }
 
     fn no_column(&self, name: &str) -> ContentError {
         let rule = format!("one of the columns that there are: {}", self.all());
-        let error = self.value("the column", name.to_owned(), rule, self.whole());
+        let error = value("the column", name.to_owned(), rule, self.whole());
         match nearest(name, self.names.iter().map(String::as_str)) {
             Some(near) => error.hint(format!("did you mean {near}?")),
             None => error.hint("--columns names columns as the file does; one with blanks stands in quotes"),
         }
-    }
-
-    fn value(&self, what: &str, value: String, rule: String, place: ContentPlace) -> ContentError {
-        ContentError::new(ContentErrorKind::Value { what: what.to_owned(), value, rule }, place)
     }
 
     /// The one of the candidates that comes first, if none is as good as it.
@@ -155,18 +163,21 @@ impl Header {
             && first.rank == second.rank
         {
             let found = format!("{}; {}", self.listed(&first.columns), self.listed(&second.columns));
-            let example = self.named(&first.columns).join(" ");
-            return Err(self
-                .value(what, found, "one thing: these are as likely".to_owned(), self.whole())
+            let example = self.quoted(&first.columns);
+            return Err(value(what, found, "one thing: these are as likely".to_owned(), self.whole())
                 .hint(format!("say which: --columns \"{key} = {example}\"")));
         }
         let Some(best) = candidates.into_iter().next() else { return Ok(None) };
         if let Some(column) = best.twice {
             let name = self.names[column].clone();
-            return Err(self.value("the column", name, "named once".to_owned(), self.place(column)));
+            return Err(value("the column", name, "named once".to_owned(), self.place(column)));
         }
         Ok(Some(best))
     }
+}
+
+fn value(what: &str, value: String, rule: String, place: ContentPlace) -> ContentError {
+    ContentError::new(ContentErrorKind::Value { what: what.to_owned(), value, rule }, place)
 }
 
 /// Which columns are read: those that the user names, then those whose names say what they are.
@@ -195,7 +206,7 @@ pub(super) fn choose(header: &Header, columns: &Columns, units: &Units) -> Resul
     });
     if let Some(column) = (1..all.len()).map(|k| (all[k], &all[..k])).find(|(c, before)| before.contains(c)) {
         let name = header.names[column.0].clone();
-        return Err(header.value("the column", name, "read as one thing".to_owned(), header.place(column.0)));
+        return Err(value("the column", name, "read as one thing".to_owned(), header.place(column.0)));
     }
     let is_ignored = |k: &usize| !all.contains(k) && !header.names[*k].is_empty();
     let ignored = (0..header.names.len()).filter(is_ignored).map(|k| header.names[k].clone()).collect();
@@ -236,13 +247,18 @@ impl Known<'_> {
         let header = self.header;
         if let Some(said) = said {
             return Candidate::said(said, header.find(said)?, self.names)
-                .map_err(|(value, rule)| header.value("the Euler angles", value, rule, header.whole()));
+                .map_err(|(found, rule)| value("the Euler angles", found, rule, header.whole()));
         }
         let best = header.best("the attitude", "quaternion", attitudes(self.names))?;
         best.ok_or_else(|| {
             let hint = "name a quaternion qw, qx, qy, qz, a matrix r11 … r33 or the angles roll, pitch, yaw, or say what they \
                         are: --columns \"quaternion wxyz = A B C D\"";
-            header.missing("complete set of columns of an attitude", hint)
+            match incomplete(self.names) {
+                Some((label, columns)) => {
+                    header.missing(&format!("column of {label} beside {}", header.listed(&columns)), hint)
+                }
+                None => header.missing("columns of an attitude", hint),
+            }
         })
     }
 
@@ -274,7 +290,7 @@ impl Known<'_> {
         let listed = self.header.listed(columns);
         let question = format!("in which sequence are the Euler angles {listed}?");
         let kind = ContentErrorKind::Unclear { question, found: String::new() };
-        let names = self.header.named(columns).join(" ");
+        let names = self.header.quoted(columns);
         ContentError::new(kind, self.header.whole()).hint(format!(
             "say it, with the angles in the order of the turns: --columns \"euler 3-1-3 rad = {names}\""
         ))
@@ -310,15 +326,15 @@ impl Known<'_> {
     ) -> Result<(Scale, String), ContentError> {
         let header = self.header;
         let own = |column: &usize| {
-            let by_name = self.names[*column].as_ref().and_then(|name| name.unit.clone());
-            by_name.or_else(|| header.units.get(column).map(|unit| (*unit).to_owned()))
+            let by_type = header.units.get(column).map(|unit| (*unit).to_owned());
+            by_type.or_else(|| self.names[*column].as_ref().and_then(|name| name.unit.clone()))
         };
         let named: Vec<Option<String>> = columns.iter().map(own).collect();
         let first = named.first().cloned().flatten();
         let by_user = said.and_then(|said| said.unit.clone());
         if by_user.is_none() && named.iter().any(|unit| *unit != first) {
             let rule = "all in one unit".to_owned();
-            return Err(header.value("the columns", header.listed(columns), rule, header.whole()));
+            return Err(value("the columns", header.listed(columns), rule, header.whole()));
         }
         let unit = by_user.or(first).or_else(|| self.units.of(key));
         let Some(unit) = unit else {
@@ -341,7 +357,7 @@ impl Known<'_> {
         let factor = unit::factor(&unit, key.dimension()).map_err(|wrong| {
             let what = format!("the unit of {}", header.listed(columns));
             let rule = format!("a unit that polhode knows: {wrong}");
-            header.value(&what, unit.clone(), rule, header.place(columns[0]))
+            value(&what, unit.clone(), rule, header.place(columns[0]))
         })?;
         Ok((Scale::by(factor), unit))
     }

@@ -218,7 +218,11 @@ impl<'a> Table<'a> {
                     at = separator.skip_blanks(text, at + 1);
                 }
                 (_, Separator::Blanks) if at > field => {}
-                _ => return Err(open_quote(text, field)),
+                _ => {
+                    let wrong = self.slots.get(width - 1).copied().flatten();
+                    let wrong = wrong.and_then(|slot| self.rare_number(text, field, slot.into()).err());
+                    return Err(wrong.unwrap_or_else(|| open_quote(text, field)));
+                }
             }
         }
         if width != self.slots.len() {

@@ -11,11 +11,8 @@ pub(super) const TOLERANCE: f64 = 1e-5;
 /// Why a matrix is no rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MatrixError {
-    /// RᵀR is not 1.
-    NotRotation {
-        /// The largest element of |RᵀR − 1|.
-        departure: f64,
-    },
+    /// RᵀR is not 1: the largest element of |RᵀR − 1|.
+    NotRotation(f64),
     /// det R is −1.
     Mirrored,
 }
@@ -24,20 +21,21 @@ impl MatrixError {
     /// What to do about it.
     pub const fn hint(&self) -> &'static str {
         match self {
-            Self::NotRotation { .. } => {
-                "name the nine columns of one matrix, row by row, and write six digits or more"
+            Self::NotRotation(_) => {
+                "give the nine numbers of one matrix, row by row, with six digits or more"
             }
             Self::Mirrored => {
-                "its axes are left-handed: reverse one of them in space and the same one in the body before it is written"
+                "one of its two frames is left-handed: reverse an axis of that one before it is written"
             }
         }
     }
 }
 
+/// `|RᵀR − 1| = 1.00e0 must be 0.00001 or less: the matrix has to be a rotation`
 impl fmt::Display for MatrixError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotRotation { departure } => {
+            Self::NotRotation(departure) => {
                 write!(
                     f,
                     "|RᵀR − 1| = {departure:.2e} must be {TOLERANCE} or less: the matrix has to be a rotation"
@@ -61,7 +59,7 @@ pub fn matrix_quaternion(numbers: [f64; 9]) -> Result<[f64; 4], MatrixError> {
     let mut r = [[a, b, c], [d, e, f], [g, h, i]];
     let departure = departure(&r);
     if !(departure <= TOLERANCE) {
-        return Err(MatrixError::NotRotation { departure });
+        return Err(MatrixError::NotRotation(departure));
     }
     if a * (e * i - f * h) + b * (f * g - d * i) + c * (d * h - e * g) < 0.0 {
         return Err(MatrixError::Mirrored);
@@ -72,7 +70,7 @@ pub fn matrix_quaternion(numbers: [f64; 9]) -> Result<[f64; 4], MatrixError> {
     }
     Rotation::<Body, Body>::from_matrix(r)
         .map(Rotation::quaternion)
-        .map_err(|_| MatrixError::NotRotation { departure })
+        .map_err(|_| MatrixError::NotRotation(departure))
 }
 
 /// RᵀR, of which the rotations have 1.

@@ -68,6 +68,7 @@ use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
+use ::bytes::Bytes;
 use polhode::infer::judge::{DeclaredReading, LogError, MotionLog};
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
@@ -130,8 +131,13 @@ pub fn read(path: &Path, columns: Option<&Columns>) -> Result<RunLog, FormatErro
         // The place of an error is shown with its line.
         Some(Err(error)) => Err(FormatError::of_content(path, &whole()?, error)),
         None => {
-            let bytes = whole()?;
-            from_bytes(&bytes, columns).map_err(|error| FormatError::of_content(path, &bytes, error))
+            let bytes = Bytes::from(whole()?);
+            let read = if bytes.starts_with(PARQUET) {
+                of_parquet(bytes.clone(), columns)
+            } else {
+                from_bytes(&bytes, columns)
+            };
+            read.map_err(|error| FormatError::of_content(path, &bytes, error))
         }
     }
 }
@@ -177,8 +183,7 @@ const PARQUET: &[u8] = b"PAR1";
 /// As [`read()`].
 pub fn from_bytes(bytes: &[u8], columns: Option<&Columns>) -> Result<RunLog, ContentError> {
     if bytes.starts_with(PARQUET) {
-        let (head, plan, rows) = parquet::read(bytes::Bytes::copy_from_slice(bytes), columns)?;
-        return finished(head, plan, rows);
+        return of_parquet(Bytes::copy_from_slice(bytes), columns);
     }
     of_text(bytes, Some(bytes.len() as u64), columns).map_err(|failure| match failure {
         Failure::Content(error) => error,
@@ -187,6 +192,11 @@ pub fn from_bytes(bytes: &[u8], columns: Option<&Columns>) -> Result<RunLog, Con
             ContentError::new(kind, ContentPlace::Whole)
         }
     })
+}
+
+fn of_parquet(bytes: Bytes, columns: Option<&Columns>) -> Result<RunLog, ContentError> {
+    let (head, plan, rows) = parquet::read(bytes, columns)?;
+    finished(head, plan, rows)
 }
 
 /// Reads a log from text of some length.

@@ -130,8 +130,11 @@ impl Name {
             return Some(Self { kind: Kind::Euler, distance, ..named });
         }
         // Plain w, x, y, z are a quaternion where all four are there.
-        let distance = if stems.is_empty() && is_letter { 2 } else { stem(&stems, ATTITUDES)?.0 };
-        Some(Self { kind: Kind::Attitude, distance, ..named })
+        let (distance, word) =
+            if stems.is_empty() && is_letter { (2, String::new()) } else { stem(&stems, ATTITUDES)? };
+        // Behind other words, one letter says little: kg_m2.
+        let is_said = distance == 0 || !has("m c a", &word);
+        is_said.then_some(Self { kind: Kind::Attitude, distance, ..named })
     }
 
     /// Whether a time of this name needs a unit.
@@ -165,7 +168,7 @@ fn split_bracket(text: &str) -> (&str, Option<&str>) {
 /// The words of a name in lower case: parted by what is no letter, where small letters meet a capital, and letters a digit.
 fn words(text: &str) -> Vec<String> {
     let spelt = text.replace(['ω', 'Ω'], " omega ").replace(['φ', 'ϕ', 'Φ'], " phi ");
-    let spelt = spelt.replace(['θ', 'ϑ', 'Θ'], " theta ").replace(['ψ', 'Ψ'], " psi ");
+    let spelt = spelt.replace('°', " deg ").replace(['θ', 'ϑ', 'Θ'], " theta ").replace(['ψ', 'Ψ'], " psi ");
     let mut words = vec![String::new()];
     let mut before = ' ';
     for c in spelt.chars() {
@@ -291,7 +294,7 @@ mod tests {
             ("w", Kind::Attitude, "w", "", 2),
             ("omega_body_x_rad_s", Kind::Omega, "x", "rad/s", 0),
             ("wx", Kind::Omega, "x", "", 0),
-            ("ωz [°/s]", Kind::Omega, "z", "°/s", 0),
+            ("ωz [°/s]", Kind::Omega, "z", "deg/s", 0),
             ("robot.angularVelocity_y [rad/sec]", Kind::Omega, "y", "rad/s", 1),
             ("gyro_x_dps", Kind::Omega, "x", "deg/s", 1),
             ("omega[2]", Kind::Omega, "2", "", 0),

@@ -21,6 +21,7 @@ const BATCH: usize = 1 << 16;
 
 /// Reads a file.
 pub(super) fn read(bytes: Bytes, told: Option<&Columns>) -> Result<(Head, Plan, Rows), ContentError> {
+    let length = bytes.len();
     let file = SerializedFileReader::new(bytes).map_err(|error| broken(&error))?;
     let head = head(&file)?;
     let columns = told.or(head.columns.as_ref()).cloned().unwrap_or_default();
@@ -32,11 +33,16 @@ pub(super) fn read(bytes: Bytes, told: Option<&Columns>) -> Result<(Head, Plan, 
     let mut rows = Rows::default();
     let expected = usize::try_from(file.metadata().file_metadata().num_rows()).unwrap_or(0);
     // A file may say what it likes.
-    rows.reserve(&plan, expected.min(1 << 24));
+    rows.reserve(&plan, expected.min(length));
     for group in 0..file.num_row_groups() {
         let group = file.get_row_group(group).map_err(|error| broken(&error))?;
         let left = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
         let readers = plan.slots.iter().map(|slot| {
+            let chunk = group.metadata().column(slot.column);
+            let start = chunk.dictionary_page_offset().unwrap_or_else(|| chunk.data_page_offset());
+            if start.min(chunk.data_page_offset()).min(chunk.compressed_size()) < 0 {
+                return Err(ParquetError::General("a column begins before the file".to_owned()));
+            }
             let nulls = schema.column(slot.column).max_def_level();
             Ok((group.get_column_reader(slot.column)?, nulls))
         });
@@ -117,11 +123,14 @@ fn batch(readers: &mut [(ColumnReader, i16)], count: usize) -> Result<Vec<Number
         readers.iter_mut().map(|(reader, level)| numbers(reader, *level, count)).collect()
     };
     let (one, other) = readers.split_at_mut(readers.len() / 2);
+    // Where pages are not what their headers say, the reader of the parquet crate panics.
+    let contradicts = |_| ParquetError::General("its pages contradict their headers".to_owned());
     thread::scope(|scope| {
-        let one = scope.spawn(|| next(one));
-        let other = next(other);
-        let mut all = one.join().unwrap_or_else(|p| std::panic::resume_unwind(p))?;
-        all.append(&mut other?);
+        let halves = [scope.spawn(|| next(one)), scope.spawn(|| next(other))];
+        let mut all = Vec::new();
+        for half in halves.map(|half| half.join().map_err(contradicts)) {
+            all.append(&mut half??);
+        }
         Ok(all)
     })
 }

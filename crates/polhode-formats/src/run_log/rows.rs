@@ -135,7 +135,7 @@ impl RowError {
             }
             Problem::NotFinite { slot, found } => {
                 let hint = "a program that writes NaN has lost the motion before: cut the log off there";
-                (ContentErrorKind::NotFinite { what: of(slot), found }, hint)
+                (value(of(slot), found, "finite"), hint)
             }
             Problem::Missing { slot } => {
                 let kind = ContentErrorKind::Missing { what: of(slot) };
@@ -174,7 +174,7 @@ impl RowError {
             }
             Problem::Matrix(error) => {
                 let (what, found, rule) = match error {
-                    MatrixError::NotRotation { departure } => {
+                    MatrixError::NotRotation(departure) => {
                         let rule = format!("{} or less: the matrix has to be a rotation", matrix::TOLERANCE);
                         ("|RᵀR − 1|", format!("{departure:.2e}"), rule)
                     }

@@ -17,6 +17,7 @@ mod off;
 mod particles;
 mod ply;
 mod prescribed;
+mod run_log;
 mod scenario;
 mod stl;
 mod stl_quick;

@@ -26,6 +26,7 @@ pub(super) fn run(run: &JudgedRun) -> Value {
     let times = &judgement.motion.times;
     json!({
         "run": run.name,
+        "path": run.path,
         "engine": run.engine,
         "step_s": run.step,
         "step_is_said": run.step_is_said,

@@ -7,10 +7,14 @@ mod json;
 mod report;
 mod words;
 
+use std::path::Path;
+
 use polhode::infer::judge::{
     AccuracyOrder, Causes, DeclaredReading, JudgeError, Judgement, MotionLog, StepErrors, causes,
 };
 use polhode::motion::Scenario;
+
+use crate::layout::printable;
 
 pub use card::{Card, CardCase, CardRun};
 pub use hint::judge_hint;
@@ -19,8 +23,10 @@ pub use report::JudgeReport;
 /// A run of another program, judged.
 #[derive(Clone, Debug)]
 pub struct JudgedRun {
-    /// What it is called: its file.
+    /// What it is called: its file's name, if it has one.
     pub name: String,
+    /// Its file.
+    pub path: Option<String>,
     /// The program that made it, and how, if the run says so.
     pub engine: Option<String>,
     /// The program's time step, s.
@@ -35,13 +41,16 @@ pub struct JudgedRun {
     pub ignored: Vec<String>,
 }
 
+/// What a run is called that is no file.
+const UNNAMED: &str = "run";
+
 impl JudgedRun {
-    /// A log of a scenario's motion, judged; `step` is the program's time step, if it is said, s.
+    /// A log of a scenario's motion, of a file or not, judged; `step` is the program's time step, if it is said, s.
     ///
     /// # Errors
     /// As [`Judgement::of`]; [`judge_hint`] says what helps.
     pub fn of(
-        name: String,
+        file: Option<&Path>,
         scenario: &Scenario,
         log: &MotionLog,
         declared: &DeclaredReading,
@@ -50,7 +59,10 @@ impl JudgedRun {
         let judgement = Judgement::of(scenario, log, declared)?;
         let (step, step_is_said) = (step.or_else(|| spacing(log.times())), step.is_some());
         let causes = causes(scenario, &judgement.motion, judgement.reference.states(), step);
-        Ok(Self { name, engine: None, step, step_is_said, judgement, causes, ignored: Vec::new() })
+        let name = file.map(|file| file.file_name().unwrap_or(file.as_os_str()).to_string_lossy());
+        let name = name.map_or_else(|| UNNAMED.to_owned(), |name| printable(&name));
+        let path = file.map(|file| file.display().to_string());
+        Ok(Self { name, path, engine: None, step, step_is_said, judgement, causes, ignored: Vec::new() })
     }
 
     /// The largest angle between an attitude and the exact one, rad.

@@ -158,7 +158,7 @@ impl JudgeReport {
             let split = &run.judgement.split;
             let until = number(split.until, 4);
             s.say(format!(
-                "{}, until {until} s, of {} rad (root of the mean square):",
+                "{}, until {until} s, of {} rad (root of the mean square; the squares of the parts add up to it):",
                 run.name,
                 error(split.total)
             ));

@@ -44,19 +44,19 @@ pub(super) fn why(run: &JudgedRun) -> String {
     }
 }
 
-/// `99.97 %`: not rounded to all.
+/// `99.7 %`: not rounded to all.
 pub(super) fn share(part: f64) -> String {
     let percent = 100.0 * part;
-    if percent > 99.99 && percent < 100.0 {
-        "more than 99.99 %".to_owned()
+    if percent > 99.9 && percent < 100.0 {
+        "more than 99.9 %".to_owned()
     } else {
-        format!("{} %", number(percent, 4))
+        format!("{} %", number(percent, 3))
     }
 }
 
 /// `it turns too fast, by 1.2e-7 of ω`
 pub(super) fn part(part: &SplitPart) -> String {
-    let Some(value) = part.value else { return "not to be told from those above".to_owned() };
+    let Some(value) = part.value else { return "none, or it looks like larger parts".to_owned() };
     match part.kind {
         PartKind::Start => format!("it starts turned by {} rad in space", vector(value, 3)),
         PartKind::BodyAxes => format!("its axes in the body are turned by {} rad", vector(value, 3)),

@@ -19,6 +19,7 @@ mod inverse;
 mod jacobi_form;
 mod jacobian;
 mod judge;
+mod judge_causes;
 mod mesh;
 mod mesh_diagnosis;
 mod mesh_fill;

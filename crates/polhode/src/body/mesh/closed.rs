@@ -1,10 +1,11 @@
 //! Solids bounded by triangles.
 
 use super::component::{ComponentRole, MeshComponent};
-use super::diagnosis::{Analysis, MeshDiagnosis, Sought};
+use super::diagnosis::{Analysis, MeshDiagnosis};
 use super::flaws::MeshFlaws;
 use super::integral::Polyhedron;
 use super::places::MeshPlaces;
+use super::sought::Sought;
 use super::threads::Threads;
 use super::weld::NONE;
 use super::work::GoesOn;

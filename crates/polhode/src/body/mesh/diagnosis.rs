@@ -7,6 +7,7 @@ use super::inside::Windings;
 use super::layer::Layers;
 use super::overlap::{Meetings, Overlaps};
 use super::patches::{Patches, is_balanced, join};
+use super::sought::Sought;
 use super::threads::Threads;
 use super::tree::Tree;
 use super::weld::{NONE, Welded, is_proper};
@@ -193,15 +194,6 @@ impl Analysis {
         let diagnosis = MeshDiagnosis { undecided, ..findings.diagnosis(measured, &meetings) };
         Self { welded, patches, edges, meetings, diagnosis }
     }
-}
-
-/// What a mesh is looked through for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Sought {
-    /// All that can be said of it.
-    All,
-    /// What it bounds, or why it bounds no solid, and no remarks.
-    FirstError,
 }
 
 /// Steps for a mesh, and more for each of its triangles: most are visits of a line at a triangle. Walls of touching bricks take some 400 for

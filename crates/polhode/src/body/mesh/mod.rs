@@ -24,6 +24,7 @@ mod places;
 mod predicate;
 mod scaled;
 pub(crate) mod shell;
+mod sought;
 mod threads;
 mod tree;
 mod umbrella;

@@ -15,7 +15,6 @@
 
 use core::ops::ControlFlow;
 
-use super::diagnosis::Sought;
 use super::edges::{Edges, end_of, start_of};
 use super::fan::overlapping;
 use super::inside::{Windings, centroid};
@@ -24,6 +23,7 @@ use super::neighborhood::Neighborhoods;
 use super::oriented::OrientedTree;
 use super::patches::Patches;
 use super::predicate::side;
+use super::sought::Sought;
 use super::threads::Threads;
 use super::tree::Tree;
 use super::umbrella::umbrellas;

@@ -3,9 +3,10 @@
 use super::TriangleMesh;
 use super::component::ComponentRole;
 use super::diagnosis::{
-    Analysis, EdgePlace, MeshDiagnosis, PairPlace, Sought, TrianglePlace, again, at_edge, at_pair,
-    at_triangle, degenerate, unbalanced,
+    Analysis, EdgePlace, MeshDiagnosis, PairPlace, TrianglePlace, again, at_edge, at_pair, at_triangle,
+    degenerate, unbalanced,
 };
+use super::sought::Sought;
 use super::threads::Threads;
 use super::weld::NONE;
 

@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-use super::readings::ReadingResidual;
-use crate::motion::MotionError;
+use super::reading::ReadingResidual;
+use crate::motion::error::MotionError;
 
 /// Why a motion cannot be judged.
 #[derive(Clone, Debug, PartialEq)]

@@ -9,7 +9,7 @@ use super::readings::Readings;
 use super::reference::Reference;
 use super::row_errors::RowErrors;
 use super::split::Split;
-use crate::motion::Scenario;
+use crate::motion::task::scenario::Scenario;
 
 /// What there is to say of a motion that another program computed.
 ///

@@ -7,6 +7,7 @@ use super::declared::{AttitudeSense, OmegaAxes};
 use super::difference::to_body;
 use super::log::{MotionLog, QuaternionOrder};
 use super::motion::ReadMotion;
+use crate::math::frame::Body;
 use crate::math::vector::AngularVelocity;
 
 /// What the numbers of a log mean.
@@ -22,6 +23,17 @@ pub struct Reading {
     pub time_origin: f64,
 }
 
+/// How well a log begins as its scenario, if it is read so.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReadingResidual {
+    /// The reading.
+    pub reading: Reading,
+    /// The angle between the attitudes that are read and the exact ones, rad: root of the mean square over the beginning.
+    pub attitude: f64,
+    /// The same as a part of the angle that the exact motion turns through in the beginning.
+    pub relative: f64,
+}
+
 impl Reading {
     /// A quaternion of the log: R_space_body, scalar first, in the scenario's axes.
     pub fn quaternion(&self, numbers: [f64; 4]) -> [f64; 4] {
@@ -34,12 +46,7 @@ impl Reading {
     }
 
     /// An angular velocity of the log, in body axes; `numbers` are those of the attitude beside it.
-    pub fn omega(
-        &self,
-        omega: [f64; 3],
-        axes: OmegaAxes,
-        numbers: [f64; 4],
-    ) -> AngularVelocity<crate::math::Body> {
+    pub fn omega(&self, omega: [f64; 3], axes: OmegaAxes, numbers: [f64; 4]) -> AngularVelocity<Body> {
         let omega = self.axes.to_scenario(omega);
         AngularVelocity::from_array(match axes {
             OmegaAxes::Space => to_body(self.quaternion(numbers), omega),

@@ -6,21 +6,12 @@ use super::difference::{angle_between, conjugate, product};
 use super::error::JudgeError;
 use super::log::{MotionLog, QuaternionOrder};
 use super::motion::ReadMotion;
-use super::reading::Reading;
+use super::reading::{Reading, ReadingResidual};
 use super::reference::{spread, states};
+use crate::math::frame::Body;
 use crate::math::vector::AngularVelocity;
-use crate::motion::{Scenario, State};
-
-/// How well a log begins as its scenario, if it is read so.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ReadingResidual {
-    /// The reading.
-    pub reading: Reading,
-    /// The angle between the attitudes that are read and the exact ones, rad: root of the mean square over the beginning.
-    pub attitude: f64,
-    /// The same as a part of the angle that the exact motion turns through in the beginning.
-    pub relative: f64,
-}
+use crate::motion::model::state::State;
+use crate::motion::task::scenario::Scenario;
 
 /// A log's reading, and those that it was found among.
 #[derive(Clone, Debug, PartialEq)]
@@ -243,7 +234,7 @@ fn omega_axes(
     beginning: &Beginning,
 ) -> Result<OmegaAxes, JudgeError> {
     let read = |row: usize, axes| reading.omega(omega[row], axes, log.attitude()[row]);
-    let rms = |of: &dyn Fn(usize, &State) -> AngularVelocity<crate::math::Body>| {
+    let rms = |of: &dyn Fn(usize, &State) -> AngularVelocity<Body>| {
         let squares = |(&row, exact): (&usize, &State)| of(row, exact).norm().powi(2);
         beginning.rows.iter().zip(&beginning.exact).map(squares).sum::<f64>().sqrt()
     };

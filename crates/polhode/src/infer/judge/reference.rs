@@ -1,7 +1,12 @@
 //! The exact motion at the times of a log.
 
 use super::error::JudgeError;
-use crate::motion::{ErrorEffort, Method, Run, Scenario, Simulation, State, StateError, Task};
+use crate::motion::model::state::{State, StateError};
+use crate::motion::run::global_error::ErrorEffort;
+use crate::motion::run::simulation::Simulation;
+use crate::motion::solve::method::Method;
+use crate::motion::task::run::Run;
+use crate::motion::task::scenario::{Scenario, Task};
 
 /// The states of a scenario at given times, with what they may be wrong by.
 ///

@@ -4,7 +4,8 @@ use super::difference::{length, rotation_vector, to_space};
 use super::motion::ReadMotion;
 use crate::math::frame::{Body, Space};
 use crate::math::vector::{AngularMomentum, AngularVelocity};
-use crate::motion::{Rotor, State};
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
 
 /// The errors of a motion, row by row.
 ///

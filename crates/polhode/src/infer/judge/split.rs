@@ -3,7 +3,7 @@
 use super::difference::{conjugate, length, product, rotation_vector, to_body};
 use super::motion::ReadMotion;
 use super::reference::spread;
-use crate::motion::State;
+use crate::motion::model::state::State;
 
 /// What an error is made of: each part is a motion that differs from the exact one in one respect.
 ///
@@ -11,7 +11,7 @@ use crate::motion::State;
 ///
 /// θ = R_exactᵀ (σ + t δ) + β + (τ + t ρ) ω,
 ///
-/// t since the start, as far as |θ| ≤ 0.3 rad. A wrong first attitude is taken out before, however large.
+/// t since the start, as far as |θ| ≤ 0.3 rad, the part first that takes most from it. A wrong first attitude is taken out before, however large.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Split {
     /// The parts, in the order of [`PartKind`].
@@ -31,9 +31,10 @@ pub struct Split {
 pub struct SplitPart {
     /// Which.
     pub kind: PartKind,
-    /// Its numbers, in units of [`PartKind::unit`]; one that is a scalar has it first. `None` where in this run it looks like parts before it.
+    /// Its numbers, in units of [`PartKind::unit`]; one that is a scalar has it first. `None` of a part that takes nothing, or
+    /// looks like larger parts in this run.
     pub value: Option<[f64; 3]>,
-    /// What it takes from the error that the parts before it leave, rad, root of the mean square: with the rest, the squares add up to
+    /// What it takes from the error that larger parts leave, rad, root of the mean square: with the rest, the squares add up to
     /// that of the whole.
     pub attitude: f64,
 }
@@ -54,7 +55,7 @@ pub enum PartKind {
 }
 
 impl PartKind {
-    /// All, in the order in which they are fitted.
+    /// All.
     pub const ALL: [Self; 5] = [Self::Start, Self::BodyAxes, Self::Clock, Self::Rate, Self::Drift];
 
     /// The unit of its numbers.
@@ -104,6 +105,9 @@ const WRONG_START: f64 = 0.05;
 const FITTED: usize = 4000;
 /// A part of which less than this is left without those before it cannot be told from them.
 const DISTINCT: f64 = 0.02;
+/// How many times what chance would take, and which part of the squares of all, a part has to take.
+const CHANCE: f64 = 9.0;
+const LEAST: f64 = 1e-6;
 
 impl Split {
     /// Of a motion and the exact states at its times.
@@ -120,35 +124,29 @@ impl Split {
         let began = exact.first().map_or(0.0, |state| state.time);
         let errors: Vec<f64> = picked.iter().flat_map(|&row| theta(row)).collect();
 
-        let mut fit = Fit::default();
-        for kind in PartKind::ALL {
-            let shapes = picked.iter().map(|&row| kind.shapes(&exact[row], exact[row].time - began));
+        let columns = |kind: PartKind| {
             let mut columns = vec![Vec::with_capacity(errors.len()); kind.count()];
-            for row in shapes {
-                columns.iter_mut().zip(row).for_each(|(column, shape)| column.extend(shape));
+            for &row in &picked {
+                let shapes = kind.shapes(&exact[row], exact[row].time - began);
+                columns.iter_mut().zip(shapes).for_each(|(column, shape)| column.extend(shape));
             }
-            columns.into_iter().for_each(|column| fit.take(column));
-        }
-        let values = fit.solve(&errors);
+            columns
+        };
         let rms = |of: &[f64]| (of.iter().map(|c| c * c).sum::<f64>() / picked.len().max(1) as f64).sqrt();
-        let (mut parts, mut rest, mut at) = (Vec::new(), errors.clone(), 0);
-        for kind in PartKind::ALL {
-            let columns = at..at + kind.count();
-            at = columns.end;
-            let mut squares = 0.0;
-            for q in columns.clone().filter_map(|k| fit.orthonormal[k].as_ref()) {
-                let along = dot(q, &rest);
-                squares += along * along;
-                rest.iter_mut().zip(q).for_each(|(rest, q)| *rest -= along * q);
-            }
-            let is_known = columns.clone().any(|k| values[k].is_some());
+        let (taken, fit, rest) = chosen(PartKind::ALL.map(|kind| (kind, columns(kind))).to_vec(), &errors);
+        let values = fit.solve(&errors);
+        let mut at = 0;
+        let mut parts = PartKind::ALL.map(|kind| SplitPart { kind, value: None, attitude: 0.0 }).to_vec();
+        for (kind, squares) in taken {
+            let attitude = (squares / picked.len().max(1) as f64).sqrt();
             let mut value = [0.0; 3];
-            columns.zip(&mut value).for_each(|(k, slot)| *slot = values[k].unwrap_or(0.0));
-            parts.push(SplitPart {
-                kind,
-                value: is_known.then_some(value),
-                attitude: (squares / picked.len().max(1) as f64).sqrt(),
-            });
+            value
+                .iter_mut()
+                .zip(&values[at..at + kind.count()])
+                .for_each(|(slot, v)| *slot = v.unwrap_or(0.0));
+            at += kind.count();
+            let found = parts.iter_mut().filter(|part| part.kind == kind);
+            found.for_each(|part| *part = SplitPart { kind, value: Some(value), attitude });
         }
         if let (Some(wrong), Some(start)) = (wrong, parts.first_mut()) {
             // The turn in space that was taken out, and what was fitted after it.
@@ -173,6 +171,31 @@ impl Split {
     }
 }
 
+/// The parts in the order in which they take most from what is left, as long as that is more than chance would, each with the squares that
+/// it takes; the fit of all of them, and what it leaves.
+fn chosen(mut left: Vec<(PartKind, Vec<Vec<f64>>)>, errors: &[f64]) -> (Vec<(PartKind, f64)>, Fit, Vec<f64>) {
+    let (mut taken, mut fit, mut rest) = (Vec::new(), Fit::default(), errors.to_vec());
+    let with = |fit: &Fit, columns: &[Vec<f64>]| {
+        let mut with = fit.clone();
+        columns.iter().for_each(|column| with.take(column.clone()));
+        (with.rest(errors), with)
+    };
+    while let Some((k, (after, next))) = (left.iter().enumerate())
+        .map(|(k, (_, columns))| (k, with(&fit, columns)))
+        .min_by(|a, b| dot(&a.1.0, &a.1.0).total_cmp(&dot(&b.1.0, &b.1.0)))
+    {
+        let (kind, _) = left.swap_remove(k);
+        let (squares, remain) = (dot(&rest, &rest) - dot(&after, &after), dot(&after, &after));
+        let by_chance = kind.count() as f64 * remain / errors.len().max(1) as f64;
+        if squares <= CHANCE * by_chance || squares <= LEAST * dot(errors, errors) {
+            break;
+        }
+        taken.push((kind, squares));
+        (fit, rest) = (next, after);
+    }
+    (taken, fit, rest)
+}
+
 /// R_read R_exactᵀ of the first row, if that is no small error.
 fn wrong_start(motion: &ReadMotion, exact: &[State]) -> Option<[f64; 4]> {
     let (read, exact) = (*motion.attitude.first()?, exact.first()?.attitude.quaternion());
@@ -195,7 +218,7 @@ fn noise(theta: &[f64]) -> f64 {
 }
 
 /// Least squares by Gram–Schmidt, column by column: a column that those before it make almost alone is left out.
-#[derive(Default)]
+#[derive(Clone, Default)]
 struct Fit {
     orthonormal: Vec<Option<Vec<f64>>>,
     /// R of A = Q R: of each column its components along those before it, and what is left.
@@ -220,6 +243,16 @@ impl Fit {
         self.orthonormal.push(is_distinct.then(|| left.iter().map(|c| c / rest).collect()));
         along[count] = rest;
         self.triangle.push(along);
+    }
+
+    /// What is left of errors.
+    fn rest(&self, errors: &[f64]) -> Vec<f64> {
+        let mut rest = errors.to_vec();
+        for q in self.orthonormal.iter().flatten() {
+            let along = dot(q, &rest);
+            rest.iter_mut().zip(q).for_each(|(rest, q)| *rest -= along * q);
+        }
+        rest
     }
 
     /// The factors of the columns; `None` of one that was left out.

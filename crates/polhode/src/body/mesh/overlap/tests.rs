@@ -4,7 +4,8 @@ use core::f64::consts::TAU;
 
 use super::super::TriangleMesh;
 use super::super::component::Measured;
-use super::super::diagnosis::{Analysis, Sought};
+use super::super::diagnosis::Analysis;
+use super::super::sought::Sought;
 use super::super::weld::NONE;
 use super::*;
 use crate::body::error::BodyError;

@@ -5,7 +5,7 @@ use super::name::Cause;
 use super::trial::Trials;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Position;
-use crate::motion::Scenario;
+use crate::motion::task::scenario::Scenario;
 
 /// The orders of three things but the usual one.
 const ORDERS: [[usize; 3]; 5] = [[0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];

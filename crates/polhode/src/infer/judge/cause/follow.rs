@@ -1,7 +1,7 @@
 //! The motion of a law, right or wrong, by extrapolation.
 
 use super::law::{Law, Numbers, advanced, derivative, numbers, state};
-use crate::motion::State;
+use crate::motion::model::state::State;
 
 /// The angle of a step, rad: its error is about 1e-10.
 const ANGLE: f64 = 0.4;
@@ -9,10 +9,16 @@ const ANGLE: f64 = 0.4;
 /// The same where ω may be cut off after a step.
 const CUT_ANGLE: f64 = 0.01;
 
-/// The motion from a start to each of ascending times; as far as it goes, and no further than so many steps.
+/// The motion from a start to each of ascending times: as far as it goes, no further than so many steps, and while `is_of_use` says so of each state.
 ///
 /// Each step is Gragg's modified midpoint rule with 2, 4, 6 and 8 parts, extrapolated: order 8.
-pub(super) fn follow(law: &Law<'_>, start: State, times: &[f64], most: usize) -> Vec<State> {
+pub(super) fn follow(
+    law: &Law<'_>,
+    start: State,
+    times: &[f64],
+    most: usize,
+    mut is_of_use: impl FnMut(&State) -> bool,
+) -> Vec<State> {
     let mut now = limited(law, start);
     let mut steps = 0;
     let mut states = Vec::with_capacity(times.len());
@@ -33,6 +39,9 @@ pub(super) fn follow(law: &Law<'_>, start: State, times: &[f64], most: usize) ->
             now = limited(law, step(law, &now, end));
         }
         states.push(now);
+        if !is_of_use(&now) {
+            break;
+        }
     }
     states
 }

@@ -49,7 +49,7 @@ pub enum TriedStart {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Untried {
-    /// The run is the exact motion to 1e-8 rad: there is nothing to explain.
+    /// Over the rows that are compared the run is the exact motion to 1e-8 rad: there is nothing to explain.
     Exact,
     /// Fewer than two rows can be compared.
     TooShort,
@@ -62,7 +62,7 @@ pub enum Untried {
 impl fmt::Display for Untried {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Exact => "the run is the exact motion to 1e-8 rad",
+            Self::Exact => "the run is the exact motion to 1e-8 rad while the body turns by 120 rad",
             Self::TooShort => "fewer than two rows can be compared",
             Self::Prescribed => "the motion of the scenario is given, not computed",
             Self::Switched => "events of the scenario switch torques",

@@ -4,8 +4,10 @@ use crate::math::frame::{Body, Space};
 use crate::math::rotation::{Attitude, Rotation};
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::{AngularVelocity, Direction};
-use crate::motion::torque::TorqueModel;
-use crate::motion::{Rotor, Scenario, State};
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+use crate::motion::model::torque::TorqueModel;
+use crate::motion::task::scenario::Scenario;
 
 /// What is computed along body axes, whatever its quantity.
 pub(super) type BodyVector = Direction<Body>;

@@ -1,12 +1,12 @@
 //! Methods of fixed steps, with the step that is declared or one that is found.
 
+use super::law::Law;
 use super::name::Cause;
-use super::rows::Rows;
 use super::scheme::Scheme;
-use super::trial::{Trials, judged, scale};
+use super::trial::{Trials, fitted, judged, scale};
 
 /// Steps of one method, at most.
-const MOST: f64 = 10_000.0;
+const MOST: f64 = 4_000.0;
 
 /// Between two rows there may be more.
 const MOST_BETWEEN_ROWS: f64 = 200_000.0;
@@ -40,6 +40,26 @@ impl Trials<'_> {
         }
     }
 
+    /// The methods of engines with ω damped, where nothing simpler explains the run.
+    pub(super) fn try_damped_methods(&mut self, declared: Option<f64>) {
+        if self.tried.iter().any(|tried| tried.passes) {
+            return;
+        }
+        let step = declared.filter(|h| h.is_finite() && *h > 0.0).unwrap_or(self.rows.spacing);
+        let look = (LOOK / self.rows.rate).min(MOST / 4.0 * step);
+        let rows = self.window.rows_until(self.start.time + look);
+        for scheme in Scheme::ENGINES {
+            let damped = |rate: f64| {
+                let law = Law { damping: rate, ..self.law.clone() };
+                scheme.follow(&law, self.start, &rows.times, step)
+            };
+            let least = 1e-3 / self.duration();
+            let Some(rate) = fitted(&rows, least, damped).filter(|rate| *rate > least) else { continue };
+            let (left, base) = (rows.misfit(&damped(rate)), rows.base(usize::MAX));
+            self.tried.push(judged(Cause::MethodWithDamping { scheme, step, rate }, left, base, true));
+        }
+    }
+
     /// All that differ: without a torque L is the same before and after.
     fn schemes(&self) -> impl Iterator<Item = Scheme> + use<> {
         let is_free = self.law.torque_count() == 0 && !self.law.has_wheels();
@@ -63,14 +83,16 @@ impl Trials<'_> {
         const ROUNDS: usize = 4;
         const NEIGHBOURS: f64 = 12.0;
         let spacing = self.rows.spacing;
-        let rows = self.window.rows_until(self.start.time + LOOK / self.rows.rate);
+        let look = (LOOK / self.rows.rate).min(MOST * spacing);
+        let rows = self.window.rows_until(self.start.time + look);
         let span = rows.times.last()? - self.start.time;
         let at = |parts: f64| scheme.follow(&self.law, self.start, &rows.times, spacing / parts);
-        let misfit = |parts: f64| rows.misfit(&at(parts)).size();
         let mut parts = (spacing * self.rows.rate / ANGLE).ceil().max(1.0);
-        let mut best = (misfit(parts), parts);
+        let mut best = (f64::INFINITY, parts);
         for _ in 0..ROUNDS {
-            let (times, left) = scale(&rows, &at(parts));
+            let states = at(parts);
+            best = better(best, (rows.misfit(&states).size(), parts));
+            let (times, left) = scale(&rows, &states);
             if !(times > 0.0) || left > HOPELESS {
                 break;
             }
@@ -79,25 +101,20 @@ impl Trials<'_> {
                 break;
             }
             parts = next;
-            best = better(best, (misfit(parts), parts));
         }
-        if best.1 <= NEIGHBOURS && self.explains(&rows, best.0) {
+        if best.1 <= NEIGHBOURS && best.0 < HOPELESS * rows.base(usize::MAX).size() {
             for next in [best.1 - 1.0, best.1 + 1.0] {
                 if next >= 1.0 {
-                    best = better(best, (misfit(next), next));
+                    best = better(best, (rows.misfit(&at(next)).size(), next));
                 }
             }
         }
         Some(spacing / best.1)
     }
-
-    fn explains(&self, rows: &Rows, left: f64) -> bool {
-        left < HOPELESS * rows.base(rows.times.len()).size()
-    }
 }
 
 fn is_short(span: f64, step: f64) -> bool {
-    span / step < 2.0 * MOST
+    span / step < 5.0 * MOST
 }
 
 fn better(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {

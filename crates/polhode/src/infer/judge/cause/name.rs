@@ -85,13 +85,22 @@ pub enum Cause {
         /// The step, s: declared, or found.
         step: f64,
     },
+    /// The same with ω damped besides.
+    MethodWithDamping {
+        /// The rule.
+        scheme: Scheme,
+        /// The step, s: declared, or the rows' spacing.
+        step: f64,
+        /// c, 1/s, fitted.
+        rate: f64,
+    },
     /// The rows are rounded to so many digits behind the point, or to the 24 bits of single precision, and have no other error.
     RoundedRows(Option<u32>),
     /// The rows have 24 bits, and an error that grows as that of steps in single precision does.
     SinglePrecisionArithmetic,
     /// The rows are those of other times.
     TimeShift {
-        /// By how much they are later than they say, s, fitted.
+        /// By how much these times are later than the rows say, s, fitted.
         shift: f64,
     },
     /// The motion starts elsewhere.
@@ -122,13 +131,15 @@ impl Cause {
         }
     }
 
-    /// How many numbers were fitted to the run.
+    /// How many numbers were taken from the run, or fitted to it; few of many are 1.
     pub(super) const fn fitted(&self) -> u32 {
         match self {
             Self::TorqueScaled { .. }
             | Self::Damping { .. }
             | Self::DampingWithoutGyroscopicTerm { .. }
+            | Self::MethodWithDamping { .. }
             | Self::SpeedLimit { .. }
+            | Self::OtherStart { .. }
             | Self::TimeShift { .. } => 1,
             Self::OtherTensor { .. } => 6,
             _ => 0,
@@ -193,7 +204,7 @@ impl Cause {
             Self::TorqueScaled { .. } => {
                 "See the torque's numbers: its unit, the mass, g, the lever, and whether it is applied once in each step."
             }
-            Self::Damping { .. } => {
+            Self::Damping { .. } | Self::MethodWithDamping { .. } => {
                 "Set the angular damping of the body to zero: in some engines it is 0.04 or 0.05 1/s unless it is set."
             }
             Self::SpeedLimit { .. } => {
@@ -302,6 +313,12 @@ impl fmt::Display for Cause {
             Self::Method { scheme, step } if scheme.order() < 2 => {
                 write!(f, "its steps are of order 1: {scheme}, h = {step:.6} s")
             }
+            Self::MethodWithDamping { scheme, step, rate } => {
+                write!(
+                    f,
+                    "ω is damped, c = {rate:.4} 1/s, and its steps are of order 1: {scheme}, h = {step:.6} s"
+                )
+            }
             Self::Method { scheme, step } => {
                 write!(f, "this is the error of {scheme}, h = {step:.6} s")
             }
@@ -310,13 +327,15 @@ impl fmt::Display for Cause {
                 write!(f, "the motion is right to the {digits} digits behind the point that its rows have")
             }
             Self::SinglePrecisionArithmetic => f.write_str("the motion is computed in single precision"),
-            Self::TimeShift { shift } => write!(f, "its rows are those of times {shift:.6} s later"),
+            Self::TimeShift { shift } => {
+                write!(f, "its rows are those of times {shift:.6} s later than they say")
+            }
             Self::StartOmegaAlongSpace => {
                 f.write_str("it starts with the body components of ω along space axes")
             }
             Self::OtherStart { angle, omega } => {
                 write!(f, "it starts elsewhere: {angle:.6} rad from the scenario's attitude")?;
-                omega.map_or(Ok(()), |omega| write!(f, ", with ω = {omega} rad/s"))
+                omega.map_or(Ok(()), |omega| write!(f, ", with ω = {omega}"))
             }
             Self::OtherTensor { tensor: [a, b, c], has_scale } => {
                 let scale = if *has_scale { "kg·m²" } else { "kg·m² times any factor" };

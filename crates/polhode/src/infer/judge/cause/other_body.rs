@@ -7,7 +7,7 @@ use super::trial::Trials;
 use crate::math::frame::Space;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Direction;
-use crate::motion::State;
+use crate::motion::model::state::State;
 
 /// Rows that the torque is summed over, at most.
 const SUMMED: usize = 4096;
@@ -72,12 +72,10 @@ fn implied(window: &Window<'_>, law: &Law<'_>, has_scale: bool) -> Option<Symmet
         }
     }
     let whole: f64 = (0..6).map(|k| normal[k][k]).sum();
-    for k in 0..6 {
-        normal[k][k] += RIDGE * whole;
-        for l in 0..3 {
-            if k < 3 && !has_scale {
-                normal[k][l] += TRACE * whole;
-            }
+    for (k, line) in normal.iter_mut().enumerate() {
+        line[k] += RIDGE * whole;
+        if k < 3 && !has_scale {
+            line.iter_mut().take(3).for_each(|element| *element += TRACE * whole);
         }
     }
     Some(*law.tensor() + Symmetric3::from_elements(solved(normal)?))

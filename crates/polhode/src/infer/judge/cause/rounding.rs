@@ -5,7 +5,7 @@ use super::name::Cause;
 use super::trial::Trials;
 use crate::infer::judge::motion::ReadMotion;
 use crate::math::rotation::Rotation;
-use crate::motion::State;
+use crate::motion::model::state::State;
 
 /// How the numbers of a log are rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,8 +19,17 @@ pub(super) enum Rounding {
 /// More digits than these are no rounding that matters.
 const MOST_DECIMALS: u32 = 8;
 
+/// So many digits are fewer than those of single precision.
+const FEW_DECIMALS: u32 = 6;
+
 /// Rows that are looked at, at most.
 const LOOKED: usize = 64;
+
+/// An error of no more than this many times what rounding makes is its.
+const LEVEL: f64 = 1.5;
+
+/// If it is not known how many steps are between two rows, it may be so many.
+const MOST_STEPS_A_ROW: f64 = 100.0;
 
 /// 2⁻²⁴, the rounding of single precision.
 const SINGLE: f64 = 1.0 / (1_u64 << 24) as f64;
@@ -31,10 +40,15 @@ impl Rounding {
         let stride = motion.attitude.len() / LOOKED + 1;
         // A number that is exact, such as the 1 of the start, has any rounding.
         let rows = || motion.attitude.iter().skip(1).step_by(stride).flatten().copied();
-        if rows().all(is_single) {
-            return Some(Self::Single);
-        }
-        (1..=MOST_DECIMALS).map(Self::Decimals).find(|rounding| rows().all(|x| rounding.rounded(x) == x))
+        let all = |rounding: &Self| rows().all(|x| rounding.rounded(x) == x);
+        let decimals = |least: u32, most: u32| (least..=most).map(Self::Decimals).find(all);
+        let single = || rows().all(is_shortest).then_some(Self::Single);
+        // Every decimal of few digits is the shortest of some number of single precision.
+        let exactly = Some(Self::Single).filter(all);
+        exactly
+            .or_else(|| decimals(1, FEW_DECIMALS))
+            .or_else(single)
+            .or_else(|| decimals(FEW_DECIMALS + 1, MOST_DECIMALS))
     }
 
     fn rounded(self, x: f64) -> f64 {
@@ -58,35 +72,41 @@ impl Rounding {
     }
 }
 
-/// Is it a number of single precision, or the shortest decimal of one?
-fn is_single(x: f64) -> bool {
-    let single = x as f32;
-    f64::from(single) == x || format!("{single}").parse() == Ok(x)
+/// Is it the shortest decimal of a number of single precision?
+fn is_shortest(x: f64) -> bool {
+    format!("{}", x as f32).parse() == Ok(x)
 }
 
 impl Trials<'_> {
-    /// The exact motion with rounded rows; and steps in single precision, which are not computed again but known by their size.
+    /// The exact motion with rounded rows; and steps in single precision. Neither is computed again bit by bit: they are known by the size of
+    /// their errors.
     pub(super) fn try_rounding(&mut self, motion: &ReadMotion, step: Option<f64>) {
         let Some(rounding) = Rounding::of(motion) else { return };
         let states: Vec<State> = self.rows.exact.iter().map(|state| rounding.state(state)).collect();
+        let error = self.rows.base(usize::MAX).attitude;
+        let rounded =
+            self.rows.exact.iter().zip(&states).map(|(a, b)| a.attitude.angle_to(b.attitude).powi(2));
+        let rounded = (rounded.sum::<f64>() / states.len() as f64).sqrt();
+        let is_rounding = error < LEVEL * rounded;
         self.try_states(Cause::RoundedRows(rounding.decimals()), &states);
-        if rounding == Rounding::Single && !self.tried.iter().any(|tried| tried.passes) {
-            let steps = self.duration() / step.unwrap_or(self.rows.spacing);
-            let error = self.rows.base(usize::MAX);
-            let part = |count: usize| self.rows.base(count).attitude;
-            let count = self.rows.times.len();
-            let grows = error.attitude > 2.0 * part(count / 4);
-            let is_so_large = SINGLE < error.attitude && error.attitude < 2.0 * SINGLE * steps.max(1.0);
-            self.tried.push(TriedCause {
-                cause: Cause::SinglePrecisionArithmetic,
-                residual: error.attitude,
-                error: error.attitude,
-                explained: 0.0,
-                is_named: false,
-                score: 1.0,
-                passes: grows && is_so_large,
-            });
+        if let Some(tried) = self.tried.last_mut() {
+            tried.passes = is_rounding;
         }
+        if rounding != Rounding::Single || self.tried.iter().any(|tried| tried.passes) {
+            return;
+        }
+        let steps =
+            step.map_or(MOST_STEPS_A_ROW * self.duration() / self.rows.spacing, |h| self.duration() / h);
+        let grows = error > 2.0 * self.rows.base(states.len() / 4).attitude;
+        self.tried.push(TriedCause {
+            cause: Cause::SinglePrecisionArithmetic,
+            residual: error,
+            error,
+            explained: 0.0,
+            is_named: false,
+            score: 1.0,
+            passes: grows && error < LEVEL * SINGLE * steps.max(1.0),
+        });
     }
 }
 

@@ -3,13 +3,13 @@
 use super::law::BodyVector;
 use crate::infer::judge::motion::ReadMotion;
 use crate::math::rotation::{Attitude, Rotation};
-use crate::motion::State;
+use crate::motion::model::state::State;
 
 /// Beyond this error the phases of a motion mean nothing, rad.
 const LOST: f64 = 1.5;
 
 /// How far a body turns while it is compared, rad: at least, if the run is so long, and at most.
-const TURNING: [f64; 2] = [6.0, 400.0];
+const TURNING: [f64; 2] = [6.0, 120.0];
 
 /// At least so many rows, if the run has them.
 const LEAST_ROWS: usize = 12;

@@ -6,7 +6,7 @@ use super::law::{BodyVector, Law, Numbers, advanced, derivative, numbers, state}
 use crate::math::frame::{Body, Space};
 use crate::math::rotation::{Attitude, Rotation};
 use crate::math::vector::{AngularVelocity, Direction};
-use crate::motion::State;
+use crate::motion::model::state::State;
 
 /// How a step h with the angular velocity ω turns an attitude.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -31,7 +31,7 @@ pub enum Scheme {
     MomentumFirst(Turn),
     /// L along space axes: q′ by I⁻¹ L with the I of q, then L′ = L + h N of q.
     MomentumLast(Turn),
-    /// ω′ by one step of Newton's method for I (ω′ − ω) + h (ω′ × I ω′ − N) = 0, then q′ by ω′: Catto's, in Bullet, Box3D and, as
+    /// ω′ by one step of Newton's method for I (ω′ − ω) + h (ω′ × I ω′ − N) = 0, then q′ by ω′: Catto's, in Bullet and, as
     /// `implicit`, MuJoCo.
     ImplicitGyroscopic(Turn),
     /// ω′ from I (ω′ − ω) = h (I ω × ω′ + N), then q′ by ω′: Lacoursière's, in ODE.
@@ -99,6 +99,18 @@ impl Scheme {
         RungeKutta4,
         RungeKutta4Momentum,
         RungeKutta4MeanRate,
+    ];
+
+    /// Those of engines, which may damp ω besides.
+    pub(super) const ENGINES: [Self; 8] = [
+        SemiImplicitEuler(Exponential),
+        SemiImplicitEuler(FirstOrder),
+        ImplicitGyroscopic(Exponential),
+        ImplicitGyroscopic(FirstOrder),
+        LaggedMomentum(Exponential),
+        LaggedMomentum(FirstOrder),
+        RescaledMomentum(Exponential),
+        RescaledMomentum(FirstOrder),
     ];
 
     /// The power of h that the error of the attitude falls with.

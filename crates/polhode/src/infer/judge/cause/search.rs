@@ -8,7 +8,10 @@ use super::trial::Trials;
 use crate::infer::judge::motion::ReadMotion;
 use crate::math::frame::Space;
 use crate::math::rotation::Rotation;
-use crate::motion::{Event, Scenario, Simulation, State};
+use crate::motion::model::event::Event;
+use crate::motion::model::state::State;
+use crate::motion::run::simulation::Simulation;
+use crate::motion::task::scenario::Scenario;
 
 /// A run that is nearer to the exact motion than this, rad, needs no cause.
 const EXACT: f64 = 1e-8;
@@ -21,7 +24,7 @@ const ELSEWHERE: f64 = 1e-3;
 ///
 /// `exact` are the exact states at the run's times, `step` the length of the program's steps, s, if it is known.
 ///
-/// Rows are compared from the scenario's start until the run and the exact motion are 1.5 rad apart, or the body has turned by 400 rad.
+/// Rows are compared from the scenario's start until the run and the exact motion are 1.5 rad apart, or the body has turned by 120 rad.
 pub fn causes(scenario: &Scenario, motion: &ReadMotion, exact: &[State], step: Option<f64>) -> Causes {
     if scenario.prescribed().is_some() {
         return Causes::untried(Untried::Prescribed);
@@ -35,8 +38,15 @@ pub fn causes(scenario: &Scenario, motion: &ReadMotion, exact: &[State], step: O
     };
     let found = from_start(scenario, motion, window, start, step);
     let Some(first) = window.state(window.first()) else { return found };
-    let off = rotation_vector(start.attitude, first.attitude).norm();
+    let faster = (first.omega - start.omega).norm() / start.omega.norm().max(f64::MIN_POSITIVE);
+    let off = rotation_vector(start.attitude, first.attitude).norm().max(faster);
     if found.likeliest().is_some() || first.time != start.time || off < ELSEWHERE * found.error {
+        return found;
+    }
+    // Noise is another one in the next row.
+    let error = |k: usize| Some(rotation_vector(exact.get(k)?.attitude, window.attitude(k)?));
+    let errors = error(window.first()).zip(error(window.first() + 1));
+    if errors.is_some_and(|(here, next)| here.norm() > faster && (next - here).norm() > here.norm()) {
         return found;
     }
     from_first_row(scenario, motion, window, first, step).unwrap_or(found)
@@ -89,6 +99,7 @@ fn from_start(
     trials.try_damping();
     trials.try_time_shift();
     trials.try_other_tensor();
+    trials.try_damped_methods(step);
     trials.try_rounding(motion, step);
     Causes { tried: trials.tried, error, span, start: TriedStart::Scenario, untried: None }.ranked()
 }

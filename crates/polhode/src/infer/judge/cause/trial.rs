@@ -5,7 +5,7 @@ use super::found::TriedCause;
 use super::law::Law;
 use super::name::Cause;
 use super::rows::{Misfit, Rows, Window, rotation_vector};
-use crate::motion::State;
+use crate::motion::model::state::State;
 
 /// A cause that leaves no more than this part of the error explains it; the second where numbers were fitted, or the step was found.
 const BAR: [f64; 2] = [0.1, 0.03];
@@ -15,6 +15,12 @@ const FITTED: [f64; 2] = [3.0, 30.0];
 
 /// Below this part of the error no residual tells causes apart.
 const ALIKE: f64 = 1e-6;
+
+/// What leaves more than this part of the error is not followed to its end.
+const HOPELESS: f64 = 0.3;
+
+/// A number that explains less than this part of the error, in proportion to it, is not fitted.
+const LITTLE: f64 = 0.3;
 
 /// Steps of extrapolation at most, for one motion.
 const MOST: usize = 20_000;
@@ -32,19 +38,33 @@ pub(super) struct Trials<'a> {
 impl Trials<'_> {
     /// The motion of a law over the rows.
     pub(super) fn motion(&self, law: &Law<'_>) -> Vec<State> {
-        follow(law, self.start, &self.rows.times, MOST)
+        follow(law, self.start, &self.rows.times, MOST, |_| true)
+    }
+
+    /// The same until it is known not to explain the run.
+    fn motion_of_use(&self, law: &Law<'_>) -> Vec<State> {
+        let base = self.rows.base(usize::MAX).attitude;
+        let most = (HOPELESS * base).powi(2) * self.rows.times.len() as f64;
+        let (mut sum, mut rows) = (0.0, self.rows.run.iter());
+        follow(law, self.start, &self.rows.times, MOST, |state| {
+            sum += rows.next().map_or(0.0, |run| run.angle_to(state.attitude).powi(2));
+            sum <= most
+        })
     }
 
     /// Compares the motion of a law.
     pub(super) fn try_law(&mut self, cause: Cause, law: &Law<'_>) {
-        let states = self.motion(law);
-        self.try_states(cause, &states);
+        let states = self.motion_of_use(law);
+        let (left, base) = (self.rows.misfit(&states), self.rows.base(states.len()));
+        let is_whole = states.len() == self.rows.times.len();
+        let mut tried = judged(cause, left, base, false);
+        tried.passes &= is_whole;
+        self.tried.push(tried);
     }
 
     /// Compares states at the rows.
     pub(super) fn try_states(&mut self, cause: Cause, states: &[State]) {
-        let is_found = cause.fitted() > 0;
-        let judged = judged(cause, self.rows.misfit(states), self.rows.base(states.len()), is_found);
+        let judged = judged(cause, self.rows.misfit(states), self.rows.base(states.len()), false);
         // A motion that cannot be followed over half of the rows says nothing.
         if 2 * states.len() > self.rows.times.len() {
             self.tried.push(judged);
@@ -65,32 +85,34 @@ impl Trials<'_> {
     pub(super) fn duration(&self) -> f64 {
         self.rows.times.last().map_or(1.0, |end| end - self.start.time)
     }
+}
 
-    /// A number fitted so that the states, a function of it, are as near to the run as they can be: by Gauss and Newton, from zero.
-    pub(super) fn fitted(&self, scale: f64, states: impl Fn(f64) -> Vec<State>) -> Option<f64> {
-        const ROUNDS: usize = 6;
-        let (mut number, mut difference) = (0.0, scale);
-        for _ in 0..ROUNDS {
-            let here = self.rows.differences(&states(number));
-            let there = self.rows.differences(&states(number + difference));
-            let (mut across, mut square) = (0.0, 0.0);
-            for (a, b) in here.iter().zip(&there) {
-                let slope = (b - a) / difference;
-                across += a * slope;
-                square += slope * slope;
-            }
-            let step = -across / square;
-            if !step.is_finite() {
-                return None;
-            }
-            number += step;
-            if step.abs() < 1e-12 * scale {
-                break;
-            }
-            difference = (1e-2 * step).abs().max(1e-3 * scale);
+/// A number fitted so that the states, a function of it, are as near to the run as they can be: by Gauss and Newton, from zero.
+pub(super) fn fitted(rows: &Rows, scale: f64, states: impl Fn(f64) -> Vec<State>) -> Option<f64> {
+    const ROUNDS: usize = 6;
+    let (mut number, mut difference) = (0.0, scale);
+    for round in 0..ROUNDS {
+        let here = rows.differences(&states(number));
+        let there = rows.differences(&states(number + difference));
+        let (mut across, mut square, mut whole) = (0.0, 0.0, 0.0);
+        for (a, b) in here.iter().zip(&there) {
+            let slope = (b - a) / difference;
+            across += a * slope;
+            square += slope * slope;
+            whole += a * a;
         }
-        Some(number)
+        let step = -across / square;
+        let left = 1.0 - across * across / (square * whole);
+        if !step.is_finite() || (round == 0 && left > (1.0 - LITTLE).powi(2)) {
+            return None;
+        }
+        number += step;
+        if step.abs() < 1e-5 * number.abs() {
+            break;
+        }
+        difference = (1e-2 * step).abs().max(1e-3 * scale);
     }
+    Some(number)
 }
 
 /// A cause with how well it explains the rows.
@@ -101,7 +123,7 @@ pub(super) fn judged(cause: Cause, left: Misfit, base: Misfit, is_found: bool) -
         1 => FITTED[0],
         _ => FITTED[1],
     };
-    let bar = BAR[usize::from(is_found)];
+    let bar = BAR[usize::from(is_found || cause.fitted() > 0)];
     let keeps_omega = left.omega <= 1.5 * base.omega + 0.1 * base.attitude;
     let residual = left.attitude;
     let part = residual / base.attitude;

@@ -1,0 +1,274 @@
+//! `polhode judge`: the motions of other programs, planted and stored.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+
+use polhode_formats::suite::CASES;
+use serde_json::Value;
+
+use crate::common::{Scratch, entries, example, json, number, numbers, refused, stdout};
+
+const SCENARIO: &str = "title = \"Tumbling\"\n[[body.part]]\nshape = \"tensor\"\nmass = 2.3\n\
+    inertia = [[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]]\n\
+    [start]\nattitude = { quaternion = [0.6, -0.3, 0.5, 0.2] }\nspin = { body = [0.5, -1.3, 0.7] }\n\
+    [run]\nduration = 8\nsamples = 401\n";
+
+/// The exact motion as rows of time, quaternion and ω in body axes.
+fn exact(scratch: &Scratch) -> Vec<Vec<f64>> {
+    scratch.write("tumbling.toml", SCENARIO);
+    stdout(&scratch.run(&["simulate", "tumbling.toml", "-o", "exact", "--table", "csv", "--no-page"]));
+    let text = fs::read_to_string(scratch.0.join("exact/trajectory.csv")).unwrap();
+    text.lines().skip(1).map(|line| line.split(',').take(8).map(|x| x.parse().unwrap()).collect()).collect()
+}
+
+fn table(head: &str, rows: &[Vec<f64>]) -> String {
+    let mut text = format!("{head}\n");
+    for row in rows {
+        let cells: Vec<String> = row.iter().map(|x| format!("{x:?}")).collect();
+        writeln!(text, "{}", cells.join(",")).unwrap();
+    }
+    text
+}
+
+fn only_run(report: &Value) -> &Value {
+    let [run] = &report["runs"].as_array().unwrap()[..] else { panic!("one run") };
+    run
+}
+
+#[test]
+fn a_table_of_simulate_is_a_run_without_error() {
+    let scratch = Scratch::new("judge-own");
+    exact(&scratch);
+    let report =
+        json(&scratch.run(&["judge", "tumbling.toml", "exact/trajectory.csv", "--json", "--limit", "1e-14"]));
+    let run = only_run(&report);
+    assert_eq!(run["reading"]["found"]["quaternion"], "wxyz");
+    assert_eq!((&run["reading"]["omega_axes"], &run["step_is_said"]), (&"body".into(), &false.into()));
+    assert!(number(&run["error"]["attitude_largest_rad"]) < 1e-15);
+    assert!(number(&run["error"]["rates"]["omega_relative"]) < 1e-15);
+    let text = stdout(&scratch.run(&["judge", "tumbling.toml", "exact/trajectory.csv"]));
+    assert!(text.contains("→ right: no error beyond"), "{text}");
+}
+
+/// Columns that say nothing of order, sense and axes, times from elsewhere: all is found; and a wrong law is named.
+#[test]
+fn what_is_not_said_is_found() {
+    let scratch = Scratch::new("judge-found");
+    let rows = exact(&scratch);
+    // x, y, z, w of space to body, from t = 100 s, in text that says its scenario.
+    let written: Vec<Vec<f64>> = rows.iter().map(|r| vec![r[0] + 100.0, -r[2], -r[3], -r[4], r[1]]).collect();
+    let head = "# scenario = \"tumbling.toml\"\n# engine = \"planted\"\n# step = 2 ms\nt,q0,q1,q2,q3";
+    scratch.write("run.csv", &table(head, &written));
+    let report = json(&scratch.run(&["judge", "run.csv", "--json"]));
+    let run = only_run(&report);
+    assert_eq!((&run["engine"], number(&run["step_s"])), (&"planted".into(), 0.002));
+    let found = &run["reading"]["found"];
+    assert_eq!((&found["quaternion"], &found["sense"]), (&"xyzw".into(), &"space_to_body".into()));
+    assert_eq!((number(&found["time_origin_s"]), &found["axes"]), (100.0, &"(x, y, z)".into()));
+    assert!(number(&run["error"]["attitude_largest_rad"]) < 1e-12);
+    let tried = run["reading"]["tried"].as_array().unwrap();
+    assert!(tried.len() >= 8 && number(&tried[1]["attitude_rad"]) > 0.01, "{tried:?}");
+
+    // Without ω × I ω the body turns about one axis for ever.
+    let omega = [0.5_f64, -1.3, 0.7];
+    let rate = omega.iter().map(|w| w * w).sum::<f64>().sqrt();
+    let turned = |r: &Vec<f64>| {
+        let (half, q) = (0.5 * rate * r[0], &rows[0][1..5]);
+        let p = [
+            half.cos(),
+            omega[0] / rate * half.sin(),
+            omega[1] / rate * half.sin(),
+            omega[2] / rate * half.sin(),
+        ];
+        vec![
+            r[0],
+            q[0] * p[0] - q[1] * p[1] - q[2] * p[2] - q[3] * p[3],
+            q[0] * p[1] + q[1] * p[0] + q[2] * p[3] - q[3] * p[2],
+            q[0] * p[2] + q[2] * p[0] + q[3] * p[1] - q[1] * p[3],
+            q[0] * p[3] + q[3] * p[0] + q[1] * p[2] - q[2] * p[1],
+        ]
+    };
+    let wrong: Vec<Vec<f64>> = rows.iter().map(turned).collect();
+    scratch.write("wrong.csv", &table("t,qw,qx,qy,qz", &wrong));
+    let output = scratch.run(&["judge", "tumbling.toml", "wrong.csv", "--limit", "0.6 deg"]);
+    assert_eq!(output.status.code(), Some(1));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("likeliest cause: ω × I ω is left out"), "{text}");
+    let page = stdout(&scratch.run(&["judge", "tumbling.toml", "wrong.csv", "--html"]));
+    assert!(
+        page.contains("<svg") && page.contains("The attitude&#39;s error")
+            || page.contains("The attitude's error")
+    );
+    assert!(
+        stdout(&scratch.run(&["judge", "tumbling.toml", "wrong.csv", "--markdown"])).contains("| part |")
+    );
+}
+
+#[test]
+fn runs_of_several_steps_have_an_order() {
+    let scratch = Scratch::new("judge-order");
+    let rows = exact(&scratch);
+    // An error that falls with the square of the step: the clock runs by h² too fast.
+    let mut arguments = vec!["judge".to_owned(), "tumbling.toml".to_owned(), "--json".to_owned()];
+    for step in [0.04, 0.02, 0.01] {
+        scratch.write(
+            "late.toml",
+            &SCENARIO.replace("duration = 8", &format!("duration = {:?}", 8.0 * (1.0 + step * step))),
+        );
+        stdout(&scratch.run(&[
+            "simulate",
+            "late.toml",
+            "-o",
+            "late",
+            "--table",
+            "csv",
+            "--no-page",
+            "--force",
+        ]));
+        let text = fs::read_to_string(scratch.0.join("late/trajectory.csv")).unwrap();
+        let late = text.lines().skip(1).zip(&rows).map(|(line, row)| {
+            let cells: Vec<f64> = line.split(',').take(5).map(|x| x.parse().unwrap()).collect();
+            [&[row[0]][..], &cells[1..]].concat()
+        });
+        let name = format!("h{step}.csv");
+        scratch.write(&name, &table(&format!("# step = {step}\nt,qw,qx,qy,qz"), &late.collect::<Vec<_>>()));
+        arguments.push(name);
+    }
+    let report = json(&scratch.run(&arguments.iter().map(String::as_str).collect::<Vec<_>>()));
+    for order in numbers(&report["order_of_accuracy"]["orders"]) {
+        assert!((order - 2.0).abs() < 0.05, "{order}");
+    }
+    for run in report["runs"].as_array().unwrap() {
+        let parts = run["split"]["parts"].as_array().unwrap();
+        let rate = parts.iter().find(|part| part["part"] == "rate").unwrap();
+        let step = number(&run["step_s"]);
+        assert!((numbers(&rate["value"])[0] / (step * step) - 1.0).abs() < 0.01, "{rate}");
+    }
+}
+
+/// Stored logs of engines: each is told what it did.
+#[test]
+fn the_stored_runs_are_judged() {
+    let scratch = Scratch::new("judge-stored");
+    for (name, causes, least, most) in [
+        ("mujoco-rk4", &["RK4", "to 1e-8 rad"][..], 1e-14, 1e-6),
+        ("pybullet-default", &["semi-implicit Euler"], 1e-3, 3.2),
+        ("rapier-default", &[""], 1e-4, 3.2),
+    ] {
+        let path = example(&format!("judge/{name}.csv"));
+        let text = stdout(&scratch.run(&["judge", &path]));
+        assert!(causes.iter().any(|cause| text.contains(cause)), "{text}");
+        let report = json(&scratch.run(&["judge", &path, "--json"]));
+        let error = number(&only_run(&report)["error"]["attitude_largest_rad"]);
+        assert!((least..most).contains(&error), "{name}: {error}");
+    }
+}
+
+#[test]
+fn the_suite_is_passed_by_its_own_answers_and_by_nothing_else() {
+    let scratch = Scratch::new("judge-suite");
+    let said = stdout(&scratch.run(&["judge", "--write-suite", "suite"]));
+    assert!(said.starts_with("wrote suite: 30 cases"), "{said}");
+    let suite: Value =
+        serde_json::from_str(&fs::read_to_string(scratch.0.join("suite/suite.json")).unwrap()).unwrap();
+    let cases = suite["cases"].as_array().unwrap();
+    assert_eq!((cases.len(), entries(&scratch.0.join("suite/exact")).len()), (CASES.len(), CASES.len()));
+    for case in cases {
+        assert!(!case["what"].as_str().unwrap().is_empty() && number(&case["rows"]) > 100.0);
+        // What is said in numbers is what the scenario says.
+        let part = &case["scenario"]["body"]["part"][0];
+        assert_eq!(number(&part["mass"]), number(&case["mass_kg"]), "{}", case["name"]);
+        for (row, same) in
+            case["inertia_kg_m2"].as_array().unwrap().iter().zip(part["inertia"].as_array().unwrap())
+        {
+            assert_eq!(numbers(row), numbers(same));
+        }
+    }
+    refused(&scratch.run(&["judge", "--write-suite", "suite"]), 2);
+
+    fs::create_dir(scratch.0.join("runs")).unwrap();
+    assert!(refused(&scratch.run(&["judge", "--suite", "runs"]), 2).contains("no run of any case"));
+    for case in CASES {
+        let name = format!("{}.csv", case.name);
+        fs::copy(scratch.0.join("suite/exact").join(&name), scratch.0.join("runs").join(&name)).unwrap();
+    }
+    let card = json(&scratch.run(&["judge", "--suite", "runs", "--json", "--limit", "1e-12"]));
+    assert_eq!((number(&card["passed"]), number(&card["failed"])), (30.0, 0.0));
+
+    // One that is wrong, one that is not there, one that cannot be read.
+    let turned = fs::read_to_string(scratch.0.join("runs/needle.csv")).unwrap();
+    fs::write(scratch.0.join("runs/free-flips.csv"), turned).unwrap();
+    fs::remove_file(scratch.0.join("runs/plate.csv")).unwrap();
+    scratch.write("runs/not-run.txt", "plate: it has no plates\n");
+    scratch.write("runs/huge.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0,0,0,0\n");
+    let output = scratch.run(&["judge", "--suite", "runs", "--json"]);
+    assert_eq!(output.status.code(), Some(1));
+    let card: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!((number(&card["failed"]), number(&card["not_run"])), (2.0, 1.0));
+    let case =
+        |name: &str| card["cases"].as_array().unwrap().iter().find(|case| case["case"] == name).unwrap();
+    assert_eq!(
+        (&case("plate")["grade"], &case("plate")["why_not"]),
+        (&"not_run".into(), &"it has no plates".into())
+    );
+    assert!(case("huge")["why_not"].as_str().unwrap().contains("zero"), "{}", case("huge"));
+    assert_eq!(case("free-flips")["grade"], "failed");
+
+    scratch.write("runs/not-run.txt", "plates: it has none\n");
+    assert!(refused(&scratch.run(&["judge", "--suite", "runs"]), 2).contains("not-run.txt:1:1"));
+    fs::remove_file(scratch.0.join("runs/not-run.txt")).unwrap();
+    scratch.write("runs/needel.csv", "t\n");
+    assert!(refused(&scratch.run(&["judge", "--suite", "runs"]), 2).contains("did you mean needle?"));
+    fs::rename(scratch.0.join("runs/needel.csv"), scratch.0.join("runs/needle@fast.csv")).unwrap();
+    assert!(refused(&scratch.run(&["judge", "--suite", "runs"]), 2).contains("names no step"));
+}
+
+#[test]
+fn what_cannot_be_judged_is_refused() {
+    let scratch = Scratch::new("judge-refused");
+    let rows = exact(&scratch);
+    let judged = |arguments: &[&str]| refused(&scratch.run(&[&["judge"], arguments].concat()), 2);
+    assert!(judged(&["tumbling.toml"]).contains("there is no run to judge"));
+    scratch.write(
+        "good.csv",
+        &table("t,qw,qx,qy,qz", &rows.iter().map(|r| r[..5].to_vec()).collect::<Vec<_>>()),
+    );
+    assert!(judged(&["good.csv"]).contains("does not say of which scenario"));
+    assert!(judged(&["tumbling.toml", "tumbling.toml", "good.csv"]).contains("a second scenario"));
+    assert!(
+        judged(&["tumbling.toml", "good.csv", "good.csv", "--step", "1 ms"]).contains("--step is of one run")
+    );
+    for (name, text, said) in [
+        ("short.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n", "at least 2 rows"),
+        ("back.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0,0,0\n0.5,1,0,0,0\n", "must be later"),
+        ("zero.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0,0,0,0\n", "zero"),
+    ] {
+        scratch.write(name, text);
+        let error = judged(&["tumbling.toml", name]);
+        assert!(error.contains(said) && error.contains(name), "{error}");
+    }
+    // A run of another body and start.
+    scratch.write(
+        "other.csv",
+        &table(
+            "t,q0,q1,q2,q3",
+            &(0..50)
+                .map(|k| {
+                    let angle = f64::from(k) * f64::from(k) * 0.37;
+                    vec![f64::from(k) * 0.02, angle.cos(), 0.6 * angle.sin(), 0.0, 0.8 * angle.sin()]
+                })
+                .collect::<Vec<_>>(),
+        ),
+    );
+    let error = judged(&["tumbling.toml", "other.csv"]);
+    assert!(error.contains("no reading of the run's attitudes") && error.contains("--sense"), "{error}");
+    // Before the scenario's start, as the run says.
+    assert!(
+        judged(&["tumbling.toml", "good.csv", "--time-origin", "1"]).contains("before the scenario's start")
+    );
+    // A motion that is given.
+    assert!(judged(&[&example("slew.toml"), "good.csv"]).contains("prescribes its motion"));
+    assert!(judged(&["tumbling.toml", "good.csv", "--axes", "x,z,y"]).contains("right-handed"));
+    assert!(Path::new(&scratch.0).exists());
+}

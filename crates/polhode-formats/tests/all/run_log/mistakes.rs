@@ -1,0 +1,94 @@
+//! What is refused, and where.
+
+use super::{read, refused};
+
+#[test]
+fn each_mistake_has_its_line_and_says_what_to_do() {
+    let head = "t,qw,qx,qy,qz,wx,wy,wz\n# a comment\n\n0,1,0,0,0,1,2,3\n";
+    let row = "1,1,0,0,0,1,2,3\n";
+    for (rows, column, message, hint) in [
+        ("1,1,0,,0,1,2,3\n", 7, "expected a number as qy of row 2, found \"nothing\"", "--columns"),
+        ("1,1,0,x1,0,1,2,3\n", 7, "expected a number as qy of row 2, found \"x1\"", "0.25"),
+        ("1,1,0,NaN,0,1,2,3\n", 7, "qy of row 2 = NaN must be finite", "cut the log off"),
+        ("1,1,0,-inf,0,1,2,3\n", 7, "qy of row 2 = -inf must be finite", "cut the log off"),
+        ("1,1,0,1e999,0,1,2,3\n", 7, "qy of row 2 = 1e999 must be finite", "cut the log off"),
+        (
+            "1,1,0,0,0,1,2\n",
+            1,
+            "row 2 = 1,1,0,0,0,1,2 must be 8 fields long, as the header is; it has 7",
+            "cut short",
+        ),
+        (
+            "1,1,0,0,0,1,2,3,4\n",
+            1,
+            "row 2 = 1,1,0,0,0,1,2,3,4 must be 8 fields long, as the header is; it has 9",
+            "decimal",
+        ),
+        (
+            "0,1,0,0,0,1,2,3\n",
+            1,
+            "the time of row 2 = 0 s must be later than 0 s, that of the row before",
+            "digits",
+        ),
+        (
+            "-1,1,0,0,0,1,2,3\n",
+            1,
+            "the time of row 2 = -1 s must be later than 0 s, that of the row before",
+            "cut it apart",
+        ),
+        (
+            "1,0,0,-0.0,0,1,2,3\n",
+            1,
+            "the quaternion of row 2 = 0, 0, 0, 0 must be other than zero",
+            "no attitude",
+        ),
+        ("1,1,0,\"0,0,1,2,3\n", 7, "expected a closing quote, found \"\\\"0,0,1,2,3\"", "on its line"),
+        ("1,1,0,0 0,0,1,2,3\n", 7, "expected a number as qy of row 2, found \"0 0\"", "0.25"),
+    ] {
+        let error = refused(format!("{head}{rows}{row}"));
+        assert_eq!(error.message(), message, "{rows}");
+        let place = error.place().unwrap();
+        assert_eq!((place.line, place.column), (5, column), "{rows}");
+        assert!(error.hint().unwrap().contains(hint), "{rows}: {:?}", error.hint());
+        // What it refuses is that line alone.
+        read(format!("{head}{row}"));
+    }
+}
+
+#[test]
+fn decimal_commas_are_refused_with_a_hint() {
+    let error = refused("t;qw;qx;qy;qz\n0;1;0;0;0\n0,5;1;0;0;0\n");
+    assert_eq!(error.message(), "expected a number as t of row 2, found \"0,5\"");
+    assert!(error.hint().unwrap().contains("decimal mark of a log is a point"));
+    let error = refused("t,qw,qx,qy,qz\n0,0,1,0,0,0,0,0,0,0\n0,5,1,0,0,0,0,0,0,0\n");
+    assert!(error.hint().unwrap().contains("decimal mark is a point"), "{:?}", error.hint());
+}
+
+#[test]
+fn files_that_are_no_log_are_refused() {
+    for (text, message) in [
+        ("", "the file has no rows"),
+        ("# nothing\n\n", "the file has no rows"),
+        ("t,qw,qx,qy,qz\n", "0 rows must be a motion"),
+        ("t,qw,qx,qy,qz\n0,1,0,0,0\n", "1 rows must be a motion"),
+        ("t,qw,qx,qy,qz\ns,-,-,-,-\n0,1,0,0,0\n", "expected a number as t of row 1, found \"s\""),
+        ("t,qw,qx,qy,qz\r0,1,0,0,0\r1,1,0,0,0\r", "lines that end in \\r alone"),
+        ("[{\"t\": 0}]", "one array of JSON"),
+        ("{\"a\": 1}\n", "the file has no rows with a time"),
+        ("{\"a\": 1}\n{\"b\": 1}\n", "the file has no column of the time"),
+        ("{\"t\": 0, \"q\": [1,0,0,0]}\n{\"t\": 1, \"q\": [1,0,0]}\n", "the file has no q[3] of row 2"),
+        ("{\"t\": 0, \"q\": [1,0,0,0]}\n{\"t\": 1, \"q\": [1,0,0,null]}\n", "found \"null\""),
+        ("{\"t\": 0, \"q\": [1,0,0,0]}\n{\"t\": 1, \"q\": [1,0,0,NaN]}\n", "a line of JSON: expected value"),
+        ("{\"t\": 0, \"q\": [1,0,0,NaN]}\n", "expected an object of JSON (expected value)"),
+        ("PAR1 and no more", "this Parquet file"),
+        ("PK\u{3}\u{4}", "archives"),
+    ] {
+        let error = refused(text);
+        assert!(error.message().contains(message), "{text:?}: {error}");
+        assert!(error.hint().is_some(), "{text:?}");
+    }
+    let utf16: Vec<u8> = "t,qw,qx,qy,qz\n0,1,0,0,0\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    assert!(refused(utf16).message().contains("UTF-16"));
+    let json = refused("{\"t\": 0, \"q\": [1,0,0,0]}\n\n{\"t\": 1, \"q\": [1,0,0,NaN]}\n");
+    assert_eq!(json.place().map(|place| (place.line, place.column)), Some((3, 22)));
+}

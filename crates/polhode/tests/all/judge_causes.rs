@@ -1,0 +1,9 @@
+//! Causes of wrong motions, planted by a program of the test's own, and named; and right motions, which are not accused.
+
+mod bodies;
+mod equations;
+mod methods;
+mod program;
+mod right_motions;
+mod scene;
+mod torques;

@@ -1,0 +1,59 @@
+"""MuJoCo's motions of the suite's cases: mujoco_run.py DIR --setting default|implicitfast|rk4.
+
+A free joint's, or a ball joint's, angular velocity is along body axes. Torque goes through `mjcb_control`, which is called
+wherever accelerations are computed: once a step, or at each stage of RK4.
+"""
+
+import mujoco
+import numpy as np
+
+import suite
+
+V = f"MuJoCo {mujoco.__version__}"
+SETTINGS = {
+    "default": (f"{V}, Euler", 0.002),
+    "implicitfast": (f"{V}, implicitfast", 0.002),
+    "rk4": (f"{V}, RK4", 0.001),
+}
+INTEGRATORS = {"default": "Euler", "implicitfast": "implicitfast", "rk4": "RK4"}
+
+
+def text(values):
+    return " ".join(repr(float(v)) for v in values)
+
+
+def model(case, integrator, step):
+    i, held = case.inertia, case.gravity is not None
+    if case.mass < mujoco.mjMINVAL or np.linalg.eigvalsh(i).min() < mujoco.mjMINVAL:
+        raise suite.NotRun(f"mass and moments have to be {mujoco.mjMINVAL} at least")
+    joint = '<joint type="ball"/>' if held else "<freejoint/>"
+    gravity = case.gravity if held else np.zeros(3)
+    products = [i[0, 0], i[1, 1], i[2, 2], i[0, 1], i[0, 2], i[1, 2]]
+    return mujoco.MjModel.from_xml_string(f"""<mujoco>
+        <option integrator="{integrator}" timestep="{step!r}" gravity="{text(gravity)}"/>
+        <worldbody><body>{joint}
+            <inertial pos="{text(case.center_of_mass)}" mass="{case.mass!r}" fullinertia="{text(products)}"/>
+        </body></worldbody>
+    </mujoco>""")
+
+
+def run(case, setting, step):
+    mujoco.set_mjcb_control(None)  # that of the case before, which compiling a model would call
+    m = model(case, INTEGRATORS[setting], step)
+    d = mujoco.MjData(m)
+    q, w = slice(m.nq - 4, m.nq), slice(m.nv - 3, m.nv)
+    d.qpos[q], d.qvel[w] = case.attitude, case.omega_body
+
+    def control(m, d):
+        d.qfrc_applied[w] = case.torque_body(d.time, suite.matrix(d.qpos[q]), d.qvel[w])
+
+    mujoco.set_mjcb_control(control if case.torques else None)
+    count, stride = case.steps(step)
+    yield 0.0, d.qpos[q].copy(), d.qvel[w].copy()
+    for n in range(stride, count + 1, stride):
+        mujoco.mj_step(m, d, nstep=stride)
+        yield n * step, d.qpos[q].copy(), d.qvel[w].copy()
+
+
+if __name__ == "__main__":
+    suite.main(SETTINGS, run)

@@ -1,4 +1,4 @@
-"""Drake's motions of the suite's cases: drake_run.py DIR --setting default|rk3|rk3-accurate|rk5-accurate|radau-accurate.
+"""Drake's motions of the suite's cases: drake_run.py DIR --setting default|rk3|rk3-accurate|rk5-accurate.
 
 `default` is the discrete plant; the others are the continuous one under error control, or with --step at steps of that length.
 Poses and spatial velocities are along space axes. A held body is on a BallRpyJoint.
@@ -22,10 +22,8 @@ SETTINGS = {
     "rk3": (f"{V}, runge_kutta3, accuracy 1e-4", None),
     "rk3-accurate": (f"{V}, runge_kutta3, accuracy 1e-10", None),
     "rk5-accurate": (f"{V}, runge_kutta5, accuracy 1e-12", None),
-    "radau-accurate": (f"{V}, radau3, accuracy 1e-10", None),
 }
-SCHEMES = {"rk3": ("runge_kutta3", 1e-4), "rk3-accurate": ("runge_kutta3", 1e-10), "rk5-accurate": ("runge_kutta5", 1e-12),
-           "radau-accurate": ("radau3", 1e-10)}
+SCHEMES = {"rk3": ("runge_kutta3", 1e-4), "rk3-accurate": ("runge_kutta3", 1e-10), "rk5-accurate": ("runge_kutta5", 1e-12)}
 
 
 class Torque(LeafSystem):

@@ -16,6 +16,7 @@ SETTINGS = {
     "rk4": (f"{V}, RK4", 0.001),
 }
 INTEGRATORS = {"default": "Euler", "implicitfast": "implicitfast", "rk4": "RK4"}
+BAD_STATES = [mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQVEL, mujoco.mjtWarning.mjWARN_BADQACC]
 
 
 def text(values):
@@ -52,6 +53,8 @@ def run(case, setting, step):
     yield 0.0, d.qpos[q].copy(), d.qvel[w].copy()
     for n in range(stride, count + 1, stride):
         mujoco.mj_step(m, d, nstep=stride)
+        if any(d.warning[w].number for w in BAD_STATES):
+            raise RuntimeError("the motion is unstable, and MuJoCo starts again from its reset state")
         yield n * step, d.qpos[q].copy(), d.qvel[w].copy()
 
 

@@ -177,7 +177,7 @@ def main(settings, run):
             if why:
                 last = f"ends after {rows[-1][0]!r} s" if rows else "not run"
                 print(f"{name}: {last}: {why}")
-                not_run.append(f"{name}: {last}: {why}\n")
+                not_run.append(f"{entry['name']}: {why if last == 'not run' else f'{last}: {why}'}\n")
             if len(rows) > 1:
                 write(out / f"{name}.csv", engine, step, rows)
                 print(f"{name}: {len(rows)} rows, {time.perf_counter() - start:.2f} s")

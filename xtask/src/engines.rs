@@ -33,7 +33,7 @@ fn card(polhode: &Path, folder: &Path) -> Result<Graded, String> {
     println!("   {setting}");
     let out = Command::new(polhode).args(["judge", "--json", "--suite"]).arg(folder).output();
     let out = out.map_err(|error| format!("polhode judge in {setting}: {error}"))?;
-    if !out.status.code().is_some_and(|code| code < 2) {
+    if out.status.code().is_none_or(|code| code >= 2) {
         return Err(format!("polhode judge in {setting}: {}", String::from_utf8_lossy(&out.stderr)));
     }
     let card = serde_json::from_slice(&out.stdout).map_err(|error| format!("{setting}: {error}"))?;

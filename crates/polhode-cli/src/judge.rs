@@ -3,6 +3,7 @@
 mod read_as;
 mod suite;
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -83,19 +84,19 @@ impl Judge {
         }
         let has_failed = if let Some(folder) = &self.suite {
             let card = suite::grade(folder, &self, self.limit.unwrap_or(SUITE_LIMIT))?;
-            self.print(card.to_json(), card.to_document())?;
+            self.print(&card.to_json(), &card.to_document())?;
             card.has_failed()
         } else {
             let report = self.report()?;
-            self.print(report.to_json(), report.to_document())?;
+            self.print(&report.to_json(), &report.to_document())?;
             self.limit.is_some_and(|limit| report.largest_attitude_error() > limit)
         };
         if has_failed { Err(Failure::Findings) } else { Ok(()) }
     }
 
-    fn print(&self, json: Value, document: Document) -> Result<(), Failure> {
+    fn print(&self, json: &Value, document: &Document) -> Result<(), Failure> {
         print(&if self.json {
-            pretty(&json) + "\n"
+            pretty(json) + "\n"
         } else if self.markdown {
             document.to_markdown()
         } else if self.html {
@@ -135,7 +136,12 @@ impl Judge {
             None => ScenarioFile::read(&self.named(&logs)?)?,
         };
         let judged = logs.into_iter().map(|(path, log)| self.judged(&scenario, path, log, None));
-        Ok(JudgeReport::new(&scenario.scenario, judged.collect::<Result<_, _>>()?))
+        let mut judged = judged.collect::<Result<Vec<_>, _>>()?;
+        let names: BTreeSet<String> = judged.iter().map(|run| run.name.clone()).collect();
+        if names.len() < judged.len() {
+            judged.iter_mut().for_each(|run| run.path.iter().for_each(|path| run.name.clone_from(path)));
+        }
+        Ok(JudgeReport::new(&scenario.scenario, judged))
     }
 
     /// The scenario that runs name, relative to them.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use crate::error::FormatError;
 use crate::scenario::ScenarioFile;
@@ -47,8 +47,17 @@ impl SuiteCase {
         self.text.lines().next().unwrap_or_default().trim_start_matches(['#', ' '])
     }
 
-    /// The case as data: the body, its start and its times as numbers, and `scenario`, the file as it is. All bare numbers are SI; components
-    /// are along body axes, tensors about the centre of mass, and a held body has its centre of mass from the pivot.
+    /// The case as data: the body, its start, its times and what turns it, as numbers in SI, for programs that read no TOML. Components are along
+    /// body axes unless a name says otherwise, the tensor is about the centre of mass, and a held body has its centre of mass from the
+    /// pivot. `torque` has kinds:
+    ///
+    /// - `constant-body`, `constant-space`: `torque_n_m`
+    /// - `formula`: `torque_n_m`, three formulas of t in s, along the axes that `axes` names
+    /// - `damping`: N = −c ω, component by component, `coefficient_n_m_s`
+    /// - `gravity`: `acceleration_m_s2` in space, of a body that is held
+    /// - `gravity-gradient`: N = 3 µ/r³ u × I u, with u = cos(n t) `radial` + sin(n t) `motion` in space, `mu_m3_s2`, `radius_m` and n, `rate_rad_s`
+    /// - `wheel`: J about `axis` (`moment_kg_m2`, a part of the body's tensor), `speed_rad_s` relative to the body at the start, which is held, or
+    ///   changes under `motor_torque_n_m`
     ///
     /// # Errors
     /// As [`SuiteCase::scenario`].
@@ -69,7 +78,7 @@ impl SuiteCase {
             "duration_s": duration,
             "rows": times.len(),
             "rows_every_s": duration / times.len().saturating_sub(1).max(1) as f64,
-            "scenario": self.text.parse::<toml::Table>().map(from_table).unwrap_or_default(),
+            "torque": self.text.parse::<toml::Table>().map(|file| torques(&file)).unwrap_or_default(),
         });
         if let (Some(pivot), Some(object)) = (scenario.pivot(), case.as_object_mut()) {
             let from_pivot = body.center_of_mass() - pivot;
@@ -88,18 +97,81 @@ pub fn to_json() -> Result<Value, FormatError> {
     Ok(json!({ "suite": "polhode", "version": 1, "cases": cases }))
 }
 
-fn from_table(table: toml::Table) -> Value {
-    Value::Object(table.into_iter().map(|(key, value)| (key, from_toml(value))).collect::<Map<_, _>>())
+/// What turns the body of a file of the suite: its numbers are all bare, and so in SI.
+fn torques(file: &toml::Table) -> Value {
+    let tables = |key: &str| file.get(key).and_then(toml::Value::as_array).cloned().unwrap_or_default();
+    let wheels = tables("wheel").into_iter().map(|wheel| wheel_of(&wheel));
+    let torques = tables("torque");
+    torques.iter().map(|torque| torque_of(torque, file.get("orbit"))).chain(wheels).collect()
 }
 
-fn from_toml(value: toml::Value) -> Value {
+fn torque_of(torque: &toml::Value, orbit: Option<&toml::Value>) -> Value {
+    let word = |key: &str| torque.get(key).and_then(toml::Value::as_str).unwrap_or_default();
+    let numbers = |key: &str| json(torque.get(key));
+    match word("model") {
+        "constant" => {
+            json!({ "kind": format!("constant-{}", word("axes")), "torque_n_m": numbers("torque") })
+        }
+        "formula" => {
+            let formulas = torque.get("torque").and_then(toml::Value::as_array);
+            let bare = |formula: &toml::Value| without_units(formula.as_str().unwrap_or_default());
+            let formulas: Value = formulas.into_iter().flatten().map(bare).collect();
+            json!({ "kind": "formula", "axes": word("axes"), "torque_n_m": formulas })
+        }
+        "drag" => json!({ "kind": "damping", "coefficient_n_m_s": numbers("coefficient") }),
+        "gravity" => json!({ "kind": "gravity", "acceleration_m_s2": numbers("acceleration") }),
+        "gravity_gradient" => {
+            let of = |key: &str| json(orbit.and_then(|orbit| orbit.get(key)));
+            let number = |key: &str| of(key).as_f64().unwrap_or(f64::NAN);
+            // n² = µ/r³
+            let rate = (number("mu") / number("radius").powi(3)).sqrt();
+            json!({
+                "kind": "gravity-gradient",
+                "mu_m3_s2": of("mu"),
+                "radius_m": of("radius"),
+                "rate_rad_s": rate,
+                "radial": of("radial"),
+                "motion": of("motion"),
+            })
+        }
+        model => json!({ "kind": model }),
+    }
+}
+
+fn wheel_of(wheel: &toml::Value) -> Value {
+    let axis: Vec<f64> =
+        json(wheel.get("axis")).as_array().into_iter().flatten().filter_map(Value::as_f64).collect();
+    let length = axis.iter().map(|c| c * c).sum::<f64>().sqrt();
+    let mut found = json!({
+        "kind": "wheel",
+        "axis": axis.iter().map(|c| c / length).collect::<Vec<f64>>(),
+        "moment_kg_m2": json(wheel.get("inertia")),
+        "speed_rad_s": json(wheel.get("speed")),
+    });
+    if let (Some(torque), Some(object)) = (wheel.get("motor_torque"), found.as_object_mut()) {
+        object.insert("motor_torque_n_m".to_owned(), json(Some(torque)));
+    }
+    found
+}
+
+/// `0.6[N m]*sin(2[rad/s]*t)` as `0.6*sin(2*t)`: the units of the suite are SI.
+fn without_units(formula: &str) -> String {
+    let mut depth = 0;
+    let outside = |c: &char| {
+        depth += i32::from(*c == '[');
+        let is_outside = depth == 0;
+        depth -= i32::from(*c == ']');
+        is_outside
+    };
+    formula.chars().filter(outside).collect()
+}
+
+/// Numbers and lists of numbers; `null` for all else.
+fn json(value: Option<&toml::Value>) -> Value {
     match value {
-        toml::Value::String(text) => text.into(),
-        toml::Value::Integer(number) => number.into(),
-        toml::Value::Float(number) => number.into(),
-        toml::Value::Boolean(is) => is.into(),
-        toml::Value::Datetime(when) => when.to_string().into(),
-        toml::Value::Array(items) => items.into_iter().map(from_toml).collect(),
-        toml::Value::Table(table) => from_table(table),
+        Some(toml::Value::Integer(number)) => (*number as f64).into(),
+        Some(toml::Value::Float(number)) => (*number).into(),
+        Some(toml::Value::Array(items)) => items.iter().map(|item| json(Some(item))).collect(),
+        _ => Value::Null,
     }
 }

@@ -23,6 +23,9 @@ const NOT_RUN: &str = "not-run.txt";
 /// What files of runs end in.
 const ENDINGS: [&str; 4] = ["csv", "parquet", "jsonl", "ndjson"];
 
+/// A run, and the step that its name says, s.
+type RunFile = (PathBuf, Option<f64>);
+
 /// Writes the suite into a new folder, whole or not at all.
 pub(super) fn write(target: &Path) -> Result<(), Failure> {
     if fs::symlink_metadata(target).is_ok() {
@@ -89,7 +92,7 @@ pub(super) fn grade(folder: &Path, judge: &Judge, limit: f64) -> Result<Card, Fa
 }
 
 /// The runs of one case. One that cannot be judged fails the case, and says why.
-fn judged(case: &SuiteCase, runs: &[(PathBuf, Option<f64>)], judge: &Judge) -> Result<CardRun, Failure> {
+fn judged(case: &SuiteCase, runs: &[RunFile], judge: &Judge) -> Result<CardRun, Failure> {
     let scenario = case.scenario()?;
     let mut judged = Vec::new();
     for (path, step) in runs {
@@ -103,11 +106,11 @@ fn judged(case: &SuiteCase, runs: &[(PathBuf, Option<f64>)], judge: &Judge) -> R
 }
 
 /// Of each case its files, with the step that their names say.
-fn runs(folder: &Path) -> Result<BTreeMap<String, Vec<(PathBuf, Option<f64>)>>, Failure> {
+fn runs(folder: &Path) -> Result<BTreeMap<String, Vec<RunFile>>, Failure> {
     let unreadable = |error: io::Error| {
         Failure::usage(format!("{} cannot be listed: {error}", shown(folder)), "name a folder of runs")
     };
-    let mut found: BTreeMap<String, Vec<(PathBuf, Option<f64>)>> = BTreeMap::new();
+    let mut found: BTreeMap<String, Vec<RunFile>> = BTreeMap::new();
     let mut paths = Vec::new();
     for entry in fs::read_dir(folder).map_err(unreadable)? {
         paths.push(entry.map_err(unreadable)?.path());

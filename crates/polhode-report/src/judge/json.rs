@@ -130,7 +130,7 @@ fn causes(run: &JudgedRun) -> Value {
 fn id(cause: &Cause) -> String {
     let name = format!("{cause:?}");
     let mut id = String::new();
-    for c in name.chars().take_while(|c| c.is_ascii_alphanumeric()) {
+    for c in name.chars().take_while(char::is_ascii_alphanumeric) {
         if c.is_ascii_uppercase() && !id.is_empty() {
             id.push('_');
         }

@@ -19,10 +19,11 @@ type MeshOnce = OnceLock<Result<Arc<Mesh>, String>>;
 pub(super) struct MeshFiles {
     by_path: Mutex<HashMap<PathBuf, Arc<MeshOnce>>>,
     /// Different files with so many bytes and this ending: whoever compares them keeps others from these alone.
-    by_size: Mutex<HashMap<(u64, OsString), Arc<Mutex<Alike>>>>,
+    by_size: Mutex<HashMap<(u64, OsString), Arc<Alike>>>,
 }
 
-type Alike = Vec<(PathBuf, Arc<MeshOnce>)>;
+/// Files of one size and ending that differ.
+type Alike = Mutex<Vec<(PathBuf, Arc<MeshOnce>)>>;
 
 impl MeshFiles {
     /// The mesh in a file, read now if it has not been.

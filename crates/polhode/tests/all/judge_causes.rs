@@ -2,6 +2,7 @@
 
 mod bodies;
 mod equations;
+mod many_bodies;
 mod methods;
 mod program;
 mod right_motions;

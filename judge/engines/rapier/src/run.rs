@@ -56,6 +56,9 @@ pub fn run(
                     rows[end.max(1) - 1].time
                 );
             }
+            if rows.len() < 2 {
+                continue;
+            }
             write(&out.join(format!("{name}.csv")), engine, step, &rows)?;
             println!("{name}: {} rows, {:.2} s", rows.len(), start.elapsed().as_secs_f64());
         }

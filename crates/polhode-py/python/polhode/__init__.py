@@ -21,7 +21,8 @@ from ._ensemble import Ensemble, Failure, EnsembleStates
 from ._error import PolhodeError, PolhodeWarning
 from ._free_motion import FreeMotion, MotionError, States
 from ._inertia import inertia
-from ._judge import Cause, ErrorGrowth, ErrorPart, ErrorSplit, Judgement, Reading, TriedReading, judge
+from ._judge import judge
+from ._judgement import Cause, ErrorGrowth, ErrorPart, ErrorSplit, Judgement, Reading, TriedReading
 from ._mass_properties import Finding, MassProperties, particles
 from ._motion import Ending, Event, Motion, simulate
 from ._native import VERSION as __version__

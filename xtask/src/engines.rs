@@ -40,14 +40,19 @@ fn card(polhode: &Path, folder: &Path) -> Result<Graded, String> {
     Ok(Graded { setting, card })
 }
 
-fn text(graded: &[Graded], notes: &str) -> String {
+/// Folders of runs with several steps end in this.
+const STEPS: &str = "-steps";
+
+fn text(all: &[Graded], notes: &str) -> String {
+    let (stepped, graded): (Vec<&Graded>, Vec<&Graded>) =
+        all.iter().partition(|graded| graded.setting.ends_with(STEPS));
     let mut page = "# Engines, judged\n\n<!-- Written by `cargo xtask engines`; the last part is judge/engines/NOTES.md. -->\n\n\
         The cases of the [suite](judge.md#the-suite) as physics engines compute them: each with the setting that it comes with, and with the one that its documentation \
         recommends for accuracy. The programs that ran them are in `judge/engines`.\n\n\
         The error is the largest angle between the attitude of a row and the exact one, rad. A case is passed up to 0.01 rad.\n\n\
         ## The settings\n\n| setting | engine | step (s) | passed | failed | not run |\n|---|---|---|---|---|---|\n"
         .to_owned();
-    for Graded { setting, card } in graded {
+    for Graded { setting, card } in graded.iter().copied() {
         let engines: Vec<&str> =
             card["engines"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
         let _ = writeln!(
@@ -63,18 +68,31 @@ fn text(graded: &[Graded], notes: &str) -> String {
     let heads: String = graded.iter().map(|graded| format!(" {} |", graded.setting)).collect();
     let _ =
         write!(page, "\n## The largest errors\n\n| case |{heads}\n|---|{}\n", "---|".repeat(graded.len()));
-    for (k, case) in cases(&graded[0]).iter().enumerate() {
+    for (k, case) in graded.first().map_or(&[][..], |first| cases(first)).iter().enumerate() {
         let errors: String = graded.iter().map(|graded| format!(" {} |", shown(&cases(graded)[k]))).collect();
         let _ = writeln!(page, "| {} |{errors}", word(&case["case"]));
     }
+    page.push_str("\n## Order of accuracy\n\nBetween the two smallest of several steps: the median of the cases, and the least and the greatest.\n\n| setting | steps (s) | cases | order |\n|---|---|---|---|\n");
+    for graded in &stepped {
+        let orders = orders(graded);
+        let Some(median) = orders.get(orders.len() / 2) else { continue };
+        let (least, most) = (orders[0], orders[orders.len() - 1]);
+        let setting = graded.setting.trim_end_matches(STEPS);
+        let _ = writeln!(
+            page,
+            "| {setting} | {} | {} | {median:.2} ({least:.2} … {most:.2}) |",
+            steps(&graded.card),
+            orders.len()
+        );
+    }
     page.push_str("\n## The likeliest causes\n\nOf the cases that were not passed: how often each cause was named first.\n\n| setting | cause | cases |\n|---|---|---|\n");
-    for graded in graded {
+    for graded in &graded {
         for (cause, count) in causes(graded) {
             let _ = writeln!(page, "| {} | {cause} | {count} |", graded.setting);
         }
     }
     page.push_str("\n## Not run\n\n| setting | case | why |\n|---|---|---|\n");
-    for graded in graded {
+    for graded in &graded {
         for case in cases(graded).iter().filter(|case| !case["why_not"].is_null()) {
             let _ = writeln!(
                 page,
@@ -101,6 +119,14 @@ fn shown(case: &Value) -> String {
         (None, Some("failed")) => "**no run**".to_owned(),
         (None, _) => "—".to_owned(),
     }
+}
+
+/// Of each case with several steps, between the two smallest; ascending.
+fn orders(graded: &Graded) -> Vec<f64> {
+    let last = |case: &Value| case["order_of_accuracy"].as_array()?.last()?.as_f64();
+    let mut orders: Vec<f64> = cases(graded).iter().filter_map(last).collect();
+    orders.sort_by(f64::total_cmp);
+    orders
 }
 
 /// The steps of all runs: the least and the greatest.

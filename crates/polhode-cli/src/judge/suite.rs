@@ -69,7 +69,7 @@ pub(super) fn grade(folder: &Path, judge: &Judge, limit: f64) -> Result<Card, Fa
     let reasons = reasons(folder)?;
     let case = |case: &SuiteCase| {
         let run = match runs.get(case.name) {
-            Some(runs) => judged(case, runs, judge)?,
+            Some(runs) => judged(case, runs, judge, reasons.get(case.name).map(String::as_str))?,
             None => CardRun::NotRun(
                 reasons.get(case.name).cloned().unwrap_or_else(|| "there is no run of it".to_owned()),
             ),
@@ -91,18 +91,39 @@ pub(super) fn grade(folder: &Path, judge: &Judge, limit: f64) -> Result<Card, Fa
     ))
 }
 
-/// The runs of one case. One that cannot be judged fails the case, and says why.
-fn judged(case: &SuiteCase, runs: &[RunFile], judge: &Judge) -> Result<CardRun, Failure> {
+/// The runs of one case. One that cannot be judged, or ends too soon, fails the case, and says why.
+fn judged(
+    case: &SuiteCase,
+    runs: &[RunFile],
+    judge: &Judge,
+    reason: Option<&str>,
+) -> Result<CardRun, Failure> {
     let scenario = case.scenario()?;
+    let wanted = scenario.scenario.run().map(|run| run.times.as_slice()).unwrap_or_default();
     let mut judged = Vec::new();
     for (path, step) in runs {
         let log = run_log::read(path, judge.read_as.columns.as_ref()).map_err(Failure::from);
+        if let Some(short) = log.as_ref().ok().and_then(|log| too_short(log.log.times(), wanted)) {
+            let reason = reason.map_or_else(String::new, |reason| format!(" ({reason})"));
+            return Ok(CardRun::Unreadable(format!("{}: {short}{reason}", shown(path))));
+        }
         match log.and_then(|log| judge.judged(&scenario, path, log, *step)) {
             Ok(run) => judged.push(run),
             Err(failure) => return Ok(CardRun::Unreadable(failure.line())),
         }
     }
     Ok(CardRun::Judged(judged))
+}
+
+/// What is missing of a run, where it does not reach the end of its case, to within two rows, or has fewer than ten rows.
+fn too_short(times: &[f64], wanted: &[f64]) -> Option<String> {
+    let span = |times: &[f64]| times.last().zip(times.first()).map_or(0.0, |(last, first)| last - first);
+    let row = |times: &[f64]| span(times) / times.len().saturating_sub(1).max(1) as f64;
+    let (have, want) = (span(times), span(wanted));
+    if have < want - 2.0 * row(wanted).max(row(times).min(want / 10.0)) {
+        return Some(format!("it ends after {have} s of {want} s"));
+    }
+    (times.len() < 10).then(|| format!("it has {} rows, and ten at least are needed", times.len()))
 }
 
 /// Of each case its files, with the step that their names say.

@@ -214,11 +214,14 @@ fn the_suite_is_passed_by_its_own_answers_and_by_nothing_else() {
     fs::write(scratch.0.join("runs/free-flips.csv"), turned).unwrap();
     fs::remove_file(scratch.0.join("runs/plate.csv")).unwrap();
     scratch.write("runs/not-run.txt", "plate: it has no plates\n");
+    let spun = fs::read_to_string(scratch.0.join("runs/fast-spin.csv")).unwrap();
+    let half: Vec<&str> = spun.lines().take(spun.lines().count() / 2).collect();
+    scratch.write("runs/fast-spin.csv", &(half.join("\n") + "\n"));
     scratch.write("runs/huge.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0,0,0,0\n");
     let output = scratch.run(&["judge", "--suite", "runs", "--json"]);
     assert_eq!(output.status.code(), Some(1));
     let card: Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!((number(&card["failed"]), number(&card["not_run"])), (2.0, 1.0));
+    assert_eq!((number(&card["failed"]), number(&card["not_run"])), (3.0, 1.0));
     let case =
         |name: &str| card["cases"].as_array().unwrap().iter().find(|case| case["case"] == name).unwrap();
     assert_eq!(
@@ -227,6 +230,11 @@ fn the_suite_is_passed_by_its_own_answers_and_by_nothing_else() {
     );
     assert!(case("huge")["why_not"].as_str().unwrap().contains("zero"), "{}", case("huge"));
     assert_eq!(case("free-flips")["grade"], "failed");
+    assert!(
+        case("fast-spin")["why_not"].as_str().unwrap().contains("it ends after"),
+        "{}",
+        case("fast-spin")
+    );
 
     scratch.write("runs/not-run.txt", "plates: it has none\n");
     assert!(refused(&scratch.run(&["judge", "--suite", "runs"]), 2).contains("not-run.txt:1:1"));

@@ -7,11 +7,11 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use polhode::infer::judge::{DeclaredReading, JudgeError, Judgement, causes};
+use polhode::infer::judge::JudgeError;
 use polhode_formats::run_log::{self, RunLog};
 use polhode_formats::scenario::ScenarioFile;
 use polhode_formats::unit::Dimension;
-use polhode_report::{Document, JudgeReport, JudgedRun, pretty};
+use polhode_report::{Document, JudgeReport, JudgedRun, judge_hint, pretty};
 use serde_json::Value;
 
 use crate::failure::Failure;
@@ -139,7 +139,7 @@ impl Judge {
         let mut judged = judged.collect::<Result<Vec<_>, _>>()?;
         let names: BTreeSet<String> = judged.iter().map(|run| run.name.clone()).collect();
         if names.len() < judged.len() {
-            judged.iter_mut().for_each(|run| run.name.clone_from(&run.path));
+            judged.iter_mut().for_each(|run| run.path.iter().for_each(|path| run.name.clone_from(path)));
         }
         Ok(JudgeReport::new(&scenario.scenario, judged))
     }
@@ -184,53 +184,17 @@ impl Judge {
         step: Option<f64>,
     ) -> Result<JudgedRun, Failure> {
         let declared = self.read_as.declared(&log.says);
-        let judgement = Judgement::of(&file.scenario, &log.log, &declared)
-            .map_err(|error| refused(path, &declared, &error))?;
-        let said = self.step.or(step).or(log.step);
-        let step = said.or_else(|| spacing(log.log.times()));
-        let causes = causes(&file.scenario, &judgement.motion, judgement.reference.states(), step);
-        Ok(JudgedRun {
-            name: path.file_name().map_or_else(|| shown(path), |name| shown(Path::new(name))),
-            path: path.display().to_string(),
-            engine: log.engine,
-            step,
-            step_is_said: said.is_some(),
-            judgement,
-            causes,
-            ignored: log.ignored,
-        })
+        let step = self.step.or(step).or(log.step);
+        let judged = JudgedRun::of(Some(path), &file.scenario, &log.log, &declared, step)
+            .map_err(|error| refused(path, error))?;
+        Ok(JudgedRun { engine: log.engine, ignored: log.ignored, ..judged })
     }
 }
 
-/// The distance of rows that are even, s.
-fn spacing(times: &[f64]) -> Option<f64> {
-    let (first, last) = (times.first()?, times.last()?);
-    let mean = (last - first) / (times.len() - 1) as f64;
-    // Times may be written in single precision.
-    let rounding = 1e-3 * mean + 2e-7 * first.abs().max(last.abs());
-    times.windows(2).all(|pair| (pair[1] - pair[0] - mean).abs() <= rounding).then_some(mean)
-}
-
 /// Why a run cannot be judged, and what helps.
-fn refused(path: &Path, declared: &DeclaredReading, error: &JudgeError) -> Failure {
-    let hint = match error {
-        JudgeError::Motion(error) => return Failure::Motion { path: shown(path), error: error.clone() },
-        JudgeError::NoMotion => {
-            "give a scenario with [start]; of a prescribed motion `polhode torque` says what it needs"
-        }
-        JudgeError::BeforeStart { .. } => "--time-origin says the run's time at the scenario's time 0",
-        JudgeError::Ends { .. } => "leave the event that stops the scenario out, or judge the rows before it",
-        JudgeError::NoReading { .. } if declared.order.is_some() => {
-            "is it the run of another scenario? Else say which way its rotations go: --sense body-to-space or space-to-body"
-        }
-        JudgeError::NoReading { .. } => {
-            "is it the run of another scenario? Else say what its numbers are: --quaternion wxyz or xyzw, and --sense body-to-space or space-to-body"
-        }
-        JudgeError::Ambiguous { .. } => {
-            "say what its numbers are: --quaternion, --sense, --axes, --time-origin"
-        }
-        JudgeError::AmbiguousOmega { .. } => "say it: --omega body or --omega space",
-        _ => "say what its numbers are: --quaternion, --sense, --omega, --axes, --time-origin",
-    };
-    Failure::usage(error.to_string(), hint).about(path)
+fn refused(path: &Path, error: JudgeError) -> Failure {
+    match error {
+        JudgeError::Motion(error) => Failure::Motion { path: shown(path), error },
+        error => Failure::usage(error.to_string(), judge_hint(&error).unwrap_or_default()).about(path),
+    }
 }

@@ -14,6 +14,7 @@ mod files;
 mod finding;
 mod free_motion;
 mod interrupt;
+mod judge;
 mod mass_properties;
 mod mesh;
 mod motion;
@@ -43,6 +44,8 @@ mod _native {
     use crate::files::{cad_file, molecule_file, particle_file, scenario_file, voxel_file};
     #[pymodule_export]
     use crate::free_motion::PyFreeMotion;
+    #[pymodule_export]
+    use crate::judge::{judge_arrays, judge_file};
     #[pymodule_export]
     use crate::mass_properties::PyMassProperties;
     #[pymodule_export]

@@ -197,7 +197,7 @@ def test_batches_say_what_they_are_given() -> None:
 
 def test_hints_name_keywords(tmp_path: Path) -> None:
     """Of every hint that the library's crates hold, and of two that are really given."""
-    crates = [ROOT / "crates" / name / "src" for name in ("polhode", "polhode-formats", "polhode-robot", "polhode-sweep")]
+    crates = [ROOT / "crates" / name / "src" for name in ("polhode", "polhode-formats", "polhode-report", "polhode-robot", "polhode-sweep")]
     sources = [path.read_text() for crate in crates for path in crate.rglob("*.rs")]
     lines = [line for source in sources for line in source.splitlines() if re.search(r"(?<![\w-])--[a-z]", line) and not line.strip().startswith("//")]
     assert len(lines) > 10

@@ -97,6 +97,16 @@ def motions() -> list[polhode.Motion]:
     return [polhode.simulate(EXAMPLES / f"{name}.toml") for name in names]
 
 
+def judgement(with_omega: bool) -> polhode.Judgement:
+    """Of a program that is late."""
+    body = '[[body.part]]\nshape = "tensor"\nmass = "3 kg"\nmoments = ["1 kg m^2", "2 kg m^2", "2.5 kg m^2"]\n'
+    scenario = body + f"[start]\nattitude = {{ quaternion = {TURN} }}\nspin = {{ body = [0.3, -0.5, 0.9] }}\n"
+    times = 0.02 * np.arange(151)
+    motion = polhode.simulate(scenario, times=times)
+    omega = motion.omega_space[:-1] if with_omega else None
+    return polhode.judge(scenario, times=times[1:], attitude=motion.attitude[:-1], omega=omega, time_origin=0.0)
+
+
 def everything(tmp_path: Path) -> list[object]:
     """Objects of every public class, filled as generically as can be."""
     made = bodies(tmp_path)
@@ -111,6 +121,7 @@ def everything(tmp_path: Path) -> list[object]:
     own = polhode.Ensemble(inertia=np.stack([made[0].inertia, made[5].inertia, made[6].inertia, made[0].inertia]), omega=omega, attitude=attitude)
     links = polhode.link_table(EXAMPLES / "robots" / "arm.urdf", joints={"elbow": 0.3})
     error = polhode.PolhodeError("radius is wrong", "repair it", "a.toml", 3, 7)
+    judged = [judgement(with_omega) for with_omega in (True, False)]
     with pytest.warns(polhode.PolhodeWarning) as heard:
         polhode.inertia(EXAMPLES / "bracket.stl", unit="mm")
     return [
@@ -134,6 +145,13 @@ def everything(tmp_path: Path) -> list[object]:
         *(motion.error for motion in moved if motion.error),
         free.error([0.5, -1e6, 3.0]),
         *made[1].findings,
+        *judged,
+        judged[0].reading,
+        judged[0].reading.tried[1],
+        judged[0].growth,
+        judged[0].split,
+        judged[0].split.parts[1],
+        judged[0].likeliest,
         error,
         heard[0].message,
         plan,

@@ -65,7 +65,7 @@ pub use export::{ExportBody, ExportError, ExportFormat, export};
 pub use extra::Extra;
 pub use inertia::InertiaReport;
 pub use json::pretty;
-pub use judge::{Card, CardCase, CardRun, JudgeReport, JudgedRun};
+pub use judge::{Card, CardCase, CardRun, JudgeReport, JudgedRun, judge_hint};
 pub use molecule::MoleculeReport;
 pub use motion::MotionReport;
 pub use page::{PageInput, PageSubject, page, page_data, page_of, page_rows};

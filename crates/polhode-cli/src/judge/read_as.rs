@@ -75,9 +75,7 @@ impl ReadAs {
 
 /// `x,z,-y`
 fn signed_axes(text: &str) -> Result<SignedAxes, String> {
-    let wanted: String = text.replace(' ', "").replace('−', "-").to_lowercase();
-    let name = |axes: &SignedAxes| axes.to_string().replace([' ', '(', ')'], "").replace('−', "-");
-    SignedAxes::ALL.into_iter().find(|axes| name(axes) == wanted).ok_or_else(|| {
+    SignedAxes::parse(text).ok_or_else(|| {
         "three axes of x, y and z, each once, that are right-handed belong here (hint: y upwards is x,z,-y; of left-handed axes reverse all three, \
          as for rotations that is the same)"
             .to_owned()

@@ -1,5 +1,8 @@
 //! Matrices of rotations, as programs print them: in single precision, or with six digits.
 
+use std::error::Error;
+use std::fmt;
+
 use polhode::math::{Body, Rotation};
 
 /// The largest element of |RᵀR − 1| at which a matrix still is a rotation: single precision, and six printed digits.
@@ -7,24 +10,59 @@ pub(super) const TOLERANCE: f64 = 1e-5;
 
 /// Why a matrix is no rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum NoRotation {
-    /// The largest element of |RᵀR − 1|.
-    Departs(f64),
-    Mirrors,
+pub enum MatrixError {
+    /// RᵀR is not 1: the largest element of |RᵀR − 1|.
+    NotRotation(f64),
+    /// det R is −1.
+    Mirrored,
 }
+
+impl MatrixError {
+    /// What to do about it.
+    pub const fn hint(&self) -> &'static str {
+        match self {
+            Self::NotRotation(_) => {
+                "give the nine numbers of one matrix, row by row, with six digits or more"
+            }
+            Self::Mirrored => {
+                "one of its two frames is left-handed: reverse an axis of that one before it is written"
+            }
+        }
+    }
+}
+
+/// `|RᵀR − 1| = 1.00e0 must be 0.00001 or less: the matrix has to be a rotation`
+impl fmt::Display for MatrixError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotRotation(departure) => {
+                write!(
+                    f,
+                    "|RᵀR − 1| = {departure:.2e} must be {TOLERANCE} or less: the matrix has to be a rotation"
+                )
+            }
+            Self::Mirrored => f.write_str("det R = −1 must be +1: the matrix mirrors"),
+        }
+    }
+}
+
+impl Error for MatrixError {}
 
 type Matrix = [[f64; 3]; 3];
 
 /// The quaternion, scalar first, of the rotation nearest to a matrix of finite numbers, which come row by row.
-pub(super) fn quaternion(numbers: [f64; 9]) -> Result<[f64; 4], NoRotation> {
+///
+/// # Errors
+/// [`MatrixError`] of one that is farther from a rotation than six digits are, or mirrors.
+pub fn matrix_quaternion(numbers: [f64; 9]) -> Result<[f64; 4], MatrixError> {
     let [a, b, c, d, e, f, g, h, i] = numbers;
     let mut r = [[a, b, c], [d, e, f], [g, h, i]];
     let departure = departure(&r);
     if !(departure <= TOLERANCE) {
-        return Err(NoRotation::Departs(departure));
+        return Err(MatrixError::NotRotation(departure));
     }
     if a * (e * i - f * h) + b * (f * g - d * i) + c * (d * h - e * g) < 0.0 {
-        return Err(NoRotation::Mirrors);
+        return Err(MatrixError::Mirrored);
     }
     // Newton's steps to the nearest rotation square the departure: 1e-5, 1e-10, less than rounding.
     for _ in 0..2 {
@@ -32,7 +70,7 @@ pub(super) fn quaternion(numbers: [f64; 9]) -> Result<[f64; 4], NoRotation> {
     }
     Rotation::<Body, Body>::from_matrix(r)
         .map(Rotation::quaternion)
-        .map_err(|_| NoRotation::Departs(departure))
+        .map_err(|_| MatrixError::NotRotation(departure))
 }
 
 /// RᵀR, of which the rotations have 1.

@@ -80,6 +80,7 @@ use head::Head;
 use rows::Rows;
 
 pub use columns::{Columns, ColumnsError};
+pub use matrix::{MatrixError, matrix_quaternion};
 
 /// A log, and what it says of itself.
 #[derive(Clone, Debug, PartialEq)]

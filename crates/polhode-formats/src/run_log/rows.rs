@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::choice::{Form, Plan};
-use super::matrix::{self, NoRotation};
+use super::matrix::{self, MatrixError};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 /// Numbers of a row: the time, nine of an attitude at most, and an angular velocity.
@@ -38,7 +38,7 @@ pub(super) enum Problem {
     NotJson { message: String, line: String },
     NotLater { time: f64, before: f64 },
     ZeroQuaternion,
-    Matrix(NoRotation),
+    Matrix(MatrixError),
 }
 
 impl Rows {
@@ -57,7 +57,9 @@ impl Rows {
                 return Err(Problem::ZeroQuaternion);
             }
             (Form::Quaternion, &[a, b, c, d]) => [a, b, c, d],
-            (Form::Matrix, attitude) => matrix::quaternion(array(attitude)).map_err(Problem::Matrix)?,
+            (Form::Matrix, attitude) => {
+                matrix::matrix_quaternion(array(attitude)).map_err(Problem::Matrix)?
+            }
             (Form::Euler { sequence, unit }, attitude) => {
                 sequence.quaternion(array(attitude).map(|angle| unit.apply(angle)))
             }
@@ -170,15 +172,15 @@ impl RowError {
                 let hint = "four zeros are no attitude: begin the log where the program knows it";
                 (value(what, "0, 0, 0, 0".to_owned(), "other than zero"), hint)
             }
-            Problem::Matrix(NoRotation::Departs(departure)) => {
-                let rule = format!("{} or less: the matrix has to be a rotation", matrix::TOLERANCE);
-                let hint = "name the nine columns of one matrix, row by row, and write six digits or more";
-                (value(format!("|RᵀR − 1| of row {row}"), format!("{departure:.2e}"), &rule), hint)
-            }
-            Problem::Matrix(NoRotation::Mirrors) => {
-                let hint =
-                    "one of its two frames is left-handed: reverse an axis of that one before it is written";
-                (value(format!("det R of row {row}"), "−1".to_owned(), "+1: the matrix mirrors"), hint)
+            Problem::Matrix(error) => {
+                let (what, found, rule) = match error {
+                    MatrixError::NotRotation(departure) => {
+                        let rule = format!("{} or less: the matrix has to be a rotation", matrix::TOLERANCE);
+                        ("|RᵀR − 1|", format!("{departure:.2e}"), rule)
+                    }
+                    MatrixError::Mirrored => ("det R", "−1".to_owned(), "+1: the matrix mirrors".to_owned()),
+                };
+                (value(format!("{what} of row {row}"), found, &rule), error.hint())
             }
         };
         ContentError::new(kind, self.place).hint(hint)

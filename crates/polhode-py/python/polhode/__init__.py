@@ -2,7 +2,7 @@
 
 - :func:`inertia`, :class:`MassProperties`, :class:`Body`, :mod:`shapes`, :func:`particles`: how much mass, where
 - :class:`FreeMotion`: a free motion at any time, in closed form
-- :func:`simulate`: the motion of a scenario
+- :func:`simulate`: the motion of a scenario; :func:`judge`: is the one that another program computed right?
 - :class:`Ensemble`: many bodies at once; :mod:`polhode.batch` and :mod:`polhode.sweep`: plans of many motions, here and on clusters
 - :func:`check`: are the inertias of a robot right? :func:`link_table`, :func:`fixed_groups`: its links as bodies
 - :mod:`plot`: figures, for those who have Matplotlib
@@ -21,6 +21,8 @@ from ._ensemble import Ensemble, Failure, EnsembleStates
 from ._error import PolhodeError, PolhodeWarning
 from ._free_motion import FreeMotion, MotionError, States
 from ._inertia import inertia
+from ._judge import judge
+from ._judgement import Cause, ErrorGrowth, ErrorPart, ErrorSplit, Judgement, Reading, TriedReading
 from ._mass_properties import Finding, MassProperties, particles
 from ._motion import Ending, Event, Motion, simulate
 from ._native import VERSION as __version__
@@ -28,14 +30,19 @@ from ._robot import LinkRow, LinkTable, fixed_groups, link_table
 
 __all__ = [
     "Body",
+    "Cause",
     "CheckReport",
     "Ending",
     "Ensemble",
+    "ErrorGrowth",
+    "ErrorPart",
+    "ErrorSplit",
     "Event",
     "Failure",
     "Finding",
     "EnsembleStates",
     "FreeMotion",
+    "Judgement",
     "LinkRow",
     "LinkTable",
     "MassProperties",
@@ -44,11 +51,14 @@ __all__ = [
     "MotionError",
     "PolhodeError",
     "PolhodeWarning",
+    "Reading",
     "States",
+    "TriedReading",
     "__version__",
     "check",
     "fixed_groups",
     "inertia",
+    "judge",
     "link_table",
     "particles",
     "plot",
@@ -59,14 +69,19 @@ __all__ = [
 # Messages and copies in other processes name them as users do.
 for _public in (
     Body,
+    Cause,
     CheckReport,
     Ending,
     Ensemble,
+    ErrorGrowth,
+    ErrorPart,
+    ErrorSplit,
     Event,
     Failure,
     Finding,
     EnsembleStates,
     FreeMotion,
+    Judgement,
     LinkRow,
     LinkTable,
     MassProperties,
@@ -75,7 +90,9 @@ for _public in (
     MotionError,
     PolhodeError,
     PolhodeWarning,
+    Reading,
     States,
+    TriedReading,
 ):
     _public.__module__ = __name__
 del _public

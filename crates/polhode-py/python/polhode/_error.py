@@ -9,12 +9,14 @@ import warnings
 
 #: Options of the command that are switches, those that have another name here, and those of the same name.
 _SWITCHES = {"hull", "resume", "force"}
-_RENAMED = {"root": "roots", "joint": "joints", "threads": "workers"}
+_RENAMED = {"root": "roots", "joint": "joints", "threads": "workers", "omega": "omega_axes"}
 _SAME = {"unit", "mass-unit", "products", "decimal", "shell", "density", "mass", "material", "isotopes", "molecule"}
 _SAME |= {"spacing", "origin", "per-value", "link", "subtree", "workers", "worker-timeout"}
+_SAME |= {"quaternion", "sense", "axes", "time-origin", "step", "columns"}
 
 #: A flag, and a value that stands beside it as an example or a placeholder.
-_FLAG = re.compile(r"(?<![\w-])--([a-z]+(?:-[a-z]+)*)( (?:negative|positive|point|comma|mm|cm|m|in|g|kg|lb)\b| [A-Z]+\b)?")
+_VALUE = r"(?:negative|positive|point|comma|mm|cm|m|in|g|kg|lb|wxyz|xyzw|body-to-space|space-to-body|body|space)\b"
+_FLAG = re.compile(rf"(?<![\w-])--([a-z]+(?:-[a-z]+)*)( {_VALUE}(?: or {_VALUE})*| [A-Z]+\b| (?=\"))?")
 
 
 def in_python(text: str) -> str:
@@ -24,6 +26,8 @@ def in_python(text: str) -> str:
     'paste the line with the unit, or answer with unit, such as unit="mm"'
     >>> in_python("take its convex hull by --hull")
     'take its convex hull by hull=True'
+    >>> in_python("say it: --omega body or --omega space, and --sense body-to-space or space-to-body")
+    'say it: omega_axes="body" or omega_axes="space", and sense="body_to_space" or "space_to_body"'
     """
 
     def keyword(found: re.Match[str]) -> str:
@@ -33,7 +37,10 @@ def in_python(text: str) -> str:
         if flag not in _SAME and flag not in _RENAMED:
             return f"the command's {found[0]}"
         name = _RENAMED.get(flag, flag).replace("-", "_")
-        return f'{name}="{value}"' if value.islower() else name
+        if found[2] == " ":  # before a value in quotes
+            return f"{name}="
+        quoted = " or ".join(f'"{one.replace("-", "_")}"' for one in value.split(" or "))
+        return f"{name}={quoted}" if value.islower() else name
 
     return _FLAG.sub(keyword, text.replace(" with -o DIR", "")) if "-" in text else text
 

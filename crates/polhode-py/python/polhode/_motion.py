@@ -241,10 +241,15 @@ def simulate(scenario: str | os.PathLike[str], *, times: npt.ArrayLike | None = 
     error = _arrays.choice("error", error, ["auto", "cheap", "thorough"])
     sampled = None if times is None else _arrays.numbers("times", times, ("n",))
     motion = Motion(_native.simulate(path, text, sampled, error))
-    warn_of(motion.findings)
-    for finding in motion.findings:
-        if finding.code == "sweep.nominal":
-            warn(f"{finding.message} [{finding.code}]")
+    warn_of_scenario(motion.findings)
     if motion.ending.kind == "failed":
         warn(f"the motion ends at t = {motion.ending.time} s: {motion.ending.cause}")
     return motion
+
+
+def warn_of_scenario(findings: list[Finding]) -> None:
+    """What is worth a warning, and that a ``[sweep]`` is not simulated."""
+    warn_of(findings)
+    for finding in findings:
+        if finding.code == "sweep.nominal":
+            warn(f"{finding.message} [{finding.code}]")

@@ -41,6 +41,34 @@ class Step(TypedDict):
     invalid: list[int]
     error: float
 
+class Said(TypedDict):
+    quaternion: str | None
+    sense: str | None
+    omega_axes: str | None
+    axes: str | None
+    time_origin: float | None
+    step: float | None
+    engine: str | None
+
+class Judged(TypedDict):
+    times: Floats
+    attitude: Floats
+    omega: Floats | None
+    exact_attitude: Floats
+    exact_omega: Floats
+    attitude_error: Floats
+    attitude_error_vector: Floats
+    omega_error: Floats | None
+    kinetic_energy_error: Floats | None
+    momentum_error: Floats | None
+    momentum_direction_error: Floats | None
+    is_exact: bool
+    findings: list[Remark]
+    json: str
+    text: str
+    markdown: str
+    page: str
+
 class MassProperties:
     @staticmethod
     def of_tensor(
@@ -172,6 +200,8 @@ class Dataset:
 
 def simulate(path: str, text: str | None, times: Floats | None, error: str) -> Motion: ...
 def motion_page(title: str | None, data: str) -> str: ...
+def judge_arrays(path: str, text: str | None, times: Floats, attitude: Floats, omega: Floats | None, said: Said) -> Judged: ...
+def judge_file(path: str, text: str | None, run: str, columns: str | None, said: Said) -> Judged: ...
 def check_file(path: str, roots: list[str]) -> tuple[str, str, str]: ...
 def shape(kind: str, lengths: Sequence[float], ends: bool, given: Given) -> MassProperties: ...
 def mesh_file(path: str, format: str, options: MeshOptions, given: Given) -> MassProperties: ...

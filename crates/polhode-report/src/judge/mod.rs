@@ -2,22 +2,31 @@
 
 mod card;
 mod graph;
+mod hint;
 mod json;
 mod report;
 mod words;
 
-use polhode::infer::judge::{AccuracyOrder, Causes, Judgement, StepErrors};
+use std::path::Path;
+
+use polhode::infer::judge::{
+    AccuracyOrder, Causes, DeclaredReading, JudgeError, Judgement, MotionLog, StepErrors, causes,
+};
+use polhode::motion::Scenario;
+
+use crate::layout::printable;
 
 pub use card::{Card, CardCase, CardRun};
+pub use hint::judge_hint;
 pub use report::JudgeReport;
 
 /// A run of another program, judged.
 #[derive(Clone, Debug)]
 pub struct JudgedRun {
-    /// What it is called: its file's name.
+    /// What it is called: its file's name, if it has one.
     pub name: String,
     /// Its file.
-    pub path: String,
+    pub path: Option<String>,
     /// The program that made it, and how, if the run says so.
     pub engine: Option<String>,
     /// The program's time step, s.
@@ -32,16 +41,48 @@ pub struct JudgedRun {
     pub ignored: Vec<String>,
 }
 
+/// What a run is called that is no file.
+const UNNAMED: &str = "run";
+
 impl JudgedRun {
+    /// A log of a scenario's motion, of a file or not, judged; `step` is the program's time step, if it is said, s.
+    ///
+    /// # Errors
+    /// As [`Judgement::of`]; [`judge_hint`] says what helps.
+    pub fn of(
+        file: Option<&Path>,
+        scenario: &Scenario,
+        log: &MotionLog,
+        declared: &DeclaredReading,
+        step: Option<f64>,
+    ) -> Result<Self, JudgeError> {
+        let judgement = Judgement::of(scenario, log, declared)?;
+        let (step, step_is_said) = (step.or_else(|| spacing(log.times())), step.is_some());
+        let causes = causes(scenario, &judgement.motion, judgement.reference.states(), step);
+        let name = file.map(|file| file.file_name().unwrap_or(file.as_os_str()).to_string_lossy());
+        let name = name.map_or_else(|| UNNAMED.to_owned(), |name| printable(&name));
+        let path = file.map(|file| file.display().to_string());
+        Ok(Self { name, path, engine: None, step, step_is_said, judgement, causes, ignored: Vec::new() })
+    }
+
     /// The largest angle between an attitude and the exact one, rad.
     fn largest(&self) -> f64 {
         self.judgement.largest_attitude_error()
     }
 
     /// Whether it cannot be told from the exact motion.
-    fn is_exact(&self) -> bool {
+    pub fn is_exact(&self) -> bool {
         self.largest() <= 3.0 * self.judgement.floor()
     }
+}
+
+/// The distance of rows that are even, s.
+fn spacing(times: &[f64]) -> Option<f64> {
+    let (first, last) = (times.first()?, times.last()?);
+    let mean = (last - first) / (times.len() - 1) as f64;
+    // Times may be written in single precision.
+    let rounding = 1e-3 * mean + 2e-7 * first.abs().max(last.abs());
+    times.windows(2).all(|pair| (pair[1] - pair[0] - mean).abs() <= rounding).then_some(mean)
 }
 
 /// The order of accuracy of runs of one scenario by one program with several steps.

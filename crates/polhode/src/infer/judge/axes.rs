@@ -10,7 +10,8 @@ use core::fmt;
 /// ```
 /// use polhode::infer::judge::SignedAxes;
 /// // The log's y is the scenario's z, and its z the scenario's −y: y upwards.
-/// let upwards = SignedAxes::ALL.into_iter().find(|axes| axes.to_string() == "(x, z, −y)").ok_or("it is one of them")?;
+/// let upwards = SignedAxes::parse("x,z,-y").ok_or("it is one of them")?;
+/// assert_eq!(upwards.to_string(), "(x, z, −y)");
 /// assert_eq!(upwards.to_scenario([1.0, 2.0, 3.0]), [1.0, -3.0, 2.0]);
 /// # Ok::<(), &str>(())
 /// ```
@@ -23,6 +24,13 @@ impl SignedAxes {
 
     /// The 24 right-handed ones, [`SignedAxes::SAME`] first.
     pub const ALL: [Self; 24] = all();
+
+    /// Those of a text: `x,z,-y`, or as they are displayed. `None` of what are no three right-handed ones.
+    pub fn parse(text: &str) -> Option<Self> {
+        let plain = |text: &str| text.replace([' ', '(', ')'], "").replace('−', "-").to_lowercase();
+        let wanted = plain(text);
+        Self::ALL.into_iter().find(|axes| plain(&axes.to_string()) == wanted)
+    }
 
     /// Components along these axes, to those along the scenario's. Also of axial vectors and of the vector part of a quaternion.
     pub fn to_scenario(self, components: [f64; 3]) -> [f64; 3] {

@@ -1,0 +1,122 @@
+"""Is the motion of another program right?"""
+
+from __future__ import annotations
+
+import os
+
+import numpy.typing as npt
+
+from . import _arrays, _native
+from ._arrays import Floats
+from ._error import PolhodeError
+from ._judgement import Judgement
+from ._mass_properties import findings_of
+from ._motion import warn_of_scenario
+
+
+def judge(
+    scenario: str | os.PathLike[str],
+    run: str | os.PathLike[str] | None = None,
+    *,
+    times: npt.ArrayLike | None = None,
+    attitude: object = None,
+    omega: npt.ArrayLike | None = None,
+    columns: str | None = None,
+    quaternion: str | None = None,
+    sense: str | None = None,
+    omega_axes: str | None = None,
+    axes: str | None = None,
+    time_origin: float | None = None,
+    step: float | None = None,
+    engine: str | None = None,
+) -> Judgement:
+    """Judges a motion that another program computed by the exact motion of a scenario.
+
+    ``scenario`` is a path, or a text of more than one line, as of :func:`simulate`; its ``[run]`` is not used. The run is a log, ``run``
+    (CSV, Parquet, JSON lines; ``columns`` says which columns are what where their names do not), or arrays: ``times`` (n,), ascending, s;
+    ``attitude``, quaternions (n, 4), matrices (n, 3, 3) or a ``scipy.spatial.transform.Rotation`` of n; perhaps ``omega`` (n, 3), rad/s.
+
+    What the numbers mean is found by the motion that they begin with, or said: ``quaternion``, ``"wxyz"`` or ``"xyzw"``; ``sense``,
+    ``"body_to_space"`` or ``"space_to_body"``, what rotations take components of to which; ``omega_axes``, ``"body"`` or ``"space"``;
+    ``axes``, the run's x, y, z as axes of the scenario, such as ``"x,z,-y"``; ``time_origin``, the run's time at the scenario's time 0, s. A
+    ``Rotation`` takes body components to space components unless ``sense`` is given. ``step``, s, and ``engine`` are the program's own.
+
+    A :exc:`PolhodeError` says which readings fit where the run does not tell, what of the arrays is no motion, and where a log is wrong. What
+    had to be assumed of the body is a :class:`PolhodeWarning`.
+
+    >>> import numpy as np, polhode
+    >>> scenario = '''
+    ... [[body.part]]
+    ... shape = "tensor"
+    ... mass = "1 kg"
+    ... moments = ["1 kg m^2", "2 kg m^2", "2.5 kg m^2"]
+    ...
+    ... [start]
+    ... spin = { body = [0.3, -1.2, 0.4] }
+    ... '''
+    >>> times = np.linspace(0.0, 4.0, 201)
+    >>> omega = np.array([0.3, -1.2, 0.4])
+    >>> half = 0.5 * times[:, None] * omega
+    >>> angle = np.linalg.norm(half, axis=1, keepdims=True)
+    >>> attitude = np.hstack([half * np.sinc(angle / np.pi), np.cos(angle)])
+    >>> judgement = polhode.judge(scenario, times=times, attitude=attitude)
+    >>> judgement.reading.quaternion, judgement.reading.sense
+    ('xyzw', 'body_to_space')
+    >>> bool(judgement.largest_attitude_error > 0.1)
+    True
+    >>> judgement.likeliest.id
+    'no_gyroscopic_term'
+    """
+    if isinstance(scenario, str) and "\n" in scenario:
+        path, text = "scenario.toml", _arrays.text("scenario", scenario)
+    else:
+        path, text = _arrays.path("scenario", scenario), None
+    said: _native.Said = {
+        "quaternion": _one_of("quaternion", quaternion, ["wxyz", "xyzw"]),
+        "sense": _one_of("sense", sense, ["body_to_space", "space_to_body"]),
+        "omega_axes": _one_of("omega_axes", omega_axes, ["body", "space"]),
+        "axes": None if axes is None else _arrays.text("axes", axes),
+        "time_origin": None if time_origin is None else _arrays.number("time_origin", time_origin),
+        "step": None if step is None else _arrays.positive("step", step),
+        "engine": None if engine is None else _arrays.text("engine", engine),
+    }
+    arrays = {"times": times, "attitude": attitude, "omega": omega}
+    if run is not None:
+        given = [name for name, value in arrays.items() if value is not None]
+        if given:
+            raise PolhodeError(f"{' and '.join(given)} mean nothing for a log: give run, or times and attitude")
+        told = None if columns is None else _arrays.text("columns", columns)
+        judged = _native.judge_file(path, text, _arrays.path("run", run), told, said)
+    else:
+        if times is None or attitude is None:
+            raise PolhodeError("a run is a log, or times and attitude, both of them")
+        if columns is not None:
+            raise PolhodeError("columns mean nothing for arrays: they are of a log")
+        if omega is None and omega_axes is not None:
+            raise PolhodeError("omega_axes mean nothing without omega")
+        rates = None if omega is None else _arrays.numbers("omega", omega, ("n", 3))
+        judged = _native.judge_arrays(path, text, _arrays.numbers("times", times, ("n",)), _attitudes(attitude, said), rates, said)
+    warn_of_scenario(findings_of(judged["findings"]))
+    return Judgement(judged)
+
+
+def _attitudes(attitude: object, said: _native.Said) -> Floats:
+    """Quaternions (n, 4), or matrices as rows (n, 9); what they are without doubt is said."""
+    if hasattr(attitude, "as_quat"):
+        if said["quaternion"] is not None:
+            raise PolhodeError("quaternion means nothing for a Rotation, whose order is known")
+        said["quaternion"] = "xyzw"
+        said["sense"] = said["sense"] or "body_to_space"
+        return _arrays.numbers("attitude", attitude.as_quat(), ("n", 4))
+    given = _arrays.real("attitude", attitude)
+    if given.ndim == 3:
+        if said["quaternion"] is not None:
+            raise PolhodeError("quaternion means nothing for matrices")
+        return _arrays.numbers("attitude", given, ("n", 3, 3)).reshape(-1, 9)
+    if given.ndim != 2 or given.shape[1] != 4:
+        raise PolhodeError(f"attitude must have the shape (n, 4), or (n, 3, 3) for matrices, not {given.shape}")
+    return _arrays.quaternions("attitude", given, ("n", 4))
+
+
+def _one_of(name: str, value: object, known: list[str]) -> str | None:
+    return None if value is None else _arrays.choice(name, value, known)

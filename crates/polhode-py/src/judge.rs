@@ -1,0 +1,218 @@
+//! Is the motion of another program right?
+
+use std::path::{Path, PathBuf};
+
+use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
+use polhode::infer::judge::{
+    AttitudeSense, DeclaredReading, JudgeError, LogError, MotionLog, OmegaAxes, QuaternionOrder, RateErrors,
+    SignedAxes,
+};
+use polhode_formats::run_log::{self, Columns, RunLog, matrix_quaternion};
+use polhode_formats::scenario::ScenarioFile;
+use polhode_report::{JudgeReport, JudgedRun, judge_hint};
+use pyo3::prelude::*;
+
+use crate::arrays::{matrix, numbers, rows};
+use crate::error::{PolhodeError, Raise, refused};
+use crate::finding::{Remark, remarks};
+use crate::free_motion::signed;
+
+/// What the user says of a run; the rest is found.
+#[derive(Clone, Debug, FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Said {
+    quaternion: Option<String>,
+    sense: Option<String>,
+    omega_axes: Option<String>,
+    axes: Option<String>,
+    time_origin: Option<f64>,
+    step: Option<f64>,
+    engine: Option<String>,
+}
+
+impl Said {
+    /// With what the run itself says; the user's word counts more.
+    fn declared(&self, says: &DeclaredReading) -> PyResult<DeclaredReading> {
+        let order = self.quaternion.as_deref().map(|order| match order {
+            "xyzw" => QuaternionOrder::ScalarLast,
+            _ => QuaternionOrder::ScalarFirst,
+        });
+        let sense = self.sense.as_deref().map(|sense| match sense {
+            "space_to_body" => AttitudeSense::SpaceToBody,
+            _ => AttitudeSense::BodyToSpace,
+        });
+        let omega_axes = self.omega_axes.as_deref().map(|axes| match axes {
+            "space" => OmegaAxes::Space,
+            _ => OmegaAxes::Body,
+        });
+        let right_handed = |text: &String| {
+            SignedAxes::parse(text).ok_or_else(|| {
+                refused(
+                    format!("axes = {text:?} must be three axes of x, y and z, each once, that are right-handed"),
+                    Some("y upwards is \"x,z,-y\"; of left-handed axes reverse all three, as for rotations that is the same"),
+                )
+            })
+        };
+        Ok(DeclaredReading {
+            order: order.or(says.order),
+            sense: sense.or(says.sense),
+            omega_axes: omega_axes.or(says.omega_axes),
+            axes: self.axes.as_ref().map(right_handed).transpose()?.or(says.axes),
+            time_origin: self.time_origin.or(says.time_origin),
+        })
+    }
+}
+
+/// A judgement: its rows as arrays, and the whole as the command prints it.
+#[derive(Debug, IntoPyObject)]
+pub(crate) struct Judged<'py> {
+    times: Bound<'py, PyArray1<f64>>,
+    attitude: Bound<'py, PyArray2<f64>>,
+    omega: Option<Bound<'py, PyArray2<f64>>>,
+    exact_attitude: Bound<'py, PyArray2<f64>>,
+    exact_omega: Bound<'py, PyArray2<f64>>,
+    attitude_error: Bound<'py, PyArray1<f64>>,
+    attitude_error_vector: Bound<'py, PyArray2<f64>>,
+    omega_error: Option<Bound<'py, PyArray1<f64>>>,
+    kinetic_energy_error: Option<Bound<'py, PyArray1<f64>>>,
+    momentum_error: Option<Bound<'py, PyArray1<f64>>>,
+    momentum_direction_error: Option<Bound<'py, PyArray1<f64>>>,
+    is_exact: bool,
+    findings: Vec<Remark>,
+    json: String,
+    text: String,
+    markdown: String,
+    page: String,
+}
+
+/// Judges arrays: times, attitudes as four numbers or as the nine of a matrix, angular velocities. `text` is as of `simulate`.
+///
+/// # Errors
+/// `PolhodeError` of what is no motion, and of one that cannot be judged.
+#[pyfunction]
+pub(crate) fn judge_arrays<'py>(
+    py: Python<'py>,
+    path: PathBuf,
+    text: Option<String>,
+    times: PyReadonlyArray1<'py, f64>,
+    attitude: PyReadonlyArray2<'py, f64>,
+    omega: Option<PyReadonlyArray2<'py, f64>>,
+    said: Said,
+) -> PyResult<Judged<'py>> {
+    let is_matrix = attitude.as_array().ncols() == 9;
+    let quaternions = if is_matrix { quaternions(rows(&attitude)?)? } else { rows(&attitude)?.to_vec() };
+    let no_motion = |error: LogError| refused(error, None);
+    let log = MotionLog::new(numbers(&times)?.to_vec(), quaternions).map_err(no_motion)?;
+    let log = match omega {
+        Some(omega) => log.with_omega(rows(&omega)?.to_vec()).map_err(no_motion)?,
+        None => log,
+    };
+    let says = DeclaredReading {
+        order: is_matrix.then_some(QuaternionOrder::ScalarFirst),
+        ..DeclaredReading::default()
+    };
+    let declared = said.declared(&says)?;
+    let (scenario, run) = py.detach(|| {
+        let scenario = scenario(&path, text)?;
+        let run = JudgedRun::of(None, &scenario.scenario, &log, &declared, said.step)
+            .map_err(|error| unjudged(&scenario, None, &error))?;
+        Ok::<_, PyErr>((scenario, JudgedRun { engine: said.engine, ..run }))
+    })?;
+    judged(py, &scenario, run)
+}
+
+/// Judges the log of a program; `columns` are in the notation of [`Columns`].
+///
+/// # Errors
+/// As [`judge_arrays`], and if the log cannot be read.
+#[pyfunction]
+pub(crate) fn judge_file<'py>(
+    py: Python<'py>,
+    path: PathBuf,
+    text: Option<String>,
+    run: PathBuf,
+    columns: Option<&str>,
+    said: Said,
+) -> PyResult<Judged<'py>> {
+    let columns = columns.map(Columns::parse).transpose();
+    let columns = columns.map_err(|error| refused(format!("columns: {error}"), Some(&error.hint())))?;
+    let (scenario, run) = py.detach(|| {
+        let RunLog { log, says, step, engine, ignored, .. } =
+            run_log::read(&run, columns.as_ref()).map_err(Raise::raise)?;
+        let declared = said.declared(&says)?;
+        let scenario = scenario(&path, text)?;
+        let judged = JudgedRun::of(Some(&run), &scenario.scenario, &log, &declared, said.step.or(step))
+            .map_err(|error| unjudged(&scenario, Some(&run), &error))?;
+        Ok::<_, PyErr>((scenario, JudgedRun { engine: said.engine.or(engine), ignored, ..judged }))
+    })?;
+    judged(py, &scenario, run)
+}
+
+fn scenario(path: &Path, text: Option<String>) -> PyResult<ScenarioFile> {
+    match text {
+        None => ScenarioFile::read(path),
+        Some(text) => ScenarioFile::parse(text, path),
+    }
+    .map_err(Raise::raise)
+}
+
+/// Why a run, of a file or not, cannot be judged.
+fn unjudged(scenario: &ScenarioFile, run: Option<&Path>, error: &JudgeError) -> PyErr {
+    if let JudgeError::Motion(error) = error {
+        return scenario.placed(error).map_or_else(|| error.clone().raise(), Raise::raise);
+    }
+    let path = run.map(|path| path.display().to_string());
+    PolhodeError::new_err((error.to_string(), judge_hint(error), path))
+}
+
+/// Quaternions of matrices.
+fn quaternions(matrices: &[[f64; 9]]) -> PyResult<Vec<[f64; 4]>> {
+    let one = |(row, numbers): (usize, &[f64; 9])| {
+        matrix_quaternion(*numbers)
+            .map_err(|error| refused(format!("attitude[{row}]: {error}"), Some(error.hint())))
+    };
+    matrices.iter().enumerate().map(one).collect()
+}
+
+fn judged<'py>(py: Python<'py>, file: &ScenarioFile, run: JudgedRun) -> PyResult<Judged<'py>> {
+    let is_exact = run.is_exact();
+    let (motion, exact, errors) = (
+        run.judgement.motion.clone(),
+        run.judgement.reference.states().to_vec(),
+        run.judgement.errors.clone(),
+    );
+    let (report, document) = py.detach(|| {
+        let report = JudgeReport::new(&file.scenario, vec![run]);
+        let document = report.to_document();
+        (report, document)
+    });
+    let (mut before, mut exact_before) = (None, None);
+    let attitude: Vec<_> = motion.attitude.iter().map(|&wxyz| signed(wxyz, &mut before)).collect();
+    let exact_attitude: Vec<_> =
+        exact.iter().map(|state| signed(state.attitude.quaternion(), &mut exact_before)).collect();
+    let omega: Option<Vec<_>> =
+        motion.omega.map(|omega| omega.into_iter().map(polhode::math::AngularVelocity::to_array).collect());
+    let exact_omega: Vec<_> = exact.iter().map(|state| state.omega.to_array()).collect();
+    let column = |of: fn(&RateErrors) -> &Vec<f64>| {
+        errors.rates.as_ref().map(|rates| PyArray1::from_slice(py, of(rates)))
+    };
+    Ok(Judged {
+        times: PyArray1::from_vec(py, motion.times),
+        attitude: matrix(py, &attitude)?,
+        omega: omega.map(|omega| matrix(py, &omega)).transpose()?,
+        exact_attitude: matrix(py, &exact_attitude)?,
+        exact_omega: matrix(py, &exact_omega)?,
+        attitude_error: PyArray1::from_vec(py, errors.angles()),
+        attitude_error_vector: matrix(py, &errors.attitude)?,
+        omega_error: column(|rates| &rates.omega),
+        kinetic_energy_error: column(|rates| &rates.kinetic_energy),
+        momentum_error: column(|rates| &rates.momentum),
+        momentum_direction_error: column(|rates| &rates.momentum_direction),
+        is_exact,
+        findings: remarks(file.scenario.findings()),
+        json: report.to_json().to_string(),
+        text: document.to_text(polhode_report::plain::WIDTH),
+        markdown: document.to_markdown(),
+        page: document.to_html(),
+    })
+}

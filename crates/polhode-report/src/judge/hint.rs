@@ -1,0 +1,29 @@
+//! What helps where a run cannot be judged.
+
+use polhode::infer::judge::JudgeError;
+
+/// What helps where a run cannot be judged, by the options of the command.
+pub fn judge_hint(error: &JudgeError) -> Option<&'static str> {
+    Some(match error {
+        JudgeError::Motion(error) => return error.hint(),
+        JudgeError::NoMotion => {
+            "give a scenario with [start]; of a prescribed motion `polhode torque` says what it needs"
+        }
+        JudgeError::BeforeStart { .. } => "--time-origin says the run's time at the scenario's time 0",
+        JudgeError::Ends { .. } => "leave the event that stops the scenario out, or judge the rows before it",
+        // One order was tried: it is known.
+        JudgeError::NoReading { tried }
+            if tried.windows(2).all(|pair| pair[0].reading.order == pair[1].reading.order) =>
+        {
+            "is it the run of another scenario? Else say which way its rotations go: --sense body-to-space or space-to-body"
+        }
+        JudgeError::NoReading { .. } => {
+            "is it the run of another scenario? Else say what its numbers are: --quaternion wxyz or xyzw, and --sense body-to-space or space-to-body"
+        }
+        JudgeError::Ambiguous { .. } => {
+            "say what its numbers are: --quaternion, --sense, --axes, --time-origin"
+        }
+        JudgeError::AmbiguousOmega { .. } => "say it: --omega body or --omega space",
+        _ => "say what its numbers are: --quaternion, --sense, --omega, --axes, --time-origin",
+    })
+}

@@ -137,10 +137,15 @@ fn steps(card: &Value) -> String {
     let mut steps: Vec<f64> = said.collect();
     steps.sort_by(f64::total_cmp);
     match (steps.first(), steps.last()) {
-        (Some(least), Some(most)) if least == most => format!("{least}"),
-        (Some(least), Some(most)) => format!("{least} … {most}"),
+        (Some(least), Some(most)) if least == most => rounded(*least),
+        (Some(least), Some(most)) => format!("{} … {}", rounded(*least), rounded(*most)),
         _ => "its own".to_owned(),
     }
+}
+
+/// To six digits.
+fn rounded(step: f64) -> String {
+    format!("{step:.5e}").parse::<f64>().unwrap_or(step).to_string()
 }
 
 /// What was named first in cases that were not passed, most often first.

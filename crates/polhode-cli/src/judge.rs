@@ -44,8 +44,8 @@ pub(crate) struct Judge {
     /// The program's time step, s or with its unit [default: what the run says, else the distance of its rows].
     #[arg(long, value_name = "T", value_parser = step)]
     step: Option<f64>,
-    /// Exit with status 1 if an attitude is off by more than this, rad or with its unit; a case of the suite is passed up to it [default, of
-    /// the suite: 0.01 rad].
+    /// Exit with status 1 if an attitude is off by more than this, rad or with its unit, or ω by more than this part of its largest; a case of
+    /// the suite is passed up to it [default, of the suite: 0.01 rad].
     #[arg(long, value_name = "ANGLE", value_parser = limit)]
     limit: Option<f64>,
     /// Grade the runs of the suite's cases in this folder: NAME.csv, or NAME@STEP.csv for several steps (also .parquet and .jsonl); cases
@@ -89,7 +89,7 @@ impl Judge {
         } else {
             let report = self.report()?;
             self.print(&report.to_json(), &report.to_document())?;
-            self.limit.is_some_and(|limit| report.largest_attitude_error() > limit)
+            self.limit.is_some_and(|limit| report.worst() > limit)
         };
         if has_failed { Err(Failure::Findings) } else { Ok(()) }
     }

@@ -5,7 +5,8 @@ use std::fs;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
-use polhode_formats::run_log;
+use polhode::infer::judge::{AttitudeSense, DeclaredReading, OmegaAxes, SignedAxes};
+use polhode_formats::run_log::{self, RunLog};
 use polhode_formats::suite::{self, CASES, SuiteCase};
 use polhode_formats::table::{self, Surroundings};
 use polhode_report::{Card, CardCase, CardRun, pretty};
@@ -107,12 +108,25 @@ fn judged(
             let reason = reason.map_or_else(String::new, |reason| format!(" ({reason})"));
             return Ok(CardRun::Unreadable(format!("{}: {short}{reason}", shown(path))));
         }
-        match log.and_then(|log| judge.judged(&scenario, path, log, *step)) {
+        let as_asked = |log: RunLog| RunLog { says: as_asked(&log.says), ..log };
+        match log.and_then(|log| judge.judged(&scenario, path, as_asked(log), *step)) {
             Ok(run) => judged.push(run),
             Err(failure) => return Ok(CardRun::Unreadable(failure.line())),
         }
     }
     Ok(CardRun::Judged(judged))
+}
+
+/// What the suite asks for, unless the columns say something else: a program that is a step late, or turns the other way, has no other
+/// meaning but is wrong.
+fn as_asked(says: &DeclaredReading) -> DeclaredReading {
+    DeclaredReading {
+        order: says.order,
+        sense: says.sense.or(Some(AttitudeSense::BodyToSpace)),
+        omega_axes: says.omega_axes.or(Some(OmegaAxes::Body)),
+        axes: says.axes.or(Some(SignedAxes::SAME)),
+        time_origin: says.time_origin.or(Some(0.0)),
+    }
 }
 
 /// What is missing of a run, where it does not reach the end of its case, to within two rows, or has fewer than ten rows.
@@ -142,6 +156,9 @@ fn runs(folder: &Path) -> Result<BTreeMap<String, Vec<RunFile>>, Failure> {
         let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
         if !ENDINGS.contains(&ending) {
             continue;
+        }
+        if !fs::metadata(&path).is_ok_and(|metadata| metadata.is_file()) {
+            return Err(Failure::usage(format!("{} is no file", shown(&path)), "a run is a file: remove it"));
         }
         let (name, step) = match stem.split_once('@') {
             None => (stem, None),
@@ -173,7 +190,10 @@ fn reasons(folder: &Path) -> Result<BTreeMap<String, String>, Failure> {
     let text = match fs::read_to_string(&path) {
         Ok(text) => text,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(BTreeMap::new()),
-        Err(error) => return Err(output(&path, error)),
+        Err(error) => {
+            let message = format!("{} cannot be read: {error}", shown(&path));
+            return Err(Failure::usage(message, "it is text, a line for each case: NAME: reason"));
+        }
     };
     let mut reasons = BTreeMap::new();
     for (k, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {

@@ -16,7 +16,7 @@ pub struct Card {
     pub name: String,
     /// The cases, in the suite's order.
     pub cases: Vec<CardCase>,
-    /// A case is passed if no attitude of its best run is off by more than this, rad.
+    /// A case is passed if neither an attitude of its best run is off by more than this, rad, nor ω by more than this part of the largest.
     pub limit: f64,
 }
 
@@ -64,7 +64,7 @@ impl CardCase {
     /// The run with the smallest error: that of the smallest step, where steps matter.
     fn best(&self) -> Option<&JudgedRun> {
         match &self.run {
-            CardRun::Judged(runs) => runs.iter().min_by(|a, b| a.largest().total_cmp(&b.largest())),
+            CardRun::Judged(runs) => runs.iter().min_by(|a, b| a.worst().total_cmp(&b.worst())),
             _ => None,
         }
     }
@@ -72,7 +72,7 @@ impl CardCase {
     fn grade(&self, limit: f64) -> Grade {
         match (&self.run, self.best()) {
             (CardRun::NotRun(_), _) => Grade::NotRun,
-            (_, Some(run)) if run.largest() <= limit => Grade::Passed,
+            (_, Some(run)) if run.worst() <= limit => Grade::Passed,
             _ => Grade::Failed,
         }
     }
@@ -91,12 +91,14 @@ impl CardCase {
                 CardRun::NotRun(why) | CardRun::Unreadable(why) => printable(why),
                 CardRun::Judged(_) => String::new(),
             };
-            return vec![self.name.clone(), grade, "—".into(), "—".into(), "—".into(), why];
+            let none = || "—".to_owned();
+            return vec![self.name.clone(), grade, none(), none(), none(), none(), why];
         };
         let last_order = self.order().and_then(|order| order.orders.into_iter().flatten().last());
         let order = last_order.map_or_else(|| "—".to_owned(), |p| format!("{p:.2}"));
+        let omega = run.omega_off().map_or_else(|| "—".to_owned(), error);
         let why = if run.is_exact() { "right".to_owned() } else { words::why(run) };
-        vec![self.name.clone(), grade, words::step(run), error(run.largest()), order, why]
+        vec![self.name.clone(), grade, words::step(run), error(run.largest()), omega, order, why]
     }
 
     fn to_json(&self, limit: f64) -> Value {
@@ -166,7 +168,7 @@ impl Card {
             [Grade::Passed, Grade::Failed, Grade::NotRun].map(|grade| self.count(grade));
         let limit = number(self.limit, 3);
         let mut answer = vec![format!(
-            "{passed} of {} cases passed: no attitude off by more than {limit} rad. {failed} failed, {not_run} not run.",
+            "{passed} of {} cases passed: no attitude off by more than {limit} rad, nor ω by that part of its largest. {failed} failed, {not_run} not run.",
             self.cases.len()
         )];
         let engines = self.engines();
@@ -174,7 +176,7 @@ impl Card {
             answer.push(format!("Made by {}.", engines.join("; ")));
         }
         let mut cases = Section::new(1, "The cases");
-        let headers = ["case", "grade", "step", "largest error (rad)", "order", "why"];
+        let headers = ["case", "grade", "step", "largest error (rad)", "of ω", "order", "why"];
         cases.table(&headers, self.cases.iter().map(|case| case.row(self.limit)).collect());
         let mut errors = Section::new(2, "The errors over the time");
         for case in &self.cases {

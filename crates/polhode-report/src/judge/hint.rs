@@ -23,7 +23,9 @@ pub fn judge_hint(error: &JudgeError) -> Option<&'static str> {
         JudgeError::Ambiguous { .. } => {
             "say what its numbers are: --quaternion, --sense, --axes, --time-origin"
         }
-        JudgeError::AmbiguousOmega { .. } => "say it: --omega body or --omega space",
+        JudgeError::AmbiguousOmega { .. } => {
+            "say it: --omega body or --omega space; if it is not in rad/s, --columns says the unit"
+        }
         _ => "say what its numbers are: --quaternion, --sense, --omega, --axes, --time-origin",
     })
 }

@@ -1,5 +1,6 @@
 //! Judgements as data.
 
+use polhode::body::Finding;
 use polhode::infer::judge::{
     AccuracyOrder, AttitudeSense, Cause, Growth, OmegaAxes, QuaternionOrder, RateErrors, Reading, Readings,
     Split,
@@ -8,15 +9,22 @@ use serde_json::{Value, json};
 
 use super::{JudgedRun, words};
 use crate::VERSION;
+use crate::finding;
 use crate::json::numbers;
 
-/// `{"polhode": …, "title": …, "runs": […], "order_of_accuracy": …}`
-pub(super) fn report(title: &str, runs: &[JudgedRun], order: Option<&AccuracyOrder>) -> Value {
+/// `{"polhode": …, "title": …, "runs": […], "order_of_accuracy": …, "findings": […]}`
+pub(super) fn report(
+    title: &str,
+    runs: &[JudgedRun],
+    order: Option<&AccuracyOrder>,
+    findings: &[Finding],
+) -> Value {
     json!({
         "polhode": VERSION,
         "title": title,
         "runs": runs.iter().map(run).collect::<Value>(),
         "order_of_accuracy": order.map(order_of_accuracy),
+        "findings": finding::to_json(findings),
     })
 }
 

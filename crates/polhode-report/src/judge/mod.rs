@@ -70,11 +70,26 @@ impl JudgedRun {
         self.judgement.largest_attitude_error()
     }
 
+    /// The largest |δω| of the rows, as a part of the largest exact |ω|; `None` without ω.
+    fn omega_off(&self) -> Option<f64> {
+        let rates = self.judgement.errors.rates.as_ref()?;
+        Some(rates.omega.iter().copied().fold(0.0, f64::max))
+    }
+
+    /// The worse of both: the attitude's in rad, ω's as a part of the largest.
+    pub fn worst(&self) -> f64 {
+        self.largest().max(self.omega_off().unwrap_or(0.0))
+    }
+
     /// Whether it cannot be told from the exact motion.
     pub fn is_exact(&self) -> bool {
         self.largest() <= 3.0 * self.judgement.floor()
+            && self.omega_off().is_none_or(|off| off <= OMEGA_EXACT)
     }
 }
+
+/// An error of ω that is that of rounding it, and of its time, as a part of the largest.
+const OMEGA_EXACT: f64 = 1e-12;
 
 /// The distance of rows that are even, s.
 fn spacing(times: &[f64]) -> Option<f64> {
@@ -85,8 +100,12 @@ fn spacing(times: &[f64]) -> Option<f64> {
     times.windows(2).all(|pair| (pair[1] - pair[0] - mean).abs() <= rounding).then_some(mean)
 }
 
-/// The order of accuracy of runs of one scenario by one program with several steps.
+/// The order of accuracy of runs of one scenario by one program with several steps, which they say themselves.
 fn accuracy_order(runs: &[JudgedRun]) -> Option<AccuracyOrder> {
+    let [first, others @ ..] = runs else { return None };
+    if others.iter().any(|run| run.engine != first.engine) || runs.iter().any(|run| !run.step_is_said) {
+        return None;
+    }
     let angles: Vec<Vec<f64>> = runs.iter().map(|run| run.judgement.errors.angles()).collect();
     let steps = runs.iter().zip(&angles).filter_map(|(run, errors)| {
         let (times, floor) = (run.judgement.motion.times.as_slice(), run.judgement.floor());

@@ -1,5 +1,6 @@
 //! One scenario and the runs of it that other programs made.
 
+use polhode::body::Finding;
 use polhode::infer::judge::{AccuracyOrder, OmegaAxes};
 use polhode::motion::Scenario;
 use serde_json::Value;
@@ -15,6 +16,7 @@ pub struct JudgeReport {
     title: String,
     runs: Vec<JudgedRun>,
     order: Option<AccuracyOrder>,
+    findings: Vec<Finding>,
 }
 
 /// How many readings, and causes, are shown of each run: the best.
@@ -24,17 +26,18 @@ impl JudgeReport {
     /// Of a scenario and its runs; the order of accuracy is that of runs with different steps.
     pub fn new(scenario: &Scenario, runs: Vec<JudgedRun>) -> Self {
         let order = accuracy_order(&runs);
-        Self { title: scenario.title().unwrap_or("scenario").to_owned(), runs, order }
+        let title = scenario.title().unwrap_or("scenario").to_owned();
+        Self { title, runs, order, findings: scenario.findings().to_vec() }
     }
 
-    /// The largest angle between an attitude and the exact one, of all runs, rad.
-    pub fn largest_attitude_error(&self) -> f64 {
-        self.runs.iter().map(JudgedRun::largest).fold(0.0, f64::max)
+    /// The worst of all runs, as [`JudgedRun::worst`].
+    pub fn worst(&self) -> f64 {
+        self.runs.iter().map(JudgedRun::worst).fold(0.0, f64::max)
     }
 
     /// The report as data.
     pub fn to_json(&self) -> Value {
-        json::report(&self.title, &self.runs, self.order.as_ref())
+        json::report(&self.title, &self.runs, self.order.as_ref(), &self.findings)
     }
 
     /// The report as a document: text, Markdown, a page.
@@ -46,7 +49,8 @@ impl JudgeReport {
         let answer = self.runs.iter().flat_map(|run| {
             let far = named(run, words::how_far(run));
             let why = (!run.is_exact()).then(|| named(run, words::why(run)));
-            std::iter::once(far).chain(why)
+            let read = words::read_as(run).map(|read| named(run, read));
+            std::iter::once(far).chain(why).chain(read)
         });
         let mut sections = vec![self.runs(), self.readings(), self.errors(), self.parts()];
         sections.extend(self.causes());
@@ -58,7 +62,7 @@ impl JudgeReport {
             [run] => format!("{}: {}", self.title, run.name),
             _ => self.title.clone(),
         };
-        Document { title, answer: answer.collect(), sections, findings: Vec::new() }
+        Document { title, answer: answer.collect(), sections, findings: self.findings.clone() }
     }
 
     fn runs(&self) -> Section {

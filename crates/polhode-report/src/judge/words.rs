@@ -1,6 +1,6 @@
 //! Sentences about one run.
 
-use polhode::infer::judge::{Growth, PartKind, SplitPart};
+use polhode::infer::judge::{AttitudeSense, Growth, PartKind, Reading, SignedAxes, SplitPart, Untried};
 
 use super::JudgedRun;
 use crate::layout::printable;
@@ -14,18 +14,44 @@ pub(super) fn how_far(run: &JudgedRun) -> String {
         return format!("right: no error beyond {floor} rad, to which the exact motion is known");
     }
     let (last, largest) = (judgement.last_attitude_error(), run.largest());
+    let omega = match run.omega_off() {
+        Some(off) if off > super::OMEGA_EXACT => format!("; ω is off by up to {} of its largest", error(off)),
+        _ => String::new(),
+    };
+    if largest <= 3.0 * judgement.floor() {
+        return format!("the attitude is right to {} rad{omega}", error(judgement.floor()));
+    }
     let growth = match judgement.growth {
         Growth::Unknown => String::new(),
         growth => format!("; {growth}"),
     };
-    format!("{} rad off at the end, {} rad at most{growth}", error(last), error(largest))
+    format!("{} rad off at the end, {} rad at most{growth}{omega}", error(last), error(largest))
+}
+
+/// A run that is off by no more has no cause, rad.
+const LATE: f64 = 1e-7;
+
+/// How it was read, where that is not the plain way: so that a mistake that looks like another meaning is seen.
+pub(super) fn read_as(run: &JudgedRun) -> Option<String> {
+    let readings = &run.judgement.readings;
+    let Reading { sense, axes, time_origin, .. } = readings.reading;
+    let is_plain = sense == AttitudeSense::BodyToSpace && axes == SignedAxes::SAME && time_origin == 0.0;
+    let own = if readings.from_own_start { ", from its own first row" } else { "" };
+    (!is_plain || readings.from_own_start).then(|| format!("read as {}{own}", readings.reading))
 }
 
 /// `ω × I ω is left out: explains 99.9 % of the error`
 pub(super) fn why(run: &JudgedRun) -> String {
     let causes = &run.causes;
-    if let Some(why) = causes.untried {
-        return format!("no cause was looked for: {why}");
+    match causes.untried {
+        Some(Untried::Exact) if run.largest() > LATE => {
+            return format!(
+                "no cause was looked for: it is right to 1e-8 rad until {} s, and off by more later",
+                number(causes.span[1], 6)
+            );
+        }
+        Some(why) => return format!("no cause was looked for: {why}"),
+        None => {}
     }
     match causes.likeliest() {
         Some(tried) if tried.cause.is_mistake() => {
@@ -34,6 +60,9 @@ pub(super) fn why(run: &JudgedRun) -> String {
                 printable(&tried.cause.to_string()),
                 share(tried.explained)
             )
+        }
+        Some(tried) if tried.explained <= 0.0 => {
+            format!("no mistake, by the size of the error: {}", printable(&tried.cause.to_string()))
         }
         Some(tried) => format!(
             "no mistake: {} (explains {})",

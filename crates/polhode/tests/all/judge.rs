@@ -114,7 +114,7 @@ fn a_log_in_single_precision_has_the_same_meaning() {
 /// Where the numbers do not tell, it does not matter, or it is asked.
 #[test]
 fn what_the_numbers_do_not_tell_is_asked() {
-    // About z from the identity: axes that differ by turns about z give one motion, and ω is the same along both kinds of axes.
+    // About z from the identity: axes that differ by turns about z give one motion.
     let body =
         MassProperties::new(2.3, Position::ZERO, InertiaTensor::diagonal([2.0, 3.0, 4.0]).unwrap()).unwrap();
     let start =
@@ -128,10 +128,13 @@ fn what_the_numbers_do_not_tell_is_asked() {
         axes: upwards,
         time_origin: 0.0,
     };
-    let found =
-        Readings::of(&written(&states, &plain, OmegaAxes::Space), &spinning, &DeclaredReading::default());
-    let found = found.unwrap();
-    assert_eq!((found.omega_axes, found.equivalent), (Some(OmegaAxes::Body), 8), "{:?}", found.tried);
+    // Which of the axes is upwards such a motion does not tell: it is asked; and ω is along both kinds of axes.
+    let log = written(&states, &plain, OmegaAxes::Space);
+    let error = Readings::of(&log, &spinning, &DeclaredReading::default()).unwrap_err();
+    assert!(matches!(&error, JudgeError::Ambiguous { fitting: 8, .. }), "{error}");
+    let declared = DeclaredReading { axes: Some(upwards), ..Default::default() };
+    let found = Readings::of(&log, &spinning, &declared).unwrap();
+    assert_eq!((found.omega_axes, found.equivalent), (Some(OmegaAxes::Body), 1), "{:?}", found.tried);
 
     let scenario = free();
     let at = times(0.4, 0.02, 150);
@@ -149,6 +152,21 @@ fn what_the_numbers_do_not_tell_is_asked() {
         ..Default::default()
     };
     assert!(Readings::of(&log, &scenario, &declared).unwrap().tried[0].relative > 1.0);
+
+    // A law of motion that is wrong from the first step on: the first row tells the meaning. Here ω along the body's axes was taken for space.
+    let mut attitude = scenario.start().attitude;
+    let mut leapt = vec![attitude.quaternion()];
+    for state in &states[1..] {
+        let omega = Direction::<Space>::from_array(state.omega.to_array());
+        attitude = Rotation::<Space, Space>::about(omega, 0.02 * omega.norm()).unwrap() * attitude;
+        leapt.push(attitude.quaternion());
+    }
+    let last = |[w, x, y, z]: [f64; 4]| [x, y, z, w];
+    let log = MotionLog::new(at.clone(), leapt.into_iter().map(last).collect()).unwrap();
+    let log = log.with_omega(states.iter().map(|s| s.omega.to_array()).collect()).unwrap();
+    let found = Readings::of(&log, &scenario, &DeclaredReading::default()).unwrap();
+    assert_eq!(found.reading.order, QuaternionOrder::ScalarLast);
+    assert_eq!((found.reading.sense, found.omega_axes), (AttitudeSense::BodyToSpace, Some(OmegaAxes::Body)));
 
     // ω that is neither along the axes of space nor along those of the body.
     let good = MotionLog::new(at.clone(), states.iter().map(|s| s.attitude.quaternion()).collect()).unwrap();

@@ -71,10 +71,14 @@ impl Judgement {
         Ok(judgement)
     }
 
-    /// What the exact attitude may be wrong by at the last row, with the rounding of a quaternion, rad: nothing below it can be told.
+    /// What the exact attitude may be wrong by at the last row, with the rounding of a quaternion and of the run's times, rad: nothing below it
+    /// can be told.
     pub fn floor(&self) -> f64 {
         let last = self.reference.error(self.motion.times.len().saturating_sub(1)).attitude;
-        last.max(ROUNDING)
+        // Times are rounded too: by half a unit in their last place, while the body turns.
+        let ends = [self.motion.times.first(), self.motion.times.last()].into_iter().flatten();
+        let latest = ends.map(|time| (time + self.readings.reading.time_origin).abs()).fold(0.0, f64::max);
+        last.max(ROUNDING).max(latest * (0.5 * f64::EPSILON) * self.reference.fastest())
     }
 
     /// The largest angle between an attitude and the exact one, rad.

@@ -84,6 +84,13 @@ pub enum LogError {
         /// Of this row.
         row: usize,
     },
+    /// A quaternion whose length is far from 1.
+    Length {
+        /// Of this row.
+        row: usize,
+        /// The length.
+        length: f64,
+    },
 }
 
 impl fmt::Display for LogError {
@@ -99,6 +106,9 @@ impl fmt::Display for LogError {
             }
             Self::ZeroQuaternion { row } => {
                 write!(f, "row {row}: the quaternion is zero, which is no attitude")
+            }
+            Self::Length { row, length } => {
+                write!(f, "row {row}: the quaternion's length is {length:e}, and has to be near 1")
             }
         }
     }
@@ -127,6 +137,10 @@ impl MotionLog {
             quaternion.iter().try_for_each(|&c| require_finite(row, "a number of the attitude", c))?;
             if quaternion.iter().all(|&c| c == 0.0) {
                 return Err(LogError::ZeroQuaternion { row });
+            }
+            let length = quaternion.iter().fold(0.0, |length: f64, c| length.hypot(*c));
+            if !LENGTHS.contains(&length) {
+                return Err(LogError::Length { row, length });
             }
         }
         Ok(Self { times, attitude, omega: None })
@@ -166,6 +180,9 @@ impl MotionLog {
         self.attitude.iter().flatten().chain(omega).all(single)
     }
 }
+
+/// Of quaternions: those of programs that never normalise drift, but not so far.
+const LENGTHS: core::ops::RangeInclusive<f64> = 1e-3..=1e3;
 
 fn require_rows(what: &'static str, count: usize, times: usize) -> Result<(), LogError> {
     if count == times { Ok(()) } else { Err(LogError::Lengths { what, count, times }) }

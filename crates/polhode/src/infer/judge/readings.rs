@@ -38,15 +38,19 @@ const CLEARLY: f64 = 10.0;
 const COMPARED: usize = 64;
 /// The angle between motions that are the same, rad.
 const SAME: f64 = 1e-12;
-/// What is taken for the turn of a motion that does not turn, rad.
-const NO_TURN: f64 = 1e-6;
+/// What is taken for the turn of a motion that hardly turns, and of one that turns farther from row to row than attitudes can be apart, rad.
+const NO_TURN: f64 = 1e-3;
+const WHOLE_TURN: f64 = 1.0;
+/// A first row that is off the scenario's start by less begins there, rad: programs may have single precision.
+const BEGUN: f64 = 1e-4;
 
 impl Readings {
     /// What the numbers of a log mean: what is declared, and of the rest what begins as the scenario does.
     ///
-    /// The times are those that the log says, unless from the scenario's start it begins clearly better. Orders and senses are tried first; where none of these fits, other axes; then, as the run may start elsewhere, the
-    /// turn since its first row. Readings that give the same motion to the last row are one. Where order and sense are declared and nothing
-    /// fits, they are believed.
+    /// Orders and senses are tried first. Where none fits, a first row that is the scenario's start in one reading alone tells it; then other
+    /// axes are tried, and, as the run may start elsewhere, the turn since its first row. The times are those that the log says, unless
+    /// from the scenario's start it begins clearly better. Readings that give the same motion to the last row are one. Where order and
+    /// sense are declared and nothing fits, they are believed.
     ///
     /// # Errors
     /// [`JudgeError::NoReading`], [`JudgeError::Ambiguous`] and [`JudgeError::AmbiguousOmega`] where the log does not tell, and was not
@@ -66,17 +70,18 @@ impl Readings {
             tried.first().is_some_and(|best| best.relative <= FITS)
         };
         let first = attempt(&plain, false);
-        let attempts = [(others, false), (&plain[..], true)];
-        let found = if fits(&first) {
-            Some(first.clone())
-        } else {
-            attempts.into_iter().map(|(axes, own)| attempt(axes, own)).find(fits)
-        };
         let is_declared = declared.order.is_some() && declared.sense.is_some();
-        let (tried, from_own_start) = match found {
-            Some(found) => found,
-            None if is_declared => (as_declared(first.0), false),
-            None => return Err(JudgeError::NoReading { tried: first.0 }),
+        let (tried, from_own_start) = if fits(&first) {
+            first
+        } else if let Some(begun) = begun(&first.0, log, &beginnings) {
+            // Wrong from its first step on; and what a first attitude means nothing but the scenario's start can say.
+            (begun, false)
+        } else if let Some(found) = [attempt(others, false), attempt(&plain, true)].into_iter().find(fits) {
+            found
+        } else if is_declared {
+            (as_declared(first.0), false)
+        } else {
+            return Err(JudgeError::NoReading { tried: first.0 });
         };
         let tried = times_as_said(tried);
         let [best, ..] = tried[..] else { return Err(JudgeError::NoReading { tried }) };
@@ -84,7 +89,9 @@ impl Readings {
         let fitting = if best.relative <= FITS { tried.iter().take_while(near).count() } else { 1 };
         let is_same = |other: &&ReadingResidual| is_same_motion(log, &best.reading, &other.reading);
         let equivalent = tried.iter().take(fitting).filter(is_same).count();
-        if equivalent < fitting {
+        // Axes that are not the scenario's are found only where the motion tells them from all others.
+        let is_told = best.reading.axes == plain[0] || equivalent == 1;
+        if equivalent < fitting || !is_told {
             return Err(JudgeError::Ambiguous { tried, fitting });
         }
         let beginning = beginnings.iter().find(|beginning| beginning.origin == best.reading.time_origin);
@@ -149,7 +156,7 @@ impl Beginning {
         };
         let squares: f64 = self.rows.iter().zip(&self.exact).map(square).sum();
         let attitude = (squares / self.rows.len().max(1) as f64).sqrt();
-        ReadingResidual { reading, attitude, relative: attitude / self.turn().max(NO_TURN) }
+        ReadingResidual { reading, attitude, relative: attitude / self.turn().clamp(NO_TURN, WHOLE_TURN) }
     }
 }
 
@@ -208,6 +215,28 @@ fn times_as_said(mut tried: Vec<ReadingResidual>) -> Vec<ReadingResidual> {
     tried
 }
 
+/// The one reading in which the first row is the scenario's start, first of those that were tried; `None` if it is so in none of them, or in
+/// several.
+fn begun(
+    tried: &[ReadingResidual],
+    log: &MotionLog,
+    beginnings: &[Beginning],
+) -> Option<Vec<ReadingResidual>> {
+    let off = |other: &ReadingResidual| {
+        let beginning = beginnings.iter().find(|beginning| beginning.origin == other.reading.time_origin);
+        let exact = beginning.and_then(|beginning| beginning.exact.first());
+        exact.map_or(f64::INFINITY, |exact| {
+            angle_between(exact.attitude.quaternion(), other.reading.quaternion(log.attitude()[0]))
+        })
+    };
+    let [at] = (0..tried.len()).filter(|&k| off(&tried[k]) < BEGUN).collect::<Vec<_>>()[..] else {
+        return None;
+    };
+    let mut tried = tried.to_vec();
+    tried[..=at].rotate_right(1);
+    Some(tried)
+}
+
 /// Of readings that differ by their time origin only, and none of which fits: the times are what they say.
 fn as_declared(mut tried: Vec<ReadingResidual>) -> Vec<ReadingResidual> {
     tried.sort_by_key(|other| other.reading.time_origin != 0.0);
@@ -246,10 +275,19 @@ fn omega_axes(
         let (body, space) = (read(row, OmegaAxes::Body), read(row, OmegaAxes::Space));
         (body - space).norm() <= SAME * body.norm()
     };
-    match (body, space) {
-        _ if rows.iter().all(is_same) => Ok(OmegaAxes::Body),
-        _ if CLEARLY * body <= space => Ok(OmegaAxes::Body),
-        _ if CLEARLY * space <= body => Ok(OmegaAxes::Space),
-        _ => Err(JudgeError::AmbiguousOmega { body, space }),
+    // Of a wrong law of motion the first row may be all that is right.
+    let first = |axes| match beginning.exact.first() {
+        Some(exact) => (read(0, axes) - exact.omega).norm() / exact.omega.norm(),
+        None => f64::INFINITY,
+    };
+    let told = |[body, space]: [f64; 2]| match () {
+        () if CLEARLY * body <= space => Some(OmegaAxes::Body),
+        () if CLEARLY * space <= body => Some(OmegaAxes::Space),
+        () => None,
+    };
+    if rows.iter().all(is_same) {
+        return Ok(OmegaAxes::Body);
     }
+    let begun = Some(OmegaAxes::ALL.map(first)).filter(|[body, space]| body.min(*space) < BEGUN);
+    told([body, space]).or_else(|| told(begun?)).ok_or(JudgeError::AmbiguousOmega { body, space })
 }

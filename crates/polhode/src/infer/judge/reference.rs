@@ -48,6 +48,11 @@ impl Reference {
         &self.states
     }
 
+    /// The largest |ω|, rad/s.
+    pub fn fastest(&self) -> f64 {
+        self.states.iter().map(|state| state.omega.norm()).fold(0.0, f64::max)
+    }
+
     /// What the state of a row, from 0, may be wrong by.
     pub fn error(&self, row: usize) -> StateError {
         let next = self.errors.partition_point(|&(at, _)| at < row);

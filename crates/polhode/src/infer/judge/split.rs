@@ -11,7 +11,7 @@ use crate::motion::model::state::State;
 ///
 /// θ = R_exactᵀ (σ + t δ) + β + (τ + t ρ) ω,
 ///
-/// t since the start, as far as |θ| ≤ 0.3 rad, the part first that takes most from it. A wrong first attitude is taken out before, however large.
+/// t since the start, as far as |θ| ≤ 0.3 rad, the part first that takes most from it. A first row that is farther off is taken out before.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Split {
     /// The parts, in the order of [`PartKind`].
@@ -99,8 +99,8 @@ fn unit(k: usize) -> [f64; 3] {
 
 /// |θ| up to which it is a small rotation, rad.
 const SMALL: f64 = 0.3;
-/// A first attitude that is farther off is taken out before, rad.
-const WRONG_START: f64 = 0.05;
+/// How many rows say what a first row is that is farther off.
+const COMPARED: usize = 64;
 /// How many rows are fitted.
 const FITTED: usize = 4000;
 /// A part of which less than this is left without those before it cannot be told from them.
@@ -112,10 +112,9 @@ const LEAST: f64 = 1e-6;
 impl Split {
     /// Of a motion and the exact states at its times.
     pub fn of(motion: &ReadMotion, exact: &[State]) -> Self {
-        let wrong = wrong_start(motion, exact);
-        let undone = conjugate(wrong.unwrap_or([1.0, 0.0, 0.0, 0.0]));
+        let wrong = Taken::of(motion, exact);
         let theta = |row: usize| {
-            rotation_vector(exact[row].attitude.quaternion(), product(undone, motion.attitude[row]))
+            rotation_vector(exact[row].attitude.quaternion(), wrong.without(motion.attitude[row]))
         };
         let rows = exact.len().min(motion.attitude.len());
         let small = (0..rows).take_while(|&row| length(theta(row)) <= SMALL).count();
@@ -148,17 +147,17 @@ impl Split {
             let found = parts.iter_mut().filter(|part| part.kind == kind);
             found.for_each(|part| *part = SplitPart { kind, value: Some(value), attitude });
         }
-        if let (Some(wrong), Some(start)) = (wrong, parts.first_mut()) {
-            // The turn in space that was taken out, and what was fitted after it.
-            let taken = rotation_vector([1.0, 0.0, 0.0, 0.0], wrong);
-            let value = start.value.unwrap_or_default();
-            let sum = [taken[0] + value[0], taken[1] + value[1], taken[2] + value[2]];
-            *start = SplitPart { value: Some(sum), attitude: length(sum), ..*start };
+        // The turn that was taken out, and what was fitted after it.
+        if let Some((kind, turn)) = wrong.part() {
+            for part in parts.iter_mut().filter(|part| part.kind == kind) {
+                let value = part.value.unwrap_or_default();
+                let sum = [turn[0] + value[0], turn[1] + value[1], turn[2] + value[2]];
+                *part = SplitPart { value: Some(sum), attitude: length(sum), ..*part };
+            }
         }
         let noise = noise(&rest).min(rms(&rest));
         let until = picked.last().map_or(began, |&row| exact[row].time);
-        let total = rms(&errors)
-            .hypot(wrong.map_or(0.0, |wrong| length(rotation_vector([1.0, 0.0, 0.0, 0.0], wrong))));
+        let total = rms(&errors).hypot(wrong.part().map_or(0.0, |(_, turn)| length(turn)));
         Self { parts, rest: rms(&rest), noise, total, until }
     }
 
@@ -196,10 +195,55 @@ fn chosen(mut left: Vec<(PartKind, Vec<Vec<f64>>)>, errors: &[f64]) -> (Vec<(Par
     (taken, fit, rest)
 }
 
-/// R_read R_exactᵀ of the first row, if that is no small error.
-fn wrong_start(motion: &ReadMotion, exact: &[State]) -> Option<[f64; 4]> {
-    let (read, exact) = (*motion.attitude.first()?, exact.first()?.attitude.quaternion());
-    (length(rotation_vector(exact, read)) > WRONG_START).then(|| product(read, conjugate(exact)))
+/// A turn of the first row that is no small error: in space, or of the axes in the body, whichever the rows after it have too.
+#[derive(Clone, Copy)]
+enum Taken {
+    Nothing,
+    /// S of R_read = S R_exact.
+    Space([f64; 4]),
+    /// B of R_read = R_exact B.
+    Body([f64; 4]),
+}
+
+impl Taken {
+    fn of(motion: &ReadMotion, exact: &[State]) -> Self {
+        let (Some(&read), Some(first)) = (motion.attitude.first(), exact.first()) else {
+            return Self::Nothing;
+        };
+        let first = first.attitude.quaternion();
+        if length(rotation_vector(first, read)) <= SMALL {
+            return Self::Nothing;
+        }
+        let (space, body) =
+            (Self::Space(product(read, conjugate(first))), Self::Body(product(conjugate(first), read)));
+        let rows = spread(exact.len().min(motion.attitude.len()), COMPARED);
+        let off = |taken: Self| -> f64 {
+            let angle = |&row: &usize| {
+                length(rotation_vector(exact[row].attitude.quaternion(), taken.without(motion.attitude[row])))
+            };
+            rows.iter().map(angle).sum()
+        };
+        if off(body) < off(space) { body } else { space }
+    }
+
+    /// An attitude as it were without it.
+    fn without(self, read: [f64; 4]) -> [f64; 4] {
+        match self {
+            Self::Nothing => read,
+            Self::Space(turn) => product(conjugate(turn), read),
+            Self::Body(turn) => product(read, conjugate(turn)),
+        }
+    }
+
+    /// Which part of the error it is, and its rotation vector.
+    fn part(self) -> Option<(PartKind, [f64; 3])> {
+        let vector = |turn| rotation_vector([1.0, 0.0, 0.0, 0.0], turn);
+        match self {
+            Self::Nothing => None,
+            Self::Space(turn) => Some((PartKind::Start, vector(turn))),
+            Self::Body(turn) => Some((PartKind::BodyAxes, vector(turn))),
+        }
+    }
 }
 
 /// What changes from one row to the next without rule: of e_k with the variance σ², e_(k−1) − 2 e_k + e_(k+1) has 6 σ², and fourth

@@ -81,7 +81,12 @@ impl Causes {
 
     /// Sorted, and named.
     pub(super) fn ranked(mut self) -> Self {
-        self.tried.sort_by(|a, b| b.passes.cmp(&a.passes).then(a.score.total_cmp(&b.score)));
+        // Another start explains whatever begins with it: what explains the run from the right one comes before.
+        let elsewhere = |tried: &TriedCause| matches!(tried.cause, Cause::OtherStart { .. });
+        self.tried.sort_by(|a, b| {
+            let order = b.passes.cmp(&a.passes).then(elsewhere(a).cmp(&elsewhere(b)));
+            order.then(a.score.total_cmp(&b.score))
+        });
         let best = self.tried.first().map_or(f64::INFINITY, |tried| tried.score);
         for tried in &mut self.tried {
             tried.is_named = tried.passes && tried.score <= BESIDE * best;

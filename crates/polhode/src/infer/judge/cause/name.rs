@@ -300,7 +300,10 @@ impl fmt::Display for Cause {
             Self::TorqueReversed { torque } => write!(f, "the torque{} has the wrong sign", of(torque)),
             Self::TorqueLeftOut { torque } => write!(f, "the torque{} is left out", of(torque)),
             Self::TorqueScaled { factor } => {
-                write!(f, "the torque is {factor:.6} times as large as it should be")
+                write!(
+                    f,
+                    "the torque is {factor:.6} times as large for this body: it, the mass that it acts on, or the tensor is another"
+                )
             }
             Self::Damping { rate } => write!(f, "ω is damped: ω̇ has −c ω besides, c = {rate:.4} 1/s"),
             Self::DampingWithoutGyroscopicTerm { rate } => {

@@ -4,7 +4,8 @@ use super::law::{BodyVector, Law};
 use super::name::Cause;
 use super::rows::Window;
 use super::trial::Trials;
-use crate::math::frame::Space;
+use crate::body::inertia::InertiaTensor;
+use crate::math::frame::{Body, Space};
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Direction;
 use crate::motion::model::state::State;
@@ -26,7 +27,9 @@ impl Trials<'_> {
     pub(super) fn try_other_tensor(&mut self) {
         let law = self.law.clone();
         let has_scale = law.torque_count() > 0 || law.has_wheels();
-        let Some(tensor) = implied(&self.window, &law, has_scale) else { return };
+        // A tensor that no body has is no body: wheels, or a torque, are not what they should be.
+        let possible = |tensor: &Symmetric3| InertiaTensor::<Body>::from_symmetric(*tensor).is_ok();
+        let Some(tensor) = implied(&self.window, &law, has_scale).filter(possible) else { return };
         let difference = (tensor + *law.tensor() * -1.0).max_abs();
         if difference > NOTICED * law.tensor().max_abs() {
             let cause = Cause::OtherTensor { tensor: tensor.rows(), has_scale };

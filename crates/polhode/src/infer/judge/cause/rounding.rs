@@ -42,9 +42,8 @@ impl Rounding {
         let rows = || motion.attitude.iter().skip(1).step_by(stride).flatten().copied();
         let all = |rounding: &Self| rows().all(|x| rounding.rounded(x) == x);
         let decimals = |least: u32, most: u32| (least..=most).map(Self::Decimals).find(all);
-        let single = || rows().all(is_shortest).then_some(Self::Single);
-        // Every decimal of few digits is the shortest of some number of single precision.
-        let exactly = Some(Self::Single).filter(all);
+        let single = || is_shortest(rows()).then_some(Self::Single);
+        let exactly = rows().all(is_near_single).then_some(Self::Single);
         exactly
             .or_else(|| decimals(1, FEW_DECIMALS))
             .or_else(single)
@@ -72,9 +71,18 @@ impl Rounding {
     }
 }
 
-/// Is it the shortest decimal of a number of single precision?
-fn is_shortest(x: f64) -> bool {
-    format!("{}", x as f32).parse() == Ok(x)
+/// Is it a number of single precision, to nine digits or more?
+fn is_near_single(x: f64) -> bool {
+    (x - f64::from(x as f32)).abs() <= 1e-9 * x.abs()
+}
+
+/// Are they the shortest decimals of numbers of single precision? Every decimal of up to seven digits is one, so that some have to have more.
+fn is_shortest(mut rows: impl Iterator<Item = f64> + Clone) -> bool {
+    let shortest = |x: f64| format!("{:e}", x as f32);
+    let digits = |x: f64| {
+        shortest(x).split('e').next().map_or(0, |digits| digits.bytes().filter(u8::is_ascii_digit).count())
+    };
+    rows.clone().any(|x| digits(x) > 7) && rows.all(|x| shortest(x).parse() == Ok(x))
 }
 
 impl Trials<'_> {

@@ -155,8 +155,9 @@ fn causes(graded: &Graded) -> Vec<(String, usize)> {
         let tried =
             case["runs"].as_array().into_iter().flatten().flat_map(|run| run["causes"]["tried"].as_array());
         let named = tried.flatten().find(|cause| cause["named"] == true);
-        let name = named.map_or("none that was tried", |cause| cause["id"].as_str().unwrap_or_default());
-        let name = name.replace('_', " ");
+        // Without the step, which differs from case to case.
+        let text = named.map_or("none that was tried", |cause| cause["cause"].as_str().unwrap_or_default());
+        let name = text.split(", h = ").next().unwrap_or(text).replace('|', "\\|");
         match counts.iter_mut().find(|(other, _)| *other == name) {
             Some((_, count)) => *count += 1,
             None => counts.push((name, 1)),

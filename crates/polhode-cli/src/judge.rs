@@ -53,7 +53,7 @@ pub(crate) struct Judge {
     #[arg(long, value_name = "DIR", conflicts_with_all = ["files", "write_suite"])]
     suite: Option<PathBuf>,
     /// Write the suite into a new folder: suite.json, a scenario for each case, and its exact motion in exact/.
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["files", "form", "limit", "step"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["files", "form", "limit", "step", "columns", "quaternion", "sense", "omega", "axes", "time_origin"])]
     write_suite: Option<PathBuf>,
     /// Print JSON.
     #[arg(long, group = "form")]

@@ -22,29 +22,93 @@ const RIDGE: f64 = 1e-10;
 /// How much the trace counts where the motion tells ratios alone.
 const TRACE: f64 = 1e3;
 
+/// The same where it leaves no more than this part of the error.
+const NOTICED_OF_ALL: [f64; 2] = [1e-3, 1e-3];
+
+/// Rounds of the fit to the attitudes.
+const ROUNDS: usize = 6;
+
 impl Trials<'_> {
-    /// The tensor I with which R I ω + R h − ∫ R N dt is constant along the run, by least squares.
+    /// The tensor with which the body moves as the run does: that with which R I ω + R h − ∫ R N dt is constant along the run, by least
+    /// squares, and then that of the motion which is nearest to the run's attitudes.
     pub(super) fn try_other_tensor(&mut self) {
         let law = self.law.clone();
         let has_scale = law.torque_count() > 0 || law.has_wheels();
         // A tensor that no body has is no body: wheels, or a torque, are not what they should be.
         let possible = |tensor: &Symmetric3| InertiaTensor::<Body>::from_symmetric(*tensor).is_ok();
-        let Some(tensor) = implied(&self.window, &law, has_scale).filter(possible) else { return };
-        let difference = (tensor + *law.tensor() * -1.0).max_abs();
-        if difference > NOTICED * law.tensor().max_abs() {
-            let cause = Cause::OtherTensor { tensor: tensor.rows(), has_scale };
-            self.try_law(cause, &law.with_tensor(tensor));
+        let begun = implied(&self.window, &law, has_scale).filter(possible);
+        let count = self.tried.len();
+        // What is explained already needs no other body.
+        let is_open = !self.tried.iter().any(|tried| tried.passes);
+        let nearest = is_open.then(|| self.nearest(begun.unwrap_or(*law.tensor()), has_scale)).flatten();
+        for tensor in [begun, nearest] {
+            let Some(tensor) = tensor.filter(possible) else { continue };
+            let difference = (tensor + *law.tensor() * -1.0).max_abs() / law.tensor().max_abs();
+            self.try_law(Cause::OtherTensor { tensor: tensor.rows(), has_scale }, &law.with_tensor(tensor));
+            if let Some(tried) = self.tried.last_mut() {
+                let [least, left] = NOTICED_OF_ALL;
+                let explains_all = 1.0 - tried.explained <= left && difference > least;
+                tried.passes &= difference > NOTICED || explains_all;
+            }
+        }
+        let best = self.tried.drain(count..).min_by(|a, b| a.score.total_cmp(&b.score));
+        self.tried.extend(best);
+    }
+
+    /// The tensor whose motion from the same start is nearest to the run's attitudes: by Gauss and Newton.
+    fn nearest(&self, begun: Symmetric3, has_scale: bool) -> Option<Symmetric3> {
+        let scale = 1e-4 * self.law.tensor().max_abs();
+        let mut tensor = begun;
+        for _ in 0..ROUNDS {
+            let differences = |tensor: Symmetric3| {
+                let states = self.motion(&self.law.with_tensor(tensor));
+                (states.len() == self.rows.times.len()).then(|| self.rows.differences(&states))
+            };
+            let here = differences(tensor)?;
+            let slopes = (0..6)
+                .map(|k| {
+                    let there = differences(tensor + unit(k) * scale)?;
+                    Some(there.iter().zip(&here).map(|(there, here)| there - here).collect::<Vec<f64>>())
+                })
+                .collect::<Option<Vec<_>>>()?;
+            let mut normal = [[0.0; 7]; 6];
+            for (i, line) in normal.iter_mut().enumerate() {
+                let along = |other: &[f64]| slopes[i].iter().zip(other).map(|(a, b)| a * b).sum::<f64>();
+                line.iter_mut().zip(&slopes).for_each(|(element, other)| *element = along(other));
+                line[6] = -along(&here);
+            }
+            let change = Symmetric3::from_elements(solved(kept(normal, has_scale))?) * scale;
+            tensor = tensor + change;
+            if change.max_abs() < 1e-9 * tensor.max_abs() {
+                break;
+            }
+        }
+        Some(tensor)
+    }
+}
+
+/// One in one place of a symmetric matrix.
+fn unit(k: usize) -> Symmetric3 {
+    let mut elements = [0.0; 6];
+    elements[k] = 1.0;
+    Symmetric3::from_elements(elements)
+}
+
+/// What the motion does not tell is kept: the trace where ratios alone count, and elements that change nothing.
+fn kept(mut normal: [[f64; 7]; 6], has_scale: bool) -> [[f64; 7]; 6] {
+    let whole: f64 = (0..6).map(|k| normal[k][k]).sum();
+    for (k, line) in normal.iter_mut().enumerate() {
+        line[k] += RIDGE * whole;
+        if k < 3 && !has_scale {
+            line.iter_mut().take(3).for_each(|element| *element += TRACE * whole);
         }
     }
+    normal
 }
 
 fn implied(window: &Window<'_>, law: &Law<'_>, has_scale: bool) -> Option<Symmetric3> {
     let states = window.states(SUMMED);
-    let unit: [Symmetric3; 6] = core::array::from_fn(|k| {
-        let mut elements = [0.0; 6];
-        elements[k] = 1.0;
-        Symmetric3::from_elements(elements)
-    });
+    let units: [Symmetric3; 6] = core::array::from_fn(unit);
     let space = |state: &State, v: BodyVector| -> Direction<Space> { state.attitude * v };
     // The unknown is the difference from the scenario's tensor: six columns, and what is missing.
     let mut rows: Vec<[Direction<Space>; 7]> = Vec::with_capacity(states.len());
@@ -59,7 +123,7 @@ fn implied(window: &Window<'_>, law: &Law<'_>, has_scale: bool) -> Option<Symmet
         let momentum =
             |tensor: &Symmetric3| space(state, BodyVector::from_array(tensor.apply(state.omega.to_array())));
         let known = momentum(law.tensor()) + space(state, law.wheel_momentum(state.time));
-        let [a, b, c, d, e, f] = unit.each_ref().map(momentum);
+        let [a, b, c, d, e, f] = units.each_ref().map(momentum);
         rows.push([a, b, c, d, e, f, impulse - known]);
     }
     let count = rows.len() as f64;
@@ -74,14 +138,7 @@ fn implied(window: &Window<'_>, law: &Law<'_>, has_scale: bool) -> Option<Symmet
             }
         }
     }
-    let whole: f64 = (0..6).map(|k| normal[k][k]).sum();
-    for (k, line) in normal.iter_mut().enumerate() {
-        line[k] += RIDGE * whole;
-        if k < 3 && !has_scale {
-            line.iter_mut().take(3).for_each(|element| *element += TRACE * whole);
-        }
-    }
-    Some(*law.tensor() + Symmetric3::from_elements(solved(normal)?))
+    Some(*law.tensor() + Symmetric3::from_elements(solved(kept(normal, has_scale))?))
 }
 
 /// Gaussian elimination of a positive definite matrix with the right side as its last column.

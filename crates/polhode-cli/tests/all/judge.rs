@@ -8,6 +8,7 @@ use polhode_formats::suite::CASES;
 use serde_json::Value;
 
 use crate::common::{Scratch, entries, example, json, number, numbers, refused, stdout};
+use crate::options::options_of;
 
 const SCENARIO: &str = "title = \"Tumbling\"\n[[body.part]]\nshape = \"tensor\"\nmass = 2.3\n\
     inertia = [[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]]\n\
@@ -292,4 +293,66 @@ fn what_cannot_be_judged_is_refused() {
     assert!(judged(&[&example("slew.toml"), "good.csv"]).contains("prescribes its motion"));
     assert!(judged(&["tumbling.toml", "good.csv", "--axes", "x,z,y"]).contains("right-handed"));
     assert!(Path::new(&scratch.0).exists());
+}
+
+/// Every option of `--help` changes the answer, also beside a form, or is refused beside what it has nothing to do with.
+#[test]
+fn every_option_is_honoured_or_refused() {
+    let scratch = Scratch::new("judge-options");
+    let rows = exact(&scratch);
+    // Axes (x, z, −y), times from 100 s, in two columns; nothing of it is said.
+    let written =
+        rows.iter().map(|r| vec![r[0] + 100.0, r[0] + 100.0, r[1], r[2], -r[4], r[3], r[5], -r[7], r[6]]);
+    scratch.write("run.csv", &table("t,tick,q0,q1,q2,q3,wx,wy,wz", &written.collect::<Vec<_>>()));
+    let files = ["judge", "tumbling.toml", "run.csv"];
+    let given: [&[&str]; 11] = [
+        &["--columns", "time = tick, omega = wx wy wz"],
+        &["--quaternion", "wxyz"],
+        &["--sense", "body-to-space"],
+        &["--omega", "space"],
+        &["--axes", "x,-z,y"],
+        &["--time-origin", "100 s"],
+        &["--step", "2 ms"],
+        &["--limit", "1e-18"],
+        &["--json"],
+        &["--markdown"],
+        &["--html"],
+    ];
+    let told = |options: &[&str]| {
+        let output = scratch.run(&[&files, options].concat());
+        (
+            output.status.code(),
+            String::from_utf8(output.stdout).unwrap(),
+            String::from_utf8(output.stderr).unwrap(),
+        )
+    };
+    let plain = told(&[]);
+    assert_eq!(plain.0, Some(0), "{}", plain.2);
+    let axes = plain.1.lines().find(|line| line.contains("read as quaternions")).unwrap().to_owned();
+    assert!(axes.contains("w, x, y, z of body to space, axes (x, −z, y), times from 100 s"), "{axes}");
+    for (k, option) in given.iter().enumerate() {
+        let alone = told(option);
+        assert!(alone.0 != Some(2) && (alone.0, &alone.1) != (plain.0, &plain.1), "{option:?}: {alone:?}");
+        for other in &given[k + 1..] {
+            let both = told(&[*option, *other].concat());
+            if both.0 == Some(2) {
+                assert!(
+                    both.2.contains(option[0]) && both.2.contains(other[0]),
+                    "{option:?} {other:?}: {}",
+                    both.2
+                );
+                continue;
+            }
+            let other_alone = told(other);
+            let is_new = |of: &(Option<i32>, String, String)| (of.0, &of.1) != (both.0, &both.1);
+            assert!(is_new(&alone) && is_new(&other_alone), "{option:?} {other:?}");
+        }
+        let beside = [&["judge", "--write-suite", "suite"], *option].concat();
+        assert!(refused(&scratch.run(&beside), 2).contains("--write-suite"), "{option:?}");
+    }
+    let beside = scratch.run(&[&files[..], &["--suite", "runs"]].concat());
+    assert!(refused(&beside, 2).contains("--suite"));
+    let listed: Vec<&str> =
+        given.iter().map(|option| option[0]).chain(["--suite", "--write-suite"]).collect();
+    assert_eq!(options_of("judge"), listed.into_iter().map(str::to_owned).collect());
 }

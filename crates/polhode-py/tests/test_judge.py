@@ -251,7 +251,7 @@ def test_what_cannot_be_read_is_asked() -> None:
     omega = np.random.default_rng(5).normal(size=(len(TIMES), 3))
     with pytest.raises(polhode.PolhodeError, match="ω may be along the axes of the body or of space") as error:
         polhode.judge(BODY, times=TIMES, attitude=constant_omega(), omega=omega)
-    assert error.value.hint == 'say it: omega_axes="body" or omega_axes="space"'
+    assert error.value.hint == 'say it: omega_axes="body" or omega_axes="space"; or is it not in rad/s?'
 
 
 HEADER = "time_s,qx,qy,qz,qw,wx,wy,wz"

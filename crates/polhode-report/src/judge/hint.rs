@@ -23,9 +23,7 @@ pub fn judge_hint(error: &JudgeError) -> Option<&'static str> {
         JudgeError::Ambiguous { .. } => {
             "say what its numbers are: --quaternion, --sense, --axes, --time-origin"
         }
-        JudgeError::AmbiguousOmega { .. } => {
-            "say it: --omega body or --omega space; if it is not in rad/s, --columns says the unit"
-        }
+        JudgeError::AmbiguousOmega { .. } => "say it: --omega body or --omega space; or is it not in rad/s?",
         _ => "say what its numbers are: --quaternion, --sense, --omega, --axes, --time-origin",
     })
 }

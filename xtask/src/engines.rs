@@ -91,7 +91,7 @@ fn text(all: &[Graded], notes: &str) -> String {
             let _ = writeln!(page, "| {} | {cause} | {count} |", graded.setting);
         }
     }
-    page.push_str("\n## Not run\n\n| setting | case | why |\n|---|---|---|\n");
+    page.push_str("\n## Not run, or not to the end\n\n| setting | case | why |\n|---|---|---|\n");
     for graded in &graded {
         for case in cases(graded).iter().filter(|case| !case["why_not"].is_null()) {
             let _ = writeln!(

@@ -9,6 +9,7 @@ use polhode::infer::judge::{AttitudeSense, DeclaredReading, OmegaAxes, SignedAxe
 use polhode_formats::run_log::{self, RunLog};
 use polhode_formats::suite::{self, CASES, SuiteCase};
 use polhode_formats::table::{self, Surroundings};
+use polhode_report::plain::number;
 use polhode_report::{Card, CardCase, CardRun, pretty};
 
 use super::Judge;
@@ -106,7 +107,7 @@ fn judged(
         let log = run_log::read(path, judge.read_as.columns.as_ref()).map_err(Failure::from);
         if let Some(short) = log.as_ref().ok().and_then(|log| too_short(log.log.times(), wanted)) {
             let reason = reason.map_or_else(String::new, |reason| format!(" ({reason})"));
-            return Ok(CardRun::Unreadable(format!("{}: {short}{reason}", shown(path))));
+            return Ok(CardRun::Unreadable(format!("{short}{reason}")));
         }
         let as_asked = |log: RunLog| RunLog { says: as_asked(&log.says), ..log };
         match log.and_then(|log| judge.judged(&scenario, path, as_asked(log), *step)) {
@@ -135,7 +136,7 @@ fn too_short(times: &[f64], wanted: &[f64]) -> Option<String> {
     let row = |times: &[f64]| span(times) / times.len().saturating_sub(1).max(1) as f64;
     let (have, want) = (span(times), span(wanted));
     if have < want - 2.0 * row(wanted).max(row(times).min(want / 10.0)) {
-        return Some(format!("it ends after {have} s of {want} s"));
+        return Some(format!("it ends after {} s of {} s", number(have, 6), number(want, 6)));
     }
     (times.len() < 10).then(|| format!("it has {} rows, and ten at least are needed", times.len()))
 }

@@ -187,7 +187,7 @@ impl Judge {
         let step = self.step.or(step).or(log.step);
         let judged = JudgedRun::of(Some(path), &file.scenario, &log.log, &declared, step)
             .map_err(|error| refused(path, error))?;
-        Ok(JudgedRun { engine: log.engine, ignored: log.ignored, ..judged })
+        Ok(JudgedRun { ignored: log.not_read(), engine: log.engine, ..judged })
     }
 }
 

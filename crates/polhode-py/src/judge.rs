@@ -137,8 +137,9 @@ pub(crate) fn judge_file<'py>(
     let columns = columns.map(Columns::parse).transpose();
     let columns = columns.map_err(|error| refused(format!("columns: {error}"), Some(&error.hint())))?;
     let (scenario, run) = py.detach(|| {
-        let RunLog { log, says, step, engine, ignored, .. } =
-            run_log::read(&run, columns.as_ref()).map_err(Raise::raise)?;
+        let read = run_log::read(&run, columns.as_ref()).map_err(Raise::raise)?;
+        let ignored = read.not_read();
+        let RunLog { log, says, step, engine, .. } = read;
         let declared = said.declared(&says)?;
         let scenario = scenario(&path, text)?;
         let judged = JudgedRun::of(Some(&run), &scenario.scenario, &log, &declared, said.step.or(step))

@@ -132,7 +132,6 @@ def test_what_is_right_is_said_to_be(exact: polhode.Motion) -> None:
 
 
 def test_rotations_are_scalar_last_and_of_body_to_space(exact: polhode.Motion) -> None:
-    pytest.importorskip("scipy", reason="SciPy is not installed: it is no dependency")
     judgement = polhode.judge(PUSHED, times=exact.times, attitude=exact.rotations(), omega=exact.omega)
     assert (judgement.reading.quaternion, judgement.reading.sense) == ("xyzw", "body_to_space")
     assert len(judgement.reading.tried) == 1 and judgement.largest_attitude_error < 1e-12

@@ -59,11 +59,13 @@ fn what_is_not_said_is_found() {
     let rows = exact(&scratch);
     // x, y, z, w of space to body, from t = 100 s, in text that says its scenario.
     let written: Vec<Vec<f64>> = rows.iter().map(|r| vec![r[0] + 100.0, -r[2], -r[3], -r[4], r[1]]).collect();
-    let head = "# scenario = \"tumbling.toml\"\n# engine = \"planted\"\n# step = 2 ms\nt,q0,q1,q2,q3";
+    let head =
+        "# scenario = \"tumbling.toml\"\n# engine = \"planted\"\n# step = 2 ms\n# stop = 8\nt,q0,q1,q2,q3";
     scratch.write("run.csv", &table(head, &written));
     let report = json(&scratch.run(&["judge", "run.csv", "--json"]));
     let run = only_run(&report);
     assert_eq!((&run["engine"], number(&run["step_s"])), (&"planted".into(), 0.002));
+    assert_eq!(run["not_read"][0], "# stop");
     let found = &run["reading"]["found"];
     assert_eq!((&found["quaternion"], &found["sense"]), (&"xyzw".into(), &"space_to_body".into()));
     assert_eq!((number(&found["time_origin_s"]), &found["axes"]), (100.0, &"(x, y, z)".into()));

@@ -103,6 +103,14 @@ pub struct RunLog {
     pub ignored_keys: Vec<String>,
 }
 
+impl RunLog {
+    /// All that was not read: columns by their names, and keys of the head as `# key`.
+    pub fn not_read(&self) -> Vec<String> {
+        let keys = self.ignored_keys.iter().map(|key| format!("# {key}"));
+        self.ignored.iter().cloned().chain(keys).collect()
+    }
+}
+
 /// Columns that were read, and as what.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReadColumns {

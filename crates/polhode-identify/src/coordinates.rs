@@ -1,0 +1,296 @@
+//! Coordinates in which every point is a possible body.
+//!
+//! A tensor I is possible if and only if the second moments G = ½ tr(I) 1 − I = ∫ x xᵀ dm are positive semidefinite. With
+//!
+//! G = U Uᵀ,  U = ((e^a, d, e), (0, e^b, f), (0, 0, e^c))
+//!
+//! every (a, b, c, d, e, f) is a possible tensor, and every body that is no lamina has one; a lamina is the limit of one of a, b, c → −∞.
+//! Mass and centre come as ln m and c. Together this is the Cholesky factor of the pseudo-inertia.
+//!
+//! Source: C. Rucker, P. M. Wensing, IEEE Robot. Autom. Lett. 7 (2022) 2747.
+
+use nalgebra::DMatrix;
+use polhode::math::symmetric_eigen;
+
+/// The numbers that all rows share, part by part.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Coordinates {
+    parts: Vec<Part>,
+}
+
+/// Some of the shared numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Part {
+    /// Numbers that may be anything.
+    Free(usize),
+    /// A number that is positive, by its logarithm.
+    Positive,
+    /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz of a possible body, about its centre of mass.
+    Tensor,
+    /// m, m c, and the tensor about the origin, of a possible body.
+    Body,
+}
+
+impl Part {
+    /// How many numbers it has, and as many coordinates.
+    pub(crate) const fn count(self) -> usize {
+        match self {
+            Self::Free(count) => count,
+            Self::Positive => 1,
+            Self::Tensor => 6,
+            Self::Body => 10,
+        }
+    }
+}
+
+impl Coordinates {
+    pub(crate) const fn new(parts: Vec<Part>) -> Self {
+        Self { parts }
+    }
+
+    /// How many numbers there are.
+    pub(crate) fn count(&self) -> usize {
+        self.parts.iter().map(|part| part.count()).sum()
+    }
+
+    /// The coordinates of physical numbers. A tensor at the edge of what is possible, or beyond, is moved to the nearest that is inside.
+    pub(crate) fn of(&self, physical: &[f64]) -> Vec<f64> {
+        let mut all = Vec::with_capacity(physical.len());
+        for (part, numbers) in self.each(physical) {
+            match part {
+                Part::Free(_) => all.extend_from_slice(numbers),
+                Part::Positive => all.push(libm::log(numbers[0])),
+                Part::Tensor => all.extend(factor(moments_of(six(numbers)))),
+                Part::Body => {
+                    let m = numbers[0];
+                    let center = [1, 2, 3].map(|k| numbers[k] / m);
+                    let about_origin = moments_of(six(&numbers[4..]));
+                    let own = less_point_mass(about_origin, m, center);
+                    all.push(libm::log(m));
+                    all.extend(center);
+                    all.extend(factor(own));
+                }
+            }
+        }
+        all
+    }
+
+    /// The physical numbers.
+    pub(crate) fn physical(&self, coordinates: &[f64]) -> Vec<f64> {
+        let mut all = Vec::with_capacity(coordinates.len());
+        for (part, x) in self.each(coordinates) {
+            match part {
+                Part::Free(_) => all.extend_from_slice(x),
+                Part::Positive => all.push(libm::exp(x[0])),
+                Part::Tensor => all.extend(tensor_of(product(&upper(six(x))))),
+                Part::Body => {
+                    let m = libm::exp(x[0]);
+                    let c = [x[1], x[2], x[3]];
+                    all.push(m);
+                    all.extend(c.map(|c| m * c));
+                    let own = product(&upper(six(&x[4..])));
+                    all.extend(tensor_of(less_point_mass(own, -m, c)));
+                }
+            }
+        }
+        all
+    }
+
+    /// ∂physical/∂coordinates
+    pub(crate) fn jacobian(&self, coordinates: &[f64]) -> DMatrix<f64> {
+        let n = coordinates.len();
+        let mut matrix = DMatrix::zeros(n, n);
+        let mut at = 0;
+        for (part, x) in self.each(coordinates) {
+            let count = part.count();
+            let mut set = |row: usize, column: usize, value: f64| matrix[(at + row, at + column)] = value;
+            match part {
+                Part::Free(count) => (0..count).for_each(|k| set(k, k, 1.0)),
+                Part::Positive => set(0, 0, libm::exp(x[0])),
+                Part::Tensor => tensor_columns(six(x), &mut set),
+                Part::Body => {
+                    let m = libm::exp(x[0]);
+                    let c = [x[1], x[2], x[3]];
+                    // by ln m: everything but the tensor about the centre is in proportion to m
+                    set(0, 0, m);
+                    (0..3).for_each(|k| set(1 + k, 0, m * c[k]));
+                    let point = tensor_of(outer(c, c, 1.0));
+                    (0..6).for_each(|k| set(4 + k, 0, m * point[k]));
+                    for j in 0..3 {
+                        set(1 + j, 1 + j, m);
+                        let mut unit = [0.0; 3];
+                        unit[j] = 1.0;
+                        let both = tensor_of(outer(unit, c, 2.0 * m));
+                        (0..6).for_each(|k| set(4 + k, 1 + j, both[k]));
+                    }
+                    tensor_columns(six(&x[4..]), &mut |row, column, value| set(4 + row, 4 + column, value));
+                }
+            }
+            at += count;
+        }
+        matrix
+    }
+
+    fn each<'a>(&'a self, numbers: &'a [f64]) -> impl Iterator<Item = (Part, &'a [f64])> {
+        self.parts.iter().scan(numbers, |rest, &part| {
+            let (these, others) = rest.split_at(part.count());
+            *rest = others;
+            Some((part, these))
+        })
+    }
+}
+
+/// Elements xx, yy, zz, xy, xz, yz.
+type Six = [f64; 6];
+
+fn six(numbers: &[f64]) -> Six {
+    core::array::from_fn(|k| numbers[k])
+}
+
+/// Where the elements are in a matrix.
+const PLACES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
+
+/// G = ½ tr(I) 1 − I
+fn moments_of(i: Six) -> Six {
+    let half = 0.5 * (i[0] + i[1] + i[2]);
+    [half - i[0], half - i[1], half - i[2], -i[3], -i[4], -i[5]]
+}
+
+/// I = tr(G) 1 − G
+fn tensor_of(g: Six) -> Six {
+    [g[1] + g[2], g[0] + g[2], g[0] + g[1], -g[3], -g[4], -g[5]]
+}
+
+/// ½ scale (a bᵀ + b aᵀ)
+fn outer(a: [f64; 3], b: [f64; 3], scale: f64) -> Six {
+    PLACES.map(|(i, j)| 0.5 * scale * (a[i] * b[j] + a[j] * b[i]))
+}
+
+/// G − m c cᵀ
+fn less_point_mass(g: Six, m: f64, c: [f64; 3]) -> Six {
+    let point = outer(c, c, m);
+    core::array::from_fn(|k| g[k] - point[k])
+}
+
+/// U of a, b, c, d, e, f.
+fn upper([a, b, c, d, e, f]: Six) -> [[f64; 3]; 3] {
+    [[libm::exp(a), d, e], [0.0, libm::exp(b), f], [0.0, 0.0, libm::exp(c)]]
+}
+
+/// U Uᵀ
+fn product(u: &[[f64; 3]; 3]) -> Six {
+    PLACES.map(|(i, j)| (0..3).map(|k| u[i][k] * u[j][k]).sum())
+}
+
+/// ∂I/∂(a … f): dG = dU Uᵀ + U dUᵀ
+fn tensor_columns(x: Six, set: &mut impl FnMut(usize, usize, f64)) {
+    let u = upper(x);
+    for (column, &(row, k)) in PLACES.iter().enumerate() {
+        let size = if row == k { u[row][k] } else { 1.0 };
+        // dU has one element, at (row, k): dG_ij = size (δ_i,row u_jk + δ_j,row u_ik)
+        let g = PLACES.map(|(i, j)| {
+            let one = if i == row { u[j][k] } else { 0.0 };
+            let other = if j == row { u[i][k] } else { 0.0 };
+            size * (one + other)
+        });
+        for (element, value) in tensor_of(g).into_iter().enumerate() {
+            set(element, column, value);
+        }
+    }
+}
+
+/// How small a second moment may be, relative to the largest, to begin with: a plate 1 mm thick and 10 m wide.
+const THIN: f64 = 1e-8;
+
+/// a … f of second moments, of which those that are too small are put at the least that a start may have.
+fn factor(g: Six) -> Six {
+    let (values, vectors) = symmetric_eigen(g);
+    let largest = values.iter().fold(f64::MIN_POSITIVE, |most, v| most.max(v.abs()));
+    let values = values.map(|value| value.max(THIN * largest));
+    let g = PLACES.map(|(i, j)| (0..3).map(|k| values[k] * vectors[k][i] * vectors[k][j]).sum::<f64>());
+    let [xx, yy, zz, xy, xz, yz] = g;
+    let c = zz.sqrt();
+    let (e, f) = (xz / c, yz / c);
+    let least = (THIN * largest).sqrt();
+    let root = |square: f64| square.max(least * least).sqrt();
+    let b = root(yy - f * f);
+    let d = (xy - e * f) / b;
+    let a = root(xx - d * d - e * e);
+    [libm::log(a), libm::log(b), libm::log(c), d, e, f]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TENSOR: Six = [3.1, 4.2, 5.3, 0.4, -0.3, 0.2];
+
+    fn body() -> Vec<f64> {
+        let (m, c) = (2.7, [0.31, -0.22, 0.43]);
+        let own = moments_of(TENSOR);
+        let mut numbers = vec![m, m * c[0], m * c[1], m * c[2]];
+        numbers.extend(tensor_of(less_point_mass(own, -m, c)));
+        numbers
+    }
+
+    fn close(a: &[f64], b: &[f64], tolerance: f64) {
+        for (a, b) in a.iter().zip(b) {
+            assert!((a - b).abs() <= tolerance * (1.0 + b.abs()), "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn there_and_back() {
+        let all = Coordinates::new(vec![Part::Free(2), Part::Body, Part::Positive, Part::Tensor]);
+        let mut numbers = vec![-1.5, 7.0];
+        numbers.extend(body());
+        numbers.push(0.25);
+        numbers.extend(TENSOR);
+        assert_eq!(all.count(), numbers.len());
+        close(&all.physical(&all.of(&numbers)), &numbers, 1e-14);
+    }
+
+    #[test]
+    fn the_jacobian_is_that_of_differences() {
+        let all = Coordinates::new(vec![Part::Body, Part::Positive, Part::Tensor]);
+        let mut numbers = body();
+        numbers.push(0.25);
+        numbers.extend(TENSOR);
+        let x = all.of(&numbers);
+        let jacobian = all.jacobian(&x);
+        for column in 0..x.len() {
+            let moved = |h: f64| {
+                let mut there = x.clone();
+                there[column] += h;
+                all.physical(&there)
+            };
+            let h = 1e-5;
+            let slope: Vec<f64> = moved(h).iter().zip(moved(-h)).map(|(a, b)| (a - b) / (2.0 * h)).collect();
+            close(jacobian.column(column).as_slice(), &slope, 1e-9);
+        }
+    }
+
+    #[test]
+    fn whatever_the_coordinates_the_body_is_possible() {
+        let tensor = Coordinates::new(vec![Part::Tensor]);
+        let mut state = 0.37_f64;
+        for _ in 0..1000 {
+            let x: Vec<f64> = (0..6)
+                .map(|_| {
+                    state = (state * 997.13 + 0.171).fract();
+                    8.0 * (state - 0.5)
+                })
+                .collect();
+            let (moments, _) = symmetric_eigen(six(&tensor.physical(&x)));
+            assert!(moments[0] + moments[1] >= moments[2] * (1.0 - 1e-12), "{moments:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_possible_begins_at_the_edge() {
+        let tensor = Coordinates::new(vec![Part::Tensor]);
+        let found = tensor.physical(&tensor.of(&[1.0, 2.0, 4.0, 0.1, 0.0, 0.0]));
+        let (moments, _) = symmetric_eigen(six(&found));
+        assert!(moments[0] + moments[1] >= moments[2] * (1.0 - 1e-9), "{moments:?}");
+    }
+}

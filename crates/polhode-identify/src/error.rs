@@ -1,0 +1,90 @@
+//! What can go wrong.
+
+use core::fmt;
+
+use polhode::body::BodyError;
+use polhode::motion::MotionError;
+
+/// Why there is no estimate.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum IdentifyError {
+    /// A number of the input that cannot be.
+    Value {
+        /// What it is.
+        what: &'static str,
+        /// As it was given.
+        value: f64,
+        /// What it has to be.
+        rule: &'static str,
+    },
+    /// Fewer measurements than numbers to be found.
+    TooFew {
+        /// What there is too little of.
+        what: &'static str,
+        /// How many there are.
+        given: usize,
+        /// How many it takes.
+        needed: usize,
+    },
+    /// What was found is no possible body, or what was given.
+    Body(BodyError),
+    /// The model has no motion there.
+    Motion(MotionError),
+    /// A prediction is not a number.
+    NotFinite,
+    /// The method went on without an end.
+    NoConvergence {
+        /// After so many steps.
+        steps: usize,
+    },
+}
+
+impl IdentifyError {
+    /// That a number keeps a rule.
+    pub(crate) fn require(
+        what: &'static str,
+        value: f64,
+        holds: bool,
+        rule: &'static str,
+    ) -> Result<(), Self> {
+        if holds && value.is_finite() { Ok(()) } else { Err(Self::Value { what, value, rule }) }
+    }
+}
+
+impl fmt::Display for IdentifyError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Value { what, value, rule } => write!(f, "{what} is {value}, and has to be {rule}"),
+            Self::TooFew { what, given, needed } => {
+                write!(f, "{given} {what}, where {needed} at least are needed")
+            }
+            Self::Body(error) => error.fmt(f),
+            Self::Motion(error) => error.fmt(f),
+            Self::NotFinite => write!(f, "the model predicts what is not a number"),
+            Self::NoConvergence { steps } => write!(f, "no least sum of squares was found in {steps} steps"),
+        }
+    }
+}
+
+impl std::error::Error for IdentifyError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Body(error) => Some(error),
+            Self::Motion(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl From<BodyError> for IdentifyError {
+    fn from(error: BodyError) -> Self {
+        Self::Body(error)
+    }
+}
+
+impl From<MotionError> for IdentifyError {
+    fn from(error: MotionError) -> Self {
+        Self::Motion(error)
+    }
+}

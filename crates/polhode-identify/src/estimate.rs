@@ -1,0 +1,98 @@
+//! Numbers that were found, with what is known of them.
+
+use crate::least_squares::Information;
+
+/// Numbers that were found, and their errors.
+///
+/// What the measurements do not determine is a direction in [`Estimate::unknown`]: along it the numbers could be moved, and the measurements would be
+/// predicted as well. The covariance is that of the rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Estimate {
+    /// In a fixed order.
+    pub numbers: Vec<Number>,
+    /// Covariance of the numbers, in their units.
+    pub covariance: Vec<Vec<f64>>,
+    /// Directions in which nothing is known, each of length 1 in the numbers' units.
+    pub unknown: Vec<Vec<f64>>,
+}
+
+/// A number that was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Number {
+    /// What it is: `Ixx`, `bias x`, `wire length` …
+    pub name: String,
+    /// Its unit: `kg·m²`, `rad/s`; `1` of a ratio.
+    pub unit: &'static str,
+    /// In that unit.
+    pub value: f64,
+    /// Standard deviation; `None` if the number changes along a direction that is unknown.
+    pub sd: Option<f64>,
+}
+
+impl Estimate {
+    pub(crate) fn new(
+        names: impl IntoIterator<Item = (String, &'static str)>,
+        values: &[f64],
+        information: &Information,
+    ) -> Self {
+        let n = values.len();
+        let unit = |k: usize| (0..n).map(|i| if i == k { 1.0 } else { 0.0 }).collect::<Vec<f64>>();
+        let numbers = names.into_iter().zip(values).enumerate().map(|(k, ((name, unit_name), &value))| {
+            Number { name, unit: unit_name, value, sd: information.deviation(&unit(k)) }
+        });
+        Self {
+            numbers: numbers.collect(),
+            covariance: (0..n).map(|i| (0..n).map(|j| information.covariance[(i, j)]).collect()).collect(),
+            unknown: information
+                .unknown
+                .column_iter()
+                .map(|column| column.iter().copied().collect())
+                .collect(),
+        }
+    }
+
+    /// A number by its name.
+    pub fn get(&self, name: &str) -> Option<&Number> {
+        self.numbers.iter().find(|number| number.name == name)
+    }
+
+    /// The correlation of two numbers: `None` if one of them is not known, or has no error.
+    pub fn correlation(&self, i: usize, j: usize) -> Option<f64> {
+        let (a, b) = (self.numbers.get(i)?.sd?, self.numbers.get(j)?.sd?);
+        (a > 0.0 && b > 0.0).then(|| self.covariance[i][j] / (a * b))
+    }
+
+    /// Standard deviation of what changes with the numbers by this gradient: √(gᵀ C g); `None` if it changes along an unknown direction.
+    pub fn deviation(&self, gradient: &[f64]) -> Option<f64> {
+        if self.unknown.iter().any(|unknown| changes_along(gradient, unknown)) {
+            return None;
+        }
+        let variance: f64 = gradient
+            .iter()
+            .zip(&self.covariance)
+            .map(|(a, row)| a * row.iter().zip(gradient).map(|(c, b)| c * b).sum::<f64>())
+            .sum();
+        Some(variance.max(0.0).sqrt())
+    }
+
+    /// All errors times a factor.
+    pub(crate) fn widened(mut self, factor: f64) -> Self {
+        for number in &mut self.numbers {
+            number.sd = number.sd.map(|sd| sd * factor);
+        }
+        self.covariance.iter_mut().flatten().for_each(|c| *c *= factor * factor);
+        self
+    }
+}
+
+/// How far a combination may change along an unknown direction, relative to its terms, by rounding.
+const KNOWN: f64 = 1e-6;
+
+/// Whether a gradient has a part along a direction.
+pub(crate) fn changes_along(gradient: &[f64], direction: &[f64]) -> bool {
+    let (sum, size) = gradient
+        .iter()
+        .zip(direction)
+        .fold((0.0, 0.0), |(sum, size), (a, b)| (sum + a * b, size + f64::abs(a * b)));
+    f64::abs(sum) > KNOWN * size
+}

@@ -1,0 +1,232 @@
+//! Nonlinear least squares with numbers that all rows share and numbers that belong to groups of rows: Levenberg's and Marquardt's method on triangles.
+//!
+//! Rows r = measured − predicted and J = ∂predicted/∂p become an upper triangle (QR) group by group, so no normal equations lose half of the digits, and
+//! what a measurement does not determine shows as a singular value that is zero.
+
+mod outlier;
+mod rows;
+mod solution;
+
+pub(crate) use outlier::Outliers;
+pub(crate) use rows::Rows;
+pub(crate) use solution::{Information, Solution};
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::coordinates::Coordinates;
+use crate::error::IdentifyError;
+use rows::stacked;
+
+/// Measurements, and the model that predicts them.
+pub(crate) trait Problem {
+    /// How many groups there are.
+    fn groups(&self) -> usize;
+
+    /// Adds the rows of a group at these shared numbers and its own; always the same rows in the same order.
+    ///
+    /// # Errors
+    /// Where the model has no answer: such a step is not taken.
+    fn rows(&self, group: usize, shared: &[f64], local: &[f64], rows: &mut Rows)
+    -> Result<(), IdentifyError>;
+}
+
+/// Where the numbers are.
+#[derive(Clone, Debug)]
+pub(crate) struct Place {
+    /// Coordinates of the shared numbers.
+    pub(crate) shared: Vec<f64>,
+    /// Each group's own.
+    pub(crate) local: Vec<Vec<f64>>,
+}
+
+/// Steps at most.
+const MOST_STEPS: usize = 200;
+/// A step that takes less than this from ½χ² is none: 1e-6 of a standard deviation.
+const NOTHING: f64 = 1e-12;
+
+/// What the rows come to at a place.
+struct Evaluation {
+    /// Of each group, in the physical numbers.
+    triangles: Vec<DMatrix<f64>>,
+    /// ½ of what the rows cost.
+    cost: f64,
+}
+
+/// The place of least squares, from a start.
+///
+/// # Errors
+/// Where the model has no answer at the start, or the method does not end.
+pub(crate) fn fit(
+    problem: &impl Problem,
+    coordinates: &Coordinates,
+    start: Place,
+    outliers: Outliers,
+) -> Result<Solution, IdentifyError> {
+    let mut place = start;
+    let mut here = evaluate(problem, coordinates, &place, outliers)?;
+    let mut scale = Scale::default();
+    let (mut damping, mut factor) = (1e-3, 2.0);
+    for _ in 0..MOST_STEPS {
+        let jacobian = coordinates.jacobian(&place.shared);
+        let triangles: Vec<_> = here.triangles.iter().map(|t| in_coordinates(t, &jacobian)).collect();
+        scale.grow(&triangles, place.shared.len());
+        let Some(step) = step(&triangles, &scale, damping, place.shared.len()) else {
+            damping *= 10.0;
+            continue;
+        };
+        if step.expected <= NOTHING * (1.0 + here.cost) {
+            return Ok(Solution::new(place, coordinates, here.triangles, here.cost));
+        }
+        let next = place.moved(&step);
+        let there = evaluate(problem, coordinates, &next, outliers);
+        let gain = there.as_ref().map_or(-1.0, |there| (here.cost - there.cost) / step.expected);
+        match there {
+            Ok(there) if gain > 0.0 => {
+                (place, here) = (next, there);
+                damping *= f64::max(1.0 / 3.0, 1.0 - (2.0 * gain - 1.0).powi(3));
+                factor = 2.0;
+            }
+            _ => {
+                damping *= factor;
+                factor *= 2.0;
+                // No smaller step takes anything: rounding is all that is left.
+                if damping > 1e16 {
+                    return Ok(Solution::new(place, coordinates, here.triangles, here.cost));
+                }
+            }
+        }
+    }
+    Err(IdentifyError::NoConvergence { steps: MOST_STEPS })
+}
+
+fn evaluate(
+    problem: &impl Problem,
+    coordinates: &Coordinates,
+    place: &Place,
+    outliers: Outliers,
+) -> Result<Evaluation, IdentifyError> {
+    let shared = coordinates.physical(&place.shared);
+    let mut evaluation = Evaluation { triangles: Vec::new(), cost: 0.0 };
+    for group in 0..problem.groups() {
+        let mut rows = Rows::new(place.local[group].len(), shared.len());
+        problem.rows(group, &shared, &place.local[group], &mut rows)?;
+        let (cost, weights) = outliers.weigh(&rows);
+        if !cost.is_finite() {
+            return Err(IdentifyError::NotFinite);
+        }
+        evaluation.cost += cost;
+        evaluation.triangles.push(rows.triangle(&weights));
+    }
+    Ok(evaluation)
+}
+
+/// A triangle with its columns of shared numbers in their coordinates.
+fn in_coordinates(triangle: &DMatrix<f64>, jacobian: &DMatrix<f64>) -> DMatrix<f64> {
+    let (shared, coordinates) = jacobian.shape();
+    let local = triangle.ncols() - shared - 1;
+    let mut columns = DMatrix::zeros(triangle.nrows(), local + coordinates + 1);
+    columns.columns_mut(0, local).copy_from(&triangle.columns(0, local));
+    columns.columns_mut(local, coordinates).copy_from(&(triangle.columns(local, shared) * jacobian));
+    columns.set_column(local + coordinates, &triangle.column(triangle.ncols() - 1));
+    columns
+}
+
+/// The largest norm that each column had: what a step is measured by.
+#[derive(Default)]
+struct Scale {
+    shared: Vec<f64>,
+    local: Vec<Vec<f64>>,
+}
+
+impl Scale {
+    fn grow(&mut self, triangles: &[DMatrix<f64>], shared: usize) {
+        self.shared.resize(shared, 0.0);
+        self.local.resize(triangles.len(), Vec::new());
+        let mut squares = vec![0.0; shared];
+        for (triangle, own) in triangles.iter().zip(&mut self.local) {
+            let local = triangle.ncols() - shared - 1;
+            own.resize(local, 0.0);
+            for (k, most) in own.iter_mut().enumerate() {
+                *most = most.max(triangle.column(k).norm());
+            }
+            for (k, sum) in squares.iter_mut().enumerate() {
+                *sum += triangle.column(local + k).norm_squared();
+            }
+        }
+        for (most, square) in self.shared.iter_mut().zip(squares) {
+            *most = most.max(square.sqrt());
+        }
+    }
+}
+
+/// A step, and by how much the linear model expects it to lower the cost.
+struct Step {
+    shared: DVector<f64>,
+    local: Vec<DVector<f64>>,
+    expected: f64,
+}
+
+impl Place {
+    fn moved(&self, step: &Step) -> Self {
+        let add = |a: &[f64], b: &DVector<f64>| a.iter().zip(b.iter()).map(|(a, b)| a + b).collect();
+        Self {
+            shared: add(&self.shared, &step.shared),
+            local: self.local.iter().zip(&step.local).map(|(a, b)| add(a, b)).collect(),
+        }
+    }
+}
+
+/// (JᵀJ + damping D²) step = Jᵀr, by triangles: each group's own numbers are eliminated first.
+fn step(triangles: &[DMatrix<f64>], scale: &Scale, damping: f64, shared: usize) -> Option<Step> {
+    let root = damping.sqrt();
+    let mut all = DMatrix::zeros(0, shared + 1);
+    let mut own = Vec::new();
+    for (triangle, scale) in triangles.iter().zip(&scale.local) {
+        let local = scale.len();
+        let damped = stacked(triangle, &damping_rows(scale, root, 0, triangle.ncols()));
+        if damped.nrows() > local {
+            all = stacked(
+                &all,
+                &damped.view((local, local), (damped.nrows() - local, shared + 1)).into_owned(),
+            );
+        }
+        own.push(damped);
+    }
+    let all = stacked(&all, &damping_rows(&scale.shared, root, 0, shared + 1));
+    let step_shared =
+        back_substituted(&all.columns(0, shared).into_owned(), &all.column(shared).into_owned())?;
+    let mut local = Vec::new();
+    for (damped, scale) in own.iter().zip(&scale.local) {
+        let n = scale.len();
+        let right = damped.column(n + shared).rows(0, n) - damped.view((0, n), (n, shared)) * &step_shared;
+        local.push(back_substituted(&damped.view((0, 0), (n, n)).into_owned(), &right)?);
+    }
+    // ½ (‖r‖² − ‖r − J step‖²)
+    let mut expected = 0.0;
+    for (triangle, own) in triangles.iter().zip(&local) {
+        let n = own.len();
+        let moved = triangle.columns(0, n) * own + triangle.columns(n, shared) * &step_shared;
+        let residual = triangle.column(n + shared);
+        expected += 0.5 * (residual.norm_squared() - (residual - moved).norm_squared());
+    }
+    expected.is_finite().then_some(Step { shared: step_shared, local, expected })
+}
+
+/// Rows that hold each number back: root × scale on the diagonal.
+fn damping_rows(scale: &[f64], root: f64, first: usize, width: usize) -> DMatrix<f64> {
+    let mut rows = DMatrix::zeros(scale.len(), width);
+    for (k, scale) in scale.iter().enumerate() {
+        // A column of zeros is a number that nothing depends on: it stays where it is.
+        rows[(k, first + k)] = if *scale > 0.0 { root * scale } else { 1.0 };
+    }
+    rows
+}
+
+/// x of R x = b, R the upper triangle of the first rows.
+fn back_substituted(r: &DMatrix<f64>, b: &DVector<f64>) -> Option<DVector<f64>> {
+    let n = r.ncols();
+    if r.nrows() < n {
+        return None;
+    }
+    r.view((0, 0), (n, n)).solve_upper_triangular(&b.rows(0, n).into_owned())
+}

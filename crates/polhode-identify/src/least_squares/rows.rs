@@ -1,0 +1,87 @@
+//! Rows of a least-squares problem, and the triangle that they come to.
+
+use nalgebra::DMatrix;
+
+/// Rows of one group: derivatives of the prediction by the group's own numbers and by the shared ones, and the residual, measured less predicted,
+/// all in standard deviations.
+#[derive(Clone, Debug)]
+pub(crate) struct Rows {
+    local: usize,
+    shared: usize,
+    elements: Vec<f64>,
+    /// Where each measurement begins, in rows: what comes from one instrument at one time is an outlier or none.
+    begins: Vec<usize>,
+}
+
+impl Rows {
+    pub(crate) const fn new(local: usize, shared: usize) -> Self {
+        Self { local, shared, elements: Vec::new(), begins: Vec::new() }
+    }
+
+    const fn width(&self) -> usize {
+        self.local + self.shared + 1
+    }
+
+    /// How many there are.
+    pub(crate) fn count(&self) -> usize {
+        self.elements.len() / self.width()
+    }
+
+    /// What follows is another measurement.
+    pub(crate) fn begin_measurement(&mut self) {
+        self.begins.push(self.count());
+    }
+
+    /// Adds a row of zeros with a residual: its derivatives by the group's own numbers, and by the shared ones, to be filled in.
+    pub(crate) fn push(&mut self, residual: f64) -> (&mut [f64], &mut [f64]) {
+        let start = self.elements.len();
+        self.elements.resize(start + self.width(), 0.0);
+        let row = &mut self.elements[start..];
+        let (derivatives, last) = row.split_at_mut(self.local + self.shared);
+        last[0] = residual;
+        derivatives.split_at_mut(self.local)
+    }
+
+    /// Measurement by measurement, its residuals.
+    pub(crate) fn measurements(&self) -> impl Iterator<Item = Vec<f64>> + '_ {
+        let ends = self.begins.iter().skip(1).copied().chain([self.count()]);
+        self.begins.iter().zip(ends).map(|(&from, to)| (from..to).map(|row| self.residual(row)).collect())
+    }
+
+    fn residual(&self, row: usize) -> f64 {
+        self.elements[(row + 1) * self.width() - 1]
+    }
+
+    /// The rows, each measurement times the root of its weight, as an upper triangle with the same normal equations: columns are the group's own numbers,
+    /// the shared ones, the residual.
+    pub(crate) fn triangle(&self, weights: &[f64]) -> DMatrix<f64> {
+        let width = self.width();
+        let mut triangle = DMatrix::zeros(0, width);
+        let mut measurement = 0;
+        let mut block: Vec<f64> = Vec::with_capacity(BLOCK * width);
+        for (row, elements) in self.elements.chunks_exact(width).enumerate() {
+            while self.begins.get(measurement + 1).is_some_and(|&begin| begin <= row) {
+                measurement += 1;
+            }
+            let root = weights.get(measurement).copied().unwrap_or(1.0).sqrt();
+            block.extend(elements.iter().map(|x| x * root));
+            if block.len() >= BLOCK * width {
+                triangle = stacked(&triangle, &DMatrix::from_row_slice(block.len() / width, width, &block));
+                block.clear();
+            }
+        }
+        stacked(&triangle, &DMatrix::from_row_slice(block.len() / width, width, &block))
+    }
+}
+
+/// Rows that are made a triangle at a time.
+const BLOCK: usize = 128;
+
+/// The triangle of two sets of rows.
+pub(crate) fn stacked(above: &DMatrix<f64>, below: &DMatrix<f64>) -> DMatrix<f64> {
+    let width = below.ncols();
+    let mut rows = DMatrix::zeros(above.nrows() + below.nrows(), width);
+    rows.rows_mut(0, above.nrows()).copy_from(above);
+    rows.rows_mut(above.nrows(), below.nrows()).copy_from(below);
+    if rows.nrows() == 0 { rows } else { rows.qr().r() }
+}

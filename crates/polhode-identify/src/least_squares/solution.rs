@@ -1,0 +1,111 @@
+//! The place of least squares, and how well it is known.
+
+use nalgebra::DMatrix;
+
+use super::Place;
+use super::rows::stacked;
+use crate::coordinates::Coordinates;
+use crate::estimate::changes_along;
+
+/// Where the sum of squares is least.
+#[derive(Clone, Debug)]
+pub(crate) struct Solution {
+    /// The shared numbers.
+    pub(crate) shared: Vec<f64>,
+    pub(crate) place: Place,
+    /// ½ of what the rows cost.
+    pub(crate) cost: f64,
+    /// Of each group, in the physical numbers.
+    triangles: Vec<DMatrix<f64>>,
+}
+
+/// What of some numbers is known: an information matrix, by its singular values.
+#[derive(Clone, Debug)]
+pub(crate) struct Information {
+    /// Covariance of what is known.
+    pub(crate) covariance: DMatrix<f64>,
+    /// Directions in which nothing is known: columns.
+    pub(crate) unknown: DMatrix<f64>,
+}
+
+/// A singular value below this, relative to the largest, is zero: columns have norm 1 then.
+const ZERO: f64 = 1e-9;
+
+impl Solution {
+    pub(super) fn new(
+        place: Place,
+        coordinates: &Coordinates,
+        triangles: Vec<DMatrix<f64>>,
+        cost: f64,
+    ) -> Self {
+        Self { shared: coordinates.physical(&place.shared), place, cost, triangles }
+    }
+
+    /// Of the shared numbers, with each group's own unknown.
+    pub(crate) fn information(&self) -> Information {
+        let shared = self.shared.len();
+        let mut all = DMatrix::zeros(0, shared);
+        for (triangle, own) in self.triangles.iter().zip(&self.place.local) {
+            let n = own.len();
+            if triangle.nrows() > n {
+                let rest = triangle.view((n, n), (triangle.nrows() - n, shared)).into_owned();
+                all = stacked(&all, &rest);
+            }
+        }
+        Information::of(&all)
+    }
+
+    /// Covariance of a group's own numbers, with that of the shared ones.
+    pub(crate) fn local_covariance(&self, group: usize, information: &Information) -> Option<DMatrix<f64>> {
+        let (triangle, n) = (&self.triangles[group], self.place.local[group].len());
+        if triangle.nrows() < n {
+            return None;
+        }
+        // R_l δl = e − R_s δs
+        let r = triangle.view((0, 0), (n, n)).into_owned();
+        let by_shared = triangle.view((0, n), (n, self.shared.len()));
+        let middle = DMatrix::identity(n, n) + by_shared * &information.covariance * by_shared.transpose();
+        let half = r.solve_upper_triangular(&middle)?;
+        r.solve_upper_triangular(&half.transpose())
+    }
+}
+
+impl Information {
+    /// Of rows of derivatives, in standard deviations.
+    pub(crate) fn of(rows: &DMatrix<f64>) -> Self {
+        let n = rows.ncols();
+        let norms: Vec<f64> = rows.column_iter().map(|column| column.norm()).collect();
+        let unit = |k: usize| if norms[k] > 0.0 { norms[k] } else { 1.0 };
+        let mut scaled = DMatrix::zeros(rows.nrows().max(n), n);
+        for k in 0..n {
+            scaled.view_mut((0, k), (rows.nrows(), 1)).copy_from(&(rows.column(k) / unit(k)));
+        }
+        let decomposition = scaled.svd(false, true);
+        let vectors = decomposition.v_t.unwrap_or_else(|| DMatrix::identity(n, n));
+        let largest = decomposition.singular_values.max();
+        let mut covariance = DMatrix::zeros(n, n);
+        let mut unknown = Vec::new();
+        for (k, &value) in decomposition.singular_values.iter().enumerate() {
+            let direction = DMatrix::from_fn(n, 1, |i, _| vectors[(k, i)] / unit(i));
+            if value > ZERO * largest {
+                covariance += &direction * direction.transpose() / (value * value);
+            } else {
+                unknown.push(direction);
+            }
+        }
+        let mut columns = DMatrix::zeros(n, unknown.len());
+        for (k, direction) in unknown.iter().enumerate() {
+            columns.set_column(k, &(direction / direction.norm()).column(0));
+        }
+        Self { covariance, unknown: columns }
+    }
+
+    /// Standard deviation of gᵀp: `None` if it changes along what is not known.
+    pub(crate) fn deviation(&self, gradient: &[f64]) -> Option<f64> {
+        if self.unknown.column_iter().any(|unknown| changes_along(gradient, unknown.as_slice())) {
+            return None;
+        }
+        let g = DMatrix::from_column_slice(gradient.len(), 1, gradient);
+        Some((g.transpose() * &self.covariance * g)[(0, 0)].max(0.0).sqrt())
+    }
+}

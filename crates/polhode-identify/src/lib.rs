@@ -1,0 +1,14 @@
+//! From measured motion to mass properties, with honest errors.
+//!
+//! What is measured is predicted by a model of the body's motion, and the body is where the sum of squares of what is left is least ([`least_squares`]).
+//! Every body that the method looks at is a possible one ([`coordinates`]). What the measurements do not determine is said, and not filled in.
+
+mod coordinates;
+mod error;
+mod estimate;
+mod least_squares;
+mod residuals;
+
+pub use error::IdentifyError;
+pub use estimate::{Estimate, Number};
+pub use residuals::ResidualTest;

@@ -1,0 +1,97 @@
+//! Whether what is left is noise.
+//!
+//! A wrong model does not show in small error bars: it shows in residuals that are larger than the noise, or that follow each other.
+
+/// What is left of a kind of measurement, held against noise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ResidualTest {
+    /// What was measured: `angular velocity`, `attitude`, `period`, `force` …
+    pub what: &'static str,
+    /// How many numbers were measured, and how many are left after what they were used for.
+    pub count: usize,
+    /// count less the share of the numbers that were found from them.
+    pub degrees_of_freedom: f64,
+    /// Standard deviation of the noise that they were weighed by.
+    pub noise: f64,
+    /// χ²/degrees of freedom: 1 ± √(2/degrees of freedom) if the model is right and the noise is what it was taken for.
+    pub reduced_chi_square: f64,
+    /// Correlation of residuals that follow each other in one channel: 0 ± 1/√count of white noise.
+    pub lag_correlation: Option<f64>,
+}
+
+/// How many standard deviations are no chance.
+const NO_CHANCE: f64 = 5.0;
+
+impl ResidualTest {
+    /// Of runs of residuals in standard deviations, each of one channel in the order of time.
+    pub(crate) fn of(what: &'static str, noise: f64, found: f64, runs: &[Vec<f64>]) -> Self {
+        let count: usize = runs.iter().map(Vec::len).sum();
+        let sum: f64 = runs.iter().flatten().map(|r| r * r).sum();
+        let degrees_of_freedom = (count as f64 - found).max(1.0);
+        let pairs: f64 = runs.iter().flat_map(|run| run.windows(2)).map(|pair| pair[0] * pair[1]).sum();
+        let lag = (sum > 0.0 && runs.iter().any(|run| run.len() > 2)).then(|| pairs / sum);
+        Self {
+            what,
+            count,
+            degrees_of_freedom,
+            noise,
+            reduced_chi_square: sum / degrees_of_freedom,
+            lag_correlation: lag,
+        }
+    }
+
+    /// Residuals are larger than the noise, beyond chance.
+    pub fn is_too_large(&self) -> bool {
+        self.reduced_chi_square - 1.0 > NO_CHANCE * (2.0 / self.degrees_of_freedom).sqrt()
+    }
+
+    /// Residuals follow each other, beyond chance: they are no white noise, and there is more in the motion than in the model.
+    pub fn is_correlated(&self) -> bool {
+        self.lag_correlation.is_some_and(|r| r.abs() > NO_CHANCE / (self.count as f64).sqrt())
+    }
+
+    /// By what errors grow for what the residuals show: the root of χ²/degrees of freedom where it is above 1 beyond chance, and of (1 + r)/(1 − r) where
+    /// residuals follow each other with correlation r, as the next then brings little news.
+    pub fn widening(&self) -> f64 {
+        let size = if self.is_too_large() { self.reduced_chi_square } else { 1.0 };
+        let news = match self.lag_correlation {
+            Some(r) if self.is_correlated() && r > 0.0 => (1.0 + r) / (1.0 - r.min(0.999)),
+            _ => 1.0,
+        };
+        (size * news).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn noise(count: usize) -> Vec<f64> {
+        let mut state = 0.431_f64;
+        (0..count)
+            .map(|_| {
+                (0..12).fold(-6.0, |sum, _| {
+                    state = (state * 1997.0 + 0.3127).fract();
+                    sum + state
+                })
+            })
+            .collect()
+    }
+
+    #[test]
+    fn white_noise_is_noise() {
+        let test = ResidualTest::of("ω", 1.0, 3.0, &[noise(2000), noise(500)]);
+        assert!(!test.is_too_large() && !test.is_correlated(), "{test:?}");
+        assert_eq!(test.widening(), 1.0);
+    }
+
+    #[test]
+    fn what_is_larger_or_follows_itself_is_not() {
+        let white = noise(2000);
+        let large: Vec<f64> = white.iter().map(|r| 1.2 * r).collect();
+        let slow: Vec<f64> = white.windows(4).map(|four| 0.5 * four.iter().sum::<f64>()).collect();
+        assert!(ResidualTest::of("ω", 1.0, 3.0, &[large]).is_too_large());
+        let test = ResidualTest::of("ω", 1.0, 3.0, &[slow]);
+        assert!(test.is_correlated() && test.widening() > 1.5, "{test:?}");
+    }
+}

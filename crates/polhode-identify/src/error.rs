@@ -27,6 +27,11 @@ pub enum IdentifyError {
         /// How many it takes.
         needed: usize,
     },
+    /// What has to be told.
+    Missing {
+        /// What it is.
+        what: &'static str,
+    },
     /// What was found is no possible body, or what was given.
     Body(BodyError),
     /// The model has no motion there.
@@ -59,6 +64,7 @@ impl fmt::Display for IdentifyError {
             Self::TooFew { what, given, needed } => {
                 write!(f, "{given} {what}, where {needed} at least are needed")
             }
+            Self::Missing { what } => write!(f, "{what} is missing"),
             Self::Body(error) => error.fmt(f),
             Self::Motion(error) => error.fmt(f),
             Self::NotFinite => write!(f, "the model predicts what is not a number"),

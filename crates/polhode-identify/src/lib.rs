@@ -7,8 +7,11 @@ mod coordinates;
 mod error;
 mod estimate;
 mod least_squares;
+mod principal;
 mod residuals;
+pub mod tumble;
 
 pub use error::IdentifyError;
 pub use estimate::{Estimate, Number};
+pub use principal::PrincipalEstimate;
 pub use residuals::ResidualTest;

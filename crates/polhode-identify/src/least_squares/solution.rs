@@ -29,7 +29,10 @@ pub(crate) struct Information {
 }
 
 /// A singular value below this, relative to the largest, is zero: columns have norm 1 then.
-const ZERO: f64 = 1e-9;
+const ZERO: f64 = 1e-8;
+
+/// A component of an unknown direction below this is rounding.
+const NO_PART: f64 = 1e-7;
 
 impl Solution {
     pub(super) fn new(
@@ -86,11 +89,13 @@ impl Information {
         let mut covariance = DMatrix::zeros(n, n);
         let mut unknown = Vec::new();
         for (k, &value) in decomposition.singular_values.iter().enumerate() {
-            let direction = DMatrix::from_fn(n, 1, |i, _| vectors[(k, i)] / unit(i));
             if value > ZERO * largest {
+                let direction = DMatrix::from_fn(n, 1, |i, _| vectors[(k, i)] / unit(i));
                 covariance += &direction * direction.transpose() / (value * value);
             } else {
-                unknown.push(direction);
+                // What rounding has of a number is nothing.
+                let part = |i: usize| if vectors[(k, i)].abs() > NO_PART { vectors[(k, i)] } else { 0.0 };
+                unknown.push(DMatrix::from_fn(n, 1, |i, _| part(i) / unit(i)));
             }
         }
         let mut columns = DMatrix::zeros(n, unknown.len());

@@ -303,6 +303,29 @@ impl<A, B> Rotation<A, B> {
         2.0 * libm::atan2(sine, self.w.abs())
     }
 
+    /// The rotation vector v with R = exp(\[v\]×): |v| rad about v, at most π. Of R_AB it has the same components along A as along B.
+    ///
+    /// ```
+    /// use polhode::math::{Attitude, Direction};
+    /// let r = Attitude::exp(Direction::new(0.3, -0.2, 0.7))?;
+    /// assert!((r.log() - Direction::new(0.3, -0.2, 0.7)).norm() < 1e-15);
+    /// # Ok::<(), polhode::math::RotationError>(())
+    /// ```
+    pub fn log(self) -> Direction<B> {
+        let sine = libm::sqrt(self.x * self.x + self.y * self.y + self.z * self.z);
+        let angle = self.angle();
+        let factor = if sine == 0.0 { 0.0 } else { angle.copysign(angle * self.w) / sine };
+        Direction::new(self.x, self.y, self.z) * factor
+    }
+
+    /// exp(\[v\]×): a turn by |v| rad about the rotation vector v.
+    ///
+    /// # Errors
+    /// [`RotationError`] for a vector that is not finite.
+    pub fn exp(v: Direction<A>) -> Result<Self, RotationError> {
+        Self::from_quaternion(Self::from_rotation_vector(v).quaternion())
+    }
+
     /// The angle between two attitudes, 0 … π rad.
     pub fn angle_to(self, other: Self) -> f64 {
         (self.inverse() * other).angle()

@@ -1,0 +1,89 @@
+//! Principal moments and axes of a tensor that was found, with their errors.
+
+use polhode::math::symmetric_eigen;
+
+use crate::estimate::Estimate;
+
+/// Principal moments and axes, to first order in the errors of the tensor.
+///
+/// With the tensor's error δI, δiⱼ = vⱼ·δI vⱼ, and the axes turn by εₖ = vᵢ·δI vⱼ/(iⱼ − iᵢ) about vₖ, (i, j, k) cyclic.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PrincipalEstimate {
+    /// Ascending, in the tensor's unit.
+    pub moments: [f64; 3],
+    /// Their standard deviations; `None` where their size is not known.
+    pub moment_sd: [Option<f64>; 3],
+    /// i1/i3 and i2/i3.
+    pub ratios: [f64; 2],
+    /// Their standard deviations.
+    pub ratio_sd: [Option<f64>; 2],
+    /// Correlation of the ratios.
+    pub ratio_correlation: Option<f64>,
+    /// (i1 + i2 − i3)/i3: zero of a lamina, and never negative.
+    pub thickness: f64,
+    /// Its standard deviation.
+    pub thickness_sd: Option<f64>,
+    /// Unit vectors, right-handed.
+    pub axes: [[f64; 3]; 3],
+    /// Standard deviation of the turn of all axes about each, rad; `None` where the measurements do not say it, infinite where the other two moments are equal.
+    pub turn_sd: [Option<f64>; 3],
+}
+
+impl PrincipalEstimate {
+    /// Of an estimate whose numbers from `first` are Ixx, Iyy, Izz, Ixy, Ixz, Iyz.
+    pub(crate) fn of(estimate: &Estimate, first: usize) -> Self {
+        let tensor = core::array::from_fn(|k| estimate.numbers[first + k].value);
+        let (moments, mut axes) = symmetric_eigen(tensor);
+        let [a, b, c] = axes;
+        let handed = a[0] * (b[1] * c[2] - b[2] * c[1])
+            + a[1] * (b[2] * c[0] - b[0] * c[2])
+            + a[2] * (b[0] * c[1] - b[1] * c[0]);
+        if handed < 0.0 {
+            axes[2] = axes[2].map(|x| -x);
+        }
+        // uᵀ δI v as a row of what multiplies the elements' errors
+        let row = |u: [f64; 3], v: [f64; 3]| {
+            let off = |i: usize, j: usize| u[i] * v[j] + u[j] * v[i];
+            [u[0] * v[0], u[1] * v[1], u[2] * v[2], off(0, 1), off(0, 2), off(1, 2)]
+        };
+        let gradient = |six: [f64; 6]| {
+            let mut all = vec![0.0; estimate.numbers.len()];
+            all[first..first + 6].copy_from_slice(&six);
+            all
+        };
+        let moment_rows = axes.map(|axis| row(axis, axis));
+        let greatest = moments[2];
+        let ratio = |k: usize| moments[k] / greatest;
+        let ratio_row = |k: usize| -> [f64; 6] {
+            core::array::from_fn(|e| (moment_rows[k][e] - ratio(k) * moment_rows[2][e]) / greatest)
+        };
+        let (one, two) = (ratio_row(0), ratio_row(1));
+        let sd = |six: [f64; 6]| estimate.deviation(&gradient(six));
+        let sum: [f64; 6] = core::array::from_fn(|e| one[e] + two[e]);
+        let (sd_one, sd_two, sd_sum) = (sd(one), sd(two), sd(sum));
+        let correlation = match (sd_one, sd_two, sd_sum) {
+            (Some(a), Some(b), Some(both)) if a > 0.0 && b > 0.0 => {
+                Some((both * both - a * a - b * b) / (2.0 * a * b))
+            }
+            _ => None,
+        };
+        Self {
+            moments,
+            moment_sd: moment_rows.map(sd),
+            ratios: [ratio(0), ratio(1)],
+            ratio_sd: [sd_one, sd_two],
+            ratio_correlation: correlation,
+            thickness: ratio(0) + ratio(1) - 1.0,
+            thickness_sd: sd_sum,
+            axes,
+            turn_sd: core::array::from_fn(|k| {
+                let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+                let apart = moments[j] - moments[i];
+                if apart == 0.0 {
+                    return Some(f64::INFINITY);
+                }
+                sd(row(axes[i], axes[j])).map(|sd| sd / apart.abs())
+            }),
+        }
+    }
+}

@@ -1,0 +1,205 @@
+//! From flights to the body.
+
+use polhode::math::{Body, Rotation};
+
+use super::first_guess::{Rates, tensor_with_scale, tracked_axes};
+use super::flight::Flight;
+use super::model::{CHANNELS, Reference, Tumbles};
+use super::motion::state_at;
+use super::noise::deviation;
+use super::sensor::GyroErrors;
+use super::tumble::Tumble;
+use crate::coordinates::{Coordinates, Part};
+use crate::error::IdentifyError;
+use crate::least_squares::{Outliers, Place, Solution, fit};
+
+/// How flights are read.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TumbleOptions {
+    /// What is found of the gyro.
+    pub gyro: GyroErrors,
+    /// Standard deviation of a gyro's component, rad/s; found from the readings if none is given.
+    pub gyro_noise: Option<f64>,
+    /// Standard deviation of a component of the attitude, rad; it has to be given if there are attitudes.
+    pub attitude_noise: Option<f64>,
+    /// Beyond so many standard deviations a reading is left out, and counted.
+    pub outlier: f64,
+}
+
+impl Default for TumbleOptions {
+    /// A bias, noise that is found, outliers beyond 6 standard deviations.
+    fn default() -> Self {
+        let gyro = GyroErrors { bias: true, ..GyroErrors::default() };
+        Self { gyro, gyro_noise: None, attitude_noise: None, outlier: 6.0 }
+    }
+}
+
+/// By how many radians flights turn in the pieces of the first fit, and how many times more in each further one.
+const FIRST_TURN: f64 = 3.0;
+const GROWTH: f64 = 4.0;
+/// Up to this many standard deviations a reading counts in full before outliers are known.
+const FULL: f64 = 4.0;
+
+/// The body whose free motion predicts the readings best.
+///
+/// Found are the tensor along the gyro's axes (its scale only where flights differ by a known tensor), what is asked for of the gyro, and each flight's ω.
+/// Flights are first cut into short pieces, so that no phase is a turn off to begin with.
+///
+/// # Errors
+/// [`IdentifyError::TooFew`] for fewer readings than numbers to be found; [`IdentifyError::Missing`] for attitudes without their noise; a parameter's error
+/// for options; [`IdentifyError::NoConvergence`].
+pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, IdentifyError> {
+    let has_gyro = flights.iter().any(|flight| !flight.gyro().is_empty());
+    let has_attitudes = flights.iter().any(|flight| !flight.attitudes().is_empty());
+    let gyro = if has_gyro { options.gyro } else { GyroErrors::default() };
+    let given: usize = flights.iter().map(|f| CHANNELS * (f.gyro().len() + f.attitudes().len())).sum();
+    let needed = 1 + 6 + gyro.count() + flights.len() * 3;
+    if given < needed {
+        return Err(IdentifyError::TooFew { what: "measured numbers in flights", given, needed });
+    }
+    let positive = |what, value: f64| IdentifyError::require(what, value, value > 0.0, "positive");
+    positive("the limit of outliers", options.outlier)?;
+    let attitude_noise = match options.attitude_noise {
+        None if has_attitudes => return Err(IdentifyError::Missing { what: "the noise of the attitudes" }),
+        noise => noise.unwrap_or(1.0),
+    };
+    positive("the noise of the attitudes", attitude_noise)?;
+    let gyro_noise = if has_gyro { gyro_noise(flights, options)? } else { 1.0 };
+    let tracked = (has_gyro && has_attitudes).then(|| tracked_axes(flights));
+
+    let mut shared = tensor_with_scale(flights).to_vec();
+    shared.extend(vec![0.0; gyro.count() + if tracked.is_some() { 3 } else { 0 }]);
+    let mut turn = FIRST_TURN;
+    let mut states = Vec::new();
+    loop {
+        let pieces = pieces(flights, turn);
+        let is_whole = pieces.len() == flights.len();
+        let cut: Vec<Flight> = pieces.iter().map(|piece| piece.flight.clone()).collect();
+        let references = cut.iter().map(Reference::of).collect();
+        let problem = Tumbles { flights: &cut, references, gyro, gyro_noise, attitude_noise, tracked };
+        let coordinates = coordinates(&problem);
+        let local = (0..cut.len()).map(|k| first_local(&problem, k, &pieces[k], &states, &shared)).collect();
+        let place = Place { shared: coordinates.of(&shared), local };
+        let mut found = fit(&problem, &coordinates, place, Outliers::Damped(FULL))?;
+        if is_whole {
+            // In units of the greatest moment, if nothing says how large it is.
+            scale_to_greatest(&problem, &coordinates, &mut found);
+            let last = fit(&problem, &coordinates, found.place, Outliers::LeftOut(options.outlier))?;
+            return Tumble::of(&problem, &last, options.outlier);
+        }
+        shared.clone_from(&found.shared);
+        states = (0..cut.len())
+            .map(|k| (pieces[k].number, cut[k].span(), problem.state(k, &found.place.local[k])))
+            .collect();
+        turn *= GROWTH;
+    }
+}
+
+/// The parts of the shared numbers.
+fn coordinates(problem: &Tumbles<'_>) -> Coordinates {
+    Coordinates::new(vec![Part::Tensor, Part::Free(problem.shared() - 6)])
+}
+
+fn gyro_noise(flights: &[Flight], options: &TumbleOptions) -> Result<f64, IdentifyError> {
+    if let Some(noise) = options.gyro_noise {
+        IdentifyError::require("the gyro's noise", noise, noise > 0.0, "positive")?;
+        return Ok(noise);
+    }
+    let channel = |flight: &Flight, k: usize| flight.gyro().iter().map(|r| r.omega.to_array()[k]).collect();
+    let channels: Vec<Vec<f64>> =
+        flights.iter().flat_map(|flight| [0, 1, 2].map(|k| channel(flight, k))).collect();
+    match deviation(&channels) {
+        Some(noise) if noise > 0.0 => Ok(noise),
+        _ => Err(IdentifyError::Missing { what: "the gyro's noise, which these readings do not show" }),
+    }
+}
+
+/// A part of a flight.
+struct Piece {
+    flight: Flight,
+    /// Of which flight.
+    number: usize,
+}
+
+/// Flights cut where they have turned so far, rad.
+fn pieces(flights: &[Flight], turn: f64) -> Vec<Piece> {
+    let mut pieces = Vec::new();
+    for (number, flight) in flights.iter().enumerate() {
+        let rates = Rates::of(flight);
+        let [from, to] = flight.span();
+        let mean = rates.omega.iter().map(|w| (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]).sqrt()).sum::<f64>()
+            / rates.omega.len().max(1) as f64;
+        let count = ((to - from) * mean / turn).ceil().max(1.0);
+        let width = (to - from) / count;
+        // An end belongs to the piece before it.
+        let cut: Vec<Option<Flight>> = (0..count as usize)
+            .map(|k| {
+                let start = from + k as f64 * width;
+                let start = if k == 0 { start } else { start.next_up() };
+                flight.cut(start, if k + 1 == count as usize { to } else { from + (k + 1) as f64 * width })
+            })
+            .collect();
+        // Too few readings for so short pieces: the flight stays whole.
+        if cut.iter().all(Option::is_some) {
+            pieces.extend(cut.into_iter().flatten().map(|flight| Piece { flight, number }));
+        } else {
+            pieces.push(Piece { flight: flight.clone(), number });
+        }
+    }
+    pieces
+}
+
+impl Reference {
+    /// The middle of a flight, at a measured attitude if there is one.
+    fn of(flight: &Flight) -> Self {
+        let [from, to] = flight.span();
+        let middle = 0.5 * (from + to);
+        let nearest = flight
+            .attitudes()
+            .iter()
+            .min_by(|a, b| (a.time - middle).abs().total_cmp(&(b.time - middle).abs()));
+        nearest.map_or(Self { time: middle, attitude: Rotation::identity() }, |reading| Self {
+            time: reading.time,
+            attitude: reading.attitude,
+        })
+    }
+}
+
+/// A flight's own numbers to begin with: from the shorter piece that was fitted around its reference, or from the readings there.
+fn first_local(
+    problem: &Tumbles<'_>,
+    k: usize,
+    piece: &Piece,
+    states: &[(usize, [f64; 2], polhode::motion::State)],
+    shared: &[f64],
+) -> Vec<f64> {
+    let time = problem.references[k].time;
+    let around = states
+        .iter()
+        .filter(|(number, ..)| *number == piece.number)
+        .min_by(|(_, a, _), (_, b, _)| beyond(*a, time).total_cmp(&beyond(*b, time)));
+    let fitted = around.and_then(|(.., state)| state_at(&problem.tensor(k, shared), *state, time).ok());
+    let omega = fitted.map_or_else(|| Rates::of(&piece.flight).at(time), |state| state.omega.to_array());
+    let mut local = omega.to_vec();
+    if problem.local(k) == 6 {
+        // The measured attitude is that of the tracked axes: R = R_measured A⁻¹
+        let axes: Rotation<Body, Body> = problem.tracked.unwrap_or_else(Rotation::identity);
+        local.extend(axes.inverse().log().to_array());
+    }
+    local
+}
+
+/// How far a time is outside of a span.
+fn beyond([from, to]: [f64; 2], time: f64) -> f64 {
+    (from - time).max(time - to).max(0.0)
+}
+
+fn scale_to_greatest(problem: &Tumbles<'_>, coordinates: &Coordinates, found: &mut Solution) {
+    if problem.flights.iter().any(|flight| flight.added() != [0.0; 6]) {
+        return;
+    }
+    let (moments, _) = polhode::math::symmetric_eigen(core::array::from_fn(|k| found.shared[k]));
+    let greatest = moments.iter().fold(f64::MIN_POSITIVE, |most, &moment| most.max(moment));
+    found.shared[..6].iter_mut().for_each(|element| *element /= greatest);
+    found.place.shared = coordinates.of(&found.shared);
+}

@@ -1,0 +1,16 @@
+//! Tumbles: the free motion of a thrown body, by a gyro on it or by tracked attitudes.
+
+mod first_guess;
+mod flight;
+mod identify;
+mod model;
+mod motion;
+mod noise;
+mod sensor;
+#[expect(clippy::module_inception, reason = "the noun of the module")]
+mod tumble;
+
+pub use flight::{AttitudeReading, Flight, GyroReading};
+pub use identify::{TumbleOptions, identify_tumbles};
+pub use sensor::GyroErrors;
+pub use tumble::{FlightFit, Tumble};

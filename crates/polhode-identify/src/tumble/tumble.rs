@@ -1,0 +1,139 @@
+//! What was found of tumbles.
+
+use polhode::motion::State;
+
+use super::model::{CHANNELS, Tumbles};
+use crate::error::IdentifyError;
+use crate::estimate::Estimate;
+use crate::least_squares::{Outliers, Problem, Rows, Solution};
+use crate::principal::PrincipalEstimate;
+use crate::residuals::ResidualTest;
+
+/// A body that was found by its tumbles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tumble {
+    /// The tensor's elements, and what was found of the gyro. Without a flight with something known added the tensor is in units of its greatest moment.
+    pub estimate: Estimate,
+    /// Principal moments and axes.
+    pub principal: PrincipalEstimate,
+    /// True if the moments are in kg·m², false if only their ratios are known.
+    pub scale_is_known: bool,
+    /// Flight by flight.
+    pub flights: Vec<FlightFit>,
+    /// Whether what is left is noise, by kind of reading.
+    pub residuals: Vec<ResidualTest>,
+    /// By what all errors were widened for what the residuals show.
+    pub widening: f64,
+}
+
+/// What was found of a flight.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlightFit {
+    /// What it is called.
+    pub name: String,
+    /// In the middle; the attitude means something only if attitudes were measured.
+    pub state: State,
+    /// Standard deviations of ω there, rad/s.
+    pub omega_sd: [f64; 3],
+    /// χ²/degrees of freedom of its readings, without those that were left out.
+    pub reduced_chi_square: f64,
+    /// How many readings were used.
+    pub used: usize,
+    /// The times of readings that were left out, s.
+    pub left_out: Vec<f64>,
+    /// Measured less predicted, rad/s, at the gyro's times.
+    pub gyro_residuals: Vec<[f64; 3]>,
+    /// The same of attitudes, rad.
+    pub attitude_residuals: Vec<[f64; 3]>,
+}
+
+impl Tumble {
+    pub(super) fn of(
+        problem: &Tumbles<'_>,
+        solution: &Solution,
+        outlier: f64,
+    ) -> Result<Self, IdentifyError> {
+        let information = solution.information();
+        let scale_is_known = problem.flights.iter().any(|flight| flight.added() != [0.0; 6]);
+        let unit = if scale_is_known { "kg·m²" } else { "I3" };
+        let mut names: Vec<(String, &'static str)> =
+            ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"].map(|name| (name.to_owned(), unit)).to_vec();
+        names.extend(problem.gyro.names());
+        if problem.tracked.is_some() {
+            names.extend(["x", "y", "z"].map(|axis| (format!("tracked axes {axis}"), "rad")));
+        }
+        let estimate = Estimate::new(names, &solution.shared, &information);
+
+        let mut flights = Vec::new();
+        let (mut gyro_runs, mut attitude_runs) = (Vec::new(), Vec::new());
+        for (k, flight) in problem.flights.iter().enumerate() {
+            let local = &solution.place.local[k];
+            let mut rows = Rows::new(local.len(), solution.shared.len());
+            problem.rows(k, &solution.shared, local, &mut rows)?;
+            let (_, weights) = Outliers::LeftOut(outlier).weigh(&rows);
+            let residuals: Vec<[f64; 3]> = rows.measurements().map(|r| [r[0], r[1], r[2]]).collect();
+            let (gyro, attitudes) = residuals.split_at(flight.gyro().len());
+            let (gyro_weights, attitude_weights) = weights.split_at(flight.gyro().len());
+            runs(gyro, gyro_weights, &mut gyro_runs);
+            runs(attitudes, attitude_weights, &mut attitude_runs);
+            let times = flight.gyro().iter().map(|r| r.time).chain(flight.attitudes().iter().map(|r| r.time));
+            let left_out: Vec<f64> =
+                times.zip(&weights).filter(|(_, w)| **w == 0.0).map(|(t, _)| t).collect();
+            let used = residuals.len() - left_out.len();
+            let square: f64 = residuals
+                .iter()
+                .zip(&weights)
+                .filter(|(_, w)| **w > 0.0)
+                .map(|(r, _)| r.iter().map(|x| x * x).sum::<f64>())
+                .sum();
+            let covariance = solution.local_covariance(k, &information);
+            flights.push(FlightFit {
+                name: flight.name().to_owned(),
+                state: problem.state(k, local),
+                omega_sd: core::array::from_fn(|i| {
+                    covariance.as_ref().map_or(f64::INFINITY, |c| c[(i, i)].max(0.0).sqrt())
+                }),
+                reduced_chi_square: square / ((CHANNELS * used) as f64 - local.len() as f64).max(1.0),
+                used,
+                left_out,
+                gyro_residuals: gyro.iter().map(|r| r.map(|x| x * problem.gyro_noise)).collect(),
+                attitude_residuals: attitudes.iter().map(|r| r.map(|x| x * problem.attitude_noise)).collect(),
+            });
+        }
+        let numbers = (solution.shared.len() + solution.place.local.iter().map(Vec::len).sum::<usize>()
+            - information.unknown.ncols()) as f64;
+        let total = gyro_runs.iter().chain(&attitude_runs).map(Vec::len).sum::<usize>() as f64;
+        let share = |runs: &[Vec<f64>]| numbers * runs.iter().map(Vec::len).sum::<usize>() as f64 / total;
+        let mut residuals = Vec::new();
+        if !gyro_runs.is_empty() {
+            residuals.push(ResidualTest::of(
+                "angular velocity",
+                problem.gyro_noise,
+                share(&gyro_runs),
+                &gyro_runs,
+            ));
+        }
+        if !attitude_runs.is_empty() {
+            let found = share(&attitude_runs);
+            residuals.push(ResidualTest::of("attitude", problem.attitude_noise, found, &attitude_runs));
+        }
+        let widening = residuals.iter().map(ResidualTest::widening).fold(1.0, f64::max);
+        let estimate = estimate.widened(widening);
+        for flight in &mut flights {
+            flight.omega_sd = flight.omega_sd.map(|sd| sd * widening);
+        }
+        let principal = PrincipalEstimate::of(&estimate, 0);
+        Ok(Self { estimate, principal, scale_is_known, flights, residuals, widening })
+    }
+}
+
+/// Channel by channel, the residuals that were used.
+fn runs(residuals: &[[f64; 3]], weights: &[f64], runs: &mut Vec<Vec<f64>>) {
+    if residuals.is_empty() {
+        return;
+    }
+    for channel in 0..CHANNELS {
+        let used = residuals.iter().zip(weights).filter(|(_, w)| **w > 0.0);
+        runs.push(used.map(|(r, _)| r[channel]).collect());
+    }
+}

@@ -7,7 +7,7 @@ mod outlier;
 mod rows;
 mod solution;
 
-pub(crate) use outlier::Outliers;
+pub(crate) use outlier::{Outliers, spread};
 pub(crate) use rows::Rows;
 pub(crate) use solution::{Information, Solution};
 
@@ -41,8 +41,10 @@ pub(crate) struct Place {
 
 /// Steps at most.
 const MOST_STEPS: usize = 200;
-/// A step that takes less than this from ½χ² is none: 1e-6 of a standard deviation.
-const NOTHING: f64 = 1e-12;
+/// A step that takes less than this from ½χ², in units of χ² a row, is none: 1e-4 of a standard deviation.
+const NOTHING: f64 = 1e-9;
+/// The least damping: directions that nothing determines are not followed.
+const LEAST_DAMPING: f64 = 1e-9;
 
 /// What the rows come to at a place.
 struct Evaluation {
@@ -50,6 +52,8 @@ struct Evaluation {
     triangles: Vec<DMatrix<f64>>,
     /// ½ of what the rows cost.
     cost: f64,
+    /// How many there are.
+    rows: f64,
 }
 
 /// The place of least squares, from a start.
@@ -74,7 +78,7 @@ pub(crate) fn fit(
             damping *= 10.0;
             continue;
         };
-        if step.expected <= NOTHING * (1.0 + here.cost) {
+        if step.expected <= NOTHING * (1.0 + 2.0 * here.cost / here.rows) {
             return Ok(Solution::new(place, coordinates, here.triangles, here.cost));
         }
         let next = place.moved(&step);
@@ -83,7 +87,7 @@ pub(crate) fn fit(
         match there {
             Ok(there) if gain > 0.0 => {
                 (place, here) = (next, there);
-                damping *= f64::max(1.0 / 3.0, 1.0 - (2.0 * gain - 1.0).powi(3));
+                damping = LEAST_DAMPING.max(damping * f64::max(1.0 / 3.0, 1.0 - (2.0 * gain - 1.0).powi(3)));
                 factor = 2.0;
             }
             _ => {
@@ -99,6 +103,39 @@ pub(crate) fn fit(
     Err(IdentifyError::NoConvergence { steps: MOST_STEPS })
 }
 
+/// The place of least squares, with measurements beyond `limit` times the spread of what is left counted in proportion first, and then left out.
+pub(crate) fn fit_robustly(
+    problem: &impl Problem,
+    coordinates: &Coordinates,
+    mut start: Place,
+    limit: f64,
+) -> Result<(Solution, Outliers), IdentifyError> {
+    for _ in 0..ROUNDS {
+        let damped = Outliers::Damped(FULL * spread(&all_rows(problem, coordinates, &start)?));
+        start = fit(problem, coordinates, start, damped)?.place;
+    }
+    let left_out = Outliers::LeftOut(limit * spread(&all_rows(problem, coordinates, &start)?));
+    Ok((fit(problem, coordinates, start, left_out)?, left_out))
+}
+
+/// Up to this many times the spread a measurement counts in full before outliers are known.
+const FULL: f64 = 4.0;
+/// How often the spread is found again.
+const ROUNDS: usize = 2;
+
+fn all_rows(
+    problem: &impl Problem,
+    coordinates: &Coordinates,
+    place: &Place,
+) -> Result<Vec<Rows>, IdentifyError> {
+    let shared = coordinates.physical(&place.shared);
+    let group = |k: usize| {
+        let mut rows = Rows::new(place.local[k].len(), shared.len());
+        problem.rows(k, &shared, &place.local[k], &mut rows).map(|()| rows)
+    };
+    (0..problem.groups()).map(group).collect()
+}
+
 fn evaluate(
     problem: &impl Problem,
     coordinates: &Coordinates,
@@ -106,7 +143,7 @@ fn evaluate(
     outliers: Outliers,
 ) -> Result<Evaluation, IdentifyError> {
     let shared = coordinates.physical(&place.shared);
-    let mut evaluation = Evaluation { triangles: Vec::new(), cost: 0.0 };
+    let mut evaluation = Evaluation { triangles: Vec::new(), cost: 0.0, rows: 0.0 };
     for group in 0..problem.groups() {
         let mut rows = Rows::new(place.local[group].len(), shared.len());
         problem.rows(group, &shared, &place.local[group], &mut rows)?;
@@ -115,6 +152,7 @@ fn evaluate(
             return Err(IdentifyError::NotFinite);
         }
         evaluation.cost += cost;
+        evaluation.rows += rows.count() as f64;
         evaluation.triangles.push(rows.triangle(&weights));
     }
     Ok(evaluation)

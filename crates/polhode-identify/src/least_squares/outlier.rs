@@ -13,6 +13,25 @@ pub(crate) enum Outliers {
     LeftOut(f64),
 }
 
+/// The median of √(χ²/3) with three degrees of freedom.
+const MEDIAN: f64 = 0.888;
+
+/// By how much what is left is larger than the noise, by the median: 1 at least. What outliers are is measured by it, as a model that is not quite right is no
+/// reason to leave everything out.
+pub(crate) fn spread<'a>(all: impl IntoIterator<Item = &'a Rows>) -> f64 {
+    let mut sizes: Vec<f64> = all
+        .into_iter()
+        .flat_map(Rows::measurements)
+        .map(|r| (r.iter().map(|x| x * x).sum::<f64>() / r.len() as f64).sqrt())
+        .collect();
+    let middle = sizes.len() / 2;
+    if sizes.is_empty() {
+        return 1.0;
+    }
+    let (_, median, _) = sizes.select_nth_unstable_by(middle, f64::total_cmp);
+    (*median / MEDIAN).max(1.0)
+}
+
 impl Outliers {
     /// ½ of what the rows cost, and the weight of each measurement.
     pub(crate) fn weigh(self, rows: &Rows) -> (f64, Vec<f64>) {

@@ -11,7 +11,7 @@ use super::sensor::GyroErrors;
 use super::tumble::Tumble;
 use crate::coordinates::{Coordinates, Part};
 use crate::error::IdentifyError;
-use crate::least_squares::{Outliers, Place, Solution, fit};
+use crate::least_squares::{Outliers, Place, Solution, fit, fit_robustly};
 
 /// How flights are read.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,7 +37,7 @@ impl Default for TumbleOptions {
 /// By how many radians flights turn in the pieces of the first fit, and how many times more in each further one.
 const FIRST_TURN: f64 = 3.0;
 const GROWTH: f64 = 4.0;
-/// Up to this many standard deviations a reading counts in full before outliers are known.
+/// Up to this many standard deviations a reading counts in full in the fits of pieces.
 const FULL: f64 = 4.0;
 
 /// The body whose free motion predicts the readings best.
@@ -80,13 +80,14 @@ pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<T
         let coordinates = coordinates(&problem);
         let local = (0..cut.len()).map(|k| first_local(&problem, k, &pieces[k], &states, &shared)).collect();
         let place = Place { shared: coordinates.of(&shared), local };
-        let mut found = fit(&problem, &coordinates, place, Outliers::Damped(FULL))?;
         if is_whole {
+            let (mut found, _) = fit_robustly(&problem, &coordinates, place, options.outlier)?;
             // In units of the greatest moment, if nothing says how large it is.
             scale_to_greatest(&problem, &coordinates, &mut found);
-            let last = fit(&problem, &coordinates, found.place, Outliers::LeftOut(options.outlier))?;
-            return Tumble::of(&problem, &last, options.outlier);
+            let (last, outliers) = fit_robustly(&problem, &coordinates, found.place, options.outlier)?;
+            return Tumble::of(&problem, &last, outliers);
         }
+        let found = fit(&problem, &coordinates, place, Outliers::Damped(FULL))?;
         shared.clone_from(&found.shared);
         states = (0..cut.len())
             .map(|k| (pieces[k].number, cut[k].span(), problem.state(k, &found.place.local[k])))

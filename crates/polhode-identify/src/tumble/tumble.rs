@@ -51,7 +51,7 @@ impl Tumble {
     pub(super) fn of(
         problem: &Tumbles<'_>,
         solution: &Solution,
-        outlier: f64,
+        outliers: Outliers,
     ) -> Result<Self, IdentifyError> {
         let information = solution.information();
         let scale_is_known = problem.flights.iter().any(|flight| flight.added() != [0.0; 6]);
@@ -70,7 +70,7 @@ impl Tumble {
             let local = &solution.place.local[k];
             let mut rows = Rows::new(local.len(), solution.shared.len());
             problem.rows(k, &solution.shared, local, &mut rows)?;
-            let (_, weights) = Outliers::LeftOut(outlier).weigh(&rows);
+            let (_, weights) = outliers.weigh(&rows);
             let residuals: Vec<[f64; 3]> = rows.measurements().map(|r| [r[0], r[1], r[2]]).collect();
             let (gyro, attitudes) = residuals.split_at(flight.gyro().len());
             let (gyro_weights, attitude_weights) = weights.split_at(flight.gyro().len());

@@ -13,6 +13,11 @@ pub(crate) struct Slope {
 }
 
 impl Slope {
+    /// f′(0) of a function that is known to have one.
+    pub(crate) const fn best(&self) -> [f64; 3] {
+        self.value
+    }
+
     /// f′(0), if there is one: not where extrapolations or the slopes to both sides do not meet, relative to `scale`, the size of what
     /// rounding is relative to.
     pub(crate) fn value(self, scale: f64) -> Option<[f64; 3]> {

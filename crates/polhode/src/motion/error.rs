@@ -73,6 +73,20 @@ pub enum MotionError {
         /// When, s.
         time: f64,
     },
+    /// A torque has no number of this name to differentiate by, or there is no such torque.
+    NoParameter {
+        /// Which of the torques, from 0.
+        torque: usize,
+        /// The name.
+        name: &'static str,
+    },
+    /// A motion has no derivatives, or none that are known here.
+    NoMotionDerivatives {
+        /// Why.
+        why: &'static str,
+        /// When, s.
+        time: f64,
+    },
     /// A state is no equilibrium, though one was asked for: the torque there turns the body, or changes on the way.
     NotSteady {
         /// What is left of the torque, N·m.
@@ -233,11 +247,13 @@ impl MotionError {
                 Some("a formula is NaN where it divides by zero or takes the root of a negative number")
             }
             Self::NotFinite { .. } => Some("check the units of the torque, the spin and the inertia"),
+            Self::NoParameter { .. } => Some("`TorqueModel::parameters` lists the names that a torque has"),
             Self::NonFiniteParameter { .. }
             | Self::NonPositiveParameter { .. }
             | Self::NegativeParameter { .. }
             | Self::NoDirection { .. }
             | Self::ParameterOutOfRange { .. }
+            | Self::NoMotionDerivatives { .. }
             | Self::Exclusive { .. }
             | Self::Stopped { .. }
             | Self::Cancelled { .. } => None,
@@ -287,6 +303,12 @@ impl fmt::Display for MotionError {
                 "the torque \"{torque}\" has no derivative in this state, at t = {time} s: it has a corner or a jump there, or is not finite nearby",
                 time = plain(*time)
             ),
+            Self::NoParameter { torque, name } => {
+                write!(f, "torque {} has no parameter \"{name}\"", torque + 1)
+            }
+            Self::NoMotionDerivatives { why, time } => {
+                write!(f, "at t = {time} s the motion has no derivatives: {why}", time = plain(*time))
+            }
             Self::NoClosedForm { why } => write!(f, "there is no closed form of this motion: {why}"),
             Self::BeyondReach { time, .. } if !time.is_finite() => {
                 write!(f, "t = {time} s is no time")

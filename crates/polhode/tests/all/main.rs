@@ -5,6 +5,7 @@ mod accuracy;
 mod common;
 mod curves;
 mod density;
+mod derivatives;
 mod drag;
 mod edges;
 mod edges_of_bodies;

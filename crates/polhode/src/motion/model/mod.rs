@@ -2,6 +2,7 @@
 
 pub(crate) mod euler;
 pub(crate) mod event;
+pub(crate) mod event_slope;
 pub(crate) mod kinematics;
 pub(crate) mod orbit;
 pub(crate) mod orbital_elements;
@@ -10,6 +11,7 @@ pub(crate) mod require;
 pub(crate) mod rotor;
 pub(crate) mod schedule;
 pub(crate) mod state;
+pub(crate) mod state_derivatives;
 pub(crate) mod state_variables;
 pub mod torque;
 pub(crate) mod wheel;

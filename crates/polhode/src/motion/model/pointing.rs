@@ -56,6 +56,15 @@ impl Reference {
         }
     }
 
+    /// The orbit that it depends on.
+    pub(crate) const fn orbit(&self) -> Option<&Orbit> {
+        match self {
+            Self::Nadir(orbit) | Self::Velocity(orbit) | Self::OrbitNormal(orbit) => Some(orbit),
+            Self::Field(MagneticField::Dipole { orbit, .. }) => Some(orbit),
+            Self::Space(_) | Self::Field(MagneticField::Uniform(_)) => None,
+        }
+    }
+
     /// As scenario files and summaries name it.
     pub const fn name(&self) -> &'static str {
         match self {

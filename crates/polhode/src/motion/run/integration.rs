@@ -1,5 +1,6 @@
 //! A run of an integrator: its steps, its samples, its events, and how it ends.
 
+use super::derivatives::DerivativeLog;
 use super::ending::Ending;
 use super::event_detection::{EventDetector, Found};
 use super::sample::Sample;
@@ -25,6 +26,8 @@ pub(super) struct Integration<'a> {
     wanted: &'a [f64],
     pub(super) samples: Vec<Sample>,
     pub(super) crossings: Vec<Crossing>,
+    /// The derivatives of the motion, if they are wanted.
+    pub(super) derivatives: Option<DerivativeLog>,
 }
 
 impl<'a> Integration<'a> {
@@ -37,12 +40,18 @@ impl<'a> Integration<'a> {
             watch: EventDetector::new(rotor, torques, events, &start),
             samples: Vec::with_capacity(wanted.len()),
             crossings: Vec::new(),
+            derivatives: None,
             stepper,
             events,
             has_potential,
             has_partial: torques.iter().any(|torque| torque.model().is_partial()),
             wanted,
         }
+    }
+
+    /// With the derivatives that the stepper finds.
+    pub(super) fn with_derivatives(self) -> Self {
+        Self { derivatives: Some(DerivativeLog::default()), ..self }
     }
 
     pub(super) const fn stepper(&self) -> &Stepper<'a> {
@@ -62,7 +71,7 @@ impl<'a> Integration<'a> {
         // The start as it was given, not as it comes back from principal axes.
         let given = self.sample(Balanced { state: start, work: 0.0, impulse: AngularMomentum::ZERO })?;
         while self.next_wanted().is_some_and(|t| t <= start.time) {
-            self.samples.push(given);
+            self.push(given);
         }
         let end = self.wanted.last().copied().unwrap_or(start.time);
         while self.stepper.time() < end {
@@ -82,7 +91,12 @@ impl<'a> Integration<'a> {
             if self.samples.last().is_none_or(|last| last.state.time < time)
                 && let Ok(last) = if time > start.time { self.sample(now) } else { Ok(given) }
             {
-                self.samples.push(last);
+                // Where it runs away, the last plausible state is before the last step.
+                if matches!(ended, Err(MotionError::RunAway { .. })) {
+                    self.samples.push(last);
+                } else {
+                    self.push(last);
+                }
             }
             let time = self.samples.last().map_or(start.time, |last| last.state.time);
             return Ok((given, Ending::of(ended, time)));
@@ -126,7 +140,7 @@ impl<'a> Integration<'a> {
                 }
             }
             if due.iter().any(|f| self.events.get(f.event).is_some_and(Event::switches)) {
-                self.stepper.change()?;
+                self.change(first.time)?;
             }
             self.watch.arm(&state, &due.iter().map(|f| f.event).collect::<Vec<_>>());
             self.fill(first.time, true)?;
@@ -138,10 +152,24 @@ impl<'a> Integration<'a> {
         look_ahead(&mut self.stepper, end).map(|()| None)
     }
 
+    /// Looks again at what acts now, after a switch. Where its time changes, so does the state after it: by (ẋ⁻ − ẋ⁺) δt.
+    fn change(&mut self, time: f64) -> Result<(), MotionError> {
+        let before = self.stepper.rates_at(time);
+        self.stepper.change()?;
+        if let Some(times) = self.derivatives.as_mut().and_then(DerivativeLog::take_switch) {
+            let after = self.stepper.rates_at(time);
+            self.stepper.jump(&times, [before[0] - after[0], before[1] - after[1]]);
+        }
+        Ok(())
+    }
+
     /// Forgets what came after a time, that of the last plausible state.
     fn return_to(&mut self, time: f64) -> Balanced {
         self.samples.retain(|sample| sample.state.time <= time);
         self.crossings.retain(|crossing| crossing.state.time <= time);
+        if let Some(derivatives) = &mut self.derivatives {
+            derivatives.forget_after(time);
+        }
         self.stepper.last_plausible().unwrap_or_else(|| self.stepper.now())
     }
 
@@ -154,8 +182,12 @@ impl<'a> Integration<'a> {
         if self.crossings.len() == MOST_EVENTS {
             return Err(MotionError::TooManyEvents { time, most: MOST_EVENTS });
         }
+        let state = State { time, ..state };
+        if let (Some(derivatives), Some(of)) = (&mut self.derivatives, self.events.get(event)) {
+            derivatives.cross(&self.stepper, (of, event), state)?;
+        }
         let name = self.events.get(event).map_or("", Event::name).to_owned();
-        self.crossings.push(Crossing { event, name, state: State { time, ..state }, rising });
+        self.crossings.push(Crossing { event, name, state, rising });
         Ok(())
     }
 
@@ -168,9 +200,16 @@ impl<'a> Integration<'a> {
         while let Some(t) = self.next_wanted().filter(|&t| t < until || included && t == until) {
             let now = t == self.stepper.time();
             let sample = self.sample(if now { self.stepper.now() } else { self.stepper.at(t) })?;
-            self.samples.push(sample);
+            self.push(sample);
         }
         Ok(())
+    }
+
+    fn push(&mut self, sample: Sample) {
+        if let Some(derivatives) = &mut self.derivatives {
+            derivatives.sample(&self.stepper, sample.state);
+        }
+        self.samples.push(sample);
     }
 
     fn sample(&self, balanced: Balanced) -> Result<Sample, MotionError> {

@@ -101,6 +101,16 @@ impl<'a> Simulation<'a> {
     /// event that cannot be measured, no closed form for [`Method::Exact`], a torque without a power series for
     /// [`Method::Taylor`], a body that cannot spin. [`MotionError::Stopped`] if `progress` said so.
     pub fn run_watched(&self, progress: &mut dyn FnMut(f64) -> bool) -> Result<Trajectory, MotionError> {
+        self.require_possible()?;
+        match self.choose()? {
+            (Way::Closed(motion), reason) => self.exact(motion, reason),
+            (Way::Steps(rule), reason) => self.integrate(rule, reason, progress),
+        }
+    }
+
+    /// # Errors
+    /// What is wrong before the motion begins, but for the method.
+    pub(super) fn require_possible(&self) -> Result<(), MotionError> {
         let Self { rotor, torques, switched_off, start, events, times, .. } = *self;
         require_ascending(start.time, times)?;
         require_finite(rotor, torques, switched_off, &start)?;
@@ -109,11 +119,7 @@ impl<'a> Simulation<'a> {
             let wakes = EventAction::Switch { torque: *k, on: true };
             switched_off.contains(k) && !events.iter().any(|event| event.action() == wakes)
         };
-        require_few_pulses(rotor, torques, &stays_off, [start.time, self.end()])?;
-        match self.choose()? {
-            (Way::Closed(motion), reason) => self.exact(motion, reason),
-            (Way::Steps(rule), reason) => self.integrate(rule, reason, progress),
-        }
+        require_few_pulses(rotor, torques, &stays_off, [start.time, self.end()])
     }
 
     /// The states at each of the times and nothing else: no events, no samples, no evidence of the error. What an inner loop wants.

@@ -19,9 +19,13 @@ pub enum ConstantTorque {
 impl Law for ConstantTorque {
     fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
         match *self {
-            Self::Body(n) => at.in_body(n.as_quantity()),
-            Self::Space(n) => at.in_space(n.as_quantity()),
+            Self::Body(n) => at.body_parameters(0, n.as_quantity()),
+            Self::Space(n) => at.space_parameters(0, n.as_quantity()),
         }
+    }
+
+    fn parameters(&self) -> &'static [&'static str] {
+        &["x", "y", "z"]
     }
 }
 

@@ -45,11 +45,15 @@ const TOLERANCE: f64 = 1e-12;
 impl Law for Drag {
     fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
         let omega = at.omega();
-        let resistance = at.symmetric(self.matrix.elements(), omega);
+        let resistance = at.symmetric_parameters(0, self.matrix.elements(), omega);
         match self.law {
             DragLaw::Linear => -resistance,
             DragLaw::Quadratic => -(resistance * omega.norm()),
         }
+    }
+
+    fn parameters(&self) -> &'static [&'static str] {
+        &["xx", "yy", "zz", "xy", "xz", "yz"]
     }
 }
 

@@ -39,6 +39,11 @@ impl Law for EnergySink {
     fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
         at.in_body(Direction::ZERO)
     }
+
+    /// α is in the equations of motion, not in a torque.
+    fn parameters(&self) -> &'static [&'static str] {
+        &["coefficient"]
+    }
 }
 
 impl EnergySink {

@@ -57,7 +57,7 @@ const Y: Direction<Space> = Direction::new(0.0, 1.0, 0.0);
 const Z: Direction<Space> = Direction::new(0.0, 0.0, 1.0);
 
 /// A formula of a state, instruction by instruction.
-fn evaluate<I: LawInput>(formula: &Formula, at: &I) -> I::Scalar {
+pub(in crate::motion) fn evaluate<I: LawInput>(formula: &Formula, at: &I) -> I::Scalar {
     let mut stack: Vec<I::Scalar> = Vec::new();
     for &instruction in formula.instructions() {
         let operands = stack.split_off(stack.len().saturating_sub(instruction.operands()));

@@ -55,8 +55,9 @@ pub(in crate::motion) enum ScalarOperation {
     Angle(usize, usize, usize),
     /// An angle brought between −π and π at the start.
     Wrapped(usize),
-    /// arccos w/√(1 − w²)
+    /// arccos w/√(1 − w²), and its derivative by w.
     HalfAngleOverSine(usize),
+    HalfAngleSlope(usize),
     Dot(usize, usize),
     /// A component along a principal axis.
     Component(usize, usize),

@@ -20,8 +20,12 @@ pub struct UniformGravity {
 
 impl Law for UniformGravity {
     fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
-        let weight = at.in_space(self.acceleration.as_quantity()).scaled(at.rotor().mass());
-        at.in_body(at.rotor().lever().as_quantity()).cross(weight)
+        let weight = at.space_parameters(0, self.acceleration.as_quantity()).scaled(at.rotor().mass());
+        at.body_parameters(3, at.rotor().lever().as_quantity()).cross(weight)
+    }
+
+    fn parameters(&self) -> &'static [&'static str] {
+        &["x", "y", "z", "lever.x", "lever.y", "lever.z"]
     }
 }
 

@@ -56,7 +56,7 @@ impl TorqueModel {
         let slope = |turn: Direction<Body>, faster: Direction<Body>| {
             let [forth, back] = [1.0, -1.0].map(|sign| {
                 let (turn, faster) = (turn * sign, (faster * sign).as_quantity());
-                self.model().derivative(&Tangent { rotor, state, turn, faster })
+                self.model().derivative(&Tangent { turn, faster, ..Tangent::still(rotor, state) })
             });
             ((forth + back).norm() <= CORNER * forth.norm()).then_some(forth)
         };

@@ -49,6 +49,12 @@ pub trait Law {
     /// N about the point that the body turns about, N·m.
     fn torque<I: LawInput>(&self, at: &I) -> I::Vector;
 
+    /// The names of the numbers that motions can be differentiated by, in the order of their places: those that the law takes by
+    /// [`LawInput::parameter`] and its like.
+    fn parameters(&self) -> &'static [&'static str] {
+        &[]
+    }
+
     /// N in a state, N·m.
     fn at(&self, rotor: &Rotor, state: &State) -> Torque<Body> {
         self.torque(&Values { rotor, state }).as_quantity()
@@ -103,6 +109,26 @@ pub trait LawInput {
 
     /// The vector with these components.
     fn vector(&self, components: [Self::Scalar; 3]) -> Self::Vector;
+
+    /// A constant that is the law's parameter at this place.
+    fn parameter(&self, _which: usize, value: f64) -> Self::Scalar {
+        self.number(value)
+    }
+
+    /// A vector that is fixed in the body, whose components along its axes are three parameters from one on.
+    fn body_parameters(&self, _first: usize, v: Direction<Body>) -> Self::Vector {
+        self.in_body(v)
+    }
+
+    /// A vector that is fixed in space, in the same way.
+    fn space_parameters(&self, _first: usize, v: Direction<Space>) -> Self::Vector {
+        self.in_space(v)
+    }
+
+    /// M v, of a symmetric matrix whose elements are six parameters from one on.
+    fn symmetric_parameters(&self, _first: usize, elements: [f64; 6], v: Self::Vector) -> Self::Vector {
+        self.symmetric(elements, v)
+    }
 }
 
 /// A position on an orbit, from the attracting mass: r = r₀ ρ with r₀ near |r|.

@@ -67,12 +67,23 @@ impl MagneticField {
 impl Law for Magnetic {
     fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
         let field = match &self.field {
-            MagneticField::Uniform(field) => at.in_space(*field),
+            MagneticField::Uniform(field) => at.space_parameters(3, *field),
             MagneticField::Dipole { dipole, orbit } => {
-                field_of_dipole(at.in_space(*dipole), &at.orbit(orbit))
+                field_of_dipole(at.space_parameters(3, *dipole), &at.orbit(orbit))
             }
         };
-        at.in_body(self.moment).cross(field)
+        at.body_parameters(0, self.moment).cross(field)
+    }
+
+    fn parameters(&self) -> &'static [&'static str] {
+        match self.field {
+            MagneticField::Uniform(_) => {
+                &["moment.x", "moment.y", "moment.z", "field.x", "field.y", "field.z"]
+            }
+            MagneticField::Dipole { .. } => {
+                &["moment.x", "moment.y", "moment.z", "dipole.x", "dipole.y", "dipole.z"]
+            }
+        }
     }
 }
 

@@ -9,9 +9,11 @@ pub(crate) mod gravity;
 pub(crate) mod gravity_gradient;
 pub(crate) mod jacobian;
 pub(crate) mod law;
+pub(crate) mod linearization;
 pub(crate) mod magnetic;
 pub(crate) mod model;
 pub(crate) mod own;
+pub(crate) mod parameter;
 pub(crate) mod polynomial;
 pub(crate) mod recorder;
 pub(crate) mod scheduled;
@@ -20,6 +22,8 @@ pub(crate) mod tangent;
 pub(crate) mod thruster;
 pub(crate) mod time_polynomial;
 pub(crate) mod torsion;
+pub(crate) mod variation;
+pub(crate) mod varied;
 
 use core::fmt;
 
@@ -42,6 +46,7 @@ pub use jacobian::TorqueJacobian;
 pub use law::{Law, LawInput, OrbitPosition};
 pub use magnetic::{Magnetic, MagneticField};
 pub use own::OwnTorque;
+pub use parameter::TorqueParameter;
 pub use scheduled::Scheduled;
 pub use tabulated::{Interpolation, Tabulated};
 pub use thruster::Thruster;
@@ -132,6 +137,11 @@ impl TorqueModel {
     /// α of an energy sink, 1/(N·m·s); zero for everything else.
     pub(crate) fn sink(&self) -> f64 {
         self.model().sink()
+    }
+
+    /// The names of its numbers that motions can be differentiated by, beside "factor", which is what all of it is multiplied by.
+    pub fn parameters(&self) -> &'static [&'static str] {
+        self.model().parameters()
     }
 
     /// The name in scenario files and summaries.

@@ -6,6 +6,8 @@ use super::law::Law;
 use super::polynomial::{PolynomialVector, Unknowns};
 use super::recorder::{Recorder, VectorNode};
 use super::tangent::Tangent;
+use super::variation::Variation;
+use super::varied::VariedVector;
 use crate::math::frame::Body;
 use crate::math::rotation::Attitude;
 use crate::math::vector::Torque;
@@ -25,6 +27,12 @@ pub(in crate::motion) trait AnyLaw: fmt::Debug {
 
     /// N′ along a tangent; NaN if it has none.
     fn derivative(&self, along: &Tangent<'_>) -> Torque<Body>;
+
+    /// As a part of a graph, with its derivative.
+    fn variation<'r>(&self, at: &Variation<'_, 'r>) -> VariedVector<'r>;
+
+    /// The names of its parameters.
+    fn parameters(&self) -> &'static [&'static str];
 }
 
 impl<L: Law + fmt::Debug> AnyLaw for L {
@@ -42,6 +50,14 @@ impl<L: Law + fmt::Debug> AnyLaw for L {
 
     fn derivative(&self, along: &Tangent<'_>) -> Torque<Body> {
         Torque::from_array(self.torque(along).0.map(|component| component.first))
+    }
+
+    fn variation<'r>(&self, at: &Variation<'_, 'r>) -> VariedVector<'r> {
+        self.torque(at)
+    }
+
+    fn parameters(&self) -> &'static [&'static str] {
+        Law::parameters(self)
     }
 }
 

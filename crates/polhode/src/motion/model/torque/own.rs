@@ -9,6 +9,8 @@ use super::model::{AnyLaw, Model};
 use super::polynomial::{PolynomialVector, Unknowns};
 use super::recorder::{Recorder, VectorNode};
 use super::tangent::Tangent;
+use super::variation::Variation;
+use super::varied::VariedVector;
 use crate::body::inertia::InertiaTensor;
 use crate::body::mass_properties::MassProperties;
 use crate::math::frame::Body;
@@ -81,6 +83,20 @@ impl AnyLaw for OwnTorque {
             OwnLaw::Function(_) => Torque::new(f64::NAN, f64::NAN, f64::NAN),
         }
     }
+
+    fn variation<'r>(&self, at: &Variation<'_, 'r>) -> VariedVector<'r> {
+        match &self.kind {
+            OwnLaw::Law { law, .. } => law.variation(at),
+            OwnLaw::Function(_) => at.rough(),
+        }
+    }
+
+    fn parameters(&self) -> &'static [&'static str] {
+        match &self.kind {
+            OwnLaw::Law { law, .. } => law.parameters(),
+            OwnLaw::Function(_) => &[],
+        }
+    }
 }
 
 impl Model for OwnTorque {
@@ -110,7 +126,7 @@ fn is_rough(law: &dyn AnyLaw) -> bool {
     let sphere = InertiaTensor::diagonal([1.0; 3]);
     let body = sphere.and_then(|inertia| MassProperties::new(1.0, Position::ZERO, inertia));
     body.is_ok_and(|body| {
-        Graph::recorded(&Rotor::free(&body), |recorder| law.record(recorder).place).is_rough()
+        Graph::recorded(&Rotor::free(&body), |recorder| law.record(recorder).place).0.is_rough()
     })
 }
 

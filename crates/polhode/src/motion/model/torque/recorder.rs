@@ -20,22 +20,23 @@ impl Graph {
         torques: impl IntoIterator<Item = &'t super::TorqueModel>,
         rotor: &Rotor,
     ) -> Self {
-        Self::recorded(rotor, |recorder| {
+        let (graph, torque) = Self::recorded(rotor, |recorder| {
             let all =
                 torques.into_iter().map(|torque| torque.model().record(recorder)).reduce(|sum, n| sum + n);
             all.unwrap_or_else(|| recorder.in_body(Direction::ZERO)).place
-        })
+        });
+        Self { torque, ..graph }
     }
 
-    /// Records what gives the place of a torque.
-    pub(super) fn recorded(rotor: &Rotor, torque: impl FnOnce(&Recorder<'_>) -> usize) -> Self {
+    /// Records what gives places among its values.
+    pub(super) fn recorded<T>(rotor: &Rotor, record: impl FnOnce(&Recorder<'_>) -> T) -> (Self, T) {
         let to_principal = rotor.principal().rotation().inverse();
         let inertia = Symmetric3::diagonal(rotor.principal().moments()).rows();
         // By their places: that two are alike in one body must not change what is recorded.
         let matrices = vec![to_principal.matrix(), to_principal.inverse().matrix(), inertia];
         let graph = RefCell::new(Self { matrices, ..Self::default() });
-        let torque = torque(&Recorder { rotor, to_principal, graph: &graph });
-        Self { torque, ..graph.into_inner() }
+        let recorded = record(&Recorder { rotor, to_principal, graph: &graph });
+        (graph.into_inner(), recorded)
     }
 }
 
@@ -62,6 +63,21 @@ pub(in crate::motion) struct VectorNode<'r> {
 }
 
 impl NumberNode<'_> {
+    /// A constant of the same graph.
+    pub(super) fn constant(self, x: f64) -> Self {
+        self.make(|graph| graph.constant(x))
+    }
+
+    /// Its value, if it is a constant.
+    pub(super) fn value(self) -> Option<f64> {
+        self.graph.borrow().value(self.place)
+    }
+
+    /// The derivative of [`Scalar::half_angle_over_sine`].
+    pub(super) fn half_angle_slope(self) -> Self {
+        self.make(|graph| graph.number(ScalarOperation::HalfAngleSlope(self.place)))
+    }
+
     fn make(self, place: impl FnOnce(&mut Graph) -> usize) -> Self {
         Self { place: place(&mut self.graph.borrow_mut()), ..self }
     }
@@ -251,13 +267,13 @@ impl<'r> Recorder<'r> {
         VectorNode { graph: self.graph, place }
     }
 
-    fn constant(&self, v: Direction<Principal>) -> VectorNode<'r> {
+    pub(super) fn constant(&self, v: Direction<Principal>) -> VectorNode<'r> {
         let k = index(&mut self.graph.borrow_mut().vectors, v.to_array(), PartialEq::eq);
         self.vector_node(VectorOperation::Constant(k))
     }
 
     /// What has no series.
-    pub(in crate::motion) fn rough(&self) -> VectorNode<'r> {
+    pub(super) fn rough(&self) -> VectorNode<'r> {
         let rough = number(self.graph, ScalarOperation::Rough);
         self.vector_node(VectorOperation::Of([rough.place; 3]))
     }

@@ -5,6 +5,8 @@ use super::model::{AnyLaw, Model};
 use super::polynomial::{PolynomialVector, Unknowns};
 use super::recorder::{Recorder, VectorNode};
 use super::tangent::Tangent;
+use super::variation::Variation;
+use super::varied::VariedVector;
 use crate::math::frame::Body;
 use crate::math::vector::Torque;
 use crate::motion::model::rotor::Rotor;
@@ -36,6 +38,14 @@ impl AnyLaw for Scheduled {
 
     fn derivative(&self, along: &Tangent<'_>) -> Torque<Body> {
         if self.schedule.is_on(along.time()) { self.torque.model().derivative(along) } else { Torque::ZERO }
+    }
+
+    fn variation<'r>(&self, at: &Variation<'_, 'r>) -> VariedVector<'r> {
+        self.torque.model().variation(at)
+    }
+
+    fn parameters(&self) -> &'static [&'static str] {
+        self.torque.model().parameters()
     }
 }
 

@@ -6,6 +6,8 @@ use super::polynomial::{PolynomialVector, Unknowns};
 use super::recorder::{Recorder, VectorNode};
 use super::tangent::Tangent;
 use super::time_polynomial::{TimePolynomial, TorqueAxes};
+use super::variation::Variation;
+use super::varied::VariedVector;
 use crate::math::frame::Body;
 use crate::math::spline::Spline;
 use crate::math::vector::Torque;
@@ -165,6 +167,14 @@ impl AnyLaw for Tabulated {
 
     fn derivative(&self, along: &Tangent<'_>) -> Torque<Body> {
         self.piece(along.time()).map_or(Torque::ZERO, |piece| piece.model().derivative(along))
+    }
+
+    fn variation<'r>(&self, at: &Variation<'_, 'r>) -> VariedVector<'r> {
+        self.pieces[0].model().variation(at)
+    }
+
+    fn parameters(&self) -> &'static [&'static str] {
+        &[]
     }
 }
 

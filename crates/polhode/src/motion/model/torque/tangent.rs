@@ -11,19 +11,30 @@ use crate::motion::model::orbit::Orbit;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 
-/// A state that moves: R exp(ε t), ω + ε w at ε = 0, for a turn t and a change w along the body's axes.
+/// A state that moves: R exp(ε t), ω + ε w at ε = 0, for a turn t and a change w along the body's axes, at a time that goes on or not.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::motion) struct Tangent<'a> {
-    pub(super) rotor: &'a Rotor,
-    pub(super) state: &'a State,
+    pub(in crate::motion) rotor: &'a Rotor,
+    pub(in crate::motion) state: &'a State,
     /// t
-    pub(super) turn: Direction<Body>,
+    pub(in crate::motion) turn: Direction<Body>,
     /// w
-    pub(super) faster: AngularVelocity<Body>,
+    pub(in crate::motion) faster: AngularVelocity<Body>,
+    /// The rate of the time. Orbits stand still.
+    pub(in crate::motion) later: f64,
+    /// An element of the inertia tensor that grows at the rate 1.
+    pub(in crate::motion) element: Option<usize>,
 }
 
 /// A vector along the body's axes as it moves.
 pub(in crate::motion) type MovingVector = Components<Jet>;
+
+impl<'a> Tangent<'a> {
+    /// What does not move.
+    pub(in crate::motion) const fn still(rotor: &'a Rotor, state: &'a State) -> Self {
+        Self { rotor, state, turn: Direction::ZERO, faster: AngularVelocity::ZERO, later: 0.0, element: None }
+    }
+}
 
 impl Tangent<'_> {
     pub(super) const fn time(&self) -> f64 {
@@ -72,7 +83,7 @@ impl LawInput for Tangent<'_> {
     }
 
     fn time(&self) -> Jet {
-        Jet::constant(self.state.time)
+        Jet { value: self.state.time, first: self.later, second: 0.0 }
     }
 
     fn omega(&self) -> MovingVector {
@@ -88,7 +99,9 @@ impl LawInput for Tangent<'_> {
     }
 
     fn wheel_momentum(&self) -> MovingVector {
-        self.in_body(self.rotor.wheel_momentum(self.state.time).as_quantity())
+        let time = self.state.time;
+        let rate: Direction<Body> = self.rotor.motor_torque(time).as_quantity();
+        moving([self.rotor.wheel_momentum(time).as_quantity(), rate * self.later, Direction::ZERO])
     }
 
     fn orbit(&self, orbit: &Orbit) -> OrbitPosition<Jet, MovingVector> {
@@ -103,7 +116,12 @@ impl LawInput for Tangent<'_> {
     }
 
     fn inertia(&self, v: MovingVector) -> MovingVector {
-        self.symmetric(self.rotor.inertia().symmetric().elements(), v)
+        let image = self.symmetric(self.rotor.inertia().symmetric().elements(), v);
+        let growth = |element: usize| {
+            let unit = core::array::from_fn(|k| f64::from(u8::from(k == element)));
+            self.symmetric(unit, v) * Jet { value: 0.0, first: 1.0, second: 0.0 }
+        };
+        self.element.map_or(image, |element| image + growth(element))
     }
 
     fn symmetric(&self, elements: [f64; 6], v: MovingVector) -> MovingVector {

@@ -2,9 +2,9 @@
 
 use super::law::{Law, LawInput};
 use super::model::Model;
+use crate::math::algebra::VectorAlgebra;
 use crate::math::frame::Body;
-use crate::math::vector::{Force, Position, Torque};
-use crate::motion::model::rotor::Rotor;
+use crate::math::vector::{Force, Position};
 
 /// A thruster: a force along body axes at a point of the body, N = (r − c) × F.
 ///
@@ -19,14 +19,12 @@ pub struct Thruster {
 
 impl Law for Thruster {
     fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
-        at.in_body(self.about(at.rotor()).as_quantity())
+        let arm = self.position - at.rotor().point();
+        at.body_parameters(0, arm.as_quantity()).cross(at.body_parameters(3, self.force.as_quantity()))
     }
-}
 
-impl Thruster {
-    /// N in body axes.
-    fn about(&self, rotor: &Rotor) -> Torque<Body> {
-        (self.position - rotor.point()).cross(self.force)
+    fn parameters(&self) -> &'static [&'static str] {
+        &["position.x", "position.y", "position.z", "force.x", "force.y", "force.z"]
     }
 }
 
@@ -40,6 +38,9 @@ impl Model for Thruster {
 mod tests {
     use super::*;
     use crate::body::{InertiaTensor, MassProperties};
+    use crate::math::{AngularVelocity, Attitude, Torque};
+    use crate::motion::model::rotor::Rotor;
+    use crate::motion::model::state::State;
 
     #[test]
     fn a_force_turns_about_the_centre_of_mass_or_about_the_pivot() {
@@ -49,7 +50,8 @@ mod tests {
             Thruster { position: Position::new(1.5, 0.75, -1.0), force: Force::new(2.0, -3.0, 5.0) };
         // (1, 1, −2) × (2, −3, 5) and (2, −1, 3) × (2, −3, 5), by hand
         let pivot = Position::new(-0.5, 1.75, -4.0);
-        assert_eq!(thruster.about(&Rotor::free(&body)), Torque::new(-1.0, -9.0, -5.0));
-        assert_eq!(thruster.about(&Rotor::pivoted(&body, pivot)), Torque::new(4.0, -4.0, -4.0));
+        let state = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO };
+        assert_eq!(thruster.at(&Rotor::free(&body), &state), Torque::new(-1.0, -9.0, -5.0));
+        assert_eq!(thruster.at(&Rotor::pivoted(&body, pivot), &state), Torque::new(4.0, -4.0, -4.0));
     }
 }

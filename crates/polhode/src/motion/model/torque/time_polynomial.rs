@@ -51,14 +51,21 @@ impl TimePolynomial {
 
 impl Law for TimePolynomial {
     fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
-        let along = |c: &[f64; 3]| match self.axes {
-            TorqueAxes::Body => at.in_body(Direction::from_array(*c)),
-            TorqueAxes::Space => at.in_space(Direction::from_array(*c)),
+        let along = |(k, c): (usize, &[f64; 3])| match self.axes {
+            TorqueAxes::Body => at.body_parameters(3 * k, Direction::from_array(*c)),
+            TorqueAxes::Space => at.space_parameters(3 * k, Direction::from_array(*c)),
         };
         // Horner's scheme; what is constant does not name the time.
-        let mut falling = self.coefficients.iter().rev();
-        let Some(highest) = falling.next() else { return along(&[0.0; 3]) };
+        let mut falling = self.coefficients.iter().enumerate().rev();
+        let Some(highest) = falling.next() else { return along((0, &[0.0; 3])) };
         falling.fold(along(highest), |sum, c| sum * (at.time() - at.number(self.epoch)) + along(c))
+    }
+
+    /// Those of a cubic at most.
+    fn parameters(&self) -> &'static [&'static str] {
+        const NAMES: [&str; 12] =
+            ["c0.x", "c0.y", "c0.z", "c1.x", "c1.y", "c1.z", "c2.x", "c2.y", "c2.z", "c3.x", "c3.y", "c3.z"];
+        &NAMES[..NAMES.len().min(3 * self.coefficients.len())]
     }
 
     fn at(&self, _: &Rotor, state: &State) -> Torque<Body> {

@@ -32,9 +32,10 @@ pub struct Torsion {
 impl Law for Torsion {
     fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
         let (w, v) = at.turn_from(self.rest);
+        let stiffness = at.parameter(0, self.stiffness);
         let Some(axis) = self.wire_at_rest() else {
             // θ n̂ = 2 (arccos w/√(1 − w²)) v
-            return -(v * w.half_angle_over_sine().scaled(2.0 * self.stiffness));
+            return -(v * (w.half_angle_over_sine() * stiffness.scaled(2.0)));
         };
         // N = −κ ψ b, b = (w² ê + w ê × v + s v)/(w² + s²), s = v · ê
         let e = at.in_body(axis);
@@ -42,7 +43,11 @@ impl Law for Torsion {
         // Turned over, across its axis, a body has no twist.
         let twist_over_square = s.atan2(w).over_or_zero(w * w + s * s).scaled(2.0);
         let b = (e * w + e.cross(v)) * w + v * s;
-        -(b * twist_over_square.scaled(self.stiffness))
+        -(b * (twist_over_square * stiffness))
+    }
+
+    fn parameters(&self) -> &'static [&'static str] {
+        &["stiffness"]
     }
 }
 

@@ -10,11 +10,14 @@ use super::runge_kutta::RungeKutta;
 use super::splitting::{Splitting, SplittingOrder};
 use super::step_statistics::StepStatistics;
 use super::taylor::Taylor;
+use crate::math::frame::Body;
+use crate::math::vector::Direction;
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
+use crate::motion::model::torque::parameter::ParameterKind;
 
 /// The tightest tolerance that rounding leaves room for.
 pub const TIGHTEST_TOLERANCE: f64 = 1e-15;
@@ -234,6 +237,40 @@ impl<'a> Stepper<'a> {
             Steps::Taylor(taylor) => taylor.statistics(),
             Steps::Dop853(dop853) => dop853.statistics(),
             Steps::Splitting(splitting) => splitting.statistics(),
+        }
+    }
+
+    /// Finds the derivatives of the motion too: by its start, by the inertia and by these parameters. Taylor's method alone can.
+    pub(in crate::motion) fn differentiated(
+        mut self,
+        parameters: Vec<(&'a TorqueModel, ParameterKind)>,
+    ) -> Self {
+        if let Steps::Taylor(taylor) = &mut self.steps {
+            taylor.differentiate(parameters);
+        }
+        self
+    }
+
+    /// The derivatives at a time within the last step, column by column: θ and ω, body axes, by θ(0), ω(0), the inertia and the parameters.
+    pub(in crate::motion) fn derivatives_at(&self, time: f64) -> Vec<[f64; 6]> {
+        match &self.steps {
+            Steps::Taylor(taylor) => taylor.derivatives_at(time),
+            Steps::Dop853(_) | Steps::Splitting(_) => Vec::new(),
+        }
+    }
+
+    /// Ω and ω̇ at a time within the last step, by what acts in it, body axes.
+    pub(in crate::motion) fn rates_at(&self, time: f64) -> [Direction<Body>; 2] {
+        match &self.steps {
+            Steps::Taylor(taylor) => taylor.rates_at(time),
+            Steps::Dop853(_) | Steps::Splitting(_) => [Direction::from_array([f64::NAN; 3]); 2],
+        }
+    }
+
+    /// Adds to each column of the derivatives now its change of a time times `by`, rates of θ and ω, body axes.
+    pub(in crate::motion) fn jump(&mut self, times: &[f64], by: [Direction<Body>; 2]) {
+        if let Steps::Taylor(taylor) = &mut self.steps {
+            taylor.jump(times, by);
         }
     }
 

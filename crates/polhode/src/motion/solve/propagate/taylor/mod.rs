@@ -22,6 +22,7 @@ mod scalar;
 mod stepper;
 mod sums;
 mod torque;
+mod variations;
 
 pub(in crate::motion) use batch::{BatchBody, BatchKind, advance};
 pub(super) use stepper::Taylor;

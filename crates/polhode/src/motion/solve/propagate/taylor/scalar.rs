@@ -139,7 +139,7 @@ pub(super) const WHOLE: [f64; TERMS + MARGIN] = {
     numbers
 };
 
-/// Coefficients of f(w(t)), f(w) = arccos w/√(1 − w²), from those of w: half an angle over its sine, by the cosine.
+/// Coefficients of f(w(t)), f(w) = arccos w/√(1 − w²), half an angle over its sine, by the cosine, or of f′(w(t)): from those of w.
 ///
 /// f(w) = Σ Fₖ (w − w₀)ᵏ, and each power of w − w₀ is a series of its own. Nothing is divided by 1 − w², which may be zero.
 #[derive(Clone, Debug)]
@@ -157,25 +157,25 @@ impl<N: Number> Composition<N> {
         Self { outer: none, powers: Box::new([none; TERMS]), result: none }
     }
 
-    /// Starts a lane at w₀ ≥ 0 with f(w₀), and √(1 − w₀²).
+    /// Starts a lane at w₀ ≥ 0 with f(w₀), w₀ and √(1 − w₀²).
     ///
     /// (1 − w²) f' = w f − 1, so that (1 − w₀²)(k + 1) Fₖ₊₁ = (2k + 1) w₀ Fₖ + k Fₖ₋₁, k ≥ 1. Of its solutions, which go as (−1 − w₀)⁻ᵏ
     /// and (1 − w₀)⁻ᵏ, ours is the smaller: it is found from large k downward (Miller's algorithm, DLMF 3.6(iii)), and upward only
     /// where the two hardly differ.
-    pub(super) fn start(&mut self, lane: usize, f: f64, w: f64, sine: f64) {
+    pub(super) fn start(&mut self, lane: usize, [f, w, sine]: [f64; 3], is_slope: bool) {
         let square = sine * sine;
-        let mut outer = [0.0; TERMS];
+        let mut outer = [0.0; TERMS + 1];
         outer[0] = f;
         if w < LEAST_COSINE {
             outer[1] = (w * f - 1.0) / square;
-            for k in 1..TERMS - 1 {
+            for k in 1..TERMS {
                 let step = (2 * k + 1) as f64 * w * outer[k] + k as f64 * outer[k - 1];
                 outer[k + 1] = step / (square * (k + 1) as f64);
             }
         } else {
             let (mut above, mut here) = (0.0, 1.0);
             for k in (1..=FAR).rev() {
-                if k < TERMS {
+                if k <= TERMS {
                     outer[k] = here;
                 }
                 let below = (square * (k + 1) as f64 * above - (2 * k + 1) as f64 * w * here) / k as f64;
@@ -185,8 +185,8 @@ impl<N: Number> Composition<N> {
                 *coefficient *= f / here;
             }
         }
-        for (place, coefficient) in self.outer.iter_mut().zip(outer) {
-            place.put(lane, coefficient);
+        for (k, place) in self.outer.iter_mut().enumerate() {
+            place.put(lane, if is_slope { (k + 1) as f64 * outer[k + 1] } else { outer[k] });
         }
     }
 
@@ -247,7 +247,7 @@ mod tests {
             let value = if sine == 0.0 { 1.0 } else { half / sine };
             assert!((value - f(w0)).abs() < 1e-14, "{w0}");
             let mut composition = Composition::all(0.0);
-            composition.start(0, value, w0, sine);
+            composition.start(0, [value, w0, sine], false);
             // w = w₀ + 0.3 t − 0.7 t² + 0.2 t³
             let mut w = Scalars::all(0.0);
             w[..4].copy_from_slice(&[w0, 0.3, -0.7, 0.2]);

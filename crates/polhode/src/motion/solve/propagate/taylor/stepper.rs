@@ -5,14 +5,17 @@ use std::rc::Rc;
 use super::base::ExpansionPoint;
 use super::row::{Row, smaller};
 use super::sums::OneBody;
+use super::variations::Variations;
 use super::{Expansion, Increment, decomposed};
 use crate::math::frame::{Body, Principal, Space};
 use crate::math::machine::{Machine, Work, in_vectors};
 use crate::math::rotation::Rotation;
 use crate::math::sum::two_sum;
-use crate::math::vector::{AngularMomentum, Vector};
+use crate::math::vector::{AngularMomentum, Direction, Vector};
 use crate::motion::error::MotionError;
 use crate::motion::model::state::State;
+use crate::motion::model::torque::TorqueModel;
+use crate::motion::model::torque::parameter::ParameterKind;
 use crate::motion::solve::propagate::balanced::Balanced;
 use crate::motion::solve::propagate::noise::Noise;
 use crate::motion::solve::propagate::piece::Piece;
@@ -35,6 +38,8 @@ pub(in crate::motion::solve::propagate) struct Taylor<'a> {
     is_expanded: bool,
     /// Work and impulse at the base and now, if they are wanted.
     evidence: Option<[Balances; 2]>,
+    /// The derivatives of the motion, if they are wanted.
+    variations: Option<Box<Variations<'a>>>,
     h: f64,
     omega_scale: f64,
     /// |ω| now.
@@ -68,6 +73,7 @@ impl<'a> Taylor<'a> {
             now: 0,
             is_expanded: false,
             evidence: with_evidence.then(Default::default),
+            variations: None,
             h: 0.0,
             rate: head.rate(),
             statistics: StepStatistics::default(),
@@ -88,8 +94,48 @@ impl<'a> Taylor<'a> {
         let torques = decomposed(&piece);
         self.expansion.act(&piece, &torques);
         self.expansion.set(0, &piece, &torques);
+        if let Some(variations) = &mut self.variations {
+            variations.change(&piece, self.pack[self.now].time);
+        }
         self.piece = piece;
         self.expand()
+    }
+
+    /// Finds the derivatives of the motion from now on, by its state now, by the inertia and by these parameters.
+    pub(in crate::motion::solve::propagate) fn differentiate(
+        &mut self,
+        parameters: Vec<(&'a TorqueModel, ParameterKind)>,
+    ) {
+        let (time, order) = (self.head().time, self.expansion.order);
+        self.variations = Some(Box::new(Variations::new(&self.piece, time, order, parameters)));
+    }
+
+    /// The derivatives at a time within the last step: a column of θ and ω, body axes, by each of what they are by.
+    pub(in crate::motion::solve::propagate) fn derivatives_at(&self, time: f64) -> Vec<[f64; 6]> {
+        self.variations.as_ref().map(|variations| variations.at(time)).unwrap_or_default()
+    }
+
+    /// Changes the derivatives now, as a switch does whose time changes: see [`Variations::jump`].
+    pub(in crate::motion::solve::propagate) fn jump(&mut self, times: &[f64], by: [Direction<Body>; 2]) {
+        if let Some(variations) = &mut self.variations {
+            variations.jump(times, by);
+        }
+    }
+
+    /// Ω and ω̇ at a time within the last step, by what acts in it; body axes.
+    pub(in crate::motion::solve::propagate) fn rates_at(&self, time: f64) -> [Direction<Body>; 2] {
+        let (base, expansion) = (self.base(), &self.expansion);
+        let h = time - base.time;
+        let slope = (1..=expansion.order)
+            .rev()
+            .fold(Row::ZERO, |sum, n| expansion.omega_at(n) * Row::splat(n as f64) + sum * Row::splat(h));
+        let omega = base.plus(&expansion.after(h), time).omega();
+        // Ω = ω + α L × ω
+        let of: Direction<Principal> = omega.as_quantity();
+        let momentum: Direction<Principal> = self.piece.angular_momentum(time, omega).as_quantity();
+        let bending: Direction<Principal> = momentum.cross(of) * self.piece.sink;
+        let [x, y, z, _] = slope.0;
+        [of + bending, Direction::new(x, y, z)].map(|v| self.to_body * v)
     }
 
     /// One step forward, not beyond `until`.
@@ -128,6 +174,12 @@ impl<'a> Taylor<'a> {
         self.omega_scale = self.omega_scale.max(landing.rate);
         self.rate = landing.rate;
         self.statistics.accepted += 1;
+        if let Some(variations) = &mut self.variations {
+            let base = &self.pack[1 - self.now];
+            if !variations.expand(&self.expansion, &base.start(), &self.piece) {
+                return Err(MotionError::NoMotionDerivatives { why: "a torque has none there", time });
+            }
+        }
         Ok(())
     }
 

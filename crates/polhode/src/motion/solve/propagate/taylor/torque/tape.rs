@@ -81,7 +81,9 @@ impl<N: Number> Tape<N> {
                     norms.push(NormSeries::all(zero));
                     norms.len() - 1
                 }
-                Operation::Scalar(ScalarOperation::HalfAngleOverSine(_)) => {
+                Operation::Scalar(
+                    ScalarOperation::HalfAngleOverSine(_) | ScalarOperation::HalfAngleSlope(_),
+                ) => {
                     compositions.push(Composition::all(zero));
                     compositions.len() - 1
                 }
@@ -224,6 +226,12 @@ impl<N: Number> Tape<N> {
         }
     }
 
+    /// Coefficient n of one of the vectors, once it is known.
+    #[inline(always)]
+    pub(in super::super) fn vector_at(&self, place: usize, n: usize) -> Row<N> {
+        self.vectors[place].at(n)
+    }
+
     /// The longest step that the series is good for, s, where its coefficients do not show it.
     #[inline(always)]
     pub(in super::super) fn reach(&self, endless: N) -> N {
@@ -280,11 +288,13 @@ impl<N: Number> Tape<N> {
             }
             Op::Norm(v) => self.norms[beside].coefficient(n, &self.vectors[v]),
             Op::TurnScalar(k) => self.turns[k].coefficient(known.turn(n)).0[0],
-            Op::HalfAngleOverSine(a) => {
+            Op::HalfAngleOverSine(a) | Op::HalfAngleSlope(a) => {
+                let is_slope = matches!(operation, Op::HalfAngleSlope(_));
                 let composition = &mut self.compositions[beside];
                 if n == 0 {
-                    (0..N::LANES)
-                        .for_each(|lane| start_composition(composition, lane, rows[a][0].lane(lane)));
+                    (0..N::LANES).for_each(|lane| {
+                        start_composition(composition, lane, rows[a][0].lane(lane), is_slope);
+                    });
                 }
                 composition.extend(&rows[a], n);
                 composition.series()[n]
@@ -406,10 +416,10 @@ impl<N: Number> TurnSeries<N> {
     }
 }
 
-/// A lane of f(w) = arccos w/√(1 − w²) at the w that a step starts from.
-fn start_composition<N: Number>(composition: &mut Composition<N>, lane: usize, w: f64) {
+/// A lane of f(w) = arccos w/√(1 − w²), or of its derivative, at the w that a step starts from.
+fn start_composition<N: Number>(composition: &mut Composition<N>, lane: usize, w: f64, is_slope: bool) {
     let sine = ((1.0 - w) * (1.0 + w)).max(0.0).sqrt();
-    composition.start(lane, w.half_angle_over_sine(), w, sine);
+    composition.start(lane, [w.half_angle_over_sine(), w, sine], is_slope);
 }
 
 impl Constant {

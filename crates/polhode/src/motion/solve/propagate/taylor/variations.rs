@@ -1,0 +1,370 @@
+//! The derivatives of a motion, as power series beside its own.
+//!
+//! A small turn θ about the principal axes and a change δω of ω, with what changes them, follow
+//!
+//! θ̇ = θ × Ω + δΩ,  I δω̇ = δ(L × Ω + N) − δI ω̇
+//!
+//! δΩ and δ(L × Ω + N) are linear in θ, δω and what is changed; the graph of [`Linearization`] has the series of what they are multiplied
+//! by. Each column of the derivatives is a solution: six begin with a unit of θ and ω, the others with zero and have a source. Eight
+//! columns are side by side.
+
+use super::Expansion;
+use super::recurrence::over;
+use super::row::{Row, TERMS, Vectors};
+use super::sums::OneBody;
+use super::torque::{Known, StepStart, Tape, row};
+use crate::math::frame::{Body, Principal};
+use crate::math::lanes::Lanes;
+use crate::math::machine::{Machine, Work, in_vectors};
+use crate::math::number::Number;
+use crate::math::rotation::Rotation;
+use crate::math::symmetric3::Symmetric3;
+use crate::math::vector::Direction;
+use crate::motion::model::torque::TorqueModel;
+use crate::motion::model::torque::linearization::{Linearization, Slope};
+use crate::motion::model::torque::parameter::ParameterKind;
+use crate::motion::solve::propagate::piece::Piece;
+
+/// Columns by the start, and by the inertia; those by parameters come after them.
+const OF_STATE: usize = 6;
+const OF_INERTIA: usize = 6;
+
+/// Columns side by side.
+const WIDTH: usize = 8;
+
+/// θ and δω of eight columns, row by row, principal axes.
+type Rows = [Lanes<WIDTH>; 6];
+
+const NO_ROWS: Rows = [Lanes([0.0; WIDTH]); 6];
+
+/// The derivatives of the motion of one body over one step.
+#[derive(Clone, Debug)]
+pub(super) struct Variations<'a> {
+    parameters: Vec<(&'a TorqueModel, ParameterKind)>,
+    to_body: Rotation<Body, Principal>,
+    tape: Box<Tape<f64>>,
+    by_state: [Slope; OF_STATE],
+    /// By the inertia and by the parameters.
+    by_others: Vec<Slope>,
+    /// What one of each element is of the tensor along principal axes.
+    of_inertia: [[[f64; 3]; 3]; OF_INERTIA],
+    equations: Equations,
+    omega: Box<Vectors>,
+    rates: Vec<Rates>,
+    blocks: Vec<Block>,
+    /// Where the series begin, s; there are none yet if it is not known.
+    expanded_at: Option<f64>,
+    order: usize,
+}
+
+/// Which parts the equations have.
+#[derive(Clone, Copy, Debug)]
+struct Equations {
+    has_friction: bool,
+    has_attitude: bool,
+}
+
+/// A coefficient of what θ and δω are multiplied by.
+#[derive(Clone, Copy, Debug, Default)]
+struct Rates {
+    /// Ω and −Ω
+    turning: [[f64; 3]; 2],
+    /// Rows of ∂Ω/∂ω; without friction it is 1, and not here.
+    bending: [[f64; 3]; 3],
+    /// Rows of I⁻¹ ∂(L × Ω + N)/∂θ and ∂/∂ω.
+    of_attitude: [[f64; 3]; 3],
+    of_omega: [[f64; 3]; 3],
+}
+
+/// The series of eight columns, and those of their sources.
+#[derive(Clone, Debug)]
+struct Block {
+    series: Vec<Rows>,
+    sources: Vec<Rows>,
+}
+
+impl<'a> Variations<'a> {
+    /// Of a motion that starts now, by these parameters too.
+    pub(super) fn new(
+        piece: &Piece<'_>,
+        time: f64,
+        order: usize,
+        parameters: Vec<(&'a TorqueModel, ParameterKind)>,
+    ) -> Self {
+        let to_body = piece.rotor.principal().rotation();
+        let to_principal = to_body.inverse();
+        let count = OF_STATE + OF_INERTIA + parameters.len();
+        let block = Block { series: vec![NO_ROWS; TERMS], sources: vec![NO_ROWS; TERMS] };
+        let mut blocks = vec![block; count.div_ceil(WIDTH)];
+        for column in 0..OF_STATE {
+            let axis = Direction::<Body>::from_array([0, 1, 2].map(|k| f64::from(u8::from(k == column % 3))));
+            let along = (to_principal * axis).to_array();
+            let first = 3 * (column / 3);
+            for (place, x) in blocks[0].series[0][first..first + 3].iter_mut().zip(along) {
+                place.put(column, x);
+            }
+        }
+        let of_inertia = core::array::from_fn(|element| {
+            let elements = core::array::from_fn(|k| f64::from(u8::from(k == element)));
+            Symmetric3::from_elements(elements).rotated(&to_principal.matrix()).rows()
+        });
+        let (tape, by_state, by_others, equations) = recorded(piece, time, &parameters);
+        Self {
+            parameters,
+            to_body,
+            tape,
+            by_state,
+            by_others,
+            of_inertia,
+            equations,
+            omega: Box::new(Vectors::all(0.0)),
+            rates: vec![Rates::default(); TERMS],
+            blocks,
+            expanded_at: None,
+            order,
+        }
+    }
+
+    /// Goes on from a time with what acts from now on.
+    pub(super) fn change(&mut self, piece: &Piece<'_>, time: f64) {
+        self.rest(time);
+        (self.tape, self.by_state, self.by_others, self.equations) = recorded(piece, time, &self.parameters);
+    }
+
+    /// Adds to each column its change of the time of a switch times what that does to the rates of θ and ω, body axes.
+    pub(super) fn jump(&mut self, times: &[f64], by: [Direction<Body>; 2]) {
+        let [turning, acceleration] = by.map(|v| (self.to_body.inverse() * v).to_array());
+        let rates = [turning, acceleration].concat();
+        for (block, times) in self.blocks.iter_mut().zip(times.chunks(WIDTH)) {
+            for (row, rate) in block.series[0].iter_mut().zip(&rates) {
+                for (lane, time) in times.iter().enumerate() {
+                    row.put(lane, row.lane(lane) + rate * time);
+                }
+            }
+        }
+    }
+
+    /// Expands the derivatives about the start of a step, whose motion is expanded already; false where they are no numbers.
+    pub(super) fn expand(&mut self, expansion: &Expansion, start: &StepStart, piece: &Piece<'_>) -> bool {
+        self.rest(start.time);
+        self.tape.start(start);
+        self.tape.start_wheels(0, [row(piece.wheel_momentum(start.time)), row(piece.motor_torque())]);
+        in_vectors(Expand { variations: self, expansion });
+        self.expanded_at = Some(start.time);
+        let last = self.blocks.iter().flat_map(|block| &block.series[self.order]);
+        last.fold(0.0, |sum, row| row.0.iter().fold(sum, |sum, x| sum + x * 0.0)) == 0.0
+    }
+
+    /// All columns at a time within the step: θ and ω, body axes.
+    pub(super) fn at(&self, time: f64) -> Vec<[f64; 6]> {
+        let blocks = self.sums(time);
+        let count = OF_STATE + self.by_others.len();
+        let column = |k: usize| {
+            let at = |row: usize| blocks[k / WIDTH][row].lane(k % WIDTH);
+            let along = |first: usize| {
+                let v = Direction::<Principal>::new(at(first), at(first + 1), at(first + 2));
+                (self.to_body * v).to_array()
+            };
+            let ([a, b, c], [d, e, f]) = (along(0), along(3));
+            [a, b, c, d, e, f]
+        };
+        (0..count).map(column).collect()
+    }
+
+    /// Begins anew at a time within the last step.
+    fn rest(&mut self, time: f64) {
+        if self.expanded_at.is_some_and(|start| start != time) {
+            let there = self.sums(time);
+            for (block, there) in self.blocks.iter_mut().zip(there) {
+                block.series[0] = there;
+            }
+        }
+        self.expanded_at = None;
+    }
+
+    fn sums(&self, time: f64) -> Vec<Rows> {
+        match self.expanded_at {
+            Some(start) if start != time => {
+                let mut sums = vec![NO_ROWS; self.blocks.len()];
+                in_vectors(Sum { variations: self, h: time - start, sums: &mut sums });
+                sums
+            }
+            _ => self.blocks.iter().map(|block| block.series[0]).collect(),
+        }
+    }
+
+    /// Finds what θ and δω are multiplied by, and the sources.
+    #[inline(always)]
+    fn linearize<S: Machine>(&mut self, s: S, expansion: &Expansion) {
+        for n in 0..=self.order {
+            self.omega.set(n, expansion.omega_at(n));
+        }
+        let turning = expansion.inside.as_ref().map_or(&*self.omega, |inside| &inside.turning);
+        let known = Known { s: OneBody(s), omega: &self.omega, turning, motion: &expansion.motion };
+        let inverses = expansion.inverses;
+        for n in 0..self.order {
+            let tape = &mut self.tape;
+            tape.coefficient(n, &known);
+            tape.extend(n, &known);
+            let at = |place: Option<usize>| place.map_or(Row::ZERO, |place| tape.vector_at(place, n));
+            let [x, y, z, _] = turning.rows.at(n).0;
+            let rates = &mut self.rates[n];
+            rates.turning = [[x, y, z], [-x, -y, -z]];
+            for (k, slope) in self.by_state.iter().enumerate() {
+                let (torque, bending) = (inverses * at(slope.torque), at(slope.turning));
+                let matrix = if k < 3 { &mut rates.of_attitude } else { &mut rates.of_omega };
+                for i in 0..3 {
+                    matrix[i][k % 3] = torque.0[i];
+                    if k >= 3 {
+                        rates.bending[i][k % 3] = bending.0[i];
+                    }
+                }
+            }
+            // (n + 1) ωₙ₊₁ is coefficient n of ω̇.
+            let [a, b, c, _] = self.omega.rows.at(n + 1).0.map(|x| x * (n + 1) as f64);
+            for (k, slope) in self.by_others.iter().enumerate() {
+                let of = self.of_inertia.get(k).map_or(Row::ZERO, |rows| {
+                    let [x, y, z] = rows.map(|[d, e, f]| d * a + e * b + f * c);
+                    Row([x, y, z, 0.0])
+                });
+                let (torque, bending) = (inverses * (at(slope.torque) - of), at(slope.turning));
+                let column = OF_STATE + k;
+                let rows = &mut self.blocks[column / WIDTH].sources[n];
+                for i in 0..3 {
+                    rows[i].put(column % WIDTH, bending.0[i]);
+                    rows[3 + i].put(column % WIDTH, torque.0[i]);
+                }
+            }
+        }
+    }
+}
+
+/// What acts, as a graph of its derivatives.
+fn recorded(
+    piece: &Piece<'_>,
+    time: f64,
+    parameters: &[(&TorqueModel, ParameterKind)],
+) -> (Box<Tape<f64>>, [Slope; OF_STATE], Vec<Slope>, Equations) {
+    // What acts of a torque is a part of it, such as a piece of a table.
+    let acting: Vec<_> = parameters
+        .iter()
+        .map(|(torque, kind)| {
+            let part = torque.acting(time)?;
+            let acts = piece.torques.iter().any(|acting| core::ptr::eq(*acting, part));
+            acts.then_some((part, *kind))
+        })
+        .collect();
+    let Linearization { graph, by_state, by_inertia, by_parameters } =
+        Linearization::of(piece.rotor, &piece.torques, &acting);
+    let mut tape = Box::new(Tape::of(0.0, &graph));
+    tape.set(0, &graph, piece.rotor);
+    let equations = Equations {
+        has_friction: piece.sink != 0.0,
+        has_attitude: by_state[..3].iter().any(|slope| slope.torque.is_some()),
+    };
+    (tape, by_state, by_inertia.into_iter().chain(by_parameters).collect(), equations)
+}
+
+/// The series of one step.
+struct Expand<'v, 'a> {
+    variations: &'v mut Variations<'a>,
+    expansion: &'v Expansion,
+}
+
+impl Work for Expand<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Machine>(self, s: S) {
+        let Self { variations, expansion } = self;
+        s.apart(
+            #[inline(always)]
+            || variations.linearize(s, expansion),
+        );
+        let Variations { equations, blocks, rates, order, .. } = variations;
+        let (rates, order) = (&rates[..*order], *order);
+        for block in blocks {
+            match (equations.has_friction, equations.has_attitude) {
+                (false, false) => block.extend::<S, false, false>(s, rates, order),
+                (false, true) => block.extend::<S, false, true>(s, rates, order),
+                (true, _) => block.extend::<S, true, true>(s, rates, order),
+            }
+        }
+    }
+}
+
+impl Block {
+    /// (n + 1) xₙ₊₁ = Σₖ Aₖ xₙ₋ₖ + bₙ
+    #[inline(always)]
+    fn extend<S: Machine, const FRICTION: bool, const ATTITUDE: bool>(
+        &mut self,
+        s: S,
+        rates: &[Rates],
+        order: usize,
+    ) {
+        let Self { series, sources } = self;
+        for n in 0..order {
+            let load = |rows: &Rows| rows.map(|row| s.load_eight(&row.0));
+            let mut sums = load(&sources[n]);
+            for (a, x) in rates[..=n].iter().zip(series[..=n].iter().rev()).rev() {
+                sums = plus::<S, FRICTION, ATTITUDE>(s, sums, a, load(x));
+            }
+            if !FRICTION {
+                for k in 0..3 {
+                    sums[k] = sums[k] + s.load_eight(&series[n][3 + k].0);
+                }
+            }
+            series[n + 1] = sums.map(|sum| Lanes(s.eight_numbers(over(sum, n + 1))));
+        }
+    }
+}
+
+/// Plus θ × Ω and what is linear in θ and δω.
+#[inline(always)]
+fn plus<S: Machine, const FRICTION: bool, const ATTITUDE: bool>(
+    s: S,
+    mut sums: [S::Eight; 6],
+    a: &Rates,
+    x: [S::Eight; 6],
+) -> [S::Eight; 6] {
+    let [plus, minus] = a.turning;
+    for i in 0..3 {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        sums[i] = x[j].mul_add(s.eight(plus[k]), sums[i]);
+        sums[i] = x[k].mul_add(s.eight(minus[j]), sums[i]);
+        for j in 0..3 {
+            if FRICTION {
+                sums[i] = x[3 + j].mul_add(s.eight(a.bending[i][j]), sums[i]);
+            }
+            if ATTITUDE {
+                sums[3 + i] = x[j].mul_add(s.eight(a.of_attitude[i][j]), sums[3 + i]);
+            }
+            sums[3 + i] = x[3 + j].mul_add(s.eight(a.of_omega[i][j]), sums[3 + i]);
+        }
+    }
+    sums
+}
+
+/// The sums of all series.
+struct Sum<'v, 'a> {
+    variations: &'v Variations<'a>,
+    h: f64,
+    sums: &'v mut [Rows],
+}
+
+impl Work for Sum<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Machine>(self, s: S) {
+        let (h, order) = (s.eight(self.h), self.variations.order);
+        for (block, sums) in self.variations.blocks.iter().zip(self.sums) {
+            for (k, sum) in sums.iter_mut().enumerate() {
+                let coefficient = |rows: &Rows| s.load_eight(&rows[k].0);
+                let terms = block.series[..order].iter().rev().map(coefficient);
+                let last = coefficient(&block.series[order]);
+                *sum = Lanes(s.eight_numbers(terms.fold(last, |sum, c| sum.mul_add(h, c))));
+            }
+        }
+    }
+}

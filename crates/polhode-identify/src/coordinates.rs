@@ -27,6 +27,8 @@ pub(crate) enum Part {
     Positive,
     /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz of a possible body, about its centre of mass.
     Tensor,
+    /// xx, yy, zz, xy, xz, yz of a symmetric matrix that is positive semidefinite.
+    Positive3,
     /// m, m c, and the tensor about the origin, of a possible body.
     Body,
 }
@@ -37,7 +39,7 @@ impl Part {
         match self {
             Self::Free(count) => count,
             Self::Positive => 1,
-            Self::Tensor => 6,
+            Self::Tensor | Self::Positive3 => 6,
             Self::Body => 10,
         }
     }
@@ -61,6 +63,7 @@ impl Coordinates {
                 Part::Free(_) => all.extend_from_slice(numbers),
                 Part::Positive => all.push(libm::log(numbers[0])),
                 Part::Tensor => all.extend(factor(moments_of(six(numbers)))),
+                Part::Positive3 => all.extend(factor(six(numbers))),
                 Part::Body => {
                     let m = numbers[0];
                     let center = [1, 2, 3].map(|k| numbers[k] / m);
@@ -83,6 +86,7 @@ impl Coordinates {
                 Part::Free(_) => all.extend_from_slice(x),
                 Part::Positive => all.push(libm::exp(x[0])),
                 Part::Tensor => all.extend(tensor_of(product(&upper(six(x))))),
+                Part::Positive3 => all.extend(product(&upper(six(x)))),
                 Part::Body => {
                     let m = libm::exp(x[0]);
                     let c = [x[1], x[2], x[3]];
@@ -107,7 +111,8 @@ impl Coordinates {
             match part {
                 Part::Free(count) => (0..count).for_each(|k| set(k, k, 1.0)),
                 Part::Positive => set(0, 0, libm::exp(x[0])),
-                Part::Tensor => tensor_columns(six(x), &mut set),
+                Part::Tensor => product_columns(six(x), tensor_of, &mut set),
+                Part::Positive3 => product_columns(six(x), |g| g, &mut set),
                 Part::Body => {
                     let m = libm::exp(x[0]);
                     let c = [x[1], x[2], x[3]];
@@ -123,7 +128,9 @@ impl Coordinates {
                         let both = tensor_of(outer(unit, c, 2.0 * m));
                         (0..6).for_each(|k| set(4 + k, 1 + j, both[k]));
                     }
-                    tensor_columns(six(&x[4..]), &mut |row, column, value| set(4 + row, 4 + column, value));
+                    product_columns(six(&x[4..]), tensor_of, &mut |row, column, value| {
+                        set(4 + row, 4 + column, value);
+                    });
                 }
             }
             at += count;
@@ -182,8 +189,8 @@ fn product(u: &[[f64; 3]; 3]) -> Six {
     PLACES.map(|(i, j)| (0..3).map(|k| u[i][k] * u[j][k]).sum())
 }
 
-/// ∂I/∂(a … f): dG = dU Uᵀ + U dUᵀ
-fn tensor_columns(x: Six, set: &mut impl FnMut(usize, usize, f64)) {
+/// ∂/∂(a … f) of a linear function of G: dG = dU Uᵀ + U dUᵀ
+fn product_columns(x: Six, linear: impl Fn(Six) -> Six, set: &mut impl FnMut(usize, usize, f64)) {
     let u = upper(x);
     for (column, &(row, k)) in PLACES.iter().enumerate() {
         let size = if row == k { u[row][k] } else { 1.0 };
@@ -193,7 +200,7 @@ fn tensor_columns(x: Six, set: &mut impl FnMut(usize, usize, f64)) {
             let other = if j == row { u[i][k] } else { 0.0 };
             size * (one + other)
         });
-        for (element, value) in tensor_of(g).into_iter().enumerate() {
+        for (element, value) in linear(g).into_iter().enumerate() {
             set(element, column, value);
         }
     }
@@ -252,9 +259,10 @@ mod tests {
 
     #[test]
     fn the_jacobian_is_that_of_differences() {
-        let all = Coordinates::new(vec![Part::Body, Part::Positive, Part::Tensor]);
+        let all = Coordinates::new(vec![Part::Body, Part::Positive, Part::Tensor, Part::Positive3]);
         let mut numbers = body();
         numbers.push(0.25);
+        numbers.extend(TENSOR);
         numbers.extend(TENSOR);
         let x = all.of(&numbers);
         let jacobian = all.jacobian(&x);

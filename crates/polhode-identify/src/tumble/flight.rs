@@ -1,6 +1,8 @@
 //! What was measured of a body while nothing but itself turned it.
 
 use polhode::math::{AngularVelocity, Attitude, Body};
+use polhode::motion::Wheel;
+use polhode::motion::torque::TorqueModel;
 
 use crate::error::IdentifyError;
 
@@ -11,6 +13,8 @@ pub struct Flight {
     gyro: Vec<GyroReading>,
     attitudes: Vec<AttitudeReading>,
     added: [f64; 6],
+    wheels: Vec<Wheel>,
+    torques: Vec<TorqueModel>,
 }
 
 /// A reading of a gyro.
@@ -67,7 +71,7 @@ impl Flight {
         }
         ascending(gyro.iter().map(|reading| reading.time))?;
         ascending(attitudes.iter().map(|reading| reading.time))?;
-        Ok(Self { name: name.into(), gyro, attitudes, added: [0.0; 6] })
+        Ok(Self { name: name.into(), gyro, attitudes, added: [0.0; 6], wheels: Vec::new(), torques: Vec::new() })
     }
 
     /// The same flight of the body with something added whose tensor is known: Ixx, Iyy, Izz, Ixy, Ixz, Iyz by which the tensor about the common centre of mass is
@@ -75,6 +79,18 @@ impl Flight {
     #[must_use]
     pub fn with_added(self, added: [f64; 6]) -> Self {
         Self { added, ..self }
+    }
+
+    /// The same flight with wheels that turn in the body with known momentum: they say how large the moments are.
+    #[must_use]
+    pub fn with_wheels(self, wheels: Vec<Wheel>) -> Self {
+        Self { wheels, ..self }
+    }
+
+    /// The same flight under known torques: they say how large the moments are.
+    #[must_use]
+    pub fn with_torques(self, torques: Vec<TorqueModel>) -> Self {
+        Self { torques, ..self }
     }
 
     /// What it is called.
@@ -97,6 +113,21 @@ impl Flight {
         self.added
     }
 
+    /// The wheels that turn in the body.
+    pub fn wheels(&self) -> &[Wheel] {
+        &self.wheels
+    }
+
+    /// The torques that are known.
+    pub fn torques(&self) -> &[TorqueModel] {
+        &self.torques
+    }
+
+    /// True if something known in it says how large the moments are.
+    pub(crate) fn has_scale(&self) -> bool {
+        self.added != [0.0; 6] || !self.wheels.is_empty() || !self.torques.is_empty()
+    }
+
     /// The first and the last time, s.
     pub(crate) fn span(&self) -> [f64; 2] {
         let times = self.gyro.iter().map(|r| r.time).chain(self.attitudes.iter().map(|r| r.time));
@@ -108,12 +139,7 @@ impl Flight {
         let inside = |time: f64| (from..=to).contains(&time);
         let gyro: Vec<_> = self.gyro.iter().copied().filter(|r| inside(r.time)).collect();
         let attitudes: Vec<_> = self.attitudes.iter().copied().filter(|r| inside(r.time)).collect();
-        (gyro.len().max(attitudes.len()) >= LEAST_READINGS).then(|| Self {
-            name: self.name.clone(),
-            gyro,
-            attitudes,
-            added: self.added,
-        })
+        (gyro.len().max(attitudes.len()) >= LEAST_READINGS).then(|| Self { gyro, attitudes, ..self.clone() })
     }
 }
 

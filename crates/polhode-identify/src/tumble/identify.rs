@@ -1,11 +1,12 @@
 //! From flights to the body.
 
 use polhode::math::{Body, Rotation};
+use polhode::motion::torque::DragLaw;
 
 use super::first_guess::{Rates, tensor_with_scale, tracked_axes};
 use super::flight::Flight;
 use super::model::{CHANNELS, Reference, Tumbles};
-use super::motion::state_at;
+use super::motion::turn;
 use super::noise::deviation;
 use super::sensor::GyroErrors;
 use super::tumble::Tumble;
@@ -18,6 +19,8 @@ use crate::least_squares::{Outliers, Place, Solution, fit, fit_robustly};
 pub struct TumbleOptions {
     /// What is found of the gyro.
     pub gyro: GyroErrors,
+    /// Drag that is found with the body, and how it grows with ω: its matrix along the gyro's axes.
+    pub drag: Option<DragLaw>,
     /// Standard deviation of a gyro's component, rad/s; found from the readings if none is given.
     pub gyro_noise: Option<f64>,
     /// Standard deviation of a component of the attitude, rad; it has to be given if there are attitudes.
@@ -30,7 +33,7 @@ impl Default for TumbleOptions {
     /// A bias, noise that is found, outliers beyond 6 standard deviations.
     fn default() -> Self {
         let gyro = GyroErrors { bias: true, ..GyroErrors::default() };
-        Self { gyro, gyro_noise: None, attitude_noise: None, outlier: 6.0 }
+        Self { gyro, drag: None, gyro_noise: None, attitude_noise: None, outlier: 6.0 }
     }
 }
 
@@ -53,7 +56,7 @@ pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<T
     let has_attitudes = flights.iter().any(|flight| !flight.attitudes().is_empty());
     let gyro = if has_gyro { options.gyro } else { GyroErrors::default() };
     let given: usize = flights.iter().map(|f| CHANNELS * (f.gyro().len() + f.attitudes().len())).sum();
-    let needed = 1 + 6 + gyro.count() + flights.len() * 3;
+    let needed = 7 + gyro.count() + if options.drag.is_some() { 6 } else { 0 } + flights.len() * 3;
     if given < needed {
         return Err(IdentifyError::TooFew { what: "measured numbers in flights", given, needed });
     }
@@ -68,15 +71,26 @@ pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<T
     let tracked = (has_gyro && has_attitudes).then(|| tracked_axes(flights));
 
     let mut shared = tensor_with_scale(flights).to_vec();
+    if options.drag.is_some() {
+        shared.extend(first_drag(&shared));
+    }
     shared.extend(vec![0.0; gyro.count() + if tracked.is_some() { 3 } else { 0 }]);
-    let mut turn = FIRST_TURN;
+    let mut most = FIRST_TURN;
     let mut states = Vec::new();
     loop {
-        let pieces = pieces(flights, turn);
+        let pieces = pieces(flights, most);
         let is_whole = pieces.len() == flights.len();
         let cut: Vec<Flight> = pieces.iter().map(|piece| piece.flight.clone()).collect();
-        let references = cut.iter().map(Reference::of).collect();
-        let problem = Tumbles { flights: &cut, references, gyro, gyro_noise, attitude_noise, tracked };
+        let references = cut.iter().map(|flight| Reference::of(flight, gyro.clock)).collect();
+        let problem = Tumbles {
+            flights: &cut,
+            references,
+            gyro,
+            gyro_noise,
+            attitude_noise,
+            drag: options.drag,
+            tracked,
+        };
         let coordinates = coordinates(&problem);
         let local = (0..cut.len()).map(|k| first_local(&problem, k, &pieces[k], &states, &shared)).collect();
         let place = Place { shared: coordinates.of(&shared), local };
@@ -92,13 +106,22 @@ pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<T
         states = (0..cut.len())
             .map(|k| (pieces[k].number, cut[k].span(), problem.state(k, &found.place.local[k])))
             .collect();
-        turn *= GROWTH;
+        most *= GROWTH;
     }
 }
 
 /// The parts of the shared numbers.
 fn coordinates(problem: &Tumbles<'_>) -> Coordinates {
-    Coordinates::new(vec![Part::Tensor, Part::Free(problem.shared() - 6)])
+    let mut parts = vec![Part::Tensor];
+    parts.extend(problem.drag.map(|_| Part::Positive3));
+    parts.push(Part::Free(problem.shared() - 6 - problem.drag_count()));
+    Coordinates::new(parts)
+}
+
+/// Of drag that takes a hundredth of the rate in a second.
+fn first_drag(tensor: &[f64]) -> [f64; 6] {
+    let mean = (tensor[0] + tensor[1] + tensor[2]) / 3.0;
+    [0.01 * mean, 0.01 * mean, 0.01 * mean, 0.0, 0.0, 0.0]
 }
 
 fn gyro_noise(flights: &[Flight], options: &TumbleOptions) -> Result<f64, IdentifyError> {
@@ -151,20 +174,16 @@ fn pieces(flights: &[Flight], turn: f64) -> Vec<Piece> {
 }
 
 impl Reference {
-    /// The middle of a flight, at a measured attitude if there is one.
-    fn of(flight: &Flight) -> Self {
-        let [from, to] = flight.span();
-        let middle = 0.5 * (from + to);
-        let nearest = flight
-            .attitudes()
-            .iter()
-            .min_by(|a, b| (a.time - middle).abs().total_cmp(&(b.time - middle).abs()));
-        nearest.map_or(Self { time: middle, attitude: Rotation::identity() }, |reading| Self {
-            time: reading.time,
-            attitude: reading.attitude,
-        })
+    /// The start of a flight, with the first attitude that was measured. A clock that is found may move readings to before the first.
+    fn of(flight: &Flight, clock: bool) -> Self {
+        let [from, _] = flight.span();
+        let attitude = flight.attitudes().first().map_or_else(Rotation::identity, |reading| reading.attitude);
+        Self { time: if clock { from - MOST_CLOCK } else { from }, attitude }
     }
 }
+
+/// How far a clock that is found may be off, s.
+const MOST_CLOCK: f64 = 0.25;
 
 /// A flight's own numbers to begin with: from the shorter piece that was fitted around its reference, or from the readings there.
 fn first_local(
@@ -179,13 +198,14 @@ fn first_local(
         .iter()
         .filter(|(number, ..)| *number == piece.number)
         .min_by(|(_, a, _), (_, b, _)| beyond(*a, time).total_cmp(&beyond(*b, time)));
-    let fitted = around.and_then(|(.., state)| state_at(&problem.tensor(k, shared), *state, time).ok());
+    let fitted = around.and_then(|(.., state)| problem.flown(k, shared).state_at(*state, time).ok());
     let omega = fitted.map_or_else(|| Rates::of(&piece.flight).at(time), |state| state.omega.to_array());
     let mut local = omega.to_vec();
     if problem.local(k) == 6 {
-        // The measured attitude is that of the tracked axes: R = R_measured A⁻¹
+        // The first attitude is that of the tracked axes, and a little later: R = R_measured A⁻¹ exp(−ω Δt)
         let axes: Rotation<Body, Body> = problem.tracked.unwrap_or_else(Rotation::identity);
-        local.extend(axes.inverse().log().to_array());
+        let later = piece.flight.attitudes().first().map_or(0.0, |reading| reading.time - time);
+        local.extend((axes.inverse() * turn(omega.map(|w| -w * later))).log().to_array());
     }
     local
 }
@@ -196,11 +216,11 @@ fn beyond([from, to]: [f64; 2], time: f64) -> f64 {
 }
 
 fn scale_to_greatest(problem: &Tumbles<'_>, coordinates: &Coordinates, found: &mut Solution) {
-    if problem.flights.iter().any(|flight| flight.added() != [0.0; 6]) {
+    if problem.flights.iter().any(Flight::has_scale) {
         return;
     }
     let (moments, _) = polhode::math::symmetric_eigen(core::array::from_fn(|k| found.shared[k]));
     let greatest = moments.iter().fold(f64::MIN_POSITIVE, |most, &moment| most.max(moment));
-    found.shared[..6].iter_mut().for_each(|element| *element /= greatest);
+    found.shared[..6 + problem.drag_count()].iter_mut().for_each(|element| *element /= greatest);
     found.place.shared = coordinates.of(&found.shared);
 }

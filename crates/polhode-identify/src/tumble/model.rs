@@ -3,16 +3,17 @@
 use nalgebra::{Matrix3, Vector3};
 use polhode::math::{AngularVelocity, Attitude, Body, Rotation};
 use polhode::motion::State;
+use polhode::motion::torque::DragLaw;
 
 use super::flight::Flight;
-use super::motion::{derived, turned};
+use super::motion::{Flown, turn, turned};
 use super::sensor::GyroErrors;
 use crate::error::IdentifyError;
 use crate::least_squares::{Problem, Rows};
 
 /// Flights, and what predicts their readings.
 ///
-/// Shared numbers: the tensor's six elements, what is found of the gyro, and the tracked axes in the gyro's, as a rotation vector. Each flight's own: ω at
+/// Shared numbers: the tensor's six elements, drag's if there is any, what is found of the gyro, and the tracked axes in the gyro's, as a rotation vector. Each flight's own: ω at
 /// its reference time and, if attitudes were measured, a rotation vector by which the attitude there differs from the reference.
 pub(crate) struct Tumbles<'a> {
     pub(crate) flights: &'a [Flight],
@@ -22,6 +23,8 @@ pub(crate) struct Tumbles<'a> {
     pub(crate) gyro_noise: f64,
     /// rad
     pub(crate) attitude_noise: f64,
+    /// How drag grows with ω, if there is any.
+    pub(crate) drag: Option<DragLaw>,
     /// The tracked axes, to begin with; `None` if they are the gyro's.
     pub(crate) tracked: Option<Rotation<Body, Body>>,
 }
@@ -38,9 +41,24 @@ pub(crate) struct Reference {
 pub(crate) const CHANNELS: usize = 3;
 
 impl Tumbles<'_> {
+    /// How many numbers drag has.
+    pub(crate) const fn drag_count(&self) -> usize {
+        if self.drag.is_some() { 6 } else { 0 }
+    }
+
+    /// Where the gyro's numbers begin.
+    const fn gyro_from(&self) -> usize {
+        6 + self.drag_count()
+    }
+
+    /// Where the tracked axes' numbers begin.
+    const fn axes_from(&self) -> usize {
+        self.gyro_from() + self.gyro.count()
+    }
+
     /// How many numbers all flights share.
-    pub(crate) fn shared(&self) -> usize {
-        6 + self.gyro.count() + if self.tracked.is_some() { 3 } else { 0 }
+    pub(crate) const fn shared(&self) -> usize {
+        self.axes_from() + if self.tracked.is_some() { 3 } else { 0 }
     }
 
     /// How many a flight has of its own.
@@ -55,10 +73,94 @@ impl Tumbles<'_> {
         State { time, attitude, omega: AngularVelocity::from_array([local[0], local[1], local[2]]) }
     }
 
-    /// The tensor of a flight.
-    pub(crate) fn tensor(&self, flight: usize, shared: &[f64]) -> [f64; 6] {
-        let added = self.flights[flight].added();
-        core::array::from_fn(|k| shared[k] + added[k])
+    /// What flies.
+    pub(crate) fn flown(&self, flight: usize, shared: &[f64]) -> Flown<'_> {
+        let flight = &self.flights[flight];
+        let added = flight.added();
+        Flown {
+            tensor: core::array::from_fn(|k| shared[k] + added[k]),
+            drag: self.drag.map(|law| (law, core::array::from_fn(|k| shared[6 + k]))),
+            wheels: flight.wheels(),
+            torques: flight.torques(),
+        }
+    }
+
+    fn gyro_rows(
+        &self,
+        (flown, start): (&Flown<'_>, State),
+        flight: &Flight,
+        shared: &[f64],
+        rows: &mut Rows,
+    ) -> Result<(), IdentifyError> {
+        let gyro = self.gyro.gyro(&shared[self.gyro_from()..self.axes_from()]);
+        let (matrix, noise) = (gyro.matrix(), self.gyro_noise);
+        let times: Vec<f64> = flight.gyro().iter().map(|r| r.time + gyro.clock).collect();
+        for (reading, at) in flight.gyro().iter().zip(flown.derived(start, &times)?) {
+            rows.begin_measurement();
+            let (omega, read) = (at.of.state.omega.to_array(), reading.omega.to_array());
+            let predicted = gyro.reading(omega);
+            let by_gyro = self.gyro.derivatives(&gyro, omega, acceleration(&flown.tensor, omega));
+            for i in 0..CHANNELS {
+                let (own, all) = rows.push((read[i] - predicted[i]) / noise);
+                for k in 0..3 {
+                    let turn = matrix[i][k] / noise;
+                    let (start, inertia) = (&at.of.by_start[3 + k], &at.of.by_inertia[3 + k]);
+                    add(&mut own[..3], &start[3..], turn);
+                    if own.len() > 3 {
+                        add(&mut own[3..], &start[..3], turn);
+                    }
+                    add(&mut all[..6], inertia, turn);
+                    if self.drag.is_some() {
+                        add(&mut all[6..12], &at.by_drag[3 + k], turn);
+                    }
+                }
+                add(&mut all[self.gyro_from()..self.axes_from()], &by_gyro[i], 1.0 / noise);
+            }
+        }
+        Ok(())
+    }
+
+    fn attitude_rows(
+        &self,
+        (flown, start): (&Flown<'_>, State),
+        (flight, local): (&Flight, &[f64]),
+        shared: &[f64],
+        rows: &mut Rows,
+    ) -> Result<(), IdentifyError> {
+        let noise = self.attitude_noise;
+        let times: Vec<f64> = flight.attitudes().iter().map(|r| r.time).collect();
+        // The derivative of exp(θ) at the local rotation vector, in axes of the body
+        let by_local = right_jacobian([local[3], local[4], local[5]]);
+        let (axes, by_axes) = self.tracked.map_or((Rotation::identity(), IDENTITY), |first| {
+            let theta = core::array::from_fn(|k| shared[self.axes_from() + k]);
+            (first * turn(theta), right_jacobian(theta))
+        });
+        let back = axes.inverse().matrix();
+        for (reading, at) in flight.attitudes().iter().zip(flown.derived(start, &times)?) {
+            rows.begin_measurement();
+            // measured = R A exp(ε): ε is what is left. A turn of R A by θ in the body's axes is A⁻¹ θ in the tracked ones.
+            let predicted = at.of.state.attitude * axes;
+            let left = (predicted.inverse() * reading.attitude).log().to_array();
+            for i in 0..CHANNELS {
+                let (own, all) = rows.push(left[i] / noise);
+                for row in 0..3 {
+                    let turn = back[i][row] / noise;
+                    let start = &at.of.by_start[row];
+                    add(&mut own[..3], &start[3..], turn);
+                    for k in 0..3 {
+                        own[3 + k] += turn * (0..3).map(|j| start[j] * by_local[j][k]).sum::<f64>();
+                    }
+                    add(&mut all[..6], &at.of.by_inertia[row], turn);
+                    if self.drag.is_some() {
+                        add(&mut all[6..12], &at.by_drag[row], turn);
+                    }
+                }
+                if self.tracked.is_some() {
+                    add(&mut all[self.axes_from()..], &by_axes[i], 1.0 / noise);
+                }
+            }
+        }
+        Ok(())
     }
 }
 
@@ -67,80 +169,23 @@ impl Problem for Tumbles<'_> {
         self.flights.len()
     }
 
-    fn rows(
-        &self,
-        group: usize,
-        shared: &[f64],
-        local: &[f64],
-        rows: &mut Rows,
-    ) -> Result<(), IdentifyError> {
+    fn rows(&self, group: usize, shared: &[f64], local: &[f64], rows: &mut Rows) -> Result<(), IdentifyError> {
         let flight = &self.flights[group];
-        let (tensor, start) = (self.tensor(group, shared), self.state(group, local));
-        let gyro_numbers = &shared[6..6 + self.gyro.count()];
-        let gyro = self.gyro.gyro(gyro_numbers);
-        let matrix = gyro.matrix();
-        let times: Vec<f64> = flight.gyro().iter().map(|r| r.time + gyro.clock).collect();
-        for (reading, at) in flight.gyro().iter().zip(derived(&tensor, start, &times)?) {
-            rows.begin_measurement();
-            let (omega, read) = (at.state.omega.to_array(), reading.omega.to_array());
-            let predicted = gyro.reading(omega);
-            let by_gyro = self.gyro.derivatives(&gyro, omega, acceleration(&tensor, omega));
-            for i in 0..CHANNELS {
-                let (own, all) = rows.push((read[i] - predicted[i]) / self.gyro_noise);
-                for k in 0..3 {
-                    let turn = matrix[i][k] / self.gyro_noise;
-                    for (own, by) in own.iter_mut().zip(at.by_omega[3 + k]) {
-                        *own += turn * by;
-                    }
-                    for (all, by) in all.iter_mut().zip(at.by_tensor[3 + k]) {
-                        *all += turn * by;
-                    }
-                }
-                for (all, by) in all[6..].iter_mut().zip(&by_gyro[i]) {
-                    *all = by / self.gyro_noise;
-                }
-            }
+        let (flown, start) = (self.flown(group, shared), self.state(group, local));
+        if !flight.gyro().is_empty() {
+            self.gyro_rows((&flown, start), flight, shared, rows)?;
         }
-        let times: Vec<f64> = flight.attitudes().iter().map(|r| r.time).collect();
-        if times.is_empty() {
-            return Ok(());
-        }
-        // The derivative of exp(θ) at the local rotation vector, in axes of the body
-        let local_turn = right_jacobian([local[3], local[4], local[5]]);
-        let tracked = self.tracked.map(|first| {
-            let t = &shared[6 + self.gyro.count()..];
-            let turn = [t[0], t[1], t[2]];
-            (first * super::motion::turn(turn), right_jacobian(turn))
-        });
-        for (reading, at) in flight.attitudes().iter().zip(derived(&tensor, start, &times)?) {
-            rows.begin_measurement();
-            // measured = R A exp(ε): ε is what is left. δ of R A by θ in the body's axes is A⁻¹ θ in the tracked ones.
-            let (axes, by_axes) = tracked.unwrap_or((Rotation::identity(), IDENTITY));
-            let predicted = at.state.attitude * axes;
-            let left = (predicted.inverse() * reading.attitude).log().to_array();
-            let back = axes.inverse().matrix();
-            let in_tracked =
-                |by: &dyn Fn(usize) -> f64, i: usize| (0..3).map(|k| back[i][k] * by(k)).sum::<f64>();
-            for i in 0..CHANNELS {
-                let noise = self.attitude_noise;
-                let (own, all) = rows.push(left[i] / noise);
-                for (k, all) in all[..6].iter_mut().enumerate() {
-                    *all = in_tracked(&|row| at.by_tensor[row][k], i) / noise;
-                }
-                for k in 0..3 {
-                    own[k] = in_tracked(&|row| at.by_omega[row][k], i) / noise;
-                    let by_start =
-                        |row: usize| (0..3).map(|j| at.by_attitude[row][j] * local_turn[j][k]).sum::<f64>();
-                    own[3 + k] = in_tracked(&by_start, i) / noise;
-                }
-                if tracked.is_some() {
-                    for k in 0..3 {
-                        all[6 + self.gyro.count() + k] = by_axes[i][k] / noise;
-                    }
-                }
-            }
+        if !flight.attitudes().is_empty() {
+            self.attitude_rows((&flown, start), (flight, local), shared, rows)?;
         }
         Ok(())
+    }
+}
+
+/// a += factor b
+fn add(a: &mut [f64], b: &[f64], factor: f64) {
+    for (a, b) in a.iter_mut().zip(b) {
+        *a += factor * b;
     }
 }
 

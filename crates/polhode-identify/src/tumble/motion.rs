@@ -1,80 +1,94 @@
-//! States of a free body and their derivatives. (Stands in for the closed form's own derivatives.)
+//! The motion of a flight, with its derivatives.
 
 use polhode::body::{InertiaTensor, MassProperties};
-use polhode::math::{AngularVelocity, Attitude, Body, Direction, Position, Rotation};
-use polhode::motion::{FreeMotion, Rotor, State};
+use polhode::math::{Attitude, Body, Direction, Position, Rotation};
+use polhode::motion::torque::{Drag, DragLaw, TorqueModel, TorqueParameter};
+use polhode::motion::{Method, Rotor, Simulation, State, StateDerivatives, Trajectory, Wheel};
 
 use crate::error::IdentifyError;
 
-/// A state with its derivatives: rows θ1 θ2 θ3 ω1 ω2 ω3 (attitude = R exp θ), columns the elements of the tensor, and ω at the reference.
+/// Names of the elements of a symmetric matrix.
+pub(crate) const ELEMENTS: [&str; 6] = ["xx", "yy", "zz", "xy", "xz", "yz"];
+
+/// What turns a body in flight, besides itself.
+#[derive(Clone, Debug)]
+pub(crate) struct Flown<'a> {
+    pub(crate) tensor: [f64; 6],
+    pub(crate) drag: Option<(DragLaw, [f64; 6])>,
+    pub(crate) wheels: &'a [Wheel],
+    pub(crate) torques: &'a [TorqueModel],
+}
+
+/// A state with its derivatives: rows θ1 θ2 θ3 ω1 ω2 ω3 of attitude = R exp θ and ω.
 pub(crate) struct Derived {
-    pub(crate) state: State,
-    pub(crate) by_tensor: [[f64; 6]; 6],
-    pub(crate) by_omega: [[f64; 3]; 6],
-    pub(crate) by_attitude: [[f64; 3]; 6],
+    pub(crate) of: StateDerivatives,
+    /// By the elements of drag's matrix.
+    pub(crate) by_drag: [[f64; 6]; 6],
 }
 
-fn motion(tensor: &[f64; 6], start: State) -> Result<FreeMotion, IdentifyError> {
-    let [xx, yy, zz, xy, xz, yz] = *tensor;
-    let tensor = InertiaTensor::from_matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])?;
-    let body = MassProperties::new(1.0, Position::ZERO, tensor)?;
-    Ok(FreeMotion::of(&Rotor::free(&body), start)?)
-}
+/// Bound on the error of a step: far below the noise of any gyro, and of any tracker.
+const TOLERANCE: f64 = 1e-11;
 
-/// At each of the times.
-pub(crate) fn derived(tensor: &[f64; 6], start: State, times: &[f64]) -> Result<Vec<Derived>, IdentifyError> {
-    let here = motion(tensor, start)?;
-    let trace = tensor[0] + tensor[1] + tensor[2];
-    let rate = start.omega.norm().max(1e-3);
-    let mut pairs = Vec::new();
-    for k in 0..9 {
-        let h = 1e-6 * if k < 6 { trace } else { rate };
-        let moved = |sign: f64| {
-            let (mut tensor, mut omega) = (*tensor, start.omega.to_array());
-            if k < 6 {
-                tensor[k] += sign * h
-            } else {
-                omega[k - 6] += sign * h
-            }
-            motion(&tensor, State { omega: AngularVelocity::from_array(omega), ..start })
-        };
-        match (moved(1.0), moved(-1.0)) {
-            (Ok(a), Ok(b)) => pairs.push((a, b, 2.0 * h)),
-            (Ok(a), Err(_)) => pairs.push((a, here, h)),
-            (Err(_), Ok(b)) => pairs.push((here, b, h)),
-            (Err(e), Err(_)) => return Err(e),
-        }
+/// By how many factors of e drag may slow a body in a flight.
+const HEAVIEST: f64 = 20.0;
+
+impl Flown<'_> {
+    fn rotor(&self) -> Result<Rotor, IdentifyError> {
+        let [xx, yy, zz, xy, xz, yz] = self.tensor;
+        let tensor = InertiaTensor::from_matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])?;
+        let body = MassProperties::new(1.0, Position::ZERO, tensor)?;
+        Ok(Rotor::free(&body).with_wheels(self.wheels)?)
     }
-    Ok(times
-        .iter()
-        .map(|&t| {
-            let state = here.at(t);
-            let (mut by_tensor, mut by_omega, mut by_attitude) =
-                ([[0.0; 6]; 6], [[0.0; 3]; 6], [[0.0; 3]; 6]);
-            for (k, (a, b, h)) in pairs.iter().enumerate() {
-                let (a, b) = (a.at(t), b.at(t));
-                let turn = |s: &State| (state.attitude.inverse() * s.attitude).log().to_array();
-                let (ta, tb) = (turn(&a), turn(&b));
-                let (wa, wb) = (a.omega.to_array(), b.omega.to_array());
-                for i in 0..3 {
-                    let (up, down) = ((ta[i] - tb[i]) / h, (wa[i] - wb[i]) / h);
-                    if k < 6 {
-                        by_tensor[i][k] = up;
-                        by_tensor[3 + i][k] = down;
-                    } else {
-                        by_omega[i][k - 6] = up;
-                        by_omega[3 + i][k - 6] = down;
-                    }
-                }
-            }
-            // R0 exp(θ0) (R0⁻¹ R) = R exp(R⁻¹ R0 θ0)
-            let back: Rotation<Body, Body> = state.attitude.inverse() * start.attitude;
-            for (k, row) in back.matrix().iter().enumerate() {
-                by_attitude[k] = *row;
-            }
-            Derived { state, by_tensor, by_omega, by_attitude }
-        })
-        .collect())
+
+    /// All torques, drag's last.
+    fn torques(&self) -> Result<Vec<TorqueModel>, IdentifyError> {
+        let mut torques = self.torques.to_vec();
+        if let Some((law, [xx, yy, zz, xy, xz, yz])) = self.drag {
+            torques.push(TorqueModel::Drag(Drag::new(law, [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])?));
+        }
+        Ok(torques)
+    }
+
+    /// At each of the times, which ascend and are none before the start.
+    pub(crate) fn derived(&self, start: State, times: &[f64]) -> Result<Vec<Derived>, IdentifyError> {
+        let (rotor, torques) = (self.rotor()?, self.torques()?);
+        self.require_light_drag(&rotor, start, times)?;
+        let drag = torques.len().saturating_sub(1);
+        let parameters: Vec<TorqueParameter> = if self.drag.is_some() {
+            ELEMENTS.map(|name| TorqueParameter { torque: drag, name }).to_vec()
+        } else {
+            Vec::new()
+        };
+        let simulation = Simulation::new(&rotor, &torques, start, times).tolerance(TOLERANCE);
+        let run = simulation.run_with_derivatives(&parameters)?;
+        if run.states.len() < times.len() {
+            return Err(IdentifyError::NotFinite);
+        }
+        let by_drag = |columns: Vec<[f64; 6]>| {
+            core::array::from_fn(|row| core::array::from_fn(|k| columns.get(k).map_or(0.0, |c| c[row])))
+        };
+        let each = run.states.into_iter().zip(run.by_parameters);
+        Ok(each.map(|(of, columns)| Derived { of, by_drag: by_drag(columns) }).collect())
+    }
+
+    /// That drag does not stop the body at once, which is no flight and takes the integrator for ever: ∫ dt drag/moment ≤ 20.
+    fn require_light_drag(&self, rotor: &Rotor, start: State, times: &[f64]) -> Result<(), IdentifyError> {
+        let (Some((law, matrix)), Some(last)) = (self.drag, times.last()) else { return Ok(()) };
+        let trace = matrix[0] + matrix[1] + matrix[2];
+        let rate = match law {
+            DragLaw::Linear => trace,
+            DragLaw::Quadratic => trace * start.omega.norm(),
+        };
+        let decay = rate * (last - start.time) / rotor.principal().moments()[0];
+        if decay <= HEAVIEST { Ok(()) } else { Err(IdentifyError::NotFinite) }
+    }
+
+    /// The state at a time that is not before the start.
+    pub(crate) fn state_at(&self, start: State, time: f64) -> Result<State, IdentifyError> {
+        let (rotor, torques) = (self.rotor()?, self.torques()?);
+        let motion = Trajectory::compute(&rotor, &torques, start, &[time], Method::Auto, TOLERANCE)?;
+        motion.samples().last().map(|sample| sample.state).ok_or(IdentifyError::NotFinite)
+    }
 }
 
 /// R exp(θ)
@@ -85,9 +99,4 @@ pub(crate) fn turned(attitude: Attitude, theta: [f64; 3]) -> Attitude {
 /// exp(θ); where θ is not finite none, which a step that far does not get.
 pub(crate) fn turn(theta: [f64; 3]) -> Rotation<Body, Body> {
     Rotation::exp(Direction::from_array(theta)).unwrap_or_else(|_| Rotation::identity())
-}
-
-/// The state at another time.
-pub(crate) fn state_at(tensor: &[f64; 6], start: State, time: f64) -> Result<State, IdentifyError> {
-    Ok(motion(tensor, start)?.at(time))
 }

@@ -1,7 +1,10 @@
 //! What was found of tumbles.
 
 use polhode::motion::State;
+use polhode::motion::torque::DragLaw;
 
+use super::flight::Flight;
+use super::motion::ELEMENTS;
 use super::model::{CHANNELS, Tumbles};
 use crate::error::IdentifyError;
 use crate::estimate::Estimate;
@@ -54,10 +57,14 @@ impl Tumble {
         outliers: Outliers,
     ) -> Result<Self, IdentifyError> {
         let information = solution.information();
-        let scale_is_known = problem.flights.iter().any(|flight| flight.added() != [0.0; 6]);
+        let scale_is_known = problem.flights.iter().any(Flight::has_scale);
         let unit = if scale_is_known { "kg·m²" } else { "I3" };
         let mut names: Vec<(String, &'static str)> =
             ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"].map(|name| (name.to_owned(), unit)).to_vec();
+        if let Some(law) = problem.drag {
+            let unit = drag_unit(law, scale_is_known);
+            names.extend(ELEMENTS.map(|element| (format!("drag {element}"), unit)));
+        }
         names.extend(problem.gyro.names());
         if problem.tracked.is_some() {
             names.extend(["x", "y", "z"].map(|axis| (format!("tracked axes {axis}"), "rad")));
@@ -124,6 +131,15 @@ impl Tumble {
         }
         let principal = PrincipalEstimate::of(&estimate, 0);
         Ok(Self { estimate, principal, scale_is_known, flights, residuals, widening })
+    }
+}
+
+const fn drag_unit(law: DragLaw, scale_is_known: bool) -> &'static str {
+    match (law, scale_is_known) {
+        (DragLaw::Linear, true) => "N·m·s",
+        (DragLaw::Quadratic, true) => "N·m·s²",
+        (DragLaw::Linear, false) => "I3/s",
+        (DragLaw::Quadratic, false) => "I3",
     }
 }
 

@@ -51,6 +51,8 @@ pub(super) struct Slot {
 /// What the numbers of an attitude are.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Form {
+    /// There is no attitude.
+    None,
     Quaternion,
     Matrix,
     Euler { sequence: Sequence, unit: Scale },
@@ -59,6 +61,7 @@ pub(super) enum Form {
 impl Form {
     pub(super) const fn count(self) -> usize {
         match self {
+            Self::None => 0,
             Self::Quaternion => 4,
             Self::Matrix => 9,
             Self::Euler { .. } => 3,
@@ -180,23 +183,47 @@ fn value(what: &str, value: String, rule: String, place: ContentPlace) -> Conten
     ContentError::new(ContentErrorKind::Value { what: what.to_owned(), value, rule }, place)
 }
 
+/// What a log has to have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wanted {
+    /// Attitudes, perhaps with angular velocities.
+    Attitude,
+    /// Angular velocities or attitudes, or both.
+    Either,
+}
+
 /// Which columns are read: those that the user names, then those whose names say what they are.
-pub(super) fn choose(header: &Header, columns: &Columns, units: &Units) -> Result<Plan, ContentError> {
+pub(super) fn choose(
+    header: &Header,
+    columns: &Columns,
+    units: &Units,
+    wanted: Wanted,
+) -> Result<Plan, ContentError> {
     let names: Vec<Option<Name>> = header.names.iter().map(|name| Name::of(name)).collect();
     let known = Known { header, names: &names, units };
     let mut says = DeclaredReading::default();
     let (time, time_unit, time_read) = known.time(columns.time.as_ref())?;
-    let attitude = known.attitude(columns.attitude.as_ref())?;
-    let (form, attitude_read) = known.form(&attitude)?;
-    (says.order, says.sense) = (attitude.order(), attitude.sense);
     let omega = known.omega(columns.omega.as_ref())?;
+    let may_lack = wanted == Wanted::Either && omega.is_some() && columns.attitude.is_none();
+    let attitude = match known.attitude(columns.attitude.as_ref()) {
+        Err(_) if may_lack && incomplete(&names).is_none() && attitudes(&names).is_empty() => None,
+        attitude => Some(attitude?),
+    };
+    let (form, attitude_read) = match &attitude {
+        Some(attitude) => known.form(attitude).map(|(form, read)| (form, Some(read)))?,
+        None => (Form::None, None),
+    };
+    if let Some(attitude) = &attitude {
+        (says.order, says.sense) = (attitude.order(), attitude.sense);
+    }
     let own = ["time_s", "attitude_w", "attitude_x", "attitude_y", "attitude_z"];
-    let read_first = [vec![time], attitude.columns.clone()].concat();
+    let read_first = [vec![time], attitude.map_or_else(Vec::new, |attitude| attitude.columns)].concat();
     if header.named(&read_first) == own && columns.attitude.is_none() {
         says.sense = Some(AttitudeSense::BodyToSpace);
         says.time_origin = Some(0.0);
     }
-    let mut read = vec![time_read, attitude_read];
+    let mut read = vec![time_read];
+    read.extend(attitude_read);
     let mut all = read_first;
     let omega = omega.map(|(candidate, unit, said)| {
         says.omega_axes = candidate.axes;

@@ -60,6 +60,7 @@ mod foreign;
 mod head;
 mod json_lines;
 mod matrix;
+mod measured;
 mod name;
 mod parquet;
 mod rows;
@@ -75,12 +76,13 @@ use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::FormatError;
 use crate::file;
 use blocks::{Blocks, Failure};
-use choice::Plan;
+use choice::{Plan, Wanted};
 use head::Head;
 use rows::Rows;
 
 pub use columns::{Columns, ColumnsError};
 pub use matrix::{MatrixError, matrix_quaternion};
+pub use measured::MeasuredLog;
 
 /// A log, and what it says of itself.
 #[derive(Clone, Debug, PartialEq)]
@@ -126,6 +128,24 @@ pub struct ReadColumns {
 /// [`FormatError`], with the place, if the file cannot be read, lacks columns or leaves open which they are, a row is not complete or
 /// not finite, the time does not go on, or an attitude is none.
 pub fn read(path: &Path, columns: Option<&Columns>) -> Result<RunLog, FormatError> {
+    of_file(path, columns, Wanted::Attitude, finished)
+}
+
+/// Reads what an instrument logged: angular velocities or attitudes, or both. As [`read()`] otherwise.
+///
+/// # Errors
+/// As [`read()`].
+pub fn read_measured(path: &Path, columns: Option<&Columns>) -> Result<MeasuredLog, FormatError> {
+    of_file(path, columns, Wanted::Either, |_, plan, rows| Ok(MeasuredLog::of(plan, rows)))
+}
+
+/// The numbers of a file, and what becomes of them.
+fn of_file<T>(
+    path: &Path,
+    columns: Option<&Columns>,
+    wanted: Wanted,
+    finish: impl Fn(Head, Plan, Rows) -> Result<T, ContentError>,
+) -> Result<T, FormatError> {
     let whole = || {
         file::bytes(path, &path.to_string_lossy(), u64::MAX)
             .map_err(|kind| FormatError::new(path, None, kind))
@@ -133,25 +153,31 @@ pub fn read(path: &Path, columns: Option<&Columns>) -> Result<RunLog, FormatErro
     let is_file = fs::metadata(path).is_ok_and(|metadata| metadata.is_file());
     let failed =
         |error: &io::Error| FormatError::new(path, None, file::failed(&path.to_string_lossy(), error));
-    let streamed = if is_file { streamed(path, columns).map_err(|error| failed(&error))? } else { None };
+    let streamed =
+        if is_file { streamed(path, columns, wanted).map_err(|error| failed(&error))? } else { None };
+    let finish = |(head, plan, rows)| finish(head, plan, rows);
     match streamed {
-        Some(Ok(log)) => Ok(log),
         // The place of an error is shown with its line.
-        Some(Err(error)) => Err(FormatError::of_content(path, &whole()?, error)),
+        Some(read) => {
+            read.and_then(finish).or_else(|error| Err(FormatError::of_content(path, &whole()?, error)))
+        }
         None => {
             let bytes = Bytes::from(whole()?);
-            let read = if bytes.starts_with(PARQUET) {
-                of_parquet(bytes.clone(), columns)
-            } else {
-                from_bytes(&bytes, columns)
-            };
+            let read = numbers(&bytes, columns, wanted).and_then(finish);
             read.map_err(|error| FormatError::of_content(path, &bytes, error))
         }
     }
 }
 
+/// What a file says of itself, what its columns are, and its numbers.
+type Numbers = (Head, Plan, Rows);
+
 /// Reads a file of text block by block; `None` of one that has to be in memory as a whole.
-fn streamed(path: &Path, columns: Option<&Columns>) -> io::Result<Option<Result<RunLog, ContentError>>> {
+fn streamed(
+    path: &Path,
+    columns: Option<&Columns>,
+    wanted: Wanted,
+) -> io::Result<Option<Result<Numbers, ContentError>>> {
     let file = File::open(path)?;
     let before = file.metadata()?;
     let mut start = Vec::new();
@@ -159,7 +185,7 @@ fn streamed(path: &Path, columns: Option<&Columns>) -> io::Result<Option<Result<
     if start == PARQUET {
         return Ok(None);
     }
-    let read = of_text(start.as_slice().chain(&file), Some(before.len()), columns);
+    let read = of_text(start.as_slice().chain(&file), Some(before.len()), columns, wanted);
     file::unchanged(&file, &before)?;
     match read {
         Ok(log) => Ok(Some(Ok(log))),
@@ -190,10 +216,15 @@ const PARQUET: &[u8] = b"PAR1";
 /// # Errors
 /// As [`read()`].
 pub fn from_bytes(bytes: &[u8], columns: Option<&Columns>) -> Result<RunLog, ContentError> {
+    let (head, plan, rows) = numbers(&Bytes::copy_from_slice(bytes), columns, Wanted::Attitude)?;
+    finished(head, plan, rows)
+}
+
+fn numbers(bytes: &Bytes, columns: Option<&Columns>, wanted: Wanted) -> Result<Numbers, ContentError> {
     if bytes.starts_with(PARQUET) {
-        return of_parquet(Bytes::copy_from_slice(bytes), columns);
+        return parquet::read(bytes.clone(), columns, wanted);
     }
-    of_text(bytes, Some(bytes.len() as u64), columns).map_err(|failure| match failure {
+    of_text(&**bytes, Some(bytes.len() as u64), columns, wanted).map_err(|failure| match failure {
         Failure::Content(error) => error,
         Failure::Io(error) => {
             let kind = ContentErrorKind::Unsupported { what: format!("these bytes ({error})") };
@@ -202,13 +233,13 @@ pub fn from_bytes(bytes: &[u8], columns: Option<&Columns>) -> Result<RunLog, Con
     })
 }
 
-fn of_parquet(bytes: Bytes, columns: Option<&Columns>) -> Result<RunLog, ContentError> {
-    let (head, plan, rows) = parquet::read(bytes, columns)?;
-    finished(head, plan, rows)
-}
-
 /// Reads a log from text of some length.
-fn of_text(stream: impl Read, length: Option<u64>, told: Option<&Columns>) -> Result<RunLog, Failure> {
+fn of_text(
+    stream: impl Read,
+    length: Option<u64>,
+    told: Option<&Columns>,
+    wanted: Wanted,
+) -> Result<Numbers, Failure> {
     let blocks = Blocks::new(stream)?;
     let text = blocks.first();
     let unmarked = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
@@ -219,19 +250,19 @@ fn of_text(stream: impl Read, length: Option<u64>, told: Option<&Columns>) -> Re
     if is_json {
         let opening = json_lines::opening(text, told.unwrap_or(&Columns::default()))?;
         let columns = told.or(opening.head.columns.as_ref()).cloned().unwrap_or_default();
-        let mut plan = choice::choose(&opening.header, &columns, &opening.head.units)?;
+        let mut plan = choice::choose(&opening.header, &columns, &opening.head.units, wanted)?;
         let objects = json_lines::Objects::new(&plan, &opening);
         let rows = blocks.rows(opening.rows, length, &plan, &objects)?;
         let others = objects.others();
         plan.ignored.extend(others);
-        return Ok(finished(opening.head, plan, rows)?);
+        return Ok((opening.head, plan, rows));
     }
     let opening = csv::opening(text, told.is_some())?;
     let columns = told.or(opening.head.columns.as_ref()).cloned().unwrap_or_default();
-    let mut plan = choice::choose(&opening.header, &columns, &opening.head.units)?;
+    let mut plan = choice::choose(&opening.header, &columns, &opening.head.units, wanted)?;
     plan.has_commas = opening.separator == csv::Separator::Byte(b',');
     let rows = blocks.rows(opening.rows, length, &plan, &csv::Table::new(&plan, &opening))?;
-    Ok(finished(opening.head, plan, rows)?)
+    Ok((opening.head, plan, rows))
 }
 
 fn finished(head: Head, plan: Plan, rows: Rows) -> Result<RunLog, ContentError> {

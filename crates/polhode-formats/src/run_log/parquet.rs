@@ -10,7 +10,7 @@ use ::parquet::file::reader::{FileReader as _, SerializedFileReader};
 use ::parquet::schema::types::ColumnDescriptor;
 use bytes::Bytes;
 
-use super::choice::{self, Header, Plan};
+use super::choice::{self, Header, Plan, Wanted};
 use super::columns::Columns;
 use super::head::Head;
 use super::rows::{MOST, Problem, RowError, Rows};
@@ -20,12 +20,16 @@ use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 const BATCH: usize = 1 << 16;
 
 /// Reads a file.
-pub(super) fn read(bytes: Bytes, told: Option<&Columns>) -> Result<(Head, Plan, Rows), ContentError> {
+pub(super) fn read(
+    bytes: Bytes,
+    told: Option<&Columns>,
+    wanted: Wanted,
+) -> Result<(Head, Plan, Rows), ContentError> {
     let length = bytes.len();
     let file = SerializedFileReader::new(bytes).map_err(|error| broken(&error))?;
     let head = head(&file)?;
     let columns = told.or(head.columns.as_ref()).cloned().unwrap_or_default();
-    let plan = choice::choose(&header(&file), &columns, &head.units)?;
+    let plan = choice::choose(&header(&file), &columns, &head.units, wanted)?;
     let schema = file.metadata().file_metadata().schema_descr();
     for slot in &plan.slots {
         numeric(&schema.column(slot.column), &slot.name)?;

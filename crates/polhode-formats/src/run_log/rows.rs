@@ -53,20 +53,21 @@ impl Rows {
         }
         let (attitude, omega) = numbers.split_at(plan.form.count());
         let attitude = match (plan.form, attitude) {
+            (Form::None, _) => None,
             (Form::Quaternion, &[a, b, c, d]) if [a, b, c, d] == [0.0; 4] => {
                 return Err(Problem::ZeroQuaternion);
             }
-            (Form::Quaternion, &[a, b, c, d]) => [a, b, c, d],
+            (Form::Quaternion, &[a, b, c, d]) => Some([a, b, c, d]),
             (Form::Matrix, attitude) => {
-                matrix::matrix_quaternion(array(attitude)).map_err(Problem::Matrix)?
+                Some(matrix::matrix_quaternion(array(attitude)).map_err(Problem::Matrix)?)
             }
             (Form::Euler { sequence, unit }, attitude) => {
-                sequence.quaternion(array(attitude).map(|angle| unit.apply(angle)))
+                Some(sequence.quaternion(array(attitude).map(|angle| unit.apply(angle))))
             }
             _ => return Ok(()),
         };
         self.times.push(time);
-        self.attitude.push(attitude);
+        self.attitude.extend(attitude);
         if let Some(unit) = plan.omega {
             self.omega.push(array(omega).map(|number| unit.apply(number)));
         }

@@ -141,6 +141,22 @@ impl Asset {
         if let Some(why) = &self.refused {
             return Err(why.clone());
         }
+        let surface = self.surface()?;
+        let triangles: Vec<[[f64; 3]; 3]> =
+            if self.inertia == MeshInertia::Convex || surface.triangles.is_empty() {
+                let hull = ConvexHull::of(&surface.vertices).map_err(|error| format!("its mesh: {error}"))?;
+                hull.corners().collect()
+            } else {
+                surface.corners().collect()
+            };
+        summed(&triangles, self.inertia, surface.vertices)
+    }
+
+    /// Its triangles, turned and scaled.
+    ///
+    /// # Errors
+    /// In words, why it cannot be read.
+    pub(super) fn surface(&self) -> Result<Surface, String> {
         let mut surface = match (&self.inline, &self.file) {
             (Some(surface), _) => surface.clone(),
             (None, Some((uri, path))) => {
@@ -160,14 +176,7 @@ impl Asset {
         if !surface.vertices.as_flattened().iter().all(|c| c.is_finite()) {
             return Err("its mesh has coordinates, a scale or a frame that are no numbers".to_owned());
         }
-        let triangles: Vec<[[f64; 3]; 3]> =
-            if self.inertia == MeshInertia::Convex || surface.triangles.is_empty() {
-                let hull = ConvexHull::of(&surface.vertices).map_err(|error| format!("its mesh: {error}"))?;
-                hull.corners().collect()
-            } else {
-                surface.corners().collect()
-            };
-        summed(&triangles, self.inertia, surface.vertices)
+        Ok(surface)
     }
 }
 

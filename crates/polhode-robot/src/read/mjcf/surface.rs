@@ -47,6 +47,29 @@ impl Surface {
         }
     }
 
+    /// The lines of an OBJ file, each a triangle whose second and third corner are one.
+    pub(super) fn lines(path: &Path) -> Result<Self, String> {
+        if path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("obj")) {
+            return Err("lines are read from OBJ files alone".to_owned());
+        }
+        let text = std::fs::read_to_string(path).map_err(|error| error.to_string())?;
+        let mut surface = Self::of_obj(&text)?;
+        if !surface.triangles.is_empty() {
+            return Err("it has triangles beside its lines".to_owned());
+        }
+        for line in text.lines() {
+            let mut words = line.split_ascii_whitespace();
+            if words.next() != Some("l") {
+                continue;
+            }
+            let corner = |word: &str| word.split('/').next()?.parse::<u32>().ok()?.checked_sub(1);
+            let corners: Option<Vec<u32>> = words.map(corner).collect();
+            let corners = corners.ok_or("a line of it has a vertex that is not there")?;
+            surface.triangles.extend(corners.array_windows().map(|[a, b]| [*a, *b, *b]));
+        }
+        Ok(surface)
+    }
+
     pub(super) fn corners(&self) -> impl Iterator<Item = [[f64; 3]; 3]> {
         let corner = |k: u32| self.vertices.get(k as usize).copied().unwrap_or([f64::NAN; 3]);
         self.triangles.iter().map(move |triangle| triangle.map(corner))

@@ -115,7 +115,7 @@ impl<'a> Reader<'_, 'a, '_> {
         Ok(self.moving(branch, &flex))
     }
 
-    fn moving(&self, branch: &Branch<'a>, flex: &Flex<'a>) -> Result<Option<Particles>, String> {
+    fn moving(&mut self, branch: &Branch<'a>, flex: &Flex<'a>) -> Result<Option<Particles>, String> {
         let mut lattice = self.lattice(branch, flex)?;
         let mut pinned = pin::pinned(flex, lattice.dim, lattice.points.len())?;
         lattice.keep_used(&mut pinned)?;
@@ -147,7 +147,7 @@ impl<'a> Reader<'_, 'a, '_> {
         }))
     }
 
-    fn lattice(&self, branch: &Branch<'a>, flex: &Flex<'a>) -> Result<Lattice, String> {
+    fn lattice(&mut self, branch: &Branch<'a>, flex: &Flex<'a>) -> Result<Lattice, String> {
         let element = flex.element;
         let mut lattice = match flex.form {
             Form::Direct => Lattice { dim: flex.dim, ..Lattice::direct(element)? },

@@ -8,7 +8,7 @@ use crate::read::xml::{Element, Written, is_true};
 use super::defaults::Source;
 use super::mass::LEAST;
 use super::measure;
-use super::mesh::{Fitted, Solid};
+use super::mesh::{Asset, Fitted, Solid};
 use super::{Branch, Reader};
 
 /// The density of a geom that says none, kg/m³.
@@ -202,13 +202,26 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
         if let Some(known) = self.solids.get(&key) {
             return known.clone();
         }
-        let asset = self.contexts.get(context).and_then(|context| context.meshes.get(name));
-        let solid = match asset {
-            Some(asset) => asset.solid().map(std::rc::Rc::new),
-            None => Err(format!("this file has no mesh {name:?}")),
-        };
+        let solid = self.asset(name, context).and_then(Asset::solid).map(std::rc::Rc::new);
         self.solids.insert(key, solid.clone());
         solid
+    }
+
+    /// A mesh of a model that is about to be read or made.
+    ///
+    /// # Errors
+    /// If there is none of that name, or more than any model has are made.
+    pub(super) fn asset(&mut self, name: &str, context: usize) -> Result<&'c Asset, String> {
+        /// Vertices that MuJoCo makes itself, of all meshes. A file could ask for as many thousands as it has bytes.
+        const MOST_VERTICES: usize = 2_000_000;
+        let contexts = self.contexts;
+        let asset = contexts.get(context).and_then(|context| context.meshes.get(name));
+        let asset = asset.ok_or_else(|| format!("this file has no mesh {name:?}"))?;
+        self.made_vertices += asset.made_vertices();
+        if self.made_vertices > MOST_VERTICES {
+            return Err(format!("its mesh and others are made of more than {MOST_VERTICES} vertices"));
+        }
+        Ok(asset)
     }
 }
 

@@ -16,6 +16,7 @@ use crate::pose::{dot, of_x_and_y, sum, unit};
 use crate::read::uri::Roots;
 use crate::read::xml::Element;
 
+use super::builtin::Builtin;
 use super::compiler::Settings;
 use super::defaults::Source;
 use super::surface::Surface;
@@ -36,7 +37,9 @@ pub(super) struct Asset {
     file: Option<(Name, Result<PathBuf, String>)>,
     /// Vertices and triangles that stand in the model itself.
     inline: Option<Surface>,
-    /// Why it cannot be measured: made by MuJoCo itself, a hull of a limited number of vertices.
+    /// Made by MuJoCo itself.
+    builtin: Option<Result<Builtin, String>>,
+    /// Why it cannot be measured: made by a plugin, a hull of a limited number of vertices.
     refused: Option<String>,
     inertia: MeshInertia,
     scale: [f64; 3],
@@ -74,7 +77,9 @@ impl Asset {
             let path = roots.resolve(written, &folder.join(settings.mesh_folder));
             (file.name(), path)
         });
+        let builtin = Builtin::of(element);
         let inertia = match source.word("inertia") {
+            _ if matches!(&builtin, Some(Ok(builtin)) if builtin.is_shell()) => MeshInertia::Shell,
             Some("convex") => MeshInertia::Convex,
             Some("exact") => MeshInertia::Exact,
             Some("shell") => MeshInertia::Shell,
@@ -82,9 +87,7 @@ impl Asset {
             _ => MeshInertia::Legacy,
         };
         let most = source.number("maxhullvert").is_some_and(|most| most >= 0.0);
-        let refused = if element.word("builtin").is_some() {
-            Some("its mesh is one that MuJoCo makes itself (builtin)".to_owned())
-        } else if inertia == MeshInertia::Convex && most {
+        let refused = if inertia == MeshInertia::Convex && most {
             Some("its mesh counts as a hull of a limited number of vertices (maxhullvert)".to_owned())
         } else if element.child("plugin").is_some() {
             Some("its mesh is made by a plugin".to_owned())
@@ -100,6 +103,7 @@ impl Asset {
         let asset = Self {
             file: path,
             inline: Surface::inline(element),
+            builtin,
             refused,
             inertia,
             scale: three("scale", [1.0; 3]),
@@ -126,6 +130,14 @@ impl Asset {
         let position = [0, 1, 2].map(|k| self.scale[k] * inverse.position[k]);
         let shape = GeometryShape::Mesh { uri: uri.clone(), path: path.clone(), scale: self.scale };
         (shape, Pose::new(position, inverse.rotation))
+    }
+
+    /// How many vertices MuJoCo makes for it.
+    pub(super) fn made_vertices(&self) -> usize {
+        self.builtin
+            .as_ref()
+            .and_then(|builtin| builtin.as_ref().ok())
+            .map_or(0, |builtin| builtin.vertices())
     }
 
     /// Whether it is given as a file.
@@ -157,13 +169,14 @@ impl Asset {
     /// # Errors
     /// In words, why it cannot be read.
     pub(super) fn surface(&self) -> Result<Surface, String> {
-        let mut surface = match (&self.inline, &self.file) {
-            (Some(surface), _) => surface.clone(),
-            (None, Some((uri, path))) => {
+        let mut surface = match (&self.builtin, &self.inline, &self.file) {
+            (Some(builtin), ..) => builtin.clone()?.surface(),
+            (None, Some(surface), _) => surface.clone(),
+            (None, None, Some((uri, path))) => {
                 let said = |why: String| format!("its mesh {:?} cannot be read: {why}", uri.text);
                 Surface::read(path.as_ref().map_err(|why| said(why.clone()))?).map_err(said)?
             }
-            (None, None) => return Err("its mesh has no file and no vertices".to_owned()),
+            (None, None, None) => return Err("its mesh has no file and no vertices".to_owned()),
         };
         let inverse = self.reference.inverse();
         for vertex in &mut surface.vertices {

@@ -6,6 +6,7 @@
 
 mod attach;
 mod attributes;
+mod builtin;
 mod compiler;
 mod context;
 mod defaults;
@@ -86,6 +87,8 @@ struct Reader<'c, 'a, 'm> {
     folders: &'c [PathBuf],
     roots: &'c Roots,
     solids: HashMap<(usize, String), Result<Rc<Solid>, String>>,
+    /// Vertices of the meshes that MuJoCo makes itself.
+    made_vertices: usize,
     /// For each link, the link above it, and whether it has a joint.
     jointed: Vec<(Option<usize>, bool)>,
     /// For each link, its frame in that of the link above it.
@@ -119,6 +122,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
             folders,
             roots,
             solids: HashMap::new(),
+            made_vertices: 0,
             jointed: Vec::new(),
             frames_in_parents: Vec::new(),
             masses: Vec::new(),

@@ -11,14 +11,12 @@ use super::{Flex, Lattice, exactly};
 
 impl<'a> Reader<'_, 'a, '_> {
     /// What `file` or `mesh` names: the points of its triangles or lines, or of the tetrahedra between its triangles and `origin`.
-    pub(super) fn of_mesh(&self, branch: &Branch<'a>, flex: &Flex<'a>) -> Result<Lattice, String> {
+    pub(super) fn of_mesh(&mut self, branch: &Branch<'a>, flex: &Flex<'a>) -> Result<Lattice, String> {
         let element = branch.element;
         let origin = element.attribute("origin").map(|_| exactly(element, "origin", [0.0; 3])).transpose()?;
         let dim = flex.dim;
         let surface = if let Some(name) = element.word("mesh") {
-            let context = self.contexts.get(branch.context);
-            let asset = context.and_then(|context| context.meshes.get(name));
-            asset.ok_or_else(|| format!("this file has no mesh {name:?}"))?.surface()?
+            self.asset(name, branch.context)?.surface()?
         } else {
             let path = self.flex_file(branch)?;
             if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("msh")) {

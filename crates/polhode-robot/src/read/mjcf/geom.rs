@@ -155,8 +155,7 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
         }
         let (amount, center, per_kilogram) = match form.kind {
             "plane" => return Ok(None),
-            "sdf" => return Err("a geom is a signed distance field".to_owned()),
-            "mesh" => {
+            "mesh" | "sdf" => {
                 let name = form.mesh.ok_or("a geom names no mesh")?;
                 let solid = self.solid(name, context)?;
                 (solid.amount, solid.center, solid.tensor)
@@ -181,7 +180,7 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
             }
         };
         let positive = per_kilogram.iter().all(|element| element.is_finite()) && amount >= 0.0;
-        if !positive || form.kind != "mesh" && form.size.iter().any(|c| *c < 0.0) {
+        if !positive || !matches!(form.kind, "mesh" | "sdf") && form.size.iter().any(|c| *c < 0.0) {
             return Err("the size of a geom is no positive number".to_owned());
         }
         let mass = match given {
@@ -212,14 +211,14 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
     /// # Errors
     /// If there is none of that name, or more than any model has are made.
     pub(super) fn asset(&mut self, name: &str, context: usize) -> Result<&'c Asset, String> {
-        /// Vertices that MuJoCo makes itself, of all meshes. A file could ask for as many thousands as it has bytes.
-        const MOST_VERTICES: usize = 2_000_000;
+        /// Points that MuJoCo makes itself, of all meshes. A file could ask for as many thousands as it has bytes.
+        const MOST_POINTS: usize = 10_000_000;
         let contexts = self.contexts;
         let asset = contexts.get(context).and_then(|context| context.meshes.get(name));
         let asset = asset.ok_or_else(|| format!("this file has no mesh {name:?}"))?;
-        self.made_vertices += asset.made_vertices();
-        if self.made_vertices > MOST_VERTICES {
-            return Err(format!("its mesh and others are made of more than {MOST_VERTICES} vertices"));
+        self.made_points += asset.made_points();
+        if self.made_points > MOST_POINTS {
+            return Err(format!("its mesh and others are made from more than {MOST_POINTS} points"));
         }
         Ok(asset)
     }

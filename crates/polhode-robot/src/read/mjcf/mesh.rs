@@ -19,6 +19,7 @@ use crate::read::xml::Element;
 use super::builtin::Builtin;
 use super::compiler::Settings;
 use super::defaults::Source;
+use super::field::Field;
 use super::surface::Surface;
 
 /// How a mesh is a body.
@@ -39,7 +40,9 @@ pub(super) struct Asset {
     inline: Option<Surface>,
     /// Made by MuJoCo itself.
     builtin: Option<Result<Builtin, String>>,
-    /// Why it cannot be measured: made by a plugin, a hull of a limited number of vertices.
+    /// Made by a plugin.
+    field: Option<Result<Field, String>>,
+    /// Why it cannot be measured: it is a hull of a limited number of vertices.
     refused: Option<String>,
     inertia: MeshInertia,
     scale: [f64; 3],
@@ -62,6 +65,7 @@ impl Asset {
     /// The mesh that an element of the assets says; `folder` is its model's own.
     pub(super) fn of(
         element: Element<'_>,
+        root: Element<'_>,
         source: &Source<'_, '_>,
         settings: &Settings<'_>,
         folder: &Path,
@@ -87,13 +91,8 @@ impl Asset {
             _ => MeshInertia::Legacy,
         };
         let most = source.number("maxhullvert").is_some_and(|most| most >= 0.0);
-        let refused = if inertia == MeshInertia::Convex && most {
-            Some("its mesh counts as a hull of a limited number of vertices (maxhullvert)".to_owned())
-        } else if element.child("plugin").is_some() {
-            Some("its mesh is made by a plugin".to_owned())
-        } else {
-            None
-        };
+        let refused = (inertia == MeshInertia::Convex && most)
+            .then(|| "its mesh counts as a hull of a limited number of vertices (maxhullvert)".to_owned());
         let three = |name: &str, default| {
             source.written(name).map_or(default, |written| written.array().unwrap_or([f64::NAN; 3]))
         };
@@ -104,6 +103,7 @@ impl Asset {
             file: path,
             inline: Surface::inline(element),
             builtin,
+            field: Field::of(element, root).filter(|_| element.word("file").is_none()),
             refused,
             inertia,
             scale: three("scale", [1.0; 3]),
@@ -132,12 +132,13 @@ impl Asset {
         (shape, Pose::new(position, inverse.rotation))
     }
 
-    /// How many vertices MuJoCo makes for it.
-    pub(super) fn made_vertices(&self) -> usize {
-        self.builtin
-            .as_ref()
-            .and_then(|builtin| builtin.as_ref().ok())
-            .map_or(0, |builtin| builtin.vertices())
+    /// How many points MuJoCo makes for it: vertices, or those of a grid.
+    pub(super) fn made_points(&self) -> usize {
+        match (&self.builtin, &self.field) {
+            (Some(Ok(builtin)), _) => builtin.vertices(),
+            (None, Some(Ok(field))) => field.points(),
+            _ => 0,
+        }
     }
 
     /// Whether it is given as a file.
@@ -161,7 +162,8 @@ impl Asset {
             } else {
                 surface.corners().collect()
             };
-        summed(&triangles, self.inertia, surface.vertices)
+        let solid = summed(&triangles, self.inertia, surface.vertices)?;
+        Ok(if self.field.is_some() { solid.unturned() } else { solid })
     }
 
     /// Its triangles, turned and scaled.
@@ -169,14 +171,18 @@ impl Asset {
     /// # Errors
     /// In words, why it cannot be read.
     pub(super) fn surface(&self) -> Result<Surface, String> {
-        let mut surface = match (&self.builtin, &self.inline, &self.file) {
+        if self.field.is_some() && self.scale != [1.0; 3] {
+            return Err("its mesh is made by a plugin and has a scale: MuJoCo refuses the file".to_owned());
+        }
+        let mut surface = match (&self.builtin, &self.field, &self.inline, &self.file) {
             (Some(builtin), ..) => builtin.clone()?.surface(),
-            (None, Some(surface), _) => surface.clone(),
-            (None, None, Some((uri, path))) => {
+            (None, Some(field), ..) => field.clone()?.surface(),
+            (None, None, Some(surface), _) => surface.clone(),
+            (None, None, None, Some((uri, path))) => {
                 let said = |why: String| format!("its mesh {:?} cannot be read: {why}", uri.text);
                 Surface::read(path.as_ref().map_err(|why| said(why.clone()))?).map_err(said)?
             }
-            (None, None, None) => return Err("its mesh has no file and no vertices".to_owned()),
+            (None, None, None, None) => return Err("its mesh has no file and no vertices".to_owned()),
         };
         let inverse = self.reference.inverse();
         for vertex in &mut surface.vertices {
@@ -261,6 +267,12 @@ pub(super) struct Fitted {
 }
 
 impl Solid {
+    /// As MuJoCo has a mesh that it does not turn: its moments, the greatest first, about the axes that it has, and the origin.
+    fn unturned(self) -> Self {
+        let Moments { values: [i1, i2, i3], .. } = Moments::of(&self.tensor);
+        Self { center: [0.0; 3], tensor: [i3, i2, i1, 0.0, 0.0, 0.0], ..self }
+    }
+
     /// The primitive that has the moments of the mesh, or with `by_bounds` that is as large as the mesh along its principal
     /// axes.
     ///

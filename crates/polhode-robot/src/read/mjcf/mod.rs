@@ -11,6 +11,7 @@ mod compiler;
 mod context;
 mod defaults;
 mod equality;
+mod field;
 mod flexcomp;
 mod geom;
 mod inertial;
@@ -87,8 +88,8 @@ struct Reader<'c, 'a, 'm> {
     folders: &'c [PathBuf],
     roots: &'c Roots,
     solids: HashMap<(usize, String), Result<Rc<Solid>, String>>,
-    /// Vertices of the meshes that MuJoCo makes itself.
-    made_vertices: usize,
+    /// Points of the meshes that MuJoCo makes itself.
+    made_points: usize,
     /// For each link, the link above it, and whether it has a joint.
     jointed: Vec<(Option<usize>, bool)>,
     /// For each link, its frame in that of the link above it.
@@ -122,7 +123,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
             folders,
             roots,
             solids: HashMap::new(),
-            made_vertices: 0,
+            made_points: 0,
             jointed: Vec::new(),
             frames_in_parents: Vec::new(),
             masses: Vec::new(),

@@ -18,6 +18,8 @@ mod lump;
 mod mimic;
 mod mjcf;
 mod mjcf_compiler;
+mod mjcf_flexcomp;
+mod mjcf_made;
 mod osim;
 mod planted;
 mod policy;

@@ -330,14 +330,18 @@ fn norm(quat: [f64; 4]) -> f64 {
 }
 
 /// The numbers of an attribute, neither fewer nor more.
-fn exactly<const N: usize>(element: Element<'_>, name: &str, default: [f64; N]) -> Result<[f64; N], String> {
+pub(super) fn exactly<const N: usize>(
+    element: Element<'_>,
+    name: &str,
+    default: [f64; N],
+) -> Result<[f64; N], String> {
     let Some(written) = element.attribute(name) else { return Ok(default) };
     let numbers = written.array().filter(|numbers| numbers.iter().all(|number: &f64| number.is_finite()));
     numbers.ok_or_else(|| format!("{name}={:?} does not have {N} numbers", written.value))
 }
 
 /// Numbers that count.
-fn whole<const N: usize>(name: &str, numbers: [f64; N]) -> Result<[usize; N], String> {
+pub(super) fn whole<const N: usize>(name: &str, numbers: [f64; N]) -> Result<[usize; N], String> {
     let is_whole = |number: &f64| (0.0..1e9).contains(number) && number.trunc() == *number;
     match numbers.iter().all(is_whole) {
         true => Ok(numbers.map(|number| number as usize)),

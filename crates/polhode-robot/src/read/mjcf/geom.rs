@@ -12,7 +12,7 @@ use super::mesh::{Asset, Fitted, Solid};
 use super::{Branch, Reader};
 
 /// The density of a geom that says none, kg/m³.
-const WATER: f64 = 1000.0;
+pub(super) const WATER: f64 = 1000.0;
 
 /// A geom, and its mass as far as it counts.
 pub(super) struct Geom {
@@ -212,7 +212,7 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
     /// If there is none of that name, or more than any model has are made.
     pub(super) fn asset(&mut self, name: &str, context: usize) -> Result<&'c Asset, String> {
         /// Points that MuJoCo makes itself, of all meshes. A file could ask for as many thousands as it has bytes.
-        const MOST_POINTS: usize = 10_000_000;
+        const MOST_POINTS: usize = 5_000_000;
         let contexts = self.contexts;
         let asset = contexts.get(context).and_then(|context| context.meshes.get(name));
         let asset = asset.ok_or_else(|| format!("this file has no mesh {name:?}"))?;

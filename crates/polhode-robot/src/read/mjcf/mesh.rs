@@ -132,10 +132,10 @@ impl Asset {
         (shape, Pose::new(position, inverse.rotation))
     }
 
-    /// How many points MuJoCo makes for it: vertices, or those of a grid.
+    /// How many points of a grid take as long as what MuJoCo makes for it.
     pub(super) fn made_points(&self) -> usize {
         match (&self.builtin, &self.field) {
-            (Some(Ok(builtin)), _) => builtin.vertices(),
+            (Some(Ok(builtin)), _) => builtin.vertices().saturating_mul(8),
             (None, Some(Ok(field))) => field.points(),
             _ => 0,
         }

@@ -8,6 +8,7 @@ mod attach;
 mod attributes;
 mod builtin;
 mod compiler;
+mod composite;
 mod context;
 mod defaults;
 mod equality;
@@ -187,7 +188,8 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
                 "geom" => self.add_geom(&branch),
                 "joint" | "freejoint" => self.joint(&branch),
                 "flexcomp" => self.flexcomp(&branch)?,
-                "composite" | "include" => self.left_out(&branch),
+                "composite" => self.composite(&branch)?,
+                "include" => self.left_out(&branch),
                 "worldbody" | "mujocoinclude" => Self::below(&branch, &mut branches),
                 _ => {}
             }
@@ -314,19 +316,11 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         reading.pose(position, rotation.unwrap_or(Pose::IDENTITY.rotation))
     }
 
+    /// An include that could not be read has its note; an inertial or geoms may be in it.
     fn left_out(&mut self, branch: &Branch<'a>) {
-        let element = branch.element;
-        if element.name() == "include" {
-            // it has its note; an inertial or geoms may be in it
-            if let Some(body) = branch.link.and_then(|link| self.masses.get_mut(link)) {
-                body.unknown.get_or_insert("an <include> in it could not be read".to_owned());
-            }
-            return;
+        if let Some(body) = branch.link.and_then(|link| self.masses.get_mut(link)) {
+            body.unknown.get_or_insert("an <include> in it could not be read".to_owned());
         }
-        self.incomplete = Some(format!("<{}> is not read", element.name()));
-        let message = format!("<{}> is not read: what it makes is not checked", element.name());
-        let subject = self.name_of(branch.link).to_owned();
-        self.note("read.left_out", &subject, element.span(), message);
     }
 
     /// The name of a link; empty for the world.

@@ -23,7 +23,7 @@ impl<'a> Reader<'_, 'a, '_> {
                 return Err("its file is a .msh mesh, and MuJoCo refuses the file".to_owned());
             }
             let surface = if dim == 1 { Surface::lines(&path) } else { Surface::read(&path) };
-            merged(surface?)
+            merged(&surface?)
         };
         let points = surface.vertices.iter().map(|vertex| vertex.map(|c| f64::from(c as f32))).collect();
         if surface.triangles.is_empty() {
@@ -72,7 +72,7 @@ fn tetrahedra(
 }
 
 /// Vertices at one place as one, in the order in which they come.
-fn merged(surface: Surface) -> Surface {
+fn merged(surface: &Surface) -> Surface {
     let mut numbers = HashMap::new();
     let mut vertices = Vec::new();
     let mut number = |vertex: [f64; 3]| {

@@ -330,3 +330,16 @@ fn particles_without_number_are_refused() {
         );
     }
 }
+
+#[test]
+fn what_copies_read_again_is_counted() {
+    let points = "0.125 0.25 0.5 ".repeat(40_000);
+    let body = format!(
+        "<body name='b'><flexcomp name='f' type='direct' dim='1' rigid='true' point='{points}' element='0 1'/></body>"
+    );
+    let copies = |count: usize| {
+        format!("<mujoco><worldbody><replicate count='{count}'>{body}</replicate></worldbody></mujoco>")
+    };
+    assert_eq!(read(&copies(10)).links.len(), 10);
+    assert!(refused(&copies(1000)).to_string().contains("300000 elements"));
+}

@@ -53,6 +53,9 @@ const ATTRIBUTES: &[&str] = &[
 ];
 const CHILDREN: &[&str] = &["edge", "elasticity", "contact", "pin", "plugin"];
 
+/// About as many bytes say a point, in a file or an attribute. Copies read theirs again, and what that takes counts as elements do.
+const TEXT_OF_A_POINT: usize = 50;
+
 /// Points, and elements between them of dim + 1 points each.
 #[derive(Debug, Default)]
 struct Lattice {
@@ -112,7 +115,9 @@ impl<'a> Reader<'_, 'a, '_> {
         // as many points as a hundred bytes can ask for
         self.elements = self.elements.saturating_add(flex.form.number(flex.dim, flex.count));
         self.require_few(branch.element)?;
-        Ok(self.moving(branch, &flex))
+        let moving = self.moving(branch, &flex);
+        self.require_few(branch.element)?;
+        Ok(moving)
     }
 
     fn moving(&mut self, branch: &Branch<'a>, flex: &Flex<'a>) -> Result<Option<Particles>, String> {
@@ -150,7 +155,11 @@ impl<'a> Reader<'_, 'a, '_> {
     fn lattice(&mut self, branch: &Branch<'a>, flex: &Flex<'a>) -> Result<Lattice, String> {
         let element = flex.element;
         let mut lattice = match flex.form {
-            Form::Direct => Lattice { dim: flex.dim, ..Lattice::direct(element)? },
+            Form::Direct => {
+                let texts = ["point", "element"].map(|name| element.word(name).map_or(0, str::len));
+                self.elements += (texts[0] + texts[1]) / TEXT_OF_A_POINT;
+                Lattice { dim: flex.dim, ..Lattice::direct(element)? }
+            }
             Form::Mesh => self.of_mesh(branch, flex)?,
             Form::Gmsh => {
                 let path = self.flex_file(branch)?;

@@ -20,7 +20,7 @@ use super::builtin::Builtin;
 use super::compiler::Settings;
 use super::defaults::Source;
 use super::field::Field;
-use super::surface::Surface;
+use super::surface::{Surface, size};
 
 /// How a mesh is a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -137,6 +137,15 @@ impl Asset {
         match (&self.builtin, &self.field) {
             (Some(Ok(builtin)), _) => builtin.vertices().saturating_mul(8),
             (None, Some(Ok(field))) => field.points(),
+            _ => 0,
+        }
+    }
+
+    /// Bytes of its file, or of the vertices that stand in the model.
+    pub(super) fn size(&self) -> usize {
+        match (&self.inline, &self.file) {
+            (Some(surface), _) => surface.vertices.len().saturating_mul(50),
+            (None, Some((_, Ok(path)))) => size(path),
             _ => 0,
         }
     }

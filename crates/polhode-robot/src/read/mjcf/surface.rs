@@ -13,6 +13,11 @@ pub(super) struct Surface {
     pub(super) triangles: Vec<[u32; 3]>,
 }
 
+/// Bytes of a file.
+pub(super) fn size(path: &Path) -> usize {
+    std::fs::metadata(path).map_or(0, |file| usize::try_from(file.len()).unwrap_or(usize::MAX))
+}
+
 impl Surface {
     /// What `vertex` and `face` of an asset say; `None` without vertices.
     pub(super) fn inline(element: Element<'_>) -> Option<Self> {

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 
 use crate::pose::{cross, dot};
 
-use super::super::surface::Surface;
+use super::super::surface::{Surface, size};
 use super::super::{Branch, Reader};
-use super::{Flex, Lattice, exactly};
+use super::{Flex, Lattice, TEXT_OF_A_POINT, exactly};
 
 impl<'a> Reader<'_, 'a, '_> {
     /// What `file` or `mesh` names: the points of its triangles or lines, or of the tetrahedra between its triangles and `origin`.
@@ -16,7 +16,9 @@ impl<'a> Reader<'_, 'a, '_> {
         let origin = element.attribute("origin").map(|_| exactly(element, "origin", [0.0; 3])).transpose()?;
         let dim = flex.dim;
         let surface = if let Some(name) = element.word("mesh") {
-            self.asset(name, branch.context)?.surface()?
+            let asset = self.asset(name, branch.context)?;
+            self.elements = self.elements.saturating_add(asset.size() / TEXT_OF_A_POINT);
+            asset.surface()?
         } else {
             let path = self.flex_file(branch)?;
             if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("msh")) {
@@ -40,7 +42,7 @@ impl<'a> Reader<'_, 'a, '_> {
     }
 
     /// The file that the element of a branch names.
-    pub(super) fn flex_file(&self, branch: &Branch<'a>) -> Result<PathBuf, String> {
+    pub(super) fn flex_file(&mut self, branch: &Branch<'a>) -> Result<PathBuf, String> {
         let written = branch.element.word("file").filter(|file| !file.is_empty());
         let written = written.ok_or("it names no file")?;
         let context = self.contexts.get(branch.context).ok_or("it names no file")?;
@@ -48,7 +50,9 @@ impl<'a> Reader<'_, 'a, '_> {
         let file = if context.settings.strip_path { base } else { written };
         let folder = self.folders.get(context.root.tree()).cloned().unwrap_or_default();
         let path = self.roots.resolve(file, &folder.join(context.settings.mesh_folder));
-        path.map_err(|why| format!("its file {written:?} cannot be read: {why}"))
+        let path = path.map_err(|why| format!("its file {written:?} cannot be read: {why}"))?;
+        self.elements = self.elements.saturating_add(size(&path) / TEXT_OF_A_POINT);
+        Ok(path)
     }
 }
 

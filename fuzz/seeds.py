@@ -56,7 +56,7 @@ WORDS = {
     "xyz": "formats/src/molecule/xyz.rs", "particles": "formats/src/particles*.rs", "voxel": "formats/src/voxel/*.rs",
     "motion_table": "formats/src/scenario/motion_table.rs", "run_log": "formats/src/run_log/*.rs", "cad": "formats/src/cad/*.rs", "unit": "formats/src/unit/table.rs",
     "expression": "formats/src/expression/*.rs", "formula": "polhode/src/motion/state_variables.rs",
-    "urdf": "robot/src/read/urdf.rs", "sdf": "robot/src/read/sdf*.rs", "mjcf": "robot/src/read/mjcf/*.rs",
+    "urdf": "robot/src/read/urdf.rs", "sdf": "robot/src/read/sdf*.rs", "mjcf": "robot/src/read/mjcf/**/*.rs",
     "usd": "robot/src/read/usd/*.rs", "osim": "robot/src/read/osim*.rs",
     "scenario": "formats/src/scenario/**/*.rs", "plan": "formats/src/scenario/**/*.rs",
 }

@@ -8,7 +8,7 @@
 //! are [`Slot::Missing`](crate::model::Slot::Missing), [`Tensor::Missing`](crate::model::Tensor::Missing) and `None`, as in the other
 //! languages.
 //!
-//! Not read: xacro (expand it first), `<composite>` and `<flexcomp>` of MJCF (a note).
+//! Not read: xacro (expand it first).
 
 mod files;
 mod mjcf;

@@ -171,6 +171,13 @@ fn has_mass(format: ModelFormat, link: &Link) -> bool {
     match &link.inertial {
         Some(inertial) => inertial.mass.finite().is_none_or(|m| m > 0.0),
         None if format == ModelFormat::Mjcf && matches!(link.computed, Some(Err(_))) => true, // it may be anywhere
+        None if link
+            .computed
+            .as_ref()
+            .is_some_and(|made| made.as_ref().is_ok_and(|made| made.mass > 0.0)) =>
+        {
+            true
+        }
         None if link.from_geometry => !link.geometry.is_empty(),
         None => format == ModelFormat::Sdf,
     }

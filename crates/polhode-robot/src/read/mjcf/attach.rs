@@ -1,4 +1,4 @@
-//! `<attach>`: a body of another model, or all that stands in its world.
+//! `<attach>`: a body or a frame of this or another model, or all that stands in the other's world.
 
 use crate::read::xml::Element;
 
@@ -26,59 +26,66 @@ impl<'a> Reader<'_, 'a, '_> {
             });
         }
         let found = context.and_then(|context| Some((context, self.contexts.get(context)?.root)));
-        let why = match (found, element.word("body")) {
-            (None, _) => "its model is not among the assets, or could not be read",
-            _ if element.word("frame").is_some() => "frames are not attached here",
-            (Some(_), None) if model.is_none() => "it names no body",
-            (Some((context, root)), None) => {
-                for world in root.named("worldbody") {
-                    let class = world.word("childclass");
-                    let attached = Branch {
-                        element: world,
-                        context,
-                        class,
-                        prefix: prefix.as_str().into(),
-                        origin,
-                        ..branch.clone()
-                    };
-                    branches.push(attached);
-                }
-                return;
-            }
-            (Some((context, root)), Some(name)) => match body(root, name) {
-                Some((element, class)) => {
-                    branches.push(Branch {
-                        element,
-                        context,
-                        class,
-                        prefix: prefix.into(),
-                        origin,
-                        ..branch.clone()
-                    });
-                    return;
-                }
-                None => "its model has no such body",
-            },
+        let (kind, name) = match (element.word("body"), element.word("frame")) {
+            (Some(_), Some(_)) => return self.not_made(branch, "it names a body and a frame"),
+            (Some(name), None) => ("body", Some(name)),
+            (None, name) => ("frame", name),
         };
-        self.incomplete = Some("<attach> is not read".to_owned());
-        let subject = self.name_of(branch.link).to_owned();
-        let message = format!("<attach> is not read, and what it makes is not checked: {why}");
-        self.note("read.left_out", &subject, element.span(), message);
+        let Some((context, root)) = found else {
+            return self.not_made(branch, "its model is not among the assets, or could not be read");
+        };
+        let attached = |element, class| Branch {
+            element,
+            context,
+            class,
+            prefix: prefix.as_str().into(),
+            origin,
+            is_named: true,
+            ..branch.clone()
+        };
+        let Some(name) = name else {
+            if model.is_none() {
+                return self.not_made(branch, "it names no body");
+            }
+            branches.extend(root.named("worldbody").map(|world| attached(world, world.word("childclass"))));
+            return;
+        };
+        let Some((found, class)) = below(root, kind, name) else {
+            return self.not_made(branch, &format!("its model has no such {kind}"));
+        };
+        // MuJoCo knows what stands before it, and copies that
+        let is_later = found.tree() == element.tree() && found.span().start > element.span().start;
+        if model.is_none() && (is_later || holds(found, element)) {
+            return self.not_made(branch, &format!("its {kind} has not ended before it"));
+        }
+        branches.push(attached(found, class));
     }
 }
 
-/// The body of that name below the root of a model, and the class around it.
-fn body<'a>(root: Element<'a>, name: &str) -> Option<(Element<'a>, Option<&'a str>)> {
+/// The body or frame of that name below the root of a model, and the class around it.
+fn below<'a>(root: Element<'a>, kind: &str, name: &str) -> Option<(Element<'a>, Option<&'a str>)> {
     let mut waiting: Vec<_> =
         root.named("worldbody").map(|world| (world, world.word("childclass"))).collect();
     while let Some((element, class)) = waiting.pop() {
         for child in element.children() {
             match child.name() {
-                "body" if child.word("name") == Some(name) => return Some((child, class)),
+                own if own == kind && child.word("name") == Some(name) => return Some((child, class)),
                 "body" | "frame" => waiting.push((child, child.word("childclass").or(class))),
                 _ => {}
             }
         }
     }
     None
+}
+
+/// Whether an element stands in another.
+fn holds(outer: Element<'_>, inner: Element<'_>) -> bool {
+    let mut waiting = vec![outer];
+    while let Some(element) = waiting.pop() {
+        if element.tree() == inner.tree() && element.span() == inner.span() {
+            return true;
+        }
+        waiting.extend(element.children());
+    }
+    false
 }

@@ -1,6 +1,6 @@
 //! Attributes that MuJoCo does not have: it refuses the file. Where one is nearly another's name, that one was meant.
 //!
-//! The names are those that MuJoCo 3.17 takes, and those of versions before it.
+//! The names are those that MuJoCo 4.0 takes, and those of versions before it.
 
 use crate::finding::Severity;
 use crate::model::Note;
@@ -9,13 +9,13 @@ use crate::read::xml::Element;
 const COMPILER: &str = "alignfree angle assetdir autolimits balanceinertia boundinertia boundmass conflict convexhull coordinate \
      discardvisual eulerseq exactmeshinertia fitaabb fusestatic inertiafromgeom inertiagrouprange meshdir passthrough savecanonical \
      savecompiled saveinertial settotalmass strippath texturedir usethread";
-const GEOM: &str = "adhesion axisangle class conaffinity condim contype density euler fitscale fluidcoef fluidshape friction fromto gap \
+const GEOM: &str = "adhesion axisangle castshadow class conaffinity condim contype density euler fitscale fluidcoef fluidshape friction fromto gap \
      group hfield margin mass material mesh name pos priority quat rgba shellinertia size solimp solmix solref surfacevel type user \
      xyaxes zaxis";
 const BODY: &str =
     "axisangle childclass euler fuse gravcomp mocap name pos quat simple sleep user xyaxes zaxis";
 const JOINT: &str = "actuatorfrclimited actuatorfrcrange actuatorgravcomp align armature axis class damping frictionloss group limited \
-     margin name pos range ref solimpfriction solimplimit solreffriction solreflimit springdamper springref stiffness type user";
+     margin name pos range ref solimpfriction solimplimit solreffriction solreflimit springdamper springref springyield stiffness type user";
 const MESH: &str = "builtin class content_type face file inertia material maxhullvert name normal octree params refpos refquat scale \
      smoothnormal texcoord vertex";
 

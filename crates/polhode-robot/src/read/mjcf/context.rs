@@ -66,7 +66,7 @@ impl<'a> Context<'a> {
             match asset.name() {
                 "mesh" => {
                     let source = context.classes.mesh(asset);
-                    let (name, mesh) = Asset::of(asset, &source, &context.settings, &folder, roots);
+                    let (name, mesh) = Asset::of(asset, root, &source, &context.settings, &folder, roots);
                     context.meshes.insert(name, mesh);
                 }
                 "hfield" => {

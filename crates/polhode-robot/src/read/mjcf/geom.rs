@@ -8,11 +8,11 @@ use crate::read::xml::{Element, Written, is_true};
 use super::defaults::Source;
 use super::mass::LEAST;
 use super::measure;
-use super::mesh::{Fitted, Solid};
+use super::mesh::{Asset, Fitted, Solid};
 use super::{Branch, Reader};
 
 /// The density of a geom that says none, kg/m³.
-const WATER: f64 = 1000.0;
+pub(super) const WATER: f64 = 1000.0;
 
 /// A geom, and its mass as far as it counts.
 pub(super) struct Geom {
@@ -155,8 +155,7 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
         }
         let (amount, center, per_kilogram) = match form.kind {
             "plane" => return Ok(None),
-            "sdf" => return Err("a geom is a signed distance field".to_owned()),
-            "mesh" => {
+            "mesh" | "sdf" => {
                 let name = form.mesh.ok_or("a geom names no mesh")?;
                 let solid = self.solid(name, context)?;
                 (solid.amount, solid.center, solid.tensor)
@@ -181,7 +180,7 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
             }
         };
         let positive = per_kilogram.iter().all(|element| element.is_finite()) && amount >= 0.0;
-        if !positive || form.kind != "mesh" && form.size.iter().any(|c| *c < 0.0) {
+        if !positive || !matches!(form.kind, "mesh" | "sdf") && form.size.iter().any(|c| *c < 0.0) {
             return Err("the size of a geom is no positive number".to_owned());
         }
         let mass = match given {
@@ -202,13 +201,26 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
         if let Some(known) = self.solids.get(&key) {
             return known.clone();
         }
-        let asset = self.contexts.get(context).and_then(|context| context.meshes.get(name));
-        let solid = match asset {
-            Some(asset) => asset.solid().map(std::rc::Rc::new),
-            None => Err(format!("this file has no mesh {name:?}")),
-        };
+        let solid = self.asset(name, context).and_then(Asset::solid).map(std::rc::Rc::new);
         self.solids.insert(key, solid.clone());
         solid
+    }
+
+    /// A mesh of a model that is about to be read or made.
+    ///
+    /// # Errors
+    /// If there is none of that name, or more than any model has are made.
+    pub(super) fn asset(&mut self, name: &str, context: usize) -> Result<&'c Asset, String> {
+        /// Points that MuJoCo makes itself, of all meshes. A file could ask for as many thousands as it has bytes.
+        const MOST_POINTS: usize = 5_000_000;
+        let contexts = self.contexts;
+        let asset = contexts.get(context).and_then(|context| context.meshes.get(name));
+        let asset = asset.ok_or_else(|| format!("this file has no mesh {name:?}"))?;
+        self.made_points += asset.made_points();
+        if self.made_points > MOST_POINTS {
+            return Err(format!("its mesh and others are made from more than {MOST_POINTS} points"));
+        }
+        Ok(asset)
     }
 }
 

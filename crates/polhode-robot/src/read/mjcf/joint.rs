@@ -26,19 +26,32 @@ impl<'a> Reader<'_, 'a, '_> {
         };
         let anchor = branch.frame.placed(three("pos", [0.0; 3]));
         let axis = branch.frame.turned(three("axis", [0.0, 0.0, 1.0]));
-        if let Some((_, jointed)) = self.jointed.get_mut(index) {
-            *jointed = true;
-        }
         let name = element.attribute("name").map_or_else(
             || made_up(format!("joint {}", self.model.joints.len() + 1), element),
             |name| branch.name(name.name()),
         );
-        self.joint_order.push(self.elements);
-        self.joint_origins.push(branch.origin);
         let unread = source.word("type").filter(|word| kind == JointKind::Other && *word != "ball");
         let unread = unread.map(|word| format!("type {word:?} is no kind of joint"));
         let coordinate = Coordinate { unread, ..coordinate(&source, kind, &context.settings) };
-        self.hang(index, name, element.span(), kind, (axis, anchor), coordinate);
+        self.add_joint(index, branch, name, kind, (axis, anchor), coordinate);
+    }
+
+    /// A joint of a link, that the element of a branch says.
+    pub(super) fn add_joint(
+        &mut self,
+        index: usize,
+        branch: &Branch<'a>,
+        name: Name,
+        kind: JointKind,
+        place: ([f64; 3], [f64; 3]),
+        coordinate: Coordinate,
+    ) {
+        if let Some((_, jointed)) = self.jointed.get_mut(index) {
+            *jointed = true;
+        }
+        self.joint_order.push(self.elements);
+        self.joint_origins.push(branch.origin);
+        self.hang(index, name, branch.element.span(), kind, place, coordinate);
     }
 
     /// Joins a link to the one above it.

@@ -16,9 +16,11 @@ use crate::pose::{dot, of_x_and_y, sum, unit};
 use crate::read::uri::Roots;
 use crate::read::xml::Element;
 
+use super::builtin::Builtin;
 use super::compiler::Settings;
 use super::defaults::Source;
-use super::surface::Surface;
+use super::field::Field;
+use super::surface::{Surface, size};
 
 /// How a mesh is a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,7 +38,11 @@ pub(super) struct Asset {
     file: Option<(Name, Result<PathBuf, String>)>,
     /// Vertices and triangles that stand in the model itself.
     inline: Option<Surface>,
-    /// Why it cannot be measured: made by MuJoCo itself, a hull of a limited number of vertices.
+    /// Made by MuJoCo itself.
+    builtin: Option<Result<Builtin, String>>,
+    /// Made by a plugin.
+    field: Option<Result<Field, String>>,
+    /// Why it cannot be measured: it is a hull of a limited number of vertices.
     refused: Option<String>,
     inertia: MeshInertia,
     scale: [f64; 3],
@@ -59,6 +65,7 @@ impl Asset {
     /// The mesh that an element of the assets says; `folder` is its model's own.
     pub(super) fn of(
         element: Element<'_>,
+        root: Element<'_>,
         source: &Source<'_, '_>,
         settings: &Settings<'_>,
         folder: &Path,
@@ -74,7 +81,9 @@ impl Asset {
             let path = roots.resolve(written, &folder.join(settings.mesh_folder));
             (file.name(), path)
         });
+        let builtin = Builtin::of(element);
         let inertia = match source.word("inertia") {
+            _ if matches!(&builtin, Some(Ok(builtin)) if builtin.is_shell()) => MeshInertia::Shell,
             Some("convex") => MeshInertia::Convex,
             Some("exact") => MeshInertia::Exact,
             Some("shell") => MeshInertia::Shell,
@@ -82,15 +91,8 @@ impl Asset {
             _ => MeshInertia::Legacy,
         };
         let most = source.number("maxhullvert").is_some_and(|most| most >= 0.0);
-        let refused = if element.word("builtin").is_some() {
-            Some("its mesh is one that MuJoCo makes itself (builtin)".to_owned())
-        } else if inertia == MeshInertia::Convex && most {
-            Some("its mesh counts as a hull of a limited number of vertices (maxhullvert)".to_owned())
-        } else if element.child("plugin").is_some() {
-            Some("its mesh is made by a plugin".to_owned())
-        } else {
-            None
-        };
+        let refused = (inertia == MeshInertia::Convex && most)
+            .then(|| "its mesh counts as a hull of a limited number of vertices (maxhullvert)".to_owned());
         let three = |name: &str, default| {
             source.written(name).map_or(default, |written| written.array().unwrap_or([f64::NAN; 3]))
         };
@@ -100,6 +102,8 @@ impl Asset {
         let asset = Self {
             file: path,
             inline: Surface::inline(element),
+            builtin,
+            field: Field::of(element, root).filter(|_| element.word("file").is_none()),
             refused,
             inertia,
             scale: three("scale", [1.0; 3]),
@@ -128,6 +132,24 @@ impl Asset {
         (shape, Pose::new(position, inverse.rotation))
     }
 
+    /// How many points of a grid take as long as what MuJoCo makes for it.
+    pub(super) fn made_points(&self) -> usize {
+        match (&self.builtin, &self.field) {
+            (Some(Ok(builtin)), _) => builtin.vertices().saturating_mul(8),
+            (None, Some(Ok(field))) => field.points(),
+            _ => 0,
+        }
+    }
+
+    /// Bytes of its file, or of the vertices that stand in the model.
+    pub(super) fn size(&self) -> usize {
+        match (&self.inline, &self.file) {
+            (Some(surface), _) => surface.vertices.len().saturating_mul(50),
+            (None, Some((_, Ok(path)))) => size(path),
+            _ => 0,
+        }
+    }
+
     /// Whether it is given as a file.
     pub(super) const fn is_file(&self) -> bool {
         self.file.is_some()
@@ -141,13 +163,35 @@ impl Asset {
         if let Some(why) = &self.refused {
             return Err(why.clone());
         }
-        let mut surface = match (&self.inline, &self.file) {
-            (Some(surface), _) => surface.clone(),
-            (None, Some((uri, path))) => {
+        let surface = self.surface()?;
+        let triangles: Vec<[[f64; 3]; 3]> =
+            if self.inertia == MeshInertia::Convex || surface.triangles.is_empty() {
+                let hull = ConvexHull::of(&surface.vertices).map_err(|error| format!("its mesh: {error}"))?;
+                hull.corners().collect()
+            } else {
+                surface.corners().collect()
+            };
+        let solid = summed(&triangles, self.inertia, surface.vertices)?;
+        Ok(if self.field.is_some() { solid.unturned() } else { solid })
+    }
+
+    /// Its triangles, turned and scaled.
+    ///
+    /// # Errors
+    /// In words, why it cannot be read.
+    pub(super) fn surface(&self) -> Result<Surface, String> {
+        if self.field.is_some() && self.scale != [1.0; 3] {
+            return Err("its mesh is made by a plugin and has a scale: MuJoCo refuses the file".to_owned());
+        }
+        let mut surface = match (&self.builtin, &self.field, &self.inline, &self.file) {
+            (Some(builtin), ..) => builtin.clone()?.surface(),
+            (None, Some(field), ..) => field.clone()?.surface(),
+            (None, None, Some(surface), _) => surface.clone(),
+            (None, None, None, Some((uri, path))) => {
                 let said = |why: String| format!("its mesh {:?} cannot be read: {why}", uri.text);
                 Surface::read(path.as_ref().map_err(|why| said(why.clone()))?).map_err(said)?
             }
-            (None, None) => return Err("its mesh has no file and no vertices".to_owned()),
+            (None, None, None, None) => return Err("its mesh has no file and no vertices".to_owned()),
         };
         let inverse = self.reference.inverse();
         for vertex in &mut surface.vertices {
@@ -160,14 +204,7 @@ impl Asset {
         if !surface.vertices.as_flattened().iter().all(|c| c.is_finite()) {
             return Err("its mesh has coordinates, a scale or a frame that are no numbers".to_owned());
         }
-        let triangles: Vec<[[f64; 3]; 3]> =
-            if self.inertia == MeshInertia::Convex || surface.triangles.is_empty() {
-                let hull = ConvexHull::of(&surface.vertices).map_err(|error| format!("its mesh: {error}"))?;
-                hull.corners().collect()
-            } else {
-                surface.corners().collect()
-            };
-        summed(&triangles, self.inertia, surface.vertices)
+        Ok(surface)
     }
 }
 
@@ -239,6 +276,12 @@ pub(super) struct Fitted {
 }
 
 impl Solid {
+    /// As MuJoCo has a mesh that it does not turn: its moments, the greatest first, about the axes that it has, and the origin.
+    fn unturned(self) -> Self {
+        let Moments { values: [i1, i2, i3], .. } = Moments::of(&self.tensor);
+        Self { center: [0.0; 3], tensor: [i3, i2, i1, 0.0, 0.0, 0.0], ..self }
+    }
+
     /// The primitive that has the moments of the mesh, or with `by_bounds` that is as large as the mesh along its principal
     /// axes.
     ///

@@ -6,10 +6,14 @@
 
 mod attach;
 mod attributes;
+mod builtin;
 mod compiler;
+mod composite;
 mod context;
 mod defaults;
 mod equality;
+mod field;
+mod flexcomp;
 mod geom;
 mod inertial;
 mod joint;
@@ -48,7 +52,7 @@ pub(super) fn read(
     model.name = root.word("model").map(str::to_owned);
     let blind = model.notes.iter().any(|note| note.code == "read.include");
     let contexts = context::all(root, folders, roots, &mut model.notes);
-    Reader::new(&contexts, model).read(root, blind)
+    Reader::new(&contexts, folders, roots, model).read(root, blind)
 }
 
 /// A place on the way down the tree.
@@ -68,6 +72,8 @@ struct Branch<'a> {
     suffix: Rc<str>,
     /// Its copy or attached model, among [`Reader::origins`].
     origin: usize,
+    /// It stands in the world or in a body with a name of its own, and not in the copies of one: MuJoCo makes particles nowhere else.
+    is_named: bool,
 }
 
 impl Branch<'_> {
@@ -79,7 +85,12 @@ impl Branch<'_> {
 
 struct Reader<'c, 'a, 'm> {
     contexts: &'c [Context<'a>],
+    /// The folders of the files, and what may be opened.
+    folders: &'c [PathBuf],
+    roots: &'c Roots,
     solids: HashMap<(usize, String), Result<Rc<Solid>, String>>,
+    /// Points of the meshes that MuJoCo makes itself.
+    made_points: usize,
     /// For each link, the link above it, and whether it has a joint.
     jointed: Vec<(Option<usize>, bool)>,
     /// For each link, its frame in that of the link above it.
@@ -102,10 +113,18 @@ struct Reader<'c, 'a, 'm> {
 }
 
 impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
-    fn new(contexts: &'c [Context<'a>], model: &'m mut RobotModel) -> Self {
+    fn new(
+        contexts: &'c [Context<'a>],
+        folders: &'c [PathBuf],
+        roots: &'c Roots,
+        model: &'m mut RobotModel,
+    ) -> Self {
         Self {
             contexts,
+            folders,
+            roots,
             solids: HashMap::new(),
+            made_points: 0,
             jointed: Vec::new(),
             frames_in_parents: Vec::new(),
             masses: Vec::new(),
@@ -143,9 +162,17 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
     fn tree(&mut self, world: Element<'a>) -> Result<(), ContentError> {
         let class = world.word("childclass");
         let (prefix, suffix) = (Rc::from(""), Rc::from(""));
-        let frame = Pose::IDENTITY;
-        let mut branches =
-            vec![Branch { element: world, context: 0, link: None, frame, class, prefix, suffix, origin: 0 }];
+        let mut branches = vec![Branch {
+            element: world,
+            context: 0,
+            link: None,
+            frame: Pose::IDENTITY,
+            class,
+            prefix,
+            suffix,
+            origin: 0,
+            is_named: true,
+        }];
         while let Some(branch) = branches.pop() {
             self.elements += 1;
             self.require_few(branch.element)?;
@@ -160,7 +187,9 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
                 "attach" => self.attach(&branch, &mut branches),
                 "geom" => self.add_geom(&branch),
                 "joint" | "freejoint" => self.joint(&branch),
-                "composite" | "flexcomp" | "include" => self.left_out(&branch),
+                "flexcomp" => self.flexcomp(&branch)?,
+                "composite" => self.composite(&branch)?,
+                "include" => self.left_out(&branch),
                 "worldbody" | "mujocoinclude" => Self::below(&branch, &mut branches),
                 _ => {}
             }
@@ -203,19 +232,16 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
     /// Takes up a body that stands in a branch.
     fn body(&mut self, branch: &Branch<'a>) -> Branch<'a> {
         let element = branch.element;
-        let index = self.model.links.len();
+        let number = self.model.links.len() + 1;
         let name = element
             .attribute("name")
-            .map_or_else(|| made_up(format!("body {}", index + 1), element), |name| branch.name(name.name()));
+            .map_or_else(|| made_up(format!("body {number}"), element), |name| branch.name(name.name()));
         self.name_bytes += name.text.len();
         let own = self.pose(element, &Source::of(element), branch.context);
         let position = own.position;
         let mut in_parent = branch.frame.then(&own);
         in_parent.unreadable.extend(branch.frame.unreadable.iter().cloned());
-        let parent = branch.link.and_then(|link| self.model.links.get(link));
-        let pose = parent
-            .map_or(Pose::IDENTITY, |parent| Pose::new(parent.pose.position, parent.pose.rotation))
-            .then(&in_parent);
+        let pose = self.pose_of(branch.link).then(&in_parent);
         unread::mjcf(element, &name.text, &mut self.model.notes);
         let given = inertial::of(element);
         let from_geometry = self.contexts.get(branch.context).map(|context| context.settings.from_geometry);
@@ -226,7 +252,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         };
         let inertial = given.map(|given| self.inertial(given, &name.text, branch.context));
         let (inertial, instead) = if from_geoms { (None, inertial) } else { (inertial, None) };
-        self.model.links.push(Link {
+        let link = Link {
             name,
             span: element.span(),
             inertial,
@@ -235,14 +261,23 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
             is_static: false,
             from_geometry: from_geoms,
             computed: None,
-        });
+        };
         let context = branch.context;
-        self.masses.push(BodyMass { context, from_geoms, inertial: instead, position, ..Default::default() });
-        self.jointed.push((branch.link, false));
+        let mass = BodyMass { context, from_geoms, inertial: instead, position, ..Default::default() };
+        let index = self.take_up(link, branch.link, in_parent, mass);
+        let class = element.word("childclass").or(branch.class);
+        let is_named = element.word("name").is_some_and(|name| !name.is_empty());
+        Branch { link: Some(index), frame: Pose::IDENTITY, class, is_named, ..branch.clone() }
+    }
+
+    /// A link that hangs in that frame of its parent, or of the world; says its number.
+    fn take_up(&mut self, link: Link, parent: Option<usize>, in_parent: Pose, mass: BodyMass) -> usize {
+        self.model.links.push(link);
+        self.masses.push(mass);
+        self.jointed.push((parent, false));
         self.frames_in_parents.push(in_parent);
         self.link_order.push(self.elements);
-        let class = element.word("childclass").or(branch.class);
-        Branch { link: Some(index), frame: Pose::IDENTITY, class, ..branch.clone() }
+        self.model.links.len() - 1
     }
 
     fn add_geom(&mut self, branch: &Branch<'a>) {
@@ -261,6 +296,12 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         }
     }
 
+    /// The frame of a link in the model's; of the world the model's own.
+    fn pose_of(&self, link: Option<usize>) -> Pose {
+        let link = link.and_then(|link| self.model.links.get(link));
+        link.map_or(Pose::IDENTITY, |link| Pose::new(link.pose.position, link.pose.rotation))
+    }
+
     /// `pos`, and the attitude in one of its five forms.
     fn pose(&self, element: Element<'a>, source: &Source<'_, 'a>, context: usize) -> Pose {
         let mut reading = Reading::default();
@@ -275,19 +316,11 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         reading.pose(position, rotation.unwrap_or(Pose::IDENTITY.rotation))
     }
 
+    /// An include that could not be read has its note; an inertial or geoms may be in it.
     fn left_out(&mut self, branch: &Branch<'a>) {
-        let element = branch.element;
-        if element.name() == "include" {
-            // it has its note; an inertial or geoms may be in it
-            if let Some(body) = branch.link.and_then(|link| self.masses.get_mut(link)) {
-                body.unknown.get_or_insert("an <include> in it could not be read".to_owned());
-            }
-            return;
+        if let Some(body) = branch.link.and_then(|link| self.masses.get_mut(link)) {
+            body.unknown.get_or_insert("an <include> in it could not be read".to_owned());
         }
-        self.incomplete = Some(format!("<{}> is not read", element.name()));
-        let message = format!("<{}> is not read: what it makes is not checked", element.name());
-        let subject = self.name_of(branch.link).to_owned();
-        self.note("read.left_out", &subject, element.span(), message);
     }
 
     /// The name of a link; empty for the world.

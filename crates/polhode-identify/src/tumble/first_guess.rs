@@ -49,7 +49,7 @@ pub(crate) fn tracked_axes(flights: &[Flight]) -> Rotation<Body, Body> {
 }
 
 /// The tensor of least squares, of trace 3, not necessarily a possible one.
-fn tensor(flights: &[Rates]) -> [f64; 6] {
+pub(super) fn tensor(flights: &[Rates]) -> [f64; 6] {
     let mut square = DMatrix::zeros(6, 6);
     for Rates { times, omega } in flights {
         for start in (0..omega.len().saturating_sub(STRETCH)).step_by(2) {
@@ -137,12 +137,12 @@ fn difference(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 }
 
 /// I ω as rows of what multiplies xx, yy, zz, xy, xz, yz.
-fn momentum([x, y, z]: [f64; 3]) -> [[f64; 6]; 3] {
+pub(super) fn momentum([x, y, z]: [f64; 3]) -> [[f64; 6]; 3] {
     [[x, 0.0, 0.0, y, z, 0.0], [0.0, y, 0.0, x, 0.0, z], [0.0, 0.0, z, 0.0, x, y]]
 }
 
 /// ω × I ω
-fn cross_momentum(omega: [f64; 3]) -> [[f64; 6]; 3] {
+pub(super) fn cross_momentum(omega: [f64; 3]) -> [[f64; 6]; 3] {
     let rows = momentum(omega);
     let [x, y, z] = omega;
     let of = |a: f64, i: usize, b: f64, j: usize| core::array::from_fn(|k| a * rows[i][k] - b * rows[j][k]);

@@ -1,5 +1,6 @@
 //! Tumbles: the free motion of a thrown body, by a gyro on it or by tracked attitudes.
 
+mod cut;
 mod first_guess;
 mod flight;
 mod identify;
@@ -10,6 +11,7 @@ mod sensor;
 #[expect(clippy::module_inception, reason = "the noun of the module")]
 mod tumble;
 
+pub use cut::{FlightSearch, find_flights};
 pub use flight::{AttitudeReading, Flight, GyroReading};
 pub use identify::{TumbleOptions, identify_tumbles};
 pub use sensor::GyroErrors;

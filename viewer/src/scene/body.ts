@@ -17,7 +17,7 @@ import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import type { BodyData, Shape } from "../data";
 import { BadData, f32 } from "../decode";
 import { ELLIPSOID, formOf, type Solid } from "./form";
-import { directions } from "./framing";
+import { directions, Farthest } from "./framing";
 import { endsOf, lineMaterial } from "./lines";
 import type { Palette } from "./palette";
 
@@ -247,19 +247,12 @@ function farthestOf({ ellipsoid, lever }: BodyData): Vector3[] {
 
 /** The points that are farthest in each of many directions: their hull is nearly that of the whole. */
 function extremes(parts: Outline[]): Vector3[] {
-  return DIRECTIONS.map(({ x, y, z }) => {
-    const found = new Vector3();
-    let best = -Infinity;
-    for (const { points } of parts) {
-      for (let k = 0; k < points.length; k += 3) {
-        const along = x * points[k] + y * points[k + 1] + z * points[k + 2];
-        if (along <= best) continue;
-        best = along;
-        found.fromArray(points, k);
-      }
-    }
-    return found;
-  });
+  const farthest = new Farthest(DIRECTIONS.length);
+  const point = new Vector3();
+  for (const { points } of parts) {
+    for (let k = 0; k < points.length; k += 3) farthest.add(point.fromArray(points, k));
+  }
+  return farthest.points;
 }
 
 function grouped(count: number): string {

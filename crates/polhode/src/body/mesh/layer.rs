@@ -33,8 +33,15 @@ pub(crate) struct Layers<'a> {
 }
 
 impl<'a> Layers<'a> {
-    pub(crate) fn of(welded: &'a Welded, tree: &'a Tree, edges: &Edges, collinear: &[u32]) -> Self {
-        let torn = Torn::of(welded, edges, collinear);
+    /// Of a tree without those of the mesh that are `left_out`, and without those on one line.
+    pub(crate) fn of(
+        welded: &'a Welded,
+        tree: &'a Tree,
+        edges: &Edges,
+        left_out: impl Fn(u32) -> bool,
+        collinear: &[u32],
+    ) -> Self {
+        let torn = Torn::of(welded, edges, left_out, collinear);
         let mut sides = tree.sides().to_vec();
         let leaves = sides.len() / 2;
         if !torn.is_empty() {
@@ -137,10 +144,18 @@ struct Torn {
 }
 
 impl Torn {
-    fn of(welded: &Welded, edges: &Edges, collinear: &[u32]) -> Self {
-        let unbalanced = edges.crowded.iter().filter(|edge| !is_balanced(&welded.corners, edge));
-        let halves = edges.boundary.iter().chain(&edges.inconsistent).chain(unbalanced.map(|edge| &edge[0]));
-        let mut triangles: Vec<u32> = halves.map(|half| half / 3).collect();
+    fn of(welded: &Welded, edges: &Edges, left_out: impl Fn(u32) -> bool, collinear: &[u32]) -> Self {
+        let mut halves = [edges.boundary.as_slice(), &edges.inconsistent].concat();
+        // What is left out is there again: of each edge at least one triangle is left.
+        let mut left = Vec::new();
+        for edge in &edges.crowded {
+            left.clear();
+            left.extend(edge.iter().filter(|&&half| !left_out(half / 3)));
+            if left.first().is_some_and(|_| !is_balanced(&welded.corners, &left)) {
+                halves.push(left[0]);
+            }
+        }
+        let mut triangles: Vec<u32> = halves.into_iter().map(|half| half / 3).collect();
         triangles.sort_unstable();
         triangles.dedup();
         let mut points: Vec<u32> = collinear.iter().flat_map(|&t| welded.corners[t as usize]).collect();
@@ -210,11 +225,11 @@ mod tests {
         let (welded, threads) = (Welded::of(&mesh, Threads::of(1)), Threads::of(2));
         let edges = Edges::of(&welded.corners, welded.points.len(), threads);
         let patches = Patches::of(&welded.corners, &edges, threads);
-        let collinear = Measured::of(&welded, &patches).collinear;
+        let collinear = Measured::of(&welded, &patches, threads).collinear;
         let wanted = |t: usize| patches.component[t] != NONE && collinear.binary_search(&(t as u32)).is_err();
         let tree = Tree::of(&welded, wanted, threads);
-        let doubtful =
-            Layers::of(&welded, &tree, &edges, &collinear).doubtful(&Work::of(u64::MAX, &|| true), threads);
+        let doubtful = Layers::of(&welded, &tree, &edges, |_| false, &collinear)
+            .doubtful(&Work::of(u64::MAX, &|| true), threads);
         let mut is_doubtful = vec![false; welded.corners.len()];
         doubtful.iter().for_each(|&t| is_doubtful[t as usize] = true);
         let order = tree.order().to_vec();

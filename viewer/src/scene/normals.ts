@@ -2,7 +2,7 @@
  * Normals of a mesh: smooth where its faces nearly agree, sharp at edges. Each corner has the mean normal of the faces around its
  * vertex that are within the crease angle of its own, weighted by their areas.
  */
-import { Box3, BufferAttribute, BufferGeometry, Sphere, Vector3 } from "three";
+import { BufferAttribute, BufferGeometry, Sphere, Vector3 } from "three";
 
 const ANGLE = (35 * Math.PI) / 180;
 const CREASE = Math.cos(ANGLE);
@@ -13,10 +13,14 @@ const SMOOTH = Math.cos(0.499 * ANGLE);
 export function creased(vertices: Float32Array, triangles: Uint32Array): BufferGeometry {
   const { faces, sizes } = faceNormals(vertices, triangles);
   const { first, around } = cornersAround(vertices.length / 3, triangles);
-  const positions = new Float32Array(3 * triangles.length);
-  const normals = new Float32Array(3 * triangles.length);
-  // Of the faces of around[from] … around[to − 1] within an angle of (u, v, w), which is so long.
+  // Where its corners differ, a vertex is there for each of them. What is not used of these is never touched, and so costs nothing.
+  const index = triangles.slice();
+  const positions = new Float32Array(vertices.length + 3 * triangles.length);
+  const normals = new Float32Array(positions.length);
+  positions.set(vertices);
+  let count = vertices.length / 3;
   const sum = new Float64Array(3);
+  /** Adds the faces at around[from] … around[to − 1] that go so far along (u, v, w), each of its size. Whether all do. */
   const add = (from: number, to: number, u: number, v: number, w: number, least: number): boolean => {
     let isAll = true;
     let x = 0;
@@ -39,29 +43,36 @@ export function creased(vertices: Float32Array, triangles: Uint32Array): BufferG
     sum[2] = z;
     return isAll;
   };
+  const put = (at: number): void => {
+    const norm = Math.sqrt(sum[0] ** 2 + sum[1] ** 2 + sum[2] ** 2) || 1;
+    for (let c = 0; c < 3; c += 1) normals[3 * at + c] = sum[c] / norm;
+  };
   for (let vertex = 0; vertex + 1 < first.length; vertex += 1) {
     const from = first[vertex];
     const to = first[vertex + 1];
     add(from, to, 0, 0, 0, 0);
     const mean = Math.sqrt(sum[0] ** 2 + sum[1] ** 2 + sum[2] ** 2);
-    const isSmooth = add(from, to, sum[0], sum[1], sum[2], SMOOTH * mean);
+    if (to - from < 2 || add(from, to, sum[0], sum[1], sum[2], SMOOTH * mean)) {
+      put(vertex);
+      continue;
+    }
     for (let k = from; k < to; k += 1) {
-      const corner = around[k];
-      if (!isSmooth) {
-        const own = Math.floor(corner / 3);
-        add(from, to, faces[3 * own], faces[3 * own + 1], faces[3 * own + 2], CREASE * sizes[own]);
+      const own = Math.floor(around[k] / 3);
+      add(from, to, faces[3 * own], faces[3 * own + 1], faces[3 * own + 2], CREASE * sizes[own]);
+      if (k === from) {
+        put(vertex);
+        continue;
       }
-      const norm = Math.sqrt(sum[0] ** 2 + sum[1] ** 2 + sum[2] ** 2) || 1;
-      for (let c = 0; c < 3; c += 1) {
-        normals[3 * corner + c] = sum[c] / norm;
-        positions[3 * corner + c] = vertices[3 * vertex + c];
-      }
+      for (let c = 0; c < 3; c += 1) positions[3 * count + c] = vertices[3 * vertex + c];
+      index[around[k]] = count;
+      put(count);
+      count += 1;
     }
   }
   const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(positions, 3));
-  geometry.setAttribute("normal", new BufferAttribute(normals, 3));
-  // Of each vertex once, not of each corner.
+  geometry.setIndex(new BufferAttribute(index, 1));
+  geometry.setAttribute("position", new BufferAttribute(positions.subarray(0, 3 * count), 3));
+  geometry.setAttribute("normal", new BufferAttribute(normals.subarray(0, 3 * count), 3));
   geometry.boundingSphere = sphereAround(vertices);
   return geometry;
 }
@@ -101,14 +112,19 @@ function cornersAround(count: number, triangles: Uint32Array): { first: Uint32Ar
 
 // About the middle of the box around them.
 function sphereAround(points: Float32Array): Sphere {
-  const box = new Box3();
-  const point = new Vector3();
-  for (let k = 0; k < points.length; k += 3) box.expandByPoint(point.fromArray(points, k));
-  const sphere = new Sphere();
-  if (box.isEmpty()) return sphere;
-  box.getCenter(sphere.center);
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let k = 0; k < points.length; k += 3) {
+    for (let c = 0; c < 3; c += 1) {
+      const x = points[k + c];
+      if (x < low[c]) low[c] = x;
+      if (x > high[c]) high[c] = x;
+    }
+  }
+  const [x, y, z] = low.map((least, c) => (least + high[c]) / 2);
   let most = 0;
-  for (let k = 0; k < points.length; k += 3) most = Math.max(most, sphere.center.distanceToSquared(point.fromArray(points, k)));
-  sphere.radius = Math.sqrt(most);
-  return sphere;
+  for (let k = 0; k < points.length; k += 3) {
+    most = Math.max(most, (points[k] - x) ** 2 + (points[k + 1] - y) ** 2 + (points[k + 2] - z) ** 2);
+  }
+  return points.length > 0 ? new Sphere(new Vector3(x, y, z), Math.sqrt(most)) : new Sphere();
 }

@@ -30,8 +30,10 @@ export interface PageData {
 /** Base64 of little-endian f32 or u32. */
 export type Base64 = string;
 
-/** Base64 of little-endian f64, or the numbers. */
+/** Base64 of little-endian f64, f32 or u32, or the numbers. */
 export type Row = Base64 | Float64Array;
+export type Row32 = Base64 | Float32Array;
+export type Indices = Base64 | Uint32Array;
 
 export interface BodyData {
   /** kg; null if only the moments are known. */
@@ -89,9 +91,9 @@ export type Shape = Placed &
     | {
         kind: "mesh";
         /** f32, x y z of each vertex. */
-        vertices: Base64;
+        vertices: Row32;
         /** u32, three for each triangle, counter-clockwise from outside. */
-        triangles: Base64;
+        triangles: Indices;
         /** How many triangles the body has; more than are here if it was made coarser for the page. */
         of: number;
       }

@@ -2,7 +2,7 @@
  * The page's data as typed arrays. Everything is checked once, here: what comes out has the lengths that the contract promises and
  * finite numbers, so no other file has to ask.
  */
-import type { Base64, PageData, Row } from "./data";
+import type { Base64, Indices, PageData, Row, Row32 } from "./data";
 
 /** Data that are not what the contract says. */
 export class BadData extends Error {
@@ -39,17 +39,22 @@ export function points(row: Row, what: string): Float64Array {
 }
 
 /** Numbers of 32 bits, all finite. */
-export function f32(text: Base64, what: string): Float32Array {
-  const numbers = new Float32Array(decode(text, what, 4).buffer);
+export function f32(row: Row32, what: string): Float32Array {
+  const numbers = typeof row === "string" ? new Float32Array(decode(row, what, 4).buffer) : row;
   if (!areFinite(numbers)) throw new BadData(`${what}: a number is not finite`);
   return numbers;
 }
 
 /** Indices below `limit`. */
-export function indices(text: Base64, what: string, limit: number): Uint32Array {
-  const numbers = new Uint32Array(decode(text, what, 4).buffer);
-  if (!numbers.every((index) => index < limit)) throw new BadData(`${what}: an index is beyond ${limit - 1}`);
+export function indices(row: Indices, what: string, limit: number): Uint32Array {
+  const numbers = typeof row === "string" ? new Uint32Array(decode(row, what, 4).buffer) : row;
+  if (!areBelow(numbers, limit)) throw new BadData(`${what}: an index is beyond ${limit - 1}`);
   return numbers;
+}
+
+function areBelow(numbers: Uint32Array, limit: number): boolean {
+  for (let i = 0; i < numbers.length; i += 1) if (numbers[i] >= limit) return false;
+  return true;
 }
 
 // The product is NaN of what is not finite, and 0 of all else.

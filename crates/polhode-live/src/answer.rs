@@ -65,7 +65,7 @@ pub(crate) fn json(value: &impl Serialize) -> Result<Answer, Refusal> {
     Ok(bytes(StatusCode::OK, "application/json", written(value)?))
 }
 
-/// JSON with rows of f64 behind it: the length of the JSON as a u64, the JSON with spaces up to a multiple of eight, and the rows. All is
+/// JSON with rows of numbers behind it: the length of the JSON as a u64, the JSON with spaces up to a multiple of eight, and the rows. All is
 /// little-endian and aligned, so that the page reads the numbers where they are.
 pub(crate) fn json_and_rows(value: &impl Serialize, rows: &[u8]) -> Result<Answer, Refusal> {
     const WORD: usize = size_of::<u64>();

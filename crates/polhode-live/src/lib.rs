@@ -34,6 +34,7 @@ mod motion;
 mod opened;
 mod protocol;
 mod route;
+mod rows;
 mod server;
 mod session;
 mod utf16;

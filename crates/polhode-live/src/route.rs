@@ -9,7 +9,7 @@ use serde::de::DeserializeOwned;
 use crate::answer::{Answer, Refusal, bytes, json, json_and_rows};
 use crate::asset::asset;
 use crate::documents::Content;
-use crate::inspect::{Inspection, RobotInspection};
+use crate::inspect::{Inspection, MeshInspection, RobotInspection};
 use crate::protocol::{Choice, CompleteAnswer, CompleteRequest, Documents, MotionRequest, OpenRequest};
 use crate::session::Session;
 use crate::{limits, motion, utf16, watch};
@@ -105,16 +105,13 @@ impl Route {
                     Content::Scenario { .. } => {
                         json(&serde_json::json!({ "kind": "scenario", "text": document.text()? }))
                     }
-                    Content::Mesh(_) => json(&Inspection::Mesh { mesh: &*document.looked_at(stop)? }),
+                    Content::Mesh(_) => inspection(&*document.looked_at(stop)?),
                     Content::Robot => {
                         json(&Inspection::Robot { robot: RobotInspection::of(&document, stop)? })
                     }
                 }
             }
-            Self::Mesh(id) => {
-                let mesh = session.documents.get(id)?.looked_at(stop)?;
-                json(&Inspection::Mesh { mesh: &mesh })
-            }
+            Self::Mesh(id) => inspection(&*session.documents.get(id)?.looked_at(stop)?),
             Self::Lessons => json(&serde_json::json!({ "lessons": session.lessons.list() })),
             Self::Lesson(id) => json(&session.lessons.open(&id, &session.documents)?),
             Self::Motion => {
@@ -143,6 +140,10 @@ impl Route {
             }
         }
     }
+}
+
+fn inspection(mesh: &MeshInspection) -> Result<Answer, Refusal> {
+    json_and_rows(&Inspection::Mesh { mesh }, mesh.rows.bytes())
 }
 
 fn complete(request: &CompleteRequest, draft: &polhode_formats::scenario::Draft) -> CompleteAnswer {

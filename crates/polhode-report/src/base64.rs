@@ -8,12 +8,12 @@ pub(crate) fn f64s(numbers: impl IntoIterator<Item = f64>) -> String {
 }
 
 /// Each number as an f32.
-pub fn f32s(numbers: impl IntoIterator<Item = f32>) -> String {
+pub(crate) fn f32s(numbers: impl IntoIterator<Item = f32>) -> String {
     encode(numbers.into_iter().flat_map(f32::to_le_bytes))
 }
 
 /// Each number as a u32.
-pub fn u32s(numbers: impl IntoIterator<Item = u32>) -> String {
+pub(crate) fn u32s(numbers: impl IntoIterator<Item = u32>) -> String {
     encode(numbers.into_iter().flat_map(u32::to_le_bytes))
 }
 

@@ -36,7 +36,10 @@ export type DocumentContent =
   | { kind: "mesh"; mesh: MeshInspection }
   | { kind: "robot"; robot: RobotInspection };
 
-/** `GET mesh/ID`: a mesh and what is found in it, also of one that bounds a solid and so has a motion. */
+/**
+ * `GET mesh/ID`: a mesh and what is found in it, also of one that bounds a solid and so has a motion. Of a mesh, here and in `GET document/ID`, the
+ * answer is JSON with rows behind it, as that of `POST motion`: `{"f32": [at, count]}` and `{"u32": [at, count]}`, counted in numbers.
+ */
 export type MeshContent = Extract<DocumentContent, { kind: "mesh" }>;
 
 /**
@@ -157,10 +160,10 @@ export type OpenAnswer = DocumentInfo;
 /** A mesh, and what is wrong with it; it bounds a solid if nothing of it is an error. */
 export interface MeshInspection {
   name: string;
-  /** f32, base64, x y z of each vertex, m. */
-  vertices: string;
-  /** u32, base64, three for each triangle. */
-  triangles: string;
+  /** x y z of each vertex, m. */
+  vertices: Float32Array;
+  /** Three for each triangle. */
+  triangles: Uint32Array;
   /** How many the file has; more than are here if it was made coarser. */
   of: number;
   findings: MeshFinding[];
@@ -172,10 +175,10 @@ export interface MeshFinding {
   message: string;
   /** What to do about it. */
   hint: string | null;
-  /** f32, base64: pairs of points, x y z, of the edges that it marks; empty if it marks none. */
-  edges: string;
-  /** f32, base64: x y z of three corners for each triangle that it marks. */
-  faces: string;
+  /** Pairs of points, x y z, of the edges that it marks; empty if it marks none. */
+  edges: Float32Array;
+  /** x y z of three corners for each triangle that it marks. */
+  faces: Float32Array;
 }
 
 /** A robot as it stands with all joints at zero. */

@@ -1,5 +1,6 @@
 /** The server's answers, as the contract has them. */
 import { motionAnswer } from "./motion-answer";
+import { jsonAndRows } from "./rows";
 import type {
   CompleteAnswer,
   CompleteRequest,
@@ -28,8 +29,8 @@ export class Refused extends Error {
 
 export const server = {
   documents: (): Promise<Documents> => ask("documents"),
-  document: (id: number): Promise<DocumentContent> => ask(`document/${id}`),
-  mesh: (id: number): Promise<MeshContent> => ask(`mesh/${id}`),
+  document: (id: number): Promise<DocumentContent> => content(`document/${id}`),
+  mesh: (id: number): Promise<MeshContent> => content(`mesh/${id}`),
   motion: async (request: MotionRequest, signal: AbortSignal): Promise<MotionAnswer> => {
     const answer = await answered("motion", posted(request, signal));
     return motionAnswer(await answer.arrayBuffer());
@@ -50,6 +51,14 @@ function posted(body: unknown, signal?: AbortSignal): RequestInit {
 
 async function ask<T>(path: string, init?: RequestInit): Promise<T> {
   return (await (await answered(path, init)).json()) as T;
+}
+
+/** What a document has: a mesh has rows of numbers. */
+async function content<T extends DocumentContent>(path: string): Promise<T> {
+  const answer = await answered(path);
+  if (answer.headers.get("Content-Type") === "application/json") return (await answer.json()) as T;
+  const { json, withRows } = jsonAndRows<T>(await answer.arrayBuffer());
+  return withRows(json);
 }
 
 async function answered(path: string, init?: RequestInit): Promise<Response> {

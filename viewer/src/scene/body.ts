@@ -14,15 +14,17 @@ import {
 } from "three";
 import type { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
-import type { BodyData, Shape } from "../data";
+import type { BodyData, Indices, Shape } from "../data";
 import { BadData, f32 } from "../decode";
 import { ELLIPSOID, formOf, type Solid } from "./form";
-import { directions } from "./framing";
+import { directions, Farthest } from "./framing";
 import { endsOf, lineMaterial } from "./lines";
 import type { Palette } from "./palette";
 
 /** A part is small that is this part of its distance. */
 const SMALL = 0.1;
+/** Points between two that are looked at one after the other. */
+const LEAP = 101;
 
 export class BodyModel {
   /** The shapes, or the ellipsoid if there are none. */
@@ -78,7 +80,7 @@ export class Solids {
   ) {
     const look = paint(palette, isOpen);
     for (const shape of of) this.group.add(place(shape, look));
-    const counts = of.flatMap((s) => (s.kind === "mesh" ? [{ here: (s.triangles.length * 3) / 4 / 12, of: s.of }] : []));
+    const counts = of.flatMap((s) => (s.kind === "mesh" ? [{ here: count(s.triangles), of: s.of }] : []));
     const here = Math.floor(counts.reduce((sum, c) => sum + c.here, 0));
     const all = counts.reduce((sum, c) => sum + c.of, 0);
     this.coarser = counts.some((c) => c.of > c.here + 1) ? `shown with ${grouped(here)} of ${grouped(all)} triangles` : null;
@@ -86,6 +88,11 @@ export class Solids {
     this.farthest = extremes(parts);
     this.bulk = bulk(parts);
   }
+}
+
+/** Triangles: 12 bytes each, which base64 may fill up. */
+function count(triangles: Indices): number {
+  return triangles.length / (typeof triangles === "string" ? 16 : 3);
 }
 
 /** The points of a part, and the corners of the box around them, in body axes, m. */
@@ -247,19 +254,15 @@ function farthestOf({ ellipsoid, lever }: BodyData): Vector3[] {
 
 /** The points that are farthest in each of many directions: their hull is nearly that of the whole. */
 function extremes(parts: Outline[]): Vector3[] {
-  return DIRECTIONS.map(({ x, y, z }) => {
-    const found = new Vector3();
-    let best = -Infinity;
-    for (const { points } of parts) {
-      for (let k = 0; k < points.length; k += 3) {
-        const along = x * points[k] + y * points[k + 1] + z * points[k + 2];
-        if (along <= best) continue;
-        best = along;
-        found.fromArray(points, k);
-      }
+  const farthest = new Farthest(DIRECTIONS.length);
+  const point = new Vector3();
+  // In leaps: most of the others are within those that come first from everywhere.
+  for (const { points } of parts) {
+    for (let from = 0; from < 3 * LEAP; from += 3) {
+      for (let k = from; k < points.length; k += 3 * LEAP) farthest.add(point.fromArray(points, k));
     }
-    return found;
-  });
+  }
+  return farthest.points;
 }
 
 function grouped(count: number): string {

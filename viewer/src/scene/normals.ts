@@ -2,63 +2,129 @@
  * Normals of a mesh: smooth where its faces nearly agree, sharp at edges. Each corner has the mean normal of the faces around its
  * vertex that are within the crease angle of its own, weighted by their areas.
  */
-import { BufferAttribute, BufferGeometry } from "three";
+import { BufferAttribute, BufferGeometry, Sphere, Vector3 } from "three";
 
-const CREASE = Math.cos((35 * Math.PI) / 180);
+const ANGLE = (35 * Math.PI) / 180;
+const CREASE = Math.cos(ANGLE);
+/** If all faces around a vertex are so near to their mean, each is within the crease angle of every other. */
+const SMOOTH = Math.cos(0.499 * ANGLE);
 
+// Plain loops over numbers: arrays and calls for each corner would take most of the time in which a large mesh is shown.
 export function creased(vertices: Float32Array, triangles: Uint32Array): BufferGeometry {
-  const faces = faceNormals(vertices, triangles);
-  const { first, around } = facesAround(vertices.length / 3, triangles);
-  const positions = new Float32Array(3 * triangles.length);
-  const normals = new Float32Array(3 * triangles.length);
-  for (let corner = 0; corner < triangles.length; corner += 1) {
-    const face = 3 * Math.floor(corner / 3);
-    const own = Math.hypot(faces[face], faces[face + 1], faces[face + 2]);
-    const vertex = triangles[corner];
-    let [x, y, z] = [0, 0, 0];
-    for (let k = first[vertex]; k < first[vertex + 1]; k += 1) {
-      const other = 3 * around[k];
-      const [a, b, c] = [faces[other], faces[other + 1], faces[other + 2]];
-      const dot = a * faces[face] + b * faces[face + 1] + c * faces[face + 2];
-      if (dot >= CREASE * own * Math.hypot(a, b, c)) {
+  const { faces, sizes } = faceNormals(vertices, triangles);
+  const { first, around } = cornersAround(vertices.length / 3, triangles);
+  // Where its corners differ, a vertex is there for each of them. What is not used of these is never touched, and so costs nothing.
+  const index = triangles.slice();
+  const positions = new Float32Array(vertices.length + 3 * triangles.length);
+  const normals = new Float32Array(positions.length);
+  positions.set(vertices);
+  let count = vertices.length / 3;
+  const sum = new Float64Array(3);
+  /** Adds the faces at around[from] … around[to − 1] that go so far along (u, v, w), each of its size. Whether all do. */
+  const add = (from: number, to: number, u: number, v: number, w: number, least: number): boolean => {
+    let isAll = true;
+    let x = 0;
+    let y = 0;
+    let z = 0;
+    for (let k = from; k < to; k += 1) {
+      const other = Math.floor(around[k] / 3);
+      const a = faces[3 * other];
+      const b = faces[3 * other + 1];
+      const c = faces[3 * other + 2];
+      if (a * u + b * v + c * w < least * sizes[other]) isAll = false;
+      else {
         x += a;
         y += b;
         z += c;
       }
     }
-    const norm = Math.hypot(x, y, z) || 1;
-    normals.set([x / norm, y / norm, z / norm], 3 * corner);
-    positions.set(vertices.subarray(3 * vertex, 3 * vertex + 3), 3 * corner);
+    sum[0] = x;
+    sum[1] = y;
+    sum[2] = z;
+    return isAll;
+  };
+  const put = (at: number): void => {
+    const norm = Math.sqrt(sum[0] ** 2 + sum[1] ** 2 + sum[2] ** 2) || 1;
+    for (let c = 0; c < 3; c += 1) normals[3 * at + c] = sum[c] / norm;
+  };
+  for (let vertex = 0; vertex + 1 < first.length; vertex += 1) {
+    const from = first[vertex];
+    const to = first[vertex + 1];
+    add(from, to, 0, 0, 0, 0);
+    const mean = Math.sqrt(sum[0] ** 2 + sum[1] ** 2 + sum[2] ** 2);
+    if (to - from < 2 || add(from, to, sum[0], sum[1], sum[2], SMOOTH * mean)) {
+      put(vertex);
+      continue;
+    }
+    for (let k = from; k < to; k += 1) {
+      const own = Math.floor(around[k] / 3);
+      add(from, to, faces[3 * own], faces[3 * own + 1], faces[3 * own + 2], CREASE * sizes[own]);
+      if (k === from) {
+        put(vertex);
+        continue;
+      }
+      for (let c = 0; c < 3; c += 1) positions[3 * count + c] = vertices[3 * vertex + c];
+      index[around[k]] = count;
+      put(count);
+      count += 1;
+    }
   }
   const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(positions, 3));
-  geometry.setAttribute("normal", new BufferAttribute(normals, 3));
+  geometry.setIndex(new BufferAttribute(index, 1));
+  geometry.setAttribute("position", new BufferAttribute(positions.subarray(0, 3 * count), 3));
+  geometry.setAttribute("normal", new BufferAttribute(normals.subarray(0, 3 * count), 3));
+  geometry.boundingSphere = sphereAround(vertices);
   return geometry;
 }
 
-// (b − a) × (c − a): twice the area long.
-function faceNormals(v: Float32Array, triangles: Uint32Array): Float32Array {
-  const normals = new Float32Array(triangles.length);
-  for (let t = 0; t < triangles.length; t += 3) {
-    const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
-    const [ux, uy, uz] = [v[b] - v[a], v[b + 1] - v[a + 1], v[b + 2] - v[a + 2]];
-    const [wx, wy, wz] = [v[c] - v[a], v[c + 1] - v[a + 1], v[c + 2] - v[a + 2]];
-    normals[t] = uy * wz - uz * wy;
-    normals[t + 1] = uz * wx - ux * wz;
-    normals[t + 2] = ux * wy - uy * wx;
+// (b − a) × (c − a), twice the area long; and how long that is.
+function faceNormals(v: Float32Array, triangles: Uint32Array): { faces: Float32Array; sizes: Float64Array } {
+  const faces = new Float32Array(triangles.length);
+  const sizes = new Float64Array(triangles.length / 3);
+  for (let t = 0, face = 0; t < triangles.length; t += 3, face += 1) {
+    const a = 3 * triangles[t];
+    const b = 3 * triangles[t + 1];
+    const c = 3 * triangles[t + 2];
+    const ux = v[b] - v[a];
+    const uy = v[b + 1] - v[a + 1];
+    const uz = v[b + 2] - v[a + 2];
+    const wx = v[c] - v[a];
+    const wy = v[c + 1] - v[a + 1];
+    const wz = v[c + 2] - v[a + 2];
+    faces[t] = uy * wz - uz * wy;
+    faces[t + 1] = uz * wx - ux * wz;
+    faces[t + 2] = ux * wy - uy * wx;
+    sizes[face] = Math.sqrt(faces[t] ** 2 + faces[t + 1] ** 2 + faces[t + 2] ** 2);
   }
-  return normals;
+  return { faces, sizes };
 }
 
-// The faces of vertex i are around[first[i]] … around[first[i + 1] − 1].
-function facesAround(count: number, triangles: Uint32Array): { first: Uint32Array; around: Uint32Array } {
+// The corners at vertex i are around[first[i]] … around[first[i + 1] − 1].
+function cornersAround(count: number, triangles: Uint32Array): { first: Uint32Array; around: Uint32Array } {
   const first = new Uint32Array(count + 1);
-  for (const vertex of triangles) first[vertex + 1] += 1;
+  for (let corner = 0; corner < triangles.length; corner += 1) first[triangles[corner] + 1] += 1;
   for (let i = 0; i < count; i += 1) first[i + 1] += first[i];
   const next = first.slice();
   const around = new Uint32Array(triangles.length);
-  for (let corner = 0; corner < triangles.length; corner += 1) {
-    around[next[triangles[corner]]++] = Math.floor(corner / 3);
-  }
+  for (let corner = 0; corner < triangles.length; corner += 1) around[next[triangles[corner]]++] = corner;
   return { first, around };
+}
+
+// About the middle of the box around them.
+function sphereAround(points: Float32Array): Sphere {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let k = 0; k < points.length; k += 3) {
+    for (let c = 0; c < 3; c += 1) {
+      const x = points[k + c];
+      if (x < low[c]) low[c] = x;
+      if (x > high[c]) high[c] = x;
+    }
+  }
+  const [x, y, z] = low.map((least, c) => (least + high[c]) / 2);
+  let most = 0;
+  for (let k = 0; k < points.length; k += 3) {
+    most = Math.max(most, (points[k] - x) ** 2 + (points[k + 1] - y) ** 2 + (points[k + 2] - z) ** 2);
+  }
+  return points.length > 0 ? new Sphere(new Vector3(x, y, z), Math.sqrt(most)) : new Sphere();
 }

@@ -12,10 +12,11 @@ use polhode::body::mesh::{
 };
 use polhode::body::{BodyError, Finding, Severity};
 use polhode_formats::mesh::MeshContents;
-use polhode_report::display::{decimated, f32s, u32s};
+use polhode_report::display::decimated;
 use serde::Serialize;
 
 use crate::mesh::PartNames;
+use crate::rows::{Row, Rows};
 
 /// Places that a finding marks.
 pub(crate) const MARKS: usize = 20_000;
@@ -29,13 +30,16 @@ const LISTED: usize = 200;
 #[derive(Debug, Serialize)]
 pub(crate) struct MeshInspection {
     name: String,
-    /// f32, base64, m.
-    vertices: String,
-    /// u32, base64.
-    triangles: String,
+    /// f32, m.
+    vertices: Row,
+    /// u32.
+    triangles: Row,
     /// How many the file has.
     of: usize,
     findings: Vec<MeshFinding>,
+    /// The numbers of them.
+    #[serde(skip)]
+    pub(crate) rows: Rows,
 }
 
 #[derive(Debug, Serialize)]
@@ -45,10 +49,10 @@ struct MeshFinding {
     message: String,
     /// What to do about it.
     hint: Option<&'static str>,
-    /// f32, base64, m: pairs of points.
-    edges: String,
-    /// f32, base64, m: three corners each.
-    faces: String,
+    /// f32, m: pairs of points.
+    edges: Row,
+    /// f32, m: three corners each.
+    faces: Row,
 }
 
 impl MeshInspection {
@@ -104,12 +108,14 @@ impl MeshInspection {
             findings.truncate(LISTED);
             findings.push(Marked::remark("mesh.more", format!("{LISTED} of {all} findings are listed")));
         }
+        let mut rows = Rows::default();
         Self {
             name: name.to_owned(),
-            vertices: f32s(vertices.into_flattened()),
-            triangles: u32s(triangles.into_flattened()),
+            vertices: rows.f32s(vertices.into_flattened()),
+            triangles: rows.u32s(triangles.into_flattened()),
             of,
-            findings: findings.iter().map(|found| found.in_metres(unit)).collect(),
+            findings: findings.iter().map(|found| found.in_metres(unit, &mut rows)).collect(),
+            rows,
         }
     }
 }
@@ -171,11 +177,11 @@ impl Marked {
         self
     }
 
-    fn in_metres(&self, unit: f64) -> MeshFinding {
-        let metres = |points: &mut dyn Iterator<Item = [f64; 3]>, size: usize| {
-            let points: Vec<f32> = points.flatten().map(|x| (x * unit) as f32).collect();
+    fn in_metres(&self, unit: f64, rows: &mut Rows) -> MeshFinding {
+        let mut metres = |points: &[[f64; 3]], size: usize| {
+            let points: Vec<f32> = points.as_flattened().iter().map(|x| (x * unit) as f32).collect();
             let whole = points.chunks(size).filter(|mark| mark.iter().all(|x| x.is_finite()));
-            f32s(whole.flatten().copied())
+            rows.f32s(whole.flatten().copied())
         };
         let Finding { code, severity, message, place } = &self.finding;
         MeshFinding {
@@ -186,8 +192,8 @@ impl Marked {
                 Some(place) => format!("{place}: {message}"),
                 None => message.clone(),
             },
-            edges: metres(&mut self.edges.iter().flatten().copied(), 6),
-            faces: metres(&mut self.faces.iter().flatten().copied(), 9),
+            edges: metres(self.edges.as_flattened(), 6),
+            faces: metres(self.faces.as_flattened(), 9),
         }
     }
 }

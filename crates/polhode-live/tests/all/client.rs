@@ -160,13 +160,12 @@ impl Answer {
         }
     }
 
-    /// JSON with rows of f64 behind it, which come to stand in their places; each number belongs to one row.
+    /// JSON with rows of numbers behind it, which come to stand in their places; each number belongs to one row.
     fn json_with_rows(&self) -> Value {
         let (length, rest) = self.body.split_first_chunk().unwrap();
         let (head, rows) = rest.split_at(u64::from_le_bytes(*length).try_into().unwrap());
-        let (words, []) = rows.as_chunks() else { panic!("{} bytes are no rows", rows.len()) };
         assert_eq!(head.len() % 8, 0, "the rows are aligned");
-        let mut left: Vec<_> = words.iter().map(|word| Some(f64::from_le_bytes(*word))).collect();
+        let mut left: Vec<_> = rows.iter().copied().map(Some).collect();
         let mut value = serde_json::from_slice(head).unwrap();
         put_rows(&mut value, &mut left);
         assert!(left.iter().all(Option::is_none), "a row is of nothing");
@@ -174,17 +173,28 @@ impl Answer {
     }
 }
 
-fn put_rows(value: &mut Value, left: &mut [Option<f64>]) {
-    if let Some(place) = value.get("f64") {
+fn put_rows(value: &mut Value, left: &mut [Option<u8>]) {
+    fn row<const N: usize>(
+        place: &Value,
+        left: &mut [Option<u8>],
+        number: impl Fn([u8; N]) -> Value,
+    ) -> Value {
         let [at, count] = [0, 1].map(|k| usize::try_from(place[k].as_u64().unwrap()).unwrap());
-        *value = left[at..at + count].iter_mut().map(|x| x.take().unwrap()).collect();
-        return;
+        let words = left[N * at..N * (at + count)].as_chunks_mut().0.iter_mut();
+        words
+            .map(|word: &mut [_; N]| number(std::mem::replace(word, [None; N]).map(Option::unwrap)))
+            .collect()
     }
-    match value {
-        Value::Array(items) => items.iter_mut().for_each(|item| put_rows(item, left)),
-        Value::Object(entries) => entries.values_mut().for_each(|entry| put_rows(entry, left)),
-        _ => {}
-    }
+    *value = match value {
+        Value::Array(items) => return items.iter_mut().for_each(|item| put_rows(item, left)),
+        Value::Object(entries) => match entries.iter().next() {
+            Some((kind, place)) if kind == "f64" => row(place, left, |x| f64::from_le_bytes(x).into()),
+            Some((kind, place)) if kind == "f32" => row(place, left, |x| f32::from_le_bytes(x).into()),
+            Some((kind, place)) if kind == "u32" => row(place, left, |x| u32::from_le_bytes(x).into()),
+            _ => return entries.values_mut().for_each(|entry| put_rows(entry, left)),
+        },
+        _ => return,
+    };
 }
 
 /// A file of the repository.
@@ -215,14 +225,20 @@ impl Drop for Folder {
     }
 }
 
-/// The f32 that a text in base64 has.
+/// The f32 of a row, or that a text in base64 has.
 pub(crate) fn f32s(value: &Value) -> Vec<f32> {
-    words(value).into_iter().map(f32::from_le_bytes).collect()
+    match value {
+        Value::Array(_) => f64s(value).into_iter().map(|x| x as f32).collect(),
+        _ => words(value).into_iter().map(f32::from_le_bytes).collect(),
+    }
 }
 
-/// The u32 that it has.
+/// The u32 of either.
 pub(crate) fn u32s(value: &Value) -> Vec<u32> {
-    words(value).into_iter().map(u32::from_le_bytes).collect()
+    match value.as_array() {
+        Some(numbers) => numbers.iter().map(|x| x.as_u64().unwrap().try_into().unwrap()).collect(),
+        None => words(value).into_iter().map(u32::from_le_bytes).collect(),
+    }
 }
 
 /// The numbers of a row.

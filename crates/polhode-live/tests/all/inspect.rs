@@ -145,7 +145,7 @@ fn of_boxes_that_cross_the_faces_on_the_crossing_are_marked() {
     let content = page.dropped(1, "crossed.stl", &stl(&[a, b].concat()));
     let crossing = finding(&content["mesh"], "mesh.parts_cross");
     assert_eq!(set(faces(crossing)), set(expected));
-    assert!(crossing["edges"].as_str().unwrap().is_empty());
+    assert!(f32s(&crossing["edges"]).is_empty());
 }
 
 #[test]

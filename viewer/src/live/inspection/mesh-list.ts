@@ -10,7 +10,7 @@ const WORDS: Record<MeshFinding["severity"], string> = { error: "Error", warning
 /** `isStill`: there is no motion to go back to. */
 export function meshList(mesh: MeshInspection, isStill: boolean, choose: (item: number) => void): Listed {
   const errors = mesh.findings.filter(({ severity }) => severity === "error").length;
-  const shown = mesh.triangles.length / 16; // 12 bytes each, as base64
+  const shown = mesh.triangles.length / 3;
   const triangles = `${grouped(String(mesh.of))} triangles`;
   const verdict =
     errors === 0
@@ -24,7 +24,7 @@ export function meshList(mesh: MeshInspection, isStill: boolean, choose: (item: 
       "p",
       {},
       verdict[1],
-      shown + 1 < mesh.of ? `The picture has ${grouped(String(Math.floor(shown)))} of them; findings are of all. ` : "",
+      shown < mesh.of ? `The picture has ${grouped(String(shown))} of them; findings are of all. ` : "",
       mesh.findings.length > 0 ? "A number in the picture is that of the finding." : "",
     ),
     element("ol", { class: "entries" }, ...mesh.findings.map((finding, k) => item(finding, k, choose))),
@@ -35,7 +35,7 @@ export function meshList(mesh: MeshInspection, isStill: boolean, choose: (item: 
 function item({ code, severity, message, hint, edges, faces }: MeshFinding, k: number, choose: (item: number) => void): HTMLElement {
   const said = [badge(String(k + 1), INKS[severity]), " ", element("b", {}, WORDS[severity]), ` ${message} `, element("code", {}, code)];
   const help = hint === null ? [] : [element("p", { class: "hint" }, hint)];
-  if (edges !== "" || faces !== "") {
+  if (edges.length > 0 || faces.length > 0) {
     const made = entry(k, choose, said);
     made.append(...help);
     return made;

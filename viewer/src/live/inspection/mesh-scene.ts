@@ -14,6 +14,8 @@ export const INKS: Record<MeshFinding["severity"], Ink> = { error: "danger", war
 
 /** Points beside which a finding's number may stand. */
 const PLACES = 24;
+/** Points that say where those of a finding are, of which there may be 60,000. */
+const TELLING = 2_000;
 
 export class MeshScene implements Still {
   readonly object: Group;
@@ -81,7 +83,7 @@ class Marks {
   readonly group = new Group();
   readonly number: number;
   readonly ink: Ink;
-  /** Ends of the edges, and corners of the triangles. */
+  /** Ends of the edges, or corners of the triangles: of many, those that tell where they are. */
   places: Vector3[];
 
   constructor({ edges, faces, severity, code }: MeshFinding, k: number, palette: Palette) {
@@ -90,7 +92,7 @@ class Marks {
     const [ends, corners] = [f32(edges, `${code}: edges`), f32(faces, `${code}: faces`)];
     if (corners.length > 0) this.#triangles(corners, palette);
     if (ends.length > 0) this.#edges(ends, palette);
-    this.places = points(ends.length > 0 ? ends : corners);
+    this.places = telling(ends.length > 0 ? ends : corners);
   }
 
   // What is behind something shines through it.
@@ -115,6 +117,20 @@ class Marks {
   }
 }
 
-function points(numbers: Float32Array): Vector3[] {
-  return Array.from({ length: numbers.length / 3 }, (_, k) => new Vector3().fromArray(numbers, 3 * k));
+/** Those of many points that say where they are: some of them, and the outermost along each axis. */
+function telling(numbers: Float32Array): Vector3[] {
+  const count = numbers.length / 3;
+  const every = Math.ceil(count / TELLING);
+  const told = Array.from({ length: Math.ceil(count / (every || 1)) }, (_, k) => every * k);
+  if (every > 1) {
+    for (let axis = 0; axis < 3; axis += 1) {
+      let [least, most] = [0, 0];
+      for (let k = 1; k < count; k += 1) {
+        if (numbers[3 * k + axis] < numbers[3 * least + axis]) least = k;
+        if (numbers[3 * k + axis] > numbers[3 * most + axis]) most = k;
+      }
+      told.push(least, most);
+    }
+  }
+  return told.map((k) => new Vector3().fromArray(numbers, 3 * k));
 }

@@ -1,9 +1,11 @@
 //! The parts of a mesh that hang together, and what each is.
 
+use core::ops::Range;
+
 use super::inside::{Nesting, Windings};
 use super::patches::{Patch, Patches};
 use super::threads::Threads;
-use super::weld::{NONE, Welded};
+use super::weld::Welded;
 use super::work::Work;
 use crate::math::sum::Sum;
 use crate::math::symmetric3::power_of_two_near;
@@ -86,22 +88,41 @@ pub(crate) struct Measured {
 }
 
 impl Measured {
-    pub(crate) fn of(welded: &Welded, patches: &Patches) -> Self {
+    pub(crate) fn of(welded: &Welded, patches: &Patches, threads: Threads) -> Self {
         let count = patches.components.len();
-        let mut sums: Vec<VolumeSums> = (0..count).map(|_| VolumeSums::default()).collect();
+        // Each thread has the triangles of its components.
+        let parts = threads.map_pieces(count, count.div_ceil(threads.count()).max(1), |components| {
+            Self::some(welded, patches, components)
+        });
+        let mut all = Self::default();
+        for part in parts {
+            all.components.extend(part.components);
+            all.largest.extend(part.largest);
+            all.collinear.extend(part.collinear);
+        }
+        all.collinear.sort_unstable();
+        all
+    }
+
+    fn some(welded: &Welded, patches: &Patches, components: Range<usize>) -> Self {
+        let mut sums: Vec<VolumeSums> = components.clone().map(|_| VolumeSums::default()).collect();
         let mut collinear = Vec::new();
         for (t, &component) in patches.component.iter().enumerate() {
-            if component != NONE {
-                let flat = sums[component as usize].add(t, welded.triangle(t), patches.against[t]);
-                if flat && super::predicate::facing(welded.triangle(t)).is_none() {
-                    collinear.push(t as u32);
-                }
+            // Also of `NONE`, which is beyond all.
+            let Some(sums) = sums.get_mut((component as usize).wrapping_sub(components.start)) else {
+                continue;
+            };
+            let flat = sums.add(t, welded.triangle(t), patches.against[t]);
+            if flat && super::predicate::facing(welded.triangle(t)).is_none() {
+                collinear.push(t as u32);
             }
         }
-        let components =
-            sums.iter().zip(&patches.components).map(|(sums, patch)| sums.component(patch, welded.unit));
-        let components = components.collect();
-        Self { components, largest: sums.iter().map(|sums| sums.largest).collect(), collinear }
+        let of_each = sums.iter().zip(&patches.components[components]);
+        Self {
+            components: of_each.map(|(sums, patch)| sums.component(patch, welded.unit)).collect(),
+            largest: sums.iter().map(|sums| sums.largest).collect(),
+            collinear,
+        }
     }
 
     /// Gives the components their places among each other.

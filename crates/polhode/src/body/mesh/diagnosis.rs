@@ -163,7 +163,7 @@ impl Analysis {
             return Self { welded, patches, edges, meetings, diagnosis };
         }
         let patches = Patches::of(corners, &edges, threads);
-        let mut measured = Measured::of(&welded, &patches);
+        let mut measured = Measured::of(&welded, &patches, threads);
         // What has no area has no sides, and meets nothing that its neighbours do not meet.
         let has_area =
             |t: usize| patches.component[t] != NONE && measured.collinear.binary_search(&(t as u32)).is_err();
@@ -181,10 +181,16 @@ impl Analysis {
             // A corner of many faces of a hull has as many pairs as their square, and none of them meet elsewhere.
             Meetings::default()
         } else {
-            let layers = Layers::of(&welded, &tree, &edges, &measured.collinear);
-            let (mut doubtful, again) = (layers.doubtful(work, threads), edges.again());
-            doubtful.retain(|t| again.binary_search(t).is_err());
-            let doubtful = tree.part(&welded, doubtful, threads);
+            let mut is_again = vec![false; welded.corners.len()];
+            let again = edges.again();
+            again.iter().for_each(|&t| is_again[t as usize] = true);
+            let once = (!again.is_empty()).then(|| {
+                let order = tree.order().iter().copied().filter(|&t| !is_again[t as usize]);
+                tree.part(&welded, order.collect(), threads)
+            });
+            let once = once.as_ref().unwrap_or(&tree);
+            let layers = Layers::of(&welded, once, &edges, |t| is_again[t as usize], &measured.collinear);
+            let doubtful = once.part(&welded, layers.doubtful(work, threads), threads);
             Meetings::of(&windings, &edges, &doubtful, lowest_winding(&measured.components), sought, threads)
         };
         let undecided = work.not_enough();
@@ -221,7 +227,7 @@ impl Findings<'_> {
             triangles: corners.len(),
             vertices: welded.points.len(),
             boundary: faults(edges.boundary.iter().map(|&half| at_edge(welded, half))),
-            boundary_loops: loops(corners, &edges.boundary),
+            boundary_loops: loops(corners, welded.points.len(), &edges.boundary),
             inconsistent: faults(edges.inconsistent.iter().map(|&half| at_edge(welded, half))),
             non_manifold: faults(edges.crowded.iter().map(|edge| at_edge(welded, edge[0]))),
             unbalanced: faults(unbalanced(welded, edges)),
@@ -290,16 +296,17 @@ pub(super) fn at_pair(welded: &Welded, &([t, u], point): &([u32; 2], [f64; 3])) 
     PairPlace { triangles: [t as usize + 1, u as usize + 1], point: welded.place(point) }
 }
 
-/// How many loops half-edges make.
-fn loops(corners: &[[u32; 3]], boundary: &[u32]) -> usize {
-    let ends = boundary.iter().flat_map(|&half| [start_of(corners, half), end_of(corners, half)]);
-    let mut vertices: Vec<u32> = ends.collect();
-    vertices.sort_unstable();
-    vertices.dedup();
-    let number = |vertex: u32| vertices.partition_point(|&v| v < vertex) as u32;
-    let mut parent: Vec<u32> = (0..vertices.len() as u32).collect();
-    for &half in boundary {
-        join(&mut parent, number(start_of(corners, half)), number(end_of(corners, half)));
+/// How many loops half-edges make between so many points.
+fn loops(corners: &[[u32; 3]], points: usize, boundary: &[u32]) -> usize {
+    if boundary.is_empty() {
+        return 0;
     }
-    (0..).zip(&parent).filter(|(v, parent)| v == *parent).count()
+    let mut is_end = vec![false; points];
+    let mut parent: Vec<u32> = (0..points as u32).collect();
+    for &half in boundary {
+        let [start, end] = [start_of(corners, half), end_of(corners, half)];
+        (is_end[start as usize], is_end[end as usize]) = (true, true);
+        join(&mut parent, start, end);
+    }
+    (0..).zip(&parent).zip(is_end).filter(|&((v, parent), is_end)| is_end && v == *parent).count()
 }

@@ -33,8 +33,15 @@ pub(crate) struct Layers<'a> {
 }
 
 impl<'a> Layers<'a> {
-    pub(crate) fn of(welded: &'a Welded, tree: &'a Tree, edges: &Edges, collinear: &[u32]) -> Self {
-        let torn = Torn::of(welded, edges, collinear);
+    /// Of a tree without those of the mesh that are `left_out`, and without those on one line.
+    pub(crate) fn of(
+        welded: &'a Welded,
+        tree: &'a Tree,
+        edges: &Edges,
+        left_out: impl Fn(u32) -> bool,
+        collinear: &[u32],
+    ) -> Self {
+        let torn = Torn::of(welded, edges, left_out, collinear);
         let mut sides = tree.sides().to_vec();
         let leaves = sides.len() / 2;
         if !torn.is_empty() {
@@ -137,10 +144,18 @@ struct Torn {
 }
 
 impl Torn {
-    fn of(welded: &Welded, edges: &Edges, collinear: &[u32]) -> Self {
-        let unbalanced = edges.crowded.iter().filter(|edge| !is_balanced(&welded.corners, edge));
-        let halves = edges.boundary.iter().chain(&edges.inconsistent).chain(unbalanced.map(|edge| &edge[0]));
-        let mut triangles: Vec<u32> = halves.map(|half| half / 3).collect();
+    fn of(welded: &Welded, edges: &Edges, left_out: impl Fn(u32) -> bool, collinear: &[u32]) -> Self {
+        let mut halves = [edges.boundary.as_slice(), &edges.inconsistent].concat();
+        // What is left out is there again: of each edge at least one triangle is left.
+        let mut left = Vec::new();
+        for edge in &edges.crowded {
+            left.clear();
+            left.extend(edge.iter().filter(|&&half| !left_out(half / 3)));
+            if left.first().is_some_and(|_| !is_balanced(&welded.corners, &left)) {
+                halves.push(left[0]);
+            }
+        }
+        let mut triangles: Vec<u32> = halves.into_iter().map(|half| half / 3).collect();
         triangles.sort_unstable();
         triangles.dedup();
         let mut points: Vec<u32> = collinear.iter().flat_map(|&t| welded.corners[t as usize]).collect();
@@ -204,17 +219,23 @@ mod tests {
         }
     }
 
-    /// A mesh, its triangles that have an area, and which of them are doubtful.
+    /// A mesh, its triangles that have an area and are not there again, and which of them are doubtful.
     fn doubtful((points, triangles): (Vec<[f64; 3]>, Vec<[u32; 3]>)) -> (Welded, Vec<u32>, Vec<bool>) {
         let mesh = TriangleMesh::new(points, triangles).unwrap();
         let (welded, threads) = (Welded::of(&mesh, Threads::of(1)), Threads::of(2));
         let edges = Edges::of(&welded.corners, welded.points.len(), threads);
         let patches = Patches::of(&welded.corners, &edges, threads);
-        let collinear = Measured::of(&welded, &patches).collinear;
-        let wanted = |t: usize| patches.component[t] != NONE && collinear.binary_search(&(t as u32)).is_err();
+        let collinear = Measured::of(&welded, &patches, threads).collinear;
+        let again = edges.again();
+        let is_again = |t: u32| again.binary_search(&t).is_ok();
+        let wanted = |t: usize| {
+            patches.component[t] != NONE
+                && collinear.binary_search(&(t as u32)).is_err()
+                && !is_again(t as u32)
+        };
         let tree = Tree::of(&welded, wanted, threads);
-        let doubtful =
-            Layers::of(&welded, &tree, &edges, &collinear).doubtful(&Work::of(u64::MAX, &|| true), threads);
+        let doubtful = Layers::of(&welded, &tree, &edges, is_again, &collinear)
+            .doubtful(&Work::of(u64::MAX, &|| true), threads);
         let mut is_doubtful = vec![false; welded.corners.len()];
         doubtful.iter().for_each(|&t| is_doubtful[t as usize] = true);
         let order = tree.order().to_vec();
@@ -256,6 +277,35 @@ mod tests {
             assert!(part < 0.1, "{size}: {part}");
         }
         assert_eq!(check(torus(40, 20, tube(1.0, 0.4, 0.1))), 0);
+    }
+
+    #[test]
+    fn what_is_there_again_is_no_second_layer() {
+        let (points, mut triangles) = torus(160, 80, tube(1.0, 0.4, 0.1));
+        triangles.extend(triangles.clone());
+        let (_, order, is_doubtful) = doubtful((points, triangles));
+        let part = is_doubtful.iter().filter(|&&doubtful| doubtful).count();
+        assert!(order.len() == 160 * 80 * 2 && part < order.len() / 10, "{part} of {}", order.len());
+        // Nor does it close the surface where it ends, nor hide what meets.
+        let mut chance = chance();
+        let mut found = 0;
+        for (round, (turns, wave)) in
+            [(1.0, 0.1), (2.0, 0.01), (3.0, 0.03), (2.0, 0.0)].into_iter().cycle().take(12).enumerate()
+        {
+            let (mut points, mut triangles) = torus(48, 14, tube(turns, 0.3, wave));
+            if round % 3 == 1 {
+                points.iter_mut().flatten().for_each(|c| *c = (*c * 12.0).round());
+            }
+            if round % 3 == 2 {
+                triangles.retain(|_| chance() > 0.03);
+            }
+            let again: Vec<_> = triangles.iter().copied().filter(|_| chance() < 0.3).collect();
+            triangles
+                .extend(again.iter().map(|&[a, b, c]| if chance() < 0.2 { [a, c, b] } else { [b, c, a] }));
+            triangles.extend(again.into_iter().filter(|_| chance() < 0.3));
+            found += check((points, triangles));
+        }
+        assert!(found > 100, "{found}");
     }
 
     #[test]

@@ -79,7 +79,7 @@ fn both(soup: &Soup, threads: usize) -> ([Meetings; 2], usize) {
     let welded = Welded::of(&mesh, threads);
     let edges = Edges::of(&welded.corners, welded.points.len(), threads);
     let patches = Patches::of(&welded.corners, &edges, threads);
-    let collinear = Measured::of(&welded, &patches).collinear;
+    let collinear = Measured::of(&welded, &patches, threads).collinear;
     let wanted = |t: usize| patches.component[t] != NONE && collinear.binary_search(&(t as u32)).is_err();
     let (tree, work) = (Tree::of(&welded, wanted, threads), Work::of(u64::MAX, &|| true));
     let windings = Windings { welded: &welded, tree: &tree, patches: &patches, work: &work };

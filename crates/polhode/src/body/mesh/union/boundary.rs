@@ -48,7 +48,7 @@ impl Boundaries {
     /// `None` if there is no work left.
     pub(super) fn of(mesh: &Weighted, work: &Work<'_>, threads: Threads) -> Option<Self> {
         let Weighted { welded, patches, .. } = mesh;
-        let collinear = Measured::of(welded, patches).collinear;
+        let collinear = Measured::of(welded, patches, threads).collinear;
         let has_area = |t: usize| collinear.binary_search(&(t as u32)).is_err();
         let tree = Tree::of(welded, has_area, threads);
         let met = met(mesh, &tree, &collinear, work, threads);

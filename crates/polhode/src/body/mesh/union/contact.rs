@@ -24,7 +24,7 @@ pub(super) fn met(
 ) -> Vec<bool> {
     let welded = &mesh.welded;
     let mut met = vec![false; welded.corners.len()];
-    let doubtful = Layers::of(welded, tree, &mesh.edges, collinear).doubtful(work, threads);
+    let doubtful = Layers::of(welded, tree, &mesh.edges, |_| false, collinear).doubtful(work, threads);
     let doubtful = tree.part(welded, doubtful, threads);
     let boxes = doubtful.boxes(welded, threads);
     let found = threads.map_pieces(doubtful.leaves(), LEAVES, |leaves| {

@@ -1,0 +1,22 @@
+/** An answer with rows of numbers behind its JSON: they are read where they are. */
+
+/** Of the length of the JSON. */
+const WORD = 8;
+const KINDS = { f64: Float64Array, f32: Float32Array, u32: Uint32Array };
+
+/** The JSON, and what puts its rows into a part of it: in the place of each `{"f64": [at, count]}` so many of the numbers. */
+export function jsonAndRows<T>(bytes: ArrayBuffer): { json: T; withRows: <U>(value: U) => U } {
+  const length = Number(new DataView(bytes).getBigUint64(0, true));
+  const json = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, WORD, length))) as T;
+  const withRows = <U>(value: U): U => {
+    if (typeof value !== "object" || value === null) return value;
+    for (const [kind, Numbers] of Object.entries(KINDS)) {
+      if (!(kind in value)) continue;
+      const [at, count] = (value as Record<string, [number, number]>)[kind];
+      return new Numbers(bytes, WORD + length + Numbers.BYTES_PER_ELEMENT * at, count) as U;
+    }
+    if (Array.isArray(value)) return value.map((item: unknown) => withRows(item)) as U;
+    return Object.fromEntries(Object.entries(value).map(([name, item]: [string, unknown]) => [name, withRows(item)])) as U;
+  };
+  return { json, withRows };
+}

@@ -9,6 +9,7 @@ use crate::check::Check;
 use crate::explain::Explain;
 use crate::failure::Failure;
 use crate::inertia::Inertia;
+use crate::identify::Identify;
 use crate::judge::Judge;
 #[cfg(feature = "live")]
 use crate::live::Live;
@@ -54,6 +55,7 @@ pub(crate) enum Command {
     Sweep(Sweep),
     Explain(Explain),
     Judge(Box<Judge>),
+    Identify(Identify),
     #[cfg(feature = "live")]
     Live(Live),
     Completions(Completions),
@@ -73,6 +75,7 @@ impl Command {
             Self::Sweep(command) => command.run(),
             Self::Explain(command) => command.run(),
             Self::Judge(command) => command.run(),
+            Self::Identify(command) => command.run(),
             #[cfg(feature = "live")]
             Self::Live(command) => command.run(),
             Self::Completions(command) => command.run(Polhode::command()),

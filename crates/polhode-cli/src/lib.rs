@@ -9,6 +9,7 @@ mod check;
 mod explain;
 mod failure;
 mod folder;
+mod identify;
 mod inertia;
 mod judge;
 #[cfg(feature = "live")]

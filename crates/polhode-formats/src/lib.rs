@@ -8,6 +8,7 @@
 //! - [`cad`]: mass-property reports of CAD programs, as text
 //! - [`particles`]: particles and point clouds, as CSV
 //! - [`run_log`]: motions that other programs logged, as CSV, Parquet and JSON lines
+//! - [`mod@identify`]: what was measured of a body, and how, as TOML
 //! - [`mod@unit`]: quantities in text
 //! - [`expression`]: formulas in text
 //! - [`voxel`]: densities on a grid, as NPY and NRRD
@@ -26,6 +27,7 @@ mod decimal;
 mod error;
 pub mod expression;
 mod file;
+pub mod identify;
 pub mod material;
 pub mod mesh;
 pub mod molecule;

@@ -46,6 +46,21 @@ pub enum IdentifyError {
 }
 
 impl IdentifyError {
+    /// What its reader may do.
+    pub fn hint(&self) -> Option<&'static str> {
+        match self {
+            Self::TooFew { .. } => Some("measure for longer, more often, or find fewer numbers"),
+            Self::NoConvergence { .. } => {
+                Some("the measurements may not determine all that is asked for: leave out the gyro's scale and skew, or drag")
+            }
+            Self::NotFinite => Some("look for a unit that is wrong, or a reading that is no measurement"),
+            Self::Missing { .. } => Some("say it in the plan: nothing is guessed"),
+            Self::Body(error) => error.hint(),
+            Self::Motion(error) => error.hint(),
+            Self::Value { .. } => None,
+        }
+    }
+
     /// That a number keeps a rule.
     pub(crate) fn require(
         what: &'static str,

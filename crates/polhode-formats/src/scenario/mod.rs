@@ -42,13 +42,13 @@ mod pendulum;
 mod placement;
 mod pointing;
 mod prescribed;
-mod reader;
+pub(crate) mod reader;
 mod rotation;
 mod rows;
 mod run;
 mod shaft;
 mod shape;
-mod source;
+pub(crate) mod source;
 mod start;
 mod substance;
 pub(crate) mod suggestion;
@@ -57,7 +57,7 @@ mod target;
 mod template;
 mod tensor;
 mod torque;
-mod tree;
+pub(crate) mod tree;
 mod wheel;
 
 use std::path::{Path, PathBuf};
@@ -167,7 +167,7 @@ pub fn read(path: &Path) -> Result<Scenario, FormatError> {
 }
 
 /// The text of a file.
-fn text_of(path: &Path) -> Result<String, FormatError> {
+pub(crate) fn text_of(path: &Path) -> Result<String, FormatError> {
     let fail = |kind| FormatError::new(path, None, kind);
     let bytes = file::bytes(path, &path.to_string_lossy(), LARGEST_FILE).map_err(fail)?;
     if is_utf16(&bytes) {
@@ -220,7 +220,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
 }
 
 /// The tree of a file.
-fn document(source: Source<'_>) -> Result<Entries, FormatError> {
+pub(crate) fn document(source: Source<'_>) -> Result<Entries, FormatError> {
     let entries = tree::parse(source.text)
         .map_err(|error| perhaps_mesh(source.syntax(&error), source.text.as_bytes()))?;
     list_units::check(source, &entries)?;

@@ -1,0 +1,68 @@
+//! What was measured of a body, and how: plans of `polhode identify`, as TOML.
+//!
+//! ```toml
+//! title = "A racket, thrown"
+//!
+//! [tumble]                            # or [swing], or [payload]
+//! log = "racket.csv"                  # times and rates of a gyro
+//! flights = "find"                    # or [[tumble.flight]] with from and to
+//! drag = "quadratic"
+//! ```
+//!
+//! A quantity is a string with its unit, or a number in SI. Whatever is unknown, impossible or ambiguous is an error that points at its place.
+
+mod tumble;
+
+use std::path::Path;
+
+use polhode_identify::IdentifyError;
+
+use crate::error::{FormatError, FormatErrorKind};
+use crate::scenario::reader::{Table, Value};
+use crate::scenario::source::Source;
+use crate::scenario::{document, text_of};
+
+pub use tumble::{ReadLog, TumblePlan};
+
+/// A plan: what was measured, ready to be identified.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// Its title.
+    pub title: Option<String>,
+    /// What was measured.
+    pub measurement: Measurement,
+}
+
+/// What was measured of a body.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Measurement {
+    /// Its free motion.
+    Tumble(TumblePlan),
+}
+
+/// The tables, one of which a plan has.
+const KINDS: [&str; 1] = ["tumble"];
+
+/// Reads a plan.
+///
+/// # Errors
+/// [`FormatError`], with the place, if it, or a file that it names, cannot be read or describes nothing that could be measured.
+pub fn read(path: &Path) -> Result<Plan, FormatError> {
+    let text = text_of(path)?;
+    let source = Source::new(path, &text);
+    let entries = document(source)?;
+    let root = Table::root(source, &entries);
+    root.allow(&["title", "tumble"])?;
+    let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
+    let kind = root.at_most_one(&KINDS, "a plan is of one kind of measurement")?;
+    let Some(kind) = kind else { return Err(root.missing("tumble", "[tumble], with log = \"gyro.csv\"")) };
+    let table = kind.table()?;
+    let measurement = Measurement::Tumble(tumble::plan(&table)?);
+    Ok(Plan { title, measurement })
+}
+
+/// An error of what was to be measured, at a value.
+fn at(value: &Value<'_>, error: IdentifyError) -> FormatError {
+    value.error(FormatErrorKind::Identify(error))
+}

@@ -1,0 +1,171 @@
+//! Numbers that were found, with their errors.
+
+use polhode_identify::{Estimate, Number, PrincipalEstimate, ResidualTest};
+use serde_json::{Value, json};
+
+use crate::explain::document::Section;
+use crate::number::{count, number, ungrouped};
+
+/// `1.2345 ± 0.0012`: as many digits as the error has two of.
+pub(super) fn with_error(value: f64, sd: f64) -> String {
+    if !(sd.is_finite() && sd > 0.0) {
+        return number(value, 6);
+    }
+    let shown = ungrouped(sd, 2);
+    let places = exponent(sd) - 1;
+    let size = if value == 0.0 { places } else { exponent(value) };
+    let digits = usize::try_from(size - places + 1).unwrap_or(1).clamp(1, 15);
+    if size < places {
+        return format!("0 ± {shown}");
+    }
+    format!("{} ± {shown}", ungrouped(value, digits))
+}
+
+/// n of x = d.ddd · 10ⁿ.
+fn exponent(x: f64) -> i32 {
+    format!("{x:e}").split_once('e').and_then(|(_, n)| n.parse().ok()).unwrap_or(0)
+}
+
+pub(super) fn cell(value: f64, sd: Option<f64>) -> String {
+    sd.map_or_else(|| "not known".to_owned(), |sd| with_error(value, sd))
+}
+
+/// A row for each number: name, value ± sd, unit.
+pub(super) fn table(section: &mut Section, numbers: &[Number]) {
+    let row = |number: &Number| {
+        vec![number.name.clone(), cell(number.value, number.sd), number.unit.to_owned()]
+    };
+    section.table(&["number", "value ± sd", "unit"], numbers.iter().map(row).collect());
+}
+
+/// The pairs that hang together most, and the directions of which nothing is known.
+pub(super) fn relations(section: &mut Section, estimate: &Estimate) {
+    const STRONG: f64 = 0.9;
+    const MOST: usize = 8;
+    let n = estimate.numbers.len();
+    let mut pairs: Vec<(f64, usize, usize)> = (0..n)
+        .flat_map(|i| (0..i).map(move |j| (j, i)))
+        .filter_map(|(i, j)| Some((estimate.correlation(i, j)?, i, j)))
+        .filter(|(r, ..)| r.abs() >= STRONG)
+        .collect();
+    pairs.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
+    let named = |k: usize| estimate.numbers[k].name.as_str();
+    for (r, i, j) in pairs.iter().take(MOST) {
+        section.line(format!("correlation of {} and {}: {}", named(*i), named(*j), number(*r, 3)));
+    }
+    for direction in &estimate.unknown {
+        let largest = direction.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
+        let parts: Vec<String> = (0..n)
+            .filter(|&k| direction[k].abs() > 1e-3 * largest)
+            .map(|k| format!("{} {}", number(direction[k] / largest, 3), named(k)))
+            .collect();
+        section.say(format!("Nothing is known along {}.", parts.join(", ")));
+    }
+}
+
+pub(super) fn residuals(section: &mut Section, tests: &[ResidualTest]) {
+    let row = |test: &ResidualTest| {
+        vec![
+            test.what.to_owned(),
+            count(test.count as u64),
+            number(test.noise, 3),
+            number(test.reduced_chi_square, 4),
+            test.lag_correlation.map_or_else(|| "—".to_owned(), |r| number(r, 3)),
+        ]
+    };
+    let headers = ["measured", "numbers", "noise (sd)", "χ²/degrees of freedom", "correlation with the next"];
+    section.table(&headers, tests.iter().map(row).collect());
+    for test in tests {
+        if test.is_too_large() {
+            section.say(format!(
+                "What is left of {} is {} times the noise: there is more in the motion than in the model.",
+                test.what,
+                number(test.reduced_chi_square.sqrt(), 3)
+            ));
+        }
+        if test.is_correlated() {
+            section.say(format!(
+                "Residuals of {} follow each other: they are no noise, and all errors are widened for it.",
+                test.what
+            ));
+        }
+    }
+}
+
+pub(super) fn principal(section: &mut Section, p: &PrincipalEstimate, unit: Option<&str>) {
+    if let Some(unit) = unit {
+        let row = |k: usize| vec![format!("i{}", k + 1), cell(p.moments[k], p.moment_sd[k]), unit.to_owned()];
+        section.table(&["moment", "value ± sd", "unit"], (0..3).map(row).collect());
+    }
+    section.line(format!("i1/i3 = {}", cell(p.ratios[0], p.ratio_sd[0])));
+    section.line(format!("i2/i3 = {}", cell(p.ratios[1], p.ratio_sd[1])));
+    if let Some(r) = p.ratio_correlation {
+        section.line(format!("correlation of the two: {}", number(r, 3)));
+    }
+    section.line(format!("(i1 + i2 − i3)/i3 = {}, zero of a lamina", cell(p.thickness, p.thickness_sd)));
+    let row = |k: usize| {
+        let [x, y, z] = p.axes[k];
+        let turn = match p.turn_sd[k] {
+            Some(sd) if sd < 1.0 => number(sd.to_degrees(), 2),
+            _ => "not known".to_owned(),
+        };
+        vec![format!("axis {}", k + 1), number(x, 5), number(y, 5), number(z, 5), turn]
+    };
+    section.table(&["axis of", "x", "y", "z", "all may be turned about it by (deg, sd)"], (0..3).map(row).collect());
+}
+
+pub(super) fn to_json(estimate: &Estimate) -> Value {
+    json!({
+        "numbers": estimate.numbers.iter().map(|number| json!({
+            "name": number.name,
+            "unit": number.unit,
+            "value": number.value,
+            "sd": number.sd,
+        })).collect::<Value>(),
+        "covariance": estimate.covariance,
+        "unknown": estimate.unknown,
+    })
+}
+
+pub(super) fn principal_to_json(p: &PrincipalEstimate) -> Value {
+    let finite = |sd: Option<f64>| sd.filter(|sd| sd.is_finite());
+    json!({
+        "moments": p.moments,
+        "moment_sd": p.moment_sd.map(finite),
+        "ratios": p.ratios,
+        "ratio_sd": p.ratio_sd.map(finite),
+        "ratio_correlation": p.ratio_correlation,
+        "thickness": p.thickness,
+        "thickness_sd": finite(p.thickness_sd),
+        "axes": p.axes,
+        "turn_sd": p.turn_sd.map(finite),
+    })
+}
+
+pub(super) fn residuals_to_json(tests: &[ResidualTest]) -> Value {
+    let each = |test: &ResidualTest| {
+        json!({
+            "what": test.what,
+            "count": test.count,
+            "degrees_of_freedom": test.degrees_of_freedom,
+            "noise": test.noise,
+            "reduced_chi_square": test.reduced_chi_square,
+            "lag_correlation": test.lag_correlation,
+            "is_too_large": test.is_too_large(),
+            "is_correlated": test.is_correlated(),
+        })
+    };
+    tests.iter().map(each).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_value_has_the_digits_of_its_error() {
+        assert_eq!(with_error(1.234_56, 0.001_23), "1.2346 ± 0.0012");
+        assert_eq!(with_error(-0.003_1, 0.02), "0 ± 0.020");
+        assert_eq!(with_error(123.456, 3.2), "123.5 ± 3.2");
+    }
+}

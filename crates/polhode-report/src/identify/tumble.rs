@@ -1,0 +1,207 @@
+//! Tumbles.
+
+use polhode::body::{Finding, Severity};
+use polhode_identify::tumble::{FlightFit, Tumble};
+use serde_json::{Value, json};
+
+use super::estimate;
+use crate::explain::document::{Document, Graph, Section};
+use crate::layout::printable;
+use crate::number::{count, number};
+use crate::{VERSION, finding};
+
+/// A body that was found by its tumbles, with what it was found from.
+#[derive(Clone, Debug)]
+pub struct TumbleReport {
+    title: String,
+    /// What was read, line by line.
+    sources: Vec<String>,
+    tumble: Tumble,
+}
+
+/// Flights that are shown in a table.
+const SHOWN: usize = 40;
+
+impl TumbleReport {
+    /// Of what was found, and the lines that say what was read.
+    pub fn new(title: Option<&str>, sources: Vec<String>, tumble: Tumble) -> Self {
+        Self { title: title.unwrap_or("a tumbling body").to_owned(), sources, tumble }
+    }
+
+    /// True if what is left is more than noise.
+    pub fn has_model_error(&self) -> bool {
+        self.tumble.widening > 1.0
+    }
+
+    fn findings(&self) -> Vec<Finding> {
+        let mut findings = Vec::new();
+        let mut say = |code: &'static str, message: String| {
+            findings.push(Finding { code, severity: Severity::Warning, message, place: None });
+        };
+        for test in self.tumble.residuals.iter().filter(|test| test.is_too_large() || test.is_correlated()) {
+            say(
+                "identify.model",
+                format!(
+                    "what is left of {} is no noise (χ² {} per degree of freedom): errors are widened {}-fold, and hold only if what is missing acts like noise",
+                    test.what,
+                    number(test.reduced_chi_square, 3),
+                    number(self.tumble.widening, 3)
+                ),
+            );
+        }
+        let left_out: usize = self.tumble.flights.iter().map(|flight| flight.left_out.len()).sum();
+        let used: usize = self.tumble.flights.iter().map(|flight| flight.used).sum();
+        if left_out > 0 {
+            say("identify.outliers", format!("{left_out} of {} readings were left out as outliers", left_out + used));
+        }
+        let p = &self.tumble.principal;
+        if p.thickness_sd.is_some_and(|sd| p.thickness < sd) {
+            say(
+                "identify.lamina",
+                "within its error the body is a lamina: i1 + i2 = i3, the edge of what is possible".to_owned(),
+            );
+        }
+        findings
+    }
+
+    /// The report as a document: text, Markdown, a page.
+    pub fn to_document(&self) -> Document {
+        let tumble = &self.tumble;
+        let p = &tumble.principal;
+        let mut answer = Vec::new();
+        if tumble.scale_is_known {
+            let of = |k: usize| estimate::cell(p.moments[k], p.moment_sd[k]);
+            answer.push(format!("Principal moments {}; {}; {} kg·m²", of(0), of(1), of(2)));
+        }
+        answer.push(format!(
+            "i1/i3 = {}, i2/i3 = {}",
+            estimate::cell(p.ratios[0], p.ratio_sd[0]),
+            estimate::cell(p.ratios[1], p.ratio_sd[1])
+        ));
+        if !tumble.scale_is_known {
+            answer.push(
+                "How large the moments are does not show in free motion: throw the body once more with something known on it".to_owned(),
+            );
+        }
+        let mut sections = vec![self.read(), self.body(), self.left(), self.each()];
+        for (k, section) in sections.iter_mut().enumerate() {
+            section.number = u8::try_from(k + 1).unwrap_or(u8::MAX);
+        }
+        Document { title: self.title.clone(), answer, sections, findings: self.findings() }
+    }
+
+    fn read(&self) -> Section {
+        let mut s = Section::new(1, "What was measured");
+        for line in &self.sources {
+            s.say(format!("{line}."));
+        }
+        let readings: usize = self.tumble.flights.iter().map(|flight| flight.used + flight.left_out.len()).sum();
+        s.say(format!(
+            "{} flights, {} readings.",
+            count(self.tumble.flights.len() as u64),
+            count(readings as u64)
+        ));
+        s
+    }
+
+    fn body(&self) -> Section {
+        let mut s = Section::new(2, "The body");
+        s.formula("I ω̇ = I ω × ω + N", "I \\dot\\omega = I \\omega \\times \\omega + N");
+        let unit = self.tumble.scale_is_known.then_some("kg·m²");
+        estimate::principal(&mut s, &self.tumble.principal, unit);
+        s.say("The tensor along the axes of the sensor, and what else was found:");
+        estimate::table(&mut s, &self.tumble.estimate.numbers);
+        estimate::relations(&mut s, &self.tumble.estimate);
+        s
+    }
+
+    fn left(&self) -> Section {
+        let mut s = Section::new(3, "What is left");
+        estimate::residuals(&mut s, &self.tumble.residuals);
+        if let Some(graph) = self.worst().and_then(graph) {
+            s.graph(graph);
+        }
+        s
+    }
+
+    fn worst(&self) -> Option<&FlightFit> {
+        self.tumble.flights.iter().max_by(|a, b| a.reduced_chi_square.total_cmp(&b.reduced_chi_square))
+    }
+
+    fn each(&self) -> Section {
+        let mut s = Section::new(4, "Flight by flight");
+        let row = |flight: &FlightFit| {
+            let [x, y, z] = flight.state.omega.to_array();
+            let omega = [x, y, z].map(|w| number(w, 5)).join(", ");
+            vec![
+                printable(&flight.name),
+                count(flight.used as u64),
+                count(flight.left_out.len() as u64),
+                omega,
+                number(rms(flight), 3),
+                number(flight.reduced_chi_square, 4),
+            ]
+        };
+        let headers = ["flight", "readings", "left out", "ω at its start (rad/s)", "left (rad/s, rms)", "χ²/dof"];
+        s.table(&headers, self.tumble.flights.iter().take(SHOWN).map(row).collect());
+        if let Some(more) = self.tumble.flights.len().checked_sub(SHOWN + 1) {
+            s.say(format!("{} more are in the JSON.", more + 1));
+        }
+        s
+    }
+
+    /// The report as data.
+    pub fn to_json(&self) -> Value {
+        let tumble = &self.tumble;
+        let flight = |flight: &FlightFit| {
+            json!({
+                "name": flight.name,
+                "time": flight.state.time,
+                "omega": flight.state.omega.to_array(),
+                "omega_sd": flight.omega_sd.map(|sd| Some(sd).filter(|sd| sd.is_finite())),
+                "quaternion_wxyz": (!flight.attitude_residuals.is_empty())
+                    .then(|| flight.state.attitude.canonical_quaternion()),
+                "reduced_chi_square": flight.reduced_chi_square,
+                "used": flight.used,
+                "left_out": flight.left_out,
+                "gyro_residuals": flight.gyro_residuals,
+                "attitude_residuals": flight.attitude_residuals,
+            })
+        };
+        json!({
+            "polhode": VERSION,
+            "kind": "tumble",
+            "title": self.title,
+            "scale_is_known": tumble.scale_is_known,
+            "estimate": estimate::to_json(&tumble.estimate),
+            "principal": estimate::principal_to_json(&tumble.principal),
+            "widening": tumble.widening,
+            "residuals": estimate::residuals_to_json(&tumble.residuals),
+            "flights": tumble.flights.iter().map(flight).collect::<Value>(),
+            "findings": finding::to_json(&self.findings()),
+        })
+    }
+}
+
+/// The root of the mean square of what is left of a gyro's components, rad/s; of attitudes, rad, where there is no gyro.
+fn rms(flight: &FlightFit) -> f64 {
+    let of = if flight.gyro_residuals.is_empty() { &flight.attitude_residuals } else { &flight.gyro_residuals };
+    let sum: f64 = of.iter().flatten().map(|r| r * r).sum();
+    (sum / (3 * of.len()).max(1) as f64).sqrt()
+}
+
+/// |residual| of the worst flight.
+fn graph(flight: &FlightFit) -> Option<Graph> {
+    let of = if flight.gyro_residuals.is_empty() { &flight.attitude_residuals } else { &flight.gyro_residuals };
+    let size = |r: &[f64; 3]| (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]).sqrt();
+    let points: Vec<[f64; 2]> = of.iter().enumerate().map(|(k, r)| [k as f64, size(r)]).collect();
+    let unit = if flight.gyro_residuals.is_empty() { "rad" } else { "rad/s" };
+    let last = points.last()?[0];
+    (points.len() > 2).then(|| Graph {
+        title: format!("What is left of {}", printable(&flight.name)),
+        across: ["reading", "1"],
+        up: ["|measured − predicted|", unit],
+        level: ([0.0, last, rms(flight) * 3.0_f64.sqrt()], "root of the mean square"),
+        points,
+    })
+}

@@ -8,8 +8,8 @@ use clap::{CommandFactory as _, Parser, Subcommand};
 use crate::check::Check;
 use crate::explain::Explain;
 use crate::failure::Failure;
-use crate::inertia::Inertia;
 use crate::identify::Identify;
+use crate::inertia::Inertia;
 use crate::judge::Judge;
 #[cfg(feature = "live")]
 use crate::live::Live;

@@ -45,7 +45,9 @@ impl Identify {
         let Plan { title, measurement } = identify::read(&self.plan)?;
         let report = match measurement {
             Measurement::Tumble(plan) => IdentifyReport::Tumble(self.tumble(title.as_deref(), &plan)?),
-            _ => return Err(Failure::usage("this plan is of a kind that is not known", "use a newer polhode")),
+            _ => {
+                return Err(Failure::usage("this plan is of a kind that is not known", "use a newer polhode"));
+            }
         };
         print(&if self.json {
             pretty(&report.to_json()) + "\n"

@@ -50,9 +50,9 @@ impl IdentifyError {
     pub fn hint(&self) -> Option<&'static str> {
         match self {
             Self::TooFew { .. } => Some("measure for longer, more often, or find fewer numbers"),
-            Self::NoConvergence { .. } => {
-                Some("the measurements may not determine all that is asked for: leave out the gyro's scale and skew, or drag")
-            }
+            Self::NoConvergence { .. } => Some(
+                "the measurements may not determine all that is asked for: leave out the gyro's scale and skew, or drag",
+            ),
             Self::NotFinite => Some("look for a unit that is wrong, or a reading that is no measurement"),
             Self::Missing { .. } => Some("say it in the plan: nothing is guessed"),
             Self::Body(error) => error.hint(),

@@ -75,6 +75,34 @@ impl Estimate {
         Some(variance.max(0.0).sqrt())
     }
 
+    /// The same numbers, of which the first `count` are in units of a linear function of them that is 1, u·x: x/(u·x) has the covariance G C Gᵀ with
+    /// G = 1 − x uᵀ, which is known even if the size of x is not.
+    pub(crate) fn relative(mut self, count: usize, u: &[f64]) -> Self {
+        let n = self.numbers.len();
+        let x: Vec<f64> = self.numbers.iter().map(|number| number.value).collect();
+        // C − x (uᵀC) on rows, then on columns
+        for _ in 0..2 {
+            let along: Vec<f64> =
+                (0..n).map(|j| u.iter().enumerate().map(|(i, u)| u * self.covariance[i][j]).sum()).collect();
+            for i in 0..count {
+                for j in 0..n {
+                    self.covariance[i][j] -= x[i] * along[j];
+                }
+            }
+            self.covariance = (0..n).map(|i| (0..n).map(|j| self.covariance[j][i]).collect()).collect();
+        }
+        for (k, number) in self.numbers.iter_mut().enumerate() {
+            if k < count {
+                let gradient: Vec<f64> = (0..n)
+                    .map(|i| f64::from(u8::from(i == k)) - u.get(i).map_or(0.0, |u| x[k] * u))
+                    .collect();
+                let is_unknown = self.unknown.iter().any(|unknown| changes_along(&gradient, unknown));
+                number.sd = (!is_unknown).then(|| self.covariance[k][k].max(0.0).sqrt());
+            }
+        }
+        self
+    }
+
     /// All errors times a factor.
     pub(crate) fn widened(mut self, factor: f64) -> Self {
         for number in &mut self.numbers {

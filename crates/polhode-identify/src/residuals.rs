@@ -13,6 +13,8 @@ pub struct ResidualTest {
     pub degrees_of_freedom: f64,
     /// Standard deviation of the noise that they were weighed by.
     pub noise: f64,
+    /// True if that was told; else it was found from how the readings jump.
+    pub noise_is_told: bool,
     /// χ²/degrees of freedom: 1 ± √(2/degrees of freedom) if the model is right and the noise is what it was taken for.
     pub reduced_chi_square: f64,
     /// Correlation of residuals that follow each other in one channel: 0 ± 1/√count of white noise.
@@ -22,9 +24,16 @@ pub struct ResidualTest {
 /// How many standard deviations are no chance.
 const NO_CHANCE: f64 = 5.0;
 
+/// A standard deviation, and whether it was told or found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Noise {
+    pub(crate) deviation: f64,
+    pub(crate) is_told: bool,
+}
+
 impl ResidualTest {
     /// Of runs of residuals in standard deviations, each of one channel in the order of time.
-    pub(crate) fn of(what: &'static str, noise: f64, found: f64, runs: &[Vec<f64>]) -> Self {
+    pub(crate) fn of(what: &'static str, noise: Noise, found: f64, runs: &[Vec<f64>]) -> Self {
         let count: usize = runs.iter().map(Vec::len).sum();
         let sum: f64 = runs.iter().flatten().map(|r| r * r).sum();
         let degrees_of_freedom = (count as f64 - found).max(1.0);
@@ -34,7 +43,8 @@ impl ResidualTest {
             what,
             count,
             degrees_of_freedom,
-            noise,
+            noise: noise.deviation,
+            noise_is_told: noise.is_told,
             reduced_chi_square: sum / degrees_of_freedom,
             lag_correlation: lag,
         }
@@ -50,10 +60,10 @@ impl ResidualTest {
         self.lag_correlation.is_some_and(|r| r.abs() > NO_CHANCE / (self.count as f64).sqrt())
     }
 
-    /// By what errors grow for what the residuals show: the root of χ²/degrees of freedom where it is above 1 beyond chance, and of (1 + r)/(1 − r) where
-    /// residuals follow each other with correlation r, as the next then brings little news.
+    /// By what errors grow for what the residuals show: the root of χ²/degrees of freedom where it is above 1 beyond chance, or where the noise was not told; and
+    /// of (1 + r)/(1 − r) where residuals follow each other with correlation r, as the next then brings little news.
     pub fn widening(&self) -> f64 {
-        let size = if self.is_too_large() { self.reduced_chi_square } else { 1.0 };
+        let size = if self.is_too_large() || !self.noise_is_told { self.reduced_chi_square } else { 1.0 };
         let news = match self.lag_correlation {
             Some(r) if self.is_correlated() && r > 0.0 => (1.0 + r) / (1.0 - r.min(0.999)),
             _ => 1.0,
@@ -65,6 +75,8 @@ impl ResidualTest {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    const UNIT: Noise = Noise { deviation: 1.0, is_told: true };
 
     fn noise(count: usize) -> Vec<f64> {
         let mut state = 0.431_f64;
@@ -80,7 +92,7 @@ mod tests {
 
     #[test]
     fn white_noise_is_noise() {
-        let test = ResidualTest::of("ω", 1.0, 3.0, &[noise(2000), noise(500)]);
+        let test = ResidualTest::of("ω", UNIT, 3.0, &[noise(2000), noise(500)]);
         assert!(!test.is_too_large() && !test.is_correlated(), "{test:?}");
         assert_eq!(test.widening(), 1.0);
     }
@@ -90,8 +102,8 @@ mod tests {
         let white = noise(2000);
         let large: Vec<f64> = white.iter().map(|r| 1.2 * r).collect();
         let slow: Vec<f64> = white.windows(4).map(|four| 0.5 * four.iter().sum::<f64>()).collect();
-        assert!(ResidualTest::of("ω", 1.0, 3.0, &[large]).is_too_large());
-        let test = ResidualTest::of("ω", 1.0, 3.0, &[slow]);
+        assert!(ResidualTest::of("ω", UNIT, 3.0, &[large]).is_too_large());
+        let test = ResidualTest::of("ω", UNIT, 3.0, &[slow]);
         assert!(test.is_correlated() && test.widening() > 1.5, "{test:?}");
     }
 }

@@ -70,7 +70,8 @@ pub(super) fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
             (false, _) => vec![[f64::NEG_INFINITY, f64::INFINITY]],
             (true, false) => find_flights(&measured.gyro, &search),
             (true, true) => {
-                return Err(log.invalid("a log of a gyro: flights are found in its rates")
+                return Err(log
+                    .invalid("a log of a gyro: flights are found in its rates")
                     .with_hint("say when each flight was: [[tumble.flight]] with from and to"));
             }
         };
@@ -80,7 +81,8 @@ pub(super) fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
             return Err(log.invalid(rule).with_hint(hint));
         }
         for (k, span) in spans.iter().enumerate() {
-            let name = if found { format!("flight {}, {:.2} s", k + 1, span[0]) } else { "flight".to_owned() };
+            let name =
+                if found { format!("flight {}, {:.2} s", k + 1, span[0]) } else { "flight".to_owned() };
             flights.push(measured.flight(name, *span).map_err(|error| at(&log, error))?);
         }
     }
@@ -174,7 +176,8 @@ fn one(flight: &Table<'_>, plan: &Table<'_>, logs: &mut Logs) -> Result<Flight, 
 fn added(value: &Value<'_>) -> Result<[f64; 6], FormatError> {
     let table = value.table()?;
     table.allow(&["moments", "products"])?;
-    let moments = table.require("moments", "moments = [\"1e-4 kg m^2\", \"1e-4 kg m^2\", \"2e-4 kg m^2\"]")?;
+    let moments =
+        table.require("moments", "moments = [\"1e-4 kg m^2\", \"1e-4 kg m^2\", \"2e-4 kg m^2\"]")?;
     let [xx, yy, zz] = moments.quantities(Dimension::INERTIA)?;
     let [xy, xz, yz] = match table.get("products") {
         Some(products) => products.quantities(Dimension::INERTIA)?,
@@ -188,7 +191,8 @@ fn wheel(value: &Value<'_>) -> Result<Wheel, FormatError> {
     let table = value.table()?;
     table.allow(&["axis", "momentum"])?;
     let axis = table.require("axis", "axis = [0, 0, 1]")?;
-    let momentum = table.require("momentum", "momentum = \"0.02 kg m^2/s\"")?.quantity(Dimension::ANGULAR_MOMENTUM)?;
+    let momentum =
+        table.require("momentum", "momentum = \"0.02 kg m^2/s\"")?.quantity(Dimension::ANGULAR_MOMENTUM)?;
     let direction = polhode::math::Direction::from_array(axis.numbers()?);
     Wheel::new(direction, momentum, Motor::HeldSpeed).map_err(|error| axis.motion(error))
 }
@@ -252,14 +256,17 @@ fn readings(log: &Value<'_>, measured: &MeasuredLog) -> Result<Measured, FormatE
             .with_hint("its columns say that they are along axes of space"));
     }
     let times = measured.times.iter();
-    let gyro = measured.omega.iter().flatten().zip(times.clone()).map(|(omega, &time)| GyroReading {
-        time,
-        omega: AngularVelocity::from_array(*omega),
-    });
+    let gyro = measured
+        .omega
+        .iter()
+        .flatten()
+        .zip(times.clone())
+        .map(|(omega, &time)| GyroReading { time, omega: AngularVelocity::from_array(*omega) });
     let mut attitudes = Vec::new();
     if let Some(numbers) = &measured.attitude {
         let (Some(order), Some(sense)) = (measured.order, measured.sense) else {
-            let rule = "a log that says in which order the numbers of its quaternion are, and which way it turns";
+            let rule =
+                "a log that says in which order the numbers of its quaternion are, and which way it turns";
             let hint = "say it: columns = \"quaternion wxyz body-to-space = qw qx qy qz\"";
             return Err(log.invalid(rule).with_hint(hint));
         };
@@ -269,10 +276,8 @@ fn readings(log: &Value<'_>, measured: &MeasuredLog) -> Result<Measured, FormatE
                 .map_err(|error| log.error(FormatErrorKind::Rotation(error)))?;
             let attitude = match sense {
                 AttitudeSense::BodyToSpace => turned,
-                AttitudeSense::SpaceToBody => {
-                    Attitude::from_quaternion([w, -x, -y, -z])
-                        .map_err(|error| log.error(FormatErrorKind::Rotation(error)))?
-                }
+                AttitudeSense::SpaceToBody => Attitude::from_quaternion([w, -x, -y, -z])
+                    .map_err(|error| log.error(FormatErrorKind::Rotation(error)))?,
             };
             attitudes.push(AttitudeReading { time, attitude });
         }

@@ -55,7 +55,10 @@ pub(super) enum Form {
     None,
     Quaternion,
     Matrix,
-    Euler { sequence: Sequence, unit: Scale },
+    Euler {
+        sequence: Sequence,
+        unit: Scale,
+    },
 }
 
 impl Form {

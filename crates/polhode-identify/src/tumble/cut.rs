@@ -76,7 +76,8 @@ fn tensor_of_most(mut cores: Vec<Rates>) -> [f64; 6] {
 
 fn mean_torque(tensor: &[f64; 6], rates: &Rates) -> f64 {
     let stretches = rates.times.windows(STRETCH).zip(rates.omega.windows(STRETCH));
-    let (sum, count) = stretches.fold((0.0, 0.0), |(sum, count), (t, w)| (sum + torque(tensor, t, w), count + 1.0));
+    let (sum, count) =
+        stretches.fold((0.0, 0.0), |(sum, count), (t, w)| (sum + torque(tensor, t, w), count + 1.0));
     if count > 0.0 { sum / count } else { f64::INFINITY }
 }
 
@@ -87,7 +88,8 @@ fn gap(times: &[f64], k: usize) -> bool {
 
 /// |I Δω/Δt + mean ω × I ω| over |I| mean ω², of a stretch.
 fn torque(tensor: &[f64; 6], times: &[f64], omega: &[[f64; 3]]) -> f64 {
-    let times_tensor = |rows: [[f64; 6]; 3]| rows.map(|row| row.iter().zip(tensor).map(|(a, b)| a * b).sum::<f64>());
+    let times_tensor =
+        |rows: [[f64; 6]; 3]| rows.map(|row| row.iter().zip(tensor).map(|(a, b)| a * b).sum::<f64>());
     let last = omega.len() - 1;
     let duration = times[last] - times[0];
     let ends = core::array::from_fn(|k| omega[last][k] - omega[0][k]);

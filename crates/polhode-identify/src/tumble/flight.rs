@@ -71,7 +71,14 @@ impl Flight {
         }
         ascending(gyro.iter().map(|reading| reading.time))?;
         ascending(attitudes.iter().map(|reading| reading.time))?;
-        Ok(Self { name: name.into(), gyro, attitudes, added: [0.0; 6], wheels: Vec::new(), torques: Vec::new() })
+        Ok(Self {
+            name: name.into(),
+            gyro,
+            attitudes,
+            added: [0.0; 6],
+            wheels: Vec::new(),
+            torques: Vec::new(),
+        })
     }
 
     /// The same flight of the body with something added whose tensor is known: Ixx, Iyy, Izz, Ixy, Ixz, Iyz by which the tensor about the common centre of mass is

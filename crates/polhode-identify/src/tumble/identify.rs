@@ -87,6 +87,7 @@ pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<T
             references,
             gyro,
             gyro_noise,
+            gyro_noise_is_told: options.gyro_noise.is_some(),
             attitude_noise,
             drag: options.drag,
             tracked,

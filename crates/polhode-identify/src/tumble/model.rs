@@ -10,6 +10,7 @@ use super::motion::{Flown, turn, turned};
 use super::sensor::GyroErrors;
 use crate::error::IdentifyError;
 use crate::least_squares::{Problem, Rows};
+use crate::residuals::Noise;
 
 /// Flights, and what predicts their readings.
 ///
@@ -21,6 +22,8 @@ pub(crate) struct Tumbles<'a> {
     pub(crate) gyro: GyroErrors,
     /// rad/s
     pub(crate) gyro_noise: f64,
+    /// Whether it was told.
+    pub(crate) gyro_noise_is_told: bool,
     /// rad
     pub(crate) attitude_noise: f64,
     /// How drag grows with ω, if there is any.
@@ -41,6 +44,14 @@ pub(crate) struct Reference {
 pub(crate) const CHANNELS: usize = 3;
 
 impl Tumbles<'_> {
+    pub(crate) const fn gyro_noise(&self) -> Noise {
+        Noise { deviation: self.gyro_noise, is_told: self.gyro_noise_is_told }
+    }
+
+    pub(crate) const fn attitude_noise(&self) -> Noise {
+        Noise { deviation: self.attitude_noise, is_told: true }
+    }
+
     /// How many numbers drag has.
     pub(crate) const fn drag_count(&self) -> usize {
         if self.drag.is_some() { 6 } else { 0 }
@@ -169,7 +180,13 @@ impl Problem for Tumbles<'_> {
         self.flights.len()
     }
 
-    fn rows(&self, group: usize, shared: &[f64], local: &[f64], rows: &mut Rows) -> Result<(), IdentifyError> {
+    fn rows(
+        &self,
+        group: usize,
+        shared: &[f64],
+        local: &[f64],
+        rows: &mut Rows,
+    ) -> Result<(), IdentifyError> {
         let flight = &self.flights[group];
         let (flown, start) = (self.flown(group, shared), self.state(group, local));
         if !flight.gyro().is_empty() {

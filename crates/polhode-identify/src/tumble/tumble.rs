@@ -4,8 +4,8 @@ use polhode::motion::State;
 use polhode::motion::torque::DragLaw;
 
 use super::flight::Flight;
-use super::motion::ELEMENTS;
 use super::model::{CHANNELS, Tumbles};
+use super::motion::ELEMENTS;
 use crate::error::IdentifyError;
 use crate::estimate::Estimate;
 use crate::least_squares::{Outliers, Problem, Rows, Solution};
@@ -15,7 +15,8 @@ use crate::residuals::ResidualTest;
 /// A body that was found by its tumbles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tumble {
-    /// The tensor's elements, and what was found of the gyro. Without a flight with something known added the tensor is in units of its greatest moment.
+    /// The tensor's elements, drag's, and what was found of the gyro. If nothing known says how large they are, tensor and drag are those over the greatest
+    /// moment, and the unknown direction is that in which all of them grow alike.
     pub estimate: Estimate,
     /// Principal moments and axes.
     pub principal: PrincipalEstimate,
@@ -58,12 +59,12 @@ impl Tumble {
     ) -> Result<Self, IdentifyError> {
         let information = solution.information();
         let scale_is_known = problem.flights.iter().any(Flight::has_scale);
-        let unit = if scale_is_known { "kg·m²" } else { "I3" };
+        let (unit, over) = if scale_is_known { ("kg·m²", "") } else { ("1", "/I3") };
         let mut names: Vec<(String, &'static str)> =
-            ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"].map(|name| (name.to_owned(), unit)).to_vec();
+            ELEMENTS.map(|element| (format!("I{element}{over}"), unit)).to_vec();
         if let Some(law) = problem.drag {
             let unit = drag_unit(law, scale_is_known);
-            names.extend(ELEMENTS.map(|element| (format!("drag {element}"), unit)));
+            names.extend(ELEMENTS.map(|element| (format!("drag {element}{over}"), unit)));
         }
         names.extend(problem.gyro.names());
         if problem.tracked.is_some() {
@@ -115,31 +116,42 @@ impl Tumble {
         if !gyro_runs.is_empty() {
             residuals.push(ResidualTest::of(
                 "angular velocity",
-                problem.gyro_noise,
+                problem.gyro_noise(),
                 share(&gyro_runs),
                 &gyro_runs,
             ));
         }
         if !attitude_runs.is_empty() {
             let found = share(&attitude_runs);
-            residuals.push(ResidualTest::of("attitude", problem.attitude_noise, found, &attitude_runs));
+            residuals.push(ResidualTest::of("attitude", problem.attitude_noise(), found, &attitude_runs));
         }
-        let widening = residuals.iter().map(ResidualTest::widening).fold(1.0, f64::max);
+        let widening = residuals.iter().map(ResidualTest::widening).reduce(f64::max).unwrap_or(1.0);
         let estimate = estimate.widened(widening);
         for flight in &mut flights {
             flight.omega_sd = flight.omega_sd.map(|sd| sd * widening);
         }
         let principal = PrincipalEstimate::of(&estimate, 0);
+        let estimate = if scale_is_known {
+            estimate
+        } else {
+            // the greatest moment is v·I v, 1 here
+            estimate.relative(6 + problem.drag_count(), &along(principal.axes[2]))
+        };
         Ok(Self { estimate, principal, scale_is_known, flights, residuals, widening })
     }
+}
+
+/// v·I v as what multiplies the elements of I.
+fn along([x, y, z]: [f64; 3]) -> [f64; 6] {
+    [x * x, y * y, z * z, 2.0 * x * y, 2.0 * x * z, 2.0 * y * z]
 }
 
 const fn drag_unit(law: DragLaw, scale_is_known: bool) -> &'static str {
     match (law, scale_is_known) {
         (DragLaw::Linear, true) => "N·m·s",
         (DragLaw::Quadratic, true) => "N·m·s²",
-        (DragLaw::Linear, false) => "I3/s",
-        (DragLaw::Quadratic, false) => "I3",
+        (DragLaw::Linear, false) => "1/s",
+        (DragLaw::Quadratic, false) => "1",
     }
 }
 

@@ -32,9 +32,8 @@ pub(super) fn cell(value: f64, sd: Option<f64>) -> String {
 
 /// A row for each number: name, value ± sd, unit.
 pub(super) fn table(section: &mut Section, numbers: &[Number]) {
-    let row = |number: &Number| {
-        vec![number.name.clone(), cell(number.value, number.sd), number.unit.to_owned()]
-    };
+    let row =
+        |number: &Number| vec![number.name.clone(), cell(number.value, number.sd), number.unit.to_owned()];
     section.table(&["number", "value ± sd", "unit"], numbers.iter().map(row).collect());
 }
 
@@ -111,7 +110,10 @@ pub(super) fn principal(section: &mut Section, p: &PrincipalEstimate, unit: Opti
         };
         vec![format!("axis {}", k + 1), number(x, 5), number(y, 5), number(z, 5), turn]
     };
-    section.table(&["axis of", "x", "y", "z", "all may be turned about it by (deg, sd)"], (0..3).map(row).collect());
+    section.table(
+        &["axis of", "x", "y", "z", "all may be turned about it by (deg, sd)"],
+        (0..3).map(row).collect(),
+    );
 }
 
 pub(super) fn to_json(estimate: &Estimate) -> Value {
@@ -149,6 +151,7 @@ pub(super) fn residuals_to_json(tests: &[ResidualTest]) -> Value {
             "count": test.count,
             "degrees_of_freedom": test.degrees_of_freedom,
             "noise": test.noise,
+            "noise_is_told": test.noise_is_told,
             "reduced_chi_square": test.reduced_chi_square,
             "lag_correlation": test.lag_correlation,
             "is_too_large": test.is_too_large(),

@@ -30,7 +30,7 @@ impl TumbleReport {
 
     /// True if what is left is more than noise.
     pub fn has_model_error(&self) -> bool {
-        self.tumble.widening > 1.0
+        self.tumble.residuals.iter().any(|test| test.is_too_large() || test.is_correlated())
     }
 
     fn findings(&self) -> Vec<Finding> {
@@ -52,13 +52,17 @@ impl TumbleReport {
         let left_out: usize = self.tumble.flights.iter().map(|flight| flight.left_out.len()).sum();
         let used: usize = self.tumble.flights.iter().map(|flight| flight.used).sum();
         if left_out > 0 {
-            say("identify.outliers", format!("{left_out} of {} readings were left out as outliers", left_out + used));
+            say(
+                "identify.outliers",
+                format!("{left_out} of {} readings were left out as outliers", left_out + used),
+            );
         }
         let p = &self.tumble.principal;
         if p.thickness_sd.is_some_and(|sd| p.thickness < sd) {
             say(
                 "identify.lamina",
-                "within its error the body is a lamina: i1 + i2 = i3, the edge of what is possible".to_owned(),
+                "within its error the body is a lamina: i1 + i2 = i3, the edge of what is possible"
+                    .to_owned(),
             );
         }
         findings
@@ -95,7 +99,8 @@ impl TumbleReport {
         for line in &self.sources {
             s.say(format!("{line}."));
         }
-        let readings: usize = self.tumble.flights.iter().map(|flight| flight.used + flight.left_out.len()).sum();
+        let readings: usize =
+            self.tumble.flights.iter().map(|flight| flight.used + flight.left_out.len()).sum();
         s.say(format!(
             "{} flights, {} readings.",
             count(self.tumble.flights.len() as u64),
@@ -142,7 +147,8 @@ impl TumbleReport {
                 number(flight.reduced_chi_square, 4),
             ]
         };
-        let headers = ["flight", "readings", "left out", "ω at its start (rad/s)", "left (rad/s, rms)", "χ²/dof"];
+        let headers =
+            ["flight", "readings", "left out", "ω at its start (rad/s)", "left (rad/s, rms)", "χ²/dof"];
         s.table(&headers, self.tumble.flights.iter().take(SHOWN).map(row).collect());
         if let Some(more) = self.tumble.flights.len().checked_sub(SHOWN + 1) {
             s.say(format!("{} more are in the JSON.", more + 1));
@@ -185,14 +191,16 @@ impl TumbleReport {
 
 /// The root of the mean square of what is left of a gyro's components, rad/s; of attitudes, rad, where there is no gyro.
 fn rms(flight: &FlightFit) -> f64 {
-    let of = if flight.gyro_residuals.is_empty() { &flight.attitude_residuals } else { &flight.gyro_residuals };
+    let of =
+        if flight.gyro_residuals.is_empty() { &flight.attitude_residuals } else { &flight.gyro_residuals };
     let sum: f64 = of.iter().flatten().map(|r| r * r).sum();
     (sum / (3 * of.len()).max(1) as f64).sqrt()
 }
 
 /// |residual| of the worst flight.
 fn graph(flight: &FlightFit) -> Option<Graph> {
-    let of = if flight.gyro_residuals.is_empty() { &flight.attitude_residuals } else { &flight.gyro_residuals };
+    let of =
+        if flight.gyro_residuals.is_empty() { &flight.attitude_residuals } else { &flight.gyro_residuals };
     let size = |r: &[f64; 3]| (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]).sqrt();
     let points: Vec<[f64; 2]> = of.iter().enumerate().map(|(k, r)| [k as f64, size(r)]).collect();
     let unit = if flight.gyro_residuals.is_empty() { "rad" } else { "rad/s" };

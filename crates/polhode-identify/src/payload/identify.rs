@@ -1,0 +1,281 @@
+//! From a log to a payload.
+
+use nalgebra::{DMatrix, DVector};
+use polhode::body::{InertiaTensor, MassProperties};
+use polhode::math::{Body, Position, symmetric_eigen};
+
+use super::answer::{self, Payload, Unconstrained};
+use super::edge::Edge;
+use super::finding::PayloadFinding;
+use super::log::{PayloadLog, WrenchNoise, diagonal};
+use super::outliers::{self, LeftOut, Outliers};
+use super::regression::{Pass, Regression};
+use super::small::Matrix6;
+use super::{mistake, noise, possible};
+use crate::error::IdentifyError;
+use crate::least_squares::Information;
+use crate::residuals::ResidualTest;
+
+/// Passes over the rows at most.
+const MOST_PASSES: usize = 60;
+/// The numbers have settled where a pass moves them by no more than this, in standard deviations.
+const SETTLED: f64 = 1e-6;
+/// Directions of which more than this share of what the rows say is noise of the motion are unknown.
+const MOSTLY_NOISE: f64 = 0.5;
+/// A rise of χ² on at most six degrees of freedom that is no chance: one in a million.
+const NO_CHANCE: f64 = 38.0;
+
+/// Mass, centre and tensor of what a force–torque sensor carries.
+///
+/// # Errors
+/// With fewer rows than it takes, or where the method does not end.
+pub fn identify_payload(log: &PayloadLog) -> Result<Payload, IdentifyError> {
+    let settled = settle(log)?;
+    let information = settled.information()?;
+    let Fit { free, numbers, rise } = settled.fit(&information)?;
+    let numbers = numbers.as_slice();
+
+    let tests = settled.tests(&information);
+    let widening = tests.iter().map(ResidualTest::widening).fold(1.0, f64::max);
+    let is_possible = possible::is_possible(free.as_slice());
+    let unconstrained = Unconstrained {
+        is_possible,
+        least_second_moment: (free[0] > 0.0)
+            .then(|| symmetric_eigen(possible::moments_about_center(free.as_slice())).0[0]),
+        chi_square_rise: rise,
+        numbers: free.as_slice().to_vec(),
+    };
+    let edge = if is_possible { None } else { Edge::of(numbers, free.as_slice(), &information) };
+    let mut findings = findings(log, &unconstrained, widening, &information);
+    findings.extend(settled.outliers.too_many.map(|count| PayloadFinding::ManyOutliers { count }));
+    if tests.iter().any(ResidualTest::is_too_large) {
+        findings.extend(mistake::likeliest(log, &settled.noise, &settled.regression.weights));
+    }
+    let about_center = answer::about_center(numbers, &information).widened(widening);
+    let is_known = about_center.numbers.iter().take(10).all(|number| number.sd.is_some());
+    let values: Vec<f64> = about_center.numbers.iter().map(|number| number.value).collect();
+    Ok(Payload {
+        body: if is_known { Some(body(&values)?) } else { None },
+        about_origin: answer::about_origin(numbers, &information).widened(widening),
+        about_center,
+        unconstrained,
+        edge: edge.map(|edge| edge.widened(widening)),
+        left_out: settled.left_out(),
+        tests,
+        findings,
+    })
+}
+
+/// Numbers and motions that do not change any more.
+struct Settled<'a> {
+    log: &'a PayloadLog,
+    regression: Regression<'a>,
+    outliers: Outliers,
+    /// Of the wrench.
+    noise: Matrix6,
+    /// At these numbers.
+    pass: Pass,
+    numbers: DVector<f64>,
+}
+
+/// Of one triangle.
+struct Fit {
+    /// Without regard to what is possible.
+    free: DVector<f64>,
+    numbers: DVector<f64>,
+    /// By how much χ² of the numbers is above that of the free ones.
+    rise: f64,
+}
+
+fn settle(log: &PayloadLog) -> Result<Settled<'_>, IdentifyError> {
+    let count = log.unknowns();
+    let needed = count.div_ceil(6) + if log.noise == WrenchNoise::Unknown { LEAST_FOR_NOISE } else { 1 };
+    if log.rows().len() < needed {
+        return Err(IdentifyError::TooFew { what: "rows", given: log.rows().len(), needed });
+    }
+    let mut regression = Regression::new(log);
+    let mut outliers = Outliers::new();
+    let unknown_noise = log.noise == WrenchNoise::Unknown;
+    let mut wrench_noise = match log.noise {
+        WrenchNoise::Unknown => diagonal(1.0, 1.0),
+        WrenchNoise::Deviations { force, torque } => diagonal(force, torque),
+        WrenchNoise::Covariance(covariance) => covariance,
+    };
+    let mut numbers = DVector::zeros(count);
+    for number in 0..MOST_PASSES {
+        // Residuals mean something once the numbers fit, and the noise is that of their residuals.
+        let is_judged = number > if unknown_noise { 2 } else { 0 };
+        let pass = regression.pass(numbers.as_slice(), &wrench_noise, |residuals, weights| {
+            if is_judged {
+                outliers.weigh(residuals, weights);
+            }
+        })?;
+        let settled = Settled { log, regression, outliers, noise: wrench_noise, pass, numbers };
+        let information = Information::of(&settled.rows());
+        let next = settled.fit(&information)?.numbers;
+        let step = (settled.rows() * (&next - &settled.numbers)).norm();
+        let next_noise =
+            if unknown_noise && number > 0 { settled.found_noise(&information) } else { settled.noise };
+        let change = (0..6).map(|k| (next_noise[k][k] / settled.noise[k][k] - 1.0).abs()).fold(0.0, f64::max);
+        if number > 3 && step < SETTLED && change < 1e-3 && !settled.outliers.changed
+            || number > 0 && step < SETTLED && !unknown_noise && is_judged && !settled.outliers.changed
+        {
+            return Ok(settled);
+        }
+        Settled { regression, outliers, .. } = settled;
+        (numbers, wrench_noise) = (next, next_noise);
+    }
+    Err(IdentifyError::NoConvergence { steps: MOST_PASSES })
+}
+
+/// Rows more than numbers take, for noise to be found from them.
+const LEAST_FOR_NOISE: usize = 10;
+
+impl Settled<'_> {
+    /// Derivatives of all rows, as a triangle.
+    fn rows(&self) -> DMatrix<f64> {
+        let triangle = self.pass.triangle();
+        triangle.columns(0, self.numbers.len()).into_owned()
+    }
+
+    /// What is known of the numbers. What would be known if the motion were nothing but its noise is not: with the share s of it in what the rows say of a
+    /// direction, the variance there is 1/(1 − s)² times as large.
+    fn information(&self) -> Result<Information, IdentifyError> {
+        let information = Information::of(&self.rows());
+        if !self.regression.has_motion_noise() {
+            return Ok(information);
+        }
+        let n = self.numbers.len();
+        let noise = self.regression.noise_triangle(self.numbers.as_slice(), &self.noise)?;
+        let decomposition = (noise.columns(0, n) * &information.root).svd(false, true);
+        let Some(turn) = decomposition.v_t else { return Err(IdentifyError::NotFinite) };
+        let (mut known, mut unknown) = (Vec::new(), Vec::new());
+        for column in information.unknown.column_iter() {
+            unknown.push(DMatrix::from_column_slice(n, 1, column.as_slice()));
+        }
+        for (k, value) in decomposition.singular_values.iter().enumerate() {
+            let direction = &information.root * turn.row(k).transpose();
+            let direction = DMatrix::from_column_slice(n, 1, direction.as_slice());
+            let share = value * value;
+            if share < MOSTLY_NOISE {
+                known.push(direction / (1.0 - share));
+            } else {
+                unknown.push(direction);
+            }
+        }
+        Ok(Information::with(n, &known, &unknown))
+    }
+
+    fn fit(&self, information: &Information) -> Result<Fit, IdentifyError> {
+        let n = self.numbers.len();
+        let triangle = self.pass.triangle();
+        let mut r = triangle.columns(0, n).into_owned();
+        let mut z = triangle.column(n).into_owned();
+        // what the rows say of directions that are unknown is noise
+        if information.unknown.ncols() > 0 {
+            let said = &r * &information.unknown;
+            let q = said.svd(true, false);
+            if let Some(u) = q.u {
+                for (k, &value) in q.singular_values.iter().enumerate() {
+                    if value > 0.0 {
+                        let column = u.column(k).into_owned();
+                        let (along, part) = (column.tr_mul(&r), column.dot(&z));
+                        r -= &column * along;
+                        z -= &column * part;
+                    }
+                }
+            }
+        }
+        // Rᵀ z by the covariance, then the same of what is left, as the covariance has squared numbers
+        let mut free = self.numbers.clone();
+        for _ in 0..4 {
+            let left = &z - &r * (&free - &self.numbers);
+            free += &information.root * (information.root.transpose() * r.tr_mul(&left));
+        }
+        if possible::is_possible(free.as_slice()) {
+            return Ok(Fit { numbers: free.clone(), free, rise: 0.0 });
+        }
+        let numbers = possible::least_squares(&r, &z, &self.numbers, &free, &information.unknown)?;
+        let rise = (&z - &r * (&numbers - &self.numbers)).norm_squared()
+            - (&z - &r * (&free - &self.numbers)).norm_squared();
+        Ok(Fit { free, numbers, rise })
+    }
+
+    /// How many numbers were found from force and from torque.
+    fn found(&self, information: &Information) -> [f64; 2] {
+        let n = self.numbers.len();
+        [&self.pass.force, &self.pass.torque].map(|t| (t.columns(0, n) * &information.root).norm_squared())
+    }
+
+    fn found_noise(&self, information: &Information) -> Matrix6 {
+        let [by_force, by_torque] = self.found(information);
+        let [force, torque] = self.pass.propagated;
+        let sd = |first: usize, propagated: f64, found: f64| {
+            let size = self.log.rows().iter().flat_map(|row| row.wrench().into_iter().skip(first).take(3));
+            let rounding = f64::EPSILON * size.fold(f64::MIN_POSITIVE, |most, x| most.max(x.abs()));
+            noise::from_differences(&self.pass.left, &self.regression.weights, first, propagated, found)
+                .max(rounding)
+        };
+        diagonal(sd(0, force, by_force), sd(3, torque, by_torque))
+    }
+
+    fn tests(&self, information: &Information) -> [ResidualTest; 2] {
+        let found = self.found(information);
+        let test = |what, first: usize, found| {
+            let kept = |i: usize| {
+                let rows = self.pass.residuals.iter().zip(&self.regression.weights);
+                rows.filter(|(_, w)| **w > 0.0).map(|(r, _)| r[first + i]).collect::<Vec<f64>>()
+            };
+            let variance = (0..3).map(|i| self.noise[first + i][first + i]).sum::<f64>() / 3.0;
+            ResidualTest::of(what, variance.sqrt(), found, &[kept(0), kept(1), kept(2)])
+        };
+        [test("force", 0, found[0]), test("torque", 3, found[1])]
+    }
+
+    fn left_out(&self) -> Vec<LeftOut> {
+        let rows = self.pass.residuals.iter().zip(&self.regression.weights).enumerate();
+        rows.filter(|(_, (_, w))| **w == 0.0)
+            .map(|(row, (r, _))| LeftOut { row, size: outliers::size(r) })
+            .collect()
+    }
+}
+
+fn findings(
+    log: &PayloadLog,
+    unconstrained: &Unconstrained,
+    widening: f64,
+    information: &Information,
+) -> Vec<PayloadFinding> {
+    let mut all = Vec::new();
+    let mass = unconstrained.numbers[0];
+    let mut by_mass = vec![0.0; unconstrained.numbers.len()];
+    by_mass[0] = 1.0;
+    if let Some(sd) = information.deviation(&by_mass)
+        && mass < -5.0 * sd
+    {
+        all.push(PayloadFinding::NegativeMass { mass, sd });
+    }
+    let chi_square_rise = unconstrained.chi_square_rise;
+    if chi_square_rise > NO_CHANCE * widening * widening {
+        all.push(PayloadFinding::ImpossibleBeyondNoise { chi_square_rise });
+    }
+    let sizes = log.rows().iter().map(|row| row.gravity.norm());
+    let (least, most) = sizes.fold((f64::INFINITY, 0.0_f64), |(a, b), g| (a.min(g), b.max(g)));
+    if most - least > 0.01 * most {
+        all.push(PayloadFinding::GravityVaries { least, most });
+    } else if most > 0.0 && !(9.7..9.9).contains(&most) {
+        all.push(PayloadFinding::UnusualGravity { size: most });
+    }
+    all
+}
+
+/// Of m, c and the tensor about the centre of mass: at the edge, what rounding took is given back.
+fn body(values: &[f64]) -> Result<MassProperties<Body>, IdentifyError> {
+    let center = Position::new(values[1], values[2], values[3]);
+    let own = |scale: f64| {
+        let [xx, yy, zz] = [4, 5, 6].map(|k| values[k]);
+        let more = scale * f64::max(xx, f64::max(yy, zz));
+        InertiaTensor::with_negative_products([xx + more, yy + more, zz + more], [values[7], values[8], values[9]])
+    };
+    Ok(MassProperties::new(values[0], center, own(0.0).or_else(|_| own(1e-12))?)?)
+}

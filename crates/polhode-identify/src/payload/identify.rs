@@ -134,8 +134,7 @@ const LEAST_FOR_NOISE: usize = 10;
 impl Settled<'_> {
     /// Derivatives of all rows, as a triangle.
     fn rows(&self) -> DMatrix<f64> {
-        let triangle = self.pass.triangle();
-        triangle.columns(0, self.numbers.len()).into_owned()
+        self.pass.triangle.columns(0, self.numbers.len()).into_owned()
     }
 
     /// What is known of the numbers. What would be known if the motion were nothing but its noise is not: with the share s of it in what the rows say of a
@@ -168,7 +167,7 @@ impl Settled<'_> {
 
     fn fit(&self, information: &Information) -> Result<Fit, IdentifyError> {
         let n = self.numbers.len();
-        let triangle = self.pass.triangle();
+        let triangle = &self.pass.triangle;
         let mut r = triangle.columns(0, n).into_owned();
         let mut z = triangle.column(n).into_owned();
         // what the rows say of directions that are unknown is noise

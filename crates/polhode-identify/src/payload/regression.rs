@@ -31,19 +31,14 @@ pub(super) struct Pass {
     /// Of the forces, and of what the torques say besides: derivatives by the numbers, and the residual.
     pub(super) force: DMatrix<f64>,
     pub(super) torque: DMatrix<f64>,
+    /// Of both together.
+    pub(super) triangle: DMatrix<f64>,
     /// In standard deviations, row by row.
     pub(super) residuals: Vec<Vector6>,
     /// In N and N·m.
     pub(super) left: Vec<Vector6>,
     /// Variance that the motion brings, on average: of a force, of a torque.
     pub(super) propagated: [f64; 2],
-}
-
-impl Pass {
-    /// Of force and torque together.
-    pub(super) fn triangle(&self) -> DMatrix<f64> {
-        stacked(&self.force, &self.torque)
-    }
 }
 
 /// A row, whitened by L.
@@ -82,6 +77,7 @@ impl<'a> Regression<'a> {
         let mut pass = Pass {
             force: DMatrix::zeros(0, n + 1),
             torque: DMatrix::zeros(0, n + 1),
+            triangle: DMatrix::zeros(0, n + 1),
             residuals: Vec::with_capacity(count),
             left: Vec::with_capacity(count),
             propagated: [0.0; 2],
@@ -113,6 +109,7 @@ impl<'a> Regression<'a> {
         judge(&pass.residuals, &mut self.weights);
         pass.force = force.triangle(&self.weights);
         pass.torque = torque.triangle(&self.weights);
+        pass.triangle = stacked(&pass.force, &pass.torque);
         Ok(pass)
     }
 

@@ -1,5 +1,7 @@
 //! Errors of many draws, held against what is said of them and against the Cramér–Rao bound.
 
+use std::fmt;
+
 use nalgebra::{DMatrix, DVector};
 use polhode_identify::Estimate;
 use polhode_identify::payload::PayloadRow;
@@ -34,8 +36,25 @@ impl Statistics {
             self.said[k] += estimate.numbers[k].sd.unwrap().powi(2);
         }
         let sd: Vec<f64> = (0..n).map(|k| estimate.numbers[k].sd.unwrap()).collect();
-        // over the rank of the covariance, which is less than n along an edge
-        let scaled = DMatrix::from_fn(n, n, |i, j| estimate.covariance[i][j] / (sd[i] * sd[j]));
+        let covariance = DMatrix::from_fn(n, n, |i, j| estimate.covariance[i][j]);
+        self.normalise(&error, &sd, &covariance);
+    }
+
+    /// An error by itself.
+    pub(super) fn add_error(&mut self, error: &DVector<f64>, sd: &[f64], covariance: &DMatrix<f64>) {
+        self.count += 1.0;
+        for k in 0..sd.len() {
+            self.sum[k] += error[k];
+            self.squares[k] += error[k] * error[k];
+            self.said[k] += sd[k] * sd[k];
+        }
+        self.normalise(error, sd, covariance);
+    }
+
+    /// Over the rank of the covariance, which is less than n along an edge.
+    fn normalise(&mut self, error: &DVector<f64>, sd: &[f64], covariance: &DMatrix<f64>) {
+        let n = sd.len();
+        let scaled = DMatrix::from_fn(n, n, |i, j| covariance[(i, j)] / (sd[i] * sd[j]));
         let eigen = scaled.symmetric_eigen();
         let scaled_error = DVector::from_fn(n, |k, _| error[k] / sd[k]);
         let mut rank = 0.0;
@@ -47,10 +66,6 @@ impl Statistics {
             }
         }
         self.normalised += square / rank;
-    }
-
-    pub(super) fn draws(&self) -> f64 {
-        self.count
     }
 
     /// Normalised squared error by the number of numbers.
@@ -70,6 +85,15 @@ impl Statistics {
         (self.squares[k] / self.count - mean * mean).sqrt()
     }
 
+    /// What the issue asks for.
+    pub(super) fn hold(&self, bound: &[f64]) {
+        let ([least, most], [least_said, most_said]) = (self.of_draws(bound), self.of_said(bound));
+        assert!(self.bias() < 0.15, "{self}");
+        assert!(0.9 < least && most < 1.1, "{least} {most}");
+        assert!(0.9 < least_said && most_said < 1.1, "{least_said} {most_said}");
+        assert!((0.9..1.1).contains(&self.normalised()), "{self}");
+    }
+
     /// Least and largest ratio of the deviation of the draws to a bound.
     pub(super) fn of_draws(&self, bound: &[f64]) -> [f64; 2] {
         range((0..bound.len()).map(|k| self.deviation(k) / bound[k]))
@@ -81,12 +105,29 @@ impl Statistics {
     }
 }
 
+impl fmt::Display for Statistics {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "bias {:.3}, normalised square {:.3} of {} draws", self.bias(), self.normalised(), self.count)
+    }
+}
+
 fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, 0.0], |[a, b], x| [a.min(x), b.max(x)])
 }
 
 /// Standard deviations that no unbiased estimate is below: (Σ Xᵀ X/σ²)⁻¹, with the numbers about the centre of mass. The wrench's derivatives are differences.
 pub(super) fn bound(rows: &[PayloadRow], force: f64, torque: f64, has_bias: bool, center: &[f64; 10]) -> Vec<f64> {
+    let covariance = covariance_bound(rows, force, torque, has_bias, center);
+    (0..covariance.nrows()).map(|k| covariance[(k, k)].sqrt()).collect()
+}
+
+pub(super) fn covariance_bound(
+    rows: &[PayloadRow],
+    force: f64,
+    torque: f64,
+    has_bias: bool,
+    center: &[f64; 10],
+) -> DMatrix<f64> {
     let n = if has_bias { 16 } else { 10 };
     let mut information = DMatrix::<f64>::zeros(n, n);
     for row in rows {
@@ -116,8 +157,7 @@ pub(super) fn bound(rows: &[PayloadRow], force: f64, torque: f64, has_bias: bool
             }
         }
     }
-    let covariance = information.try_inverse().unwrap();
-    (0..n).map(|k| covariance[(k, k)].sqrt()).collect()
+    information.try_inverse().unwrap()
 }
 
 /// Newton and Euler about the centre of mass: f = m a_c, τ = I α + ω × I ω + c × f.

@@ -87,11 +87,12 @@ impl Information {
         let largest = decomposition.singular_values.max();
         let (mut known, mut unknown) = (Vec::new(), Vec::new());
         for (k, &value) in decomposition.singular_values.iter().enumerate() {
-            let direction = DMatrix::from_fn(n, 1, |i, _| vectors[(k, i)] / unit(i));
             if value > ZERO * largest {
-                known.push(direction / value);
+                known.push(DMatrix::from_fn(n, 1, |i, _| vectors[(k, i)] / unit(i) / value));
             } else {
-                unknown.push(direction);
+                // An element of rounding would make a number unknown that is not.
+                let element = |i: usize| if vectors[(k, i)].abs() > ZERO { vectors[(k, i)] } else { 0.0 };
+                unknown.push(DMatrix::from_fn(n, 1, |i, _| element(i) / unit(i)));
             }
         }
         Self::with(n, &known, &unknown)

@@ -19,9 +19,15 @@ use crate::residuals::ResidualTest;
 /// Passes over the rows at most.
 const MOST_PASSES: usize = 60;
 /// The numbers have settled where a pass moves them by no more than this, in standard deviations.
-const SETTLED: f64 = 1e-6;
+const SETTLED: f64 = 1e-4;
 /// Directions of which more than this share of what the rows say is noise of the motion are unknown.
 const MOSTLY_NOISE: f64 = 0.5;
+/// Rows that say less than this of a direction, relative to their terms, say nothing.
+const ROUNDING: f64 = 1e-7;
+/// Noise below this, relative to the largest that was measured, is rounding.
+const NO_NOISE: f64 = 1e-9;
+/// A number that an unknown direction moves by less than this, in its standard deviations, is known.
+const HARDLY: f64 = 0.3;
 /// A rise of χ² on at most six degrees of freedom that is no chance: one in a million.
 const NO_CHANCE: f64 = 38.0;
 
@@ -111,7 +117,7 @@ fn settle(log: &PayloadLog) -> Result<Settled<'_>, IdentifyError> {
             }
         })?;
         let settled = Settled { log, regression, outliers, noise: wrench_noise, pass, numbers };
-        let information = Information::of(&settled.rows());
+        let information = settled.information()?;
         let next = settled.fit(&information)?.numbers;
         let step = (settled.rows() * (&next - &settled.numbers)).norm();
         let next_noise =
@@ -152,6 +158,7 @@ impl Settled<'_> {
         for column in information.unknown.column_iter() {
             unknown.push(DMatrix::from_column_slice(n, 1, column.as_slice()));
         }
+        let mut only_noise = Vec::new();
         for (k, value) in decomposition.singular_values.iter().enumerate() {
             let direction = &information.root * turn.row(k).transpose();
             let direction = DMatrix::from_column_slice(n, 1, direction.as_slice());
@@ -159,8 +166,16 @@ impl Settled<'_> {
             if share < MOSTLY_NOISE {
                 known.push(direction / (1.0 - share));
             } else {
-                unknown.push(direction);
+                only_noise.push(direction);
             }
+        }
+        let variance = |i: usize| known.iter().map(|d| d[i] * d[i]).sum::<f64>();
+        for direction in only_noise {
+            let element = |i: usize| {
+                let x = direction[i];
+                if x * x > HARDLY * HARDLY * variance(i) { x } else { 0.0 }
+            };
+            unknown.push(DMatrix::from_fn(n, 1, |i, _| element(i)));
         }
         Ok(Information::with(n, &known, &unknown))
     }
@@ -169,20 +184,17 @@ impl Settled<'_> {
         let n = self.numbers.len();
         let triangle = &self.pass.triangle;
         let mut r = triangle.columns(0, n).into_owned();
-        let mut z = triangle.column(n).into_owned();
-        // what the rows say of directions that are unknown is noise
-        if information.unknown.ncols() > 0 {
-            let said = &r * &information.unknown;
-            let q = said.svd(true, false);
-            if let Some(u) = q.u {
-                for (k, &value) in q.singular_values.iter().enumerate() {
-                    if value > 0.0 {
-                        let column = u.column(k).into_owned();
-                        let (along, part) = (column.tr_mul(&r), column.dot(&z));
-                        r -= &column * along;
-                        z -= &column * part;
-                    }
-                }
+        let mut z: DVector<f64> = triangle.column(n).into_owned();
+        // What the rows say of directions that are unknown is noise, if not rounding.
+        let norms: Vec<f64> = r.column_iter().map(|column| column.norm()).collect();
+        for direction in information.unknown.column_iter() {
+            let said = &r * direction;
+            let size: f64 = norms.iter().zip(&direction).map(|(norm, x)| norm * x.abs()).sum();
+            if said.norm() > ROUNDING * size {
+                let unit = &said / said.norm();
+                let (along, part) = (unit.tr_mul(&r), unit.dot(&z));
+                r -= &unit * along;
+                z -= &unit * part;
             }
         }
         // Rᵀ z by the covariance, then the same of what is left, as the covariance has squared numbers
@@ -211,7 +223,7 @@ impl Settled<'_> {
         let [force, torque] = self.pass.propagated;
         let sd = |first: usize, propagated: f64, found: f64| {
             let size = self.log.rows().iter().flat_map(|row| row.wrench().into_iter().skip(first).take(3));
-            let rounding = f64::EPSILON * size.fold(f64::MIN_POSITIVE, |most, x| most.max(x.abs()));
+            let rounding = NO_NOISE * size.fold(f64::MIN_POSITIVE, |most, x| most.max(x.abs()));
             noise::from_differences(&self.pass.left, &self.regression.weights, first, propagated, found)
                 .max(rounding)
         };

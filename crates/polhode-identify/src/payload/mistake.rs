@@ -25,16 +25,17 @@ const TRIED: usize = 1000;
 
 /// The mistake that explains the wrench best, if it does so much better.
 pub(super) fn likeliest(log: &PayloadLog, noise: &Matrix6, weights: &[f64]) -> Option<PayloadFinding> {
-    let as_given = chi_square(log, noise, weights, None)?;
+    let (_, as_given) = fit(log, noise, weights, None)?;
     let tried = ALL.into_iter().filter_map(|mistake| {
-        Some((mistake, chi_square(log, noise, weights, Some(mistake))?))
+        let (mass, undone) = fit(log, noise, weights, Some(mistake))?;
+        (mass > 0.0).then_some((mistake, undone))
     });
     let (mistake, undone) = tried.min_by(|a, b| a.1.total_cmp(&b.1))?;
     (undone < BETTER * as_given).then_some(PayloadFinding::Likely { mistake, as_given, undone })
 }
 
-/// χ²/degrees of freedom of unconstrained least squares; `None` if its mass is not positive.
-fn chi_square(log: &PayloadLog, noise: &Matrix6, weights: &[f64], mistake: Option<Mistake>) -> Option<f64> {
+/// Mass and χ²/degrees of freedom of unconstrained least squares.
+fn fit(log: &PayloadLog, noise: &Matrix6, weights: &[f64], mistake: Option<Mistake>) -> Option<(f64, f64)> {
     let n = log.unknowns();
     let l = small::cholesky(noise)?;
     let sign = log.sense.sign();
@@ -72,7 +73,7 @@ fn chi_square(log: &PayloadLog, noise: &Matrix6, weights: &[f64], mistake: Optio
     let left = z - r * &numbers;
     numbers += &information.root * (information.root.transpose() * r.tr_mul(&left));
     let left = z - r * &numbers;
-    (numbers[0] > 0.0).then(|| left.norm_squared() / (count as f64 - n as f64).max(1.0))
+    Some((numbers[0], left.norm_squared() / (count as f64 - n as f64).max(1.0)))
 }
 
 fn undo(mistake: Mistake, a: [f64; 3], g: [f64; 3], motion: &mut Motion, wrench: &mut Vector6) {

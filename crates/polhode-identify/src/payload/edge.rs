@@ -77,8 +77,12 @@ impl Edge {
             let slope = gradient(numbers, direction, direction);
             let Some(sd) = information.deviation(&slope) else { continue };
             if value < NONE * sd {
-                let change: f64 =
-                    slope.iter().zip(numbers).zip(unconstrained).map(|((s, here), free)| s * (free - here)).sum();
+                let change: f64 = slope
+                    .iter()
+                    .zip(numbers)
+                    .zip(unconstrained)
+                    .map(|((s, here), free)| s * (free - here))
+                    .sum();
                 let at_most = (value + change).max(0.0) + ONE_SIDED * sd;
                 thin.push(Thin { direction, unconstrained: value + change, sd, at_most });
             }

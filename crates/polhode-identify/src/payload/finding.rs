@@ -71,7 +71,9 @@ impl fmt::Display for Mistake {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::AccelerationInG => "the acceleration is in units of g",
-            Self::AccelerationHasGravity => "the acceleration has gravity in it, as an accelerometer reads it",
+            Self::AccelerationHasGravity => {
+                "the acceleration has gravity in it, as an accelerometer reads it"
+            }
             Self::GravityReversed => "gravity points up",
             Self::OmegaInDegrees => "the angular velocity is in °/s",
             Self::AlphaInDegrees => "the angular acceleration is in °/s²",
@@ -97,10 +99,9 @@ impl fmt::Display for PayloadFinding {
                 write!(f, "gravity is between {least} and {most} m/s²")
             }
             Self::UnusualGravity { size } => write!(f, "gravity is {size} m/s²"),
-            Self::Likely { mistake, as_given, undone } => write!(
-                f,
-                "probably {mistake}: χ² by degrees of freedom would be {undone}, and is {as_given}"
-            ),
+            Self::Likely { mistake, as_given, undone } => {
+                write!(f, "probably {mistake}: χ² by degrees of freedom would be {undone}, and is {as_given}")
+            }
             Self::ManyOutliers { count } => {
                 write!(f, "{count} rows are far off, more than one in ten: none was left out")
             }

@@ -151,18 +151,16 @@ impl Settled<'_> {
             return Ok(information);
         }
         let n = self.numbers.len();
-        let noise = self.regression.noise_triangle(self.numbers.as_slice(), &self.noise)?;
-        let decomposition = (noise.columns(0, n) * &information.root).svd(false, true);
-        let Some(turn) = decomposition.v_t else { return Err(IdentifyError::NotFinite) };
+        let noise = self.regression.noise_information(self.numbers.as_slice(), &self.noise)?;
+        let shares = (information.root.transpose() * noise * &information.root).symmetric_eigen();
         let (mut known, mut unknown) = (Vec::new(), Vec::new());
         for column in information.unknown.column_iter() {
             unknown.push(DMatrix::from_column_slice(n, 1, column.as_slice()));
         }
         let mut only_noise = Vec::new();
-        for (k, value) in decomposition.singular_values.iter().enumerate() {
-            let direction = &information.root * turn.row(k).transpose();
+        for (turn, &share) in shares.eigenvectors.column_iter().zip(&shares.eigenvalues) {
+            let direction = &information.root * turn;
             let direction = DMatrix::from_column_slice(n, 1, direction.as_slice());
-            let share = value * value;
             if share < MOSTLY_NOISE {
                 known.push(direction / (1.0 - share));
             } else {
@@ -286,7 +284,10 @@ fn body(values: &[f64]) -> Result<MassProperties<Body>, IdentifyError> {
     let own = |scale: f64| {
         let [xx, yy, zz] = [4, 5, 6].map(|k| values[k]);
         let more = scale * f64::max(xx, f64::max(yy, zz));
-        InertiaTensor::with_negative_products([xx + more, yy + more, zz + more], [values[7], values[8], values[9]])
+        InertiaTensor::with_negative_products(
+            [xx + more, yy + more, zz + more],
+            [values[7], values[8], values[9]],
+        )
     };
     Ok(MassProperties::new(values[0], center, own(0.0).or_else(|_| own(1e-12))?)?)
 }

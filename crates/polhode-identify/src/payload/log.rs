@@ -161,7 +161,12 @@ impl PayloadLog {
                     for j in 0..i {
                         let equal = (c[i][j] - c[j][i]).abs() <= 1e-12 * (c[i][i] * c[j][j]).abs().sqrt();
                         let what = "an element of the covariance";
-                        IdentifyError::require(what, c[i][j], equal, "that of the other side of the diagonal")?;
+                        IdentifyError::require(
+                            what,
+                            c[i][j],
+                            equal,
+                            "that of the other side of the diagonal",
+                        )?;
                     }
                 }
                 let (what, rule) = ("the covariance of the wrench", "positive definite: its least pivot");

@@ -17,7 +17,8 @@ pub(super) fn from_differences(
     propagated: f64,
     found: f64,
 ) -> f64 {
-    let counted: Vec<&Vector6> = left.iter().zip(weights).filter(|(_, w)| **w > 0.0).map(|(x, _)| x).collect();
+    let counted: Vec<&Vector6> =
+        left.iter().zip(weights).filter(|(_, w)| **w > 0.0).map(|(x, _)| x).collect();
     let differences: Vec<f64> = (first..first + 3)
         .flat_map(|i| counted.windows(3).map(move |x| (x[0][i] - 2.0 * x[1][i] + x[2][i]) / 6.0_f64.sqrt()))
         .collect();

@@ -52,7 +52,9 @@ pub(super) fn least_squares(
     let mut mu = (0.5 * rest(&place).norm_squared()).max(1.0);
     let end = LEAST_MU * (1.0 + 0.5 * rest(free).norm_squared());
     for _ in 0..MOST_STEPS {
-        let Some(l) = cholesky(&pseudo_inertia(place.as_slice())) else { return Err(IdentifyError::NotFinite) };
+        let Some(l) = cholesky(&pseudo_inertia(place.as_slice())) else {
+            return Err(IdentifyError::NotFinite);
+        };
         let step = newton(r, &rest(&place), &l, mu, &pull).ok_or(IdentifyError::NotFinite)?;
         let value = |place: &DVector<f64>| {
             let l = cholesky(&pseudo_inertia(place.as_slice()))?;
@@ -62,7 +64,8 @@ pub(super) fn least_squares(
         let here = value(&place).ok_or(IdentifyError::NotFinite)?;
         let mut taken = 1.0;
         while taken > 1e-10
-            && value(&(&place + &step.delta * taken)).is_none_or(|there| there > here - 0.1 * taken * step.decrement)
+            && value(&(&place + &step.delta * taken))
+                .is_none_or(|there| there > here - 0.1 * taken * step.decrement)
         {
             taken *= 0.5;
         }

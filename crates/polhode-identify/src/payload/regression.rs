@@ -151,7 +151,8 @@ impl<'a> Regression<'a> {
         }
         let covariance: Matrix6 = core::array::from_fn(|i| {
             core::array::from_fn(|j| {
-                let spread = |k: usize| jacobian[i][k] * jacobian[j][k] * self.deviations[k] * self.deviations[k];
+                let spread =
+                    |k: usize| jacobian[i][k] * jacobian[j][k] * self.deviations[k] * self.deviations[k];
                 noise[i][j] + (0..9).map(spread).sum::<f64>()
             })
         });
@@ -171,33 +172,34 @@ impl<'a> Regression<'a> {
         Ok(())
     }
 
-    /// What the rows would say of the numbers if the motion were nothing but the noise that û still has: its triangle. Of every row, or of some, then times
-    /// as many.
-    pub(super) fn noise_triangle(&self, numbers: &[f64], noise: &Matrix6) -> Result<DMatrix<f64>, IdentifyError> {
-        let count = self.log.rows().len();
+    /// Nᵀ N, N the rows that there would be if the motion were nothing but the noise that û still has. Of every row, or of some, then times as many.
+    pub(super) fn noise_information(
+        &self,
+        numbers: &[f64],
+        noise: &Matrix6,
+    ) -> Result<DMatrix<f64>, IdentifyError> {
+        let (count, n) = (self.log.rows().len(), numbers.len());
         let stride = count.div_ceil(SAMPLED);
-        let used = count.div_ceil(stride);
-        let scale = (count as f64 / used as f64).sqrt();
-        let mut rows = Rows::new(0, numbers.len());
+        let scale = count as f64 / count.div_ceil(stride) as f64;
         let own = small::cholesky(noise).ok_or(IdentifyError::NotFinite)?;
+        let mut sum = DMatrix::zeros(n, n);
         for row in (0..count).step_by(stride).filter(|&row| self.weights[row] > 0.0) {
             let white = self.whitened(row, numbers, noise, &own)?;
             for direction in self.remaining(&white, &own) {
                 // half the difference over two steps: exact, as the wrench is of second degree
                 let there = self.motions[row].moved(&direction, 1.0).regressor();
                 let back = self.motions[row].moved(&direction, -1.0).regressor();
-                let change: Regressor =
-                    core::array::from_fn(|i| core::array::from_fn(|k| 0.5 * (there[i][k] - back[i][k])));
-                for i in 0..6 {
-                    let (_, derivatives) = rows.push(0.0);
-                    for (k, derivative) in derivatives.iter_mut().enumerate().take(10) {
-                        let column: Vector6 = core::array::from_fn(|row| change[row][k]);
-                        *derivative = scale * small::forward(&white.l, column)[i];
+                let columns: [Vector6; 10] = core::array::from_fn(|k| {
+                    small::forward(&white.l, core::array::from_fn(|i| 0.5 * (there[i][k] - back[i][k])))
+                });
+                for i in 0..10 {
+                    for j in 0..10 {
+                        sum[(i, j)] += scale * small::dot(&columns[i], &columns[j]);
                     }
                 }
             }
         }
-        Ok(rows.triangle(&[]))
+        Ok(sum)
     }
 
     /// A root of the covariance of û: with the gain K = Σ Jᵀ V'⁻¹ it is (1 − K J) Σ (1 − K J)ᵀ + K V Kᵀ.
@@ -225,4 +227,4 @@ impl<'a> Regression<'a> {
 }
 
 /// Rows that show how much noise the motion brings.
-const SAMPLED: usize = 300;
+const SAMPLED: usize = 200;

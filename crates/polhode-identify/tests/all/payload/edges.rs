@@ -80,14 +80,16 @@ fn along(covariance: &DMatrix<f64>, normals: &[[f64; 3]]) -> DMatrix<f64> {
 /// What moves along the edge has no bias, the deviation of the bound, and the errors that are said. What moves across it is bounded from one side.
 #[test]
 fn errors_along_the_edge_are_honest() {
-    for (carried, thin, kind) in [(Carried::plate(), 1, EdgeKind::Lamina), (Carried::rod(), 2, EdgeKind::Rod)] {
+    for (carried, thin, kind) in [(Carried::plate(), 1, EdgeKind::Lamina), (Carried::rod(), 2, EdgeKind::Rod)]
+    {
         let exact = rows(&carried, Course::Generic(1.0), 150, SENSE);
         let truth = carried.about_center();
         let covariance = covariance_bound(&exact, FORCE, TORQUE, false, &truth);
         let projector = along(&covariance, &normals(&carried, thin));
         let edge = &projector * &covariance * projector.transpose();
         let limit: Vec<f64> = (0..10).map(|k| edge[(k, k)].sqrt()).collect();
-        let (mut whole, mut moving, mut said) = (Statistics::new(10), Statistics::new(10), Statistics::new(10));
+        let (mut whole, mut moving, mut said) =
+            (Statistics::new(10), Statistics::new(10), Statistics::new(10));
         let (mut at_edge, mut held) = (0, 0);
         for seed in 0..600 {
             let found = found(&log(noisy(&exact, FORCE, TORQUE, seed)));
@@ -99,7 +101,11 @@ fn errors_along_the_edge_are_honest() {
             held += i32::from(at.thin.iter().all(|thin| thin.at_most > 0.0 && thin.sd > 0.0));
             said.add(at.along.as_ref().unwrap(), &truth);
         }
-        println!("{kind}: whole {whole}\n along {moving} {:?}\n said {said} {:?} of {at_edge}", moving.of_draws(&limit), said.of_said(&limit));
+        println!(
+            "{kind}: whole {whole}\n along {moving} {:?}\n said {said} {:?} of {at_edge}",
+            moving.of_draws(&limit),
+            said.of_said(&limit)
+        );
         moving.hold(&limit);
         assert_eq!(held, at_edge);
         let [least, most] = said.of_said(&limit);
@@ -119,9 +125,7 @@ fn the_bound_of_thickness_holds() {
     carried.0 = carried
         .0
         .iter()
-        .flat_map(|(m, r)| {
-            [half, -half].map(|by| (0.5 * m, std::array::from_fn(|k| r[k] + by * normal[k])))
-        })
+        .flat_map(|(m, r)| [half, -half].map(|by| (0.5 * m, std::array::from_fn(|k| r[k] + by * normal[k]))))
         .collect();
     let exact = rows(&carried, Course::Generic(1.0), 150, SENSE);
     let truth = carried.about_origin()[0] * half * half;

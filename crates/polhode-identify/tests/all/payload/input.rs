@@ -47,7 +47,12 @@ fn noise_that_cannot_be_is_refused() {
     let mut skew = [[0.0; 6]; 6];
     (0..6).for_each(|k| skew[k][k] = 1.0);
     skew[4][1] = 0.3;
-    assert!(plain.clone().with_noise(WrenchNoise::Covariance(skew)).unwrap_err().to_string().contains("is 0.3"));
+    assert!(
+        plain.clone().with_noise(WrenchNoise::Covariance(skew)).unwrap_err().to_string().contains("is 0.3")
+    );
     let error = plain.with_motion_noise(MotionNoise { alpha: -1.0, ..MotionNoise::default() }).unwrap_err();
-    assert_eq!(error.to_string(), "the noise of an angular acceleration is -1, and has to be zero or positive");
+    assert_eq!(
+        error.to_string(),
+        "the noise of an angular acceleration is -1, and has to be zero or positive"
+    );
 }

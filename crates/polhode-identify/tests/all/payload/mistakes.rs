@@ -37,10 +37,14 @@ fn likely(found: &Payload) -> Option<Mistake> {
 fn wrong_units_and_signs_are_found() {
     const DEGREES: f64 = 180.0 / std::f64::consts::PI;
     let scaled = |a: [f64; 3], by: f64| a.map(|a| a * by);
-    let omega = |row: &mut PayloadRow, by| row.omega = AngularVelocity::from_array(scaled(row.omega.to_array(), by));
-    let alpha =
-        |row: &mut PayloadRow, by| row.alpha = AngularAcceleration::from_array(scaled(row.alpha.to_array(), by));
-    let a = |row: &mut PayloadRow, by| row.acceleration = Acceleration::from_array(scaled(row.acceleration.to_array(), by));
+    let omega =
+        |row: &mut PayloadRow, by| row.omega = AngularVelocity::from_array(scaled(row.omega.to_array(), by));
+    let alpha = |row: &mut PayloadRow, by| {
+        row.alpha = AngularAcceleration::from_array(scaled(row.alpha.to_array(), by))
+    };
+    let a = |row: &mut PayloadRow, by| {
+        row.acceleration = Acceleration::from_array(scaled(row.acceleration.to_array(), by))
+    };
     let made: [(Mistake, &dyn Fn(&mut PayloadRow)); 8] = [
         (Mistake::AccelerationInG, &|row| a(row, 1.0 / 9.806_65)),
         (Mistake::AccelerationHasGravity, &|row| row.acceleration = row.acceleration - row.gravity),
@@ -70,7 +74,9 @@ fn wrong_units_and_signs_are_found() {
 fn odd_gravity_is_said() {
     let mut rows = measured();
     rows.iter_mut().for_each(|row| row.gravity = row.gravity * 0.1);
-    assert!(matches!(found(&log(rows)).findings[0], PayloadFinding::UnusualGravity { size } if (size - 0.981).abs() < 1e-9));
+    assert!(
+        matches!(found(&log(rows)).findings[0], PayloadFinding::UnusualGravity { size } if (size - 0.981).abs() < 1e-9)
+    );
     let mut rows = measured();
     rows[20].gravity = rows[20].gravity * 1.1;
     assert!(matches!(found(&log(rows)).findings[0], PayloadFinding::GravityVaries { .. }));
@@ -87,7 +93,11 @@ fn what_is_not_in_the_model_widens_errors() {
         }
         let right = found(&PayloadLog::new(measured(), SENSE).unwrap().with_noise(noise).unwrap());
         let wrong = found(&PayloadLog::new(rows, SENSE).unwrap().with_noise(noise).unwrap());
-        assert!(wrong.tests[1].is_too_large() && wrong.tests[1].is_correlated(), "{noise:?} {:?}", wrong.tests);
+        assert!(
+            wrong.tests[1].is_too_large() && wrong.tests[1].is_correlated(),
+            "{noise:?} {:?}",
+            wrong.tests
+        );
         assert!(!right.tests[1].is_too_large());
         let sd = |found: &Payload| found.about_center.get("Ixx").unwrap().sd.unwrap();
         assert!(sd(&wrong) > 2.0 * sd(&right));
@@ -120,7 +130,11 @@ fn where_many_are_off_none_is_left_out() {
     }
     let found = found(&log(rows));
     assert!(found.left_out.is_empty() && found.tests[0].is_too_large());
-    assert!(found.findings.iter().any(|f| matches!(f, PayloadFinding::ManyOutliers { count } if *count == 40)), "{:?}", found.findings);
+    assert!(
+        found.findings.iter().any(|f| matches!(f, PayloadFinding::ManyOutliers { count } if *count == 40)),
+        "{:?}",
+        found.findings
+    );
 }
 
 #[test]

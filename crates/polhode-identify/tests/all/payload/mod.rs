@@ -4,6 +4,7 @@ mod edges;
 mod input;
 mod mistakes;
 mod motion_noise;
+mod scale;
 mod statistics;
 mod unknown;
 mod wrist;
@@ -92,7 +93,11 @@ fn errors_are_what_they_are_said_to_be() {
             assert!(found.body.is_some());
             statistics.add(&found.about_center, &truth);
         }
-        println!("generic {noise:?}: {statistics}, {:?} {:?}", statistics.of_draws(&limit), statistics.of_said(&limit));
+        println!(
+            "generic {noise:?}: {statistics}, {:?} {:?}",
+            statistics.of_draws(&limit),
+            statistics.of_said(&limit)
+        );
         statistics.hold(&limit);
     }
 }
@@ -119,8 +124,11 @@ fn a_covariance_of_the_channels_counts() {
     }
     let mut statistics = Statistics::new(10);
     for seed in 0..400 {
-        let measured: Vec<_> =
-            noisy(&exact, FORCE, TORQUE, seed).iter().zip(&exact).map(|(row, plain)| mix(row, plain)).collect();
+        let measured: Vec<_> = noisy(&exact, FORCE, TORQUE, seed)
+            .iter()
+            .zip(&exact)
+            .map(|(row, plain)| mix(row, plain))
+            .collect();
         let log = PayloadLog::new(measured, SENSE).unwrap().with_noise(WrenchNoise::Covariance(c)).unwrap();
         let found = found(&log);
         assert!(found.tests.iter().all(|test| test.widening() == 1.0), "{:?}", found.tests);

@@ -75,9 +75,7 @@ impl Statistics {
 
     /// The largest |bias| of a number, in standard deviations of the draws.
     pub(super) fn bias(&self) -> f64 {
-        (0..self.sum.len())
-            .map(|k| (self.sum[k] / self.count).abs() / self.deviation(k))
-            .fold(0.0, f64::max)
+        (0..self.sum.len()).map(|k| (self.sum[k] / self.count).abs() / self.deviation(k)).fold(0.0, f64::max)
     }
 
     fn deviation(&self, k: usize) -> f64 {
@@ -107,7 +105,13 @@ impl Statistics {
 
 impl fmt::Display for Statistics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "bias {:.3}, normalised square {:.3} of {} draws", self.bias(), self.normalised(), self.count)
+        write!(
+            f,
+            "bias {:.3}, normalised square {:.3} of {} draws",
+            self.bias(),
+            self.normalised(),
+            self.count
+        )
     }
 }
 
@@ -116,7 +120,13 @@ fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
 }
 
 /// Standard deviations that no unbiased estimate is below: (Σ Xᵀ X/σ²)⁻¹, with the numbers about the centre of mass. The wrench's derivatives are differences.
-pub(super) fn bound(rows: &[PayloadRow], force: f64, torque: f64, has_bias: bool, center: &[f64; 10]) -> Vec<f64> {
+pub(super) fn bound(
+    rows: &[PayloadRow],
+    force: f64,
+    torque: f64,
+    has_bias: bool,
+    center: &[f64; 10],
+) -> Vec<f64> {
     let covariance = covariance_bound(rows, force, torque, has_bias, center);
     (0..covariance.nrows()).map(|k| covariance[(k, k)].sqrt()).collect()
 }

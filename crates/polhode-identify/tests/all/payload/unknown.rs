@@ -21,7 +21,10 @@ fn at_rest_only_mass_and_centre_are_known() {
         assert!(found.body.is_none() && found.edge.is_none());
         assert_eq!(
             known(&found),
-            ["mass", "moment x", "moment y", "moment z", "bias fx", "bias fy", "bias fz", "bias tx", "bias ty", "bias tz"]
+            [
+                "mass", "moment x", "moment y", "moment z", "bias fx", "bias fy", "bias fz", "bias tx",
+                "bias ty", "bias tz"
+            ]
         );
         let mass = found.about_center.get("mass").unwrap();
         assert!((mass.value - truth[0]).abs() < 5.0 * mass.sd.unwrap());
@@ -56,7 +59,14 @@ fn about_one_axis_three_elements_are_known() {
         let found = found(&log(measured));
         assert_eq!(
             known(&found),
-            ["mass", "moment x", "moment y", "Izz about the origin", "Ixz about the origin", "Iyz about the origin"]
+            [
+                "mass",
+                "moment x",
+                "moment y",
+                "Izz about the origin",
+                "Ixz about the origin",
+                "Iyz about the origin"
+            ]
         );
         assert_eq!(found.about_origin.unknown.len(), 4);
         for (number, truth) in found.about_origin.numbers.iter().zip(truth) {

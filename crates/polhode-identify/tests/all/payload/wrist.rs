@@ -46,9 +46,7 @@ impl Carried {
     pub(super) fn about_origin(&self) -> [f64; 10] {
         let mut n = [0.0; 10];
         for (m, [x, y, z]) in &self.0 {
-            let of = [
-                1.0, *x, *y, *z, y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z,
-            ];
+            let of = [1.0, *x, *y, *z, y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z];
             (0..10).for_each(|k| n[k] += m * of[k]);
         }
         n

@@ -21,6 +21,17 @@ pub enum EdgeKind {
     Point,
 }
 
+impl EdgeKind {
+    /// In how many directions there is no extent.
+    pub(super) const fn thin(self) -> usize {
+        match self {
+            Self::Lamina => 1,
+            Self::Rod => 2,
+            Self::Point => 3,
+        }
+    }
+}
+
 impl fmt::Display for EdgeKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -93,7 +104,8 @@ impl Edge {
             3 => EdgeKind::Point,
             _ => return None,
         };
-        let along = along(numbers, &thin, information);
+        let normals: Vec<_> = thin.iter().map(|thin| thin.direction).collect();
+        let along = along(numbers, &normals, information).map(|along| about_center(numbers, &along));
         Some(Self { kind, thin, along })
     }
 
@@ -108,28 +120,32 @@ impl Edge {
     }
 }
 
-/// The covariance where nᵀ G n' keeps at zero for all thin n, n'.
-fn along(numbers: &[f64], thin: &[Thin], information: &Information) -> Option<Estimate> {
+/// What is known of a body of this kind.
+pub(super) fn of_kind(numbers: &[f64], kind: EdgeKind, information: &Information) -> Option<Information> {
+    let (_, vectors) = symmetric_eigen(moments_about_center(numbers));
+    along(numbers, &vectors[..kind.thin()], information)
+}
+
+/// What is known where nᵀ G n' keeps at zero for all normals n, n'. `None` where that does not follow from the measurements.
+fn along(numbers: &[f64], normals: &[[f64; 3]], information: &Information) -> Option<Information> {
     let n = numbers.len();
-    let pairs: Vec<_> = (0..thin.len()).flat_map(|i| (0..=i).map(move |j| (i, j))).collect();
+    let slopes: Vec<_> = (0..normals.len())
+        .flat_map(|i| (0..=i).map(move |j| (i, j)))
+        .map(|(i, j)| gradient(numbers, normals[i], normals[j]))
+        .collect();
     // δ = root e, e of variance 1: what of e moves along the edge
-    let mut across = DMatrix::zeros(information.root.ncols(), pairs.len());
-    for (k, (i, j)) in pairs.into_iter().enumerate() {
-        let slope = DMatrix::from_vec(n, 1, gradient(numbers, thin[i].direction, thin[j].direction));
-        let scaled = information.root.transpose() * slope;
-        let norm = scaled.norm();
-        if !(norm > 0.0) {
-            return None;
-        }
-        across.set_column(k, &(scaled / norm).column(0));
+    let mut across = DMatrix::zeros(information.root.ncols(), slopes.len());
+    for (k, slope) in slopes.into_iter().enumerate() {
+        information.deviation(&slope)?;
+        let scaled = information.root.tr_mul(&DMatrix::from_vec(n, 1, slope));
+        across.set_column(k, &(&scaled / scaled.norm()).column(0));
     }
     let q = across.qr().q();
     let rest = &information.root - &information.root * &q * q.transpose();
-    let columns: Vec<_> =
-        rest.column_iter().map(|c| DMatrix::from_column_slice(n, 1, c.as_slice())).collect();
-    let unknown: Vec<_> =
-        information.unknown.column_iter().map(|c| DMatrix::from_column_slice(n, 1, c.as_slice())).collect();
-    Some(about_center(numbers, &Information::with(n, &columns, &unknown)))
+    let columns = |of: &DMatrix<f64>| -> Vec<DMatrix<f64>> {
+        of.column_iter().map(|c| DMatrix::from_column_slice(n, 1, c.as_slice())).collect()
+    };
+    Some(Information::with(n, &columns(&rest), &columns(&information.unknown)))
 }
 
 /// Gradient of aᵀ G b by the numbers, G = ½ tr(I) 1 − I − h hᵀ/m.

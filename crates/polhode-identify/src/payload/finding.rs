@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use super::edge::EdgeKind;
+
 /// Something that is probably wrong with the log, or with the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -16,6 +18,13 @@ pub enum PayloadFinding {
     /// Unconstrained least squares is no possible body, beyond noise: the model is wrong somewhere.
     ImpossibleBeyondNoise {
         /// By how much χ² rises where the body has to be possible.
+        chi_square_rise: f64,
+    },
+    /// The payload is not what it was said to be, beyond noise.
+    NotOfKind {
+        /// What it was said to be.
+        kind: EdgeKind,
+        /// By how much χ² rises where it has to be that.
         chi_square_rise: f64,
     },
     /// Gravity is not of one size.
@@ -94,6 +103,10 @@ impl fmt::Display for PayloadFinding {
             Self::ImpossibleBeyondNoise { chi_square_rise } => write!(
                 f,
                 "no possible body fits as well as an impossible one: χ² rises by {chi_square_rise}, more than noise explains"
+            ),
+            Self::NotOfKind { kind, chi_square_rise } => write!(
+                f,
+                "the payload is not {kind}: χ² rises by {chi_square_rise}, more than noise explains"
             ),
             Self::GravityVaries { least, most } => {
                 write!(f, "gravity is between {least} and {most} m/s²")

@@ -5,13 +5,13 @@ use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{Body, Position, symmetric_eigen};
 
 use super::answer::{self, Payload, Unconstrained};
-use super::edge::Edge;
+use super::edge::{self, Edge};
 use super::finding::PayloadFinding;
 use super::log::{PayloadLog, WrenchNoise, diagonal};
 use super::outliers::{self, LeftOut, Outliers};
 use super::regression::{Pass, Regression};
 use super::small::Matrix6;
-use super::{mistake, noise, possible};
+use super::{mistake, noise, possible, shape};
 use crate::error::IdentifyError;
 use crate::least_squares::Information;
 use crate::residuals::ResidualTest;
@@ -51,12 +51,17 @@ pub fn identify_payload(log: &PayloadLog) -> Result<Payload, IdentifyError> {
         chi_square_rise: rise,
         numbers: free.as_slice().to_vec(),
     };
-    let edge = if is_possible { None } else { Edge::of(numbers, free.as_slice(), &information) };
+    let (edge, of_kind) = match log.kind {
+        Some(kind) => (None, edge::of_kind(numbers, kind, &information)),
+        None if is_possible => (None, None),
+        None => (Edge::of(numbers, free.as_slice(), &information), None),
+    };
     let mut findings = findings(log, &unconstrained, widening, &information);
     findings.extend(settled.outliers.too_many.map(|count| PayloadFinding::ManyOutliers { count }));
     if tests.iter().any(ResidualTest::is_too_large) {
         findings.extend(mistake::likeliest(log, &settled.noise, &settled.regression.weights));
     }
+    let information = of_kind.unwrap_or(information);
     let about_center = answer::about_center(numbers, &information).widened(widening);
     let is_known = about_center.numbers.iter().take(10).all(|number| number.sd.is_some());
     let values: Vec<f64> = about_center.numbers.iter().map(|number| number.value).collect();
@@ -201,10 +206,14 @@ impl Settled<'_> {
             let left = &z - &r * (&free - &self.numbers);
             free += &information.root * (information.root.transpose() * r.tr_mul(&left));
         }
-        if possible::is_possible(free.as_slice()) {
-            return Ok(Fit { numbers: free.clone(), free, rise: 0.0 });
+        let mut numbers = if possible::is_possible(free.as_slice()) {
+            free.clone()
+        } else {
+            possible::least_squares(&r, &z, &self.numbers, &free, &information.unknown)?
+        };
+        if let Some(kind) = self.log.kind {
+            numbers = shape::least_squares(&r, &z, &self.numbers, &numbers, kind);
         }
-        let numbers = possible::least_squares(&r, &z, &self.numbers, &free, &information.unknown)?;
         let rise = (&z - &r * (&numbers - &self.numbers)).norm_squared()
             - (&z - &r * (&free - &self.numbers)).norm_squared();
         Ok(Fit { free, numbers, rise })
@@ -266,7 +275,10 @@ fn findings(
     }
     let chi_square_rise = unconstrained.chi_square_rise;
     if chi_square_rise > NO_CHANCE * widening * widening {
-        all.push(PayloadFinding::ImpossibleBeyondNoise { chi_square_rise });
+        all.push(match log.kind {
+            Some(kind) => PayloadFinding::NotOfKind { kind, chi_square_rise },
+            None => PayloadFinding::ImpossibleBeyondNoise { chi_square_rise },
+        });
     }
     let sizes = log.rows().iter().map(|row| row.gravity.norm());
     let (least, most) = sizes.fold((f64::INFINITY, 0.0_f64), |(a, b), g| (a.min(g), b.max(g)));

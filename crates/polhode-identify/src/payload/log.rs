@@ -4,6 +4,7 @@ use polhode::math::{
     Acceleration, AngularAcceleration, AngularVelocity, Attitude, Body, Force, Space, Torque,
 };
 
+use super::edge::EdgeKind;
 use super::motion::Motion;
 use super::small::{self, Matrix6, Vector6};
 use crate::error::IdentifyError;
@@ -70,6 +71,7 @@ impl WrenchSense {
 
 /// Noise of the wrench: white, of mean zero but for the bias.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "there is one of each log")]
 pub enum WrenchNoise {
     /// Not known: one standard deviation of the forces and one of the torques, from second differences of what the model leaves. A model that is wrong in a
     /// way that is smooth in time then still shows.
@@ -104,6 +106,7 @@ pub struct PayloadLog {
     pub(super) noise: WrenchNoise,
     pub(super) motion_noise: MotionNoise,
     pub(super) has_bias: bool,
+    pub(super) kind: Option<EdgeKind>,
 }
 
 impl PayloadLog {
@@ -135,6 +138,7 @@ impl PayloadLog {
             noise: WrenchNoise::Unknown,
             motion_noise: MotionNoise::default(),
             has_bias: false,
+            kind: None,
         })
     }
 
@@ -142,6 +146,13 @@ impl PayloadLog {
     #[must_use]
     pub const fn with_bias(mut self) -> Self {
         self.has_bias = true;
+        self
+    }
+
+    /// The payload is known to be of this kind, a sheet or a thin bar. Errors are those of such a body.
+    #[must_use]
+    pub const fn with_kind(mut self, kind: EdgeKind) -> Self {
+        self.kind = Some(kind);
         self
     }
 

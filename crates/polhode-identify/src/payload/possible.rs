@@ -196,10 +196,11 @@ fn scaled_element(l: &Matrix4, j: usize) -> [f64; 10] {
     }
     // L⁻¹ from the left, then from the right by symmetry
     for _ in 0..2 {
-        for column in 0..4 {
-            for i in 0..4 {
-                let rest = a[i][column] - (0..i).map(|k| l[i][k] * a[k][column]).sum::<f64>();
-                a[i][column] = rest / l[i][i];
+        for i in 0..4 {
+            let above = a;
+            for (column, element) in a[i].iter_mut().enumerate() {
+                let rest = *element - (0..i).map(|k| l[i][k] * above[k][column]).sum::<f64>();
+                *element = rest / l[i][i];
             }
         }
         a = core::array::from_fn(|i| core::array::from_fn(|k| a[k][i]));

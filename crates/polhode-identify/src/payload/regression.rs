@@ -220,7 +220,8 @@ impl<'a> Regression<'a> {
             all.push(direction);
         }
         for j in 0..6 {
-            all.push(gain(core::array::from_fn(|i| own[i][j])));
+            let column = own.map(|row| row[j]);
+            all.push(gain(column));
         }
         all
     }

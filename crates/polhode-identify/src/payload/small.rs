@@ -30,9 +30,8 @@ pub(super) fn least_pivot(a: &Matrix6) -> f64 {
         }
         for i in k + 1..6 {
             let factor = a[i][k] / a[k][k];
-            for j in k..6 {
-                a[i][j] -= factor * a[k][j];
-            }
+            let pivot = a[k];
+            (k..6).for_each(|j| a[i][j] -= factor * pivot[j]);
         }
     }
     a[5][5]

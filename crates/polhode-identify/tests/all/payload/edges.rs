@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 use polhode::math::symmetric_eigen;
-use polhode_identify::payload::EdgeKind;
+use polhode_identify::payload::{EdgeKind, PayloadFinding};
 
 use super::statistics::{Statistics, covariance_bound};
 use super::wrist::{Carried, Course, noisy, rows};
@@ -139,4 +139,42 @@ fn the_bound_of_thickness_holds() {
     }
     println!("thickness: {held} of {edges}");
     assert!(edges > 50 && f64::from(held) >= 0.95 * f64::from(edges), "{held} of {edges}");
+}
+
+/// What is known to be a plate or a rod is found as one, without bias.
+#[test]
+fn a_kind_that_is_known_leaves_no_bias() {
+    for (carried, thin, kind) in [(Carried::plate(), 1, EdgeKind::Lamina), (Carried::rod(), 2, EdgeKind::Rod)]
+    {
+        let exact = rows(&carried, Course::Generic(1.0), 150, SENSE);
+        let truth = carried.about_center();
+        close(&found(&log(exact.clone()).with_kind(kind)), &truth, 1e-8);
+        let covariance = covariance_bound(&exact, FORCE, TORQUE, false, &truth);
+        let projector = along(&covariance, &normals(&carried, thin));
+        let edge = &projector * &covariance * projector.transpose();
+        let limit: Vec<f64> = (0..10).map(|k| edge[(k, k)].sqrt()).collect();
+        let mut statistics = Statistics::new(10);
+        for seed in 0..600 {
+            let found = found(&log(noisy(&exact, FORCE, TORQUE, seed)).with_kind(kind));
+            assert!(found.body.is_some() && found.edge.is_none() && found.findings.is_empty());
+            statistics.add(&found.about_center, &truth);
+        }
+        println!(
+            "known {kind}: {statistics} {:?} {:?}",
+            statistics.of_draws(&limit),
+            statistics.of_said(&limit)
+        );
+        statistics.hold(&limit);
+    }
+}
+
+#[test]
+fn what_is_not_of_a_kind_is_said() {
+    let measured = noisy(&rows(&Carried::generic(), Course::Generic(1.0), 150, SENSE), FORCE, TORQUE, 3);
+    let found = found(&log(measured).with_kind(EdgeKind::Rod));
+    assert!(
+        found.findings.iter().any(|f| matches!(f, PayloadFinding::NotOfKind { kind: EdgeKind::Rod, .. })),
+        "{:?}",
+        found.findings
+    );
 }

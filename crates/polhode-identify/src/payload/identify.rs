@@ -56,7 +56,7 @@ pub fn identify_payload(log: &PayloadLog) -> Result<Payload, IdentifyError> {
         None if is_possible => (None, None),
         None => (Edge::of(numbers, free.as_slice(), &information), None),
     };
-    let mut findings = findings(log, &unconstrained, widening, &information);
+    let mut findings = findings(log, &unconstrained, &tests, &information);
     findings.extend(settled.outliers.too_many.map(|count| PayloadFinding::ManyOutliers { count }));
     if tests.iter().any(ResidualTest::is_too_large) {
         findings.extend(mistake::likeliest(log, &settled.noise, &settled.regression.weights));
@@ -261,7 +261,7 @@ impl Settled<'_> {
 fn findings(
     log: &PayloadLog,
     unconstrained: &Unconstrained,
-    widening: f64,
+    tests: &[ResidualTest; 2],
     information: &Information,
 ) -> Vec<PayloadFinding> {
     let mut all = Vec::new();
@@ -274,7 +274,11 @@ fn findings(
         all.push(PayloadFinding::NegativeMass { mass, sd });
     }
     let chi_square_rise = unconstrained.chi_square_rise;
-    if chi_square_rise > NO_CHANCE * widening * widening {
+    // against what is left without the constraint
+    let (chi_square, count) = tests.iter().fold((-chi_square_rise, 0.0), |(sum, count), test| {
+        (sum + test.reduced_chi_square * test.degrees_of_freedom, count + test.degrees_of_freedom)
+    });
+    if chi_square_rise > NO_CHANCE * f64::max(1.0, chi_square / count) {
         all.push(match log.kind {
             Some(kind) => PayloadFinding::NotOfKind { kind, chi_square_rise },
             None => PayloadFinding::ImpossibleBeyondNoise { chi_square_rise },

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 use polhode::body::MassProperties;
-use polhode::math::Body;
+use polhode::math::{Body, symmetric_eigen};
 
 use super::edge::Edge;
 use super::finding::PayloadFinding;
@@ -77,6 +77,15 @@ pub(super) fn about_center(numbers: &[f64], information: &Information) -> Estima
     Estimate::new(names("center", "m", "", numbers.len()), &values, &information.of_other(&jacobian))
 }
 
+/// Second moments, less what rounding has below zero where c is far off.
+fn not_negative(g: [f64; 6]) -> [f64; 6] {
+    let (values, vectors) = symmetric_eigen(g);
+    if values[0] >= 0.0 {
+        return g;
+    }
+    PLACES.map(|(i, j)| (0..3).map(|k| values[k].max(0.0) * vectors[k][i] * vectors[k][j]).sum())
+}
+
 /// m, c, I about the centre of mass, …, and their derivative by m, m c, I about the origin, …
 pub(super) fn to_center(numbers: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
     let n = numbers.len();
@@ -84,7 +93,7 @@ pub(super) fn to_center(numbers: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
     let c = [1, 2, 3].map(|k| numbers[k] / m);
     let mut values = numbers.to_vec();
     let mut jacobian = DMatrix::identity(n, n);
-    let g = moments_about_center(numbers);
+    let g = not_negative(moments_about_center(numbers));
     let own = [g[1] + g[2], g[0] + g[2], g[0] + g[1], -g[3], -g[4], -g[5]];
     for k in 0..3 {
         values[1 + k] = c[k];

@@ -123,8 +123,9 @@ fn settle(log: &PayloadLog) -> Result<Settled<'_>, IdentifyError> {
         })?;
         let settled = Settled { log, regression, outliers, noise: wrench_noise, pass, numbers };
         let information = settled.information()?;
-        let next = settled.fit(&information)?.numbers;
-        let step = (settled.rows() * (&next - &settled.numbers)).norm();
+        let Fit { numbers: next, rise, .. } = settled.fit(&information)?;
+        // relative to what the constraint costs, as the interior-point method is
+        let step = (settled.rows() * (&next - &settled.numbers)).norm() / (1.0 + rise.max(0.0).sqrt());
         let next_noise =
             if unknown_noise && number > 0 { settled.found_noise(&information) } else { settled.noise };
         let change = (0..6).map(|k| (next_noise[k][k] / settled.noise[k][k] - 1.0).abs()).fold(0.0, f64::max);
@@ -186,8 +187,10 @@ impl Settled<'_> {
     fn fit(&self, information: &Information) -> Result<Fit, IdentifyError> {
         let n = self.numbers.len();
         let triangle = &self.pass.triangle;
-        let mut r = triangle.columns(0, n).into_owned();
-        let mut z: DVector<f64> = triangle.column(n).into_owned();
+        // without the last row, which is what no numbers explain
+        let rows = triangle.nrows().min(n);
+        let mut r = triangle.view((0, 0), (rows, n)).into_owned();
+        let mut z: DVector<f64> = triangle.view((0, n), (rows, 1)).column(0).into_owned();
         // What the rows say of directions that are unknown is noise, if not rounding.
         let norms: Vec<f64> = r.column_iter().map(|column| column.norm()).collect();
         for direction in information.unknown.column_iter() {

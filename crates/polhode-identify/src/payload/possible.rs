@@ -50,7 +50,6 @@ pub(super) fn least_squares(
     let mut place = inside(free);
     let rest = |place: &DVector<f64>| z - r * (place - from);
     let mut mu = (0.5 * rest(&place).norm_squared()).max(1.0);
-    let end = LEAST_MU * (1.0 + 0.5 * rest(free).norm_squared());
     for _ in 0..MOST_STEPS {
         let Some(l) = cholesky(&pseudo_inertia(place.as_slice())) else {
             return Err(IdentifyError::NotFinite);
@@ -74,7 +73,7 @@ pub(super) fn least_squares(
             place += &step.delta * taken;
         }
         if stuck || step.decrement < 0.1 * mu {
-            if mu <= end {
+            if mu <= LEAST_MU * (1.0 + 0.5 * rest(&place).norm_squared()) {
                 return Ok(place);
             }
             mu *= FALL;

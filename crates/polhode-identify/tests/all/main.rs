@@ -1,4 +1,5 @@
-//! Integration tests.
+//! The integration tests of `polhode-identify`, as one program: each links the whole library.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 mod noise;
 mod payload;

@@ -37,31 +37,39 @@ fn likely(found: &Payload) -> Option<Mistake> {
 fn wrong_units_and_signs_are_found() {
     const DEGREES: f64 = 180.0 / std::f64::consts::PI;
     let scaled = |a: [f64; 3], by: f64| a.map(|a| a * by);
-    let omega =
-        |row: &mut PayloadRow, by| row.omega = AngularVelocity::from_array(scaled(row.omega.to_array(), by));
+    let omega = |row: &mut PayloadRow, by| {
+        row.omega = AngularVelocity::from_array(scaled(row.omega.to_array(), by));
+    };
     let alpha = |row: &mut PayloadRow, by| {
-        row.alpha = AngularAcceleration::from_array(scaled(row.alpha.to_array(), by))
+        row.alpha = AngularAcceleration::from_array(scaled(row.alpha.to_array(), by));
     };
-    let a = |row: &mut PayloadRow, by| {
-        row.acceleration = Acceleration::from_array(scaled(row.acceleration.to_array(), by))
-    };
-    let made: [(Mistake, &dyn Fn(&mut PayloadRow)); 8] = [
-        (Mistake::AccelerationInG, &|row| a(row, 1.0 / 9.806_65)),
-        (Mistake::AccelerationHasGravity, &|row| row.acceleration = row.acceleration - row.gravity),
-        (Mistake::GravityReversed, &|row| row.gravity = -row.gravity),
-        (Mistake::OmegaInDegrees, &|row| omega(row, DEGREES)),
-        (Mistake::AlphaInDegrees, &|row| alpha(row, DEGREES)),
-        (Mistake::AnglesInDegrees, &|row| {
+    let make = |mistake: Mistake, row: &mut PayloadRow| match mistake {
+        Mistake::AccelerationInG => row.acceleration = row.acceleration / 9.806_65,
+        Mistake::AccelerationHasGravity => row.acceleration -= row.gravity,
+        Mistake::GravityReversed => row.gravity = -row.gravity,
+        Mistake::OmegaInDegrees => omega(row, DEGREES),
+        Mistake::AlphaInDegrees => alpha(row, DEGREES),
+        Mistake::AnglesInDegrees => {
             omega(row, DEGREES);
             alpha(row, DEGREES);
-        }),
-        (Mistake::AlphaReversed, &|row| alpha(row, -1.0)),
-        (Mistake::TorqueInMillimetres, &|row| row.torque = row.torque * 1000.0),
+        }
+        Mistake::AlphaReversed => alpha(row, -1.0),
+        Mistake::TorqueInMillimetres => row.torque = row.torque * 1000.0,
+    };
+    let all = [
+        Mistake::AccelerationInG,
+        Mistake::AccelerationHasGravity,
+        Mistake::GravityReversed,
+        Mistake::OmegaInDegrees,
+        Mistake::AlphaInDegrees,
+        Mistake::AnglesInDegrees,
+        Mistake::AlphaReversed,
+        Mistake::TorqueInMillimetres,
     ];
-    for (mistake, make) in made {
+    for mistake in all {
         for noise in [KNOWN, WrenchNoise::Unknown] {
             let mut rows = measured();
-            rows.iter_mut().for_each(make);
+            rows.iter_mut().for_each(|row| make(mistake, row));
             let found = found(&PayloadLog::new(rows, SENSE).unwrap().with_noise(noise).unwrap());
             assert_eq!(likely(&found), Some(mistake), "{noise:?}: {:?} {:?}", found.findings, found.tests);
         }
@@ -141,7 +149,7 @@ fn where_many_are_off_none_is_left_out() {
 fn a_vacuum_of_weight_is_no_mistake() {
     let mut rows = rows(&Carried::generic(), Course::Generic(1.0), 100, SENSE);
     for row in &mut rows {
-        row.acceleration = row.acceleration - row.gravity;
+        row.acceleration -= row.gravity;
         row.gravity = Acceleration::ZERO;
     }
     let found = found(&log(rows));

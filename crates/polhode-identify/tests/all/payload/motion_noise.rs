@@ -1,5 +1,6 @@
 //! Motion that is measured with noise.
 
+use polhode_identify::ResidualTest;
 use polhode_identify::payload::MotionNoise;
 
 use super::statistics::Statistics;
@@ -19,7 +20,7 @@ fn noise_of_the_motion_does_not_draw_numbers_aside() {
     for seed in 0..300 {
         let measured = shaken(&noisy(&exact, FORCE, TORQUE, seed), SHAKEN, seed);
         let found_plain = found(&log(measured.clone()));
-        assert!(found_plain.tests.iter().all(|test| test.is_too_large()));
+        assert!(found_plain.tests.iter().all(ResidualTest::is_too_large));
         plain.add(&found_plain.about_center, &truth);
         let found = found(&log(measured).with_motion_noise(NOISE).unwrap());
         assert!(found.tests.iter().all(|test| test.widening() == 1.0), "{:?}", found.tests);

@@ -136,11 +136,11 @@ pub(super) fn rows(carried: &Carried, course: Course, count: usize, sense: Wrenc
 fn series(t: f64, rate: f64, size: [[f64; 2]; 3], phase: f64) -> ([f64; 3], [f64; 3]) {
     let (mut value, mut slope) = ([0.0; 3], [0.0; 3]);
     for i in 0..3 {
-        for j in 0..2 {
+        for (j, size) in size[i].into_iter().enumerate() {
             let frequency = rate * (2.9 + 1.7 * i as f64 + 3.3 * j as f64);
             let angle = frequency * t + phase * (1.0 + i as f64 + 2.0 * j as f64);
-            value[i] += rate * size[i][j] * angle.sin();
-            slope[i] += rate * size[i][j] * frequency * angle.cos();
+            value[i] += rate * size * angle.sin();
+            slope[i] += rate * size * frequency * angle.cos();
         }
     }
     (value, slope)

@@ -18,6 +18,8 @@ use crate::residuals::ResidualTest;
 
 /// Passes over the rows at most.
 const MOST_PASSES: usize = 60;
+/// Passes that improve noise that is unknown: it has settled by then, unless the model is wrong.
+const NOISE_PASSES: usize = 20;
 /// The numbers have settled where a pass moves them by no more than this, in standard deviations.
 const SETTLED: f64 = 1e-4;
 /// Directions of which more than this share of what the rows say is noise of the motion are unknown.
@@ -126,8 +128,8 @@ fn settle(log: &PayloadLog) -> Result<Settled<'_>, IdentifyError> {
         let Fit { numbers: next, rise, .. } = settled.fit(&information)?;
         // relative to what the constraint costs, as the interior-point method is
         let step = (settled.rows() * (&next - &settled.numbers)).norm() / (1.0 + rise.max(0.0).sqrt());
-        let next_noise =
-            if unknown_noise && number > 0 { settled.found_noise(&information) } else { settled.noise };
+        let is_improved = unknown_noise && (1..NOISE_PASSES).contains(&number);
+        let next_noise = if is_improved { settled.found_noise(&information) } else { settled.noise };
         let change = (0..6).map(|k| (next_noise[k][k] / settled.noise[k][k] - 1.0).abs()).fold(0.0, f64::max);
         if number > 3 && step < SETTLED && change < 1e-3 && !settled.outliers.changed
             || number > 0 && step < SETTLED && !unknown_noise && is_judged && !settled.outliers.changed

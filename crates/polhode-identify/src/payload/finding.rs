@@ -9,6 +9,7 @@ use super::edge::EdgeKind;
 #[non_exhaustive]
 pub enum PayloadFinding {
     /// Least squares has a mass that is negative beyond noise: the wrench is that on the other side, or gravity points up.
+    /// Noise of the motion is not regarded then.
     NegativeMass {
         /// kg
         mass: f64,

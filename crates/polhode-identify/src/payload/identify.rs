@@ -115,25 +115,29 @@ fn settle(log: &PayloadLog) -> Result<Settled<'_>, IdentifyError> {
         WrenchNoise::Covariance(covariance) => covariance,
     };
     let mut numbers = DVector::zeros(count);
+    // Numbers, and noise if it is unknown, are near before the noise of the motion is regarded; residuals are judged when it is.
+    let near = if unknown_noise { 3 } else { 0 };
+    let ready = near + usize::from(log.motion_deviations().iter().any(|&sd| sd > 0.0));
     for number in 0..MOST_PASSES {
-        // Residuals mean something once the numbers fit, and the noise is that of their residuals.
-        let is_judged = number > if unknown_noise { 2 } else { 0 };
+        let is_judged = number > ready;
         let pass = regression.pass(numbers.as_slice(), &wrench_noise, |residuals, weights| {
             if is_judged {
                 outliers.weigh(residuals, weights);
             }
         })?;
-        let settled = Settled { log, regression, outliers, noise: wrench_noise, pass, numbers };
+        let mut settled = Settled { log, regression, outliers, noise: wrench_noise, pass, numbers };
         let information = settled.information()?;
-        let Fit { numbers: next, rise, .. } = settled.fit(&information)?;
+        let Fit { numbers: next, rise, free } = settled.fit(&information)?;
+        // Of a wrench on the wrong side no motion is likely, and the likeliest goes off.
+        if number == near && is_negative(free.as_slice(), &information).is_none() {
+            settled.regression.regard_motion_noise();
+        }
         // relative to what the constraint costs, as the interior-point method is
         let step = (settled.rows() * (&next - &settled.numbers)).norm() / (1.0 + rise.max(0.0).sqrt());
         let is_improved = unknown_noise && (1..NOISE_PASSES).contains(&number);
         let next_noise = if is_improved { settled.found_noise(&information) } else { settled.noise };
         let change = (0..6).map(|k| (next_noise[k][k] / settled.noise[k][k] - 1.0).abs()).fold(0.0, f64::max);
-        if number > 3 && step < SETTLED && change < 1e-3 && !settled.outliers.changed
-            || number > 0 && step < SETTLED && !unknown_noise && is_judged && !settled.outliers.changed
-        {
+        if is_judged && step < SETTLED && change < 1e-3 && !settled.outliers.changed {
             return Ok(settled);
         }
         Settled { regression, outliers, .. } = settled;
@@ -263,6 +267,14 @@ impl Settled<'_> {
     }
 }
 
+/// Whether the mass is negative beyond noise.
+fn is_negative(numbers: &[f64], information: &Information) -> Option<PayloadFinding> {
+    let mut by_mass = vec![0.0; numbers.len()];
+    by_mass[0] = 1.0;
+    let sd = information.deviation(&by_mass)?;
+    (numbers[0] < -5.0 * sd).then_some(PayloadFinding::NegativeMass { mass: numbers[0], sd })
+}
+
 fn findings(
     log: &PayloadLog,
     unconstrained: &Unconstrained,
@@ -270,14 +282,7 @@ fn findings(
     information: &Information,
 ) -> Vec<PayloadFinding> {
     let mut all = Vec::new();
-    let mass = unconstrained.numbers[0];
-    let mut by_mass = vec![0.0; unconstrained.numbers.len()];
-    by_mass[0] = 1.0;
-    if let Some(sd) = information.deviation(&by_mass)
-        && mass < -5.0 * sd
-    {
-        all.push(PayloadFinding::NegativeMass { mass, sd });
-    }
+    all.extend(is_negative(&unconstrained.numbers, information));
     let chi_square_rise = unconstrained.chi_square_rise;
     // against what is left without the constraint
     let (chi_square, count) = tests.iter().fold((-chi_square_rise, 0.0), |(sum, count), test| {

@@ -61,14 +61,17 @@ pub(super) fn least_squares(
             Some(0.5 * rest(place).norm_squared() - 2.0 * mu * barrier + pull.dot(place))
         };
         let here = value(&place).ok_or(IdentifyError::NotFinite)?;
+        // The function is self-concordant: shorter steps than 1/(1 + ν) are never needed, but for rounding.
+        let shortest = 0.25 / (1.0 + (step.decrement / mu).sqrt());
+        let lowers = |taken: f64| {
+            value(&(&place + &step.delta * taken))
+                .is_some_and(|there| there <= here - 0.1 * taken * step.decrement)
+        };
         let mut taken = 1.0;
-        while taken > 1e-10
-            && value(&(&place + &step.delta * taken))
-                .is_none_or(|there| there > here - 0.1 * taken * step.decrement)
-        {
+        while taken > shortest && !lowers(taken) {
             taken *= 0.5;
         }
-        let stuck = taken <= 1e-10;
+        let stuck = taken <= shortest;
         if !stuck {
             place += &step.delta * taken;
         }

@@ -54,7 +54,7 @@ impl<'a> Regression<'a> {
     pub(super) fn new(log: &'a PayloadLog) -> Self {
         Self {
             log,
-            deviations: log.motion_deviations(),
+            deviations: [0.0; 9],
             motions: log.rows().iter().map(super::log::PayloadRow::motion).collect(),
             weights: vec![1.0; log.rows().len()],
         }
@@ -62,6 +62,11 @@ impl<'a> Regression<'a> {
 
     pub(super) fn has_motion_noise(&self) -> bool {
         self.deviations.iter().any(|&sd| sd > 0.0)
+    }
+
+    /// From now on the motion has the noise that it is said to have.
+    pub(super) fn regard_motion_noise(&mut self) {
+        self.deviations = self.log.motion_deviations();
     }
 
     /// All rows. `judge` weighs them by their residuals.

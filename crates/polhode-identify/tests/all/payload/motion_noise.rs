@@ -1,7 +1,7 @@
 //! Motion that is measured with noise.
 
 use polhode_identify::ResidualTest;
-use polhode_identify::payload::MotionNoise;
+use polhode_identify::payload::{MotionNoise, PayloadLog, WrenchNoise};
 
 use super::statistics::Statistics;
 use super::wrist::{Carried, Course, noisy, rows, shaken};
@@ -47,4 +47,28 @@ fn what_only_noise_moves_is_unknown() {
         assert!((zz.value - carried.about_origin()[6]).abs() < 5.0 * zz.sd.unwrap(), "{zz:?}");
         assert!(found.body.is_none());
     }
+}
+
+/// Where a good part of what the rows say is noise, errors are larger than the rows by themselves would have it, and are still what they are said to be.
+#[test]
+fn errors_hold_where_the_motion_is_hardly_larger_than_its_noise() {
+    let carried = Carried::generic();
+    let truth = carried.about_center();
+    let exact = rows(&carried, Course::Generic(0.3), 400, SENSE);
+    let noise = MotionNoise { omega: 0.03, alpha: 0.6, acceleration: 0.05 };
+    let mut said = Statistics::new(10);
+    let mut all = 0;
+    for seed in 0..300 {
+        let measured = shaken(&noisy(&exact, FORCE, 0.3 * TORQUE, seed), [0.03, 0.6, 0.05], seed);
+        let log = PayloadLog::new(measured, SENSE)
+            .unwrap()
+            .with_noise(WrenchNoise::Deviations { force: FORCE, torque: 0.3 * TORQUE })
+            .unwrap();
+        let found = found(&log.with_motion_noise(noise).unwrap());
+        all += i32::from(found.unconstrained.is_possible);
+        said.add(&found.about_center, &truth);
+    }
+    let ratio = said.of_draws(&said.mean_said());
+    println!("much motion noise: {said} {ratio:?}, possible {all}");
+    assert!(said.bias() < 0.15 && (0.9..1.1).contains(&said.normalised()), "{said}");
 }

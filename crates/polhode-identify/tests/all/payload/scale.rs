@@ -1,7 +1,7 @@
 //! Payloads of all sizes, and motions that are odd.
 
 use polhode::math::{Acceleration, Force, Torque};
-use polhode_identify::payload::{PayloadLog, WrenchNoise};
+use polhode_identify::payload::{MotionNoise, PayloadLog, WrenchNoise};
 
 use super::wrist::{Carried, Course, noisy, rows};
 use super::{KNOWN, SENSE, found};
@@ -107,7 +107,10 @@ fn there_is_an_answer_whatever_the_noise() {
                     [WrenchNoise::Unknown, WrenchNoise::Deviations { force: size, torque: 0.1 * size }]
                 {
                     let log = PayloadLog::new(measured.clone(), sense).unwrap().with_noise(noise).unwrap();
-                    for log in [log.clone(), log.with_bias()] {
+                    let moving =
+                        MotionNoise { omega: 0.01 * size, alpha: 0.2 * size, acceleration: 0.1 * size };
+                    let moving = log.clone().with_motion_noise(moving).unwrap();
+                    for log in [log.clone(), log.with_bias(), moving.clone(), moving.with_bias()] {
                         let found = polhode_identify::payload::identify_payload(&log);
                         let is_known = found.as_ref().is_ok_and(|found| found.body.is_some());
                         assert!(is_known, "{k} {seed} {sense:?} {noise:?}: {:?}", found.err());

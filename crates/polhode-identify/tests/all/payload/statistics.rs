@@ -97,6 +97,11 @@ impl Statistics {
         range((0..bound.len()).map(|k| self.deviation(k) / bound[k]))
     }
 
+    /// Standard deviations that are said, on average.
+    pub(super) fn mean_said(&self) -> Vec<f64> {
+        self.said.iter().map(|said| (said / self.count).sqrt()).collect()
+    }
+
     /// Least and largest ratio of the deviation that is said to a bound.
     pub(super) fn of_said(&self, bound: &[f64]) -> [f64; 2] {
         range((0..bound.len()).map(|k| (self.said[k] / self.count).sqrt() / bound[k]))

@@ -22,6 +22,8 @@ const MOST_PASSES: usize = 60;
 const NOISE_PASSES: usize = 20;
 /// The numbers have settled where a pass moves them by no more than this, in standard deviations.
 const SETTLED: f64 = 1e-4;
+/// This much is taken where passes end.
+const NEARLY_SETTLED: f64 = 0.03;
 /// Directions of which more than this share of what the rows say is noise of the motion are unknown.
 const MOSTLY_NOISE: f64 = 0.5;
 /// Rows that say less than this of a direction, relative to their terms, say nothing.
@@ -36,11 +38,11 @@ const NO_CHANCE: f64 = 38.0;
 /// Mass, centre and tensor of what a force–torque sensor carries.
 ///
 /// # Errors
-/// With fewer rows than it takes, or where the method does not end.
+/// With fewer rows than it takes, or where the method does not end, as it may where the motion is hidden by its noise.
 pub fn identify_payload(log: &PayloadLog) -> Result<Payload, IdentifyError> {
     let settled = settle(log)?;
-    let information = settled.information()?;
-    let Fit { free, numbers, rise } = settled.fit(&information)?;
+    let (information, root) = settled.information()?;
+    let Fit { free, numbers, rise } = settled.fit(&information, &root)?;
     let numbers = numbers.as_slice();
 
     let tests = settled.tests(&information);
@@ -126,8 +128,8 @@ fn settle(log: &PayloadLog) -> Result<Settled<'_>, IdentifyError> {
             }
         })?;
         let mut settled = Settled { log, regression, outliers, noise: wrench_noise, pass, numbers };
-        let information = settled.information()?;
-        let Fit { numbers: next, rise, free } = settled.fit(&information)?;
+        let (information, root) = settled.information()?;
+        let Fit { numbers: next, rise, free } = settled.fit(&information, &root)?;
         // Of a wrench on the wrong side no motion is likely, and the likeliest goes off.
         if number == near && is_negative(free.as_slice(), &information).is_none() {
             settled.regression.regard_motion_noise();
@@ -137,7 +139,8 @@ fn settle(log: &PayloadLog) -> Result<Settled<'_>, IdentifyError> {
         let is_improved = unknown_noise && (1..NOISE_PASSES).contains(&number);
         let next_noise = if is_improved { settled.found_noise(&information) } else { settled.noise };
         let change = (0..6).map(|k| (next_noise[k][k] / settled.noise[k][k] - 1.0).abs()).fold(0.0, f64::max);
-        if is_judged && step < SETTLED && change < 1e-3 && !settled.outliers.changed {
+        let is_last = number + 1 == MOST_PASSES && step < NEARLY_SETTLED;
+        if is_judged && (step < SETTLED && change < 1e-3 && !settled.outliers.changed || is_last) {
             return Ok(settled);
         }
         Settled { regression, outliers, .. } = settled;
@@ -157,10 +160,13 @@ impl Settled<'_> {
 
     /// What is known of the numbers. What would be known if the motion were nothing but its noise is not: with the share s of it in what the rows say of a
     /// direction, the variance there is 1/(1 − s)² times as large.
-    fn information(&self) -> Result<Information, IdentifyError> {
+    ///
+    /// Besides, the root of (RᵀR)⁻¹ in the directions that are known: what steps are made of.
+    fn information(&self) -> Result<(Information, DMatrix<f64>), IdentifyError> {
         let information = Information::of(&self.rows());
         if !self.regression.has_motion_noise() {
-            return Ok(information);
+            let root = information.root.clone();
+            return Ok((information, root));
         }
         let n = self.numbers.len();
         let noise = self.regression.noise_information(self.numbers.as_slice(), &self.noise)?;
@@ -169,12 +175,13 @@ impl Settled<'_> {
         for column in information.unknown.column_iter() {
             unknown.push(DMatrix::from_column_slice(n, 1, column.as_slice()));
         }
-        let mut only_noise = Vec::new();
+        let (mut only_noise, mut steps) = (Vec::new(), Vec::new());
         for (turn, &share) in shares.eigenvectors.column_iter().zip(&shares.eigenvalues) {
             let direction = &information.root * turn;
             let direction = DMatrix::from_column_slice(n, 1, direction.as_slice());
             if share < MOSTLY_NOISE {
-                known.push(direction / (1.0 - share));
+                known.push(&direction / (1.0 - share));
+                steps.push(direction);
             } else {
                 only_noise.push(direction);
             }
@@ -187,10 +194,11 @@ impl Settled<'_> {
             };
             unknown.push(DMatrix::from_fn(n, 1, |i, _| element(i)));
         }
-        Ok(Information::with(n, &known, &unknown))
+        let root = Information::with(n, &steps, &[]).root;
+        Ok((Information::with(n, &known, &unknown), root))
     }
 
-    fn fit(&self, information: &Information) -> Result<Fit, IdentifyError> {
+    fn fit(&self, information: &Information, root: &DMatrix<f64>) -> Result<Fit, IdentifyError> {
         let n = self.numbers.len();
         let triangle = &self.pass.triangle;
         // without the last row, which is what no numbers explain
@@ -213,7 +221,7 @@ impl Settled<'_> {
         let mut free = self.numbers.clone();
         for _ in 0..4 {
             let left = &z - &r * (&free - &self.numbers);
-            free += &information.root * (information.root.transpose() * r.tr_mul(&left));
+            free += root * (root.transpose() * r.tr_mul(&left));
         }
         let mut numbers = if possible::is_possible(free.as_slice()) {
             free.clone()

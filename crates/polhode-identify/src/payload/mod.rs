@@ -25,8 +25,10 @@
 //! # What comes out
 //!
 //! [`Payload`] has the numbers with their covariance. What the motion does not determine is in [`Estimate::unknown`](crate::Estimate::unknown), and numbers that
-//! change along it have no standard deviation; their values are those of the least body that explains the wrench. Plates and rods are at the edge of what is
-//! possible: [`Edge`] says so, with the errors of what moves along the edge and a bound for what is across. A wrong model widens all errors,
+//! change along it have no standard deviation; their values are those of the least body that explains the wrench. The same goes for directions in which all that
+//! moves is the noise of the motion. Plates and rods are at the edge of what is
+//! possible: [`Edge`] says so, with the errors of what moves along the edge and a bound for what is across; who knows that it is a plate or a rod says so
+//! ([`PayloadLog::with_kind`]). A wrong model widens all errors,
 //! and shows in [`Payload::tests`]; the commonest mistakes are tried and named ([`PayloadFinding`]).
 //!
 //! ```

@@ -8,6 +8,9 @@ const MEDIAN: f64 = 0.6745;
 /// How far a difference is an outlier, in standard deviations.
 const FAR: f64 = 5.0;
 
+/// What is left of the variance at least, where the motion seems to bring all of it.
+const LEAST: f64 = 0.02;
+
 /// Standard deviation of three channels from first on, from second differences of rows that count: (x₀ − 2 x₁ + x₂)/√6 has that of white x, and nothing of
 /// what is smooth. Less the variance that the measured motion brings. `found` is how many numbers were found from the channels.
 pub(super) fn from_differences(
@@ -28,5 +31,5 @@ pub(super) fn from_differences(
     let variance = near().map(|d| d * d).sum::<f64>() / near().count().max(1) as f64;
     let count = (3 * counted.len()) as f64;
     let variance = variance * count / (count - found).max(1.0);
-    (variance - propagated).max(1e-3 * variance).sqrt()
+    (variance - propagated).max(LEAST * variance).sqrt()
 }

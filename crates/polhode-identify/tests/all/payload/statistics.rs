@@ -83,7 +83,7 @@ impl Statistics {
         (self.squares[k] / self.count - mean * mean).sqrt()
     }
 
-    /// What the issue asks for.
+    /// Bias below 0.15 deviations, deviations within 10 % of the bound, normalised square within 10 % of one.
     pub(super) fn hold(&self, bound: &[f64]) {
         let ([least, most], [least_said, most_said]) = (self.of_draws(bound), self.of_said(bound));
         assert!(self.bias() < 0.15, "{self}");

@@ -7,6 +7,7 @@ mod coordinates;
 mod error;
 mod estimate;
 mod least_squares;
+pub mod payload;
 mod principal;
 mod residuals;
 pub mod tumble;

@@ -8,14 +8,13 @@ mod rows;
 mod solution;
 
 pub(crate) use outlier::{Outliers, spread};
-pub(crate) use rows::Rows;
+pub(crate) use rows::{Rows, stacked};
 pub(crate) use solution::{Information, Solution};
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::coordinates::Coordinates;
 use crate::error::IdentifyError;
-use rows::stacked;
 
 /// Measurements, and the model that predicts them.
 pub(crate) trait Problem {

@@ -24,6 +24,8 @@ pub(crate) struct Solution {
 pub(crate) struct Information {
     /// Covariance of what is known.
     pub(crate) covariance: DMatrix<f64>,
+    /// A root of it: columns are independent directions, each of one standard deviation.
+    pub(crate) root: DMatrix<f64>,
     /// Directions in which nothing is known: columns.
     pub(crate) unknown: DMatrix<f64>,
 }
@@ -86,23 +88,40 @@ impl Information {
         let decomposition = scaled.svd(false, true);
         let vectors = decomposition.v_t.unwrap_or_else(|| DMatrix::identity(n, n));
         let largest = decomposition.singular_values.max();
-        let mut covariance = DMatrix::zeros(n, n);
-        let mut unknown = Vec::new();
+        let (mut known, mut unknown) = (Vec::new(), Vec::new());
         for (k, &value) in decomposition.singular_values.iter().enumerate() {
             if value > ZERO * largest {
-                let direction = DMatrix::from_fn(n, 1, |i, _| vectors[(k, i)] / unit(i));
-                covariance += &direction * direction.transpose() / (value * value);
+                known.push(DMatrix::from_fn(n, 1, |i, _| vectors[(k, i)] / unit(i) / value));
             } else {
-                // What rounding has of a number is nothing.
-                let part = |i: usize| if vectors[(k, i)].abs() > NO_PART { vectors[(k, i)] } else { 0.0 };
-                unknown.push(DMatrix::from_fn(n, 1, |i, _| part(i) / unit(i)));
+                // An element of rounding would make a number unknown that is not.
+                let element = |i: usize| if vectors[(k, i)].abs() > NO_PART { vectors[(k, i)] } else { 0.0 };
+                unknown.push(DMatrix::from_fn(n, 1, |i, _| element(i) / unit(i)));
             }
         }
-        let mut columns = DMatrix::zeros(n, unknown.len());
-        for (k, direction) in unknown.iter().enumerate() {
-            columns.set_column(k, &(direction / direction.norm()).column(0));
-        }
-        Self { covariance, unknown: columns }
+        Self::with(n, &known, &unknown)
+    }
+
+    /// Of independent directions, each of one standard deviation, and of those in which nothing is known.
+    pub(crate) fn with(n: usize, known: &[DMatrix<f64>], unknown: &[DMatrix<f64>]) -> Self {
+        let columns = |all: &[DMatrix<f64>], unit: bool| {
+            let mut matrix = DMatrix::zeros(n, all.len());
+            for (k, direction) in all.iter().enumerate() {
+                let size = if unit { direction.norm() } else { 1.0 };
+                matrix.set_column(k, &(direction / size).column(0));
+            }
+            matrix
+        };
+        let root = columns(known, false);
+        Self { covariance: &root * root.transpose(), root, unknown: columns(unknown, true) }
+    }
+
+    /// Of other numbers, with their derivative by these.
+    pub(crate) fn of_other(&self, jacobian: &DMatrix<f64>) -> Self {
+        let directions = |of: &DMatrix<f64>| -> Vec<DMatrix<f64>> {
+            let moved = jacobian * of;
+            moved.column_iter().map(|c| DMatrix::from_column_slice(c.len(), 1, c.as_slice())).collect()
+        };
+        Self::with(jacobian.nrows(), &directions(&self.root), &directions(&self.unknown))
     }
 
     /// Standard deviation of gᵀp: `None` if it changes along what is not known.

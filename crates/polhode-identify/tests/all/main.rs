@@ -1,4 +1,6 @@
-//! Bodies that are found again from what a known body would have shown.
+//! The integration tests of `polhode-identify`, as one program: each links the whole library.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 mod noise;
+mod payload;
 mod tumble;

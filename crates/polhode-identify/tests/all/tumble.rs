@@ -1,13 +1,13 @@
 //! Tumbles of a body that is known.
 
 use polhode::body::{InertiaTensor, MassProperties};
-use polhode::math::{AngularVelocity, Attitude, Body, Direction, Position, Rotation};
+use polhode::math::{AngularVelocity, Attitude, Direction, Position};
 use polhode::motion::{FreeMotion, Rotor, State};
 use polhode_identify::tumble::{
     AttitudeReading, Flight, GyroErrors, GyroReading, Tumble, TumbleOptions, identify_tumbles,
 };
 
-use crate::noise::Noise;
+use crate::noise::Normal;
 
 /// Three distinct moments, all products, in kg·m².
 const TENSOR: [f64; 6] = [3.1e-3, 4.2e-3, 5.3e-3, 0.4e-3, -0.3e-3, 0.2e-3];
@@ -23,12 +23,12 @@ fn motion(tensor: [f64; 6], omega: [f64; 3]) -> FreeMotion {
 }
 
 /// Readings at 100 Hz of a gyro with noise and bias.
-fn gyro(motion: &FreeMotion, duration: f64, noise: &mut Noise, sd: f64) -> Vec<GyroReading> {
+fn gyro(motion: &FreeMotion, duration: f64, noise: &mut Normal, sd: f64) -> Vec<GyroReading> {
     (0..(100.0 * duration) as usize)
         .map(|k| {
             let time = 0.21 + 0.01 * k as f64;
             let omega = motion.at(time).omega.to_array();
-            let error = noise.normal3(sd);
+            let error = [(); 3].map(|()| sd * noise.next());
             let read = core::array::from_fn(|i| omega[i] + BIAS[i] + error[i]);
             GyroReading { time, omega: AngularVelocity::from_array(read) }
         })
@@ -38,7 +38,7 @@ fn gyro(motion: &FreeMotion, duration: f64, noise: &mut Noise, sd: f64) -> Vec<G
 const STARTS: [[f64; 3]; 4] = [[6.0, 7.0, -4.0], [1.0, 9.0, 1.5], [-8.0, 2.0, 3.0], [2.0, -3.0, 9.0]];
 
 fn flights(seed: u64, sd: f64) -> Vec<Flight> {
-    let mut noise = Noise::new(seed);
+    let mut noise = Normal::new(seed);
     let one = |start| Flight::of_gyro("one", gyro(&motion(TENSOR, start), 1.2, &mut noise, sd)).unwrap();
     STARTS.map(one).to_vec()
 }

@@ -1,0 +1,167 @@
+//! The edge of what is possible: plates, rods, points.
+
+use core::fmt;
+
+use nalgebra::DMatrix;
+use polhode::math::symmetric_eigen;
+
+use super::answer::about_center;
+use super::possible::moments_about_center;
+use crate::estimate::Estimate;
+use crate::least_squares::Information;
+
+/// What the answer has no extent in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EdgeKind {
+    /// One direction: a plate.
+    Lamina,
+    /// Two: a rod.
+    Rod,
+    /// All three.
+    Point,
+}
+
+impl EdgeKind {
+    /// In how many directions there is no extent.
+    pub(super) const fn thin(self) -> usize {
+        match self {
+            Self::Lamina => 1,
+            Self::Rod => 2,
+            Self::Point => 3,
+        }
+    }
+}
+
+impl fmt::Display for EdgeKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Lamina => "a lamina",
+            Self::Rod => "a rod",
+            Self::Point => "a point",
+        })
+    }
+}
+
+/// The likeliest possible payload has no extent in some directions, as noise, unconstrained, would make its second moment there negative.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Edge {
+    /// Which edge.
+    pub kind: EdgeKind,
+    /// In which directions there is no extent.
+    pub thin: Vec<Thin>,
+    /// The numbers about the centre, if the payload is on this very edge: errors of what moves along the edge, which are smaller. `None` where those
+    /// directions do not follow from the measurements.
+    pub along: Option<Estimate>,
+}
+
+/// A direction without extent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Thin {
+    /// Unit vector, sensor axes.
+    pub direction: [f64; 3],
+    /// ∫ x² dm along it, from the centre of mass, as unconstrained least squares has it: mostly negative, kg·m².
+    pub unconstrained: f64,
+    /// Standard deviation of that.
+    pub sd: f64,
+    /// ∫ x² dm is not more than this, with a confidence of 95 %: 1.645 standard deviations above what was found, or above zero.
+    pub at_most: f64,
+}
+
+impl Thin {
+    /// The thickness of a plate, alike throughout, with the moment that it has at most: √(12 ∫ x² dm / m), m.
+    pub fn thickness_at_most(&self, mass: f64) -> f64 {
+        (12.0 * self.at_most / mass).sqrt()
+    }
+}
+
+/// Quantile of the normal distribution, 95 %.
+const ONE_SIDED: f64 = 1.645;
+/// A second moment below this many standard deviations is none.
+const NONE: f64 = 1e-3;
+
+impl Edge {
+    /// Of an answer, where unconstrained numbers are not possible.
+    pub(super) fn of(numbers: &[f64], unconstrained: &[f64], information: &Information) -> Option<Self> {
+        let (values, vectors) = symmetric_eigen(moments_about_center(numbers));
+        let mut thin = Vec::new();
+        for (value, direction) in values.into_iter().zip(vectors) {
+            let slope = gradient(numbers, direction, direction);
+            let Some(sd) = information.deviation(&slope) else { continue };
+            if value < NONE * sd {
+                let change: f64 = slope
+                    .iter()
+                    .zip(numbers)
+                    .zip(unconstrained)
+                    .map(|((s, here), free)| s * (free - here))
+                    .sum();
+                let at_most = (value + change).max(0.0) + ONE_SIDED * sd;
+                thin.push(Thin { direction, unconstrained: value + change, sd, at_most });
+            }
+        }
+        let kind = match thin.len() {
+            1 => EdgeKind::Lamina,
+            2 => EdgeKind::Rod,
+            3 => EdgeKind::Point,
+            _ => return None,
+        };
+        let normals: Vec<_> = thin.iter().map(|thin| thin.direction).collect();
+        let along = along(numbers, &normals, information).map(|along| about_center(numbers, &along));
+        Some(Self { kind, thin, along })
+    }
+
+    /// All errors times a factor.
+    pub(super) fn widened(mut self, factor: f64) -> Self {
+        for thin in &mut self.thin {
+            thin.sd *= factor;
+            thin.at_most = thin.unconstrained.max(0.0) + ONE_SIDED * thin.sd;
+        }
+        self.along = self.along.map(|along| along.widened(factor));
+        self
+    }
+}
+
+/// What is known of a body of this kind.
+pub(super) fn of_kind(numbers: &[f64], kind: EdgeKind, information: &Information) -> Option<Information> {
+    let (_, vectors) = symmetric_eigen(moments_about_center(numbers));
+    along(numbers, &vectors[..kind.thin()], information)
+}
+
+/// What is known where nᵀ G n' keeps at zero for all normals n, n'. `None` where that does not follow from the measurements.
+fn along(numbers: &[f64], normals: &[[f64; 3]], information: &Information) -> Option<Information> {
+    let n = numbers.len();
+    let slopes: Vec<_> = (0..normals.len())
+        .flat_map(|i| (0..=i).map(move |j| (i, j)))
+        .map(|(i, j)| gradient(numbers, normals[i], normals[j]))
+        .collect();
+    // δ = root e, e of variance 1: what of e moves along the edge
+    let mut across = DMatrix::zeros(information.root.ncols(), slopes.len());
+    for (k, slope) in slopes.into_iter().enumerate() {
+        information.deviation(&slope)?;
+        let scaled = information.root.tr_mul(&DMatrix::from_vec(n, 1, slope));
+        across.set_column(k, &(&scaled / scaled.norm()).column(0));
+    }
+    let q = across.qr().q();
+    let rest = &information.root - &information.root * &q * q.transpose();
+    let columns = |of: &DMatrix<f64>| -> Vec<DMatrix<f64>> {
+        of.column_iter().map(|c| DMatrix::from_column_slice(n, 1, c.as_slice())).collect()
+    };
+    Some(Information::with(n, &columns(&rest), &columns(&information.unknown)))
+}
+
+/// Gradient of aᵀ G b by the numbers, G = ½ tr(I) 1 − I − h hᵀ/m.
+pub(super) fn gradient(numbers: &[f64], a: [f64; 3], b: [f64; 3]) -> Vec<f64> {
+    let m = numbers[0];
+    let c = [1, 2, 3].map(|k| numbers[k] / m);
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let (ca, cb, ab) = (dot(c, a), dot(c, b), dot(a, b));
+    let mut slope = vec![0.0; numbers.len()];
+    slope[0] = ca * cb;
+    for k in 0..3 {
+        slope[1 + k] = -(ca * b[k] + cb * a[k]);
+        slope[4 + k] = 0.5 * ab - a[k] * b[k];
+    }
+    for (k, (i, j)) in [(0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
+        slope[7 + k] = -(a[i] * b[j] + a[j] * b[i]);
+    }
+    slope
+}

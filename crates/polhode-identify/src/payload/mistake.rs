@@ -1,0 +1,94 @@
+//! Mistakes in a log, tried.
+
+use nalgebra::DMatrix;
+
+use super::finding::{Mistake, PayloadFinding};
+use super::log::PayloadLog;
+use super::motion::Motion;
+use super::small::{self, Matrix6, Vector6};
+use crate::least_squares::{Information, Rows};
+
+const ALL: [Mistake; 8] = [
+    Mistake::AccelerationInG,
+    Mistake::AccelerationHasGravity,
+    Mistake::GravityReversed,
+    Mistake::OmegaInDegrees,
+    Mistake::AlphaInDegrees,
+    Mistake::AnglesInDegrees,
+    Mistake::AlphaReversed,
+    Mistake::TorqueInMillimetres,
+];
+/// How much smaller χ² has to be.
+const BETTER: f64 = 0.5;
+/// Rows that are tried.
+const TRIED: usize = 1000;
+
+/// The mistake that explains the wrench best, if it does so much better.
+pub(super) fn likeliest(log: &PayloadLog, noise: &Matrix6, weights: &[f64]) -> Option<PayloadFinding> {
+    let (_, as_given) = fit(log, noise, weights, None)?;
+    let tried = ALL.into_iter().filter_map(|mistake| {
+        let (mass, undone) = fit(log, noise, weights, Some(mistake))?;
+        (mass > 0.0).then_some((mistake, undone))
+    });
+    let (mistake, undone) = tried.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    (undone < BETTER * as_given).then_some(PayloadFinding::Likely { mistake, as_given, undone })
+}
+
+/// Mass and χ²/degrees of freedom of unconstrained least squares.
+fn fit(log: &PayloadLog, noise: &Matrix6, weights: &[f64], mistake: Option<Mistake>) -> Option<(f64, f64)> {
+    let n = log.unknowns();
+    let l = small::cholesky(noise)?;
+    let sign = log.sense.sign();
+    let mut rows = Rows::new(0, n);
+    let stride = log.rows().len().div_ceil(TRIED);
+    for (row, _) in log.rows().iter().zip(weights).step_by(stride).filter(|(_, w)| **w > 0.0) {
+        let mut wrench = row.wrench();
+        let mut motion = row.motion();
+        if let Some(mistake) = mistake {
+            undo(mistake, row.acceleration.to_array(), row.gravity.to_array(), &mut motion, &mut wrench);
+        }
+        let regressor = motion.regressor();
+        let residual = small::forward(&l, wrench);
+        let columns: Vec<Vector6> = (0..n)
+            .map(|k| {
+                let column = core::array::from_fn(|i| match k {
+                    0..10 => sign * regressor[i][k],
+                    _ => f64::from(u8::from(i == k - 10)),
+                });
+                small::forward(&l, column)
+            })
+            .collect();
+        for (i, &residual) in residual.iter().enumerate() {
+            let (_, derivatives) = rows.push(residual);
+            for (derivative, column) in derivatives.iter_mut().zip(&columns) {
+                *derivative = column[i];
+            }
+        }
+    }
+    let count = rows.count();
+    let triangle: DMatrix<f64> = rows.triangle(&[]);
+    let (r, z) = (triangle.columns(0, n), triangle.column(n));
+    let information = Information::of(&r.into_owned());
+    let mut numbers = &information.root * (information.root.transpose() * r.tr_mul(&z));
+    let left = z - r * &numbers;
+    numbers += &information.root * (information.root.transpose() * r.tr_mul(&left));
+    let left = z - r * &numbers;
+    Some((numbers[0], left.norm_squared() / (count as f64 - n as f64).max(1.0)))
+}
+
+fn undo(mistake: Mistake, a: [f64; 3], g: [f64; 3], motion: &mut Motion, wrench: &mut Vector6) {
+    /// m/s²
+    const G: f64 = 9.806_65;
+    let degrees = core::f64::consts::PI / 180.0;
+    let m = &mut motion.0;
+    match mistake {
+        Mistake::AccelerationInG => (0..3).for_each(|k| m[6 + k] = G * a[k] - g[k]),
+        Mistake::AccelerationHasGravity => m[6..].copy_from_slice(&a),
+        Mistake::GravityReversed => (0..3).for_each(|k| m[6 + k] = a[k] + g[k]),
+        Mistake::OmegaInDegrees => m[..3].iter_mut().for_each(|w| *w *= degrees),
+        Mistake::AlphaInDegrees => m[3..6].iter_mut().for_each(|w| *w *= degrees),
+        Mistake::AnglesInDegrees => m[..6].iter_mut().for_each(|w| *w *= degrees),
+        Mistake::AlphaReversed => m[3..6].iter_mut().for_each(|w| *w = -*w),
+        Mistake::TorqueInMillimetres => wrench[3..].iter_mut().for_each(|t| *t *= 1e-3),
+    }
+}

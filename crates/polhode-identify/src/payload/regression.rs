@@ -1,0 +1,236 @@
+//! Rows of the wrench as a triangle, at numbers and motions that are improved pass by pass.
+//!
+//! Where the motion u = (ω, α, a − g) is measured with noise Σ, the regressor X(u) has noise too, and plain least squares is drawn to zero. The likeliest
+//! motion û is found with the numbers p: with J = ∂F/∂u and V the noise of the wrench,
+//!
+//! V' = V + J Σ Jᵀ,  û = u + Σ Jᵀ V'⁻¹ (y − F(p, û) − J (u − û)),
+//!
+//! and the rows are X(û) for the response y − J (u − û), with noise V'. Where this has settled, p and û have the largest likelihood.
+//!
+//! Source: W. A. Fuller, *Measurement Error Models* (1987), § 3.2.
+
+use nalgebra::DMatrix;
+
+use super::log::PayloadLog;
+use super::motion::{Motion, Regressor, wrench_of};
+use super::small::{self, Matrix6, Vector6};
+use crate::error::IdentifyError;
+use crate::least_squares::{Rows, stacked};
+
+/// What is improved pass by pass.
+pub(super) struct Regression<'a> {
+    log: &'a PayloadLog,
+    deviations: [f64; 9],
+    motions: Vec<Motion>,
+    /// Of each row.
+    pub(super) weights: Vec<f64>,
+}
+
+/// The rows at some numbers.
+pub(super) struct Pass {
+    /// Of the forces, and of what the torques say besides: derivatives by the numbers, and the residual.
+    pub(super) force: DMatrix<f64>,
+    pub(super) torque: DMatrix<f64>,
+    /// Of both together.
+    pub(super) triangle: DMatrix<f64>,
+    /// In standard deviations, row by row.
+    pub(super) residuals: Vec<Vector6>,
+    /// In N and N·m.
+    pub(super) left: Vec<Vector6>,
+    /// Variance that the motion brings, on average: of a force, of a torque.
+    pub(super) propagated: [f64; 2],
+}
+
+/// A row, whitened by L.
+struct Whitened {
+    l: Matrix6,
+    regressor: Regressor,
+    jacobian: [[f64; 9]; 6],
+    /// y − J (u − û) − X(û) p
+    left: Vector6,
+}
+
+impl<'a> Regression<'a> {
+    pub(super) fn new(log: &'a PayloadLog) -> Self {
+        Self {
+            log,
+            deviations: [0.0; 9],
+            motions: log.rows().iter().map(super::log::PayloadRow::motion).collect(),
+            weights: vec![1.0; log.rows().len()],
+        }
+    }
+
+    pub(super) fn has_motion_noise(&self) -> bool {
+        self.deviations.iter().any(|&sd| sd > 0.0)
+    }
+
+    /// From now on the motion has the noise that it is said to have.
+    pub(super) fn regard_motion_noise(&mut self) {
+        self.deviations = self.log.motion_deviations();
+    }
+
+    /// All rows. `judge` weighs them by their residuals.
+    pub(super) fn pass(
+        &mut self,
+        numbers: &[f64],
+        noise: &Matrix6,
+        judge: impl FnOnce(&[Vector6], &mut [f64]),
+    ) -> Result<Pass, IdentifyError> {
+        let n = numbers.len();
+        let (mut force, mut torque) = (Rows::new(0, n), Rows::new(0, n));
+        let count = self.log.rows().len();
+        let mut pass = Pass {
+            force: DMatrix::zeros(0, n + 1),
+            torque: DMatrix::zeros(0, n + 1),
+            triangle: DMatrix::zeros(0, n + 1),
+            residuals: Vec::with_capacity(count),
+            left: Vec::with_capacity(count),
+            propagated: [0.0; 2],
+        };
+        let known = small::cholesky(noise).ok_or(IdentifyError::NotFinite)?;
+        for row in 0..count {
+            if self.has_motion_noise() {
+                self.improve_motion(row, numbers, noise)?;
+            }
+            let white = self.whitened(row, numbers, noise, &known)?;
+            let residual = small::forward(&white.l, white.left);
+            for (i, row) in white.jacobian.iter().enumerate() {
+                let squares = row.iter().zip(&self.deviations).map(|(j, sd)| (j * sd) * (j * sd));
+                pass.propagated[i / 3] += squares.sum::<f64>() / (3 * count) as f64;
+            }
+            pass.residuals.push(residual);
+            pass.left.push(white.left);
+            let columns = self.columns(&white.l, &white.regressor);
+            for (rows, first) in [(&mut force, 0), (&mut torque, 3)] {
+                rows.begin_measurement();
+                for i in first..first + 3 {
+                    let (_, derivatives) = rows.push(residual[i]);
+                    for (k, derivative) in derivatives.iter_mut().enumerate() {
+                        *derivative = columns[k][i];
+                    }
+                }
+            }
+        }
+        judge(&pass.residuals, &mut self.weights);
+        pass.force = force.triangle(&self.weights);
+        pass.torque = torque.triangle(&self.weights);
+        pass.triangle = stacked(&pass.force, &pass.torque);
+        Ok(pass)
+    }
+
+    /// L⁻¹ X, column by column, with those of the bias.
+    fn columns(&self, l: &Matrix6, regressor: &Regressor) -> [Vector6; 16] {
+        let sign = self.log.sense.sign();
+        core::array::from_fn(|k| {
+            if k >= 10 && !self.log.has_bias {
+                return [0.0; 6];
+            }
+            let column = core::array::from_fn(|i| match k {
+                0..10 => sign * regressor[i][k],
+                _ => f64::from(u8::from(i == k - 10)),
+            });
+            small::forward(l, column)
+        })
+    }
+
+    fn whitened(
+        &self,
+        row: usize,
+        numbers: &[f64],
+        noise: &Matrix6,
+        known: &Matrix6,
+    ) -> Result<Whitened, IdentifyError> {
+        let (motion, sign) = (&self.motions[row], self.log.sense.sign());
+        let regressor = motion.regressor();
+        let predicted = wrench_of(&regressor, numbers);
+        let measured = self.log.rows()[row].wrench();
+        let bias = |i: usize| numbers.get(10 + i).copied().unwrap_or(0.0);
+        let mut left: Vector6 = core::array::from_fn(|i| measured[i] - sign * predicted[i] - bias(i));
+        if !self.has_motion_noise() {
+            return Ok(Whitened { l: *known, regressor, jacobian: [[0.0; 9]; 6], left });
+        }
+        let jacobian = motion.jacobian(numbers).map(|row| row.map(|j| sign * j));
+        let given = self.log.rows()[row].motion();
+        for (left, j) in left.iter_mut().zip(&jacobian) {
+            *left -= (0..9).map(|k| j[k] * (given.0[k] - motion.0[k])).sum::<f64>();
+        }
+        let covariance: Matrix6 = core::array::from_fn(|i| {
+            core::array::from_fn(|j| {
+                let spread =
+                    |k: usize| jacobian[i][k] * jacobian[j][k] * self.deviations[k] * self.deviations[k];
+                noise[i][j] + (0..9).map(spread).sum::<f64>()
+            })
+        });
+        let l = small::cholesky(&covariance).ok_or(IdentifyError::NotFinite)?;
+        Ok(Whitened { l, regressor, jacobian, left })
+    }
+
+    /// û at these numbers.
+    fn improve_motion(&mut self, row: usize, numbers: &[f64], noise: &Matrix6) -> Result<(), IdentifyError> {
+        let white = self.whitened(row, numbers, noise, noise)?;
+        let pulled = small::backward(&white.l, small::forward(&white.l, white.left));
+        let given = self.log.rows()[row].motion();
+        self.motions[row] = Motion(core::array::from_fn(|k| {
+            let sum: f64 = (0..6).map(|i| white.jacobian[i][k] * pulled[i]).sum();
+            given.0[k] + self.deviations[k] * self.deviations[k] * sum
+        }));
+        Ok(())
+    }
+
+    /// Nᵀ N, N the rows that there would be if the motion were nothing but the noise that û still has. Of every row, or of some, then times as many.
+    pub(super) fn noise_information(
+        &self,
+        numbers: &[f64],
+        noise: &Matrix6,
+    ) -> Result<DMatrix<f64>, IdentifyError> {
+        let (count, n) = (self.log.rows().len(), numbers.len());
+        let stride = count.div_ceil(SAMPLED);
+        let scale = count as f64 / count.div_ceil(stride) as f64;
+        let own = small::cholesky(noise).ok_or(IdentifyError::NotFinite)?;
+        let mut sum = DMatrix::zeros(n, n);
+        for row in (0..count).step_by(stride).filter(|&row| self.weights[row] > 0.0) {
+            let white = self.whitened(row, numbers, noise, &own)?;
+            for direction in self.remaining(&white, &own) {
+                // half the difference over two steps: exact, as the wrench is of second degree
+                let there = self.motions[row].moved(&direction, 1.0).regressor();
+                let back = self.motions[row].moved(&direction, -1.0).regressor();
+                let columns: [Vector6; 10] = core::array::from_fn(|k| {
+                    small::forward(&white.l, core::array::from_fn(|i| 0.5 * (there[i][k] - back[i][k])))
+                });
+                for i in 0..10 {
+                    for j in 0..10 {
+                        sum[(i, j)] += scale * small::dot(&columns[i], &columns[j]);
+                    }
+                }
+            }
+        }
+        Ok(sum)
+    }
+
+    /// A root of the covariance of û: with the gain K = Σ Jᵀ V'⁻¹ it is (1 − K J) Σ (1 − K J)ᵀ + K V Kᵀ.
+    fn remaining(&self, white: &Whitened, own: &Matrix6) -> Vec<[f64; 9]> {
+        let gain = |of: Vector6| -> [f64; 9] {
+            let pulled = small::backward(&white.l, small::forward(&white.l, of));
+            core::array::from_fn(|k| {
+                let sum: f64 = (0..6).map(|i| white.jacobian[i][k] * pulled[i]).sum();
+                self.deviations[k] * self.deviations[k] * sum
+            })
+        };
+        let mut all = Vec::with_capacity(15);
+        for k in (0..9).filter(|&k| self.deviations[k] > 0.0) {
+            let sd = self.deviations[k];
+            let corrected = gain(core::array::from_fn(|i| white.jacobian[i][k] * sd));
+            let mut direction = corrected.map(|g| -g);
+            direction[k] += sd;
+            all.push(direction);
+        }
+        for j in 0..6 {
+            let column = own.map(|row| row[j]);
+            all.push(gain(column));
+        }
+        all
+    }
+}
+
+/// Rows that show how much noise the motion brings.
+const SAMPLED: usize = 200;

@@ -64,29 +64,45 @@ pub(super) fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
     };
     if flights.is_empty() {
         let log = table.require("log", "log = \"gyro.csv\"")?;
-        let number = logs.read(&log, table.get("columns").as_ref())?;
-        let measured = &logs.measured[number];
-        let spans = match (found, measured.gyro.is_empty()) {
-            (false, _) => vec![[f64::NEG_INFINITY, f64::INFINITY]],
-            (true, false) => find_flights(&measured.gyro, &search),
-            (true, true) => {
-                return Err(log
-                    .invalid("a log of a gyro: flights are found in its rates")
-                    .with_hint("say when each flight was: [[tumble.flight]] with from and to"));
-            }
-        };
-        if spans.is_empty() {
+        let each = if log.is_array() { log.elements("paths of logs")? } else { vec![log] };
+        for log in &each {
+            let number = logs.read(log, table.get("columns").as_ref())?;
+            let measured = &logs.measured[number];
+            let several = if each.len() > 1 { format!("{}: ", log.string()?) } else { String::new() };
+            flights.extend(of_log(log, &several, measured, found.then_some(&search))?);
+        }
+        if flights.is_empty() {
             let rule = "a log with flights: nowhere in it does the body turn fast and freely";
             let hint = "are the rates in rad/s? Slow ones are found by search = { slowest = \"1 rad/s\" }";
             return Err(log.invalid(rule).with_hint(hint));
         }
-        for (k, span) in spans.iter().enumerate() {
-            let name =
-                if found { format!("flight {}, {:.2} s", k + 1, span[0]) } else { "flight".to_owned() };
-            flights.push(measured.flight(name, *span).map_err(|error| at(&log, error))?);
-        }
     }
     Ok(TumblePlan { flights, options, logs: logs.read, found })
+}
+
+/// The flights of a log: those that are found, or all of it.
+fn of_log(
+    log: &Value<'_>,
+    prefix: &str,
+    measured: &Measured,
+    search: Option<&FlightSearch>,
+) -> Result<Vec<Flight>, FormatError> {
+    let Some(search) = search else {
+        let whole = [f64::NEG_INFINITY, f64::INFINITY];
+        let flight = measured.flight(format!("{prefix}flight"), whole).map_err(|error| at(log, error))?;
+        return Ok(vec![flight]);
+    };
+    if measured.gyro.is_empty() {
+        return Err(log
+            .invalid("a log of a gyro: flights are found in its rates")
+            .with_hint("say when each flight was: [[tumble.flight]] with from and to"));
+    }
+    let spans = find_flights(&measured.gyro, search);
+    let flight = |(k, span): (usize, &[f64; 2])| {
+        let name = format!("{prefix}flight {}, {:.2} s", k + 1, span[0]);
+        measured.flight(name, *span).map_err(|error| at(log, error))
+    };
+    spans.iter().enumerate().map(flight).collect()
 }
 
 fn options(table: &Table<'_>) -> Result<TumbleOptions, FormatError> {

@@ -10,6 +10,7 @@ pub(crate) mod require;
 pub(crate) mod rotor;
 pub(crate) mod schedule;
 pub(crate) mod state;
+pub(crate) mod state_derivatives;
 pub(crate) mod state_variables;
 pub mod torque;
 pub(crate) mod wheel;

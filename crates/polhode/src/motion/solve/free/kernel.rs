@@ -1,7 +1,5 @@
 //! The evaluation of one motion: its flow, with the series that is short.
 
-use core::array::from_fn;
-
 use crate::math::rotation::{Attitude, Rotation};
 use crate::math::vector::Vector;
 use crate::motion::model::state::State;
@@ -77,7 +75,8 @@ impl<S: Series<f64>> Flow<f64, S> {
 
     fn at_with_direction(&self, elapsed: &Elapsed<f64>) -> (([f64; 4], [f64; 3]), [f64; 3]) {
         let unnormalised = self.unnormalised_at::<false>(elapsed);
-        let direction = from_fn(|k| self.curve.direction[k] * unnormalised.rates[k]);
+        let (towards, rates) = (&self.curve.direction, &unnormalised.rates);
+        let direction = [towards[0] * rates[0], towards[1] * rates[1], towards[2] * rates[2]];
         (self.state(&unnormalised), direction)
     }
 

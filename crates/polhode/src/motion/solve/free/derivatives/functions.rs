@@ -2,6 +2,7 @@
 
 use core::array::from_fn;
 
+use crate::math::elementary::polynomial;
 use crate::motion::solve::free::elements::Elements;
 use crate::motion::solve::free::kernel::BALANCE;
 use crate::motion::solve::phase::{Angle, Elapsed};
@@ -77,6 +78,7 @@ impl Functions {
     }
 
     /// `elapsed` in the unit of the phase, `time` in that of the elements.
+    #[inline(always)]
     pub(super) fn at(&self, elapsed: &Elapsed<f64>, time: f64) -> TimeFunctions {
         let (lambda, u) = (self.lambda, self.lambda * time);
         if u.abs() < NEAR {
@@ -146,8 +148,9 @@ impl NearSeries {
     }
 
     fn at(&self, t: f64, u2: f64, p: f64, m: f64) -> TimeFunctions {
-        let [sigma, square, quotient, lag] =
-            self.0.map(|coefficients| coefficients.iter().rev().fold(0.0, |sum, c| sum * u2 + c));
+        let [sigma, square, quotient, lag] = &self.0;
+        let (sigma, square) = (polynomial(u2, *sigma), polynomial(u2, *square));
+        let (quotient, lag) = (polynomial(u2, *quotient), polynomial(u2, *lag));
         let (sigma, cubed) = (t * sigma, t * t * t);
         let sn2 = p * sigma * sigma;
         TimeFunctions {

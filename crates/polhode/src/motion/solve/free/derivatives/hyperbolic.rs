@@ -56,7 +56,7 @@ impl HyperbolicIntegrals {
     }
 
     /// `quarters`: 2z/π, which is `z` before it was reduced.
-    #[inline]
+    #[inline(always)]
     pub(super) fn at(&self, z: Phase<f64>, u: f64, quarters: f64) -> Elliptic {
         let Ends { sign, turned, falling: x, rising: w } = self.series.ends([z.quarters, z.rest]);
         let ([cn, sn, dn], below) = self.series.elliptic(x, w);

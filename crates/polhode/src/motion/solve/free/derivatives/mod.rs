@@ -18,7 +18,7 @@ use crate::motion::solve::reach::is_within;
 
 use super::elements::Elements;
 use super::{FreeMotion, Labels};
-use columns::{Columns, ToBody};
+use columns::ToBody;
 use functions::Functions;
 use momentum::MomentumFlow;
 use short::ShortSeries;
@@ -47,6 +47,8 @@ pub struct FreeMotionDerivatives {
     functions: Functions,
     short: ShortSeries,
     to_body: ToBody,
+    /// |L|, in units of the elements.
+    momentum: f64,
     /// Units of time of the elements per unit of the kernel's.
     factor: f64,
     is_permanent: bool,
@@ -84,7 +86,8 @@ impl FreeMotionDerivatives {
             flow,
             functions: Functions::of(&elements, factor),
             short: ShortSeries::of(&flow),
-            to_body: ToBody::of(&labelled, fine.unit, unit),
+            to_body: ToBody::of(&flow, &labelled, fine.unit, unit),
+            momentum: elements.momentum.value(),
             factor,
             is_permanent: labelled.is_permanent(),
         })
@@ -106,19 +109,26 @@ impl FreeMotionDerivatives {
             (motion.start, self.flow.start)
         } else {
             let (state, direction) = motion.kernel.at_with_direction(time, &elapsed);
-            let momentum = self.flow.squares[2].sqrt();
-            (state, if self.is_permanent { self.flow.start } else { direction.map(|e| momentum * e) })
+            let momentum = self.momentum;
+            (state, if self.is_permanent { self.flow.start } else { [momentum * direction[0], momentum * direction[1], momentum * direction[2]] })
         };
         let back = back(&state, &motion.start);
         let columns = if self.short.covers(t) {
-            ShortSeries::at(&self.flow, t)
+            self.short.at(&self.flow, &self.to_body, t)
         } else {
             let back = matrix_of(back[0], self.to_body.along([back[1], back[2], back[3]]));
-            Columns::of(&self.flow, &momentum, &back, &self.functions.at(&elapsed, t))
+            self.to_body.columns(&self.flow, &momentum, &back, &self.functions.at(&elapsed, t))
         };
-        let [by_start, by_inertia] =
-            self.to_body.derivatives(&columns, &matrix_of(back[0], [back[1], back[2], back[3]]));
-        StateDerivatives { state, by_start, by_inertia }
+        let [x, y, z] = matrix_of(back[0], [back[1], back[2], back[3]]);
+        let zero = [0.0; 6];
+        let turn = |row: [f64; 3]| [row[0], row[1], row[2], 0.0, 0.0, 0.0];
+        let mut derivatives = StateDerivatives {
+            state,
+            by_start: [turn(x), turn(y), turn(z), zero, zero, zero],
+            by_inertia: [zero; 6],
+        };
+        self.to_body.in_si(&columns, &mut derivatives.by_start, &mut derivatives.by_inertia);
+        derivatives
     }
 
     /// At many times, in their order.
@@ -144,6 +154,7 @@ fn back(state: &State, start: &State) -> [f64; 4] {
     ]
 }
 
+#[inline(always)]
 fn matrix_of(w: f64, [x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
     let (x2, y2, z2) = (x + x, y + y, z + z);
     [

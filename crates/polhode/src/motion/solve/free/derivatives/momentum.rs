@@ -6,6 +6,7 @@ use crate::motion::solve::free::elements::Elements;
 use crate::motion::solve::free::labelled::Labelled;
 
 use super::functions::TimeFunctions;
+use super::inertia::PAIRS;
 
 /// A motion along its labelled axes, in units of the elements: with δ1 = 1/i1 − 1/i3, δ2 = 1/i2 − 1/i3, ρ = δ2/δ1 as in
 /// `book/free-motion.md`, the rest in its section 10.
@@ -15,6 +16,8 @@ pub(super) struct MomentumFlow {
     pub(super) start: [f64; 3],
     /// 1/i1, 1/i2, 1/i3
     pub(super) inverse: [f64; 3],
+    /// 1/iⱼiₖ in the order of a tensor's elements, half of it where j = k.
+    pub(super) shares: [f64; 6],
     /// δ1, δ2, δ1 − δ2
     pub(super) delta: [f64; 3],
     /// ρ, 1 − ρ
@@ -28,6 +31,7 @@ pub(super) struct MomentumFlow {
     gradients: [[f64; 3]; 2],
 }
 
+#[inline(always)]
 pub(super) fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
@@ -49,9 +53,11 @@ impl MomentumFlow {
         let [a1, _, a3] = elements.amplitudes.map(|a| a.square().value());
         let (m, m1) = (elements.m.value(), elements.m1().value());
         let [l1, l2, l3] = start;
+        let inverse = moments.map(|i| (Double::ONE / i).value());
         Self {
             start,
-            inverse: moments.map(|i| (Double::ONE / i).value()),
+            inverse,
+            shares: PAIRS.map(|[j, k]| (if j == k { 0.5 } else { 1.0 }) * inverse[j] * inverse[k]),
             delta,
             rho: [rho, rest],
             squares: [a1, a3, elements.momentum.square().value()],
@@ -72,6 +78,7 @@ impl MomentumFlow {
     ///
     /// As τ shifts the time, its share is L̇(t) ∇τ. What −½σ dP/P adds to the derivative by L(0) cancels much of it next to the middle axis and is joined
     /// with it, but where |u| is small, as P may then vanish.
+    #[inline(always)]
     pub(super) fn derivative(&self, l: &[f64; 3], f: &TimeFunctions) -> [[f64; 3]; 3] {
         let ([l1, l2, l3], [d1, d2, d12]) = (self.start, self.delta);
         let (sigma, c, d) = (f.sigma, f.cn, f.dn);
@@ -83,7 +90,9 @@ impl MomentumFlow {
         let rate = self.rate(l);
         // ∂L(t)/∂dn
         let by_dn = [-d2 * l2 * l3 * sigma * below, l2 * c * below, l3 * below];
-        let by_mu: [f64; 3] = [0, 1, 2].map(|k| -0.5 * (f.quotient * rate[k] + sigma * sigma / d * by_dn[k]));
+        let delay = sigma * sigma / d;
+        let by_mu = |k: usize| -0.5 * (f.quotient * rate[k] + delay * by_dn[k]);
+        let by_mu = [by_mu(0), by_mu(1), by_mu(2)];
         let (x2, x3, y, by_p);
         if f.is_near {
             (x2, x3, y) = (1.0, 1.0, 0.0);
@@ -91,13 +100,15 @@ impl MomentumFlow {
             let by_sigma =
                 [k * l[0] - d2 * l2 * l3 * d, k * l[1] + d1 * l3 * l1, k * l[2] - d12 * l1 * l2 * c];
             let by_cn = [l1, l2 * d, -d12 * l1 * l2 * sigma];
-            by_p = [0, 1, 2].map(|k| {
-                -0.5 * (f.lag * by_sigma[k] * below
-                    + sigma * f.time * (d * by_cn[k] * below + self.m * c * by_dn[k]))
-            });
+            let of = |k: usize| {
+                let by_time = sigma * f.time * (d * by_cn[k] * below + self.m * c * by_dn[k]);
+                -0.5 * (f.lag * by_sigma[k] * below + by_time)
+            };
+            by_p = [of(0), of(1), of(2)];
         } else {
             (x2, x3, y) = (third, second, 1.0);
-            by_p = rate.map(|rate| 0.5 * f.time / self.p * rate);
+            let half = 0.5 * f.time / self.p;
+            by_p = [half * rate[0], half * rate[1], half * rate[2]];
         }
         let q = y * l2 * l3 / a3;
         let (s1, s2, s12) = (d1 * sigma, d2 * sigma * d, d12 * sigma * c);
@@ -109,14 +120,15 @@ impl MomentumFlow {
         let k = 2.0 * d2 * d12 * l2 * sigma * sigma;
         let by_delta = [0.0, k * x2, -k * q];
         let [grad_p, grad_mu] = &self.gradients;
-        [0, 1, 2].map(|i| {
-            [0, 1, 2].map(|j| {
-                (explicit[i][j] + l[i] * by_delta[j]) * below + by_mu[i] * grad_mu[j] + by_p[i] * grad_p[j]
-            })
-        })
+        let element = |i: usize, j: usize| {
+            (explicit[i][j] + l[i] * by_delta[j]) * below + by_mu[i] * grad_mu[j] + by_p[i] * grad_p[j]
+        };
+        let row = |i: usize| [element(i, 0), element(i, 1), element(i, 2)];
+        [row(0), row(1), row(2)]
     }
 
     /// L̇ = (−δ2 L2 L3, δ1 L3 L1, (δ2 − δ1) L1 L2)
+    #[inline(always)]
     fn rate(&self, l: &[f64; 3]) -> [f64; 3] {
         let [d1, d2, d12] = self.delta;
         [-d2 * l[1] * l[2], d1 * l[2] * l[0], -d12 * l[0] * l[1]]

@@ -1,28 +1,26 @@
 //! The derivatives as power series of the time: before the body has turned by much, the closed forms cancel.
 
-use core::array::from_fn;
-
-use super::columns::{Columns, dot};
+use super::columns::{Columns, ToBody, dot};
 use super::inertia::PAIRS;
-use super::momentum::{MomentumFlow, cross};
+use super::momentum::MomentumFlow;
 
-/// Up to this angle, rad, the series is used; it then leaves out what is below 1e-16.
-const SHORT: f64 = 0.05;
+/// Up to this angle, rad, the series is used; what it leaves out is then below 1e-15.
+const SHORT: f64 = 0.1;
 
-const ORDER: usize = 9;
+const ORDER: usize = 11;
 
 /// A column for each component of ω(0) and each element of the tensor.
 const COLUMNS: usize = 9;
 
-/// The rates of a motion in its labelled axes.
+/// How long the series is used.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ShortSeries {
-    /// How long it is used, units of the elements.
+    /// Units of time of the elements.
     span: f64,
 }
 
-/// The coefficients of a power series in time.
-type Series<T> = [T; ORDER + 1];
+/// A vector in each column, component by component.
+type Vectors = [[f64; COLUMNS]; 3];
 
 impl ShortSeries {
     pub(super) fn of(flow: &MomentumFlow) -> Self {
@@ -41,65 +39,73 @@ impl ShortSeries {
     }
 
     /// L̇ = L × ω, and its derivatives: δL̇ = δL × ω + L × δω, θ̇ = θ × ω + δω, δω = I⁻¹ (δL − δI ω).
-    pub(super) fn at(flow: &MomentumFlow, time: f64) -> Columns {
+    pub(super) fn at(&self, flow: &MomentumFlow, to_body: &ToBody, time: f64) -> Columns {
         let inverse = flow.inverse;
-        let zero = [0.0; 3];
-        let (mut l, mut omega): (Series<[f64; 3]>, Series<[f64; 3]>) = ([zero; ORDER + 1], [zero; ORDER + 1]);
-        let mut delta_l: Series<[[f64; 3]; COLUMNS]> = [[zero; COLUMNS]; ORDER + 1];
-        let (mut delta_omega, mut theta) = (delta_l, delta_l);
+        let none = [[[0.0; COLUMNS]; 3]; ORDER + 1];
+        let (mut delta_l, mut delta_omega, mut theta) = (none, none, none);
+        let (mut l, mut omega) = ([[0.0; 3]; ORDER + 1], [[0.0; 3]; ORDER + 1]);
         l[0] = flow.start;
-        omega[0] = scaled(&inverse, &l[0]);
+        omega[0] = [0, 1, 2].map(|k| inverse[k] * flow.start[k]);
         for k in 0..3 {
             delta_l[0][k][k] = 1.0 / inverse[k];
         }
-        for (p, pair) in PAIRS.iter().enumerate() {
-            delta_l[0][3 + p] = applied(*pair, &omega[0]);
+        // of order 0: δω = 0 but for ω(0)
+        take_levers(&mut delta_l[0], 1.0, &omega[0]);
+        for k in 0..3 {
+            delta_omega[0][k][k] = 1.0;
         }
-        for n in 0..=ORDER {
-            if n > 0 {
-                let over = 1.0 / n as f64;
-                // Σ aⱼ × bₙ₋₁₋ⱼ
-                let sum = |term: &dyn Fn(usize, usize) -> [f64; 3]| {
-                    (0..n).fold(zero, |sum, j| added(&sum, 1.0, &term(j, n - 1 - j)))
-                };
-                let rate = sum(&|j, k| cross(&l[j], &omega[k]));
-                let rates: [[[f64; 3]; 2]; COLUMNS] = from_fn(|column| {
-                    let momentum = sum(&|j, k| {
-                        added(&cross(&delta_l[j][column], &omega[k]), 1.0, &cross(&l[j], &delta_omega[k][column]))
-                    });
-                    let turned = sum(&|j, k| cross(&theta[j][column], &omega[k]));
-                    [momentum, added(&turned, 1.0, &delta_omega[n - 1][column])]
-                });
-                l[n] = rate.map(|x| over * x);
-                omega[n] = scaled(&inverse, &l[n]);
-                for (column, [momentum, turn]) in rates.into_iter().enumerate() {
-                    delta_l[n][column] = momentum.map(|x| over * x);
-                    theta[n][column] = turn.map(|x| over * x);
+        for n in 1..=ORDER {
+            let over = 1.0 / n as f64;
+            let (mut rate, mut momentum, mut turn) = ([0.0; 3], [[0.0; COLUMNS]; 3], delta_omega[n - 1]);
+            for j in 0..n {
+                let (w, l, with) = (&omega[n - 1 - j], &l[j], &delta_omega[n - 1 - j]);
+                let (delta, turned) = (&delta_l[j], &theta[j]);
+                for (x, y, z) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
+                    rate[x] += l[y] * w[z] - l[z] * w[y];
+                    for k in 0..COLUMNS {
+                        momentum[x][k] += (delta[y][k] * w[z] - delta[z][k] * w[y]) + (l[y] * with[z][k] - l[z] * with[y][k]);
+                        turn[x][k] += turned[y][k] * w[z] - turned[z][k] * w[y];
+                    }
                 }
             }
-            for column in 0..COLUMNS {
-                let mut momentum = delta_l[n][column];
-                if column >= 3 {
-                    momentum = added(&momentum, -1.0, &applied(PAIRS[column - 3], &omega[n]));
+            for x in 0..3 {
+                l[n][x] = over * rate[x];
+                omega[n][x] = inverse[x] * l[n][x];
+                for k in 0..COLUMNS {
+                    delta_l[n][x][k] = over * momentum[x][k];
+                    theta[n][x][k] = over * turn[x][k];
                 }
-                delta_omega[n][column] = scaled(&inverse, &momentum);
+            }
+            let mut rest = delta_l[n];
+            take_levers(&mut rest, -1.0, &omega[n]);
+            for x in 0..3 {
+                for k in 0..COLUMNS {
+                    delta_omega[n][x][k] = inverse[x] * rest[x][k];
+                }
             }
         }
-        let (turn, omega) = (summed(&theta, time), summed(&delta_omega, time));
-        let by_omega = |of: &[[f64; 3]; COLUMNS]| [0, 1, 2].map(|i| [0, 1, 2].map(|k| of[k][i]));
-        let by_inertia =
-            |of: &[[f64; 3]; COLUMNS]| [0, 1, 2].map(|i| [0, 1, 2, 3, 4, 5].map(|p| of[3 + p][i]));
-        Columns {
-            turn_by_omega: by_omega(&turn),
-            omega_by_omega: by_omega(&omega),
-            turn_by_inertia: by_inertia(&turn),
-            omega_by_inertia: by_inertia(&omega),
+        let mut columns = Columns { by_omega: [[0.0; 3]; 6], by_tensor: [[0.0; 6]; 6] };
+        for (half, series) in [theta, delta_omega].iter().enumerate() {
+            let sum = summed(series, time);
+            for (x, axis) in to_body.axes.iter().enumerate() {
+                let mut turned = [0.0; COLUMNS];
+                for (component, row) in axis.iter().zip(&sum) {
+                    for (turned, element) in turned.iter_mut().zip(row) {
+                        *turned += component * element;
+                    }
+                }
+                for (k, of_omega) in columns.by_omega[3 * half + x].iter_mut().enumerate() {
+                    *of_omega = dot(&to_body.axes[k], &[turned[0], turned[1], turned[2]]);
+                }
+                columns.by_tensor[3 * half + x].copy_from_slice(&turned[3..]);
+            }
         }
+        columns
     }
 }
 
-fn summed(series: &Series<[[f64; 3]; COLUMNS]>, time: f64) -> [[f64; 3]; COLUMNS] {
-    let mut sum = [[0.0; 3]; COLUMNS];
+fn summed(series: &[Vectors; ORDER + 1], time: f64) -> Vectors {
+    let mut sum = [[0.0; COLUMNS]; 3];
     for term in series.iter().rev() {
         for (sum, term) in sum.iter_mut().zip(term) {
             for (sum, term) in sum.iter_mut().zip(term) {
@@ -110,19 +116,12 @@ fn summed(series: &Series<[[f64; 3]; COLUMNS]>, time: f64) -> [[f64; 3]; COLUMNS
     sum
 }
 
-/// δI v of a unit change of one element.
-fn applied([j, k]: [usize; 2], v: &[f64; 3]) -> [f64; 3] {
-    let mut image = [0.0; 3];
-    image[j] = v[k];
-    image[k] = v[j];
-    image
-}
-
-fn scaled(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[0] * b[0], a[1] * b[1], a[2] * b[2]]
-}
-
-/// a + x b
-fn added(a: &[f64; 3], x: f64, b: &[f64; 3]) -> [f64; 3] {
-    [a[0] + x * b[0], a[1] + x * b[1], a[2] + x * b[2]]
+/// Adds ± δI ω of a unit change of each element.
+fn take_levers(columns: &mut Vectors, sign: f64, omega: &[f64; 3]) {
+    for (p, [j, k]) in PAIRS.into_iter().enumerate() {
+        columns[j][3 + p] += sign * omega[k];
+        if j != k {
+            columns[k][3 + p] += sign * omega[j];
+        }
+    }
 }

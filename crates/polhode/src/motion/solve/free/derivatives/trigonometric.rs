@@ -48,12 +48,13 @@ impl TrigonometricIntegrals {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     pub(super) fn at(&self, z: Phase<f64>, u: f64) -> Elliptic {
         let (sin, cos) = sin_cos_quarters(z.quarters, z.rest);
         let Point { theta, below, .. } = self.series.at([cos, sin]);
         let over = 1.0 / below;
-        let [cn, sn, dn] = [0, 1, 2].map(|k| theta[k] * self.scale[k] * over);
+        let [cn, sn, dn] =
+            [theta[0] * self.scale[0] * over, theta[1] * self.scale[1] * over, theta[2] * self.scale[2] * over];
         let (double_sine, double_cosine) = (2.0 * (sin * cos), 2.0 * (cos * cos - sin * sin));
         let zeta = double_sine * polynomial(double_cosine, self.zeta) * over;
         Elliptic {

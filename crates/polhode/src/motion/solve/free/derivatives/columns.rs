@@ -1,5 +1,7 @@
 //! The derivatives along the axes that they are wanted in.
 
+use crate::motion::model::state::State;
+use crate::motion::model::state_derivatives::StateDerivatives;
 use crate::motion::solve::free::labelled::Labelled;
 
 use super::functions::TimeFunctions;
@@ -74,7 +76,7 @@ impl ToBody {
     ) -> Columns {
         let by_start = flow.derivative(l, f);
         let ByInertia { action, momentum } = flow.by_inertia(l, &by_start, f);
-        let over = 1.0 / flow.squares[2];
+        let over = flow.over[0];
         let along = [l[0] * over, l[1] * over, l[2] * over];
         let inverse = flow.inverse;
         let before = [inverse[0] * flow.start[0], inverse[1] * flow.start[1], inverse[2] * flow.start[2]];
@@ -111,13 +113,17 @@ impl ToBody {
         columns
     }
 
-    /// The derivatives by ω(0) and by the tensor, in SI.
+    /// A state's derivatives in SI; `turn` is the attitude at the start, seen from that of the state.
     #[inline(always)]
-    pub(super) fn in_si(&self, columns: &Columns, by_start: &mut [[f64; 6]; 6], by_inertia: &mut [[f64; 6]; 6]) {
+    pub(super) fn in_si(&self, columns: &Columns, turn: &[[f64; 3]; 3], state: State) -> StateDerivatives {
+        let mut derivatives = StateDerivatives { state, by_start: [[0.0; 6]; 6], by_inertia: [[0.0; 6]; 6] };
         for row in 0..6 {
             let (of_start, of_tensor) = if row < 3 { (1.0 / self.rad_s, 1.0) } else { (1.0, self.rad_s) };
             for k in 0..3 {
-                by_start[row][3 + k] = of_start * columns.by_omega[row][k];
+                if row < 3 {
+                    derivatives.by_start[row][k] = turn[row][k];
+                }
+                derivatives.by_start[row][3 + k] = of_start * columns.by_omega[row][k];
             }
             let weights = &columns.by_tensor[row];
             let mut sum = [0.0; 6];
@@ -127,9 +133,10 @@ impl ToBody {
                 }
             }
             for k in 0..6 {
-                by_inertia[row][k] = of_tensor * sum[k];
+                derivatives.by_inertia[row][k] = of_tensor * sum[k];
             }
         }
+        derivatives
     }
 }
 

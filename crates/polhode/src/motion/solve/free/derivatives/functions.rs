@@ -46,6 +46,8 @@ pub(super) struct Functions {
     /// 2z/π, z = πu/2K, in quarter turns.
     phase: Angle,
     lambda: f64,
+    /// 1/λ
+    inverse: f64,
     m: f64,
     near: NearSeries,
     far: Far,
@@ -71,6 +73,7 @@ impl Functions {
         Self {
             phase: Angle::of(rate, Default::default()),
             lambda: elements.lambda.value(),
+            inverse: 1.0 / elements.lambda.value(),
             m,
             near: NearSeries::of(m),
             far,
@@ -93,10 +96,10 @@ impl Functions {
             Far::Trigonometric(integrals) => integrals.at(phase, u),
             Far::Hyperbolic(integrals) => integrals.at(phase, u, self.phase.quarters(elapsed)),
         };
-        let cubed = 1.0 / (lambda * lambda * lambda);
+        let cubed = self.inverse * self.inverse * self.inverse;
         TimeFunctions {
             time,
-            sigma: sn / lambda,
+            sigma: sn * self.inverse,
             cn,
             dn,
             square: square * cubed,

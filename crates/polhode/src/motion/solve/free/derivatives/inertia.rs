@@ -42,8 +42,8 @@ impl MomentumFlow {
         let ([l1, l2, l3], [a1, a3, norm2]) = (self.start, self.squares);
         let (t, sigma, c, d, v) = (f.time, f.sigma, f.cn, f.dn, f.quotient);
         let pq = d1 * d2;
-        // 2 (∂₁ − ∂₃) of σ, cn and dn; of Q − mP it is 2e
-        let e = if a1 > a3 { pq * self.m * norm2 / a1 } else { d1 * d12 * norm2 / a3 };
+        // 2 (∂₁ − ∂₃) of σ, cn and dn
+        let e = self.slope;
         let of_sigma = pq * f.lag - e * (c * d) * v;
         let of_cn = pq * sigma * d * (d1 * d12 * norm2 * v + t);
         let of_dn = sigma * (pq * self.m * c * t - e * (sigma / d - self.m * self.p * c * v));

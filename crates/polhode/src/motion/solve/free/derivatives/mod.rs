@@ -113,22 +113,13 @@ impl FreeMotionDerivatives {
             (state, if self.is_permanent { self.flow.start } else { [momentum * direction[0], momentum * direction[1], momentum * direction[2]] })
         };
         let back = back(&state, &motion.start);
-        let columns = if self.short.covers(t) {
-            self.short.at(&self.flow, &self.to_body, t)
-        } else {
-            let back = matrix_of(back[0], self.to_body.along([back[1], back[2], back[3]]));
-            self.to_body.columns(&self.flow, &momentum, &back, &self.functions.at(&elapsed, t))
-        };
-        let [x, y, z] = matrix_of(back[0], [back[1], back[2], back[3]]);
-        let zero = [0.0; 6];
-        let turn = |row: [f64; 3]| [row[0], row[1], row[2], 0.0, 0.0, 0.0];
-        let mut derivatives = StateDerivatives {
-            state,
-            by_start: [turn(x), turn(y), turn(z), zero, zero, zero],
-            by_inertia: [zero; 6],
-        };
-        self.to_body.in_si(&columns, &mut derivatives.by_start, &mut derivatives.by_inertia);
-        derivatives
+        let turn = matrix_of(back[0], [back[1], back[2], back[3]]);
+        if self.short.covers(t) {
+            return self.to_body.in_si(&self.short.at(&self.flow, &self.to_body, t), &turn, state);
+        }
+        let back = matrix_of(back[0], self.to_body.along([back[1], back[2], back[3]]));
+        let columns = self.to_body.columns(&self.flow, &momentum, &back, &self.functions.at(&elapsed, t));
+        self.to_body.in_si(&columns, &turn, state)
     }
 
     /// At many times, in their order.

@@ -24,6 +24,12 @@ pub(super) struct MomentumFlow {
     pub(super) rho: [f64; 2],
     /// A1², A3², L²
     pub(super) squares: [f64; 3],
+    /// L3²/A3², (1 − ρ) L2²/A3² and L2 L3/A3²
+    parts: [f64; 3],
+    /// ½ · 2 (∂₁ − ∂₃)(Q − mP) = δ1 (δ1 − δ2) L²/A3²
+    pub(super) slope: f64,
+    /// 1/L² and 1/2P
+    pub(super) over: [f64; 2],
     pub(super) m: f64,
     /// P
     pub(super) p: f64,
@@ -53,6 +59,8 @@ impl MomentumFlow {
         let [a1, _, a3] = elements.amplitudes.map(|a| a.square().value());
         let (m, m1) = (elements.m.value(), elements.m1().value());
         let [l1, l2, l3] = start;
+        let (norm2, p) = (elements.momentum.square().value(), elements.lambda.square().value());
+        let a = if a3 == 0.0 { 1.0 } else { a3 };
         let inverse = moments.map(|i| (Double::ONE / i).value());
         Self {
             start,
@@ -60,9 +68,12 @@ impl MomentumFlow {
             shares: PAIRS.map(|[j, k]| (if j == k { 0.5 } else { 1.0 }) * inverse[j] * inverse[k]),
             delta,
             rho: [rho, rest],
-            squares: [a1, a3, elements.momentum.square().value()],
+            squares: [a1, a3, norm2],
+            parts: [l3 * l3 / a, rest * l2 * l2 / a, l2 * l3 / a],
+            slope: if a1 > a3 { d1 * d2 * m * norm2 / a1 } else { d1 * d12 * norm2 / a },
+            over: [1.0 / norm2, 0.5 / p],
             m,
-            p: elements.lambda.square().value(),
+            p,
             gradients: [
                 [0.0, 2.0 * d2 * d12 * l2, 2.0 * d1 * d2 * l3],
                 [2.0 * d1 * d12 * l1, 2.0 * d2 * d12 * m1 * l2, -2.0 * m * d1 * d2 * l3],
@@ -83,9 +94,7 @@ impl MomentumFlow {
         let ([l1, l2, l3], [d1, d2, d12]) = (self.start, self.delta);
         let (sigma, c, d) = (f.sigma, f.cn, f.dn);
         let sn2 = self.p * sigma * sigma;
-        let a3 = if self.squares[1] == 0.0 { 1.0 } else { self.squares[1] };
-        // shares of L3² and (1 − ρ) L2² in A3²
-        let (third, second) = (l3 * l3 / a3, self.rho[1] * l2 * l2 / a3);
+        let [third, second, both] = self.parts;
         let below = 1.0 / if f.is_near { 1.0 - d2 * d12 * (l2 * sigma) * (l2 * sigma) } else { c * c + third * sn2 };
         let rate = self.rate(l);
         // ∂L(t)/∂dn
@@ -107,10 +116,10 @@ impl MomentumFlow {
             by_p = [of(0), of(1), of(2)];
         } else {
             (x2, x3, y) = (third, second, 1.0);
-            let half = 0.5 * f.time / self.p;
+            let half = self.over[1] * f.time;
             by_p = [half * rate[0], half * rate[1], half * rate[2]];
         }
-        let q = y * l2 * l3 / a3;
+        let q = y * both;
         let (s1, s2, s12) = (d1 * sigma, d2 * sigma * d, d12 * sigma * c);
         let explicit = [
             [c, -s2 * l3 * x2, -s2 * l2 * x3],

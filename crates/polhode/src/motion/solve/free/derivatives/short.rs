@@ -39,6 +39,8 @@ impl ShortSeries {
     }
 
     /// L̇ = L × ω, and its derivatives: δL̇ = δL × ω + L × δω, θ̇ = θ × ω + δω, δω = I⁻¹ (δL − δI ω).
+    #[cold]
+    #[inline(never)]
     pub(super) fn at(&self, flow: &MomentumFlow, to_body: &ToBody, time: f64) -> Columns {
         let inverse = flow.inverse;
         let none = [[[0.0; COLUMNS]; 3]; ORDER + 1];

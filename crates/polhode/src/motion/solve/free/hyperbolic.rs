@@ -203,10 +203,8 @@ pub(super) struct Ends<T> {
 /// x of z = ½π (x + 2N), |x| ≤ 1: of an even number of quarter turns the rest, of an odd one the rest less its sign.
 #[inline(always)]
 pub(super) fn within_half_period<T: Splat>(z: Phase<T>) -> T {
-    z.rest.zip(
-        z.quarters,
-        |rest, quarters| if is_odd(quarters) { rest - 1.0_f64.copysign(rest) } else { rest },
-    )
+    z.rest
+        .zip(z.quarters, |rest, quarters| if is_odd(quarters) { rest - 1.0_f64.copysign(rest) } else { rest })
 }
 
 #[inline(always)]

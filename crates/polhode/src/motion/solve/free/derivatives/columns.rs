@@ -5,8 +5,8 @@ use crate::motion::model::state_derivatives::StateDerivatives;
 use crate::motion::solve::free::labelled::Labelled;
 
 use super::functions::TimeFunctions;
-use super::inertia::{ByInertia, PAIRS};
-use super::momentum::{MomentumFlow, cross};
+use super::inertia::ByInertia;
+use super::momentum::{MomentumFlow, PAIRS, cross};
 
 /// Rows θ and ω along the body's axes; columns ω(0) along these, and the elements 11, 22, 33, 12, 13, 23 of the tensor along the
 /// labelled axes. In units of the elements.

@@ -7,6 +7,7 @@ use crate::motion::solve::free::elements::Elements;
 use crate::motion::solve::free::kernel::BALANCE;
 use crate::motion::solve::phase::{Angle, Elapsed};
 
+use super::elliptic::Elliptic;
 use super::hyperbolic::HyperbolicIntegrals;
 use super::trigonometric::TrigonometricIntegrals;
 
@@ -26,18 +27,6 @@ pub(super) struct TimeFunctions {
     pub(super) lag: f64,
     /// |u| is small: W is formed without the division by P, which may be zero.
     pub(super) is_near: bool,
-}
-
-/// Jacobi's functions of u and two integrals over them.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Elliptic {
-    pub(super) sn: f64,
-    pub(super) cn: f64,
-    pub(super) dn: f64,
-    /// ∫ sn² du
-    pub(super) square: f64,
-    /// ∫ sn²/dn² du
-    pub(super) quotient: f64,
 }
 
 /// What makes them of a time.

@@ -6,7 +6,7 @@ use crate::motion::solve::free::elements::Elements;
 use crate::motion::solve::free::hyperbolic::{Ends, Hyperbolic, Pulse, within_half_period};
 use crate::motion::solve::phase::Phase;
 
-use super::functions::Elliptic;
+use super::elliptic::Elliptic;
 
 /// With Y = πu/2K′ less N half periods, q′ the nome of m₁ and E′/K′ = 1 − m₁ s′, s′ the mean of sn² of parameter m₁,
 ///
@@ -68,9 +68,7 @@ impl HyperbolicIntegrals {
         let of_second = ((1.0 - u2) + 5.0 * (q2 * q2) * (v * v) + 3.0 * q1 * (v - q1 * (u2 * u2))) * over;
         let grown = 1.0 / u2; // e^2|Y|
         let third = 1.0 + (v + q1 * u2) + q2 * (v * v + q2 * (u2 * u2));
-        let of_third = self.ratio
-            * (2.0 * (grown - u2) + 4.0 * q2 * (v * grown - q1 * (u2 * u2)))
-            / third;
+        let of_third = self.ratio * (2.0 * (grown - u2) + 4.0 * q2 * (v * grown - q1 * (u2 * u2))) / third;
         let passed = if half_periods == 0.0 { 0.0 } else { 2.0 * half_periods / self.m1 };
         Elliptic {
             sn: turned * sign * sn * over * self.scale[1],

@@ -12,9 +12,6 @@ pub(super) struct ByInertia {
     pub(super) momentum: [[f64; 6]; 3],
 }
 
-/// The pairs of axes in the order of a tensor's elements.
-pub(super) const PAIRS: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
-
 /// While cn u is larger, the sums that are divided by 1 + cn u and cn u + dn u lose nothing.
 const WELL_BEFORE_HALF: f64 = 0.5;
 
@@ -49,7 +46,8 @@ impl MomentumFlow {
         let of_dn = sigma * (pq * self.m * c * t - e * (sigma / d - self.m * self.p * c * v));
 
         let ends = l2 * l[1];
-        let of_second = d1 * d1 * (norm2 * (d * d) * v + a3 * f.square - a1 * (t * sigma * sigma)) + ends * of_sigma;
+        let of_second =
+            d1 * d1 * (norm2 * (d * d) * v + a3 * f.square - a1 * (t * sigma * sigma)) + ends * of_sigma;
         // L2² t − S₂₂
         let departure = l2 * l2 * t - (d1 * d1 * (a1 * a3) * f.square + sigma * ends);
         let quotient = |below: f64, of_below: f64| {
@@ -75,7 +73,8 @@ impl MomentumFlow {
             let moved = [l3 * m2 - l2 * m3, l1 * m3 - l3 * m1, l2 * m1 - l1 * m2];
             let second = of_second * n + sigma * (l[1] * moved[1] + l2 * end[1]);
             let product = |h: Factor, both: f64, a: f64, b: f64| (h.slope * both) * n + h.value * (a + b);
-            let first_second = product(h12, sums[0], l[1] * moved[0] + l1 * end[1], l[0] * moved[1] + l2 * end[0]);
+            let first_second =
+                product(h12, sums[0], l[1] * moved[0] + l1 * end[1], l[0] * moved[1] + l2 * end[0]);
             let (third_first, second_third) = if early {
                 (
                     product(h31, sums[1], l[0] * moved[2] + l3 * end[0], l[2] * moved[0] + l1 * end[2]),

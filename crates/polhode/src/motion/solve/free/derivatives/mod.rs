@@ -1,6 +1,7 @@
 //! The derivatives of free motion by its start and by the inertia tensor, in closed form: `book/free-motion.md`, section 10.
 
 mod columns;
+mod elliptic;
 mod functions;
 mod hyperbolic;
 mod inertia;
@@ -54,6 +55,9 @@ pub struct FreeMotionDerivatives {
     is_permanent: bool,
 }
 
+/// Next to the middle axis derivatives grow like the root of V, and their parts like V itself: beyond, these leave the range of f64.
+const LARGEST: f64 = 1e290;
+
 /// Products of up to six inverse moments have to stay in the range of f64.
 const THINNEST: f64 = 1e-40;
 
@@ -95,8 +99,8 @@ impl FreeMotionDerivatives {
 
     /// State and derivatives at a time, s, before the start too.
     ///
-    /// Further from the start than [`FreeMotion::reach`], at a time that is NaN, and where a derivative leaves the range of f64, they are not
-    /// numbers.
+    /// Further from the start than [`FreeMotion::reach`] and at a time that is NaN they are not numbers; nor are derivatives that grow beyond
+    /// some 1e140 next to the intermediate axis.
     #[must_use]
     pub fn at(&self, time: f64) -> StateDerivatives {
         let motion = &self.motion;
@@ -110,7 +114,14 @@ impl FreeMotionDerivatives {
         } else {
             let (state, direction) = motion.kernel.at_with_direction(time, &elapsed);
             let momentum = self.momentum;
-            (state, if self.is_permanent { self.flow.start } else { [momentum * direction[0], momentum * direction[1], momentum * direction[2]] })
+            (
+                state,
+                if self.is_permanent {
+                    self.flow.start
+                } else {
+                    [momentum * direction[0], momentum * direction[1], momentum * direction[2]]
+                },
+            )
         };
         let back = back(&state, &motion.start);
         let turn = matrix_of(back[0], [back[1], back[2], back[3]]);
@@ -118,7 +129,11 @@ impl FreeMotionDerivatives {
             return self.to_body.in_si(&self.short.at(&self.flow, &self.to_body, t), &turn, state);
         }
         let back = matrix_of(back[0], self.to_body.along([back[1], back[2], back[3]]));
-        let columns = self.to_body.columns(&self.flow, &momentum, &back, &self.functions.at(&elapsed, t));
+        let functions = self.functions.at(&elapsed, t);
+        if !(functions.quotient.abs() < LARGEST) {
+            return StateDerivatives { state, ..StateDerivatives::unknown(time) };
+        }
+        let columns = self.to_body.columns(&self.flow, &momentum, &back, &functions);
         self.to_body.in_si(&columns, &turn, state)
     }
 

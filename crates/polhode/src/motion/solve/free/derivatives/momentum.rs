@@ -6,7 +6,6 @@ use crate::motion::solve::free::elements::Elements;
 use crate::motion::solve::free::labelled::Labelled;
 
 use super::functions::TimeFunctions;
-use super::inertia::PAIRS;
 
 /// A motion along its labelled axes, in units of the elements: with δ1 = 1/i1 − 1/i3, δ2 = 1/i2 − 1/i3, ρ = δ2/δ1 as in
 /// `book/free-motion.md`, the rest in its section 10.
@@ -36,6 +35,9 @@ pub(super) struct MomentumFlow {
     /// ∇P and ∇Q − m∇P
     gradients: [[f64; 3]; 2],
 }
+
+/// The pairs of axes in the order of a tensor's elements.
+pub(super) const PAIRS: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
 
 #[inline(always)]
 pub(super) fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
@@ -95,7 +97,8 @@ impl MomentumFlow {
         let (sigma, c, d) = (f.sigma, f.cn, f.dn);
         let sn2 = self.p * sigma * sigma;
         let [third, second, both] = self.parts;
-        let below = 1.0 / if f.is_near { 1.0 - d2 * d12 * (l2 * sigma) * (l2 * sigma) } else { c * c + third * sn2 };
+        let below =
+            1.0 / if f.is_near { 1.0 - d2 * d12 * (l2 * sigma) * (l2 * sigma) } else { c * c + third * sn2 };
         let rate = self.rate(l);
         // ∂L(t)/∂dn
         let by_dn = [-d2 * l2 * l3 * sigma * below, l2 * c * below, l3 * below];

@@ -1,8 +1,7 @@
 //! The derivatives as power series of the time: before the body has turned by much, the closed forms cancel.
 
 use super::columns::{Columns, ToBody, dot};
-use super::inertia::PAIRS;
-use super::momentum::MomentumFlow;
+use super::momentum::{MomentumFlow, PAIRS};
 
 /// Up to this angle, rad, the series is used; what it leaves out is then below 1e-15.
 const SHORT: f64 = 0.1;
@@ -65,7 +64,8 @@ impl ShortSeries {
                 for (x, y, z) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
                     rate[x] += l[y] * w[z] - l[z] * w[y];
                     for k in 0..COLUMNS {
-                        momentum[x][k] += (delta[y][k] * w[z] - delta[z][k] * w[y]) + (l[y] * with[z][k] - l[z] * with[y][k]);
+                        momentum[x][k] += (delta[y][k] * w[z] - delta[z][k] * w[y])
+                            + (l[y] * with[z][k] - l[z] * with[y][k]);
                         turn[x][k] += turned[y][k] * w[z] - turned[z][k] * w[y];
                     }
                 }

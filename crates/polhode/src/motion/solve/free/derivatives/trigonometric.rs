@@ -9,7 +9,7 @@ use crate::motion::solve::free::flow::{Point, Series};
 use crate::motion::solve::free::trigonometric::{Nomes, Trigonometric};
 use crate::motion::solve::phase::Phase;
 
-use super::functions::Elliptic;
+use super::elliptic::Elliptic;
 
 /// With the mean s̄ of sn² and Jacobi's zeta function Z = (π/2K) θ₄′/θ₄,
 ///
@@ -53,8 +53,11 @@ impl TrigonometricIntegrals {
         let (sin, cos) = sin_cos_quarters(z.quarters, z.rest);
         let Point { theta, below, .. } = self.series.at([cos, sin]);
         let over = 1.0 / below;
-        let [cn, sn, dn] =
-            [theta[0] * self.scale[0] * over, theta[1] * self.scale[1] * over, theta[2] * self.scale[2] * over];
+        let [cn, sn, dn] = [
+            theta[0] * self.scale[0] * over,
+            theta[1] * self.scale[1] * over,
+            theta[2] * self.scale[2] * over,
+        ];
         let (double_sine, double_cosine) = (2.0 * (sin * cos), 2.0 * (cos * cos - sin * sin));
         let zeta = double_sine * polynomial(double_cosine, self.zeta) * over;
         Elliptic {

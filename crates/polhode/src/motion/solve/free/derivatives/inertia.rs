@@ -23,11 +23,11 @@ struct Factor {
 }
 
 impl MomentumFlow {
-    /// From L(t) and M = ∂L(t)/∂L(0): a change of H by δH is one of the start by L(0) × ∇∫ δH dt, δH = −½ ω·δI ω, so that the integrals
+    /// From L(t) and M = ∂L(t)/∂L(0): a change of H by δH = −½ ω·δI ω is one of the start by L(0) × ∇∫ δH dt, so that the integrals
     /// Sⱼₖ = ∫ Lⱼ Lₖ dt are needed as functions of L(0).
     ///
-    /// M keeps Poisson brackets. So M (L(0) × ∇f(L(t))) = L(t) × f′, and of a function C(A1², A3²) it is 2 (∂₁C − ∂₃C) N(t), N = L̇/δ1. All integrals
-    /// are made of these and of σ, cn, dn and S = ∫ σ² dt:
+    /// M keeps Poisson brackets. So M (L(0) × ∇f(L(t))) = L(t) × f′, and of a function C(A1², A3²) it is 2 (∂₁C − ∂₃C) N(t), N = L̇/δ1.
+    /// All integrals are made of these and of σ, cn, dn and S = ∫ σ² dt:
     ///
     /// S₂₂ = δ1² A1² A3² S + σ L2 L2(t),  S₁₁ = A1² t − ρ S₂₂,  S₃₃ = A3² t − (1 − ρ) S₂₂,
     /// S₁₂ = σ (L1 L2(t) + L2 L1(t))/(1 + dn),  S₂₃: 1 + cn,  S₃₁: cn + dn,

@@ -41,6 +41,15 @@ use short::ShortSeries;
 /// assert!(after.by_inertia[0][4].abs() > 0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+///
+/// # Accuracy
+/// Of a block (θ or ω, by ω(0) or by the tensor) relative to its norm: 7·10⁻¹⁴ against differences in 120 digits, of 77 motions up to
+/// 10⁶ periods and down to 1 − m = 10⁻²⁰ and 0, permanent, symmetric and spherical ones among them; 7·10⁻¹³ of 10⁵ random bodies with
+/// moments within a factor of 10, next to symmetry, the separatrix and the axes, over 8 rad. It is 10⁻¹⁵ of most; θ by the tensor just
+/// after 0.1 rad has the fewest digits. Of a needle it is 2·10⁻¹⁵ times the ratio of its moments, where that is more.
+///
+/// # Cost
+/// Six times that of a state; fifty times for as long as the body has turned by less than 0.1 rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeMotionDerivatives {
     motion: FreeMotion,
@@ -58,15 +67,15 @@ pub struct FreeMotionDerivatives {
 /// Next to the middle axis derivatives grow like the root of V, and their parts like V itself: beyond, these leave the range of f64.
 const LARGEST: f64 = 1e290;
 
-/// Products of up to six inverse moments have to stay in the range of f64.
-const THINNEST: f64 = 1e-40;
+/// Of a thinner body fewer than six digits would be right.
+const THINNEST: f64 = 1e-8;
 
 impl FreeMotionDerivatives {
     /// Of the motion that starts from a state with no torque.
     ///
     /// # Errors
-    /// As of [`FreeMotion::of`]; a parameter's error ([`MotionError::is_parameter`]) for a principal moment below 1e-40 of the greatest, such as
-    /// a rod's: the motion has no derivative by it.
+    /// As of [`FreeMotion::of`]; a parameter's error ([`MotionError::is_parameter`]) for a principal moment below 1e-8 of the greatest, such as
+    /// a rod's.
     pub fn of(rotor: &Rotor, start: State) -> Result<Self, MotionError> {
         Self::with(FreeMotion::of(rotor, start)?, rotor.inertia().symmetric())
     }
@@ -79,7 +88,7 @@ impl FreeMotionDerivatives {
 
     fn with(motion: FreeMotion, tensor: &Symmetric3) -> Result<Self, MotionError> {
         let [least, _, greatest] = motion.principal.moments();
-        let rule = "at least 1e-40 of the greatest, as derivatives are asked for";
+        let rule = "at least 1e-8 of the greatest, as derivatives are asked for";
         require::that("a principal moment", least, least >= THINNEST * greatest, rule)?;
         let Labels { labelled, fine, unit } = Labels::of(tensor, &motion.principal, &motion.start);
         let elements = Elements::of(&labelled);

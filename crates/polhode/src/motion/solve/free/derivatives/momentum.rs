@@ -89,8 +89,8 @@ impl MomentumFlow {
     /// Δ = 1 − δ2 (δ1 − δ2) L2² σ² = cn² + (L3/A3)² sn²,
     /// dσ = cn dn dτ − ½σ dP/P,  dcn = −Pσ dn dτ,  ddn = −Qσ cn dτ − ½(σ²/dn) dμ,  dτ = ½t dP/P − ½V dμ,  dμ = dQ − m dP
     ///
-    /// As τ shifts the time, its share is L̇(t) ∇τ. What −½σ dP/P adds to the derivative by L(0) cancels much of it next to the middle axis and is joined
-    /// with it, but where |u| is small, as P may then vanish.
+    /// As τ shifts the time, its share is L̇(t) ∇τ. What −½σ dP/P adds to the derivative by L(0) cancels much of it next to the middle
+    /// axis and is joined with it, but where |u| is small, as P may then vanish.
     #[inline(always)]
     pub(super) fn derivative(&self, l: &[f64; 3], f: &TimeFunctions) -> [[f64; 3]; 3] {
         let ([l1, l2, l3], [d1, d2, d12]) = (self.start, self.delta);

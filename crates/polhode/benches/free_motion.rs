@@ -6,7 +6,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use polhode::motion::FreeMotions;
+use polhode::motion::{FreeMotionDerivatives, FreeMotions};
 use polhode::prelude::*;
 
 /// The least time of many short runs, ns per item: what the machine can do when nothing disturbs it.
@@ -25,7 +25,7 @@ fn state(omega: [f64; 3]) -> State {
     State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::from_array(omega) }
 }
 
-fn main() -> Result<(), MotionError> {
+fn main() -> Result<(), Box<dyn std::error::Error>> {
     let moments = [1.0, 2.0, 3.0];
     for (name, omega) in [
         ("generic", [0.3, 0.5, 0.9]),
@@ -41,6 +41,16 @@ fn main() -> Result<(), MotionError> {
             }
         });
         println!("{name}: one state\t{one:.1}\tns");
+        let body = Rotor::free(&MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal(moments)?)?);
+        let derivatives = FreeMotionDerivatives::of(&body, state(omega))?;
+        let mut found = derivatives.at_times(&times);
+        let with_derivatives = least(times.len(), || {
+            for (&t, s) in times.iter().zip(&mut found) {
+                *s = derivatives.at(black_box(t));
+            }
+        });
+        println!("{name}: one state with its derivatives\t{with_derivatives:.1}\tns");
+        println!("{name}: derivatives, in states\t{:.2}\t", with_derivatives / one);
         let many = least(times.len(), || motion.fill(black_box(&times), black_box(&mut states)));
         println!("{name}: a state of many times\t{many:.1}\tns");
         for count in [64, 1024] {

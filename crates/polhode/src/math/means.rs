@@ -44,6 +44,28 @@ const MOST_MEANS: usize = 200;
 /// The next mean differs by the square of this, far below two words.
 const SQUARE_IS_NOTHING: f64 = 1e-17;
 
+/// The mean of sn² over a period, (1 − E/K)/m, from m and √(1 − m) > 0: between ½ and 1.
+///
+/// With the differences cₙ of the means it is ½ + Σ 2ⁿ⁻¹ cₙ²/m, c₁ = m/2(1 + √(1 − m)), cₙ₊₁ = cₙ²/4aₙ₊₁.
+///
+/// Source: DLMF 19.8.6.
+pub(crate) fn mean_sine_squared(m: f64, k1: f64) -> f64 {
+    let (mut a, mut g) = (0.5 * (1.0 + k1), k1.sqrt());
+    let mut difference = 0.5 / (1.0 + k1); // cₙ/m
+    let (mut sum, mut weight) = (0.5, m);
+    for _mean in 0..MOST_MEANS {
+        let term = weight * difference * difference;
+        sum += term;
+        if term <= f64::EPSILON * f64::EPSILON {
+            break;
+        }
+        (a, g) = (0.5 * (a + g), (a * g).sqrt());
+        difference *= m * difference / (4.0 * a);
+        weight *= 2.0;
+    }
+    sum
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

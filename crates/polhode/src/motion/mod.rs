@@ -52,7 +52,7 @@ pub use run::simulation::Simulation;
 pub use run::solution::Solution;
 pub use run::trajectory::Trajectory;
 pub use solve::closed_form::ClosedForm;
-pub use solve::free::{FreeMotion, FreeMotions, PermanentAxis, Regime};
+pub use solve::free::{FreeMotion, FreeMotionDerivatives, FreeMotions, PermanentAxis, Regime};
 pub use solve::heavy_top::{HeavyTop, SteadyPrecession, TopPath};
 pub use solve::method::Method;
 pub use solve::pendulum_motion::PendulumMotion;

@@ -14,6 +14,7 @@ mod energy_sink;
 mod ensemble;
 mod equilibria;
 mod event;
+mod free_derivatives;
 mod free_motion;
 mod heavy_top;
 mod inverse;

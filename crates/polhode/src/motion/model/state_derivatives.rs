@@ -22,6 +22,13 @@ impl StateDerivatives {
             [(&self.by_start, start), (&self.by_inertia, inertia)].map(|(by, c)| congruent(by, c));
         core::array::from_fn(|i| core::array::from_fn(|j| of_start[i][j] + of_inertia[i][j]))
     }
+
+    /// Of a time at which nothing is known.
+    #[cold]
+    pub(crate) fn unknown(time: f64) -> Self {
+        let none = [[f64::NAN; 6]; 6];
+        Self { state: State::unknown(time), by_start: none, by_inertia: none }
+    }
 }
 
 /// A C Aᵀ

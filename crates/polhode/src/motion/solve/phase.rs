@@ -191,6 +191,12 @@ impl Angle {
         Self { rate, start: [start.high, start.low], reach: rate.reach() }
     }
 
+    /// To rounding, not reduced, quarter turns.
+    #[inline(always)]
+    pub(in crate::motion::solve) fn quarters(&self, elapsed: &Elapsed<f64>) -> f64 {
+        self.rate.first[0] * elapsed.high + self.start[0]
+    }
+
     /// To rounding, not reduced, rad.
     pub(in crate::motion::solve) fn about(&self, time: f64) -> f64 {
         core::f64::consts::FRAC_PI_2 * (self.rate.first[0] * time + self.start[0])

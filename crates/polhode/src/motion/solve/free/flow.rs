@@ -87,7 +87,7 @@ pub(super) struct UnnormalisedState<T> {
     /// Makes its norm one, or a constant.
     pub(super) scale: T,
     /// cn, sn and dn times constants.
-    rates: [T; 3],
+    pub(super) rates: [T; 3],
 }
 
 /// The way from phases to a state, in three stages: of a flow, or of what becomes one as it is needed.

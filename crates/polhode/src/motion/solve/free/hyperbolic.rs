@@ -28,8 +28,8 @@ pub(super) struct Hyperbolic<T> {
     rising: [[T; 4]; 2],
     /// The same times Q^(n(n+1)): with powers of X.
     falling: [[T; 3]; 2],
-    /// q′ = Q² of cn, sn, dn, and its fourth power.
-    squares: [T; 3],
+    /// q′ = Q² of cn, sn, dn, its square and its fourth power.
+    pub(super) squares: [T; 3],
 }
 
 /// What the series is made of.
@@ -38,7 +38,7 @@ pub(super) struct Pulse<T> {
     /// Of where on it the motion starts, the second word.
     low_start: T,
     /// πκ
-    stretch: T,
+    pub(super) stretch: T,
     /// ½ − 2b/π
     bend: T,
     /// Q
@@ -170,19 +170,51 @@ fn argument(sin: Double, cos: Double, landen: &Landen) -> Double {
 }
 
 impl<T: Splat> Series<T> for Hyperbolic<T> {
-    /// z = ½π (x + 2N), |x| ≤ 1: of an even number of quarter turns x is the rest, of an odd one the rest less its sign.
     #[inline(always)]
     fn place(&self, z: Phase<T>) -> ([T; 2], Option<T>) {
-        let x = z.rest.zip(
-            z.quarters,
-            |rest, quarters| if is_odd(quarters) { rest - 1.0_f64.copysign(rest) } else { rest },
-        );
-        ([z.quarters, z.rest], Some(self.bend * x))
+        ([z.quarters, z.rest], Some(self.bend * within_half_period(z)))
     }
 
     #[inline(always)]
-    fn at(&self, [quarters, rest]: [T; 2]) -> Point<T> {
-        // the signs of x, and (−1)ᴺ
+    fn at(&self, place: [T; 2]) -> Point<T> {
+        let Ends { sign, turned, falling, rising } = self.ends(place);
+        let ([cn, sn, dn], below) = self.elliptic(falling, rising);
+        Point {
+            f: self.attitude(falling, rising, sign),
+            theta: [turned * cn, (turned * sign) * sn, dn],
+            below,
+        }
+    }
+}
+
+/// A place within its half period, z = ½π (x + 2N), |x| ≤ 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ends<T> {
+    /// The sign of x.
+    pub(super) sign: T,
+    /// (−1)ᴺ
+    pub(super) turned: T,
+    /// X
+    pub(super) falling: T,
+    /// W
+    pub(super) rising: T,
+}
+
+/// x of z = ½π (x + 2N), |x| ≤ 1: of an even number of quarter turns the rest, of an odd one the rest less its sign.
+#[inline(always)]
+pub(super) fn within_half_period<T: Splat>(z: Phase<T>) -> T {
+    z.rest
+        .zip(z.quarters, |rest, quarters| if is_odd(quarters) { rest - 1.0_f64.copysign(rest) } else { rest })
+}
+
+#[inline(always)]
+fn is_odd(quarters: f64) -> bool {
+    quarters.to_bits() & 1 == 1
+}
+
+impl<T: Splat> Hyperbolic<T> {
+    #[inline(always)]
+    pub(super) fn ends(&self, [quarters, rest]: [T; 2]) -> Ends<T> {
         let sign = quarters
             .zip(rest, |q, rest| if is_odd(q) { -1.0_f64.copysign(rest) } else { 1.0_f64.copysign(rest) });
         let turned = quarters.zip(rest, |q, rest| {
@@ -193,21 +225,9 @@ impl<T: Splat> Series<T> for Hyperbolic<T> {
         let far = self.nome * rise;
         let falling = quarters.zip3(near, far, |q, near, far| if is_odd(q) { far } else { near });
         let rising = quarters.zip3(near, far, |q, near, far| if is_odd(q) { near } else { far });
-        let ([cn, sn, dn], below) = self.elliptic(falling, rising);
-        Point {
-            f: self.attitude(falling, rising, sign),
-            theta: [turned * cn, (turned * sign) * sn, dn],
-            below,
-        }
+        Ends { sign, turned, falling, rising }
     }
-}
 
-#[inline(always)]
-fn is_odd(quarters: f64) -> bool {
-    quarters.to_bits() & 1 == 1
-}
-
-impl<T: Splat> Hyperbolic<T> {
     /// θ₂ of ¼π − b + iy.
     #[inline(always)]
     fn attitude(&self, x: T, w: T, sign: T) -> Complex<T> {
@@ -225,7 +245,7 @@ impl<T: Splat> Hyperbolic<T> {
     ///
     /// cn, dn ∝ (1 ∓ 2q′ cosh 4y + …) / (cosh 2y + q′² cosh 6y + …), sn ∝ (sinh 2y − q′² sinh 6y + …) / (…)
     #[inline(always)]
-    fn elliptic(&self, x: T, w: T) -> ([T; 3], T) {
+    pub(super) fn elliptic(&self, x: T, w: T) -> ([T; 3], T) {
         let [q1, q2, q4] = self.squares;
         let (v, u) = (w * w, x * x); // e^4|y| q′ and e^−4|y|
         let one = T::splat(1.0);

@@ -6,7 +6,7 @@ use crate::motion::model::state::State;
 
 use super::compact::{CompactConstants, ScalarThetaParameters};
 use super::elements::Elements;
-use super::flow::{Flow, Phases, Series, Stages};
+use super::flow::{Flow, Phases, Series, Stages, UnnormalisedState};
 use super::hyperbolic::{Hyperbolic, Pulse};
 use super::labelled::Labelled;
 use super::trigonometric::{Nomes, Trigonometric};
@@ -20,7 +20,7 @@ pub(super) enum Kernel {
 }
 
 /// Below this 1 − m the hyperbolic series is the shorter: K = 2K′.
-const BALANCE: f64 = 0.03;
+pub(super) const BALANCE: f64 = 0.03;
 
 impl Kernel {
     /// `units`: rad/s per unit of the elements' rates, and per unit of the kernel's.
@@ -32,6 +32,16 @@ impl Kernel {
             let (compact, flow) = constants_of(elements, labelled, units, Pulse::of(elements), attitude);
             Self::Hyperbolic(compact, flow)
         }
+    }
+
+    /// The state at a time, and the unit vector along L in the labelled axes.
+    pub(super) fn at_with_direction(&self, time: f64, elapsed: &Elapsed<f64>) -> (State, [f64; 3]) {
+        let ((q, omega), direction) = match self {
+            Self::Trigonometric(_, flow) => flow.at_with_direction(elapsed),
+            Self::Hyperbolic(_, flow) => flow.at_with_direction(elapsed),
+        };
+        let state = State { time, attitude: Rotation::from_unit(q), omega: Vector::from_array(omega) };
+        (state, direction)
     }
 
     /// The state at a time; `WHOLE` if `elapsed` has one word.
@@ -60,12 +70,24 @@ impl<S: Series<f64>> Flow<f64, S> {
     /// Quaternion and ω.
     #[inline(always)]
     fn at<const WHOLE: bool>(&self, elapsed: &Elapsed<f64>) -> ([f64; 4], [f64; 3]) {
+        self.state(&self.unnormalised_at::<WHOLE>(elapsed))
+    }
+
+    fn at_with_direction(&self, elapsed: &Elapsed<f64>) -> (([f64; 4], [f64; 3]), [f64; 3]) {
+        let unnormalised = self.unnormalised_at::<false>(elapsed);
+        let (towards, rates) = (&self.curve.direction, &unnormalised.rates);
+        let direction = [towards[0] * rates[0], towards[1] * rates[1], towards[2] * rates[2]];
+        (self.state(&unnormalised), direction)
+    }
+
+    #[inline(always)]
+    fn unnormalised_at<const WHOLE: bool>(&self, elapsed: &Elapsed<f64>) -> UnnormalisedState<f64> {
         let phases = if elapsed.is_within(self.phase_rates.reach) {
             self.phase_rates.phases::<WHOLE, false>(elapsed)
         } else {
             self.phases_of_long_time(elapsed)
         };
-        self.state(&self.unnormalised(&self.theta_argument(&phases)))
+        self.unnormalised(&self.theta_argument(&phases))
     }
 
     #[cold]

@@ -9,6 +9,7 @@ mod batch;
 mod block;
 mod compact;
 mod constants;
+mod derivatives;
 mod elements;
 mod flow;
 mod hyperbolic;
@@ -39,6 +40,7 @@ use kernel::Kernel;
 use labelled::Labelled;
 
 pub use batch::FreeMotions;
+pub use derivatives::FreeMotionDerivatives;
 pub use regime::{PermanentAxis, Regime};
 
 /// The torque-free motion of a body: ω and attitude at any time, past or future, in constant time.
@@ -77,6 +79,24 @@ pub struct FreeMotion {
     unit: f64,
     reach: f64,
     kernel: Kernel,
+}
+
+/// A start along labelled principal axes, in units of powers of two.
+struct Labels {
+    fine: FineAxes,
+    labelled: Labelled,
+    /// rad/s
+    unit: f64,
+}
+
+impl Labels {
+    fn of(tensor: &Symmetric3, principal: &PrincipalFrame<Body>, start: &State) -> Self {
+        let fine = FineAxes::of(tensor, principal);
+        let unit = power_of_two_near(start.omega.max_abs());
+        let omega = fine.along((start.omega / unit).to_array());
+        let labelled = Labelled::of(fine.moments, omega, fine.axes.map(|axis| axis.map(Triple::value)));
+        Self { fine, labelled, unit }
+    }
 }
 
 /// Up to this, or its inverse, the fastest component of ω is no reason to have units: no word of its rates leaves the range of f64.
@@ -147,10 +167,7 @@ impl FreeMotion {
             let holds = moment == 0.0 || moment >= THINNEST * principal.moments()[2];
             require::that("a principal moment", moment, holds, "zero or at least 1e-120 of the greatest")?;
         }
-        let fine = FineAxes::of(tensor, principal);
-        let unit = power_of_two_near(start.omega.max_abs());
-        let omega = fine.along((start.omega / unit).to_array());
-        let labelled = Labelled::of(fine.moments, omega, fine.axes.map(|axis| axis.map(Triple::value)));
+        let Labels { fine, labelled, unit } = Labels::of(tensor, principal, &start);
         let (labelled, elements) = if labelled.is_permanent() {
             let turned = labelled.about_omega();
             (turned, Elements::permanent(&turned))

@@ -34,7 +34,7 @@ pub(super) struct Trigonometric<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Nomes<T> {
     /// q
-    nome: T,
+    pub(super) nome: T,
     /// Y² and (q/Y)².
     squares: [T; 2],
 }

@@ -1,0 +1,166 @@
+//! The derivatives along the axes that they are wanted in.
+
+use crate::motion::model::state::State;
+use crate::motion::model::state_derivatives::StateDerivatives;
+use crate::motion::solve::free::labelled::Labelled;
+
+use super::functions::TimeFunctions;
+use super::inertia::ByInertia;
+use super::momentum::{MomentumFlow, PAIRS, cross};
+
+/// Rows θ and ω along the body's axes; columns ω(0) along these, and the elements 11, 22, 33, 12, 13, 23 of the tensor along the
+/// labelled axes. In units of the elements.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Columns {
+    pub(super) by_omega: [[f64; 3]; 6],
+    pub(super) by_tensor: [[f64; 6]; 6],
+}
+
+/// From the labelled axes to the body's, and from the units of the elements to SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct ToBody {
+    /// The labelled axes in the body: one in each column.
+    pub(super) axes: [[f64; 3]; 3],
+    /// The same times 1/i1, 1/i2, 1/i3: from L along the labelled axes to ω.
+    to_omega: [[f64; 3]; 3],
+    /// From ω to L along the labelled axes.
+    to_momentum: [[f64; 3]; 3],
+    /// L(0) in the body.
+    momentum: [f64; 3],
+    /// Elements 11, 22, 33, 12, 13, 23 of a tensor along the labelled axes by its elements xx, yy, zz, xy, xz, yz, in units of the elements.
+    tensor: [[f64; 6]; 6],
+    /// rad/s per unit.
+    rad_s: f64,
+}
+
+impl ToBody {
+    pub(super) fn of(flow: &MomentumFlow, labelled: &Labelled, kg_m2: f64, rad_s: f64) -> Self {
+        let a = labelled.axes;
+        let axes = [0, 1, 2].map(|x| a.map(|axis| axis[x]));
+        let tensor = PAIRS.map(|[j, k]| {
+            PAIRS.map(|[x, y]| {
+                let both = a[j][x] * a[k][y];
+                (if x == y { both } else { both + a[j][y] * a[k][x] }) / kg_m2
+            })
+        });
+        Self {
+            axes,
+            to_omega: axes.map(|row| [0, 1, 2].map(|k| row[k] * flow.inverse[k])),
+            to_momentum: [0, 1, 2].map(|k| a[k].map(|x| x / flow.inverse[k])),
+            momentum: axes.map(|row| dot(&row, &flow.start)),
+            tensor,
+            rad_s,
+        }
+    }
+
+    /// A body vector along the labelled axes.
+    #[inline(always)]
+    pub(super) fn along(&self, v: [f64; 3]) -> [f64; 3] {
+        let [x, y, z] = &self.axes;
+        let along = |k: usize| x[k] * v[0] + y[k] * v[1] + z[k] * v[2];
+        [along(0), along(1), along(2)]
+    }
+
+    /// At L = `l`, from M = ∂L(t)/∂L(0) and the attitude at the start, seen from that at t, B.
+    ///
+    /// L is constant in space: θ × L = B δL(0) − δL(t) for θ(0) = 0, and L·θ = t ω·δL(0) + ∫ δH dt, δH = −½ ω·δI ω:
+    ///
+    /// L² θ = L (L·θ) + L × (B δL(0) − δL(t)),  δω = I⁻¹ (δL − δI ω)
+    #[inline(always)]
+    pub(super) fn columns(
+        &self,
+        flow: &MomentumFlow,
+        l: &[f64; 3],
+        back: &[[f64; 3]; 3],
+        f: &TimeFunctions,
+    ) -> Columns {
+        let by_start = flow.derivative(l, f);
+        let ByInertia { action, momentum } = flow.by_inertia(l, &by_start, f);
+        let over = flow.over[0];
+        let along = [l[0] * over, l[1] * over, l[2] * over];
+        let inverse = flow.inverse;
+        let before = [inverse[0] * flow.start[0], inverse[1] * flow.start[1], inverse[2] * flow.start[2]];
+        let now = [inverse[0] * l[0], inverse[1] * l[1], inverse[2] * l[2]];
+        // B − M
+        let lag = [
+            [back[0][0] - by_start[0][0], back[0][1] - by_start[0][1], back[0][2] - by_start[0][2]],
+            [back[1][0] - by_start[1][0], back[1][1] - by_start[1][1], back[1][2] - by_start[1][2]],
+            [back[2][0] - by_start[2][0], back[2][1] - by_start[2][1], back[2][2] - by_start[2][2]],
+        ];
+        let mut columns = Columns { by_omega: [[0.0; 3]; 6], by_tensor: [[0.0; 6]; 6] };
+        for x in 0..3 {
+            // L ×, along a body axis
+            let across = cross(&self.axes[x], &along);
+            let along = dot(&self.axes[x], &along);
+            let turn = product(&across, &lag);
+            let share = product(&turn, &self.to_momentum);
+            for k in 0..3 {
+                columns.by_omega[x][k] = along * (f.time * self.momentum[k]) + share[k];
+            }
+            let (lever, change) = (levers(&turn, &before), product6(&across, &momentum));
+            for p in 0..6 {
+                columns.by_tensor[x][p] = along * action[p] + (lever[p] - change[p]);
+            }
+            let to_omega = &self.to_omega[x];
+            let rate = product(to_omega, &by_start);
+            columns.by_omega[3 + x] = product(&rate, &self.to_momentum);
+            let (lever, change, now) =
+                (levers(&rate, &before), product6(to_omega, &momentum), levers(to_omega, &now));
+            for p in 0..6 {
+                columns.by_tensor[3 + x][p] = (lever[p] + change[p]) - now[p];
+            }
+        }
+        columns
+    }
+
+    /// A state's derivatives in SI; `turn` is the attitude at the start, seen from that of the state.
+    #[inline(always)]
+    pub(super) fn in_si(&self, columns: &Columns, turn: &[[f64; 3]; 3], state: State) -> StateDerivatives {
+        let mut derivatives = StateDerivatives { state, by_start: [[0.0; 6]; 6], by_inertia: [[0.0; 6]; 6] };
+        for row in 0..6 {
+            let (of_start, of_tensor) = if row < 3 { (1.0 / self.rad_s, 1.0) } else { (1.0, self.rad_s) };
+            for k in 0..3 {
+                if row < 3 {
+                    derivatives.by_start[row][k] = turn[row][k];
+                }
+                derivatives.by_start[row][3 + k] = of_start * columns.by_omega[row][k];
+            }
+            let weights = &columns.by_tensor[row];
+            let mut sum = [0.0; 6];
+            for p in 0..6 {
+                for k in 0..6 {
+                    sum[k] += weights[p] * self.tensor[p][k];
+                }
+            }
+            for k in 0..6 {
+                derivatives.by_inertia[row][k] = of_tensor * sum[k];
+            }
+        }
+        derivatives
+    }
+}
+
+#[inline(always)]
+pub(super) fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// A row times a matrix.
+#[inline(always)]
+fn product(row: &[f64; 3], m: &[[f64; 3]; 3]) -> [f64; 3] {
+    let sum = |k: usize| row[0] * m[0][k] + row[1] * m[1][k] + row[2] * m[2][k];
+    [sum(0), sum(1), sum(2)]
+}
+
+#[inline(always)]
+fn product6(row: &[f64; 3], m: &[[f64; 6]; 3]) -> [f64; 6] {
+    let sum = |k: usize| row[0] * m[0][k] + row[1] * m[1][k] + row[2] * m[2][k];
+    [sum(0), sum(1), sum(2), sum(3), sum(4), sum(5)]
+}
+
+/// A row times δI ω of unit changes of the six elements.
+#[inline(always)]
+pub(super) fn levers(row: &[f64; 3], omega: &[f64; 3]) -> [f64; 6] {
+    let ([a, b, c], [x, y, z]) = (*row, *omega);
+    [a * x, b * y, c * z, a * y + b * x, a * z + c * x, b * z + c * y]
+}

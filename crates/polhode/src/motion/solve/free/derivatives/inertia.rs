@@ -1,0 +1,111 @@
+//! What a change of the inertia tensor does to L(t), and to the action.
+
+use super::functions::TimeFunctions;
+use super::momentum::MomentumFlow;
+
+/// By the elements 11, 22, 33, 12, 13, 23 of the tensor along the labelled axes, ω(0) kept but for δL(0) = δI ω(0).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ByInertia {
+    /// t ω·δI ω of the start, half of it of a diagonal element, less ½ ∫ ω·δI ω dt.
+    pub(super) action: [f64; 6],
+    /// What is added to L(t).
+    pub(super) momentum: [[f64; 6]; 3],
+}
+
+/// While cn u is larger, the sums that are divided by 1 + cn u and cn u + dn u lose nothing.
+const WELL_BEFORE_HALF: f64 = 0.5;
+
+/// Of a function h of time and of the constants: h, and 2 (∂₁ − ∂₃) h by A1² and A3².
+#[derive(Clone, Copy)]
+struct Factor {
+    value: f64,
+    slope: f64,
+}
+
+impl MomentumFlow {
+    /// From L(t) and M = ∂L(t)/∂L(0): a change of H by δH = −½ ω·δI ω is one of the start by L(0) × ∇∫ δH dt, so that the integrals
+    /// Sⱼₖ = ∫ Lⱼ Lₖ dt are needed as functions of L(0).
+    ///
+    /// M keeps Poisson brackets. So M (L(0) × ∇f(L(t))) = L(t) × f′, and of a function C(A1², A3²) it is 2 (∂₁C − ∂₃C) N(t), N = L̇/δ1.
+    /// All integrals are made of these and of σ, cn, dn and S = ∫ σ² dt:
+    ///
+    /// S₂₂ = δ1² A1² A3² S + σ L2 L2(t),  S₁₁ = A1² t − ρ S₂₂,  S₃₃ = A3² t − (1 − ρ) S₂₂,
+    /// S₁₂ = σ (L1 L2(t) + L2 L1(t))/(1 + dn),  S₂₃: 1 + cn,  S₃₁: cn + dn,
+    ///
+    /// or S₂₃ = (L1 − L1(t))/δ2, S₃₁ = (L2(t) − L2)/δ1.
+    #[inline(always)]
+    pub(super) fn by_inertia(&self, l: &[f64; 3], by_start: &[[f64; 3]; 3], f: &TimeFunctions) -> ByInertia {
+        let ([d1, d2, d12], [rho, rest]) = (self.delta, self.rho);
+        let ([l1, l2, l3], [a1, a3, norm2]) = (self.start, self.squares);
+        let (t, sigma, c, d, v) = (f.time, f.sigma, f.cn, f.dn, f.quotient);
+        let pq = d1 * d2;
+        // 2 (∂₁ − ∂₃) of σ, cn and dn
+        let e = self.slope;
+        let of_sigma = pq * f.lag - e * (c * d) * v;
+        let of_cn = pq * sigma * d * (d1 * d12 * norm2 * v + t);
+        let of_dn = sigma * (pq * self.m * c * t - e * (sigma / d - self.m * self.p * c * v));
+
+        let ends = l2 * l[1];
+        let of_second =
+            d1 * d1 * (norm2 * (d * d) * v + a3 * f.square - a1 * (t * sigma * sigma)) + ends * of_sigma;
+        // L2² t − S₂₂
+        let departure = l2 * l2 * t - (d1 * d1 * (a1 * a3) * f.square + sigma * ends);
+        let quotient = |below: f64, of_below: f64| {
+            let value = sigma / below;
+            Factor { value, slope: (of_sigma - value * of_below) / below }
+        };
+        let sums = [l1 * l[1] + l2 * l[0], l3 * l[0] + l1 * l[2], l2 * l[2] + l3 * l[1]];
+        let h12 = quotient(1.0 + d, of_dn);
+        let early = c > WELL_BEFORE_HALF;
+        let (h31, h23, s31, s23);
+        if early {
+            (h31, h23) = (quotient(c + d, of_cn + of_dn), quotient(1.0 + c, of_cn));
+            (s31, s23) = (h31.value * sums[1], h23.value * sums[2]);
+        } else {
+            let by = |delta: f64| Factor { value: 1.0 / delta, slope: 0.0 };
+            (h31, h23) = (by(d1), by(d2));
+            (s31, s23) = (h31.value * (l[1] - l2), h23.value * (l1 - l[0]));
+        }
+        let share = &self.shares;
+        let row = |i: usize, end: [f64; 3], n: f64| -> [f64; 6] {
+            let [m1, m2, m3] = by_start[i];
+            // M (L(0) × eₖ); `end` are L(t) × eₖ
+            let moved = [l3 * m2 - l2 * m3, l1 * m3 - l3 * m1, l2 * m1 - l1 * m2];
+            let second = of_second * n + sigma * (l[1] * moved[1] + l2 * end[1]);
+            let product = |h: Factor, both: f64, a: f64, b: f64| (h.slope * both) * n + h.value * (a + b);
+            let first_second =
+                product(h12, sums[0], l[1] * moved[0] + l1 * end[1], l[0] * moved[1] + l2 * end[0]);
+            let (third_first, second_third) = if early {
+                (
+                    product(h31, sums[1], l[0] * moved[2] + l3 * end[0], l[2] * moved[0] + l1 * end[2]),
+                    product(h23, sums[2], l[2] * moved[1] + l2 * end[2], l[1] * moved[2] + l3 * end[1]),
+                )
+            } else {
+                (h31.value * (end[1] - moved[1]), h23.value * (moved[0] - end[0]))
+            };
+            [
+                share[0] * (rho * second - 2.0 * t * n),
+                -share[1] * second,
+                share[2] * (rest * second + 2.0 * t * n),
+                -share[3] * first_second,
+                -share[4] * third_first,
+                -share[5] * second_third,
+            ]
+        };
+        ByInertia {
+            action: [
+                -share[0] * (rho * departure),
+                share[1] * departure,
+                -share[2] * (rest * departure),
+                share[3] * (l1 * l2 * t - h12.value * sums[0]),
+                share[4] * (l1 * l3 * t - s31),
+                share[5] * (l2 * l3 * t - s23),
+            ],
+            momentum: [
+                row(0, [0.0, -l[2], l[1]], -rho * l[1] * l[2]),
+                row(1, [l[2], 0.0, -l[0]], l[2] * l[0]),
+                row(2, [-l[1], l[0], 0.0], -rest * l[0] * l[1]),
+            ],
+        }
+    }
+}

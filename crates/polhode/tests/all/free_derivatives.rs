@@ -1,0 +1,336 @@
+//! Derivatives of free motion against differences in high precision, their own differential equations, and the laws of motion.
+
+use crate::common::{cases, matrix, number, numbers, table};
+use polhode::motion::{FreeMotionDerivatives, StateDerivatives};
+use polhode::prelude::*;
+
+/// Rows and columns of a derivative.
+type Block<'a> = (&'a str, core::ops::Range<usize>, core::ops::Range<usize>);
+
+/// A body with the elements xx, yy, zz, xy, xz, yz.
+fn body([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> Rotor {
+    let inertia = InertiaTensor::with_negative_products([xx, yy, zz], [xy, xz, yz]).unwrap();
+    Rotor::free(&MassProperties::new(1.3, Position::new(0.2, -0.1, 0.4), inertia).unwrap())
+}
+
+fn start(omega: [f64; 3]) -> State {
+    let attitude = Attitude::from_quaternion([0.6, -0.3, 0.5, 0.55]).unwrap();
+    State { time: 0.0, attitude, omega: AngularVelocity::from_array(omega) }
+}
+
+fn motion(tensor: [f64; 6], omega: [f64; 3]) -> FreeMotionDerivatives {
+    FreeMotionDerivatives::of(&body(tensor), start(omega)).unwrap()
+}
+
+/// Bodies of every kind with a start, and a time in which something happens.
+fn motions() -> Vec<(&'static str, [f64; 6], [f64; 3], f64)> {
+    let diagonal = |a: f64, b: f64, c: f64| [a, b, c, 0.0, 0.0, 0.0];
+    let products = [1.5, 2.25, 2.5, 0.125, -0.25, 0.375];
+    vec![
+        ("short", diagonal(1.3, 2.1, 2.9), [0.35, -0.2, 0.8], 7.0),
+        ("long", diagonal(2.1, 2.9, 1.3), [0.4, -0.25, 0.7], -9.0),
+        ("products", products, [0.1, 0.9, 0.2], 31.0),
+        ("products, briefly", products, [0.3, -0.2, 0.8], 0.05),
+        ("near the separatrix", diagonal(1.3, 2.1, 2.9), [1e-3, 1.0, -1e-3], 40.0),
+        ("separatrix", diagonal(3.0, 4.0, 6.0), [1.0, 0.3, 0.5], 3.0),
+        ("permanent, middle", diagonal(1.3, 2.1, 2.9), [0.0, -0.7, 0.0], 5.0),
+        ("permanent, greatest", diagonal(1.3, 2.1, 2.9), [0.0, 0.0, 1.1], 5.0),
+        ("oblate", diagonal(2.0, 2.0, 3.5), [0.4, -0.7, 1.1], 12.0),
+        ("oblate, across", diagonal(1.5, 1.5, 1.7), [0.7, -0.3, 0.0], 12.0),
+        ("prolate", diagonal(0.7, 2.4, 2.4), [1.3, 0.5, -0.35], -4.0),
+        ("spherical", diagonal(1.3, 1.3, 1.3), [0.4, -0.7, 1.1], 6.0),
+    ]
+}
+
+fn norm<'a>(elements: impl IntoIterator<Item = &'a f64>) -> f64 {
+    elements.into_iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// |a − b|/|b| of a block of six rows; |a − b| where b is zero.
+fn error<const N: usize>(a: &[[f64; N]; 6], b: &[[f64; N]; 6], (_, rows, columns): &Block<'_>) -> f64 {
+    let (mut difference, mut size) = (0.0, 0.0);
+    for row in rows.clone() {
+        for column in columns.clone() {
+            let (a, b) = (a[row][column], b[row][column]);
+            difference += (a - b) * (a - b);
+            size += b * b;
+        }
+    }
+    if size == 0.0 { f64::sqrt(difference) } else { f64::sqrt(difference / size) }
+}
+
+fn six_rows<const N: usize>(value: &toml::Value) -> [[f64; N]; 6] {
+    let rows: Vec<_> = value.as_array().unwrap().iter().map(numbers).collect();
+    rows.try_into().unwrap()
+}
+
+#[test]
+fn differences_in_high_precision_are_these_derivatives() {
+    let mut failures = Vec::new();
+    let mut worst: f64 = 0.0;
+    for case in cases(&table("free_derivatives"), "case") {
+        let name = case["name"].as_str().unwrap();
+        let motion = motion(numbers(&case["inertia"]), numbers(&case["omega"]));
+        for row in cases(case, "at") {
+            let t = number(&row["t"]);
+            let StateDerivatives { by_start, by_inertia, .. } = motion.at(t);
+            let turn = matrix(&row["turn"]);
+            for (i, of_start) in by_start.iter().enumerate() {
+                for k in 0..3 {
+                    // θ by θ(0) is attitude(t)ᵀ attitude(0), and ω does not depend on the attitude
+                    let exact = if i < 3 { turn[k][i] } else { 0.0 };
+                    assert!((of_start[k] - exact).abs() < 1e-14, "{name} at {t}: {:e}", of_start[k] - exact);
+                }
+            }
+            let by_omega: [[f64; 3]; 6] = six_rows(&row["by_omega"]);
+            let found = by_start.map(|row| [row[3], row[4], row[5]]);
+            let tensor: [[f64; 6]; 6] = six_rows(&row["by_inertia"]);
+            for (what, error) in [
+                ("θ by ω", error(&found, &by_omega, &("", 0..3, 0..3))),
+                ("ω by ω", error(&found, &by_omega, &("", 3..6, 0..3))),
+                ("θ by I", error(&by_inertia, &tensor, &("", 0..3, 0..6))),
+                ("ω by I", error(&by_inertia, &tensor, &("", 3..6, 0..6))),
+            ] {
+                worst = worst.max(error);
+                if !(error <= 2e-13) {
+                    failures.push(format!("{name} at {t:e}, {what}: {error:.1e}"));
+                }
+            }
+        }
+    }
+    println!("worst {worst:.1e}");
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// θ̇ = −ω × θ + δω, δω̇ = I⁻¹ (δI-part): here by differences of the derivatives in time, of which the second are known.
+#[test]
+fn the_derivatives_satisfy_the_variational_equations() {
+    for (name, tensor, omega, t) in motions() {
+        let motion = motion(tensor, omega);
+        let h = 2f64.powi(-7) / norm(&omega);
+        let states = [-4, -3, -2, -1, 1, 2, 3, 4].map(|k| motion.at(t + f64::from(k) * h));
+        let weights = [3.0, -32.0, 168.0, -672.0, 672.0, -168.0, 32.0, -3.0];
+        let now = motion.at(t);
+        let w = now.state.omega;
+        for (part, all) in [(0, 6), (1, 6)] {
+            let of = |s: &StateDerivatives| if part == 0 { s.by_start } else { s.by_inertia };
+            let here = of(&now);
+            let size = norm(here.iter().flatten());
+            for column in 0..all {
+                let rate = |row: usize| {
+                    let sum: f64 = states.iter().zip(weights).map(|(s, x)| x * of(s)[row][column]).sum();
+                    sum / (840.0 * h)
+                };
+                let column_of = |first: usize| [0, 1, 2].map(|k| here[first + k][column]);
+                let (turn, change) = (column_of(0), column_of(3));
+                let w = w.to_array();
+                let cross = |a: [f64; 3], b: [f64; 3]| {
+                    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+                };
+                let inertia = |v: [f64; 3]| apply(tensor, v);
+                // δI ω and δI ω̇ of this column
+                let unit = |v: [f64; 3]| if part == 0 { [0.0; 3] } else { apply(unit_of(column), v) };
+                let acceleration = motion.motion().angular_acceleration(&now.state).to_array();
+                let expected_turn = cross(turn, w);
+                // (I ω)̇ = I ω × ω, varied
+                let mut momentum_rate = cross(inertia(change), w);
+                for term in [cross(unit(w), w), cross(inertia(w), change)] {
+                    for (sum, x) in momentum_rate.iter_mut().zip(term) {
+                        *sum += x;
+                    }
+                }
+                let found = inertia([rate(3), rate(4), rate(5)]);
+                let of_acceleration = unit(acceleration);
+                for k in 0..3 {
+                    let turn_error = (rate(k) - expected_turn[k] - change[k]).abs();
+                    assert!(
+                        turn_error < 1e-11 * size,
+                        "{name}, θ{k} column {column}: {turn_error:e} of {size:e}"
+                    );
+                    let error = (found[k] + of_acceleration[k] - momentum_rate[k]).abs();
+                    assert!(error < 1e-10 * size, "{name}, ω{k} column {column}: {error:e} of {size:e}");
+                }
+            }
+        }
+    }
+}
+
+fn apply([xx, yy, zz, xy, xz, yz]: [f64; 6], [x, y, z]: [f64; 3]) -> [f64; 3] {
+    [xx * x + xy * y + xz * z, xy * x + yy * y + yz * z, xz * x + yz * y + zz * z]
+}
+
+fn unit_of(element: usize) -> [f64; 6] {
+    let mut unit = [0.0; 6];
+    unit[element] = 1.0;
+    unit
+}
+
+#[test]
+fn scaling_the_tensor_changes_nothing_and_energy_and_momentum_are_conserved() {
+    for (name, tensor, omega, t) in motions() {
+        let motion = motion(tensor, omega);
+        let now = motion.at(t);
+        let size = norm(now.by_inertia.iter().flatten()) * norm(&tensor);
+        for row in now.by_inertia {
+            let null: f64 = row.iter().zip(&tensor).map(|(x, y)| x * y).sum();
+            assert!(null.abs() < 1e-13 * size, "{name}: {null:e} of {size:e}");
+        }
+        // ω(t; κω0) = κ ω(κt; ω0):  (∂ω/∂ω0) ω0 = ω + t ω̇, and the attitude is that at κt: (∂θ/∂ω0) ω0 = t ω
+        let state = now.state;
+        let (w, a) = (state.omega.to_array(), motion.motion().angular_acceleration(&state).to_array());
+        for k in 0..3 {
+            let along = |row: [f64; 6]| row[3] * omega[0] + row[4] * omega[1] + row[5] * omega[2];
+            let (turn, rate) =
+                (along(now.by_start[k]) - t * w[k], along(now.by_start[3 + k]) - w[k] - t * a[k]);
+            let size = norm(now.by_start.iter().flatten()) * norm(&omega);
+            assert!(
+                turn.abs() < 2e-14 * size && rate.abs() < 2e-14 * size,
+                "{name}: {turn:e}, {rate:e} of {size:e}"
+            );
+        }
+        // δ(2T)/2 = L·δω + ½ ω·δI ω is what it is at the start
+        for column in 0..9 {
+            let inertia = column >= 3;
+            let (unit, from, before) = if inertia {
+                (unit_of(column - 3), column - 3, [0.0; 3])
+            } else {
+                let mut before = [0.0; 3];
+                before[column] = 1.0;
+                ([0.0; 6], 3 + column, before)
+            };
+            let table = if inertia { &now.by_inertia } else { &now.by_start };
+            let after = [3, 4, 5].map(|row| table[row][from]);
+            let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+            let energy =
+                |w: [f64; 3], change: [f64; 3]| dot(apply(tensor, w), change) + 0.5 * dot(w, apply(unit, w));
+            let error = energy(w, after) - energy(omega, before);
+            let size = norm(table.iter().flatten()) * norm(&tensor) * norm(&omega) + 1.0;
+            assert!(error.abs() < 1e-13 * size, "{name}, column {column}: {error:e} of {size:e}");
+        }
+    }
+}
+
+/// In θ and L the flow is Hamiltonian: with ω = I⁻¹ L, Φᵀ J(t) Φ = J(0), J = [[−L×, 1], [−1, 0]].
+#[test]
+fn the_transition_matrix_is_symplectic() {
+    for (name, tensor, omega, t) in motions() {
+        let motion = motion(tensor, omega);
+        let now = motion.at(t);
+        let form = |l: [f64; 3], a: [f64; 6], b: [f64; 6]| {
+            // δθ₁·δL₂ − δθ₂·δL₁ + L·(δθ₁ × δθ₂)
+            let (p, q) = ([a[0], a[1], a[2]], [b[0], b[1], b[2]]);
+            let (dl, dm) = (apply(tensor, [a[3], a[4], a[5]]), apply(tensor, [b[3], b[4], b[5]]));
+            let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+            let cross = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+            dot(p, dm) - dot(q, dl) + dot(l, cross)
+        };
+        let column = |k: usize| now.by_start.map(|row| row[k]);
+        let unit = |k: usize| {
+            let mut unit = [0.0; 6];
+            unit[k] = 1.0;
+            unit
+        };
+        let (before, after) = (apply(tensor, omega), apply(tensor, now.state.omega.to_array()));
+        let size = norm(now.by_start.iter().flatten()).powi(2) * norm(&tensor);
+        for j in 0..6 {
+            for k in 0..6 {
+                let error = form(after, column(j), column(k)) - form(before, unit(j), unit(k));
+                assert!(error.abs() < 1e-14 * size, "{name}, {j} {k}: {error:e} of {size:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn transitions_follow_one_another() {
+    for (name, tensor, omega, t) in motions() {
+        let motion = motion(tensor, omega);
+        let (half, whole) = (motion.at(0.4 * t), motion.at(t));
+        let second = FreeMotionDerivatives::of(&body(tensor), half.state).unwrap().at(t);
+        for row in 0..6 {
+            for k in 0..6 {
+                let product: f64 = (0..6).map(|j| second.by_start[row][j] * half.by_start[j][k]).sum();
+                let of_tensor: f64 =
+                    (0..6).map(|j| second.by_start[row][j] * half.by_inertia[j][k]).sum::<f64>()
+                        + second.by_inertia[row][k];
+                let size = norm(second.by_start.iter().flatten());
+                let (error, scale) =
+                    (product - whole.by_start[row][k], size * norm(half.by_start.iter().flatten()));
+                assert!(error.abs() < 2e-14 * scale, "{name} {row} {k}: {error:e} of {scale:e}");
+                let (error, scale) = (
+                    of_tensor - whole.by_inertia[row][k],
+                    size * norm(half.by_inertia.iter().flatten()) + norm(whole.by_inertia.iter().flatten()),
+                );
+                assert!(error.abs() < 2e-13 * scale, "{name} {row} {k}: {error:e} of {scale:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn at_the_start_nothing_has_changed_and_beyond_reach_nothing_is_known() {
+    for (name, tensor, omega, t) in motions() {
+        let motion = motion(tensor, omega);
+        let first = motion.at(0.0);
+        assert_eq!(first.state, motion.motion().start(), "{name}");
+        for row in 0..6 {
+            for k in 0..6 {
+                let unit = if row == k { 1.0 } else { 0.0 };
+                assert!((first.by_start[row][k] - unit).abs() < 1e-15, "{name}: {:?}", first.by_start);
+                assert_eq!(first.by_inertia[row][k], 0.0, "{name}");
+            }
+        }
+        for far in [f64::NAN, f64::INFINITY] {
+            let none = motion.at(far);
+            assert!(none.by_start.iter().chain(&none.by_inertia).flatten().all(|x| x.is_nan()), "{name}");
+        }
+        // The state is the motion's, to the bit.
+        assert_eq!(motion.at(t).state, motion.motion().at(t), "{name}");
+        assert_eq!(motion.at_times(&[t, 0.0]), [motion.at(t), first], "{name}");
+    }
+    let resting = motion([1.3, 2.1, 2.9, 0.1, 0.0, 0.0], [0.0; 3]).at(3.0);
+    assert!(
+        (resting.by_start[1][4] - 3.0).abs() < 1e-15
+            && resting.by_inertia.iter().flatten().all(|x| *x == 0.0)
+    );
+    let rod = FreeMotionDerivatives::of(&body([0.0, 1.0, 1.0, 0.0, 0.0, 0.0]), start([0.3, 0.5, 0.9]));
+    assert!(rod.is_err_and(|error| error.is_parameter()));
+}
+
+/// Next to the intermediate axis derivatives grow like e^|λ|t and leave the range of f64: then they are no numbers.
+#[test]
+fn what_leaves_the_range_of_numbers_is_not_a_number() {
+    let motion = motion([3.0, 4.0, 6.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    let rate = (1.0_f64 * 2.0 / (3.0 * 6.0)).sqrt();
+    for exponent in [10.0, 100.0, 300.0] {
+        let grown = norm(motion.at(exponent / rate).by_start.iter().flatten());
+        assert!((grown.ln() / exponent - 1.0).abs() < 0.2, "{exponent}: {grown:e}");
+    }
+    for exponent in [360.0, 800.0, 1e4] {
+        let none = motion.at(exponent / rate);
+        assert!(
+            none.by_start.iter().chain(&none.by_inertia).flatten().all(|x| x.is_nan()),
+            "{exponent}: {none:?}"
+        );
+        assert_eq!(none.state, motion.motion().at(exponent / rate));
+    }
+}
+
+#[test]
+fn a_covariance_is_carried_to_first_order() {
+    let motion = motion([1.5, 2.25, 2.5, 0.125, -0.25, 0.375], [0.1, 0.9, 0.2]);
+    let now = motion.at(3.0);
+    // Of one direction each the covariance is that of a vector.
+    let (a, b) = ([0.1, -0.2, 0.3, 0.4, 0.5, -0.6], [0.7, 0.2, -0.1, 0.3, -0.4, 0.5]);
+    let outer = |v: [f64; 6]| v.map(|x| v.map(|y| x * y));
+    let image =
+        |m: &[[f64; 6]; 6], v: [f64; 6]| m.map(|row| row.iter().zip(v).map(|(x, y)| x * y).sum::<f64>());
+    let (p, q) = (image(&now.by_start, a), image(&now.by_inertia, b));
+    let covariance = now.covariance(&outer(a), &outer(b));
+    for i in 0..6 {
+        for k in 0..6 {
+            let exact = p[i] * p[k] + q[i] * q[k];
+            assert!((covariance[i][k] - exact).abs() < 1e-13, "{i} {k}: {}", covariance[i][k]);
+        }
+    }
+}

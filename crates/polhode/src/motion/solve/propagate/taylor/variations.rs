@@ -304,19 +304,30 @@ impl Block {
     ) {
         let Self { series, sources } = self;
         for n in 0..order {
-            let load = |rows: &Rows| rows.map(|row| s.load_eight(&row.0));
-            let mut sums = load(&sources[n]);
+            let mut sums = load(s, &sources[n]);
             for (a, x) in rates[..=n].iter().zip(series[..=n].iter().rev()).rev() {
-                sums = plus::<S, FRICTION, ATTITUDE>(s, sums, a, load(x));
+                sums = plus::<S, FRICTION, ATTITUDE>(s, sums, a, load(s, x));
             }
             if !FRICTION {
                 for k in 0..3 {
                     sums[k] = sums[k] + s.load_eight(&series[n][3 + k].0);
                 }
             }
-            series[n + 1] = sums.map(|sum| Lanes(s.eight_numbers(over(sum, n + 1))));
+            for (place, sum) in series[n + 1].iter_mut().zip(sums) {
+                *place = Lanes(s.eight_numbers(over(sum, n + 1)));
+            }
         }
     }
+}
+
+/// Six rows in registers. A loop, as in a closure of `map` vectors would be function calls.
+#[inline(always)]
+fn load<S: Machine>(s: S, rows: &Rows) -> [S::Eight; 6] {
+    let mut all = [s.eight(0.0); 6];
+    for (place, row) in all.iter_mut().zip(rows) {
+        *place = s.load_eight(&row.0);
+    }
+    all
 }
 
 /// Plus θ × Ω and what is linear in θ and δω.
@@ -358,12 +369,15 @@ impl Work for Sum<'_, '_> {
     #[inline(always)]
     fn run<S: Machine>(self, s: S) {
         let (h, order) = (s.eight(self.h), self.variations.order);
-        for (block, sums) in self.variations.blocks.iter().zip(self.sums) {
-            for (k, sum) in sums.iter_mut().enumerate() {
-                let coefficient = |rows: &Rows| s.load_eight(&rows[k].0);
-                let terms = block.series[..order].iter().rev().map(coefficient);
-                let last = coefficient(&block.series[order]);
-                *sum = Lanes(s.eight_numbers(terms.fold(last, |sum, c| sum.mul_add(h, c))));
+        for (block, place) in self.variations.blocks.iter().zip(self.sums) {
+            let mut sums = load(s, &block.series[order]);
+            for rows in block.series[..order].iter().rev() {
+                for (sum, c) in sums.iter_mut().zip(load(s, rows)) {
+                    *sum = sum.mul_add(h, c);
+                }
+            }
+            for (place, sum) in place.iter_mut().zip(sums) {
+                *place = Lanes(s.eight_numbers(sum));
             }
         }
     }

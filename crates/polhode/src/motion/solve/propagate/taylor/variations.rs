@@ -210,15 +210,14 @@ impl<'a> Variations<'a> {
             let [x, y, z, _] = turning.rows.at(n).0;
             let rates = &mut self.rates[n];
             rates.turning = [[x, y, z], [-x, -y, -z]];
-            for (k, slope) in self.by_state.iter().enumerate() {
-                let (torque, bending) = (inverses * at(slope.torque), at(slope.turning));
-                let matrix = if k < 3 { &mut rates.of_attitude } else { &mut rates.of_omega };
-                for i in 0..3 {
-                    matrix[i][k % 3] = torque.0[i];
-                    if k >= 3 {
-                        rates.bending[i][k % 3] = bending.0[i];
-                    }
-                }
+            let put = |matrix: &mut [[f64; 3]; 3], column: usize, v: Row| {
+                matrix.iter_mut().zip(v.0).for_each(|(row, x)| row[column] = x);
+            };
+            let (of_attitude, of_omega) = self.by_state.split_at(3);
+            for (k, [turn, faster]) in of_attitude.iter().zip(of_omega).map(|(a, b)| [a, b]).enumerate() {
+                put(&mut rates.of_attitude, k, inverses * at(turn.torque));
+                put(&mut rates.of_omega, k, inverses * at(faster.torque));
+                put(&mut rates.bending, k, at(faster.turning));
             }
             // (n + 1) ωₙ₊₁ is coefficient n of ω̇.
             let [a, b, c, _] = self.omega.rows.at(n + 1).0.map(|x| x * (n + 1) as f64);

@@ -13,6 +13,7 @@ pub(super) const WIDTH: usize = 8;
 pub(super) type Rows = [Lanes<WIDTH>; 6];
 
 pub(super) const NO_ROWS: Rows = [Lanes([0.0; WIDTH]); 6];
+
 /// Which parts the equations have.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Equations {
@@ -38,6 +39,7 @@ pub(super) struct Block {
     pub(super) series: Vec<Rows>,
     pub(super) sources: Vec<Rows>,
 }
+
 impl Block {
     /// Nothing but zeros.
     pub(super) fn new() -> Self {

@@ -48,6 +48,7 @@ pub(super) struct Variations<'a> {
     expanded_at: Option<f64>,
     order: usize,
 }
+
 impl<'a> Variations<'a> {
     /// Of a motion that starts now, by these parameters too.
     pub(super) fn new(

@@ -103,6 +103,21 @@ fn a_near_miss_is_none_and_a_near_touch_is_two() {
 }
 
 #[test]
+fn what_is_passed_twice_in_a_step_happens_once_where_it_stops() {
+    // ω_x passes 0.99 A twice at each crest, in one step.
+    let rotor = free_body([1.7, 1.7, 3.1]);
+    let omega: [f64; 3] = [0.9, -0.4, 2.3];
+    let x = Measure::OmegaBody(Direction::new(1.0, 0.0, 0.0));
+    let events = [event(x, 0.99 * omega[0].hypot(omega[1]), Sense::Either, EventAction::Stop)];
+    for method in METHODS {
+        let motion =
+            run(Simulation { events: &events, method, ..simulation(&rotor, &[], omega, &[0.7, 60.7]) });
+        let [crossing] = motion.events() else { panic!("{method:?}: {:?}", motion.events()) };
+        assert_eq!(*motion.ending(), Ending::Stopped { event: 0, time: crossing.state.time });
+    }
+}
+
+#[test]
 fn a_spin_up_stops_at_its_rate() {
     // About a principal axis that is none of the drawing's, ω = N t / I.
     let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();

@@ -1,26 +1,33 @@
-//! How a state changes with its start, and with the inertia of the body.
+//! How a state depends on its start and on the inertia tensor.
 
 use super::state::State;
 
-/// The derivatives of a state: rows θ1 θ2 θ3 ω1 ω2 ω3, where attitude = R exp(θ), θ a small rotation vector along body axes (rad), ω along body axes (rad/s).
+/// The derivatives of a state: rows θ1 θ2 θ3 ω1 ω2 ω3, where attitude = R exp(θ), θ a small rotation vector along body axes (rad),
+/// ω along body axes (rad/s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StateDerivatives {
     /// The state itself.
     pub state: State,
-    /// By θ(0) (body axes at the start) and ω(0): the state transition matrix Φ(t, t₀); columns θ1 θ2 θ3 ω1 ω2 ω3.
+    /// By θ and ω of the start, along body axes: the state transition matrix Φ(t, t0). Columns θ1 θ2 θ3 ω1 ω2 ω3.
     pub by_start: [[f64; 6]; 6],
-    /// By the elements of the inertia tensor, kg·m²: columns xx, yy, zz, xy, xz, yz. I_xy = I_yx is one number, and it is the tensor's element,
-    /// which is minus the integral.
+    /// By the elements of the inertia tensor, kg·m²: columns xx, yy, zz, xy, xz, yz. I_xy = I_yx is one number, an element of the tensor:
+    /// minus the integral of xy.
     pub by_inertia: [[f64; 6]; 6],
 }
 
 impl StateDerivatives {
-    /// The covariance of the state to first order, Φ C Φᵀ + S K Sᵀ, of C, that of the start, and K, that of the inertia; rows and columns as
-    /// those of the derivatives.
+    /// The covariance of the state, to first order, from that of the start and that of the inertia tensor, which are independent of each
+    /// other: Φ P Φᵀ + G Q Gᵀ, rows and columns in the order of the derivatives.
+    #[must_use]
     pub fn covariance(&self, start: &[[f64; 6]; 6], inertia: &[[f64; 6]; 6]) -> [[f64; 6]; 6] {
-        let [of_start, of_inertia] =
-            [(&self.by_start, start), (&self.by_inertia, inertia)].map(|(by, c)| congruent(by, c));
-        core::array::from_fn(|i| core::array::from_fn(|j| of_start[i][j] + of_inertia[i][j]))
+        let (of_start, of_inertia) = (carried(&self.by_start, start), carried(&self.by_inertia, inertia));
+        let mut sum = of_start;
+        for (row, other) in sum.iter_mut().zip(of_inertia) {
+            for (element, x) in row.iter_mut().zip(other) {
+                *element += x;
+            }
+        }
+        sum
     }
 
     /// Of a time at which nothing is known.
@@ -31,10 +38,9 @@ impl StateDerivatives {
     }
 }
 
-/// A C Aᵀ
-fn congruent(a: &[[f64; 6]; 6], c: &[[f64; 6]; 6]) -> [[f64; 6]; 6] {
-    let dot = |x: &[f64; 6], y: &[f64; 6]| x.iter().zip(y).map(|(x, y)| x * y).sum::<f64>();
-    // Rows of A C, of a symmetric C.
-    let half = a.map(|row| c.map(|column| dot(&row, &column)));
-    half.map(|row| a.map(|column| dot(&row, &column)))
+/// D C Dᵀ
+fn carried(derivatives: &[[f64; 6]; 6], covariance: &[[f64; 6]; 6]) -> [[f64; 6]; 6] {
+    let dot = |a: &[f64; 6], b: &[f64; 6]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+    let half = derivatives.map(|row| [0, 1, 2, 3, 4, 5].map(|k| dot(&row, &covariance.map(|c| c[k]))));
+    half.map(|row| derivatives.map(|other| dot(&row, &other)))
 }

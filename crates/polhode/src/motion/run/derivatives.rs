@@ -181,10 +181,15 @@ impl DerivativeLog {
 
 /// Columns by what they are by.
 fn arranged(state: State, columns: &[[f64; 6]]) -> (StateDerivatives, Vec<[f64; 6]>) {
-    let matrix = |first: usize| {
-        let at = |row: usize, k: usize| columns.get(first + k).map_or(f64::NAN, |column| column[row]);
-        core::array::from_fn(|row| core::array::from_fn(|k| at(row, k)))
-    };
-    let derivatives = StateDerivatives { state, by_start: matrix(0), by_inertia: matrix(6) };
-    (derivatives, columns.iter().skip(12).copied().collect())
+    let mut derivatives = StateDerivatives { state, ..StateDerivatives::unknown(state.time) };
+    let (of_start, others) = columns.split_at(columns.len().min(6));
+    let (of_inertia, of_parameters) = others.split_at(others.len().min(6));
+    for (matrix, columns) in
+        [(&mut derivatives.by_start, of_start), (&mut derivatives.by_inertia, of_inertia)]
+    {
+        for (k, column) in columns.iter().enumerate() {
+            matrix.iter_mut().zip(column).for_each(|(row, x)| row[k] = *x);
+        }
+    }
+    (derivatives, of_parameters.to_vec())
 }

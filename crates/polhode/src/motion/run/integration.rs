@@ -127,12 +127,16 @@ impl<'a> Integration<'a> {
                 self.happen(first, self.stepper.at(first.time).state)?;
                 continue;
             }
-            // The step ends here. What else is due now, but for rounding, happens now.
+            // The step ends here. What else is due now, but for rounding, happens now; once, though it may be passed again soon.
             self.stepper.cut(first.time);
             let state = self.stepper.now().state;
-            let later = found.iter().skip(k + 1);
-            let due: Vec<&Found> =
-                [first].into_iter().chain(later.filter(|f| self.watch.is_due(f.event, &state))).collect();
+            let mut due = vec![first];
+            for later in found.iter().skip(k + 1) {
+                let is_other = due.iter().all(|known| known.event != later.event);
+                if is_other && self.watch.is_due(later.event, &state) {
+                    due.push(later);
+                }
+            }
             for crossing in &due {
                 self.happen(crossing, state)?;
                 if let EventAction::Switch { torque, on } = self.act(crossing.event) {

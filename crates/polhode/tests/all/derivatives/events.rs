@@ -125,7 +125,7 @@ fn times_of_events_change_as_those_of_whole_runs() {
         for column in 0..13 {
             let want = derivative(
                 |h| if column < 12 { of(&problem.changed(column, h)) } else { of(&push(h)) },
-                0.004,
+                0.001,
             );
             let mut got = match column {
                 0..6 => crossed.state.by_start.map(|row| row[column]).to_vec(),

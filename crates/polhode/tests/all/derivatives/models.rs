@@ -154,6 +154,8 @@ fn models() -> Vec<(&'static str, Problem)> {
     let uniform = MagneticField::Uniform(Direction::new(0.9, -1.1, 0.4));
     let spring = Torsion::spring(1.7, rest()).unwrap();
     let wire = Torsion::wire(1.7, rest(), Direction::new(0.3, -0.5, 0.9)).unwrap();
+    let mut at_rest = Problem::free(vec![TorqueModel::Torsion(spring)]);
+    at_rest.start.attitude = rest();
     let polynomial = TimePolynomial {
         axes: TorqueAxes::Space,
         epoch: 0.1,
@@ -192,6 +194,7 @@ fn models() -> Vec<(&'static str, Problem)> {
         ("gravity gradient of points", of(gradient(orbit(), points()))),
         ("linear drag", of(drag(DragLaw::Linear))),
         ("quadratic drag", of(drag(DragLaw::Quadratic))),
+        ("spring at rest", at_rest),
         ("spring", of(TorqueModel::Torsion(spring))),
         ("wire", of(TorqueModel::Torsion(wire))),
         ("magnet", of(magnet(uniform))),

@@ -10,13 +10,14 @@ use super::TorqueModel;
 use super::graph::Graph;
 use super::law::LawInput;
 use super::parameter::ParameterKind;
-use super::recorder::{Recorder, VectorNode};
+use super::recorder::Recorder;
 use super::variation::{Along, Variation};
 use super::varied::VariedVector;
 use crate::math::algebra::VectorAlgebra;
 use crate::motion::model::rotor::Rotor;
 
-/// A graph of the derivatives of Ω and of L × Ω + N, principal axes.
+/// A graph of the derivatives of Ω and of L × Ω + N, principal axes. Without friction it has those of N alone: Ω is ω, and what L × ω has
+/// follows from ω directly, in less time.
 #[derive(Clone, Debug)]
 pub(in crate::motion) struct Linearization {
     pub(in crate::motion) graph: Graph,
@@ -28,10 +29,10 @@ pub(in crate::motion) struct Linearization {
     pub(in crate::motion) by_parameters: Vec<Slope>,
 }
 
-/// Derivatives by their places among the vectors of the graph; `None` where they are zero.
+/// Derivatives by their places among the vectors of the graph; `None` where they are zero, or not in it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::motion) struct Slope {
-    /// Of Ω. Without friction Ω is ω, and it is not here.
+    /// Of Ω.
     pub(in crate::motion) turning: Option<usize>,
     /// Of L × Ω + N.
     pub(in crate::motion) torque: Option<usize>,
@@ -49,29 +50,35 @@ impl Linearization {
     ) -> Self {
         let sink: f64 = torques.iter().map(|torque| torque.sink()).sum();
         let record = |recorder: &Recorder<'_>| {
+            // No graph is empty.
+            recorder.omega();
+            let at = |along: Along| Variation { recorder, along };
             let by = |along: Along| {
-                let at = Variation { recorder, along };
-                let [turning, gyroscopic] = rigid(&at, sink);
-                let torque = torques.iter().filter(|torque| torque.sink() == 0.0);
-                let torque = torque.fold(gyroscopic, |sum, torque| sum + torque.model().variation(&at));
-                slope(sink, [turning, torque])
+                let outside = torques.iter().filter(|torque| torque.sink() == 0.0);
+                let torque = outside.map(|torque| torque.model().variation(&at(along))).reduce(|a, b| a + b);
+                if sink == 0.0 {
+                    return Slope { turning: None, torque: torque.and_then(place) };
+                }
+                let [turning, gyroscopic] = rigid(&at(along), sink);
+                let torque = torque.map_or(gyroscopic, |torque| gyroscopic + torque);
+                Slope { turning: place(turning), torque: place(torque) }
             };
-            let state = |k: usize| if k < 3 { Along::Turn(k) } else { Along::Omega(k - 3) };
-            let by_parameter = |parameter: &ActingParameter<'_>| {
-                let Some((torque, kind)) = parameter else { return Slope::default() };
-                match kind {
-                    ParameterKind::OfLaw(which) if torque.sink() > 0.0 => {
-                        slope(sink, rigid(&Variation { recorder, along: Along::Parameter(*which) }, sink))
-                    }
-                    ParameterKind::OfLaw(which) => {
-                        let at = Variation { recorder, along: Along::Parameter(*which) };
-                        place(torque.model().variation(&at).slope)
-                    }
-                    ParameterKind::Factor => place(Some(torque.model().record(recorder))),
+            let by_parameter = |parameter: &ActingParameter<'_>| match *parameter {
+                None => Slope::default(),
+                Some((torque, ParameterKind::OfLaw(which))) if torque.sink() > 0.0 => {
+                    let [turning, torque] = rigid(&at(Along::Parameter(which)), sink).map(place);
+                    Slope { turning, torque }
+                }
+                Some((torque, ParameterKind::OfLaw(which))) => {
+                    let torque = place(torque.model().variation(&at(Along::Parameter(which))));
+                    Slope { turning: None, torque }
+                }
+                Some((torque, ParameterKind::Factor)) => {
+                    Slope { turning: None, torque: Some(torque.model().record(recorder).place) }
                 }
             };
             (
-                core::array::from_fn(|k| by(state(k))),
+                core::array::from_fn(|k| by(if k < 3 { Along::Turn(k) } else { Along::Omega(k - 3) })),
                 core::array::from_fn(|k| by(Along::Inertia(k))),
                 parameters.iter().map(by_parameter).collect(),
             )
@@ -86,16 +93,11 @@ fn rigid<I: LawInput>(at: &I, sink: f64) -> [I::Vector; 2] {
     let omega = at.omega();
     let carrier = at.inertia(omega);
     let momentum = if at.rotor().wheels().is_empty() { carrier } else { carrier + at.wheel_momentum() };
-    let turning = if sink == 0.0 { omega } else { omega + momentum.cross(omega) * at.parameter(0, sink) };
+    let turning = omega + momentum.cross(omega) * at.parameter(0, sink);
     [turning, momentum.cross(turning)]
 }
 
-fn slope(sink: f64, [turning, torque]: [VariedVector<'_>; 2]) -> Slope {
-    let of = |v: VariedVector<'_>| v.slope.map(|slope| slope.place);
-    Slope { turning: if sink == 0.0 { None } else { of(turning) }, torque: of(torque) }
-}
-
-/// Of what is a torque only.
-fn place(torque: Option<VectorNode<'_>>) -> Slope {
-    Slope { turning: None, torque: torque.map(|torque| torque.place) }
+/// The place of a derivative.
+fn place(v: VariedVector<'_>) -> Option<usize> {
+    v.slope.map(|slope| slope.place)
 }

@@ -43,6 +43,12 @@ impl<'r> VariedNumber<'r> {
     fn chain(self, value: NumberNode<'r>, rate: impl FnOnce(NumberNode<'r>) -> NumberNode<'r>) -> Self {
         Self { value, slope: self.slope.map(rate) }
     }
+
+    /// q = a/b with q′ = (a′ − q b′)/b.
+    fn quotient(self, b: Self, value: NumberNode<'r>) -> Self {
+        let slope = difference(self.slope, b.slope.map(|b| value * b)).map(|slope| slope / b.value);
+        Self { value, slope }
+    }
 }
 
 impl Neg for VariedNumber<'_> {
@@ -77,10 +83,7 @@ impl Mul for VariedNumber<'_> {
 impl Div for VariedNumber<'_> {
     type Output = Self;
     fn div(self, b: Self) -> Self {
-        // q = a/b: q′ = (a′ − q b′)/b
-        let value = self.value / b.value;
-        let slope = difference(self.slope, b.slope.map(|b| value * b)).map(|slope| slope / b.value);
-        Self { value, slope }
+        self.quotient(b, self.value / b.value)
     }
 }
 
@@ -174,9 +177,7 @@ impl Scalar for VariedNumber<'_> {
 
     /// Where the divisor is zero it has no derivative.
     fn over_or_zero(self, d: Self) -> Self {
-        let value = self.value.over_or_zero(d.value);
-        let slope = difference(self.slope, d.slope.map(|d| value * d)).map(|slope| slope / d.value);
-        Self { value, slope }
+        self.quotient(d, self.value.over_or_zero(d.value))
     }
 
     fn wrapped(self) -> Self {

@@ -5,16 +5,17 @@
 //! θ̇ = θ × Ω + δΩ,  I δω̇ = δ(L × Ω + N) − δI ω̇
 //!
 //! δΩ and δ(L × Ω + N) are linear in θ, δω and what is changed; the graph of [`Linearization`] has the series of what they are multiplied
-//! by. Each column of the derivatives is a solution: six begin with a unit of θ and ω, the others with zero and have a source. Eight
+//! by, and ω that of L × ω. Each column of the derivatives is a solution: six begin with a unit of θ and ω, the others with zero and have a source. Eight
 //! columns are side by side.
+mod columns;
+
+use columns::{Block, Equations, NO_ROWS, Rates, Rows, Sum, WIDTH};
 
 use super::Expansion;
-use super::recurrence::over;
 use super::row::{Row, TERMS, Vectors};
-use super::sums::OneBody;
+use super::sums::{OneBody, SeriesSums as _};
 use super::torque::{Known, StepStart, Tape, row};
 use crate::math::frame::{Body, Principal};
-use crate::math::lanes::Lanes;
 use crate::math::machine::{Machine, Work, in_vectors};
 use crate::math::number::Number;
 use crate::math::rotation::Rotation;
@@ -28,15 +29,6 @@ use crate::motion::solve::propagate::piece::Piece;
 /// Columns by the start, and by the inertia; those by parameters come after them.
 const OF_STATE: usize = 6;
 const OF_INERTIA: usize = 6;
-
-/// Columns side by side.
-const WIDTH: usize = 8;
-
-/// θ and δω of eight columns, row by row, principal axes.
-type Rows = [Lanes<WIDTH>; 6];
-
-const NO_ROWS: Rows = [Lanes([0.0; WIDTH]); 6];
-
 /// The derivatives of the motion of one body over one step.
 #[derive(Clone, Debug)]
 pub(super) struct Variations<'a> {
@@ -57,32 +49,6 @@ pub(super) struct Variations<'a> {
     order: usize,
 }
 
-/// Which parts the equations have.
-#[derive(Clone, Copy, Debug)]
-struct Equations {
-    has_friction: bool,
-    has_attitude: bool,
-}
-
-/// A coefficient of what θ and δω are multiplied by.
-#[derive(Clone, Copy, Debug, Default)]
-struct Rates {
-    /// Ω and −Ω
-    turning: [[f64; 3]; 2],
-    /// Rows of ∂Ω/∂ω; without friction it is 1, and not here.
-    bending: [[f64; 3]; 3],
-    /// Rows of I⁻¹ ∂(L × Ω + N)/∂θ and ∂/∂ω.
-    of_attitude: [[f64; 3]; 3],
-    of_omega: [[f64; 3]; 3],
-}
-
-/// The series of eight columns, and those of their sources.
-#[derive(Clone, Debug)]
-struct Block {
-    series: Vec<Rows>,
-    sources: Vec<Rows>,
-}
-
 impl<'a> Variations<'a> {
     /// Of a motion that starts now, by these parameters too.
     pub(super) fn new(
@@ -94,8 +60,7 @@ impl<'a> Variations<'a> {
         let to_body = piece.rotor.principal().rotation();
         let to_principal = to_body.inverse();
         let count = OF_STATE + OF_INERTIA + parameters.len();
-        let block = Block { series: vec![NO_ROWS; TERMS], sources: vec![NO_ROWS; TERMS] };
-        let mut blocks = vec![block; count.div_ceil(WIDTH)];
+        let mut blocks = vec![Block::new(); count.div_ceil(WIDTH)];
         for column in 0..OF_STATE {
             let axis = Direction::<Body>::from_array([0, 1, 2].map(|k| f64::from(u8::from(k == column % 3))));
             let along = (to_principal * axis).to_array();
@@ -186,7 +151,7 @@ impl<'a> Variations<'a> {
         match self.expanded_at {
             Some(start) if start != time => {
                 let mut sums = vec![NO_ROWS; self.blocks.len()];
-                in_vectors(Sum { variations: self, h: time - start, sums: &mut sums });
+                in_vectors(Sum { blocks: &self.blocks, order: self.order, h: time - start, sums: &mut sums });
                 sums
             }
             _ => self.blocks.iter().map(|block| block.series[0]).collect(),
@@ -199,7 +164,8 @@ impl<'a> Variations<'a> {
         for n in 0..=self.order {
             self.omega.set(n, expansion.omega_at(n));
         }
-        let turning = expansion.inside.as_ref().map_or(&*self.omega, |inside| &inside.turning);
+        let inside = expansion.inside.as_deref();
+        let turning = inside.map_or(&*self.omega, |inside| &inside.turning);
         let known = Known { s: OneBody(s), omega: &self.omega, turning, motion: &expansion.motion };
         let inverses = expansion.inverses;
         for n in 0..self.order {
@@ -210,25 +176,28 @@ impl<'a> Variations<'a> {
             let [x, y, z, _] = turning.rows.at(n).0;
             let rates = &mut self.rates[n];
             rates.turning = [[x, y, z], [-x, -y, -z]];
-            for (k, slope) in self.by_state.iter().enumerate() {
-                let (torque, bending) = (inverses * at(slope.torque), at(slope.turning));
-                let matrix = if k < 3 { &mut rates.of_attitude } else { &mut rates.of_omega };
-                for i in 0..3 {
-                    matrix[i][k % 3] = torque.0[i];
-                    if k >= 3 {
-                        rates.bending[i][k % 3] = bending.0[i];
-                    }
-                }
+            let (mut of_omega, mut squares) = ([Row::ZERO; 3], [Row::ZERO; 3]);
+            if !self.equations.has_friction {
+                let omega = self.omega.rows.at(n);
+                let momentum = inside.map_or(expansion.moments * omega, |inside| inside.momentum.at(n));
+                of_omega = gyroscopic(expansion.moments, omega, momentum);
+                squares = known.s.outer(&self.omega.rows, &self.omega.rows, n);
+            }
+            let put = |matrix: &mut [[f64; 3]; 3], column: usize, v: Row| {
+                matrix.iter_mut().zip(v.0).for_each(|(row, x)| row[column] = x);
+            };
+            let (turns, faster) = self.by_state.split_at(3);
+            for k in 0..3 {
+                put(&mut rates.of_attitude, k, inverses * at(turns[k].torque));
+                put(&mut rates.of_omega, k, inverses * (of_omega[k] + at(faster[k].torque)));
+                put(&mut rates.bending, k, at(faster[k].turning));
             }
             // (n + 1) ωₙ₊₁ is coefficient n of ω̇.
-            let [a, b, c, _] = self.omega.rows.at(n + 1).0.map(|x| x * (n + 1) as f64);
+            let acceleration = self.omega.rows.at(n + 1) * Row::splat((n + 1) as f64);
             for (k, slope) in self.by_others.iter().enumerate() {
-                let of = self.of_inertia.get(k).map_or(Row::ZERO, |rows| {
-                    let [x, y, z] = rows.map(|[d, e, f]| d * a + e * b + f * c);
-                    Row([x, y, z, 0.0])
-                });
-                let (torque, bending) = (inverses * (at(slope.torque) - of), at(slope.turning));
-                let column = OF_STATE + k;
+                let of = self.of_inertia.get(k).map(|rows| of_element(rows, &squares, acceleration));
+                let torque = inverses * (of.unwrap_or(Row::ZERO) + at(slope.torque));
+                let (bending, column) = (at(slope.turning), OF_STATE + k);
                 let rows = &mut self.blocks[column / WIDTH].sources[n];
                 for i in 0..3 {
                     rows[i].put(column % WIDTH, bending.0[i]);
@@ -237,6 +206,31 @@ impl<'a> Variations<'a> {
             }
         }
     }
+}
+
+/// ∂(L × ω)/∂ωⱼ = eⱼ × (iⱼ ω − L), principal axes.
+#[inline(always)]
+fn gyroscopic(moments: Row, omega: Row, momentum: Row) -> [Row; 3] {
+    let [i1, i2, i3, _] = moments.0;
+    let [first, second, third] = [i1, i2, i3].map(|i| (Row::splat(i) * omega - momentum).0);
+    [
+        Row([0.0, -first[2], first[1], 0.0]),
+        Row([second[2], 0.0, -second[0], 0.0]),
+        Row([-third[1], third[0], 0.0, 0.0]),
+    ]
+}
+
+/// E ω × ω − E ω̇ of a symmetric matrix E, from the products ωᵢ ωⱼ.
+#[inline(always)]
+fn of_element(e: &[[f64; 3]; 3], squares: &[Row; 3], acceleration: Row) -> Row {
+    let dot = |row: &[f64; 3], v: &Row| row[0] * v.0[0] + row[1] * v.0[1] + row[2] * v.0[2];
+    let of = |i: usize, j: usize| dot(&e[i], &squares[j]);
+    Row([
+        of(1, 2) - of(2, 1) - dot(&e[0], &acceleration),
+        of(2, 0) - of(0, 2) - dot(&e[1], &acceleration),
+        of(0, 1) - of(1, 0) - dot(&e[2], &acceleration),
+        0.0,
+    ])
 }
 
 /// What acts, as a graph of its derivatives.
@@ -282,89 +276,8 @@ impl Work for Expand<'_, '_> {
             || variations.linearize(s, expansion),
         );
         let Variations { equations, blocks, rates, order, .. } = variations;
-        let (rates, order) = (&rates[..*order], *order);
         for block in blocks {
-            match (equations.has_friction, equations.has_attitude) {
-                (false, false) => block.extend::<S, false, false>(s, rates, order),
-                (false, true) => block.extend::<S, false, true>(s, rates, order),
-                (true, _) => block.extend::<S, true, true>(s, rates, order),
-            }
-        }
-    }
-}
-
-impl Block {
-    /// (n + 1) xₙ₊₁ = Σₖ Aₖ xₙ₋ₖ + bₙ
-    #[inline(always)]
-    fn extend<S: Machine, const FRICTION: bool, const ATTITUDE: bool>(
-        &mut self,
-        s: S,
-        rates: &[Rates],
-        order: usize,
-    ) {
-        let Self { series, sources } = self;
-        for n in 0..order {
-            let load = |rows: &Rows| rows.map(|row| s.load_eight(&row.0));
-            let mut sums = load(&sources[n]);
-            for (a, x) in rates[..=n].iter().zip(series[..=n].iter().rev()).rev() {
-                sums = plus::<S, FRICTION, ATTITUDE>(s, sums, a, load(x));
-            }
-            if !FRICTION {
-                for k in 0..3 {
-                    sums[k] = sums[k] + s.load_eight(&series[n][3 + k].0);
-                }
-            }
-            series[n + 1] = sums.map(|sum| Lanes(s.eight_numbers(over(sum, n + 1))));
-        }
-    }
-}
-
-/// Plus θ × Ω and what is linear in θ and δω.
-#[inline(always)]
-fn plus<S: Machine, const FRICTION: bool, const ATTITUDE: bool>(
-    s: S,
-    mut sums: [S::Eight; 6],
-    a: &Rates,
-    x: [S::Eight; 6],
-) -> [S::Eight; 6] {
-    let [plus, minus] = a.turning;
-    for i in 0..3 {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        sums[i] = x[j].mul_add(s.eight(plus[k]), sums[i]);
-        sums[i] = x[k].mul_add(s.eight(minus[j]), sums[i]);
-        for j in 0..3 {
-            if FRICTION {
-                sums[i] = x[3 + j].mul_add(s.eight(a.bending[i][j]), sums[i]);
-            }
-            if ATTITUDE {
-                sums[3 + i] = x[j].mul_add(s.eight(a.of_attitude[i][j]), sums[3 + i]);
-            }
-            sums[3 + i] = x[3 + j].mul_add(s.eight(a.of_omega[i][j]), sums[3 + i]);
-        }
-    }
-    sums
-}
-
-/// The sums of all series.
-struct Sum<'v, 'a> {
-    variations: &'v Variations<'a>,
-    h: f64,
-    sums: &'v mut [Rows],
-}
-
-impl Work for Sum<'_, '_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<S: Machine>(self, s: S) {
-        let (h, order) = (s.eight(self.h), self.variations.order);
-        for (block, sums) in self.variations.blocks.iter().zip(self.sums) {
-            for (k, sum) in sums.iter_mut().enumerate() {
-                let coefficient = |rows: &Rows| s.load_eight(&rows[k].0);
-                let terms = block.series[..order].iter().rev().map(coefficient);
-                let last = coefficient(&block.series[order]);
-                *sum = Lanes(s.eight_numbers(terms.fold(last, |sum, c| sum.mul_add(h, c))));
-            }
+            block.expand(s, *equations, &rates[..*order]);
         }
     }
 }

@@ -3,7 +3,9 @@
 use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{Attitude, Body, Direction, Position, Rotation};
 use polhode::motion::torque::{Drag, DragLaw, TorqueModel, TorqueParameter};
-use polhode::motion::{Method, Rotor, Simulation, State, StateDerivatives, Trajectory, Wheel};
+use polhode::motion::{
+    FreeMotionDerivatives, Method, Rotor, Simulation, State, StateDerivatives, Trajectory, Wheel,
+};
 
 use crate::error::IdentifyError;
 
@@ -52,6 +54,12 @@ impl Flown<'_> {
     /// At each of the times, which ascend and are none before the start.
     pub(crate) fn derived(&self, start: State, times: &[f64]) -> Result<Vec<Derived>, IdentifyError> {
         let (rotor, torques) = (self.rotor()?, self.torques()?);
+        if torques.is_empty() && self.wheels.is_empty() {
+            let motion = FreeMotionDerivatives::of(&rotor, start)?;
+            motion.motion().require(times)?;
+            let each = motion.at_times(times).into_iter();
+            return Ok(each.map(|of| Derived { of, by_drag: [[0.0; 6]; 6] }).collect());
+        }
         self.require_light_drag(&rotor, start, times)?;
         let drag = torques.len().saturating_sub(1);
         let parameters: Vec<TorqueParameter> = if self.drag.is_some() {

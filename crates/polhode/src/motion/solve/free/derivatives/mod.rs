@@ -80,12 +80,6 @@ impl FreeMotionDerivatives {
         Self::with(FreeMotion::of(rotor, start)?, rotor.inertia().symmetric())
     }
 
-    /// [`FreeMotionDerivatives::of`] of a tensor, which need not be that of a possible body.
-    #[expect(dead_code, reason = "what infers tensors from motions asks for it")]
-    pub(in crate::motion) fn of_symmetric(tensor: &Symmetric3, start: State) -> Result<Self, MotionError> {
-        Self::with(FreeMotion::of_symmetric(tensor, start)?, tensor)
-    }
-
     fn with(motion: FreeMotion, tensor: &Symmetric3) -> Result<Self, MotionError> {
         let [least, _, greatest] = motion.principal.moments();
         let rule = "at least 1e-8 of the greatest, as derivatives are asked for";

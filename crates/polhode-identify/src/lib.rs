@@ -8,6 +8,7 @@ mod error;
 mod estimate;
 mod least_squares;
 mod residuals;
+pub mod swing;
 
 pub use error::IdentifyError;
 pub use estimate::{Estimate, Number};

@@ -42,6 +42,13 @@ impl Rows {
         derivatives.split_at_mut(self.local)
     }
 
+    /// The derivatives of the last row: none before the first.
+    pub(crate) fn last(&mut self) -> (&mut [f64], &mut [f64]) {
+        let end = self.elements.len().saturating_sub(1);
+        let start = (end + 1).saturating_sub(self.width());
+        self.elements[start..end].split_at_mut(self.local.min(end - start))
+    }
+
     /// Measurement by measurement, its residuals.
     pub(crate) fn measurements(&self) -> impl Iterator<Item = Vec<f64>> + '_ {
         let ends = self.begins.iter().skip(1).copied().chain([self.count()]);

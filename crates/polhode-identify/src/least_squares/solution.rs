@@ -55,6 +55,16 @@ impl Solution {
         Information::of(&all)
     }
 
+    /// How many numbers were found from a group's rows: its own, and its share of the shared ones.
+    pub(crate) fn found_by(&self, group: usize, information: &Information) -> f64 {
+        let (triangle, n) = (&self.triangles[group], self.place.local[group].len());
+        if triangle.nrows() <= n {
+            return triangle.nrows() as f64;
+        }
+        let rest = triangle.view((n, n), (triangle.nrows() - n, self.shared.len()));
+        n as f64 + (rest * &information.covariance * rest.transpose()).trace()
+    }
+
     /// Covariance of a group's own numbers, with that of the shared ones.
     pub(crate) fn local_covariance(&self, group: usize, information: &Information) -> Option<DMatrix<f64>> {
         let (triangle, n) = (&self.triangles[group], self.place.local[group].len());

@@ -42,7 +42,9 @@ impl ResidualTest {
 
     /// Residuals are larger than the noise, beyond chance.
     pub fn is_too_large(&self) -> bool {
-        self.reduced_chi_square - 1.0 > NO_CHANCE * (2.0 / self.degrees_of_freedom).sqrt()
+        // the cube root of χ² is nearly normal, also for few degrees of freedom: Wilson and Hilferty
+        let variance = 2.0 / (9.0 * self.degrees_of_freedom);
+        libm::cbrt(self.reduced_chi_square) - (1.0 - variance) > NO_CHANCE * variance.sqrt()
     }
 
     /// Residuals follow each other, beyond chance: they are no white noise, and there is more in the motion than in the model.

@@ -212,12 +212,17 @@ fn step(triangles: &[DMatrix<f64>], scale: &Scale, damping: f64, shared: usize) 
     expected.is_finite().then_some(Step { shared: step_shared, local, expected })
 }
 
+/// The least scale of a number, relative to the largest.
+const LEAST_SCALE: f64 = 1e-6;
+
 /// Rows that hold each number back: root × scale on the diagonal.
 fn damping_rows(scale: &[f64], root: f64, first: usize, width: usize) -> DMatrix<f64> {
     let mut rows = DMatrix::zeros(scale.len(), width);
+    // What hardly depends on a number, by rounding or in earnest, may not throw it far.
+    let least = LEAST_SCALE * scale.iter().copied().fold(0.0, f64::max);
     for (k, scale) in scale.iter().enumerate() {
         // A column of zeros is a number that nothing depends on: it stays where it is.
-        rows[(k, first + k)] = if *scale > 0.0 { root * scale } else { 1.0 };
+        rows[(k, first + k)] = if *scale > 0.0 { root * scale.max(least) } else { 1.0 };
     }
     rows
 }

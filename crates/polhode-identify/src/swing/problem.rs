@@ -37,7 +37,12 @@ struct Prepared<'a> {
 }
 
 /// What an element of the tensor may change by all that is possible, in standard deviations of a measurement, is nothing below this.
-const NOTHING: f64 = 1e-3;
+const NOTHING: f64 = 1e-2;
+
+/// What derivatives by elements of the tensor are no more than rounding, relative to the largest.
+const ROUNDING: f64 = 1e-9;
+/// And what does not matter yet while rates are far off.
+const COARSE: f64 = 1e-3;
 
 /// Amplitudes may grow by this beyond what is seen at first.
 const ROOM: f64 = 1.1;
@@ -108,7 +113,9 @@ impl<'a> Swings<'a> {
     /// Writes derivatives of a prediction in standard deviations, without those by elements of the tensor that do not matter to it.
     fn write(&self, by: &[f64], scale: f64, trace: f64, rows: usize, row: &mut [f64]) {
         let tensor = self.places[TENSOR].unwrap_or(0);
-        let least = NOTHING / (rows as f64).sqrt();
+        let most = by[tensor..tensor + 6].iter().fold(0.0, |most: f64, by| most.max(by.abs()));
+        let small = if self.stage == Stage::Rates { COARSE } else { ROUNDING };
+        let least = f64::max(NOTHING / (rows as f64).sqrt(), small * most * scale.abs() * trace);
         for (k, (element, value)) in row.iter_mut().zip(by).enumerate() {
             let value = value * scale;
             let is_tensor = k >= tensor && k < tensor + 6;

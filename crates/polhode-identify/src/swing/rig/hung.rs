@@ -12,8 +12,13 @@ use crate::error::IdentifyError;
 pub(super) struct Hung {
     wires: usize,
     quantities: Vec<Gradient>,
+    /// The direction of two wires' bottoms from each other and a stiffness, N·m/rad, if nothing else turns the body back about it.
+    held: Option<([f64; 3], f64)>,
     rest: Rest,
 }
+
+/// The centre of mass is on the line of two bottoms if it is as near as this, relative to the wires.
+const ON_LINE: f64 = 1e-9;
 
 /// Quantities: mass, weight, tensor about the centre, stiffness; then each wire's top, bottom from the centre, length.
 const WIRES: usize = 9;
@@ -44,7 +49,8 @@ impl Hung {
             quantities.push(length);
         }
         let rest = Rest { u: Vec::new(), mode: Vec::new(), rate: 0.0 };
-        let mut this = Self { wires: wires.wires.len(), quantities, rest };
+        let mut this = Self { wires: wires.wires.len(), quantities, held: None, rest };
+        this.held = this.neutral_roll()?;
         let u = this.at_rest()?;
         this.rest = this.small_twist(u)?;
         Ok(this)
@@ -52,6 +58,32 @@ impl Hung {
 
     fn wire(&self, k: usize) -> [f64; OF_WIRE] {
         core::array::from_fn(|j| self.quantities[WIRES + OF_WIRE * k + j].value)
+    }
+
+    /// Whether the body may be turned about where the wires hold it, and nothing turns it back.
+    fn neutral_roll(&self) -> Result<Option<([f64; 3], f64)>, IdentifyError> {
+        let bottom = |k: usize| {
+            let [_, _, _, x, y, z, _] = self.wire(k);
+            nalgebra::Vector3::new(x, y, z)
+        };
+        let length = self.wire(0)[OF_WIRE - 1];
+        if self.wires == 1 {
+            let distance = bottom(0).norm();
+            IdentifyError::require(
+                "the distance of the centre of mass from where one wire holds",
+                distance,
+                distance > ON_LINE * length,
+                "above zero",
+            )?;
+        }
+        if self.wires != 2 {
+            return Ok(None);
+        }
+        let along = bottom(1) - bottom(0);
+        IdentifyError::require("the distance of two wires", along.norm(), along.norm() > 0.0, "above zero")?;
+        let n = along / along.norm();
+        let is_neutral = n.cross(&bottom(0)).norm() <= ON_LINE * length;
+        Ok(is_neutral.then(|| (n.into(), self.quantities[1].value * length)))
     }
 
     /// Where all forces balance, from the attitude as it was described.
@@ -193,6 +225,7 @@ fn residuals<const N: usize>(
     rate: &[Dual<N>; 4],
     acceleration: &[Dual<N>; 7],
     q: &[Dual<N>],
+    held: Option<([f64; 3], f64)>,
 ) -> Vec<Dual<N>> {
     let [ax, ay, az, rest @ ..] = acceleration;
     let e = [u[3], u[4], u[5], u[6]];
@@ -216,6 +249,11 @@ fn residuals<const N: usize>(
     };
     let (gyroscopic, inertial) = (cross(&omega, &inertia(&omega)), inertia(&omega_rate));
     (0..3).for_each(|k| turn[k] = turn[k] + inertial[k] + gyroscopic[k]);
+    if let Some((n, stiffness)) = held {
+        let along = x.scaled(n[0]) + y.scaled(n[1]) + z.scaled(n[2]);
+        let roll = (w * along).scaled(2.0 * stiffness);
+        (0..3).for_each(|k| turn[k] = turn[k] + roll.scaled(n[k]));
+    }
     let mut lengths = Vec::with_capacity(3);
     for (wire, &tension) in q[WIRES..].chunks_exact(OF_WIRE).zip(&u[PLACE..]) {
         let d = [wire[3], wire[4], wire[5]];
@@ -247,7 +285,7 @@ impl Hung {
         let e_rate = core::array::from_fn(|k| Dual::variable(rate[3 + k], rates + k));
         let second = core::array::from_fn(|k| Dual::variable(acceleration[k], accelerations + k));
         let q: Vec<f64> = self.quantities.iter().map(|q| q.value).collect();
-        let all = residuals(&at(u, 0), &e_rate, &second, &at(&q, quantities));
+        let all = residuals(&at(u, 0), &e_rate, &second, &at(&q, quantities), self.held);
         let count = if N > STATE { q.len() } else { 0 };
         let block = |first: usize, columns: usize| {
             DMatrix::from_fn(all.len(), columns, |i, j| all[i].by.get(first + j).copied().unwrap_or(0.0))

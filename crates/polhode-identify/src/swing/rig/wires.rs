@@ -24,6 +24,9 @@ pub struct Wire {
 /// with the centre of mass p, wires from a to d (from the centre), and tensions λ × length. A swing that was let go in another way sways besides, with other
 /// periods; counted over many swings that averages out, and in a log it shows in the residuals.
 ///
+/// On two wires the body also rolls about the line of their lower ends, as a pendulum. If the centre of mass is exactly on that line, nothing turns it back:
+/// then it is taken as held in the attitude as it was described.
+///
 /// Two parallel wires of length L at distances r to both sides of the centre have for small angles T = 2π √(I L/(W r²)). Sources: T. R. Kane, G.-S. Tseng, Int. J.
 /// Mech. Sci. 9 (1967) 83; M. R. Jardin, E. R. Mueller, J. Aircraft 46 (2009) 763.
 #[derive(Clone, Debug, PartialEq)]

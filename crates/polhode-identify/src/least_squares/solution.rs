@@ -30,6 +30,8 @@ pub(crate) struct Information {
 
 /// A singular value below this, relative to the largest, is zero: columns have norm 1 then.
 const ZERO: f64 = 1e-9;
+/// An element of a singular vector below this is none: a number that is known would seem to change along what is not.
+const ROUNDING: f64 = 1e-13;
 
 impl Solution {
     pub(super) fn new(
@@ -96,7 +98,8 @@ impl Information {
         let mut covariance = DMatrix::zeros(n, n);
         let mut unknown = Vec::new();
         for (k, &value) in decomposition.singular_values.iter().enumerate() {
-            let direction = DMatrix::from_fn(n, 1, |i, _| vectors[(k, i)] / unit(i));
+            let part = |i: usize| if vectors[(k, i)].abs() > ROUNDING { vectors[(k, i)] } else { 0.0 };
+            let direction = DMatrix::from_fn(n, 1, |i, _| part(i) / unit(i));
             if value > ZERO * largest {
                 covariance += &direction * direction.transpose() / (value * value);
             } else {

@@ -240,6 +240,9 @@ fn power(amplitude: f64, k: usize) -> (f64, f64) {
     if k % 2 == 1 { (amplitude, 1.0) } else { (amplitude * amplitude, 2.0 * amplitude) }
 }
 
+/// Parts of the way at most.
+const MOST_PARTS: usize = 12;
+
 /// The motion at an amplitude from one at a smaller, by steps that are halved where they fail.
 fn climbed(
     oscillator: &dyn Oscillator,
@@ -253,17 +256,21 @@ fn climbed(
     };
     let mut from = before.cloned();
     let mut step = amplitude - from.as_ref().map_or(0.0, |(a, _)| *a);
-    for _ in 0..40 {
+    let mut refused = IdentifyError::NoConvergence { steps: MOST_PARTS };
+    for _ in 0..MOST_PARTS {
         let here = from.as_ref().map_or(0.0, |(a, _)| *a);
         let to = if here + step > amplitude * (1.0 - 1e-9) { amplitude } else { here + step };
         match guess(from.as_ref(), to).solved(oscillator, grid, to) {
             Ok(orbit) if to >= amplitude => return Ok(orbit),
             Ok(orbit) => from = Some((to, orbit.motion)),
-            Err(IdentifyError::NoConvergence { .. }) => step *= 0.5,
-            Err(error) => return Err(error),
+            // a step too far may also end at another motion, with slack wires
+            Err(error) => {
+                step *= 0.5;
+                refused = error;
+            }
         }
     }
-    Err(IdentifyError::NoConvergence { steps: 40 })
+    Err(refused)
 }
 
 /// S/A² and Q/A³.

@@ -32,17 +32,20 @@ struct Prepared<'a> {
     test: &'a SwingTest,
     look: Look,
     amplitudes: Amplitudes,
-    /// The motions of the last place, from which those of the next are found.
-    motions: RefCell<Vec<Motion>>,
+    /// The small motion's rate and the motions of the last place, from which those of a place nearby are found.
+    last: RefCell<(f64, Vec<Motion>)>,
 }
 
 /// What an element of the tensor may change by all that is possible, in standard deviations of a measurement, is nothing below this.
 const NOTHING: f64 = 1e-2;
 
 /// What derivatives by elements of the tensor are no more than rounding, relative to the largest.
-const ROUNDING: f64 = 1e-9;
+const ROUNDING: f64 = 1e-8;
 /// And what does not matter yet while rates are far off.
 const COARSE: f64 = 1e-3;
+
+/// How far the rate of a place nearby may differ, relatively.
+const NEARBY: f64 = 0.02;
 
 /// Amplitudes may grow by this beyond what is seen at first.
 const ROOM: f64 = 1.1;
@@ -63,7 +66,7 @@ impl<'a> Swings<'a> {
                 "above zero, and 1.75 at most on wires and 2.97 about an axis",
             )?;
             let amplitudes = Amplitudes::up_to((ROOM * seen).max(LEAST).min(most));
-            tests.push(Prepared { test, look, amplitudes, motions: RefCell::default() });
+            tests.push(Prepared { test, look, amplitudes, last: RefCell::default() });
         }
         Ok(Self { stage: Stage::Rates, tests, measured: plan.measured(), places: plan.places() })
     }
@@ -127,9 +130,14 @@ impl<'a> Swings<'a> {
 impl Prepared<'_> {
     fn family(&self, numbers: &Numbers) -> Result<Family, IdentifyError> {
         let oscillator = self.test.oscillator(numbers)?;
-        let mut motions = self.motions.borrow_mut();
-        let (family, solved) = Family::new(oscillator.as_ref(), &self.amplitudes, &motions)?;
-        *motions = solved;
+        let mut last = self.last.borrow_mut();
+        let rate = oscillator.rest().rate;
+        let is_near = (last.0 / rate - 1.0).abs() < NEARBY;
+        let guesses = if is_near { last.1.as_slice() } else { &[] };
+        let solved = Family::new(oscillator.as_ref(), &self.amplitudes, guesses)
+            .or_else(|_| Family::new(oscillator.as_ref(), &self.amplitudes, &[]));
+        let (family, motions) = solved?;
+        *last = (rate, motions);
         Ok(family)
     }
 

@@ -12,8 +12,8 @@ use crate::error::IdentifyError;
 pub(super) struct Hung {
     wires: usize,
     quantities: Vec<Gradient>,
-    /// The direction of two wires' bottoms from each other and a stiffness, N·m/rad, if nothing else turns the body back about it.
-    held: Option<([f64; 3], f64)>,
+    /// The direction of two wires' bottoms from each other if nothing turns the body back about it: then it does not roll.
+    held: Option<[f64; 3]>,
     rest: Rest,
 }
 
@@ -61,7 +61,7 @@ impl Hung {
     }
 
     /// Whether the body may be turned about where the wires hold it, and nothing turns it back.
-    fn neutral_roll(&self) -> Result<Option<([f64; 3], f64)>, IdentifyError> {
+    fn neutral_roll(&self) -> Result<Option<[f64; 3]>, IdentifyError> {
         let bottom = |k: usize| {
             let [_, _, _, x, y, z, _] = self.wire(k);
             nalgebra::Vector3::new(x, y, z)
@@ -83,7 +83,7 @@ impl Hung {
         IdentifyError::require("the distance of two wires", along.norm(), along.norm() > 0.0, "above zero")?;
         let n = along / along.norm();
         let is_neutral = n.cross(&bottom(0)).norm() <= ON_LINE * length;
-        Ok(is_neutral.then(|| (n.into(), self.quantities[1].value * length)))
+        Ok(is_neutral.then(|| n.into()))
     }
 
     /// Where all forces balance, from the attitude as it was described.
@@ -138,9 +138,12 @@ impl Hung {
             columns
         };
         let (stiffness, mass) = (moved(&equations.by_u), moved(&equations.by_acceleration));
-        // Directions in which no wire changes its length.
+        // Directions in which no wire changes its length, and no roll that is held.
         let mut square = DMatrix::zeros(6, 6);
         square.rows_mut(0, self.wires).copy_from(&stiffness.rows(PLACE, self.wires));
+        if let Some(n) = self.held {
+            (0..3).for_each(|k| square[(self.wires, 3 + k)] = n[k]);
+        }
         let decomposition = square.svd(false, true);
         let Some(vectors) = decomposition.v_t else {
             return Err(IdentifyError::NotFinite);
@@ -149,7 +152,7 @@ impl Hung {
         order.sort_by(|&a, &b| {
             decomposition.singular_values[a].total_cmp(&decomposition.singular_values[b])
         });
-        let free = 6 - self.wires;
+        let free = 6 - self.wires - usize::from(self.held.is_some());
         let basis = DMatrix::from_fn(6, free, |i, j| vectors[(order[j], i)]);
         let reduced = |full: &DMatrix<f64>| {
             let small = basis.transpose() * full.rows(0, 6) * &basis;
@@ -225,7 +228,7 @@ fn residuals<const N: usize>(
     rate: &[Dual<N>; 4],
     acceleration: &[Dual<N>; 7],
     q: &[Dual<N>],
-    held: Option<([f64; 3], f64)>,
+    held: Option<[f64; 3]>,
 ) -> Vec<Dual<N>> {
     let [ax, ay, az, rest @ ..] = acceleration;
     let e = [u[3], u[4], u[5], u[6]];
@@ -249,11 +252,6 @@ fn residuals<const N: usize>(
     };
     let (gyroscopic, inertial) = (cross(&omega, &inertia(&omega)), inertia(&omega_rate));
     (0..3).for_each(|k| turn[k] = turn[k] + inertial[k] + gyroscopic[k]);
-    if let Some((n, stiffness)) = held {
-        let along = x.scaled(n[0]) + y.scaled(n[1]) + z.scaled(n[2]);
-        let roll = (w * along).scaled(2.0 * stiffness);
-        (0..3).for_each(|k| turn[k] = turn[k] + roll.scaled(n[k]));
-    }
     let mut lengths = Vec::with_capacity(3);
     for (wire, &tension) in q[WIRES..].chunks_exact(OF_WIRE).zip(&u[PLACE..]) {
         let d = [wire[3], wire[4], wire[5]];
@@ -265,6 +263,12 @@ fn residuals<const N: usize>(
             force[k] = force[k] + pull[k];
             turn[k] = turn[k] + moment[k];
         });
+    }
+    // A torque of any size holds the roll: in place of its equation, no roll.
+    if let Some(n) = held {
+        let along = |v: &Triple<N>| v[0].scaled(n[0]) + v[1].scaled(n[1]) + v[2].scaled(n[2]);
+        let change = q[1] * w * along(&[x, y, z]) - along(&turn);
+        (0..3).for_each(|k| turn[k] = turn[k] + change.scaled(n[k]));
     }
     let unit = (w * w + x * x + y * y + z * z - Dual::constant(1.0)).scaled(0.5);
     let mut all = Vec::with_capacity(PLACE + 3);

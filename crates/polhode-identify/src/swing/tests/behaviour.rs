@@ -116,6 +116,7 @@ fn logs_of_the_exact_damped_motion_are_fitted_to_their_noise() {
         [(0.012, 0.0, Signal::Angle), (0.004, 0.03, Signal::Angle), (0.008, 0.02, Signal::Rate)]
     {
         let (truth, plan) = log(viscous, quadratic, 1e-3, signal, 5);
+        println!("{:?}", plan.tests()[0].measurement.look());
         let found = identify_swings(&plan).unwrap();
         let moment = found.tests[0].moment.as_ref().unwrap();
         let sd = moment.sd.unwrap();

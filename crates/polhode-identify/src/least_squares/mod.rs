@@ -213,7 +213,7 @@ fn step(triangles: &[DMatrix<f64>], scale: &Scale, damping: f64, shared: usize) 
 }
 
 /// The least scale of a number, relative to the largest.
-const LEAST_SCALE: f64 = 1e-6;
+const LEAST_SCALE: f64 = 1e-3;
 
 /// Rows that hold each number back: root × scale on the diagonal.
 fn damping_rows(scale: &[f64], root: f64, first: usize, width: usize) -> DMatrix<f64> {

@@ -49,6 +49,21 @@ impl Rows {
         self.elements[start..end].split_at_mut(self.local.min(end - start))
     }
 
+    /// The norm of each column of derivatives by a shared number.
+    pub(crate) fn shared_norms(&self) -> Vec<f64> {
+        let mut squares = vec![0.0; self.shared];
+        for row in self.elements.chunks_exact(self.width()) {
+            squares.iter_mut().zip(&row[self.local..]).for_each(|(sum, by)| *sum += by * by);
+        }
+        squares.into_iter().map(f64::sqrt).collect()
+    }
+
+    /// Sets the derivatives by a shared number to zero.
+    pub(crate) fn clear_shared(&mut self, number: usize) {
+        let (width, column) = (self.width(), self.local + number);
+        self.elements.chunks_exact_mut(width).for_each(|row| row[column] = 0.0);
+    }
+
     /// Measurement by measurement, its residuals.
     pub(crate) fn measurements(&self) -> impl Iterator<Item = Vec<f64>> + '_ {
         let ends = self.begins.iter().skip(1).copied().chain([self.count()]);

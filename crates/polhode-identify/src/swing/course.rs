@@ -53,8 +53,6 @@ pub(super) struct Point {
     pub(super) other: f64,
     pub(super) amplitude_by: Vec<f64>,
     pub(super) other_by: Vec<f64>,
-    /// d other/d clock
-    pub(super) other_slope: f64,
 }
 
 /// Steps; what changes is smooth, as it is averaged over swings.
@@ -104,7 +102,6 @@ impl Course {
             other: at(1),
             amplitude_by: (2..2 + count).map(at).collect(),
             other_by: (2 + count..2 + 2 * count).map(at).collect(),
-            other_slope: a.slope[1] + s * (b.slope[1] - a.slope[1]),
         }
     }
 }
@@ -131,8 +128,8 @@ fn slope(family: &Family, decay: Decay, clock: Clock, state: &[f64]) -> Result<V
     let f = a * amplitude * h1.value + b * amplitude * amplitude * h2.value;
     let g = w - 0.5 * a * a / w - mixed * a * b * amplitude - b * b * amplitude * amplitude * w / 6.0;
     let g_by_rate = 1.0 + 0.5 * (a / w).powi(2) - b * b * amplitude * amplitude / 6.0;
-    let f_slope = a * (h1.value + amplitude * h1.slope)
-        + b * amplitude * (2.0 * h2.value + amplitude * h2.slope);
+    let f_slope =
+        a * (h1.value + amplitude * h1.slope) + b * amplitude * (2.0 * h2.value + amplitude * h2.slope);
     let g_slope = g_by_rate * rate.slope - mixed * a * b - b * b * amplitude * w / 3.0;
     let count = (state.len() - 2) / 2;
     let mut f_by = vec![0.0; count];

@@ -151,9 +151,7 @@ impl Family {
                 slopes.iter().zip(squares).map(|(slope, [s, _])| (0.5 * amplitude * slope, s)),
             );
             let below = s.plus(&rise);
-            for (column, ratio) in
-                [(VISCOUS, s.over(&below)), (QUADRATIC, q.over(&below).scaled(0.5))]
-            {
+            for (column, ratio) in [(VISCOUS, s.over(&below)), (QUADRATIC, q.over(&below).scaled(0.5))] {
                 self.values[(i, column)] = ratio.value;
                 (0..found).for_each(|k| self.by[column][(i, k)] = ratio.by[k]);
             }
@@ -281,10 +279,8 @@ fn mean_powers(
     coefficients_by: &DMatrix<f64>,
 ) -> [Gradient; 2] {
     let found = rate.by.len();
-    let harmonic = |k: usize| Gradient {
-        value: coefficients[k],
-        by: coefficients_by.row(k).iter().copied().collect(),
-    };
+    let harmonic =
+        |k: usize| Gradient { value: coefficients[k], by: coefficients_by.row(k).iter().copied().collect() };
     let all: Vec<Gradient> = (0..coefficients.len()).map(harmonic).collect();
     // S = ½ ω Σ k² c_k²
     let mut s = Gradient::constant(0.0, found);

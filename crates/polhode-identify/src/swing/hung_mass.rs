@@ -82,10 +82,7 @@ impl HungMass {
     /// nᵀ I n about the centre.
     pub(super) fn about(&self, n: [f64; 3]) -> Gradient {
         let terms = (0..3).flat_map(|i| (0..3).map(move |j| (i, j)));
-        Gradient::sum(
-            self.mass.by.len(),
-            terms.map(|(i, j)| (n[i] * n[j], &self.inertia[ELEMENT[i][j]])),
-        )
+        Gradient::sum(self.mass.by.len(), terms.map(|(i, j)| (n[i] * n[j], &self.inertia[ELEMENT[i][j]])))
     }
 
     /// With a moment about the axis n more.

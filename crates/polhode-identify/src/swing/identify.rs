@@ -112,7 +112,9 @@ fn said(plan: &SwingPlan, swings: &Swings, solution: &Solution) -> Result<SwingE
         let left = residuals(swings, solution, k + 1)?;
         let share = solution.found_by(k + 1, &found);
         let (what, noise) = match &test.measurement {
-            Measurement::Counted(_) => ("times and amplitudes of counted swings, in standard deviations", 1.0),
+            Measurement::Counted(_) => {
+                ("times and amplitudes of counted swings, in standard deviations", 1.0)
+            }
             Measurement::Logged(logged) if logged.signal == Signal::Angle => ("angle", logged.sd),
             Measurement::Logged(logged) => ("rate", logged.sd),
         };

@@ -121,12 +121,7 @@ impl Damping {
 
 impl Counted {
     /// `count` periods that took a time (s), while the amplitude (rad) fell from one reading to another: viscous damping.
-    pub fn new(
-        count: f64,
-        (time, time_sd): (f64, f64),
-        [first, last]: [f64; 2],
-        amplitude_sd: f64,
-    ) -> Self {
+    pub fn new(count: f64, (time, time_sd): (f64, f64), [first, last]: [f64; 2], amplitude_sd: f64) -> Self {
         let reading = |at, amplitude| AmplitudeReading { at, amplitude, sd: amplitude_sd };
         Self {
             intervals: vec![Interval { from: 0.0, to: count, time, sd: time_sd }],
@@ -170,21 +165,35 @@ impl Counted {
         at_least("readings of the amplitude", self.amplitudes.len(), 1 + self.damping.count())?;
         for interval in &self.intervals {
             let Interval { from, to, time, sd } = *interval;
-            IdentifyError::require("the count at which an interval begins", from, from >= 0.0, "zero or more")?;
-            IdentifyError::require("the count at which an interval ends", to, to > from, "beyond its beginning")?;
+            IdentifyError::require(
+                "the count at which an interval begins",
+                from,
+                from >= 0.0,
+                "zero or more",
+            )?;
+            IdentifyError::require(
+                "the count at which an interval ends",
+                to,
+                to > from,
+                "beyond its beginning",
+            )?;
             IdentifyError::require("the time of counted periods", time, time > 0.0, "above zero")?;
             deviation("the standard deviation of a time", sd)?;
         }
         for reading in &self.amplitudes {
             let AmplitudeReading { at, amplitude, sd } = *reading;
-            IdentifyError::require("the count at which an amplitude was read", at, at >= 0.0, "zero or more")?;
+            IdentifyError::require(
+                "the count at which an amplitude was read",
+                at,
+                at >= 0.0,
+                "zero or more",
+            )?;
             IdentifyError::require("an amplitude", amplitude, amplitude > 0.0, "above zero")?;
             deviation("the standard deviation of an amplitude", sd)?;
         }
-        let (count, time) = self
-            .intervals
-            .iter()
-            .fold((0.0, 0.0), |(count, time), interval| (count + interval.to - interval.from, time + interval.time));
+        let (count, time) = self.intervals.iter().fold((0.0, 0.0), |(count, time), interval| {
+            (count + interval.to - interval.from, time + interval.time)
+        });
         let relative = self.intervals.iter().fold(1.0, |least: f64, i| least.min(i.sd / i.time));
         let by_count = |a: &&AmplitudeReading, b: &&AmplitudeReading| a.at.total_cmp(&b.at);
         let first = self.amplitudes.iter().min_by(by_count);

@@ -213,8 +213,9 @@ impl System {
                     system.matrix[(at, j * width + i)] += by_u[(r, i)];
                     if by_slope != 0.0 || by_bend != 0.0 {
                         for other in 0..count {
-                            system.matrix[(at, other * width + i)] += rate * by_slope * grid.first[(j, other)]
-                                + rate * rate * by_bend * grid.second[(j, other)];
+                            system.matrix[(at, other * width + i)] +=
+                                rate * by_slope * grid.first[(j, other)]
+                                    + rate * rate * by_bend * grid.second[(j, other)];
                         }
                         system.matrix[(at, size - 1)] += by_slope * slope[i] + 2.0 * rate * by_bend * bend[i];
                     }

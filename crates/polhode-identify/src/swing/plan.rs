@@ -99,7 +99,12 @@ impl SwingTest {
         IdentifyError::require("the mass in a rig", mass.mass.value, mass.mass.value > 0.0, "above zero")?;
         let heavy = mass.mass.minus(&numbers.linear(&self.air.displaced));
         let weight = heavy.times(numbers.at(GRAVITY));
-        IdentifyError::require("the weight less the buoyancy", weight.value, weight.value > 0.0, "above zero")?;
+        IdentifyError::require(
+            "the weight less the buoyancy",
+            weight.value,
+            weight.value > 0.0,
+            "above zero",
+        )?;
         let mass = mass.with_moment(self.rig.axis(), &numbers.linear(&self.air.moment));
         self.rig.oscillator(numbers, &Load { mass, weight })
     }
@@ -241,9 +246,10 @@ impl SwingPlan {
 impl SwingTest {
     fn check(&self, count: usize) -> Result<(), IdentifyError> {
         self.rig.check(count)?;
-        let fixture = self.fixture.iter().flat_map(|fixture| {
-            [&fixture.mass].into_iter().chain(&fixture.center.0).chain(&fixture.inertia)
-        });
+        let fixture = self
+            .fixture
+            .iter()
+            .flat_map(|fixture| [&fixture.mass].into_iter().chain(&fixture.center.0).chain(&fixture.inertia));
         super::rig::all_of(fixture.chain([&self.air.moment, &self.air.displaced]), count)
     }
 }

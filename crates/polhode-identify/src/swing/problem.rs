@@ -1,6 +1,7 @@
 //! Swing tests as a problem of least squares.
 
 use core::cell::RefCell;
+use core::f64::consts::{PI, TAU};
 
 use super::course::{Clock, Course, Decay, OWN, Point};
 use super::family::{Amplitudes, Family};
@@ -36,12 +37,13 @@ struct Prepared<'a> {
     last: RefCell<(f64, Vec<Motion>)>,
 }
 
-/// What an element of the tensor may change by all that is possible, in standard deviations of a measurement, is nothing below this.
+/// What an element of the tensor may change by all that is possible, in standard deviations of a test, is nothing below this.
 const NOTHING: f64 = 1e-2;
 
-/// What derivatives by elements of the tensor are no more than rounding, relative to the largest.
-const ROUNDING: f64 = 1e-8;
-/// And what does not matter yet while rates are far off.
+/// Elements of the tensor that move a test by less than this part of what the others do are not sought in it: it would be in vain, and one that nothing
+/// else holds would be carried far. The prediction has them all the same.
+const SMALL: f64 = 1e-5;
+/// The same while rates are far off.
 const COARSE: f64 = 1e-3;
 
 /// How far the rate of a place nearby may differ, relatively.
@@ -73,7 +75,8 @@ impl<'a> Swings<'a> {
 
     /// All numbers, from those that are to be found.
     pub(super) fn all(&self, shared: &[f64]) -> Vec<f64> {
-        let value = |(measured, place): (&Measured, &Option<usize>)| place.map_or(measured.value, |k| shared[k]);
+        let value =
+            |(measured, place): (&Measured, &Option<usize>)| place.map_or(measured.value, |k| shared[k]);
         self.measured.iter().zip(&self.places).map(value).collect()
     }
 
@@ -113,18 +116,23 @@ impl<'a> Swings<'a> {
         }
     }
 
-    /// Writes derivatives of a prediction in standard deviations, without those by elements of the tensor that do not matter to it.
-    fn write(&self, by: &[f64], scale: f64, trace: f64, rows: usize, row: &mut [f64]) {
+    /// Leaves out derivatives by elements of the tensor that do not matter to a test.
+    fn without_what_is_nothing(&self, rows: &mut Rows, trace: f64) {
         let tensor = self.places[TENSOR].unwrap_or(0);
-        let most = by[tensor..tensor + 6].iter().fold(0.0, |most: f64, by| most.max(by.abs()));
-        let small = if self.stage == Stage::Rates { COARSE } else { ROUNDING };
-        let least = f64::max(NOTHING / (rows as f64).sqrt(), small * most * scale.abs() * trace);
-        for (k, (element, value)) in row.iter_mut().zip(by).enumerate() {
-            let value = value * scale;
-            let is_tensor = k >= tensor && k < tensor + 6;
-            *element = if is_tensor && (value * trace).abs() < least { 0.0 } else { value };
+        let norms = rows.shared_norms();
+        let most = norms[tensor..tensor + 6].iter().copied().fold(0.0, f64::max);
+        let small = if self.stage == Stage::Rates { COARSE } else { SMALL };
+        for column in tensor..tensor + 6 {
+            if norms[column] * trace < NOTHING || norms[column] < small * most {
+                rows.clear_shared(column);
+            }
         }
     }
+}
+
+/// Derivatives in standard deviations.
+fn write(by: &[f64], scale: f64, row: &mut [f64]) {
+    row.iter_mut().zip(by).for_each(|(element, value)| *element = value * scale);
 }
 
 impl Prepared<'_> {
@@ -156,7 +164,7 @@ impl Prepared<'_> {
         }
         if damping.is_quadratic() {
             let mean = (first * last).sqrt();
-            all.push(share * 0.75 * core::f64::consts::PI / (rate * mean));
+            all.push(share * 0.75 * PI / (rate * mean));
         }
         all
     }
@@ -200,22 +208,21 @@ impl Problem for Swings<'_> {
         let numbers = self.numbers(shared);
         let family = prepared.family(&numbers)?;
         let trace: f64 = (0..3).map(|k| numbers.at(TENSOR + k).value).sum();
-        let to = Target { swings: self, prepared, family: &family, trace };
+        let to = Target { prepared, family: &family };
         match (self.stage, &prepared.test.measurement) {
             (Stage::Rates, _) => to.rate(rows),
-            (Stage::All, Measurement::Counted(counted)) => return to.counted(counted, local, rows),
-            (Stage::All, Measurement::Logged(logged)) => return to.logged(logged, local, rows),
+            (Stage::All, Measurement::Counted(counted)) => to.counted(counted, local, rows)?,
+            (Stage::All, Measurement::Logged(logged)) => to.logged(logged, local, rows)?,
         }
+        self.without_what_is_nothing(rows, trace);
         Ok(())
     }
 }
 
 /// One test whose rows are written.
 struct Target<'a> {
-    swings: &'a Swings<'a>,
     prepared: &'a Prepared<'a>,
     family: &'a Family,
-    trace: f64,
 }
 
 impl Target<'_> {
@@ -225,49 +232,49 @@ impl Target<'_> {
         let rate = self.family.rate(&self.family.at(amplitude));
         rows.begin_measurement();
         let (_, by) = rows.push(libm::log(look.rate / rate.value) / look.relative);
-        self.swings.write(&rate.by, 1.0 / (rate.value * look.relative), self.trace, 1, by);
+        write(&rate.by, 1.0 / (rate.value * look.relative), by);
     }
 
     fn counted(&self, counted: &Counted, own: &[f64], rows: &mut Rows) -> Result<(), IdentifyError> {
         let counts = counted.intervals.iter().map(|i| i.to).chain(counted.amplitudes.iter().map(|r| r.at));
-        let end = core::f64::consts::TAU * counts.fold(0.0, f64::max);
+        let end = TAU * counts.fold(0.0, f64::max);
         let course = Course::new(self.family, self.prepared.decay(own), Clock::Phase, end)?;
-        let at = |count: f64| course.at(core::f64::consts::TAU * count);
-        let total = counted.intervals.len() + counted.amplitudes.len();
+        let at = |count: f64| course.at(TAU * count);
         for interval in &counted.intervals {
             let (from, to) = (at(interval.from), at(interval.to));
             let by: Vec<f64> = to.other_by.iter().zip(&from.other_by).map(|(a, b)| a - b).collect();
-            self.push(rows, interval.time - (to.other - from.other), interval.sd, &by, total);
+            self.push(rows, interval.time - (to.other - from.other), interval.sd, &by);
         }
         for reading in &counted.amplitudes {
             let here = at(reading.at);
-            self.push(rows, reading.amplitude - here.amplitude, reading.sd, &here.amplitude_by, total);
+            self.push(rows, reading.amplitude - here.amplitude, reading.sd, &here.amplitude_by);
         }
         Ok(())
     }
 
-    fn push(&self, rows: &mut Rows, residual: f64, sd: f64, by: &[f64], total: usize) {
+    fn push(&self, rows: &mut Rows, residual: f64, sd: f64, by: &[f64]) {
         rows.begin_measurement();
         let (own, shared) = rows.push(residual / sd);
         self.prepared.write_own(by, 1.0 / sd, own);
-        self.swings.write(&by[OWN..], 1.0 / sd, self.trace, total, shared);
+        write(&by[OWN..], 1.0 / sd, shared);
     }
 
     fn logged(&self, logged: &Logged, own: &[f64], rows: &mut Rows) -> Result<(), IdentifyError> {
         let (begin, total) = (logged.times[0], logged.times.len());
         let end = logged.times[total - 1] - begin;
-        let course = Course::new(self.family, self.prepared.decay(own), Clock::Time, end)?;
+        let decay = self.prepared.decay(own);
+        let course = Course::new(self.family, decay, Clock::Time, end)?;
         for (&time, &value) in logged.times.iter().zip(&logged.values) {
             let here = course.at(time - begin);
-            let signal = self.signal(logged.signal, &here, own[1]);
+            let signal = self.signal(logged.signal, &here, own[1], decay);
             let by: Vec<f64> = (0..here.other_by.len())
                 .map(|k| {
-                    let explicit = if k < OWN { 0.0 } else { signal.by[k - OWN] };
+                    let explicit = if k < OWN { signal.by_decay[k] } else { signal.by[k - OWN] };
                     signal.by_amplitude * here.amplitude_by[k] + signal.by_phase * here.other_by[k] + explicit
                 })
                 .collect();
             let residual = value - own[2] - signal.value;
-            self.push(rows, residual, logged.sd, &by, total);
+            self.push(rows, residual, logged.sd, &by);
             // the phase at the beginning, and the zero
             let (row, _) = rows.last();
             row[1] = signal.by_phase / logged.sd;
@@ -276,13 +283,13 @@ impl Target<'_> {
         Ok(())
     }
 
-    /// θ = Σ c_k cos kφ, or its rate −ω Σ k c_k sin kφ.
-    fn signal(&self, signal: Signal, here: &Point, phase: f64) -> Predicted {
+    /// θ = Σ c_k cos kφ, or its rate −ω Σ k c_k sin kφ, with what the damping adds to it.
+    fn signal(&self, signal: Signal, here: &Point, phase: f64, decay: Decay) -> Predicted {
         let at = self.family.at(here.amplitude);
         let phase = phase + here.other;
         let harmonics = self.family.harmonics(&at);
-        let mut sum =
-            Predicted { value: 0.0, by_amplitude: 0.0, by_phase: 0.0, by: vec![0.0; harmonics[0].by.len()] };
+        let rate = self.family.rate(&at);
+        let mut sum = Predicted::nothing(rate.by.len());
         for (k, c) in harmonics.iter().enumerate() {
             let n = k as f64;
             let (sin, cos) = libm::sincos(n * phase);
@@ -296,19 +303,54 @@ impl Target<'_> {
             sum.by.iter_mut().zip(&c.by).for_each(|(a, b)| *a += b * shape);
         }
         if signal == Signal::Rate {
-            let rate = self.family.rate(&at);
             sum.by.iter_mut().zip(&rate.by).for_each(|(a, b)| *a = *a * rate.value + sum.value * b);
             sum.by_amplitude = sum.by_amplitude * rate.value + sum.value * rate.slope;
             sum.by_phase *= rate.value;
             sum.value *= rate.value;
         }
+        sum.damped(signal, here.amplitude, phase, rate.value, decay);
         sum
     }
 }
 
+/// A signal, with its derivatives by amplitude and phase, by the numbers of the decay, and by those that are shared.
 struct Predicted {
     value: f64,
     by_amplitude: f64,
     by_phase: f64,
+    by_decay: [f64; OWN],
     by: Vec<f64>,
+}
+
+impl Predicted {
+    fn nothing(count: usize) -> Self {
+        Self { value: 0.0, by_amplitude: 0.0, by_phase: 0.0, by_decay: [0.0; OWN], by: vec![0.0; count] }
+    }
+
+    /// What damping adds to the shape of a harmonic motion, to its first order: β A² Σ g_n sin nφ, g_n = 8/(π n (n² − 1) (n² − 4)), n = 3, 5 …;
+    /// and to the rate, besides that one's derivative, dA/dt cos φ with dA/dt = −a A − (4/3π) β ω A².
+    fn damped(&mut self, signal: Signal, amplitude: f64, phase: f64, rate: f64, decay: Decay) {
+        let square = amplitude * amplitude;
+        for n in [3.0, 5.0, 7.0, 9.0, 11.0] {
+            let size = 8.0 / (PI * n * (n * n - 1.0) * (n * n - 4.0));
+            let (sin, cos) = libm::sincos(n * phase);
+            let (shape, shape_slope) = match signal {
+                Signal::Angle => (size * sin, size * n * cos),
+                Signal::Rate => (rate * size * n * cos, -rate * size * n * n * sin),
+            };
+            self.value += decay.quadratic * square * shape;
+            self.by_amplitude += 2.0 * decay.quadratic * amplitude * shape;
+            self.by_phase += decay.quadratic * square * shape_slope;
+            self.by_decay[2] += square * shape;
+        }
+        if signal == Signal::Rate {
+            let (sin, cos) = libm::sincos(phase);
+            let quadratic = 4.0 / (3.0 * PI) * rate * square;
+            self.value -= (decay.viscous * amplitude + decay.quadratic * quadratic) * cos;
+            self.by_amplitude -= (decay.viscous + 2.0 * decay.quadratic * quadratic / amplitude) * cos;
+            self.by_phase += (decay.viscous * amplitude + decay.quadratic * quadratic) * sin;
+            self.by_decay[1] -= amplitude * cos;
+            self.by_decay[2] -= quadratic * cos;
+        }
+    }
 }

@@ -38,7 +38,11 @@ impl Axis {
     }
 
     /// An upright axis with a spring or a wire that turns it back: N·m/rad. Weight has no part in it.
-    pub fn upright(point: impl Into<Point>, direction: Direction<Space>, stiffness: impl Into<Linear>) -> Self {
+    pub fn upright(
+        point: impl Into<Point>,
+        direction: Direction<Space>,
+        stiffness: impl Into<Linear>,
+    ) -> Self {
         Self { is_level: false, ..Self::level(point, direction).with_stiffness(stiffness) }
     }
 

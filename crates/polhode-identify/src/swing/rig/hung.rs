@@ -95,7 +95,8 @@ impl Hung {
         for k in 0..self.wires {
             let [ax, ay, az, dx, dy, dz, length] = self.wire(k);
             let out = [ax - dx, ay - dy];
-            let drop = (length * length - out[0] * out[0] - out[1] * out[1]).max(0.01 * length * length).sqrt();
+            let drop =
+                (length * length - out[0] * out[0] - out[1] * out[1]).max(0.01 * length * length).sqrt();
             let place = [out[0], out[1], az - dz - drop];
             (0..3).for_each(|j| u[j] += share * place[j]);
             u[PLACE + k] = share * self.quantities[1].value / drop;
@@ -149,9 +150,7 @@ impl Hung {
             return Err(IdentifyError::NotFinite);
         };
         let mut order: Vec<usize> = (0..6).collect();
-        order.sort_by(|&a, &b| {
-            decomposition.singular_values[a].total_cmp(&decomposition.singular_values[b])
-        });
+        order.sort_by(|&a, &b| decomposition.singular_values[a].total_cmp(&decomposition.singular_values[b]));
         let free = 6 - self.wires - usize::from(self.held.is_some());
         let basis = DMatrix::from_fn(6, free, |i, j| vectors[(order[j], i)]);
         let reduced = |full: &DMatrix<f64>| {
@@ -160,9 +159,8 @@ impl Hung {
         };
         let (stiffness, mass) = (reduced(&stiffness), reduced(&mass));
         let factor = Cholesky::new(mass).ok_or(IdentifyError::NotFinite)?.l();
-        let inverse = factor
-            .solve_lower_triangular(&DMatrix::identity(free, free))
-            .ok_or(IdentifyError::NotFinite)?;
+        let inverse =
+            factor.solve_lower_triangular(&DMatrix::identity(free, free)).ok_or(IdentifyError::NotFinite)?;
         let modes = SymmetricEigen::new(&inverse * stiffness * inverse.transpose());
         let shapes = &basis * inverse.transpose() * modes.eigenvectors;
         // With shapes of unit kinetic energy, what is in the twist.

@@ -42,7 +42,8 @@ fn unequal() -> Vec<Wire> {
 fn three() -> Vec<Wire> {
     let mut all = unequal();
     all[0] = Wire { top: [0.16, -0.13, 0.0].into(), bottom: [0.17, -0.12, 0.04].into(), length: 0.84.into() };
-    all[1] = Wire { top: [-0.17, -0.11, 0.012].into(), bottom: [-0.18, -0.10, 0.05].into(), length: 0.855.into() };
+    all[1] =
+        Wire { top: [-0.17, -0.11, 0.012].into(), bottom: [-0.18, -0.10, 0.05].into(), length: 0.855.into() };
     all.push(Wire { top: [0.02, 0.22, 0.0].into(), bottom: [0.01, 0.19, 0.055].into(), length: 0.85.into() });
     all
 }

@@ -57,14 +57,16 @@ impl Setup {
         let mass = measured(TRUTH[0], self.mass_sd);
         let center = [1, 2, 3].map(|k| measured(TRUTH[k], self.center_sd));
         let mut plan = SwingPlan::new(mass, center);
-        let ids: Vec<NumberId> =
-            self.names.iter().map(|(name, value, sd)| plan.number(*name, "m", measured(*value, *sd))).collect();
+        let ids: Vec<NumberId> = self
+            .names
+            .iter()
+            .map(|(name, value, sd)| plan.number(*name, "m", measured(*value, *sd)))
+            .collect();
         let values = self.truth();
         let places: Vec<_> = (0..values.len()).map(Some).collect();
         let numbers = Numbers::new(&values, &places);
         for (k, (body, fixture, rig)) in (self.tests)(&ids).into_iter().enumerate() {
-            let measurement =
-                Measurement::Counted(Counted::new(1.0, (1.0, 1.0), [1.0, 1.0], 1.0));
+            let measurement = Measurement::Counted(Counted::new(1.0, (1.0, 1.0), [1.0, 1.0], 1.0));
             let name = format!("test {k}");
             let mut test = SwingTest { name, body, fixture, rig, air: Air::default(), measurement };
             let oscillator = test.oscillator(&numbers).unwrap();

@@ -1,8 +1,10 @@
 //! How a swing goes on: its amplitude and phase in the course of time, with their derivatives.
 //!
-//! dA/dt = −a A h₁(A) − β A² h₂(A),  dφ/dt = ω(A) − a²/(2 ω) − (16/9π) a β A − β² A² ω/6
+//! dA/dt = −a A h₁(A) − β A² h₂(A),  dφ/dt = ω(A) − a²/(2 ω) − (2/3π) a β A − (1/6 − 40/27π²) β² A² ω
 //!
-//! The last terms are those of the second order in the damping, of a harmonic motion.
+//! The last terms are those of the second order in the damping, of a harmonic motion. φ is that of the first harmonic: the middle is passed at whole quarters, and
+//! with quadratic damping the turning points are (10/9π) β A before theirs. (From one to the next is then π (1 + β² A²/6)/ω, A the geometric mean of both, as
+//! integration of the damped motion shows.)
 
 use core::f64::consts::PI;
 
@@ -123,21 +125,22 @@ fn slope(family: &Family, decay: Decay, clock: Clock, state: &[f64]) -> Result<V
     let at = family.at(amplitude);
     let rate = family.rate(&at);
     let [h1, h2] = family.decay(&at);
-    let (w, mixed) = (rate.value, 16.0 / (9.0 * PI));
+    let (w, mixed) = (rate.value, 2.0 / (3.0 * PI));
+    let square = 1.0 / 6.0 - 40.0 / (27.0 * PI * PI);
     // Amplitude: f = −dA/dt, and phase: g = dφ/dt, with derivatives by A, a, β and the numbers.
     let f = a * amplitude * h1.value + b * amplitude * amplitude * h2.value;
-    let g = w - 0.5 * a * a / w - mixed * a * b * amplitude - b * b * amplitude * amplitude * w / 6.0;
-    let g_by_rate = 1.0 + 0.5 * (a / w).powi(2) - b * b * amplitude * amplitude / 6.0;
+    let g = w - 0.5 * a * a / w - mixed * a * b * amplitude - square * b * b * amplitude * amplitude * w;
+    let g_by_rate = 1.0 + 0.5 * (a / w).powi(2) - square * b * b * amplitude * amplitude;
     let f_slope =
         a * (h1.value + amplitude * h1.slope) + b * amplitude * (2.0 * h2.value + amplitude * h2.slope);
-    let g_slope = g_by_rate * rate.slope - mixed * a * b - b * b * amplitude * w / 3.0;
+    let g_slope = g_by_rate * rate.slope - mixed * a * b - 2.0 * square * b * b * amplitude * w;
     let count = (state.len() - 2) / 2;
     let mut f_by = vec![0.0; count];
     let mut g_by = vec![0.0; count];
     f_by[1] = amplitude * h1.value;
     f_by[2] = amplitude * amplitude * h2.value;
     g_by[1] = -a / w - mixed * b * amplitude;
-    g_by[2] = -mixed * a * amplitude - b * amplitude * amplitude * w / 3.0;
+    g_by[2] = -mixed * a * amplitude - 2.0 * square * b * amplitude * amplitude * w;
     for k in OWN..count {
         f_by[k] = a * amplitude * h1.by[k - OWN] + b * amplitude * amplitude * h2.by[k - OWN];
         g_by[k] = g_by_rate * rate.by[k - OWN];

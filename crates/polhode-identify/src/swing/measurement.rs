@@ -28,7 +28,8 @@ pub enum Damping {
 
 /// Times of counted periods, and amplitudes that were read.
 ///
-/// Counts begin at the first of the swings, at a turning point or where it passes the middle; they need not be whole.
+/// Counts begin with the first swing that is timed, best where it passes the middle: with quadratic damping turning points come a little late, one after the other.
+/// They need not be whole.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Counted {
     /// Times that were measured.

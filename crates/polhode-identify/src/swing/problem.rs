@@ -35,6 +35,8 @@ struct Prepared<'a> {
     amplitudes: Amplitudes,
     /// The small motion's rate and the motions of the last place, from which those of a place nearby are found.
     last: RefCell<(f64, Vec<Motion>)>,
+    /// Which elements of the tensor are sought in this test.
+    sought: RefCell<Option<[bool; 6]>>,
 }
 
 /// What an element of the tensor may change by all that is possible, in standard deviations of a test, is nothing below this.
@@ -68,7 +70,13 @@ impl<'a> Swings<'a> {
                 "above zero, and 1.75 at most on wires and 2.97 about an axis",
             )?;
             let amplitudes = Amplitudes::up_to((ROOM * seen).max(LEAST).min(most));
-            tests.push(Prepared { test, look, amplitudes, last: RefCell::default() });
+            tests.push(Prepared {
+                test,
+                look,
+                amplitudes,
+                last: RefCell::default(),
+                sought: RefCell::default(),
+            });
         }
         Ok(Self { stage: Stage::Rates, tests, measured: plan.measured(), places: plan.places() })
     }
@@ -116,15 +124,24 @@ impl<'a> Swings<'a> {
         }
     }
 
-    /// Leaves out derivatives by elements of the tensor that do not matter to a test.
-    fn without_what_is_nothing(&self, rows: &mut Rows, trace: f64) {
+    /// Leaves out derivatives by elements of the tensor that do not matter to a test: in the end those that do not where the search begins, as one that moves
+    /// begins to matter by its own error.
+    fn without_what_is_nothing(&self, prepared: &Prepared, rows: &mut Rows, trace: f64) {
         let tensor = self.places[TENSOR].unwrap_or(0);
-        let norms = rows.shared_norms();
-        let most = norms[tensor..tensor + 6].iter().copied().fold(0.0, f64::max);
-        let small = if self.stage == Stage::Rates { COARSE } else { SMALL };
-        for column in tensor..tensor + 6 {
-            if norms[column] * trace < NOTHING || norms[column] < small * most {
-                rows.clear_shared(column);
+        let mut kept = prepared.sought.borrow_mut();
+        let sought = match *kept {
+            Some(sought) if self.stage == Stage::All => sought,
+            _ => {
+                let norms = &rows.shared_norms()[tensor..tensor + 6];
+                let most = norms.iter().copied().fold(0.0, f64::max);
+                let small = if self.stage == Stage::Rates { COARSE } else { SMALL };
+                core::array::from_fn(|k| norms[k] * trace >= NOTHING && norms[k] >= small * most)
+            }
+        };
+        *kept = (self.stage == Stage::All).then_some(sought);
+        for (k, is_sought) in sought.into_iter().enumerate() {
+            if !is_sought {
+                rows.clear_shared(tensor + k);
             }
         }
     }
@@ -214,7 +231,7 @@ impl Problem for Swings<'_> {
             (Stage::All, Measurement::Counted(counted)) => to.counted(counted, local, rows)?,
             (Stage::All, Measurement::Logged(logged)) => to.logged(logged, local, rows)?,
         }
-        self.without_what_is_nothing(rows, trace);
+        self.without_what_is_nothing(prepared, rows, trace);
         Ok(())
     }
 }

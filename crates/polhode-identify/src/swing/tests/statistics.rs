@@ -31,10 +31,13 @@ impl Noise {
     }
 }
 
+/// Body, fixture and rig of a test.
+type Hung = (Option<Placement>, Option<Fixture>, Rig);
+
 /// What there is to a plan besides its numbers as they were measured.
 pub(super) struct Setup {
     pub(super) names: Vec<(&'static str, f64, f64)>,
-    pub(super) tests: fn(&[NumberId]) -> Vec<(Option<Placement>, Option<Fixture>, Rig)>,
+    pub(super) tests: fn(&[NumberId]) -> Vec<Hung>,
     pub(super) periods: f64,
     pub(super) decay: Decay,
     pub(super) time_sd: f64,

@@ -140,7 +140,6 @@ impl Family {
 
     /// h₁ and h₂ from s = S/A² and q = Q/A³ at all amplitudes: h₁ = s/(s + x s′), h₂ = q/(2 (s + x s′)), x = A².
     fn set_decay(&mut self, squares: &[[Gradient; 2]], amplitudes: &Amplitudes) {
-        let count = squares.len();
         let found = self.by[RATE].ncols();
         for (i, [s, q]) in squares.iter().enumerate() {
             let amplitude = amplitudes.amplitudes[i];
@@ -156,7 +155,6 @@ impl Family {
                 (0..found).for_each(|k| self.by[column][(i, k)] = ratio.by[k]);
             }
         }
-        debug_assert_eq!(count, self.values.nrows());
     }
 
     /// At an amplitude.

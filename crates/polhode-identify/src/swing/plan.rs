@@ -5,7 +5,7 @@ use polhode::math::Body;
 
 use super::hung_mass::{Fixture, HungMass, Placement};
 use super::measurement::Measurement;
-use super::number::{CENTER, GRAVITY, Linear, MASS, Measured, NumberId, Numbers, PLAN, TENSOR};
+use super::number::{GRAVITY, Linear, MASS, Measured, NumberId, Numbers, TENSOR};
 use super::rig::{Load, Oscillator, Rig};
 use crate::coordinates::{Coordinates, Part};
 use crate::error::IdentifyError;
@@ -25,8 +25,8 @@ use crate::error::IdentifyError;
 /// plan.add(SwingTest::new("about z", Placement::AS_IT_IS, rig, swings));
 ///
 /// let found = identify_swings(&plan)?;
-/// let z = &found.tests[0].moment.unwrap();
-/// assert!((z.value - 0.0630).abs() < 3e-4 && z.sd.unwrap() < 4e-4);
+/// let z = found.tests[0].moment.as_ref().unwrap();
+/// assert!((z.value - 0.06285).abs() < 5e-5 && z.sd.unwrap() < 4e-4, "{z:?}");
 /// // one axis says nothing of the others
 /// assert_eq!(found.estimate.get("Izz").unwrap().sd, z.sd);
 /// assert_eq!(found.estimate.get("Ixx").unwrap().sd, None);
@@ -253,5 +253,3 @@ impl SwingTest {
         super::rig::all_of(fixture.chain([&self.air.moment, &self.air.displaced]), count)
     }
 }
-
-const _: () = assert!(CENTER == 1 && PLAN == GRAVITY + 1);

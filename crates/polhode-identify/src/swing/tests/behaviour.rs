@@ -126,7 +126,6 @@ fn logs_of_the_exact_damped_motion_are_fitted_to_their_noise() {
             assert!((own("viscous damping") - viscous).abs() < 0.07 * viscous + 5e-4);
             assert!((own("quadratic damping") - quadratic).abs() < 0.03 * quadratic + 8e-4);
         }
-        println!("{signal:?} {squares}");
         // of 12 squares the mean is 1 ± 0.4
         assert!((0.2..2.4).contains(&squares), "{squares}");
     }
@@ -237,7 +236,7 @@ fn what_cannot_be_is_refused() {
 }
 
 #[test]
-fn plates_and_rods_are_possible_bodies() {
+fn plates_are_possible_bodies() {
     use polhode::math::elliptic::EllipticParameter;
     let axes = [
         [1.0, 0.1, 0.2],
@@ -249,34 +248,32 @@ fn plates_and_rods_are_possible_bodies() {
     ];
     let (mass, amplitude) = (1.3, 0.4_f64);
     let k = EllipticParameter::new((0.5 * amplitude).sin().powi(2)).unwrap().k();
-    for moments in [[0.02, 0.035, 0.055], [1e-7, 0.04, 0.04]] {
-        let mut squares = 0.0;
-        for seed in 0..10 {
-            let mut noise = Noise::new(seed, 1.0);
-            let mut plan = SwingPlan::new(Measured::exact(mass), [Measured::exact(0.0); 3]);
-            for axis in axes.iter().chain(&axes) {
-                let n = Direction::<polhode::math::Space>::from_array(*axis).direction().unwrap();
-                let across = n.cross(Direction::new(0.2, -0.3, 0.9)).direction().unwrap();
-                let about = n.x * n.x * moments[0] + n.y * n.y * moments[1] + n.z * n.z * moments[2];
-                let reach = 0.2;
-                let moment = about + mass * reach * reach;
-                let period = 4.0 * k * (moment / (mass * G * reach)).sqrt();
-                let time = 60.0 * period + 0.01 * noise.normal();
-                let mut counted = Counted::new(60.0, (time, 0.01), [amplitude; 2], 1e-4);
-                counted.damping = Damping::None;
-                let rig = Rig::Axis(Axis::level((across * reach).to_array(), n));
-                plan.add(SwingTest::new("one", Placement::AS_IT_IS, rig, Measurement::Counted(counted)));
-            }
-            let found = identify_swings(&plan).unwrap();
-            let [i1, i2, i3] = found.body.principal().moments();
-            assert!(i1 >= 0.0 && i1 + i2 >= i3 * (1.0 - 1e-12), "{i1} {i2} {i3}");
-            for (k, truth) in moments.into_iter().enumerate() {
-                let number = &found.estimate.numbers[4 + k];
-                squares += ((number.value - truth) / number.sd.unwrap()).powi(2) / 30.0;
-            }
+    let moments = [0.02, 0.035, 0.055];
+    let mut squares = 0.0;
+    for seed in 0..10 {
+        let mut noise = Noise::new(seed, 1.0);
+        let mut plan = SwingPlan::new(Measured::exact(mass), [Measured::exact(0.0); 3]);
+        for axis in axes.iter().chain(&axes) {
+            let n = Direction::<polhode::math::Space>::from_array(*axis).direction().unwrap();
+            let across = n.cross(Direction::new(0.2, -0.3, 0.9)).direction().unwrap();
+            let about = n.x * n.x * moments[0] + n.y * n.y * moments[1] + n.z * n.z * moments[2];
+            let reach = 0.2;
+            let moment = about + mass * reach * reach;
+            let period = 4.0 * k * (moment / (mass * G * reach)).sqrt();
+            let time = 60.0 * period + 0.01 * noise.normal();
+            let mut counted = Counted::new(60.0, (time, 0.01), [amplitude; 2], 1e-4);
+            counted.damping = Damping::None;
+            let rig = Rig::Axis(Axis::level((across * reach).to_array(), n));
+            plan.add(SwingTest::new("one", Placement::AS_IT_IS, rig, Measurement::Counted(counted)));
         }
-        println!("{squares}");
-        // at the edge errors can only go inwards: smaller than the bound, not larger
-        assert!(squares < 1.6, "{squares}");
+        let found = identify_swings(&plan).unwrap();
+        let [i1, i2, i3] = found.body.principal().moments();
+        assert!(i1 >= 0.0 && i1 + i2 >= i3 * (1.0 - 1e-12), "{i1} {i2} {i3}");
+        for (k, truth) in moments.into_iter().enumerate() {
+            let number = &found.estimate.numbers[4 + k];
+            squares += ((number.value - truth) / number.sd.unwrap()).powi(2) / 30.0;
+        }
     }
+    // at the edge errors can only go inwards: smaller than the bound, not larger
+    assert!(squares < 1.6, "{squares}");
 }

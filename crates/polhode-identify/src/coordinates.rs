@@ -5,8 +5,6 @@
 //! G = U Uᵀ,  U = ((e^a, d, e), (0, e^b, f), (0, 0, e^c))
 //!
 //! every (a, b, c, d, e, f) is a possible tensor, and every body that is no lamina has one; a lamina is the limit of one of a, b, c → −∞.
-//! Mass and centre come as ln m and c. Together this is the Cholesky factor of the pseudo-inertia.
-//!
 //! Source: C. Rucker, P. M. Wensing, IEEE Robot. Autom. Lett. 7 (2022) 2747.
 
 use nalgebra::DMatrix;
@@ -29,8 +27,6 @@ pub(crate) enum Part {
     Tensor,
     /// xx, yy, zz, xy, xz, yz of a symmetric matrix that is positive semidefinite.
     Positive3,
-    /// m, m c, and the tensor about the origin, of a possible body.
-    Body,
 }
 
 impl Part {
@@ -40,7 +36,6 @@ impl Part {
             Self::Free(count) => count,
             Self::Positive => 1,
             Self::Tensor | Self::Positive3 => 6,
-            Self::Body => 10,
         }
     }
 }
@@ -48,11 +43,6 @@ impl Part {
 impl Coordinates {
     pub(crate) const fn new(parts: Vec<Part>) -> Self {
         Self { parts }
-    }
-
-    /// How many numbers there are.
-    pub(crate) fn count(&self) -> usize {
-        self.parts.iter().map(|part| part.count()).sum()
     }
 
     /// The coordinates of physical numbers. A tensor at the edge of what is possible, or beyond, is moved to the nearest that is inside.
@@ -64,15 +54,6 @@ impl Coordinates {
                 Part::Positive => all.push(libm::log(numbers[0])),
                 Part::Tensor => all.extend(factor(moments_of(six(numbers)))),
                 Part::Positive3 => all.extend(factor(six(numbers))),
-                Part::Body => {
-                    let m = numbers[0];
-                    let center = [1, 2, 3].map(|k| numbers[k] / m);
-                    let about_origin = moments_of(six(&numbers[4..]));
-                    let own = less_point_mass(about_origin, m, center);
-                    all.push(libm::log(m));
-                    all.extend(center);
-                    all.extend(factor(own));
-                }
             }
         }
         all
@@ -87,14 +68,6 @@ impl Coordinates {
                 Part::Positive => all.push(libm::exp(x[0])),
                 Part::Tensor => all.extend(tensor_of(product(&upper(six(x))))),
                 Part::Positive3 => all.extend(product(&upper(six(x)))),
-                Part::Body => {
-                    let m = libm::exp(x[0]);
-                    let c = [x[1], x[2], x[3]];
-                    all.push(m);
-                    all.extend(c.map(|c| m * c));
-                    let own = product(&upper(six(&x[4..])));
-                    all.extend(tensor_of(less_point_mass(own, -m, c)));
-                }
             }
         }
         all
@@ -113,25 +86,6 @@ impl Coordinates {
                 Part::Positive => set(0, 0, libm::exp(x[0])),
                 Part::Tensor => product_columns(six(x), tensor_of, &mut set),
                 Part::Positive3 => product_columns(six(x), |g| g, &mut set),
-                Part::Body => {
-                    let m = libm::exp(x[0]);
-                    let c = [x[1], x[2], x[3]];
-                    // by ln m: everything but the tensor about the centre is in proportion to m
-                    set(0, 0, m);
-                    (0..3).for_each(|k| set(1 + k, 0, m * c[k]));
-                    let point = tensor_of(outer(c, c, 1.0));
-                    (0..6).for_each(|k| set(4 + k, 0, m * point[k]));
-                    for j in 0..3 {
-                        set(1 + j, 1 + j, m);
-                        let mut unit = [0.0; 3];
-                        unit[j] = 1.0;
-                        let both = tensor_of(outer(unit, c, 2.0 * m));
-                        (0..6).for_each(|k| set(4 + k, 1 + j, both[k]));
-                    }
-                    product_columns(six(&x[4..]), tensor_of, &mut |row, column, value| {
-                        set(4 + row, 4 + column, value);
-                    });
-                }
             }
             at += count;
         }
@@ -166,17 +120,6 @@ fn moments_of(i: Six) -> Six {
 /// I = tr(G) 1 − G
 fn tensor_of(g: Six) -> Six {
     [g[1] + g[2], g[0] + g[2], g[0] + g[1], -g[3], -g[4], -g[5]]
-}
-
-/// ½ scale (a bᵀ + b aᵀ)
-fn outer(a: [f64; 3], b: [f64; 3], scale: f64) -> Six {
-    PLACES.map(|(i, j)| 0.5 * scale * (a[i] * b[j] + a[j] * b[i]))
-}
-
-/// G − m c cᵀ
-fn less_point_mass(g: Six, m: f64, c: [f64; 3]) -> Six {
-    let point = outer(c, c, m);
-    core::array::from_fn(|k| g[k] - point[k])
 }
 
 /// U of a, b, c, d, e, f.
@@ -232,14 +175,6 @@ mod tests {
 
     const TENSOR: Six = [3.1, 4.2, 5.3, 0.4, -0.3, 0.2];
 
-    fn body() -> Vec<f64> {
-        let (m, c) = (2.7, [0.31, -0.22, 0.43]);
-        let own = moments_of(TENSOR);
-        let mut numbers = vec![m, m * c[0], m * c[1], m * c[2]];
-        numbers.extend(tensor_of(less_point_mass(own, -m, c)));
-        numbers
-    }
-
     fn close(a: &[f64], b: &[f64], tolerance: f64) {
         for (a, b) in a.iter().zip(b) {
             assert!((a - b).abs() <= tolerance * (1.0 + b.abs()), "{a} {b}");
@@ -248,20 +183,17 @@ mod tests {
 
     #[test]
     fn there_and_back() {
-        let all = Coordinates::new(vec![Part::Free(2), Part::Body, Part::Positive, Part::Tensor]);
+        let all = Coordinates::new(vec![Part::Free(2), Part::Positive, Part::Tensor]);
         let mut numbers = vec![-1.5, 7.0];
-        numbers.extend(body());
         numbers.push(0.25);
         numbers.extend(TENSOR);
-        assert_eq!(all.count(), numbers.len());
         close(&all.physical(&all.of(&numbers)), &numbers, 1e-14);
     }
 
     #[test]
     fn the_jacobian_is_that_of_differences() {
-        let all = Coordinates::new(vec![Part::Body, Part::Positive, Part::Tensor, Part::Positive3]);
-        let mut numbers = body();
-        numbers.push(0.25);
+        let all = Coordinates::new(vec![Part::Positive, Part::Tensor, Part::Positive3]);
+        let mut numbers = vec![0.25];
         numbers.extend(TENSOR);
         numbers.extend(TENSOR);
         let x = all.of(&numbers);

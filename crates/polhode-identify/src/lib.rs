@@ -10,6 +10,7 @@ mod least_squares;
 pub mod payload;
 mod principal;
 mod residuals;
+pub mod swing;
 pub mod tumble;
 
 pub use error::IdentifyError;

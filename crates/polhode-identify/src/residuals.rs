@@ -31,6 +31,12 @@ pub(crate) struct Noise {
     pub(crate) is_told: bool,
 }
 
+impl Noise {
+    pub(crate) const fn told(deviation: f64) -> Self {
+        Self { deviation, is_told: true }
+    }
+}
+
 impl ResidualTest {
     /// Of runs of residuals in standard deviations, each of one channel in the order of time.
     pub(crate) fn of(what: &'static str, noise: Noise, found: f64, runs: &[Vec<f64>]) -> Self {
@@ -52,7 +58,9 @@ impl ResidualTest {
 
     /// Residuals are larger than the noise, beyond chance.
     pub fn is_too_large(&self) -> bool {
-        self.reduced_chi_square - 1.0 > NO_CHANCE * (2.0 / self.degrees_of_freedom).sqrt()
+        // the cube root of χ² is nearly normal, also for few degrees of freedom: Wilson and Hilferty
+        let variance = 2.0 / (9.0 * self.degrees_of_freedom);
+        libm::cbrt(self.reduced_chi_square) - (1.0 - variance) > NO_CHANCE * variance.sqrt()
     }
 
     /// Residuals follow each other, beyond chance: they are no white noise, and there is more in the motion than in the model.
@@ -76,7 +84,7 @@ impl ResidualTest {
 mod tests {
     use super::*;
 
-    const UNIT: Noise = Noise { deviation: 1.0, is_told: true };
+    const UNIT: Noise = Noise::told(1.0);
 
     fn noise(count: usize) -> Vec<f64> {
         let mut state = 0.431_f64;

@@ -45,6 +45,10 @@ const NOTHING: f64 = 1e-9;
 /// The least damping: directions that nothing determines are not followed.
 const LEAST_DAMPING: f64 = 1e-9;
 
+/// So many steps that together take less than `LITTLE` from ½χ², 0.06 of a standard deviation, are enough.
+const VALLEY: usize = 25;
+const LITTLE: f64 = 2e-3;
+
 /// What the rows come to at a place.
 struct Evaluation {
     /// Of each group, in the physical numbers.
@@ -69,7 +73,15 @@ pub(crate) fn fit(
     let mut here = evaluate(problem, coordinates, &place, outliers)?;
     let mut scale = Scale::default();
     let (mut damping, mut factor) = (1e-3, 2.0);
-    for _ in 0..MOST_STEPS {
+    let mut before = here.cost;
+    for taken in 1..=MOST_STEPS {
+        // Towards the edge of what is possible a valley may have no end: bodies that are plates or rods.
+        if taken % VALLEY == 0 {
+            if before - here.cost <= LITTLE {
+                return Ok(Solution::new(place, coordinates, here.triangles));
+            }
+            before = here.cost;
+        }
         let jacobian = coordinates.jacobian(&place.shared);
         let triangles: Vec<_> = here.triangles.iter().map(|t| in_coordinates(t, &jacobian)).collect();
         scale.grow(&triangles, place.shared.len());
@@ -78,7 +90,7 @@ pub(crate) fn fit(
             continue;
         };
         if step.expected <= NOTHING * (1.0 + 2.0 * here.cost / here.rows) {
-            return Ok(Solution::new(place, coordinates, here.triangles, here.cost));
+            return Ok(Solution::new(place, coordinates, here.triangles));
         }
         let next = place.moved(&step);
         let there = evaluate(problem, coordinates, &next, outliers);
@@ -94,7 +106,7 @@ pub(crate) fn fit(
                 factor *= 2.0;
                 // No smaller step takes anything: rounding is all that is left.
                 if damping > 1e16 {
-                    return Ok(Solution::new(place, coordinates, here.triangles, here.cost));
+                    return Ok(Solution::new(place, coordinates, here.triangles));
                 }
             }
         }
@@ -249,12 +261,17 @@ fn step(triangles: &[DMatrix<f64>], scale: &Scale, damping: f64, shared: usize) 
     expected.is_finite().then_some(Step { shared: step_shared, local, expected })
 }
 
+/// The least scale of a number, relative to the largest.
+const LEAST_SCALE: f64 = 1e-3;
+
 /// Rows that hold each number back: root × scale on the diagonal.
 fn damping_rows(scale: &[f64], root: f64, first: usize, width: usize) -> DMatrix<f64> {
     let mut rows = DMatrix::zeros(scale.len(), width);
+    // What hardly depends on a number, by rounding or in earnest, may not throw it far.
+    let least = LEAST_SCALE * scale.iter().copied().fold(0.0, f64::max);
     for (k, scale) in scale.iter().enumerate() {
         // A column of zeros is a number that nothing depends on: it stays where it is.
-        rows[(k, first + k)] = if *scale > 0.0 { root * scale } else { 1.0 };
+        rows[(k, first + k)] = if *scale > 0.0 { root * scale.max(least) } else { 1.0 };
     }
     rows
 }

@@ -42,6 +42,28 @@ impl Rows {
         derivatives.split_at_mut(self.local)
     }
 
+    /// The derivatives of the last row: none before the first.
+    pub(crate) fn last(&mut self) -> (&mut [f64], &mut [f64]) {
+        let end = self.elements.len().saturating_sub(1);
+        let start = (end + 1).saturating_sub(self.width());
+        self.elements[start..end].split_at_mut(self.local.min(end - start))
+    }
+
+    /// The norm of each column of derivatives by a shared number.
+    pub(crate) fn shared_norms(&self) -> Vec<f64> {
+        let mut squares = vec![0.0; self.shared];
+        for row in self.elements.chunks_exact(self.width()) {
+            squares.iter_mut().zip(&row[self.local..]).for_each(|(sum, by)| *sum += by * by);
+        }
+        squares.into_iter().map(f64::sqrt).collect()
+    }
+
+    /// Sets the derivatives by a shared number to zero.
+    pub(crate) fn clear_shared(&mut self, number: usize) {
+        let (width, column) = (self.width(), self.local + number);
+        self.elements.chunks_exact_mut(width).for_each(|row| row[column] = 0.0);
+    }
+
     /// Measurement by measurement, its residuals.
     pub(crate) fn measurements(&self) -> impl Iterator<Item = Vec<f64>> + '_ {
         let ends = self.begins.iter().skip(1).copied().chain([self.count()]);

@@ -13,8 +13,6 @@ pub(crate) struct Solution {
     /// The shared numbers.
     pub(crate) shared: Vec<f64>,
     pub(crate) place: Place,
-    /// ½ of what the rows cost.
-    pub(crate) cost: f64,
     /// Of each group, in the physical numbers.
     triangles: Vec<DMatrix<f64>>,
 }
@@ -31,19 +29,15 @@ pub(crate) struct Information {
 }
 
 /// A singular value below this, relative to the largest, is zero: columns have norm 1 then.
-const ZERO: f64 = 1e-8;
-
-/// A component of an unknown direction below this is rounding.
+const ZERO: f64 = 1e-9;
+/// A component of an unknown direction below this is rounding: a number that is known would seem to change along what is not.
 const NO_PART: f64 = 1e-7;
+/// The same of a known direction.
+const ROUNDING: f64 = 1e-13;
 
 impl Solution {
-    pub(super) fn new(
-        place: Place,
-        coordinates: &Coordinates,
-        triangles: Vec<DMatrix<f64>>,
-        cost: f64,
-    ) -> Self {
-        Self { shared: coordinates.physical(&place.shared), place, cost, triangles }
+    pub(super) fn new(place: Place, coordinates: &Coordinates, triangles: Vec<DMatrix<f64>>) -> Self {
+        Self { shared: coordinates.physical(&place.shared), place, triangles }
     }
 
     /// Of the shared numbers, with each group's own unknown.
@@ -58,6 +52,16 @@ impl Solution {
             }
         }
         Information::of(&all)
+    }
+
+    /// How many numbers were found from a group's rows: its own, and its share of the shared ones.
+    pub(crate) fn found_by(&self, group: usize, information: &Information) -> f64 {
+        let (triangle, n) = (&self.triangles[group], self.place.local[group].len());
+        if triangle.nrows() <= n {
+            return triangle.nrows() as f64;
+        }
+        let rest = triangle.view((n, n), (triangle.nrows() - n, self.shared.len()));
+        n as f64 + (rest * &information.covariance * rest.transpose()).trace()
     }
 
     /// Covariance of a group's own numbers, with that of the shared ones.
@@ -90,12 +94,12 @@ impl Information {
         let largest = decomposition.singular_values.max();
         let (mut known, mut unknown) = (Vec::new(), Vec::new());
         for (k, &value) in decomposition.singular_values.iter().enumerate() {
+            let part =
+                |i: usize, least: f64| if vectors[(k, i)].abs() > least { vectors[(k, i)] } else { 0.0 };
             if value > ZERO * largest {
-                known.push(DMatrix::from_fn(n, 1, |i, _| vectors[(k, i)] / unit(i) / value));
+                known.push(DMatrix::from_fn(n, 1, |i, _| part(i, ROUNDING) / unit(i) / value));
             } else {
-                // An element of rounding would make a number unknown that is not.
-                let element = |i: usize| if vectors[(k, i)].abs() > NO_PART { vectors[(k, i)] } else { 0.0 };
-                unknown.push(DMatrix::from_fn(n, 1, |i, _| element(i) / unit(i)));
+                unknown.push(DMatrix::from_fn(n, 1, |i, _| part(i, NO_PART) / unit(i)));
             }
         }
         Self::with(n, &known, &unknown)

@@ -49,7 +49,7 @@ impl Tumbles<'_> {
     }
 
     pub(crate) const fn attitude_noise(&self) -> Noise {
-        Noise { deviation: self.attitude_noise, is_told: true }
+        Noise::told(self.attitude_noise)
     }
 
     /// How many numbers drag has.

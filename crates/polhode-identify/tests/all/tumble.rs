@@ -3,9 +3,7 @@
 use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{AngularVelocity, Attitude, Direction, Position};
 use polhode::motion::{FreeMotion, Rotor, State};
-use polhode_identify::tumble::{
-    AttitudeReading, Flight, GyroErrors, GyroReading, Tumble, TumbleOptions, identify_tumbles,
-};
+use polhode_identify::tumble::{Flight, GyroReading, Tumble, TumbleOptions, identify_tumbles};
 
 use crate::noise::Normal;
 

@@ -1,0 +1,225 @@
+//! From swing tests to a body.
+
+use nalgebra::DMatrix;
+use polhode::body::{InertiaTensor, MassProperties};
+use polhode::math::{Body, Position};
+
+use super::measurement::{Measurement, Signal};
+use super::number::{CENTER, MASS, TENSOR};
+use super::plan::SwingPlan;
+use super::problem::{Stage, Swings};
+use crate::error::IdentifyError;
+use crate::estimate::{Estimate, Number};
+use crate::least_squares::{Information, Outliers, Place, Problem, Rows, Solution, fit};
+use crate::residuals::{Noise, ResidualTest};
+
+/// What swing tests say of a body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SwingEstimate {
+    /// Mass, centre, tensor about the centre of mass, gravity, and the numbers of the plan. What is exact has the standard deviation 0.
+    pub estimate: Estimate,
+    /// The body: a possible one. What [`Estimate::unknown`] says is not known of it is as good as any other.
+    pub body: MassProperties<Body>,
+    /// Of each test.
+    pub tests: Vec<SwingResult>,
+    /// Times and amplitudes of all counted swings, with the numbers that were measured besides.
+    pub counted: Option<ResidualTest>,
+    /// By what all errors were multiplied, as residuals show more than noise.
+    pub widening: f64,
+}
+
+/// What becomes of a test.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SwingResult {
+    /// What it is called.
+    pub name: String,
+    /// The body's moment of inertia about the axis of the swing, through the body's centre of mass: nᵀ I n; `None` of a test without the body.
+    pub moment: Option<Number>,
+    /// Amplitude, in a log phase and zero, and the damping a and β.
+    pub own: Vec<Number>,
+    /// What is left.
+    pub residuals: ResidualTest,
+}
+
+/// The body that swing tests are of.
+///
+/// Every number of the plan is found again together with the tensor, weighed with its own error: what several tests share stays correlated in the covariance.
+///
+/// # Errors
+/// [`IdentifyError`] if a number cannot be, a rig cannot hold the body as described, or its motion is no twist.
+pub fn identify_swings(plan: &SwingPlan) -> Result<SwingEstimate, IdentifyError> {
+    plan.check()?;
+    let mut swings = Swings::new(plan)?;
+    let coordinates = plan.coordinates();
+    let shared = coordinates.of(&start(plan, &swings)?);
+    let begun = fit(&swings, &coordinates, Place { shared, local: swings.locals() }, Outliers::Kept)?;
+    swings.stage = Stage::All;
+    let place = Place { shared: begun.place.shared, local: swings.locals() };
+    let solution = fit(&swings, &coordinates, place, Outliers::Kept)?;
+    said(plan, &swings, &solution)
+}
+
+/// How large a body is that swings about as it was seen: the same moment about all axes.
+fn start(plan: &SwingPlan, swings: &Swings) -> Result<Vec<f64>, IdentifyError> {
+    let places = plan.places();
+    let tensor = places[TENSOR].unwrap_or(0);
+    let mut shared = vec![0.0; places.iter().flatten().count()];
+    for (measured, place) in plan.measured().iter().zip(&places) {
+        if let Some(place) = *place {
+            shared[place] = measured.value;
+        }
+    }
+    if let Some(inertia) = plan.start() {
+        let at = |i, j| inertia[(i, j)];
+        let six = [at(0, 0), at(1, 1), at(2, 2), at(0, 1), at(0, 2), at(1, 2)];
+        shared[tensor..tensor + 6].copy_from_slice(&six);
+        return Ok(shared);
+    }
+    let mass = plan.measured()[MASS].value;
+    let mut best: Option<(f64, Vec<f64>)> = None;
+    let mut refused = IdentifyError::NotFinite;
+    for step in 0..SIZES {
+        let radius = SMALLEST * libm::pow(LARGEST / SMALLEST, f64::from(step) / f64::from(SIZES - 1));
+        shared[tensor..tensor + 3].fill(mass * radius * radius);
+        match swings.misfit(&shared) {
+            Ok(misfit) if best.as_ref().is_none_or(|(least, _)| misfit < *least) => {
+                best = Some((misfit, shared.clone()));
+            }
+            Ok(_) => {}
+            Err(error) => refused = error,
+        }
+    }
+    best.map(|(_, shared)| shared).ok_or(refused)
+}
+
+/// Radii of gyration that are tried, m.
+const SMALLEST: f64 = 1e-3;
+const LARGEST: f64 = 30.0;
+const SIZES: u32 = 48;
+
+/// All that is to be said of a solution.
+fn said(plan: &SwingPlan, swings: &Swings, solution: &Solution) -> Result<SwingEstimate, IdentifyError> {
+    let places = plan.places();
+    let found = solution.information();
+    let values = swings.all(&solution.shared);
+    let mut tests = Vec::new();
+    let mut together = Together::default();
+    let measured = residuals(swings, solution, 0)?;
+    if !measured.is_empty() {
+        together.add(&measured, solution.found_by(0, &found));
+    }
+    for (k, test) in plan.tests().iter().enumerate() {
+        let left = residuals(swings, solution, k + 1)?;
+        let share = solution.found_by(k + 1, &found);
+        let (what, noise) = match &test.measurement {
+            Measurement::Counted(_) => {
+                ("times and amplitudes of counted swings, in standard deviations", 1.0)
+            }
+            Measurement::Logged(logged) if logged.signal == Signal::Angle => ("angle", logged.sd),
+            Measurement::Logged(logged) => ("rate", logged.sd),
+        };
+        if matches!(test.measurement, Measurement::Counted(_)) {
+            together.add(&left, share);
+        }
+        tests.push(SwingResult {
+            name: test.name.clone(),
+            moment: None,
+            own: own(&test.measurement, solution, k + 1, &found),
+            residuals: ResidualTest::of(what, Noise::told(noise), share, &[left]),
+        });
+    }
+    let counted = together.test();
+    let logs = tests.iter().zip(plan.tests()).filter_map(|(result, test)| {
+        matches!(test.measurement, Measurement::Logged(_)).then_some(&result.residuals)
+    });
+    let widening = logs.chain(&counted).map(ResidualTest::widening).fold(1.0, f64::max);
+    let information = with_exact(&found, &places);
+    let estimate = Estimate::new(plan.names(), &values, &information).widened(widening);
+    for (result, test) in tests.iter_mut().zip(plan.tests()) {
+        result.moment = test.moment_gradient().map(|gradient| moment(&values, &gradient, &estimate));
+        for number in &mut result.own {
+            number.sd = number.sd.map(|sd| sd * widening);
+        }
+    }
+    let [xx, yy, zz, xy, xz, yz] = core::array::from_fn(|k| values[TENSOR + k]);
+    let inertia = InertiaTensor::with_negative_products([xx, yy, zz], [xy, xz, yz])?;
+    let center = Position::new(values[CENTER], values[CENTER + 1], values[CENTER + 2]);
+    let body = MassProperties::new(values[MASS], center, inertia)?;
+    Ok(SwingEstimate { estimate, body, tests, counted, widening })
+}
+
+fn moment(values: &[f64], by_elements: &[f64; 6], estimate: &Estimate) -> Number {
+    let mut gradient = vec![0.0; values.len()];
+    gradient[TENSOR..TENSOR + 6].copy_from_slice(by_elements);
+    Number {
+        name: "moment about the axis".to_owned(),
+        unit: "kg·m²",
+        value: gradient.iter().zip(values).map(|(g, v)| g * v).sum(),
+        sd: estimate.deviation(&gradient),
+    }
+}
+
+/// What is left of a group, in standard deviations.
+fn residuals(swings: &Swings, solution: &Solution, group: usize) -> Result<Vec<f64>, IdentifyError> {
+    let local = &solution.place.local[group];
+    let mut rows = Rows::new(local.len(), solution.shared.len());
+    swings.rows(group, &solution.shared, local, &mut rows)?;
+    Ok(rows.measurements().flatten().collect())
+}
+
+/// Residuals that are too few for a test of their own.
+#[derive(Default)]
+struct Together {
+    /// One run each, as they do not follow each other.
+    runs: Vec<Vec<f64>>,
+    found: f64,
+}
+
+impl Together {
+    fn add(&mut self, residuals: &[f64], found: f64) {
+        self.runs.extend(residuals.iter().map(|r| vec![*r]));
+        self.found += found;
+    }
+
+    /// If more was measured than found.
+    fn test(&self) -> Option<ResidualTest> {
+        (self.runs.len() as f64 > self.found + 0.5).then(|| {
+            ResidualTest::of(
+                "counted swings and measured numbers, in standard deviations",
+                Noise::told(1.0),
+                self.found,
+                &self.runs,
+            )
+        })
+    }
+}
+
+/// A test's own numbers.
+fn own(measurement: &Measurement, solution: &Solution, group: usize, found: &Information) -> Vec<Number> {
+    let damping = measurement.damping();
+    let mut names = vec![("amplitude", "rad")];
+    if let Measurement::Logged(logged) = measurement {
+        let unit = if logged.signal == Signal::Angle { "rad" } else { "rad/s" };
+        names.extend([("phase", "rad"), ("zero", unit)]);
+    }
+    if damping.is_viscous() {
+        names.push(("viscous damping", "1/s"));
+    }
+    if damping.is_quadratic() {
+        names.push(("quadratic damping", "1"));
+    }
+    let covariance = solution.local_covariance(group, found);
+    let number = |(k, ((name, unit), &value)): (usize, ((&str, &'static str), &f64))| Number {
+        name: name.to_owned(),
+        unit,
+        value,
+        sd: covariance.as_ref().map(|c| c[(k, k)].max(0.0).sqrt()).filter(|sd| sd.is_finite()),
+    };
+    names.into_iter().zip(&solution.place.local[group]).enumerate().map(number).collect()
+}
+
+/// With rows and columns of zeros for what is exact.
+fn with_exact(found: &Information, places: &[Option<usize>]) -> Information {
+    let shared = places.iter().flatten().count();
+    found.of_other(&DMatrix::from_fn(places.len(), shared, |i, j| f64::from(u8::from(places[i] == Some(j)))))
+}

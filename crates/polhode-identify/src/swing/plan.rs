@@ -1,0 +1,255 @@
+//! A plan of swing tests of one body.
+
+use polhode::body::InertiaTensor;
+use polhode::math::Body;
+
+use super::hung_mass::{Fixture, HungMass, Placement};
+use super::measurement::Measurement;
+use super::number::{GRAVITY, Linear, MASS, Measured, NumberId, Numbers, TENSOR};
+use super::rig::{Load, Oscillator, Rig};
+use crate::coordinates::{Coordinates, Part};
+use crate::error::IdentifyError;
+
+/// Swing tests of one body, and the numbers that they share.
+///
+/// ```
+/// use polhode::math::{Attitude, Body, Direction, Rotation, Space};
+/// use polhode_identify::swing::{Counted, Measured, Measurement, Placement, Rig, SwingPlan, SwingTest, Wires, identify_swings};
+///
+/// let mut plan = SwingPlan::new(Measured::new(3.2, 0.001), [Measured::exact(0.0); 3]);
+/// let radius = plan.number("wire radius", "m", Measured::new(0.15, 0.2e-3));
+/// let length = plan.number("wire length", "m", Measured::new(1.2, 0.5e-3));
+/// let rig = Rig::Wires(Wires::bifilar(radius, radius, length));
+/// // 50 swings took 103.2 s, while the amplitude fell from 0.31 to 0.26 rad
+/// let swings = Measurement::Counted(Counted::new(50.0, (103.2, 0.2), [0.31, 0.26], 0.005));
+/// plan.add(SwingTest::new("about z", Placement::AS_IT_IS, rig, swings));
+///
+/// let found = identify_swings(&plan)?;
+/// let z = found.tests[0].moment.as_ref().unwrap();
+/// assert!((z.value - 0.06285).abs() < 5e-5 && z.sd.unwrap() < 4e-4, "{z:?}");
+/// // one axis says nothing of the others
+/// assert_eq!(found.estimate.get("Izz").unwrap().sd, z.sd);
+/// assert_eq!(found.estimate.get("Ixx").unwrap().sd, None);
+/// assert_eq!(found.estimate.unknown.len(), 5);
+/// # Ok::<(), polhode_identify::IdentifyError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct SwingPlan {
+    mass: Measured,
+    center: [Measured; 3],
+    gravity: Measured,
+    start: Option<InertiaTensor<Body>>,
+    numbers: Vec<(String, &'static str, Measured)>,
+    tests: Vec<SwingTest>,
+}
+
+/// One test.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SwingTest {
+    /// What it is called.
+    pub name: String,
+    /// How the body is placed in the rig; `None` in a test of the rig without the body.
+    pub body: Option<Placement>,
+    /// What hangs there besides.
+    pub fixture: Option<Fixture>,
+    /// The rig.
+    pub rig: Rig,
+    /// What the air does.
+    pub air: Air,
+    /// What was measured.
+    pub measurement: Measurement,
+}
+
+/// What the air does besides damping: a correction that is stated, with its error if it is made of a number of the plan.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Air {
+    /// The moment of inertia of the air that moves along, about the axis of the swing, kg·m²: 0 where it is not given.
+    pub moment: Linear,
+    /// The mass of the air displaced, kg: the weight is less by it. 0 where it is not given.
+    pub displaced: Linear,
+}
+
+impl SwingTest {
+    /// A test of the body alone, in air that does nothing.
+    pub fn new(name: impl Into<String>, body: Placement, rig: Rig, measurement: Measurement) -> Self {
+        Self { name: name.into(), body: Some(body), fixture: None, rig, air: Air::default(), measurement }
+    }
+
+    /// A test of a fixture alone: an empty platform, a body that is known.
+    pub fn without_body(
+        name: impl Into<String>,
+        fixture: Fixture,
+        rig: Rig,
+        measurement: Measurement,
+    ) -> Self {
+        let air = Air::default();
+        Self { name: name.into(), body: None, fixture: Some(fixture), rig, air, measurement }
+    }
+
+    pub(super) fn oscillator(&self, numbers: &Numbers) -> Result<Box<dyn Oscillator>, IdentifyError> {
+        let body = self.body.as_ref().map(|placement| HungMass::of_body(numbers, placement));
+        let fixture = self.fixture.as_ref().map(|fixture| HungMass::of_fixture(numbers, fixture));
+        let mass = match (body, fixture) {
+            (Some(body), Some(fixture)) => body.joined(&fixture),
+            (Some(one), None) | (None, Some(one)) => one,
+            (None, None) => {
+                return Err(IdentifyError::TooFew { what: "bodies in a rig", given: 0, needed: 1 });
+            }
+        };
+        IdentifyError::require("the mass in a rig", mass.mass.value, mass.mass.value > 0.0, "above zero")?;
+        let heavy = mass.mass.minus(&numbers.linear(&self.air.displaced));
+        let weight = heavy.times(numbers.at(GRAVITY));
+        IdentifyError::require(
+            "the weight less the buoyancy",
+            weight.value,
+            weight.value > 0.0,
+            "above zero",
+        )?;
+        let mass = mass.with_moment(self.rig.axis(), &numbers.linear(&self.air.moment));
+        self.rig.oscillator(numbers, &Load { mass, weight })
+    }
+
+    /// nᵀ I n of the body, n the axis of the swing: its derivatives by the elements.
+    pub(super) fn moment_gradient(&self) -> Option<[f64; 6]> {
+        let r = self.body?.rotation.matrix();
+        let axis = self.rig.axis();
+        let n = [0, 1, 2].map(|j| (0..3).map(|i| r[i][j] * axis[i]).sum::<f64>());
+        let [x, y, z] = n;
+        Some([x * x, y * y, z * z, 2.0 * x * y, 2.0 * x * z, 2.0 * y * z])
+    }
+}
+
+/// Standard gravity, m/s².
+const STANDARD: f64 = 9.80665;
+
+impl SwingPlan {
+    /// Of a body with its mass (kg) and its centre of mass (m) as they were measured; gravity is the standard one, exactly, unless it is said.
+    pub fn new(mass: Measured, center: [Measured; 3]) -> Self {
+        Self {
+            mass,
+            center,
+            gravity: Measured::exact(STANDARD),
+            start: None,
+            numbers: Vec::new(),
+            tests: Vec::new(),
+        }
+    }
+
+    /// Gravity as it was measured, m/s².
+    #[must_use]
+    pub fn with_gravity(mut self, gravity: Measured) -> Self {
+        self.gravity = gravity;
+        self
+    }
+
+    /// Where the search begins.
+    #[must_use]
+    pub fn with_start(mut self, start: InertiaTensor<Body>) -> Self {
+        self.start = Some(start);
+        self
+    }
+
+    /// A number that rigs may share: a radius, a length, a stiffness.
+    pub fn number(&mut self, name: impl Into<String>, unit: &'static str, measured: Measured) -> NumberId {
+        self.numbers.push((name.into(), unit, measured));
+        NumberId(self.numbers.len() - 1)
+    }
+
+    /// One test more.
+    pub fn add(&mut self, test: SwingTest) {
+        self.tests.push(test);
+    }
+
+    /// Its tests.
+    pub fn tests(&self) -> &[SwingTest] {
+        &self.tests
+    }
+
+    pub(super) fn start(&self) -> Option<&InertiaTensor<Body>> {
+        self.start.as_ref()
+    }
+
+    /// All numbers as they were measured; the tensor's are not.
+    pub(super) fn measured(&self) -> Vec<Measured> {
+        let mut all = vec![self.mass];
+        all.extend(self.center);
+        all.extend([Measured::unknown(0.0); 6]);
+        all.push(self.gravity);
+        all.extend(self.numbers.iter().map(|(_, _, measured)| *measured));
+        all
+    }
+
+    /// The name and the unit of each.
+    pub(super) fn names(&self) -> Vec<(String, &'static str)> {
+        let mut all = vec![("mass".to_owned(), "kg")];
+        all.extend(["x", "y", "z"].map(|axis| (format!("center {axis}"), "m")));
+        all.extend(["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"].map(|name| (name.to_owned(), "kg·m²")));
+        all.push(("gravity".to_owned(), "m/s²"));
+        all.extend(self.numbers.iter().map(|(name, unit, _)| (name.clone(), *unit)));
+        all
+    }
+
+    pub(super) fn check(&self) -> Result<(), IdentifyError> {
+        for (k, Measured { value, sd }) in self.measured().into_iter().enumerate() {
+            let positive = k == MASS || k == GRAVITY;
+            IdentifyError::require(
+                if positive { "a mass or gravity" } else { "a measured number" },
+                value,
+                !positive || value > 0.0,
+                if positive { "above zero, and finite" } else { "finite" },
+            )?;
+            if !(sd >= 0.0) {
+                return Err(IdentifyError::Value {
+                    what: "the standard deviation of a measured number",
+                    value: sd,
+                    rule: "zero or more",
+                });
+            }
+        }
+        if self.tests.is_empty() {
+            return Err(IdentifyError::TooFew { what: "swing tests", given: 0, needed: 1 });
+        }
+        for test in &self.tests {
+            test.check(self.numbers.len())?;
+        }
+        Ok(())
+    }
+
+    /// Coordinates of the numbers that are to be found, in their order.
+    pub(super) fn coordinates(&self) -> Coordinates {
+        let mut parts = Vec::new();
+        for (k, measured) in self.measured().into_iter().enumerate() {
+            match k {
+                TENSOR => parts.push(Part::Tensor),
+                _ if k > TENSOR && k < TENSOR + 6 => {}
+                _ if measured.sd == 0.0 => {}
+                MASS => parts.push(Part::Positive),
+                _ => parts.push(Part::Free(1)),
+            }
+        }
+        Coordinates::new(parts)
+    }
+
+    /// The place of each number among those that are to be found.
+    pub(super) fn places(&self) -> Vec<Option<usize>> {
+        let mut next = 0;
+        let place = |measured: Measured| {
+            (measured.sd != 0.0).then(|| {
+                next += 1;
+                next - 1
+            })
+        };
+        self.measured().into_iter().map(place).collect()
+    }
+}
+
+impl SwingTest {
+    fn check(&self, count: usize) -> Result<(), IdentifyError> {
+        self.rig.check(count)?;
+        let fixture = self
+            .fixture
+            .iter()
+            .flat_map(|fixture| [&fixture.mass].into_iter().chain(&fixture.center.0).chain(&fixture.inertia));
+        super::rig::all_of(fixture.chain([&self.air.moment, &self.air.displaced]), count)
+    }
+}

@@ -1,0 +1,156 @@
+//! A body that turns about an axis that is held.
+
+use nalgebra::DMatrix;
+use polhode::math::{Direction, Space};
+
+use super::super::dual::Gradient;
+use super::super::number::{Linear, Numbers, Point};
+use super::{Equations, Load, Oscillator, Rest};
+use crate::error::IdentifyError;
+
+/// An axis that a body turns about: level, as of a compound pendulum or a knife edge; or upright, as of a torsion spindle.
+///
+/// Of a level axis through P, with the centre of mass a distance l below, and an edge that is round with radius ρ and rolls on a level plane, h = l + ρ:
+///
+/// T = ½ \[I + m (h² + ρ² − 2 ρ h cos θ)\] θ̇²,  V = −W h cos θ + ½ κ θ²
+///
+/// with I the moment of inertia about the parallel axis through the centre of mass and W the weight less the buoyancy. With ρ = κ = 0 the period is
+/// 4 K(sin² ½A) √((I + m h²)/(W h)).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    point: Point,
+    direction: Direction<Space>,
+    is_level: bool,
+    edge_radius: Linear,
+    stiffness: Linear,
+}
+
+impl Axis {
+    /// A level axis through a point of the rig, in a direction along its axes: a compound pendulum.
+    pub fn level(point: impl Into<Point>, direction: Direction<Space>) -> Self {
+        Self {
+            point: point.into(),
+            direction,
+            is_level: true,
+            edge_radius: Linear::default(),
+            stiffness: Linear::default(),
+        }
+    }
+
+    /// An upright axis with a spring or a wire that turns it back: N·m/rad. Weight has no part in it.
+    pub fn upright(
+        point: impl Into<Point>,
+        direction: Direction<Space>,
+        stiffness: impl Into<Linear>,
+    ) -> Self {
+        Self { is_level: false, ..Self::level(point, direction).with_stiffness(stiffness) }
+    }
+
+    /// The pivot is an edge of this radius (m) that rolls on a level plane; the point is where it touches at rest.
+    #[must_use]
+    pub fn with_edge(mut self, radius: impl Into<Linear>) -> Self {
+        self.edge_radius = radius.into();
+        self
+    }
+
+    /// With a stiffness besides the weight, N·m/rad: of a flexure.
+    #[must_use]
+    pub fn with_stiffness(mut self, stiffness: impl Into<Linear>) -> Self {
+        self.stiffness = stiffness.into();
+        self
+    }
+
+    pub(super) fn unit(&self) -> [f64; 3] {
+        self.direction.direction().map_or([0.0; 3], Direction::to_array)
+    }
+
+    pub(super) fn check(&self, count: usize) -> Result<(), IdentifyError> {
+        let length = self.direction.norm();
+        IdentifyError::require("the length of an axis", length, length > 0.0, "above zero, and finite")?;
+        let all = self.point.0.iter().chain([&self.edge_radius, &self.stiffness]);
+        super::wires::all_of(all, count)
+    }
+}
+
+/// Its equation: (a − 2 b cos θ) θ̈ + b sin θ θ̇² + w sin θ + κ θ = 0,
+/// a = I + m (h² + ρ²), b = m ρ h, w = W h.
+pub(super) struct Held {
+    quantities: [Gradient; 4],
+    rest: Rest,
+}
+
+impl Held {
+    pub(super) fn new(axis: &Axis, numbers: &Numbers, load: &Load) -> Result<Self, IdentifyError> {
+        let n = axis.unit();
+        let point = numbers.point(&axis.point);
+        let d = [0, 1, 2].map(|k| load.mass.center[k].minus(&point[k]));
+        let along = Gradient::sum(numbers.count(), n.into_iter().zip(&d));
+        let across = [0, 1, 2].map(|k| d[k].minus(&along.scaled(n[k])));
+        let square =
+            across.iter().fold(numbers.constant(0.0), |sum, component| sum.plus(&component.times(component)));
+        let own = load.mass.about(n);
+        let stiffness = numbers.linear(&axis.stiffness);
+        let m = &load.mass.mass;
+        let quantities = if axis.is_level {
+            IdentifyError::require(
+                "the distance of the centre of mass from the axis",
+                square.value.sqrt(),
+                square.value > 0.0,
+                "above zero",
+            )?;
+            let radius = numbers.linear(&axis.edge_radius);
+            let h = square.root().plus(&radius);
+            let squares = h.times(&h).plus(&radius.times(&radius));
+            [own.plus(&m.times(&squares)), m.times(&radius).times(&h), load.weight.times(&h), stiffness]
+        } else {
+            [own.plus(&m.times(&square)), numbers.constant(0.0), numbers.constant(0.0), stiffness]
+        };
+        let [a, b, w, k] = [0, 1, 2, 3].map(|k| quantities[k].value);
+        let (inertia, stiffness) = (a - 2.0 * b, w + k);
+        IdentifyError::require("the moment of inertia about the axis", inertia, inertia > 0.0, "above zero")?;
+        IdentifyError::require("what turns it back, N·m/rad", stiffness, stiffness > 0.0, "above zero")?;
+        let rest = Rest { u: vec![0.0], mode: vec![1.0], rate: (stiffness / inertia).sqrt() };
+        Ok(Self { quantities, rest })
+    }
+}
+
+impl Oscillator for Held {
+    fn width(&self) -> usize {
+        1
+    }
+
+    fn quantities(&self) -> &[Gradient] {
+        &self.quantities
+    }
+
+    fn equations(&self, u: &[f64], rate: &[f64], acceleration: &[f64], _: bool) -> Equations {
+        let [a, b, w, k] = [0, 1, 2, 3].map(|k| self.quantities[k].value);
+        let (angle, rate, acceleration) = (u[0], rate[0], acceleration[0]);
+        let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+        let inertia = a - 2.0 * b * cos;
+        let one = |value| DMatrix::from_element(1, 1, value);
+        Equations {
+            value: vec![inertia * acceleration + b * sin * rate * rate + w * sin + k * angle],
+            by_u: one(2.0 * b * sin * acceleration + b * cos * rate * rate + w * cos + k),
+            by_rate: one(2.0 * b * sin * rate),
+            by_acceleration: one(inertia),
+            by_quantities: DMatrix::from_row_slice(
+                1,
+                4,
+                &[acceleration, -2.0 * cos * acceleration + sin * rate * rate, sin, angle],
+            ),
+        }
+    }
+
+    fn angle(&self, u: &[f64]) -> (f64, Vec<f64>) {
+        (u[0], vec![1.0])
+    }
+
+    fn check(&self, _: &[f64]) -> Result<(), IdentifyError> {
+        Ok(())
+    }
+
+    fn rest(&self) -> &Rest {
+        &self.rest
+    }
+}

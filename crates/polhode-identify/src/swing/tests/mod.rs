@@ -1,0 +1,4 @@
+mod behaviour;
+mod exact;
+mod motions;
+mod statistics;

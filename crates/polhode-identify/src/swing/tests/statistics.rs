@@ -1,0 +1,245 @@
+//! Errors against their truth, over many seeds.
+
+use nalgebra::{DMatrix, DVector};
+use polhode::math::{Direction, Position, Rotation};
+
+use super::motions::TRUTH;
+use crate::swing::course::{Clock, Course, Decay};
+use crate::swing::family::{Amplitudes, Family};
+use crate::swing::number::Numbers;
+use crate::swing::*;
+
+/// Normal deviates.
+pub(super) struct Noise(u64, f64);
+
+impl Noise {
+    pub(super) fn new(seed: u64, sign: f64) -> Self {
+        Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ 0xD1B5_4A32_D192_ED03, sign)
+    }
+
+    fn uniform(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    pub(super) fn normal(&mut self) -> f64 {
+        let (u, v) = (1.0 - self.uniform(), self.uniform());
+        self.1 * (-2.0 * u.ln()).sqrt() * (core::f64::consts::TAU * v).cos()
+    }
+}
+
+/// Body, fixture and rig of a test.
+type Hung = (Option<Placement>, Option<Fixture>, Rig);
+
+/// What there is to a plan besides its numbers as they were measured.
+pub(super) struct Setup {
+    pub(super) names: Vec<(&'static str, f64, f64)>,
+    pub(super) tests: fn(&[NumberId]) -> Vec<Hung>,
+    pub(super) periods: f64,
+    pub(super) decay: Decay,
+    pub(super) time_sd: f64,
+    pub(super) amplitude_sd: f64,
+    pub(super) mass_sd: f64,
+    pub(super) center_sd: f64,
+}
+
+impl Setup {
+    pub(super) fn truth(&self) -> Vec<f64> {
+        TRUTH.iter().copied().chain(self.names.iter().map(|(_, value, _)| *value)).collect()
+    }
+
+    /// A plan as noise lets it be measured; without noise, the truth with its errors.
+    pub(super) fn plan(&self, noise: &mut impl FnMut() -> f64) -> SwingPlan {
+        let mut measured = |value: f64, sd: f64| {
+            let error = if sd.is_finite() { sd * noise() } else { 0.0 };
+            Measured::new(value + error, sd)
+        };
+        let mass = measured(TRUTH[0], self.mass_sd);
+        let center = [1, 2, 3].map(|k| measured(TRUTH[k], self.center_sd));
+        let mut plan = SwingPlan::new(mass, center);
+        let ids: Vec<NumberId> = self
+            .names
+            .iter()
+            .map(|(name, value, sd)| plan.number(*name, "m", measured(*value, *sd)))
+            .collect();
+        let values = self.truth();
+        let places: Vec<_> = (0..values.len()).map(Some).collect();
+        let numbers = Numbers::new(&values, &places);
+        for (k, (body, fixture, rig)) in (self.tests)(&ids).into_iter().enumerate() {
+            let measurement = Measurement::Counted(Counted::new(1.0, (1.0, 1.0), [1.0, 1.0], 1.0));
+            let name = format!("test {k}");
+            let mut test = SwingTest { name, body, fixture, rig, air: Air::default(), measurement };
+            let oscillator = test.oscillator(&numbers).unwrap();
+            let amplitudes = Amplitudes::up_to(1.1 * self.decay.amplitude);
+            let (family, _) = Family::new(oscillator.as_ref(), &amplitudes, &[]).unwrap();
+            let end = core::f64::consts::TAU * self.periods;
+            let course = Course::new(&family, self.decay, Clock::Phase, end).unwrap();
+            let last = course.at(end);
+            let time = last.other + self.time_sd * noise();
+            let first = self.decay.amplitude + self.amplitude_sd * noise();
+            let fallen = last.amplitude + self.amplitude_sd * noise();
+            test.measurement = Measurement::Counted(Counted::new(
+                self.periods,
+                (time, self.time_sd),
+                [first, fallen],
+                self.amplitude_sd,
+            ));
+            plan.add(test);
+        }
+        plan
+    }
+}
+
+/// What came of many seeds.
+#[derive(Debug)]
+pub(super) struct Outcome {
+    pub(super) bias: f64,
+    pub(super) spread: f64,
+    pub(super) nees: f64,
+    pub(super) sds: f64,
+}
+
+/// Bias in standard deviations, the errors' root mean square over the bound's, the mean normalised squared error, and by how much at most a standard deviation
+/// differs from the bound.
+pub(super) fn outcome(setup: &Setup, seeds: u64) -> Outcome {
+    let truth = setup.truth();
+    let bound = identify_swings(&setup.plan(&mut || 0.0)).unwrap();
+    assert!(bound.estimate.unknown.is_empty(), "{:?}", bound.estimate);
+    let found: Vec<usize> =
+        (0..truth.len()).filter(|&k| bound.estimate.numbers[k].sd.unwrap() > 0.0).collect();
+    let n = found.len();
+    for &k in &found {
+        let number = &bound.estimate.numbers[k];
+        assert!((number.value - truth[k]).abs() < 1e-4 * number.sd.unwrap(), "{number:?} {}", truth[k]);
+    }
+    let mut sum = vec![0.0; n];
+    let (mut squares, mut nees, mut sds) = (0.0, 0.0, 0.0_f64);
+    let signs = (0..seeds).map(|seed| (seed, 1.0)).chain((0..PAIRS).map(|seed| (seed, -1.0)));
+    for (seed, sign) in signs {
+        let mut noise = Noise::new(seed, sign);
+        let result = identify_swings(&setup.plan(&mut || noise.normal())).unwrap();
+        assert_eq!(result.widening, 1.0, "{:?}", result.counted);
+        let error = DVector::from_fn(n, |i, _| result.estimate.numbers[found[i]].value - truth[found[i]]);
+        let covariance = DMatrix::from_fn(n, n, |i, j| result.estimate.covariance[found[i]][found[j]]);
+        let bounds = found.iter().map(|&k| bound.estimate.numbers[k].sd.unwrap());
+        let bounds = DVector::from_iterator(n, bounds);
+        let relative = error.component_div(&bounds);
+        if seed < PAIRS {
+            (0..n).for_each(|i| sum[i] += relative[i]);
+        }
+        if sign > 0.0 {
+            // scaled, as kg·m² and m differ by much
+            let sd = DVector::from_fn(n, |i, _| covariance[(i, i)].sqrt());
+            let scaled = DMatrix::from_fn(n, n, |i, j| covariance[(i, j)] / (sd[i] * sd[j]));
+            let z = error.component_div(&sd);
+            nees += z.dot(&scaled.lu().solve(&z).unwrap()) / n as f64;
+            squares += relative.norm_squared() / n as f64;
+            sds = (0..n).fold(sds, |most, i| most.max((sd[i] / bounds[i] - 1.0).abs()));
+        }
+    }
+    let count = seeds as f64;
+    Outcome {
+        bias: sum.iter().fold(0.0, |most: f64, s| most.max((s / (2 * PAIRS) as f64).abs())),
+        spread: (squares / count).sqrt(),
+        nees: nees / count,
+        sds,
+    }
+}
+
+/// Seeds whose noise is also taken with the other sign: what is left of the mean error is bias, and no chance.
+const PAIRS: u64 = 20;
+
+/// Nine pendulums about generic axes, on an edge; the pivots' distance is made of one number.
+pub(super) fn pendulums() -> Setup {
+    Setup {
+        names: vec![("reach", 0.25, 2e-4), ("edge", 1.5e-3, 1e-4)],
+        tests: |ids| {
+            let axes = [
+                [1.0, 0.1, 0.2],
+                [0.1, 1.0, -0.2],
+                [-0.15, 0.2, 1.0],
+                [0.7, 0.7, 0.1],
+                [0.1, 0.6, 0.8],
+                [0.8, -0.1, 0.6],
+                [0.7, -0.7, 0.2],
+                [0.2, -0.7, 0.6],
+                [-0.6, 0.1, 0.7],
+            ];
+            axes.into_iter()
+                .enumerate()
+                .map(|(k, axis)| {
+                    let n = Direction::from_array(axis);
+                    let unit = n.direction().unwrap();
+                    let seed = [[0.3, 0.2, 1.0], [1.0, -0.3, 0.4], [0.2, 1.0, -0.5]][k % 3];
+                    let across = unit.cross(Direction::from_array(seed)).direction().unwrap();
+                    let point = Point::from([0.01, 0.0, -0.02]).along(ids[0], across.to_array());
+                    (Some(Placement::AS_IT_IS), None, Rig::Axis(Axis::level(point, n).with_edge(ids[1])))
+                })
+                .collect()
+        },
+        periods: 60.0,
+        decay: Decay { amplitude: 0.5, viscous: 1.5e-3, quadratic: 0.0 },
+        time_sd: 0.01,
+        amplitude_sd: 0.004,
+        mass_sd: 2e-3,
+        center_sd: 2e-4,
+    }
+}
+
+/// Seven placements on a platform of three wires, and the platform alone.
+pub(super) fn platform() -> Setup {
+    Setup {
+        names: vec![("radius", 0.2, 3e-4), ("length", 1.1, 5e-4), ("platform", 0.011, f64::INFINITY)],
+        tests: |ids| {
+            let rig = Rig::Wires(Wires::trifilar(ids[0], ids[0], ids[1]));
+            let fixture = Fixture {
+                mass: 0.9.into(),
+                center: Point::default(),
+                inertia: [0.006.into(), 0.006.into(), ids[2].into(), 0.0.into(), 0.0.into(), 0.0.into()],
+            };
+            let mut all = vec![(None, Some(fixture.clone()), rig.clone())];
+            for axis in [
+                [1.0, 0.1, 0.2],
+                [0.1, 1.0, -0.2],
+                [-0.15, 0.2, 1.0],
+                [0.7, 0.7, 0.1],
+                [0.1, 0.6, 0.8],
+                [0.8, -0.1, 0.6],
+                [0.7, -0.7, 0.2],
+            ] {
+                // turned so that this axis of the body is upright
+                let n = Direction::<polhode::math::Space>::from_array(axis).direction().unwrap();
+                let z = Direction::new(0.0, 0.0, 1.0);
+                let rotation = Rotation::about(n.cross(z), n.angle_to(z)).unwrap();
+                let placement = Placement { rotation, origin: Position::new(0.011, -0.007, 0.08) };
+                all.push((Some(placement), Some(fixture.clone()), rig.clone()));
+            }
+            all
+        },
+        periods: 40.0,
+        decay: Decay { amplitude: 0.2, viscous: 1e-3, quadratic: 0.0 },
+        time_sd: 0.02,
+        amplitude_sd: 0.004,
+        mass_sd: 1e-3,
+        center_sd: 3e-4,
+    }
+}
+
+#[test]
+fn errors_of_pendulums_are_what_they_are_said_to_be() {
+    let outcome = outcome(&pendulums(), 200);
+    assert!(outcome.bias < 0.15, "{outcome:?}");
+    assert!((outcome.spread - 1.0).abs() < 0.1 && outcome.sds < 0.1, "{outcome:?}");
+    assert!((outcome.nees - 1.0).abs() < 0.1, "{outcome:?}");
+}
+
+#[test]
+fn errors_of_a_platform_are_what_they_are_said_to_be() {
+    let outcome = outcome(&platform(), 60);
+    assert!(outcome.bias < 0.15, "{outcome:?}");
+    assert!((outcome.spread - 1.0).abs() < 0.1 && outcome.sds < 0.1, "{outcome:?}");
+    assert!((outcome.nees - 1.0).abs() < 0.1, "{outcome:?}");
+}

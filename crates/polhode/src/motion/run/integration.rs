@@ -1,6 +1,6 @@
 //! A run of an integrator: its steps, its samples, its events, and how it ends.
 
-use super::derivatives::DerivativeLog;
+use super::derivative_log::DerivativeLog;
 use super::ending::Ending;
 use super::event_detection::{EventDetector, Found};
 use super::sample::Sample;

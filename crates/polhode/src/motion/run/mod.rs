@@ -1,5 +1,6 @@
 //! Runs: simulations and their events, trajectories and their errors, ensembles.
 
+pub(crate) mod derivative_log;
 pub(crate) mod derivatives;
 pub(crate) mod ending;
 pub(crate) mod ensemble;

@@ -125,6 +125,11 @@ pub trait LawInput {
         self.in_space(v)
     }
 
+    /// r × F of a place and a force that are fixed in the body, whose components are six parameters from one on.
+    fn moment_parameters(&self, _first: usize, [r, force]: [Direction<Body>; 2]) -> Self::Vector {
+        self.in_body(r.cross(force))
+    }
+
     /// M v, of a symmetric matrix whose elements are six parameters from one on.
     fn symmetric_parameters(&self, _first: usize, elements: [f64; 6], v: Self::Vector) -> Self::Vector {
         self.symmetric(elements, v)

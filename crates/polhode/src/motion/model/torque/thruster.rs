@@ -2,7 +2,6 @@
 
 use super::law::{Law, LawInput};
 use super::model::Model;
-use crate::math::algebra::VectorAlgebra;
 use crate::math::frame::Body;
 use crate::math::vector::{Force, Position};
 
@@ -20,7 +19,7 @@ pub struct Thruster {
 impl Law for Thruster {
     fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
         let arm = self.position - at.rotor().point();
-        at.body_parameters(0, arm.as_quantity()).cross(at.body_parameters(3, self.force.as_quantity()))
+        at.moment_parameters(0, [arm.as_quantity(), self.force.as_quantity()])
     }
 
     fn parameters(&self) -> &'static [&'static str] {

@@ -185,6 +185,10 @@ impl<'r> LawInput for Variation<'_, 'r> {
         }
     }
 
+    fn moment_parameters(&self, first: usize, [r, force]: [Direction<Body>; 2]) -> VariedVector<'r> {
+        self.body_parameters(first, r).cross(self.body_parameters(first + 3, force))
+    }
+
     fn symmetric_parameters(
         &self,
         first: usize,

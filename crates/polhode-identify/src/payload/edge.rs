@@ -5,7 +5,7 @@ use core::fmt;
 use nalgebra::DMatrix;
 use polhode::math::symmetric_eigen;
 
-use super::answer::about_center;
+use super::about::about_center;
 use super::possible::moments_about_center;
 use crate::estimate::Estimate;
 use crate::least_squares::Information;

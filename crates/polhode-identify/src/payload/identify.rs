@@ -4,7 +4,8 @@ use nalgebra::{DMatrix, DVector};
 use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{Body, Position, symmetric_eigen};
 
-use super::answer::{self, Payload, Unconstrained};
+use super::about;
+use super::answer::{Payload, Unconstrained};
 use super::edge::{self, Edge};
 use super::finding::PayloadFinding;
 use super::log::{PayloadLog, WrenchNoise, diagonal};
@@ -66,12 +67,12 @@ pub fn identify_payload(log: &PayloadLog) -> Result<Payload, IdentifyError> {
         findings.extend(mistake::likeliest(log, &settled.noise, &settled.regression.weights));
     }
     let information = of_kind.unwrap_or(information);
-    let about_center = answer::about_center(numbers, &information).widened(widening);
+    let about_center = about::about_center(numbers, &information).widened(widening);
     let is_known = about_center.numbers.iter().take(10).all(|number| number.sd.is_some());
     let values: Vec<f64> = about_center.numbers.iter().map(|number| number.value).collect();
     Ok(Payload {
         body: if is_known { Some(body(&values)?) } else { None },
-        about_origin: answer::about_origin(numbers, &information).widened(widening),
+        about_origin: about::about_origin(numbers, &information).widened(widening),
         about_center,
         unconstrained,
         edge: edge.map(|edge| edge.widened(widening)),

@@ -64,6 +64,7 @@
 //! Sources: C. G. Atkeson, C. H. An, J. M. Hollerbach, Int. J. Robot. Res. 5 (1986) 101, for the model; P. M. Wensing, S. Kim, J.-J. E. Slotine, IEEE Robot.
 //! Autom. Lett. 3 (2018) 60, for what is possible; C. Rucker, P. M. Wensing, IEEE Robot. Autom. Lett. 7 (2022) 2747, for coordinates of the same set.
 
+mod about;
 mod answer;
 mod edge;
 mod finding;

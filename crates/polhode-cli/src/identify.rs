@@ -46,7 +46,10 @@ impl Identify {
         let report = match measurement {
             Measurement::Tumble(plan) => IdentifyReport::Tumble(self.tumble(title.as_deref(), &plan)?),
             _ => {
-                return Err(Failure::usage("this plan is of a kind that is not known", "use a newer polhode"));
+                return Err(Failure::usage(
+                    "this plan is of a kind that is not known",
+                    "use a newer polhode",
+                ));
             }
         };
         print(&if self.json {

@@ -84,9 +84,9 @@ impl Estimate {
         for _ in 0..2 {
             let along: Vec<f64> =
                 (0..n).map(|j| u.iter().enumerate().map(|(i, u)| u * self.covariance[i][j]).sum()).collect();
-            for i in 0..count {
-                for j in 0..n {
-                    self.covariance[i][j] -= x[i] * along[j];
+            for (row, x) in self.covariance.iter_mut().zip(&x).take(count) {
+                for (element, along) in row.iter_mut().zip(&along) {
+                    *element -= x * along;
                 }
             }
             self.covariance = (0..n).map(|i| (0..n).map(|j| self.covariance[j][i]).collect()).collect();

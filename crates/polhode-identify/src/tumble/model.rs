@@ -113,8 +113,8 @@ impl Tumbles<'_> {
             let by_gyro = self.gyro.derivatives(&gyro, omega, acceleration(&flown.tensor, omega));
             for i in 0..CHANNELS {
                 let (own, all) = rows.push((read[i] - predicted[i]) / noise);
-                for k in 0..3 {
-                    let turn = matrix[i][k] / noise;
+                for (k, element) in matrix[i].iter().enumerate() {
+                    let turn = element / noise;
                     let (start, inertia) = (&at.of.by_start[3 + k], &at.of.by_inertia[3 + k]);
                     add(&mut own[..3], &start[3..], turn);
                     if own.len() > 3 {
@@ -154,8 +154,8 @@ impl Tumbles<'_> {
             let left = (predicted.inverse() * reading.attitude).log().to_array();
             for i in 0..CHANNELS {
                 let (own, all) = rows.push(left[i] / noise);
-                for row in 0..3 {
-                    let turn = back[i][row] / noise;
+                for (row, element) in back[i].iter().enumerate() {
+                    let turn = element / noise;
                     let start = &at.of.by_start[row];
                     add(&mut own[..3], &start[3..], turn);
                     for k in 0..3 {

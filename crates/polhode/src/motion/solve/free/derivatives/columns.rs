@@ -29,8 +29,8 @@ pub(super) struct ToBody {
     momentum: [f64; 3],
     /// Elements 11, 22, 33, 12, 13, 23 of a tensor along the labelled axes by its elements xx, yy, zz, xy, xz, yz, in units of the elements.
     tensor: [[f64; 6]; 6],
-    /// rad/s per unit.
-    rad_s: f64,
+    /// rad/s per unit, and its inverse.
+    rad_s: [f64; 2],
 }
 
 impl ToBody {
@@ -49,7 +49,7 @@ impl ToBody {
             to_momentum: [0, 1, 2].map(|k| a[k].map(|x| x / flow.inverse[k])),
             momentum: axes.map(|row| dot(&row, &flow.start)),
             tensor,
-            rad_s,
+            rad_s: [rad_s, 1.0 / rad_s],
         }
     }
 
@@ -87,57 +87,79 @@ impl ToBody {
             [back[1][0] - by_start[1][0], back[1][1] - by_start[1][1], back[1][2] - by_start[1][2]],
             [back[2][0] - by_start[2][0], back[2][1] - by_start[2][1], back[2][2] - by_start[2][2]],
         ];
-        let mut columns = Columns { by_omega: [[0.0; 3]; 6], by_tensor: [[0.0; 6]; 6] };
-        for x in 0..3 {
-            // L ×, along a body axis
-            let across = cross(&self.axes[x], &along);
-            let along = dot(&self.axes[x], &along);
+        let turn_row = |axis: &[f64; 3]| {
+            // L ×, and L, along a body axis
+            let (across, along) = (cross(axis, &along), dot(axis, &along));
             let turn = product(&across, &lag);
             let share = product(&turn, &self.to_momentum);
-            for k in 0..3 {
-                columns.by_omega[x][k] = along * (f.time * self.momentum[k]) + share[k];
-            }
             let (lever, change) = (levers(&turn, &before), product6(&across, &momentum));
-            for p in 0..6 {
-                columns.by_tensor[x][p] = along * action[p] + (lever[p] - change[p]);
-            }
-            let to_omega = &self.to_omega[x];
+            let of_omega = |k: usize| along * (f.time * self.momentum[k]) + share[k];
+            let of_tensor = |p: usize| along * action[p] + (lever[p] - change[p]);
+            (three(of_omega), six(of_tensor))
+        };
+        let rate_row = |to_omega: &[f64; 3]| {
             let rate = product(to_omega, &by_start);
-            columns.by_omega[3 + x] = product(&rate, &self.to_momentum);
             let (lever, change, now) =
                 (levers(&rate, &before), product6(to_omega, &momentum), levers(to_omega, &now));
-            for p in 0..6 {
-                columns.by_tensor[3 + x][p] = (lever[p] + change[p]) - now[p];
-            }
+            (product(&rate, &self.to_momentum), six(|p| (lever[p] + change[p]) - now[p]))
+        };
+        let [x, y, z] = &self.axes;
+        let (t1, t2, t3) = (turn_row(x), turn_row(y), turn_row(z));
+        let [x, y, z] = &self.to_omega;
+        let (w1, w2, w3) = (rate_row(x), rate_row(y), rate_row(z));
+        Columns {
+            by_omega: [t1.0, t2.0, t3.0, w1.0, w2.0, w3.0],
+            by_tensor: [t1.1, t2.1, t3.1, w1.1, w2.1, w3.1],
         }
-        columns
     }
 
     /// A state's derivatives in SI; `turn` is the attitude at the start, seen from that of the state.
     #[inline(always)]
     pub(super) fn in_si(&self, columns: &Columns, turn: &[[f64; 3]; 3], state: State) -> StateDerivatives {
-        let mut derivatives = StateDerivatives { state, by_start: [[0.0; 6]; 6], by_inertia: [[0.0; 6]; 6] };
-        for row in 0..6 {
-            let (of_start, of_tensor) = if row < 3 { (1.0 / self.rad_s, 1.0) } else { (1.0, self.rad_s) };
-            for k in 0..3 {
-                if row < 3 {
-                    derivatives.by_start[row][k] = turn[row][k];
-                }
-                derivatives.by_start[row][3 + k] = of_start * columns.by_omega[row][k];
-            }
-            let weights = &columns.by_tensor[row];
-            let mut sum = [0.0; 6];
-            for p in 0..6 {
-                for k in 0..6 {
-                    sum[k] += weights[p] * self.tensor[p][k];
-                }
-            }
-            for k in 0..6 {
-                derivatives.by_inertia[row][k] = of_tensor * sum[k];
-            }
+        let (w, t, [rad_s, second]) = (&columns.by_omega, &columns.by_tensor, self.rad_s);
+        let start = |turn: &[f64; 3], w: &[f64; 3], unit: f64| {
+            [turn[0], turn[1], turn[2], unit * w[0], unit * w[1], unit * w[2]]
+        };
+        let none = &[0.0; 3];
+        let tensor = |row: &[f64; 6], unit: f64| {
+            let m = &self.tensor;
+            six(|k| {
+                let diagonal = row[0] * m[0][k] + row[1] * m[1][k] + row[2] * m[2][k];
+                unit * (diagonal + (row[3] * m[3][k] + row[4] * m[4][k] + row[5] * m[5][k]))
+            })
+        };
+        StateDerivatives {
+            state,
+            by_start: [
+                start(&turn[0], &w[0], second),
+                start(&turn[1], &w[1], second),
+                start(&turn[2], &w[2], second),
+                start(none, &w[3], 1.0),
+                start(none, &w[4], 1.0),
+                start(none, &w[5], 1.0),
+            ],
+            by_inertia: [
+                tensor(&t[0], 1.0),
+                tensor(&t[1], 1.0),
+                tensor(&t[2], 1.0),
+                tensor(&t[3], rad_s),
+                tensor(&t[4], rad_s),
+                tensor(&t[5], rad_s),
+            ],
         }
-        derivatives
     }
+}
+
+// Not `from_fn` and `map` of arrays, which are inlined only where the whole program is optimised at once.
+
+#[inline(always)]
+fn three(f: impl Fn(usize) -> f64) -> [f64; 3] {
+    [f(0), f(1), f(2)]
+}
+
+#[inline(always)]
+fn six(f: impl Fn(usize) -> f64) -> [f64; 6] {
+    [f(0), f(1), f(2), f(3), f(4), f(5)]
 }
 
 #[inline(always)]
@@ -148,14 +170,12 @@ pub(super) fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
 /// A row times a matrix.
 #[inline(always)]
 fn product(row: &[f64; 3], m: &[[f64; 3]; 3]) -> [f64; 3] {
-    let sum = |k: usize| row[0] * m[0][k] + row[1] * m[1][k] + row[2] * m[2][k];
-    [sum(0), sum(1), sum(2)]
+    three(|k| row[0] * m[0][k] + row[1] * m[1][k] + row[2] * m[2][k])
 }
 
 #[inline(always)]
 fn product6(row: &[f64; 3], m: &[[f64; 6]; 3]) -> [f64; 6] {
-    let sum = |k: usize| row[0] * m[0][k] + row[1] * m[1][k] + row[2] * m[2][k];
-    [sum(0), sum(1), sum(2), sum(3), sum(4), sum(5)]
+    six(|k| row[0] * m[0][k] + row[1] * m[1][k] + row[2] * m[2][k])
 }
 
 /// A row times δI ω of unit changes of the six elements.

@@ -19,6 +19,8 @@ pub(super) struct TimeFunctions {
     pub(super) sigma: f64,
     pub(super) cn: f64,
     pub(super) dn: f64,
+    /// 1/dn u
+    pub(super) over_dn: f64,
     /// S = ∫ σ² dt
     pub(super) square: f64,
     /// V = ∫ σ²/dn² dt
@@ -91,6 +93,7 @@ impl Functions {
             sigma: sn * self.inverse,
             cn,
             dn,
+            over_dn: 1.0 / dn,
             square: square * cubed,
             quotient: quotient * cubed,
             lag: (sn - u * (cn * dn)) * cubed,
@@ -145,11 +148,13 @@ impl NearSeries {
         let (quotient, lag) = (polynomial(u2, *quotient), polynomial(u2, *lag));
         let (sigma, cubed) = (t * sigma, t * t * t);
         let sn2 = p * sigma * sigma;
+        let dn = (1.0 - m * sn2).sqrt();
         TimeFunctions {
             time: t,
             sigma,
             cn: (1.0 - sn2).sqrt(),
-            dn: (1.0 - m * sn2).sqrt(),
+            dn,
+            over_dn: 1.0 / dn,
             square: cubed * square,
             quotient: cubed * quotient,
             lag: cubed * lag,

@@ -43,7 +43,7 @@ impl MomentumFlow {
         let e = self.slope;
         let of_sigma = pq * f.lag - e * (c * d) * v;
         let of_cn = pq * sigma * d * (d1 * d12 * norm2 * v + t);
-        let of_dn = sigma * (pq * self.m * c * t - e * (sigma / d - self.m * self.p * c * v));
+        let of_dn = sigma * (pq * self.m * c * t - e * (sigma * f.over_dn - self.m * self.p * c * v));
 
         let ends = l2 * l[1];
         let of_second =
@@ -51,8 +51,9 @@ impl MomentumFlow {
         // L2² t − S₂₂
         let departure = l2 * l2 * t - (d1 * d1 * (a1 * a3) * f.square + sigma * ends);
         let quotient = |below: f64, of_below: f64| {
-            let value = sigma / below;
-            Factor { value, slope: (of_sigma - value * of_below) / below }
+            let over = 1.0 / below;
+            let value = sigma * over;
+            Factor { value, slope: (of_sigma - value * of_below) * over }
         };
         let sums = [l1 * l[1] + l2 * l[0], l3 * l[0] + l1 * l[2], l2 * l[2] + l3 * l[1]];
         let h12 = quotient(1.0 + d, of_dn);

@@ -102,7 +102,7 @@ impl MomentumFlow {
         let rate = self.rate(l);
         // ∂L(t)/∂dn
         let by_dn = [-d2 * l2 * l3 * sigma * below, l2 * c * below, l3 * below];
-        let delay = sigma * sigma / d;
+        let delay = sigma * sigma * f.over_dn;
         let by_mu = |k: usize| -0.5 * (f.quotient * rate[k] + delay * by_dn[k]);
         let by_mu = [by_mu(0), by_mu(1), by_mu(2)];
         let (x2, x3, y, by_p);

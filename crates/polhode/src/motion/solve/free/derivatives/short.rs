@@ -52,8 +52,8 @@ impl ShortSeries {
         }
         // of order 0: δω = 0 but for ω(0)
         take_levers(&mut delta_l[0], 1.0, &omega[0]);
-        for k in 0..3 {
-            delta_omega[0][k][k] = 1.0;
+        for (k, row) in delta_omega[0].iter_mut().enumerate() {
+            row[k] = 1.0;
         }
         for n in 1..=ORDER {
             let over = 1.0 / n as f64;

@@ -1,5 +1,6 @@
 //! Numbers that were found, with their errors.
 
+use polhode::body::{Finding, Severity};
 use polhode_identify::{Estimate, Number, PrincipalEstimate, ResidualTest};
 use serde_json::{Value, json};
 
@@ -89,6 +90,24 @@ pub(super) fn residuals(section: &mut Section, tests: &[ResidualTest]) {
             ));
         }
     }
+}
+
+/// What is left that is no noise.
+pub(super) fn model_findings(tests: &[ResidualTest]) -> Vec<Finding> {
+    let widening = tests.iter().map(ResidualTest::widening).fold(1.0, f64::max);
+    let odd = tests.iter().filter(|test| test.is_too_large() || test.is_correlated());
+    odd.map(|test| Finding {
+        code: "identify.model",
+        severity: Severity::Warning,
+        message: format!(
+            "what is left of {} is no noise (χ² {} per degree of freedom): errors are widened {}-fold, and hold only if what is missing acts like noise",
+            test.what,
+            number(test.reduced_chi_square, 3),
+            number(widening, 3)
+        ),
+        place: None,
+    })
+    .collect()
 }
 
 pub(super) fn principal(section: &mut Section, p: &PrincipalEstimate, unit: Option<&str>) {

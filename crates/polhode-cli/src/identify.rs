@@ -52,7 +52,7 @@ impl Identify {
         let Plan { title, measurement } = identify::read(&self.plan)?;
         let report = match measurement {
             Measurement::Tumble(plan) => IdentifyReport::Tumble(self.tumble(title.as_deref(), &plan)?),
-            Measurement::Payload(plan) => IdentifyReport::Payload(self.payload(title.as_deref(), plan)?),
+            Measurement::Payload(plan) => IdentifyReport::Payload(self.payload(title.as_deref(), &plan)?),
             _ => {
                 return Err(Failure::usage(
                     "this plan is of a kind that is not known",
@@ -83,7 +83,7 @@ impl Identify {
         Ok(TumbleReport::new(title, sources, tumble))
     }
 
-    fn payload(&self, title: Option<&str>, plan: PayloadPlan) -> Result<PayloadReport, Failure> {
+    fn payload(&self, title: Option<&str>, plan: &PayloadPlan) -> Result<PayloadReport, Failure> {
         let payload = identify_payload(&plan.log).map_err(|error| match error {
             IdentifyError::NoConvergence { .. } => Failure::usage(
                 error.to_string(),

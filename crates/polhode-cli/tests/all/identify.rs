@@ -130,6 +130,91 @@ fn a_wrench_on_the_wrong_side_is_said() {
     assert!(text.contains("the wrench is that on the other side of the"), "{text}");
 }
 
+/// The log of particles that are carried through the example's motion, with noise.
+fn carried(particles: &[(f64, [f64; 3])]) -> String {
+    let example = fs::read_to_string(example("identify/payload.csv")).unwrap();
+    let cross = |a: [f64; 3], b: [f64; 3]| {
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    };
+    let mut state = 0.431_f64;
+    let mut noise = |sd: f64| {
+        let sum = (0..12).fold(-6.0, |sum, _| {
+            state = (state * 1997.0 + 0.3127).fract();
+            sum + state
+        });
+        sd * sum
+    };
+    let mut log = example.lines().nth(1).unwrap().to_owned();
+    for line in example.lines().skip(2) {
+        let row: Vec<f64> = line.split(',').map(|x| x.parse().unwrap()).collect();
+        let three = |first: usize| [row[first], row[first + 1], row[first + 2]];
+        let [omega, alpha, a, g] = [1, 4, 7, 10].map(three);
+        let mut wrench = [0.0; 6];
+        for (m, r) in particles {
+            let (turned, drawn) = (cross(alpha, *r), cross(omega, cross(omega, *r)));
+            let force: [f64; 3] = std::array::from_fn(|k| m * (a[k] - g[k] + turned[k] + drawn[k]));
+            let torque = cross(*r, force);
+            (0..3).for_each(|k| {
+                wrench[k] -= force[k];
+                wrench[3 + k] -= torque[k];
+            });
+        }
+        let motion: Vec<String> = row[..13].iter().map(f64::to_string).collect();
+        let read =
+            [0, 1, 2, 3, 4, 5].map(|k| (wrench[k] + noise(if k < 3 { 0.05 } else { 0.002 })).to_string());
+        log += &format!("\n{},{},20", motion.join(","), read.join(","));
+    }
+    log
+}
+
+/// Thin payloads: the edge is said, or the kind, and what is printed as a body can be read.
+#[test]
+fn plates_and_rods_are_at_the_edge() {
+    let scratch = Scratch::new("identify-edge");
+    let along = |u: f64, v: f64| {
+        let (a, b) = ([0.6, 0.64, -0.48], [0.8, -0.48, 0.36]);
+        std::array::from_fn(|k| [0.03, -0.02, 0.11][k] + u * a[k] + v * b[k])
+    };
+    let rod = [(0.7, along(-0.11, 0.0)), (0.9, along(0.05, 0.0)), (0.4, along(0.13, 0.0))];
+    let plate = [
+        (0.5, along(0.12, 0.03)),
+        (0.4, along(-0.09, 0.07)),
+        (0.6, along(0.02, -0.13)),
+        (0.3, along(-0.14, -0.06)),
+    ];
+    for (kind, particles, mass, thin) in [("rod", &rod[..], 2.0, 2), ("plate", &plate[..], 1.8, 1)] {
+        scratch.write("log.csv", &carried(particles));
+        let keys = "[payload]\nlog = \"log.csv\"\nwrench = \"on sensor\"\nnoise = { force = \"0.05 N\", torque = \"2 mN m\" }\n";
+        scratch.write("plan.toml", keys);
+        let free = json(&scratch.run(&["identify", "plan.toml", "--json"]));
+        scratch.write("kind.toml", &format!("{keys}kind = \"{kind}\"\n"));
+        let told = json(&scratch.run(&["identify", "kind.toml", "--json"]));
+        for report in [&free, &told] {
+            let [got, sd] = found(report, "mass");
+            assert!((got - mass).abs() < FAR * sd, "{kind}: {got} ± {sd}");
+        }
+        assert!(told["edge"].is_null() && codes(&told).is_empty(), "{kind}: {told}");
+        // the least second moment of what was told is none
+        let p = numbers(&told["principal"]["moments"]);
+        assert!((p[0] + p[1] - p[2]).abs() < 1e-9 * p[2], "{kind}: {p:?}");
+        assert_eq!(free["unconstrained"]["is_possible"], false, "{kind}");
+        assert_eq!(free["edge"]["kind"], kind);
+        assert_eq!(codes(&free), ["identify.edge"], "{kind}: {free}");
+        for direction in free["edge"]["thin"].as_array().unwrap() {
+            let [at_most, sd] = ["at_most", "sd"].map(|key| number(&direction[key]));
+            assert!(sd > 0.0 && at_most >= 1.6 * sd, "{direction}");
+        }
+        assert_eq!(free["edge"]["thin"].as_array().unwrap().len(), thin);
+        let text = stdout(&scratch.run(&["identify", "plan.toml"]));
+        assert!(text.contains(&format!("kind = \"{kind}\" in the plan finds it as one")), "{text}");
+        for plan in ["plan.toml", "kind.toml"] {
+            scratch.write("body.toml", &stdout(&scratch.run(&["identify", plan, "--body"])));
+            let body = polhode_formats::scenario::read(&scratch.0.join("body.toml"));
+            assert!((body.unwrap().body().mass() - mass).abs() < 0.01, "{kind} {plan}");
+        }
+    }
+}
+
 #[test]
 fn what_is_no_rod_is_said() {
     let scratch = Scratch::new("identify-rod");

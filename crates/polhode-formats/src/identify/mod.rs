@@ -15,6 +15,7 @@ mod payload;
 mod tumble;
 mod wrench_columns;
 mod wrench_log;
+mod wrench_quantity;
 
 use std::path::Path;
 
@@ -40,6 +41,7 @@ pub struct Plan {
 /// What was measured of a body.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
+#[allow(clippy::large_enum_variant, reason = "there is one of each plan")]
 pub enum Measurement {
     /// Its free motion.
     Tumble(TumblePlan),

@@ -3,10 +3,11 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use polhode_formats::identify::{self, Measurement, Plan, TumblePlan};
+use polhode_formats::identify::{self, Measurement, PayloadPlan, Plan, ReadLog, TumblePlan};
 use polhode_identify::IdentifyError;
+use polhode_identify::payload::identify_payload;
 use polhode_identify::tumble::identify_tumbles;
-use polhode_report::{IdentifyReport, TumbleReport, pretty};
+use polhode_report::{IdentifyReport, PayloadReport, TumbleReport, pretty};
 
 use crate::failure::Failure;
 use crate::stderr::shown;
@@ -14,14 +15,17 @@ use crate::stdout::{columns, print};
 
 /// Find a body's mass properties from measurements of its motion.
 ///
-/// PLAN says what was measured: the free motion of a thrown body by a gyro on it ([tumble]). Every answer is a possible body; what the measurements do
+/// PLAN says what was measured: the free motion of a thrown body by a gyro on it ([tumble]), or the wrenches of a force–torque sensor that moves with the
+/// body ([payload]). Every answer is a possible body; what the measurements do
 /// not determine is said, and what is left is tested for being noise.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   polhode identify examples/identify/racket-like.toml
   polhode identify examples/identify/racket-like.toml --json
-  polhode identify examples/identify/racket-like.toml --html > racket.html")]
+  polhode identify examples/identify/racket-like.toml --html > racket.html
+  polhode identify examples/identify/payload.toml
+  polhode identify examples/identify/payload.toml --body > payload-body.toml")]
 pub(crate) struct Identify {
     /// The plan: a TOML file.
     #[arg(value_name = "PLAN")]
@@ -35,6 +39,9 @@ pub(crate) struct Identify {
     /// Print one HTML page with plots, which needs nothing else.
     #[arg(long, group = "form")]
     html: bool,
+    /// Print the payload as a part of a scenario file.
+    #[arg(long, group = "form")]
+    body: bool,
     /// Exit with status 1 if what is left is more than noise.
     #[arg(long)]
     strict: bool,
@@ -45,6 +52,7 @@ impl Identify {
         let Plan { title, measurement } = identify::read(&self.plan)?;
         let report = match measurement {
             Measurement::Tumble(plan) => IdentifyReport::Tumble(self.tumble(title.as_deref(), &plan)?),
+            Measurement::Payload(plan) => IdentifyReport::Payload(self.payload(title.as_deref(), &plan)?),
             _ => {
                 return Err(Failure::usage(
                     "this plan is of a kind that is not known",
@@ -52,7 +60,9 @@ impl Identify {
                 ));
             }
         };
-        print(&if self.json {
+        print(&if self.body {
+            self.scenario(&report)?
+        } else if self.json {
             pretty(&report.to_json()) + "\n"
         } else if self.markdown {
             report.to_document().to_markdown()
@@ -66,17 +76,42 @@ impl Identify {
 
     fn tumble(&self, title: Option<&str>, plan: &TumblePlan) -> Result<TumbleReport, Failure> {
         let tumble = identify_tumbles(&plan.flights, &plan.options).map_err(|error| self.refused(error))?;
-        let mut sources: Vec<String> = Vec::new();
-        for log in &plan.logs {
-            sources.push(format!("{}: {}", shown(&log.path), log.read.join("; ")));
-            if !log.ignored.is_empty() {
-                sources.push(format!("Not read of {}: {}", shown(&log.path), log.ignored.join(", ")));
-            }
-        }
+        let mut sources: Vec<String> = plan.logs.iter().flat_map(said).collect();
         if plan.found {
             sources.push("Flights were found where the body turns fast and nothing turns it".to_owned());
         }
         Ok(TumbleReport::new(title, sources, tumble))
+    }
+
+    fn payload(&self, title: Option<&str>, plan: &PayloadPlan) -> Result<PayloadReport, Failure> {
+        let payload = identify_payload(&plan.log).map_err(|error| match error {
+            IdentifyError::NoConvergence { .. } => Failure::usage(
+                error.to_string(),
+                "the motion may be hidden by its noise: turn faster, about more axes, or look at motion_noise",
+            )
+            .about(&self.plan),
+            error => self.refused(error),
+        })?;
+        let times = plan.log.rows().iter().map(|row| row.time).collect();
+        Ok(PayloadReport::new(title, said(&plan.source), times, payload))
+    }
+
+    /// The body as a part of a scenario.
+    fn scenario(&self, report: &IdentifyReport) -> Result<String, Failure> {
+        let (reason, hint) = match report {
+            IdentifyReport::Payload(payload) => match payload.to_scenario() {
+                Some(text) => return Ok(text),
+                None => (
+                    "--body has no body to print: the motion does not determine all of it",
+                    "leave --body out to see what is unknown",
+                ),
+            },
+            _ => (
+                "--body has no body to print: free motion does not show the mass",
+                "leave --body out to see the moments, or weigh the body",
+            ),
+        };
+        Err(Failure::usage(reason, hint).about(&self.plan))
     }
 
     fn refused(&self, error: IdentifyError) -> Failure {
@@ -86,4 +121,13 @@ impl Identify {
             error => Failure::usage(error.to_string(), hint).about(&self.plan),
         }
     }
+}
+
+/// What was read of a log.
+fn said(log: &ReadLog) -> Vec<String> {
+    let mut lines = vec![format!("{}: {}", shown(&log.path), log.read.join("; "))];
+    if !log.ignored.is_empty() {
+        lines.push(format!("Not read of {}: {}", shown(&log.path), log.ignored.join(", ")));
+    }
+    lines
 }

@@ -11,7 +11,11 @@
 //!
 //! A quantity is a string with its unit, or a number in SI. Whatever is unknown, impossible or ambiguous is an error that points at its place.
 
+mod payload;
 mod tumble;
+mod wrench_columns;
+mod wrench_log;
+mod wrench_quantity;
 
 use std::path::Path;
 
@@ -22,6 +26,7 @@ use crate::scenario::reader::{Table, Value};
 use crate::scenario::source::Source;
 use crate::scenario::{document, text_of};
 
+pub use payload::PayloadPlan;
 pub use tumble::{ReadLog, TumblePlan};
 
 /// A plan: what was measured, ready to be identified.
@@ -36,13 +41,16 @@ pub struct Plan {
 /// What was measured of a body.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
+#[allow(clippy::large_enum_variant, reason = "there is one of each plan")]
 pub enum Measurement {
     /// Its free motion.
     Tumble(TumblePlan),
+    /// Wrenches at a wrist that carries it, and their motion.
+    Payload(PayloadPlan),
 }
 
 /// The tables, one of which a plan has.
-const KINDS: [&str; 1] = ["tumble"];
+const KINDS: [&str; 2] = ["tumble", "payload"];
 
 /// Reads a plan.
 ///
@@ -53,12 +61,17 @@ pub fn read(path: &Path) -> Result<Plan, FormatError> {
     let source = Source::new(path, &text);
     let entries = document(source)?;
     let root = Table::root(source, &entries);
-    root.allow(&["title", "tumble"])?;
+    root.allow(&["title", "tumble", "payload"])?;
     let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
     let kind = root.at_most_one(&KINDS, "a plan is of one kind of measurement")?;
-    let Some(kind) = kind else { return Err(root.missing("tumble", "[tumble], with log = \"gyro.csv\"")) };
+    let Some(kind) = kind else {
+        return Err(root.missing("tumble", "[tumble], or [payload], with log = \"gyro.csv\""));
+    };
     let table = kind.table()?;
-    let measurement = Measurement::Tumble(tumble::plan(&table)?);
+    let measurement = match kind.key() {
+        "payload" => Measurement::Payload(payload::plan(&table)?),
+        _ => Measurement::Tumble(tumble::plan(&table)?),
+    };
     Ok(Plan { title, measurement })
 }
 

@@ -12,7 +12,7 @@ use crate::{file, unit};
 const LARGEST_FILE: u64 = 256 << 20;
 
 /// The bytes of the file that a value names, relative to the scenario.
-pub(super) fn bytes(table: &Value<'_>, path: &Path) -> Result<Vec<u8>, FormatError> {
+pub(crate) fn bytes(table: &Value<'_>, path: &Path) -> Result<Vec<u8>, FormatError> {
     file::bytes(path, table.string()?, LARGEST_FILE).map_err(|kind| {
         let missing = matches!(kind, FormatErrorKind::Io { .. });
         let error = table.error(kind);
@@ -22,7 +22,7 @@ pub(super) fn bytes(table: &Value<'_>, path: &Path) -> Result<Vec<u8>, FormatErr
 }
 
 /// The bytes as text.
-pub(super) fn text(bytes: &[u8]) -> Result<&str, ContentError> {
+pub(crate) fn text(bytes: &[u8]) -> Result<&str, ContentError> {
     str::from_utf8(bytes).map_err(|error| {
         let place = ContentPlace::Text(error.valid_up_to()..error.valid_up_to() + 1);
         let kind = ContentErrorKind::Unsupported { what: "text that is not UTF-8".to_owned() };
@@ -31,7 +31,7 @@ pub(super) fn text(bytes: &[u8]) -> Result<&str, ContentError> {
 }
 
 /// The numbers at these places of a row, which has as many fields as the header.
-pub(super) fn numbers<const N: usize>(
+pub(crate) fn numbers<const N: usize>(
     text: &str,
     line: &Range<usize>,
     fields: &[Range<usize>],
@@ -50,7 +50,7 @@ pub(super) fn numbers<const N: usize>(
 }
 
 /// Refuses a row whose time is not after that of the row before.
-pub(super) fn ascending(times: &[f64], time: f64, line: Range<usize>) -> Result<(), ContentError> {
+pub(crate) fn ascending(times: &[f64], time: f64, line: Range<usize>) -> Result<(), ContentError> {
     match times.last().is_some_and(|last| time <= *last) {
         true => Err(value("time_s", &time.to_string(), "after that of the row before", line)),
         false => Ok(()),
@@ -58,13 +58,13 @@ pub(super) fn ascending(times: &[f64], time: f64, line: Range<usize>) -> Result<
 }
 
 /// A value that breaks a rule.
-pub(super) fn value(what: &str, value: &str, rule: &str, place: Range<usize>) -> ContentError {
+pub(crate) fn value(what: &str, value: &str, rule: &str, place: Range<usize>) -> ContentError {
     let (what, value, rule) = (what.to_owned(), value.to_owned(), rule.to_owned());
     ContentError::new(ContentErrorKind::Value { what, value, rule }, ContentPlace::Text(place))
 }
 
 /// The lines that are not blank, each with its fields, all as places in the text.
-pub(super) fn fields(text: &str) -> impl Iterator<Item = (Range<usize>, Vec<Range<usize>>)> {
+pub(crate) fn fields(text: &str) -> impl Iterator<Item = (Range<usize>, Vec<Range<usize>>)> {
     let mut at = if text.starts_with('\u{feff}') { 3 } else { 0 };
     let next = move || {
         while at < text.len() {
@@ -104,6 +104,6 @@ fn number(text: &str, field: Range<usize>) -> Result<f64, ContentError> {
     }
 }
 
-pub(super) fn missing(what: &str) -> ContentError {
+pub(crate) fn missing(what: &str) -> ContentError {
     ContentError::new(ContentErrorKind::Missing { what: what.to_owned() }, ContentPlace::Whole)
 }

@@ -25,7 +25,7 @@
 mod asked;
 mod body;
 mod completion;
-mod csv;
+pub(crate) mod csv;
 mod draft;
 mod event;
 mod formula;

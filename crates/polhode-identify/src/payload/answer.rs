@@ -7,6 +7,7 @@ use super::edge::Edge;
 use super::finding::PayloadFinding;
 use super::outliers::LeftOut;
 use crate::estimate::Estimate;
+use crate::principal::PrincipalEstimate;
 use crate::residuals::ResidualTest;
 
 /// A payload that was found. The origin is the sensor's, axes are the sensor's.
@@ -32,6 +33,14 @@ pub struct Payload {
     pub left_out: Vec<LeftOut>,
     /// What is odd.
     pub findings: Vec<PayloadFinding>,
+}
+
+impl Payload {
+    /// Principal moments and axes about the centre of mass; `None` of a point, which has none.
+    pub fn principal(&self) -> Option<PrincipalEstimate> {
+        let principal = PrincipalEstimate::of(&self.about_center, 4);
+        (principal.moments[2] > 0.0).then_some(principal)
+    }
 }
 
 /// Numbers of least squares that need not be a body's.

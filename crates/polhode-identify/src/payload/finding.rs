@@ -99,26 +99,40 @@ impl fmt::Display for PayloadFinding {
         match self {
             Self::NegativeMass { mass, sd } => write!(
                 f,
-                "the mass would be {mass} ± {sd} kg: the wrench is that on the other side of the sensor, or gravity points up"
+                "the mass would be {} ± {} kg: the wrench is that on the other side of the sensor, or gravity points up",
+                short(*mass),
+                short(*sd)
             ),
             Self::ImpossibleBeyondNoise { chi_square_rise } => write!(
                 f,
-                "no possible body fits as well as an impossible one: χ² rises by {chi_square_rise}, more than noise explains"
+                "no possible body fits as well as an impossible one: χ² rises by {}, more than noise explains",
+                short(*chi_square_rise)
             ),
             Self::NotOfKind { kind, chi_square_rise } => write!(
                 f,
-                "the payload is not {kind}: χ² rises by {chi_square_rise}, more than noise explains"
+                "the payload is not {kind}: χ² rises by {}, more than noise explains",
+                short(*chi_square_rise)
             ),
             Self::GravityVaries { least, most } => {
-                write!(f, "gravity is between {least} and {most} m/s²")
+                write!(f, "gravity is between {} and {} m/s²", short(*least), short(*most))
             }
-            Self::UnusualGravity { size } => write!(f, "gravity is {size} m/s²"),
-            Self::Likely { mistake, as_given, undone } => {
-                write!(f, "probably {mistake}: χ² by degrees of freedom would be {undone}, and is {as_given}")
-            }
+            Self::UnusualGravity { size } => write!(f, "gravity is {} m/s²", short(*size)),
+            Self::Likely { mistake, as_given, undone } => write!(
+                f,
+                "probably {mistake}: χ² by degrees of freedom would be {}, and is {}",
+                short(*undone),
+                short(*as_given)
+            ),
             Self::ManyOutliers { count } => {
                 write!(f, "{count} rows are far off, more than one in ten: none was left out")
             }
         }
     }
+}
+
+/// Four digits.
+fn short(x: f64) -> String {
+    let size = if x == 0.0 { 0.0 } else { x.abs().log10().floor() };
+    let decimals = (3.0 - size).clamp(0.0, 15.0) as usize;
+    format!("{x:.decimals$}")
 }

@@ -1,18 +1,27 @@
 //! Numbers that were found, with their errors.
 
+use polhode::body::{Finding, Severity};
 use polhode_identify::{Estimate, Number, PrincipalEstimate, ResidualTest};
 use serde_json::{Value, json};
 
 use crate::explain::document::Section;
 use crate::number::{count, number, ungrouped};
 
-/// `1.2345 ± 0.0012`: as many digits as the error has two of.
+/// Of more decimals than this numbers are shown with exponents.
+const DECIMALS: i32 = 7;
+
+/// `1.2340 ± 0.0012`: as many digits as the error has two of.
 pub(super) fn with_error(value: f64, sd: f64) -> String {
     if !(sd.is_finite() && sd > 0.0) {
         return number(value, 6);
     }
-    let shown = ungrouped(sd, 2);
     let places = exponent(sd) - 1;
+    if (-DECIMALS..=0).contains(&places) {
+        let decimals = usize::try_from(-places).unwrap_or(0);
+        let value = if value.abs() < 0.5 * 10.0_f64.powi(places) { 0.0 } else { value };
+        return format!("{value:.decimals$} ± {sd:.decimals$}");
+    }
+    let shown = ungrouped(sd, 2);
     let size = if value == 0.0 { places } else { exponent(value) };
     let digits = usize::try_from(size - places + 1).unwrap_or(1).clamp(1, 15);
     if size < places {
@@ -89,6 +98,24 @@ pub(super) fn residuals(section: &mut Section, tests: &[ResidualTest]) {
             ));
         }
     }
+}
+
+/// What is left that is no noise.
+pub(super) fn model_findings(tests: &[ResidualTest]) -> Vec<Finding> {
+    let widening = tests.iter().map(ResidualTest::widening).fold(1.0, f64::max);
+    let odd = tests.iter().filter(|test| test.is_too_large() || test.is_correlated());
+    odd.map(|test| Finding {
+        code: "identify.model",
+        severity: Severity::Warning,
+        message: format!(
+            "what is left of {} is no noise (χ² {} per degree of freedom): errors are widened {}-fold, and hold only if what is missing acts like noise",
+            test.what,
+            number(test.reduced_chi_square, 3),
+            number(widening, 3)
+        ),
+        place: None,
+    })
+    .collect()
 }
 
 pub(super) fn principal(section: &mut Section, p: &PrincipalEstimate, unit: Option<&str>) {
@@ -168,7 +195,11 @@ mod tests {
     #[test]
     fn a_value_has_the_digits_of_its_error() {
         assert_eq!(with_error(1.234_56, 0.001_23), "1.2346 ± 0.0012");
-        assert_eq!(with_error(-0.003_1, 0.02), "0 ± 0.020");
+        assert_eq!(with_error(0.5, 0.002_71), "0.5000 ± 0.0027");
+        assert_eq!(with_error(-0.003_1, 0.02), "-0.003 ± 0.020");
+        assert_eq!(with_error(-0.000_3, 0.02), "0.000 ± 0.020");
         assert_eq!(with_error(123.456, 3.2), "123.5 ± 3.2");
+        assert_eq!(with_error(12_345.6, 321.0), "12346 ± 321");
+        assert_eq!(with_error(1.234e-12, 3.21e-14), "1.234e-12 ± 3.2e-14");
     }
 }

@@ -34,21 +34,10 @@ impl TumbleReport {
     }
 
     fn findings(&self) -> Vec<Finding> {
-        let mut findings = Vec::new();
+        let mut findings = estimate::model_findings(&self.tumble.residuals);
         let mut say = |code: &'static str, message: String| {
             findings.push(Finding { code, severity: Severity::Warning, message, place: None });
         };
-        for test in self.tumble.residuals.iter().filter(|test| test.is_too_large() || test.is_correlated()) {
-            say(
-                "identify.model",
-                format!(
-                    "what is left of {} is no noise (χ² {} per degree of freedom): errors are widened {}-fold, and hold only if what is missing acts like noise",
-                    test.what,
-                    number(test.reduced_chi_square, 3),
-                    number(self.tumble.widening, 3)
-                ),
-            );
-        }
         let left_out: usize = self.tumble.flights.iter().map(|flight| flight.left_out.len()).sum();
         let used: usize = self.tumble.flights.iter().map(|flight| flight.used).sum();
         if left_out > 0 {

@@ -148,6 +148,15 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
             scratch.write("slew-torque.csv", "older");
             scratch.write("slew-torque.parquet", "older");
         }
+        "measured" => {
+            let log = fs::read_to_string(crate::common::example("identify/payload.csv")).unwrap();
+            let rows: Vec<&str> = log.lines().take(62).collect();
+            scratch.write("payload.csv", &rows.join("\n"));
+            // A tenth of the noise that it has: what is left is too large.
+            let noise = "noise = { force = \"5 mN\", torque = \"0.2 mN m\" }\n";
+            let keys = "log = \"payload.csv\"\nwrench = \"on sensor\"\nbias = true\n";
+            scratch.write("payload.toml", &format!("[payload]\n{keys}{noise}"));
+        }
         "given" => {
             fs::copy(crate::common::example("slew.toml"), scratch.0.join("slew.toml")).unwrap();
         }

@@ -91,12 +91,15 @@ impl Estimate {
             }
             self.covariance = (0..n).map(|i| (0..n).map(|j| self.covariance[j][i]).collect()).collect();
         }
+        // The size itself is no matter now.
+        let others: Vec<&Vec<f64>> =
+            self.unknown.iter().filter(|unknown| !is_along(unknown, &x[..count])).collect();
         for (k, number) in self.numbers.iter_mut().enumerate() {
             if k < count {
                 let gradient: Vec<f64> = (0..n)
                     .map(|i| f64::from(u8::from(i == k)) - u.get(i).map_or(0.0, |u| x[k] * u))
                     .collect();
-                let is_unknown = self.unknown.iter().any(|unknown| changes_along(&gradient, unknown));
+                let is_unknown = others.iter().any(|unknown| changes_along(&gradient, unknown));
                 number.sd = (!is_unknown).then(|| self.covariance[k][k].max(0.0).sqrt());
             }
         }
@@ -111,6 +114,13 @@ impl Estimate {
         self.covariance.iter_mut().flatten().for_each(|c| *c *= factor * factor);
         self
     }
+}
+
+/// Whether a direction is that of the first numbers, all alike.
+fn is_along(direction: &[f64], numbers: &[f64]) -> bool {
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let cosine = dot(direction, numbers) / (dot(direction, direction) * dot(numbers, numbers)).sqrt();
+    1.0 - f64::abs(cosine) < KNOWN
 }
 
 /// How far a combination may change along an unknown direction, relative to its terms, by rounding.

@@ -27,6 +27,22 @@ pub(crate) trait Problem {
     /// Where the model has no answer: such a step is not taken.
     fn rows(&self, group: usize, shared: &[f64], local: &[f64], rows: &mut Rows)
     -> Result<(), IdentifyError>;
+
+    /// The rows of all groups, in their order.
+    fn all_rows(&self, shared: &[f64], local: &[Vec<f64>]) -> Vec<Result<Rows, IdentifyError>> {
+        (0..self.groups()).map(|group| rows_of(self, group, shared, &local[group])).collect()
+    }
+}
+
+/// The rows of a group.
+pub(crate) fn rows_of<P: Problem + ?Sized>(
+    problem: &P,
+    group: usize,
+    shared: &[f64],
+    local: &[f64],
+) -> Result<Rows, IdentifyError> {
+    let mut rows = Rows::new(local.len(), shared.len());
+    problem.rows(group, shared, local, &mut rows).map(|()| rows)
 }
 
 /// Where the numbers are.
@@ -139,12 +155,7 @@ fn all_rows(
     coordinates: &Coordinates,
     place: &Place,
 ) -> Result<Vec<Rows>, IdentifyError> {
-    let shared = coordinates.physical(&place.shared);
-    let group = |k: usize| {
-        let mut rows = Rows::new(place.local[k].len(), shared.len());
-        problem.rows(k, &shared, &place.local[k], &mut rows).map(|()| rows)
-    };
-    (0..problem.groups()).map(group).collect()
+    problem.all_rows(&coordinates.physical(&place.shared), &place.local).into_iter().collect()
 }
 
 fn evaluate(
@@ -155,9 +166,8 @@ fn evaluate(
 ) -> Result<Evaluation, IdentifyError> {
     let shared = coordinates.physical(&place.shared);
     let mut evaluation = Evaluation { triangles: Vec::new(), cost: 0.0, rows: 0.0 };
-    for group in 0..problem.groups() {
-        let mut rows = Rows::new(place.local[group].len(), shared.len());
-        problem.rows(group, &shared, &place.local[group], &mut rows)?;
+    for rows in problem.all_rows(&shared, &place.local) {
+        let rows = rows?;
         let (cost, weights) = outliers.weigh(&rows);
         if !cost.is_finite() {
             return Err(IdentifyError::NotFinite);
@@ -167,6 +177,31 @@ fn evaluate(
         evaluation.triangles.push(rows.triangle(&weights));
     }
     Ok(evaluation)
+}
+
+/// What becomes of each number below `count`, in their order, by as many threads as there are processors: sums do not depend on how many.
+pub(crate) fn side_by_side<T: Send>(count: usize, one: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let threads = std::thread::available_parallelism().map_or(1, usize::from).min(count);
+    if threads < 2 {
+        return (0..count).map(one).collect();
+    }
+    let one = &one;
+    std::thread::scope(|scope| {
+        // Every so manieth is one thread's, as neighbours are alike.
+        let parts: Vec<_> = (0..threads)
+            .map(|k| scope.spawn(move || (k..count).step_by(threads).map(one).collect::<Vec<T>>()))
+            .collect();
+        let mut parts: Vec<_> = parts.into_iter().map(|part| part.join().map(Vec::into_iter)).collect();
+        let mut all = Vec::with_capacity(count);
+        for k in 0..count {
+            match &mut parts[k % threads] {
+                Ok(part) => all.extend(part.next()),
+                // A panic of the model goes on where it would without threads.
+                Err(_) => all.push(one(k)),
+            }
+        }
+        all
+    })
 }
 
 /// A triangle with its columns of shared numbers in their coordinates.

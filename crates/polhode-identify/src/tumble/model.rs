@@ -9,7 +9,7 @@ use super::flight::Flight;
 use super::motion::{Flown, turn, turned};
 use super::sensor::GyroErrors;
 use crate::error::IdentifyError;
-use crate::least_squares::{Problem, Rows};
+use crate::least_squares::{Problem, Rows, rows_of, side_by_side};
 use crate::residuals::Noise;
 
 /// Flights, and what predicts their readings.
@@ -196,6 +196,10 @@ impl Problem for Tumbles<'_> {
             self.attitude_rows((&flown, start), (flight, local), shared, rows)?;
         }
         Ok(())
+    }
+
+    fn all_rows(&self, shared: &[f64], local: &[Vec<f64>]) -> Vec<Result<Rows, IdentifyError>> {
+        side_by_side(self.groups(), |group| rows_of(self, group, shared, &local[group]))
     }
 }
 

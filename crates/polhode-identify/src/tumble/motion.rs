@@ -29,7 +29,7 @@ pub(crate) struct Derived {
 }
 
 /// Bound on the error of a step: far below the noise of any gyro, and of any tracker.
-const TOLERANCE: f64 = 1e-11;
+const TOLERANCE: f64 = 1e-10;
 
 /// By how many factors of e drag may slow a body in a flight.
 const HEAVIEST: f64 = 20.0;

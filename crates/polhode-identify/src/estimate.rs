@@ -75,10 +75,21 @@ impl Estimate {
         Some(variance.max(0.0).sqrt())
     }
 
-    /// The same numbers, of which the first `count` are in units of a linear function of them that is 1, u·x: x/(u·x) has the covariance G C Gᵀ with
-    /// G = 1 − x uᵀ, which is known even if the size of x is not.
+    /// The same numbers, of which the first `count` are in units of a linear function of them, u·x: x/(u·x) has the covariance G C Gᵀ/(u·x)² with
+    /// G = 1 − x uᵀ/(u·x), which is known even if the size of x is not.
     pub(crate) fn relative(mut self, count: usize, u: &[f64]) -> Self {
         let n = self.numbers.len();
+        let size: f64 = self.numbers.iter().zip(u).map(|(number, u)| u * number.value).sum();
+        let over = |k: usize| if k < count { 1.0 / size } else { 1.0 };
+        for k in 0..n {
+            self.numbers[k].value *= over(k);
+            self.covariance[k].iter_mut().enumerate().for_each(|(j, c)| *c *= over(k) * over(j));
+        }
+        for unknown in &mut self.unknown {
+            unknown.iter_mut().enumerate().for_each(|(k, part)| *part *= over(k));
+            let length = unknown.iter().map(|part| part * part).sum::<f64>().sqrt();
+            unknown.iter_mut().for_each(|part| *part /= length);
+        }
         let x: Vec<f64> = self.numbers.iter().map(|number| number.value).collect();
         // C − x (uᵀC) on rows, then on columns
         for _ in 0..2 {

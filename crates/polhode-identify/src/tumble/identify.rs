@@ -12,7 +12,7 @@ use super::sensor::GyroErrors;
 use super::tumble::Tumble;
 use crate::coordinates::{Coordinates, Part};
 use crate::error::IdentifyError;
-use crate::least_squares::{Outliers, Place, Solution, fit, fit_robustly};
+use crate::least_squares::{Outliers, Place, fit, fit_robustly};
 
 /// How flights are read.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,10 +96,7 @@ pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<T
         let local = (0..cut.len()).map(|k| first_local(&problem, k, &pieces[k], &states, &shared)).collect();
         let place = Place { shared: coordinates.of(&shared), local };
         if is_whole {
-            let (mut found, _) = fit_robustly(&problem, &coordinates, place, options.outlier)?;
-            // In units of the greatest moment, if nothing says how large it is.
-            scale_to_greatest(&problem, &coordinates, &mut found);
-            let (last, outliers) = fit_robustly(&problem, &coordinates, found.place, options.outlier)?;
+            let (last, outliers) = fit_robustly(&problem, &coordinates, place, options.outlier)?;
             return Tumble::of(&problem, &last, outliers);
         }
         let found = fit(&problem, &coordinates, place, Outliers::Damped(FULL))?;
@@ -214,14 +211,4 @@ fn first_local(
 /// How far a time is outside of a span.
 fn beyond([from, to]: [f64; 2], time: f64) -> f64 {
     (from - time).max(time - to).max(0.0)
-}
-
-fn scale_to_greatest(problem: &Tumbles<'_>, coordinates: &Coordinates, found: &mut Solution) {
-    if problem.flights.iter().any(Flight::has_scale) {
-        return;
-    }
-    let (moments, _) = polhode::math::symmetric_eigen(core::array::from_fn(|k| found.shared[k]));
-    let greatest = moments.iter().fold(f64::MIN_POSITIVE, |most, &moment| most.max(moment));
-    found.shared[..6 + problem.drag_count()].iter_mut().for_each(|element| *element /= greatest);
-    found.place.shared = coordinates.of(&found.shared);
 }

@@ -130,11 +130,13 @@ impl Tumble {
         for flight in &mut flights {
             flight.omega_sd = flight.omega_sd.map(|sd| sd * widening);
         }
-        let principal = PrincipalEstimate::of(&estimate, 0);
+        let mut principal = PrincipalEstimate::of(&estimate, 0);
         let estimate = if scale_is_known {
             estimate
         } else {
-            // the greatest moment is v·I v, 1 here
+            // the greatest moment is v·I v
+            let greatest = principal.moments[2];
+            principal.moments = principal.moments.map(|moment| moment / greatest);
             estimate.relative(6 + problem.drag_count(), &along(principal.axes[2]))
         };
         Ok(Self { estimate, principal, scale_is_known, flights, residuals, widening })

@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use clap::Args;
 use polhode_formats::identify::{self, Measurement, Plan, TumblePlan};
 use polhode_identify::IdentifyError;
+use polhode_identify::swing::identify_swings;
 use polhode_identify::tumble::identify_tumbles;
-use polhode_report::{IdentifyReport, TumbleReport, pretty};
+use polhode_report::{IdentifyReport, SwingReport, TumbleReport, pretty};
 
 use crate::failure::Failure;
 use crate::stderr::shown;
@@ -14,14 +15,16 @@ use crate::stdout::{columns, print};
 
 /// Find a body's mass properties from measurements of its motion.
 ///
-/// PLAN says what was measured: the free motion of a thrown body by a gyro on it ([tumble]). Every answer is a possible body; what the measurements do
+/// PLAN says what was measured: the free motion of a thrown body by a gyro on it ([tumble]), or the periods of its swings on wires or about
+/// an axis ([swing]). Every answer is a possible body; what the measurements do
 /// not determine is said, and what is left is tested for being noise.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   polhode identify examples/identify/racket-like.toml
   polhode identify examples/identify/racket-like.toml --json
-  polhode identify examples/identify/racket-like.toml --html > racket.html")]
+  polhode identify examples/identify/racket-like.toml --html > racket.html
+  polhode identify examples/identify/bifilar.toml")]
 pub(crate) struct Identify {
     /// The plan: a TOML file.
     #[arg(value_name = "PLAN")]
@@ -45,8 +48,15 @@ impl Identify {
         let Plan { title, measurement } = identify::read(&self.plan)?;
         let report = match measurement {
             Measurement::Tumble(plan) => IdentifyReport::Tumble(self.tumble(title.as_deref(), &plan)?),
+            Measurement::Swing(plan) => {
+                let found = identify_swings(&plan).map_err(|error| self.refused(error))?;
+                IdentifyReport::Swing(SwingReport::new(title.as_deref(), found))
+            }
             _ => {
-                return Err(Failure::usage("this plan is of a kind that is not known", "use a newer polhode"));
+                return Err(Failure::usage(
+                    "this plan is of a kind that is not known",
+                    "use a newer polhode",
+                ));
             }
         };
         print(&if self.json {

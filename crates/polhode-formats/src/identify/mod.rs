@@ -11,11 +11,13 @@
 //!
 //! A quantity is a string with its unit, or a number in SI. Whatever is unknown, impossible or ambiguous is an error that points at its place.
 
+mod swing;
 mod tumble;
 
 use std::path::Path;
 
 use polhode_identify::IdentifyError;
+use polhode_identify::swing::SwingPlan;
 
 use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::reader::{Table, Value};
@@ -39,10 +41,12 @@ pub struct Plan {
 pub enum Measurement {
     /// Its free motion.
     Tumble(TumblePlan),
+    /// The periods of its swings.
+    Swing(SwingPlan),
 }
 
 /// The tables, one of which a plan has.
-const KINDS: [&str; 1] = ["tumble"];
+const KINDS: [&str; 2] = ["tumble", "swing"];
 
 /// Reads a plan.
 ///
@@ -53,12 +57,15 @@ pub fn read(path: &Path) -> Result<Plan, FormatError> {
     let source = Source::new(path, &text);
     let entries = document(source)?;
     let root = Table::root(source, &entries);
-    root.allow(&["title", "tumble"])?;
+    root.allow(&[&["title"], &KINDS[..]].concat())?;
     let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
     let kind = root.at_most_one(&KINDS, "a plan is of one kind of measurement")?;
     let Some(kind) = kind else { return Err(root.missing("tumble", "[tumble], with log = \"gyro.csv\"")) };
     let table = kind.table()?;
-    let measurement = Measurement::Tumble(tumble::plan(&table)?);
+    let measurement = match kind.key() {
+        "swing" => Measurement::Swing(swing::plan(&table)?),
+        _ => Measurement::Tumble(tumble::plan(&table)?),
+    };
     Ok(Plan { title, measurement })
 }
 

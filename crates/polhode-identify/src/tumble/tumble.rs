@@ -130,7 +130,7 @@ impl Tumble {
         for flight in &mut flights {
             flight.omega_sd = flight.omega_sd.map(|sd| sd * widening);
         }
-        let principal = PrincipalEstimate::of(&estimate, 0);
+        let principal = PrincipalEstimate::of_tensor(&estimate, 0);
         let estimate = if scale_is_known {
             estimate
         } else {

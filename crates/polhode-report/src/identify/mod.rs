@@ -1,12 +1,14 @@
 //! What was found of a body by measuring it, for people and for programs.
 
 mod estimate;
+mod swing;
 mod tumble;
 
 use serde_json::Value;
 
 use crate::explain::document::Document;
 
+pub use swing::SwingReport;
 pub use tumble::TumbleReport;
 
 /// What was found of a body, whatever was measured.
@@ -15,6 +17,8 @@ pub use tumble::TumbleReport;
 pub enum IdentifyReport {
     /// By its free motion.
     Tumble(TumbleReport),
+    /// By its swings.
+    Swing(SwingReport),
 }
 
 impl IdentifyReport {
@@ -22,6 +26,7 @@ impl IdentifyReport {
     pub fn to_json(&self) -> Value {
         match self {
             Self::Tumble(report) => report.to_json(),
+            Self::Swing(report) => report.to_json(),
         }
     }
 
@@ -29,6 +34,7 @@ impl IdentifyReport {
     pub fn to_document(&self) -> Document {
         match self {
             Self::Tumble(report) => report.to_document(),
+            Self::Swing(report) => report.to_document(),
         }
     }
 
@@ -36,6 +42,7 @@ impl IdentifyReport {
     pub fn has_model_error(&self) -> bool {
         match self {
             Self::Tumble(report) => report.has_model_error(),
+            Self::Swing(report) => report.has_model_error(),
         }
     }
 }

@@ -13,6 +13,7 @@ mod digits;
 mod example_files;
 mod explain;
 mod fix;
+mod identify_swing;
 mod inertia;
 mod interrupted;
 mod judge;

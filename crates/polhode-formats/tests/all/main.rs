@@ -9,6 +9,7 @@ mod expression;
 mod files;
 mod formula;
 mod gltf;
+mod identify_swing;
 mod mistakes;
 mod molecule;
 mod motion_errors;

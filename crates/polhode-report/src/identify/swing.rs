@@ -80,7 +80,7 @@ impl SwingReport {
             0 => "no test has the body".to_owned(),
             1 => "only one axis was swung".to_owned(),
             n => format!(
-                "{n} tests have the body, where a whole tensor takes six axes, no three of them in a plane with all others"
+                "{n} tests have the body, where a whole tensor takes six axes that are not all on one quadratic cone"
             ),
         }
     }

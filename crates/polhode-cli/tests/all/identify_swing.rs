@@ -62,7 +62,7 @@ fn one_axis_says_nothing_of_the_others() {
     let scratch = Scratch::new("identify-one-axis");
     scratch.write("plan.toml", ONE_AXIS);
     let text = stdout(&scratch.run(&["identify", "plan.toml"]));
-    assert!(text.contains("only one axis was swung") && text.contains("Ixx     not known"), "{text}");
+    assert!(text.contains("only one axis was swung") && text.contains("need the whole tensor"), "{text}");
     assert!(text.contains("about z: length"), "{text}");
     let found = json(&scratch.run(&["identify", "plan.toml", "--json"]));
     assert!(found["principal"].is_null());
@@ -75,10 +75,10 @@ fn one_axis_says_nothing_of_the_others() {
 #[test]
 fn what_cannot_be_is_refused() {
     let scratch = Scratch::new("identify-no-swing");
-    // the body hangs above the wires' lower ends, and would turn over
-    scratch.write("plan.toml", &ONE_AXIS.replace("[0, 0, 0]", "[0, 0, \"10 cm\"]"));
+    // lighter than air
+    scratch.write("plan.toml", &ONE_AXIS.replace("up = ", "air = { displaced = \"3 kg\" }\nup = "));
     let text = refused(&scratch.run(&["identify", "plan.toml"]), 2);
-    assert!(text.contains("plan.toml"), "{text}");
+    assert!(text.contains("plan.toml") && text.contains("buoyancy is -9.8"), "{text}");
     scratch.write("plan.toml", &ONE_AXIS.replace("radius = \"15 cm\"", "radius = \"r\""));
     let text = refused(&scratch.run(&["identify", "plan.toml"]), 2);
     assert!(text.contains("plan.toml:9:10") && text.contains("[swing.numbers] has none"), "{text}");

@@ -109,7 +109,7 @@ impl SwingReport {
 
     fn body(&self) -> Section {
         let mut s = Section::new(1, "The body");
-        s.say("The tensor is about the centre of mass, along the body's axes; an error of 0 is that of a number given as exact.");
+        s.say("The tensor is about the centre of mass, along the body's axes; a number without an error was given as exact.");
         let numbers: Vec<Number> = self
             .found
             .estimate

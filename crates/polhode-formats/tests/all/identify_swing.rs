@@ -153,6 +153,31 @@ fn mistakes_are_shown_where_they_are() {
     refuses("{ about = 0 }", "{ about = 0, sd = 1 }", "1 }", "about", "");
 }
 
+/// A centre above the lower ends of two wires is a sign that is wrong.
+#[test]
+fn a_body_on_two_wires_hangs() {
+    let of = |point: &str| {
+        let two = GOOD.replacen("\"trifilar\"", &format!("\"bifilar\"\npoint = {point}"), 1);
+        let two = two.replacen(
+            "fixture = { mass = \"0.5 kg\", center = [0, 0, 0], moments = [0, 0, \"platform\"] }\n",
+            "",
+            1,
+        );
+        read(
+            "hangs",
+            &two.replacen("platform = { about = \"0.004 kg m^2\" }\n", "", 1).replacen(
+                "{ about = 0 }",
+                "0",
+                1,
+            ),
+        )
+    };
+    assert!(of("[0, 0, \"3 cm\"]").is_ok());
+    let error = of("[0, 0, \"-3 cm\"]").expect_err("the centre is above");
+    assert!(error.message().contains("32.000 mm above"), "{error}");
+    assert_eq!(error.place().map(|place| (place.line, place.column)), Some((14, 9)));
+}
+
 #[test]
 fn what_is_missing_is_said() {
     let missing = |piece: &str, key: &str| {

@@ -22,7 +22,8 @@ pub(super) fn plan(table: &Table<'_>) -> Result<SwingPlan, FormatError> {
     }
     let center =
         table.require("center", "center = [\"1.2 mm\", 0, { value = \"31 mm\", sd = \"0.3 mm\" }]")?;
-    let mut plan = SwingPlan::new(mass_measured, self::center(&center)?);
+    let center = self::center(&center)?;
+    let mut plan = SwingPlan::new(mass_measured, center);
     if let Some(value) = table.get("gravity") {
         let gravity = measured(&value, Dimension::ACCELERATION)?;
         if !(gravity.value > 0.0) {
@@ -42,6 +43,7 @@ pub(super) fn plan(table: &Table<'_>) -> Result<SwingPlan, FormatError> {
         }
         names.push(name);
         let made = self::test(&test, name, &mut numbers)?;
+        rig::hangs(&test, &made, center)?;
         numbers.plan.add(made);
     }
     if names.is_empty() {

@@ -1,7 +1,7 @@
 //! How a body hangs in a test: its rig, its place there, and what hangs with it.
 
 use polhode::math::{Body, Direction, Position, Rotation, Space};
-use polhode_identify::swing::{Air, Axis, Fixture, Linear, Placement, Rig, Wire, Wires};
+use polhode_identify::swing::{Air, Axis, Fixture, Linear, Measured, Placement, Rig, SwingTest, Wire, Wires};
 
 use super::number::{Numbers, unit_vector};
 use crate::error::FormatError;
@@ -182,6 +182,28 @@ fn placed(up: [f64; 3], across: [f64; 3], test: &Table<'_>) -> Result<Placement,
     let rotation: Rotation<Space, Body> = Rotation::from_matrix(rows)
         .map_err(|error| test.error(crate::error::FormatErrorKind::Rotation(error)))?;
     Ok(Placement { rotation, origin: Position::from_array(origin) })
+}
+
+/// That a body alone on two wires is below the line of their lower ends, as far as its centre is known: otherwise it turns over.
+pub(super) fn hangs(test: &Table<'_>, made: &SwingTest, center: [Measured; 3]) -> Result<(), FormatError> {
+    /// Standard deviations that are no chance.
+    const NO_CHANCE: f64 = 5.0;
+    let (Some(placement), None) = (made.body, &made.fixture) else { return Ok(()) };
+    let rig = test.require("rig", "rig = \"bifilar\"")?;
+    let up = placement.rotation.matrix()[2];
+    let height: f64 =
+        placement.origin.to_array()[2] + up.iter().zip(&center).map(|(u, c)| u * c.value).sum::<f64>();
+    let sd = center.iter().fold(0.0, |most: f64, c| most.max(c.sd));
+    if rig.string()? != "bifilar" || height <= 1e-9 + NO_CHANCE * sd {
+        return Ok(());
+    }
+    let place = test.get("point").unwrap_or(rig);
+    let rule = format!(
+        "where two wires hold a body that hangs: its centre is {:.3} mm above their lower ends",
+        1e3 * height
+    );
+    let hint = "point is the point of the body between the lower ends, along the body's axes, and up points from its centre to there";
+    Err(place.invalid(rule).with_hint(hint))
 }
 
 /// `fixture = { mass, center, moments, products }`, along the axes of the rig.

@@ -6,8 +6,9 @@ use clap::Args;
 use polhode_formats::identify::{self, Measurement, PayloadPlan, Plan, ReadLog, TumblePlan};
 use polhode_identify::IdentifyError;
 use polhode_identify::payload::identify_payload;
+use polhode_identify::swing::identify_swings;
 use polhode_identify::tumble::identify_tumbles;
-use polhode_report::{IdentifyReport, PayloadReport, TumbleReport, pretty};
+use polhode_report::{IdentifyReport, PayloadReport, SwingReport, TumbleReport, pretty};
 
 use crate::failure::Failure;
 use crate::stderr::shown;
@@ -15,8 +16,8 @@ use crate::stdout::{columns, print};
 
 /// Find a body's mass properties from measurements of its motion.
 ///
-/// PLAN says what was measured: the free motion of a thrown body by a gyro on it ([tumble]), or the wrenches of a force–torque sensor that moves with the
-/// body ([payload]). Every answer is a possible body; what the measurements do
+/// PLAN says what was measured: the free motion of a thrown body by a gyro on it ([tumble]), the periods of its swings on wires or about an axis ([swing]), or
+/// the wrenches of a force–torque sensor that moves with the body ([payload]). Every answer is a possible body; what the measurements do
 /// not determine is said, and what is left is tested for being noise.
 #[derive(Debug, Args)]
 #[command(after_help = "\
@@ -24,6 +25,7 @@ Examples:
   polhode identify examples/identify/racket-like.toml
   polhode identify examples/identify/racket-like.toml --json
   polhode identify examples/identify/racket-like.toml --html > racket.html
+  polhode identify examples/identify/bifilar.toml
   polhode identify examples/identify/payload.toml
   polhode identify examples/identify/payload.toml --body > payload-body.toml")]
 pub(crate) struct Identify {
@@ -53,6 +55,10 @@ impl Identify {
         let report = match measurement {
             Measurement::Tumble(plan) => IdentifyReport::Tumble(self.tumble(title.as_deref(), &plan)?),
             Measurement::Payload(plan) => IdentifyReport::Payload(self.payload(title.as_deref(), &plan)?),
+            Measurement::Swing(plan) => {
+                let found = identify_swings(&plan).map_err(|error| self.refused(error))?;
+                IdentifyReport::Swing(SwingReport::new(title.as_deref(), found))
+            }
             _ => {
                 return Err(Failure::usage(
                     "this plan is of a kind that is not known",
@@ -106,6 +112,10 @@ impl Identify {
                     "leave --body out to see what is unknown",
                 ),
             },
+            IdentifyReport::Swing(_) => (
+                "--body prints payloads, and these are swing tests",
+                "take mass, centre and tensor from --json",
+            ),
             _ => (
                 "--body has no body to print: free motion does not show the mass",
                 "leave --body out to see the moments, or weigh the body",

@@ -31,7 +31,10 @@ pub struct PrincipalEstimate {
 
 impl PrincipalEstimate {
     /// Of an estimate whose numbers from `first` are Ixx, Iyy, Izz, Ixy, Ixz, Iyz.
-    pub(crate) fn of(estimate: &Estimate, first: usize) -> Self {
+    ///
+    /// # Panics
+    /// If there are no six numbers from `first`.
+    pub fn of_tensor(estimate: &Estimate, first: usize) -> Self {
         let tensor = core::array::from_fn(|k| estimate.numbers[first + k].value);
         let (moments, mut axes) = symmetric_eigen(tensor);
         let [a, b, c] = axes;

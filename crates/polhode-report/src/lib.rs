@@ -64,7 +64,7 @@ pub use explain::document::{Block, Document, Graph, Section};
 pub use explain::{explain, explain_motion};
 pub use export::{ExportBody, ExportError, ExportFormat, export};
 pub use extra::Extra;
-pub use identify::{IdentifyReport, PayloadReport, TumbleReport};
+pub use identify::{IdentifyReport, PayloadReport, SwingReport, TumbleReport};
 pub use inertia::InertiaReport;
 pub use json::pretty;
 pub use judge::{Card, CardCase, CardRun, JudgeReport, JudgedRun, judge_hint};

@@ -14,6 +14,7 @@ mod example_files;
 mod explain;
 mod fix;
 mod identify;
+mod identify_swing;
 mod inertia;
 mod interrupted;
 mod judge;

@@ -12,6 +12,7 @@
 //! A quantity is a string with its unit, or a number in SI. Whatever is unknown, impossible or ambiguous is an error that points at its place.
 
 mod payload;
+mod swing;
 mod tumble;
 mod wrench_columns;
 mod wrench_log;
@@ -20,6 +21,7 @@ mod wrench_quantity;
 use std::path::Path;
 
 use polhode_identify::IdentifyError;
+use polhode_identify::swing::SwingPlan;
 
 use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::reader::{Table, Value};
@@ -45,12 +47,14 @@ pub struct Plan {
 pub enum Measurement {
     /// Its free motion.
     Tumble(TumblePlan),
+    /// The periods of its swings.
+    Swing(SwingPlan),
     /// Wrenches at a wrist that carries it, and their motion.
     Payload(PayloadPlan),
 }
 
 /// The tables, one of which a plan has.
-const KINDS: [&str; 2] = ["tumble", "payload"];
+const KINDS: [&str; 3] = ["tumble", "swing", "payload"];
 
 /// Reads a plan.
 ///
@@ -61,15 +65,17 @@ pub fn read(path: &Path) -> Result<Plan, FormatError> {
     let source = Source::new(path, &text);
     let entries = document(source)?;
     let root = Table::root(source, &entries);
-    root.allow(&["title", "tumble", "payload"])?;
+    root.allow(&[&["title"], &KINDS[..]].concat())?;
     let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
     let kind = root.at_most_one(&KINDS, "a plan is of one kind of measurement")?;
     let Some(kind) = kind else {
-        return Err(root.missing("tumble", "[tumble], or [payload], with log = \"gyro.csv\""));
+        return Err(root
+            .missing("tumble", "[tumble], [swing] or [payload], such as [tumble] with log = \"gyro.csv\""));
     };
     let table = kind.table()?;
     let measurement = match kind.key() {
         "payload" => Measurement::Payload(payload::plan(&table)?),
+        "swing" => Measurement::Swing(swing::plan(&table)?),
         _ => Measurement::Tumble(tumble::plan(&table)?),
     };
     Ok(Plan { title, measurement })

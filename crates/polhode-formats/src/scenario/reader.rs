@@ -96,13 +96,13 @@ impl<'a> Table<'a> {
         self.get(key).ok_or_else(|| self.missing(key, example))
     }
 
-    /// Every key with its value, in the file's order.
-    pub(crate) fn each(&self) -> impl Iterator<Item = (&'a str, Value<'a>)> {
+    /// Every key with its value, in the file's order, and what to call them.
+    pub(crate) fn each(&self, called: &'static str) -> impl Iterator<Item = (&'a str, Value<'a>)> {
         let source = self.source;
         let mut all: Vec<_> = self.entries.iter().collect();
         all.sort_by_key(|(_, entry)| entry.node.span.start);
         all.into_iter().map(move |(key, entry)| {
-            (key.as_ref(), Value { source, key: "the condition", value: &entry.node, is_element: false })
+            (key.as_ref(), Value { source, key: called, value: &entry.node, is_element: false })
         })
     }
 

@@ -10,6 +10,7 @@ mod files;
 mod formula;
 mod gltf;
 mod identify;
+mod identify_swing;
 mod mistakes;
 mod molecule;
 mod motion_errors;

@@ -38,7 +38,7 @@ pub struct Payload {
 impl Payload {
     /// Principal moments and axes about the centre of mass; `None` of a point, which has none.
     pub fn principal(&self) -> Option<PrincipalEstimate> {
-        let principal = PrincipalEstimate::of(&self.about_center, 4);
+        let principal = PrincipalEstimate::of_tensor(&self.about_center, 4);
         (principal.moments[2] > 0.0).then_some(principal)
     }
 }

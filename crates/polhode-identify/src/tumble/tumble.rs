@@ -130,7 +130,7 @@ impl Tumble {
         for flight in &mut flights {
             flight.omega_sd = flight.omega_sd.map(|sd| sd * widening);
         }
-        let mut principal = PrincipalEstimate::of(&estimate, 0);
+        let mut principal = PrincipalEstimate::of_tensor(&estimate, 0);
         let estimate = if scale_is_known {
             estimate
         } else {

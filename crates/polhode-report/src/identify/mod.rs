@@ -2,6 +2,7 @@
 
 mod estimate;
 mod payload;
+mod swing;
 mod tumble;
 
 use serde_json::Value;
@@ -9,6 +10,7 @@ use serde_json::Value;
 use crate::explain::document::Document;
 
 pub use payload::PayloadReport;
+pub use swing::SwingReport;
 pub use tumble::TumbleReport;
 
 /// What was found of a body, whatever was measured.
@@ -19,6 +21,8 @@ pub enum IdentifyReport {
     Tumble(TumbleReport),
     /// By wrenches at a wrist that carries it.
     Payload(PayloadReport),
+    /// By its swings.
+    Swing(SwingReport),
 }
 
 impl IdentifyReport {
@@ -27,6 +31,7 @@ impl IdentifyReport {
         match self {
             Self::Tumble(report) => report.to_json(),
             Self::Payload(report) => report.to_json(),
+            Self::Swing(report) => report.to_json(),
         }
     }
 
@@ -35,6 +40,7 @@ impl IdentifyReport {
         match self {
             Self::Tumble(report) => report.to_document(),
             Self::Payload(report) => report.to_document(),
+            Self::Swing(report) => report.to_document(),
         }
     }
 
@@ -43,6 +49,7 @@ impl IdentifyReport {
         match self {
             Self::Tumble(report) => report.has_model_error(),
             Self::Payload(report) => report.has_model_error(),
+            Self::Swing(report) => report.has_model_error(),
         }
     }
 }

@@ -24,5 +24,5 @@ pub(super) fn questions(sweep: &Table<'_>) -> Result<Vec<Question>, FormatError>
         let condition = value.string()?.to_owned();
         Ok(Question { name: name.to_owned(), condition, place: value.span() })
     };
-    table.each().map(question).collect()
+    table.each("the condition").map(question).collect()
 }

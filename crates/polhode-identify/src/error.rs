@@ -38,6 +38,13 @@ pub enum IdentifyError {
     Motion(MotionError),
     /// A prediction is not a number.
     NotFinite,
+    /// Rates that move as free bodies do if they are in another unit, and not as they are.
+    Unit {
+        /// By what they have to be multiplied.
+        factor: f64,
+        /// How many times smaller what is left is then.
+        better: f64,
+    },
     /// The method went on without an end.
     NoConvergence {
         /// After so many steps.
@@ -54,6 +61,9 @@ impl IdentifyError {
                 "the measurements may not determine all that is asked for: leave out the gyro's scale and skew, or drag",
             ),
             Self::NotFinite => Some("look for a unit that is wrong, or a reading that is no measurement"),
+            Self::Unit { .. } => {
+                Some("say the unit in the columns' names, or by columns = \"omega deg/s = wx wy wz\"")
+            }
             Self::Missing { .. } => Some("say it in the plan: nothing is guessed"),
             Self::Body(error) => error.hint(),
             Self::Motion(error) => error.hint(),
@@ -82,6 +92,13 @@ impl fmt::Display for IdentifyError {
             Self::Missing { what } => write!(f, "{what} is missing"),
             Self::Body(error) => error.fmt(f),
             Self::Motion(error) => error.fmt(f),
+            Self::Unit { factor, better } => {
+                let unit = if *factor < 1.0 { "deg/s" } else { "rad/s, and were taken for deg/s" };
+                write!(
+                    f,
+                    "are these rates in {unit}? What is left of their free motion is {better:.0} times smaller then"
+                )
+            }
             Self::NotFinite => write!(f, "the model predicts what is not a number"),
             Self::NoConvergence { steps } => write!(f, "no least sum of squares was found in {steps} steps"),
         }

@@ -1,7 +1,12 @@
 //! From measured motion to mass properties, with honest errors.
 //!
-//! What is measured is predicted by a model of the body's motion, and the body is where the sum of squares of what is left is least ([`least_squares`]).
-//! Every body that the method looks at is a possible one ([`coordinates`]). What the measurements do not determine is said, and not filled in.
+//! What is measured is predicted by a model of the body's motion, and the body is where the sum of squares of what is left is least. Every body that the method
+//! looks at is a possible one. What the measurements do not determine is said, and not filled in ([`Estimate::unknown`]); whether what is left is noise is
+//! tested ([`ResidualTest`]).
+//!
+//! - [`tumble`]: the free motion of a thrown body, by a gyro on it or by tracked attitudes
+//! - [`swing`]: periods of a body on wires, a pivot or an edge
+//! - [`payload`]: wrenches and motion at a robot's wrist
 
 mod coordinates;
 mod error;

@@ -11,6 +11,7 @@
 //!
 //! A quantity is a string with its unit, or a number in SI. Whatever is unknown, impossible or ambiguous is an error that points at its place.
 
+mod gravity;
 mod payload;
 mod swing;
 mod tumble;

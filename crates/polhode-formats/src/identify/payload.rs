@@ -5,8 +5,9 @@ use polhode::math::Acceleration;
 use polhode_identify::payload::{EdgeKind, MotionNoise, PayloadLog, WrenchNoise, WrenchSense};
 
 use super::at;
+use super::gravity::Gravity;
 use super::tumble::ReadLog;
-use super::wrench_log::{self, Gravity};
+use super::wrench_log;
 use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
 use crate::unit::Dimension;

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::wrench_log::Gravity;
+use super::gravity::Gravity;
 use super::wrench_quantity::{
     ATTITUDE, GRAVITY, MEASURED, Quantity, TIME, rest, trailing_unit, written_unit,
 };

@@ -3,27 +3,16 @@
 use std::ops::Range;
 
 use polhode::infer::judge::AttitudeSense;
-use polhode::math::{
-    Acceleration, AngularAcceleration, AngularVelocity, Attitude, Body, Force, Space, Torque,
-};
+use polhode::math::{Acceleration, AngularAcceleration, AngularVelocity, Attitude, Body, Force, Torque};
 use polhode_identify::payload::{PayloadRow, gravity_along};
 
+use super::gravity::Gravity;
 use super::tumble::ReadLog;
 use super::wrench_columns::{Columns, Told};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::FormatError;
 use crate::scenario::csv::{self, fields, missing};
 use crate::scenario::reader::{Table, Value};
-
-/// Where gravity comes from.
-pub(super) enum Gravity<'a> {
-    /// Columns, along the sensor's axes.
-    Logged,
-    /// There is none.
-    None,
-    /// Told along axes of space, and turned to the sensor's by logged attitudes.
-    Turned { value: Value<'a>, told: Acceleration<Space>, sense: AttitudeSense },
-}
 
 /// A log that was read.
 pub(super) struct Read {

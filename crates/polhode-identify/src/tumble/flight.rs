@@ -141,6 +141,12 @@ impl Flight {
         times.fold([f64::INFINITY, f64::NEG_INFINITY], |[from, to], t| [from.min(t), to.max(t)])
     }
 
+    /// The same with all rates times a factor.
+    pub(crate) fn with_rates_times(&self, factor: f64) -> Self {
+        let times = |reading: &GyroReading| GyroReading { omega: reading.omega * factor, ..*reading };
+        Self { gyro: self.gyro.iter().map(times).collect(), ..self.clone() }
+    }
+
     /// The part of it from one time to another; `None` if too little is in it.
     pub(crate) fn cut(&self, from: f64, to: f64) -> Option<Self> {
         let inside = |time: f64| (from..=to).contains(&time);

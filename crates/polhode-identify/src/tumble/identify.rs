@@ -1,41 +1,20 @@
 //! From flights to the body.
 
 use polhode::math::{Body, Rotation};
-use polhode::motion::torque::DragLaw;
 
 use super::first_guess::{Rates, tensor_with_scale, tracked_axes};
 use super::flight::Flight;
 use super::model::{CHANNELS, Reference, Tumbles};
 use super::motion::turn;
 use super::noise::deviation;
+use super::options::TumbleOptions;
 use super::sensor::GyroErrors;
 use super::tumble::Tumble;
+use super::unit;
 use crate::coordinates::{Coordinates, Part};
 use crate::error::IdentifyError;
 use crate::least_squares::{Outliers, Place, fit, fit_robustly};
-
-/// How flights are read.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TumbleOptions {
-    /// What is found of the gyro.
-    pub gyro: GyroErrors,
-    /// Drag that is found with the body, and how it grows with ω: its matrix along the gyro's axes.
-    pub drag: Option<DragLaw>,
-    /// Standard deviation of a gyro's component, rad/s; found from the readings if none is given.
-    pub gyro_noise: Option<f64>,
-    /// Standard deviation of a component of the attitude, rad; it has to be given if there are attitudes.
-    pub attitude_noise: Option<f64>,
-    /// Beyond so many standard deviations a reading is left out, and counted.
-    pub outlier: f64,
-}
-
-impl Default for TumbleOptions {
-    /// A bias, noise that is found, outliers beyond 6 standard deviations.
-    fn default() -> Self {
-        let gyro = GyroErrors { bias: true, ..GyroErrors::default() };
-        Self { gyro, drag: None, gyro_noise: None, attitude_noise: None, outlier: 6.0 }
-    }
-}
+use crate::residuals::ResidualTest;
 
 /// By how many radians flights turn in the pieces of the first fit, and how many times more in each further one.
 const FIRST_TURN: f64 = 3.0;
@@ -50,8 +29,21 @@ const FULL: f64 = 4.0;
 ///
 /// # Errors
 /// [`IdentifyError::TooFew`] for fewer readings than numbers to be found; [`IdentifyError::Missing`] for attitudes without their noise; a parameter's error
-/// for options; [`IdentifyError::NoConvergence`].
+/// for options; [`IdentifyError::Unit`] if the rates move freely in another unit only; [`IdentifyError::NoConvergence`].
 pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, IdentifyError> {
+    let found = identified(flights, options);
+    let is_doubtful = match &found {
+        Ok(found) => found.residuals.iter().any(ResidualTest::is_too_large),
+        Err(error) => matches!(error, IdentifyError::NoConvergence { .. } | IdentifyError::NotFinite),
+    };
+    if is_doubtful {
+        unit::require_right(flights, options, identified)?;
+    }
+    found
+}
+
+/// As [`identify_tumbles`], of rates that are taken as they are.
+fn identified(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, IdentifyError> {
     let has_gyro = flights.iter().any(|flight| !flight.gyro().is_empty());
     let has_attitudes = flights.iter().any(|flight| !flight.attitudes().is_empty());
     let gyro = if has_gyro { options.gyro } else { GyroErrors::default() };

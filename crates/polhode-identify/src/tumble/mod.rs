@@ -7,12 +7,15 @@ mod identify;
 mod model;
 mod motion;
 mod noise;
+mod options;
 mod sensor;
 #[expect(clippy::module_inception, reason = "the noun of the module")]
 mod tumble;
+mod unit;
 
 pub use cut::{FlightSearch, find_flights};
 pub use flight::{AttitudeReading, Flight, GyroReading};
-pub use identify::{TumbleOptions, identify_tumbles};
+pub use identify::identify_tumbles;
+pub use options::TumbleOptions;
 pub use sensor::GyroErrors;
 pub use tumble::{FlightFit, Tumble};

@@ -6,7 +6,8 @@ use std::process::Command;
 use crate::process::{cargo, empty_folder, output, polhode, program};
 use crate::{Outcome, files, read, root, short};
 
-/// Runs `inertia` and `explain` on every scenario, `simulate` on each that has a `[run]`, and `sweep` on each that is a plan.
+/// Runs `identify` on every plan of measurements; on every scenario `inertia` and `explain`, `simulate` on each that has a `[run]`, and `sweep` on each
+/// that is a plan.
 pub(crate) fn check() -> Outcome {
     let polhode = polhode()?;
     let results = empty_folder("examples")?;
@@ -21,6 +22,11 @@ pub(crate) fn check() -> Outcome {
             command.current_dir(root()).arg(subcommand).arg(&scenario);
             command
         };
+        if scenario.starts_with("examples/identify") {
+            output(&mut call("identify"))?;
+            println!("   {scenario}: identify");
+            continue;
+        }
         output(&mut call("inertia"))?;
         output(&mut call("explain"))?;
         let runs = read(path)?.lines().any(|line| line.trim() == "[run]");

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::process::{empty_folder, output, polhode, run_beside};
-use crate::{Outcome, files, root};
+use crate::{Outcome, files, root, short};
 
 /// Needs what the viewer's tests have installed.
 pub(crate) fn check(pandoc: &Path) -> Outcome {
@@ -30,7 +30,9 @@ pub(crate) fn check(pandoc: &Path) -> Outcome {
 /// The solution of each example, in both forms.
 fn write(folder: &Path) -> Outcome {
     let polhode = polhode()?;
-    for (k, scenario) in files(&root().join("examples"), "toml")?.iter().enumerate() {
+    let is_scenario = |path: &PathBuf| !short(path).starts_with("examples/identify");
+    for (k, scenario) in files(&root().join("examples"), "toml")?.into_iter().filter(is_scenario).enumerate()
+    {
         for (option, extension) in [("--markdown", "md"), ("--latex", "tex")] {
             let text = output(Command::new(&polhode).arg("explain").arg(scenario).arg(option))?;
             let file = folder.join(format!("{k:02}.{extension}"));

@@ -58,7 +58,7 @@ impl IdentifyError {
         match self {
             Self::TooFew { .. } => Some("measure for longer, more often, or find fewer numbers"),
             Self::NoConvergence { .. } => Some(
-                "the measurements may not determine all that is asked for: leave out the gyro's scale and skew, or drag",
+                "the measurements may not determine all that is asked for: turn about more axes, or leave out the gyro's scale and skew, or drag",
             ),
             Self::NotFinite => Some("look for a unit that is wrong, or a reading that is no measurement"),
             Self::Unit { .. } => {

@@ -34,7 +34,7 @@ fn write(folder: &Path) -> Outcome {
     for (k, scenario) in files(&root().join("examples"), "toml")?.into_iter().filter(is_scenario).enumerate()
     {
         for (option, extension) in [("--markdown", "md"), ("--latex", "tex")] {
-            let text = output(Command::new(&polhode).arg("explain").arg(scenario).arg(option))?;
+            let text = output(Command::new(&polhode).arg("explain").arg(&scenario).arg(option))?;
             let file = folder.join(format!("{k:02}.{extension}"));
             std::fs::write(&file, text).map_err(|error| format!("{}: {error}", file.display()))?;
         }

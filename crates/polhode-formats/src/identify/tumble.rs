@@ -42,7 +42,7 @@ pub struct ReadLog {
 
 const KEYS: [&str; 9] =
     ["log", "columns", "flights", "flight", "gyro", "attitude", "drag", "outliers", "search"];
-const FLIGHT_KEYS: [&str; 8] = ["name", "log", "columns", "from", "to", "added", "wheel", "comment"];
+const FLIGHT_KEYS: [&str; 7] = ["name", "log", "columns", "from", "to", "added", "wheel"];
 
 /// Reads `[tumble]`.
 pub(super) fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
@@ -62,6 +62,13 @@ pub(super) fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
         Some(value) => value.choice(&["find", "whole"])? == "find",
         None => false,
     };
+    // What would have no effect is a slip.
+    if let Some(value) = table.get("search").filter(|_| !found) {
+        return Err(value.invalid("beside flights = \"find\"").with_hint("nothing else is searched for"));
+    }
+    if let Some(value) = given.filter(|value| value.key() == "flight" && flights.is_empty()) {
+        return Err(value.invalid("a list with a flight in it").with_hint("leave it out for the whole log"));
+    }
     if flights.is_empty() {
         let log = table.require("log", "log = \"gyro.csv\"")?;
         let each = if log.is_array() { log.elements("paths of logs")? } else { vec![log] };

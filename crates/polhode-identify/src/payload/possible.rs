@@ -15,6 +15,7 @@ use nalgebra::{DMatrix, DVector};
 use polhode::math::symmetric_eigen;
 
 use super::motion::PLACES;
+use super::small::cholesky;
 use crate::error::IdentifyError;
 
 /// The least ½χ² is found to within four times this, relative to 1 + ½χ².
@@ -170,24 +171,6 @@ fn elements(j: usize) -> impl Iterator<Item = (usize, usize, f64)> {
         }
     };
     list.into_iter().flatten()
-}
-
-/// L of L Lᵀ: `None` of a matrix that is not positive definite.
-fn cholesky(p: &Matrix4) -> Option<Matrix4> {
-    let mut l = [[0.0; 4]; 4];
-    for i in 0..4 {
-        for j in 0..=i {
-            let rest = p[i][j] - (0..j).map(|k| l[i][k] * l[j][k]).sum::<f64>();
-            l[i][j] = if i > j {
-                rest / l[j][j]
-            } else if rest > 0.0 {
-                rest.sqrt()
-            } else {
-                return None;
-            };
-        }
-    }
-    Some(l)
 }
 
 /// A_j = L⁻¹ (∂P/∂p_j) L⁻ᵀ as ten numbers with the same norm: the diagonal, then √2 times the rest.

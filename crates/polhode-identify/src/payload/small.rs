@@ -4,9 +4,9 @@ pub(super) type Vector6 = [f64; 6];
 pub(super) type Matrix6 = [[f64; 6]; 6];
 
 /// L of L Lᵀ: `None` of a matrix that is not positive definite.
-pub(super) fn cholesky(a: &Matrix6) -> Option<Matrix6> {
-    let mut l = [[0.0; 6]; 6];
-    for i in 0..6 {
+pub(super) fn cholesky<const N: usize>(a: &[[f64; N]; N]) -> Option<[[f64; N]; N]> {
+    let mut l = [[0.0; N]; N];
+    for i in 0..N {
         for j in 0..=i {
             let rest = a[i][j] - (0..j).map(|k| l[i][k] * l[j][k]).sum::<f64>();
             l[i][j] = if i > j {

@@ -1,15 +1,16 @@
 //! Answers, with the headers that keep the page to itself.
 
+use bytes::buf::Chain;
+use bytes::{Buf as _, Bytes};
 use http_body_util::Full;
-use hyper::body::Bytes;
 use hyper::header::{CONTENT_TYPE, HeaderValue};
 use hyper::{Response, StatusCode};
 use serde::Serialize;
 
 use crate::protocol::RefusalBody;
 
-/// An answer, whole.
-pub(crate) type Answer = Response<Full<Bytes>>;
+/// An answer, whole: rows of numbers are not copied behind what comes before them.
+pub(crate) type Answer = Response<Full<Chain<Bytes, Bytes>>>;
 
 /// Why a request is not answered.
 #[derive(Debug)]
@@ -51,7 +52,11 @@ const HEADERS: [(&str, &str); 8] = [
 ];
 
 pub(crate) fn bytes(status: StatusCode, kind: &'static str, body: impl Into<Bytes>) -> Answer {
-    let mut answer = Response::new(Full::new(body.into()));
+    parts(status, kind, body.into(), Bytes::new())
+}
+
+fn parts(status: StatusCode, kind: &'static str, head: Bytes, rows: Bytes) -> Answer {
+    let mut answer = Response::new(Full::new(head.chain(rows)));
     *answer.status_mut() = status;
     let headers = answer.headers_mut();
     headers.insert(CONTENT_TYPE, HeaderValue::from_static(kind));
@@ -67,13 +72,12 @@ pub(crate) fn json(value: &impl Serialize) -> Result<Answer, Refusal> {
 
 /// JSON with rows of numbers behind it: the length of the JSON as a u64, the JSON with spaces up to a multiple of eight, and the rows. All is
 /// little-endian and aligned, so that the page reads the numbers where they are.
-pub(crate) fn json_and_rows(value: &impl Serialize, rows: &[u8]) -> Result<Answer, Refusal> {
+pub(crate) fn json_and_rows(value: &impl Serialize, rows: Bytes) -> Result<Answer, Refusal> {
     const WORD: usize = size_of::<u64>();
-    let mut head = written(value)?;
-    head.resize(head.len().next_multiple_of(WORD), b' ');
-    let length = (head.len() as u64).to_le_bytes();
-    let body = [&length, head.as_slice(), rows].concat();
-    Ok(bytes(StatusCode::OK, "application/octet-stream", body))
+    let mut json = written(value)?;
+    json.resize(json.len().next_multiple_of(WORD), b' ');
+    let head = [&(json.len() as u64).to_le_bytes(), json.as_slice()].concat();
+    Ok(parts(StatusCode::OK, "application/octet-stream", head.into(), rows))
 }
 
 fn written(value: &impl Serialize) -> Result<Vec<u8>, Refusal> {

@@ -1,9 +1,9 @@
 //! Files that were dropped on the page: kept in a private folder, which goes with the session.
 
-use std::fs;
-use std::io;
+use std::fs::{self, File};
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use hyper::StatusCode;
 
@@ -52,28 +52,28 @@ impl Dropped {
         Ok(self.set(set).join(relative(name)?))
     }
 
-    /// Keeps a file.
-    pub(crate) fn keep(&self, set: u64, name: &str, bytes: &[u8]) -> Result<(), Refusal> {
+    /// A file of a set, which is written while it arrives.
+    pub(crate) fn receive(&self, set: u64, name: &str) -> Result<Incoming<'_>, Refusal> {
         let path = self.path(set, name)?;
-        let unkept = |error: io::Error| {
-            Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, format!("{name:?} cannot be kept: {error}"))
-        };
-        {
-            let mut kept = self.kept.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-            if kept.files >= limits::FILE_COUNT || kept.bytes + bytes.len() > limits::FILES {
-                let rule =
-                    format!("a session keeps {} files and {} MiB", limits::FILE_COUNT, limits::FILES >> 20);
-                return Err(Refusal::new(StatusCode::INSUFFICIENT_STORAGE, rule)
-                    .hint("end polhode live, and start it again"));
+        let number = {
+            let mut kept = self.kept();
+            if kept.files >= limits::FILE_COUNT {
+                return Err(full());
             }
             if kept.files == 0 {
-                self.make().map_err(unkept)?;
+                self.make().map_err(|error| unkept(name, &error))?;
             }
             kept.files += 1;
-            kept.bytes += bytes.len();
-        }
-        let written = path.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(&path, bytes));
-        written.map_err(unkept)
+            kept.files
+        };
+        // Apart from the sets until it is whole.
+        let written = self.folder.join(format!("incoming-{number}"));
+        let file = File::create_new(&written).map_err(|error| unkept(name, &error))?;
+        Ok(Incoming { dropped: self, name: name.to_owned(), path, written, file })
+    }
+
+    fn kept(&self) -> MutexGuard<'_, Kept> {
+        self.kept.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The files of a set.
@@ -82,6 +82,52 @@ impl Dropped {
         below(&self.set(set), &mut found);
         found
     }
+}
+
+/// A file on its way. It is of its set when all of it is there, and removed if the rest does not come.
+#[derive(Debug)]
+pub(crate) struct Incoming<'a> {
+    dropped: &'a Dropped,
+    name: String,
+    path: PathBuf,
+    written: PathBuf,
+    file: File,
+}
+
+impl Incoming<'_> {
+    /// Writes the next bytes of it.
+    pub(crate) fn write(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
+        {
+            let mut kept = self.dropped.kept();
+            if kept.bytes + bytes.len() > limits::FILES {
+                return Err(full());
+            }
+            kept.bytes += bytes.len();
+        }
+        self.file.write_all(bytes).map_err(|error| unkept(&self.name, &error))
+    }
+
+    /// That was all of it.
+    pub(crate) fn end(self) -> Result<(), Refusal> {
+        let made = self.path.parent().map_or(Ok(()), fs::create_dir_all);
+        made.and_then(|()| fs::rename(&self.written, &self.path)).map_err(|error| unkept(&self.name, &error))
+    }
+}
+
+impl Drop for Incoming<'_> {
+    fn drop(&mut self) {
+        // Of what is whole nothing is left under that name.
+        let _ = fs::remove_file(&self.written);
+    }
+}
+
+fn full() -> Refusal {
+    let rule = format!("a session keeps {} files and {} MiB", limits::FILE_COUNT, limits::FILES >> 20);
+    Refusal::new(StatusCode::INSUFFICIENT_STORAGE, rule).hint("end polhode live, and start it again")
+}
+
+fn unkept(name: &str, error: &io::Error) -> Refusal {
+    Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, format!("{name:?} cannot be kept: {error}"))
 }
 
 impl Drop for Dropped {
@@ -170,10 +216,30 @@ mod tests {
     }
 
     #[test]
+    fn what_breaks_off_leaves_nothing_and_what_was_there() {
+        let dropped = Dropped::new().unwrap();
+        for whole in [true, false] {
+            let mut incoming = dropped.receive(1, "a.stl").unwrap();
+            incoming.write(if whole { b"first" } else { b"secon" }).unwrap();
+            if whole {
+                incoming.end().unwrap();
+            }
+        }
+        assert_eq!(fs::read(dropped.path(1, "a.stl").unwrap()).unwrap(), b"first");
+        assert_eq!(fs::read_dir(&dropped.folder).unwrap().count(), 1);
+    }
+
+    #[test]
     fn the_folder_goes_with_the_session() {
         let dropped = Dropped::new().unwrap();
-        dropped.keep(3, "meshes/a.stl", b"solid").unwrap();
-        assert_eq!(dropped.files(3), [dropped.path(3, "meshes/a.stl").unwrap()]);
+        let mut incoming = dropped.receive(3, "meshes/a.stl").unwrap();
+        incoming.write(b"sol").unwrap();
+        assert!(dropped.files(3).is_empty());
+        incoming.write(b"id").unwrap();
+        incoming.end().unwrap();
+        let path = dropped.path(3, "meshes/a.stl").unwrap();
+        assert_eq!(dropped.files(3), [path.clone()]);
+        assert_eq!(fs::read(path).unwrap(), b"solid");
         assert!(dropped.files(4).is_empty());
         let folder = dropped.folder.clone();
         assert!(folder.is_dir());

@@ -127,11 +127,11 @@ fn motion(file: &ScenarioFile, trajectory: &Trajectory, draft: &Draft, request: 
     let is_known = |known: &&String| **known == with_free || (**known == body && !input.is_free());
     if let Some(known) = request.body.as_ref().filter(is_known) {
         let (page, rows) = page_rows(&PageInput { whole: false, ..input });
-        return Motion { page, rows, body: known.clone() };
+        return Motion { page, rows: rows.into(), body: known.clone() };
     }
     let (page, rows) = page_rows(&input);
     let body = if page["free"].is_null() { body } else { with_free };
-    Motion { page, rows, body }
+    Motion { page, rows: rows.into(), body }
 }
 
 fn of_motion(file: &ScenarioFile, error: &MotionError) -> TextError {

@@ -1,5 +1,6 @@
 //! What the page and the server say to each other, as `viewer/src/live/protocol.ts` has it.
 
+use bytes::Bytes;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -66,7 +67,7 @@ pub(crate) struct Motion {
     pub(crate) page: Value,
     /// Of the page: what stands behind the JSON.
     #[serde(skip)]
-    pub(crate) rows: Vec<u8>,
+    pub(crate) rows: Bytes,
     pub(crate) body: String,
 }
 

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+use bytes::Bytes;
 use hyper::{Method, StatusCode};
 use serde::de::DeserializeOwned;
 
@@ -82,7 +83,7 @@ impl Route {
 
     /// True of what computes, and waits for its turn.
     pub(crate) const fn is_work(&self) -> bool {
-        !matches!(self, Self::Asset(..) | Self::Documents | Self::Lessons)
+        !matches!(self, Self::Asset(..) | Self::Documents | Self::Lessons | Self::Drop { .. })
     }
 
     /// The answer; `stop` is set when nobody waits for it any more.
@@ -118,7 +119,10 @@ impl Route {
                 let request: MotionRequest = read(body)?;
                 let document = session.documents.get(request.document)?;
                 let answer = motion::answer(document.draft()?, &request, stop)?;
-                json_and_rows(&answer, answer.motion.as_ref().map_or(&[], |motion| &motion.rows))
+                json_and_rows(
+                    &answer,
+                    answer.motion.as_ref().map_or_else(Bytes::new, |motion| motion.rows.clone()),
+                )
             }
             Self::Complete => {
                 let request: CompleteRequest = read(body)?;
@@ -128,10 +132,8 @@ impl Route {
                     &document.draft()?.lock().unwrap_or_else(std::sync::PoisonError::into_inner).clone(),
                 ))
             }
-            Self::Drop { set, name } => {
-                session.dropped.keep(set, &name, body)?;
-                json(&serde_json::json!({}))
-            }
+            // Its body is kept while it comes.
+            Self::Drop { .. } => json(&serde_json::json!({})),
             Self::Open => {
                 let OpenRequest { set, name } = read(body)?;
                 let path = session.dropped.path(set, &name)?;
@@ -143,7 +145,7 @@ impl Route {
 }
 
 fn inspection(mesh: &MeshInspection) -> Result<Answer, Refusal> {
-    json_and_rows(&Inspection::Mesh { mesh }, mesh.rows.bytes())
+    json_and_rows(&Inspection::Mesh { mesh }, mesh.rows.clone())
 }
 
 fn complete(request: &CompleteRequest, draft: &polhode_formats::scenario::Draft) -> CompleteAnswer {

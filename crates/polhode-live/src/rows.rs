@@ -1,5 +1,6 @@
 //! Rows of numbers that stand behind the JSON of an answer.
 
+use bytes::Bytes;
 use serde::Serialize;
 
 /// Where a row begins, and how many numbers it has, counted in them.
@@ -23,12 +24,13 @@ impl Rows {
         Row::U32(self.put(numbers.into_iter().map(u32::to_le_bytes)))
     }
 
-    pub(crate) fn bytes(&self) -> &[u8] {
-        &self.0
+    pub(crate) fn into_bytes(self) -> Bytes {
+        self.0.into()
     }
 
     fn put<const N: usize>(&mut self, numbers: impl Iterator<Item = [u8; N]>) -> [usize; 2] {
         let at = self.0.len();
+        self.0.reserve(N * numbers.size_hint().0);
         numbers.for_each(|number| self.0.extend_from_slice(&number));
         [at / N, (self.0.len() - at) / N]
     }

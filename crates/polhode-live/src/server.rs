@@ -1,19 +1,23 @@
 //! The server: connections, one after another, each with its limits.
 
+use std::error::Error;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
+use bytes::Bytes;
 use http_body_util::{BodyExt as _, LengthLimitError, Limited};
-use hyper::body::{Bytes, Incoming};
+use hyper::body::Incoming;
 use hyper::server::conn::http1;
 use hyper::service::service_fn;
 use hyper::{Request, StatusCode};
 use hyper_util::rt::{TokioIo, TokioTimer};
 use tokio::net::TcpListener;
-use tokio::sync::Semaphore;
+use tokio::sync::{Semaphore, mpsc};
+use tokio::task::JoinError;
+use tokio::time::error::Elapsed;
 use tokio::time::timeout;
 
 use crate::answer::{Answer, Refusal, refusal};
@@ -187,7 +191,14 @@ async fn answered(request: Request<Incoming>, session: &Arc<Session>) -> Result<
     let (head, body) = request.into_parts();
     let path = session.guard.admit(&head.method, &head.uri, head.version, &head.headers)?;
     let route = Route::of(&head.method, path, head.uri.query())?;
-    let body = whole(body, route.most()).await?;
+    let most = route.most();
+    let body = match &route {
+        Route::Drop { set, name } => {
+            kept(body, most, session.clone(), *set, name.clone()).await?;
+            Bytes::new()
+        }
+        _ => whole(body, most).await?,
+    };
     if !route.is_work() {
         return route.answer(&body, session, &AtomicBool::new(false));
     }
@@ -200,30 +211,73 @@ async fn answered(request: Request<Incoming>, session: &Arc<Session>) -> Result<
         drop(turn);
         answer
     });
-    let late = |_| {
+    let long = |_| {
         let took = format!("the answer takes more than {} s", limits::ANSWER.as_secs());
         Refusal::new(StatusCode::SERVICE_UNAVAILABLE, took)
             .hint("a smaller mesh, or the command itself, which takes its time")
     };
-    let defect = |_| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, "a defect of polhode: please report it");
-    timeout(limits::ANSWER, work).await.map_err(late)?.map_err(defect)?
+    timeout(limits::ANSWER, work).await.map_err(long)?.map_err(defect)?
 }
 
 /// The body, if it is no larger than it may be and comes in time.
 async fn whole(body: Incoming, most: usize) -> Result<Bytes, Refusal> {
-    let too_large = || {
-        Refusal::new(
-            StatusCode::PAYLOAD_TOO_LARGE,
-            format!("the body of the request has more than {most} bytes"),
-        )
-    };
     let collected = timeout(limits::BODY, Limited::new(body, most).collect()).await;
-    let late = |_| Refusal::new(StatusCode::REQUEST_TIMEOUT, "the body of the request did not come in time");
-    match collected.map_err(late)? {
-        Ok(collected) => Ok(collected.to_bytes()),
-        Err(error) if error.is::<LengthLimitError>() => Err(too_large()),
-        Err(_) => Err(Refusal::new(StatusCode::BAD_REQUEST, "the body of the request broke off")),
+    Ok(collected.map_err(late)?.map_err(|error| broken(&*error, most))?.to_bytes())
+}
+
+/// Keeps the body as a file of a set, under the same conditions: it is written while it comes, by another thread.
+async fn kept(
+    body: Incoming,
+    most: usize,
+    session: Arc<Session>,
+    set: u64,
+    name: String,
+) -> Result<(), Refusal> {
+    let (frames, mut written) = mpsc::channel::<Option<Bytes>>(AHEAD);
+    let keeping = tokio::task::spawn_blocking(move || {
+        let mut file = session.dropped.receive(set, &name)?;
+        while let Some(frame) = written.blocking_recv() {
+            match frame {
+                Some(bytes) => file.write(&bytes)?,
+                None => return file.end(),
+            }
+        }
+        Ok(())
+    });
+    let mut body = Limited::new(body, most);
+    let coming = async {
+        while let Some(frame) = body.frame().await {
+            let frame = frame.map_err(|error| broken(&*error, most))?;
+            let Ok(bytes) = frame.into_data() else { continue };
+            // What is not kept any more has its reason.
+            if frames.send(Some(bytes)).await.is_err() {
+                break;
+            }
+        }
+        Ok::<(), Refusal>(())
+    };
+    timeout(limits::BODY, coming).await.map_err(late)??;
+    let _ = frames.send(None).await;
+    keeping.await.map_err(defect)?
+}
+
+/// Frames of a body that wait to be written.
+const AHEAD: usize = 16;
+
+fn late(_: Elapsed) -> Refusal {
+    Refusal::new(StatusCode::REQUEST_TIMEOUT, "the body of the request did not come in time")
+}
+
+fn broken(error: &(dyn Error + 'static), most: usize) -> Refusal {
+    if error.is::<LengthLimitError>() {
+        let rule = format!("the body of the request has more than {most} bytes");
+        return Refusal::new(StatusCode::PAYLOAD_TOO_LARGE, rule);
     }
+    Refusal::new(StatusCode::BAD_REQUEST, "the body of the request broke off")
+}
+
+fn defect(_: JoinError) -> Refusal {
+    Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, "a defect of polhode: please report it")
 }
 
 /// Stops a computation when nobody waits for it any more: the connection is closed, and what waits for the answer is dropped.

@@ -13,12 +13,26 @@ const SMOOTH = Math.cos(0.499 * ANGLE);
 export function creased(vertices: Float32Array, triangles: Uint32Array): BufferGeometry {
   const { faces, sizes } = faceNormals(vertices, triangles);
   const { first, around } = cornersAround(vertices.length / 3, triangles);
-  // Where its corners differ, a vertex is there for each of them. What is not used of these is never touched, and so costs nothing.
-  const index = triangles.slice();
-  const positions = new Float32Array(vertices.length + 3 * triangles.length);
+  // Where its corners differ, a vertex is there for each of them.
+  const index = around.length > 0 ? triangles.slice() : triangles;
+  const positions = around.length > 0 ? new Float32Array(vertices.length + 3 * around.length) : vertices;
   const normals = new Float32Array(positions.length);
-  positions.set(vertices);
+  if (around.length > 0) positions.set(vertices);
   let count = vertices.length / 3;
+  // A vertex of one face has its normal.
+  for (let t = 0, face = 0; t < triangles.length; t += 3, face += 1) {
+    const size = sizes[face] || 1;
+    const x = faces[t] / size;
+    const y = faces[t + 1] / size;
+    const z = faces[t + 2] / size;
+    for (let corner = t; corner < t + 3; corner += 1) {
+      const vertex = triangles[corner];
+      if (first[vertex] !== first[vertex + 1]) continue;
+      normals[3 * vertex] = x;
+      normals[3 * vertex + 1] = y;
+      normals[3 * vertex + 2] = z;
+    }
+  }
   const sum = new Float64Array(3);
   /** Adds the faces at around[from] … around[to − 1] that go so far along (u, v, w), each of its size. Whether all do. */
   const add = (from: number, to: number, u: number, v: number, w: number, least: number): boolean => {
@@ -50,9 +64,10 @@ export function creased(vertices: Float32Array, triangles: Uint32Array): BufferG
   for (let vertex = 0; vertex + 1 < first.length; vertex += 1) {
     const from = first[vertex];
     const to = first[vertex + 1];
+    if (from === to) continue;
     add(from, to, 0, 0, 0, 0);
     const mean = Math.sqrt(sum[0] ** 2 + sum[1] ** 2 + sum[2] ** 2);
-    if (to - from < 2 || add(from, to, sum[0], sum[1], sum[2], SMOOTH * mean)) {
+    if (add(from, to, sum[0], sum[1], sum[2], SMOOTH * mean)) {
       put(vertex);
       continue;
     }
@@ -99,18 +114,23 @@ function faceNormals(v: Float32Array, triangles: Uint32Array): { faces: Float32A
   return { faces, sizes };
 }
 
-// The corners at vertex i are around[first[i]] … around[first[i + 1] − 1].
+// The corners at vertex i, if they are several, are around[first[i]] … around[first[i + 1] − 1].
 function cornersAround(count: number, triangles: Uint32Array): { first: Uint32Array; around: Uint32Array } {
+  const uses = new Uint32Array(count);
+  for (let corner = 0; corner < triangles.length; corner += 1) uses[triangles[corner]] += 1;
   const first = new Uint32Array(count + 1);
-  for (let corner = 0; corner < triangles.length; corner += 1) first[triangles[corner] + 1] += 1;
-  for (let i = 0; i < count; i += 1) first[i + 1] += first[i];
-  const next = first.slice();
-  const around = new Uint32Array(triangles.length);
-  for (let corner = 0; corner < triangles.length; corner += 1) around[next[triangles[corner]]++] = corner;
+  let several = 0;
+  for (let i = 0; i < count; i += 1) first[i + 1] = several += uses[i] > 1 ? uses[i] : 0;
+  const around = new Uint32Array(several);
+  // From behind: what is left of its uses is the place of a corner at its vertex.
+  for (let corner = triangles.length - 1; several > 0 && corner >= 0; corner -= 1) {
+    const vertex = triangles[corner];
+    if (first[vertex] !== first[vertex + 1]) around[first[vertex] + (uses[vertex] -= 1)] = corner;
+  }
   return { first, around };
 }
 
-// About the middle of the box around them.
+// Around the box around them.
 function sphereAround(points: Float32Array): Sphere {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
@@ -121,10 +141,6 @@ function sphereAround(points: Float32Array): Sphere {
       if (x > high[c]) high[c] = x;
     }
   }
-  const [x, y, z] = low.map((least, c) => (least + high[c]) / 2);
-  let most = 0;
-  for (let k = 0; k < points.length; k += 3) {
-    most = Math.max(most, (points[k] - x) ** 2 + (points[k + 1] - y) ** 2 + (points[k + 2] - z) ** 2);
-  }
-  return points.length > 0 ? new Sphere(new Vector3(x, y, z), Math.sqrt(most)) : new Sphere();
+  const [from, to] = [new Vector3(...low), new Vector3(...high)];
+  return points.length > 0 ? new Sphere(from.clone().add(to).divideScalar(2), from.distanceTo(to) / 2) : new Sphere();
 }

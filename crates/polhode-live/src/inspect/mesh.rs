@@ -6,6 +6,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
+use bytes::Bytes;
 use polhode::body::mesh::{
     ClosedMesh, ComponentRole, EdgePlace, MeshDiagnosis, MeshFlaws, MeshPlaces, PairPlace, Triangle,
     TriangleMesh, TrianglePlace,
@@ -39,7 +40,7 @@ pub(crate) struct MeshInspection {
     findings: Vec<MeshFinding>,
     /// The numbers of them.
     #[serde(skip)]
-    pub(crate) rows: Rows,
+    pub(crate) rows: Bytes,
 }
 
 #[derive(Debug, Serialize)]
@@ -115,7 +116,7 @@ impl MeshInspection {
             triangles: rows.u32s(triangles.into_flattened()),
             of,
             findings: findings.iter().map(|found| found.in_metres(unit, &mut rows)).collect(),
-            rows,
+            rows: rows.into_bytes(),
         }
     }
 }

@@ -238,7 +238,7 @@ mod tests {
         incoming.write(b"id").unwrap();
         incoming.end().unwrap();
         let path = dropped.path(3, "meshes/a.stl").unwrap();
-        assert_eq!(dropped.files(3), [path.clone()]);
+        assert_eq!(dropped.files(3), std::slice::from_ref(&path));
         assert_eq!(fs::read(path).unwrap(), b"solid");
         assert!(dropped.files(4).is_empty());
         let folder = dropped.folder.clone();

@@ -44,17 +44,12 @@ impl PrincipalEstimate {
         if handed < 0.0 {
             axes[2] = axes[2].map(|x| -x);
         }
-        // uᵀ δI v as a row of what multiplies the elements' errors
-        let row = |u: [f64; 3], v: [f64; 3]| {
-            let off = |i: usize, j: usize| u[i] * v[j] + u[j] * v[i];
-            [u[0] * v[0], u[1] * v[1], u[2] * v[2], off(0, 1), off(0, 2), off(1, 2)]
-        };
         let gradient = |six: [f64; 6]| {
             let mut all = vec![0.0; estimate.numbers.len()];
             all[first..first + 6].copy_from_slice(&six);
             all
         };
-        let moment_rows = axes.map(|axis| row(axis, axis));
+        let moment_rows = axes.map(|axis| element_row(axis, axis));
         let greatest = moments[2];
         let ratio = |k: usize| moments[k] / greatest;
         let ratio_row = |k: usize| -> [f64; 6] {
@@ -85,8 +80,14 @@ impl PrincipalEstimate {
                 if apart == 0.0 {
                     return Some(f64::INFINITY);
                 }
-                sd(row(axes[i], axes[j])).map(|sd| sd / apart.abs())
+                sd(element_row(axes[i], axes[j])).map(|sd| sd / apart.abs())
             }),
         }
     }
+}
+
+/// uᵀ δI v as what multiplies the errors of Ixx, Iyy, Izz, Ixy, Ixz, Iyz.
+pub(crate) fn element_row(u: [f64; 3], v: [f64; 3]) -> [f64; 6] {
+    let off = |i: usize, j: usize| u[i] * v[j] + u[j] * v[i];
+    [u[0] * v[0], u[1] * v[1], u[2] * v[2], off(0, 1), off(0, 2), off(1, 2)]
 }

@@ -39,6 +39,8 @@ pub struct SwingResult {
     pub own: Vec<Number>,
     /// What is left.
     pub residuals: ResidualTest,
+    /// Of each number that was measured, in their order, in standard deviations: measured less predicted. Of counted swings times come first, then amplitudes.
+    pub left: Vec<f64>,
 }
 
 /// The body that swing tests are of.
@@ -125,7 +127,8 @@ fn said(plan: &SwingPlan, swings: &Swings, solution: &Solution) -> Result<SwingE
             name: test.name.clone(),
             moment: None,
             own: own(&test.measurement, solution, k + 1, &found),
-            residuals: ResidualTest::of(what, Noise::told(noise), share, &[left]),
+            residuals: ResidualTest::of(what, Noise::told(noise), share, core::slice::from_ref(&left)),
+            left,
         });
     }
     let counted = together.test();

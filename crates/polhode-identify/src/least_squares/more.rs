@@ -7,6 +7,8 @@ use crate::estimate::Estimate;
 
 /// An eigenvalue of correlations below this is rounding.
 const NONE: f64 = 1e-14;
+/// A component of an unknown direction below this, relative to the largest, is rounding: other rows would seem to say something of it.
+const NO_PART: f64 = 1e-12;
 /// What rows say of an unknown direction, relative to their terms, is rounding below this.
 const ROUNDING: f64 = 1e-7;
 
@@ -29,22 +31,55 @@ impl Information {
         Self::with(n, &known, &unknown)
     }
 
-    /// With rows of derivatives besides, in standard deviations: x = root z + unknown u, with z of variance 1 before.
+    /// With rows R of derivatives besides, in standard deviations.
+    ///
+    /// Before, x = L z + U y, with z of variance 1 and y unknown. With R U = P S Qᵀ the rows Pᵀ R say y along Q, and nothing of z; the others say something of z:
+    /// its variance is then W Wᵀ, W⁻ᵀ W⁻¹ = 1 + Aᵀ (1 − P Pᵀ) A, A = R L. So x = (L − U Q S⁻¹ Pᵀ A) W z + U Q S⁻¹ e + what stays unknown.
     pub(crate) fn with_rows(&self, rows: &DMatrix<f64>) -> Self {
-        let (n, known, unknown) = (self.root.nrows(), self.root.ncols(), self.unknown.ncols());
-        let mut basis = DMatrix::zeros(n, known + unknown);
-        basis.columns_mut(0, known).copy_from(&self.root);
-        basis.columns_mut(known, unknown).copy_from(&self.unknown);
-        let mut all = DMatrix::zeros(known + rows.nrows(), known + unknown);
-        all.view_mut((0, 0), (known, known)).fill_with_identity();
-        all.rows_mut(known, rows.nrows()).copy_from(&(rows * &basis));
-        for k in known..known + unknown {
-            let terms = (rows.abs() * basis.column(k).abs()).norm();
-            if all.column(k).norm() <= ROUNDING * terms {
-                all.column_mut(k).fill(0.0);
+        let (n, known) = (self.root.nrows(), self.root.ncols());
+        let a = rows * &self.root;
+        let (mut seen, mut unseen) = (Vec::new(), Vec::new());
+        for direction in self.unknown.column_iter() {
+            let terms = (rows.abs() * direction.abs()).norm();
+            if (rows * direction).norm() > ROUNDING * terms {
+                seen.push(direction / terms);
+            } else {
+                unseen.push(DMatrix::from_column_slice(n, 1, direction.as_slice()));
             }
         }
-        Self::of(&all).of_other(&basis)
+        let (mut root, mut rest, mut found) = (self.root.clone(), a.clone(), Vec::new());
+        if !seen.is_empty() {
+            let u = DMatrix::from_columns(&seen);
+            // as many rows as columns at least, for all right vectors
+            let mut of_unknown = DMatrix::zeros(rows.nrows().max(u.ncols()), u.ncols());
+            of_unknown.rows_mut(0, rows.nrows()).copy_from(&(rows * &u));
+            let decomposition = of_unknown.svd(true, true);
+            let (Some(p), Some(q)) = (&decomposition.u, &decomposition.v_t) else { return self.clone() };
+            let largest = decomposition.singular_values.max();
+            for (k, &value) in decomposition.singular_values.iter().enumerate() {
+                let direction = &u * q.row(k).transpose();
+                if value <= ROUNDING * largest {
+                    let most = direction.amax();
+                    let part = |x: f64| if x.abs() > NO_PART * most { x } else { 0.0 };
+                    unseen.push(DMatrix::from_fn(n, 1, |i, _| part(direction[i])));
+                    continue;
+                }
+                let p = p.view((0, k), (rows.nrows(), 1));
+                let said = p.tr_mul(&a);
+                root -= &direction * (&said / value);
+                rest -= p * said;
+                found.push(DMatrix::from_column_slice(n, 1, (direction / value).as_slice()));
+            }
+        }
+        let mut all = DMatrix::identity(known + rest.nrows(), known);
+        all.rows_mut(known, rest.nrows()).copy_from(&rest);
+        let triangle = all.qr().r();
+        // L W = (W⁻ᵀ Lᵀ)ᵀ
+        let Some(turned) = triangle.tr_solve_upper_triangular(&root.transpose()) else { return self.clone() };
+        let turned = turned.transpose();
+        let turned = turned.column_iter().map(|c| DMatrix::from_column_slice(n, 1, c.as_slice()));
+        let known: Vec<_> = turned.chain(found).collect();
+        Self::with(n, &known, &unseen)
     }
 }
 
@@ -75,6 +110,32 @@ mod tests {
                 let size = (at_once.covariance[(i, i)] * at_once.covariance[(j, j)]).sqrt();
                 let off = after.covariance[(i, j)] - at_once.covariance[(i, j)];
                 assert!(off.abs() < 1e-9 * size, "{} {}", after.covariance, at_once.covariance);
+            }
+        }
+    }
+
+    #[test]
+    fn rows_may_come_one_by_one() {
+        // what each says of what is unknown has several directions, and the last is said twice
+        let rows = DMatrix::from_row_slice(
+            5,
+            4,
+            &[
+                1.0, 0.3, -0.2, 0.7, 0.4, 2e3, 0.1, -1.1, 0.2, -0.5, 1e-3, 0.9, 3.0, 0.7, 0.6, 0.3, 3.0, 0.7,
+                0.6, 0.3,
+            ],
+        );
+        let mut known = Information::of(&rows.rows(0, 1).into_owned());
+        for k in 1..5 {
+            known = known.with_rows(&rows.rows(k, 1).into_owned());
+            assert_eq!(known.unknown.ncols(), 3_usize.saturating_sub(k));
+        }
+        let at_once = Information::of(&rows);
+        for i in 0..4 {
+            for j in 0..4 {
+                let size = (at_once.covariance[(i, i)] * at_once.covariance[(j, j)]).sqrt();
+                let off = known.covariance[(i, j)] - at_once.covariance[(i, j)];
+                assert!(off.abs() < 1e-9 * size, "{} {}", known.covariance, at_once.covariance);
             }
         }
     }

@@ -12,7 +12,7 @@ use super::small::{cross, dot};
 use crate::error::IdentifyError;
 use crate::knowledge::BodyUnits;
 use crate::least_squares::Information;
-use crate::next::NextExperiment;
+use crate::next::{Comparison, NextExperiment};
 use crate::residuals::ResidualTest;
 
 /// A motion that could be made next, in as many rows as the log has.
@@ -52,12 +52,12 @@ pub fn next_motion(log: &PayloadLog, found: &Payload) -> Option<NextExperiment<N
     let numbers: Vec<f64> = found.about_origin.numbers.iter().map(|number| number.value).collect();
     let units = of_center.after(&to_center(&numbers).1);
     let information = Information::of_estimate(&found.about_origin);
-    let mut next = NextExperiment::of(&units, &information);
+    let mut next = Comparison::new(&units, &information);
     for motion in candidates(log) {
         let rows = rows(log, found, &numbers, motion);
-        next.consider((&units, &information), motion, rows);
+        next.add(motion, rows);
     }
-    Some(next.ranked())
+    Some(next.finish())
 }
 
 /// Six ways to be at rest, and turns about nine axes, each level and upright.

@@ -12,7 +12,7 @@ use super::problem::{Stage, Swings};
 use crate::error::IdentifyError;
 use crate::knowledge::BodyUnits;
 use crate::least_squares::{Information, Problem, rows_of};
-use crate::next::NextExperiment;
+use crate::next::{Comparison, NextExperiment};
 
 /// What could be measured next.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,7 +60,7 @@ const AXES: [[i8; 3]; 13] = [
 pub fn next_swing(plan: &SwingPlan, found: &SwingEstimate) -> Option<NextExperiment<NextSwing>> {
     let units = BodyUnits::of_tensor(&found.estimate, TENSOR, true)?;
     let information = Information::of_estimate(&found.estimate);
-    let mut next = NextExperiment::of(&units, &information);
+    let mut next = Comparison::new(&units, &information);
     let places = plan.places();
     for (k, test) in templates(plan) {
         let own: Vec<f64> = found.tests[k].own.iter().map(|number| number.value).collect();
@@ -72,7 +72,7 @@ pub fn next_swing(plan: &SwingPlan, found: &SwingEstimate) -> Option<NextExperim
                 Err(error) => (turned, Err(error)),
             };
             let experiment = NextSwing::Test { about, like: plan.tests()[k].name.clone(), test };
-            next.consider((&units, &information), experiment, rows);
+            next.add(experiment, rows);
         }
     }
     for (k, (name, unit)) in plan.names().into_iter().enumerate() {
@@ -80,10 +80,10 @@ pub fn next_swing(plan: &SwingPlan, found: &SwingEstimate) -> Option<NextExperim
         if places[k].is_some() && sd.is_finite() {
             let mut row = DMatrix::zeros(1, places.len());
             row[(0, k)] = 1.0 / (sd * found.widening);
-            next.consider((&units, &information), NextSwing::Number { name, sd, unit }, Ok(row));
+            next.add(NextSwing::Number { name, sd, unit }, Ok(row));
         }
     }
-    Some(next.ranked())
+    Some(next.finish())
 }
 
 /// The first test of the body in each rig.

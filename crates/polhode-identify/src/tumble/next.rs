@@ -12,7 +12,7 @@ use super::tumble::Tumble;
 use crate::error::IdentifyError;
 use crate::knowledge::BodyUnits;
 use crate::least_squares::{Information, Problem, rows_of};
-use crate::next::NextExperiment;
+use crate::next::{Comparison, NextExperiment};
 
 /// A flight that could be made next: as long, as fast, and read as often as one that was made.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,7 +52,7 @@ pub fn next_flight(
 ) -> Option<NextExperiment<NextFlight>> {
     let units = BodyUnits::of_tensor(&found.estimate, 0, found.scale_is_known)?;
     let information = Information::of_estimate(&found.estimate);
-    let mut next = NextExperiment::of(&units, &information);
+    let mut next = Comparison::new(&units, &information);
     let has_gyro = flights.iter().any(|flight| !flight.gyro().is_empty());
     let has_attitudes = flights.iter().any(|flight| !flight.attitudes().is_empty());
     let noise = found.residuals.iter().find(|_| has_gyro).map_or(1.0, |test| test.noise);
@@ -75,10 +75,10 @@ pub fn next_flight(
             });
             let experiment = NextFlight { about, omega: start, like: flights[k].name().to_owned() };
             let rows = rows(&problem, &shared, start).map(|rows| rows / found.widening);
-            next.consider((&units, &information), experiment, rows);
+            next.add(experiment, rows);
         }
     }
-    Some(next.ranked())
+    Some(next.finish())
 }
 
 /// Of flights in which the same turns the body, the one with the median number of readings.

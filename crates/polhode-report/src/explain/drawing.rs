@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::graph::Canvas;
+use super::graph::{COLUMNS, Canvas};
 use crate::layout::{plain_spaces, printable};
 
 /// A picture on a page. Texts have the dots in letters, and nothing of the rest, of which they have the numbers.
@@ -108,6 +108,22 @@ impl Drawing {
     }
 }
 
+impl Series {
+    /// Its points; of more than two for each of so many columns the least and the greatest of each column.
+    pub(crate) fn seen(&self, columns: usize, [left, right]: [f64; 2]) -> Vec<[f64; 2]> {
+        if self.points.len() <= 2 * columns {
+            return self.points.clone();
+        }
+        let column = |point: &[f64; 2]| ((point[0] - left) / (right - left) * columns as f64) as usize;
+        let by_height = |a: &&[f64; 2], b: &&[f64; 2]| a[1].total_cmp(&b[1]);
+        let ends = |part: &[[f64; 2]]| -> Vec<[f64; 2]> {
+            let both = [part.iter().min_by(by_height), part.iter().max_by(by_height)];
+            both.into_iter().flatten().copied().collect()
+        };
+        self.points.chunk_by(|a, b| column(a) == column(b)).flat_map(ends).collect()
+    }
+}
+
 impl Triangle {
     /// `{"kind": "triangle", "ratios": […], "place": […], "regions": [{"probability": …, "outline": […]}]}`
     pub(crate) fn to_json(&self) -> Value {
@@ -140,7 +156,7 @@ impl Scatter {
             canvas.level(left, right, height);
         }
         for series in &self.series {
-            series.points.iter().for_each(|&point| canvas.put(point, series.mark));
+            series.seen(COLUMNS, [left, right]).into_iter().for_each(|point| canvas.put(point, series.mark));
         }
         let mut lines = vec![printable(&self.title)];
         lines.extend(canvas.lines(self.across, self.up));

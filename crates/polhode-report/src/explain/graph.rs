@@ -4,7 +4,7 @@ use super::document::Graph;
 use crate::layout::width;
 use crate::number::number;
 
-const COLUMNS: usize = 60;
+pub(super) const COLUMNS: usize = 60;
 const ROWS: usize = 13;
 
 /// A frame of letters.

@@ -10,18 +10,19 @@ impl Named for NextMotion {
     fn name(&self) -> String {
         match self {
             Self::Rest { down } => format!("rest with gravity along {}", direction(*down)),
-            Self::Turn { axis, down, amplitude, rate } => {
-                let along: f64 = axis.iter().zip(down).map(|(a, b)| a * b).sum();
-                let gravity = if along.abs() < 0.5 { "across" } else { "along" };
-                format!(
-                    "± {}° about {}, to and fro in {} s, with gravity {gravity} it (along {} in the middle)",
-                    number(amplitude.to_degrees(), 2),
-                    direction(*axis),
-                    number(core::f64::consts::TAU / rate, 2),
-                    direction(*down)
-                )
+            Self::Turn { axis, down, .. } => {
+                format!("a swing about {} with gravity along {}", direction(*axis), direction(*down))
             }
         }
+    }
+
+    fn details(&self) -> Option<String> {
+        let Self::Turn { amplitude, rate, .. } = self else { return None };
+        Some(format!(
+            "± {}°, to and fro in {} s, gravity as said in the middle",
+            number(amplitude.to_degrees(), 2),
+            number(core::f64::consts::TAU / rate, 2)
+        ))
     }
 
     fn to_json(&self) -> Value {

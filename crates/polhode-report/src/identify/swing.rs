@@ -1,7 +1,7 @@
 //! Swing tests.
 
 use polhode::body::{Finding, Severity};
-use polhode_identify::swing::{Measurement, NextSwing, SwingEstimate, SwingResult};
+use polhode_identify::swing::{Measurement, NextSwing, SwingEstimate, SwingResult, SwingTest};
 use polhode_identify::{NextExperiment, Number, PrincipalEstimate};
 use serde_json::{Value, json};
 
@@ -194,15 +194,21 @@ impl SwingReport {
             test.left.iter().enumerate().map(move |(j, r)| [place(j), *r])
         });
         let points: Vec<[f64; 2]> = points.collect();
+        let left = &self.found.left_of_numbers;
+        let place = |j: usize| WIDTH * ((j as f64 + 0.5) / left.len() as f64 - 0.5);
+        let numbers = left.iter().enumerate().map(|(j, r)| [place(j), *r]).collect();
         (points.len() > 1).then(|| Scatter {
-            title: "What is left of each test, number by number in the order of the plan".to_owned(),
+            title: "What is left, test by test in their order".to_owned(),
             across: ["test", "1"],
-            up: ["measured − predicted", "standard deviations"],
-            series: vec![Series {
-                name: "times first, then amplitudes; or values of a log".to_owned(),
-                mark: '•',
-                points,
-            }],
+            up: ["measured − predicted", "sd"],
+            series: vec![
+                Series { name: "times, then amplitudes; or a log".to_owned(), mark: '•', points },
+                Series {
+                    name: "at 0: mass, centre and other measured numbers".to_owned(),
+                    mark: 'o',
+                    points: numbers,
+                },
+            ],
             band: 2.0,
             band_name: "± 2 standard deviations",
         })
@@ -234,6 +240,7 @@ impl SwingReport {
             "title": self.title,
             "estimate": estimate::to_json(&found.estimate),
             "principal": self.is_known().then(|| estimate::principal_to_json(&self.principal)),
+            "left_of_numbers": found.left_of_numbers,
             "widening": found.widening,
             "residuals": found.counted.as_ref().map(|test| {
                 estimate::residuals_to_json(core::slice::from_ref(test))[0].clone()
@@ -257,11 +264,18 @@ impl Named for NextSwing {
     fn name(&self) -> String {
         match self {
             Self::Test { like, test, .. } => {
-                format!("a swing {}, in the rig of “{}”", printable(&test.name), printable(like))
+                format!("a swing {} in the rig of “{}”", printable(&test.name), printable(like))
             }
             Self::Number { name, sd, unit } => {
                 format!("{} once more, to ± {} {unit}", printable(name), number(*sd, 2))
             }
+        }
+    }
+
+    fn details(&self) -> Option<String> {
+        match self {
+            Self::Test { test, .. } => predicted(test),
+            Self::Number { .. } => None,
         }
     }
 
@@ -280,8 +294,15 @@ impl Named for NextSwing {
     }
 }
 
+/// `40 swings would take 63.9 s`; of a log nothing.
+fn predicted(test: &SwingTest) -> Option<String> {
+    let Measurement::Counted(counted) = &test.measurement else { return None };
+    let first = counted.intervals.first()?;
+    Some(format!("{} swings would take {} s", number(first.to - first.from, 4), number(first.time, 4)))
+}
+
 /// Times and amplitudes as they would be; null of a log.
-fn counted(test: &polhode_identify::swing::SwingTest) -> Value {
+fn counted(test: &SwingTest) -> Value {
     let Measurement::Counted(counted) = &test.measurement else { return Value::Null };
     json!({
         "swings": counted.intervals.iter().map(|i| i.to - i.from).collect::<Vec<_>>(),

@@ -276,8 +276,12 @@ impl Named for NextFlight {
             [ref axis] => format!("about 10° off axis {axis}"),
             _ => format!("between the axes {}", named(0.3).join(", ")),
         };
+        format!("a flight {about}")
+    }
+
+    fn details(&self) -> Option<String> {
         let omega = self.omega.map(|w| number(w, 3)).join(", ");
-        format!("a flight {about}, like “{}”: ω = ({omega}) rad/s", printable(&self.like))
+        Some(format!("ω = ({omega}) rad/s at its start, and all else as in “{}”", printable(&self.like)))
     }
 
     fn to_json(&self) -> Value {

@@ -4,7 +4,7 @@ use super::Picture;
 use super::axes::{Area, Axes, Axis};
 use super::font;
 use super::legend::{Key, heading};
-use super::sheet::{Anchor, Colour, Mark, Pen, Point, SMALL, Sheet, Text};
+use super::sheet::{Anchor, Colour, Mark, Pen, SMALL, Sheet, Text};
 use super::triangle;
 use crate::explain::drawing::{Correlations, Drawing, Scatter};
 use crate::layout::printable;
@@ -14,6 +14,8 @@ const HEIGHT: f64 = 250.0;
 const MARGIN: f64 = 10.0;
 /// Columns that can be told from each other; of more points the least and the greatest of each are drawn.
 const COLUMNS: usize = 400;
+/// Dots of fewer points are larger.
+const FEW: usize = 60;
 
 impl Picture {
     /// The picture of a drawing.
@@ -31,12 +33,13 @@ fn dots(scatter: &Scatter) -> Sheet {
     let title = printable(&scatter.title);
     let mut sheet = Sheet::new(WIDTH, HEIGHT, title.clone());
     let whole = Area { left: MARGIN, top: MARGIN, right: WIDTH - MARGIN, bottom: HEIGHT - MARGIN };
-    let pen = |k: usize| Pen::solid(Colour::AXES[k % 3], 3.2).faint(0.75);
+    let most = scatter.series.iter().map(|series| series.points.len()).max().unwrap_or(0);
+    let pen = |k: usize| Pen::solid(Colour::AXES[k % 3], if most < FEW { 5.0 } else { 3.2 }).faint(0.75);
     let band = Pen::solid(Colour::BLACK, 1.1).dashed(&[7.0, 2.5]);
     let names = scatter.series.iter().enumerate();
     let mut keys: Vec<Key> = names.map(|(k, s)| Key::dot(pen(k), printable(&s.name))).collect();
     keys.push(Key::line(band, scatter.band_name));
-    if scatter.series.iter().any(|series| series.points.len() > 2 * COLUMNS) {
+    if most > 2 * COLUMNS {
         keys.push(Key::words(format!("In each of {COLUMNS} columns the least and the greatest")));
     }
     let used = heading(&mut sheet, whole, &title, "", &keys);
@@ -53,26 +56,9 @@ fn dots(scatter: &Scatter) -> Sheet {
         sheet.line(vec![from, to], band);
     }
     for (k, series) in scatter.series.iter().enumerate() {
-        sheet.dots(seen(&series.points, x).into_iter().map(|point| axes.at(point)).collect(), pen(k));
+        sheet.dots(series.seen(COLUMNS, x).into_iter().map(|point| axes.at(point)).collect(), pen(k));
     }
     sheet
-}
-
-/// The points that are drawn.
-fn seen(points: &[Point], [left, right]: [f64; 2]) -> Vec<Point> {
-    if points.len() <= 2 * COLUMNS {
-        return points.to_vec();
-    }
-    let column = |point: &Point| ((point[0] - left) / (right - left) * COLUMNS as f64) as usize;
-    let by_height = |a: &&Point, b: &&Point| a[1].total_cmp(&b[1]);
-    let ends = |part: &[Point]| {
-        [part.iter().min_by(by_height), part.iter().max_by(by_height)]
-            .into_iter()
-            .flatten()
-            .copied()
-            .collect()
-    };
-    points.chunk_by(|a, b| column(a) == column(b)).flat_map(|part| -> Vec<Point> { ends(part) }).collect()
 }
 
 /// The side of a cell, and what all cells may take.

@@ -21,7 +21,7 @@ const WIDE: f64 = 0.45;
 /// How much larger the magnified part is than the largest region.
 const ROOM: f64 = 1.35;
 
-const DOT: Pen = Pen::solid(Colour::BLACK, 6.0);
+const DOT: Pen = Pen::solid(Colour::BLACK, 5.0);
 const OUTLINE: Pen = Pen::solid(Colour::AXES[0], 1.3);
 const FIRST: Pen = Pen::solid(Colour::AXES[1], 0.9).faint(0.75);
 const SECOND: Pen = Pen::solid(Colour::AXES[2], 0.9).faint(0.75);

@@ -16,6 +16,9 @@ use crate::numbers::quantity;
 use crate::stderr::shown;
 use crate::stdout::{columns, print};
 
+/// What is printed instead of a body: without naming them `requires` would let these pass.
+const PRINTED: [&str; 3] = ["json", "markdown", "html"];
+
 /// Find a body's mass properties from measurements of its motion.
 ///
 /// PLAN says what was measured: the free motion of a thrown body by a gyro on it ([tumble]), the periods of its swings on wires or about an axis ([swing]), or
@@ -48,10 +51,10 @@ pub(crate) struct Identify {
     #[arg(long, group = "form")]
     body: bool,
     /// The mass of a body that was thrown, for --body.
-    #[arg(long, requires = "body", value_parser = mass)]
+    #[arg(long, requires = "body", conflicts_with_all = PRINTED, value_parser = mass)]
     mass: Option<f64>,
     /// The greatest principal moment of a body of which tumbles show only ratios, for --body.
-    #[arg(long, value_name = "MOMENT", requires = "body", value_parser = moment)]
+    #[arg(long, value_name = "MOMENT", requires = "body", conflicts_with_all = PRINTED, value_parser = moment)]
     greatest_moment: Option<f64>,
     /// Exit with status 1 if what is left is more than noise.
     #[arg(long)]

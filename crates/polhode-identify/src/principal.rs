@@ -13,6 +13,8 @@ pub struct PrincipalEstimate {
     pub moments: [f64; 3],
     /// Their standard deviations; `None` where their size is not known.
     pub moment_sd: [Option<f64>; 3],
+    /// Their covariance; `None` where the size of one is not known.
+    pub moment_covariance: Option<[[f64; 3]; 3]>,
     /// i1/i3 and i2/i3.
     pub ratios: [f64; 2],
     /// Their standard deviations.
@@ -65,9 +67,18 @@ impl PrincipalEstimate {
             }
             _ => None,
         };
+        let moment_sd = moment_rows.map(sd);
+        let covariance = |a: [f64; 6], b: [f64; 6]| -> f64 {
+            let of = |i: usize, j: usize| a[i] * b[j] * estimate.covariance[first + i][first + j];
+            (0..6).map(|i| (0..6).map(|j| of(i, j)).sum::<f64>()).sum()
+        };
         Self {
             moments,
-            moment_sd: moment_rows.map(sd),
+            moment_sd,
+            moment_covariance: moment_sd
+                .iter()
+                .all(Option::is_some)
+                .then(|| moment_rows.map(|a| moment_rows.map(|b| covariance(a, b)))),
             ratios: [ratio(0), ratio(1)],
             ratio_sd: [sd_one, sd_two],
             ratio_correlation: correlation,

@@ -74,6 +74,7 @@ mod tests {
         PrincipalEstimate {
             moments: [ratios[0], ratios[1], 1.0],
             moment_sd: [None; 3],
+            moment_covariance: None,
             ratios,
             ratio_sd: sd.map(Some),
             ratio_correlation: Some(r),

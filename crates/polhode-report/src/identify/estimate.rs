@@ -168,6 +168,7 @@ pub(super) fn principal_to_json(p: &PrincipalEstimate) -> Value {
     json!({
         "moments": p.moments,
         "moment_sd": p.moment_sd.map(finite),
+        "moment_covariance": p.moment_covariance,
         "ratios": p.ratios,
         "ratio_sd": p.ratio_sd.map(finite),
         "ratio_correlation": p.ratio_correlation,

@@ -58,7 +58,7 @@ impl IdentifyReport {
             Self::Tumble(report) => report.to_scenario(size),
             Self::Payload(_) | Self::Swing(_) if size.mass.is_some() => Err(NoBody::Found { what: "mass" }),
             Self::Payload(_) | Self::Swing(_) if size.greatest_moment.is_some() => {
-                Err(NoBody::Found { what: "greatest moment" })
+                Err(NoBody::Found { what: "greatest-moment" })
             }
             Self::Payload(report) => report.to_scenario(),
             Self::Swing(report) => report.to_scenario(),

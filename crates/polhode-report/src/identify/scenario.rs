@@ -30,7 +30,7 @@ pub enum NoBody {
     Size,
     /// It was found, and cannot be said.
     Found {
-        /// `mass`, `greatest moment`
+        /// `mass`, `greatest-moment`
         what: &'static str,
     },
 }
@@ -57,7 +57,9 @@ impl fmt::Display for NoBody {
             Self::Size => {
                 f.write_str("--body has no body to print: this motion shows only ratios of moments")
             }
-            Self::Found { what } => write!(f, "the {what} was found, and does not have to be said"),
+            Self::Found { what } => {
+                write!(f, "--{what} has nothing to say: the {} was found", what.replace('-', " "))
+            }
         }
     }
 }

@@ -53,7 +53,7 @@ impl TumbleReport {
             return Err(NoBody::Unknown { by: "the motion" });
         }
         let greatest = match (tumble.scale_is_known, size.greatest_moment) {
-            (true, Some(_)) => return Err(NoBody::Found { what: "greatest moment" }),
+            (true, Some(_)) => return Err(NoBody::Found { what: "greatest-moment" }),
             (true, None) => 1.0,
             (false, given) => given.ok_or(NoBody::Size)?,
         };

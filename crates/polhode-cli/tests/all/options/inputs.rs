@@ -148,6 +148,13 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
             scratch.write("slew-torque.csv", "older");
             scratch.write("slew-torque.parquet", "older");
         }
+        "thrown" => {
+            for name in ["racket-like.csv", "racket-like.toml"] {
+                let text = fs::read(crate::common::example(&format!("identify/{name}"))).unwrap();
+                fs::write(scratch.0.join(name.replace(".toml", "")), &text).unwrap();
+            }
+            fs::rename(scratch.0.join("racket-like"), scratch.0.join("thrown.toml")).unwrap();
+        }
         "measured" => {
             let log = fs::read_to_string(crate::common::example("identify/payload.csv")).unwrap();
             let rows: Vec<&str> = log.lines().take(62).collect();

@@ -25,7 +25,7 @@ static IDENTIFY: Subcommand = Subcommand {
         choice("--markdown", &["--markdown"]),
         choice("--html", &["--html"]),
         choice("--body", &["--body"]),
-        choice("--strict", &["--strict"]),
+        Choice { inputs: &["measured", "thrown"], ..choice("--strict", &["--strict"]) },
         size("--mass", &["--mass", "350 g"], &["--body", "--greatest-moment"]),
         size("--greatest-moment", &["--greatest-moment", "0.0166 kg m^2"], &["--body", "--mass"]),
     ],

@@ -149,11 +149,12 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
             scratch.write("slew-torque.parquet", "older");
         }
         "thrown" => {
-            for name in ["racket-like.csv", "racket-like.toml"] {
-                let text = fs::read(crate::common::example(&format!("identify/{name}"))).unwrap();
-                fs::write(scratch.0.join(name.replace(".toml", "")), &text).unwrap();
-            }
-            fs::rename(scratch.0.join("racket-like"), scratch.0.join("thrown.toml")).unwrap();
+            let log = fs::read_to_string(crate::common::example("identify/racket-like.csv")).unwrap();
+            scratch.write("thrown.csv", &log);
+            // A quarter of the noise that it has.
+            let keys =
+                "log = \"thrown.csv\"\nflights = \"find\"\ngyro = { bias = true, noise = \"5 mrad/s\" }\n";
+            scratch.write("thrown.toml", &format!("[tumble]\n{keys}"));
         }
         "measured" => {
             let log = fs::read_to_string(crate::common::example("identify/payload.csv")).unwrap();

@@ -67,7 +67,7 @@ fn after_one_axis_another_is_swung() {
     // an axis at right angles says most that is new
     match &best.experiment {
         NextSwing::Test { about, like, .. } => {
-            assert!(about[2] == 0 && like == "about z", "{about:?} {like}")
+            assert!(about[2] == 0 && like == "about z", "{about:?} {like}");
         }
         other @ NextSwing::Number { .. } => panic!("{other:?}"),
     }

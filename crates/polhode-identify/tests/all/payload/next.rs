@@ -65,7 +65,7 @@ fn a_log_at_rest_is_to_be_turned() {
     let next = next_motion(&first, &found(&first)).unwrap();
     let best = next.best().unwrap();
     assert!(
-        matches!(best.experiment, NextMotion::Turn { rate, .. } if (rate - 3.1415926).abs() < 1e-6),
+        matches!(best.experiment, NextMotion::Turn { rate, .. } if (rate - std::f64::consts::PI).abs() < 1e-12),
         "{best:?}"
     );
     assert!(best.then.unknown < next.now.unknown);

@@ -82,13 +82,14 @@ impl BodyUnits {
 
     /// How well they are known.
     pub(crate) fn knowledge(&self, information: &Information) -> Knowledge {
-        let root = &self.rows * &information.root;
+        // a column of zeros, as what is exact has none
+        let root = &self.rows * &information.root.clone().insert_column(0, 0.0);
         let hidden = self.hidden(&information.unknown);
         let across = &root - &hidden * (hidden.transpose() * &root);
         let decomposition = across.svd(true, false);
         let sds = &decomposition.singular_values;
-        let largest_sd = if sds.is_empty() { 0.0 } else { sds.max() };
-        let direction = decomposition.u.filter(|u| u.ncols() > 0).map(|u| u.column(sds.imax()).into_owned());
+        let largest_sd = sds.max();
+        let direction = decomposition.u.map(|u| u.column(sds.imax()).into_owned());
         let direction = direction.unwrap_or_else(|| DVector::zeros(self.names.len()));
         let known: Vec<f64> =
             sds.iter().filter(|sd| **sd > EXACT * largest_sd).map(|sd| libm::log(*sd)).collect();
@@ -168,6 +169,21 @@ mod tests {
         for (got, want) in known.moment_sd.into_iter().zip([0.1, 0.2, 0.05]) {
             assert!((got.unwrap() - want / 4.0).abs() < 1e-12, "{known:?}");
         }
+    }
+
+    #[test]
+    fn what_is_exact_has_no_error() {
+        let estimate = estimate([0.0; 6], vec![vec![1.0, 0.0, 0.0, 0.0, 0.0, 0.0]]);
+        let units = BodyUnits::of_tensor(&estimate, 0, true).unwrap();
+        let exact = Information::of_estimate(&estimate);
+        let known = units.knowledge(&exact);
+        assert_eq!((known.unknown, known.largest_sd, known.mean_sd), (1, 0.0, 0.0));
+        let then = units.knowledge(&exact.with_rows(&DMatrix::from_row_slice(
+            1,
+            6,
+            &[2.0, 1.0, 0.0, 0.0, 0.0, 0.0],
+        )));
+        assert!(then.unknown == 0 && (then.largest_sd - 0.5 / 4.0).abs() < 1e-15, "{then:?}");
     }
 
     #[test]

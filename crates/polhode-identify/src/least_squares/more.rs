@@ -54,9 +54,9 @@ impl Information {
             let mut of_unknown = DMatrix::zeros(rows.nrows().max(u.ncols()), u.ncols());
             of_unknown.rows_mut(0, rows.nrows()).copy_from(&(rows * &u));
             let decomposition = of_unknown.svd(true, true);
-            let (Some(p), Some(q)) = (&decomposition.u, &decomposition.v_t) else { return self.clone() };
             let largest = decomposition.singular_values.max();
             for (k, &value) in decomposition.singular_values.iter().enumerate() {
+                let (Some(p), Some(q)) = (&decomposition.u, &decomposition.v_t) else { continue };
                 let direction = &u * q.row(k).transpose();
                 if value <= ROUNDING * largest {
                     let most = direction.amax();
@@ -71,15 +71,16 @@ impl Information {
                 found.push(DMatrix::from_column_slice(n, 1, (direction / value).as_slice()));
             }
         }
-        let mut all = DMatrix::identity(known + rest.nrows(), known);
-        all.rows_mut(known, rest.nrows()).copy_from(&rest);
-        let triangle = all.qr().r();
-        // L W = (W⁻ᵀ Lᵀ)ᵀ
-        let Some(turned) = triangle.tr_solve_upper_triangular(&root.transpose()) else { return self.clone() };
-        let turned = turned.transpose();
-        let turned = turned.column_iter().map(|c| DMatrix::from_column_slice(n, 1, c.as_slice()));
-        let known: Vec<_> = turned.chain(found).collect();
-        Self::with(n, &known, &unseen)
+        if known > 0 {
+            let mut all = DMatrix::identity(known + rest.nrows(), known);
+            all.rows_mut(known, rest.nrows()).copy_from(&rest);
+            // L W = (W⁻ᵀ Lᵀ)ᵀ; the triangle's diagonal is not below 1
+            let turned = all.qr().r().tr_solve_upper_triangular(&root.transpose());
+            root = turned.map_or(root, |turned| turned.transpose());
+        }
+        let said = root.column_iter().map(|c| DMatrix::from_column_slice(n, 1, c.as_slice()));
+        let all: Vec<_> = said.chain(found).collect();
+        Self::with(n, &all, &unseen)
     }
 }
 

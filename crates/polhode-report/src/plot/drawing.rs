@@ -71,7 +71,7 @@ fn correlations(all: &Correlations) -> Sheet {
     let cell = CELL.min(MOST / count);
     let beside = names.iter().map(|name| font::width(name, SMALL)).fold(0.0, f64::max) + 34.0;
     let title = "Correlations";
-    let (width, top) = ((beside + count * cell + 2.0 * MARGIN).max(420.0), 64.0);
+    let (width, top) = ((beside + count * cell + 2.0 * MARGIN).max(420.0), 74.0);
     let mut sheet = Sheet::new(width, top + count * cell + MARGIN, title.to_owned());
     let whole = Area { left: MARGIN, top: MARGIN, right: width - MARGIN, bottom: top };
     let colour = |r: f64| if r > 0.0 { Colour::AXES[0] } else { Colour::AXES[1] };

@@ -4,15 +4,20 @@ use std::path::PathBuf;
 
 use clap::Args;
 use polhode_formats::identify::{self, Measurement, PayloadPlan, Plan, ReadLog, TumblePlan};
+use polhode_formats::unit::Dimension;
 use polhode_identify::IdentifyError;
-use polhode_identify::payload::identify_payload;
-use polhode_identify::swing::identify_swings;
-use polhode_identify::tumble::identify_tumbles;
-use polhode_report::{IdentifyReport, PayloadReport, SwingReport, TumbleReport, pretty};
+use polhode_identify::payload::{identify_payload, next_motion};
+use polhode_identify::swing::{identify_swings, next_swing};
+use polhode_identify::tumble::{identify_tumbles, next_flight};
+use polhode_report::{BodySize, IdentifyReport, PayloadReport, SwingReport, TumbleReport, pretty};
 
 use crate::failure::Failure;
+use crate::numbers::quantity;
 use crate::stderr::shown;
 use crate::stdout::{columns, print};
+
+/// What is printed instead of a body: without naming them `requires` would let these pass.
+const PRINTED: [&str; 3] = ["json", "markdown", "html"];
 
 /// Find a body's mass properties from measurements of its motion.
 ///
@@ -25,6 +30,7 @@ Examples:
   polhode identify examples/identify/racket-like.toml
   polhode identify examples/identify/racket-like.toml --json
   polhode identify examples/identify/racket-like.toml --html > racket.html
+  polhode identify examples/identify/racket-like.toml --body --mass \"350 g\" --greatest-moment \"0.0166 kg m^2\" > racket.toml
   polhode identify examples/identify/bifilar.toml
   polhode identify examples/identify/payload.toml
   polhode identify examples/identify/payload.toml --body > payload-body.toml")]
@@ -41,9 +47,15 @@ pub(crate) struct Identify {
     /// Print one HTML page with plots, which needs nothing else.
     #[arg(long, group = "form")]
     html: bool,
-    /// Print the payload as a part of a scenario file.
+    /// Print the body as a part of a scenario file. Of a tumble also its first flight; what free motion does not show has to be said.
     #[arg(long, group = "form")]
     body: bool,
+    /// The mass of a body that was thrown, for --body.
+    #[arg(long, requires = "body", conflicts_with_all = PRINTED, value_parser = mass)]
+    mass: Option<f64>,
+    /// The greatest principal moment of a body of which tumbles show only ratios, for --body.
+    #[arg(long, value_name = "MOMENT", requires = "body", conflicts_with_all = PRINTED, value_parser = moment)]
+    greatest_moment: Option<f64>,
     /// Exit with status 1 if what is left is more than noise.
     #[arg(long)]
     strict: bool,
@@ -57,7 +69,8 @@ impl Identify {
             Measurement::Payload(plan) => IdentifyReport::Payload(self.payload(title.as_deref(), &plan)?),
             Measurement::Swing(plan) => {
                 let found = identify_swings(&plan).map_err(|error| self.refused(error))?;
-                IdentifyReport::Swing(SwingReport::new(title.as_deref(), found))
+                let next = next_swing(&plan, &found);
+                IdentifyReport::Swing(SwingReport::new(title.as_deref(), found).with_next(next))
             }
             _ => {
                 return Err(Failure::usage(
@@ -86,7 +99,8 @@ impl Identify {
         if plan.found {
             sources.push("Flights were found where the body turns fast and nothing turns it".to_owned());
         }
-        Ok(TumbleReport::new(title, sources, tumble))
+        let next = next_flight(&plan.flights, &plan.options, &tumble);
+        Ok(TumbleReport::new(title, sources, tumble).with_next(next))
     }
 
     fn payload(&self, title: Option<&str>, plan: &PayloadPlan) -> Result<PayloadReport, Failure> {
@@ -99,29 +113,14 @@ impl Identify {
             error => self.refused(error),
         })?;
         let times = plan.log.rows().iter().map(|row| row.time).collect();
-        Ok(PayloadReport::new(title, said(&plan.source), times, payload))
+        let next = next_motion(&plan.log, &payload);
+        Ok(PayloadReport::new(title, said(&plan.source), times, payload).with_next(next))
     }
 
     /// The body as a part of a scenario.
     fn scenario(&self, report: &IdentifyReport) -> Result<String, Failure> {
-        let (reason, hint) = match report {
-            IdentifyReport::Payload(payload) => match payload.to_scenario() {
-                Some(text) => return Ok(text),
-                None => (
-                    "--body has no body to print: the motion does not determine all of it",
-                    "leave --body out to see what is unknown",
-                ),
-            },
-            IdentifyReport::Swing(_) => (
-                "--body prints payloads, and these are swing tests",
-                "take mass, centre and tensor from --json",
-            ),
-            _ => (
-                "--body has no body to print: free motion does not show the mass",
-                "leave --body out to see the moments, or weigh the body",
-            ),
-        };
-        Err(Failure::usage(reason, hint).about(&self.plan))
+        let size = BodySize { mass: self.mass, greatest_moment: self.greatest_moment };
+        report.to_scenario(&size).map_err(|why| Failure::usage(why.to_string(), why.hint()).about(&self.plan))
     }
 
     fn refused(&self, error: IdentifyError) -> Failure {
@@ -140,4 +139,16 @@ fn said(log: &ReadLog) -> Vec<String> {
         lines.push(format!("Not read of {}: {}", shown(&log.path), log.ignored.join(", ")));
     }
     lines
+}
+
+fn mass(text: &str) -> Result<f64, String> {
+    positive(quantity(text, Dimension::MASS)?)
+}
+
+fn moment(text: &str) -> Result<f64, String> {
+    positive(quantity(text, Dimension::INERTIA)?)
+}
+
+fn positive(value: f64) -> Result<f64, String> {
+    if value > 0.0 { Ok(value) } else { Err("it has to be above zero".to_owned()) }
 }

@@ -11,14 +11,20 @@
 mod coordinates;
 mod error;
 mod estimate;
+mod knowledge;
 mod least_squares;
+mod next;
 pub mod payload;
 mod principal;
+mod region;
 mod residuals;
 pub mod swing;
 pub mod tumble;
 
 pub use error::IdentifyError;
 pub use estimate::{Estimate, Number};
+pub use knowledge::Knowledge;
+pub use next::{Candidate, NextExperiment};
 pub use principal::PrincipalEstimate;
+pub use region::{TRIANGLE, on_triangle, possible_ratios};
 pub use residuals::ResidualTest;

@@ -13,6 +13,8 @@ pub struct PrincipalEstimate {
     pub moments: [f64; 3],
     /// Their standard deviations; `None` where their size is not known.
     pub moment_sd: [Option<f64>; 3],
+    /// Their covariance; `None` where the size of one is not known.
+    pub moment_covariance: Option<[[f64; 3]; 3]>,
     /// i1/i3 and i2/i3.
     pub ratios: [f64; 2],
     /// Their standard deviations.
@@ -44,17 +46,12 @@ impl PrincipalEstimate {
         if handed < 0.0 {
             axes[2] = axes[2].map(|x| -x);
         }
-        // uᵀ δI v as a row of what multiplies the elements' errors
-        let row = |u: [f64; 3], v: [f64; 3]| {
-            let off = |i: usize, j: usize| u[i] * v[j] + u[j] * v[i];
-            [u[0] * v[0], u[1] * v[1], u[2] * v[2], off(0, 1), off(0, 2), off(1, 2)]
-        };
         let gradient = |six: [f64; 6]| {
             let mut all = vec![0.0; estimate.numbers.len()];
             all[first..first + 6].copy_from_slice(&six);
             all
         };
-        let moment_rows = axes.map(|axis| row(axis, axis));
+        let moment_rows = axes.map(|axis| element_row(axis, axis));
         let greatest = moments[2];
         let ratio = |k: usize| moments[k] / greatest;
         let ratio_row = |k: usize| -> [f64; 6] {
@@ -70,9 +67,18 @@ impl PrincipalEstimate {
             }
             _ => None,
         };
+        let moment_sd = moment_rows.map(sd);
+        let covariance = |a: [f64; 6], b: [f64; 6]| -> f64 {
+            let of = |i: usize, j: usize| a[i] * b[j] * estimate.covariance[first + i][first + j];
+            (0..6).map(|i| (0..6).map(|j| of(i, j)).sum::<f64>()).sum()
+        };
         Self {
             moments,
-            moment_sd: moment_rows.map(sd),
+            moment_sd,
+            moment_covariance: moment_sd
+                .iter()
+                .all(Option::is_some)
+                .then(|| moment_rows.map(|a| moment_rows.map(|b| covariance(a, b)))),
             ratios: [ratio(0), ratio(1)],
             ratio_sd: [sd_one, sd_two],
             ratio_correlation: correlation,
@@ -85,8 +91,14 @@ impl PrincipalEstimate {
                 if apart == 0.0 {
                     return Some(f64::INFINITY);
                 }
-                sd(row(axes[i], axes[j])).map(|sd| sd / apart.abs())
+                sd(element_row(axes[i], axes[j])).map(|sd| sd / apart.abs())
             }),
         }
     }
+}
+
+/// uᵀ δI v as what multiplies the errors of Ixx, Iyy, Izz, Ixy, Ixz, Iyz.
+pub(crate) fn element_row(u: [f64; 3], v: [f64; 3]) -> [f64; 6] {
+    let off = |i: usize, j: usize| u[i] * v[j] + u[j] * v[i];
+    [u[0] * v[0], u[1] * v[1], u[2] * v[2], off(0, 1), off(0, 2), off(1, 2)]
 }

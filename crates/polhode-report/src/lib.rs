@@ -61,10 +61,11 @@ mod unit;
 
 pub use error_estimate::error_estimate;
 pub use explain::document::{Block, Document, Graph, Section};
+pub use explain::drawing::{Correlations, Drawing, Scatter, Series, Triangle};
 pub use explain::{explain, explain_motion};
 pub use export::{ExportBody, ExportError, ExportFormat, export};
 pub use extra::Extra;
-pub use identify::{IdentifyReport, PayloadReport, SwingReport, TumbleReport};
+pub use identify::{BodySize, IdentifyReport, NoBody, PayloadReport, SwingReport, TumbleReport};
 pub use inertia::InertiaReport;
 pub use json::pretty;
 pub use judge::{Card, CardCase, CardRun, JudgeReport, JudgedRun, judge_hint};

@@ -14,6 +14,8 @@ mod example_files;
 mod explain;
 mod fix;
 mod identify;
+mod identify_body;
+mod identify_next;
 mod identify_swing;
 mod inertia;
 mod interrupted;

@@ -3,6 +3,7 @@
 //! Rows r = measured − predicted and J = ∂predicted/∂p become an upper triangle (QR) group by group, so no normal equations lose half of the digits, and
 //! what a measurement does not determine shows as a singular value that is zero.
 
+mod more;
 mod outlier;
 mod rows;
 mod solution;

@@ -74,6 +74,13 @@ impl Rows {
         self.elements[(row + 1) * self.width() - 1]
     }
 
+    /// Derivatives by the shared numbers of what the rows say once the group's own are found from them too.
+    pub(crate) fn without_own(&self) -> DMatrix<f64> {
+        let triangle = self.triangle(&[]);
+        let rows = triangle.nrows().saturating_sub(self.local);
+        triangle.view((triangle.nrows() - rows, self.local), (rows, self.shared)).into_owned()
+    }
+
     /// The rows, each measurement times the root of its weight, as an upper triangle with the same normal equations: columns are the group's own numbers,
     /// the shared ones, the residual.
     pub(crate) fn triangle(&self, weights: &[f64]) -> DMatrix<f64> {

@@ -24,6 +24,8 @@ pub struct SwingEstimate {
     pub tests: Vec<SwingResult>,
     /// Times and amplitudes of all counted swings, with the numbers that were measured besides.
     pub counted: Option<ResidualTest>,
+    /// What is left of the numbers that were measured besides, in their order, in standard deviations.
+    pub left_of_numbers: Vec<f64>,
     /// By what all errors were multiplied, as residuals show more than noise.
     pub widening: f64,
 }
@@ -39,6 +41,8 @@ pub struct SwingResult {
     pub own: Vec<Number>,
     /// What is left.
     pub residuals: ResidualTest,
+    /// Of each number that was measured, in their order, in standard deviations: measured less predicted. Of counted swings times come first, then amplitudes.
+    pub left: Vec<f64>,
 }
 
 /// The body that swing tests are of.
@@ -125,7 +129,8 @@ fn said(plan: &SwingPlan, swings: &Swings, solution: &Solution) -> Result<SwingE
             name: test.name.clone(),
             moment: None,
             own: own(&test.measurement, solution, k + 1, &found),
-            residuals: ResidualTest::of(what, Noise::told(noise), share, &[left]),
+            residuals: ResidualTest::of(what, Noise::told(noise), share, core::slice::from_ref(&left)),
+            left,
         });
     }
     let counted = together.test();
@@ -145,7 +150,7 @@ fn said(plan: &SwingPlan, swings: &Swings, solution: &Solution) -> Result<SwingE
     let inertia = InertiaTensor::with_negative_products([xx, yy, zz], [xy, xz, yz])?;
     let center = Position::new(values[CENTER], values[CENTER + 1], values[CENTER + 2]);
     let body = MassProperties::new(values[MASS], center, inertia)?;
-    Ok(SwingEstimate { estimate, body, tests, counted, widening })
+    Ok(SwingEstimate { estimate, body, tests, counted, left_of_numbers: measured, widening })
 }
 
 fn moment(values: &[f64], by_elements: &[f64; 6], estimate: &Estimate) -> Number {

@@ -160,6 +160,11 @@ impl SwingPlan {
         self.tests.push(test);
     }
 
+    /// The same body and numbers in other tests.
+    pub(super) fn with_tests(&self, tests: Vec<SwingTest>) -> Self {
+        Self { tests, ..self.clone() }
+    }
+
     /// Its tests.
     pub fn tests(&self) -> &[SwingTest] {
         &self.tests

@@ -1,6 +1,7 @@
 //! The integration tests of `polhode-identify`, as one program: each links the whole library.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
+mod next;
 mod noise;
 mod payload;
 mod tumble;

@@ -13,10 +13,10 @@ use polhode_identify::tumble::{
 use crate::noise::Normal;
 
 /// Three distinct moments, all products, in kg·m².
-const TENSOR: [f64; 6] = [3.1e-3, 4.2e-3, 5.3e-3, 0.4e-3, -0.3e-3, 0.2e-3];
+pub(super) const TENSOR: [f64; 6] = [3.1e-3, 4.2e-3, 5.3e-3, 0.4e-3, -0.3e-3, 0.2e-3];
 const BIAS: [f64; 3] = [0.013, -0.021, 0.008];
 
-fn motion(tensor: [f64; 6], omega: [f64; 3]) -> FreeMotion {
+pub(super) fn motion(tensor: [f64; 6], omega: [f64; 3]) -> FreeMotion {
     let [xx, yy, zz, xy, xz, yz] = tensor;
     let inertia = InertiaTensor::from_matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]).unwrap();
     let body = MassProperties::new(0.37, Position::ZERO, inertia).unwrap();
@@ -26,7 +26,7 @@ fn motion(tensor: [f64; 6], omega: [f64; 3]) -> FreeMotion {
 }
 
 /// Readings at 100 Hz of a gyro with noise and bias.
-fn gyro(motion: &FreeMotion, duration: f64, noise: &mut Normal, sd: f64) -> Vec<GyroReading> {
+pub(super) fn gyro(motion: &FreeMotion, duration: f64, noise: &mut Normal, sd: f64) -> Vec<GyroReading> {
     (0..(100.0 * duration) as usize)
         .map(|k| {
             let time = 0.21 + 0.01 * k as f64;
@@ -38,7 +38,8 @@ fn gyro(motion: &FreeMotion, duration: f64, noise: &mut Normal, sd: f64) -> Vec<
         .collect()
 }
 
-const STARTS: [[f64; 3]; 4] = [[6.0, 7.0, -4.0], [1.0, 9.0, 1.5], [-8.0, 2.0, 3.0], [2.0, -3.0, 9.0]];
+pub(super) const STARTS: [[f64; 3]; 4] =
+    [[6.0, 7.0, -4.0], [1.0, 9.0, 1.5], [-8.0, 2.0, 3.0], [2.0, -3.0, 9.0]];
 
 fn flights(seed: u64, sd: f64) -> Vec<Flight> {
     let mut noise = Normal::new(seed);

@@ -3,6 +3,7 @@
 use polhode::body::Finding;
 use serde_json::{Value, json};
 
+use super::drawing::Drawing;
 use crate::json::matrix;
 use crate::layout::printable;
 use crate::{VERSION, finding};
@@ -57,6 +58,8 @@ pub enum Block {
     },
     /// A curve.
     Graph(Graph),
+    /// Another picture.
+    Drawing(Drawing),
     /// A table.
     Table {
         /// What stands above each column, with its unit.
@@ -133,6 +136,10 @@ impl Section {
         self.blocks.push(Block::Graph(graph));
     }
 
+    pub(crate) fn draw(&mut self, drawing: Drawing) {
+        self.blocks.push(Block::Drawing(drawing));
+    }
+
     pub(crate) fn table(&mut self, headers: &[&str], rows: Vec<Vec<String>>) {
         let headers = headers.iter().map(|h| (*h).to_owned()).collect();
         self.blocks.push(Block::Table { headers, rows });
@@ -167,6 +174,7 @@ impl Block {
                 "points": graph.points,
                 "level": { "from": graph.level.0[0], "to": graph.level.0[1], "at": graph.level.0[2], "name": graph.level.1 },
             }),
+            Self::Drawing(drawing) => drawing.to_json(),
             Self::Table { headers, rows } => {
                 let rows: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(plain).collect()).collect();
                 json!({ "kind": "table", "headers": headers, "rows": rows })

@@ -4,8 +4,72 @@ use super::document::Graph;
 use crate::layout::width;
 use crate::number::number;
 
-const COLUMNS: usize = 60;
+pub(super) const COLUMNS: usize = 60;
 const ROWS: usize = 13;
+
+/// A frame of letters.
+pub(super) struct Canvas {
+    ends: [[f64; 2]; 2],
+    cells: Vec<[char; COLUMNS]>,
+}
+
+impl Canvas {
+    /// Of what lies between both ends to the right and upward.
+    pub(super) fn new(ends: [[f64; 2]; 2]) -> Self {
+        Self { ends, cells: vec![[' '; COLUMNS]; ROWS] }
+    }
+
+    fn column(&self, x: f64) -> usize {
+        place(x, self.ends[0], COLUMNS)
+    }
+
+    fn row(&self, y: f64) -> usize {
+        ROWS - 1 - place(y, self.ends[1], ROWS)
+    }
+
+    pub(super) fn level(&mut self, from: f64, to: f64, height: f64) {
+        let (row, columns) = (self.row(height), self.column(from)..=self.column(to));
+        self.cells[row][columns].fill('-');
+    }
+
+    pub(super) fn put(&mut self, [x, y]: [f64; 2], mark: char) {
+        let (row, column) = (self.row(y), self.column(x));
+        self.cells[row][column] = mark;
+    }
+
+    /// The rows, and the ends of the axes in numbers.
+    pub(super) fn lines(&self, across: [&str; 2], up: [&str; 2]) -> Vec<String> {
+        let [[left, right], [low, high]] = self.ends;
+        let [top, bottom] = [high, low].map(|y| number(y, 3));
+        let beside = width(&top).max(width(&bottom));
+        let mut lines = vec![format!("{} ({})", up[0], up[1])];
+        for (k, cells) in self.cells.iter().enumerate() {
+            let label = match k {
+                0 => top.as_str(),
+                k if k == ROWS - 1 => bottom.as_str(),
+                _ => "",
+            };
+            let cells: String = cells.iter().collect();
+            lines.push(format!("{label:>beside$} │{}", cells.trim_end()));
+        }
+        let [left, right] = [left, right].map(|x| number(x, 3));
+        let gap = COLUMNS.saturating_sub(width(&left) + width(&right));
+        lines.push(format!("{:beside$} └{}", "", "─".repeat(COLUMNS)));
+        lines.push(format!(
+            "{:beside$}  {left}{}{right}   {} ({})",
+            "",
+            " ".repeat(gap),
+            across[0],
+            across[1]
+        ));
+        lines
+    }
+}
+
+fn place(value: f64, [a, b]: [f64; 2], count: usize) -> usize {
+    let part = if b > a { (value - a) / (b - a) } else { 0.5 };
+    ((part * (count - 1) as f64).round() as usize).min(count - 1)
+}
 
 /// The lines of the picture: its title, the rows, and the ends of the axes in numbers.
 pub(super) fn lines(graph: &Graph) -> Vec<String> {
@@ -13,41 +77,13 @@ pub(super) fn lines(graph: &Graph) -> Vec<String> {
         values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
     };
     let ([from, to, height], name) = graph.level;
-    let [left, right] = ends(&mut graph.points.iter().map(|p| p[0]));
-    let [low, high] = ends(&mut graph.points.iter().map(|p| p[1]).chain([height]));
-    let place = |value: f64, [a, b]: [f64; 2], count: usize| {
-        let part = if b > a { (value - a) / (b - a) } else { 0.5 };
-        ((part * (count - 1) as f64).round() as usize).min(count - 1)
-    };
-    let mut cells = vec![[' '; COLUMNS]; ROWS];
-    let row = |y: f64| ROWS - 1 - place(y, [low, high], ROWS);
-    let column = |x: f64| place(x, [left, right], COLUMNS);
-    cells[row(height)][column(from)..=column(to)].fill('-');
-    for [x, y] in &graph.points {
-        cells[row(*y)][column(*x)] = '•';
-    }
-    let [top, bottom] = [high, low].map(|y| number(y, 3));
-    let beside = width(&top).max(width(&bottom));
-    let mut lines = vec![graph.title.clone(), format!("{} ({})", graph.up[0], graph.up[1])];
-    for (k, cells) in cells.iter().enumerate() {
-        let label = match k {
-            0 => top.as_str(),
-            k if k == ROWS - 1 => bottom.as_str(),
-            _ => "",
-        };
-        let cells: String = cells.iter().collect();
-        lines.push(format!("{label:>beside$} │{}", cells.trim_end()));
-    }
-    let [left, right] = [left, right].map(|x| number(x, 3));
-    let gap = COLUMNS.saturating_sub(width(&left) + width(&right));
-    lines.push(format!("{:beside$} └{}", "", "─".repeat(COLUMNS)));
-    lines.push(format!(
-        "{:beside$}  {left}{}{right}   {} ({})",
-        "",
-        " ".repeat(gap),
-        graph.across[0],
-        graph.across[1]
-    ));
+    let across = ends(&mut graph.points.iter().map(|p| p[0]));
+    let up = ends(&mut graph.points.iter().map(|p| p[1]).chain([height]));
+    let mut canvas = Canvas::new([across, up]);
+    canvas.level(from, to, height);
+    graph.points.iter().for_each(|&point| canvas.put(point, '•'));
+    let mut lines = vec![graph.title.clone()];
+    lines.extend(canvas.lines(graph.across, graph.up));
     lines.push(format!("- - -  {name}"));
     lines
 }

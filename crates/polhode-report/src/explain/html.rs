@@ -50,6 +50,12 @@ fn render(block: &Block) -> String {
             mathml::matrix(name, &cells.chunks(3).map(<[String]>::to_vec).collect::<Vec<_>>(), unit)
         }
         Block::Graph(graph) => format!("<figure>\n{}</figure>", Picture::of_graph(graph).to_svg()),
+        Block::Drawing(drawing) => {
+            let caption =
+                drawing.caption().map(|words| format!("<figcaption>{}</figcaption>\n", shown(&words)));
+            let svg = Picture::of_drawing(drawing).to_svg();
+            format!("<figure>\n{svg}{}</figure>", caption.unwrap_or_default())
+        }
         Block::Table { headers, rows } => {
             let row = |cells: &[String], tag: &str| {
                 let cells: String =

@@ -54,13 +54,10 @@ fn render(block: &Block) -> String {
             Some(rows) => format!("\\begin{{gather*}}\n{}\n\\end{{gather*}}", rows.join(" \\\\\n")),
             None => format!("\\[\n{}\n\\]", latex.replace(r"\cr", r"\\")),
         },
-        Block::Lines(lines) => {
-            let lines = lines.iter().flat_map(|line| broken(line, "", LONGEST));
-            let lines: Vec<String> = lines.map(|line| words(&line).replace(' ', "~")).collect();
-            format!("{{\\small\\ttfamily\\raggedright\n{}\\par}}", lines.join("\\\\\n"))
-        }
+        Block::Lines(lines) => typed(lines),
         Block::Matrix { name, rows, unit } => matrix(name, rows, unit),
         Block::Graph(graph) => drawn(graph),
+        Block::Drawing(drawing) => typed(&drawing.lines()),
         Block::Table { headers, rows } => {
             let row = |cells: &[String]| cells.iter().map(|cell| words(cell)).collect::<Vec<_>>().join(" & ");
             let body: String = rows.iter().map(|cells| format!("{} \\\\\n", row(cells))).collect();
@@ -71,6 +68,13 @@ fn render(block: &Block) -> String {
             )
         }
     }
+}
+
+/// Lines as they are.
+fn typed(lines: &[String]) -> String {
+    let lines = lines.iter().flat_map(|line| broken(line, "", LONGEST));
+    let lines: Vec<String> = lines.map(|line| words(&line).replace(' ', "~")).collect();
+    format!("{{\\small\\ttfamily\\raggedright\n{}\\par}}", lines.join("\\\\\n"))
 }
 
 /// A curve in TikZ, 10 cm by 5 cm.

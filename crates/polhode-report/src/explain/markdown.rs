@@ -22,9 +22,10 @@ impl Document {
         for section in &self.sections {
             text.push_str(&format!("\n## {}. {}\n", section.number, escaped(&section.title)));
             for block in &section.blocks {
-                text.push('\n');
-                text.push_str(&render_block(block));
-                text.push('\n');
+                let shown = render_block(block);
+                if !shown.is_empty() {
+                    text.push_str(&format!("\n{shown}\n"));
+                }
             }
         }
         for found in &self.findings {
@@ -45,6 +46,10 @@ fn render_block(block: &Block) -> String {
         // No way to write rows is read alike by all: GitHub makes one of two backslashes, and pandoc knows no \\cr.
         Block::Matrix { name, rows, unit } => fenced(matrix(name, rows, unit).into_iter()),
         Block::Graph(graph) => fenced(super::graph::lines(graph).into_iter()),
+        Block::Drawing(drawing) => match drawing.lines() {
+            lines if lines.is_empty() => String::new(),
+            lines => fenced(lines.into_iter()),
+        },
         Block::Table { headers, rows } => {
             let row = |cells: &[String]| {
                 let cells: Vec<String> = cells.iter().map(|c| escaped(c).replace('|', "\\|")).collect();

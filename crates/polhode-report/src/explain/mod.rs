@@ -8,6 +8,7 @@ mod attitude;
 mod axes;
 mod body;
 pub(crate) mod document;
+pub(crate) mod drawing;
 mod driven;
 mod elliptic;
 mod euler;

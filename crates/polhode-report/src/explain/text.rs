@@ -25,11 +25,12 @@ impl Document {
         for section in &self.sections {
             let heading = format!("{}. {}", section.number, section.title);
             text.push_str(&format!("\n{heading}\n{}\n", "─".repeat(width(&heading))));
-            for (k, block) in section.blocks.iter().enumerate() {
+            let blocks = section.blocks.iter().map(|block| lines(block, columns));
+            for (k, block) in blocks.filter(|lines| !lines.is_empty()).enumerate() {
                 if k > 0 {
                     text.push('\n');
                 }
-                for line in lines(block, columns) {
+                for line in block {
                     text.push_str(line.trim_end_matches(' '));
                     text.push('\n');
                 }
@@ -54,6 +55,7 @@ fn lines(block: &Block, columns: usize) -> Vec<String> {
         Block::Graph(graph) => {
             super::graph::lines(graph).iter().map(|line| format!("{INDENT}{line}")).collect()
         }
+        Block::Drawing(drawing) => drawing.lines().iter().map(|line| format!("{INDENT}{line}")).collect(),
         Block::Table { headers, rows } => table(headers, rows),
     }
 }

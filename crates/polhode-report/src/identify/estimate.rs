@@ -4,6 +4,7 @@ use polhode::body::{Finding, Severity};
 use polhode_identify::{Estimate, Number, PrincipalEstimate, ResidualTest};
 use serde_json::{Value, json};
 
+use super::picture;
 use crate::explain::document::Section;
 use crate::number::{count, number, ungrouped};
 
@@ -61,6 +62,10 @@ pub(super) fn relations(section: &mut Section, estimate: &Estimate) {
     for (r, i, j) in pairs.iter().take(MOST) {
         section.line(format!("correlation of {} and {}: {}", named(*i), named(*j), number(*r, 3)));
     }
+    if pairs.len() > MOST {
+        section.say(format!("{} more correlations are as strong.", pairs.len() - MOST));
+    }
+    picture::draw_correlations(section, estimate);
     for direction in &estimate.unknown {
         let largest = direction.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
         let parts: Vec<String> = (0..n)
@@ -141,6 +146,7 @@ pub(super) fn principal(section: &mut Section, p: &PrincipalEstimate, unit: Opti
         &["axis of", "x", "y", "z", "all may be turned about it by (deg, sd)"],
         (0..3).map(row).collect(),
     );
+    picture::draw_triangle(section, p);
 }
 
 pub(super) fn to_json(estimate: &Estimate) -> Value {
@@ -152,6 +158,7 @@ pub(super) fn to_json(estimate: &Estimate) -> Value {
             "sd": number.sd,
         })).collect::<Value>(),
         "covariance": estimate.covariance,
+        "correlation": picture::correlations_to_json(estimate),
         "unknown": estimate.unknown,
     })
 }
@@ -161,6 +168,7 @@ pub(super) fn principal_to_json(p: &PrincipalEstimate) -> Value {
     json!({
         "moments": p.moments,
         "moment_sd": p.moment_sd.map(finite),
+        "moment_covariance": p.moment_covariance,
         "ratios": p.ratios,
         "ratio_sd": p.ratio_sd.map(finite),
         "ratio_correlation": p.ratio_correlation,
@@ -168,6 +176,7 @@ pub(super) fn principal_to_json(p: &PrincipalEstimate) -> Value {
         "thickness_sd": finite(p.thickness_sd),
         "axes": p.axes,
         "turn_sd": p.turn_sd.map(finite),
+        "triangle": picture::triangle_to_json(p),
     })
 }
 

@@ -1,7 +1,11 @@
 //! What was found of a body by measuring it, for people and for programs.
 
 mod estimate;
+mod motion;
+mod next;
 mod payload;
+mod picture;
+mod scenario;
 mod swing;
 mod tumble;
 
@@ -10,6 +14,7 @@ use serde_json::Value;
 use crate::explain::document::Document;
 
 pub use payload::PayloadReport;
+pub use scenario::{BodySize, NoBody};
 pub use swing::SwingReport;
 pub use tumble::TumbleReport;
 
@@ -41,6 +46,22 @@ impl IdentifyReport {
             Self::Tumble(report) => report.to_document(),
             Self::Payload(report) => report.to_document(),
             Self::Swing(report) => report.to_document(),
+        }
+    }
+
+    /// The body as a part of a scenario file. Of a tumble that shows only ratios its size and its mass have to be said.
+    ///
+    /// # Errors
+    /// If not all of it is known, or what was found is said as well.
+    pub fn to_scenario(&self, size: &BodySize) -> Result<String, NoBody> {
+        match self {
+            Self::Tumble(report) => report.to_scenario(size),
+            Self::Payload(_) | Self::Swing(_) if size.mass.is_some() => Err(NoBody::Found { what: "mass" }),
+            Self::Payload(_) | Self::Swing(_) if size.greatest_moment.is_some() => {
+                Err(NoBody::Found { what: "greatest-moment" })
+            }
+            Self::Payload(report) => report.to_scenario(),
+            Self::Swing(report) => report.to_scenario(),
         }
     }
 

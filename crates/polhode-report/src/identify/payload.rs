@@ -2,11 +2,14 @@
 
 use polhode::body::{Finding, MassProperties, Severity};
 use polhode::math::Body;
-use polhode_identify::payload::{Edge, EdgeKind, Payload, PayloadFinding, Thin};
+use polhode_identify::payload::{Edge, EdgeKind, NextMotion, Payload, PayloadFinding, Thin};
+use polhode_identify::{NextExperiment, ResidualTest};
 use serde_json::{Value, json};
 
-use super::estimate;
+use super::scenario::{NoBody, Part};
+use super::{estimate, next};
 use crate::explain::document::{Document, Section};
+use crate::explain::drawing::{Drawing, Scatter, Series};
 use crate::layout::printable;
 use crate::number::{count, number};
 use crate::{VERSION, finding};
@@ -20,6 +23,7 @@ pub struct PayloadReport {
     /// s, of each row.
     times: Vec<f64>,
     payload: Payload,
+    next: Option<NextExperiment<NextMotion>>,
 }
 
 /// Wrenches that were left out, as many as are shown.
@@ -29,7 +33,7 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 impl PayloadReport {
     /// Of what was found, the lines that say what was read, and the times of the rows.
     pub fn new(title: Option<&str>, sources: Vec<String>, times: Vec<f64>, payload: Payload) -> Self {
-        Self { title: title.unwrap_or("a payload").to_owned(), sources, times, payload }
+        Self { title: title.unwrap_or("a payload").to_owned(), sources, times, payload, next: None }
     }
 
     /// True if what is left is more than noise.
@@ -37,20 +41,20 @@ impl PayloadReport {
         self.payload.tests.iter().any(|test| test.is_too_large() || test.is_correlated())
     }
 
-    /// The body as a part of a scenario file, if all of it is known.
-    pub fn to_scenario(&self) -> Option<String> {
-        let body = self.payload.body.as_ref()?;
-        let c = body.center_of_mass();
-        let rows = body.inertia().matrix().map(|[x, y, z]| format!("    [{x:?}, {y:?}, {z:?}],\n")).concat();
-        let title: String = self.title.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-        Some(format!(
-            "# {title}: in kg, m, kg m^2, along the axes of the sensor, from its origin\n[[body.part]]\nname = \"payload\"\n\
-             shape = \"tensor\"\nmass = {:?}\ncenter_of_mass = [{:?}, {:?}, {:?}]\ninertia = [\n{rows}]\n",
-            body.mass(),
-            c.x,
-            c.y,
-            c.z
-        ))
+    /// With the motions that could be made next.
+    #[must_use]
+    pub fn with_next(self, next: Option<NextExperiment<NextMotion>>) -> Self {
+        Self { next, ..self }
+    }
+
+    /// The body as a part of a scenario file.
+    ///
+    /// # Errors
+    /// If not all of it is known.
+    pub fn to_scenario(&self) -> Result<String, NoBody> {
+        let body = self.payload.body.as_ref().ok_or(NoBody::Unknown { by: "the motion" })?;
+        let meaning = "in kg, m, kg m^2, along the axes of the sensor, from its origin";
+        Ok(Part::of_body(format!("{}: {meaning}", self.title), "payload", body).to_toml())
     }
 
     fn findings(&self) -> Vec<Finding> {
@@ -108,6 +112,7 @@ impl PayloadReport {
         let mut sections = vec![self.read(), self.body()];
         sections.extend(self.payload.edge.as_ref().map(|edge| self.edge(edge)));
         sections.extend([self.left(), self.unconstrained()]);
+        sections.extend(self.next.as_ref().map(next::section));
         for (k, section) in sections.iter_mut().enumerate() {
             section.number = u8::try_from(k + 1).unwrap_or(u8::MAX);
         }
@@ -193,6 +198,9 @@ impl PayloadReport {
     fn left(&self) -> Section {
         let mut s = Section::new(4, "What is left");
         estimate::residuals(&mut s, &self.payload.tests);
+        for scatter in self.scatters() {
+            s.draw(Drawing::Scatter(scatter));
+        }
         let all = &self.payload.left_out;
         for left in all.iter().take(SHOWN) {
             let time = self.times.get(left.row).copied().unwrap_or(f64::NAN);
@@ -207,6 +215,29 @@ impl PayloadReport {
             s.say(format!("{} more are in the JSON.", all.len() - SHOWN));
         }
         s
+    }
+
+    /// What is left of forces and of torques in the course of time.
+    fn scatters(&self) -> impl Iterator<Item = Scatter> {
+        let of = |(k, test): (usize, &ResidualTest)| {
+            let points = |i: usize| {
+                self.times.iter().zip(&self.payload.residuals).map(|(t, r)| [*t, r[3 * k + i]]).collect()
+            };
+            let series = |i: usize| Series {
+                name: format!("{}{}", ["f", "τ"][k], AXES[i]),
+                mark: ['x', 'y', 'z'][i],
+                points: points(i),
+            };
+            Scatter {
+                title: format!("What is left of the {}", test.what),
+                across: ["t", "s"],
+                up: ["measured − predicted", ["N", "N·m"][k]],
+                series: vec![series(0), series(1), series(2)],
+                band: 2.0 * test.noise,
+                band_name: "± 2 standard deviations of the noise",
+            }
+        };
+        self.payload.tests.iter().enumerate().filter(|_| self.times.len() > 1).map(of)
     }
 
     fn unconstrained(&self) -> Section {
@@ -258,6 +289,8 @@ impl PayloadReport {
                 "chi_square_rise": free.chi_square_rise,
             },
             "residuals": estimate::residuals_to_json(&payload.tests),
+            "row_residuals": payload.residuals,
+            "next": self.next.as_ref().map(next::to_json),
             "left_out": payload.left_out.iter().map(left).collect::<Value>(),
             "findings": finding::to_json(&self.findings()),
         })

@@ -1,12 +1,15 @@
 //! Swing tests.
 
 use polhode::body::{Finding, Severity};
-use polhode_identify::swing::{SwingEstimate, SwingResult};
-use polhode_identify::{Number, PrincipalEstimate};
+use polhode_identify::swing::{Measurement, NextSwing, SwingEstimate, SwingResult, SwingTest};
+use polhode_identify::{NextExperiment, Number, PrincipalEstimate};
 use serde_json::{Value, json};
 
-use super::estimate;
+use super::next::Named;
+use super::scenario::{NoBody, Part};
+use super::{estimate, next};
 use crate::explain::document::{Document, Section};
+use crate::explain::drawing::{Drawing, Scatter, Series};
 use crate::layout::printable;
 use crate::number::{count, number};
 use crate::{VERSION, finding};
@@ -17,16 +20,37 @@ pub struct SwingReport {
     title: String,
     found: SwingEstimate,
     principal: PrincipalEstimate,
+    next: Option<NextExperiment<NextSwing>>,
 }
 
 /// Where the tensor's elements begin among the numbers.
 const TENSOR: usize = 4;
+/// The width that a test takes of the space between two.
+const WIDTH: f64 = 0.6;
 
 impl SwingReport {
     /// Of what was found.
     pub fn new(title: Option<&str>, found: SwingEstimate) -> Self {
         let principal = PrincipalEstimate::of_tensor(&found.estimate, TENSOR);
-        Self { title: title.unwrap_or("a body that swings").to_owned(), found, principal }
+        Self { title: title.unwrap_or("a body that swings").to_owned(), found, principal, next: None }
+    }
+
+    /// With what could be measured next.
+    #[must_use]
+    pub fn with_next(self, next: Option<NextExperiment<NextSwing>>) -> Self {
+        Self { next, ..self }
+    }
+
+    /// The body as a part of a scenario file.
+    ///
+    /// # Errors
+    /// If not all of it is known.
+    pub fn to_scenario(&self) -> Result<String, NoBody> {
+        if self.found.estimate.numbers.iter().take(TENSOR + 6).any(|number| number.sd.is_none()) {
+            return Err(NoBody::Unknown { by: "what was swung" });
+        }
+        let meaning = "in kg, m, kg m^2, along the axes of the body, from their origin";
+        Ok(Part::of_body(format!("{}: {meaning}", self.title), "body", &self.found.body).to_toml())
     }
 
     /// True if what is left is more than noise.
@@ -101,6 +125,7 @@ impl SwingReport {
             }
         }
         let mut sections = vec![self.body(), self.each(), self.left()];
+        sections.extend(self.next.as_ref().map(next::section));
         for (k, section) in sections.iter_mut().enumerate() {
             section.number = u8::try_from(k + 1).unwrap_or(u8::MAX);
         }
@@ -155,7 +180,38 @@ impl SwingReport {
         };
         let headers = ["test", "numbers", "left (standard deviations, rms)"];
         s.table(&headers, self.found.tests.iter().map(row).collect());
+        if let Some(scatter) = self.scatter() {
+            s.draw(Drawing::Scatter(scatter));
+        }
         s
+    }
+
+    /// What is left, test by test: of logs all values, beside each other.
+    fn scatter(&self) -> Option<Scatter> {
+        let points = self.found.tests.iter().enumerate().flat_map(|(k, test)| {
+            let count = test.left.len().max(1) as f64;
+            let place = move |j: usize| (k + 1) as f64 + WIDTH * ((j as f64 + 0.5) / count - 0.5);
+            test.left.iter().enumerate().map(move |(j, r)| [place(j), *r])
+        });
+        let points: Vec<[f64; 2]> = points.collect();
+        let left = &self.found.left_of_numbers;
+        let place = |j: usize| WIDTH * ((j as f64 + 0.5) / left.len() as f64 - 0.5);
+        let numbers = left.iter().enumerate().map(|(j, r)| [place(j), *r]).collect();
+        (points.len() > 1).then(|| Scatter {
+            title: "What is left, test by test in their order".to_owned(),
+            across: ["test", "1"],
+            up: ["measured − predicted", "sd"],
+            series: vec![
+                Series { name: "times, then amplitudes; or a log".to_owned(), mark: '•', points },
+                Series {
+                    name: "at 0: mass, centre and other measured numbers".to_owned(),
+                    mark: 'o',
+                    points: numbers,
+                },
+            ],
+            band: 2.0,
+            band_name: "± 2 standard deviations",
+        })
     }
 
     /// The report as data.
@@ -175,6 +231,7 @@ impl SwingReport {
                 })),
                 "own": numbers(&test.own),
                 "residuals": estimate::residuals_to_json(core::slice::from_ref(&test.residuals))[0],
+                "left": test.left,
             })
         };
         json!({
@@ -183,11 +240,13 @@ impl SwingReport {
             "title": self.title,
             "estimate": estimate::to_json(&found.estimate),
             "principal": self.is_known().then(|| estimate::principal_to_json(&self.principal)),
+            "left_of_numbers": found.left_of_numbers,
             "widening": found.widening,
             "residuals": found.counted.as_ref().map(|test| {
                 estimate::residuals_to_json(core::slice::from_ref(test))[0].clone()
             }),
             "tests": found.tests.iter().map(test).collect::<Value>(),
+            "next": self.next.as_ref().map(next::to_json),
             "findings": finding::to_json(&self.findings()),
         })
     }
@@ -199,4 +258,55 @@ fn directions(count: usize) -> String {
     } else {
         format!("{count} directions of the numbers")
     }
+}
+
+impl Named for NextSwing {
+    fn name(&self) -> String {
+        match self {
+            Self::Test { like, test, .. } => {
+                format!("a swing {} in the rig of “{}”", printable(&test.name), printable(like))
+            }
+            Self::Number { name, sd, unit } => {
+                format!("{} once more, to ± {} {unit}", printable(name), number(*sd, 2))
+            }
+        }
+    }
+
+    fn details(&self) -> Option<String> {
+        match self {
+            Self::Test { test, .. } => predicted(test),
+            Self::Number { .. } => None,
+        }
+    }
+
+    fn to_json(&self) -> Value {
+        match self {
+            Self::Test { about, like, test } => json!({
+                "kind": "test",
+                "about": about,
+                "like": like,
+                "predicted": counted(test),
+            }),
+            Self::Number { name, sd, unit } => {
+                json!({ "kind": "number", "number": name, "sd": sd, "unit": unit })
+            }
+        }
+    }
+}
+
+/// `40 swings would take 63.9 s`; of a log nothing.
+fn predicted(test: &SwingTest) -> Option<String> {
+    let Measurement::Counted(counted) = &test.measurement else { return None };
+    let first = counted.intervals.first()?;
+    Some(format!("{} swings would take {} s", number(first.to - first.from, 4), number(first.time, 4)))
+}
+
+/// Times and amplitudes as they would be; null of a log.
+fn counted(test: &SwingTest) -> Value {
+    let Measurement::Counted(counted) = &test.measurement else { return Value::Null };
+    json!({
+        "swings": counted.intervals.iter().map(|i| i.to - i.from).collect::<Vec<_>>(),
+        "time_s": counted.intervals.iter().map(|i| i.time).collect::<Vec<_>>(),
+        "amplitude_rad": counted.amplitudes.iter().map(|a| a.amplitude).collect::<Vec<_>>(),
+    })
 }

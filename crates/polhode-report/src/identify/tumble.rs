@@ -1,11 +1,15 @@
 //! Tumbles.
 
 use polhode::body::{Finding, Severity};
-use polhode_identify::tumble::{FlightFit, Tumble};
+use polhode_identify::NextExperiment;
+use polhode_identify::tumble::{FlightFit, NextFlight, Tumble};
 use serde_json::{Value, json};
 
-use super::estimate;
-use crate::explain::document::{Document, Graph, Section};
+use super::next::Named;
+use super::scenario::{BodySize, NoBody, Part};
+use super::{estimate, next};
+use crate::explain::document::{Document, Section};
+use crate::explain::drawing::{Drawing, Scatter, Series};
 use crate::layout::printable;
 use crate::number::{count, number};
 use crate::{VERSION, finding};
@@ -17,15 +21,65 @@ pub struct TumbleReport {
     /// What was read, line by line.
     sources: Vec<String>,
     tumble: Tumble,
+    next: Option<NextExperiment<NextFlight>>,
 }
 
 /// Flights that are shown in a table.
 const SHOWN: usize = 40;
+/// Turns that a scenario has.
+const TURNS: f64 = 10.0;
 
 impl TumbleReport {
     /// Of what was found, and the lines that say what was read.
     pub fn new(title: Option<&str>, sources: Vec<String>, tumble: Tumble) -> Self {
-        Self { title: title.unwrap_or("a tumbling body").to_owned(), sources, tumble }
+        Self { title: title.unwrap_or("a tumbling body").to_owned(), sources, tumble, next: None }
+    }
+
+    /// With the flights that could be made next.
+    #[must_use]
+    pub fn with_next(self, next: Option<NextExperiment<NextFlight>>) -> Self {
+        Self { next, ..self }
+    }
+
+    /// The body as a part of a scenario file, and where nothing else turned it its first flight.
+    ///
+    /// # Errors
+    /// If not all of it is known and said.
+    pub fn to_scenario(&self, size: &BodySize) -> Result<String, NoBody> {
+        let tumble = &self.tumble;
+        let is_known = tumble.principal.ratio_sd.iter().all(Option::is_some)
+            && tumble.estimate.numbers.iter().take(6).all(|number| number.sd.is_some());
+        if !is_known {
+            return Err(NoBody::Unknown { by: "the motion" });
+        }
+        let greatest = match (tumble.scale_is_known, size.greatest_moment) {
+            (true, Some(_)) => return Err(NoBody::Found { what: "greatest-moment" }),
+            (true, None) => 1.0,
+            (false, given) => given.ok_or(NoBody::Size)?,
+        };
+        let mass = size.mass.ok_or(NoBody::Mass)?;
+        let mut comments = vec![format!("{}: in kg, m, kg m^2, along the axes of the sensor", self.title)];
+        comments.push(if tumble.scale_is_known {
+            "Free motion does not show the mass, which was said.".to_owned()
+        } else {
+            format!("Its motion showed the ratios of the moments. The greatest, {greatest:?} kg m^2, and the mass were said.")
+        });
+        comments.push("Where the centre of mass is does not show: it is put into the origin.".to_owned());
+        let inertia = core::array::from_fn(|k| greatest * tumble.estimate.numbers[k].value);
+        let part = Part { comments, name: "body", mass, center: [0.0; 3], inertia };
+        Ok(part.to_toml() + &self.flown().unwrap_or_default())
+    }
+
+    /// The start of the first flight, if the body was free in all of them.
+    fn flown(&self) -> Option<String> {
+        let has_drag = self.tumble.estimate.numbers.iter().any(|number| number.name.starts_with("drag"));
+        let flight = self.tumble.flights.first().filter(|_| !self.tumble.scale_is_known && !has_drag)?;
+        let [x, y, z] = flight.state.omega.to_array();
+        let turns = TURNS * core::f64::consts::TAU / flight.state.omega.norm();
+        Some(format!(
+            "\n# As {} begins\n[start]\nspin = {{ body = [{x:?}, {y:?}, {z:?}] }}\n\n[run]\nduration = {turns:.3}\nsamples = 1001\n",
+            printable(&flight.name)
+        ))
     }
 
     /// True if what is left is more than noise.
@@ -77,6 +131,7 @@ impl TumbleReport {
             );
         }
         let mut sections = vec![self.read(), self.body(), self.left(), self.each()];
+        sections.extend(self.next.as_ref().map(next::section));
         for (k, section) in sections.iter_mut().enumerate() {
             section.number = u8::try_from(k + 1).unwrap_or(u8::MAX);
         }
@@ -112,14 +167,34 @@ impl TumbleReport {
     fn left(&self) -> Section {
         let mut s = Section::new(3, "What is left");
         estimate::residuals(&mut s, &self.tumble.residuals);
-        if let Some(graph) = self.worst().and_then(graph) {
-            s.graph(graph);
+        if let Some(scatter) = self.worst().and_then(|flight| self.scatter(flight)) {
+            s.draw(Drawing::Scatter(scatter));
         }
         s
     }
 
     fn worst(&self) -> Option<&FlightFit> {
         self.tumble.flights.iter().max_by(|a, b| a.reduced_chi_square.total_cmp(&b.reduced_chi_square))
+    }
+
+    /// What is left of a flight, reading by reading.
+    fn scatter(&self, flight: &FlightFit) -> Option<Scatter> {
+        let is_gyro = !flight.gyro_residuals.is_empty();
+        let of = if is_gyro { &flight.gyro_residuals } else { &flight.attitude_residuals };
+        let test = if is_gyro { self.tumble.residuals.first() } else { self.tumble.residuals.last() }?;
+        let series = |i: usize| Series {
+            name: ["x", "y", "z"][i].to_owned(),
+            mark: ['x', 'y', 'z'][i],
+            points: of.iter().enumerate().map(|(k, r)| [(k + 1) as f64, r[i]]).collect(),
+        };
+        (of.len() > 2).then(|| Scatter {
+            title: format!("What is left of {}, the flight that fits worst", printable(&flight.name)),
+            across: ["reading", "1"],
+            up: ["measured − predicted", if is_gyro { "rad/s" } else { "rad" }],
+            series: vec![series(0), series(1), series(2)],
+            band: 2.0 * test.noise,
+            band_name: "± 2 standard deviations of the noise",
+        })
     }
 
     fn each(&self) -> Section {
@@ -171,6 +246,7 @@ impl TumbleReport {
             "estimate": estimate::to_json(&tumble.estimate),
             "principal": estimate::principal_to_json(&tumble.principal),
             "widening": tumble.widening,
+            "next": self.next.as_ref().map(next::to_json),
             "residuals": estimate::residuals_to_json(&tumble.residuals),
             "flights": tumble.flights.iter().map(flight).collect::<Value>(),
             "findings": finding::to_json(&self.findings()),
@@ -186,19 +262,29 @@ fn rms(flight: &FlightFit) -> f64 {
     (sum / (3 * of.len()).max(1) as f64).sqrt()
 }
 
-/// |residual| of the worst flight.
-fn graph(flight: &FlightFit) -> Option<Graph> {
-    let of =
-        if flight.gyro_residuals.is_empty() { &flight.attitude_residuals } else { &flight.gyro_residuals };
-    let size = |r: &[f64; 3]| (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]).sqrt();
-    let points: Vec<[f64; 2]> = of.iter().enumerate().map(|(k, r)| [k as f64, size(r)]).collect();
-    let unit = if flight.gyro_residuals.is_empty() { "rad" } else { "rad/s" };
-    let last = points.last()?[0];
-    (points.len() > 2).then(|| Graph {
-        title: format!("What is left of {}", printable(&flight.name)),
-        across: ["reading", "1"],
-        up: ["|measured − predicted|", unit],
-        level: ([0.0, last, rms(flight) * 3.0_f64.sqrt()], "root of the mean square"),
-        points,
-    })
+impl Named for NextFlight {
+    fn name(&self) -> String {
+        let axes = self.about.iter().map(|part| part.abs()).collect::<Vec<_>>();
+        let named = |least: f64| -> Vec<String> {
+            axes.iter()
+                .enumerate()
+                .filter(|(_, part)| **part > least)
+                .map(|(k, _)| format!("{}", k + 1))
+                .collect()
+        };
+        let about = match named(0.9)[..] {
+            [ref axis] => format!("about 10° off axis {axis}"),
+            _ => format!("between the axes {}", named(0.3).join(", ")),
+        };
+        format!("a flight {about}")
+    }
+
+    fn details(&self) -> Option<String> {
+        let omega = self.omega.map(|w| number(w, 3)).join(", ");
+        Some(format!("ω = ({omega}) rad/s at its start, and all else as in “{}”", printable(&self.like)))
+    }
+
+    fn to_json(&self) -> Value {
+        json!({ "kind": "flight", "about": self.about, "omega": self.omega, "like": self.like })
+    }
 }

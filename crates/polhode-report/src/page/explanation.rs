@@ -35,6 +35,11 @@ fn of_section(section: &Section) -> Vec<Value> {
                 let svg = Picture::of_graph(graph).to_svg();
                 blocks.push(json!({ "kind": "picture", "svg": svg, "text": plain_spaces(&graph.title) }));
             }
+            Block::Drawing(drawing) => {
+                let svg = Picture::of_drawing(drawing).to_svg();
+                let words = drawing.caption().unwrap_or_default();
+                blocks.push(json!({ "kind": "picture", "svg": svg, "text": plain_spaces(&words) }));
+            }
             Block::Table { headers, rows } => blocks.push(table(headers, rows)),
         }
     }

@@ -13,6 +13,7 @@ pub(crate) mod axis_path;
 mod chart;
 mod constant;
 mod curve;
+mod drawing;
 mod drift;
 mod envelope;
 mod error;
@@ -42,6 +43,7 @@ mod sweep;
 mod tests;
 mod ticks;
 mod time;
+mod triangle;
 mod view;
 mod wheels;
 

@@ -8,15 +8,26 @@ const fn choice(option: &'static str, arguments: &'static [&'static str]) -> Cho
     Choice { option, arguments, inputs: MEASURED, needs: &[] }
 }
 
+/// What a tumble does not show.
+const fn size(
+    option: &'static str,
+    arguments: &'static [&'static str],
+    needs: &'static [&'static str],
+) -> Choice {
+    Choice { option, arguments, inputs: &["thrown"], needs }
+}
+
 static IDENTIFY: Subcommand = Subcommand {
     name: "identify",
-    inputs: &[("measured", &["payload.toml"])],
+    inputs: &[("measured", &["payload.toml"]), ("thrown", &["thrown.toml"])],
     options: &[
         choice("--json", &["--json"]),
         choice("--markdown", &["--markdown"]),
         choice("--html", &["--html"]),
         choice("--body", &["--body"]),
-        choice("--strict", &["--strict"]),
+        Choice { inputs: &["measured", "thrown"], ..choice("--strict", &["--strict"]) },
+        size("--mass", &["--mass", "350 g"], &["--body", "--greatest-moment"]),
+        size("--greatest-moment", &["--greatest-moment", "0.0166 kg m^2"], &["--body", "--mass"]),
     ],
     independent: &[],
 };

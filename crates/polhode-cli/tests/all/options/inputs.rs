@@ -148,6 +148,14 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
             scratch.write("slew-torque.csv", "older");
             scratch.write("slew-torque.parquet", "older");
         }
+        "thrown" => {
+            let log = fs::read_to_string(crate::common::example("identify/racket-like.csv")).unwrap();
+            scratch.write("thrown.csv", &log);
+            // A quarter of the noise that it has.
+            let keys =
+                "log = \"thrown.csv\"\nflights = \"find\"\ngyro = { bias = true, noise = \"5 mrad/s\" }\n";
+            scratch.write("thrown.toml", &format!("[tumble]\n{keys}"));
+        }
         "measured" => {
             let log = fs::read_to_string(crate::common::example("identify/payload.csv")).unwrap();
             let rows: Vec<&str> = log.lines().take(62).collect();

@@ -1,4 +1,5 @@
 mod behaviour;
 mod exact;
 mod motions;
+mod next;
 mod statistics;

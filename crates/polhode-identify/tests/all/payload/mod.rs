@@ -4,6 +4,7 @@ mod edges;
 mod input;
 mod mistakes;
 mod motion_noise;
+mod next;
 mod scale;
 mod statistics;
 mod unknown;

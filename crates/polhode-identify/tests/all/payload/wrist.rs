@@ -61,7 +61,7 @@ impl Carried {
         [n[0], c[0], c[1], c[2], own[4], own[5], own[6], own[7], own[8], own[9]]
     }
 
-    fn wrench(&self, row: &PayloadRow) -> (Force<Body>, Torque<Body>) {
+    pub(super) fn wrench(&self, row: &PayloadRow) -> (Force<Body>, Torque<Body>) {
         let (mut force, mut torque) = (Force::ZERO, Torque::ZERO);
         for (m, r) in &self.0 {
             let r = Position::<Body>::from_array(*r);

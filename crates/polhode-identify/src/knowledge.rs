@@ -1,0 +1,201 @@
+//! How well a body is known.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::estimate::Estimate;
+use crate::least_squares::Information;
+use crate::principal::{PrincipalEstimate, element_row};
+
+/// How well a body is known: the covariance of its numbers, in units of the body.
+///
+/// The numbers are i1 … i23, the tensor's elements along the principal axes over the greatest moment, those off the diagonal times √2, so that their length does not
+/// depend on the axes. Where the size of the tensor does not show they are those of its shape. Of a payload also the mass over itself, and the centre of mass
+/// along the principal axes over √(i3/m).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Knowledge {
+    /// In how many directions of these numbers nothing is known.
+    pub unknown: usize,
+    /// The root of the largest eigenvalue of the covariance, across what is not known.
+    pub largest_sd: f64,
+    /// The geometric mean of the standard deviations along the principal directions of what is known.
+    pub mean_sd: f64,
+    /// The direction of the largest: numbers by name, of length 1, and largest part first.
+    pub least_known: Vec<(&'static str, f64)>,
+    /// Standard deviations of i1, i2, i3 over the greatest moment: `None` where it is not known.
+    pub moment_sd: [Option<f64>; 3],
+}
+
+/// The numbers of a body in units of the body, as a linear function of errors of an estimate's.
+#[derive(Clone, Debug)]
+pub(crate) struct BodyUnits {
+    names: Vec<&'static str>,
+    rows: DMatrix<f64>,
+}
+
+const TENSOR: [&str; 6] = ["i1", "i2", "i3", "i12", "i13", "i23"];
+const PAYLOAD: [&str; 4] = ["mass", "center 1", "center 2", "center 3"];
+/// Below this, relative to its terms, what an unknown direction has of a number is rounding.
+const ROUNDING: f64 = 1e-6;
+/// A standard deviation below this part of the largest is that of a number that is exact.
+const EXACT: f64 = 1e-10;
+
+impl BodyUnits {
+    /// Of the six numbers from `first`; of the tensor's shape alone if it has no size. `None` of a point, which has no moments.
+    pub(crate) fn of_tensor(estimate: &Estimate, first: usize, has_size: bool) -> Option<Self> {
+        let p = PrincipalEstimate::of_tensor(estimate, first);
+        let greatest = p.axes.map(|axis| element_row(axis, axis))[2];
+        let size: f64 = (0..6).map(|k| greatest[k] * estimate.numbers[first + k].value).sum();
+        if !(size > 0.0) {
+            return None;
+        }
+        let mut rows = DMatrix::zeros(6, estimate.numbers.len());
+        let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
+        for (k, (i, j)) in pairs.into_iter().enumerate() {
+            let weight = if i == j { 1.0 } else { 2.0_f64.sqrt() };
+            let of_size = if i == j && !has_size { [p.ratios[0], p.ratios[1], 1.0][i] } else { 0.0 };
+            let row = element_row(p.axes[i], p.axes[j]);
+            for e in 0..6 {
+                rows[(k, first + e)] = weight * (row[e] - of_size * greatest[e]) / size;
+            }
+        }
+        Some(Self { names: TENSOR.to_vec(), rows })
+    }
+
+    /// Of mass, centre and tensor about it.
+    pub(crate) fn of_payload(estimate: &Estimate) -> Option<Self> {
+        let tensor = Self::of_tensor(estimate, PAYLOAD.len(), true)?;
+        let p = PrincipalEstimate::of_tensor(estimate, PAYLOAD.len());
+        let mass = estimate.numbers[0].value;
+        let radius = (p.moments[2] / mass).sqrt();
+        let mut rows = tensor.rows.insert_rows(0, PAYLOAD.len(), 0.0);
+        rows[(0, 0)] = 1.0 / mass;
+        for (k, axis) in p.axes.iter().enumerate() {
+            (0..3).for_each(|i| rows[(1 + k, 1 + i)] = axis[i] / radius);
+        }
+        Some(Self { names: PAYLOAD.into_iter().chain(TENSOR).collect(), rows })
+    }
+
+    /// By other numbers, of which these have a derivative.
+    pub(crate) fn after(&self, jacobian: &DMatrix<f64>) -> Self {
+        Self { names: self.names.clone(), rows: &self.rows * jacobian }
+    }
+
+    /// How well they are known.
+    pub(crate) fn knowledge(&self, information: &Information) -> Knowledge {
+        // a column of zeros, as what is exact has none
+        let root = &self.rows * &information.root.clone().insert_column(0, 0.0);
+        let hidden = self.hidden(&information.unknown);
+        let across = &root - &hidden * (hidden.transpose() * &root);
+        let decomposition = across.svd(true, false);
+        let sds = &decomposition.singular_values;
+        let largest_sd = sds.max();
+        let direction = decomposition.u.map(|u| u.column(sds.imax()).into_owned());
+        let direction = direction.unwrap_or_else(|| DVector::zeros(self.names.len()));
+        let known: Vec<f64> =
+            sds.iter().filter(|sd| **sd > EXACT * largest_sd).map(|sd| libm::log(*sd)).collect();
+        let mut least_known: Vec<_> = self.names.iter().copied().zip(direction.iter().copied()).collect();
+        least_known.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+        if least_known[0].1 < 0.0 {
+            least_known.iter_mut().for_each(|(_, part)| *part = -*part);
+        }
+        let moments = self.names.len() - TENSOR.len();
+        Knowledge {
+            unknown: hidden.ncols(),
+            largest_sd,
+            mean_sd: if known.is_empty() {
+                0.0
+            } else {
+                libm::exp(known.iter().sum::<f64>() / known.len() as f64)
+            },
+            least_known,
+            moment_sd: [0, 1, 2].map(|k| {
+                let is_hidden = hidden.row(moments + k).norm() > ROUNDING;
+                (!is_hidden).then(|| root.row(moments + k).norm())
+            }),
+        }
+    }
+
+    /// An orthonormal basis of what unknown directions have of the body.
+    fn hidden(&self, unknown: &DMatrix<f64>) -> DMatrix<f64> {
+        let m = self.rows.nrows();
+        let seen = unknown.column_iter().filter_map(|direction| {
+            let moved: DVector<f64> = &self.rows * direction;
+            let terms = (self.rows.abs() * direction.abs()).norm();
+            (moved.norm() > ROUNDING * terms).then(|| moved.normalize())
+        });
+        let seen: Vec<DVector<f64>> = seen.collect();
+        if seen.is_empty() {
+            return DMatrix::zeros(m, 0);
+        }
+        let decomposition = DMatrix::from_columns(&seen).svd(true, false);
+        let Some(u) = decomposition.u else { return DMatrix::zeros(m, 0) };
+        let kept: Vec<_> = decomposition
+            .singular_values
+            .iter()
+            .zip(u.column_iter())
+            .filter(|(value, _)| **value > ROUNDING)
+            .map(|(_, column)| column.into_owned())
+            .collect();
+        DMatrix::from_columns(&kept)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::estimate::Number;
+
+    fn estimate(covariance: [f64; 6], unknown: Vec<Vec<f64>>) -> Estimate {
+        let values = [2.0, 3.0, 4.0, 0.0, 0.0, 0.0];
+        let numbers = values.iter().zip(covariance).map(|(&value, variance)| Number {
+            name: String::new(),
+            unit: "kg·m²",
+            value,
+            sd: Some(variance.sqrt()),
+        });
+        let covariance = (0..6).map(|i| (0..6).map(|j| if i == j { covariance[i] } else { 0.0 }).collect());
+        Estimate { numbers: numbers.collect(), covariance: covariance.collect(), unknown }
+    }
+
+    #[test]
+    fn what_is_least_known_is_the_longest_axis() {
+        let estimate = estimate([0.01, 0.04, 0.0025, 0.0001, 0.0025, 0.09], Vec::new());
+        let units = BodyUnits::of_tensor(&estimate, 0, true).unwrap();
+        let known = units.knowledge(&Information::of_estimate(&estimate));
+        assert_eq!(known.unknown, 0);
+        // √2 · 0.3/4, of the element 23
+        assert!((known.largest_sd - 2.0_f64.sqrt() * 0.3 / 4.0).abs() < 1e-12, "{known:?}");
+        assert_eq!(known.least_known[0].0, "i23");
+        for (got, want) in known.moment_sd.into_iter().zip([0.1, 0.2, 0.05]) {
+            assert!((got.unwrap() - want / 4.0).abs() < 1e-12, "{known:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_exact_has_no_error() {
+        let estimate = estimate([0.0; 6], vec![vec![1.0, 0.0, 0.0, 0.0, 0.0, 0.0]]);
+        let units = BodyUnits::of_tensor(&estimate, 0, true).unwrap();
+        let exact = Information::of_estimate(&estimate);
+        let known = units.knowledge(&exact);
+        assert_eq!((known.unknown, known.largest_sd, known.mean_sd), (1, 0.0, 0.0));
+        let then = units.knowledge(&exact.with_rows(&DMatrix::from_row_slice(
+            1,
+            6,
+            &[2.0, 1.0, 0.0, 0.0, 0.0, 0.0],
+        )));
+        assert!(then.unknown == 0 && (then.largest_sd - 0.5 / 4.0).abs() < 1e-15, "{then:?}");
+    }
+
+    #[test]
+    fn of_a_shape_the_size_is_no_direction() {
+        // nothing is known of the size, along 2, 3, 4, and of i1 + i2
+        let (size, other) = (vec![2.0, 3.0, 4.0, 0.0, 0.0, 0.0], vec![1.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
+        let estimate = estimate([0.01, 0.01, 0.0, 0.0001, 0.0025, 0.0025], vec![size, other]);
+        let shape = BodyUnits::of_tensor(&estimate, 0, false).unwrap();
+        let known = shape.knowledge(&Information::of_estimate(&estimate));
+        assert_eq!(known.unknown, 1);
+        assert_eq!(known.moment_sd, [None, None, Some(0.0)]);
+        let tensor = BodyUnits::of_tensor(&estimate, 0, true).unwrap();
+        assert_eq!(tensor.knowledge(&Information::of_estimate(&estimate)).unknown, 2);
+    }
+}

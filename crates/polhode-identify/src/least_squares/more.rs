@@ -1,0 +1,153 @@
+//! What is known when more has been measured.
+
+use nalgebra::DMatrix;
+
+use super::Information;
+use crate::estimate::Estimate;
+
+/// An eigenvalue of correlations below this is rounding.
+const NONE: f64 = 1e-14;
+/// A component of an unknown direction below this, relative to the largest, is rounding: other rows would seem to say something of it.
+const NO_PART: f64 = 1e-12;
+/// What rows say of an unknown direction, relative to their terms, is rounding below this.
+const ROUNDING: f64 = 1e-7;
+
+impl Information {
+    /// What an estimate says.
+    pub(crate) fn of_estimate(estimate: &Estimate) -> Self {
+        let n = estimate.numbers.len();
+        let c = &estimate.covariance;
+        let unit = |k: usize| if c[k][k] > 0.0 { c[k][k].sqrt() } else { 1.0 };
+        let eigen = DMatrix::from_fn(n, n, |i, j| c[i][j] / (unit(i) * unit(j))).symmetric_eigen();
+        let known: Vec<_> = eigen
+            .eigenvalues
+            .iter()
+            .zip(eigen.eigenvectors.column_iter())
+            .filter(|(value, _)| **value > NONE)
+            .map(|(value, column)| DMatrix::from_fn(n, 1, |i, _| column[i] * value.sqrt() * unit(i)))
+            .collect();
+        let unknown: Vec<_> =
+            estimate.unknown.iter().map(|direction| DMatrix::from_column_slice(n, 1, direction)).collect();
+        Self::with(n, &known, &unknown)
+    }
+
+    /// With rows R of derivatives besides, in standard deviations.
+    ///
+    /// Before, x = L z + U y, with z of variance 1 and y unknown. With R U = P S Qᵀ the rows Pᵀ R say y along Q, and nothing of z; the others say something of z:
+    /// its variance is then W Wᵀ, W⁻ᵀ W⁻¹ = 1 + Aᵀ (1 − P Pᵀ) A, A = R L. So x = (L − U Q S⁻¹ Pᵀ A) W z + U Q S⁻¹ e + what stays unknown.
+    pub(crate) fn with_rows(&self, rows: &DMatrix<f64>) -> Self {
+        let (n, known) = (self.root.nrows(), self.root.ncols());
+        let a = rows * &self.root;
+        let (mut seen, mut unseen) = (Vec::new(), Vec::new());
+        for direction in self.unknown.column_iter() {
+            let terms = (rows.abs() * direction.abs()).norm();
+            if (rows * direction).norm() > ROUNDING * terms {
+                seen.push(direction / terms);
+            } else {
+                unseen.push(DMatrix::from_column_slice(n, 1, direction.as_slice()));
+            }
+        }
+        let (mut root, mut rest, mut found) = (self.root.clone(), a.clone(), Vec::new());
+        if !seen.is_empty() {
+            let u = DMatrix::from_columns(&seen);
+            // as many rows as columns at least, for all right vectors
+            let mut of_unknown = DMatrix::zeros(rows.nrows().max(u.ncols()), u.ncols());
+            of_unknown.rows_mut(0, rows.nrows()).copy_from(&(rows * &u));
+            let decomposition = of_unknown.svd(true, true);
+            let largest = decomposition.singular_values.max();
+            for (k, &value) in decomposition.singular_values.iter().enumerate() {
+                let (Some(p), Some(q)) = (&decomposition.u, &decomposition.v_t) else { continue };
+                let direction = &u * q.row(k).transpose();
+                if value <= ROUNDING * largest {
+                    let most = direction.amax();
+                    let part = |x: f64| if x.abs() > NO_PART * most { x } else { 0.0 };
+                    unseen.push(DMatrix::from_fn(n, 1, |i, _| part(direction[i])));
+                    continue;
+                }
+                let p = p.view((0, k), (rows.nrows(), 1));
+                let said = p.tr_mul(&a);
+                root -= &direction * (&said / value);
+                rest -= p * said;
+                found.push(DMatrix::from_column_slice(n, 1, (direction / value).as_slice()));
+            }
+        }
+        if known > 0 {
+            let mut all = DMatrix::identity(known + rest.nrows(), known);
+            all.rows_mut(known, rest.nrows()).copy_from(&rest);
+            // L W = (W⁻ᵀ Lᵀ)ᵀ; the triangle's diagonal is not below 1
+            let turned = all.qr().r().tr_solve_upper_triangular(&root.transpose());
+            root = turned.map_or(root, |turned| turned.transpose());
+        }
+        let said = root.column_iter().map(|c| DMatrix::from_column_slice(n, 1, c.as_slice()));
+        let all: Vec<_> = said.chain(found).collect();
+        Self::with(n, &all, &unseen)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::estimate::Number;
+
+    fn estimate(information: &Information) -> Estimate {
+        let names = ["a", "b", "c"].map(|name| (name.to_owned(), "1"));
+        let found = Estimate::new(names, &[1.0, 2.0, 3.0], information);
+        assert!(found.numbers.iter().all(|number: &Number| number.unit == "1"));
+        found
+    }
+
+    #[test]
+    fn rows_that_come_later_say_the_same() {
+        let first = DMatrix::from_row_slice(2, 3, &[1.0, 0.3, -0.2, 0.4, 2e3, 0.1]);
+        let second = DMatrix::from_row_slice(2, 3, &[0.2, -0.5, 1e-3, 3.0, 0.7, 0.6]);
+        let both = DMatrix::from_fn(4, 3, |i, j| if i < 2 { first[(i, j)] } else { second[(i - 2, j)] });
+        let before = Information::of(&first);
+        assert_eq!(before.unknown.ncols(), 1);
+        let (after, at_once) =
+            (Information::of_estimate(&estimate(&before)).with_rows(&second), Information::of(&both));
+        assert_eq!(after.unknown.ncols(), 0);
+        for i in 0..3 {
+            for j in 0..3 {
+                let size = (at_once.covariance[(i, i)] * at_once.covariance[(j, j)]).sqrt();
+                let off = after.covariance[(i, j)] - at_once.covariance[(i, j)];
+                assert!(off.abs() < 1e-9 * size, "{} {}", after.covariance, at_once.covariance);
+            }
+        }
+    }
+
+    #[test]
+    fn rows_may_come_one_by_one() {
+        // what each says of what is unknown has several directions, and the last is said twice
+        let rows = DMatrix::from_row_slice(
+            5,
+            4,
+            &[
+                1.0, 0.3, -0.2, 0.7, 0.4, 2e3, 0.1, -1.1, 0.2, -0.5, 1e-3, 0.9, 3.0, 0.7, 0.6, 0.3, 3.0, 0.7,
+                0.6, 0.3,
+            ],
+        );
+        let mut known = Information::of(&rows.rows(0, 1).into_owned());
+        for k in 1..5 {
+            known = known.with_rows(&rows.rows(k, 1).into_owned());
+            assert_eq!(known.unknown.ncols(), 3_usize.saturating_sub(k));
+        }
+        let at_once = Information::of(&rows);
+        for i in 0..4 {
+            for j in 0..4 {
+                let size = (at_once.covariance[(i, i)] * at_once.covariance[(j, j)]).sqrt();
+                let off = known.covariance[(i, j)] - at_once.covariance[(i, j)];
+                assert!(off.abs() < 1e-9 * size, "{} {}", known.covariance, at_once.covariance);
+            }
+        }
+    }
+
+    #[test]
+    fn what_they_do_not_say_stays_unknown() {
+        let before = Information::of(&DMatrix::from_row_slice(1, 3, &[1.0, 0.3, -0.2]));
+        let after = before.with_rows(&DMatrix::from_row_slice(1, 3, &[2.0, 0.6, -0.4]));
+        assert_eq!(after.unknown.ncols(), 2);
+        let g = [1.0, 0.3, -0.2];
+        let [sd, then] = [&before, &after].map(|known| known.deviation(&g).unwrap());
+        assert!((sd - 1.0).abs() < 1e-12 && (then - 0.2_f64.sqrt()).abs() < 1e-12, "{sd} {then}");
+    }
+}

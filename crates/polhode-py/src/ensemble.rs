@@ -130,7 +130,7 @@ fn of_member(member: usize, error: &dyn std::error::Error, hint: Option<&str>) -
 }
 
 /// The torques of a text that holds nothing else, and what was noticed about them.
-fn read_torques(text: &str) -> PyResult<(Vec<TorqueModel>, Vec<Finding>)> {
+pub(crate) fn read_torques(text: &str) -> PyResult<(Vec<TorqueModel>, Vec<Finding>)> {
     /// A body for them to act on. It comes last, so that lines count as the user's do.
     const BODY: &str = "\n[[body.part]]\nshape = \"tensor\"\nmass = 1\nmoments = [1, 1, 1]\n";
     if text.trim().is_empty() {

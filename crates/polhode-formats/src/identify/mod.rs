@@ -62,8 +62,15 @@ const KINDS: [&str; 3] = ["tumble", "swing", "payload"];
 /// # Errors
 /// [`FormatError`], with the place, if it, or a file that it names, cannot be read or describes nothing that could be measured.
 pub fn read(path: &Path) -> Result<Plan, FormatError> {
-    let text = text_of(path)?;
-    let source = Source::new(path, &text);
+    parse(&text_of(path)?, path)
+}
+
+/// Reads a plan from a text; the files that it names are found beside `path`.
+///
+/// # Errors
+/// As [`read`].
+pub fn parse(text: &str, path: &Path) -> Result<Plan, FormatError> {
+    let source = Source::new(path, text);
     let entries = document(source)?;
     let root = Table::root(source, &entries);
     root.allow(&[&["title"], &KINDS[..]].concat())?;

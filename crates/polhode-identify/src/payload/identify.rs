@@ -77,6 +77,7 @@ pub fn identify_payload(log: &PayloadLog) -> Result<Payload, IdentifyError> {
         unconstrained,
         edge: edge.map(|edge| edge.widened(widening)),
         left_out: settled.left_out(),
+        residuals: settled.pass.left,
         tests,
         findings,
     })

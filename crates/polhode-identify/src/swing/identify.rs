@@ -37,8 +37,10 @@ pub struct SwingResult {
     pub moment: Option<Number>,
     /// Amplitude, in a log phase and zero, and the damping a and β.
     pub own: Vec<Number>,
-    /// What is left.
+    /// Whether what is left is noise.
     pub residuals: ResidualTest,
+    /// Measured less predicted in standard deviations: times of counted swings and then amplitudes, or values of a log.
+    pub left: Vec<f64>,
 }
 
 /// The body that swing tests are of.
@@ -125,7 +127,8 @@ fn said(plan: &SwingPlan, swings: &Swings, solution: &Solution) -> Result<SwingE
             name: test.name.clone(),
             moment: None,
             own: own(&test.measurement, solution, k + 1, &found),
-            residuals: ResidualTest::of(what, Noise::told(noise), share, &[left]),
+            residuals: ResidualTest::of(what, Noise::told(noise), share, core::slice::from_ref(&left)),
+            left,
         });
     }
     let counted = together.test();

@@ -198,7 +198,8 @@ pub(crate) fn identify_flights<'py>(
         _ => None,
     };
     let gyro = GyroErrors { bias, scale, skew, clock };
-    let options = TumbleOptions { gyro, drag, gyro_noise, attitude_noise, outlier };
+    let mut options = TumbleOptions { gyro, drag, gyro_noise, attitude_noise, ..TumbleOptions::default() };
+    options.outlier = outlier;
     let flights = flights.iter().map(flight).collect::<PyResult<Vec<_>>>()?;
     let found =
         py.detach(|| of_flights(title, vec![GIVEN.to_owned()], &flights, &options)).map_err(Raise::raise)?;
@@ -251,7 +252,8 @@ pub(crate) fn find_flights(
 ) -> PyResult<Vec<[f64; 2]>> {
     let readings = gyro_readings(&times, &gyro)?;
     Flight::of_gyro("log", readings.clone()).map_err(Raise::raise)?;
-    let search = FlightSearch { slowest, shortest, torque };
+    let mut search = FlightSearch { slowest, shortest, ..FlightSearch::default() };
+    search.torque = torque;
     Ok(py.detach(|| polhode_identify::tumble::find_flights(&readings, &search)))
 }
 

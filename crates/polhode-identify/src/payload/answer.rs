@@ -29,7 +29,7 @@ pub struct Payload {
     pub edge: Option<Edge>,
     /// Of forces, and of torques. With a covariance, torques are those that forces do not predict.
     pub tests: [ResidualTest; 2],
-    /// Measured less predicted, fx fy fz τx τy τz in N and N·m: of all rows, those that were left out too.
+    /// Measured less predicted, of each row: fx, fy, fz in N, τx, τy, τz in N·m.
     pub residuals: Vec<[f64; 6]>,
     /// Wrenches that were left out.
     pub left_out: Vec<LeftOut>,

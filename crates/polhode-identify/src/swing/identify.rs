@@ -37,9 +37,9 @@ pub struct SwingResult {
     pub moment: Option<Number>,
     /// Amplitude, in a log phase and zero, and the damping a and β.
     pub own: Vec<Number>,
-    /// Whether what is left is noise.
+    /// What is left.
     pub residuals: ResidualTest,
-    /// Measured less predicted in standard deviations: times of counted swings and then amplitudes, or values of a log.
+    /// Of each number that was measured, in their order, in standard deviations: measured less predicted. Of counted swings times come first, then amplitudes.
     pub left: Vec<f64>,
 }
 

@@ -131,9 +131,9 @@ class Derivatives(Record):
             for name, value, first, size in blocks:
                 if value is not None:
                     together[first : first + size, first : first + size] = symmetric(name, value, size)
-        parts = [np.ascontiguousarray(part).reshape(-1, 6, part.shape[-1]) for part in (self.by_start, self.by_inertia)]
-        others = np.ascontiguousarray(self.by_parameters).reshape(len(parts[0]), 6, count)
-        return _native.carried_covariance(*parts, others, together).reshape(self.by_start.shape)
+        by_start, by_inertia = self.by_start.reshape(-1, 6, 6), self.by_inertia.reshape(-1, 6, 6)
+        by_parameters = self.by_parameters.reshape(len(by_start), 6, count)
+        return _native.carried_covariance(by_start, by_inertia, by_parameters, together).reshape(self.by_start.shape)
 
     def __repr__(self) -> str:
         times = f"{len(self.times)} times" if self.times.ndim else f"t = {self.times:.6g} s"
@@ -154,6 +154,17 @@ def symmetric(name: str, value: npt.ArrayLike, size: int) -> Floats:
 
 def derivatives_of(derived: _native.Derived, single: bool = False) -> Derivatives:
     """What Rust derived; of a single time without the first axis."""
-    arrays = [derived[key] for key in ("times", "omega", "attitude", "by_start", "by_inertia", "by_parameters")]
-    events = tuple(EventDerivatives(**event) for event in derived["events"])
-    return Derivatives(*(np.asarray(array[0]) if single else array for array in arrays), tuple(derived["parameters"]), events)
+    return Derivatives(
+        times=_first(derived["times"], single),
+        omega=_first(derived["omega"], single),
+        attitude=_first(derived["attitude"], single),
+        by_start=_first(derived["by_start"], single),
+        by_inertia=_first(derived["by_inertia"], single),
+        by_parameters=_first(derived["by_parameters"], single),
+        parameters=tuple(derived["parameters"]),
+        events=tuple(EventDerivatives(**event) for event in derived["events"]),
+    )
+
+
+def _first(array: Floats, single: bool) -> Floats:
+    return np.asarray(array[0]) if single else array

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, Iterator, NamedTuple
 
 import numpy as np
@@ -118,7 +118,7 @@ class ResidualTest(NamedTuple):
     #: What was measured: ``angular velocity``, ``force`` …
     what: str
     #: How many numbers were measured.
-    count: int
+    count: int  # type: ignore[assignment]
     #: ``count`` less the share of the numbers that were found from them.
     degrees_of_freedom: float
     #: Standard deviation of the noise that they were weighed by.
@@ -156,9 +156,10 @@ def principal_of(said: dict[str, Any] | None) -> PrincipalEstimate | None:
     """The same of principal moments; there are none where the tensor is not known."""
     if said is None:
         return None
-    return PrincipalEstimate(**{key: floats(value) if isinstance(value, list) else value for key, value in said.items()})
+    arrays: Any = {field.name: floats(said[field.name]) if isinstance(said[field.name], list) else said[field.name] for field in fields(PrincipalEstimate)}
+    return PrincipalEstimate(**arrays)
 
 
 def residual_test_of(said: dict[str, Any]) -> ResidualTest:
     """The same of a test of residuals."""
-    return ResidualTest(**said)
+    return ResidualTest(**{key: said[key] for key in ResidualTest._fields})

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -14,6 +14,8 @@ from ._error import in_python
 from ._estimate import Estimate, Number, PrincipalEstimate, ResidualTest, estimate_of, floats, principal_of, residual_test_of
 from ._mass_properties import Finding, MassProperties, findings_of
 from ._record import Record
+
+Of = TypeVar("Of")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -262,11 +264,11 @@ def identified_of(answer: _native.Identified) -> TumbleResult | SwingResult | Pa
         **common,
         about_origin=estimate_of(said["about_origin"]),
         edge=_edge(said["edge"]),
-        unconstrained=Unconstrained(**{**said["unconstrained"], "numbers": tuple(said["unconstrained"]["numbers"])}),
+        unconstrained=_tuple(Unconstrained, said["unconstrained"]),
         times=times,
         force_residuals=wrench[:, :3],
         torque_residuals=wrench[:, 3:],
-        left_out=tuple(LeftOut(**left) for left in said["left_out"]),
+        left_out=tuple(_tuple(LeftOut, left) for left in said["left_out"]),
         _body=answer["body"],
     )
 
@@ -313,10 +315,17 @@ def _swing(said: dict[str, Any], residuals: Floats) -> SwingFit:
 def _edge(said: dict[str, Any] | None) -> Edge | None:
     if said is None:
         return None
-    thin = tuple(Thin(**{**one, "direction": tuple(one["direction"])}) for one in said["thin"])
+    thin = tuple(_tuple(Thin, one) for one in said["thin"])
     return Edge(said["kind"], thin, None if said["along"] is None else estimate_of(said["along"]))
+
+
+def _tuple(kind: type[Of], said: dict[str, Any]) -> Of:
+    """The fields of a named tuple, lists as tuples."""
+    values = ((key, said[key]) for key in kind.__annotations__)
+    return kind(**{key: tuple(value) if isinstance(value, list) else value for key, value in values})
 
 
 def _tensor(elements: Floats) -> Floats:
     """Of xx, yy, zz, xy, xz, yz."""
-    return elements[np.array([[0, 3, 4], [3, 1, 5], [4, 5, 2]])]
+    matrix: Floats = elements[np.array([[0, 3, 4], [3, 1, 5], [4, 5, 2]])]
+    return matrix

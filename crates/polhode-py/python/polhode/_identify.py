@@ -107,7 +107,7 @@ class Flight(Record):
 
     def __post_init__(self) -> None:
         name = _arrays.text("name", self.name)
-        gyro = np.empty((0, 3)) if np.size(self.gyro) == 0 else _arrays.numbers("gyro", self.gyro, ("n", 3))  # type: ignore[arg-type]
+        gyro = np.empty((0, 3)) if np.size(self.gyro) == 0 else _arrays.numbers("gyro", self.gyro, ("n", 3))
         times = _arrays.numbers("times", self.times, ("n",))
         attitude, at = np.empty((0, 4)), np.empty(0)
         if self.attitude is not None:
@@ -314,7 +314,7 @@ def identify_swings(
     ...         }],
     ...     )
     >>> print(found.swings[0].moment)
-    moment: 0.0558 ± 0.0002 kg·m²
+    moment: 0.0555788 ± 0.00018 kg·m²
     >>> found.estimate["Ixx"].sd is None, len(found.estimate.unknown), found.body
     (True, 5, None)
     """
@@ -399,7 +399,7 @@ def identify_payload(
     ...         wrench="on_sensor", force_noise=0.01, torque_noise=0.001,
     ...     )
     >>> print(found.estimate["mass"])
-    mass: 1.70003 ± 0.00018 kg
+    mass: 1.70007 ± 0.00018 kg
     >>> found.body is None, found.estimate["Ixx"].sd is None
     (True, True)
     """

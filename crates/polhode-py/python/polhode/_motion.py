@@ -270,7 +270,11 @@ def simulate(
     ... name = "fast"
     ... measure = "omega_body_z"
     ... value = "0.6 rad/s"
-    ... ''', times=[0.0, 4.0], derivatives=["torque[0].z"])
+    ...
+    ... [run]
+    ... duration = "4 s"
+    ... samples = 2
+    ... ''', derivatives=["torque[0].z"])
     >>> motion.derivatives.by_parameters[1, 5, 0].round(12)  # ω = N t/I
     np.float64(1.6)
     >>> motion.derivatives.events[0].time_by_parameters.round(12)

@@ -16,23 +16,9 @@ pub struct StateDerivatives {
 }
 
 impl StateDerivatives {
-    /// The covariance of the state, to first order, from that of the start and that of the inertia tensor, which are independent of each
-    /// other: Φ P Φᵀ + G Q Gᵀ, rows and columns in the order of the derivatives.
-    #[must_use]
-    pub fn covariance(&self, start: &[[f64; 6]; 6], inertia: &[[f64; 6]; 6]) -> [[f64; 6]; 6] {
-        let (of_start, of_inertia) = (carried(&self.by_start, start), carried(&self.by_inertia, inertia));
-        let mut sum = of_start;
-        for (row, other) in sum.iter_mut().zip(of_inertia) {
-            for (element, x) in row.iter_mut().zip(other) {
-                *element += x;
-            }
-        }
-        sum
-    }
-
-    /// The same of numbers that may depend on each other: J C Jᵀ with J of the start, the tensor, and parameters of torques as
-    /// [`TrajectoryDerivatives::by_parameters`](crate::motion::TrajectoryDerivatives::by_parameters) has them. Rows and columns of `joint` are θ1 … ω3, xx … yz, then
-    /// the parameters; `None` if it has another number of them.
+    /// The covariance of the state, to first order, from that of all numbers together, which may depend on each other: J C Jᵀ, rows and columns in the order of the
+    /// derivatives. Those of `joint` are θ1 … ω3 of the start, xx … yz, and then parameters of torques, by which derivatives are as
+    /// [`TrajectoryDerivatives::by_parameters`](crate::motion::TrajectoryDerivatives::by_parameters) has them; `None` if it has another number of them.
     ///
     /// ```
     /// use polhode::prelude::*;
@@ -61,6 +47,20 @@ impl StateDerivatives {
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
         let half = rows.each_ref().map(|row| joint.iter().map(|c| dot(c, row)).collect::<Vec<f64>>());
         Some(rows.each_ref().map(|row| half.each_ref().map(|half| dot(row, half))))
+    }
+
+    /// The covariance of the state, to first order, from that of the start and that of the inertia tensor, which are independent of each
+    /// other: Φ P Φᵀ + G Q Gᵀ, rows and columns in the order of the derivatives.
+    #[must_use]
+    pub fn covariance(&self, start: &[[f64; 6]; 6], inertia: &[[f64; 6]; 6]) -> [[f64; 6]; 6] {
+        let (of_start, of_inertia) = (carried(&self.by_start, start), carried(&self.by_inertia, inertia));
+        let mut sum = of_start;
+        for (row, other) in sum.iter_mut().zip(of_inertia) {
+            for (element, x) in row.iter_mut().zip(other) {
+                *element += x;
+            }
+        }
+        sum
     }
 
     /// Of a time at which nothing is known.

@@ -67,7 +67,7 @@ pub(crate) fn identify_plan<'py>(
 ) -> PyResult<Identified<'py>> {
     let read = || match &text {
         None => identify::read(&path),
-        Some(text) => identify::parse(text, &path),
+        Some(text) => identify::from_text(&path, text),
     };
     let found = py.detach(|| {
         let plan = read().map_err(|error| match is_written || error.path() != path {

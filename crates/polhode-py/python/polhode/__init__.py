@@ -22,6 +22,7 @@ from ._derivatives import Derivatives, EventDerivatives
 from ._ensemble import Ensemble, Failure, EnsembleStates
 from ._error import PolhodeError, PolhodeWarning
 from ._estimate import Estimate, Number, PrincipalEstimate, ResidualTest
+from ._flight import Flight, find_flights
 from ._free_motion import FreeMotion, MotionError, States
 from ._identified import (
     Edge,
@@ -34,7 +35,7 @@ from ._identified import (
     TumbleResult,
     Unconstrained,
 )
-from ._identify import Flight, find_flights, identify, identify_payload, identify_swings, identify_tumbles
+from ._identify import identify, identify_payload, identify_swings, identify_tumbles
 from ._inertia import inertia
 from ._judge import judge
 from ._judgement import Cause, ErrorGrowth, ErrorPart, ErrorSplit, Judgement, Reading, TriedReading

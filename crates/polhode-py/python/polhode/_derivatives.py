@@ -47,9 +47,9 @@ class EventDerivatives(Record):
 class Derivatives(Record):
     """States of a motion with their derivatives. :meth:`FreeMotion.derivatives` makes one, and :func:`simulate` with ``derivatives``.
 
-    The rows of all of them are :attr:`rows`: θ, a small rotation vector along body axes by which the attitude is turned, R exp(θ), rad; and ω along body
-    axes, rad/s. Columns are :attr:`start_columns`, the same of the start; :attr:`inertia_columns`, the elements of the inertia tensor about the point that the body turns about,
-    kg·m²; and :attr:`parameters`. Of a single time the first axis is left out.
+    The rows of all of them are :attr:`rows`: θ, a small rotation vector along body axes by which the attitude is turned, R exp(θ), rad; and ω
+    along body axes, rad/s. Columns are :attr:`start_columns`, the same of the start; :attr:`inertia_columns`, the elements of the inertia tensor
+    about the point that the body turns about, kg·m²; and :attr:`parameters`. Of a single time the first axis is left out.
 
     >>> import numpy as np, polhode
     >>> motion = polhode.FreeMotion(inertia=[[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]], omega=[0.7, -1.1, 0.4])
@@ -58,7 +58,7 @@ class Derivatives(Record):
     ((2, 6, 6), (2, 6, 6))
     >>> derivatives.start_columns
     ('theta_x', 'theta_y', 'theta_z', 'omega_x', 'omega_y', 'omega_z')
-    >>> bool((derivatives.by_start[0] == np.eye(6)).all())
+    >>> bool(np.allclose(derivatives.by_start[0], np.eye(6), atol=1e-15))
     True
     """
 

@@ -33,8 +33,8 @@ class Number(NamedTuple):
 class Estimate(Record):
     """Numbers that were found, and their errors: ``estimate["Ixx"]`` is a :class:`Number`, and iteration gives all of them.
 
-    What the measurements do not determine is a direction in :attr:`unknown`: along it the numbers could be moved, and the measurements would be predicted
-    as well. The covariance is that of the rest.
+    What the measurements do not determine is a direction in :attr:`unknown`: along it the numbers could be moved, and the measurements would be
+    predicted as well. The covariance is that of the rest.
     """
 
     #: The n numbers' names.
@@ -71,8 +71,8 @@ class Estimate(Record):
         return len(self.names)
 
     def __repr__(self) -> str:
-        unknown = len(self.unknown)
-        return f"Estimate({len(self)} numbers{f', {unknown} directions unknown' if unknown else ''})"
+        unknown = f", {counted(len(self.unknown), 'direction')} unknown" if len(self.unknown) else ""
+        return f"Estimate({counted(len(self), 'number')}{unknown})"
 
     def __str__(self) -> str:
         return "\n".join(map(str, self))
@@ -86,7 +86,7 @@ class Estimate(Record):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class PrincipalEstimate(Record):
-    """Principal moments and axes with their errors, to first order in those of the tensor. What is not known has an error of NaN, or ``None``."""
+    """Principal moments and axes with their errors, to first order in those of the tensor. What is not known has an error of NaN or ``None``."""
 
     #: Moments (3,), ascending, kg·m²; over the greatest where their size is not known.
     moments: Floats
@@ -107,9 +107,13 @@ class PrincipalEstimate(Record):
     #: Standard deviation of the turn of all axes about each (3,), rad; NaN where the other two moments are equal, or the turn is not known.
     turn_sd: Floats
 
+    def ratios_in_words(self) -> str:
+        """The ratios with their errors, in a line."""
+        each = (f"{value:.5g} ± {sd:.2g}" if sd >= 0.0 else "not known" for value, sd in zip(self.ratios, self.ratio_sd))
+        return ", ".join(f"i{k}/i3 = {one}" for k, one in enumerate(each, 1))
+
     def __repr__(self) -> str:
-        ratios = (_with_error(f"i{k + 1}/i3", self.ratios[k], self.ratio_sd[k]) for k in range(2))
-        return f"PrincipalEstimate({', '.join(ratios)})"
+        return f"PrincipalEstimate({self.ratios_in_words()})"
 
 
 class ResidualTest(NamedTuple):
@@ -135,8 +139,9 @@ class ResidualTest(NamedTuple):
     is_correlated: bool
 
 
-def _with_error(name: str, value: float, sd: float) -> str:
-    return f"{name} = {'not known' if np.isnan(sd) else f'{value:.5g} ± {sd:.2g}'}"
+def counted(number: int, noun: str) -> str:
+    """How many there are."""
+    return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
 def floats(values: Any) -> Floats:
@@ -156,8 +161,9 @@ def principal_of(said: dict[str, Any] | None) -> PrincipalEstimate | None:
     """The same of principal moments; there are none where the tensor is not known."""
     if said is None:
         return None
-    arrays: Any = {field.name: floats(said[field.name]) if isinstance(said[field.name], list) else said[field.name] for field in fields(PrincipalEstimate)}
-    return PrincipalEstimate(**arrays)
+    values: dict[str, Any] = {field.name: said[field.name] for field in fields(PrincipalEstimate)}
+    arrays = {name: floats(value) for name, value in values.items() if isinstance(value, list)}
+    return PrincipalEstimate(**{**values, **arrays})
 
 
 def residual_test_of(said: dict[str, Any]) -> ResidualTest:

@@ -11,7 +11,7 @@ import numpy as np
 from . import _html, _native
 from ._arrays import Floats
 from ._error import in_python
-from ._estimate import Estimate, Number, PrincipalEstimate, ResidualTest, estimate_of, floats, principal_of, residual_test_of
+from ._estimate import Estimate, Number, PrincipalEstimate, ResidualTest, counted, estimate_of, floats, principal_of, residual_test_of
 from ._mass_properties import Finding, MassProperties, findings_of
 from ._record import Record
 
@@ -96,7 +96,7 @@ class FlightFit(Record):
     attitude_residuals: Floats
 
     def __repr__(self) -> str:
-        return f"FlightFit({self.name!r}: {self.used} readings, {len(self.left_out)} left out)"
+        return f"FlightFit({self.name!r}: {counted(self.used, 'reading')}, {len(self.left_out)} left out)"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -117,7 +117,7 @@ class TumbleResult(Identified):
 
     def _summary(self) -> str:
         assert self.principal is not None
-        return f"{len(self.flights)} flights, {repr(self.principal)[18:-1]}"
+        return f"{counted(len(self.flights), 'flight')}, {self.principal.ratios_in_words()}"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -155,10 +155,8 @@ class SwingResult(Identified):
         return _body(self._body)
 
     def _summary(self) -> str:
-        return f"{len(self.swings)} tests, {self._principal()}"
-
-    def _principal(self) -> str:
-        return "the whole tensor is not known" if self.principal is None else repr(self.principal)[18:-1]
+        known = "the whole tensor is not known" if self.principal is None else self.principal.ratios_in_words()
+        return f"{counted(len(self.swings), 'test')}, {known}"
 
 
 class LeftOut(NamedTuple):
@@ -194,7 +192,7 @@ class Edge(NamedTuple):
     kind: str
     #: Where it has no extent.
     thin: tuple[Thin, ...]
-    #: The numbers about the centre with their errors if the payload is on this very edge; ``None`` where they do not follow from the measurements.
+    #: The numbers about the centre, with their errors if the payload is on this very edge; ``None`` where these do not follow.
     along: Estimate | None
 
 
@@ -237,7 +235,7 @@ class PayloadResult(Identified):
         return _body(self._body)
 
     def _summary(self) -> str:
-        return f"{len(self.times)} rows, {self.estimate['mass']}"
+        return f"{counted(len(self.times), 'row')}, {self.estimate['mass']}"
 
 
 def identified_of(answer: _native.Identified) -> TumbleResult | SwingResult | PayloadResult:

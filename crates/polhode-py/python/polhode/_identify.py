@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
-from typing import Any, Iterable, Mapping, Sequence
+from typing import Iterable, Mapping, Sequence
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _arrays, _native, _toml
-from ._arrays import Floats
 from ._error import PolhodeError
+from ._flight import Flight, as_long
 from ._identified import PayloadResult, SwingResult, TumbleResult, identified_of
 from ._mass_properties import warn_of
-from ._record import Record
 
 
 def identify(plan: str | os.PathLike[str] | Mapping[str, object]) -> TumbleResult | SwingResult | PayloadResult:
@@ -23,8 +21,8 @@ def identify(plan: str | os.PathLike[str] | Mapping[str, object]) -> TumbleResul
     Parameters
     ----------
     plan
-        A path; or the text of a plan, a ``str`` of more than one line; or the same as a dictionary, whose arrays may be NumPy's. Files that a text or a
-        dictionary names are found from the current folder. The book's ``identify.md`` has all keys.
+        A path; or the text of a plan, a ``str`` of more than one line; or the same as a dictionary, whose arrays may be NumPy's. Files that a
+        text or a dictionary names are found from the current folder. The book's ``identify.md`` has all keys.
 
     Returns
     -------
@@ -66,9 +64,9 @@ def identify(plan: str | os.PathLike[str] | Mapping[str, object]) -> TumbleResul
     ...     warnings.simplefilter("ignore")
     ...     bat = polhode.identify(plan)
     >>> bat
-    SwingResult('A bat': 1 tests, the whole tensor is not known)
+    SwingResult('A bat': 1 test, the whole tensor is not known)
     >>> print(bat.swings[0].moment)
-    moment: 0.0377 ± 0.0003 kg·m²
+    moment: 0.0374351 ± 0.00027 kg·m²
     """
     if isinstance(plan, Mapping):
         answer = _native.identify_plan("plan.toml", _toml.text_of(plan), False)
@@ -77,124 +75,6 @@ def identify(plan: str | os.PathLike[str] | Mapping[str, object]) -> TumbleResul
     else:
         answer = _native.identify_plan(_arrays.path("plan", plan), None, True)
     return _told(answer)
-
-
-@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Flight(Record):
-    """Readings of a body while nothing turned it but what is said here: a gyro's, or tracked attitudes, or both.
-
-    >>> import numpy as np, polhode
-    >>> polhode.Flight(times=[0, 0.01, 0.02, 0.03], gyro=np.ones((4, 3)))
-    Flight('flight': 4 readings of a gyro)
-    """
-
-    #: Times of the gyro's readings (n,), s, ascending.
-    times: npt.ArrayLike = ()
-    #: ω along the sensor's axes as it was read (n, 3), rad/s.
-    gyro: npt.ArrayLike = ()
-    #: Times of the attitudes (m,), s, ascending; ``times`` unless it is said.
-    attitude_times: npt.ArrayLike | None = None
-    #: Attitudes (m, 4) of axes fixed in the body, as quaternions w, x, y, z from the body to space, or a ``scipy.spatial.transform.Rotation`` of m.
-    attitude: object = None
-    #: What reports call it.
-    name: str = "flight"
-    #: By how much the tensor about the common centre of mass is greater in this flight (3, 3), kg·m²: something known is on the body.
-    added: npt.ArrayLike | None = None
-    #: Wheels that are held at their speed in the body, each its axis (3,) and its momentum, kg·m²/s.
-    wheels: Sequence[tuple[npt.ArrayLike, float]] = ()
-    #: Torques that are known: a text of ``[[torque]]`` tables, as scenarios have them.
-    torques: str = ""
-
-    def __post_init__(self) -> None:
-        name = _arrays.text("name", self.name)
-        gyro = np.empty((0, 3)) if np.size(self.gyro) == 0 else _arrays.numbers("gyro", self.gyro, ("n", 3))
-        times = _arrays.numbers("times", self.times, ("n",))
-        attitude, at = np.empty((0, 4)), np.empty(0)
-        if self.attitude is not None:
-            attitude = _arrays.quaternions("attitude", self.attitude, ("n", 4))
-            at = times if self.attitude_times is None else _arrays.numbers("attitude_times", self.attitude_times, ("n",))
-            _as_long("attitude_times" if self.attitude_times is not None else "times", at, "attitude", attitude)
-        elif self.attitude_times is not None:
-            raise PolhodeError("attitude_times mean nothing without attitude")
-        if len(gyro) or self.attitude is None:
-            _as_long("times", times, "gyro", gyro)
-        wheels = tuple((tuple(_arrays.triple(f"wheels[{k}][0]", axis)), _arrays.number(f"wheels[{k}][1]", h)) for k, (axis, h) in enumerate(self.wheels))
-        checked: dict[str, object] = {
-            "times": times.copy() if len(gyro) else np.empty(0),
-            "gyro": gyro.copy(),
-            "attitude_times": at.copy(),
-            "attitude": attitude.copy(),
-            "name": name,
-            "added": None if self.added is None else np.array(_arrays.tensor("added", self.added)),
-            "wheels": wheels,
-            "torques": _arrays.text("torques", self.torques),
-        }
-        for key, value in checked.items():
-            object.__setattr__(self, key, value)
-        super().__post_init__()
-
-    def __repr__(self) -> str:
-        kinds = ((len(self.times), "readings of a gyro"), (len(self.attitude), "attitudes"))  # type: ignore[arg-type]
-        return f"Flight({self.name!r}: {', '.join(f'{n} {kind}' for n, kind in kinds if n)})"
-
-    def _arrays(self) -> _native.FlightArrays:
-        added: Any = self.added
-        given: Any = self
-        six = None if added is None else [added[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
-        return {
-            "name": self.name,
-            "times": given.times,
-            "gyro": given.gyro,
-            "attitude_times": given.attitude_times,
-            "attitude": given.attitude,
-            "added": six,
-            "wheels": [(list(axis), momentum) for axis, momentum in given.wheels],
-            "torques": self.torques,
-        }
-
-
-def find_flights(
-    *,
-    times: npt.ArrayLike,
-    gyro: npt.ArrayLike,
-    slowest: float = 3.0,
-    shortest: float = 0.3,
-    torque: float = 0.2,
-) -> list[Flight]:
-    """Cuts the flights out of a long log: where the body turns fast for a while, and nothing turns it.
-
-    Parameters
-    ----------
-    times, gyro
-        Times (n,), s, and ω along the sensor's axes (n, 3), rad/s.
-    slowest
-        In flight the body turns at least so fast, rad/s.
-    shortest
-        A flight lasts at least so long, s.
-    torque
-        In flight the torque is at most this part of \\|I ω²\\|: a hand makes it as large as that.
-
-    Returns
-    -------
-    list of Flight
-        In the order of time; they are called by their number and their first time.
-
-    Examples
-    --------
-    A log at rest has none:
-
-    >>> import numpy as np, polhode
-    >>> polhode.find_flights(times=np.arange(100) * 0.01, gyro=np.full((100, 3), 0.001))
-    []
-    """
-    when, omega = _arrays.numbers("times", times, ("n",)), _arrays.numbers("gyro", gyro, ("n", 3))
-    _as_long("times", when, "gyro", omega)
-    limits = _arrays.positive("slowest", slowest), _arrays.positive("shortest", shortest), _arrays.positive("torque", torque)
-    flights = []
-    for k, (start, end) in enumerate(_native.find_flights(when, omega, *limits)):
-        inside = (when >= start) & (when <= end)
-        flights.append(Flight(name=f"flight {k + 1}, {start:.2f} s", times=when[inside], gyro=omega[inside]))
-    return flights
 
 
 def identify_tumbles(
@@ -210,15 +90,17 @@ def identify_tumbles(
     outlier: float = 6.0,
     title: str | None = None,
 ) -> TumbleResult:
-    """Finds the tensor of a body from flights, in which nothing turns it but the air: its moments over the greatest; in kg·m² if something known is on it.
+    """Finds the tensor of a body from flights, in which nothing turns it but the air.
+
+    Its moments are those over the greatest; they are in kg·m² if something known is on it in one of the flights.
 
     Parameters
     ----------
     flights
         One or several of the same body, with the sensor fixed to it.
     bias, scale, skew, clock
-        What of the gyro is found with the body: reading = (1 + S) ω(t + τ) + b. ``bias`` is b, ``scale`` the diagonal of S, ``skew`` the rest of S, ``clock`` τ
-        on the clock of the attitudes.
+        What of the gyro is found with the body: reading = (1 + S) ω(t + τ) + b. ``bias`` is b, ``scale`` the diagonal of S, ``skew`` the rest
+        of S, ``clock`` τ on the clock of the attitudes.
     gyro_noise
         Standard deviation of a component, rad/s; found in the readings unless it is said.
     attitude_noise
@@ -281,8 +163,8 @@ def identify_swings(
     Parameters
     ----------
     mass, center
-        The body's mass, and its centre of mass along the body's axes (3). Here and in tests a quantity is a number in SI or a text with its unit, which is
-        exact; measured, ``{"value": "3.2 kg", "sd": "1 g"}``; or to be found, ``{"about": "3 kg"}``.
+        The body's mass, and its centre of mass along the body's axes (3). Here and in tests a quantity is a number in SI or a text with its
+        unit, which is exact; measured, ``{"value": "3.2 kg", "sd": "1 g"}``; or to be found, ``{"about": "3 kg"}``.
     tests
         The tests, each a dictionary with the keys of a ``[[swing.test]]`` of a plan: the book's ``identify-swing.md`` has them.
     numbers
@@ -375,7 +257,8 @@ def identify_payload(
     bias
         Whether the sensor has a constant bias that is to be found.
     force_noise, torque_noise, wrench_covariance
-        Standard deviations of a component, both; or the covariance (6, 6) of fx, fy, fz, τx, τy, τz; found in what is left unless it is said.
+        Standard deviations of a component, both; or the covariance (6, 6) of fx, fy, fz, τx, τy, τz. Without them the noise is found in what is
+        left.
     omega_noise, alpha_noise, acceleration_noise
         Standard deviations of a component of the motion, if it has noise.
     kind
@@ -407,20 +290,21 @@ def identify_payload(
     vectors = {"omega": omega, "alpha": alpha, "acceleration": acceleration, "force": force, "torque": torque}
     rows = {name: _arrays.numbers(name, value, ("n", 3)) for name, value in vectors.items()}
     for name, array in rows.items():
-        _as_long("times", when, name, array)
+        as_long("times", when, name, array)
     down = _arrays.real("gravity", gravity)
     turned = None
     if attitude is not None:
         turned = _arrays.quaternions("attitude", attitude, ("n", 4))
-        _as_long("times", when, "attitude", turned)
+        as_long("times", when, "attitude", turned)
         down = _arrays.numbers("gravity", down, (3,)).reshape(1, 3)
     elif down.shape == (3,) and not down.any():
         down = np.zeros((len(when), 3))
     else:
         if down.shape == (3,):
-            raise PolhodeError("gravity of the shape (3,) is along axes of space: give attitude too, or gravity (n, 3) along the sensor's axes")
+            hint = "give attitude too, or gravity (n, 3) along the sensor's axes"
+            raise PolhodeError("gravity of the shape (3,) is along axes of space, and there are no attitudes", hint)
         down = _arrays.numbers("gravity", down, ("n", 3))
-        _as_long("times", when, "gravity", down)
+        as_long("times", when, "gravity", down)
     if (force_noise is None) != (torque_noise is None):
         raise PolhodeError("force_noise and torque_noise are given both, or neither")
     noise = None
@@ -462,8 +346,3 @@ def _told(answer: _native.Identified) -> TumbleResult | SwingResult | PayloadRes
 
 def _title(title: str | None) -> str | None:
     return None if title is None else _arrays.text("title", title)
-
-
-def _as_long(name: str, one: Floats, other_name: str, other: Floats) -> None:
-    if len(one) != len(other):
-        raise PolhodeError(f"{name} and {other_name} must be of the same length, not {len(one)} and {len(other)}")

@@ -228,8 +228,9 @@ def simulate(
     ``error`` says how much work :attr:`Motion.error` is worth: ``"thorough"`` takes twelve times as long as the motion, ``"cheap"`` as
     long as the motion, ``"auto"`` is thorough where that takes a moment.
 
-    ``derivatives`` asks for :attr:`Motion.derivatives`, by the start, by the inertia tensor, and by these numbers of torques: ``"torque[0].factor"`` is what
-    the first torque is multiplied by, which is 1; ``"torque[0].stiffness"`` a number of its own. An empty list has start and tensor alone.
+    ``derivatives`` asks for :attr:`Motion.derivatives`, by the start, by the inertia tensor, and by these numbers of torques:
+    ``"torque[0].factor"`` is what the first torque is multiplied by, which is 1; ``"torque[0].stiffness"`` a number of its own. An empty list
+    has start and tensor alone.
 
     >>> import polhode
     >>> motion = polhode.simulate('''

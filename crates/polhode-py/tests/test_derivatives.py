@@ -209,7 +209,7 @@ def test_what_has_no_derivatives_is_refused() -> None:
         polhode.FreeMotion(moments=[1, 2, 9], omega=OMEGA, allow_unphysical=True).derivatives([1.0])
     with pytest.raises(polhode.PolhodeError, match="1e-8 of the greatest"):
         polhode.FreeMotion(moments=[0, 2, 2], omega=OMEGA).derivatives([1.0])
-    with pytest.raises(polhode.PolhodeError, match="t = 1000.0 s the derivatives are beyond"):
+    with pytest.raises(polhode.PolhodeError, match="t = 1000 s the derivatives are beyond"):
         polhode.FreeMotion(moments=[1, 2, 3], omega=[0, 1, 0]).derivatives([0.0, 1e3])
     with pytest.raises(polhode.PolhodeError, match="too far away"):
         free().derivatives([1e40])

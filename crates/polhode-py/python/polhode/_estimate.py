@@ -25,8 +25,10 @@ class Number(NamedTuple):
     sd: float | None
 
     def __str__(self) -> str:
-        error = "not known" if self.sd is None else f"{self.value:.6g}" if self.sd == 0.0 else f"{self.value:.6g} ± {self.sd:.2g}"
-        return f"{self.name}: {error}{'' if self.unit == '1' else f' {self.unit}'}"
+        unit = "" if self.unit == "1" else f" {self.unit}"
+        if self.sd is None:
+            return f"{self.name}: not known"
+        return f"{self.name}: {self.value:.6g}{f' ± {self.sd:.2g}' if self.sd > 0.0 else ''}{unit}"
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -109,7 +109,7 @@ fn of_flights(
 fn of_wrenches(title: Option<&str>, sources: Vec<String>, log: &PayloadLog) -> Result<Found, IdentifyError> {
     let payload = identify_payload(log)?;
     let times: Vec<f64> = log.rows().iter().map(|row| row.time).collect();
-    let (body, residuals) = (payload.body.clone(), payload.residuals.clone());
+    let (body, residuals) = (payload.body, payload.residuals.clone());
     let report = PayloadReport::new(title, sources, times.clone(), payload);
     let wrench = Some((times, residuals));
     Ok(Found { report: IdentifyReport::Payload(report), body, wrench, swings: Vec::new() })
@@ -119,8 +119,7 @@ fn of_swings(title: Option<&str>, plan: &SwingPlan) -> Result<Found, IdentifyErr
     let found = identify_swings(plan)?;
     let SwingEstimate { estimate, body, tests, .. } = &found;
     let is_known = estimate.numbers.iter().take(10).all(|number| number.sd.is_some());
-    let (body, swings) =
-        (is_known.then(|| body.clone()), tests.iter().map(|test| test.left.clone()).collect());
+    let (body, swings) = (is_known.then_some(*body), tests.iter().map(|test| test.left.clone()).collect());
     Ok(Found { report: IdentifyReport::Swing(SwingReport::new(title, found)), body, wrench: None, swings })
 }
 

@@ -7,9 +7,8 @@ use polhode::motion::torque::{TorqueModel, TorqueParameter};
 use polhode::motion::{CrossingDerivatives, Event, State, StateDerivatives, TrajectoryDerivatives};
 use pyo3::prelude::*;
 
-use crate::arrays::{matrix, row, table};
+use crate::arrays::{matrix, row, signed, table};
 use crate::error::refused;
-use crate::free_motion::signed;
 
 /// States and their derivatives: rows θ1 θ2 θ3 ω1 ω2 ω3 (n, 6, …), columns as `StateDerivatives` has them, and the parameters.
 #[derive(Debug, IntoPyObject)]

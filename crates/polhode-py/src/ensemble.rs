@@ -12,10 +12,9 @@ use polhode::motion::{Ensemble, Member, MemberFailure, Method, MotionError, Roto
 use polhode_formats::scenario;
 use pyo3::prelude::*;
 
-use crate::arrays::{numbers, room, rows};
+use crate::arrays::{numbers, room, rows, signed};
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
-use crate::free_motion::signed;
 use crate::interrupt::signal;
 
 /// A row for each member and time, t, w, x, y, z, ω1, ω2, ω3 (n, t, 8), and those that could go no further: the member, when it was

@@ -8,7 +8,7 @@ use polhode::observe::FreeRegime;
 use polhode_report::{PageInput, PageSubject, SpinReport, VERSION, page};
 use pyo3::prelude::*;
 
-use crate::arrays::{numbers, row, table};
+use crate::arrays::{numbers, row, signed, table};
 use crate::derivatives::{Derived, derived_states};
 use crate::error::{Raise, refused};
 use crate::mass_properties::principal_axes;
@@ -194,16 +194,4 @@ fn rotor(inertia: InertiaTensor<Body>) -> Result<Rotor, BodyError> {
 fn start(omega: [f64; 3], wxyz: [f64; 4]) -> PyResult<State> {
     let attitude = Attitude::from_quaternion(wxyz).map_err(Raise::raise)?;
     Ok(State { time: 0.0, attitude, omega: AngularVelocity::from_array(omega) })
-}
-
-/// q and −q are one attitude: the first has w ≥ 0, each of the others the sign nearest to the one before it.
-pub(crate) fn signed(wxyz: [f64; 4], before: &mut Option<[f64; 4]>) -> [f64; 4] {
-    let along = match before {
-        // The first component that is not zero decides.
-        None => wxyz.into_iter().find(|c| *c != 0.0).unwrap_or_default(),
-        Some(last) => last.iter().zip(wxyz).map(|(a, b)| a * b).sum(),
-    };
-    let signed = if along < 0.0 { wxyz.map(|c| 0.0 - c) } else { wxyz };
-    *before = Some(signed);
-    signed
 }

@@ -80,7 +80,7 @@ pub(crate) fn identify_plan<'py>(
 }
 
 /// As `polhode identify` does it.
-fn found(Plan { title, measurement }: Plan) -> Result<Found, IdentifyError> {
+fn found(Plan { title, measurement, .. }: Plan) -> Result<Found, IdentifyError> {
     let title = title.as_deref();
     match measurement {
         Measurement::Tumble(plan) => {
@@ -135,13 +135,17 @@ fn said(log: &ReadLog) -> Vec<String> {
 
 fn identified(py: Python<'_>, found: Found) -> PyResult<Identified<'_>> {
     let Found { report, body, wrench, swings } = found;
-    let (json, document) = py.detach(|| (report.to_json().to_string(), report.to_document()));
+    let [json, text, markdown, page] = py.detach(|| {
+        let document = report.to_document();
+        let json = report.to_json().to_string();
+        [json, document.to_text(plain::WIDTH), document.to_markdown(), document.to_html()]
+    });
     let (times, wrench) = wrench.unzip();
     Ok(Identified {
         json,
-        text: document.to_text(plain::WIDTH),
-        markdown: document.to_markdown(),
-        page: document.to_html(),
+        text,
+        markdown,
+        page,
         has_model_error: report.has_model_error(),
         body: body.map(|body| (body.mass(), body.center_of_mass().to_array(), body.inertia().matrix())),
         wrench: wrench.map(|rows| matrix(py, &rows)).transpose()?,

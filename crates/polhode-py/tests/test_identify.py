@@ -191,6 +191,35 @@ def test_something_known_says_how_large_the_body_is() -> None:
     assert (np.abs(result.inertia - INERTIA) < 4.0 * result.estimate.sd[[[0, 3, 4], [3, 1, 5], [4, 5, 2]]]).all()
 
 
+TORQUE = '[[torque]]\nmodel = "constant"\naxes = "body"\ntorque = [0.05, -0.02, 0.03]\n'
+WHEEL = "[[wheel]]\naxis = [1, -2, 2]\nmomentum = 0.1\n"
+
+
+@pytest.mark.parametrize(("known", "said"), [(TORQUE, {"torques": TORQUE}), (WHEEL, {"wheels": [([1, -2, 2], 0.1)]})])
+def test_what_turns_the_body_says_how_large_it_is(known: str, said: dict[str, Any]) -> None:
+    body = f'[[body.part]]\nshape = "tensor"\nmass = 1\ninertia = {INERTIA.tolist()}\n'
+    times, rng, flights = np.arange(120) * 0.01, np.random.default_rng(0), []
+    for omega in THROWS:
+        motion = polhode.simulate(f"{body}[start]\nspin = {{ body = {omega} }}\n{known}", times=times)
+        flights.append(polhode.Flight(times=times, gyro=motion.omega + 0.01 * rng.normal(size=(120, 3)), **said))
+    result = polhode.identify_tumbles(flights=flights, gyro_noise=0.01, bias=False)
+    assert result.scale_is_known and result.estimate.unknown.shape == (0, 6)
+    assert (np.abs(result.inertia - INERTIA) < 4.0 * result.estimate.sd[[[0, 3, 4], [3, 1, 5], [4, 5, 2]]]).all()
+    assert (np.abs(result.estimate.sd) < 0.05 * np.trace(INERTIA)).all()
+
+
+def test_attitudes_alone() -> None:
+    times, rng, flights = np.arange(120) * 0.01, np.random.default_rng(4), []
+    for omega in THROWS:
+        attitude = polhode.FreeMotion(inertia=INERTIA, omega=omega).rotations(times)
+        flights.append(polhode.Flight(attitude_times=times, attitude=attitude * Rotation.from_rotvec(1e-3 * rng.normal(size=(120, 3)))))
+    assert repr(flights[0]) == "Flight('flight': 120 attitudes)"
+    result = polhode.identify_tumbles(flights=flights, attitude_noise=1e-3)
+    moments = np.linalg.eigvalsh(INERTIA)
+    assert (np.abs(result.principal.ratios - moments[:2] / moments[2]) < 4 * result.principal.ratio_sd).all()
+    assert result.flights[0].gyro_residuals.shape == (0, 3) and [test.what for test in result.tests] == ["attitude"]
+
+
 def test_attitudes_beside_a_gyro() -> None:
     turn = Rotation.from_rotvec([0.3, -0.2, 0.5])
     flights = [thrown(omega, 0.02, k, turn) for k, omega in enumerate(THROWS)]

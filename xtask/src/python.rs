@@ -28,6 +28,9 @@ const NEEDED: [&str; 9] = [
     "zizmor==1.32.0",
 ];
 
+/// What tests optimise, as `profile.test` in `Cargo.toml` has it.
+const OPTIMISED: &str = "--config profile.dev.package.polhode.opt-level=1 --config profile.dev.package.polhode-identify.opt-level=2";
+
 /// An environment of its own, and then all the rest.
 pub(crate) fn check() -> Outcome {
     environment().and_then(check_in)
@@ -42,7 +45,7 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     run(Command::new(&python)
         .args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"])
         .args([&wheels, &package])
-        .env("MATURIN_PEP517_ARGS", "--profile dev --config profile.dev.package.polhode.opt-level=1"))?;
+        .env("MATURIN_PEP517_ARGS", format!("--profile dev {OPTIMISED}")))?;
     let wheel = files(&wheels, "whl")?.pop().ok_or("pip made no wheel")?;
     run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).arg(&wheel))?;
 

@@ -73,3 +73,15 @@ pub(crate) fn rows<'a, const N: usize>(array: &'a PyReadonlyArray2<'_, f64>) -> 
         _ => Err(refused(format!("rows of {N} numbers belong here"), None)),
     }
 }
+
+/// q and −q are one attitude: the first has w ≥ 0, each of the others the sign nearest to the one before it.
+pub(crate) fn signed(wxyz: [f64; 4], before: &mut Option<[f64; 4]>) -> [f64; 4] {
+    let along = match before {
+        // The first component that is not zero decides.
+        None => wxyz.into_iter().find(|c| *c != 0.0).unwrap_or_default(),
+        Some(last) => last.iter().zip(wxyz).map(|(a, b)| a * b).sum(),
+    };
+    let signed = if along < 0.0 { wxyz.map(|c| 0.0 - c) } else { wxyz };
+    *before = Some(signed);
+    signed
+}

@@ -12,10 +12,9 @@ use polhode::motion::{Ensemble, Member, MemberFailure, Method, MotionError, Roto
 use polhode_formats::scenario;
 use pyo3::prelude::*;
 
-use crate::arrays::{numbers, room, rows};
+use crate::arrays::{numbers, room, rows, signed};
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
-use crate::free_motion::signed;
 use crate::interrupt::signal;
 
 /// A row for each member and time, t, w, x, y, z, ω1, ω2, ω3 (n, t, 8), and those that could go no further: the member, when it was
@@ -130,7 +129,7 @@ fn of_member(member: usize, error: &dyn std::error::Error, hint: Option<&str>) -
 }
 
 /// The torques of a text that holds nothing else, and what was noticed about them.
-fn read_torques(text: &str) -> PyResult<(Vec<TorqueModel>, Vec<Finding>)> {
+pub(crate) fn read_torques(text: &str) -> PyResult<(Vec<TorqueModel>, Vec<Finding>)> {
     /// A body for them to act on. It comes last, so that lines count as the user's do.
     const BODY: &str = "\n[[body.part]]\nshape = \"tensor\"\nmass = 1\nmoments = [1, 1, 1]\n";
     if text.trim().is_empty() {

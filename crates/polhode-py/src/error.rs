@@ -4,6 +4,7 @@ use polhode::body::BodyError;
 use polhode::math::RotationError;
 use polhode::motion::MotionError;
 use polhode_formats::{FormatError, FormatErrorKind, Place};
+use polhode_identify::IdentifyError;
 use pyo3::PyErr;
 use pyo3::exceptions::PyFileNotFoundError;
 
@@ -27,6 +28,12 @@ impl Raise for BodyError {
 }
 
 impl Raise for MotionError {
+    fn raise(self) -> PyErr {
+        refused(&self, self.hint())
+    }
+}
+
+impl Raise for IdentifyError {
     fn raise(self) -> PyErr {
         refused(&self, self.hint())
     }

@@ -1,14 +1,15 @@
 //! Free motion in closed form.
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
-use polhode::body::{InertiaTensor, MassProperties};
+use polhode::body::{BodyError, InertiaTensor, MassProperties};
 use polhode::math::{AngularVelocity, Attitude, Body, Position};
-use polhode::motion::{FreeMotion, Method, Rotor, Run, State, Trajectory};
+use polhode::motion::{FreeMotion, FreeMotionDerivatives, Method, Rotor, Run, State, Trajectory};
 use polhode::observe::FreeRegime;
 use polhode_report::{PageInput, PageSubject, SpinReport, VERSION, page};
 use pyo3::prelude::*;
 
-use crate::arrays::{numbers, row, table};
+use crate::arrays::{numbers, row, signed, table};
+use crate::derivatives::{Derived, derived_states};
 use crate::error::{Raise, refused};
 use crate::mass_properties::principal_axes;
 use crate::motion::{ErrorColumns, error_columns};
@@ -24,6 +25,8 @@ pub(crate) type States<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f6
 #[derive(Clone, Debug)]
 pub(crate) struct PyFreeMotion {
     motion: FreeMotion,
+    /// `None` of moments that are no body's.
+    rotor: Option<Rotor>,
 }
 
 #[pymethods]
@@ -31,21 +34,20 @@ impl PyFreeMotion {
     /// Of moments along the body's axes; those of no body only if `unphysical`.
     #[staticmethod]
     fn of_moments(moments: [f64; 3], omega: [f64; 3], wxyz: [f64; 4], unphysical: bool) -> PyResult<Self> {
+        let rotor = InertiaTensor::diagonal(moments).and_then(rotor);
         if !unphysical {
-            InertiaTensor::<Body>::diagonal(moments).map_err(Raise::raise)?;
+            rotor.clone().map_err(Raise::raise)?;
         }
         let motion = FreeMotion::of_moments(moments, start(omega, wxyz)?).map_err(Raise::raise)?;
-        Self::in_range(motion)
+        Self::in_range(motion, rotor.ok())
     }
 
     /// Of a tensor about the centre of mass.
     #[staticmethod]
     fn of_tensor(tensor: [[f64; 3]; 3], omega: [f64; 3], wxyz: [f64; 4]) -> PyResult<Self> {
-        let inertia = InertiaTensor::from_matrix(tensor);
-        let body = inertia.and_then(|inertia| MassProperties::new(1.0, Position::ZERO, inertia));
-        let rotor = Rotor::free(&body.map_err(Raise::raise)?);
+        let rotor = InertiaTensor::from_matrix(tensor).and_then(rotor).map_err(Raise::raise)?;
         let motion = FreeMotion::of(&rotor, start(omega, wxyz)?).map_err(Raise::raise)?;
-        Self::in_range(motion)
+        Self::in_range(motion, Some(rotor))
     }
 
     /// ω (n, 3) and the attitude (n, 4) at times.
@@ -74,6 +76,33 @@ impl PyFreeMotion {
         let times = numbers(&times)?;
         self.motion.require(times).map_err(Raise::raise)?;
         Ok(error_columns(py, &py.detach(|| self.motion.global_error(times))))
+    }
+
+    /// States at times with their derivatives by the start and by the inertia tensor.
+    fn derivatives<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Derived<'py>> {
+        let times = numbers(&times)?;
+        self.motion.require(times).map_err(Raise::raise)?;
+        let Some(rotor) = &self.rotor else {
+            return Err(refused(
+                "moments that are no body's have no derivatives by an inertia tensor",
+                Some("leave allow_unphysical out to see what is wrong with them"),
+            ));
+        };
+        let motion = FreeMotionDerivatives::of(rotor, self.motion.start()).map_err(Raise::raise)?;
+        let mut states = Vec::with_capacity(times.len());
+        for piece in times.chunks(PIECE / 16) {
+            py.check_signals()?;
+            py.detach(|| states.extend(motion.at_times(piece)));
+        }
+        if let Some(unknown) = states.iter().find(|of| of.by_start[0][0].is_nan()) {
+            return Err(refused(
+                format!("at t = {} s the derivatives are beyond the range of numbers", unknown.state.time),
+                Some(
+                    "next to the intermediate axis they grow by exp(growth_rate * t): ask for earlier times",
+                ),
+            ));
+        }
+        derived_states(py, &states)
     }
 
     #[getter]
@@ -149,28 +178,20 @@ impl PyFreeMotion {
 
 impl PyFreeMotion {
     /// A motion whose constants are numbers.
-    fn in_range(motion: FreeMotion) -> PyResult<Self> {
+    fn in_range(motion: FreeMotion, rotor: Option<Rotor>) -> PyResult<Self> {
         if motion.kinetic_energy().is_finite() && motion.momentum().norm().is_finite() {
-            return Ok(Self { motion });
+            return Ok(Self { motion, rotor });
         }
         let message = "the energy or |L| of this motion is beyond the range of numbers, 1.8e308";
         Err(refused(message, Some("check the units and the exponents")))
     }
 }
 
+fn rotor(inertia: InertiaTensor<Body>) -> Result<Rotor, BodyError> {
+    Ok(Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia)?))
+}
+
 fn start(omega: [f64; 3], wxyz: [f64; 4]) -> PyResult<State> {
     let attitude = Attitude::from_quaternion(wxyz).map_err(Raise::raise)?;
     Ok(State { time: 0.0, attitude, omega: AngularVelocity::from_array(omega) })
-}
-
-/// q and −q are one attitude: the first has w ≥ 0, each of the others the sign nearest to the one before it.
-pub(crate) fn signed(wxyz: [f64; 4], before: &mut Option<[f64; 4]>) -> [f64; 4] {
-    let along = match before {
-        // The first component that is not zero decides.
-        None => wxyz.into_iter().find(|c| *c != 0.0).unwrap_or_default(),
-        Some(last) => last.iter().zip(wxyz).map(|(a, b)| a * b).sum(),
-    };
-    let signed = if along < 0.0 { wxyz.map(|c| 0.0 - c) } else { wxyz };
-    *before = Some(signed);
-    signed
 }

@@ -12,10 +12,9 @@ use polhode_formats::scenario::ScenarioFile;
 use polhode_report::{JudgeReport, JudgedRun, judge_hint};
 use pyo3::prelude::*;
 
-use crate::arrays::{matrix, numbers, rows};
+use crate::arrays::{matrix, numbers, rows, signed};
 use crate::error::{PolhodeError, Raise, refused};
 use crate::finding::{Remark, remarks};
-use crate::free_motion::signed;
 
 /// What the user says of a run; the rest is found.
 #[derive(Clone, Debug, FromPyObject)]

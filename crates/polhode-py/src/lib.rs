@@ -8,11 +8,13 @@ mod arrays;
 mod brep;
 mod check;
 mod command;
+mod derivatives;
 mod ensemble;
 mod error;
 mod files;
 mod finding;
 mod free_motion;
+mod identify;
 mod interrupt;
 mod judge;
 mod mass_properties;
@@ -39,11 +41,15 @@ mod _native {
     #[pymodule_export]
     use crate::command::run_command;
     #[pymodule_export]
+    use crate::derivatives::carried_covariance;
+    #[pymodule_export]
     use crate::ensemble::PyEnsemble;
     #[pymodule_export]
     use crate::files::{cad_file, molecule_file, particle_file, scenario_file, voxel_file};
     #[pymodule_export]
     use crate::free_motion::PyFreeMotion;
+    #[pymodule_export]
+    use crate::identify::{find_flights, identify_flights, identify_plan, identify_wrenches};
     #[pymodule_export]
     use crate::judge::{judge_arrays, judge_file};
     #[pymodule_export]

@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use numpy::{PyArray1, PyReadonlyArray1};
-use polhode::motion::{Ending, ErrorEffort, GlobalError, Method, Run, Scenario, StateError, Trajectory};
+use polhode::motion::{
+    Ending, ErrorEffort, GlobalError, Method, Run, Scenario, StateError, Trajectory, TrajectoryDerivatives,
+};
 use polhode_formats::scenario::ScenarioFile;
 use polhode_formats::table::{Column, columns};
 use polhode_report::{
@@ -12,6 +14,7 @@ use polhode_report::{
 use pyo3::prelude::*;
 
 use crate::arrays::numbers;
+use crate::derivatives::{Derived, derived_run, parameters};
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
 use crate::interrupt::watched;
@@ -27,12 +30,15 @@ pub(crate) struct PyMotion {
     text: String,
     scenario: Scenario,
     trajectory: Trajectory,
+    /// With the keys of the parameters.
+    derivatives: Option<(TrajectoryDerivatives, Vec<String>)>,
 }
 
 /// An event: its name, when (s), whether what it watches was rising, ω and attitude there.
 type Happened = (String, f64, bool, [f64; 3], [f64; 4]);
 
-/// Computes the motion of a scenario: of a file, or of a text, whose files are found beside `path`. `times` take the place of its run's.
+/// Computes the motion of a scenario: of a file, or of a text, whose files are found beside `path`. `times` take the place of its run's. Its derivatives
+/// by the start, the inertia and numbers of torques by their keys, if these are given.
 ///
 /// # Errors
 /// `PolhodeError` if there is no such motion, `KeyboardInterrupt`.
@@ -43,6 +49,7 @@ pub(crate) fn simulate(
     text: Option<String>,
     times: Option<PyReadonlyArray1<'_, f64>>,
     error: &str,
+    derivatives: Option<Vec<String>>,
 ) -> PyResult<PyMotion> {
     let effort = match error {
         "thorough" => ErrorEffort::Thorough,
@@ -59,6 +66,7 @@ pub(crate) fn simulate(
         let run = file.scenario.run().cloned().unwrap_or_else(|| Run::evenly(0.0, 0, Method::Auto, 1e-13));
         file.scenario = file.scenario.sampled(Run { times, ..run });
     }
+    let by = derivatives.as_ref().map(|keys| parameters(keys, file.scenario.torques())).transpose()?;
     let Some(motion) = watched(py, |look| file.scenario.simulate_with_error(effort, look))? else {
         return Err(refused(
             format!("{} has no [run] section, so there is no time to simulate", path.display()),
@@ -67,7 +75,12 @@ pub(crate) fn simulate(
     };
     let placed = |error| file.placed(&error).map_or_else(|| error.raise(), Raise::raise);
     let trajectory = motion.map_err(placed)?;
-    Ok(PyMotion { path, text: file.text, trajectory, scenario: file.scenario })
+    let derived = match by {
+        Some(by) => watched(py, |look| file.scenario.derivatives_watched(&by, look))?,
+        None => None,
+    };
+    let derivatives = derived.transpose().map_err(placed)?.zip(derivatives);
+    Ok(PyMotion { path, text: file.text, trajectory, scenario: file.scenario, derivatives })
 }
 
 #[pymethods]
@@ -105,6 +118,14 @@ impl PyMotion {
     #[getter]
     fn error<'py>(&self, py: Python<'py>) -> Option<ErrorColumns<'py>> {
         Some(error_columns(py, self.trajectory.error()?))
+    }
+
+    /// Its derivatives, if they were asked for.
+    fn derivatives<'py>(&self, py: Python<'py>) -> PyResult<Option<Derived<'py>>> {
+        let of = |(run, keys): &(TrajectoryDerivatives, Vec<String>)| {
+            derived_run(py, run, keys, self.scenario.events())
+        };
+        self.derivatives.as_ref().map(of).transpose()
     }
 
     /// `complete`, `stopped` or `failed`, the event that stopped it or the cause of failure, and when (s).

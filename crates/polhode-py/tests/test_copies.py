@@ -19,6 +19,7 @@ import polhode.sweep
 import pytest
 from conftest import PLAN, ROOT
 from polhode import shapes
+from test_derivatives import PUSHED
 
 TURN = [0.4, -0.7, 1.1, 0.3]
 EXAMPLES = ROOT / "examples"
@@ -107,6 +108,33 @@ def judgement(with_omega: bool) -> polhode.Judgement:
     return polhode.judge(scenario, times=times[1:], attitude=motion.attitude[:-1], omega=omega, time_origin=0.0)
 
 
+def plate() -> polhode.PayloadResult:
+    """A plate at a wrist, which noise makes impossible without the constraint, and a wrench that is far off."""
+    rng = np.random.default_rng(0)
+    omega, alpha, acceleration = (size * rng.normal(size=(80, 3)) for size in (2.0, 6.0, 3.0))
+    gravity = rng.normal(size=(80, 3))
+    gravity *= 9.81 / np.linalg.norm(gravity, axis=1, keepdims=True)
+    mass, center, inertia = 1.3, np.array([0.05, -0.02, 0.11]), np.diag([0.004, 0.006, 0.010])
+    about = inertia + mass * (center @ center * np.eye(3) - np.outer(center, center))
+    free = acceleration - gravity
+    force = mass * (free + np.cross(alpha, center) + np.cross(omega, np.cross(omega, center)))
+    torque = mass * np.cross(center, free) + alpha @ about + np.cross(omega, omega @ about)
+    force[17] += 5.0
+    with pytest.warns(polhode.PolhodeWarning, match="left out"):
+        return polhode.identify_payload(
+            times=0.1 * np.arange(80),
+            omega=omega,
+            alpha=alpha,
+            acceleration=acceleration,
+            gravity=gravity,
+            force=force + 0.1 * rng.normal(size=(80, 3)),
+            torque=torque + 0.02 * rng.normal(size=(80, 3)),
+            wrench="on_payload",
+            force_noise=0.1,
+            torque_noise=0.02,
+        )
+
+
 def everything(tmp_path: Path) -> list[object]:
     """Objects of every public class, filled as generically as can be."""
     made = bodies(tmp_path)
@@ -124,6 +152,11 @@ def everything(tmp_path: Path) -> list[object]:
     judged = [judgement(with_omega) for with_omega in (True, False)]
     with pytest.warns(polhode.PolhodeWarning) as heard:
         polhode.inertia(EXAMPLES / "bracket.stl", unit="mm")
+    tumbled, swung = (polhode.identify(EXAMPLES / "identify" / f"{name}.toml") for name in ("racket-like", "bifilar"))
+    carried = plate()
+    assert isinstance(tumbled, polhode.TumbleResult) and isinstance(swung, polhode.SwingResult) and carried.edge is not None
+    derived = polhode.simulate(PUSHED, derivatives=["torque[0].factor"])
+    assert derived.derivatives is not None and derived.derivatives.events
     return [
         *made,
         *moved,
@@ -152,6 +185,24 @@ def everything(tmp_path: Path) -> list[object]:
         judged[0].split,
         judged[0].split.parts[1],
         judged[0].likeliest,
+        derived,
+        derived.derivatives,
+        derived.derivatives.events[0],
+        free.derivatives(2.5),
+        tumbled,
+        tumbled.estimate,
+        tumbled.estimate["gyro bias y"],
+        tumbled.principal,
+        tumbled.tests[0],
+        tumbled.flights[1],
+        swung,
+        swung.swings[2],
+        carried,
+        carried.edge,
+        carried.edge.thin[0],
+        carried.unconstrained,
+        carried.left_out[0],
+        polhode.Flight(times=[0, 0.1, 0.3], gyro=omega[:3], attitude=attitude[:3], added=[1e-3, 2e-3, 2.5e-3], wheels=[([0, 0, 1], 0.2)]),
         error,
         heard[0].message,
         plan,

@@ -62,8 +62,15 @@ const KINDS: [&str; 3] = ["tumble", "swing", "payload"];
 /// # Errors
 /// [`FormatError`], with the place, if it, or a file that it names, cannot be read or describes nothing that could be measured.
 pub fn read(path: &Path) -> Result<Plan, FormatError> {
-    let text = text_of(path)?;
-    let source = Source::new(path, &text);
+    from_text(path, &text_of(path)?)
+}
+
+/// Reads a plan from its text; logs are relative to the path, which errors name.
+///
+/// # Errors
+/// As [`read()`].
+pub fn from_text(path: &Path, text: &str) -> Result<Plan, FormatError> {
+    let source = Source::new(path, text);
     let entries = document(source)?;
     let root = Table::root(source, &entries);
     root.allow(&[&["title"], &KINDS[..]].concat())?;

@@ -2,6 +2,7 @@
 
 - :func:`inertia`, :class:`MassProperties`, :class:`Body`, :mod:`shapes`, :func:`particles`: how much mass, where
 - :class:`FreeMotion`: a free motion at any time, in closed form
+- :func:`identify`, :func:`identify_tumbles`, :func:`identify_swings`, :func:`identify_payload`: from measured motion to mass properties
 - :func:`simulate`: the motion of a scenario; :func:`judge`: is the one that another program computed right?
 - :class:`Ensemble`: many bodies at once; :mod:`polhode.batch` and :mod:`polhode.sweep`: plans of many motions, here and on clusters
 - :func:`check`: are the inertias of a robot right? :func:`link_table`, :func:`fixed_groups`: its links as bodies
@@ -17,9 +18,24 @@ from __future__ import annotations
 from . import plot, shapes
 from ._body import Body
 from ._check import CheckReport, ModelFinding, check
+from ._derivatives import Derivatives, EventDerivatives
 from ._ensemble import Ensemble, Failure, EnsembleStates
 from ._error import PolhodeError, PolhodeWarning
+from ._estimate import Estimate, Number, PrincipalEstimate, ResidualTest
+from ._flight import Flight, find_flights
 from ._free_motion import FreeMotion, MotionError, States
+from ._identified import (
+    Edge,
+    FlightFit,
+    LeftOut,
+    PayloadResult,
+    SwingFit,
+    SwingResult,
+    Thin,
+    TumbleResult,
+    Unconstrained,
+)
+from ._identify import identify, identify_payload, identify_swings, identify_tumbles
 from ._inertia import inertia
 from ._judge import judge
 from ._judgement import Cause, ErrorGrowth, ErrorPart, ErrorSplit, Judgement, Reading, TriedReading
@@ -32,31 +48,52 @@ __all__ = [
     "Body",
     "Cause",
     "CheckReport",
+    "Derivatives",
+    "Edge",
     "Ending",
     "Ensemble",
+    "EnsembleStates",
     "ErrorGrowth",
     "ErrorPart",
     "ErrorSplit",
+    "Estimate",
     "Event",
+    "EventDerivatives",
     "Failure",
     "Finding",
-    "EnsembleStates",
+    "Flight",
+    "FlightFit",
     "FreeMotion",
     "Judgement",
+    "LeftOut",
     "LinkRow",
     "LinkTable",
     "MassProperties",
     "ModelFinding",
     "Motion",
     "MotionError",
+    "Number",
+    "PayloadResult",
     "PolhodeError",
     "PolhodeWarning",
+    "PrincipalEstimate",
     "Reading",
+    "ResidualTest",
     "States",
+    "SwingFit",
+    "SwingResult",
+    "Thin",
     "TriedReading",
+    "TumbleResult",
+    "Unconstrained",
     "__version__",
     "check",
+    "find_flights",
     "fixed_groups",
+    "identify",
+    "identify_payload",
+    "identify_swings",
+    "identify_tumbles",
     "inertia",
     "judge",
     "link_table",
@@ -71,28 +108,44 @@ for _public in (
     Body,
     Cause,
     CheckReport,
+    Derivatives,
+    Edge,
     Ending,
     Ensemble,
+    EnsembleStates,
     ErrorGrowth,
     ErrorPart,
     ErrorSplit,
+    Estimate,
     Event,
+    EventDerivatives,
     Failure,
     Finding,
-    EnsembleStates,
+    Flight,
+    FlightFit,
     FreeMotion,
     Judgement,
+    LeftOut,
     LinkRow,
     LinkTable,
     MassProperties,
     ModelFinding,
     Motion,
     MotionError,
+    Number,
+    PayloadResult,
     PolhodeError,
     PolhodeWarning,
+    PrincipalEstimate,
     Reading,
+    ResidualTest,
     States,
+    SwingFit,
+    SwingResult,
+    Thin,
     TriedReading,
+    TumbleResult,
+    Unconstrained,
 ):
     _public.__module__ = __name__
 del _public

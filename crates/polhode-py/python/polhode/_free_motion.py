@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from . import _arrays, _html, _native
 from ._arrays import Floats
+from ._derivatives import Derivatives, derivatives_of
 from ._error import PolhodeError
 from ._mass_properties import IDENTITY, MassProperties
 
@@ -167,6 +168,37 @@ class FreeMotion:
             raise PolhodeError(f"times must have the shape (n,) or be a number, not {given.shape}")
         states = States(*self._native.at(_arrays.numbers("times", np.atleast_1d(given), ("n",))))
         return States(states.omega[0], states.attitude[0]) if given.ndim == 0 else states
+
+    def derivatives(self, times: npt.ArrayLike) -> Derivatives:
+        """The states at times with their derivatives by the start and by the inertia tensor, in closed form.
+
+        Parameters
+        ----------
+        times
+            Times (n,), s: any, in any order, before the start too; or a single one.
+
+        Returns
+        -------
+        Derivatives
+            Arrays (n, 6, 6), whose rows and columns it names, and what carries a covariance along.
+
+        Examples
+        --------
+        What 1 rad/s more about the axis of the spin does in 7 s, to θ about it and to ω:
+
+        >>> import polhode
+        >>> motion = polhode.FreeMotion(moments=[1, 2, 3], omega=[0, 0, 0.5])
+        >>> motion.derivatives(7.0).by_start[[2, 5], 5].round(12)
+        array([7., 1.])
+
+        Of moments that are no body's (``allow_unphysical``), and of moments of which one is less than 1e-8 of the greatest, there are none; nor where
+        they grow beyond the range of numbers, next to the intermediate axis. Such is refused by a :exc:`PolhodeError`.
+        """
+        given = _arrays.real("times", times)
+        if given.ndim > 1:
+            raise PolhodeError(f"times must have the shape (n,) or be a number, not {given.shape}")
+        derived = self._native.derivatives(_arrays.numbers("times", np.atleast_1d(given), ("n",)))
+        return derivatives_of(derived, single=given.ndim == 0)
 
     def error(self, times: npt.ArrayLike) -> MotionError:
         """Estimates of the error of the states at times (n,), s: that of the formulas, and what the last bit of the inputs is worth.

@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 import os
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, NamedTuple, Sequence
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _arrays, _html, _native
 from ._arrays import Floats
+from ._derivatives import Derivatives, derivatives_of
 from ._error import warn
 from ._free_motion import MotionError, rotations
 from ._mass_properties import Finding, findings_of, warn_of
@@ -112,6 +113,12 @@ class Motion:
         return None if self._error is None else MotionError(*(errors.copy() for errors in self._error))
 
     @cached_property
+    def derivatives(self) -> Derivatives | None:
+        """Its derivatives, and those of its events; ``None`` unless :func:`simulate` was asked for them."""
+        derived = self._native.derivatives()
+        return None if derived is None else derivatives_of(derived)
+
+    @cached_property
     def ending(self) -> Ending:
         """How it ended."""
         return Ending(*self._native.ending)
@@ -204,7 +211,13 @@ class Motion:
 _VALUES = tuple(name for name, value in vars(Motion).items() if isinstance(value, cached_property))
 
 
-def simulate(scenario: str | os.PathLike[str], *, times: npt.ArrayLike | None = None, error: str = "auto") -> Motion:
+def simulate(
+    scenario: str | os.PathLike[str],
+    *,
+    times: npt.ArrayLike | None = None,
+    error: str = "auto",
+    derivatives: Sequence[str] | None = None,
+) -> Motion:
     """Computes the motion of a scenario: of a file, or of its text.
 
     A ``str`` of more than one line is a text; the files that it names are found from the current folder. ``times`` (n,), ascending, s,
@@ -214,6 +227,10 @@ def simulate(scenario: str | os.PathLike[str], *, times: npt.ArrayLike | None = 
 
     ``error`` says how much work :attr:`Motion.error` is worth: ``"thorough"`` takes twelve times as long as the motion, ``"cheap"`` as
     long as the motion, ``"auto"`` is thorough where that takes a moment.
+
+    ``derivatives`` asks for :attr:`Motion.derivatives`, by the start, by the inertia tensor, and by these numbers of torques:
+    ``"torque[0].factor"`` is what the first torque is multiplied by, which is 1; ``"torque[0].stiffness"`` a number of its own. An empty list
+    has start and tensor alone.
 
     >>> import polhode
     >>> motion = polhode.simulate('''
@@ -233,6 +250,36 @@ def simulate(scenario: str | os.PathLike[str], *, times: npt.ArrayLike | None = 
     ((401, 3), (401, 4))
     >>> bool(abs(motion.momentum - motion.momentum[0]).max() < 1e-16)
     True
+
+    Spun up by a torque about a principal axis, with its derivatives by the torque and when a rate is reached:
+
+    >>> motion = polhode.simulate('''
+    ... [[body.part]]
+    ... shape = "tensor"
+    ... mass = "1 kg"
+    ... moments = ["1 kg m^2", "2 kg m^2", "2.5 kg m^2"]
+    ...
+    ... [start]
+    ... spin = { body = [0, 0, 0] }
+    ...
+    ... [[torque]]
+    ... model = "constant"
+    ... axes = "body"
+    ... torque = [0, 0, "0.5 N m"]
+    ...
+    ... [[event]]
+    ... name = "fast"
+    ... measure = "omega_body_z"
+    ... value = "0.6 rad/s"
+    ...
+    ... [run]
+    ... duration = "4 s"
+    ... samples = 2
+    ... ''', derivatives=["torque[0].z"])
+    >>> motion.derivatives.by_parameters[1, 5, 0].round(12)  # ω = N t/I
+    np.float64(1.6)
+    >>> motion.derivatives.events[0].time_by_parameters.round(12)
+    array([-6.])
     """
     if isinstance(scenario, str) and "\n" in scenario:
         path, text = "scenario.toml", _arrays.text("scenario", scenario)
@@ -240,11 +287,20 @@ def simulate(scenario: str | os.PathLike[str], *, times: npt.ArrayLike | None = 
         path, text = _arrays.path("scenario", scenario), None
     error = _arrays.choice("error", error, ["auto", "cheap", "thorough"])
     sampled = None if times is None else _arrays.numbers("times", times, ("n",))
-    motion = Motion(_native.simulate(path, text, sampled, error))
+    motion = Motion(_native.simulate(path, text, sampled, error, _keys(derivatives)))
     warn_of_scenario(motion.findings)
     if motion.ending.kind == "failed":
         warn(f"the motion ends at t = {motion.ending.time} s: {motion.ending.cause}")
     return motion
+
+
+def _keys(derivatives: Sequence[str] | None) -> list[str] | None:
+    """Names of numbers."""
+    if derivatives is None:
+        return None
+    if isinstance(derivatives, (str, Mapping)) or not isinstance(derivatives, Iterable):
+        raise TypeError(f"derivatives must be a list of numbers' names, not {type(derivatives).__name__}")
+    return [_arrays.text(f"derivatives[{k}]", key) for k, key in enumerate(derivatives)]
 
 
 def warn_of_scenario(findings: list[Finding]) -> None:

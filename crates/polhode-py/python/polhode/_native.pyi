@@ -21,6 +21,9 @@ Remark = tuple[str, str, str, str | None]
 #: Mass properties by value: what they are made of is the business of Rust.
 MassState = tuple[Any, Any, Any, Any, Any]
 
+#: Mass, centre of mass, tensor about it.
+MassNumbers = tuple[float, list[float], list[list[float]]]
+
 class MeshOptions(TypedDict):
     unit: float | None
     hull: bool
@@ -69,6 +72,77 @@ class Judged(TypedDict):
     markdown: str
     page: str
 
+class DerivedEvent(TypedDict):
+    name: str
+    time: float
+    omega: Floats
+    attitude: Floats
+    by_start: Floats
+    by_inertia: Floats
+    by_parameters: Floats
+    time_by_start: Floats
+    time_by_inertia: Floats
+    time_by_parameters: Floats
+
+class Derived(TypedDict):
+    times: Floats
+    omega: Floats
+    attitude: Floats
+    by_start: Floats
+    by_inertia: Floats
+    by_parameters: Floats
+    parameters: list[str]
+    events: list[DerivedEvent]
+
+class FlightArrays(TypedDict):
+    name: str
+    times: Floats
+    gyro: Floats
+    attitude_times: Floats
+    attitude: Floats
+    added: list[float] | None
+    wheels: list[tuple[list[float], float]]
+    torques: str
+
+class FlightOptions(TypedDict):
+    bias: bool
+    scale: bool
+    skew: bool
+    clock: bool
+    drag: str
+    gyro_noise: float | None
+    attitude_noise: float | None
+    outlier: float
+
+class WrenchArrays(TypedDict):
+    times: Floats
+    omega: Floats
+    alpha: Floats
+    acceleration: Floats
+    gravity: Floats
+    attitude: Floats | None
+    force: Floats
+    torque: Floats
+
+class WrenchOptions(TypedDict):
+    on_sensor: bool
+    bias: bool
+    noise: list[float] | None
+    covariance: list[list[float]] | None
+    motion_noise: list[float]
+    kind: str | None
+
+class Identified(TypedDict):
+    json: str
+    text: str
+    markdown: str
+    page: str
+    has_model_error: bool
+    body: MassNumbers | None
+    wrench: Floats | None
+    swings: list[Floats]
+    times: Floats | None
+
 class MassProperties:
     @staticmethod
     def of_tensor(
@@ -116,6 +190,7 @@ class FreeMotion:
     @staticmethod
     def of_tensor(tensor: list[list[float]], omega: list[float], wxyz: list[float]) -> FreeMotion: ...
     def at(self, times: Floats) -> tuple[Floats, Floats]: ...
+    def derivatives(self, times: Floats) -> Derived: ...
     def error(self, times: Floats) -> list[list[Floats]]: ...
     @property
     def regime(self) -> str: ...
@@ -138,6 +213,7 @@ class FreeMotion:
     def page(self, duration: float) -> str: ...
 
 class Motion:
+    def derivatives(self) -> Derived | None: ...
     def columns(self) -> list[tuple[str, Floats]]: ...
     @property
     def work(self) -> Floats: ...
@@ -198,7 +274,14 @@ class Dataset:
     def compute(self, plan: Plan, threads: int, progress: Callable[[int, int], object]) -> None: ...
     def finish(self, plan: Plan, threads: int) -> tuple[str, str]: ...
 
-def simulate(path: str, text: str | None, times: Floats | None, error: str) -> Motion: ...
+def simulate(
+    path: str, text: str | None, times: Floats | None, error: str, derivatives: list[str] | None
+) -> Motion: ...
+def carried_covariance(by_start: Floats, by_inertia: Floats, by_parameters: Floats, joint: Floats) -> Floats: ...
+def identify_plan(path: str, text: str | None, is_written: bool) -> Identified: ...
+def identify_flights(title: str | None, flights: list[FlightArrays], options: FlightOptions) -> Identified: ...
+def identify_wrenches(title: str | None, given: WrenchArrays, options: WrenchOptions) -> Identified: ...
+def find_flights(times: Floats, gyro: Floats, slowest: float, shortest: float, torque: float) -> list[list[float]]: ...
 def motion_page(title: str | None, data: str) -> str: ...
 def judge_arrays(path: str, text: str | None, times: Floats, attitude: Floats, omega: Floats | None, said: Said) -> Judged: ...
 def judge_file(path: str, text: str | None, run: str, columns: str | None, said: Said) -> Judged: ...

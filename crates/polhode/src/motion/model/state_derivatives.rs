@@ -16,6 +16,39 @@ pub struct StateDerivatives {
 }
 
 impl StateDerivatives {
+    /// The covariance of the state, to first order, from that of all numbers together, which may depend on each other: J C Jᵀ, rows and columns in the order of the
+    /// derivatives. Those of `joint` are θ1 … ω3 of the start, xx … yz, and then parameters of torques, by which derivatives are as
+    /// [`TrajectoryDerivatives::by_parameters`](crate::motion::TrajectoryDerivatives::by_parameters) has them; `None` if it has another number of them.
+    ///
+    /// ```
+    /// use polhode::prelude::*;
+    /// use polhode::motion::FreeMotionDerivatives;
+    /// let body = MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal([1.0, 2.0, 3.0])?)?;
+    /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.0, 0.0, 0.5) };
+    /// let after = FreeMotionDerivatives::of(&Rotor::free(&body), start)?.at(7.0);
+    /// // ω about the axis of the spin is known to 0.01 rad/s, and the angle at the start to 0.03 rad, both too large if one is.
+    /// let mut joint = vec![vec![0.0; 12]; 12];
+    /// (joint[2][2], joint[5][5], joint[2][5], joint[5][2]) = (9e-4, 1e-4, 3e-4, 3e-4);
+    /// let covariance = after.joint_covariance(&[], &joint).ok_or("not of 12 numbers")?;
+    /// assert!((covariance[2][2].sqrt() - (0.03 + 7.0 * 0.01)).abs() < 1e-14);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn joint_covariance(&self, by_parameters: &[[f64; 6]], joint: &[Vec<f64>]) -> Option<[[f64; 6]; 6]> {
+        let count = 12 + by_parameters.len();
+        if joint.len() != count || joint.iter().any(|row| row.len() != count) {
+            return None;
+        }
+        let columns = |i: usize| {
+            let known = self.by_start[i].iter().chain(&self.by_inertia[i]).copied();
+            known.chain(by_parameters.iter().map(|column| column[i])).collect()
+        };
+        let rows: [Vec<f64>; 6] = core::array::from_fn(columns);
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+        let half = rows.each_ref().map(|row| joint.iter().map(|c| dot(c, row)).collect::<Vec<f64>>());
+        Some(rows.each_ref().map(|row| half.each_ref().map(|half| dot(row, half))))
+    }
+
     /// The covariance of the state, to first order, from that of the start and that of the inertia tensor, which are independent of each
     /// other: Φ P Φᵀ + G Q Gᵀ, rows and columns in the order of the derivatives.
     #[must_use]

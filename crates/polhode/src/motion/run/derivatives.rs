@@ -52,6 +52,18 @@ impl Simulation<'_> {
         &self,
         parameters: &[TorqueParameter],
     ) -> Result<TrajectoryDerivatives, MotionError> {
+        self.run_with_derivatives_watched(parameters, &mut |_| true)
+    }
+
+    /// [`Simulation::run_with_derivatives`], telling `progress` the time (s) after each step; `false` ends the work.
+    ///
+    /// # Errors
+    /// As [`Simulation::run_with_derivatives`], and [`MotionError::Stopped`].
+    pub fn run_with_derivatives_watched(
+        &self,
+        parameters: &[TorqueParameter],
+        progress: &mut dyn FnMut(f64) -> bool,
+    ) -> Result<TrajectoryDerivatives, MotionError> {
         let Self { rotor, torques, switched_off, start, events, times, tolerance, method } = *self;
         self.require_possible()?;
         let why_not = |why| Err(MotionError::NoMotionDerivatives { why, time: start.time });
@@ -74,7 +86,7 @@ impl Simulation<'_> {
         let stepper = Stepper::new(Rule::Taylor, rotor, torques, switched_off, start, tolerance, false)?;
         let stepper = stepper.differentiated(parameters);
         let mut integration = Integration::new(stepper, events, start, times).with_derivatives();
-        let (_, ending) = integration.run(start, &mut |_| true)?;
+        let (_, ending) = integration.run(start, progress)?;
         if let Ending::Failed { cause: cause @ MotionError::NoMotionDerivatives { .. }, .. } = ending {
             return Err(cause);
         }

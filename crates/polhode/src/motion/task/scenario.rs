@@ -18,8 +18,9 @@ use crate::motion::model::pointing::Pointing;
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
-use crate::motion::model::torque::TorqueModel;
+use crate::motion::model::torque::{TorqueModel, TorqueParameter};
 use crate::motion::model::wheel::Wheel;
+use crate::motion::run::derivatives::TrajectoryDerivatives;
 use crate::motion::run::global_error::ErrorEffort;
 use crate::motion::run::simulation::Simulation;
 use crate::motion::run::trajectory::Trajectory;
@@ -551,6 +552,23 @@ impl Scenario {
         self.trajectory(|simulation| simulation.run_with_error(effort, progress))
     }
 
+    /// The derivatives of the motion, at the times of the run; `None` without a run.
+    ///
+    /// # Errors
+    /// [`MotionError`] as [`Simulation::run_with_derivatives_watched`]; [`MotionError::NoMotionDerivatives`] of a motion that is prescribed.
+    pub fn derivatives_watched(
+        &self,
+        parameters: &[TorqueParameter],
+        progress: &mut dyn FnMut(f64) -> bool,
+    ) -> Option<Result<TrajectoryDerivatives, MotionError>> {
+        let run = self.run.as_ref()?;
+        if self.prescribed().is_some() {
+            let why = "it is prescribed, whatever the body is";
+            return Some(Err(MotionError::NoMotionDerivatives { why, time: self.start.time }));
+        }
+        Some(self.simulation(run).run_with_derivatives_watched(parameters, progress))
+    }
+
     fn trajectory(
         &self,
         run_by: impl FnOnce(&Simulation<'_>) -> Result<Trajectory, MotionError>,
@@ -559,12 +577,15 @@ impl Scenario {
         if let Some(motion) = self.prescribed() {
             return Some(Trajectory::prescribed(&self.rotor, motion, &run.times));
         }
-        let simulation = Simulation::new(&self.rotor, self.torques(), self.start, &run.times)
+        Some(run_by(&self.simulation(run)))
+    }
+
+    fn simulation<'a>(&'a self, run: &'a Run) -> Simulation<'a> {
+        Simulation::new(&self.rotor, self.torques(), self.start, &run.times)
             .switched_off(self.switched_off())
             .events(self.events())
             .method(run.method)
-            .tolerance(run.tolerance);
-        Some(run_by(&simulation))
+            .tolerance(run.tolerance)
     }
 
     /// The pendulum that hangs from the scenario's axis under its gravity; `None` without an axis or without gravity.

@@ -3,7 +3,7 @@
 use polhode::motion::torque::{Drag, DragLaw, Magnetic, MagneticField, TorqueParameter, Torsion};
 use polhode::prelude::*;
 
-use super::{ELEMENTS, Problem, columns, cross, difference};
+use super::{ELEMENTS, Problem, between, columns, cross, derivative, difference, differenced};
 
 fn product(a: [[f64; 6]; 6], b: [[f64; 6]; 6]) -> [[f64; 6]; 6] {
     core::array::from_fn(|i| core::array::from_fn(|j| (0..6).map(|k| a[i][k] * b[k][j]).sum()))
@@ -88,6 +88,33 @@ fn covariances_follow_the_derivatives() {
             assert!((covariance[i][j] - want).abs() < 1e-15 + 1e-12 * want.abs());
         }
     }
+}
+
+#[test]
+fn a_joint_covariance_is_that_of_motions_that_differ_together() {
+    let torque = |x: f64| TorqueModel::Constant(ConstantTorque::Body(Torque::new(x, -0.4, 0.7)));
+    let problem = Problem::free(vec![torque(1.3)]);
+    let (here, parameters) = (problem.states(&[2.0]), [TorqueParameter { torque: 0, name: "x" }]);
+    let motion = problem.derivatives(&parameters, &[2.0]);
+    let mut columns = differenced(&problem, &[2.0]);
+    columns.push(derivative(
+        |h| {
+            let other = Problem { torques: vec![torque(1.3 + h)], ..problem.clone() };
+            between(&here[0], &other.states(&[2.0])[0]).to_vec()
+        },
+        0.02,
+    ));
+    // Three directions in which start, tensor and torque differ together: Σ v vᵀ is carried to Σ (J v)(J v)ᵀ.
+    let directions: Vec<Vec<f64>> =
+        (0..3).map(|n| (0..13).map(|k| (f64::from(7 * n + 3 * k) * 0.61).sin()).collect()).collect();
+    let sum = |of: &dyn Fn(&[f64]) -> f64| directions.iter().map(|v| of(v)).sum::<f64>();
+    let joint: Vec<Vec<f64>> = (0..13).map(|i| (0..13).map(|j| sum(&|v| v[i] * v[j])).collect()).collect();
+    let image = |v: &[f64], i: usize| v.iter().zip(&columns).map(|(v, column)| v * column[i]).sum::<f64>();
+    let want: Vec<f64> = (0..36).map(|k| sum(&|v| image(v, k / 6) * image(v, k % 6))).collect();
+    let got = motion.states[0].joint_covariance(&motion.by_parameters[0], &joint).unwrap();
+    let error = difference(got.as_flattened(), &want);
+    assert!(error < 1e-10, "{error:e}\n{got:?}\n{want:?}");
+    assert_eq!(motion.states[0].joint_covariance(&[], &joint), None);
 }
 
 #[test]

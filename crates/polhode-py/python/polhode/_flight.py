@@ -1,0 +1,141 @@
+"""Readings of a body while it is free."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arrays, _native
+from ._arrays import Floats
+from ._error import PolhodeError
+from ._record import Record
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Flight(Record):
+    """Readings of a body while nothing turned it but what is said here: a gyro's, or tracked attitudes, or both.
+
+    >>> import numpy as np, polhode
+    >>> polhode.Flight(times=[0, 0.01, 0.02, 0.03], gyro=np.ones((4, 3)))
+    Flight('flight': 4 readings of a gyro)
+    """
+
+    #: Times of the gyro's readings (n,), s, ascending.
+    times: npt.ArrayLike = ()
+    #: ω along the sensor's axes as it was read (n, 3), rad/s.
+    gyro: npt.ArrayLike = ()
+    #: Times of the attitudes (m,), s, ascending; ``times`` unless it is said.
+    attitude_times: npt.ArrayLike | None = None
+    #: Attitudes of axes fixed in the body: quaternions (m, 4), w, x, y, z, from the body to space, or a ``scipy.spatial.transform.Rotation``.
+    attitude: object = None
+    #: What reports call it.
+    name: str = "flight"
+    #: By how much the tensor about the common centre of mass is greater in this flight (3, 3), kg·m²: something known is on the body.
+    added: npt.ArrayLike | None = None
+    #: Wheels that are held at their speed in the body, each its axis (3,) and its momentum, kg·m²/s.
+    wheels: Sequence[tuple[npt.ArrayLike, float]] = ()
+    #: Torques that are known: a text of ``[[torque]]`` tables, as scenarios have them.
+    torques: str = ""
+
+    def __post_init__(self) -> None:
+        name = _arrays.text("name", self.name)
+        gyro = np.empty((0, 3)) if np.size(self.gyro) == 0 else _arrays.numbers("gyro", self.gyro, ("n", 3))
+        times = _arrays.numbers("times", self.times, ("n",))
+        attitude, at = np.empty((0, 4)), np.empty(0)
+        if self.attitude is not None:
+            attitude = _arrays.quaternions("attitude", self.attitude, ("n", 4))
+            at = times if self.attitude_times is None else _arrays.numbers("attitude_times", self.attitude_times, ("n",))
+            as_long("attitude_times" if self.attitude_times is not None else "times", at, "attitude", attitude)
+        elif self.attitude_times is not None:
+            raise PolhodeError("attitude_times mean nothing without attitude")
+        if len(gyro) or self.attitude is None:
+            as_long("times", times, "gyro", gyro)
+        wheels = tuple(
+            (tuple(_arrays.triple(f"wheels[{k}][0]", axis)), _arrays.number(f"wheels[{k}][1]", momentum))
+            for k, (axis, momentum) in enumerate(self.wheels)
+        )
+        checked: dict[str, object] = {
+            "times": times.copy() if len(gyro) else np.empty(0),
+            "gyro": gyro.copy(),
+            "attitude_times": at.copy(),
+            "attitude": attitude.copy(),
+            "name": name,
+            "added": None if self.added is None else np.array(_arrays.tensor("added", self.added)),
+            "wheels": wheels,
+            "torques": _arrays.text("torques", self.torques),
+        }
+        for key, value in checked.items():
+            object.__setattr__(self, key, value)
+        super().__post_init__()
+
+    def __repr__(self) -> str:
+        kinds = ((len(self.times), "readings of a gyro"), (len(self.attitude), "attitudes"))  # type: ignore[arg-type]
+        return f"Flight({self.name!r}: {', '.join(f'{n} {kind}' for n, kind in kinds if n)})"
+
+    def _arrays(self) -> _native.FlightArrays:
+        added: Any = self.added
+        given: Any = self
+        six = None if added is None else [added[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
+        return {
+            "name": self.name,
+            "times": given.times,
+            "gyro": given.gyro,
+            "attitude_times": given.attitude_times,
+            "attitude": given.attitude,
+            "added": six,
+            "wheels": [(list(axis), momentum) for axis, momentum in given.wheels],
+            "torques": self.torques,
+        }
+
+
+def find_flights(
+    *,
+    times: npt.ArrayLike,
+    gyro: npt.ArrayLike,
+    slowest: float = 3.0,
+    shortest: float = 0.3,
+    torque: float = 0.2,
+) -> list[Flight]:
+    """Cuts the flights out of a long log: where the body turns fast for a while, and nothing turns it.
+
+    Parameters
+    ----------
+    times, gyro
+        Times (n,), s, and ω along the sensor's axes (n, 3), rad/s.
+    slowest
+        In flight the body turns at least so fast, rad/s.
+    shortest
+        A flight lasts at least so long, s.
+    torque
+        In flight the torque is at most this part of \\|I ω²\\|: a hand makes it as large as that.
+
+    Returns
+    -------
+    list of Flight
+        In the order of time; they are called by their number and their first time.
+
+    Examples
+    --------
+    A log at rest has none:
+
+    >>> import numpy as np, polhode
+    >>> polhode.find_flights(times=np.arange(100) * 0.01, gyro=np.full((100, 3), 0.001))
+    []
+    """
+    when, omega = _arrays.numbers("times", times, ("n",)), _arrays.numbers("gyro", gyro, ("n", 3))
+    as_long("times", when, "gyro", omega)
+    limits = _arrays.positive("slowest", slowest), _arrays.positive("shortest", shortest), _arrays.positive("torque", torque)
+    flights = []
+    for k, (start, end) in enumerate(_native.find_flights(when, omega, *limits)):
+        inside = (when >= start) & (when <= end)
+        flights.append(Flight(name=f"flight {k + 1}, {start:.2f} s", times=when[inside], gyro=omega[inside]))
+    return flights
+
+
+def as_long(name: str, one: Floats, other_name: str, other: Floats) -> None:
+    """Refuses arrays of different lengths."""
+    if len(one) != len(other):
+        raise PolhodeError(f"{name} and {other_name} must be of the same length, not {len(one)} and {len(other)}")

@@ -1,0 +1,348 @@
+"""From measured motion to mass properties."""
+
+from __future__ import annotations
+
+import os
+from typing import Iterable, Mapping, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arrays, _native, _toml
+from ._error import PolhodeError
+from ._flight import Flight, as_long
+from ._identified import PayloadResult, SwingResult, TumbleResult, identified_of
+from ._mass_properties import warn_of
+
+
+def identify(plan: str | os.PathLike[str] | Mapping[str, object]) -> TumbleResult | SwingResult | PayloadResult:
+    """Finds a body's mass properties from measurements of its motion: what ``polhode identify`` does.
+
+    Parameters
+    ----------
+    plan
+        A path; or the text of a plan, a ``str`` of more than one line; or the same as a dictionary, whose arrays may be NumPy's. Files that a
+        text or a dictionary names are found from the current folder. The book's ``identify.md`` has all keys.
+
+    Returns
+    -------
+    TumbleResult, SwingResult or PayloadResult
+        By the plan's table: ``[tumble]``, ``[swing]`` or ``[payload]``.
+
+    Raises
+    ------
+    PolhodeError
+        If the plan or a log cannot be read, with the place; if there is too little to find what is asked for; if rates are in another unit.
+
+    Warns
+    -----
+    PolhodeWarning
+        Of findings: what is left is no noise, readings were left out, not all is known.
+
+    See Also
+    --------
+    identify_tumbles, identify_swings, identify_payload : the same of arrays.
+
+    Examples
+    --------
+    A body on a knife edge, 31.2 cm above its centre of mass, as a text:
+
+    >>> import polhode, warnings
+    >>> plan = '''
+    ... title = "A bat"
+    ... [swing]
+    ... mass = { value = "0.912 kg", sd = "1 g" }
+    ... center = [0, 0, 0]
+    ... [[swing.test]]
+    ... name = "about x"
+    ... rig = "compound"
+    ... axis = [1, 0, 0]
+    ... pivot = [0, 0, { value = "312 mm", sd = "0.5 mm" }]
+    ... counted = { swings = 30, time = "40.15 s", sd = "0.04 s", amplitude = ["10 deg", "8 deg"], amplitude_sd = "0.5 deg" }
+    ... '''
+    >>> with warnings.catch_warnings():
+    ...     warnings.simplefilter("ignore")
+    ...     bat = polhode.identify(plan)
+    >>> bat
+    SwingResult('A bat': 1 test, the whole tensor is not known)
+    >>> print(bat.swings[0].moment)
+    moment: 0.0374351 ± 0.00027 kg·m²
+    """
+    if isinstance(plan, Mapping):
+        answer = _native.identify_plan("plan.toml", _toml.text_of(plan), False)
+    elif isinstance(plan, str) and "\n" in plan:
+        answer = _native.identify_plan("plan.toml", _arrays.text("plan", plan), True)
+    else:
+        answer = _native.identify_plan(_arrays.path("plan", plan), None, True)
+    return _told(answer)
+
+
+def identify_tumbles(
+    *,
+    flights: Flight | Iterable[Flight],
+    bias: bool = True,
+    scale: bool = False,
+    skew: bool = False,
+    clock: bool = False,
+    gyro_noise: float | None = None,
+    attitude_noise: float | None = None,
+    drag: str | None = None,
+    outlier: float = 6.0,
+    title: str | None = None,
+) -> TumbleResult:
+    """Finds the tensor of a body from flights, in which nothing turns it but the air.
+
+    Its moments are those over the greatest; they are in kg·m² if something known is on it in one of the flights.
+
+    Parameters
+    ----------
+    flights
+        One or several of the same body, with the sensor fixed to it.
+    bias, scale, skew, clock
+        What of the gyro is found with the body: reading = (1 + S) ω(t + τ) + b. ``bias`` is b, ``scale`` the diagonal of S, ``skew`` the rest
+        of S, ``clock`` τ on the clock of the attitudes.
+    gyro_noise
+        Standard deviation of a component, rad/s; found in the readings unless it is said.
+    attitude_noise
+        Standard deviation of a component of the attitudes, rad; has to be said if there are any.
+    drag
+        ``"linear"`` or ``"quadratic"``: a matrix of drag is found with the body.
+    outlier
+        Beyond so many standard deviations a reading is left out, and counted.
+    title
+        What reports call it.
+
+    Examples
+    --------
+    Two throws of a body, whose moments are 1 to 2 to 2.5, and which a gyro reads with noise:
+
+    >>> import numpy as np, polhode
+    >>> times, noise = np.arange(150) * 0.01, np.random.default_rng(1)
+    >>> def thrown(omega):
+    ...     motion = polhode.FreeMotion(moments=[1, 2, 2.5], omega=omega)
+    ...     return polhode.Flight(times=times, gyro=motion.at(times).omega + 0.01 * noise.normal(size=(150, 3)))
+    >>> found = polhode.identify_tumbles(flights=[thrown([9, 1, 2]), thrown([1, 8, -5])])
+    >>> bool(abs(found.principal.ratios - [0.4, 0.8]).max() < 4 * found.principal.ratio_sd.max() < 0.004)
+    True
+    >>> found.scale_is_known, found.estimate["gyro bias x"].unit
+    (False, 'rad/s')
+    """
+    given = [flights] if isinstance(flights, Flight) else flights
+    if isinstance(given, (str, Mapping)) or not isinstance(given, Iterable):
+        raise TypeError(f"flights must be a Flight or a list of them, not {type(flights).__name__}")
+    each = list(given)
+    for k, flight in enumerate(each):
+        if not isinstance(flight, Flight):
+            raise TypeError(f"flights[{k}] must be a Flight, not {type(flight).__name__}")
+    options: _native.FlightOptions = {
+        "bias": _arrays.truth("bias", bias),
+        "scale": _arrays.truth("scale", scale),
+        "skew": _arrays.truth("skew", skew),
+        "clock": _arrays.truth("clock", clock),
+        "drag": "none" if drag is None else _arrays.choice("drag", drag, ["linear", "quadratic"]),
+        "gyro_noise": None if gyro_noise is None else _arrays.positive("gyro_noise", gyro_noise),
+        "attitude_noise": None if attitude_noise is None else _arrays.positive("attitude_noise", attitude_noise),
+        "outlier": _arrays.positive("outlier", outlier),
+    }
+    found = _told(_native.identify_flights(_title(title), [flight._arrays() for flight in each], options))
+    assert isinstance(found, TumbleResult)
+    return found
+
+
+def identify_swings(
+    *,
+    mass: object,
+    center: Sequence[object],
+    tests: Sequence[Mapping[str, object]],
+    numbers: Mapping[str, object] | None = None,
+    gravity: object = None,
+    title: str | None = None,
+) -> SwingResult:
+    """Finds the tensor of a body from the periods of its swings on wires, or about an axis.
+
+    Parameters
+    ----------
+    mass, center
+        The body's mass, and its centre of mass along the body's axes (3). Here and in tests a quantity is a number in SI or a text with its
+        unit, which is exact; measured, ``{"value": "3.2 kg", "sd": "1 g"}``; or to be found, ``{"about": "3 kg"}``.
+    tests
+        The tests, each a dictionary with the keys of a ``[[swing.test]]`` of a plan: the book's ``identify-swing.md`` has them.
+    numbers
+        Numbers that tests share, by the names by which these call them.
+    gravity
+        9.80665 m/s², exactly, unless it is said.
+    title
+        What reports call it.
+
+    Examples
+    --------
+    A plate about one of its axes, on two wires: one axis says nothing of the others.
+
+    >>> import polhode, warnings
+    >>> with warnings.catch_warnings():
+    ...     warnings.simplefilter("ignore")
+    ...     found = polhode.identify_swings(
+    ...         mass={"value": 3.2, "sd": 0.001},
+    ...         center=[0, 0, -0.06],
+    ...         numbers={"radius": {"value": "200 mm", "sd": "0.3 mm"}, "length": {"value": "1.5 m", "sd": "0.5 mm"}},
+    ...         tests=[{
+    ...             "name": "about z",
+    ...             "rig": "bifilar",
+    ...             "up": [0, 0, 1],
+    ...             "across": [1, 0, 0],
+    ...             "radius": "radius",
+    ...             "length": "length",
+    ...             "counted": {"swings": 40, "time": 65.0, "sd": 0.03, "amplitude": ["15 deg", "11 deg"], "amplitude_sd": "0.3 deg"},
+    ...         }],
+    ...     )
+    >>> print(found.swings[0].moment)
+    moment: 0.0555788 ± 0.00018 kg·m²
+    >>> found.estimate["Ixx"].sd is None, len(found.estimate.unknown), found.body
+    (True, 5, None)
+    """
+    swing: dict[str, object] = {"mass": mass, "center": center, "test": list(tests)}
+    if gravity is not None:
+        swing["gravity"] = gravity
+    if numbers is not None:
+        swing["numbers"] = numbers
+    plan: dict[str, object] = {"swing": swing}
+    if title is not None:
+        plan["title"] = _title(title)
+    found = identify(plan)
+    assert isinstance(found, SwingResult)
+    return found
+
+
+def identify_payload(
+    *,
+    times: npt.ArrayLike,
+    omega: npt.ArrayLike,
+    alpha: npt.ArrayLike,
+    acceleration: npt.ArrayLike,
+    gravity: npt.ArrayLike,
+    force: npt.ArrayLike,
+    torque: npt.ArrayLike,
+    wrench: str,
+    attitude: object = None,
+    bias: bool = False,
+    force_noise: float | None = None,
+    torque_noise: float | None = None,
+    wrench_covariance: npt.ArrayLike | None = None,
+    omega_noise: float = 0.0,
+    alpha_noise: float = 0.0,
+    acceleration_noise: float = 0.0,
+    kind: str | None = None,
+    title: str | None = None,
+) -> PayloadResult:
+    """Finds mass, centre of mass and tensor of what a force–torque sensor carries, from its wrenches and its motion.
+
+    All vectors are along the sensor's axes and about its origin.
+
+    Parameters
+    ----------
+    times
+        Times (n,), s, ascending.
+    omega, alpha
+        Angular velocity of the sensor (n, 3), rad/s, and its derivative (n, 3), rad/s².
+    acceleration
+        Of the sensor's origin (n, 3), m/s²: zero at rest.
+    gravity
+        Of free fall, pointing down (n, 3), m/s²; or with ``attitude`` (3,) along axes of space; or (3,) zeros.
+    attitude
+        With ``gravity`` (3,): the sensor's attitudes (n, 4), as quaternions w, x, y, z from the sensor to space, or a ``Rotation`` of n.
+    force, torque
+        The wrench (n, 3), N and N·m.
+    wrench
+        Whose it is: ``"on_sensor"``, whose force at rest points down, as a scale reads, or ``"on_payload"``.
+    bias
+        Whether the sensor has a constant bias that is to be found.
+    force_noise, torque_noise, wrench_covariance
+        Standard deviations of a component, both; or the covariance (6, 6) of fx, fy, fz, τx, τy, τz. Without them the noise is found in what is
+        left.
+    omega_noise, alpha_noise, acceleration_noise
+        Standard deviations of a component of the motion, if it has noise.
+    kind
+        What the payload is known to be: a ``"plate"`` or a ``"rod"``.
+    title
+        What reports call it.
+
+    Examples
+    --------
+    A tool of 1.7 kg, 0.1 m in front of a wrist that rests in four attitudes: mass and centre, and nothing of the tensor.
+
+    >>> import numpy as np, polhode, warnings
+    >>> down = np.repeat([[0, 0, -1], [0, -1, 0], [-1, 0, 0], [0.6, 0.8, 0]], 8, axis=0) * 9.81
+    >>> still, noise = np.zeros((32, 3)), np.random.default_rng(2)
+    >>> with warnings.catch_warnings():
+    ...     warnings.simplefilter("ignore")
+    ...     found = polhode.identify_payload(
+    ...         times=np.arange(32) * 0.1, omega=still, alpha=still, acceleration=still, gravity=down,
+    ...         force=1.7 * down + 0.01 * noise.normal(size=(32, 3)),
+    ...         torque=np.cross([0, 0, 0.1], 1.7 * down) + 0.001 * noise.normal(size=(32, 3)),
+    ...         wrench="on_sensor", force_noise=0.01, torque_noise=0.001,
+    ...     )
+    >>> print(found.estimate["mass"])
+    mass: 1.70007 ± 0.00018 kg
+    >>> found.body is None, found.estimate["Ixx"].sd is None
+    (True, True)
+    """
+    when = _arrays.numbers("times", times, ("n",))
+    vectors = {"omega": omega, "alpha": alpha, "acceleration": acceleration, "force": force, "torque": torque}
+    rows = {name: _arrays.numbers(name, value, ("n", 3)) for name, value in vectors.items()}
+    for name, array in rows.items():
+        as_long("times", when, name, array)
+    down = _arrays.real("gravity", gravity)
+    turned = None
+    if attitude is not None:
+        turned = _arrays.quaternions("attitude", attitude, ("n", 4))
+        as_long("times", when, "attitude", turned)
+        down = _arrays.numbers("gravity", down, (3,)).reshape(1, 3)
+    elif down.shape == (3,) and not down.any():
+        down = np.zeros((len(when), 3))
+    else:
+        if down.shape == (3,):
+            hint = "give attitude too, or gravity (n, 3) along the sensor's axes"
+            raise PolhodeError("gravity of the shape (3,) is along axes of space, and there are no attitudes", hint)
+        down = _arrays.numbers("gravity", down, ("n", 3))
+        as_long("times", when, "gravity", down)
+    if (force_noise is None) != (torque_noise is None):
+        raise PolhodeError("force_noise and torque_noise are given both, or neither")
+    noise = None
+    if force_noise is not None and torque_noise is not None:
+        if wrench_covariance is not None:
+            raise PolhodeError("wrench_covariance has all of the noise in it: give it, or force_noise and torque_noise")
+        noise = [_arrays.positive("force_noise", force_noise), _arrays.positive("torque_noise", torque_noise)]
+    covariance = None if wrench_covariance is None else _arrays.numbers("wrench_covariance", wrench_covariance, (6, 6)).tolist()
+    moving = {"omega_noise": omega_noise, "alpha_noise": alpha_noise, "acceleration_noise": acceleration_noise}
+    given: _native.WrenchArrays = {
+        "times": when,
+        "omega": rows["omega"],
+        "alpha": rows["alpha"],
+        "acceleration": rows["acceleration"],
+        "gravity": np.require(down, np.float64, ["C", "A"]),
+        "attitude": turned,
+        "force": rows["force"],
+        "torque": rows["torque"],
+    }
+    options: _native.WrenchOptions = {
+        "on_sensor": _arrays.choice("wrench", wrench, ["on_sensor", "on_payload"]) == "on_sensor",
+        "bias": _arrays.truth("bias", bias),
+        "noise": noise,
+        "covariance": covariance,
+        "motion_noise": [_arrays.number(name, value) for name, value in moving.items()],
+        "kind": None if kind is None else _arrays.choice("kind", kind, ["plate", "rod"]),
+    }
+    found = _told(_native.identify_wrenches(_title(title), given, options))
+    assert isinstance(found, PayloadResult)
+    return found
+
+
+def _told(answer: _native.Identified) -> TumbleResult | SwingResult | PayloadResult:
+    """An answer, whose warnings are given."""
+    found = identified_of(answer)
+    warn_of(found.findings)
+    return found
+
+
+def _title(title: str | None) -> str | None:
+    return None if title is None else _arrays.text("title", title)

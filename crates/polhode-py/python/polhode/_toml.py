@@ -1,0 +1,51 @@
+"""Plans that are given as dictionaries, as the text that files have."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Mapping
+
+import numpy as np
+
+from . import _arrays
+
+
+def text_of(plan: Mapping[str, object]) -> str:
+    """TOML, a line for each key; arrays of NumPy are lists, paths are texts.
+
+    >>> print(text_of({"title": "a \\"body\\"", "swing": {"mass": 3.2, "center": np.zeros(3)}}), end="")
+    "title" = "a \\"body\\""
+    "swing" = {"mass" = 3.2, "center" = [0.0, 0.0, 0.0]}
+    """
+    return "".join(f"{pair}\n" for pair in _pairs("plan", plan))
+
+
+def _pairs(place: str, table: Mapping[str, object]) -> list[str]:
+    pairs = []
+    for key, value in table.items():
+        if not isinstance(key, str):
+            raise TypeError(f"{place} has the key {key!r}, which must be text")
+        pairs.append(f"{_quoted(place, key)} = {_value(f'{place}[{key!r}]', value)}")
+    return pairs
+
+
+def _value(place: str, value: object) -> str:
+    if isinstance(value, Mapping):
+        return f"{{{', '.join(_pairs(place, value))}}}"
+    if isinstance(value, (np.ndarray, np.generic)):
+        value = value.tolist()
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, (int, float)):
+        return repr(value)
+    if isinstance(value, (str, os.PathLike)):
+        return _quoted(place, os.fspath(value))
+    if isinstance(value, (list, tuple)):
+        return f"[{', '.join(_value(f'{place}[{k}]', element) for k, element in enumerate(value))}]"
+    raise TypeError(f"{place} must be text, a number, true or false, a list or a dictionary, not {type(value).__name__}")
+
+
+def _quoted(place: str, text: object) -> str:
+    """A basic string: as JSON has it, but for the one character more that TOML escapes."""
+    return json.dumps(_arrays.text(place, text), ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -1,0 +1,351 @@
+//! What a body is, by measurements of its motion.
+
+use std::path::PathBuf;
+
+use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
+use polhode::body::MassProperties;
+use polhode::math::{
+    Acceleration, AngularAcceleration, AngularVelocity, Attitude, Body, Direction, Force, Torque,
+};
+use polhode::motion::torque::DragLaw;
+use polhode::motion::{Motor, Wheel};
+use polhode_formats::identify::{self, Measurement, Plan, ReadLog};
+use polhode_identify::IdentifyError;
+use polhode_identify::payload::{
+    EdgeKind, MotionNoise, PayloadLog, PayloadRow, WrenchNoise, WrenchSense, gravity_along, identify_payload,
+};
+use polhode_identify::swing::{SwingEstimate, SwingPlan, identify_swings};
+use polhode_identify::tumble::{
+    AttitudeReading, Flight, FlightSearch, GyroErrors, GyroReading, TumbleOptions, identify_tumbles,
+};
+use polhode_report::{IdentifyReport, PayloadReport, SwingReport, TumbleReport, plain};
+use pyo3::prelude::*;
+
+use crate::arrays::{matrix, numbers, rows};
+use crate::ensemble::read_torques;
+use crate::error::{Raise, refused};
+
+/// Mass, centre of mass, tensor about it.
+type MassNumbers = (f64, [f64; 3], [[f64; 3]; 3]);
+
+/// An answer as the command prints it, and what is left as arrays.
+#[derive(Debug, IntoPyObject)]
+pub(crate) struct Identified<'py> {
+    json: String,
+    text: String,
+    markdown: String,
+    page: String,
+    has_model_error: bool,
+    /// The body, if all of it is known.
+    body: Option<MassNumbers>,
+    /// Of a payload, by row: fx, fy, fz, τx, τy, τz.
+    wrench: Option<Bound<'py, PyArray2<f64>>>,
+    /// Of swings, by test.
+    swings: Vec<Bound<'py, PyArray1<f64>>>,
+    /// Of a payload: the times of its rows, s.
+    times: Option<Bound<'py, PyArray1<f64>>>,
+}
+
+/// What was found, before it is Python's.
+struct Found {
+    report: IdentifyReport,
+    body: Option<MassProperties<Body>>,
+    wrench: Option<(Vec<f64>, Vec<[f64; 6]>)>,
+    swings: Vec<Vec<f64>>,
+}
+
+/// Identifies what a plan measures: of a file, or of a text, whose files are found beside `path`. The places in a text that the user did not write are not said.
+///
+/// # Errors
+/// `PolhodeError` if the plan cannot be read, or what it measures is nobody's motion.
+#[pyfunction]
+pub(crate) fn identify_plan<'py>(
+    py: Python<'py>,
+    path: PathBuf,
+    text: Option<String>,
+    is_written: bool,
+) -> PyResult<Identified<'py>> {
+    let read = || match &text {
+        None => identify::read(&path),
+        Some(text) => identify::from_text(&path, text),
+    };
+    let found = py.detach(|| {
+        let plan = read().map_err(|error| match is_written || error.path() != path {
+            true => error.raise(),
+            false => refused(error.message(), error.hint().as_deref()),
+        })?;
+        found(plan).map_err(Raise::raise)
+    })?;
+    identified(py, found)
+}
+
+/// As `polhode identify` does it.
+fn found(Plan { title, measurement, .. }: Plan) -> Result<Found, IdentifyError> {
+    let title = title.as_deref();
+    match measurement {
+        Measurement::Tumble(plan) => {
+            let mut sources: Vec<String> = plan.logs.iter().flat_map(said).collect();
+            if plan.found {
+                sources.push("Flights were found where the body turns fast and nothing turns it".to_owned());
+            }
+            of_flights(title, sources, &plan.flights, &plan.options)
+        }
+        Measurement::Payload(plan) => of_wrenches(title, said(&plan.source), &plan.log),
+        Measurement::Swing(plan) => of_swings(title, &plan),
+        _ => Err(IdentifyError::Missing { what: "what this kind of measurement is" }),
+    }
+}
+
+fn of_flights(
+    title: Option<&str>,
+    sources: Vec<String>,
+    flights: &[Flight],
+    options: &TumbleOptions,
+) -> Result<Found, IdentifyError> {
+    let report = TumbleReport::new(title, sources, identify_tumbles(flights, options)?);
+    Ok(Found { report: IdentifyReport::Tumble(report), body: None, wrench: None, swings: Vec::new() })
+}
+
+fn of_wrenches(title: Option<&str>, sources: Vec<String>, log: &PayloadLog) -> Result<Found, IdentifyError> {
+    let payload = identify_payload(log)?;
+    let times: Vec<f64> = log.rows().iter().map(|row| row.time).collect();
+    let (body, residuals) = (payload.body, payload.residuals.clone());
+    let report = PayloadReport::new(title, sources, times.clone(), payload);
+    let wrench = Some((times, residuals));
+    Ok(Found { report: IdentifyReport::Payload(report), body, wrench, swings: Vec::new() })
+}
+
+fn of_swings(title: Option<&str>, plan: &SwingPlan) -> Result<Found, IdentifyError> {
+    let found = identify_swings(plan)?;
+    let SwingEstimate { estimate, body, tests, .. } = &found;
+    let is_known = estimate.numbers.iter().take(10).all(|number| number.sd.is_some());
+    let (body, swings) = (is_known.then_some(*body), tests.iter().map(|test| test.left.clone()).collect());
+    Ok(Found { report: IdentifyReport::Swing(SwingReport::new(title, found)), body, wrench: None, swings })
+}
+
+/// What was read of a log.
+fn said(log: &ReadLog) -> Vec<String> {
+    let path = plain::printable(&log.path.to_string_lossy());
+    let mut lines = vec![format!("{path}: {}", log.read.join("; "))];
+    if !log.ignored.is_empty() {
+        lines.push(format!("Not read of {path}: {}", log.ignored.join(", ")));
+    }
+    lines
+}
+
+fn identified(py: Python<'_>, found: Found) -> PyResult<Identified<'_>> {
+    let Found { report, body, wrench, swings } = found;
+    let [json, text, markdown, page] = py.detach(|| {
+        let document = report.to_document();
+        let json = report.to_json().to_string();
+        [json, document.to_text(plain::WIDTH), document.to_markdown(), document.to_html()]
+    });
+    let (times, wrench) = wrench.unzip();
+    Ok(Identified {
+        json,
+        text,
+        markdown,
+        page,
+        has_model_error: report.has_model_error(),
+        body: body.map(|body| (body.mass(), body.center_of_mass().to_array(), body.inertia().matrix())),
+        wrench: wrench.map(|rows| matrix(py, &rows)).transpose()?,
+        swings: swings.into_iter().map(|left| PyArray1::from_vec(py, left)).collect(),
+        times: times.map(|times| PyArray1::from_vec(py, times)),
+    })
+}
+
+/// A flight's arrays.
+#[derive(Debug, FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct FlightArrays<'py> {
+    name: String,
+    times: PyReadonlyArray1<'py, f64>,
+    gyro: PyReadonlyArray2<'py, f64>,
+    attitude_times: PyReadonlyArray1<'py, f64>,
+    attitude: PyReadonlyArray2<'py, f64>,
+    added: Option<[f64; 6]>,
+    /// Axis and momentum, each.
+    wheels: Vec<([f64; 3], f64)>,
+    torques: String,
+}
+
+/// How flights are read.
+#[derive(Clone, Debug, FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct FlightOptions {
+    bias: bool,
+    scale: bool,
+    skew: bool,
+    clock: bool,
+    drag: String,
+    gyro_noise: Option<f64>,
+    attitude_noise: Option<f64>,
+    outlier: f64,
+}
+
+/// Identifies a body by its flights.
+///
+/// # Errors
+/// As [`identify_plan`].
+#[pyfunction]
+pub(crate) fn identify_flights<'py>(
+    py: Python<'py>,
+    title: Option<&str>,
+    flights: Vec<FlightArrays<'py>>,
+    options: FlightOptions,
+) -> PyResult<Identified<'py>> {
+    let FlightOptions { bias, scale, skew, clock, drag, gyro_noise, attitude_noise, outlier } = options;
+    let drag = match drag.as_str() {
+        "linear" => Some(DragLaw::Linear),
+        "quadratic" => Some(DragLaw::Quadratic),
+        _ => None,
+    };
+    let gyro = GyroErrors { bias, scale, skew, clock };
+    let mut options = TumbleOptions { gyro, drag, gyro_noise, attitude_noise, ..TumbleOptions::default() };
+    options.outlier = outlier;
+    let flights = flights.iter().map(flight).collect::<PyResult<Vec<_>>>()?;
+    let found =
+        py.detach(|| of_flights(title, vec![GIVEN.to_owned()], &flights, &options)).map_err(Raise::raise)?;
+    identified(py, found)
+}
+
+/// What a report says of where its numbers are from.
+const GIVEN: &str = "Arrays in Python";
+
+fn flight(given: &FlightArrays<'_>) -> PyResult<Flight> {
+    let named = |error: IdentifyError| refused(format!("{}: {error}", given.name), error.hint());
+    let readings = gyro_readings(&given.times, &given.gyro)?;
+    let attitudes = numbers(&given.attitude_times)?.iter().zip(rows::<4>(&given.attitude)?);
+    let attitude = |(&time, wxyz): (&f64, &[f64; 4])| {
+        Ok(AttitudeReading { time, attitude: Attitude::from_quaternion(*wxyz).map_err(Raise::raise)? })
+    };
+    let attitudes = attitudes.map(attitude).collect::<PyResult<_>>()?;
+    let mut flight = Flight::new(given.name.clone(), readings, attitudes).map_err(named)?;
+    if let Some(added) = given.added {
+        flight = flight.with_added(added);
+    }
+    let wheel = |(axis, momentum): &([f64; 3], f64)| {
+        Wheel::new(Direction::from_array(*axis), *momentum, Motor::HeldSpeed).map_err(Raise::raise)
+    };
+    flight = flight.with_wheels(given.wheels.iter().map(wheel).collect::<PyResult<_>>()?);
+    Ok(flight.with_torques(read_torques(&given.torques)?.0))
+}
+
+fn gyro_readings(
+    times: &PyReadonlyArray1<'_, f64>,
+    gyro: &PyReadonlyArray2<'_, f64>,
+) -> PyResult<Vec<GyroReading>> {
+    let reading =
+        |(&time, omega): (&f64, &[f64; 3])| GyroReading { time, omega: AngularVelocity::from_array(*omega) };
+    Ok(numbers(times)?.iter().zip(rows::<3>(gyro)?).map(reading).collect())
+}
+
+/// The first and the last time of each flight in a log of a gyro.
+///
+/// # Errors
+/// `PolhodeError` for times that do not ascend.
+#[pyfunction]
+pub(crate) fn find_flights(
+    py: Python<'_>,
+    times: PyReadonlyArray1<'_, f64>,
+    gyro: PyReadonlyArray2<'_, f64>,
+    slowest: f64,
+    shortest: f64,
+    torque: f64,
+) -> PyResult<Vec<[f64; 2]>> {
+    let readings = gyro_readings(&times, &gyro)?;
+    Flight::of_gyro("log", readings.clone()).map_err(Raise::raise)?;
+    let mut search = FlightSearch { slowest, shortest, ..FlightSearch::default() };
+    search.torque = torque;
+    Ok(py.detach(|| polhode_identify::tumble::find_flights(&readings, &search)))
+}
+
+/// The arrays of a wrist, a row for each time.
+#[derive(Debug, FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct WrenchArrays<'py> {
+    times: PyReadonlyArray1<'py, f64>,
+    omega: PyReadonlyArray2<'py, f64>,
+    alpha: PyReadonlyArray2<'py, f64>,
+    acceleration: PyReadonlyArray2<'py, f64>,
+    /// Along the sensor's axes; or one row along axes of space, with attitudes.
+    gravity: PyReadonlyArray2<'py, f64>,
+    attitude: Option<PyReadonlyArray2<'py, f64>>,
+    force: PyReadonlyArray2<'py, f64>,
+    torque: PyReadonlyArray2<'py, f64>,
+}
+
+/// How wrenches are read.
+#[derive(Clone, Debug, FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct WrenchOptions {
+    on_sensor: bool,
+    bias: bool,
+    /// Standard deviations of force and torque.
+    noise: Option<[f64; 2]>,
+    covariance: Option<[[f64; 6]; 6]>,
+    /// Of ω, α and the acceleration.
+    motion_noise: [f64; 3],
+    kind: Option<String>,
+}
+
+/// Identifies what a wrist carries.
+///
+/// # Errors
+/// As [`identify_plan`].
+#[pyfunction]
+pub(crate) fn identify_wrenches<'py>(
+    py: Python<'py>,
+    title: Option<&str>,
+    given: WrenchArrays<'py>,
+    options: WrenchOptions,
+) -> PyResult<Identified<'py>> {
+    let log = wrench_log(&given, &options)?;
+    let found = py.detach(|| of_wrenches(title, vec![GIVEN.to_owned()], &log)).map_err(Raise::raise)?;
+    identified(py, found)
+}
+
+fn wrench_log(given: &WrenchArrays<'_>, options: &WrenchOptions) -> PyResult<PayloadLog> {
+    let times = numbers(&given.times)?;
+    let (omega, alpha) = (rows::<3>(&given.omega)?, rows::<3>(&given.alpha)?);
+    let (acceleration, gravity) = (rows::<3>(&given.acceleration)?, rows::<3>(&given.gravity)?);
+    let (force, torque) = (rows::<3>(&given.force)?, rows::<3>(&given.torque)?);
+    let attitudes = given.attitude.as_ref().map(|attitude| rows::<4>(attitude)).transpose()?;
+    let gravity_at = |k: usize| -> PyResult<_> {
+        Ok(match (attitudes, gravity) {
+            (Some(attitudes), [told, ..]) => {
+                let attitude = Attitude::from_quaternion(attitudes[k]).map_err(Raise::raise)?;
+                gravity_along(attitude, Acceleration::from_array(*told))
+            }
+            _ => Acceleration::from_array(gravity[k]),
+        })
+    };
+    let row = |(k, &time): (usize, &f64)| {
+        Ok(PayloadRow {
+            time,
+            omega: AngularVelocity::from_array(omega[k]),
+            alpha: AngularAcceleration::from_array(alpha[k]),
+            acceleration: Acceleration::from_array(acceleration[k]),
+            gravity: gravity_at(k)?,
+            force: Force::from_array(force[k]),
+            torque: Torque::from_array(torque[k]),
+        })
+    };
+    let all = times.iter().enumerate().map(row).collect::<PyResult<_>>()?;
+    let sense = if options.on_sensor { WrenchSense::OnSensor } else { WrenchSense::OnPayload };
+    let noise = match (options.noise, options.covariance) {
+        (Some([force, torque]), _) => WrenchNoise::Deviations { force, torque },
+        (None, Some(covariance)) => WrenchNoise::Covariance(covariance),
+        (None, None) => WrenchNoise::Unknown,
+    };
+    let [omega, alpha, acceleration] = options.motion_noise;
+    let log = PayloadLog::new(all, sense).and_then(|log| log.with_noise(noise));
+    let log = log.and_then(|log| log.with_motion_noise(MotionNoise { omega, alpha, acceleration }));
+    let log = log.map_err(Raise::raise)?;
+    let log = if options.bias { log.with_bias() } else { log };
+    Ok(match options.kind.as_deref() {
+        Some("plate") => log.with_kind(EdgeKind::Lamina),
+        Some(_) => log.with_kind(EdgeKind::Rod),
+        None => log,
+    })
+}

@@ -21,16 +21,11 @@ const FIRST: [Step; 6] = [
         let clippy = ["clippy", "--workspace", "--all-targets", "--locked", "--features", FEATURES];
         process::run(cargo(&clippy).args(["--", "-D", "warnings"]))
     }),
-    ("tests", || process::run(&mut cargo(&["test", "--workspace", "--locked"]))),
+    ("tests", || process::run(&mut cargo(&["test", "--workspace", "--locked", "--features", FEATURES]))),
 ];
 
 /// Those that come after, beside the Python package's.
-const THEN: [Step; 6] = [
-    ("features", || {
-        // Unoptimised: the core is compiled once more for them.
-        let test = ["test", "--profile", "dev", "--locked", "--package", "polhode", "--test", "interop"];
-        process::run(cargo(&test).args(["--features", FEATURES]))
-    }),
+const THEN: [Step; 5] = [
     ("documentation", book::document_crates),
     ("public names", api::check),
     ("examples", examples::check),
@@ -38,8 +33,8 @@ const THEN: [Step; 6] = [
     ("archive of a release", dist::check),
 ];
 
-/// The conversions of the core crate, which no other crate here uses.
-const FEATURES: &str = "polhode/serde,polhode/mint,polhode/nalgebra,polhode/glam";
+/// The conversions of the core crate, which no other crate here uses: without them it is compiled for its documentation.
+pub(crate) const FEATURES: &str = "polhode/serde,polhode/mint,polhode/nalgebra,polhode/glam";
 
 /// Runs every step, up to the first that fails. What waits for other programs much of its time goes beside the rest: the viewer's tests, and
 /// what Python's need.
@@ -53,12 +48,13 @@ pub(crate) fn run() -> Outcome {
         let book = scope.spawn(book::environment);
         let pandoc = environment.pandoc()?;
         timed("workflows", || workflows::check(&environment))?;
+        joined(viewer)?;
+        let live = scope.spawn(|| timed("live page", viewer::check_live));
         let python = scope.spawn(|| timed("Python", || python::check_in(environment)));
         THEN.iter().try_for_each(run_step)?;
         timed("book", || book::build_in(&joined(book)?))?;
         joined(python)?;
-        joined(viewer)?;
-        timed("live page", viewer::check_live)?;
+        joined(live)?;
         timed("worked solutions", || solutions::check(&pandoc))
     })?;
     println!("\nall passed in {:.0} s", start.elapsed().as_secs_f64());

@@ -102,7 +102,10 @@ impl Folder {
     /// Starts a folder that is to become `target`, which nobody else may write at the same time.
     pub(crate) fn create(target: &Path, replace: Replace) -> Result<Self, Failure> {
         Self::check(target, &replace)?;
-        Ok(Self { partial: Partial::folder(target, remove)?, replace })
+        let partial = Partial::folder(target, remove)?;
+        // Old results whose successor never came have gone back.
+        Self::check(target, &replace)?;
+        Ok(Self { partial, replace })
     }
 
     /// Writes one of [`OURS`].

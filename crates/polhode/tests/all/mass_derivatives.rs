@@ -227,6 +227,10 @@ fn parts_as_differences() {
         assert_near(changes(&part.by_density(extent)), by_density, 1e-11, "density");
         let by_mass = changes(&(part.by_mass() * extent.measure()));
         assert_near(by_mass, by_density, 1e-11, "mass");
+        let in_body = built.parts([[0.0; 3]; 3])[k].in_body();
+        let of_whole =
+            MassPropertiesDerivative::by_mass(&in_body).of_whole(&in_body, &derivatives.properties);
+        assert_near(changes(&of_whole), changes(&part.by_mass()), 1e-15, "of the whole");
         for axis in 0..3 {
             let by_position = difference(1e-2, |h| {
                 let mut built = built.clone();

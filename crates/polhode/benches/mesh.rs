@@ -6,7 +6,8 @@ use std::collections::HashMap;
 use std::hint::black_box;
 use std::time::Instant;
 
-use polhode::body::mesh::{ConvexHull, MeshDiagnosis, MeshShell};
+use polhode::body::MassPropertiesGradient;
+use polhode::body::mesh::{ConvexHull, MeshDerivatives, MeshDiagnosis, MeshShell};
 use polhode::prelude::*;
 
 /// The least time of a few runs, s.
@@ -72,6 +73,31 @@ fn rough(mesh: &TriangleMesh, by: f64) -> Result<TriangleMesh, BodyError> {
     TriangleMesh::new(moved.collect(), mesh.triangles().to_vec())
 }
 
+/// What derivatives by all vertices cost beside the mass integrals, which is what a change of unit takes; on one thread with
+/// `taskset -c 0`, as derivatives are found on one.
+fn derivatives(mesh: &TriangleMesh) -> Result<(), BodyError> {
+    let count = mesh.triangles().len() as f64;
+    let (mut solid, mut factor) = (Some(ClosedMesh::of(mesh)?), 2.0);
+    let integrals = least(|| {
+        solid = solid.take().and_then(|solid| solid.scaled(factor).ok());
+        factor = 1.0 / factor;
+    });
+    let solid = ClosedMesh::of(mesh)?;
+    let derivatives = MeshDerivatives::of(&solid, Substance::Density(1.7))?;
+    let by_inertia = [0.9, -0.2, 0.5, 1.3, -0.6, 0.8];
+    let number = MassPropertiesGradient {
+        by_mass: 0.3,
+        by_center_of_mass: Direction::new(-0.7, 1.1, 0.4),
+        by_inertia,
+    };
+    let gradient = least(|| derivatives.gradient(&number));
+    let all = least(|| derivatives.by_vertices());
+    println!("{count} triangles: mass integrals\t{:.1}\tns/triangle", integrals * 1e9 / count);
+    println!("{count} triangles: a gradient by all vertices\t{:.1}\tns/triangle", gradient * 1e9 / count);
+    println!("{count} triangles: all derivatives by all vertices\t{:.1}\tns/triangle", all * 1e9 / count);
+    Ok(())
+}
+
 fn main() -> Result<(), BodyError> {
     let mesh = lump(9)?; // 2,097,152 triangles
     let count = mesh.triangles().len();
@@ -87,6 +113,7 @@ fn main() -> Result<(), BodyError> {
         let seconds = least(|| ClosedMesh::with_threads(&mesh, threads));
         println!("solid, {threads} threads\t{:.1}\tns/triangle", seconds * 1e9 / count as f64);
     }
+    derivatives(&lump(7)?)?; // 131,072 triangles
     let points = mesh.coordinates();
     println!("convex hull of {} points\t{:.0}\tms", points.len(), least(|| ConvexHull::of(points)) * 1e3);
     println!("shell\t{:.1}\tns/triangle", least(|| MeshShell::new(&mesh, 1e-3)) * 1e9 / count as f64);

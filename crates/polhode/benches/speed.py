@@ -117,7 +117,7 @@ fuses a multiplication with an addition.
 |---|---|---|---|
 {chr(10).join(rows)}
 
-A state with its derivatives by ω(0), attitude and tensor takes 280 ns, 6.1 times as long as a state; near the separatrix 295 ns, 5.3 times; while the body
+A state with its derivatives by ω(0), attitude and tensor takes 255 ns, 5.2 times as long as a state; near the separatrix 275 ns, 4.9 times; while the body
 has turned by less than 0.1 rad, a power series of 2.4 µs.
 
 ## Against a Taylor integration

@@ -59,6 +59,8 @@ pub(crate) struct Place {
 const MOST_STEPS: usize = 200;
 /// A step that takes less than this from ½χ², in units of χ² a row, is none: 1e-4 of a standard deviation.
 const NOTHING: f64 = 1e-9;
+/// The same of a place that another fit starts from: a tenth of a standard deviation.
+const NEARLY_NOTHING: f64 = 1e-2;
 /// The least damping: directions that nothing determines are not followed.
 const LEAST_DAMPING: f64 = 1e-9;
 
@@ -86,6 +88,29 @@ pub(crate) fn fit(
     start: Place,
     outliers: Outliers,
 ) -> Result<Solution, IdentifyError> {
+    descend(problem, coordinates, start, outliers, NOTHING)
+}
+
+/// A place near that of least squares, for another fit to start from.
+///
+/// # Errors
+/// As [`fit`].
+pub(crate) fn approach(
+    problem: &impl Problem,
+    coordinates: &Coordinates,
+    start: Place,
+    outliers: Outliers,
+) -> Result<Solution, IdentifyError> {
+    descend(problem, coordinates, start, outliers, NEARLY_NOTHING)
+}
+
+fn descend(
+    problem: &impl Problem,
+    coordinates: &Coordinates,
+    start: Place,
+    outliers: Outliers,
+    nothing: f64,
+) -> Result<Solution, IdentifyError> {
     let mut place = start;
     let mut here = evaluate(problem, coordinates, &place, outliers)?;
     let mut scale = Scale::default();
@@ -106,7 +131,7 @@ pub(crate) fn fit(
             damping *= 10.0;
             continue;
         };
-        if step.expected <= NOTHING * (1.0 + 2.0 * here.cost / here.rows) {
+        if step.expected <= nothing * (1.0 + 2.0 * here.cost / here.rows) {
             return Ok(Solution::new(place, coordinates, here.triangles));
         }
         let next = place.moved(&step);
@@ -140,7 +165,7 @@ pub(crate) fn fit_robustly(
 ) -> Result<(Solution, Outliers), IdentifyError> {
     for _ in 0..ROUNDS {
         let damped = Outliers::Damped(FULL * spread(&all_rows(problem, coordinates, &start)?));
-        start = fit(problem, coordinates, start, damped)?.place;
+        start = approach(problem, coordinates, start, damped)?.place;
     }
     let left_out = Outliers::LeftOut(limit * spread(&all_rows(problem, coordinates, &start)?));
     Ok((fit(problem, coordinates, start, left_out)?, left_out))

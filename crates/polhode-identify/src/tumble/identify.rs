@@ -13,7 +13,7 @@ use super::tumble::Tumble;
 use super::unit;
 use crate::coordinates::{Coordinates, Part};
 use crate::error::IdentifyError;
-use crate::least_squares::{Outliers, Place, fit, fit_robustly};
+use crate::least_squares::{Outliers, Place, approach, fit_robustly};
 use crate::residuals::ResidualTest;
 
 /// By how many radians flights turn in the pieces of the first fit, and how many times more in each further one.
@@ -91,7 +91,7 @@ fn identified(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, Ide
             let (last, outliers) = fit_robustly(&problem, &coordinates, place, options.outlier)?;
             return Tumble::of(&problem, &last, outliers);
         }
-        let found = fit(&problem, &coordinates, place, Outliers::Damped(FULL))?;
+        let found = approach(&problem, &coordinates, place, Outliers::Damped(FULL))?;
         shared.clone_from(&found.shared);
         states = (0..cut.len())
             .map(|k| (pieces[k].number, cut[k].span(), problem.state(k, &found.place.local[k])))

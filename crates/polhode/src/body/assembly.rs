@@ -12,9 +12,9 @@ use crate::math::vector::Position;
 /// One part of an assembly: its mass properties in its own axes, and where those axes stand in the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlacedPart {
-    properties: MassProperties<Part>,
+    pub(super) properties: MassProperties<Part>,
     position: Position<Body>,
-    rotation: Rotation<Body, Part>,
+    pub(super) rotation: Rotation<Body, Part>,
 }
 
 impl PlacedPart {

@@ -13,11 +13,16 @@
 //! | parts | [`assemble`]: each turned to its place, by the parallel-axis theorem |
 //! | numbers from elsewhere | [`InertiaTensor::with_negative_products`] and its like; [`InertiaAbout`] for another point |
 //!
+//! How mass properties depend on densities, places of parts, particles and the vertices of meshes: [`AssemblyDerivatives`],
+//! [`ParticleDerivatives`], [`mesh::MeshDerivatives`].
+//!
 //! Off-diagonal elements are minus the products of inertia, I_xy = −∫ x y dm. [`PrincipalFrame`] has the principal moments, ascending,
 //! and axes. A tensor that no mass could have (the triangle inequality I₁ + I₂ ≥ I₃ fails) is a [`BodyError`].
 
 pub(crate) mod assembly;
+mod assembly_derivatives;
 pub mod density;
+mod derivative;
 pub(crate) mod error;
 pub(crate) mod finding;
 pub(crate) mod form;
@@ -25,18 +30,22 @@ pub(crate) mod inertia;
 pub(crate) mod mass_properties;
 pub(crate) mod material;
 pub mod mesh;
+mod particle_derivatives;
 pub(crate) mod particles;
 pub(crate) mod principal;
 pub mod shape;
 pub(crate) mod solid;
 
 pub use assembly::{BodyPart, PlacedPart, assemble};
+pub use assembly_derivatives::{AssemblyDerivatives, PartDerivatives};
+pub use derivative::{MassPropertiesDerivative, MassPropertiesGradient};
 pub use error::BodyError;
 pub use finding::{Finding, Severity};
 pub use form::{Form, PlacedForm};
 pub use inertia::{InertiaAbout, InertiaTensor};
 pub use mass_properties::MassProperties;
 pub use material::Material;
+pub use particle_derivatives::ParticleDerivatives;
 pub use particles::{Particle, mass_properties_of_particles};
 pub use principal::{PrincipalFrame, Symmetry};
 pub use solid::MeasuredSolid;

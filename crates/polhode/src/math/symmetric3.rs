@@ -32,6 +32,18 @@ impl Symmetric3 {
         Self { xx: x * x, yy: y * y, zz: z * z, xy: x * y, xz: x * z, yz: y * z }
     }
 
+    /// u vᵀ + v uᵀ
+    pub(crate) fn twice_outer([x, y, z]: [f64; 3], [a, b, c]: [f64; 3]) -> Self {
+        Self {
+            xx: 2.0 * x * a,
+            yy: 2.0 * y * b,
+            zz: 2.0 * z * c,
+            xy: x * b + y * a,
+            xz: x * c + z * a,
+            yz: y * c + z * b,
+        }
+    }
+
     /// tr(S) 1 − S: the second moments ∫ x xᵀ dm become the inertia tensor, written without cancellation.
     pub(crate) fn inertia_of_second_moments(&self) -> Self {
         Self {

@@ -22,6 +22,7 @@ mod jacobi_form;
 mod jacobian;
 mod judge;
 mod judge_causes;
+mod mass_derivatives;
 mod mesh;
 mod mesh_diagnosis;
 mod mesh_fill;

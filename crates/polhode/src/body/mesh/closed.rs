@@ -1,9 +1,11 @@
 //! Solids bounded by triangles.
 
+use std::collections::HashMap;
+
 use super::component::{ComponentRole, MeshComponent};
 use super::diagnosis::{Analysis, MeshDiagnosis};
 use super::flaws::MeshFlaws;
-use super::integral::Polyhedron;
+use super::integral::{Integrals, Polyhedron};
 use super::places::MeshPlaces;
 use super::sought::Sought;
 use super::threads::Threads;
@@ -13,7 +15,7 @@ use super::{Triangle, TriangleMesh};
 use crate::body::error::{BodyError, counted, positive};
 use crate::body::finding::{Finding, Severity};
 use crate::body::form::Form;
-use crate::body::shape::{Extent, Shape, Spread};
+use crate::body::shape::{Shape, Spread};
 
 /// A solid bounded by triangles: closed, consistently wound, its normals outward.
 ///
@@ -52,8 +54,7 @@ pub struct ClosedMesh {
     diagnosis: MeshDiagnosis,
     findings: Vec<Finding>,
     inverted: bool,
-    spread: Spread,
-    area: f64,
+    integrals: Integrals,
 }
 
 impl ClosedMesh {
@@ -148,9 +149,9 @@ impl ClosedMesh {
         let triangles = turned.collect();
         let given = core::mem::replace(&mut surface.triangles, triangles);
         match measured(&surface, threads) {
-            Ok((spread, area)) => {
+            Ok(integrals) => {
                 let findings = findings(&diagnosis, inverted);
-                Ok((Self { surface, diagnosis, findings, inverted, spread, area }, places))
+                Ok((Self { surface, diagnosis, findings, inverted, integrals }, places))
             }
             Err(first) => {
                 surface.triangles = given;
@@ -170,10 +171,10 @@ impl ClosedMesh {
             return Ok(self);
         }
         let surface = self.surface.scaled(factor);
-        let (spread, area) = measured(&surface, Threads::of_machine())?;
+        let integrals = measured(&surface, Threads::of_machine())?;
         let diagnosis = self.diagnosis.scaled(factor);
         let findings = findings(&diagnosis, self.inverted);
-        Ok(Self { surface, diagnosis, findings, spread, area, ..self })
+        Ok(Self { surface, diagnosis, findings, integrals, ..self })
     }
 
     /// The surface, each vertex once, normals outward, without triangles that have two equal corners.
@@ -213,18 +214,30 @@ impl ClosedMesh {
 
     /// Enclosed volume, m³.
     pub const fn volume(&self) -> f64 {
-        self.spread.extent.measure()
+        self.integrals.spread.extent.measure()
+    }
+
+    /// The centroid with more digits than its coordinates have: what these lack, m.
+    pub(super) const fn centroid_rest(&self) -> [f64; 3] {
+        self.integrals.centroid_rest
+    }
+
+    /// Which vertex of [`ClosedMesh::surface`] each point is, exactly; `None` for one that is no corner of it.
+    pub fn vertex_numbers(&self, points: &[[f64; 3]]) -> Vec<Option<u32>> {
+        let bits = |point: &[f64; 3]| point.map(|c| (c + 0.0).to_bits()); // −0 is 0
+        let numbers: HashMap<_, _> = self.surface.vertices.iter().map(bits).zip(0..).collect();
+        points.iter().map(|point| numbers.get(&bits(point)).copied()).collect()
     }
 }
 
 impl Shape for ClosedMesh {
     fn spread(&self) -> Spread {
-        self.spread
+        self.integrals.spread
     }
 
     /// Area of all triangles, m².
     fn surface_area(&self) -> f64 {
-        self.area
+        self.integrals.area
     }
 
     fn form(&self) -> Option<Form> {
@@ -233,16 +246,16 @@ impl Shape for ClosedMesh {
 }
 
 /// Volume, moments and area of what is closed, normals outward.
-fn measured(surface: &TriangleMesh, threads: Threads) -> Result<(Spread, f64), BodyError> {
+fn measured(surface: &TriangleMesh, threads: Threads) -> Result<Integrals, BodyError> {
     let polyhedron = Polyhedron { points: &surface.vertices, corners: &surface.triangles, threads };
     let integrals = polyhedron.integrate()?;
-    let mut spread = integrals.spread;
-    if spread.extent.measure() < 0.0 {
+    let volume = integrals.spread.extent.measure();
+    if volume < 0.0 {
         // Parts of nearly no volume may hide the sign.
-        return Err(BodyError::FlatMesh { volume: spread.extent.measure() });
+        return Err(BodyError::FlatMesh { volume });
     }
-    spread.extent = Extent::Volume(spread.extent.measure());
-    Ok((spread.representable()?, integrals.area))
+    integrals.spread.representable()?;
+    Ok(integrals)
 }
 
 impl MeshDiagnosis {

@@ -28,6 +28,8 @@ pub(crate) struct Integrals {
     /// Its volume is negative if the surface is wound inward.
     pub(crate) spread: Spread,
     pub(crate) area: f64,
+    /// What the rounding of the centroid left of it: next to nothing, but not beside a small body far from the origin.
+    pub(crate) centroid_rest: [f64; 3],
 }
 
 impl Polyhedron<'_> {
@@ -78,12 +80,14 @@ impl Polyhedron<'_> {
         let [xx, yy, zz, xy, xz, yz] = second.map(|element| (element / twenty).value());
         let covariance = Symmetric3 { xx, yy, zz, xy, xz, yz } - Symmetric3::outer(rest);
         let six_volume = six_volume.value();
+        let centroid: [(f64, f64); 3] = core::array::from_fn(|k| two_sum(reference[k], rest[k] * unit));
         let spread = Spread {
             extent: Extent::Volume(six_volume / 6.0 * cubed),
-            centroid: Position::from_array(core::array::from_fn(|k| reference[k] + rest[k] * unit)),
+            centroid: Position::from_array(centroid.map(|(rounded, _)| rounded)),
             covariance: covariance * unit * unit,
         };
-        Ok(Integrals { spread, area: sums.area.value() * unit * unit })
+        let centroid_rest = centroid.map(|(_, rest)| rest);
+        Ok(Integrals { spread, area: sums.area.value() * unit * unit, centroid_rest })
     }
 
     fn bounds(&self) -> ([f64; 3], [f64; 3]) {
@@ -112,9 +116,12 @@ impl Polyhedron<'_> {
         in_widest_vectors(
             #[inline(always)]
             || {
+                let [x, y, z] = reference;
+                let origin = [Vectors::splat(x), Vectors::splat(y), Vectors::splat(z)];
+                let per_unit = Vectors::splat(per_unit);
                 for corners in self.corners[triangles].chunks(WIDTH) {
                     // What is not filled lies in the reference point and adds nothing.
-                    let mut group = [reference.map(Vectors::splat); 3];
+                    let mut group = [origin; 3];
                     for (lane, triangle) in corners.iter().enumerate() {
                         for (corner, &index) in group.iter_mut().zip(triangle) {
                             let p = &self.points[index as usize];
@@ -123,8 +130,12 @@ impl Polyhedron<'_> {
                             }
                         }
                     }
-                    let (origin, per_unit) = (reference.map(Vectors::splat), Vectors::splat(per_unit));
-                    sums.add(group.map(|p| core::array::from_fn(|k| (p[k] - origin[k]) * per_unit)));
+                    for corner in &mut group {
+                        for k in 0..3 {
+                            corner[k] = (corner[k] - origin[k]) * per_unit;
+                        }
+                    }
+                    sums.add(group);
                 }
             },
         );
@@ -172,41 +183,56 @@ fn terms<T>([a, b, c]: [[T; 3]; 3]) -> [T; 10]
 where
     T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
 {
-    let [e, f] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
+    // No `map`, and no closures but small ones: they are not inlined everywhere, and then are not compiled for wide vectors.
+    let (e, f) = ([b[0] - a[0], b[1] - a[1], b[2] - a[2]], [c[0] - a[0], c[1] - a[1], c[2] - a[2]]);
     let n = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
     let d = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
-    let s: [T; 3] = [0, 1, 2].map(|k| a[k] + b[k] + c[k]);
-    let element = |i: usize, j: usize| d * (a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + s[i] * s[j]);
+    let s = [a[0] + b[0] + c[0], a[1] + b[1] + c[1], a[2] + b[2] + c[2]];
+    let p = [a, b, c, s];
     [
         d,
         d * s[0],
         d * s[1],
         d * s[2],
-        element(0, 0),
-        element(1, 1),
-        element(2, 2),
-        element(0, 1),
-        element(0, 2),
-        element(1, 2),
+        d * second(&p, 0, 0),
+        d * second(&p, 1, 1),
+        d * second(&p, 2, 2),
+        d * second(&p, 0, 1),
+        d * second(&p, 0, 2),
+        d * second(&p, 1, 2),
     ]
+}
+
+/// Σ pᵢ pⱼ
+#[inline(always)]
+fn second<T: Copy + Add<Output = T> + Mul<Output = T>>([a, b, c, s]: &[[T; 3]; 4], i: usize, j: usize) -> T {
+    a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + s[i] * s[j]
 }
 
 /// What the terms of the trace are made of: d (a² + b² + c² + s²) with every product in d positive.
 #[inline(always)]
 fn products([a, b, c]: [[Vectors; 3]; 3]) -> Vectors {
-    let positive = |v: [Vectors; 3]| v.map(|x| x.map(f64::abs));
-    let [e, f] = [b, c].map(|p| positive([p[0] - a[0], p[1] - a[1], p[2] - a[2]]));
+    let e = positive([b[0] - a[0], b[1] - a[1], b[2] - a[2]]);
+    let f = positive([c[0] - a[0], c[1] - a[1], c[2] - a[2]]);
     let m = [e[1] * f[2] + e[2] * f[1], e[2] * f[0] + e[0] * f[2], e[0] * f[1] + e[1] * f[0]];
-    let dot = |p: [Vectors; 3], q: [Vectors; 3]| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-    let s = [0, 1, 2].map(|k| a[k] + b[k] + c[k]);
+    let s = [a[0] + b[0] + c[0], a[1] + b[1] + c[1], a[2] + b[2] + c[2]];
     dot(positive(a), m) * (dot(a, a) + dot(b, b) + dot(c, c) + dot(s, s))
+}
+
+#[inline(always)]
+fn positive([x, y, z]: [Vectors; 3]) -> [Vectors; 3] {
+    [x.map(f64::abs), y.map(f64::abs), z.map(f64::abs)]
+}
+
+#[inline(always)]
+fn dot(p: [Vectors; 3], q: [Vectors; 3]) -> Vectors {
+    p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
 }
 
 /// ½ |(b − a) × (c − a)|
 #[inline(always)]
 fn area<T: Splat>([a, b, c]: [[T; 3]; 3]) -> T {
-    let from = |p: [T; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
-    let (u, v) = (from(b), from(c));
+    let (u, v) = ([b[0] - a[0], b[1] - a[1], b[2] - a[2]], [c[0] - a[0], c[1] - a[1], c[2] - a[2]]);
     let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
     T::splat(0.5) * (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).map(f64::sqrt)
 }

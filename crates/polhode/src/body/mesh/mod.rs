@@ -4,6 +4,7 @@ mod close_pairs;
 pub(crate) mod closed;
 mod clusters;
 pub(crate) mod component;
+mod derivatives;
 pub(crate) mod diagnosis;
 mod edges;
 pub(crate) mod effect;
@@ -35,6 +36,7 @@ mod work;
 
 pub use closed::ClosedMesh;
 pub use component::{ComponentRole, MeshComponent};
+pub use derivatives::MeshDerivatives;
 pub use diagnosis::{EdgePlace, Faults, MeshDiagnosis, PairPlace, TrianglePlace};
 pub use effect::MeshEffect;
 pub use fill::{FilledMesh, HolesLeft};

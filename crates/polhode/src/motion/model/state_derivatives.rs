@@ -1,6 +1,11 @@
 //! How a state depends on its start and on the inertia tensor.
 
+use super::rotor::Rotor;
 use super::state::State;
+use crate::body::MassPropertiesGradient;
+use crate::math::frame::Body;
+use crate::math::symmetric3::Symmetric3;
+use crate::math::vector::Direction;
 
 /// The derivatives of a state: rows θ1 θ2 θ3 ω1 ω2 ω3, where attitude = R exp(θ), θ a small rotation vector along body axes (rad),
 /// ω along body axes (rad/s).
@@ -61,6 +66,52 @@ impl StateDerivatives {
             }
         }
         sum
+    }
+
+    /// How θ1 θ2 θ3 ω1 ω2 ω3 depend on the body's mass properties, through its inertia tensor about the point that the rotor turns about: of a
+    /// free body all there is. Of a pivoted one the tensor there has the mass and the centre of mass in it,
+    ///
+    /// ∂I_p = ∂I + (a² 1 − a aᵀ) ∂M + M (2 a·∂c 1 − a ∂cᵀ − ∂c aᵀ),  a from the pivot to the centre of mass,
+    ///
+    /// but a torque that knows them, as gravity does, depends on them besides: by its own parameters
+    /// ([`Simulation::run_with_derivatives`](crate::motion::Simulation::run_with_derivatives)).
+    ///
+    /// ```
+    /// use polhode::body::mesh::MeshDerivatives;
+    /// use polhode::motion::FreeMotionDerivatives;
+    /// use polhode::prelude::*;
+    /// let [o, x, y, z] = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.0]];
+    /// let mesh = ClosedMesh::from_triangles(vec![[o, y, x], [o, x, z], [o, z, y], [x, y, z]])?;
+    /// let solid = MeshDerivatives::of(&mesh, Substance::Density(4.0))?;
+    /// let rotor = Rotor::free(&solid.properties().into_body());
+    /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.5, 0.9) };
+    /// let after = FreeMotionDerivatives::of(&rotor, start)?.at(7.0);
+    /// // How each vertex changes ω₁ after 7 s, rad/s per m: one pass over the triangles.
+    /// let by_vertices = solid.gradient(&after.by_mass_properties(&rotor)[3].in_part());
+    /// assert_eq!(by_vertices.len(), 4);
+    /// // The mesh moved as a whole turns as it did.
+    /// assert!(by_vertices.iter().map(|by| by[0]).sum::<f64>().abs() < 1e-13);
+    /// // Nor does a denser solid turn otherwise.
+    /// let by_density = after.by_mass_properties(&rotor)[3].in_part().along(&solid.by_density());
+    /// assert!(by_density.abs() < 1e-13);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn by_mass_properties(&self, rotor: &Rotor) -> [MassPropertiesGradient<Body>; 6] {
+        let lever = rotor.lever().to_array();
+        self.by_inertia.map(|by_inertia| {
+            let along = |change: Symmetric3| {
+                let elements = change.inertia_of_second_moments().elements();
+                by_inertia.iter().zip(elements).map(|(by, x)| by * x).sum::<f64>()
+            };
+            let by_center = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+                .map(|axis| along(Symmetric3::twice_outer(lever, axis) * rotor.mass()));
+            MassPropertiesGradient {
+                by_mass: along(Symmetric3::outer(lever)),
+                by_center_of_mass: Direction::from_array(by_center),
+                by_inertia,
+            }
+        })
     }
 
     /// Of a time at which nothing is known.

@@ -95,6 +95,8 @@ pub(in crate::motion) enum VectorOperation {
     /// A vector times a number.
     Times(usize, usize),
     Cross(usize, usize),
+    /// The product component by component.
+    Product(usize, usize),
     /// The product with one of the matrices.
     Image(usize, usize),
     /// The vector of three numbers, along principal axes.

@@ -84,7 +84,21 @@ impl Linearization {
             )
         };
         let (graph, (by_state, by_inertia, by_parameters)) = Graph::recorded(rotor, record);
-        Self { graph, by_state, by_inertia, by_parameters }
+        Self { graph, by_state, by_inertia, by_parameters }.condensed()
+    }
+
+    /// The same with fewer operations.
+    fn condensed(mut self) -> Self {
+        let slopes = self.by_state.iter_mut().chain(&mut self.by_inertia).chain(&mut self.by_parameters);
+        let mut places: Vec<_> =
+            slopes.flat_map(|slope| [&mut slope.turning, &mut slope.torque]).flatten().collect();
+        // With the vector that is there in any case.
+        let kept: Vec<_> =
+            core::iter::once(self.graph.torque).chain(places.iter().map(|place| **place)).collect();
+        let (graph, kept) = self.graph.condensed(&kept);
+        places.iter_mut().zip(&kept[1..]).for_each(|(place, new)| **place = *new);
+        self.graph = Graph { torque: kept[0], ..graph };
+        self
     }
 }
 

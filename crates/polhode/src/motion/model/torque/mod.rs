@@ -1,5 +1,6 @@
 //! Torques: a sum of small models, each in its own file.
 
+mod condensed;
 pub(crate) mod constant;
 pub(crate) mod drag;
 pub(crate) mod energy_sink;

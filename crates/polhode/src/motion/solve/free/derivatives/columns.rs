@@ -87,26 +87,21 @@ impl ToBody {
             [back[1][0] - by_start[1][0], back[1][1] - by_start[1][1], back[1][2] - by_start[1][2]],
             [back[2][0] - by_start[2][0], back[2][1] - by_start[2][1], back[2][2] - by_start[2][2]],
         ];
-        let turn_row = |axis: &[f64; 3]| {
-            // L ×, and L, along a body axis
-            let (across, along) = (cross(axis, &along), dot(axis, &along));
-            let turn = product(&across, &lag);
-            let share = product(&turn, &self.to_momentum);
-            let (lever, change) = (levers(&turn, &before), product6(&across, &momentum));
-            let of_omega = |k: usize| along * (f.time * self.momentum[k]) + share[k];
-            let of_tensor = |p: usize| along * action[p] + (lever[p] - change[p]);
-            (three(of_omega), six(of_tensor))
-        };
-        let rate_row = |to_omega: &[f64; 3]| {
-            let rate = product(to_omega, &by_start);
-            let (lever, change, now) =
-                (levers(&rate, &before), product6(to_omega, &momentum), levers(to_omega, &now));
-            (product(&rate, &self.to_momentum), six(|p| (lever[p] + change[p]) - now[p]))
+        let rows = RowsOf {
+            to_body: self,
+            by_start: &by_start,
+            lag,
+            along,
+            before,
+            now,
+            action,
+            momentum,
+            time: f.time,
         };
         let [x, y, z] = &self.axes;
-        let (t1, t2, t3) = (turn_row(x), turn_row(y), turn_row(z));
+        let (t1, t2, t3) = (rows.turn(x), rows.turn(y), rows.turn(z));
         let [x, y, z] = &self.to_omega;
-        let (w1, w2, w3) = (rate_row(x), rate_row(y), rate_row(z));
+        let (w1, w2, w3) = (rows.rate(x), rows.rate(y), rows.rate(z));
         Columns {
             by_omega: [t1.0, t2.0, t3.0, w1.0, w2.0, w3.0],
             by_tensor: [t1.1, t2.1, t3.1, w1.1, w2.1, w3.1],
@@ -147,6 +142,45 @@ impl ToBody {
                 tensor(&t[5], rad_s),
             ],
         }
+    }
+}
+
+/// What rows along body axes are made of. Its methods are no closures, as these are not inlined everywhere, and then are not compiled for wide vectors.
+struct RowsOf<'a> {
+    to_body: &'a ToBody,
+    by_start: &'a [[f64; 3]; 3],
+    /// B − M
+    lag: [[f64; 3]; 3],
+    /// L/L²
+    along: [f64; 3],
+    /// ω at the start and now, labelled axes.
+    before: [f64; 3],
+    now: [f64; 3],
+    action: [f64; 6],
+    momentum: [[f64; 6]; 3],
+    time: f64,
+}
+
+impl RowsOf<'_> {
+    /// θ along a body axis: L ×, and L, along it.
+    #[inline(always)]
+    fn turn(&self, axis: &[f64; 3]) -> ([f64; 3], [f64; 6]) {
+        let (across, along) = (cross(axis, &self.along), dot(axis, &self.along));
+        let turn = product(&across, &self.lag);
+        let share = product(&turn, &self.to_body.to_momentum);
+        let (lever, change) = (levers(&turn, &self.before), product6(&across, &self.momentum));
+        let of_omega = |k: usize| along * (self.time * self.to_body.momentum[k]) + share[k];
+        let of_tensor = |p: usize| along * self.action[p] + (lever[p] - change[p]);
+        (three(of_omega), six(of_tensor))
+    }
+
+    /// ω along a body axis.
+    #[inline(always)]
+    fn rate(&self, to_omega: &[f64; 3]) -> ([f64; 3], [f64; 6]) {
+        let rate = product(to_omega, self.by_start);
+        let (lever, change) = (levers(&rate, &self.before), product6(to_omega, &self.momentum));
+        let now = levers(to_omega, &self.now);
+        (product(&rate, &self.to_body.to_momentum), six(|p| (lever[p] + change[p]) - now[p]))
     }
 }
 

@@ -22,6 +22,63 @@ struct Factor {
     slope: f64,
 }
 
+/// What the rows of L(t) by the tensor are made of. Its method is no closure, as these are not inlined everywhere, and then are not compiled for wide
+/// vectors.
+struct RowsOf<'a> {
+    flow: &'a MomentumFlow,
+    l: &'a [f64; 3],
+    by_start: &'a [[f64; 3]; 3],
+    /// What S₂₂ has of N.
+    of_second: f64,
+    time: f64,
+    sigma: f64,
+    /// L1 L2(t) + L2 L1(t), and of L3 L1 and L2 L3.
+    sums: [f64; 3],
+    /// What S₁₂, S₃₁ and S₂₃ have before them.
+    factors: [Factor; 3],
+    early: bool,
+}
+
+impl RowsOf<'_> {
+    /// `end` are L(t) × eₖ, `n` is N.
+    #[inline(always)]
+    fn at(&self, i: usize, end: [f64; 3], n: f64) -> [f64; 6] {
+        let (share, [rho, rest]) = (&self.flow.shares, self.flow.rho);
+        let ([l1, l2, l3], l, t, sigma) = (self.flow.start, self.l, self.time, self.sigma);
+        let (sums, [h12, h31, h23]) = (&self.sums, &self.factors);
+        let [m1, m2, m3] = self.by_start[i];
+        // M (L(0) × eₖ)
+        let moved = [l3 * m2 - l2 * m3, l1 * m3 - l3 * m1, l2 * m1 - l1 * m2];
+        let second = self.of_second * n + sigma * (l[1] * moved[1] + l2 * end[1]);
+        let first_second =
+            h12.product(n, sums[0], l[1] * moved[0] + l1 * end[1], l[0] * moved[1] + l2 * end[0]);
+        let (third_first, second_third) = if self.early {
+            (
+                h31.product(n, sums[1], l[0] * moved[2] + l3 * end[0], l[2] * moved[0] + l1 * end[2]),
+                h23.product(n, sums[2], l[2] * moved[1] + l2 * end[2], l[1] * moved[2] + l3 * end[1]),
+            )
+        } else {
+            (h31.value * (end[1] - moved[1]), h23.value * (moved[0] - end[0]))
+        };
+        [
+            share[0] * (rho * second - 2.0 * t * n),
+            -share[1] * second,
+            share[2] * (rest * second + 2.0 * t * n),
+            -share[3] * first_second,
+            -share[4] * third_first,
+            -share[5] * second_third,
+        ]
+    }
+}
+
+impl Factor {
+    /// Of h (L1 L2(t) + L2 L1(t)) and the like: by N, and by the L.
+    #[inline(always)]
+    fn product(&self, n: f64, both: f64, a: f64, b: f64) -> f64 {
+        (self.slope * both) * n + self.value * (a + b)
+    }
+}
+
 impl MomentumFlow {
     /// From L(t) and M = ∂L(t)/∂L(0): a change of H by δH = −½ ω·δI ω is one of the start by L(0) × ∇∫ δH dt, so that the integrals
     /// Sⱼₖ = ∫ Lⱼ Lₖ dt are needed as functions of L(0).
@@ -68,30 +125,16 @@ impl MomentumFlow {
             (s31, s23) = (h31.value * (l[1] - l2), h23.value * (l1 - l[0]));
         }
         let share = &self.shares;
-        let row = |i: usize, end: [f64; 3], n: f64| -> [f64; 6] {
-            let [m1, m2, m3] = by_start[i];
-            // M (L(0) × eₖ); `end` are L(t) × eₖ
-            let moved = [l3 * m2 - l2 * m3, l1 * m3 - l3 * m1, l2 * m1 - l1 * m2];
-            let second = of_second * n + sigma * (l[1] * moved[1] + l2 * end[1]);
-            let product = |h: Factor, both: f64, a: f64, b: f64| (h.slope * both) * n + h.value * (a + b);
-            let first_second =
-                product(h12, sums[0], l[1] * moved[0] + l1 * end[1], l[0] * moved[1] + l2 * end[0]);
-            let (third_first, second_third) = if early {
-                (
-                    product(h31, sums[1], l[0] * moved[2] + l3 * end[0], l[2] * moved[0] + l1 * end[2]),
-                    product(h23, sums[2], l[2] * moved[1] + l2 * end[2], l[1] * moved[2] + l3 * end[1]),
-                )
-            } else {
-                (h31.value * (end[1] - moved[1]), h23.value * (moved[0] - end[0]))
-            };
-            [
-                share[0] * (rho * second - 2.0 * t * n),
-                -share[1] * second,
-                share[2] * (rest * second + 2.0 * t * n),
-                -share[3] * first_second,
-                -share[4] * third_first,
-                -share[5] * second_third,
-            ]
+        let rows = RowsOf {
+            flow: self,
+            l,
+            by_start,
+            of_second,
+            time: t,
+            sigma,
+            sums,
+            factors: [h12, h31, h23],
+            early,
         };
         ByInertia {
             action: [
@@ -103,9 +146,9 @@ impl MomentumFlow {
                 share[5] * (l2 * l3 * t - s23),
             ],
             momentum: [
-                row(0, [0.0, -l[2], l[1]], -rho * l[1] * l[2]),
-                row(1, [l[2], 0.0, -l[0]], l[2] * l[0]),
-                row(2, [-l[1], l[0], 0.0], -rest * l[0] * l[1]),
+                rows.at(0, [0.0, -l[2], l[1]], -rho * l[1] * l[2]),
+                rows.at(1, [l[2], 0.0, -l[0]], l[2] * l[0]),
+                rows.at(2, [-l[1], l[0], 0.0], -rest * l[0] * l[1]),
             ],
         }
     }

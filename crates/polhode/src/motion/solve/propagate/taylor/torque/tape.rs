@@ -376,6 +376,11 @@ impl<N: Number> Tape<N> {
                 Constant::Second => cross(rows[a].at(n), rows[b].at(0)),
                 _ => known.s.cross(&rows[a], &rows[b], n),
             },
+            Op::Product(a, b) => match constant {
+                Constant::First => rows[a].at(0) * rows[b].at(n),
+                Constant::Second => rows[a].at(n) * rows[b].at(0),
+                _ => known.s.product(&rows[a], &rows[b], n),
+            },
             Op::Image(k, a) => times(&self.matrices[k], rows[a].at(n)),
             Op::Of([x, y, z]) => {
                 let [x, y, z] = [x, y, z].map(|place| self.numbers[place][n]);
@@ -450,7 +455,9 @@ impl Constant {
             Operation::Vector(operation) => match operation {
                 V::Constant(_) => Self::All,
                 V::Negate(a) | V::Scale(a, _) | V::Image(_, a) => one(vector(a)),
-                V::Add(a, b) | V::Subtract(a, b) | V::Cross(a, b) => two(vector(a), vector(b)),
+                V::Add(a, b) | V::Subtract(a, b) | V::Cross(a, b) | V::Product(a, b) => {
+                    two(vector(a), vector(b))
+                }
                 V::Times(a, b) => two(vector(a), number(b)),
                 V::Of([x, y, z]) => one(number(x) && number(y) && number(z)),
                 _ => Self::None,

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use crate::process::{self, cargo};
+use crate::process::{self, FEATURES, cargo};
 use crate::{
     Outcome, api, book, circles, dependencies, dist, examples, layers, packages, python, readme, solutions,
     viewer, workflows,
@@ -32,9 +32,6 @@ const THEN: [Step; 5] = [
     ("README", readme::check),
     ("archive of a release", dist::check),
 ];
-
-/// The conversions of the core crate, which no other crate here uses: without them it is compiled for its documentation.
-pub(crate) const FEATURES: &str = "polhode/serde,polhode/mint,polhode/nalgebra,polhode/glam";
 
 /// Runs every step, up to the first that fails. What waits for other programs much of its time goes beside the rest: the viewer's tests, and
 /// what Python's need.

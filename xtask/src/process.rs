@@ -40,6 +40,10 @@ pub(crate) fn run_beside(command: &mut Command) -> Outcome {
     }
 }
 
+/// The conversions of the core crate, which no other crate here uses. It is tested with them, so that it is compiled once, and without them for its
+/// documentation.
+pub(crate) const FEATURES: &str = "polhode/serde,polhode/mint,polhode/nalgebra,polhode/glam";
+
 /// Builds `polhode` and says where it is.
 pub(crate) fn polhode() -> Result<PathBuf, String> {
     program("polhode")
@@ -48,7 +52,7 @@ pub(crate) fn polhode() -> Result<PathBuf, String> {
 /// A program of the workspace, by its place among the built ones: as the tests have compiled it, since a build of its own would have other features
 /// of what it depends on, and compile all of that once more.
 pub(crate) fn program(name: &str) -> Result<PathBuf, String> {
-    run(&mut cargo(&["test", "--workspace", "--no-run", "--quiet", "--locked"]))?;
+    run(&mut cargo(&["test", "--workspace", "--no-run", "--quiet", "--locked", "--features", FEATURES]))?;
     Ok(build_folder()?.join(format!("{name}{}", std::env::consts::EXE_SUFFIX)))
 }
 

@@ -5,7 +5,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::process::{empty_folder, output, polhode, run, run_beside};
+use crate::process::{FEATURES, empty_folder, output, polhode, run, run_beside};
 use crate::{Outcome, files, root};
 
 /// The oldest Python that the tests run with; the package is for 3.10 too.
@@ -45,7 +45,7 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     run(Command::new(&python)
         .args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"])
         .args([&wheels, &package])
-        .env("MATURIN_PEP517_ARGS", format!("--profile dev {OPTIMISED}")))?;
+        .env("MATURIN_PEP517_ARGS", format!("--profile dev --features {FEATURES} {OPTIMISED}")))?;
     let wheel = files(&wheels, "whl")?.pop().ok_or("pip made no wheel")?;
     run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).arg(&wheel))?;
 

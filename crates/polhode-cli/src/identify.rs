@@ -86,6 +86,7 @@ impl Identify {
         if plan.found {
             sources.push("Flights were found where the body turns fast and nothing turns it".to_owned());
         }
+        sources.extend(plan.cut_off.iter().cloned());
         Ok(TumbleReport::new(title, sources, tumble))
     }
 

@@ -11,7 +11,9 @@
 //!
 //! A quantity is a string with its unit, or a number in SI. Whatever is unknown, impossible or ambiguous is an error that points at its place.
 
+mod effect;
 mod gravity;
+mod gyro_log;
 mod payload;
 mod swing;
 mod tumble;

@@ -114,9 +114,14 @@ fn motion_noise(value: &Value<'_>) -> Result<MotionNoise, FormatError> {
             _ => Err(value.invalid("zero or positive").with_hint("it is a standard deviation")),
         },
     };
-    Ok(MotionNoise {
+    let noise = MotionNoise {
         omega: deviation("omega", Dimension::ANGULAR_VELOCITY)?,
         alpha: deviation("alpha", Dimension::ANGULAR_ACCELERATION)?,
         acceleration: deviation("acceleration", Dimension::ACCELERATION)?,
-    })
+    };
+    if [noise.omega, noise.alpha, noise.acceleration] == [0.0; 3] {
+        let error = value.invalid("a deviation of omega, alpha or acceleration that is above zero");
+        return Err(error.with_hint("leave it out where the motion has no noise"));
+    }
+    Ok(noise)
 }

@@ -80,11 +80,13 @@ impl Columns {
         for quantity in &MEASURED {
             found.add(quantity, &header, told)?;
         }
-        let unused =
-            |quantity: &Quantity, rule: &str| match told.columns.as_ref().and_then(|t| t.get(quantity.key)) {
+        let unused = |quantity: &Quantity, rule: &str| {
+            let told = [&told.columns, &told.units].into_iter().flatten();
+            match told.filter_map(|table| table.get(quantity.key)).next() {
                 Some(value) => Err(Wrong::Plan(value.invalid(rule))),
                 None => Ok(()),
-            };
+            }
+        };
         match gravity {
             Gravity::Logged => {
                 unused(

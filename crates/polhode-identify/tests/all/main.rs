@@ -4,3 +4,4 @@
 mod noise;
 mod payload;
 mod tumble;
+mod tumble_flaws;

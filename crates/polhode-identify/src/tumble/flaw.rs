@@ -1,0 +1,139 @@
+//! What is wrong with readings of flights, though a body is found from the rest.
+
+use core::fmt;
+
+use super::cut::{free_span, tensor_of_most};
+use super::first_guess::Rates;
+use super::flight::Flight;
+use super::range::{GyroRange, Reached};
+use super::tumble::{FlightFit, Tumble};
+
+/// Something that is wrong with the readings of flights.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Flaw {
+    /// The gyro's range ended: the readings there were not used.
+    Saturated(Reached),
+    /// No readings for three times as long as usual, or more.
+    Gap {
+        /// In which flight.
+        flight: String,
+        /// The last reading before, s.
+        from: f64,
+        /// The first one after, s.
+        to: f64,
+    },
+    /// A hand turns the body at the beginning or the end of a flight: it was thrown later, or caught before.
+    Hand {
+        /// In which flight.
+        flight: String,
+        /// From when to when nothing turns it, s.
+        free: [f64; 2],
+        /// The first and the last reading, s.
+        given: [f64; 2],
+    },
+}
+
+/// How many times as long as usual no reading is a gap.
+const GAP: f64 = 3.0;
+/// Up to this part of |I ω²| a torque may be the air's.
+const TORQUE: f64 = 0.2;
+/// Standard deviations of the noise that are no torque.
+const NOISE: f64 = 6.0;
+
+/// What is wrong with flights, of which so much was found.
+pub(super) fn flaws(flights: &[Flight], range: &GyroRange, found: &Tumble) -> Vec<Flaw> {
+    let mut flaws: Vec<Flaw> = range.reached(flights).into_iter().map(Flaw::Saturated).collect();
+    for flight in flights {
+        let times: Vec<f64> = flight.gyro().iter().map(|r| r.time).collect();
+        let tracked: Vec<f64> = flight.attitudes().iter().map(|r| r.time).collect();
+        for times in [times, tracked] {
+            flaws.extend(gaps(&times).map(|[from, to]| Flaw::Gap {
+                flight: flight.name().to_owned(),
+                from,
+                to,
+            }));
+        }
+    }
+    // What is known to turn the body is no hand.
+    let free = flights.iter().zip(&found.flights);
+    let free = free.filter(|(f, _)| !f.gyro().is_empty() && f.wheels().is_empty() && f.torques().is_empty());
+    let free: Vec<(&FlightFit, Rates)> = free
+        .map(|(flight, fit)| (fit, Rates::of(&flight.of_gyro_readings(|reading| range.holds(reading)))))
+        .filter(|(_, rates)| rates.times.len() >= LEAST)
+        .collect();
+    let noise = NOISE * found.residuals.first().map_or(0.0, |test| test.noise);
+    if free.is_empty() {
+        return flaws;
+    }
+    let tensor = tensor_of_most(free.iter().map(|(_, rates)| rates.middle().without_gaps()).collect());
+    for (fit, rates) in free {
+        let given = [rates.times[0], rates.times[rates.times.len() - 1]];
+        let [begin, end] = free_span(&rates, &tensor, TORQUE, noise).unwrap_or(given);
+        let [first, last] = used_span(&rates.times, &fit.left_out);
+        let free = [begin.max(first), end.min(last)];
+        if free != given {
+            flaws.push(Flaw::Hand { flight: fit.name.clone(), free, given });
+        }
+    }
+    flaws
+}
+
+/// The first and the last time of readings without those at the ends that were left out, if there are several.
+fn used_span(times: &[f64], left_out: &[f64]) -> [f64; 2] {
+    let is_used = |time: &f64| !left_out.contains(time);
+    let last = times.len() - 1;
+    let first_used = times.iter().position(is_used).filter(|&k| k >= SEVERAL);
+    let last_used = times.iter().rposition(is_used).filter(|&k| last - k >= SEVERAL);
+    [times[first_used.unwrap_or(0)], times[last_used.unwrap_or(last)]]
+}
+
+/// Readings at the end of a flight that were left out.
+const SEVERAL: usize = 4;
+
+/// Readings of a flight in which a hand can be seen.
+const LEAST: usize = 20;
+
+/// Where times are further apart than usual.
+pub(super) fn gaps(times: &[f64]) -> impl Iterator<Item = [f64; 2]> + '_ {
+    let longest = GAP * usual_step(times);
+    times.windows(2).filter(move |two| two[1] - two[0] > longest).map(|two| [two[0], two[1]])
+}
+
+/// The median of what is between two times; infinite of fewer than two.
+pub(super) fn usual_step(times: &[f64]) -> f64 {
+    let mut steps: Vec<f64> = times.windows(2).map(|two| two[1] - two[0]).collect();
+    let middle = steps.len() / 2;
+    if steps.is_empty() {
+        return f64::INFINITY;
+    }
+    *steps.select_nth_unstable_by(middle, f64::total_cmp).1
+}
+
+impl fmt::Display for Flaw {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Saturated(Reached { axis, limit, count, flight, time }) => {
+                let axis = ["x", "y", "z"].get(*axis).copied().unwrap_or_default();
+                write!(
+                    f,
+                    "the gyro's {axis} is at its limit, {limit:.4} rad/s ({:.1} deg/s), in {count} readings, the first at {time:.3} s ({flight}): they were not used",
+                    limit.to_degrees()
+                )
+            }
+            Self::Gap { flight, from, to } => {
+                write!(f, "{flight} has no readings between {from:.3} and {to:.3} s")
+            }
+            Self::Hand { flight, free, given } => {
+                let [begins, ends] = [free[0] > given[0], free[1] < given[1]];
+                write!(f, "{flight} is no free motion ")?;
+                match (begins, ends) {
+                    (true, true) => write!(f, "before {:.3} and after {:.3} s", free[0], free[1])?,
+                    (true, false) => write!(f, "before {:.3} s", free[0])?,
+                    _ => write!(f, "after {:.3} s", free[1])?,
+                }
+                write!(f, ": something else turns the body there, as a hand does; end the flight before")
+            }
+        }
+    }
+}

@@ -1,6 +1,8 @@
 //! `polhode identify`
 
-use std::path::PathBuf;
+mod simple;
+
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode_formats::identify::{self, Measurement, PayloadPlan, Plan, ReadLog, TumblePlan};
@@ -13,25 +15,36 @@ use polhode_report::{IdentifyReport, PayloadReport, SwingReport, TumbleReport, p
 use crate::failure::Failure;
 use crate::stderr::shown;
 use crate::stdout::{columns, print};
+use simple::{Asked, Simple};
+
+/// What a plan is called that is made of flags.
+const FLAGS: &str = "the flags";
 
 /// Find a body's mass properties from measurements of its motion.
 ///
-/// PLAN says what was measured: the free motion of a thrown body by a gyro on it ([tumble]), the periods of its swings on wires or about an axis ([swing]), or
-/// the wrenches of a force–torque sensor that moves with the body ([payload]). Every answer is a possible body; what the measurements do
-/// not determine is said, and what is left is tested for being noise.
+/// A plan, a TOML file, says what was measured: the free motion of a thrown body by a gyro on it ([tumble]), the periods of its swings on wires or about an axis
+/// ([swing]), or the wrenches of a force–torque sensor that moves with the body ([payload]). The log of a gyro, or counted swings about one axis, need no plan.
+/// Every answer is a possible body; what the measurements do not determine is said, and what is left is tested for being noise.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   polhode identify examples/identify/racket-like.toml
   polhode identify examples/identify/racket-like.toml --json
   polhode identify examples/identify/racket-like.toml --html > racket.html
+  polhode identify gyro.csv --drag quadratic
+  polhode identify --bifilar --mass \"1.24 kg ± 1 g\" --distance \"30 cm\" --length \"1.2 m ± 1 mm\" \\
+      --swings 20 --time \"31.4 s ± 0.1 s\" --amplitude \"12 deg, 9 deg ± 1 deg\"
+  polhode identify --pendulum --mass \"742 g\" --distance \"8.2 cm ± 0.5 mm\" \\
+      --swings 50 --time \"41.2 s +- 0.1 s\" --amplitude \"8 deg +- 1 deg\"
   polhode identify examples/identify/bifilar.toml
   polhode identify examples/identify/payload.toml
   polhode identify examples/identify/payload.toml --body > payload-body.toml")]
 pub(crate) struct Identify {
-    /// The plan: a TOML file.
-    #[arg(value_name = "PLAN")]
-    plan: PathBuf,
+    /// A plan; or logs of a gyro: CSV, Parquet or JSON lines.
+    #[arg(value_name = "FILE")]
+    files: Vec<PathBuf>,
+    #[command(flatten)]
+    simple: Simple,
     /// Print JSON.
     #[arg(long, group = "form")]
     json: bool,
@@ -51,13 +64,18 @@ pub(crate) struct Identify {
 
 impl Identify {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let Plan { title, measurement } = identify::read(&self.plan)?;
+        let Plan { title, measurement, logs } = match self.simple.asked(&self.files)? {
+            Asked::File(plan) => identify::read(&plan)?,
+            Asked::Text(text) if self.simple.prints_plan() => return self.print_plan(&text),
+            Asked::Text(text) => identify::from_text(Path::new(FLAGS), &text)?,
+        };
         let report = match measurement {
             Measurement::Tumble(plan) => IdentifyReport::Tumble(self.tumble(title.as_deref(), &plan)?),
             Measurement::Payload(plan) => IdentifyReport::Payload(self.payload(title.as_deref(), &plan)?),
             Measurement::Swing(plan) => {
                 let found = identify_swings(&plan).map_err(|error| self.refused(error))?;
-                IdentifyReport::Swing(SwingReport::new(title.as_deref(), found))
+                let sources = logs.iter().flat_map(said).collect();
+                IdentifyReport::Swing(SwingReport::new(title.as_deref(), found).with_sources(sources))
             }
             _ => {
                 return Err(Failure::usage(
@@ -80,6 +98,22 @@ impl Identify {
         if self.strict && report.has_model_error() { Err(Failure::Findings) } else { Ok(()) }
     }
 
+    fn print_plan(&self, text: &str) -> Result<(), Failure> {
+        let forms = [("--json", self.json), ("--markdown", self.markdown), ("--html", self.html)];
+        let others = [("--body", self.body), ("--strict", self.strict)];
+        if let Some((other, _)) = forms.into_iter().chain(others).find(|(_, is_given)| *is_given) {
+            let message =
+                format!("--print-plan prints a plan and finds nothing: there is nothing for {other}");
+            return Err(Failure::usage(message, "leave one of them out"));
+        }
+        print(text)
+    }
+
+    /// What failures name.
+    fn place(&self) -> &Path {
+        self.files.first().map_or(Path::new(FLAGS), PathBuf::as_path)
+    }
+
     fn tumble(&self, title: Option<&str>, plan: &TumblePlan) -> Result<TumbleReport, Failure> {
         let tumble = identify_tumbles(&plan.flights, &plan.options).map_err(|error| self.refused(error))?;
         let mut sources: Vec<String> = plan.logs.iter().flat_map(said).collect();
@@ -96,7 +130,7 @@ impl Identify {
                 error.to_string(),
                 "the motion may be hidden by its noise: turn faster, about more axes, or look at motion_noise",
             )
-            .about(&self.plan),
+            .about(self.place()),
             error => self.refused(error),
         })?;
         let times = plan.log.rows().iter().map(|row| row.time).collect();
@@ -122,14 +156,14 @@ impl Identify {
                 "leave --body out to see the moments, or weigh the body",
             ),
         };
-        Err(Failure::usage(reason, hint).about(&self.plan))
+        Err(Failure::usage(reason, hint).about(self.place()))
     }
 
     fn refused(&self, error: IdentifyError) -> Failure {
         let hint = error.hint().unwrap_or_default();
         match error {
-            IdentifyError::Motion(error) => Failure::Motion { path: shown(&self.plan), error },
-            error => Failure::usage(error.to_string(), hint).about(&self.plan),
+            IdentifyError::Motion(error) => Failure::Motion { path: shown(self.place()), error },
+            error => Failure::usage(error.to_string(), hint).about(self.place()),
         }
     }
 }

@@ -14,6 +14,7 @@
 mod effect;
 mod gravity;
 mod gyro_log;
+mod number_log;
 mod payload;
 mod swing;
 mod tumble;
@@ -41,6 +42,8 @@ pub struct Plan {
     pub title: Option<String>,
     /// What was measured.
     pub measurement: Measurement,
+    /// Logs of swings that were read; those of other measurements are in them.
+    pub logs: Vec<ReadLog>,
 }
 
 /// What was measured of a body.
@@ -64,8 +67,15 @@ const KINDS: [&str; 3] = ["tumble", "swing", "payload"];
 /// # Errors
 /// [`FormatError`], with the place, if it, or a file that it names, cannot be read or describes nothing that could be measured.
 pub fn read(path: &Path) -> Result<Plan, FormatError> {
-    let text = text_of(path)?;
-    let source = Source::new(path, &text);
+    from_text(path, &text_of(path)?)
+}
+
+/// Reads a plan from its text; logs are relative to the path, which errors name.
+///
+/// # Errors
+/// As [`read()`].
+pub fn from_text(path: &Path, text: &str) -> Result<Plan, FormatError> {
+    let source = Source::new(path, text);
     let entries = document(source)?;
     let root = Table::root(source, &entries);
     root.allow(&[&["title"], &KINDS[..]].concat())?;
@@ -76,12 +86,13 @@ pub fn read(path: &Path) -> Result<Plan, FormatError> {
             .missing("tumble", "[tumble], [swing] or [payload], such as [tumble] with log = \"gyro.csv\""));
     };
     let table = kind.table()?;
+    let mut logs = Vec::new();
     let measurement = match kind.key() {
         "payload" => Measurement::Payload(payload::plan(&table)?),
-        "swing" => Measurement::Swing(swing::plan(&table)?),
+        "swing" => Measurement::Swing(swing::plan(&table, &mut logs)?),
         _ => Measurement::Tumble(tumble::plan(&table)?),
     };
-    Ok(Plan { title, measurement })
+    Ok(Plan { title, measurement, logs })
 }
 
 /// An error of what was to be measured, at a value.

@@ -17,6 +17,8 @@ pub struct SwingReport {
     title: String,
     found: SwingEstimate,
     principal: PrincipalEstimate,
+    /// What was read, line by line.
+    sources: Vec<String>,
 }
 
 /// Where the tensor's elements begin among the numbers.
@@ -26,7 +28,18 @@ impl SwingReport {
     /// Of what was found.
     pub fn new(title: Option<&str>, found: SwingEstimate) -> Self {
         let principal = PrincipalEstimate::of_tensor(&found.estimate, TENSOR);
-        Self { title: title.unwrap_or("a body that swings").to_owned(), found, principal }
+        Self {
+            title: title.unwrap_or("a body that swings").to_owned(),
+            found,
+            principal,
+            sources: Vec::new(),
+        }
+    }
+
+    /// With the lines that say what was read of logs.
+    #[must_use]
+    pub fn with_sources(self, sources: Vec<String>) -> Self {
+        Self { sources, ..self }
     }
 
     /// True if what is left is more than noise.
@@ -64,7 +77,8 @@ impl SwingReport {
                 format!("{} are not determined by these tests: {}", directions(unknown), self.swung()),
             );
         }
-        if self.found.counted.is_none() {
+        let is_logged = self.found.tests.iter().any(|test| test.residuals.lag_correlation.is_some());
+        if self.found.counted.is_none() && !is_logged {
             say(
                 "identify.untested",
                 "as much is found as was measured: nothing is left that could show a wrong model".to_owned(),
@@ -109,6 +123,9 @@ impl SwingReport {
 
     fn body(&self) -> Section {
         let mut s = Section::new(1, "The body");
+        for line in &self.sources {
+            s.say(format!("{line}."));
+        }
         s.say("The tensor is about the centre of mass, along the body's axes; a number without an error was given as exact.");
         let numbers: Vec<Number> = self
             .found

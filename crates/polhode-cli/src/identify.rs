@@ -64,6 +64,13 @@ pub(crate) struct Identify {
 
 impl Identify {
     pub(crate) fn run(self) -> Result<(), Failure> {
+        if let (true, Some(flag)) = (self.strict, self.simple.swings_flag()) {
+            let message = format!("--strict tests what is left, and of the one test of {flag} nothing is");
+            return Err(Failure::usage(
+                message,
+                "leave --strict out, or write a plan with more than it takes",
+            ));
+        }
         let Plan { title, measurement, logs } = match self.simple.asked(&self.files)? {
             Asked::File(plan) => identify::read(&plan)?,
             Asked::Text(text) if self.simple.prints_plan() => return self.print_plan(&text),

@@ -5,6 +5,8 @@ use core::fmt;
 use polhode::body::BodyError;
 use polhode::motion::MotionError;
 
+use crate::tumble::Flaw;
+
 /// Why there is no estimate.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -61,6 +63,8 @@ pub enum IdentifyError {
         /// Of how many.
         given: usize,
     },
+    /// No motion fits, and a flight is not free.
+    NotFree(Box<Flaw>),
     /// The method went on without an end.
     NoConvergence {
         /// After so many steps.
@@ -82,6 +86,9 @@ impl IdentifyError {
             }
             Self::LeftHanded { .. } => {
                 Some("write the axis with the other sign in the log, so that the axes are right-handed")
+            }
+            Self::NotFree(_) => {
+                Some("say when each flight was, [[tumble.flight]] with from and to; or flights = \"find\"")
             }
             Self::Saturated { .. } => Some("throw it more slowly, or leave the flight out"),
             Self::Missing { .. } => Some("say it in the plan: nothing is guessed"),
@@ -127,6 +134,7 @@ impl fmt::Display for IdentifyError {
                 f,
                 "the gyro is at its limit in {flight}: {inside} of {given} readings are inside its range"
             ),
+            Self::NotFree(hand) => hand.fmt(f),
             Self::NotFinite => write!(f, "the model predicts what is not a number"),
             Self::NoConvergence { steps } => write!(f, "no least sum of squares was found in {steps} steps"),
         }

@@ -74,8 +74,7 @@ impl Simple {
 
     /// The plan: the file that is given, or what the flags say.
     pub(super) fn asked(&self, files: &[PathBuf]) -> Result<Asked, Failure> {
-        let [gyro, swings] = [self.of_gyro(), self.of_swings()]
-            .map(|flags| flags.into_iter().find(|(_, is_given)| *is_given).map(|(name, _)| name));
+        let (gyro, swings) = (first(self.of_gyro()), self.swings_flag());
         let is_log = |file: &Path| {
             let extension = file.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
             extension.is_some_and(|extension| LOGS.contains(&&*extension))
@@ -117,13 +116,14 @@ impl Simple {
         }
     }
 
-    fn of_gyro(&self) -> Vec<(&'static str, bool)> {
-        vec![("--columns", self.columns.is_some()), ("--whole", self.whole), ("--drag", self.drag.is_some())]
+    /// A flag of swings that is given.
+    pub(super) fn swings_flag(&self) -> Option<&'static str> {
+        let named = self.named().map(|(name, value)| (name, value.is_some()));
+        first(self.rigs().into_iter().chain(named))
     }
 
-    fn of_swings(&self) -> Vec<(&'static str, bool)> {
-        let named = self.named().map(|(name, value)| (name, value.is_some()));
-        named.into_iter().chain(self.rigs()).collect()
+    const fn of_gyro(&self) -> [(&'static str, bool); 3] {
+        [("--columns", self.columns.is_some()), ("--whole", self.whole), ("--drag", self.drag.is_some())]
     }
 
     const fn rigs(&self) -> [(&'static str, bool); 3] {
@@ -256,6 +256,11 @@ impl Simple {
             quoted(&amplitude_sd)
         ))
     }
+}
+
+/// The first flag that is given.
+fn first(flags: impl IntoIterator<Item = (&'static str, bool)>) -> Option<&'static str> {
+    flags.into_iter().find(|(_, is_given)| *is_given).map(|(name, _)| name)
 }
 
 /// A TOML string.

@@ -6,7 +6,7 @@ use super::cut::{free_span, tensor_of_most};
 use super::first_guess::Rates;
 use super::flight::Flight;
 use super::range::{GyroRange, Reached};
-use super::tumble::{FlightFit, Tumble};
+use super::tumble::Tumble;
 
 /// Something that is wrong with the readings of flights.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,28 +55,35 @@ pub(super) fn flaws(flights: &[Flight], range: &GyroRange, found: &Tumble) -> Ve
             }));
         }
     }
-    // What is known to turn the body is no hand.
-    let free = flights.iter().zip(&found.flights);
-    let free = free.filter(|(f, _)| !f.gyro().is_empty() && f.wheels().is_empty() && f.torques().is_empty());
-    let free: Vec<(&FlightFit, Rates)> = free
-        .map(|(flight, fit)| (fit, Rates::of(&flight.of_gyro_readings(|reading| range.holds(reading)))))
-        .filter(|(_, rates)| rates.times.len() >= LEAST)
-        .collect();
-    let noise = NOISE * found.residuals.first().map_or(0.0, |test| test.noise);
-    if free.is_empty() {
-        return flaws;
-    }
-    let tensor = tensor_of_most(free.iter().map(|(_, rates)| rates.middle().without_gaps()).collect());
-    for (fit, rates) in free {
-        let given = [rates.times[0], rates.times[rates.times.len() - 1]];
-        let [begin, end] = free_span(&rates, &tensor, TORQUE, noise).unwrap_or(given);
-        let [first, last] = used_span(&rates.times, &fit.left_out);
-        let free = [begin.max(first), end.min(last)];
-        if free != given {
-            flaws.push(Flaw::Hand { flight: fit.name.clone(), free, given });
-        }
-    }
+    let noise = found.residuals.first().map_or(0.0, |test| test.noise);
+    let left_out: Vec<&[f64]> = found.flights.iter().map(|fit| &fit.left_out[..]).collect();
+    flaws.extend(hands(flights, range, noise, &left_out));
     flaws
+}
+
+/// Flights in which a hand turns the body at the beginning or the end. Of each flight the times of readings that were left out, if it was fitted.
+pub(super) fn hands(flights: &[Flight], range: &GyroRange, noise: f64, left_out: &[&[f64]]) -> Vec<Flaw> {
+    let left_out = left_out.iter().copied().chain(core::iter::repeat(&[][..]));
+    let free: Vec<(&Flight, &[f64], Rates)> = flights
+        .iter()
+        .zip(left_out)
+        // What is known to turn the body is no hand.
+        .filter(|(f, _)| !f.gyro().is_empty() && f.wheels().is_empty() && f.torques().is_empty())
+        .map(|(f, left_out)| (f, left_out, Rates::of(&f.of_gyro_readings(|reading| range.holds(reading)))))
+        .filter(|(.., rates)| rates.times.len() >= LEAST)
+        .collect();
+    if free.is_empty() {
+        return Vec::new();
+    }
+    let tensor = tensor_of_most(free.iter().map(|(.., rates)| rates.middle().without_gaps()).collect());
+    let hand = |(flight, left_out, rates): (&Flight, &[f64], Rates)| {
+        let given = [rates.times[0], rates.times[rates.times.len() - 1]];
+        let [begin, end] = free_span(&rates, &tensor, TORQUE, NOISE * noise).unwrap_or(given);
+        let [first, last] = used_span(&rates.times, left_out);
+        let free = [begin.max(first), end.min(last)];
+        (free != given).then(|| Flaw::Hand { flight: flight.name().to_owned(), free, given })
+    };
+    free.into_iter().filter_map(hand).collect()
 }
 
 /// The first and the last time of readings without those at the ends that were left out, if there are several.

@@ -3,7 +3,7 @@
 use polhode::math::{Body, Rotation};
 
 use super::first_guess::{Rates, tensor_with_scale, tracked_axes};
-use super::flaw::flaws;
+use super::flaw::{flaws, hands};
 use super::flight::{Flight, GyroReading};
 use super::model::{CHANNELS, Reference, Tumbles};
 use super::motion::turn;
@@ -32,7 +32,8 @@ const FULL: f64 = 4.0;
 /// # Errors
 /// [`IdentifyError::TooFew`] for fewer readings than numbers to be found; [`IdentifyError::Missing`] for attitudes without their noise; a parameter's error
 /// for options; [`IdentifyError::Saturated`] for a flight with hardly a reading inside the gyro's range; [`IdentifyError::Unit`] and [`IdentifyError::LeftHanded`]
-/// if the rates move as they have to in another unit, or with an axis reversed, only; [`IdentifyError::NoConvergence`].
+/// if the rates move as they have to in another unit, or with an axis reversed, only; [`IdentifyError::NotFree`] if nothing fits and a hand turns
+/// the body in a flight; [`IdentifyError::NoConvergence`].
 pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, IdentifyError> {
     let readings: Vec<GyroReading> =
         flights.iter().flat_map(|flight| flight.gyro().iter().copied()).collect();
@@ -46,7 +47,11 @@ pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<T
     if is_doubtful {
         unit::require_right(&flights, options, identified)?;
     }
-    found.map(|found| Tumble { flaws: flaws(all, &range, &found), ..found })
+    let found = found.map_err(|error| {
+        let mut hands = if is_doubtful { hands(all, &range, 0.0, &[]) } else { Vec::new() };
+        hands.pop().map_or(error, |hand| IdentifyError::NotFree(Box::new(hand)))
+    })?;
+    Ok(Tumble { flaws: flaws(all, &range, &found), ..found })
 }
 
 /// As [`identify_tumbles`], of rates that are taken as they are.

@@ -81,10 +81,12 @@ impl PayloadReport {
         }
         if let Some(edge) = &payload.edge {
             let message = format!(
-                "the likeliest possible payload is {}: within its error it has no extent in {} direction{}",
+                "the likeliest possible payload is {}: within its error it has no extent in {} direction{}, across which noise draws the answer off the edge by half a \
+                 standard deviation on average; if it is one, say kind = \"{}\" in the plan",
                 edge.kind,
                 edge.thin.len(),
-                if edge.thin.len() == 1 { "" } else { "s" }
+                if edge.thin.len() == 1 { "" } else { "s" },
+                kind_key(edge.kind)
             );
             say("identify.edge", Severity::Info, message);
         }

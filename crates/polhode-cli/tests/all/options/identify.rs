@@ -3,22 +3,55 @@
 use crate::options::{Choice, Subcommand, every_pair_is_honoured_or_refused};
 
 const MEASURED: &[&str] = &["measured"];
+const THROWN: &[&str] = &["thrown"];
+const HUNG: &[&str] = &["hung"];
+const TESTED: &[&str] = &["measured", "thrown"];
+const ANY: &[&str] = &["measured", "thrown", "hung"];
 
-const fn choice(option: &'static str, arguments: &'static [&'static str]) -> Choice {
-    Choice { option, arguments, inputs: MEASURED, needs: &[] }
+/// What a test on two wires needs.
+const BIFILAR: &[&str] =
+    &["--bifilar", "--mass", "--distance", "--length", "--swings", "--time", "--amplitude"];
+
+const fn choice(
+    option: &'static str,
+    arguments: &'static [&'static str],
+    inputs: &'static [&'static str],
+) -> Choice {
+    Choice { option, arguments, inputs, needs: &[] }
+}
+
+const fn of_swings(option: &'static str, arguments: &'static [&'static str]) -> Choice {
+    Choice { option, arguments, inputs: HUNG, needs: BIFILAR }
 }
 
 static IDENTIFY: Subcommand = Subcommand {
     name: "identify",
-    inputs: &[("measured", &["payload.toml"])],
+    inputs: &[("measured", &["payload.toml"]), ("thrown", &["gyro.csv"]), ("hung", &[])],
     options: &[
-        choice("--json", &["--json"]),
-        choice("--markdown", &["--markdown"]),
-        choice("--html", &["--html"]),
-        choice("--body", &["--body"]),
-        choice("--strict", &["--strict"]),
+        choice("--json", &["--json"], ANY),
+        choice("--markdown", &["--markdown"], ANY),
+        choice("--html", &["--html"], ANY),
+        choice("--body", &["--body"], MEASURED),
+        choice("--strict", &["--strict"], TESTED),
+        choice("--columns", &["--columns", "omega = gyro_x gyro_z gyro_y"], THROWN),
+        choice("--whole", &["--whole"], THROWN),
+        choice("--drag", &["--drag", "linear"], THROWN),
+        choice("--print-plan", &["--print-plan"], THROWN),
+        of_swings("--bifilar", &["--bifilar"]),
+        of_swings("--mass", &["--mass", "1.7 kg ± 1 g"]),
+        of_swings("--distance", &["--distance", "30 cm"]),
+        of_swings("--length", &["--length", "2 m"]),
+        of_swings("--swings", &["--swings", "20"]),
+        of_swings("--time", &["--time", "32.8 s +- 0.1 s"]),
+        of_swings("--amplitude", &["--amplitude", "9 deg +- 1 deg"]),
+        of_swings("--gravity", &["--gravity", "9.81 m/s^2"]),
+        choice("--trifilar", &["--trifilar"], HUNG),
+        choice("--pendulum", &["--pendulum"], HUNG),
     ],
-    independent: &[],
+    independent: &[
+        ("--trifilar", "*", "it stands in the place of --bifilar"),
+        ("--pendulum", "*", "it stands in the place of --bifilar"),
+    ],
 };
 
 #[test]

@@ -157,6 +157,18 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
             let keys = "log = \"payload.csv\"\nwrench = \"on sensor\"\nbias = true\n";
             scratch.write("payload.toml", &format!("[payload]\n{keys}{noise}"));
         }
+        "thrown" => {
+            // a part of the first of four flights, with an error that is no noise
+            let log = fs::read_to_string(crate::common::example("identify/racket-like.csv")).unwrap();
+            let mut text = String::from("time_s,gyro_x,gyro_y,gyro_z\n");
+            for line in log.lines().skip(87).take(100) {
+                let row: Vec<f64> = line.split(',').map(|x| x.parse().unwrap()).collect();
+                let wrong = 0.2 * (20.0 * row[0]).sin();
+                text += &format!("{},{},{},{}\n", row[0], row[1] + wrong, row[2], row[3]);
+            }
+            scratch.write("gyro.csv", &text);
+        }
+        "hung" => {}
         "given" => {
             fs::copy(crate::common::example("slew.toml"), scratch.0.join("slew.toml")).unwrap();
         }

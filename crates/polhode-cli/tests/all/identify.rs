@@ -296,8 +296,9 @@ fn what_is_wrong_with_a_gyro_log_is_named() {
     };
     let top = rows.iter().flat_map(|row| &row[1..]).fold(0.0_f64, |most, x| most.max(x.abs()));
     let limit = 0.85 * top;
-    let clip =
-        |row: &[f64]| row.iter().enumerate().map(|(k, x)| if k == 0 { *x } else { x.clamp(-limit, limit) });
+    let clip = |row: &[f64]| {
+        row.iter().enumerate().map(move |(k, x)| if k == 0 { *x } else { x.clamp(-limit, limit) })
+    };
     write("clipped.csv", &|_, row| Some(clip(row).collect()));
     let report = json(&scratch.run(&["identify", "clipped.csv", "--json"]));
     assert!(codes(&report).contains(&"identify.saturated"), "{:?}", codes(&report));

@@ -108,9 +108,9 @@ fn flights_are_found_over_flat_tops() {
     let mut log = held(0.21 - 0.5, 50, &mut noise);
     log.extend(flown.iter().map(|r| {
         let [x, y, z] = r.omega.to_array();
-        GyroReading { omega: AngularVelocity::new(x.min(6.0), y, z), ..*r }
+        GyroReading { omega: AngularVelocity::new(x.min(7.0), y, z), ..*r }
     }));
-    assert!(log.iter().filter(|r| r.omega.x == 6.0).count() > 20);
+    assert!(log.iter().filter(|r| r.omega.x == 7.0).count() > 10);
     log.extend(held(0.21 + 1.2, 50, &mut noise));
     let spans = find_flights(&log, &FlightSearch::default());
     assert_eq!(spans.len(), 1, "{spans:?}");

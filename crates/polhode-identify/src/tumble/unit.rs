@@ -15,7 +15,7 @@ const MOST: usize = 4;
 const BETTER: f64 = 10.0;
 const BETTER_IF_NOISE: f64 = 2.0;
 /// Of the rates; more is no motion of a free body.
-const SMALL: f64 = 0.1;
+const SMALL: f64 = 0.05;
 const DEGREES: f64 = 180.0 / core::f64::consts::PI;
 
 /// That the rates of the first flights do not move as they have to in degrees, or radians, or reversed, where they do not as they are.

@@ -33,7 +33,7 @@ static IDENTIFY: Subcommand = Subcommand {
         choice("--html", &["--html"], ANY),
         choice("--body", &["--body"], MEASURED),
         choice("--strict", &["--strict"], TESTED),
-        choice("--columns", &["--columns", "omega = gyro_x gyro_z gyro_y"], THROWN),
+        choice("--columns", &["--columns", "omega = gyro_y gyro_z gyro_x"], THROWN),
         choice("--whole", &["--whole"], THROWN),
         choice("--drag", &["--drag", "linear"], THROWN),
         choice("--print-plan", &["--print-plan"], THROWN),
@@ -49,6 +49,7 @@ static IDENTIFY: Subcommand = Subcommand {
         choice("--pendulum", &["--pendulum"], HUNG),
     ],
     independent: &[
+        ("--whole", "*", "the log of the others has four flights, and is refused as one"),
         ("--trifilar", "*", "it stands in the place of --bifilar"),
         ("--pendulum", "*", "it stands in the place of --bifilar"),
     ],

@@ -158,13 +158,19 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
             scratch.write("payload.toml", &format!("[payload]\n{keys}{noise}"));
         }
         "thrown" => {
-            // a part of the first of four flights, with an error that is no noise
+            // Air, and an error that is no noise.
             let log = fs::read_to_string(crate::common::example("identify/racket-like.csv")).unwrap();
             let mut text = String::from("time_s,gyro_x,gyro_y,gyro_z\n");
-            for line in log.lines().skip(87).take(100) {
+            for line in log.lines().skip(2) {
                 let row: Vec<f64> = line.split(',').map(|x| x.parse().unwrap()).collect();
-                let wrong = 0.2 * (20.0 * row[0]).sin();
-                text += &format!("{},{},{},{}\n", row[0], row[1] + wrong, row[2], row[3]);
+                let (slower, wrong) = ((-0.08 * (row[0] % 2.45)).exp(), 0.05 * (60.0 * row[0]).sin());
+                text += &format!(
+                    "{},{},{},{}\n",
+                    row[0],
+                    slower * row[1] + wrong,
+                    slower * row[2],
+                    slower * row[3]
+                );
             }
             scratch.write("gyro.csv", &text);
         }

@@ -6,6 +6,7 @@ const MEASURED: &[&str] = &["measured"];
 const THROWN: &[&str] = &["thrown"];
 const HUNG: &[&str] = &["hung"];
 const TESTED: &[&str] = &["measured", "thrown"];
+const PLANNED: &[&str] = &["thrown", "hung"];
 const ANY: &[&str] = &["measured", "thrown", "hung"];
 
 /// What a test on two wires needs.
@@ -36,7 +37,7 @@ static IDENTIFY: Subcommand = Subcommand {
         choice("--columns", &["--columns", "omega = gyro_y gyro_z gyro_x"], THROWN),
         choice("--whole", &["--whole"], THROWN),
         choice("--drag", &["--drag", "linear"], THROWN),
-        choice("--print-plan", &["--print-plan"], THROWN),
+        choice("--print-plan", &["--print-plan"], PLANNED),
         of_swings("--bifilar", &["--bifilar"]),
         of_swings("--mass", &["--mass", "1.7 kg ± 1 g"]),
         of_swings("--distance", &["--distance", "30 cm"]),

@@ -70,7 +70,7 @@ pub fn find_flights(readings: &[GyroReading], search: &FlightSearch) -> Vec<[f64
         .filter_map(|run| {
             let mut seen = run.filter(|k| is_seen[*k]);
             let first = seen.next()?;
-            Some([times[first], times[seen.last().unwrap_or(first)]])
+            Some([times[first], times[seen.next_back().unwrap_or(first)]])
         })
         .filter(|[from, to]| to - from >= search.shortest)
         .collect()

@@ -107,7 +107,7 @@ impl GyroRange {
                 }
             }
         }
-        all.sort_by(|a, b| (a.axis, a.limit < 0.0).cmp(&(b.axis, b.limit < 0.0)));
+        all.sort_by_key(|reached| (reached.axis, reached.limit < 0.0));
         all
     }
 }

@@ -280,12 +280,13 @@ fn a_log_of_a_gyro_needs_no_plan() {
 
 #[test]
 fn what_is_wrong_with_a_gyro_log_is_named() {
+    type Change<'a> = &'a dyn Fn(usize, &[f64]) -> Option<Vec<f64>>;
     let scratch = Scratch::new("identify-flaws");
     let log = fs::read_to_string(example("identify/racket-like.csv")).unwrap();
     let mut lines =
         log.lines().skip(2).map(|line| line.split(',').map(|x| x.parse::<f64>().unwrap()).collect());
     let rows: Vec<Vec<f64>> = lines.by_ref().collect();
-    let write = |name: &str, change: &dyn Fn(usize, &[f64]) -> Option<Vec<f64>>| {
+    let write = |name: &str, change: Change<'_>| {
         let mut text = String::from("time_s,gyro_x,gyro_y,gyro_z\n");
         for (k, row) in rows.iter().enumerate() {
             if let Some(row) = change(k, row) {

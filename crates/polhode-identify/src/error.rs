@@ -5,8 +5,6 @@ use core::fmt;
 use polhode::body::BodyError;
 use polhode::motion::MotionError;
 
-use crate::tumble::Flaw;
-
 /// Why there is no estimate.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -64,7 +62,12 @@ pub enum IdentifyError {
         given: usize,
     },
     /// No motion fits, and a flight is not free.
-    NotFree(Box<Flaw>),
+    NotFree {
+        /// Which.
+        flight: String,
+        /// From when to when nothing turns it, s.
+        free: [f64; 2],
+    },
     /// The method went on without an end.
     NoConvergence {
         /// After so many steps.
@@ -87,7 +90,7 @@ impl IdentifyError {
             Self::LeftHanded { .. } => {
                 Some("write the axis with the other sign in the log, so that the axes are right-handed")
             }
-            Self::NotFree(_) => {
+            Self::NotFree { .. } => {
                 Some("say when each flight was, [[tumble.flight]] with from and to; or flights = \"find\"")
             }
             Self::Saturated { .. } => Some("throw it more slowly, or leave the flight out"),
@@ -134,7 +137,10 @@ impl fmt::Display for IdentifyError {
                 f,
                 "the gyro is at its limit in {flight}: {inside} of {given} readings are inside its range"
             ),
-            Self::NotFree(hand) => hand.fmt(f),
+            Self::NotFree { flight, free: [from, to] } => write!(
+                f,
+                "no free motion fits: something else turns the body in {flight}, as a hand does, but between {from:.3} and {to:.3} s"
+            ),
             Self::NotFinite => write!(f, "the model predicts what is not a number"),
             Self::NoConvergence { steps } => write!(f, "no least sum of squares was found in {steps} steps"),
         }

@@ -5,8 +5,8 @@
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use polhode::math::{Body, Rotation};
 
-use super::flaw::gaps;
 use super::flight::Flight;
+use super::gap::gaps;
 
 /// Readings in a stretch: the turn of a fast body in 50 ms, and more than the noise of two readings.
 const STRETCH: usize = 5;

@@ -3,8 +3,9 @@
 use polhode::math::{Body, Rotation};
 
 use super::first_guess::{Rates, tensor_with_scale, tracked_axes};
-use super::flaw::{flaws, hands};
+use super::flaw::Flaw;
 use super::flight::{Flight, GyroReading};
+use super::inspection::{flaws, hands};
 use super::model::{CHANNELS, Reference, Tumbles};
 use super::motion::turn;
 use super::noise::deviation;
@@ -48,8 +49,11 @@ pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<T
         unit::require_right(&flights, options, identified)?;
     }
     let found = found.map_err(|error| {
-        let mut hands = if is_doubtful { hands(all, &range, 0.0, &[]) } else { Vec::new() };
-        hands.pop().map_or(error, |hand| IdentifyError::NotFree(Box::new(hand)))
+        let hands = if is_doubtful { hands(all, &range, 0.0, &[]) } else { Vec::new() };
+        match hands.into_iter().next() {
+            Some(Flaw::Hand { flight, free, .. }) => IdentifyError::NotFree { flight, free },
+            _ => error,
+        }
     })?;
     Ok(Tumble { flaws: flaws(all, &range, &found), ..found })
 }

@@ -16,6 +16,7 @@ mod gravity;
 mod gyro_log;
 mod number_log;
 mod payload;
+mod read_log;
 mod swing;
 mod tumble;
 mod wrench_columns;
@@ -33,7 +34,8 @@ use crate::scenario::source::Source;
 use crate::scenario::{document, text_of};
 
 pub use payload::PayloadPlan;
-pub use tumble::{ReadLog, TumblePlan};
+pub use read_log::ReadLog;
+pub use tumble::TumblePlan;
 
 /// A plan: what was measured, ready to be identified.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use bytes::Bytes;
 
-use super::tumble::ReadLog;
+use super::read_log::ReadLog;
 use super::wrench_columns::{Columns, Header, Wrong};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::FormatError;

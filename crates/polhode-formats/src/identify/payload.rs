@@ -6,7 +6,7 @@ use polhode_identify::payload::{EdgeKind, MotionNoise, PayloadLog, WrenchNoise, 
 
 use super::at;
 use super::gravity::Gravity;
-use super::tumble::ReadLog;
+use super::read_log::ReadLog;
 use super::wrench_log;
 use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};

@@ -1,7 +1,5 @@
 //! `[tumble]`: the free motion of a thrown body, by a gyro on it or by tracked attitudes.
 
-use std::path::PathBuf;
-
 use polhode::motion::torque::DragLaw;
 use polhode::motion::{Motor, Wheel};
 use polhode_identify::tumble::{
@@ -9,6 +7,7 @@ use polhode_identify::tumble::{
 };
 
 use super::gyro_log::{Logs, Measured};
+use super::read_log::ReadLog;
 use super::{at, effect};
 use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
@@ -27,17 +26,6 @@ pub struct TumblePlan {
     pub found: bool,
     /// Flights that a log does not show to their beginning or end.
     pub cut_off: Vec<String>,
-}
-
-/// A log that was read, and what of it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ReadLog {
-    /// Where it is.
-    pub path: PathBuf,
-    /// Columns, and as what they were read: `"time, s: Time (s)"`.
-    pub read: Vec<String>,
-    /// Columns that were not read.
-    pub ignored: Vec<String>,
 }
 
 const KEYS: [&str; 9] =

@@ -6,7 +6,7 @@ use polhode_identify::payload::{PayloadRow, gravity_along};
 
 use super::gravity::Gravity;
 use super::number_log::{self, Row};
-use super::tumble::ReadLog;
+use super::read_log::ReadLog;
 use super::wrench_columns::{Columns, Told};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::FormatError;

@@ -3,7 +3,7 @@
 use polhode_identify::swing::{Damping, Logged, Signal};
 
 use super::super::number_log;
-use super::super::tumble::ReadLog;
+use super::super::read_log::ReadLog;
 use super::super::wrench_columns::{Columns, Header, Told, Wrong};
 use super::super::wrench_quantity::{Quantity, TIME};
 use super::damping;

@@ -8,7 +8,7 @@ use polhode_identify::swing::{
     AmplitudeReading, Counted, Damping, Interval, Measured, Measurement, SwingPlan, SwingTest,
 };
 
-use super::tumble::ReadLog;
+use super::read_log::ReadLog;
 use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
 use crate::unit::Dimension;

@@ -10,6 +10,7 @@ const OPTIONS: TumbleOptions = TumbleOptions {
     gyro: polhode_identify::tumble::GyroErrors { bias: true, scale: false, skew: false, clock: false },
     drag: None,
     gyro_noise: Some(SD),
+    gyro_range: None,
     attitude_noise: None,
     outlier: 6.0,
 };

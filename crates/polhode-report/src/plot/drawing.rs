@@ -95,7 +95,10 @@ fn correlations(all: &Correlations) -> Sheet {
                 Some(r) => {
                     let fill = if i == j { Colour::GRID } else { colour(*r) };
                     let opacity = if i == j { 1.0 } else { 0.85 * r.abs().min(1.0) };
-                    sheet.marks.push(Mark::Polygon { corners: corners.clone(), fill, opacity });
+                    // What cannot be seen has no colour, whose sign would be that of a rounding.
+                    if opacity >= 1e-3 {
+                        sheet.marks.push(Mark::Polygon { corners: corners.clone(), fill, opacity });
+                    }
                     if i != j && r.abs() >= 0.05 && cell > 18.0 {
                         let text = format!("{:.0}", 100.0 * r).replace('-', "−");
                         let ink = if r.abs() > 0.6 { Colour(0xff_ff_ff) } else { Colour::TEXT };

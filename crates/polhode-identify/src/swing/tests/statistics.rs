@@ -230,7 +230,7 @@ pub(super) fn platform() -> Setup {
 
 #[test]
 fn errors_of_pendulums_are_what_they_are_said_to_be() {
-    let outcome = outcome(&pendulums(), 200);
+    let outcome = outcome(&pendulums(), 80);
     assert!(outcome.bias < 0.15, "{outcome:?}");
     assert!((outcome.spread - 1.0).abs() < 0.1 && outcome.sds < 0.1, "{outcome:?}");
     assert!((outcome.nees - 1.0).abs() < 0.1, "{outcome:?}");

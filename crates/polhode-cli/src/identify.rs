@@ -1,43 +1,53 @@
 //! `polhode identify`
 
-use std::path::PathBuf;
+mod simple;
+
+use std::path::{Path, PathBuf};
 
 use clap::Args;
-use polhode_formats::identify::{self, Measurement, PayloadPlan, Plan, ReadLog, TumblePlan};
+use polhode_formats::identify::{self, Measurement, Plan};
 use polhode_formats::unit::Dimension;
 use polhode_identify::IdentifyError;
-use polhode_identify::payload::{identify_payload, next_motion};
-use polhode_identify::swing::{identify_swings, next_swing};
-use polhode_identify::tumble::{identify_tumbles, next_flight};
-use polhode_report::{BodySize, IdentifyReport, PayloadReport, SwingReport, TumbleReport, pretty};
+use polhode_report::{BodySize, IdentifyReport, pretty};
 
 use crate::failure::Failure;
-use crate::numbers::quantity;
+use crate::numbers::{positive, quantity};
 use crate::stderr::shown;
 use crate::stdout::{columns, print};
+use simple::{Asked, Simple};
+
+/// What a plan is called that is made of flags.
+const FLAGS: &str = "the flags";
 
 /// What is printed instead of a body: without naming them `requires` would let these pass.
 const PRINTED: [&str; 3] = ["json", "markdown", "html"];
 
 /// Find a body's mass properties from measurements of its motion.
 ///
-/// PLAN says what was measured: the free motion of a thrown body by a gyro on it ([tumble]), the periods of its swings on wires or about an axis ([swing]), or
-/// the wrenches of a force–torque sensor that moves with the body ([payload]). Every answer is a possible body; what the measurements do
-/// not determine is said, and what is left is tested for being noise.
+/// A plan, a TOML file, says what was measured: the free motion of a thrown body by a gyro on it ([tumble]), the periods of its swings on wires or about an axis
+/// ([swing]), or the wrenches of a force–torque sensor that moves with the body ([payload]). The log of a gyro, or counted swings about one axis, need no plan.
+/// Every answer is a possible body; what the measurements do not determine is said, and what is left is tested for being noise.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   polhode identify examples/identify/racket-like.toml
   polhode identify examples/identify/racket-like.toml --json
   polhode identify examples/identify/racket-like.toml --html > racket.html
+  polhode identify gyro.csv --drag quadratic
+  polhode identify --bifilar --mass \"1.24 kg ± 1 g\" --distance \"30 cm\" --length \"1.2 m ± 1 mm\" \\
+      --swings 20 --time \"31.4 s ± 0.1 s\" --amplitude \"12 deg, 9 deg ± 1 deg\"
+  polhode identify --pendulum --mass \"742 g\" --distance \"8.2 cm ± 0.5 mm\" \\
+      --swings 50 --time \"41.2 s +- 0.1 s\" --amplitude \"8 deg +- 1 deg\"
   polhode identify examples/identify/racket-like.toml --body --mass \"350 g\" --greatest-moment \"0.0166 kg m^2\" > racket.toml
   polhode identify examples/identify/bifilar.toml
   polhode identify examples/identify/payload.toml
   polhode identify examples/identify/payload.toml --body > payload-body.toml")]
 pub(crate) struct Identify {
-    /// The plan: a TOML file.
-    #[arg(value_name = "PLAN")]
-    plan: PathBuf,
+    /// A plan; or logs of a gyro: CSV, Parquet or JSON lines.
+    #[arg(value_name = "FILE")]
+    files: Vec<PathBuf>,
+    #[command(flatten)]
+    simple: Simple,
     /// Print JSON.
     #[arg(long, group = "form")]
     json: bool,
@@ -50,9 +60,6 @@ pub(crate) struct Identify {
     /// Print the body as a part of a scenario file. Of a tumble also its first flight; what free motion does not show has to be said.
     #[arg(long, group = "form")]
     body: bool,
-    /// The mass of a body that was thrown, for --body.
-    #[arg(long, requires = "body", conflicts_with_all = PRINTED, value_parser = mass)]
-    mass: Option<f64>,
     /// The greatest principal moment of a body of which tumbles show only ratios, for --body.
     #[arg(long, value_name = "MOMENT", requires = "body", conflicts_with_all = PRINTED, value_parser = moment)]
     greatest_moment: Option<f64>,
@@ -63,22 +70,19 @@ pub(crate) struct Identify {
 
 impl Identify {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let Plan { title, measurement } = identify::read(&self.plan)?;
-        let report = match measurement {
-            Measurement::Tumble(plan) => IdentifyReport::Tumble(self.tumble(title.as_deref(), &plan)?),
-            Measurement::Payload(plan) => IdentifyReport::Payload(self.payload(title.as_deref(), &plan)?),
-            Measurement::Swing(plan) => {
-                let found = identify_swings(&plan).map_err(|error| self.refused(error))?;
-                let next = next_swing(&plan, &found);
-                IdentifyReport::Swing(SwingReport::new(title.as_deref(), found).with_next(next))
-            }
-            _ => {
-                return Err(Failure::usage(
-                    "this plan is of a kind that is not known",
-                    "use a newer polhode",
-                ));
-            }
+        if let (true, Some(flag)) = (self.strict, self.simple.swings_flag(self.body)) {
+            let message = format!("--strict tests what is left, and of the one test of {flag} nothing is");
+            return Err(Failure::usage(
+                message,
+                "leave --strict out, or write a plan with more than it takes",
+            ));
+        }
+        let plan = match self.simple.asked(&self.files, self.body)? {
+            Asked::File(plan) => identify::read(&plan)?,
+            Asked::Text(text) if self.simple.prints_plan() => return self.print_plan(&text),
+            Asked::Text(text) => identify::from_text(Path::new(FLAGS), &text)?,
         };
+        let report = self.report(&plan)?;
         print(&if self.body {
             self.scenario(&report)?
         } else if self.json {
@@ -93,62 +97,60 @@ impl Identify {
         if self.strict && report.has_model_error() { Err(Failure::Findings) } else { Ok(()) }
     }
 
-    fn tumble(&self, title: Option<&str>, plan: &TumblePlan) -> Result<TumbleReport, Failure> {
-        let tumble = identify_tumbles(&plan.flights, &plan.options).map_err(|error| self.refused(error))?;
-        let mut sources: Vec<String> = plan.logs.iter().flat_map(said).collect();
-        if plan.found {
-            sources.push("Flights were found where the body turns fast and nothing turns it".to_owned());
+    fn print_plan(&self, text: &str) -> Result<(), Failure> {
+        let forms = [("--json", self.json), ("--markdown", self.markdown), ("--html", self.html)];
+        let moment = ("--greatest-moment", self.greatest_moment.is_some());
+        let others = [moment, ("--body", self.body), ("--strict", self.strict)];
+        if let Some((other, _)) = forms.into_iter().chain(others).find(|(_, is_given)| *is_given) {
+            let message =
+                format!("--print-plan prints a plan and finds nothing: there is nothing for {other}");
+            return Err(Failure::usage(message, "leave one of them out"));
         }
-        let next = next_flight(&plan.flights, &plan.options, &tumble);
-        Ok(TumbleReport::new(title, sources, tumble).with_next(next))
+        print(text)
     }
 
-    fn payload(&self, title: Option<&str>, plan: &PayloadPlan) -> Result<PayloadReport, Failure> {
-        let payload = identify_payload(&plan.log).map_err(|error| match error {
-            IdentifyError::NoConvergence { .. } => Failure::usage(
-                error.to_string(),
-                "the motion may be hidden by its noise: turn faster, about more axes, or look at motion_noise",
-            )
-            .about(&self.plan),
-            error => self.refused(error),
-        })?;
-        let times = plan.log.rows().iter().map(|row| row.time).collect();
-        let next = next_motion(&plan.log, &payload);
-        Ok(PayloadReport::new(title, said(&plan.source), times, payload).with_next(next))
+    /// What failures name.
+    fn place(&self) -> &Path {
+        self.files.first().map_or(Path::new(FLAGS), PathBuf::as_path)
+    }
+
+    fn report(&self, plan: &Plan) -> Result<IdentifyReport, Failure> {
+        let (title, sources) = (plan.title.as_deref(), plan.sources(&|path| shown(path)));
+        let report = match &plan.measurement {
+            Measurement::Tumble(plan) => {
+                IdentifyReport::of_flights(title, sources, &plan.flights, &plan.options)
+            }
+            Measurement::Payload(plan) => IdentifyReport::of_payload(title, sources, &plan.log),
+            Measurement::Swing(plan) => IdentifyReport::of_swings(title, sources, plan),
+            _ => {
+                return Err(Failure::usage(
+                    "this plan is of a kind that is not known",
+                    "use a newer polhode",
+                ));
+            }
+        };
+        report.map_err(|error| self.refused(error))
     }
 
     /// The body as a part of a scenario.
     fn scenario(&self, report: &IdentifyReport) -> Result<String, Failure> {
-        let size = BodySize { mass: self.mass, greatest_moment: self.greatest_moment };
-        report.to_scenario(&size).map_err(|why| Failure::usage(why.to_string(), why.hint()).about(&self.plan))
+        // Without a file it is the mass of what was swung, which is found.
+        let mass = if self.files.is_empty() { None } else { self.simple.thrown_mass()? };
+        let size = BodySize { mass, greatest_moment: self.greatest_moment };
+        report
+            .to_scenario(&size)
+            .map_err(|why| Failure::usage(why.to_string(), why.hint()).about(self.place()))
     }
 
     fn refused(&self, error: IdentifyError) -> Failure {
         let hint = error.hint().unwrap_or_default();
         match error {
-            IdentifyError::Motion(error) => Failure::Motion { path: shown(&self.plan), error },
-            error => Failure::usage(error.to_string(), hint).about(&self.plan),
+            IdentifyError::Motion(error) => Failure::Motion { path: shown(self.place()), error },
+            error => Failure::usage(error.to_string(), hint).about(self.place()),
         }
     }
 }
 
-/// What was read of a log.
-fn said(log: &ReadLog) -> Vec<String> {
-    let mut lines = vec![format!("{}: {}", shown(&log.path), log.read.join("; "))];
-    if !log.ignored.is_empty() {
-        lines.push(format!("Not read of {}: {}", shown(&log.path), log.ignored.join(", ")));
-    }
-    lines
-}
-
-fn mass(text: &str) -> Result<f64, String> {
-    positive(quantity(text, Dimension::MASS)?)
-}
-
 fn moment(text: &str) -> Result<f64, String> {
     positive(quantity(text, Dimension::INERTIA)?)
-}
-
-fn positive(value: f64) -> Result<f64, String> {
-    if value > 0.0 { Ok(value) } else { Err("it has to be above zero".to_owned()) }
 }

@@ -25,6 +25,8 @@ pub(crate) enum Part {
     Positive,
     /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz of a possible body, about its centre of mass.
     Tensor,
+    /// The same by the symmetric root S of G = S², which may have any elements: plates and rods have one as every body has, and no direction is another than the rest.
+    RootedTensor,
     /// xx, yy, zz, xy, xz, yz of a symmetric matrix that is positive semidefinite.
     Positive3,
 }
@@ -35,7 +37,7 @@ impl Part {
         match self {
             Self::Free(count) => count,
             Self::Positive => 1,
-            Self::Tensor | Self::Positive3 => 6,
+            Self::Tensor | Self::RootedTensor | Self::Positive3 => 6,
         }
     }
 }
@@ -53,6 +55,7 @@ impl Coordinates {
                 Part::Free(_) => all.extend_from_slice(numbers),
                 Part::Positive => all.push(libm::log(numbers[0])),
                 Part::Tensor => all.extend(factor(moments_of(six(numbers)))),
+                Part::RootedTensor => all.extend(root(moments_of(six(numbers)))),
                 Part::Positive3 => all.extend(factor(six(numbers))),
             }
         }
@@ -67,6 +70,7 @@ impl Coordinates {
                 Part::Free(_) => all.extend_from_slice(x),
                 Part::Positive => all.push(libm::exp(x[0])),
                 Part::Tensor => all.extend(tensor_of(product(&upper(six(x))))),
+                Part::RootedTensor => all.extend(tensor_of(product(&symmetric(six(x))))),
                 Part::Positive3 => all.extend(product(&upper(six(x)))),
             }
         }
@@ -85,6 +89,7 @@ impl Coordinates {
                 Part::Free(count) => (0..count).for_each(|k| set(k, k, 1.0)),
                 Part::Positive => set(0, 0, libm::exp(x[0])),
                 Part::Tensor => product_columns(six(x), tensor_of, &mut set),
+                Part::RootedTensor => square_columns(six(x), &mut set),
                 Part::Positive3 => product_columns(six(x), |g| g, &mut set),
             }
             at += count;
@@ -149,6 +154,32 @@ fn product_columns(x: Six, linear: impl Fn(Six) -> Six, set: &mut impl FnMut(usi
     }
 }
 
+fn symmetric([xx, yy, zz, xy, xz, yz]: Six) -> [[f64; 3]; 3] {
+    [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
+}
+
+/// ∂I/∂S: dG = S dS + dS S
+fn square_columns(x: Six, set: &mut impl FnMut(usize, usize, f64)) {
+    let s = symmetric(x);
+    for column in 0..6 {
+        let mut unit = [0.0; 6];
+        unit[column] = 1.0;
+        let d = symmetric(unit);
+        let g = PLACES.map(|(i, j)| (0..3).map(|k| s[i][k] * d[k][j] + d[i][k] * s[k][j]).sum::<f64>());
+        for (element, value) in tensor_of(g).into_iter().enumerate() {
+            set(element, column, value);
+        }
+    }
+}
+
+/// S of second moments, of which those that are too small are put at the least that a start may have.
+fn root(g: Six) -> Six {
+    let (values, vectors) = symmetric_eigen(g);
+    let largest = values.iter().fold(f64::MIN_POSITIVE, |most, v| most.max(v.abs()));
+    let roots = values.map(|value| value.max(THIN * largest).sqrt());
+    PLACES.map(|(i, j)| (0..3).map(|k| roots[k] * vectors[k][i] * vectors[k][j]).sum::<f64>())
+}
+
 /// How small a second moment may be, relative to the largest, to begin with: a plate 1 mm thick and 10 m wide.
 const THIN: f64 = 1e-8;
 
@@ -183,17 +214,19 @@ mod tests {
 
     #[test]
     fn there_and_back() {
-        let all = Coordinates::new(vec![Part::Free(2), Part::Positive, Part::Tensor]);
+        let all = Coordinates::new(vec![Part::Free(2), Part::Positive, Part::Tensor, Part::RootedTensor]);
         let mut numbers = vec![-1.5, 7.0];
         numbers.push(0.25);
+        numbers.extend(TENSOR);
         numbers.extend(TENSOR);
         close(&all.physical(&all.of(&numbers)), &numbers, 1e-14);
     }
 
     #[test]
     fn the_jacobian_is_that_of_differences() {
-        let all = Coordinates::new(vec![Part::Positive, Part::Tensor, Part::Positive3]);
+        let all = Coordinates::new(vec![Part::Positive, Part::Tensor, Part::Positive3, Part::RootedTensor]);
         let mut numbers = vec![0.25];
+        numbers.extend(TENSOR);
         numbers.extend(TENSOR);
         numbers.extend(TENSOR);
         let x = all.of(&numbers);

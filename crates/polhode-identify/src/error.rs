@@ -45,6 +45,29 @@ pub enum IdentifyError {
         /// How many times smaller what is left is then.
         better: f64,
     },
+    /// Rates that fit what else is known if an axis of the gyro is reversed, and not as they are.
+    LeftHanded {
+        /// Which: `x`, `y`, `z`, `all of them`; or `one of them`, if that does not show.
+        axes: &'static str,
+        /// How many times smaller what is left is then.
+        better: f64,
+    },
+    /// A flight with hardly a reading inside the gyro's range.
+    Saturated {
+        /// Which.
+        flight: String,
+        /// Readings that are inside.
+        inside: usize,
+        /// Of how many.
+        given: usize,
+    },
+    /// No motion fits, and a flight is not free.
+    NotFree {
+        /// Which.
+        flight: String,
+        /// From when to when nothing turns it, s.
+        free: [f64; 2],
+    },
     /// The method went on without an end.
     NoConvergence {
         /// After so many steps.
@@ -58,12 +81,19 @@ impl IdentifyError {
         match self {
             Self::TooFew { .. } => Some("measure for longer, more often, or find fewer numbers"),
             Self::NoConvergence { .. } => Some(
-                "the measurements may not determine all that is asked for: turn about more axes, or leave out the gyro's scale and skew, or drag",
+                "the measurements may not determine all that is asked for, or noise may hide the motion: turn faster and about more axes, or find fewer numbers, as without drag or the gyro's scale and skew",
             ),
             Self::NotFinite => Some("look for a unit that is wrong, or a reading that is no measurement"),
             Self::Unit { .. } => {
                 Some("say the unit in the columns' names, or by columns = \"omega deg/s = wx wy wz\"")
             }
+            Self::LeftHanded { .. } => {
+                Some("write the axis with the other sign in the log, so that the axes are right-handed")
+            }
+            Self::NotFree { .. } => {
+                Some("say when each flight was, [[tumble.flight]] with from and to; or flights = \"find\"")
+            }
+            Self::Saturated { .. } => Some("throw it more slowly, or leave the flight out"),
             Self::Missing { .. } => Some("say it in the plan: nothing is guessed"),
             Self::Body(error) => error.hint(),
             Self::Motion(error) => error.hint(),
@@ -99,6 +129,18 @@ impl fmt::Display for IdentifyError {
                     "are these rates in {unit}? What is left of their free motion is {better:.0} times smaller then"
                 )
             }
+            Self::LeftHanded { axes, better } => write!(
+                f,
+                "are the gyro's axes left-handed? With {axes} reversed what is left is {better:.0} times smaller"
+            ),
+            Self::Saturated { flight, inside, given } => write!(
+                f,
+                "the gyro is at its limit in {flight}: {inside} of {given} readings are inside its range"
+            ),
+            Self::NotFree { flight, free: [from, to] } => write!(
+                f,
+                "no free motion fits: something else turns the body in {flight}, as a hand does, but between {from:.3} and {to:.3} s"
+            ),
             Self::NotFinite => write!(f, "the model predicts what is not a number"),
             Self::NoConvergence { steps } => write!(f, "no least sum of squares was found in {steps} steps"),
         }

@@ -1,24 +1,20 @@
 //! What a body is, by measurements of its motion.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
-use polhode::body::MassProperties;
-use polhode::math::{
-    Acceleration, AngularAcceleration, AngularVelocity, Attitude, Body, Direction, Force, Torque,
-};
+use polhode::math::{Acceleration, AngularAcceleration, AngularVelocity, Attitude, Direction, Force, Torque};
 use polhode::motion::torque::DragLaw;
 use polhode::motion::{Motor, Wheel};
-use polhode_formats::identify::{self, Measurement, Plan, ReadLog};
+use polhode_formats::identify::{self, Measurement, Plan};
 use polhode_identify::IdentifyError;
 use polhode_identify::payload::{
-    EdgeKind, MotionNoise, PayloadLog, PayloadRow, WrenchNoise, WrenchSense, gravity_along, identify_payload,
+    EdgeKind, MotionNoise, PayloadLog, PayloadRow, WrenchNoise, WrenchSense, gravity_along,
 };
-use polhode_identify::swing::{SwingEstimate, SwingPlan, identify_swings};
 use polhode_identify::tumble::{
-    AttitudeReading, Flight, FlightSearch, GyroErrors, GyroReading, TumbleOptions, identify_tumbles,
+    AttitudeReading, Flight, FlightSearch, GyroErrors, GyroReading, TumbleOptions,
 };
-use polhode_report::{IdentifyReport, PayloadReport, SwingReport, TumbleReport, plain};
+use polhode_report::{IdentifyReport, plain};
 use pyo3::prelude::*;
 
 use crate::arrays::{matrix, numbers, rows};
@@ -46,14 +42,6 @@ pub(crate) struct Identified<'py> {
     times: Option<Bound<'py, PyArray1<f64>>>,
 }
 
-/// What was found, before it is Python's.
-struct Found {
-    report: IdentifyReport,
-    body: Option<MassProperties<Body>>,
-    wrench: Option<(Vec<f64>, Vec<[f64; 6]>)>,
-    swings: Vec<Vec<f64>>,
-}
-
 /// Identifies what a plan measures: of a file, or of a text, whose files are found beside `path`. The places in a text that the user did not write are not said.
 ///
 /// # Errors
@@ -74,83 +62,43 @@ pub(crate) fn identify_plan<'py>(
             true => error.raise(),
             false => refused(error.message(), error.hint().as_deref()),
         })?;
-        found(plan).map_err(Raise::raise)
+        found(&plan).map_err(Raise::raise)
     })?;
     identified(py, found)
 }
 
 /// As `polhode identify` does it.
-fn found(Plan { title, measurement, .. }: Plan) -> Result<Found, IdentifyError> {
-    let title = title.as_deref();
-    match measurement {
-        Measurement::Tumble(plan) => {
-            let mut sources: Vec<String> = plan.logs.iter().flat_map(said).collect();
-            if plan.found {
-                sources.push("Flights were found where the body turns fast and nothing turns it".to_owned());
-            }
-            of_flights(title, sources, &plan.flights, &plan.options)
-        }
-        Measurement::Payload(plan) => of_wrenches(title, said(&plan.source), &plan.log),
-        Measurement::Swing(plan) => of_swings(title, &plan),
+fn found(plan: &Plan) -> Result<IdentifyReport, IdentifyError> {
+    let shown = |path: &Path| plain::printable(&path.to_string_lossy());
+    let (title, sources) = (plan.title.as_deref(), plan.sources(&shown));
+    match &plan.measurement {
+        Measurement::Tumble(plan) => IdentifyReport::of_flights(title, sources, &plan.flights, &plan.options),
+        Measurement::Payload(plan) => IdentifyReport::of_payload(title, sources, &plan.log),
+        Measurement::Swing(plan) => IdentifyReport::of_swings(title, sources, plan),
         _ => Err(IdentifyError::Missing { what: "what this kind of measurement is" }),
     }
 }
 
-fn of_flights(
-    title: Option<&str>,
-    sources: Vec<String>,
-    flights: &[Flight],
-    options: &TumbleOptions,
-) -> Result<Found, IdentifyError> {
-    let report = TumbleReport::new(title, sources, identify_tumbles(flights, options)?);
-    Ok(Found { report: IdentifyReport::Tumble(report), body: None, wrench: None, swings: Vec::new() })
-}
-
-fn of_wrenches(title: Option<&str>, sources: Vec<String>, log: &PayloadLog) -> Result<Found, IdentifyError> {
-    let payload = identify_payload(log)?;
-    let times: Vec<f64> = log.rows().iter().map(|row| row.time).collect();
-    let (body, residuals) = (payload.body, payload.residuals.clone());
-    let report = PayloadReport::new(title, sources, times.clone(), payload);
-    let wrench = Some((times, residuals));
-    Ok(Found { report: IdentifyReport::Payload(report), body, wrench, swings: Vec::new() })
-}
-
-fn of_swings(title: Option<&str>, plan: &SwingPlan) -> Result<Found, IdentifyError> {
-    let found = identify_swings(plan)?;
-    let SwingEstimate { estimate, body, tests, .. } = &found;
-    let is_known = estimate.numbers.iter().take(10).all(|number| number.sd.is_some());
-    let (body, swings) = (is_known.then_some(*body), tests.iter().map(|test| test.left.clone()).collect());
-    Ok(Found { report: IdentifyReport::Swing(SwingReport::new(title, found)), body, wrench: None, swings })
-}
-
-/// What was read of a log.
-fn said(log: &ReadLog) -> Vec<String> {
-    let path = plain::printable(&log.path.to_string_lossy());
-    let mut lines = vec![format!("{path}: {}", log.read.join("; "))];
-    if !log.ignored.is_empty() {
-        lines.push(format!("Not read of {path}: {}", log.ignored.join(", ")));
-    }
-    lines
-}
-
-fn identified(py: Python<'_>, found: Found) -> PyResult<Identified<'_>> {
-    let Found { report, body, wrench, swings } = found;
+fn identified(py: Python<'_>, report: IdentifyReport) -> PyResult<Identified<'_>> {
     let [json, text, markdown, page] = py.detach(|| {
         let document = report.to_document();
         let json = report.to_json().to_string();
         [json, document.to_text(plain::WIDTH), document.to_markdown(), document.to_html()]
     });
-    let (times, wrench) = wrench.unzip();
+    let payload = if let IdentifyReport::Payload(payload) = &report { Some(payload) } else { None };
+    let tests = if let IdentifyReport::Swing(swings) = &report { &swings.found().tests[..] } else { &[] };
     Ok(Identified {
         json,
         text,
         markdown,
         page,
         has_model_error: report.has_model_error(),
-        body: body.map(|body| (body.mass(), body.center_of_mass().to_array(), body.inertia().matrix())),
-        wrench: wrench.map(|rows| matrix(py, &rows)).transpose()?,
-        swings: swings.into_iter().map(|left| PyArray1::from_vec(py, left)).collect(),
-        times: times.map(|times| PyArray1::from_vec(py, times)),
+        body: report
+            .body()
+            .map(|body| (body.mass(), body.center_of_mass().to_array(), body.inertia().matrix())),
+        wrench: payload.map(|payload| matrix(py, &payload.found().residuals)).transpose()?,
+        swings: tests.iter().map(|test| PyArray1::from_slice(py, &test.left)).collect(),
+        times: payload.map(|payload| PyArray1::from_slice(py, payload.times())),
     })
 }
 
@@ -204,8 +152,9 @@ pub(crate) fn identify_flights<'py>(
     let mut options = TumbleOptions { gyro, drag, gyro_noise, attitude_noise, ..TumbleOptions::default() };
     options.outlier = outlier;
     let flights = flights.iter().map(flight).collect::<PyResult<Vec<_>>>()?;
-    let found =
-        py.detach(|| of_flights(title, vec![GIVEN.to_owned()], &flights, &options)).map_err(Raise::raise)?;
+    let found = py
+        .detach(|| IdentifyReport::of_flights(title, vec![GIVEN.to_owned()], &flights, &options))
+        .map_err(Raise::raise)?;
     identified(py, found)
 }
 
@@ -301,7 +250,9 @@ pub(crate) fn identify_wrenches<'py>(
     options: WrenchOptions,
 ) -> PyResult<Identified<'py>> {
     let log = wrench_log(&given, &options)?;
-    let found = py.detach(|| of_wrenches(title, vec![GIVEN.to_owned()], &log)).map_err(Raise::raise)?;
+    let found = py
+        .detach(|| IdentifyReport::of_payload(title, vec![GIVEN.to_owned()], &log))
+        .map_err(Raise::raise)?;
     identified(py, found)
 }
 

@@ -267,3 +267,61 @@ fn plans_and_logs_that_say_nothing_are_refused() {
     assert!(error.contains("2 rows, where 13 at least are needed"), "{error}");
     refused(&scratch.run(&["identify", "none.toml"]), 2);
 }
+
+#[test]
+fn a_log_of_a_gyro_needs_no_plan() {
+    let scratch = Scratch::new("identify-log");
+    let log = example("identify/racket-like.csv");
+    let by_log = json(&scratch.run(&["identify", &log, "--json"]));
+    let by_plan = json(&scratch.run(&["identify", &example("identify/racket-like.toml"), "--json"]));
+    assert_eq!(by_log["principal"], by_plan["principal"]);
+    assert_eq!(codes(&by_log), codes(&by_plan));
+}
+
+#[test]
+fn what_is_wrong_with_a_gyro_log_is_named() {
+    type Change<'a> = &'a dyn Fn(usize, &[f64]) -> Option<Vec<f64>>;
+    let scratch = Scratch::new("identify-flaws");
+    let log = fs::read_to_string(example("identify/racket-like.csv")).unwrap();
+    let mut lines =
+        log.lines().skip(2).map(|line| line.split(',').map(|x| x.parse::<f64>().unwrap()).collect());
+    let rows: Vec<Vec<f64>> = lines.by_ref().collect();
+    let write = |name: &str, change: Change<'_>| {
+        let mut text = String::from("time_s,gyro_x,gyro_y,gyro_z\n");
+        for (k, row) in rows.iter().enumerate() {
+            if let Some(row) = change(k, row) {
+                text += &format!("{},{},{},{}\n", row[0], row[1], row[2], row[3]);
+            }
+        }
+        scratch.write(name, &text);
+    };
+    // below the greatest rates in flight
+    let limit = 7.7_f64;
+    let clip = |row: &[f64]| {
+        let held = |(k, x): (usize, &f64)| if k == 0 { *x } else { x.clamp(-limit, limit) };
+        row.iter().enumerate().map(held).collect::<Vec<f64>>()
+    };
+    write("clipped.csv", &|_, row| Some(clip(row)));
+    let report = json(&scratch.run(&["identify", "clipped.csv", "--json"]));
+    assert!(codes(&report).contains(&"identify.saturated"), "{:?}", codes(&report));
+    let text = stdout(&scratch.run(&["identify", "clipped.csv"]));
+    assert!(text.contains("at its limit") && text.contains("they were not used"), "{text}");
+    let (moments, _) = symmetric_eigen([0.01540, 0.00152, 0.01655, 0.00042, -0.00018, 0.00030]);
+    let (got, sd) = (numbers(&report["principal"]["ratios"]), numbers(&report["principal"]["ratio_sd"]));
+    for k in 0..2 {
+        let truth = moments[k] / moments[2];
+        assert!((got[k] - truth).abs() < FAR * sd[k], "{got:?} ± {sd:?} is not {truth}");
+    }
+    // a log that ends in the air, and a flight with a hole that is told
+    write("short.csv", &|k, row| (k < 880).then(|| row.to_vec()));
+    let text = stdout(&scratch.run(&["identify", "short.csv"]));
+    assert!(text.contains("The log ends in mid-flight: flight 4"), "{text}");
+    write("holed.csv", &|k, row| (!(120..150).contains(&k)).then(|| row.to_vec()));
+    scratch.write("holed.toml", "[tumble]\nlog = \"holed.csv\"\n[[tumble.flight]]\nfrom = 0.82\nto = 1.87\n[[tumble.flight]]\nfrom = 3.2\nto = 4.1\n");
+    let report = json(&scratch.run(&["identify", "holed.toml", "--json"]));
+    assert!(codes(&report).contains(&"identify.gap"), "{:?}", codes(&report));
+    // a catch at the end of a flight that is told
+    scratch.write("caught.toml", &format!("[tumble]\nlog = \"{}\"\n[[tumble.flight]]\nfrom = 0.82\nto = 2.2\n[[tumble.flight]]\nfrom = 3.2\nto = 4.1\n", example("identify/racket-like.csv")));
+    let report = json(&scratch.run(&["identify", "caught.toml", "--json"]));
+    assert!(codes(&report).contains(&"identify.hand"), "{:?}", codes(&report));
+}

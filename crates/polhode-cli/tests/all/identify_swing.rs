@@ -83,3 +83,95 @@ fn what_cannot_be_is_refused() {
     let text = refused(&scratch.run(&["identify", "plan.toml"]), 2);
     assert!(text.contains("plan.toml:9:10") && text.contains("[swing.numbers] has none"), "{text}");
 }
+
+#[test]
+fn logs_of_a_rod_on_an_edge_hold_the_truth() {
+    let scratch = Scratch::new("identify-rod-logs");
+    let plan = example("identify/rod-logs.toml");
+    let found = json(&scratch.run(&["identify", &plan, "--json", "--strict"]));
+    // as fixtures/identify_swing_log.py has it
+    let all = found["estimate"]["numbers"].as_array().unwrap();
+    for (name, truth, small) in [("Izz", 4.31e-3, 1e-5), ("center y", 0.0817, 1e-4)] {
+        let one = all.iter().find(|one| one["name"] == name).unwrap();
+        let (value, sd) = (number(&one["value"]), number(&one["sd"]));
+        assert!((value - truth).abs() < 4.0 * sd && sd < small, "{name}: {value} ± {sd}, {truth}");
+    }
+    let text = stdout(&scratch.run(&["identify", &plan]));
+    assert!(text.contains("rod-rate.csv: temperature_C.") && text.contains("rate: rate_rad_s"), "{text}");
+}
+
+const BIFILAR: [&str; 14] = [
+    "identify",
+    "--bifilar",
+    "--mass",
+    "2 kg ± 1 g",
+    "--distance",
+    "30 cm",
+    "--length",
+    "1.2 m +- 1 mm",
+    "--swings",
+    "50",
+    "--time",
+    "103.2 s ± 0.2 s",
+    "--amplitude",
+    "18 deg, 15 deg ± 0.3 deg",
+];
+
+#[test]
+fn swings_about_one_axis_need_no_plan() {
+    let scratch = Scratch::new("identify-flags");
+    let found = json(&scratch.run(&[&BIFILAR[..], &["--json"]].concat()));
+    let z = &found["tests"][0]["moment"];
+    // m g r² T²/(4π² L), of small swings
+    let period = 103.2 / 50.0;
+    let small = 2.0 * 9.80665 * 0.15 * 0.15 * (period / std::f64::consts::TAU).powi(2) / 1.2;
+    assert!((number(&z["value"]) / small - 1.0).abs() < 0.02 && number(&z["sd"]) > 0.0, "{z} {small}");
+    // the plan that is printed is the one that is read
+    scratch.write("plan.toml", &stdout(&scratch.run(&[&BIFILAR[..], &["--print-plan"]].concat())));
+    let same = json(&scratch.run(&["identify", "plan.toml", "--json"]));
+    assert_eq!(same, found);
+    // three wires at this distance from each other are nearer to the middle than half of it times √2
+    let three: Vec<&str> =
+        BIFILAR.iter().map(|a| if *a == "--bifilar" { "--trifilar" } else { *a }).collect();
+    let three = json(&scratch.run(&[&three[..], &["--json"]].concat()));
+    let ratio = number(&three["tests"][0]["moment"]["value"]) / number(&z["value"]);
+    assert!((ratio - 4.0 / 3.0).abs() < 0.01, "{ratio}");
+
+    let pendulum =
+        ["identify", "--pendulum", "--mass", "742 g", "--distance", "81.7 mm +- 0.2 mm", "--swings", "50"];
+    let rest = ["--time", "52.2 s +- 0.1 s", "--amplitude", "8 deg +- 1 deg", "--json"];
+    let found = json(&scratch.run(&[&pendulum[..], &rest[..]].concat()));
+    let hung = 0.742 * 0.0817 * (9.80665 * (52.2_f64 / 50.0 / std::f64::consts::TAU).powi(2) - 0.0817);
+    let moment = number(&found["tests"][0]["moment"]["value"]);
+    assert!((moment / hung - 1.0).abs() < 0.01, "{moment} {hung}");
+}
+
+#[test]
+fn flags_that_say_too_little_or_too_much_are_refused() {
+    let scratch = Scratch::new("identify-no-flags");
+    let without = |flag: &str| -> Vec<&str> {
+        let at = BIFILAR.iter().position(|a| *a == flag).unwrap();
+        BIFILAR.iter().enumerate().filter(|(k, _)| !(at..at + 2).contains(k)).map(|(_, a)| *a).collect()
+    };
+    for flag in ["--mass", "--distance", "--length", "--swings", "--time", "--amplitude"] {
+        let text = refused(&scratch.run(&without(flag)), 2);
+        assert!(text.contains(&format!("--bifilar needs {flag}")) && text.contains("hint: as in"), "{text}");
+    }
+    let instead = |from: &str, to: &'static str| -> Vec<&str> {
+        BIFILAR.iter().map(|a| if *a == from { to } else { *a }).collect()
+    };
+    for (from, to, says) in [
+        ("103.2 s ± 0.2 s", "103.2 s", "--time needs its standard deviation"),
+        ("103.2 s ± 0.2 s", "103.2 s ± 0.2", "each with its unit"),
+        ("103.2 s ± 0.2 s", "103.2 s ± 0.2 m", "a length where a time belongs"),
+        ("50", "fifty", "has to be a number"),
+        ("18 deg, 15 deg ± 0.3 deg", "18 deg, 17 deg, 15 deg ± 0.3 deg", "is one angle, or two"),
+        ("2 kg ± 1 g", "2 kgg", "there is no unit"),
+        ("--bifilar", "--pendulum", "--pendulum has no wires"),
+    ] {
+        let text = refused(&scratch.run(&instead(from, to)), 2);
+        assert!(text.contains(says), "{to}: {text}");
+    }
+    let text = refused(&scratch.run(&["identify"]), 2);
+    assert!(text.contains("nothing says what was measured") && text.contains("--pendulum"), "{text}");
+}

@@ -11,8 +11,12 @@
 //!
 //! A quantity is a string with its unit, or a number in SI. Whatever is unknown, impossible or ambiguous is an error that points at its place.
 
+mod effect;
 mod gravity;
+mod gyro_log;
+mod number_log;
 mod payload;
+mod read_log;
 mod swing;
 mod tumble;
 mod wrench_columns;
@@ -30,7 +34,8 @@ use crate::scenario::source::Source;
 use crate::scenario::{document, text_of};
 
 pub use payload::PayloadPlan;
-pub use tumble::{ReadLog, TumblePlan};
+pub use read_log::ReadLog;
+pub use tumble::TumblePlan;
 
 /// A plan: what was measured, ready to be identified.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,6 +44,27 @@ pub struct Plan {
     pub title: Option<String>,
     /// What was measured.
     pub measurement: Measurement,
+    /// Logs of swings that were read; those of other measurements are in them.
+    pub logs: Vec<ReadLog>,
+}
+
+impl Plan {
+    /// What was read of logs, line by line; `shown` writes a path.
+    pub fn sources(&self, shown: &dyn Fn(&Path) -> String) -> Vec<String> {
+        let lines = |logs: &[ReadLog]| logs.iter().flat_map(|log| log.lines(shown)).collect();
+        match &self.measurement {
+            Measurement::Tumble(plan) => {
+                let mut all: Vec<String> = lines(&plan.logs);
+                if plan.found {
+                    all.push("Flights were found where the body turns fast and nothing turns it".to_owned());
+                }
+                all.extend(plan.cut_off.iter().cloned());
+                all
+            }
+            Measurement::Payload(plan) => lines(std::slice::from_ref(&plan.source)),
+            Measurement::Swing(_) => lines(&self.logs),
+        }
+    }
 }
 
 /// What was measured of a body.
@@ -81,12 +107,13 @@ pub fn from_text(path: &Path, text: &str) -> Result<Plan, FormatError> {
             .missing("tumble", "[tumble], [swing] or [payload], such as [tumble] with log = \"gyro.csv\""));
     };
     let table = kind.table()?;
+    let mut logs = Vec::new();
     let measurement = match kind.key() {
         "payload" => Measurement::Payload(payload::plan(&table)?),
-        "swing" => Measurement::Swing(swing::plan(&table)?),
+        "swing" => Measurement::Swing(swing::plan(&table, &mut logs)?),
         _ => Measurement::Tumble(tumble::plan(&table)?),
     };
-    Ok(Plan { title, measurement })
+    Ok(Plan { title, measurement, logs })
 }
 
 /// An error of what was to be measured, at a value.

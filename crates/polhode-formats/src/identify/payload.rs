@@ -6,7 +6,7 @@ use polhode_identify::payload::{EdgeKind, MotionNoise, PayloadLog, WrenchNoise, 
 
 use super::at;
 use super::gravity::Gravity;
-use super::tumble::ReadLog;
+use super::read_log::ReadLog;
 use super::wrench_log;
 use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
@@ -85,10 +85,23 @@ fn gravity<'a>(table: &Table<'a>) -> Result<Gravity<'a>, FormatError> {
     Ok(Gravity::Turned { value, told, sense })
 }
 
-/// `noise = { force = "0.05 N", torque = "2e-3 N m" }`
+/// `noise = { force = "0.05 N", torque = "2e-3 N m" }`, or `{ covariance = […] }`, six rows of fx, fy, fz, tx, ty, tz in N and N·m
 fn wrench_noise(value: &Value<'_>) -> Result<WrenchNoise, FormatError> {
     let table = value.table()?;
-    table.allow(&["force", "torque"])?;
+    table.allow(&["force", "torque", "covariance"])?;
+    let rule = "noise is said by deviations of force and torque, or by a covariance";
+    for key in ["force", "torque"] {
+        table.at_most_one(&[key, "covariance"], rule)?;
+    }
+    if let Some(covariance) = table.get("covariance") {
+        let mut matrix = [[0.0; 6]; 6];
+        for (row, given) in matrix.iter_mut().zip(covariance.fixed::<6>("rows of six numbers")?) {
+            for (element, number) in row.iter_mut().zip(given.fixed::<6>("numbers, in N and N m")?) {
+                *element = number.number()?;
+            }
+        }
+        return Ok(WrenchNoise::Covariance(matrix));
+    }
     let force = table.require("force", "force = \"0.05 N\"")?;
     let torque = table.require("torque", "torque = \"2e-3 N m\"")?;
     let above_zero = |value: Value<'_>, dimension| match value.quantity(dimension)? {
@@ -114,9 +127,14 @@ fn motion_noise(value: &Value<'_>) -> Result<MotionNoise, FormatError> {
             _ => Err(value.invalid("zero or positive").with_hint("it is a standard deviation")),
         },
     };
-    Ok(MotionNoise {
+    let noise = MotionNoise {
         omega: deviation("omega", Dimension::ANGULAR_VELOCITY)?,
         alpha: deviation("alpha", Dimension::ANGULAR_ACCELERATION)?,
         acceleration: deviation("acceleration", Dimension::ACCELERATION)?,
-    })
+    };
+    if [noise.omega, noise.alpha, noise.acceleration] == [0.0; 3] {
+        let error = value.invalid("a deviation of omega, alpha or acceleration that is above zero");
+        return Err(error.with_hint("leave it out where the motion has no noise"));
+    }
+    Ok(noise)
 }

@@ -1,18 +1,15 @@
 //! `[tumble]`: the free motion of a thrown body, by a gyro on it or by tracked attitudes.
 
-use std::path::PathBuf;
-
-use polhode::infer::judge::{AttitudeSense, OmegaAxes};
-use polhode::math::{AngularVelocity, Attitude};
 use polhode::motion::torque::DragLaw;
 use polhode::motion::{Motor, Wheel};
 use polhode_identify::tumble::{
-    AttitudeReading, Flight, FlightSearch, GyroErrors, GyroReading, TumbleOptions, find_flights,
+    Flight, FlightSearch, GyroErrors, GyroRange, GyroReading, TumbleOptions, find_flights,
 };
 
-use super::at;
-use crate::error::{FormatError, FormatErrorKind};
-use crate::run_log::{Columns, MeasuredLog, read_measured};
+use super::gyro_log::{Logs, Measured};
+use super::read_log::ReadLog;
+use super::{at, effect};
+use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
 use crate::unit::Dimension;
 
@@ -27,17 +24,8 @@ pub struct TumblePlan {
     pub logs: Vec<ReadLog>,
     /// True if the flights were found in the logs.
     pub found: bool,
-}
-
-/// A log that was read, and what of it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ReadLog {
-    /// Where it is.
-    pub path: PathBuf,
-    /// Columns, and as what they were read: `"time, s: Time (s)"`.
-    pub read: Vec<String>,
-    /// Columns that were not read.
-    pub ignored: Vec<String>,
+    /// Flights that a log does not show to their beginning or end.
+    pub cut_off: Vec<String>,
 }
 
 const KEYS: [&str; 9] =
@@ -47,15 +35,25 @@ const FLIGHT_KEYS: [&str; 7] = ["name", "log", "columns", "from", "to", "added",
 /// Reads `[tumble]`.
 pub(super) fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
     table.allow(&KEYS)?;
-    let options = options(table)?;
-    let search = search(table)?;
+    let mut options = options(table)?;
+    let mut search = search(table)?;
+    search.gyro_range = options.gyro_range;
     let mut logs = Logs::default();
+    let mut cut_off = Vec::new();
     let mut flights = Vec::new();
     let given = table.at_most_one(&["flight", "flights"], "flights are given one by one, or found")?;
     let found = match &given {
         Some(value) if value.key() == "flight" => {
-            for flight in value.tables("tumble.flight")? {
-                flights.push(one(&flight, table, &mut logs)?);
+            let tables = value.tables("tumble.flight")?;
+            let mut spans = Vec::new();
+            for flight in &tables {
+                flights.push(one(flight, table, &mut logs, &mut spans)?);
+            }
+            for key in ["log", "columns"] {
+                let is_own = !tables.is_empty() && tables.iter().all(|flight| flight.get(key).is_some());
+                if let Some(value) = table.get(key).filter(|_| is_own) {
+                    return Err(value.invalid("left out where each flight has its own"));
+                }
             }
             false
         }
@@ -73,18 +71,27 @@ pub(super) fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
         let log = table.require("log", "log = \"gyro.csv\"")?;
         let each = if log.is_array() { log.elements("paths of logs")? } else { vec![log] };
         for log in &each {
+            let known = logs.measured.len();
             let number = logs.read(log, table.get("columns").as_ref())?;
+            if number < known {
+                return Err(log.invalid("another log than those before: each counts once"));
+            }
             let measured = &logs.measured[number];
             let several = if each.len() > 1 { format!("{}: ", log.string()?) } else { String::new() };
-            flights.extend(of_log(log, &several, measured, found.then_some(&search))?);
+            flights.extend(of_log(log, &several, measured, found.then_some(&search), &mut cut_off)?);
         }
+        // What a hand does to a gyro shows its range as well.
+        let readings: Vec<GyroReading> =
+            logs.measured.iter().flat_map(|log| log.gyro.iter().copied()).collect();
+        options.gyro_range = options.gyro_range.or(found.then(|| GyroRange::shown_by(&readings)));
         if flights.is_empty() {
             let rule = "a log with flights: nowhere in it does the body turn fast and freely";
             let hint = "are the rates in rad/s? Slow ones are found by search = { slowest = \"1 rad/s\" }";
             return Err(log.invalid(rule).with_hint(hint));
         }
     }
-    Ok(TumblePlan { flights, options, logs: logs.read, found })
+    effect::require(table, &flights)?;
+    Ok(TumblePlan { flights, options, logs: logs.read, found, cut_off })
 }
 
 /// The flights of a log: those that are found, or all of it.
@@ -93,6 +100,7 @@ fn of_log(
     prefix: &str,
     measured: &Measured,
     search: Option<&FlightSearch>,
+    cut_off: &mut Vec<String>,
 ) -> Result<Vec<Flight>, FormatError> {
     let Some(search) = search else {
         let whole = [f64::NEG_INFINITY, f64::INFINITY];
@@ -105,18 +113,25 @@ fn of_log(
             .with_hint("say when each flight was: [[tumble.flight]] with from and to"));
     }
     let spans = find_flights(&measured.gyro, search);
-    let flight = |(k, span): (usize, &[f64; 2])| {
+    let [begins, ends] = [measured.gyro.first(), measured.gyro.last()].map(|r| r.map(|r| r.time));
+    let mut flights = Vec::new();
+    for (k, span) in spans.iter().enumerate() {
         let name = format!("{prefix}flight {}, {:.2} s", k + 1, span[0]);
-        measured.flight(name, *span).map_err(|error| at(log, error))
-    };
-    spans.iter().enumerate().map(flight).collect()
+        for (is_cut, what) in [(begins == Some(span[0]), "begins"), (ends == Some(span[1]), "ends")] {
+            if is_cut {
+                cut_off.push(format!("The log {what} in mid-flight: {name}"));
+            }
+        }
+        flights.push(measured.flight(name, *span).map_err(|error| at(log, error))?);
+    }
+    Ok(flights)
 }
 
 fn options(table: &Table<'_>) -> Result<TumbleOptions, FormatError> {
     let mut options = TumbleOptions::default();
     if let Some(gyro) = table.get("gyro") {
         let gyro = gyro.table()?;
-        gyro.allow(&["bias", "scale", "skew", "clock", "noise"])?;
+        gyro.allow(&["bias", "scale", "skew", "clock", "noise", "range"])?;
         let flag = |key, or| gyro.get(key).map_or(Ok(or), |value| value.boolean());
         options.gyro = GyroErrors {
             bias: flag("bias", true)?,
@@ -126,6 +141,8 @@ fn options(table: &Table<'_>) -> Result<TumbleOptions, FormatError> {
         };
         let noise = gyro.get("noise").map(|noise| noise.positive(Dimension::ANGULAR_VELOCITY));
         options.gyro_noise = noise.transpose()?;
+        let range = gyro.get("range").map(|range| range.positive(Dimension::ANGULAR_VELOCITY));
+        options.gyro_range = range.transpose()?.map(GyroRange::within);
     }
     if let Some(attitude) = table.get("attitude") {
         let attitude = attitude.table()?;
@@ -165,7 +182,12 @@ fn search(table: &Table<'_>) -> Result<FlightSearch, FormatError> {
 }
 
 /// Reads `[[tumble.flight]]`.
-fn one(flight: &Table<'_>, plan: &Table<'_>, logs: &mut Logs) -> Result<Flight, FormatError> {
+fn one(
+    flight: &Table<'_>,
+    plan: &Table<'_>,
+    logs: &mut Logs,
+    spans: &mut Vec<(usize, [f64; 2])>,
+) -> Result<Flight, FormatError> {
     flight.allow(&FLIGHT_KEYS)?;
     let own = flight.get("log");
     let log = match own {
@@ -179,6 +201,11 @@ fn one(flight: &Table<'_>, plan: &Table<'_>, logs: &mut Logs) -> Result<Flight, 
     if let Some(value) = flight.get("to").filter(|_| !(to > from)) {
         return Err(value.invalid("later than from"));
     }
+    if spans.iter().any(|(of, span)| *of == number && from.max(span[0]) < to.min(span[1])) {
+        let place = flight.get("from").or(flight.get("to")).unwrap_or(log);
+        return Err(place.invalid("after the end of the flights before: each reading counts once"));
+    }
+    spans.push((number, [from, to]));
     let name = match flight.get("name") {
         Some(name) => name.string()?.to_owned(),
         None if from.is_finite() => format!("from {from} s"),
@@ -206,6 +233,11 @@ fn added(value: &Value<'_>) -> Result<[f64; 6], FormatError> {
         Some(products) => products.quantities(Dimension::INERTIA)?,
         None => [0.0; 3],
     };
+    if [xx, yy, zz, xy, xz, yz] == [0.0; 6] {
+        return Err(value
+            .invalid("something: a tensor that is not zero")
+            .with_hint("leave it out of a flight with nothing added"));
+    }
     Ok([xx, yy, zz, xy, xz, yz])
 }
 
@@ -214,96 +246,13 @@ fn wheel(value: &Value<'_>) -> Result<Wheel, FormatError> {
     let table = value.table()?;
     table.allow(&["axis", "momentum"])?;
     let axis = table.require("axis", "axis = [0, 0, 1]")?;
-    let momentum =
-        table.require("momentum", "momentum = \"0.02 kg m^2/s\"")?.quantity(Dimension::ANGULAR_MOMENTUM)?;
+    let given = table.require("momentum", "momentum = \"0.02 kg m^2/s\"")?;
+    let momentum = given.quantity(Dimension::ANGULAR_MOMENTUM)?;
+    if momentum == 0.0 {
+        return Err(given
+            .invalid("other than zero")
+            .with_hint("a wheel that stands still is a part of the body"));
+    }
     let direction = polhode::math::Direction::from_array(axis.numbers()?);
     Wheel::new(direction, momentum, Motor::HeldSpeed).map_err(|error| axis.motion(error))
-}
-
-/// Logs, each read once.
-#[derive(Default)]
-struct Logs {
-    read: Vec<ReadLog>,
-    measured: Vec<Measured>,
-    keys: Vec<(PathBuf, Option<String>)>,
-}
-
-/// Readings of a log.
-struct Measured {
-    gyro: Vec<GyroReading>,
-    attitudes: Vec<AttitudeReading>,
-}
-
-impl Measured {
-    fn flight(&self, name: String, [from, to]: [f64; 2]) -> Result<Flight, polhode_identify::IdentifyError> {
-        let inside = |time: f64| (from..=to).contains(&time);
-        let gyro = self.gyro.iter().copied().filter(|r| inside(r.time)).collect();
-        Flight::new(name, gyro, self.attitudes.iter().copied().filter(|r| inside(r.time)).collect())
-    }
-}
-
-impl Logs {
-    /// Its number; each log is read once.
-    fn read(&mut self, log: &Value<'_>, columns: Option<&Value<'_>>) -> Result<usize, FormatError> {
-        let path = log.path()?;
-        let told = columns.map(Value::string).transpose()?;
-        let key = (path.clone(), told.map(str::to_owned));
-        if let Some(number) = self.keys.iter().position(|known| *known == key) {
-            return Ok(number);
-        }
-        let parsed = match (columns, told) {
-            (Some(value), Some(text)) => Some(Columns::parse(text).map_err(|error| {
-                value.invalid(format!("a list of columns: {error}")).with_hint(error.hint())
-            })?),
-            _ => None,
-        };
-        let measured = read_measured(&path, parsed.as_ref())?;
-        let made = readings(log, &measured)?;
-        let said = |read: &crate::run_log::ReadColumns| format!("{}: {}", read.what, read.columns.join(", "));
-        self.read.push(ReadLog {
-            path,
-            read: measured.read.iter().map(said).collect(),
-            ignored: measured.ignored,
-        });
-        self.measured.push(made);
-        self.keys.push(key);
-        Ok(self.keys.len() - 1)
-    }
-}
-
-/// The readings of a log; what it leaves open has to be told.
-fn readings(log: &Value<'_>, measured: &MeasuredLog) -> Result<Measured, FormatError> {
-    if measured.omega_axes == Some(OmegaAxes::Space) {
-        return Err(log
-            .invalid("a log of rates along axes of the body: a gyro turns with it")
-            .with_hint("its columns say that they are along axes of space"));
-    }
-    let times = measured.times.iter();
-    let gyro = measured
-        .omega
-        .iter()
-        .flatten()
-        .zip(times.clone())
-        .map(|(omega, &time)| GyroReading { time, omega: AngularVelocity::from_array(*omega) });
-    let mut attitudes = Vec::new();
-    if let Some(numbers) = &measured.attitude {
-        let (Some(order), Some(sense)) = (measured.order, measured.sense) else {
-            let rule =
-                "a log that says in which order the numbers of its quaternion are, and which way it turns";
-            let hint = "say it: columns = \"quaternion wxyz body-to-space = qw qx qy qz\"";
-            return Err(log.invalid(rule).with_hint(hint));
-        };
-        for (four, &time) in numbers.iter().zip(times) {
-            let [w, x, y, z] = order.scalar_first(*four);
-            let turned: Attitude = Attitude::from_quaternion([w, x, y, z])
-                .map_err(|error| log.error(FormatErrorKind::Rotation(error)))?;
-            let attitude = match sense {
-                AttitudeSense::BodyToSpace => turned,
-                AttitudeSense::SpaceToBody => Attitude::from_quaternion([w, -x, -y, -z])
-                    .map_err(|error| log.error(FormatErrorKind::Rotation(error)))?,
-            };
-            attitudes.push(AttitudeReading { time, attitude });
-        }
-    }
-    Ok(Measured { gyro: gyro.collect(), attitudes })
 }

@@ -60,38 +60,32 @@ pub(super) struct Columns {
 
 impl Columns {
     /// In a header.
-    pub(super) fn find(
-        text: &str,
-        header: &[Range<usize>],
-        told: &Told<'_>,
-        gravity: &Gravity<'_>,
-    ) -> Result<Self, Wrong> {
+    pub(super) fn find(header: &Header<'_>, told: &Told<'_>, gravity: &Gravity<'_>) -> Result<Self, Wrong> {
         if let Some(columns) = &told.columns {
             columns.allow(&COLUMN_KEYS)?;
         }
         if let Some(units) = &told.units {
             units.allow(&UNIT_KEYS)?;
         }
-        let names: Vec<&str> =
-            header.iter().map(|field| text[field.clone()].trim_matches('"').trim()).collect();
-        let header = Header { names, places: header };
         let mut found = Self::default();
-        found.add(&TIME, &header, told)?;
+        found.add(&TIME, header, told)?;
         for quantity in &MEASURED {
-            found.add(quantity, &header, told)?;
+            found.add(quantity, header, told)?;
         }
-        let unused =
-            |quantity: &Quantity, rule: &str| match told.columns.as_ref().and_then(|t| t.get(quantity.key)) {
+        let unused = |quantity: &Quantity, rule: &str| {
+            let told = [&told.columns, &told.units].into_iter().flatten();
+            match told.filter_map(|table| table.get(quantity.key)).next() {
                 Some(value) => Err(Wrong::Plan(value.invalid(rule))),
                 None => Ok(()),
-            };
+            }
+        };
         match gravity {
             Gravity::Logged => {
                 unused(
                     &ATTITUDE,
                     "left out where gravity is logged: it turns gravity = [...] to the sensor",
                 )?;
-                found.add(&GRAVITY, &header, told).map_err(|wrong| match wrong {
+                found.add(&GRAVITY, header, told).map_err(|wrong| match wrong {
                     Wrong::Log(error) if matches!(error.kind, ContentErrorKind::Missing { .. }) => Wrong::Log(
                         error.hint(
                             "log it along the sensor's axes, gx_m_s2 …, or log quaternions and write gravity = \
@@ -104,7 +98,7 @@ impl Columns {
             Gravity::None => unused(&GRAVITY, "left out where gravity is told")?,
             Gravity::Turned { value, .. } => {
                 unused(&GRAVITY, "left out where gravity is told")?;
-                found.add(&ATTITUDE, &header, told).map_err(|wrong| match wrong {
+                found.add(&ATTITUDE, header, told).map_err(|wrong| match wrong {
                     Wrong::Log(error) if matches!(error.kind, ContentErrorKind::Missing { .. }) => {
                         Wrong::Plan(
                             value
@@ -116,13 +110,23 @@ impl Columns {
                 })?;
             }
         }
-        let others = header.names.iter().enumerate().filter(|(k, _)| !found.places.contains(k));
-        found.ignored = others.map(|(_, name)| (*name).to_owned()).collect();
+        found.ignore_others(header);
         Ok(found)
     }
 
+    /// What is left of a header is not read.
+    pub(super) fn ignore_others(&mut self, header: &Header<'_>) {
+        let others = header.names.iter().enumerate().filter(|(k, _)| !self.places.contains(k));
+        self.ignored = others.map(|(_, name)| (*name).to_owned()).collect();
+    }
+
     /// The columns of a quantity.
-    fn add(&mut self, quantity: &Quantity, header: &Header<'_>, told: &Told<'_>) -> Result<(), Wrong> {
+    pub(super) fn add(
+        &mut self,
+        quantity: &Quantity,
+        header: &Header<'_>,
+        told: &Told<'_>,
+    ) -> Result<(), Wrong> {
         let places = match told.columns.as_ref().and_then(|columns| columns.get(quantity.key)) {
             Some(value) => header.told(quantity, &value)?,
             None => header.named(quantity)?,
@@ -143,15 +147,15 @@ impl Columns {
     }
 }
 
-/// Names of columns, and where they stand.
-struct Header<'a> {
-    names: Vec<&'a str>,
-    places: &'a [Range<usize>],
+/// Names of columns, and where they stand in a text.
+pub(super) struct Header<'a> {
+    pub(super) names: Vec<&'a str>,
+    pub(super) places: &'a [Range<usize>],
 }
 
 impl Header<'_> {
     fn place(&self, column: usize) -> ContentPlace {
-        ContentPlace::Text(self.places.get(column).cloned().unwrap_or_default())
+        self.places.get(column).map_or(ContentPlace::Whole, |place| ContentPlace::Text(place.clone()))
     }
 
     fn refused(&self, column: usize, what: &str, value: &str, rule: &str) -> ContentError {

@@ -62,7 +62,7 @@ mod json_lines;
 mod matrix;
 mod measured;
 mod name;
-mod parquet;
+pub(crate) mod parquet;
 mod rows;
 
 use std::fs::{self, File};
@@ -195,7 +195,7 @@ fn streamed(
 }
 
 /// What a Parquet file begins with.
-const PARQUET: &[u8] = b"PAR1";
+pub(crate) const PARQUET: &[u8] = b"PAR1";
 
 /// Reads a log from the bytes of a file.
 ///

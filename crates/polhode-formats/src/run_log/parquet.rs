@@ -61,6 +61,48 @@ pub(super) fn read(
     Ok((head, plan, rows))
 }
 
+/// The names of a file's columns.
+pub(crate) fn names(bytes: &Bytes) -> Result<Vec<String>, ContentError> {
+    let file = SerializedFileReader::new(bytes.clone()).map_err(|error| broken(&error))?;
+    Ok(header(&file).names)
+}
+
+/// The numbers of some columns, row by row.
+pub(crate) fn table(bytes: &Bytes, places: &[usize]) -> Result<Vec<Vec<f64>>, ContentError> {
+    let file = SerializedFileReader::new(bytes.clone()).map_err(|error| broken(&error))?;
+    let schema = file.metadata().file_metadata().schema_descr();
+    let names = header(&file).names;
+    for &place in places {
+        numeric(&schema.column(place), &names[place])?;
+    }
+    let mut rows = Vec::new();
+    for group in 0..file.num_row_groups() {
+        let group = file.get_row_group(group).map_err(|error| broken(&error))?;
+        let left = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
+        let readers = places
+            .iter()
+            .map(|&place| Ok((group.get_column_reader(place)?, schema.column(place).max_def_level())));
+        let readers: Result<Vec<_>, ParquetError> = readers.collect();
+        let mut readers = readers.map_err(|error| broken(&error))?;
+        for first in (0..left).step_by(BATCH) {
+            let count = BATCH.min(left - first);
+            let columns = batch(&mut readers, count).map_err(|error| broken(&error))?;
+            for row in 0..count {
+                let numbers = columns.iter().map(|(column, _)| column.get(row).copied().unwrap_or(f64::NAN));
+                let numbers: Vec<f64> = numbers.collect();
+                if let Some(wrong) = numbers.iter().position(|number| !number.is_finite()) {
+                    let what = format!("{} of row {}", names[places[wrong]], rows.len() + 1);
+                    let kind = ContentErrorKind::NotFinite { what, found: numbers[wrong].to_string() };
+                    return Err(ContentError::new(kind, ContentPlace::Whole)
+                        .hint("leave out rows that are not complete"));
+                }
+                rows.push(numbers);
+            }
+        }
+    }
+    Ok(rows)
+}
+
 fn broken(error: &ParquetError) -> ContentError {
     let kind = ContentErrorKind::Unsupported { what: format!("this Parquet file ({error})") };
     ContentError::new(kind, ContentPlace::Whole).hint("write it without compression, or with LZ4 or Snappy")

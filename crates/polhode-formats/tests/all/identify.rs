@@ -168,6 +168,20 @@ fn mistakes_of_plans_have_their_place() {
             "the forces are lbf",
         ),
         ("wrench = 'on sensor'\nmotion_noise = { alpha = '-1 rad/s^2' }\n", [4, 26], "zero or positive", ""),
+        ("wrench = 'on sensor'\nmotion_noise = { alpha = 0 }\n", [4, 16], "above zero", "leave it out"),
+        (
+            "wrench = 'on sensor'\nnoise = { force = '1 N', covariance = [] }\n",
+            [4, 39],
+            "by deviations of force and torque, or by a covariance",
+            "",
+        ),
+        ("wrench = 'on sensor'\nnoise = { covariance = [1, 2] }\n", [4, 24], "an array of 6", ""),
+        (
+            "wrench = 'on sensor'\ngravity = [0, 0, 0]\nunits = { gravity = 'm/s^2' }\n",
+            [5, 21],
+            "left out where gravity is told",
+            "",
+        ),
         (
             "wrench = 'on sensor'\ncolumns = { force = ['fx_n', 'fy', 'fz_n'] }\n",
             [4, 30],
@@ -242,7 +256,7 @@ fn mistakes_of_logs_have_their_place() {
         (last(&format!("7{}", tail.replace(",9,", ",nine,"))), Some([5, 19]), "a number", ""),
         (last(&format!("7{}", tail.replace(",9,", ",inf,"))), Some([5, 19]), "not finite", ""),
         (last(&format!("1.0{tail}")), Some([5, 1]), "after that of the row before", ""),
-        ("PAR1 and no more".to_owned(), None, "Parquet for logs of wrenches", "write it as CSV"),
+        ("PAR1 and no more".to_owned(), None, "this Parquet file", "without compression"),
     ] {
         let error = folder.read(&log, SIDE).expect_err(&log);
         assert!(error.path().ends_with("log.csv"), "{error}");
@@ -258,4 +272,154 @@ fn mistakes_of_logs_have_their_place() {
     let log = format!("{head}0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,0,0,0,0\n");
     let error = folder.read(log, &keys).unwrap_err();
     assert!(error.to_string().contains("log.csv:2:1") && error.to_string().contains("not zero"), "{error}");
+}
+
+/// The numbers of a CSV as a Parquet file, a column of doubles each.
+fn parquet_of(csv: &str) -> Vec<u8> {
+    use parquet::data_type::DoubleType;
+    use parquet::file::properties::WriterProperties;
+    use parquet::file::writer::SerializedFileWriter;
+    use parquet::schema::parser::parse_message_type;
+    let mut lines = csv.lines();
+    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let rows: Vec<Vec<f64>> =
+        lines.map(|line| line.split(',').map(|x| x.parse().unwrap()).collect()).collect();
+    let columns: String = names.iter().map(|name| format!("required double {name};")).collect();
+    let schema = std::sync::Arc::new(parse_message_type(&format!("message log {{ {columns} }}")).unwrap());
+    let mut bytes = Vec::new();
+    let mut file =
+        SerializedFileWriter::new(&mut bytes, schema, std::sync::Arc::new(WriterProperties::default()))
+            .unwrap();
+    let mut group = file.next_row_group().unwrap();
+    for k in 0..names.len() {
+        let mut column = group.next_column().unwrap().unwrap();
+        let values: Vec<f64> = rows.iter().map(|row| row[k]).collect();
+        column.typed::<DoubleType>().write_batch(&values, None, None).unwrap();
+        column.close().unwrap();
+    }
+    group.close().unwrap();
+    file.close().unwrap();
+    bytes
+}
+
+#[test]
+fn parquet_is_read_as_csv_is() {
+    let folder = Folder::new("parquet");
+    let log = HEAD.to_owned() + &rows();
+    let (by_csv, by_parquet) =
+        (folder.read(&log, SIDE).unwrap(), folder.read(parquet_of(&log), SIDE).unwrap());
+    assert_eq!(by_csv.log, by_parquet.log);
+    assert_eq!(by_csv.source.read, by_parquet.source.read);
+    // What is not a number has its row and column.
+    let broken = log.replace("\n0.5,", "\nNaN,");
+    let error = folder.read(parquet_of(&broken), SIDE).unwrap_err();
+    assert!(error.to_string().contains("time_s of row 2"), "{error}");
+    let late = log.replace("\n0.5,", "\n-1,");
+    let error = folder.read(parquet_of(&late), SIDE).unwrap_err();
+    assert!(error.to_string().contains("row 2") && error.message().contains("row before"), "{error}");
+    let other = parquet_of(&log.replace("fz_n", "fz"));
+    let error = folder.read(other, SIDE).unwrap_err();
+    assert!(error.message().contains("in which unit is fz?"), "{error}");
+}
+
+#[test]
+fn a_covariance_of_the_wrench_may_be_told() {
+    let folder = Folder::new("covariance");
+    let log = HEAD.to_owned() + &rows();
+    let row = |k: usize| {
+        let numbers = (0..6).map(|j| {
+            if j == k {
+                "2.5e-3"
+            } else if j + k == 1 {
+                "1e-4"
+            } else {
+                "0"
+            }
+        });
+        format!("[{}]", numbers.collect::<Vec<_>>().join(", "))
+    };
+    let rows: Vec<String> = (0..6).map(row).collect();
+    let told = |rows: &str| folder.read(&log, &format!("{SIDE}noise = {{ covariance = [{rows}] }}\n"));
+    let plan = told(&rows.join(", ")).unwrap();
+    assert_ne!(plan.log, folder.read(&log, SIDE).unwrap().log);
+    let error = told(&rows.join(", ").replacen("1e-4", "2e-4", 1)).unwrap_err();
+    assert!(error.message().contains("the other side of the diagonal"), "{error}");
+}
+
+/// A gyro's log, and attitudes, of no particular motion.
+fn tumble(name: &str, plan: &str) -> Result<polhode_formats::identify::TumblePlan, FormatError> {
+    let folder = Folder::new(name);
+    let mut gyro = String::from("time_s,gyro_x,gyro_y,gyro_z\n");
+    let mut tracked = String::from("time_s,qw,qx,qy,qz\n");
+    for k in 0..40 {
+        let t = 0.01 * f64::from(k);
+        writeln!(gyro, "{t},{},{},{}", 5.0 + t, 3.0 - t, 0.1 + 2.0 * t).unwrap();
+        writeln!(tracked, "{t},{},{},0,0", t.cos(), t.sin()).unwrap();
+    }
+    fs::write(folder.0.join("gyro.csv"), &gyro).unwrap();
+    fs::write(folder.0.join("broken.csv"), gyro.replacen("5.03", "NaN", 1)).unwrap();
+    fs::write(folder.0.join("tracked.csv"), tracked).unwrap();
+    let path = folder.0.join("plan.toml");
+    fs::write(&path, format!("[tumble]\n{plan}")).unwrap();
+    match read(&path)?.measurement {
+        Measurement::Tumble(plan) => Ok(plan),
+        other => panic!("{other:?}"),
+    }
+}
+
+const TRACKED: &str = "log = 'tracked.csv'\ncolumns = 'quaternion wxyz body-to-space = qw qx qy qz'\n";
+
+#[test]
+fn what_has_no_effect_on_tumbles_is_refused() {
+    let flight = |keys: &str| format!("\n[[tumble.flight]]\n{keys}\n");
+    let gyro = "log = 'gyro.csv'\n";
+    for (k, (plan, place, says)) in [
+        (
+            format!("{TRACKED}attitude = {{ noise = '1 deg' }}\ngyro = {{ bias = true }}\n"),
+            [5, 8],
+            "only attitudes",
+        ),
+        (format!("{gyro}attitude = {{ noise = '1 deg' }}\n"), [3, 12], "only rates of a gyro"),
+        (format!("{gyro}gyro = {{ clock = true }}\n"), [3, 18], "no flight has both"),
+        (format!("{gyro}search = {{ slowest = '1 rad/s' }}\n"), [3, 10], "beside flights"),
+        (format!("{gyro}{}", flight("log = 'gyro.csv'")), [2, 7], "left out where each flight has its own"),
+        (
+            format!(
+                "{gyro}columns = 'omega = gyro_x gyro_y gyro_z'\n{}",
+                flight("columns = 'time = time_s'")
+            ),
+            [3, 11],
+            "left out where each flight has its own",
+        ),
+        (format!("{gyro}{}", flight("added = { moments = [0, 0, 0] }")), [5, 9], "not zero"),
+        (
+            format!("{gyro}{}", flight("wheel = { axis = [0, 0, 1], momentum = 0 }")),
+            [5, 40],
+            "other than zero",
+        ),
+        (format!("{gyro}{}{}", flight("to = 0.2"), flight("from = 0.1")), [8, 8], "counts once"),
+        ("log = ['gyro.csv', 'gyro.csv']\n".to_owned(), [2, 20], "counts once"),
+        (format!("{gyro}gyro = {{ range = '-1 rad/s' }}\n"), [3, 18], "positive"),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let error = tumble(&format!("effect-{k}"), &plan).expect_err(&plan);
+        assert_eq!(error.place().map(|at| [at.line, at.column]), Some(place), "{plan}: {error}");
+        assert!(error.message().contains(says), "{plan}: {error}");
+    }
+    // All of it has an effect where it belongs.
+    let plan =
+        format!("{gyro}gyro = {{ range = '2000 deg/s' }}\n{}{}", flight("to = 0.2"), flight("from = 0.2"));
+    let read = tumble("effect", &plan).unwrap();
+    assert_eq!(read.flights.len(), 2);
+    assert!(read.options.gyro_range.is_some_and(|range| (range.high[1] - 34.906_585).abs() < 1e-6));
+    assert!(tumble("tracked", &format!("{TRACKED}attitude = {{ noise = '1 deg' }}\n")).is_ok());
+}
+
+#[test]
+fn what_is_no_number_in_a_gyro_log_has_its_row_and_column() {
+    let error = tumble("nan", "log = 'broken.csv'\n").unwrap_err();
+    let text = error.to_string();
+    assert!(text.contains("broken.csv:5:6") && text.contains("gyro_x") && text.contains("NaN"), "{text}");
 }

@@ -193,3 +193,70 @@ fn what_is_missing_is_said() {
     missing(", amplitude_sd = \"0.5 deg\"", "amplitude_sd");
     assert!(identify::read(Path::new("/nowhere/plan.toml")).is_err());
 }
+
+#[test]
+fn logs_of_swings_are_read() {
+    let folder = std::env::temp_dir().join(format!("polhode-swing-log-{}", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    let csv = "time_ms,theta [deg],rate_rad_s,note\n0,10,0.5,1\n50,20,0.25,2\n100,5,-0.5,3\n";
+    fs::write(folder.join("log.csv"), csv).unwrap();
+    let plan = |logged: &str| {
+        let (head, tail) = GOOD.split_at(GOOD.find("counted").unwrap());
+        let rest = &tail[tail.find('\n').unwrap()..];
+        fs::write(folder.join("plan.toml"), format!("{head}{logged}{rest}")).unwrap();
+        identify::read(&folder.join("plan.toml"))
+    };
+    let logged = |keys: &str| {
+        let read = plan(&format!("logged = {{ log = \"log.csv\", {keys} }}"))?;
+        let Measurement::Swing(swing) = read.measurement else { panic!("a plan of swings") };
+        let Measured::Logged(logged) = swing.tests()[0].measurement.clone() else { panic!("logged") };
+        Ok::<_, FormatError>((logged, read.logs))
+    };
+    let (angle, logs) = logged("signal = \"angle\", sd = \"0.1 deg\"").unwrap();
+    assert_eq!(angle.times, [0.0, 0.05, 0.1]);
+    assert!((angle.values[1] - 20_f64.to_radians()).abs() < 1e-15 && angle.damping == Damping::Viscous);
+    assert_eq!(logs[0].ignored, ["rate_rad_s", "note"]);
+    let (rate, _) =
+        logged("signal = \"rate\", sd = \"0.1 rad/s\", from = \"20 ms\", damping = \"both\"").unwrap();
+    assert_eq!((rate.times, rate.values, rate.damping), (vec![0.05, 0.1], vec![0.25, -0.5], Damping::Both));
+    for (keys, says) in [
+        ("signal = \"rate\", sd = \"0.1 deg\"", "an angle where"),
+        ("signal = \"both\", sd = \"0.1 deg\"", "one of angle, rate"),
+        ("signal = \"rate\"", "the key sd is missing"),
+        ("signal = \"angle\", sd = \"1 deg\", columns = { rate = \"note\" }", "unknown key \"rate\""),
+        ("signal = \"angle\", sd = \"1 deg\", columns = { angle = \"note\" }", "in which unit is note?"),
+        ("signal = \"angle\", sd = \"1 deg\", from = \"2 s\"", "inside the log"),
+    ] {
+        let error = logged(keys).unwrap_err();
+        assert!(error.message().contains(says), "{keys}: {error}");
+    }
+    let both =
+        plan("logged = { log = \"log.csv\", signal = \"angle\", sd = \"1 deg\" }\ncounted = { swings = 3 }");
+    assert!(both.unwrap_err().message().contains("counted swings, or a log"));
+    fs::remove_dir_all(&folder).unwrap();
+}
+
+#[test]
+fn what_has_no_effect_on_swings_is_refused() {
+    let spindle = r#"[swing]
+mass = "2 kg"
+center = [0, 0, 0]
+gravity = "9.81 m/s^2"
+[[swing.test]]
+name = "spindle"
+rig = "spindle"
+axis = [0, 0, 1]
+pivot = [0, 0, 0]
+stiffness = "0.3 N m/rad"
+air = { displaced = "1 g" }
+counted = { swings = 20, time = "20.1 s", sd = "0.05 s", amplitude = "5 deg", amplitude_sd = "0.5 deg", damping = "none" }
+"#;
+    let error = read("displaced", spindle).unwrap_err();
+    assert!(error.message().contains("the weight has no part"), "{error}");
+    let still = spindle.replace("air = { displaced = \"1 g\" }\n", "");
+    let error = read("gravity", &still).unwrap_err();
+    assert_eq!(error.place().unwrap().line, 4, "{error}");
+    assert!(read("spindle", &still.replace("gravity = \"9.81 m/s^2\"\n", "")).is_ok());
+    let error = read("air", &still.replace("axis =", "air = {}\naxis =")).unwrap_err();
+    assert!(error.message().contains("moment is missing"), "{error}");
+}

@@ -25,8 +25,9 @@ const NOISE_PASSES: usize = 20;
 const SETTLED: f64 = 1e-4;
 /// This much is taken where passes end.
 const NEARLY_SETTLED: f64 = 0.03;
-/// Directions of which more than this share of what the rows say is noise of the motion are unknown.
-const MOSTLY_NOISE: f64 = 0.5;
+/// Directions of which more than this share of what the rows say is noise of the motion are unknown. Where passes do not settle, as of a direction that is near the
+/// first of these, or whose number goes off, the next is taken: less is known then.
+const MOSTLY_NOISE: [f64; 4] = [0.5, 0.25, 0.1, 0.03];
 /// Rows that say less than this of a direction, relative to their terms, say nothing.
 const ROUNDING: f64 = 1e-7;
 /// Noise below this, relative to the largest that was measured, is rounding.
@@ -86,6 +87,7 @@ pub fn identify_payload(log: &PayloadLog) -> Result<Payload, IdentifyError> {
 /// Numbers and motions that do not change any more.
 struct Settled<'a> {
     log: &'a PayloadLog,
+    mostly_noise: f64,
     regression: Regression<'a>,
     outliers: Outliers,
     /// Of the wrench.
@@ -105,6 +107,18 @@ struct Fit {
 }
 
 fn settle(log: &PayloadLog) -> Result<Settled<'_>, IdentifyError> {
+    let [first, others @ ..] = MOSTLY_NOISE;
+    let has_noise = log.motion_deviations().iter().any(|&sd| sd > 0.0);
+    settle_with(log, first).or_else(|error| match error {
+        IdentifyError::NoConvergence { .. } | IdentifyError::NotFinite if has_noise => {
+            let settled = others.into_iter().find_map(|mostly_noise| settle_with(log, mostly_noise).ok());
+            settled.ok_or(IdentifyError::NoConvergence { steps: MOST_PASSES })
+        }
+        error => Err(error),
+    })
+}
+
+fn settle_with(log: &PayloadLog, mostly_noise: f64) -> Result<Settled<'_>, IdentifyError> {
     let count = log.unknowns();
     let needed = count.div_ceil(6) + if log.noise == WrenchNoise::Unknown { LEAST_FOR_NOISE } else { 1 };
     if log.rows().len() < needed {
@@ -129,7 +143,8 @@ fn settle(log: &PayloadLog) -> Result<Settled<'_>, IdentifyError> {
                 outliers.weigh(residuals, weights);
             }
         })?;
-        let mut settled = Settled { log, regression, outliers, noise: wrench_noise, pass, numbers };
+        let mut settled =
+            Settled { log, mostly_noise, regression, outliers, noise: wrench_noise, pass, numbers };
         let (information, root) = settled.information()?;
         let Fit { numbers: next, rise, free } = settled.fit(&information, &root)?;
         // Of a wrench on the wrong side no motion is likely, and the likeliest goes off.
@@ -181,7 +196,7 @@ impl Settled<'_> {
         for (turn, &share) in shares.eigenvectors.column_iter().zip(&shares.eigenvalues) {
             let direction = &information.root * turn;
             let direction = DMatrix::from_column_slice(n, 1, direction.as_slice());
-            if share < MOSTLY_NOISE {
+            if share < self.mostly_noise {
                 known.push(&direction / (1.0 - share));
                 steps.push(direction);
             } else {

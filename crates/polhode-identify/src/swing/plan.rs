@@ -225,7 +225,7 @@ impl SwingPlan {
         let mut parts = Vec::new();
         for (k, measured) in self.measured().into_iter().enumerate() {
             match k {
-                TENSOR => parts.push(Part::Tensor),
+                TENSOR => parts.push(Part::RootedTensor),
                 _ if k > TENSOR && k < TENSOR + 6 => {}
                 _ if measured.sd == 0.0 => {}
                 MASS => parts.push(Part::Positive),

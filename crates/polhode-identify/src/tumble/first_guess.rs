@@ -6,6 +6,7 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use polhode::math::{Body, Rotation};
 
 use super::flight::Flight;
+use super::gap::gaps;
 
 /// Readings in a stretch: the turn of a fast body in 50 ms, and more than the noise of two readings.
 const STRETCH: usize = 5;
@@ -15,7 +16,8 @@ const SPHERE: f64 = 1e-4;
 /// The tensor of all flights. Where some have a known tensor added, its scale is that at which they agree: k I₁ = s I₀ + added.
 pub(crate) fn tensor_with_scale(flights: &[Flight]) -> [f64; 6] {
     let of = |wanted: &dyn Fn(&Flight) -> bool| {
-        tensor(&flights.iter().filter(|flight| wanted(flight)).map(Rates::of).collect::<Vec<_>>())
+        let wanted = flights.iter().filter(|flight| wanted(flight));
+        tensor(&wanted.flat_map(|flight| Rates::of(flight).without_gaps()).collect::<Vec<_>>())
     };
     let Some(added) = flights.iter().map(Flight::added).find(|added| *added != [0.0; 6]) else {
         return of(&|_| true);
@@ -86,6 +88,7 @@ pub(super) fn tensor(flights: &[Rates]) -> [f64; 6] {
 }
 
 /// Rates along the body's axes.
+#[derive(Clone)]
 pub(crate) struct Rates {
     pub(crate) times: Vec<f64>,
     pub(crate) omega: Vec<[f64; 3]>,
@@ -101,6 +104,34 @@ impl Rates {
             };
         }
         Self::of_attitudes(flight)
+    }
+
+    /// A component.
+    pub(super) fn channel(&self, k: usize) -> Vec<f64> {
+        self.omega.iter().map(|omega| omega[k]).collect()
+    }
+
+    /// Its middle half.
+    pub(super) fn middle(&self) -> Self {
+        let quarter = self.times.len() / 4;
+        self.part(quarter..self.times.len() - quarter)
+    }
+
+    /// The parts between gaps, those that are too short for a stretch left out.
+    pub(super) fn without_gaps(&self) -> Vec<Self> {
+        let mut from = 0;
+        let mut parts = Vec::new();
+        for [_, to] in gaps(&self.times) {
+            let next = self.times.partition_point(|&t| t < to);
+            parts.push(from..next);
+            from = next;
+        }
+        parts.push(from..self.times.len());
+        parts.into_iter().filter(|part| part.len() > STRETCH).map(|part| self.part(part)).collect()
+    }
+
+    fn part(&self, part: core::ops::Range<usize>) -> Self {
+        Self { times: self.times[part.clone()].to_vec(), omega: self.omega[part].to_vec() }
     }
 
     /// log(R₁ᵀR₂)/Δt half way between.

@@ -141,9 +141,18 @@ impl Flight {
         times.fold([f64::INFINITY, f64::NEG_INFINITY], |[from, to], t| [from.min(t), to.max(t)])
     }
 
-    /// The same with all rates times a factor.
-    pub(crate) fn with_rates_times(&self, factor: f64) -> Self {
-        let times = |reading: &GyroReading| GyroReading { omega: reading.omega * factor, ..*reading };
+    /// The same with some of the gyro's readings.
+    pub(crate) fn of_gyro_readings(&self, holds: impl Fn(&GyroReading) -> bool) -> Self {
+        Self { gyro: self.gyro.iter().copied().filter(holds).collect(), ..self.clone() }
+    }
+
+    /// The same with the components of all rates times factors.
+    pub(crate) fn with_rates_times(&self, factors: [f64; 3]) -> Self {
+        let times = |reading: &GyroReading| {
+            let omega = reading.omega.to_array();
+            let omega = AngularVelocity::from_array(core::array::from_fn(|k| omega[k] * factors[k]));
+            GyroReading { omega, ..*reading }
+        };
         Self { gyro: self.gyro.iter().map(times).collect(), ..self.clone() }
     }
 

@@ -3,11 +3,14 @@
 use polhode::math::{Body, Rotation};
 
 use super::first_guess::{Rates, tensor_with_scale, tracked_axes};
-use super::flight::Flight;
+use super::flaw::Flaw;
+use super::flight::{Flight, GyroReading};
+use super::inspection::{flaws, hands};
 use super::model::{CHANNELS, Reference, Tumbles};
 use super::motion::turn;
 use super::noise::deviation;
 use super::options::TumbleOptions;
+use super::range::GyroRange;
 use super::sensor::GyroErrors;
 use super::tumble::Tumble;
 use super::unit;
@@ -29,17 +32,30 @@ const FULL: f64 = 4.0;
 ///
 /// # Errors
 /// [`IdentifyError::TooFew`] for fewer readings than numbers to be found; [`IdentifyError::Missing`] for attitudes without their noise; a parameter's error
-/// for options; [`IdentifyError::Unit`] if the rates move freely in another unit only; [`IdentifyError::NoConvergence`].
+/// for options; [`IdentifyError::Saturated`] for a flight with hardly a reading inside the gyro's range; [`IdentifyError::Unit`] and [`IdentifyError::LeftHanded`]
+/// if the rates move as they have to in another unit, or with an axis reversed, only; [`IdentifyError::NotFree`] if nothing fits and a hand turns
+/// the body in a flight; [`IdentifyError::NoConvergence`].
 pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, IdentifyError> {
-    let found = identified(flights, options);
+    let readings: Vec<GyroReading> =
+        flights.iter().flat_map(|flight| flight.gyro().iter().copied()).collect();
+    let range = options.gyro_range.unwrap_or_else(|| GyroRange::shown_by(&readings));
+    let (all, flights) = (flights, range.inside(flights)?);
+    let found = identified(&flights, options);
     let is_doubtful = match &found {
         Ok(found) => found.residuals.iter().any(ResidualTest::is_too_large),
         Err(error) => matches!(error, IdentifyError::NoConvergence { .. } | IdentifyError::NotFinite),
     };
     if is_doubtful {
-        unit::require_right(flights, options, identified)?;
+        unit::require_right(&flights, options, identified)?;
     }
-    found
+    let found = found.map_err(|error| {
+        let hands = if is_doubtful { hands(all, &range, 0.0, &[]) } else { Vec::new() };
+        match hands.into_iter().next() {
+            Some(Flaw::Hand { flight, free, .. }) => IdentifyError::NotFree { flight, free },
+            _ => error,
+        }
+    })?;
+    Ok(Tumble { flaws: flaws(all, &range, &found), ..found })
 }
 
 /// As [`identify_tumbles`], of rates that are taken as they are.
@@ -119,9 +135,12 @@ fn gyro_noise(flights: &[Flight], options: &TumbleOptions) -> Result<f64, Identi
         IdentifyError::require("the gyro's noise", noise, noise > 0.0, "positive")?;
         return Ok(noise);
     }
-    let channel = |flight: &Flight, k: usize| flight.gyro().iter().map(|r| r.omega.to_array()[k]).collect();
-    let channels: Vec<Vec<f64>> =
-        flights.iter().flat_map(|flight| [0, 1, 2].map(|k| channel(flight, k))).collect();
+    let channels: Vec<Vec<Vec<f64>>> = flights
+        .iter()
+        .filter(|flight| !flight.gyro().is_empty())
+        .map(|flight| Rates::of(flight).without_gaps())
+        .flat_map(|runs| [0, 1, 2].map(|k| runs.iter().map(|run| run.channel(k)).collect()))
+        .collect();
     match deviation(&channels) {
         Some(noise) if noise > 0.0 => Ok(noise),
         _ => Err(IdentifyError::Missing { what: "the gyro's noise, which these readings do not show" }),
@@ -145,20 +164,24 @@ fn pieces(flights: &[Flight], turn: f64) -> Vec<Piece> {
             / rates.omega.len().max(1) as f64;
         let count = ((to - from) * mean / turn).ceil().max(1.0);
         let width = (to - from) / count;
-        // An end belongs to the piece before it.
-        let cut: Vec<Option<Flight>> = (0..count as usize)
-            .map(|k| {
-                let start = from + k as f64 * width;
-                let start = if k == 0 { start } else { start.next_up() };
-                flight.cut(start, if k + 1 == count as usize { to } else { from + (k + 1) as f64 * width })
-            })
-            .collect();
-        // Too few readings for so short pieces: the flight stays whole.
-        if cut.iter().all(Option::is_some) {
-            pieces.extend(cut.into_iter().flatten().map(|flight| Piece { flight, number }));
-        } else {
-            pieces.push(Piece { flight: flight.clone(), number });
+        // An end belongs to the piece before it; what is too little for a piece, to the next, or the last.
+        let mut starts = vec![from];
+        let end = |k: f64| if k == count { to } else { from + k * width };
+        let mut own: Vec<Flight> = Vec::new();
+        for k in 1..=count as usize {
+            let start = starts[starts.len() - 1];
+            if let Some(cut) = flight.cut(start, end(k as f64)) {
+                own.push(cut);
+                starts.push(end(k as f64).next_up());
+            }
         }
+        if let [.., last, next] = starts[..]
+            && next <= to
+        {
+            own.pop();
+            own.extend(flight.cut(last, to));
+        }
+        pieces.extend(own.into_iter().map(|flight| Piece { flight, number }));
     }
     pieces
 }

@@ -1,14 +1,15 @@
 //! The noise of readings by what no smooth motion has: their sixth differences.
 
-/// The standard deviation of white noise on readings at even times: √(mean (Δ⁶y)²/924), of which the median is taken over stretches, so that jumps do not count.
+/// The standard deviation of white noise on readings at even times, channel by channel in runs without gaps: √(mean (Δ⁶y)²/924), of which the median is taken over stretches, so that jumps do not count.
 /// `None` for fewer than a stretch.
 ///
 /// A motion that turns by 0.2 rad from reading to reading adds 0.2⁶ = 6·10⁻⁵ of its rate.
-pub(crate) fn deviation(channels: &[Vec<f64>]) -> Option<f64> {
+pub(crate) fn deviation(channels: &[Vec<Vec<f64>>]) -> Option<f64> {
     let mut means: Vec<f64> = channels
         .iter()
         .flat_map(|channel| {
-            let sixth: Vec<f64> = channel.windows(7).map(sixth_difference).collect();
+            let sixth: Vec<f64> =
+                channel.iter().flat_map(|run| run.windows(7)).map(sixth_difference).collect();
             sixth
                 .chunks_exact(STRETCH)
                 .map(|s| s.iter().map(|d| d * d).sum::<f64>() / STRETCH as f64)

@@ -2,6 +2,7 @@
 
 use polhode::motion::torque::DragLaw;
 
+use super::range::GyroRange;
 use super::sensor::GyroErrors;
 
 /// How flights are read.
@@ -13,6 +14,8 @@ pub struct TumbleOptions {
     pub drag: Option<DragLaw>,
     /// Standard deviation of a gyro's component, rad/s; found from the readings if none is given.
     pub gyro_noise: Option<f64>,
+    /// Its range, beyond which readings are none; found from the readings if none is given.
+    pub gyro_range: Option<GyroRange>,
     /// Standard deviation of a component of the attitude, rad; it has to be given if there are attitudes.
     pub attitude_noise: Option<f64>,
     /// Beyond so many standard deviations a reading is left out, and counted.
@@ -20,9 +23,9 @@ pub struct TumbleOptions {
 }
 
 impl Default for TumbleOptions {
-    /// A bias, noise that is found, outliers beyond 6 standard deviations.
+    /// A bias, noise and range that are found, outliers beyond 6 standard deviations.
     fn default() -> Self {
         let gyro = GyroErrors { bias: true, ..GyroErrors::default() };
-        Self { gyro, drag: None, gyro_noise: None, attitude_noise: None, outlier: 6.0 }
+        Self { gyro, drag: None, gyro_noise: None, gyro_range: None, attitude_noise: None, outlier: 6.0 }
     }
 }

@@ -3,6 +3,7 @@
 use polhode::motion::State;
 use polhode::motion::torque::DragLaw;
 
+use super::flaw::Flaw;
 use super::flight::Flight;
 use super::model::{CHANNELS, Tumbles};
 use super::motion::ELEMENTS;
@@ -28,6 +29,8 @@ pub struct Tumble {
     pub residuals: Vec<ResidualTest>,
     /// By what all errors were widened for what the residuals show.
     pub widening: f64,
+    /// What is wrong with the readings.
+    pub flaws: Vec<Flaw>,
 }
 
 /// What was found of a flight.
@@ -139,7 +142,7 @@ impl Tumble {
             principal.moments = principal.moments.map(|moment| moment / greatest);
             estimate.relative(6 + problem.drag_count(), &along(principal.axes[2]))
         };
-        Ok(Self { estimate, principal, scale_is_known, flights, residuals, widening })
+        Ok(Self { estimate, principal, scale_is_known, flights, residuals, widening, flaws: Vec::new() })
     }
 }
 

@@ -5,3 +5,4 @@ mod next;
 mod noise;
 mod payload;
 mod tumble;
+mod tumble_flaws;

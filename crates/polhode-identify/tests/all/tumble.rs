@@ -13,10 +13,10 @@ use polhode_identify::tumble::{
 use crate::noise::Normal;
 
 /// Three distinct moments, all products, in kg·m².
-pub(super) const TENSOR: [f64; 6] = [3.1e-3, 4.2e-3, 5.3e-3, 0.4e-3, -0.3e-3, 0.2e-3];
-const BIAS: [f64; 3] = [0.013, -0.021, 0.008];
+pub(crate) const TENSOR: [f64; 6] = [3.1e-3, 4.2e-3, 5.3e-3, 0.4e-3, -0.3e-3, 0.2e-3];
+pub(crate) const BIAS: [f64; 3] = [0.013, -0.021, 0.008];
 
-pub(super) fn motion(tensor: [f64; 6], omega: [f64; 3]) -> FreeMotion {
+pub(crate) fn motion(tensor: [f64; 6], omega: [f64; 3]) -> FreeMotion {
     let [xx, yy, zz, xy, xz, yz] = tensor;
     let inertia = InertiaTensor::from_matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]).unwrap();
     let body = MassProperties::new(0.37, Position::ZERO, inertia).unwrap();
@@ -26,7 +26,7 @@ pub(super) fn motion(tensor: [f64; 6], omega: [f64; 3]) -> FreeMotion {
 }
 
 /// Readings at 100 Hz of a gyro with noise and bias.
-pub(super) fn gyro(motion: &FreeMotion, duration: f64, noise: &mut Normal, sd: f64) -> Vec<GyroReading> {
+pub(crate) fn gyro(motion: &FreeMotion, duration: f64, noise: &mut Normal, sd: f64) -> Vec<GyroReading> {
     (0..(100.0 * duration) as usize)
         .map(|k| {
             let time = 0.21 + 0.01 * k as f64;
@@ -38,22 +38,22 @@ pub(super) fn gyro(motion: &FreeMotion, duration: f64, noise: &mut Normal, sd: f
         .collect()
 }
 
-pub(super) const STARTS: [[f64; 3]; 4] =
+pub(crate) const STARTS: [[f64; 3]; 4] =
     [[6.0, 7.0, -4.0], [1.0, 9.0, 1.5], [-8.0, 2.0, 3.0], [2.0, -3.0, 9.0]];
 
-fn flights(seed: u64, sd: f64) -> Vec<Flight> {
+pub(crate) fn flights(seed: u64, sd: f64) -> Vec<Flight> {
     let mut noise = Normal::new(seed);
     let one = |start| Flight::of_gyro("one", gyro(&motion(TENSOR, start), 1.2, &mut noise, sd)).unwrap();
     STARTS.map(one).to_vec()
 }
 
-fn ratios(tensor: [f64; 6]) -> [f64; 2] {
+pub(crate) fn ratios(tensor: [f64; 6]) -> [f64; 2] {
     let (m, _) = polhode::math::symmetric_eigen(tensor);
     [m[0] / m[2], m[1] / m[2]]
 }
 
 /// The tensor in units of its greatest moment.
-fn relative(tensor: [f64; 6]) -> [f64; 6] {
+pub(crate) fn relative(tensor: [f64; 6]) -> [f64; 6] {
     let (m, _) = polhode::math::symmetric_eigen(tensor);
     tensor.map(|element| element / m[2])
 }
@@ -108,14 +108,14 @@ fn errors_are_what_they_are_said_to_be() {
     assert!((0.9..1.1).contains(&normalised), "{normalised}");
 }
 
-fn rotor(tensor: [f64; 6]) -> Rotor {
+pub(crate) fn rotor(tensor: [f64; 6]) -> Rotor {
     let [xx, yy, zz, xy, xz, yz] = tensor;
     let inertia = InertiaTensor::from_matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]).unwrap();
     Rotor::free(&MassProperties::new(0.37, Position::ZERO, inertia).unwrap())
 }
 
 /// States at 100 Hz under torques.
-fn states(rotor: &Rotor, torques: &[TorqueModel], omega: [f64; 3], duration: f64) -> Vec<State> {
+pub(crate) fn states(rotor: &Rotor, torques: &[TorqueModel], omega: [f64; 3], duration: f64) -> Vec<State> {
     let attitude = Attitude::exp(Direction::new(0.3, -0.5, 0.2)).unwrap();
     let start = State { time: 0.2, attitude, omega: AngularVelocity::from_array(omega) };
     let times: Vec<f64> = (0..(100.0 * duration) as usize).map(|k| 0.2 + 0.01 * k as f64).collect();
@@ -123,7 +123,7 @@ fn states(rotor: &Rotor, torques: &[TorqueModel], omega: [f64; 3], duration: f64
     run.samples().iter().map(|sample| sample.state).collect()
 }
 
-fn readings(states: &[State], noise: &mut Normal, sd: f64) -> Vec<GyroReading> {
+pub(crate) fn readings(states: &[State], noise: &mut Normal, sd: f64) -> Vec<GyroReading> {
     let read = |state: &State| {
         let omega = state.omega.to_array();
         let read = core::array::from_fn(|i| omega[i] + BIAS[i] + sd * noise.next());
@@ -133,7 +133,7 @@ fn readings(states: &[State], noise: &mut Normal, sd: f64) -> Vec<GyroReading> {
 }
 
 /// Each of the first numbers within 4 of its own standard deviations, which are small.
-fn holds(found: &Tumble, truth: &[f64], small: f64) {
+pub(crate) fn holds(found: &Tumble, truth: &[f64], small: f64) {
     let size = truth.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     for (number, truth) in found.estimate.numbers.iter().zip(truth) {
         let sd = number.sd.unwrap();

@@ -9,6 +9,12 @@ mod scenario;
 mod swing;
 mod tumble;
 
+use polhode::body::MassProperties;
+use polhode::math::Body;
+use polhode_identify::IdentifyError;
+use polhode_identify::payload::{PayloadLog, identify_payload, next_motion};
+use polhode_identify::swing::{SwingPlan, identify_swings, next_swing};
+use polhode_identify::tumble::{Flight, TumbleOptions, identify_tumbles, next_flight};
 use serde_json::Value;
 
 use crate::explain::document::Document;
@@ -31,6 +37,59 @@ pub enum IdentifyReport {
 }
 
 impl IdentifyReport {
+    /// Identifies a body by its flights, and says which further one would help most; `sources` say what was read.
+    ///
+    /// # Errors
+    /// As [`identify_tumbles`].
+    pub fn of_flights(
+        title: Option<&str>,
+        sources: Vec<String>,
+        flights: &[Flight],
+        options: &TumbleOptions,
+    ) -> Result<Self, IdentifyError> {
+        let found = identify_tumbles(flights, options)?;
+        let next = next_flight(flights, options, &found);
+        Ok(Self::Tumble(TumbleReport::new(title, sources, found).with_next(next)))
+    }
+
+    /// Identifies a payload by the wrenches of a log, and says which further motion would help most.
+    ///
+    /// # Errors
+    /// As [`identify_payload`].
+    pub fn of_payload(
+        title: Option<&str>,
+        sources: Vec<String>,
+        log: &PayloadLog,
+    ) -> Result<Self, IdentifyError> {
+        let found = identify_payload(log)?;
+        let next = next_motion(log, &found);
+        let times = log.rows().iter().map(|row| row.time).collect();
+        Ok(Self::Payload(PayloadReport::new(title, sources, times, found).with_next(next)))
+    }
+
+    /// Identifies a body by its swings, and says which further test would help most.
+    ///
+    /// # Errors
+    /// As [`identify_swings`].
+    pub fn of_swings(
+        title: Option<&str>,
+        sources: Vec<String>,
+        plan: &SwingPlan,
+    ) -> Result<Self, IdentifyError> {
+        let found = identify_swings(plan)?;
+        let next = next_swing(plan, &found);
+        Ok(Self::Swing(SwingReport::new(title, sources, found).with_next(next)))
+    }
+
+    /// The body, where all of it is known.
+    pub fn body(&self) -> Option<MassProperties<Body>> {
+        match self {
+            Self::Tumble(_) => None,
+            Self::Payload(report) => report.found().body,
+            Self::Swing(report) => report.known(),
+        }
+    }
+
     /// The report as data.
     pub fn to_json(&self) -> Value {
         match self {

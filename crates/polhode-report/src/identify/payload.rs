@@ -36,6 +36,16 @@ impl PayloadReport {
         Self { title: title.unwrap_or("a payload").to_owned(), sources, times, payload, next: None }
     }
 
+    /// What was found.
+    pub fn found(&self) -> &Payload {
+        &self.payload
+    }
+
+    /// The times of the rows, s.
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
     /// True if what is left is more than noise.
     pub fn has_model_error(&self) -> bool {
         self.payload.tests.iter().any(|test| test.is_too_large() || test.is_correlated())
@@ -85,10 +95,12 @@ impl PayloadReport {
         }
         if let Some(edge) = &payload.edge {
             let message = format!(
-                "the likeliest possible payload is {}: within its error it has no extent in {} direction{}",
+                "the likeliest possible payload is {}: within its error it has no extent in {} direction{}, across which noise draws the answer off the edge by half a \
+                 standard deviation on average; if it is one, say kind = \"{}\" in the plan",
                 edge.kind,
                 edge.thin.len(),
-                if edge.thin.len() == 1 { "" } else { "s" }
+                if edge.thin.len() == 1 { "" } else { "s" },
+                kind_key(edge.kind)
             );
             say("identify.edge", Severity::Info, message);
         }

@@ -1,6 +1,7 @@
 //! Swing tests.
 
-use polhode::body::{Finding, Severity};
+use polhode::body::{Finding, MassProperties, Severity};
+use polhode::math::Body;
 use polhode_identify::swing::{Measurement, NextSwing, SwingEstimate, SwingResult, SwingTest};
 use polhode_identify::{NextExperiment, Number, PrincipalEstimate};
 use serde_json::{Value, json};
@@ -18,6 +19,8 @@ use crate::{VERSION, finding};
 #[derive(Clone, Debug)]
 pub struct SwingReport {
     title: String,
+    /// What was read, line by line.
+    sources: Vec<String>,
     found: SwingEstimate,
     principal: PrincipalEstimate,
     next: Option<NextExperiment<NextSwing>>,
@@ -29,10 +32,21 @@ const TENSOR: usize = 4;
 const WIDTH: f64 = 0.6;
 
 impl SwingReport {
-    /// Of what was found.
-    pub fn new(title: Option<&str>, found: SwingEstimate) -> Self {
+    /// Of what was found, and the lines that say what was read of logs.
+    pub fn new(title: Option<&str>, sources: Vec<String>, found: SwingEstimate) -> Self {
         let principal = PrincipalEstimate::of_tensor(&found.estimate, TENSOR);
-        Self { title: title.unwrap_or("a body that swings").to_owned(), found, principal, next: None }
+        Self {
+            title: title.unwrap_or("a body that swings").to_owned(),
+            sources,
+            found,
+            principal,
+            next: None,
+        }
+    }
+
+    /// What was found.
+    pub fn found(&self) -> &SwingEstimate {
+        &self.found
     }
 
     /// With what could be measured next.
@@ -46,11 +60,15 @@ impl SwingReport {
     /// # Errors
     /// If not all of it is known.
     pub fn to_scenario(&self) -> Result<String, NoBody> {
-        if self.found.estimate.numbers.iter().take(TENSOR + 6).any(|number| number.sd.is_none()) {
-            return Err(NoBody::Unknown { by: "what was swung" });
-        }
+        let body = self.known().ok_or(NoBody::Unknown { by: "what was swung" })?;
         let meaning = "in kg, m, kg m^2, along the axes of the body, from their origin";
-        Ok(Part::of_body(format!("{}: {meaning}", self.title), "body", &self.found.body).to_toml())
+        Ok(Part::of_body(format!("{}: {meaning}", self.title), "body", &body).to_toml())
+    }
+
+    /// The body, if all of it is known.
+    pub(super) fn known(&self) -> Option<MassProperties<Body>> {
+        let mut numbers = self.found.estimate.numbers.iter().take(TENSOR + 6);
+        numbers.all(|number| number.sd.is_some()).then_some(self.found.body)
     }
 
     /// True if what is left is more than noise.
@@ -88,7 +106,8 @@ impl SwingReport {
                 format!("{} are not determined by these tests: {}", directions(unknown), self.swung()),
             );
         }
-        if self.found.counted.is_none() {
+        let is_logged = self.found.tests.iter().any(|test| test.residuals.lag_correlation.is_some());
+        if self.found.counted.is_none() && !is_logged {
             say(
                 "identify.untested",
                 "as much is found as was measured: nothing is left that could show a wrong model".to_owned(),
@@ -134,6 +153,9 @@ impl SwingReport {
 
     fn body(&self) -> Section {
         let mut s = Section::new(1, "The body");
+        for line in &self.sources {
+            s.say(format!("{line}."));
+        }
         s.say("The tensor is about the centre of mass, along the body's axes; a number without an error was given as exact.");
         let numbers: Vec<Number> = self
             .found

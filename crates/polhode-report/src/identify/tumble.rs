@@ -2,7 +2,7 @@
 
 use polhode::body::{Finding, Severity};
 use polhode_identify::NextExperiment;
-use polhode_identify::tumble::{FlightFit, NextFlight, Tumble};
+use polhode_identify::tumble::{Flaw, FlightFit, NextFlight, Tumble};
 use serde_json::{Value, json};
 
 use super::next::Named;
@@ -92,6 +92,14 @@ impl TumbleReport {
         let mut say = |code: &'static str, message: String| {
             findings.push(Finding { code, severity: Severity::Warning, message, place: None });
         };
+        for flaw in &self.tumble.flaws {
+            let code = match flaw {
+                Flaw::Saturated(_) => "identify.saturated",
+                Flaw::Gap { .. } => "identify.gap",
+                _ => "identify.hand",
+            };
+            say(code, flaw.to_string());
+        }
         let left_out: usize = self.tumble.flights.iter().map(|flight| flight.left_out.len()).sum();
         let used: usize = self.tumble.flights.iter().map(|flight| flight.used).sum();
         if left_out > 0 {
@@ -158,6 +166,13 @@ impl TumbleReport {
         s.formula("I ω̇ = I ω × ω + N", "I \\dot\\omega = I \\omega \\times \\omega + N");
         let unit = self.tumble.scale_is_known.then_some("kg·m²");
         estimate::principal(&mut s, &self.tumble.principal, unit);
+        if let Some([small, middle]) = self.tumble.left_handed_ratios() {
+            s.say(format!(
+                "The axes of the gyro are taken for right-handed. Free motion does not show it: with one reversed, i1/i3 = {} and i2/i3 = {}.",
+                number(small, 4),
+                number(middle, 4)
+            ));
+        }
         s.say("The tensor along the axes of the sensor, and what else was found:");
         estimate::table(&mut s, &self.tumble.estimate.numbers);
         estimate::relations(&mut s, &self.tumble.estimate);
@@ -243,6 +258,7 @@ impl TumbleReport {
             "kind": "tumble",
             "title": self.title,
             "scale_is_known": tumble.scale_is_known,
+            "left_handed_ratios": tumble.left_handed_ratios(),
             "estimate": estimate::to_json(&tumble.estimate),
             "principal": estimate::principal_to_json(&tumble.principal),
             "widening": tumble.widening,

@@ -148,14 +148,6 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
             scratch.write("slew-torque.csv", "older");
             scratch.write("slew-torque.parquet", "older");
         }
-        "thrown" => {
-            let log = fs::read_to_string(crate::common::example("identify/racket-like.csv")).unwrap();
-            scratch.write("thrown.csv", &log);
-            // A quarter of the noise that it has.
-            let keys =
-                "log = \"thrown.csv\"\nflights = \"find\"\ngyro = { bias = true, noise = \"5 mrad/s\" }\n";
-            scratch.write("thrown.toml", &format!("[tumble]\n{keys}"));
-        }
         "measured" => {
             let log = fs::read_to_string(crate::common::example("identify/payload.csv")).unwrap();
             let rows: Vec<&str> = log.lines().take(62).collect();
@@ -165,6 +157,24 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
             let keys = "log = \"payload.csv\"\nwrench = \"on sensor\"\nbias = true\n";
             scratch.write("payload.toml", &format!("[payload]\n{keys}{noise}"));
         }
+        "thrown" => {
+            // Air, and an error that is no noise.
+            let log = fs::read_to_string(crate::common::example("identify/racket-like.csv")).unwrap();
+            let mut text = String::from("time_s,gyro_x,gyro_y,gyro_z\n");
+            for line in log.lines().skip(2).step_by(3) {
+                let row: Vec<f64> = line.split(',').map(|x| x.parse().unwrap()).collect();
+                let (slower, wrong) = ((-0.08 * (row[0] % 2.45)).exp(), 0.05 * (60.0 * row[0]).sin());
+                text += &format!(
+                    "{},{},{},{}\n",
+                    row[0],
+                    slower * row[1] + wrong,
+                    slower * row[2],
+                    slower * row[3]
+                );
+            }
+            scratch.write("gyro.csv", &text);
+        }
+        "hung" => {}
         "given" => {
             fs::copy(crate::common::example("slew.toml"), scratch.0.join("slew.toml")).unwrap();
         }

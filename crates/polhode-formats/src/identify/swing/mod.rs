@@ -1,5 +1,6 @@
 //! `[swing]`: the periods of a body that hangs on wires or turns about an axis.
 
+mod log;
 mod number;
 mod rig;
 
@@ -7,13 +8,14 @@ use polhode_identify::swing::{
     AmplitudeReading, Counted, Damping, Interval, Measured, Measurement, SwingPlan, SwingTest,
 };
 
+use super::read_log::ReadLog;
 use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
 use crate::unit::Dimension;
 use number::{Numbers, measured};
 
 /// Reads `[swing]`.
-pub(super) fn plan(table: &Table<'_>) -> Result<SwingPlan, FormatError> {
+pub(super) fn plan(table: &Table<'_>, logs: &mut Vec<ReadLog>) -> Result<SwingPlan, FormatError> {
     table.allow(&["mass", "center", "gravity", "numbers", "test"])?;
     let mass = table.require("mass", "mass = { value = \"3.2 kg\", sd = \"1 g\" }")?;
     let mass_measured = measured(&mass, Dimension::MASS)?;
@@ -42,12 +44,24 @@ pub(super) fn plan(table: &Table<'_>) -> Result<SwingPlan, FormatError> {
             return Err(value.invalid("another name than that of a test before"));
         }
         names.push(name);
-        let made = self::test(&test, name, &mut numbers)?;
+        let made = self::test(&test, name, &mut numbers, logs)?;
         rig::hangs(&test, &made, center)?;
         numbers.plan.add(made);
     }
     if names.is_empty() {
         return Err(tests.invalid("one test at least"));
+    }
+    let is_upright = |test: &Table<'_>| Ok(test.require("rig", "")?.string()? == "spindle");
+    if let Some(gravity) = table.get("gravity")
+        && tests
+            .tables("swing.test")?
+            .iter()
+            .map(is_upright)
+            .collect::<Result<Vec<_>, _>>()?
+            .iter()
+            .all(|is| *is)
+    {
+        return Err(gravity.invalid("left out: the weight has no part in swings about upright axes"));
     }
     numbers.all_used()?;
     Ok(numbers.plan)
@@ -62,13 +76,25 @@ fn center(value: &Value<'_>) -> Result<[Measured; 3], FormatError> {
 }
 
 /// Reads `[[swing.test]]`.
-fn test<'a>(table: &Table<'a>, name: &str, numbers: &mut Numbers<'a>) -> Result<SwingTest, FormatError> {
+fn test<'a>(
+    table: &Table<'a>,
+    name: &str,
+    numbers: &mut Numbers<'a>,
+    logs: &mut Vec<ReadLog>,
+) -> Result<SwingTest, FormatError> {
     let (rig, body) = rig::rig(table, name, numbers)?;
     let fixture = rig::fixture(table, name, numbers)?;
     if let (None, None, Some(value)) = (&body, &fixture, table.get("body")) {
         return Err(value.invalid("true, or something else hangs there: fixture = { ... }"));
     }
     let air = rig::air(table, name, numbers)?;
+    let given = table.at_most_one(&["counted", "logged"], "a test has counted swings, or a log")?;
+    if let Some(logged) = given.filter(|given| given.key() == "logged") {
+        let (logged, read) = log::logged(&logged)?;
+        logs.push(read);
+        let measurement = Measurement::Logged(logged);
+        return Ok(SwingTest { name: name.to_owned(), body, fixture, rig, air, measurement });
+    }
     let counted = table.require(
         "counted",
         "counted = { swings = 20, time = \"31.4 s\", sd = \"0.05 s\", amplitude = [\"12 deg\", \"9 deg\"], amplitude_sd = \"0.5 deg\" }",
@@ -90,14 +116,11 @@ fn counted(value: &Value<'_>) -> Result<Counted, FormatError> {
     let given =
         table.require("amplitude", "amplitude = [\"12 deg\", \"9 deg\"], at the beginning and at the end")?;
     let amplitudes = amplitudes(&given, swings, sd)?;
-    let (damping, needed) = match table.get("damping") {
-        Some(damping) => match damping.choice(&["none", "viscous", "quadratic", "both"])? {
-            "none" => (Damping::None, 1),
-            "viscous" => (Damping::Viscous, 2),
-            "quadratic" => (Damping::Quadratic, 2),
-            _ => (Damping::Both, 3),
-        },
-        None => (Damping::Viscous, 2),
+    let damping = table.get("damping").map_or(Ok(Damping::Viscous), |value| self::damping(&value))?;
+    let needed = match damping {
+        Damping::None => 1,
+        Damping::Viscous | Damping::Quadratic => 2,
+        Damping::Both => 3,
     };
     if amplitudes.len() < needed {
         let error = given.invalid(format!("{needed} amplitudes at least: they show the damping"));
@@ -105,6 +128,15 @@ fn counted(value: &Value<'_>) -> Result<Counted, FormatError> {
     }
     let intervals = vec![Interval { from: 0.0, to: swings, time, sd: time_sd }];
     Ok(Counted { intervals, amplitudes, damping })
+}
+
+fn damping(value: &Value<'_>) -> Result<Damping, FormatError> {
+    Ok(match value.choice(&["none", "viscous", "quadratic", "both"])? {
+        "none" => Damping::None,
+        "viscous" => Damping::Viscous,
+        "quadratic" => Damping::Quadratic,
+        _ => Damping::Both,
+    })
 }
 
 /// One; those at the beginning and at the end; or `{ after = 10, value = "11 deg" }` of any count.

@@ -9,7 +9,7 @@ use crate::scenario::reader::{Table, Value};
 use crate::unit::Dimension;
 
 const RIGS: [&str; 6] = ["bifilar", "trifilar", "torsion", "wires", "compound", "spindle"];
-const COMMON: [&str; 7] = ["name", "comment", "rig", "body", "fixture", "air", "counted"];
+const COMMON: [&str; 8] = ["name", "comment", "rig", "body", "fixture", "air", "counted", "logged"];
 /// Where the body is in a rig with wires.
 const PLACE: [&str; 3] = ["up", "across", "point"];
 
@@ -235,6 +235,12 @@ pub(super) fn air<'a>(test: &Table<'a>, name: &str, numbers: &mut Numbers<'a>) -
     let Some(value) = test.get("air") else { return Ok(Air::default()) };
     let table = value.table()?;
     table.allow(&["moment", "displaced"])?;
+    if table.get("moment").or_else(|| table.get("displaced")).is_none() {
+        return Err(table.missing("moment", "moment = \"1e-5 kg m^2\", or displaced = \"2 g\""));
+    }
+    if let (Some(displaced), "spindle") = (table.get("displaced"), test.require("rig", "")?.string()?) {
+        return Err(displaced.invalid("left out: the weight has no part in the swing about an upright axis"));
+    }
     let name = format!("{name}: air");
     Ok(Air {
         moment: numbers.or_zero(&table, "moment", Dimension::INERTIA, &name)?,

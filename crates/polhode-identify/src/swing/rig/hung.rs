@@ -32,6 +32,9 @@ const ALL: usize = STATE + WIRES + 3 * OF_WIRE;
 /// How far a body at rest may be turned from the attitude in which it was described: cos ½·30°.
 const AS_DESCRIBED: f64 = 0.966;
 
+/// What the centre's height above two wires may be wrong by, in the square of a rate over that of the twist.
+const NEARLY_FREE: f64 = 0.1;
+
 /// The least part of a motion's kinetic energy that makes it a twist.
 const TWIST: f64 = 0.6;
 
@@ -175,6 +178,14 @@ impl Hung {
         )?;
         let square = modes.eigenvalues[best];
         IdentifyError::require("the square of the twist's rate at rest", square, square > 0.0, "above zero")?;
+        // Two wires let a body roll about the line of their lower ends, nearly freely if its centre is nearly there.
+        let least = modes.eigenvalues.min() / square;
+        IdentifyError::require(
+            "the square of the rate of a small motion besides the twist, over the twist's",
+            least,
+            least >= if self.wires == 2 { -NEARLY_FREE } else { -1e-9 },
+            "zero or more: where the body is described it would turn over, its centre is too high for these wires",
+        )?;
         let mut mode = vec![0.0; n];
         (0..3).for_each(|k| mode[k] = shapes[(k, best)]);
         let turned = &turn * shapes.view((3, best), (3, 1));

@@ -1,3 +1,4 @@
+mod axes;
 mod behaviour;
 mod exact;
 mod motions;

@@ -1,7 +1,7 @@
 //! Motion that is measured with noise.
 
-use polhode_identify::ResidualTest;
-use polhode_identify::payload::{MotionNoise, PayloadLog, WrenchNoise};
+use polhode_identify::payload::{MotionNoise, PayloadLog, WrenchNoise, identify_payload};
+use polhode_identify::{IdentifyError, ResidualTest};
 
 use super::statistics::Statistics;
 use super::wrist::{Carried, Course, noisy, rows, shaken};
@@ -71,4 +71,35 @@ fn errors_hold_where_the_motion_is_hardly_larger_than_its_noise() {
     let ratio = said.of_draws(&said.mean_said());
     println!("much motion noise: {said} {ratio:?}, possible {all}");
     assert!(said.bias() < 0.15 && (0.9..1.1).contains(&said.normalised()), "{said}");
+}
+
+/// Logs that are hardly more than noise have an answer that holds, with less that is known; hardly one is refused, of a motion that is hidden altogether.
+#[test]
+fn logs_that_are_mostly_noise_have_an_answer() {
+    let (mut refused, mut all) = (0, 0);
+    for carried in [Carried::generic(), Carried::plate(), Carried::rod()] {
+        let truth = carried.about_center()[0];
+        for rate in [0.1, 0.3, 1.0] {
+            let exact = rows(&carried, Course::Generic(rate), 300, SENSE);
+            for shaking in [[0.03, 0.6, 0.05], [0.1, 2.0, 0.2], [0.3, 6.0, 0.5], [0.05, 6.0, 0.05]] {
+                let [omega, alpha, acceleration] = shaking;
+                for seed in 0..6 {
+                    let measured = shaken(&noisy(&exact, FORCE, TORQUE, seed), shaking, seed);
+                    let noise = MotionNoise { omega, alpha, acceleration };
+                    all += 1;
+                    match identify_payload(&log(measured).with_motion_noise(noise).unwrap()) {
+                        Ok(found) => {
+                            let mass = &found.about_center.numbers[0];
+                            let is_right = mass.sd.is_none_or(|sd| (mass.value - truth).abs() < 5.0 * sd);
+                            assert!(is_right, "{rate} {shaking:?} {seed}: {mass:?}, {truth}");
+                        }
+                        Err(IdentifyError::NoConvergence { .. }) => refused += 1,
+                        Err(error) => panic!("{rate} {shaking:?} {seed}: {error}"),
+                    }
+                }
+            }
+        }
+    }
+    println!("{refused} of {all} refused");
+    assert!(refused <= 4, "{refused} of {all}");
 }

@@ -1,0 +1,78 @@
+//! `logged = { log = "swing.csv", … }`: the angle of a swing, or its rate, in the course of time.
+
+use polhode_identify::swing::{Damping, Logged, Signal};
+
+use super::super::number_log;
+use super::super::read_log::ReadLog;
+use super::super::wrench_columns::{Columns, Header, Told, Wrong};
+use super::super::wrench_quantity::{Quantity, TIME};
+use super::damping;
+use crate::error::FormatError;
+use crate::scenario::reader::Value;
+use crate::unit::Dimension;
+
+const ANGLE: Quantity = Quantity {
+    key: "angle",
+    what: "the angle",
+    dimension: Dimension::ANGLE,
+    axes: &[""],
+    names: &["angle", "theta", "twist"],
+    example: "angle_deg",
+};
+const RATE: Quantity = Quantity {
+    key: "rate",
+    what: "the rate",
+    dimension: Dimension::ANGULAR_VELOCITY,
+    axes: &[""],
+    names: &["rate", "omega", "gyro"],
+    example: "rate_rad_s",
+};
+
+/// Reads `logged = { log, sd, columns, units, from, to, damping }`.
+pub(super) fn logged(value: &Value<'_>) -> Result<(Logged, ReadLog), FormatError> {
+    let table = value.table()?;
+    table.allow(&["log", "signal", "sd", "columns", "units", "from", "to", "damping"])?;
+    let signal = table.require("signal", "signal = \"angle\", or \"rate\" of a gyro along the axis")?;
+    let (signal, quantity) = match signal.choice(&["angle", "rate"])? {
+        "angle" => (Signal::Angle, &ANGLE),
+        _ => (Signal::Rate, &RATE),
+    };
+    let sd = table.require("sd", "sd = \"0.2 deg\", or \"0.01 rad/s\" of a rate: of each value")?;
+    let sd = sd.positive(quantity.dimension)?;
+    let log = table.require("log", "log = \"swing.csv\", with time_s and angle_deg or rate_rad_s")?;
+    let told = Told {
+        columns: table.get("columns").map(|columns| columns.table()).transpose()?,
+        units: table.get("units").map(|units| units.table()).transpose()?,
+    };
+    let time = |key, or| table.get(key).map_or(Ok(or), |value| value.quantity(Dimension::TIME));
+    let (from, to) = (time("from", f64::NEG_INFINITY)?, time("to", f64::INFINITY)?);
+    let (mut times, mut values) = (Vec::new(), Vec::new());
+    let read = number_log::read(
+        &log,
+        |header| columns(header, &told, quantity),
+        |row, _| {
+            if (from..=to).contains(&row[0]) {
+                times.push(row[0]);
+                values.push(row[1]);
+            }
+            Ok(())
+        },
+    )?;
+    if let (true, Some(value)) = (times.is_empty(), table.get("from").or_else(|| table.get("to"))) {
+        return Err(value.invalid("inside the log: no row is left"));
+    }
+    let damping = table.get("damping").map_or(Ok(Damping::Viscous), |value| damping(&value))?;
+    Ok((Logged { times, values, sd, signal, damping }, read))
+}
+
+fn columns(header: &Header<'_>, told: &Told<'_>, signal: &Quantity) -> Result<Columns, Wrong> {
+    let keys: [&'static str; 2] = [TIME.key, signal.key];
+    for table in [&told.columns, &told.units].into_iter().flatten() {
+        table.allow(&keys)?;
+    }
+    let mut found = Columns::default();
+    found.add(&TIME, header, told)?;
+    found.add(signal, header, told)?;
+    found.ignore_others(header);
+    Ok(found)
+}

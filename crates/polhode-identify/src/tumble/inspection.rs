@@ -1,0 +1,74 @@
+//! What is wrong with readings: flights are looked at.
+
+use super::cut::{free_span, tensor_of_most};
+use super::first_guess::Rates;
+use super::flaw::Flaw;
+use super::flight::Flight;
+use super::gap::gaps;
+use super::range::GyroRange;
+use super::tumble::Tumble;
+
+/// Up to this part of |I ω²| a torque may be the air's.
+const TORQUE: f64 = 0.2;
+/// Standard deviations of the noise that are no torque.
+const NOISE: f64 = 6.0;
+
+/// What is wrong with flights, of which so much was found.
+pub(super) fn flaws(flights: &[Flight], range: &GyroRange, found: &Tumble) -> Vec<Flaw> {
+    let mut flaws: Vec<Flaw> = range.reached(flights).into_iter().map(Flaw::Saturated).collect();
+    for flight in flights {
+        let times: Vec<f64> = flight.gyro().iter().map(|r| r.time).collect();
+        let tracked: Vec<f64> = flight.attitudes().iter().map(|r| r.time).collect();
+        for times in [times, tracked] {
+            flaws.extend(gaps(&times).map(|[from, to]| Flaw::Gap {
+                flight: flight.name().to_owned(),
+                from,
+                to,
+            }));
+        }
+    }
+    let noise = found.residuals.first().map_or(0.0, |test| test.noise);
+    let left_out: Vec<&[f64]> = found.flights.iter().map(|fit| &fit.left_out[..]).collect();
+    flaws.extend(hands(flights, range, noise, &left_out));
+    flaws
+}
+
+/// Flights in which a hand turns the body at the beginning or the end. Of each flight the times of readings that were left out, if it was fitted.
+pub(super) fn hands(flights: &[Flight], range: &GyroRange, noise: f64, left_out: &[&[f64]]) -> Vec<Flaw> {
+    let left_out = left_out.iter().copied().chain(core::iter::repeat(&[][..]));
+    let free: Vec<(&Flight, &[f64], Rates)> = flights
+        .iter()
+        .zip(left_out)
+        // What is known to turn the body is no hand.
+        .filter(|(f, _)| !f.gyro().is_empty() && f.wheels().is_empty() && f.torques().is_empty())
+        .map(|(f, left_out)| (f, left_out, Rates::of(&f.of_gyro_readings(|reading| range.holds(reading)))))
+        .filter(|(.., rates)| rates.times.len() >= LEAST)
+        .collect();
+    if free.is_empty() {
+        return Vec::new();
+    }
+    let tensor = tensor_of_most(free.iter().map(|(.., rates)| rates.middle().without_gaps()).collect());
+    let hand = |(flight, left_out, rates): (&Flight, &[f64], Rates)| {
+        let given = [rates.times[0], rates.times[rates.times.len() - 1]];
+        let [begin, end] = free_span(&rates, &tensor, TORQUE, NOISE * noise).unwrap_or(given);
+        let [first, last] = used_span(&rates.times, left_out);
+        let free = [begin.max(first), end.min(last)];
+        (free != given).then(|| Flaw::Hand { flight: flight.name().to_owned(), free, given })
+    };
+    free.into_iter().filter_map(hand).collect()
+}
+
+/// The first and the last time of readings without those at the ends that were left out, if there are several.
+fn used_span(times: &[f64], left_out: &[f64]) -> [f64; 2] {
+    let is_used = |time: &f64| !left_out.contains(time);
+    let last = times.len() - 1;
+    let first_used = times.iter().position(is_used).filter(|&k| k >= SEVERAL);
+    let last_used = times.iter().rposition(is_used).filter(|&k| last - k >= SEVERAL);
+    [times[first_used.unwrap_or(0)], times[last_used.unwrap_or(last)]]
+}
+
+/// Readings at the end of a flight that were left out.
+const SEVERAL: usize = 4;
+
+/// Readings of a flight in which a hand can be seen.
+const LEAST: usize = 20;

@@ -5,18 +5,25 @@ use polhode::body::mesh::{ClosedMesh, MeshDerivatives, TriangleMesh};
 use polhode::body::shape::{Shape as _, Substance};
 use polhode::body::{
     AssemblyDerivatives, BodyError, MassProperties, MassPropertiesDerivative, MassPropertiesGradient,
-    Particle, ParticleDerivatives, PlacedPart,
+    PartDerivatives, Particle, ParticleDerivatives, PlacedPart,
 };
-use polhode::math::{Body, Direction, Frame, Part, Position, Rotation};
+use polhode::math::{Body, Direction, Part, Position, Rotation};
 use polhode_report::{InertiaReport, SourceInfo};
 use pyo3::prelude::*;
 
-use crate::arrays::{cube, numbers, room, row, rows, table};
+use crate::arrays::{cube, numbers, room, rows, table};
 use crate::error::{Raise, refused};
 use crate::mass_properties::PyMassProperties;
 use crate::substance::Given;
 
-/// By the masses of particles (10, n), and by their positions (10, n, 3).
+/// By each particle: arrays (10, n) and (10, n, 3).
+#[derive(Debug, IntoPyObject)]
+pub(crate) struct ByParticles<'py> {
+    by_masses: Bound<'py, PyArray2<f64>>,
+    by_positions: Bound<'py, PyArray3<f64>>,
+}
+
+/// By the masses of particles, and by their positions.
 ///
 /// # Errors
 /// `PolhodeError` without particles, or if a derivative is too large for a number.
@@ -25,22 +32,22 @@ pub(crate) fn particle_derivatives<'py>(
     py: Python<'py>,
     masses: PyReadonlyArray1<'py, f64>,
     positions: PyReadonlyArray2<'py, f64>,
-) -> PyResult<(Bound<'py, PyArray2<f64>>, Bound<'py, PyArray3<f64>>)> {
+) -> PyResult<ByParticles<'py>> {
     let (masses, positions) = (numbers(&masses)?, rows::<3>(&positions)?);
     room::<f64>("the derivatives", masses.len().checked_mul(80))?;
-    let (by_masses, by_positions) = py
+    let n = masses.len();
+    let [by_masses, by_positions] = py
         .detach(|| {
             let each = masses.iter().zip(positions);
             let particles = each.map(|(&mass, &place)| Particle::new(mass, Position::from_array(place)));
             let by = ParticleDerivatives::<Body>::of(&particles.collect::<Result<Vec<_>, _>>()?)?;
-            let by_masses = columns(by.iter().map(|of| of.by_mass));
-            Ok((by_masses, columns(by.iter().flat_map(|of| of.by_position))))
+            Ok([columns(by.iter().map(|of| of.by_mass)), columns(by.iter().flat_map(|of| of.by_position))])
         })
         .map_err(|error: BodyError| error.raise())?;
-    Ok((
-        table(py, finite(by_masses)?, masses.len())?,
-        cube(py, finite(by_positions)?, [10, masses.len(), 3])?,
-    ))
+    Ok(ByParticles {
+        by_masses: table(py, finite(by_masses)?, n)?,
+        by_positions: cube(py, finite(by_positions)?, [10, n, 3])?,
+    })
 }
 
 /// By each part of a body: arrays (10, n), (10, n, 3), (10, n, 3) and (10, n, 10).
@@ -70,21 +77,23 @@ pub(crate) fn body_derivatives<'py>(
         PlacedPart::new(own, point, Rotation::identity())
     };
     let placed: Result<Vec<_>, BodyError> = parts.iter().zip(&about).map(placed).collect();
-    let parts = AssemblyDerivatives::of(&placed.map_err(Raise::raise)?).map_err(Raise::raise)?.parts;
-    let units = unit_changes();
-    let (own, n) = (columns(parts.iter().flat_map(|part| units.map(|unit| part.by(&unit)))), parts.len());
+    let (placed, n) = (placed.map_err(Raise::raise)?, parts.len());
+    let [masses, positions, rotations, own] = py
+        .detach(|| {
+            let AssemblyDerivatives { parts, .. } = AssemblyDerivatives::of(&placed)?;
+            let units = unit_changes();
+            Ok([
+                columns(parts.iter().map(PartDerivatives::by_mass)),
+                columns(parts.iter().flat_map(PartDerivatives::by_position)),
+                columns(parts.iter().flat_map(PartDerivatives::by_rotation)),
+                columns(parts.iter().flat_map(|part| units.map(|unit| part.by(&unit)))),
+            ])
+        })
+        .map_err(|error: BodyError| error.raise())?;
     Ok(ByParts {
-        by_masses: table(py, finite(columns(parts.iter().map(|part| part.by_mass())))?, n)?,
-        by_positions: cube(
-            py,
-            finite(columns(parts.iter().flat_map(|part| part.by_position())))?,
-            [10, n, 3],
-        )?,
-        by_rotations: cube(
-            py,
-            finite(columns(parts.iter().flat_map(|part| part.by_rotation())))?,
-            [10, n, 3],
-        )?,
+        by_masses: table(py, finite(masses)?, n)?,
+        by_positions: cube(py, finite(positions)?, [10, n, 3])?,
+        by_rotations: cube(py, finite(rotations)?, [10, n, 3])?,
         by_parts: cube(py, finite(own)?, [10, n, 10])?,
     })
 }
@@ -139,13 +148,13 @@ impl PyMeshDerivatives {
     /// By the mass (10,).
     #[getter]
     fn by_mass<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        Ok(row(py, derivative_row(&self.derivatives()?.by_mass())))
+        Ok(PyArray1::from_vec(py, finite(columns([self.derivatives()?.by_mass()]))?))
     }
 
     /// By the density (10,).
     #[getter]
     fn by_density<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        Ok(row(py, derivative_row(&self.derivatives()?.by_density())))
+        Ok(PyArray1::from_vec(py, finite(columns([self.derivatives()?.by_density()]))?))
     }
 
     /// By the vertices (k, n, 3), of k numbers that depend on the mass properties, from their derivatives by these (k, 10).
@@ -200,13 +209,13 @@ fn found(solid: &ClosedMesh, points: &[[f64; 3]], corners: &[[u32; 3]]) -> PyRes
 }
 
 /// The ten numbers that a change changes.
-fn derivative_row<F: Frame>(by: &MassPropertiesDerivative<F>) -> [f64; 10] {
+fn derivative_row<F>(by: &MassPropertiesDerivative<F>) -> [f64; 10] {
     let ([x, y, z], [xx, yy, zz, xy, xz, yz]) = (by.center_of_mass.to_array(), by.inertia);
     [by.mass, x, y, z, xx, yy, zz, xy, xz, yz]
 }
 
 /// The derivatives of a number by the ten.
-pub(crate) fn gradient_row<F: Frame>(of: &MassPropertiesGradient<F>) -> [f64; 10] {
+pub(crate) fn gradient_row<F>(of: &MassPropertiesGradient<F>) -> [f64; 10] {
     let ([x, y, z], [xx, yy, zz, xy, xz, yz]) = (of.by_center_of_mass.to_array(), of.by_inertia);
     [of.by_mass, x, y, z, xx, yy, zz, xy, xz, yz]
 }
@@ -232,8 +241,8 @@ fn unit_changes() -> [MassPropertiesDerivative<Part>; 10] {
 }
 
 /// Ten rows with a column for each change.
-fn columns(changes: impl Iterator<Item = MassPropertiesDerivative<Body>>) -> Vec<f64> {
-    let changes: Vec<_> = changes.map(|by| derivative_row(&by)).collect();
+fn columns<F>(changes: impl IntoIterator<Item = MassPropertiesDerivative<F>>) -> Vec<f64> {
+    let changes: Vec<_> = changes.into_iter().map(|by| derivative_row(&by)).collect();
     (0..10).flat_map(|number| changes.iter().map(move |by| by[number])).collect()
 }
 

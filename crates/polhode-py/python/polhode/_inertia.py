@@ -10,7 +10,6 @@ import numpy.typing as npt
 
 from . import _arrays, _native, _step
 from ._error import PolhodeError
-from ._mass_derivatives import checked_mesh
 from ._mass_properties import MassProperties
 from ._robot import positions
 from ._substance import given
@@ -209,7 +208,7 @@ def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) 
             "union": bool(options["union"]),
         }
         if path is None:
-            return MassProperties._of(_native.mesh_arrays(*checked_mesh(*source), how, substance))
+            return MassProperties._of(_native.mesh_arrays(*_arrays.mesh(*source), how, substance))
         ending = _ending(path)
         return MassProperties._of(_native.mesh_file(path, "gltf" if ending == "glb" else ending, how, substance))
     assert path is not None

@@ -75,7 +75,7 @@ def particle_derivatives(*, masses: npt.ArrayLike, positions: npt.ArrayLike) -> 
     """
     weights, places = checked_particles(masses, positions)
     values = ten(MassProperties._of(_native.MassProperties.of_particles(weights, places)))
-    return ParticleDerivatives(values, *_native.particle_derivatives(weights, places))
+    return ParticleDerivatives(values=values, **_native.particle_derivatives(weights, places))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -261,16 +261,8 @@ def mesh_derivatives(
     if len(mesh) != 2:
         raise PolhodeError(f"mesh is a tuple of {len(mesh)}: it is (vertices, triangles)")
     substance = given(density=density, mass=mass, material=material)
-    vertices, triangles = checked_mesh(*mesh)
+    vertices, triangles = _arrays.mesh(*mesh)
     # Copies, as what was given may change.
     made = MeshDerivatives(vertices.copy(), triangles.copy(), substance)
     made.mass_properties._heard()
     return made
-
-
-def checked_mesh(vertices: npt.ArrayLike, triangles: npt.ArrayLike) -> tuple[Floats, npt.NDArray[np.uint32]]:
-    """Vertices (n, 3), and the numbers of three of them for each triangle (m, 3)."""
-    points = _arrays.numbers("vertices", vertices, ("n", 3))
-    if not len(points):
-        raise PolhodeError("vertices has no rows")
-    return points, _arrays.indices("triangles", triangles, ("m", 3), len(points))

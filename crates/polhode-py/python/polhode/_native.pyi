@@ -95,6 +95,10 @@ class Derived(TypedDict):
     parameters: list[str]
     events: list[DerivedEvent]
 
+class ByParticles(TypedDict):
+    by_masses: Floats
+    by_positions: Floats
+
 class ByParts(TypedDict):
     by_masses: Floats
     by_positions: Floats
@@ -295,7 +299,7 @@ class Dataset:
 def simulate(
     path: str, text: str | None, times: Floats | None, error: str, derivatives: list[str] | None
 ) -> Motion: ...
-def particle_derivatives(masses: Floats, positions: Floats) -> tuple[Floats, Floats]: ...
+def particle_derivatives(masses: Floats, positions: Floats) -> ByParticles: ...
 def body_derivatives(parts: list[MassProperties], about: list[list[float]]) -> ByParts: ...
 def carried_covariance(by_start: Floats, by_inertia: Floats, by_parameters: Floats, joint: Floats) -> Floats: ...
 def identify_plan(path: str, text: str | None, is_written: bool) -> Identified: ...

@@ -208,11 +208,11 @@ class MeshDerivatives(Record):
         >>> bool(np.isclose(np.sum(by_vertices * vertices), 5 * wedge.mass_properties.moments[2], rtol=1e-13))
         True
         """
-        given = _arrays.real("of_number", of_number)
-        if given.ndim < 1 or given.shape[-1] != 10:
-            raise PolhodeError(f"of_number must have the shape (10,) or (…, 10), a column for each of rows, not {given.shape}")
-        flat = _arrays.numbers("of_number", given, given.shape).reshape(-1, 10)
-        return self._solid.gradient(flat).reshape(*given.shape[:-1], len(self.vertices), 3)
+        rows = _arrays.real("of_number", of_number)
+        if rows.ndim < 1 or rows.shape[-1] != 10:
+            raise PolhodeError(f"of_number must have the shape (10,) or (…, 10), a column for each of rows, not {rows.shape}")
+        flat = _arrays.numbers("of_number", rows, rows.shape).reshape(-1, 10)
+        return self._solid.gradient(flat).reshape(*rows.shape[:-1], len(self.vertices), 3)
 
     def __getstate__(self) -> dict[str, Any]:
         return {field.name: getattr(self, field.name) for field in fields(self)}

@@ -16,6 +16,8 @@ any kind that has an exact float64.
 
 from __future__ import annotations
 
+from types import FunctionType as _Function
+
 from . import plot, shapes
 from ._body import Body
 from ._check import CheckReport, ModelFinding, check
@@ -116,7 +118,7 @@ __all__ = [
     "simulate",
 ]
 
-# Messages and copies in other processes name them as users do.
+# Messages and copies in other processes name them as users do, and doctest finds the examples of their methods.
 for _public in (
     Body,
     BodyDerivatives,
@@ -164,4 +166,7 @@ for _public in (
     Unconstrained,
 ):
     _public.__module__ = __name__
-del _public
+    for _name, _member in vars(_public).items():
+        if isinstance(_member, _Function) and not _name.startswith("_"):
+            _member.__module__ = __name__
+del _public, _name, _member

@@ -3,8 +3,8 @@
 //! What comes in is checked in Python (`_arrays.py`): here an array has its shape, its numbers are finite and lie in order. What
 //! goes out gives its memory away, and is not copied.
 
-use numpy::ndarray::{Array1, Array2};
-use numpy::{IntoPyArray as _, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
+use numpy::ndarray::{Array1, Array2, Array3};
+use numpy::{IntoPyArray as _, PyArray1, PyArray2, PyArray3, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 
@@ -58,6 +58,16 @@ pub(crate) fn table<'py>(
     let table =
         Array2::from_shape_vec((rows, columns), numbers).map_err(|error| refused(error.to_string(), None))?;
     Ok(table.into_pyarray(py))
+}
+
+/// Matrices one behind the other.
+pub(crate) fn cube<'py>(
+    py: Python<'py>,
+    numbers: Vec<f64>,
+    shape: [usize; 3],
+) -> PyResult<Bound<'py, PyArray3<f64>>> {
+    let cube = Array3::from_shape_vec(shape, numbers).map_err(|error| refused(error, None))?;
+    Ok(cube.into_pyarray(py))
 }
 
 /// The numbers of an array, where they lie.

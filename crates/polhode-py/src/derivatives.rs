@@ -1,14 +1,15 @@
 //! Derivatives of states as arrays, and covariances carried by them.
 
-use numpy::ndarray::{Array3, ArrayView2};
-use numpy::{IntoPyArray as _, PyArray1, PyArray2, PyArray3, PyReadonlyArray2, PyReadonlyArray3};
+use numpy::ndarray::ArrayView2;
+use numpy::{PyArray1, PyArray2, PyArray3, PyReadonlyArray2, PyReadonlyArray3};
 use polhode::math::{AngularVelocity, Attitude};
 use polhode::motion::torque::{TorqueModel, TorqueParameter};
-use polhode::motion::{CrossingDerivatives, Event, State, StateDerivatives, TrajectoryDerivatives};
+use polhode::motion::{CrossingDerivatives, Event, Rotor, State, StateDerivatives, TrajectoryDerivatives};
 use pyo3::prelude::*;
 
-use crate::arrays::{matrix, row, signed, table};
+use crate::arrays::{cube, matrix, row, signed, table};
 use crate::error::refused;
+use crate::mass_derivatives::gradient_row;
 
 /// States and their derivatives: rows θ1 θ2 θ3 ω1 ω2 ω3 (n, 6, …), columns as `StateDerivatives` has them, and the parameters.
 #[derive(Debug, IntoPyObject)]
@@ -19,6 +20,7 @@ pub(crate) struct Derived<'py> {
     by_start: Bound<'py, PyArray3<f64>>,
     by_inertia: Bound<'py, PyArray3<f64>>,
     by_parameters: Bound<'py, PyArray3<f64>>,
+    inertia_by_mass_properties: Bound<'py, PyArray2<f64>>,
     parameters: Vec<String>,
     events: Vec<DerivedEvent<'py>>,
 }
@@ -39,13 +41,18 @@ pub(crate) struct DerivedEvent<'py> {
 }
 
 /// States of a motion that has no parameters and no events.
-pub(crate) fn derived_states<'py>(py: Python<'py>, states: &[StateDerivatives]) -> PyResult<Derived<'py>> {
-    derived(py, states, &[], Vec::new(), Vec::new())
+pub(crate) fn derived_states<'py>(
+    py: Python<'py>,
+    rotor: &Rotor,
+    states: &[StateDerivatives],
+) -> PyResult<Derived<'py>> {
+    derived(py, rotor, states, &[], Vec::new(), Vec::new())
 }
 
 /// A whole run, by the parameters of these names, with these events.
 pub(crate) fn derived_run<'py>(
     py: Python<'py>,
+    rotor: &Rotor,
     run: &TrajectoryDerivatives,
     parameters: &[String],
     events: &[Event],
@@ -67,11 +74,12 @@ pub(crate) fn derived_run<'py>(
         })
     };
     let crossings = run.events.iter().map(event).collect::<PyResult<_>>()?;
-    derived(py, &run.states, &run.by_parameters, parameters.to_vec(), crossings)
+    derived(py, rotor, &run.states, &run.by_parameters, parameters.to_vec(), crossings)
 }
 
 fn derived<'py>(
     py: Python<'py>,
+    rotor: &Rotor,
     states: &[StateDerivatives],
     by_parameters: &[Vec<[f64; 6]>],
     parameters: Vec<String>,
@@ -93,10 +101,21 @@ fn derived<'py>(
         by_start: of(|of| &of.by_start)?,
         by_inertia: of(|of| &of.by_inertia)?,
         by_parameters: cube(py, columns, [n, 6, parameters.len()])?,
+        inertia_by_mass_properties: matrix(py, &inertia_by_mass_properties(rotor))?,
         parameters,
         events,
     })
 }
+
+/// How the tensor about the point that the body turns about depends on its mass properties.
+fn inertia_by_mass_properties(rotor: &Rotor) -> [[f64; 10]; 6] {
+    let by_inertia = core::array::from_fn(|i| core::array::from_fn(|j| if i == j { 1.0 } else { 0.0 }));
+    let itself = StateDerivatives { state: NOWHERE, by_start: [[0.0; 6]; 6], by_inertia };
+    itself.by_mass_properties(rotor).map(|of| gradient_row(&of))
+}
+
+/// Of derivatives of which the state does not matter.
+const NOWHERE: State = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO };
 
 /// Columns of six as six rows.
 fn transposed(columns: &[[f64; 6]]) -> Vec<f64> {
@@ -108,11 +127,6 @@ fn by_parameters<'py>(py: Python<'py>, columns: &[[f64; 6]]) -> PyResult<Bound<'
         0 => Ok(PyArray2::zeros(py, [6, 0], false)),
         count => table(py, transposed(columns), count),
     }
-}
-
-fn cube<'py>(py: Python<'py>, numbers: Vec<f64>, shape: [usize; 3]) -> PyResult<Bound<'py, PyArray3<f64>>> {
-    let cube = Array3::from_shape_vec(shape, numbers).map_err(|error| refused(error, None))?;
-    Ok(cube.into_pyarray(py))
 }
 
 /// Parameters by the keys of numbers of a scenario: `torque[0].stiffness`.
@@ -159,7 +173,6 @@ pub(crate) fn carried_covariance<'py>(
     joint: PyReadonlyArray2<'py, f64>,
 ) -> PyResult<Bound<'py, PyArray3<f64>>> {
     let joint: Vec<Vec<f64>> = joint.as_array().rows().into_iter().map(|row| row.to_vec()).collect();
-    let state = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO };
     let [by_start, by_inertia, by_parameters] =
         [&by_start, &by_inertia, &by_parameters].map(|by| by.as_array());
     let each = by_start.outer_iter().zip(by_inertia.outer_iter()).zip(by_parameters.outer_iter());
@@ -169,7 +182,10 @@ pub(crate) fn carried_covariance<'py>(
                 |of: &ArrayView2<'_, f64>| core::array::from_fn(|i| core::array::from_fn(|j| of[[i, j]]));
             let columns: Vec<[f64; 6]> =
                 others.columns().into_iter().map(|column| core::array::from_fn(|i| column[i])).collect();
-            (StateDerivatives { state, by_start: square(&start), by_inertia: square(&inertia) }, columns)
+            (
+                StateDerivatives { state: NOWHERE, by_start: square(&start), by_inertia: square(&inertia) },
+                columns,
+            )
         };
     let all: Vec<_> = each.map(at).collect();
     let carried = py.detach(|| {

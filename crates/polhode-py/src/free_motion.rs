@@ -102,7 +102,7 @@ impl PyFreeMotion {
                 ),
             ));
         }
-        derived_states(py, &states)
+        derived_states(py, rotor, &states)
     }
 
     #[getter]

@@ -17,6 +17,7 @@ mod free_motion;
 mod identify;
 mod interrupt;
 mod judge;
+mod mass_derivatives;
 mod mass_properties;
 mod mesh;
 mod motion;
@@ -52,6 +53,8 @@ mod _native {
     use crate::identify::{find_flights, identify_flights, identify_plan, identify_wrenches};
     #[pymodule_export]
     use crate::judge::{judge_arrays, judge_file};
+    #[pymodule_export]
+    use crate::mass_derivatives::{PyMeshDerivatives, body_derivatives, particle_derivatives};
     #[pymodule_export]
     use crate::mass_properties::PyMassProperties;
     #[pymodule_export]

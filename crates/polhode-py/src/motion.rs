@@ -123,7 +123,7 @@ impl PyMotion {
     /// Its derivatives, if they were asked for.
     fn derivatives<'py>(&self, py: Python<'py>) -> PyResult<Option<Derived<'py>>> {
         let of = |(run, keys): &(TrajectoryDerivatives, Vec<String>)| {
-            derived_run(py, run, keys, self.scenario.events())
+            derived_run(py, self.scenario.rotor(), run, keys, self.scenario.events())
         };
         self.derivatives.as_ref().map(of).transpose()
     }

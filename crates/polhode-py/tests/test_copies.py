@@ -34,6 +34,7 @@ ASKED: dict[str, list[dict[str, Any]]] = {
     "error": [{"times": [0.25, 1.5, 40.0]}],
     "rotations": [{}, {"times": [0.25, 1.5]}, {"member": 1}],
     "page": [{}],
+    "gradient": [{"of_number": np.linspace(-1.0, 1.5, 10)}],
 }
 
 
@@ -157,10 +158,15 @@ def everything(tmp_path: Path) -> list[object]:
     assert isinstance(tumbled, polhode.TumbleResult) and isinstance(swung, polhode.SwingResult) and carried.edge is not None
     derived = polhode.simulate(PUSHED, derivatives=["torque[0].factor"])
     assert derived.derivatives is not None and derived.derivatives.events
+    joined = polhode.Body({"main": made[0], "mesh": made[1], "water": made[2]})
+    corner = [[0.1, -0.2, 0.3], [1.4, 0.2, -0.1], [0.3, 1.7, 0.2], [-0.2, 0.4, 1.9]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
     return [
         *made,
         *moved,
-        polhode.Body({"main": made[0], "mesh": made[1], "water": made[2]}),
+        joined,
+        joined.derivatives(about={"mesh": [0.1, 0.2, 0.3]}),
+        polhode.particle_derivatives(masses=[0.3, 1.1, 2.0], positions=[[0.1, -0.4, 0.2], [0.7, 0.1, -0.3], [-0.2, 0.5, 0.9]]),
+        polhode.mesh_derivatives(corner, material="aluminium"),
         free,
         polhode.FreeMotion(moments=[1, 2, 9], omega=[0.3, -0.5, 0.9], allow_unphysical=True),
         free.at([0.0, 2.5, -7.0]),

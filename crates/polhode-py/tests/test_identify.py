@@ -49,7 +49,9 @@ def test_answers_are_those_of_the_command(name: str, found: dict[str, Any], exam
         assert np.array_equal(estimate.covariance, of["covariance"]) and np.array_equal(estimate.unknown, np.reshape(of["unknown"], (-1, len(estimate))))
         known = estimate.sd > 0.0
         assert np.allclose(np.diag(estimate.correlation)[known], 1.0) and np.isnan(np.diag(estimate.correlation)[~known]).all()
-    for key, value in said["principal"].items():
+    # The triangle is a picture's outlines.
+    for key in said["principal"].keys() - {"triangle"}:
+        value = said["principal"][key]
         assert np.array_equal(np.array(getattr(result.principal, key), float), np.array(value, float), equal_nan=True), key
     assert result.principal.axes.shape == (3, 3)
     tests = said["residuals"] if isinstance(said["residuals"], list) else [said["residuals"]]

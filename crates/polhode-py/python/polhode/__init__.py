@@ -1,6 +1,7 @@
 """Rigid-body dynamics: from mass to motion, exact wherever an exact answer exists.
 
 - :func:`inertia`, :class:`MassProperties`, :class:`Body`, :mod:`shapes`, :func:`particles`: how much mass, where
+- :func:`mesh_derivatives`, :func:`particle_derivatives`, :meth:`Body.derivatives`: and what that depends on
 - :class:`FreeMotion`: a free motion at any time, in closed form
 - :func:`identify`, :func:`identify_tumbles`, :func:`identify_swings`, :func:`identify_payload`: from measured motion to mass properties
 - :func:`simulate`: the motion of a scenario; :func:`judge`: is the one that another program computed right?
@@ -14,6 +15,8 @@ any kind that has an exact float64.
 """
 
 from __future__ import annotations
+
+from types import FunctionType as _Function
 
 from . import plot, shapes
 from ._body import Body
@@ -39,6 +42,13 @@ from ._identify import identify, identify_payload, identify_swings, identify_tum
 from ._inertia import inertia
 from ._judge import judge
 from ._judgement import Cause, ErrorGrowth, ErrorPart, ErrorSplit, Judgement, Reading, TriedReading
+from ._mass_derivatives import (
+    BodyDerivatives,
+    MeshDerivatives,
+    ParticleDerivatives,
+    mesh_derivatives,
+    particle_derivatives,
+)
 from ._mass_properties import Finding, MassProperties, particles
 from ._motion import Ending, Event, Motion, simulate
 from ._native import VERSION as __version__
@@ -46,6 +56,7 @@ from ._robot import LinkRow, LinkTable, fixed_groups, link_table
 
 __all__ = [
     "Body",
+    "BodyDerivatives",
     "Cause",
     "CheckReport",
     "Derivatives",
@@ -69,10 +80,12 @@ __all__ = [
     "LinkRow",
     "LinkTable",
     "MassProperties",
+    "MeshDerivatives",
     "ModelFinding",
     "Motion",
     "MotionError",
     "Number",
+    "ParticleDerivatives",
     "PayloadResult",
     "PolhodeError",
     "PolhodeWarning",
@@ -97,15 +110,18 @@ __all__ = [
     "inertia",
     "judge",
     "link_table",
+    "mesh_derivatives",
+    "particle_derivatives",
     "particles",
     "plot",
     "shapes",
     "simulate",
 ]
 
-# Messages and copies in other processes name them as users do.
+# Messages and copies in other processes name them as users do, and doctest finds the examples of their methods.
 for _public in (
     Body,
+    BodyDerivatives,
     Cause,
     CheckReport,
     Derivatives,
@@ -129,10 +145,12 @@ for _public in (
     LinkRow,
     LinkTable,
     MassProperties,
+    MeshDerivatives,
     ModelFinding,
     Motion,
     MotionError,
     Number,
+    ParticleDerivatives,
     PayloadResult,
     PolhodeError,
     PolhodeWarning,
@@ -148,4 +166,7 @@ for _public in (
     Unconstrained,
 ):
     _public.__module__ = __name__
-del _public
+    for _name, _member in vars(_public).items():
+        if isinstance(_member, _Function) and not _name.startswith("_"):
+            _member.__module__ = __name__
+del _public, _name, _member

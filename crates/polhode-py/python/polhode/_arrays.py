@@ -172,6 +172,14 @@ def indices(name: str, value: object, shape: tuple[int | str, ...], below: int) 
     return np.require(array, np.uint32, ["C", "A"])
 
 
+def mesh(vertices: object, triangles: object) -> tuple[Floats, npt.NDArray[np.uint32]]:
+    """Vertices (n, 3), and the numbers of three of them for each triangle (m, 3)."""
+    points = numbers("vertices", vertices, ("n", 3))
+    if not len(points):
+        raise PolhodeError("vertices has no rows")
+    return points, indices("triangles", triangles, ("m", 3), len(points))
+
+
 def count(name: str, value: object, least: int = 1) -> int:
     """A whole number from ``least`` on."""
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, np.integer, float, np.floating)):

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from typing import Iterator, Mapping
 
+import numpy.typing as npt
+
 from . import _arrays, _html
 from ._error import PolhodeError
+from ._mass_derivatives import BodyDerivatives, body_derivatives
 from ._mass_properties import MassProperties, joined
 
 
@@ -45,6 +48,44 @@ class Body:
     def mass_properties(self) -> MassProperties:
         """All parts together."""
         return self._whole
+
+    def derivatives(self, *, about: Mapping[str, npt.ArrayLike] | None = None) -> BodyDerivatives:
+        """How the mass properties of all parts together depend on each of them, in closed form.
+
+        Parameters
+        ----------
+        about
+            The point (3,), m, about which a part turns, by the part's name; without one a part turns about its own centre of mass.
+
+        Returns
+        -------
+        BodyDerivatives
+            Arrays (10, n, …) by masses, densities, positions, rotations, and by the parts' own mass properties.
+
+        Examples
+        --------
+        A head that is further out by 1 m takes the centre of mass with it by its share of the mass:
+
+        >>> import polhode
+        >>> from polhode import shapes
+        >>> hammer = polhode.Body({
+        ...     "head": shapes.box(size=[0.10, 0.03, 0.03], mass=0.7).placed(position=[0, 0, 0.3]),
+        ...     "handle": shapes.cylinder(radius=0.012, length=0.3, mass=0.1).placed(position=[0, 0, 0.15]),
+        ... })
+        >>> derivatives = hammer.derivatives()
+        >>> derivatives.by_positions.shape
+        (10, 2, 3)
+        >>> derivatives.by_positions[derivatives.rows.index("center_z"), 0, 2].round(12)
+        np.float64(0.875)
+        """
+        if about is not None and not isinstance(about, Mapping):
+            raise TypeError(f"about must be a dict of points by names of parts, not {type(about).__name__}")
+        points = {}
+        for name, point in (about or {}).items():
+            if name not in self._parts:
+                raise PolhodeError(f"about has {name!r}, which is no part", f"parts are {', '.join(self._parts)}")
+            points[name] = _arrays.triple(f"about[{name!r}]", point)
+        return body_derivatives(self._parts, self._whole, points)
 
     def __getitem__(self, name: str) -> MassProperties:
         """The part of a name."""

@@ -11,6 +11,7 @@ import numpy.typing as npt
 from . import _arrays, _native
 from ._arrays import Floats
 from ._error import PolhodeError
+from ._mass_derivatives import ROWS
 from ._record import Record
 
 
@@ -69,6 +70,9 @@ class Derivatives(Record):
     #: What the columns of ``by_inertia`` are by. I_xy = I_yx is one number, an element of the tensor: minus the integral of xy.
     inertia_columns: ClassVar[tuple[str, ...]] = ("I_xx", "I_yy", "I_zz", "I_xy", "I_xz", "I_yz")
 
+    #: What the columns of ``by_mass_properties`` are by, as rows of :class:`MeshDerivatives`, :class:`BodyDerivatives` and :class:`ParticleDerivatives` are of.
+    mass_properties_columns: ClassVar[tuple[str, ...]] = ROWS
+
     #: Times (n,), s.
     times: Floats
     #: ω along body axes (n, 3), rad/s.
@@ -81,10 +85,34 @@ class Derivatives(Record):
     by_inertia: Floats
     #: (n, 6, p).
     by_parameters: Floats
+    #: (6, 10): how the elements of the tensor about the point that the body turns about depend on its mass, its centre of mass, and the tensor about that,
+    #: per kg, per m, and 1. Of a free body mass and centre do not matter.
+    inertia_by_mass_properties: Floats
     #: The p numbers of torques: what the columns of ``by_parameters`` are by.
     parameters: tuple[str, ...]
     #: What happened on the way, in the order of time.
     events: tuple[EventDerivatives, ...]
+
+    @property
+    def by_mass_properties(self) -> Floats:
+        """By the body's mass properties (n, 6, 10), through the tensor about the point that it turns about: :attr:`by_inertia` times
+        :attr:`inertia_by_mass_properties`. Its columns are :attr:`mass_properties_columns`, so that a matrix product takes it on to what the body is
+        made of. An event's own derivatives, and those of its time, are multiplied by the same matrix.
+
+        Of a free body this is all. A torque that knows the mass or the centre of mass besides, as gravity about a pivot does, has them as
+        parameters of its own (``"torque[0].lever.x"``), by which there are :attr:`by_parameters`.
+
+        >>> import numpy as np, polhode
+        >>> masses, positions = [1.2, 0.7, 0.9, 1.1], [[0.3, -0.1, 0.2], [-0.5, 0.4, 0.1], [0.2, 0.6, -0.7], [-0.1, -0.5, 0.4]]
+        >>> body = polhode.particles(masses=masses, positions=positions)
+        >>> after = polhode.FreeMotion(inertia=body, omega=[0.7, -1.1, 0.4]).derivatives(5.0)
+        >>> of_body = polhode.particle_derivatives(masses=masses, positions=positions)
+        >>> by_masses = after.by_mass_properties @ of_body.by_masses
+        >>> by_positions = np.tensordot(after.by_mass_properties, of_body.by_positions, axes=1)
+        >>> by_masses.shape, by_positions.shape
+        ((6, 4), (6, 4, 3))
+        """
+        return self.by_inertia @ self.inertia_by_mass_properties
 
     def covariance(
         self,
@@ -161,6 +189,7 @@ def derivatives_of(derived: _native.Derived, single: bool = False) -> Derivative
         by_start=_first(derived["by_start"], single),
         by_inertia=_first(derived["by_inertia"], single),
         by_parameters=_first(derived["by_parameters"], single),
+        inertia_by_mass_properties=derived["inertia_by_mass_properties"],
         parameters=tuple(derived["parameters"]),
         events=tuple(EventDerivatives(**event) for event in derived["events"]),
     )

@@ -94,6 +94,8 @@ class PrincipalEstimate(Record):
     moments: Floats
     #: Their standard deviations (3,).
     moment_sd: Floats
+    #: Their covariance (3, 3); ``None`` unless all three are known.
+    moment_covariance: Floats | None
     #: i1/i3 and i2/i3 (2,).
     ratios: Floats
     #: Their standard deviations (2,).

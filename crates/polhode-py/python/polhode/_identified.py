@@ -47,7 +47,8 @@ class Identified(Record):
 
     def report(self) -> str:
         """The text that ``polhode identify`` prints."""
-        return in_python(self._printed[1])
+        # A drawing has dashes between letters that are no flags.
+        return "\n".join(line if "│" in line else in_python(line) for line in self._printed[1].split("\n"))
 
     def page(self) -> str:
         """The report as a page with plots, for a browser."""

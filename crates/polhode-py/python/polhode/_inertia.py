@@ -208,11 +208,7 @@ def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) 
             "union": bool(options["union"]),
         }
         if path is None:
-            vertices = _arrays.numbers("vertices", source[0], ("n", 3))
-            if not len(vertices):
-                raise PolhodeError("vertices has no rows")
-            triangles = _arrays.indices("triangles", source[1], ("m", 3), len(vertices))
-            return MassProperties._of(_native.mesh_arrays(vertices, triangles, how, substance))
+            return MassProperties._of(_native.mesh_arrays(*_arrays.mesh(*source), how, substance))
         ending = _ending(path)
         return MassProperties._of(_native.mesh_file(path, "gltf" if ending == "glb" else ending, how, substance))
     assert path is not None

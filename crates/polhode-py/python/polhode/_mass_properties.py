@@ -241,9 +241,14 @@ def particles(*, masses: npt.ArrayLike, positions: npt.ArrayLike) -> MassPropert
     >>> dumbbell.symmetry
     'rod'
     """
+    return MassProperties._of(_native.MassProperties.of_particles(*checked_particles(masses, positions)))
+
+
+def checked_particles(masses: npt.ArrayLike, positions: npt.ArrayLike) -> tuple[Floats, Floats]:
+    """A positive mass for each point."""
     masses = _arrays.numbers("masses", masses, ("n",))
     positions = _arrays.numbers("positions", positions, ("n", 3))
     if len(masses) != len(positions):
         raise PolhodeError(f"masses has {len(masses)} elements and positions {len(positions)} rows: one mass for each point")
     _arrays.refuse("masses", masses, np.asarray(masses <= 0.0), "positive")
-    return MassProperties._of(_native.MassProperties.of_particles(masses, positions))
+    return masses, positions

@@ -91,8 +91,19 @@ class Derived(TypedDict):
     by_start: Floats
     by_inertia: Floats
     by_parameters: Floats
+    inertia_by_mass_properties: Floats
     parameters: list[str]
     events: list[DerivedEvent]
+
+class ByParticles(TypedDict):
+    by_masses: Floats
+    by_positions: Floats
+
+class ByParts(TypedDict):
+    by_masses: Floats
+    by_positions: Floats
+    by_rotations: Floats
+    by_parts: Floats
 
 class FlightArrays(TypedDict):
     name: str
@@ -183,6 +194,17 @@ class MassProperties:
     def json(self) -> str: ...
     def text(self) -> str: ...
     def export(self, format: str, name: str) -> str: ...
+
+class MeshDerivatives:
+    @staticmethod
+    def of(vertices: Floats, triangles: npt.NDArray[np.uint32], given: Given) -> MeshDerivatives: ...
+    @property
+    def mass_properties(self) -> MassProperties: ...
+    @property
+    def by_mass(self) -> Floats: ...
+    @property
+    def by_density(self) -> Floats: ...
+    def gradient(self, of_numbers: Floats) -> Floats: ...
 
 class FreeMotion:
     @staticmethod
@@ -277,6 +299,8 @@ class Dataset:
 def simulate(
     path: str, text: str | None, times: Floats | None, error: str, derivatives: list[str] | None
 ) -> Motion: ...
+def particle_derivatives(masses: Floats, positions: Floats) -> ByParticles: ...
+def body_derivatives(parts: list[MassProperties], about: list[list[float]]) -> ByParts: ...
 def carried_covariance(by_start: Floats, by_inertia: Floats, by_parameters: Floats, joint: Floats) -> Floats: ...
 def identify_plan(path: str, text: str | None, is_written: bool) -> Identified: ...
 def identify_flights(title: str | None, flights: list[FlightArrays], options: FlightOptions) -> Identified: ...

@@ -60,8 +60,9 @@ mod torque;
 mod unit;
 
 pub use error_estimate::error_estimate;
-pub use explain::document::{Block, Document, Graph, Section};
+pub use explain::document::{Block, Document, Section};
 pub use explain::drawing::{Correlations, Drawing, Scatter, Series, Triangle};
+pub use explain::graph::Graph;
 pub use explain::{explain, explain_motion};
 pub use export::{ExportBody, ExportError, ExportFormat, export};
 pub use extra::Extra;

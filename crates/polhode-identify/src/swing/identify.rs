@@ -41,8 +41,17 @@ pub struct SwingResult {
     pub own: Vec<Number>,
     /// What is left.
     pub residuals: ResidualTest,
+    /// True of a log. Counted swings are too few to test the model but all together: [`SwingEstimate::counted`].
+    pub is_logged: bool,
     /// Of each number that was measured, in their order, in standard deviations: measured less predicted. Of counted swings times come first, then amplitudes.
     pub left: Vec<f64>,
+}
+
+impl SwingEstimate {
+    /// What tests the model: each log, and all counted swings together if there are more of them than it takes.
+    pub fn model_tests(&self) -> impl Iterator<Item = &ResidualTest> {
+        self.tests.iter().filter(|test| test.is_logged).map(|test| &test.residuals).chain(&self.counted)
+    }
 }
 
 /// The body that swing tests are of.
@@ -130,13 +139,12 @@ fn said(plan: &SwingPlan, swings: &Swings, solution: &Solution) -> Result<SwingE
             moment: None,
             own: own(&test.measurement, solution, k + 1, &found),
             residuals: ResidualTest::of(what, Noise::told(noise), share, core::slice::from_ref(&left)),
+            is_logged: matches!(test.measurement, Measurement::Logged(_)),
             left,
         });
     }
     let counted = together.test();
-    let logs = tests.iter().zip(plan.tests()).filter_map(|(result, test)| {
-        matches!(test.measurement, Measurement::Logged(_)).then_some(&result.residuals)
-    });
+    let logs = tests.iter().filter(|test| test.is_logged).map(|test| &test.residuals);
     let widening = logs.chain(&counted).map(ResidualTest::widening).fold(1.0, f64::max);
     let information = with_exact(&found, &places);
     let estimate = Estimate::new(plan.names(), &values, &information).widened(widening);

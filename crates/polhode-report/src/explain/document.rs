@@ -4,6 +4,7 @@ use polhode::body::Finding;
 use serde_json::{Value, json};
 
 use super::drawing::Drawing;
+use super::graph::Graph;
 use crate::json::matrix;
 use crate::layout::printable;
 use crate::{VERSION, finding};
@@ -67,21 +68,6 @@ pub enum Block {
         /// The cells.
         rows: Vec<Vec<String>>,
     },
-}
-
-/// A curve over an axis, and a level beside it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Graph {
-    /// What it shows.
-    pub title: String,
-    /// The name and the unit of what runs to the right.
-    pub across: [&'static str; 2],
-    /// The name and the unit of what is drawn over it.
-    pub up: [&'static str; 2],
-    /// The curve, from left to right.
-    pub points: Vec<[f64; 2]>,
-    /// A level line over a part of the width, and what it is: from, to, height, name.
-    pub level: ([f64; 3], &'static str),
 }
 
 impl Document {

@@ -1,8 +1,22 @@
 //! A graph in letters, for texts without pictures.
 
-use super::document::Graph;
 use crate::layout::width;
 use crate::number::number;
+
+/// A curve over an axis, and a level beside it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Graph {
+    /// What it shows.
+    pub title: String,
+    /// The name and the unit of what runs to the right.
+    pub across: [&'static str; 2],
+    /// The name and the unit of what is drawn over it.
+    pub up: [&'static str; 2],
+    /// The curve, from left to right.
+    pub points: Vec<[f64; 2]>,
+    /// A level line over a part of the width, and what it is: from, to, height, name.
+    pub level: ([f64; 3], &'static str),
+}
 
 pub(super) const COLUMNS: usize = 60;
 const ROWS: usize = 13;

@@ -1,7 +1,8 @@
 //! A document as a LaTeX article: amsmath for the formulas, TikZ for graphs; pdfLaTeX, XeLaTeX and LuaLaTeX take it.
 
-use super::document::{Block, Document, Graph};
+use super::document::{Block, Document};
 use super::formula;
+use super::graph::Graph;
 use super::text::DIGITS;
 use crate::finding;
 use crate::layout::{broken, plain_spaces, printable};

@@ -6,8 +6,9 @@ use polhode::math::AngularVelocity;
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{HeavyTop, TopPath};
 
-use super::document::{Graph, Section};
+use super::document::Section;
 use super::free::once_in;
+use super::graph::Graph;
 use super::tensor::along_body_axis;
 use super::working::{Working, factor, n, v};
 use crate::heavy_top;

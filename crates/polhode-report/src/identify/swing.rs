@@ -73,11 +73,7 @@ impl SwingReport {
 
     /// True if what is left is more than noise.
     pub fn has_model_error(&self) -> bool {
-        let logs = self.found.tests.iter().map(|test| &test.residuals);
-        // of counted swings only all together are a test
-        logs.filter(|test| test.lag_correlation.is_some())
-            .chain(&self.found.counted)
-            .any(|test| test.is_too_large() || test.is_correlated())
+        self.found.model_tests().any(|test| test.is_too_large() || test.is_correlated())
     }
 
     /// What is known of the tensor: its elements that have an error.
@@ -106,8 +102,7 @@ impl SwingReport {
                 format!("{} are not determined by these tests: {}", directions(unknown), self.swung()),
             );
         }
-        let is_logged = self.found.tests.iter().any(|test| test.residuals.lag_correlation.is_some());
-        if self.found.counted.is_none() && !is_logged {
+        if self.found.model_tests().next().is_none() {
             say(
                 "identify.untested",
                 "as much is found as was measured: nothing is left that could show a wrong model".to_owned(),

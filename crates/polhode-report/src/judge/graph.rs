@@ -1,7 +1,7 @@
 //! The error over the time.
 
 use super::JudgedRun;
-use crate::explain::document::Graph;
+use crate::explain::graph::Graph;
 
 /// How many points are drawn: the largest error of each part of the time.
 const POINTS: usize = 240;

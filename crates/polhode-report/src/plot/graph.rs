@@ -4,7 +4,7 @@ use super::Picture;
 use super::axes::{Area, Axes, Axis};
 use super::legend::{Key, heading};
 use super::sheet::{Colour, Pen, Sheet};
-use crate::explain::document::Graph;
+use crate::explain::graph::Graph;
 
 const WIDTH: f64 = 560.0;
 const HEIGHT: f64 = 300.0;

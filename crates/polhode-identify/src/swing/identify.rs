@@ -137,7 +137,7 @@ fn said(plan: &SwingPlan, swings: &Swings, solution: &Solution) -> Result<SwingE
     let logs = tests.iter().zip(plan.tests()).filter_map(|(result, test)| {
         matches!(test.measurement, Measurement::Logged(_)).then_some(&result.residuals)
     });
-    let widening = logs.chain(&counted).map(ResidualTest::widening).fold(1.0, f64::max);
+    let widening = ResidualTest::widening_of(logs.chain(&counted));
     let information = with_exact(&found, &places);
     let estimate = Estimate::new(plan.names(), &values, &information).widened(widening);
     for (result, test) in tests.iter_mut().zip(plan.tests()) {

@@ -6,7 +6,7 @@ use super::first_guess::{Rates, tensor_with_scale, tracked_axes};
 use super::flight::Flight;
 use super::model::{CHANNELS, Reference, Tumbles};
 use super::motion::turn;
-use super::noise::deviation;
+use super::noise::noise;
 use super::options::TumbleOptions;
 use super::sensor::GyroErrors;
 use super::tumble::Tumble;
@@ -14,7 +14,7 @@ use super::unit;
 use crate::coordinates::{Coordinates, Part};
 use crate::error::IdentifyError;
 use crate::least_squares::{Outliers, Place, approach, fit_robustly};
-use crate::residuals::ResidualTest;
+use crate::residuals::{Noise, ResidualTest};
 
 /// By how many radians flights turn in the pieces of the first fit, and how many times more in each further one.
 const FIRST_TURN: f64 = 3.0;
@@ -29,12 +29,15 @@ const FULL: f64 = 4.0;
 ///
 /// # Errors
 /// [`IdentifyError::TooFew`] for fewer readings than numbers to be found; [`IdentifyError::Missing`] for attitudes without their noise; a parameter's error
-/// for options; [`IdentifyError::Unit`] if the rates move freely in another unit only; [`IdentifyError::NoConvergence`].
+/// for options, and for readings between which the body turns by half a turn or more; [`IdentifyError::Unit`] if the rates move freely in another unit only; [`IdentifyError::NoConvergence`].
 pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, IdentifyError> {
-    let found = identified(flights, options);
+    let found = unit::require_fine(flights).and_then(|()| identified(flights, options));
     let is_doubtful = match &found {
         Ok(found) => found.residuals.iter().any(ResidualTest::is_too_large),
-        Err(error) => matches!(error, IdentifyError::NoConvergence { .. } | IdentifyError::NotFinite),
+        Err(error) => matches!(
+            error,
+            IdentifyError::NoConvergence { .. } | IdentifyError::NotFinite | IdentifyError::Value { .. }
+        ),
     };
     if is_doubtful {
         unit::require_right(flights, options, identified)?;
@@ -59,7 +62,7 @@ fn identified(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, Ide
         noise => noise.unwrap_or(1.0),
     };
     positive("the noise of the attitudes", attitude_noise)?;
-    let gyro_noise = if has_gyro { gyro_noise(flights, options)? } else { 1.0 };
+    let gyro_noise = if has_gyro { gyro_noise(flights, options)? } else { Noise::told(1.0) };
     let tracked = (has_gyro && has_attitudes).then(|| tracked_axes(flights));
 
     let mut shared = tensor_with_scale(flights).to_vec();
@@ -79,7 +82,6 @@ fn identified(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, Ide
             references,
             gyro,
             gyro_noise,
-            gyro_noise_is_told: options.gyro_noise.is_some(),
             attitude_noise,
             drag: options.drag,
             tracked,
@@ -114,16 +116,16 @@ fn first_drag(tensor: &[f64]) -> [f64; 6] {
     [0.01 * mean, 0.01 * mean, 0.01 * mean, 0.0, 0.0, 0.0]
 }
 
-fn gyro_noise(flights: &[Flight], options: &TumbleOptions) -> Result<f64, IdentifyError> {
+fn gyro_noise(flights: &[Flight], options: &TumbleOptions) -> Result<Noise, IdentifyError> {
     if let Some(noise) = options.gyro_noise {
         IdentifyError::require("the gyro's noise", noise, noise > 0.0, "positive")?;
-        return Ok(noise);
+        return Ok(Noise::told(noise));
     }
     let channel = |flight: &Flight, k: usize| flight.gyro().iter().map(|r| r.omega.to_array()[k]).collect();
     let channels: Vec<Vec<f64>> =
         flights.iter().flat_map(|flight| [0, 1, 2].map(|k| channel(flight, k))).collect();
-    match deviation(&channels) {
-        Some(noise) if noise > 0.0 => Ok(noise),
+    match noise(&channels) {
+        Some(noise) if noise.deviation > 0.0 => Ok(noise),
         _ => Err(IdentifyError::Missing { what: "the gyro's noise, which these readings do not show" }),
     }
 }
@@ -143,7 +145,9 @@ fn pieces(flights: &[Flight], turn: f64) -> Vec<Piece> {
         let [from, to] = flight.span();
         let mean = rates.omega.iter().map(|w| (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]).sqrt()).sum::<f64>()
             / rates.omega.len().max(1) as f64;
-        let count = ((to - from) * mean / turn).ceil().max(1.0);
+        // A piece has readings: where time or rates are in a wrong unit the turns are without end.
+        let most = (flight.gyro().len() + flight.attitudes().len()) as f64;
+        let count = ((to - from) * mean / turn).ceil().clamp(1.0, most);
         let width = (to - from) / count;
         // An end belongs to the piece before it.
         let cut: Vec<Option<Flight>> = (0..count as usize)

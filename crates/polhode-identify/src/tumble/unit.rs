@@ -15,9 +15,13 @@ const BETTER: f64 = 10.0;
 const BETTER_IF_NOISE: f64 = 2.0;
 /// Of the rates; more is no motion of a free body.
 const SMALL: f64 = 0.1;
+/// Of what rates vary by: as much is left if they are taken for steady.
+const STEADY: f64 = 0.3;
 const DEGREES: f64 = 180.0 / core::f64::consts::PI;
+/// By what rates have to be multiplied: in deg/s, in rpm, in rev/s; and in rad/s, where they were taken for deg/s.
+const UNITS: [f64; 4] = [1.0 / DEGREES, core::f64::consts::PI / 30.0, core::f64::consts::TAU, DEGREES];
 
-/// That the rates of the first flights do not move freely in degrees, or radians, where they do not as they are.
+/// That the rates of the first flights do not move freely in another unit, where they do not as they are.
 ///
 /// # Errors
 /// [`IdentifyError::Unit`]
@@ -41,14 +45,54 @@ pub(super) fn require_right(
         })
     };
     let (as_they_are, _) = left(1.0);
-    for factor in [1.0 / DEGREES, DEGREES] {
-        let (other, is_noise) = left(factor);
-        let better = if is_noise { BETTER_IF_NOISE } else { BETTER };
-        if other < SMALL && other * better < as_they_are {
-            return Err(IdentifyError::Unit { factor, better: as_they_are.min(1.0) / other });
-        }
+    let steady = STEADY * varying(&first);
+    let tried = UNITS.into_iter().map(|factor| (factor, left(factor)));
+    let Some((factor, (other, is_noise))) = tried.min_by(|a, b| a.1.0.total_cmp(&b.1.0)) else {
+        return Ok(());
+    };
+    let better = if is_noise { BETTER_IF_NOISE } else { BETTER };
+    // Where nothing was found as they are, only what fits well says more; and what hardly varies fits in every unit.
+    let says = is_noise || as_they_are.is_finite();
+    if says && other < f64::min(SMALL, steady) && other * better < as_they_are {
+        return Err(IdentifyError::Unit { factor, better: as_they_are.min(1.0) / other });
     }
     Ok(())
+}
+
+/// That a flight turns by less than half a turn from reading to reading: what turns faster cannot be followed.
+///
+/// # Errors
+/// [`IdentifyError::Value`]
+pub(super) fn require_fine(flights: &[Flight]) -> Result<(), IdentifyError> {
+    for flight in flights.iter().filter(|flight| flight.gyro().len() > 1) {
+        let [from, to] = flight.span();
+        let rates: f64 = flight.gyro().iter().map(|r| r.omega.norm()).sum();
+        let readings = flight.gyro().len() as f64;
+        let turn = rates / readings * (to - from) / (readings - 1.0);
+        let rule = "less than π: are the times in s, or the rates in rad/s?";
+        IdentifyError::require(
+            "the turn from reading to reading, rad,",
+            turn,
+            turn < core::f64::consts::PI,
+            rule,
+        )?;
+    }
+    Ok(())
+}
+
+/// How far rates are from their mean in each flight, over the rates.
+fn varying(flights: &[Flight]) -> f64 {
+    let (mut varying, mut all) = (0.0, 0.0);
+    for flight in flights {
+        let count = flight.gyro().len() as f64;
+        for axis in 0..3 {
+            let rates = || flight.gyro().iter().map(|r| r.omega.to_array()[axis]);
+            let mean = rates().sum::<f64>() / count;
+            varying += rates().map(|w| (w - mean) * (w - mean)).sum::<f64>();
+            all += rates().map(|w| w * w).sum::<f64>();
+        }
+    }
+    (varying / all).sqrt()
 }
 
 /// What is left, over the rates.

@@ -4,4 +4,5 @@
 mod next;
 mod noise;
 mod payload;
+mod residuals;
 mod tumble;

@@ -94,7 +94,7 @@ fn what_is_wrong_otherwise_is_no_mistake_of_units() {
         let mut rows = measured();
         rows.iter_mut().for_each(make);
         let found = found(&log(rows));
-        assert!(found.tests.iter().all(|test| test.is_too_large()), "{:?}", found.tests);
+        assert!(found.tests.iter().all(polhode_identify::ResidualTest::is_too_large), "{:?}", found.tests);
         assert_eq!(likely(&found), None, "{:?}", found.findings);
     }
 }

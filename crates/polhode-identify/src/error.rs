@@ -123,7 +123,12 @@ impl fmt::Display for IdentifyError {
             Self::Body(error) => error.fmt(f),
             Self::Motion(error) => error.fmt(f),
             Self::Unit { factor, better } => {
-                let unit = if *factor < 1.0 { "deg/s" } else { "rad/s, and were taken for deg/s" };
+                let unit = match *factor {
+                    ..0.05 => "deg/s",
+                    ..1.0 => "rpm",
+                    ..10.0 => "rev/s",
+                    _ => "rad/s, and were taken for deg/s",
+                };
                 write!(
                     f,
                     "are these rates in {unit}? What is left of their free motion is {better:.0} times smaller then"

@@ -15,25 +15,35 @@ pub struct ResidualTest {
     pub noise: f64,
     /// True if that was told; else it was found from how the readings jump.
     pub noise_is_told: bool,
-    /// χ²/degrees of freedom: 1 ± √(2/degrees of freedom) if the model is right and the noise is what it was taken for.
+    /// How well the noise is known: its variance is that of so many squares, ± √(2/so many) of itself. Infinite if it was told.
+    pub noise_degrees_of_freedom: f64,
+    /// χ²/degrees of freedom. If the model is right and the noise was told: 1 ± √(2/degrees of freedom).
     pub reduced_chi_square: f64,
-    /// Correlation of residuals that follow each other in one channel: 0 ± 1/√count of white noise.
+    /// Correlation of residuals that follow each other in one channel: ± 1/√count of white noise, about −found/count, as a smooth motion was fitted to it.
     pub lag_correlation: Option<f64>,
 }
 
 /// How many standard deviations are no chance.
 const NO_CHANCE: f64 = 5.0;
 
-/// A standard deviation, and whether it was told or found.
+/// Of the variance of noise that was found, what is independent of the residuals at least.
+const LEAST_SHARE: f64 = 0.25;
+
+/// A standard deviation, and how well it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Noise {
     pub(crate) deviation: f64,
-    pub(crate) is_told: bool,
+    /// Of how many independent squares its variance has the error: infinite if it was told.
+    pub(crate) degrees_of_freedom: f64,
 }
 
 impl Noise {
     pub(crate) const fn told(deviation: f64) -> Self {
-        Self { deviation, is_told: true }
+        Self { deviation, degrees_of_freedom: f64::INFINITY }
+    }
+
+    pub(crate) const fn is_told(self) -> bool {
+        self.degrees_of_freedom == f64::INFINITY
     }
 }
 
@@ -50,22 +60,38 @@ impl ResidualTest {
             count,
             degrees_of_freedom,
             noise: noise.deviation,
-            noise_is_told: noise.is_told,
+            noise_is_told: noise.is_told(),
+            noise_degrees_of_freedom: noise.degrees_of_freedom,
             reduced_chi_square: sum / degrees_of_freedom,
             lag_correlation: lag,
         }
     }
 
+    /// By how many standard deviations of chance the residuals are larger than the noise: normally distributed if the model is right.
+    pub fn excess(&self) -> f64 {
+        // the cube root of χ² is nearly normal, also for few degrees of freedom: Wilson and Hilferty
+        let variance = |degrees: f64| 2.0 / (9.0 * degrees);
+        if self.noise_is_told {
+            let variance = variance(self.degrees_of_freedom);
+            return (libm::cbrt(self.reduced_chi_square) - (1.0 - variance)) / variance.sqrt();
+        }
+        // The noise is of the same readings. No estimate of their variance is better than that by the residuals, so the error of the other over it is independent
+        // of it, and has the difference of their variances (Hausman, Econometrica 46 (1978) 1251).
+        let (noise, own) = (1.0 / self.noise_degrees_of_freedom, 1.0 / self.degrees_of_freedom);
+        let variance = variance(1.0 / (noise - own).max(LEAST_SHARE * noise));
+        ((1.0 - variance) - libm::cbrt(1.0 / self.reduced_chi_square)) / variance.sqrt()
+    }
+
     /// Residuals are larger than the noise, beyond chance.
     pub fn is_too_large(&self) -> bool {
-        // the cube root of χ² is nearly normal, also for few degrees of freedom: Wilson and Hilferty
-        let variance = 2.0 / (9.0 * self.degrees_of_freedom);
-        libm::cbrt(self.reduced_chi_square) - (1.0 - variance) > NO_CHANCE * variance.sqrt()
+        self.excess() > NO_CHANCE
     }
 
     /// Residuals follow each other, beyond chance: they are no white noise, and there is more in the motion than in the model.
     pub fn is_correlated(&self) -> bool {
-        self.lag_correlation.is_some_and(|r| r.abs() > NO_CHANCE / (self.count as f64).sqrt())
+        let count = self.count as f64;
+        let by_fit = (self.degrees_of_freedom - count) / count;
+        self.lag_correlation.is_some_and(|r| (r - by_fit).abs() > NO_CHANCE / count.sqrt())
     }
 
     /// By what errors grow for what the residuals show: the root of χ²/degrees of freedom where it is above 1 beyond chance, or where the noise was not told; and
@@ -77,6 +103,11 @@ impl ResidualTest {
             _ => 1.0,
         };
         (size * news).sqrt()
+    }
+
+    /// By what errors grow for what all kinds of measurement show: 1 if nothing was measured.
+    pub(crate) fn widening_of<'a>(tests: impl IntoIterator<Item = &'a Self>) -> f64 {
+        tests.into_iter().map(Self::widening).reduce(f64::max).unwrap_or(1.0)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Rows of a least-squares problem, and the triangle that they come to.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 /// Rows of one group: derivatives of the prediction by the group's own numbers and by the shared ones, and the residual, measured less predicted,
 /// all in standard deviations.
@@ -72,6 +72,27 @@ impl Rows {
 
     fn residual(&self, row: usize) -> f64 {
         self.elements[(row + 1) * self.width() - 1]
+    }
+
+    /// JᵀJ by the shared numbers, J of second differences over √6 of measurements that count and follow each other: (x₀ − 2 x₁ + x₂)/√6.
+    pub(crate) fn information_of_differences(&self, weights: &[f64]) -> DMatrix<f64> {
+        let width = self.width();
+        let counted: Vec<&[f64]> = (0..self.begins.len())
+            .filter(|&k| weights.get(k).is_none_or(|w| *w > 0.0))
+            .map(|k| {
+                let end = self.begins.get(k + 1).copied().unwrap_or_else(|| self.count());
+                &self.elements[self.begins[k] * width..end * width]
+            })
+            .collect();
+        let mut sum = DMatrix::zeros(self.shared, self.shared);
+        for three in counted.windows(3) {
+            for first in (0..three[0].len()).step_by(width) {
+                let at = |k: usize, i: usize| three[k][first + self.local + i];
+                let d = DVector::from_fn(self.shared, |i, _| at(0, i) - 2.0 * at(1, i) + at(2, i));
+                sum.ger(1.0 / 6.0, &d, &d, 1.0);
+            }
+        }
+        sum
     }
 
     /// Derivatives by the shared numbers of what the rows say once the group's own are found from them too.

@@ -73,6 +73,8 @@ pub enum Mistake {
     AnglesInDegrees,
     /// Angular acceleration of the opposite sign.
     AlphaReversed,
+    /// Torques in N·cm.
+    TorqueInCentimetres,
     /// Torques in N·mm.
     TorqueInMillimetres,
 }
@@ -89,6 +91,7 @@ impl fmt::Display for Mistake {
             Self::AlphaInDegrees => "the angular acceleration is in °/s²",
             Self::AnglesInDegrees => "the angular velocity and acceleration are in °/s and °/s²",
             Self::AlphaReversed => "the angular acceleration has the opposite sign",
+            Self::TorqueInCentimetres => "the torque is in N·cm",
             Self::TorqueInMillimetres => "the torque is in N·mm",
         })
     }

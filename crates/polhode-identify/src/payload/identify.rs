@@ -48,7 +48,7 @@ pub fn identify_payload(log: &PayloadLog) -> Result<Payload, IdentifyError> {
     let numbers = numbers.as_slice();
 
     let tests = settled.tests(&information);
-    let widening = tests.iter().map(ResidualTest::widening).fold(1.0, f64::max);
+    let widening = ResidualTest::widening_of(&tests);
     let is_possible = possible::is_possible(free.as_slice());
     let unconstrained = Unconstrained {
         is_possible,
@@ -260,7 +260,8 @@ impl Settled<'_> {
     }
 
     fn found_noise(&self, information: &Information) -> Matrix6 {
-        let [by_force, by_torque] = self.found(information);
+        let [by_force, by_torque] =
+            [0, 1].map(|k| (&self.pass.differences[k] * &information.covariance).trace());
         let [force, torque] = self.pass.propagated;
         let sd = |first: usize, propagated: f64, found: f64| {
             let size = self.log.rows().iter().flat_map(|row| row.wrench().into_iter().skip(first).take(3));
@@ -279,9 +280,12 @@ impl Settled<'_> {
                 rows.filter(|(_, w)| **w > 0.0).map(|(r, _)| r[first + i]).collect::<Vec<f64>>()
             };
             let variance = (0..3).map(|i| self.noise[first + i][first + i]).sum::<f64>() / 3.0;
-            let is_told = self.log.noise != WrenchNoise::Unknown;
-            let noise = Noise { deviation: variance.sqrt(), is_told };
-            ResidualTest::of(what, noise, found, &[kept(0), kept(1), kept(2)])
+            let runs = [kept(0), kept(1), kept(2)];
+            let mut noise = Noise::told(variance.sqrt());
+            if self.log.noise == WrenchNoise::Unknown {
+                noise.degrees_of_freedom = noise::degrees_of_freedom(runs[0].len());
+            }
+            ResidualTest::of(what, noise, found, &runs)
         };
         [test("force", 0, found[0]), test("torque", 3, found[1])]
     }

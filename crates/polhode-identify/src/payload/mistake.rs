@@ -6,9 +6,9 @@ use super::finding::{Mistake, PayloadFinding};
 use super::log::PayloadLog;
 use super::motion::Motion;
 use super::small::{self, Matrix6, Vector6};
-use crate::least_squares::{Information, Rows};
+use crate::least_squares::{Information, Rows, stacked};
 
-const ALL: [Mistake; 8] = [
+const ALL: [Mistake; 9] = [
     Mistake::AccelerationInG,
     Mistake::AccelerationHasGravity,
     Mistake::GravityReversed,
@@ -16,30 +16,46 @@ const ALL: [Mistake; 8] = [
     Mistake::AlphaInDegrees,
     Mistake::AnglesInDegrees,
     Mistake::AlphaReversed,
+    Mistake::TorqueInCentimetres,
     Mistake::TorqueInMillimetres,
 ];
-/// How much smaller χ² has to be.
+/// How much smaller χ² has to be: half, if noise is left; else it may be anything that moves the wrench, and a mistake leaves far less.
 const BETTER: f64 = 0.5;
+const NOISE: f64 = 2.0;
+const FAR_BETTER: f64 = 1e-3;
+/// What may be left of the square of a torque in another unit: over 1000 it is small whatever is wrong, and so is what is left of it.
+const EXPLAINED: f64 = 0.1;
 /// Rows that are tried.
 const TRIED: usize = 1000;
 
 /// The mistake that explains the wrench best, if it does so much better.
 pub(super) fn likeliest(log: &PayloadLog, noise: &Matrix6, weights: &[f64]) -> Option<PayloadFinding> {
-    let (_, as_given) = fit(log, noise, weights, None)?;
+    let as_given = fit(log, noise, weights, None)?.chi_square;
     let tried = ALL.into_iter().filter_map(|mistake| {
-        let (mass, undone) = fit(log, noise, weights, Some(mistake))?;
-        (mass > 0.0).then_some((mistake, undone))
+        let undone = fit(log, noise, weights, Some(mistake))?;
+        let is_unit = matches!(mistake, Mistake::TorqueInCentimetres | Mistake::TorqueInMillimetres);
+        let explains = !is_unit || undone.torque_left < EXPLAINED;
+        (undone.mass > 0.0 && explains).then_some((mistake, undone.chi_square))
     });
     let (mistake, undone) = tried.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    (undone < BETTER * as_given).then_some(PayloadFinding::Likely { mistake, as_given, undone })
+    let better = if undone < NOISE { BETTER } else { FAR_BETTER };
+    (undone < better * as_given).then_some(PayloadFinding::Likely { mistake, as_given, undone })
 }
 
-/// Mass and χ²/degrees of freedom of unconstrained least squares.
-fn fit(log: &PayloadLog, noise: &Matrix6, weights: &[f64], mistake: Option<Mistake>) -> Option<(f64, f64)> {
+/// Unconstrained least squares.
+struct Fit {
+    mass: f64,
+    /// By degrees of freedom.
+    chi_square: f64,
+    /// What is left of the torques, over them: squares.
+    torque_left: f64,
+}
+
+fn fit(log: &PayloadLog, noise: &Matrix6, weights: &[f64], mistake: Option<Mistake>) -> Option<Fit> {
     let n = log.unknowns();
     let l = small::cholesky(noise)?;
     let sign = log.sense.sign();
-    let mut rows = Rows::new(0, n);
+    let (mut force, mut torque) = (Rows::new(0, n), Rows::new(0, n));
     let stride = log.rows().len().div_ceil(TRIED);
     for (row, _) in log.rows().iter().zip(weights).step_by(stride).filter(|(_, w)| **w > 0.0) {
         let mut wrench = row.wrench();
@@ -59,21 +75,28 @@ fn fit(log: &PayloadLog, noise: &Matrix6, weights: &[f64], mistake: Option<Mista
             })
             .collect();
         for (i, &residual) in residual.iter().enumerate() {
+            let rows = if i < 3 { &mut force } else { &mut torque };
             let (_, derivatives) = rows.push(residual);
             for (derivative, column) in derivatives.iter_mut().zip(&columns) {
                 *derivative = column[i];
             }
         }
     }
-    let count = rows.count();
-    let triangle: DMatrix<f64> = rows.triangle(&[]);
+    let count = force.count() + torque.count();
+    let torque = torque.triangle(&[]);
+    let triangle: DMatrix<f64> = stacked(&force.triangle(&[]), &torque);
     let (r, z) = (triangle.columns(0, n), triangle.column(n));
     let information = Information::of(&r.into_owned());
     let mut numbers = &information.root * (information.root.transpose() * r.tr_mul(&z));
     let left = z - r * &numbers;
     numbers += &information.root * (information.root.transpose() * r.tr_mul(&left));
     let left = z - r * &numbers;
-    Some((numbers[0], left.norm_squared() / (count as f64 - n as f64).max(1.0)))
+    let torque_left = (torque.column(n) - torque.columns(0, n) * &numbers).norm_squared();
+    Some(Fit {
+        mass: numbers[0],
+        chi_square: left.norm_squared() / (count as f64 - n as f64).max(1.0),
+        torque_left: torque_left / torque.column(n).norm_squared(),
+    })
 }
 
 fn undo(mistake: Mistake, a: [f64; 3], g: [f64; 3], motion: &mut Motion, wrench: &mut Vector6) {
@@ -89,6 +112,7 @@ fn undo(mistake: Mistake, a: [f64; 3], g: [f64; 3], motion: &mut Motion, wrench:
         Mistake::AlphaInDegrees => m[3..6].iter_mut().for_each(|w| *w *= degrees),
         Mistake::AnglesInDegrees => m[..6].iter_mut().for_each(|w| *w *= degrees),
         Mistake::AlphaReversed => m[3..6].iter_mut().for_each(|w| *w = -*w),
+        Mistake::TorqueInCentimetres => wrench[3..].iter_mut().for_each(|t| *t *= 1e-2),
         Mistake::TorqueInMillimetres => wrench[3..].iter_mut().for_each(|t| *t *= 1e-3),
     }
 }

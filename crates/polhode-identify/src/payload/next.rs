@@ -162,7 +162,7 @@ fn rows(
         WrenchNoise::Deviations { force, torque } => diagonal(force, torque),
         WrenchNoise::Covariance(covariance) => covariance,
     };
-    let widening = found.tests.iter().map(ResidualTest::widening).fold(1.0, f64::max);
+    let widening = ResidualTest::widening_of(&found.tests);
     let (simulated, each) = simulated(log, numbers, motion)?;
     let mut regression = Regression::new(&simulated);
     if simulated.motion_noise != MotionNoise::default() {

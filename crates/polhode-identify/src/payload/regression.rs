@@ -11,7 +11,7 @@
 
 use nalgebra::DMatrix;
 
-use super::log::PayloadLog;
+use super::log::{PayloadLog, WrenchNoise};
 use super::motion::{Motion, Regressor, wrench_of};
 use super::small::{self, Matrix6, Vector6};
 use crate::error::IdentifyError;
@@ -33,6 +33,8 @@ pub(super) struct Pass {
     pub(super) torque: DMatrix<f64>,
     /// Of both together.
     pub(super) triangle: DMatrix<f64>,
+    /// JᵀJ of second differences of force and of torque, if noise is to be found from them.
+    pub(super) differences: [DMatrix<f64>; 2],
     /// In standard deviations, row by row.
     pub(super) residuals: Vec<Vector6>,
     /// In N and N·m.
@@ -83,6 +85,7 @@ impl<'a> Regression<'a> {
             force: DMatrix::zeros(0, n + 1),
             torque: DMatrix::zeros(0, n + 1),
             triangle: DMatrix::zeros(0, n + 1),
+            differences: [DMatrix::zeros(n, n), DMatrix::zeros(n, n)],
             residuals: Vec::with_capacity(count),
             left: Vec::with_capacity(count),
             propagated: [0.0; 2],
@@ -112,6 +115,9 @@ impl<'a> Regression<'a> {
             }
         }
         judge(&pass.residuals, &mut self.weights);
+        if self.log.noise == WrenchNoise::Unknown {
+            pass.differences = [&force, &torque].map(|rows| rows.information_of_differences(&self.weights));
+        }
         pass.force = force.triangle(&self.weights);
         pass.torque = torque.triangle(&self.weights);
         pass.triangle = stacked(&pass.force, &pass.torque);

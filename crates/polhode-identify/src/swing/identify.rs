@@ -145,7 +145,7 @@ fn said(plan: &SwingPlan, swings: &Swings, solution: &Solution) -> Result<SwingE
     }
     let counted = together.test();
     let logs = tests.iter().filter(|test| test.is_logged).map(|test| &test.residuals);
-    let widening = logs.chain(&counted).map(ResidualTest::widening).fold(1.0, f64::max);
+    let widening = ResidualTest::widening_of(logs.chain(&counted));
     let information = with_exact(&found, &places);
     let estimate = Estimate::new(plan.names(), &values, &information).widened(widening);
     for (result, test) in tests.iter_mut().zip(plan.tests()) {

@@ -8,7 +8,7 @@ use super::flight::{Flight, GyroReading};
 use super::inspection::{flaws, hands};
 use super::model::{CHANNELS, Reference, Tumbles};
 use super::motion::turn;
-use super::noise::deviation;
+use super::noise::noise;
 use super::options::TumbleOptions;
 use super::range::GyroRange;
 use super::sensor::GyroErrors;
@@ -17,7 +17,7 @@ use super::unit;
 use crate::coordinates::{Coordinates, Part};
 use crate::error::IdentifyError;
 use crate::least_squares::{Outliers, Place, approach, fit_robustly};
-use crate::residuals::ResidualTest;
+use crate::residuals::{Noise, ResidualTest};
 
 /// By how many radians flights turn in the pieces of the first fit, and how many times more in each further one.
 const FIRST_TURN: f64 = 3.0;
@@ -32,7 +32,7 @@ const FULL: f64 = 4.0;
 ///
 /// # Errors
 /// [`IdentifyError::TooFew`] for fewer readings than numbers to be found; [`IdentifyError::Missing`] for attitudes without their noise; a parameter's error
-/// for options; [`IdentifyError::Saturated`] for a flight with hardly a reading inside the gyro's range; [`IdentifyError::Unit`] and [`IdentifyError::LeftHanded`]
+/// for options, and for readings between which the body turns by half a turn or more; [`IdentifyError::Saturated`] for a flight with hardly a reading inside the gyro's range; [`IdentifyError::Unit`] and [`IdentifyError::LeftHanded`]
 /// if the rates move as they have to in another unit, or with an axis reversed, only; [`IdentifyError::NotFree`] if nothing fits and a hand turns
 /// the body in a flight; [`IdentifyError::NoConvergence`].
 pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, IdentifyError> {
@@ -40,10 +40,13 @@ pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<T
         flights.iter().flat_map(|flight| flight.gyro().iter().copied()).collect();
     let range = options.gyro_range.unwrap_or_else(|| GyroRange::shown_by(&readings));
     let (all, flights) = (flights, range.inside(flights)?);
-    let found = identified(&flights, options);
+    let found = unit::require_fine(&flights).and_then(|()| identified(&flights, options));
     let is_doubtful = match &found {
         Ok(found) => found.residuals.iter().any(ResidualTest::is_too_large),
-        Err(error) => matches!(error, IdentifyError::NoConvergence { .. } | IdentifyError::NotFinite),
+        Err(error) => matches!(
+            error,
+            IdentifyError::NoConvergence { .. } | IdentifyError::NotFinite | IdentifyError::Value { .. }
+        ),
     };
     if is_doubtful {
         unit::require_right(&flights, options, identified)?;
@@ -75,7 +78,7 @@ fn identified(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, Ide
         noise => noise.unwrap_or(1.0),
     };
     positive("the noise of the attitudes", attitude_noise)?;
-    let gyro_noise = if has_gyro { gyro_noise(flights, options)? } else { 1.0 };
+    let gyro_noise = if has_gyro { gyro_noise(flights, options)? } else { Noise::told(1.0) };
     let tracked = (has_gyro && has_attitudes).then(|| tracked_axes(flights));
 
     let mut shared = tensor_with_scale(flights).to_vec();
@@ -95,7 +98,6 @@ fn identified(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, Ide
             references,
             gyro,
             gyro_noise,
-            gyro_noise_is_told: options.gyro_noise.is_some(),
             attitude_noise,
             drag: options.drag,
             tracked,
@@ -130,10 +132,10 @@ fn first_drag(tensor: &[f64]) -> [f64; 6] {
     [0.01 * mean, 0.01 * mean, 0.01 * mean, 0.0, 0.0, 0.0]
 }
 
-fn gyro_noise(flights: &[Flight], options: &TumbleOptions) -> Result<f64, IdentifyError> {
+fn gyro_noise(flights: &[Flight], options: &TumbleOptions) -> Result<Noise, IdentifyError> {
     if let Some(noise) = options.gyro_noise {
         IdentifyError::require("the gyro's noise", noise, noise > 0.0, "positive")?;
-        return Ok(noise);
+        return Ok(Noise::told(noise));
     }
     let channels: Vec<Vec<Vec<f64>>> = flights
         .iter()
@@ -141,8 +143,8 @@ fn gyro_noise(flights: &[Flight], options: &TumbleOptions) -> Result<f64, Identi
         .map(|flight| Rates::of(flight).without_gaps())
         .flat_map(|runs| [0, 1, 2].map(|k| runs.iter().map(|run| run.channel(k)).collect()))
         .collect();
-    match deviation(&channels) {
-        Some(noise) if noise > 0.0 => Ok(noise),
+    match noise(&channels) {
+        Some(noise) if noise.deviation > 0.0 => Ok(noise),
         _ => Err(IdentifyError::Missing { what: "the gyro's noise, which these readings do not show" }),
     }
 }
@@ -162,7 +164,9 @@ fn pieces(flights: &[Flight], turn: f64) -> Vec<Piece> {
         let [from, to] = flight.span();
         let mean = rates.omega.iter().map(|w| (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]).sqrt()).sum::<f64>()
             / rates.omega.len().max(1) as f64;
-        let count = ((to - from) * mean / turn).ceil().max(1.0);
+        // A piece has readings: where time or rates are in a wrong unit the turns are without end.
+        let most = (flight.gyro().len() + flight.attitudes().len()) as f64;
+        let count = ((to - from) * mean / turn).ceil().clamp(1.0, most);
         let width = (to - from) / count;
         // An end belongs to the piece before it; what is too little for a piece, to the next, or the last.
         let mut starts = vec![from];

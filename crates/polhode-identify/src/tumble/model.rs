@@ -21,9 +21,7 @@ pub(crate) struct Tumbles<'a> {
     pub(crate) references: Vec<Reference>,
     pub(crate) gyro: GyroErrors,
     /// rad/s
-    pub(crate) gyro_noise: f64,
-    /// Whether it was told.
-    pub(crate) gyro_noise_is_told: bool,
+    pub(crate) gyro_noise: Noise,
     /// rad
     pub(crate) attitude_noise: f64,
     /// How drag grows with ω, if there is any.
@@ -44,14 +42,6 @@ pub(crate) struct Reference {
 pub(crate) const CHANNELS: usize = 3;
 
 impl Tumbles<'_> {
-    pub(crate) const fn gyro_noise(&self) -> Noise {
-        Noise { deviation: self.gyro_noise, is_told: self.gyro_noise_is_told }
-    }
-
-    pub(crate) const fn attitude_noise(&self) -> Noise {
-        Noise::told(self.attitude_noise)
-    }
-
     /// How many numbers drag has.
     pub(crate) const fn drag_count(&self) -> usize {
         if self.drag.is_some() { 6 } else { 0 }
@@ -104,7 +94,7 @@ impl Tumbles<'_> {
         rows: &mut Rows,
     ) -> Result<(), IdentifyError> {
         let gyro = self.gyro.gyro(&shared[self.gyro_from()..self.axes_from()]);
-        let (matrix, noise) = (gyro.matrix(), self.gyro_noise);
+        let (matrix, noise) = (gyro.matrix(), self.gyro_noise.deviation);
         let times: Vec<f64> = flight.gyro().iter().map(|r| r.time + gyro.clock).collect();
         for (reading, at) in flight.gyro().iter().zip(flown.derived(start, &times)?) {
             rows.begin_measurement();

@@ -13,6 +13,7 @@ use crate::error::IdentifyError;
 use crate::knowledge::BodyUnits;
 use crate::least_squares::{Information, Problem, rows_of};
 use crate::next::{Comparison, NextExperiment};
+use crate::residuals::Noise;
 
 /// A flight that could be made next: as long, as fast, and read as often as one that was made.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,8 +64,7 @@ pub fn next_flight(
             flights: core::slice::from_ref(&flights[k]),
             references: vec![Reference { time, attitude }],
             gyro: if has_gyro { options.gyro } else { GyroErrors::default() },
-            gyro_noise: noise,
-            gyro_noise_is_told: options.gyro_noise.is_some(),
+            gyro_noise: Noise::told(noise),
             attitude_noise: options.attitude_noise.unwrap_or(1.0),
             drag: options.drag,
             tracked: (has_gyro && has_attitudes).then(|| tracked_axes(flights)),

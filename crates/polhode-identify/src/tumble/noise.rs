@@ -1,10 +1,12 @@
 //! The noise of readings by what no smooth motion has: their sixth differences.
 
-/// The standard deviation of white noise on readings at even times, channel by channel in runs without gaps: √(mean (Δ⁶y)²/924), of which the median is taken over stretches, so that jumps do not count.
-/// `None` for fewer than a stretch.
+use crate::residuals::Noise;
+
+/// White noise on readings at even times, channel by channel in runs without gaps: √(mean (Δ⁶y)²/924), of which the median is taken over stretches, so that jumps do not
+/// count. `None` for fewer than a stretch.
 ///
 /// A motion that turns by 0.2 rad from reading to reading adds 0.2⁶ = 6·10⁻⁵ of its rate.
-pub(crate) fn deviation(channels: &[Vec<Vec<f64>>]) -> Option<f64> {
+pub(crate) fn noise(channels: &[Vec<Vec<f64>>]) -> Option<Noise> {
     let mut means: Vec<f64> = channels
         .iter()
         .flat_map(|channel| {
@@ -20,8 +22,12 @@ pub(crate) fn deviation(channels: &[Vec<Vec<f64>>]) -> Option<f64> {
         return None;
     }
     means.sort_by(f64::total_cmp);
-    let median = means[means.len() / 2];
-    Some((median / (SUM_OF_SQUARES * MEDIAN)).sqrt())
+    let (below, above) = (means[(means.len() - 1) / 2], means[means.len() / 2]);
+    let median = 0.5 * (below + above);
+    Some(Noise {
+        deviation: (median / (SUM_OF_SQUARES * MEDIAN)).sqrt(),
+        degrees_of_freedom: KNOWN_BY * means.len() as f64,
+    })
 }
 
 /// 1 + 36 + 225 + 400 + 225 + 36 + 1
@@ -30,6 +36,8 @@ const SUM_OF_SQUARES: f64 = 924.0;
 const STRETCH: usize = 16;
 /// The median of the mean of 16 squared sixth differences of white noise of deviation 1, over 924: they follow each other, so it is less than 1. Found from 20,000 draws of 22 readings.
 const MEDIAN: f64 = 0.87;
+/// Degrees of freedom of the median, by stretches: of the 16 in each the sixth differences share most, and the median the rest. Of 6,000 draws of 63 stretches.
+const KNOWN_BY: f64 = 3.1;
 
 fn sixth_difference(y: &[f64]) -> f64 {
     (y[0] + y[6]) - 6.0 * (y[1] + y[5]) + 15.0 * (y[2] + y[4]) - 20.0 * y[3]

@@ -11,7 +11,7 @@ use crate::error::IdentifyError;
 use crate::estimate::Estimate;
 use crate::least_squares::{Outliers, Problem, Rows, Solution};
 use crate::principal::PrincipalEstimate;
-use crate::residuals::ResidualTest;
+use crate::residuals::{Noise, ResidualTest};
 
 /// A body that was found by its tumbles.
 #[derive(Clone, Debug, PartialEq)]
@@ -107,7 +107,7 @@ impl Tumble {
                 reduced_chi_square: square / ((CHANNELS * used) as f64 - local.len() as f64).max(1.0),
                 used,
                 left_out,
-                gyro_residuals: gyro.iter().map(|r| r.map(|x| x * problem.gyro_noise)).collect(),
+                gyro_residuals: gyro.iter().map(|r| r.map(|x| x * problem.gyro_noise.deviation)).collect(),
                 attitude_residuals: attitudes.iter().map(|r| r.map(|x| x * problem.attitude_noise)).collect(),
             });
         }
@@ -119,16 +119,21 @@ impl Tumble {
         if !gyro_runs.is_empty() {
             residuals.push(ResidualTest::of(
                 "angular velocity",
-                problem.gyro_noise(),
+                problem.gyro_noise,
                 share(&gyro_runs),
                 &gyro_runs,
             ));
         }
         if !attitude_runs.is_empty() {
             let found = share(&attitude_runs);
-            residuals.push(ResidualTest::of("attitude", problem.attitude_noise(), found, &attitude_runs));
+            residuals.push(ResidualTest::of(
+                "attitude",
+                Noise::told(problem.attitude_noise),
+                found,
+                &attitude_runs,
+            ));
         }
-        let widening = residuals.iter().map(ResidualTest::widening).reduce(f64::max).unwrap_or(1.0);
+        let widening = ResidualTest::widening_of(&residuals);
         let estimate = estimate.widened(widening);
         for flight in &mut flights {
             flight.omega_sd = flight.omega_sd.map(|sd| sd * widening);

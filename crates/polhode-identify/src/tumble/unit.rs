@@ -16,9 +16,13 @@ const BETTER: f64 = 10.0;
 const BETTER_IF_NOISE: f64 = 2.0;
 /// Of the rates; more is no motion of a free body.
 const SMALL: f64 = 0.05;
+/// Of what rates vary by: as much is left if they are taken for steady.
+const STEADY: f64 = 0.3;
 const DEGREES: f64 = 180.0 / core::f64::consts::PI;
+/// By what rates have to be multiplied: in deg/s, in rpm, in rev/s; and in rad/s, where they were taken for deg/s.
+const UNITS: [f64; 4] = [1.0 / DEGREES, core::f64::consts::PI / 30.0, core::f64::consts::TAU, DEGREES];
 
-/// That the rates of the first flights do not move as they have to in degrees, or radians, or reversed, where they do not as they are.
+/// That the rates of the first flights do not move as they have to in another unit, or reversed, where they do not as they are.
 ///
 /// # Errors
 /// [`IdentifyError::Unit`], [`IdentifyError::LeftHanded`]
@@ -45,22 +49,62 @@ pub(super) fn require_right(
         })
     };
     let (as_they_are, _) = left([1.0; 3]);
-    let better = |factors: [f64; 3]| {
-        let (other, is_noise) = left(factors);
+    // What hardly varies fits in every unit.
+    let most = f64::min(SMALL, STEADY * varying(&first));
+    let better = |(other, is_noise): (f64, bool)| {
         let better = if is_noise { BETTER_IF_NOISE } else { BETTER };
-        (other < SMALL && other * better < as_they_are).then(|| as_they_are.min(1.0) / other)
+        // Where nothing was found as they are, only what fits well says more.
+        let says = is_noise || as_they_are.is_finite();
+        (says && other < most && other * better < as_they_are).then(|| as_they_are.min(1.0) / other)
     };
-    for factor in [1.0 / DEGREES, DEGREES] {
-        if let Some(better) = better([factor; 3]) {
-            return Err(IdentifyError::Unit { factor, better });
-        }
+    let tried = UNITS.into_iter().map(|factor| (factor, left([factor; 3])));
+    if let Some((factor, least)) = tried.min_by(|a, b| a.1.0.total_cmp(&b.1.0))
+        && let Some(better) = better(least)
+    {
+        return Err(IdentifyError::Unit { factor, better });
     }
     let reversed = handedness::left_handed(&first).iter();
-    let reversed = reversed.filter_map(|&(axes, factors)| Some((axes, better(factors)?)));
+    let reversed = reversed.filter_map(|&(axes, factors)| Some((axes, better(left(factors))?)));
     match reversed.max_by(|a, b| a.1.total_cmp(&b.1)) {
         Some((axes, better)) => Err(IdentifyError::LeftHanded { axes, better }),
         None => Ok(()),
     }
+}
+
+/// That a flight turns by less than half a turn from reading to reading: what turns faster cannot be followed.
+///
+/// # Errors
+/// [`IdentifyError::Value`]
+pub(super) fn require_fine(flights: &[Flight]) -> Result<(), IdentifyError> {
+    for flight in flights.iter().filter(|flight| flight.gyro().len() > 1) {
+        let [from, to] = flight.span();
+        let rates: f64 = flight.gyro().iter().map(|r| r.omega.norm()).sum();
+        let readings = flight.gyro().len() as f64;
+        let turn = rates / readings * (to - from) / (readings - 1.0);
+        let rule = "less than π: are the times in s, or the rates in rad/s?";
+        IdentifyError::require(
+            "the turn from reading to reading, rad,",
+            turn,
+            turn < core::f64::consts::PI,
+            rule,
+        )?;
+    }
+    Ok(())
+}
+
+/// How far rates are from their mean in each flight, over the rates.
+fn varying(flights: &[Flight]) -> f64 {
+    let (mut varying, mut all) = (0.0, 0.0);
+    for flight in flights {
+        let count = flight.gyro().len() as f64;
+        for axis in 0..3 {
+            let rates = || flight.gyro().iter().map(|r| r.omega.to_array()[axis]);
+            let mean = rates().sum::<f64>() / count;
+            varying += rates().map(|w| (w - mean) * (w - mean)).sum::<f64>();
+            all += rates().map(|w| w * w).sum::<f64>();
+        }
+    }
+    (varying / all).sqrt()
 }
 
 /// What is left, over the rates.

@@ -4,5 +4,6 @@
 mod next;
 mod noise;
 mod payload;
+mod residuals;
 mod tumble;
 mod tumble_flaws;

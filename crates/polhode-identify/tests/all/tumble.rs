@@ -5,12 +5,14 @@ use polhode::math::{AngularVelocity, Attitude, Body, Direction, Position, Rotati
 use polhode::motion::torque::{Drag, DragLaw, TorqueModel};
 use polhode::motion::{FreeMotion, Rotor, State};
 use polhode::motion::{Method, Motor, Trajectory, Wheel};
+use polhode_identify::IdentifyError;
 use polhode_identify::tumble::{
     AttitudeReading, Flight, FlightSearch, GyroErrors, GyroReading, Tumble, TumbleOptions, find_flights,
     identify_tumbles,
 };
 
 use crate::noise::Normal;
+use crate::residuals::Excess;
 
 /// Three distinct moments, all products, in kg·m².
 pub(crate) const TENSOR: [f64; 6] = [3.1e-3, 4.2e-3, 5.3e-3, 0.4e-3, -0.3e-3, 0.2e-3];
@@ -78,6 +80,20 @@ fn without_noise_the_body_is_found_again() {
     }
 }
 
+/// Of the ratios of moments, with what is said of them.
+fn errors(found: &Tumble, truth: [f64; 2]) -> ([f64; 2], [f64; 2]) {
+    let p = &found.principal;
+    ([p.ratios[0] - truth[0], p.ratios[1] - truth[1]], p.ratio_sd.map(Option::unwrap))
+}
+
+/// 1 on average of errors that are what they are said to be.
+fn normalised_square(found: &Tumble, truth: [f64; 2]) -> f64 {
+    let (errors, sds) = errors(found, truth);
+    let [a, b] = [errors[0] / sds[0], errors[1] / sds[1]];
+    let r = found.principal.ratio_correlation.unwrap();
+    (a * a - 2.0 * r * a * b + b * b) / (1.0 - r * r) / 2.0
+}
+
 #[test]
 fn errors_are_what_they_are_said_to_be() {
     const SEEDS: u64 = 400;
@@ -86,17 +102,13 @@ fn errors_are_what_they_are_said_to_be() {
     let mut normalised = 0.0;
     for seed in 0..SEEDS {
         let found: Tumble = identify_tumbles(&flights(100 + seed, 0.02), &TumbleOptions::default()).unwrap();
-        let p = &found.principal;
-        let errors = [p.ratios[0] - truth[0], p.ratios[1] - truth[1]];
-        let sds = p.ratio_sd.map(Option::unwrap);
+        let (errors, sds) = errors(&found, truth);
         for k in 0..2 {
             sums[k] += errors[k] / SEEDS as f64;
             squares[k] += errors[k] * errors[k] / SEEDS as f64;
             said[k] += sds[k] * sds[k] / SEEDS as f64;
         }
-        let [a, b] = [errors[0] / sds[0], errors[1] / sds[1]];
-        let r = p.ratio_correlation.unwrap();
-        normalised += (a * a - 2.0 * r * a * b + b * b) / (1.0 - r * r) / (2.0 * SEEDS as f64);
+        normalised += normalised_square(&found, truth) / SEEDS as f64;
     }
     for k in 0..2 {
         let (sd, said) = (squares[k].sqrt(), said[k].sqrt());
@@ -106,6 +118,28 @@ fn errors_are_what_they_are_said_to_be() {
     }
     println!("normalised square {normalised:.3}");
     assert!((0.9..1.1).contains(&normalised), "{normalised}");
+}
+
+/// Noise that is found from few readings is known badly: that alone is no sign of a wrong model.
+#[test]
+fn short_flights_are_found_to_be_what_they_are() {
+    const SEEDS: u64 = 300;
+    for (count, duration) in [(3, 1.2), (4, 0.5)] {
+        let (mut excess, mut normalised) = (Excess::default(), 0.0);
+        for seed in 0..SEEDS {
+            let mut noise = Normal::new(9000 + seed);
+            let flight = |start: &[f64; 3]| {
+                Flight::of_gyro("short", gyro(&motion(TENSOR, *start), duration, &mut noise, 0.02)).unwrap()
+            };
+            let flights: Vec<Flight> = STARTS[..count].iter().map(flight).collect();
+            let found = identify_tumbles(&flights, &TumbleOptions::default()).unwrap();
+            excess.add(&found.residuals[0]);
+            normalised += normalised_square(&found, ratios(TENSOR)) / SEEDS as f64;
+        }
+        excess.hold();
+        println!("normalised square {normalised:.3}");
+        assert!((0.9..1.1).contains(&normalised), "{normalised}");
+    }
 }
 
 pub(crate) fn rotor(tensor: [f64; 6]) -> Rotor {
@@ -289,4 +323,44 @@ fn a_rate_in_degrees_is_no_free_motion() {
     });
     let error = identify_tumbles(&flights, &TumbleOptions::default()).unwrap_err();
     assert!(error.to_string().starts_with("are these rates in deg/s?"), "{error}");
+}
+
+#[test]
+fn rates_in_turns_are_no_free_motion() {
+    for (unit, per_radian) in [("rpm", 9.549_296_6), ("rev/s", 0.159_154_94)] {
+        let mut noise = Normal::new(14);
+        let flights = STARTS.map(|start| {
+            let log = gyro(&motion(TENSOR, start), 1.2, &mut noise, 0.01);
+            let turns = |r: &GyroReading| GyroReading { omega: r.omega * per_radian, ..*r };
+            Flight::of_gyro("turns", log.iter().map(turns).collect()).unwrap()
+        });
+        let error = identify_tumbles(&flights, &TumbleOptions::default()).unwrap_err();
+        assert!(error.to_string().starts_with(&format!("are these rates in {unit}?")), "{error}");
+    }
+}
+
+#[test]
+fn a_steady_rate_says_nothing_of_units() {
+    let mut noise = Normal::new(15);
+    let reading = |k: i32, noise: &mut Normal| {
+        let omega = AngularVelocity::from_array([5.0, -3.0, 6.0].map(|w| w + 0.02 * noise.next()));
+        GyroReading { time: 0.01 * f64::from(k), omega }
+    };
+    let log = (0..150).map(|k| reading(k, &mut noise)).collect();
+    let found = identify_tumbles(&[Flight::of_gyro("steady", log).unwrap()], &TumbleOptions::default());
+    assert!(!matches!(found, Err(IdentifyError::Unit { .. })), "{found:?}");
+}
+
+#[test]
+fn times_in_another_unit_are_refused() {
+    for factor in [1e3, 1e6] {
+        let mut noise = Normal::new(16);
+        let flights = STARTS.map(|start| {
+            let log = gyro(&motion(TENSOR, start), 1.2, &mut noise, 0.02);
+            let late = |r: &GyroReading| GyroReading { time: factor * r.time, ..*r };
+            Flight::of_gyro("ms", log.iter().map(late).collect()).unwrap()
+        });
+        let error = identify_tumbles(&flights, &TumbleOptions::default()).unwrap_err();
+        assert!(error.to_string().contains("are the times in s"), "{error}");
+    }
 }

@@ -14,7 +14,7 @@ mod elliptic;
 mod euler;
 mod formula;
 mod free;
-mod graph;
+pub(crate) mod graph;
 mod html;
 mod inside;
 mod latex;

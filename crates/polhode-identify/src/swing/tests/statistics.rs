@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use polhode::math::{Direction, Position, Rotation};
 
 use super::motions::TRUTH;
+use crate::ResidualTest;
 use crate::swing::course::{Clock, Course, Decay};
 use crate::swing::family::{Amplitudes, Family};
 use crate::swing::number::Numbers;
@@ -100,6 +101,8 @@ pub(super) struct Outcome {
     pub(super) spread: f64,
     pub(super) nees: f64,
     pub(super) sds: f64,
+    /// Mean and deviation of the excess over noise, in what it is said to have.
+    pub(super) excess: [f64; 2],
 }
 
 /// Bias in standard deviations, the errors' root mean square over the bound's, the mean normalised squared error, and by how much at most a standard deviation
@@ -117,6 +120,7 @@ pub(super) fn outcome(setup: &Setup, seeds: u64) -> Outcome {
     }
     let mut sum = vec![0.0; n];
     let (mut squares, mut nees, mut sds) = (0.0, 0.0, 0.0_f64);
+    let mut excess = Vec::new();
     let signs = (0..seeds).map(|seed| (seed, 1.0)).chain((0..PAIRS).map(|seed| (seed, -1.0)));
     for (seed, sign) in signs {
         let mut noise = Noise::new(seed, sign);
@@ -131,6 +135,7 @@ pub(super) fn outcome(setup: &Setup, seeds: u64) -> Outcome {
             (0..n).for_each(|i| sum[i] += relative[i]);
         }
         if sign > 0.0 {
+            excess.extend(result.counted.as_ref().map(ResidualTest::excess));
             // scaled, as kg·m² and m differ by much
             let sd = DVector::from_fn(n, |i, _| covariance[(i, i)].sqrt());
             let scaled = DMatrix::from_fn(n, n, |i, j| covariance[(i, j)] / (sd[i] * sd[j]));
@@ -141,7 +146,10 @@ pub(super) fn outcome(setup: &Setup, seeds: u64) -> Outcome {
         }
     }
     let count = seeds as f64;
+    let mean = excess.iter().sum::<f64>() / count;
+    let deviation = (excess.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / count).sqrt();
     Outcome {
+        excess: [mean, deviation],
         bias: sum.iter().fold(0.0, |most: f64, s| most.max((s / (2 * PAIRS) as f64).abs())),
         spread: (squares / count).sqrt(),
         nees: nees / count,
@@ -234,6 +242,8 @@ fn errors_of_pendulums_are_what_they_are_said_to_be() {
     assert!(outcome.bias < 0.15, "{outcome:?}");
     assert!((outcome.spread - 1.0).abs() < 0.1 && outcome.sds < 0.1, "{outcome:?}");
     assert!((outcome.nees - 1.0).abs() < 0.1, "{outcome:?}");
+    let [mean, deviation] = outcome.excess;
+    assert!(mean.abs() < 0.25 && (0.8..1.2).contains(&deviation), "{outcome:?}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Logs with a mistake.
 
-use polhode::math::{Acceleration, AngularAcceleration, AngularVelocity, Force, Torque};
+use polhode::math::{Acceleration, AngularAcceleration, AngularVelocity, Body, Force, Torque, Vector};
 use polhode_identify::payload::{
     Mistake, Payload, PayloadFinding, PayloadLog, PayloadRow, WrenchNoise, WrenchSense,
 };
@@ -54,6 +54,7 @@ fn wrong_units_and_signs_are_found() {
             alpha(row, DEGREES);
         }
         Mistake::AlphaReversed => alpha(row, -1.0),
+        Mistake::TorqueInCentimetres => row.torque = row.torque * 100.0,
         Mistake::TorqueInMillimetres => row.torque = row.torque * 1000.0,
     };
     let all = [
@@ -64,6 +65,7 @@ fn wrong_units_and_signs_are_found() {
         Mistake::AlphaInDegrees,
         Mistake::AnglesInDegrees,
         Mistake::AlphaReversed,
+        Mistake::TorqueInCentimetres,
         Mistake::TorqueInMillimetres,
     ];
     for mistake in all {
@@ -76,6 +78,30 @@ fn wrong_units_and_signs_are_found() {
     }
     let right = found(&log(measured()));
     assert!(right.findings.is_empty(), "{:?}", right.findings);
+}
+
+/// Torques over 1000 leave little, whatever is wrong: that makes them no torques in N·mm.
+#[test]
+fn what_is_wrong_otherwise_is_no_mistake_of_units() {
+    let wrong: [fn(&mut PayloadRow); 5] = [
+        |row| row.gravity = Acceleration::ZERO,
+        |row| row.force = row.force / 9.806_65,
+        |row| row.acceleration += row.alpha.cross(polhode::math::Position::new(0.05, -0.02, 0.1)),
+        |row| row.torque = turned(row.torque),
+        |row| (row.force, row.torque) = (turned(row.force), turned(row.torque)),
+    ];
+    for make in wrong {
+        let mut rows = measured();
+        rows.iter_mut().for_each(make);
+        let found = found(&log(rows));
+        assert!(found.tests.iter().all(polhode_identify::ResidualTest::is_too_large), "{:?}", found.tests);
+        assert_eq!(likely(&found), None, "{:?}", found.findings);
+    }
+}
+
+/// The axes one further.
+fn turned<Q>(v: Vector<Q, Body>) -> Vector<Q, Body> {
+    Vector::new(v.y, v.z, v.x)
 }
 
 #[test]

@@ -14,6 +14,7 @@ use polhode_identify::payload::{
     Payload, PayloadLog, PayloadRow, WrenchNoise, WrenchSense, identify_payload,
 };
 
+use crate::residuals::Excess;
 use statistics::{Statistics, bound};
 use wrist::{Carried, Course, noisy, rows};
 
@@ -100,6 +101,29 @@ fn errors_are_what_they_are_said_to_be() {
             statistics.of_said(&limit)
         );
         statistics.hold(&limit);
+    }
+}
+
+/// Noise that is found from few rows is known badly: that alone is no sign of a wrong model.
+#[test]
+fn short_logs_are_found_to_be_what_they_are() {
+    let carried = Carried::generic();
+    for (count, course) in
+        [(30, Course::Generic(1.0)), (60, Course::Generic(1.0)), (60, Course::Generic(4.0))]
+    {
+        let exact = rows(&carried, course, count, SENSE);
+        let mut statistics = Statistics::new(10);
+        let mut excess = [Excess::default(), Excess::default()];
+        for seed in 0..300 {
+            let measured = noisy(&exact, 0.1 * FORCE, 0.1 * TORQUE, 500 + seed);
+            let log = PayloadLog::new(measured, SENSE).unwrap().with_noise(WrenchNoise::Unknown).unwrap();
+            let found = found(&log);
+            excess.iter_mut().zip(&found.tests).for_each(|(excess, test)| excess.add(test));
+            statistics.add(&found.about_center, &carried.about_center());
+        }
+        println!("{count} rows: {statistics}");
+        assert!((0.9..1.1).contains(&statistics.normalised()), "{statistics}");
+        excess.iter().for_each(Excess::hold);
     }
 }
 

@@ -1,0 +1,48 @@
+//! Whether the residuals of a right model are taken for noise as often as they should be.
+
+use std::fmt;
+
+use polhode_identify::ResidualTest;
+
+/// By how much the residuals of many draws were larger than the noise, in standard deviations.
+#[derive(Default)]
+pub(super) struct Excess {
+    all: Vec<f64>,
+    odd: usize,
+}
+
+impl Excess {
+    pub(super) fn add(&mut self, test: &ResidualTest) {
+        self.all.push(test.excess());
+        self.odd += usize::from(test.is_too_large() || test.is_correlated());
+    }
+
+    fn mean(&self) -> f64 {
+        self.all.iter().sum::<f64>() / self.all.len() as f64
+    }
+
+    fn deviation(&self) -> f64 {
+        let mean = self.mean();
+        (self.all.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / self.all.len() as f64).sqrt()
+    }
+
+    /// The share beyond one in twenty of a normal distribution.
+    fn beyond(&self) -> f64 {
+        self.all.iter().filter(|z| **z > 1.645).count() as f64 / self.all.len() as f64
+    }
+
+    /// Mean zero, deviation one, one in twenty beyond 1.645, and none beyond 5: what is known of these of 300 draws is 0.06, 0.04 and 0.013.
+    pub(super) fn hold(&self) {
+        println!("{self}");
+        assert!(self.all.len() >= 300 && self.odd == 0, "{self}");
+        assert!(self.mean().abs() < 0.25 && (0.8..1.2).contains(&self.deviation()), "{self}");
+        assert!((0.01..0.09).contains(&self.beyond()), "{self}");
+    }
+}
+
+impl fmt::Display for Excess {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (mean, deviation, beyond) = (self.mean(), self.deviation(), self.beyond());
+        write!(f, "excess {mean:.3} ± {deviation:.3}, beyond 1.645 {beyond:.3}, findings {}", self.odd)
+    }
+}

@@ -7,7 +7,6 @@ use crate::budget::Budget;
 use crate::covariance::{add_square, form, mirrored};
 use crate::error::BudgetError;
 use crate::growth::Basis;
-use crate::principal::PrincipalUncertainty;
 use crate::tensor::{plus, steiner};
 use crate::uncertainty;
 
@@ -105,11 +104,6 @@ impl<F: Frame> Estimate<F> {
                 [m, x, y, z, xx, yy, zz, xy, xz, yz]
             }),
         }
-    }
-
-    /// Principal moments and axes, and their errors.
-    pub fn principal(&self) -> PrincipalUncertainty<F> {
-        PrincipalUncertainty::of(self)
     }
 
     /// A C Aᵀ, with the linear map A of what the ten numbers change by.

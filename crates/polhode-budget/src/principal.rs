@@ -33,20 +33,21 @@ pub struct Tilt<F> {
     pub gradient: Option<MassPropertiesGradient<F>>,
 }
 
-impl<F: Frame> PrincipalUncertainty<F> {
-    pub(crate) fn of(estimate: &Estimate<F>) -> Self {
-        let frame = estimate.properties.principal();
+impl<F: Frame> Estimate<F> {
+    /// Principal moments and axes, and their errors.
+    pub fn principal(&self) -> PrincipalUncertainty<F> {
+        let frame = self.properties.principal();
         let gradients = [0, 1, 2].map(|k| moment_gradient(&frame, k));
-        let moment_covariance = core::array::from_fn(|i| {
-            core::array::from_fn(|j| estimate.covariance_of(&gradients[i], &gradients[j]))
-        });
+        let moment_covariance = gradients.map(|a| gradients.map(|b| self.covariance_of(&a, &b)));
         let turn_sd = [0, 1, 2].map(|k| {
             let (numerator, apart) = turn(&frame, k);
-            quotient(estimate.sd_of(&numerator), apart.abs())
+            quotient(self.sd_of(&numerator), apart.abs())
         });
-        Self { frame, moment_covariance: mirrored(&moment_covariance), turn_sd }
+        PrincipalUncertainty { frame, moment_covariance: mirrored(&moment_covariance), turn_sd }
     }
+}
 
+impl<F: Frame> PrincipalUncertainty<F> {
     /// How a moment, 0 to 2, depends on the tensor.
     pub fn moment_gradient(&self, k: usize) -> MassPropertiesGradient<F> {
         moment_gradient(&self.frame, k % 3)

@@ -244,6 +244,9 @@ impl Budget {
                 return Err(BudgetError::IndependentAssembly { row, inside });
             }
         }
+        if self.list.rows.iter().all(|row| row.subtotal.is_none()) {
+            return Ok(());
+        }
         let statements = self.mass_statements()?;
         for (k, (row, statement)) in self.list.rows.iter().zip(statements).enumerate() {
             let Some(subtotal) = row.subtotal else { continue };

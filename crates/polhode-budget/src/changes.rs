@@ -48,19 +48,17 @@ impl Budget {
                 CopyErrors::Alike => count,
                 CopyErrors::Independent => count.sqrt(),
             };
+            let turns = subtrees[k].map(|one| MassPropertiesDerivative::by_rotation(&one, place.position));
             for factor in factors {
-                let mut change = NO_CHANGE;
-                if let (Some(part), Some(own)) = (&place.part, &own)
-                    && factor.number < 10
-                {
-                    let by = part.change(row, &factor.error, place.scale(basis));
-                    change = change + by.in_frame(place.rotation).of_whole(own, whole);
-                }
-                if let Some(one) = &subtrees[k]
-                    && factor.number >= 10
-                {
-                    change = change + moved(one, place.position, parent, &factor.error).of_whole(one, whole);
-                }
+                let change = match (&place.part, &own, &subtrees[k], turns) {
+                    (Some(part), Some(own), ..) if factor.number < 10 => {
+                        let by = part.change(row, &factor.error, place.scale(basis));
+                        by.in_frame(place.rotation).of_whole(own, whole)
+                    }
+                    (.., Some(one), Some(turns)) => moved(turns, parent, &factor.error).of_whole(one, whole),
+                    // A frame without mass may be anywhere.
+                    _ => continue,
+                };
                 let group =
                     place.group.map(|group| (group, self.list.groups[group].correlation(factor.kind())));
                 let (rho, group) = group.map_or((0.0, None), |(group, rho)| (rho, Some(group)));
@@ -81,22 +79,18 @@ impl Budget {
 const NO_CHANGE: MassPropertiesDerivative<Body> =
     MassPropertiesDerivative { mass: 0.0, center_of_mass: Position::ZERO, inertia: [0.0; 6] };
 
-/// What a body changes by as its frame moves, whose origin and whose parent's axes are given.
+/// What a body changes by as its frame moves, whose parent's axes are given, with what it changes by with a turn about each of the body's axes.
 fn moved(
-    body: &MassProperties<Body>,
-    origin: Position<Body>,
+    turns: [MassPropertiesDerivative<Body>; 3],
     parent: Rotation<Body, Part>,
     error: &RowError,
 ) -> MassPropertiesDerivative<Body> {
-    let turn = (parent * Position::from_array(error.rotation)).to_array();
     let translation = MassPropertiesDerivative {
         center_of_mass: parent * Position::from_array(error.position),
         ..NO_CHANGE
     };
-    MassPropertiesDerivative::by_rotation(body, origin)
-        .into_iter()
-        .zip(turn)
-        .fold(translation, |sum, (by, angle)| sum + by * angle)
+    let angles = (parent * Position::from_array(error.rotation)).to_array();
+    turns.into_iter().zip(angles).fold(translation, |sum, (by, angle)| sum + by * angle)
 }
 
 impl PlacedPart {

@@ -32,7 +32,7 @@ pub enum TensorPoint {
     CenterOfMass,
     /// A point in the row's frame, m.
     At(Position<Part>),
-    /// The origin of another row's frame.
+    /// The origin of another row's frame, where the list has it; what is uncertain of places moves this point with the row's own frame.
     OriginOf(String),
 }
 

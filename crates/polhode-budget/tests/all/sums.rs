@@ -2,7 +2,10 @@
 
 use polhode::body::{MassProperties, MassPropertiesGradient};
 use polhode::math::{Body, Direction, Part, Position, Rotation};
-use polhode_budget::{Basis, NUMBERS, PartUncertainty, PartsList, Source, Spread, Uncertainty};
+use polhode_budget::{
+    Basis, GivenPart, GivenTensor, NUMBERS, PartUncertainty, PartsList, Place, ProductSign, Row, Source,
+    Spread, TensorPoint, Uncertainty,
+};
 
 use crate::lists::{cases, list, numbers};
 
@@ -64,6 +67,47 @@ fn the_full_covariance() {
                 }
             }
         }
+    }
+}
+
+#[test]
+fn a_tensor_about_the_origin_of_another_frame() {
+    let turn = |wxyz| Rotation::<Part, Part>::from_quaternion(wxyz).unwrap();
+    let (a, b) = (turn([0.4, -0.7, 1.1, 0.3]), turn([-0.2, 0.9, 0.5, 1.3]));
+    let frame = |name: &str, position: [f64; 3], rotation| Row {
+        place: Place { position: Position::from_array(position), rotation },
+        ..Row::frame(name)
+    };
+    let whole = |tensor| {
+        let part = GivenPart { mass: 1.7, center_of_mass: Position::new(0.1, -0.05, 0.2), tensor };
+        let rows = vec![
+            frame("r", [0.0; 3], Rotation::identity()),
+            frame("r/a", [0.5, -0.3, 0.8], a),
+            Row { part: Some(part), ..frame("r/a/b", [-0.2, 0.6, 0.1], b) },
+            frame("r/c", [1.1, 0.4, -0.7], turn([0.1, 0.2, 0.3, 0.4])),
+        ];
+        PartsList { rows, ..PartsList::default() }.budget().unwrap().mass_properties(Basis::Basic).unwrap()
+    };
+    let center = GivenTensor {
+        moments: [0.31, 0.42, 0.53],
+        products: [0.04, -0.03, 0.02],
+        sign: ProductSign::NegativeIntegral,
+        about: TensorPoint::CenterOfMass,
+    };
+    let expected = whole(center.clone());
+    // J of the body about that origin, along the part's axes: Rᵀ J R
+    let (j, r) = (expected.inertia_about(Position::new(1.1, 0.4, -0.7)).matrix(), (a * b).matrix());
+    let element = |p: usize, q: usize| -> f64 {
+        (0..3).map(|i| (0..3).map(|k| r[i][p] * j[i][k] * r[k][q]).sum::<f64>()).sum()
+    };
+    let elsewhere = GivenTensor {
+        moments: [element(0, 0), element(1, 1), element(2, 2)],
+        products: [-element(0, 1), -element(0, 2), -element(1, 2)],
+        sign: ProductSign::PositiveIntegral,
+        about: TensorPoint::OriginOf("r/c".to_owned()),
+    };
+    for (got, want) in ten(&whole(elsewhere)).into_iter().zip(ten(&expected)) {
+        assert!((got - want).abs() < 1e-14, "{got} {want}");
     }
 }
 

@@ -137,7 +137,7 @@ impl RowError {
 impl Uncertainty {
     /// The errors as independent ones, where products have this sign.
     pub(crate) fn factors(&self, sign: f64) -> Result<Vec<Factor>, NotUncertainty> {
-        let mut all = Vec::new();
+        let mut all = Vec::with_capacity(NUMBERS);
         let tensor = |[xx, yy, zz, xy, xz, yz]: [f64; 6]| [xx, yy, zz, sign * xy, sign * xz, sign * yz];
         match &self.part {
             PartUncertainty::Separate { mass, center, tensor: spread, .. } => {

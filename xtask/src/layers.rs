@@ -23,7 +23,7 @@ const MODULES: [&str; 11] = [
 ];
 
 /// What files below a path may not say, and why.
-const FORBIDDEN: [(&str, &[&str], &str); 4] = [
+const FORBIDDEN: [(&str, &[&str], &str); 5] = [
     (
         "crates/polhode/src/",
         &[
@@ -38,6 +38,11 @@ const FORBIDDEN: [(&str, &[&str], &str); 4] = [
             "dbg!",
         ],
         "the core meets no files, no terminal and no clock",
+    ),
+    (
+        "crates/polhode-budget/src/",
+        &["std::fs", "std::io", "std::env", "std::time", "print!", "println!", "polhode_formats"],
+        "a budget meets no files, no terminal and no clock",
     ),
     (
         "crates/polhode/src/observe/",

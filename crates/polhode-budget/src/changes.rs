@@ -1,0 +1,120 @@
+//! What the whole changes by with each error of a row, to first order.
+
+use polhode::body::{MassProperties, MassPropertiesDerivative};
+use polhode::math::{Body, Part, Position, Rotation};
+
+use crate::budget::{Budget, PlacedPart};
+use crate::error::BudgetError;
+use crate::growth::Basis;
+use crate::row::{CopyErrors, Row};
+use crate::tensor::{elements, plus, steiner};
+use crate::uncertainty::{ErrorKind, RowError};
+
+/// What the whole changes by with a standard normal variable.
+pub(crate) struct Change {
+    pub(crate) row: usize,
+    /// Which of the row's numbers the error begins with.
+    pub(crate) number: usize,
+    /// By the row's own variable.
+    pub(crate) alone: MassPropertiesDerivative<Body>,
+    /// By the variable that it shares with its group.
+    pub(crate) shared: Option<(usize, MassPropertiesDerivative<Body>)>,
+}
+
+impl Change {
+    pub(crate) const fn kind(&self) -> ErrorKind {
+        ErrorKind::of(self.number)
+    }
+}
+
+impl Budget {
+    /// All changes of the whole, which is made of these subtrees, row by row.
+    pub(crate) fn changes(
+        &self,
+        basis: Basis,
+        subtrees: &[Option<MassProperties<Body>>],
+        whole: &MassProperties<Body>,
+        mut each: impl FnMut(&Change),
+    ) -> Result<(), BudgetError> {
+        for (k, (row, place)) in self.list.rows.iter().zip(&self.places).enumerate() {
+            let factors = row.factors().unwrap_or_default(); // checked when the budget was made
+            if factors.is_empty() {
+                continue;
+            }
+            let own = self.own(k, basis)?;
+            let parent = self.tree.parents[k].map_or(Rotation::identity(), |p| self.places[p].rotation);
+            let count = f64::from(row.quantity.count);
+            let copies = match row.quantity.errors {
+                CopyErrors::Alike => count,
+                CopyErrors::Independent => count.sqrt(),
+            };
+            let turns = subtrees[k].map(|one| MassPropertiesDerivative::by_rotation(&one, place.position));
+            for factor in factors {
+                let change = match (&place.part, &own, &subtrees[k], turns) {
+                    (Some(part), Some(own), ..) if factor.number < 10 => {
+                        let by = part.change(row, &factor.error, place.scale(basis));
+                        by.in_frame(place.rotation).of_whole(own, whole)
+                    }
+                    (.., Some(one), Some(turns)) => moved(turns, parent, &factor.error).of_whole(one, whole),
+                    // A frame without mass may be anywhere.
+                    _ => continue,
+                };
+                let group =
+                    place.group.map(|group| (group, self.list.groups[group].correlation(factor.kind())));
+                let (rho, group) = group.map_or((0.0, None), |(group, rho)| (rho, Some(group)));
+                each(&Change {
+                    row: k,
+                    number: factor.number,
+                    alone: change * (place.frames * copies * (1.0 - rho).sqrt()),
+                    shared: group
+                        .filter(|_| rho > 0.0)
+                        .map(|group| (group, change * (place.frames * count * rho.sqrt()))),
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+const NO_CHANGE: MassPropertiesDerivative<Body> =
+    MassPropertiesDerivative { mass: 0.0, center_of_mass: Position::ZERO, inertia: [0.0; 6] };
+
+/// What a body changes by as its frame moves, whose parent's axes are given, with what it changes by with a turn about each of the body's axes.
+fn moved(
+    turns: [MassPropertiesDerivative<Body>; 3],
+    parent: Rotation<Body, Part>,
+    error: &RowError,
+) -> MassPropertiesDerivative<Body> {
+    let translation = MassPropertiesDerivative {
+        center_of_mass: parent * Position::from_array(error.position),
+        ..NO_CHANGE
+    };
+    let angles = (parent * Position::from_array(error.rotation)).to_array();
+    turns.into_iter().zip(angles).fold(translation, |sum, (by, angle)| sum + by * angle)
+}
+
+impl PlacedPart {
+    /// What the part, so many times as heavy, changes by in its own frame.
+    ///
+    /// Of a tensor J about a point p, with d from p to the centre of mass: I = J − m (d² 1 − d dᵀ). If it follows the mass, as both terms do, δI = I δm/m besides.
+    fn change(&self, row: &Row, error: &RowError, scale: f64) -> MassPropertiesDerivative<Part> {
+        let (mass, follows) = (self.properties.mass(), row.uncertainty.part.tensor_follows_mass());
+        let mut inertia = error.tensor;
+        if follows {
+            let own = elements(self.properties.inertia().matrix());
+            inertia = plus(inertia, own, error.mass / mass);
+        }
+        if let Some(point) = self.about {
+            let d = (self.properties.center_of_mass() - point).to_array();
+            inertia = plus(inertia, steiner(d, error.center), -2.0 * mass);
+            if !follows {
+                inertia = plus(inertia, steiner(d, d), -error.mass);
+            }
+        }
+        MassPropertiesDerivative {
+            mass: error.mass * scale,
+            center_of_mass: Position::from_array(error.center),
+            inertia: inertia.map(|element| element * scale),
+        }
+    }
+}

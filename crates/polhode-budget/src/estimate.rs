@@ -1,0 +1,134 @@
+//! Mass properties with their covariance.
+
+use polhode::body::{InertiaAbout, MassProperties, MassPropertiesDerivative, MassPropertiesGradient};
+use polhode::math::{Body, Frame, Position, Rotation};
+
+use crate::budget::Budget;
+use crate::covariance::{add_square, form, mirrored};
+use crate::error::BudgetError;
+use crate::growth::Basis;
+use crate::tensor::{plus, steiner};
+use crate::uncertainty;
+
+/// The ten numbers of a body, in their order, and their units.
+pub const NUMBERS: [(&str, &str); 10] = [
+    ("mass", "kg"),
+    ("x", "m"),
+    ("y", "m"),
+    ("z", "m"),
+    ("Ixx", "kg·m²"),
+    ("Iyy", "kg·m²"),
+    ("Izz", "kg·m²"),
+    ("Ixy", "kg·m²"),
+    ("Ixz", "kg·m²"),
+    ("Iyz", "kg·m²"),
+];
+
+/// Mass properties and, to first order, their errors, along the axes of `F`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Estimate<F: Frame> {
+    /// The tensor is about the centre of mass; off-diagonals are −∫ x y dm.
+    pub properties: MassProperties<F>,
+    /// Covariance of the ten numbers in the order of [`NUMBERS`].
+    pub covariance: [[f64; 10]; 10],
+}
+
+/// A tensor about a point that is fixed in the body, with its errors.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EstimateAbout<F: Frame> {
+    /// About the point.
+    pub inertia: InertiaAbout<F>,
+    /// Covariance of mass, centre of mass and the six elements about that point.
+    pub covariance: [[f64; 10]; 10],
+}
+
+impl Budget {
+    /// Mass properties of the whole, and their covariance to first order in the errors of all rows.
+    ///
+    /// # Errors
+    /// As [`Budget::mass_properties`].
+    pub fn estimate(&self, basis: Basis) -> Result<Estimate<Body>, BudgetError> {
+        let subtrees = self.subtrees(basis)?;
+        let properties = self.whole(&subtrees)?;
+        let mut covariance = [[0.0; 10]; 10];
+        let mut shared = vec![[[0.0; 10]; uncertainty::NUMBERS]; self.list.groups.len()];
+        self.changes(basis, &subtrees, &properties, |change| {
+            add_square(&mut covariance, &ten(&change.alone));
+            if let Some((group, by)) = &change.shared {
+                let sum = &mut shared[*group][change.number];
+                sum.iter_mut().zip(ten(by)).for_each(|(sum, x)| *sum += x);
+            }
+        })?;
+        shared.iter().flatten().for_each(|sum| add_square(&mut covariance, sum));
+        Ok(Estimate { properties, covariance: mirrored(&covariance) })
+    }
+}
+
+impl<F: Frame> Estimate<F> {
+    /// Standard deviation of a number.
+    ///
+    /// # Panics
+    /// If there is no such number: there are ten.
+    pub fn sd(&self, number: usize) -> f64 {
+        self.covariance[number][number].sqrt()
+    }
+
+    /// Standard deviation of what has this gradient.
+    pub fn sd_of(&self, gradient: &MassPropertiesGradient<F>) -> f64 {
+        self.covariance_of(gradient, gradient).max(0.0).sqrt()
+    }
+
+    /// Covariance of two numbers that have these gradients.
+    pub fn covariance_of(&self, a: &MassPropertiesGradient<F>, b: &MassPropertiesGradient<F>) -> f64 {
+        form(&ten_of_gradient(a), &self.covariance, &ten_of_gradient(b))
+    }
+
+    /// The same along the axes of `A`, about the same origin.
+    #[must_use]
+    pub fn along<A: Frame>(&self, r: Rotation<A, F>) -> Estimate<A> {
+        Estimate {
+            properties: self.properties.in_frame(r),
+            covariance: self.mapped(|change| ten(&change.in_frame(r))),
+        }
+    }
+
+    /// The tensor about a point: J = I + M (d² 1 − d dᵀ), d from the point to the centre of mass.
+    pub fn about(&self, point: Position<F>) -> EstimateAbout<F> {
+        let (mass, d) = (self.properties.mass(), (self.properties.center_of_mass() - point).to_array());
+        EstimateAbout {
+            inertia: self.properties.inertia_about(point),
+            covariance: self.mapped(|change| {
+                let [m, x, y, z, inertia @ ..] = ten(change);
+                let by_mass = plus(inertia, steiner(d, d), m);
+                let [xx, yy, zz, xy, xz, yz] = plus(by_mass, steiner(d, [x, y, z]), 2.0 * mass);
+                [m, x, y, z, xx, yy, zz, xy, xz, yz]
+            }),
+        }
+    }
+
+    /// A C Aᵀ, with the linear map A of what the ten numbers change by.
+    fn mapped(&self, map: impl Fn(&MassPropertiesDerivative<F>) -> [f64; 10]) -> [[f64; 10]; 10] {
+        // A is applied to the columns of C, and to the columns of what comes out.
+        let half = self.covariance.map(|column| map(&of_ten(column)));
+        let turned: [[f64; 10]; 10] = core::array::from_fn(|i| half.map(|column| column[i]));
+        let whole = turned.map(|row| map(&of_ten(row)));
+        mirrored(&whole)
+    }
+}
+
+/// The ten numbers of a change.
+pub(crate) fn ten<F>(change: &MassPropertiesDerivative<F>) -> [f64; 10] {
+    let [xx, yy, zz, xy, xz, yz] = change.inertia;
+    let c = &change.center_of_mass;
+    [change.mass, c.x, c.y, c.z, xx, yy, zz, xy, xz, yz]
+}
+
+fn of_ten<F>([mass, x, y, z, inertia @ ..]: [f64; 10]) -> MassPropertiesDerivative<F> {
+    MassPropertiesDerivative { mass, center_of_mass: Position::new(x, y, z), inertia }
+}
+
+fn ten_of_gradient<F>(gradient: &MassPropertiesGradient<F>) -> [f64; 10] {
+    let [xx, yy, zz, xy, xz, yz] = gradient.by_inertia;
+    let c = &gradient.by_center_of_mass;
+    [gradient.by_mass, c.x, c.y, c.z, xx, yy, zz, xy, xz, yz]
+}

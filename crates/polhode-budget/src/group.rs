@@ -1,0 +1,57 @@
+//! Groups of rows whose errors go together.
+
+use crate::error::BudgetError;
+use crate::uncertainty::ErrorKind;
+
+/// Rows whose errors are correlated: of one supplier, one scale, one drawing, one estimate.
+///
+/// The errors of two rows i and j of a group have the covariance ρ Lᵢ Lⱼᵀ, with the Cholesky factors L of their own covariances: of numbers that have standard
+/// deviations alone, ρ is the correlation of the same number of both, each along its own axes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// Its name.
+    pub name: String,
+    /// ρ of masses.
+    pub mass: f64,
+    /// ρ of centres of mass.
+    pub center: f64,
+    /// ρ of tensors.
+    pub tensor: f64,
+    /// ρ of positions.
+    pub position: f64,
+    /// ρ of rotations.
+    pub rotation: f64,
+}
+
+impl Group {
+    /// Rows whose masses are correlated, and nothing else.
+    pub fn of_masses(name: impl Into<String>, correlation: f64) -> Self {
+        Self { name: name.into(), mass: correlation, center: 0.0, tensor: 0.0, position: 0.0, rotation: 0.0 }
+    }
+
+    pub(crate) const fn correlation(&self, kind: ErrorKind) -> f64 {
+        match kind {
+            ErrorKind::Mass => self.mass,
+            ErrorKind::Center => self.center,
+            ErrorKind::Tensor => self.tensor,
+            ErrorKind::Position => self.position,
+            ErrorKind::Rotation => self.rotation,
+        }
+    }
+
+    pub(crate) fn check(&self) -> Result<(), BudgetError> {
+        let kinds = [
+            ("the correlation of masses", self.mass),
+            ("the correlation of centres", self.center),
+            ("the correlation of tensors", self.tensor),
+            ("the correlation of positions", self.position),
+            ("the correlation of rotations", self.rotation),
+        ];
+        match kinds.into_iter().find(|(_, value)| !(0.0..=1.0).contains(value)) {
+            None => Ok(()),
+            Some((what, value)) => {
+                Err(BudgetError::Table { name: self.name.clone(), what, value, rule: "from 0 to 1" })
+            }
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! Growth allowance: by how much parts become heavier until they fly.
+
+use std::collections::BTreeMap;
+
+use crate::error::BudgetError;
+
+/// Allowances by maturity code, as the list gives them: fractions of the basic mass, 0.15 for 15 %.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct GrowthTable {
+    allowances: BTreeMap<String, f64>,
+}
+
+/// The growth allowance of a part.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Growth {
+    /// None is given: the predicted mass is the basic one.
+    #[default]
+    None,
+    /// That of a maturity code.
+    Code(String),
+    /// A fraction of the basic mass.
+    Fraction(f64),
+}
+
+/// Which mass of a part counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Basis {
+    /// As it is known today.
+    Basic,
+    /// With its growth allowance: a part grows without changing its form, so its tensor and the errors of both grow with it.
+    Predicted,
+}
+
+/// The masses of a row with all in it, all copies counted, in the words of AIAA S-120A.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MassStatement {
+    /// What is known today, kg.
+    pub basic: f64,
+    /// Basic mass and growth allowance, kg.
+    pub predicted: f64,
+    /// What it may become at most, kg, where that is given.
+    pub allowable: Option<f64>,
+}
+
+impl GrowthTable {
+    /// Of codes and their allowances.
+    ///
+    /// # Errors
+    /// [`BudgetError::Table`] if an allowance is negative or not finite; of a code that is given twice, by its second allowance if that differs.
+    pub fn new(codes: impl IntoIterator<Item = (String, f64)>) -> Result<Self, BudgetError> {
+        let mut allowances = BTreeMap::new();
+        let what = "the growth allowance";
+        for (name, value) in codes {
+            if !(value >= 0.0 && value.is_finite()) {
+                return Err(BudgetError::Table { name, what, value, rule: RULE });
+            }
+            match allowances.get(&name) {
+                Some(&before) if before != value => {
+                    return Err(BudgetError::Table {
+                        name,
+                        what,
+                        value,
+                        rule: "the same wherever it is given",
+                    });
+                }
+                _ => allowances.insert(name, value),
+            };
+        }
+        Ok(Self { allowances })
+    }
+
+    /// The allowance of a code, as a fraction.
+    pub fn get(&self, code: &str) -> Option<f64> {
+        self.allowances.get(code).copied()
+    }
+}
+
+/// What an allowance has to be.
+pub(crate) const RULE: &str = "a fraction, zero or positive";
+
+impl MassStatement {
+    /// Mass growth allowance, kg.
+    pub fn growth_allowance(&self) -> f64 {
+        self.predicted - self.basic
+    }
+
+    /// Allowable less predicted mass, kg: negative if what is promised cannot be kept.
+    pub fn margin(&self) -> Option<f64> {
+        self.allowable.map(|allowable| allowable - self.predicted)
+    }
+
+    /// The margin as a fraction of the basic mass.
+    pub fn relative_margin(&self) -> Option<f64> {
+        self.margin().map(|margin| margin / self.basic)
+    }
+}

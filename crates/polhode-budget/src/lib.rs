@@ -1,0 +1,69 @@
+//! From a parts list to the mass properties of the whole, with its growth allowance and its uncertainty.
+//!
+//! A [`PartsList`] has a [`Row`] for each part, in frames that stand in each other, and is a [`Budget`] if all its rows make one possible body:
+//!
+//! ```
+//! use polhode::math::Position;
+//! use polhode_budget::{
+//!     Basis, GivenPart, Growth, GrowthTable, PartUncertainty, PartsList, Place, Row, Uncertainty,
+//! };
+//! let at = |x, y, z| Position::new(x, y, z);
+//! let battery = Row {
+//!     place: Place { position: at(0.1, 0.0, 0.02), ..Place::default() },
+//!     uncertainty: Uncertainty { part: PartUncertainty::of_mass(0.05), ..Uncertainty::default() },
+//!     growth: Growth::Code("C".to_owned()),
+//!     ..Row::part("bus/battery", GivenPart::point(2.0, Position::ZERO))
+//! };
+//! let list = PartsList {
+//!     rows: vec![Row::frame("bus"), battery, Row::part("bus/frame", GivenPart::point(3.0, at(0.0, 0.01, 0.0)))],
+//!     growth: GrowthTable::new([("C".to_owned(), 0.1)])?,
+//!     ..PartsList::default()
+//! };
+//! let budget = list.budget()?;
+//! let mass = budget.mass_statements()?[0];
+//! assert_eq!((mass.basic, mass.predicted), (5.0, 5.2));
+//! let whole = budget.estimate(Basis::Basic)?;
+//! assert!((whole.properties.center_of_mass().x - 0.04).abs() < 1e-15);
+//! // ∂x/∂m = (0.1 − 0.04)/5
+//! assert!((whole.sd(1) - 0.05 * 0.012).abs() < 1e-15);
+//! # Ok::<(), polhode_budget::BudgetError>(())
+//! ```
+//!
+//! | asked | answered by |
+//! |---|---|
+//! | basic, predicted and allowable mass | [`Budget::mass_statements`] |
+//! | mass, centre and tensor about any point and along any axes, with their covariance | [`Budget::estimate`], [`Estimate`] |
+//! | principal moments, axes and tilt, with theirs | [`Estimate::principal`], [`PrincipalUncertainty`] |
+//! | which errors matter | [`Budget::sensitivities`] |
+//! | what first order leaves out | [`Budget::draws`], [`Draws::compare`] |
+
+mod budget;
+mod changes;
+mod comparison;
+mod covariance;
+mod draw;
+mod draws;
+mod error;
+mod estimate;
+mod group;
+mod growth;
+mod principal;
+mod random;
+mod row;
+mod sensitivity;
+mod tensor;
+mod tree;
+mod uncertainty;
+
+pub use budget::{Budget, PartsList};
+pub use comparison::{ComparedNumber, Comparison};
+pub use draws::Draws;
+pub use error::{BudgetError, RowName};
+pub use estimate::{Estimate, EstimateAbout, NUMBERS};
+pub use group::Group;
+pub use growth::{Basis, Growth, GrowthTable, MassStatement};
+pub use principal::{PrincipalUncertainty, Tilt};
+pub use row::{CopyErrors, GivenPart, Place, Quantity, Row, Subtotal};
+pub use sensitivity::{Sensitivity, Source};
+pub use tensor::{GivenTensor, ProductSign, TensorPoint};
+pub use uncertainty::{ErrorKind, PartUncertainty, Spread, Uncertainty};

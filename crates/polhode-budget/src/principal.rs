@@ -1,0 +1,125 @@
+//! Principal moments and axes with their errors.
+
+use polhode::body::{MassPropertiesGradient, PrincipalFrame};
+use polhode::math::{Direction, Frame};
+
+use crate::covariance::mirrored;
+use crate::estimate::Estimate;
+
+/// Principal moments and axes, and how they depend on the tensor.
+///
+/// To first order in δI, δiₖ = aₖ·δI aₖ, and all axes turn by θₖ = aⱼ·δI aᵢ/(iᵢ − iⱼ) about aₖ, (i, j, k) cyclic. Where errors are not small beside the difference of
+/// two moments, the turn about the third axis is not known by first order: [`Draws`](crate::Draws) show what it is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PrincipalUncertainty<F: Frame> {
+    /// Moments, ascending, and axes.
+    pub frame: PrincipalFrame<F>,
+    /// Covariance of the moments, kg²·m⁴.
+    pub moment_covariance: [[f64; 3]; 3],
+    /// Standard deviation of the turn of all axes about each, rad: infinite where the other two moments are equal, unless the tensor is exact.
+    pub turn_sd: [f64; 3],
+}
+
+/// The angle between a principal axis, either way along it, and a direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tilt<F> {
+    /// From 0 to π/2 rad.
+    pub angle: f64,
+    /// Its standard deviation, rad, as long as the angle is some times [`Tilt::axis_sd`]; `None` at the angle 0, where it has no derivative, and where moments are equal.
+    pub sd: Option<f64>,
+    /// Standard deviation of the axis in the direction in which it is known least, rad.
+    pub axis_sd: f64,
+    /// How the angle depends on the tensor, where it does.
+    pub gradient: Option<MassPropertiesGradient<F>>,
+}
+
+impl<F: Frame> Estimate<F> {
+    /// Principal moments and axes, and their errors.
+    pub fn principal(&self) -> PrincipalUncertainty<F> {
+        let frame = self.properties.principal();
+        let gradients = [0, 1, 2].map(|k| moment_gradient(&frame, k));
+        let moment_covariance = gradients.map(|a| gradients.map(|b| self.covariance_of(&a, &b)));
+        let turn_sd = [0, 1, 2].map(|k| {
+            let (numerator, apart) = turn(&frame, k);
+            quotient(self.sd_of(&numerator), apart.abs())
+        });
+        PrincipalUncertainty { frame, moment_covariance: mirrored(&moment_covariance), turn_sd }
+    }
+}
+
+impl<F: Frame> PrincipalUncertainty<F> {
+    /// How a moment, 0 to 2, depends on the tensor.
+    pub fn moment_gradient(&self, k: usize) -> MassPropertiesGradient<F> {
+        moment_gradient(&self.frame, k % 3)
+    }
+
+    /// How the turn about an axis, 0 to 2, depends on the tensor; `None` where the other two moments are equal.
+    pub fn turn_gradient(&self, k: usize) -> Option<MassPropertiesGradient<F>> {
+        let (numerator, apart) = turn(&self.frame, k % 3);
+        (apart != 0.0).then(|| scaled(&numerator, 1.0 / apart))
+    }
+
+    /// The tilt of an axis, 0 to 2, from a direction; `None` if that is zero or not finite.
+    pub fn tilt(&self, estimate: &Estimate<F>, axis: usize, from: Direction<F>) -> Option<Tilt<F>> {
+        let (k, n) = (axis % 3, from.direction()?);
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        let [a, u, v] = [k, i, j].map(|k| self.frame.axis(k));
+        let (n, along) = if n.dot(a) < 0.0 { (-n, -n.dot(a)) } else { (n, n.dot(a)) };
+        let across = n.dot(u).hypot(n.dot(v));
+        let angle = across.atan2(along);
+        let (Some(about_u), Some(about_v)) = (self.turn_gradient(i), self.turn_gradient(j)) else {
+            let axis_sd = self.turn_sd[i].max(self.turn_sd[j]);
+            return Some(Tilt { angle, sd: None, axis_sd, gradient: None });
+        };
+        // δa = θᵢ u × a + θⱼ v × a = θⱼ u − θᵢ v
+        let covariance = |a, b| estimate.covariance_of(a, b);
+        let (uu, vv, uv) =
+            (covariance(&about_u, &about_u), covariance(&about_v, &about_v), covariance(&about_u, &about_v));
+        let axis_sd = (0.5 * (uu + vv) + (0.5 * (uu - vv)).hypot(uv)).max(0.0).sqrt();
+        // dα = −n·δa/sin α
+        let gradient = (across > 0.0)
+            .then(|| sum(&scaled(&about_v, -n.dot(u) / across), &scaled(&about_u, n.dot(v) / across)));
+        Some(Tilt { angle, sd: gradient.map(|gradient| estimate.sd_of(&gradient)), axis_sd, gradient })
+    }
+}
+
+fn quotient(sd: f64, apart: f64) -> f64 {
+    if sd == 0.0 { 0.0 } else { sd / apart }
+}
+
+fn moment_gradient<F: Frame>(frame: &PrincipalFrame<F>, k: usize) -> MassPropertiesGradient<F> {
+    element(frame.axis(k), frame.axis(k))
+}
+
+/// aⱼ·δI aᵢ and iᵢ − iⱼ
+fn turn<F: Frame>(frame: &PrincipalFrame<F>, k: usize) -> (MassPropertiesGradient<F>, f64) {
+    let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+    (element(frame.axis(i), frame.axis(j)), frame.moments()[i] - frame.moments()[j])
+}
+
+/// uᵀ δI v
+fn element<F: Frame>(u: Direction<F>, v: Direction<F>) -> MassPropertiesGradient<F> {
+    let (u, v) = (u.to_array(), v.to_array());
+    let off = |i: usize, j: usize| u[i] * v[j] + u[j] * v[i];
+    MassPropertiesGradient {
+        by_mass: 0.0,
+        by_center_of_mass: Direction::ZERO,
+        by_inertia: [u[0] * v[0], u[1] * v[1], u[2] * v[2], off(0, 1), off(0, 2), off(1, 2)],
+    }
+}
+
+fn scaled<F: Frame>(gradient: &MassPropertiesGradient<F>, factor: f64) -> MassPropertiesGradient<F> {
+    MassPropertiesGradient {
+        by_mass: gradient.by_mass * factor,
+        by_center_of_mass: gradient.by_center_of_mass * factor,
+        by_inertia: gradient.by_inertia.map(|x| x * factor),
+    }
+}
+
+fn sum<F: Frame>(a: &MassPropertiesGradient<F>, b: &MassPropertiesGradient<F>) -> MassPropertiesGradient<F> {
+    MassPropertiesGradient {
+        by_mass: a.by_mass + b.by_mass,
+        by_center_of_mass: a.by_center_of_mass + b.by_center_of_mass,
+        by_inertia: core::array::from_fn(|k| a.by_inertia[k] + b.by_inertia[k]),
+    }
+}

@@ -1,0 +1,217 @@
+//! How well the numbers of a row are known.
+
+use crate::covariance::{NotCovariance, columns};
+
+/// Errors of the numbers of a row, with mean zero.
+///
+/// Those of its part are of one copy.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Uncertainty {
+    /// Of the part's mass properties, as they are given.
+    pub part: PartUncertainty,
+    /// Of the frame's origin, along the parent's axes, m². All that stands in the frame moves with it.
+    pub position: Spread<3>,
+    /// Of the frame's rotation vector about its origin, along the parent's axes, rad².
+    pub rotation: Spread<3>,
+}
+
+/// Errors of a part's mass properties.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PartUncertainty {
+    /// Mass, centre and tensor each for itself.
+    Separate {
+        /// Standard deviation of the mass, kg.
+        mass: f64,
+        /// Whether the tensor goes with the mass, besides its own errors: as where the form is known and the density is not.
+        tensor_follows_mass: bool,
+        /// Of the centre of mass, m².
+        center: Spread<3>,
+        /// Of Ixx, Iyy, Izz, Ixy, Ixz, Iyz as given, about the point and with the sign that they are given for, kg²·m⁴.
+        tensor: Spread<6>,
+    },
+    /// One covariance of mass, centre of mass x, y, z and these six.
+    Joint(Box<[[f64; 10]; 10]>),
+}
+
+impl Default for PartUncertainty {
+    fn default() -> Self {
+        Self::of_mass(0.0)
+    }
+}
+
+impl PartUncertainty {
+    /// The standard deviation of the mass, kg, of a part whose form is known.
+    pub fn of_mass(sd: f64) -> Self {
+        Self::Separate { mass: sd, tensor_follows_mass: true, center: Spread::Exact, tensor: Spread::Exact }
+    }
+
+    pub(crate) const fn tensor_follows_mass(&self) -> bool {
+        matches!(self, Self::Separate { tensor_follows_mass: true, .. })
+    }
+}
+
+/// Errors of N numbers.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Spread<const N: usize> {
+    /// None.
+    #[default]
+    Exact,
+    /// Independent, with these standard deviations.
+    Deviations([f64; N]),
+    /// Of this covariance.
+    Covariance(Box<[[f64; N]; N]>),
+}
+
+/// Of which number of a row an error is; where several have one covariance, of the first of those that it moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ErrorKind {
+    /// The part's mass, with its tensor where that follows it.
+    Mass,
+    /// Its centre of mass.
+    Center,
+    /// Its inertia tensor.
+    Tensor,
+    /// Where its frame is.
+    Position,
+    /// How its frame is turned.
+    Rotation,
+}
+
+/// How many numbers a row has: mass, centre, tensor, position, rotation.
+pub(crate) const NUMBERS: usize = 16;
+
+/// An error of a row: so much of each number for a standard normal variable, a column of the covariance's Cholesky factor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Factor {
+    /// Which column: the number that it begins with.
+    pub(crate) number: usize,
+    pub(crate) error: RowError,
+}
+
+/// Errors of the numbers of a row; the tensor's elements are those of the tensor itself, about the point that it is given for.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct RowError {
+    pub(crate) mass: f64,
+    pub(crate) center: [f64; 3],
+    pub(crate) tensor: [f64; 6],
+    pub(crate) position: [f64; 3],
+    pub(crate) rotation: [f64; 3],
+}
+
+/// Why an uncertainty is none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum NotUncertainty {
+    Deviation { what: &'static str, value: f64 },
+    Covariance { what: &'static str, element: [usize; 2] },
+}
+
+impl Factor {
+    pub(crate) const fn kind(&self) -> ErrorKind {
+        ErrorKind::of(self.number)
+    }
+}
+
+impl ErrorKind {
+    pub(crate) const fn of(number: usize) -> Self {
+        match number {
+            0 => Self::Mass,
+            1..4 => Self::Center,
+            4..10 => Self::Tensor,
+            10..13 => Self::Position,
+            _ => Self::Rotation,
+        }
+    }
+}
+
+impl RowError {
+    pub(crate) fn add(&mut self, other: &Self, factor: f64) {
+        let add = |a: &mut [f64], b: &[f64]| a.iter_mut().zip(b).for_each(|(a, b)| *a += factor * b);
+        self.mass += factor * other.mass;
+        add(&mut self.center, &other.center);
+        add(&mut self.tensor, &other.tensor);
+        add(&mut self.position, &other.position);
+        add(&mut self.rotation, &other.rotation);
+    }
+}
+
+impl Uncertainty {
+    /// The errors as independent ones, where products have this sign.
+    pub(crate) fn factors(&self, sign: f64) -> Result<Vec<Factor>, NotUncertainty> {
+        let mut all = Vec::with_capacity(NUMBERS);
+        let tensor = |[xx, yy, zz, xy, xz, yz]: [f64; 6]| [xx, yy, zz, sign * xy, sign * xz, sign * yz];
+        match &self.part {
+            PartUncertainty::Separate { mass, center, tensor: spread, .. } => {
+                let value = *mass;
+                if !(value >= 0.0 && value.is_finite()) {
+                    return Err(NotUncertainty::Deviation { what: "the mass", value });
+                }
+                if value > 0.0 {
+                    all.push(Factor { number: 0, error: RowError { mass: value, ..RowError::default() } });
+                }
+                center.factors("the centre of mass", |number, center| {
+                    all.push(Factor {
+                        number: 1 + number,
+                        error: RowError { center, ..RowError::default() },
+                    });
+                })?;
+                spread.factors("the inertia tensor", |number, elements| {
+                    let error = RowError { tensor: tensor(elements), ..RowError::default() };
+                    all.push(Factor { number: 4 + number, error });
+                })?;
+            }
+            PartUncertainty::Joint(covariance) => {
+                let what = "mass, centre and tensor";
+                for (number, column) in columns(covariance).map_err(|error| error.of(what))? {
+                    let [mass, x, y, z, elements @ ..] = column;
+                    let error =
+                        RowError { mass, center: [x, y, z], tensor: tensor(elements), ..RowError::default() };
+                    all.push(Factor { number, error });
+                }
+            }
+        }
+        self.position.factors("the position", |number, position| {
+            all.push(Factor { number: 10 + number, error: RowError { position, ..RowError::default() } });
+        })?;
+        self.rotation.factors("the rotation", |number, rotation| {
+            all.push(Factor { number: 13 + number, error: RowError { rotation, ..RowError::default() } });
+        })?;
+        Ok(all)
+    }
+}
+
+impl<const N: usize> Spread<N> {
+    fn factors(
+        &self,
+        what: &'static str,
+        mut each: impl FnMut(usize, [f64; N]),
+    ) -> Result<(), NotUncertainty> {
+        match self {
+            Self::Exact => {}
+            Self::Deviations(sd) => {
+                for (k, &value) in sd.iter().enumerate() {
+                    if !(value >= 0.0 && value.is_finite()) {
+                        return Err(NotUncertainty::Deviation { what, value });
+                    }
+                    if value > 0.0 {
+                        let mut column = [0.0; N];
+                        column[k] = value;
+                        each(k, column);
+                    }
+                }
+            }
+            Self::Covariance(covariance) => {
+                columns(covariance)
+                    .map_err(|error| error.of(what))?
+                    .into_iter()
+                    .for_each(|(k, column)| each(k, column));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl NotCovariance {
+    const fn of(self, what: &'static str) -> NotUncertainty {
+        NotUncertainty::Covariance { what, element: self.element }
+    }
+}

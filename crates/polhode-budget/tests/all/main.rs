@@ -1,0 +1,10 @@
+//! The integration tests of `polhode-budget`, as one program: each links the whole library.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
+
+mod draws;
+mod errors;
+mod lists;
+mod masses;
+mod principal;
+mod published;
+mod sums;

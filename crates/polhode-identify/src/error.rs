@@ -68,6 +68,11 @@ pub enum IdentifyError {
         /// From when to when nothing turns it, s.
         free: [f64; 2],
     },
+    /// Free rotation that does not change.
+    Steady {
+        /// The noise of the readings, beyond which they do not differ, rad/s.
+        noise: f64,
+    },
     /// The method went on without an end.
     NoConvergence {
         /// After so many steps.
@@ -80,6 +85,7 @@ impl IdentifyError {
     pub fn hint(&self) -> Option<&'static str> {
         match self {
             Self::TooFew { .. } => Some("measure for longer, more often, or find fewer numbers"),
+            Self::Steady { .. } => Some("throw it so that it tumbles: about none of its principal axes"),
             Self::NoConvergence { .. } => Some(
                 "the measurements may not determine all that is asked for, or noise may hide the motion: turn faster and about more axes, or find fewer numbers, as without drag or the gyro's scale and skew",
             ),
@@ -145,6 +151,11 @@ impl fmt::Display for IdentifyError {
             Self::NotFree { flight, free: [from, to] } => write!(
                 f,
                 "no free motion fits: something else turns the body in {flight}, as a hand does, but between {from:.3} and {to:.3} s"
+            ),
+            Self::Steady { noise } => write!(
+                f,
+                "the rates of every flight are the same from beginning to end but for their noise, {noise:.2e} rad/s: a sphere turns so, and any body about a principal axis. \
+                 That shows neither moments nor the gyro's bias"
             ),
             Self::NotFinite => write!(f, "the model predicts what is not a number"),
             Self::NoConvergence { steps } => write!(f, "no least sum of squares was found in {steps} steps"),

@@ -28,3 +28,6 @@ pub use next::{Candidate, NextExperiment};
 pub use principal::PrincipalEstimate;
 pub use region::{TRIANGLE, on_triangle, possible_ratios};
 pub use residuals::ResidualTest;
+
+/// Gravity at the Earth's surface, m/s²: 9.780 at the equator, 9.832 at the poles, and less on mountains.
+pub const ON_EARTH: core::ops::Range<f64> = 9.7..9.9;

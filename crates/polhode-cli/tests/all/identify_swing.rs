@@ -175,3 +175,15 @@ fn flags_that_say_too_little_or_too_much_are_refused() {
     let text = refused(&scratch.run(&["identify"]), 2);
     assert!(text.contains("nothing says what was measured") && text.contains("--pendulum"), "{text}");
 }
+
+#[test]
+fn gravity_that_is_not_of_this_planet_is_named() {
+    let scratch = Scratch::new("gravity");
+    let named = |gravity: &str, time: &str| {
+        let swings = ["identify", "--pendulum", "--mass", "742 g", "--distance", "8.2 cm", "--swings", "50"];
+        let measured = ["--time", time, "--amplitude", "8 deg +- 1 deg", "--gravity", gravity, "--json"];
+        stdout(&scratch.run(&[&swings[..], &measured].concat())).contains("identify.gravity")
+    };
+    assert!(!named("9.81 m/s^2", "41.2 s +- 0.1 s"));
+    assert!(named("1.62 m/s^2", "101.4 s +- 0.1 s"));
+}

@@ -13,6 +13,7 @@ use super::outliers::{self, LeftOut, Outliers};
 use super::regression::{Pass, Regression};
 use super::small::Matrix6;
 use super::{mistake, noise, possible, shape};
+use crate::ON_EARTH;
 use crate::error::IdentifyError;
 use crate::least_squares::Information;
 use crate::residuals::{Noise, ResidualTest};
@@ -329,7 +330,7 @@ fn findings(
     let (least, most) = sizes.fold((f64::INFINITY, 0.0_f64), |(a, b), g| (a.min(g), b.max(g)));
     if most - least > 0.01 * most {
         all.push(PayloadFinding::GravityVaries { least, most });
-    } else if most > 0.0 && !(9.7..9.9).contains(&most) {
+    } else if most > 0.0 && !ON_EARTH.contains(&most) {
         all.push(PayloadFinding::UnusualGravity { size: most });
     }
     all

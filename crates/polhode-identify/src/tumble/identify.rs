@@ -34,7 +34,7 @@ const FULL: f64 = 4.0;
 /// [`IdentifyError::TooFew`] for fewer readings than numbers to be found; [`IdentifyError::Missing`] for attitudes without their noise; a parameter's error
 /// for options, and for readings between which the body turns by half a turn or more; [`IdentifyError::Saturated`] for a flight with hardly a reading inside the gyro's range; [`IdentifyError::Unit`] and [`IdentifyError::LeftHanded`]
 /// if the rates move as they have to in another unit, or with an axis reversed, only; [`IdentifyError::NotFree`] if nothing fits and a hand turns
-/// the body in a flight; [`IdentifyError::NoConvergence`].
+/// the body in a flight; [`IdentifyError::Steady`] for free rotation that does not change; [`IdentifyError::NoConvergence`].
 pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, IdentifyError> {
     let readings: Vec<GyroReading> =
         flights.iter().flat_map(|flight| flight.gyro().iter().copied()).collect();
@@ -79,6 +79,9 @@ fn identified(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, Ide
     };
     positive("the noise of the attitudes", attitude_noise)?;
     let gyro_noise = if has_gyro { gyro_noise(flights, options)? } else { Noise::told(1.0) };
+    if !has_attitudes && options.drag.is_none() && !flights.iter().any(Flight::has_scale) {
+        require_change(flights, gyro_noise)?;
+    }
     let tracked = (has_gyro && has_attitudes).then(|| tracked_axes(flights));
 
     let mut shared = tensor_with_scale(flights).to_vec();
@@ -116,6 +119,22 @@ fn identified(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, Ide
             .collect();
         most *= GROWTH;
     }
+}
+
+/// That free rotation changes by more than noise.
+fn require_change(flights: &[Flight], noise: Noise) -> Result<(), IdentifyError> {
+    let from_mean = |flight: &Flight, k: usize| -> Vec<f64> {
+        let rates = || flight.gyro().iter().map(|reading| reading.omega.to_array()[k]);
+        let mean = rates().sum::<f64>() / flight.gyro().len() as f64;
+        rates().map(|rate| (rate - mean) / noise.deviation).collect()
+    };
+    let runs: Vec<Vec<f64>> =
+        flights.iter().flat_map(|flight| [0, 1, 2].map(|k| from_mean(flight, k))).collect();
+    let left = ResidualTest::of("change of the rates", noise, runs.len() as f64, &runs);
+    if left.is_too_large() || left.is_correlated() {
+        return Ok(());
+    }
+    Err(IdentifyError::Steady { noise: noise.deviation })
 }
 
 /// The parts of the shared numbers.

@@ -280,3 +280,25 @@ fn fewer_numbers_than_are_sought_are_refused() {
     let error = identify_tumbles(&[], &options).unwrap_err();
     assert!(matches!(error, IdentifyError::TooFew { given: 0, .. }), "{error}");
 }
+
+#[test]
+fn rotation_that_does_not_change_shows_nothing() {
+    let sphere = [4.1e-3, 4.1e-3, 4.1e-3, 0.0, 0.0, 0.0];
+    let brick = [3.1e-3, 4.2e-3, 5.3e-3, 0.0, 0.0, 0.0];
+    let about_axes = [[0.0, 0.0, 9.3], [7.7, 0.0, 0.0]];
+    for seed in 0..20 {
+        let mut noise = Normal::new(500 + seed);
+        let mut flight = |tensor, omega: &[f64; 3]| {
+            Flight::of_gyro("steady", gyro(&motion(tensor, *omega), 1.2, &mut noise, 0.01)).unwrap()
+        };
+        let of_sphere: Vec<Flight> = STARTS.iter().map(|start| flight(sphere, start)).collect();
+        let of_brick: Vec<Flight> = about_axes.iter().map(|omega| flight(brick, omega)).collect();
+        for flights in [of_sphere, of_brick] {
+            let error = identify_tumbles(&flights, &TumbleOptions::default()).unwrap_err();
+            assert!(matches!(error, IdentifyError::Steady { .. }), "{seed}: {error}");
+        }
+        // A little off the axis it wobbles, and is no sphere.
+        let wobbling: Vec<Flight> = STARTS.iter().map(|start| flight(TENSOR, start)).collect();
+        assert!(identify_tumbles(&wobbling, &TumbleOptions::default()).is_ok(), "{seed}");
+    }
+}

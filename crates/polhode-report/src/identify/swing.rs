@@ -3,7 +3,7 @@
 use polhode::body::{Finding, MassProperties, Severity};
 use polhode::math::Body;
 use polhode_identify::swing::{Measurement, NextSwing, SwingEstimate, SwingResult, SwingTest};
-use polhode_identify::{NextExperiment, Number, PrincipalEstimate};
+use polhode_identify::{NextExperiment, Number, ON_EARTH, PrincipalEstimate};
 use serde_json::{Value, json};
 
 use super::next::Named;
@@ -107,6 +107,16 @@ impl SwingReport {
                 "identify.untested",
                 "as much is found as was measured: nothing is left that could show a wrong model".to_owned(),
             );
+        }
+        let gravity = self.found.estimate.numbers.iter().find(|number| number.name == "gravity");
+        if let Some(gravity) = gravity.filter(|gravity| !ON_EARTH.contains(&gravity.value)) {
+            let message = format!("gravity is {} m/s²", number(gravity.value, 6));
+            findings.push(Finding {
+                code: "identify.gravity",
+                severity: Severity::Info,
+                message,
+                place: None,
+            });
         }
         findings
     }

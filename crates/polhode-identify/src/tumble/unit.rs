@@ -2,6 +2,10 @@
 //!
 //! ω̇ is quadratic in ω: rates that are all κ times too large turn κ times too slowly for free motion, of any body. Axes that are left-handed are κ = −1.
 
+use core::cell::OnceCell;
+
+use polhode::motion::torque::DragLaw;
+
 use super::flight::Flight;
 use super::handedness;
 use super::options::TumbleOptions;
@@ -39,32 +43,39 @@ pub(super) fn require_right(
     if first.is_empty() {
         return Ok(());
     }
-    let left = |factors: [f64; 3]| {
+    let left = |factors: [f64; 3], drag: Option<DragLaw>| {
         let scaled: Vec<Flight> = first.iter().map(|flight| flight.with_rates_times(factors)).collect();
         let gyro_noise = options.gyro_noise.map(|noise| noise * factors[0].abs());
-        let found = identified(&scaled, &TumbleOptions { gyro_noise, ..*options });
+        let found = identified(&scaled, &TumbleOptions { gyro_noise, drag, ..*options });
         found.map_or((f64::INFINITY, false), |found| {
             let is_noise = !found.residuals.iter().any(ResidualTest::is_too_large);
             (share_left(&scaled, &found), is_noise)
         })
     };
-    let (as_they_are, _) = left([1.0; 3]);
+    // Without drag the motions are in closed form: only what is better so is looked at with it.
+    let without = options.drag.map(|_| left([1.0; 3], None).0);
+    let is_likely =
+        |factors| without.is_none_or(|as_they_are| left(factors, None).0 * BETTER_IF_NOISE < as_they_are);
+    let as_they_are = OnceCell::new();
     // What hardly varies fits in every unit.
     let most = f64::min(SMALL, STEADY * varying(&first));
     let better = |(other, is_noise): (f64, bool)| {
+        let (as_they_are, _) = *as_they_are.get_or_init(|| left([1.0; 3], options.drag));
         let better = if is_noise { BETTER_IF_NOISE } else { BETTER };
         // Where nothing was found as they are, only what fits well says more.
         let says = is_noise || as_they_are.is_finite();
         (says && other < most && other * better < as_they_are).then(|| as_they_are.min(1.0) / other)
     };
-    let tried = UNITS.into_iter().map(|factor| (factor, left([factor; 3])));
+    let tried = UNITS.into_iter().filter(|&factor| is_likely([factor; 3]));
+    let tried = tried.map(|factor| (factor, left([factor; 3], options.drag)));
     if let Some((factor, least)) = tried.min_by(|a, b| a.1.0.total_cmp(&b.1.0))
         && let Some(better) = better(least)
     {
         return Err(IdentifyError::Unit { factor, better });
     }
     let reversed = handedness::left_handed(&first).iter();
-    let reversed = reversed.filter_map(|&(axes, factors)| Some((axes, better(left(factors))?)));
+    let reversed = reversed.filter(|(_, factors)| is_likely(*factors));
+    let reversed = reversed.filter_map(|&(axes, factors)| Some((axes, better(left(factors, options.drag))?)));
     match reversed.max_by(|a, b| a.1.total_cmp(&b.1)) {
         Some((axes, better)) => Err(IdentifyError::LeftHanded { axes, better }),
         None => Ok(()),

@@ -16,22 +16,24 @@ pub(crate) enum Row {
 pub(crate) struct Rows(Vec<u8>);
 
 impl Rows {
-    pub(crate) fn f32s(&mut self, numbers: impl IntoIterator<Item = f32>) -> Row {
-        Row::F32(self.put(numbers.into_iter().map(f32::to_le_bytes)))
+    pub(crate) fn f32s(&mut self, numbers: impl ExactSizeIterator<Item = f32>) -> Row {
+        Row::F32(self.put(numbers.map(f32::to_le_bytes)))
     }
 
-    pub(crate) fn u32s(&mut self, numbers: impl IntoIterator<Item = u32>) -> Row {
-        Row::U32(self.put(numbers.into_iter().map(u32::to_le_bytes)))
+    pub(crate) fn u32s(&mut self, numbers: impl ExactSizeIterator<Item = u32>) -> Row {
+        Row::U32(self.put(numbers.map(u32::to_le_bytes)))
     }
 
     pub(crate) fn into_bytes(self) -> Bytes {
         self.0.into()
     }
 
-    fn put<const N: usize>(&mut self, numbers: impl Iterator<Item = [u8; N]>) -> [usize; 2] {
-        let at = self.0.len();
-        self.0.reserve(N * numbers.size_hint().0);
-        numbers.for_each(|number| self.0.extend_from_slice(&number));
-        [at / N, (self.0.len() - at) / N]
+    fn put<const N: usize>(&mut self, numbers: impl ExactSizeIterator<Item = [u8; N]>) -> [usize; 2] {
+        let (at, count) = (self.0.len(), numbers.len());
+        self.0.resize(at + N * count, 0);
+        // Into places that are there: of a large mesh it is a copy, not a push for each number.
+        let (places, _) = self.0[at..].as_chunks_mut();
+        places.iter_mut().zip(numbers).for_each(|(place, number)| *place = number);
+        [at / N, count]
     }
 }

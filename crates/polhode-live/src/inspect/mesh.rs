@@ -95,7 +95,14 @@ impl MeshInspection {
     }
 
     fn shown(name: &str, surface: &TriangleMesh, of: usize, mut findings: Vec<Marked>, unit: f64) -> Self {
-        let (vertices, triangles) = in_single_precision(surface, unit);
+        let many = surface.triangles().len() > SHOWN;
+        let shown = if many { Cow::Owned(decimated(surface, SHOWN)) } else { Cow::Borrowed(surface) };
+        let (mut vertices, mut triangles) =
+            (shown.coordinates().as_flattened(), shown.triangles().as_flattened());
+        let in_metres = |x: &f64| (x * unit) as f32;
+        if !vertices.iter().all(|x| in_metres(x).is_finite()) {
+            (vertices, triangles) = (&[], &[]);
+        }
         if triangles.is_empty() {
             findings.push(Marked::remark(
                 "mesh.not_shown",
@@ -112,8 +119,8 @@ impl MeshInspection {
         let mut rows = Rows::default();
         Self {
             name: name.to_owned(),
-            vertices: rows.f32s(vertices.into_flattened()),
-            triangles: rows.u32s(triangles.into_flattened()),
+            vertices: rows.f32s(vertices.iter().map(in_metres)),
+            triangles: rows.u32s(triangles.iter().copied()),
             of,
             findings: findings.iter().map(|found| found.in_metres(unit, &mut rows)).collect(),
             rows: rows.into_bytes(),
@@ -182,7 +189,7 @@ impl Marked {
         let mut metres = |points: &[[f64; 3]], size: usize| {
             let points: Vec<f32> = points.as_flattened().iter().map(|x| (x * unit) as f32).collect();
             let whole = points.chunks(size).filter(|mark| mark.iter().all(|x| x.is_finite()));
-            rows.f32s(whole.flatten().copied())
+            rows.f32s(whole.flatten().copied().collect::<Vec<_>>().into_iter())
         };
         let Finding { code, severity, message, place } = &self.finding;
         MeshFinding {
@@ -335,14 +342,4 @@ const fn code(error: &BodyError) -> &'static str {
         BodyError::FlatMesh { .. } => "mesh.flat",
         _ => "mesh.no_solid",
     }
-}
-
-/// Vertices in metres and triangles between them; none if f32 does not hold them.
-fn in_single_precision(mesh: &TriangleMesh, unit: f64) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
-    let many = mesh.triangles().len() > SHOWN;
-    let mesh = if many { Cow::Owned(decimated(mesh, SHOWN)) } else { Cow::Borrowed(mesh) };
-    let vertices = mesh.coordinates().iter().map(|vertex| vertex.map(|x| (x * unit) as f32));
-    let vertices: Vec<[f32; 3]> = vertices.collect();
-    let is_held = vertices.as_flattened().iter().all(|x| x.is_finite());
-    if is_held { (vertices, mesh.triangles().to_vec()) } else { Default::default() }
 }

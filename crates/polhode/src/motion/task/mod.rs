@@ -5,3 +5,4 @@ pub(crate) mod pendulum;
 pub(crate) mod run;
 pub(crate) mod scenario;
 pub(crate) mod shaft;
+mod simulate;

@@ -1,6 +1,5 @@
 //! A scenario: one body, one motion.
 
-use super::pendulum::Pendulum;
 use super::run::Run;
 use super::shaft::{CorrectionMass, Reactions, Shaft};
 use crate::body::assembly::BodyPart;
@@ -18,12 +17,8 @@ use crate::motion::model::pointing::Pointing;
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
-use crate::motion::model::torque::{TorqueModel, TorqueParameter};
+use crate::motion::model::torque::TorqueModel;
 use crate::motion::model::wheel::Wheel;
-use crate::motion::run::derivatives::TrajectoryDerivatives;
-use crate::motion::run::global_error::ErrorEffort;
-use crate::motion::run::simulation::Simulation;
-use crate::motion::run::trajectory::Trajectory;
 
 /// One body and one motion, as a scenario file describes them: what exists can be computed.
 ///
@@ -519,87 +514,6 @@ impl Scenario {
     /// True if particles are all that the body is made of.
     pub fn is_all_particles(&self) -> bool {
         self.parts.iter().all(|part| !part.particles.is_empty())
-    }
-
-    /// The motion at the times of the run; `None` without a run.
-    ///
-    /// # Errors
-    /// [`MotionError`] as [`Simulation::run`].
-    pub fn simulate(&self) -> Option<Result<Trajectory, MotionError>> {
-        self.simulate_watched(&mut |_| true)
-    }
-
-    /// [`Scenario::simulate`], telling `progress` the time (s) that an integration has reached after each step; `false` ends the work.
-    ///
-    /// # Errors
-    /// [`MotionError`] as [`Simulation::run_watched`].
-    pub fn simulate_watched(
-        &self,
-        progress: &mut dyn FnMut(f64) -> bool,
-    ) -> Option<Result<Trajectory, MotionError>> {
-        self.trajectory(|simulation| simulation.run_watched(progress))
-    }
-
-    /// [`Scenario::simulate_watched`] with the estimate of its error.
-    ///
-    /// # Errors
-    /// [`MotionError`] as [`Simulation::run`].
-    pub fn simulate_with_error(
-        &self,
-        effort: ErrorEffort,
-        progress: &mut dyn FnMut(f64) -> bool,
-    ) -> Option<Result<Trajectory, MotionError>> {
-        self.trajectory(|simulation| simulation.run_with_error(effort, progress))
-    }
-
-    /// The derivatives of the motion, at the times of the run; `None` without a run.
-    ///
-    /// # Errors
-    /// [`MotionError`] as [`Simulation::run_with_derivatives_watched`]; [`MotionError::NoMotionDerivatives`] of a motion that is prescribed.
-    pub fn derivatives_watched(
-        &self,
-        parameters: &[TorqueParameter],
-        progress: &mut dyn FnMut(f64) -> bool,
-    ) -> Option<Result<TrajectoryDerivatives, MotionError>> {
-        let run = self.run.as_ref()?;
-        if self.prescribed().is_some() {
-            let why = "it is prescribed, whatever the body is";
-            return Some(Err(MotionError::NoMotionDerivatives { why, time: self.start.time }));
-        }
-        Some(self.simulation(run).run_with_derivatives_watched(parameters, progress))
-    }
-
-    fn trajectory(
-        &self,
-        run_by: impl FnOnce(&Simulation<'_>) -> Result<Trajectory, MotionError>,
-    ) -> Option<Result<Trajectory, MotionError>> {
-        let run = self.run.as_ref()?;
-        if let Some(motion) = self.prescribed() {
-            return Some(Trajectory::prescribed(&self.rotor, motion, &run.times));
-        }
-        Some(run_by(&self.simulation(run)))
-    }
-
-    fn simulation<'a>(&'a self, run: &'a Run) -> Simulation<'a> {
-        Simulation::new(&self.rotor, self.torques(), self.start, &run.times)
-            .switched_off(self.switched_off())
-            .events(self.events())
-            .method(run.method)
-            .tolerance(run.tolerance)
-    }
-
-    /// The pendulum that hangs from the scenario's axis under its gravity; `None` without an axis or without gravity.
-    ///
-    /// # Errors
-    /// [`MotionError`] as [`Pendulum::hung`].
-    pub fn pendulum(&self) -> Option<Result<Pendulum, MotionError>> {
-        let hanging = self.suspension()?;
-        let gravity = self.torques().iter().find_map(|torque| match torque {
-            TorqueModel::Gravity(gravity) => Some(gravity.acceleration),
-            _ => None,
-        })?;
-        let g = self.start.attitude.inverse() * gravity;
-        Some(Pendulum::hung(&self.rotor, hanging.axis, g))
     }
 }
 

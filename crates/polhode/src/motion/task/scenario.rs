@@ -323,7 +323,7 @@ impl Scenario {
     /// Hung from an axis, under the gravity that acts on it.
     ///
     /// # Errors
-    /// [`MotionError::Exclusive`] of a body with wheels, a prescribed motion and a shaft; as [`Pendulum::hung`].
+    /// [`MotionError::Exclusive`] of a body with wheels, a prescribed motion and a shaft; as [`Pendulum::hung`](crate::motion::Pendulum::hung).
     pub fn suspended_from(self, hanging: Suspension) -> Result<Self, MotionError> {
         self.require_compatible("pendulum", true)?;
         let hung = self.changed(|task| task.hanging = Some(hanging));

@@ -45,6 +45,10 @@ pub(super) fn require_right(
     }
     let left = |factors: [f64; 3], drag: Option<DragLaw>| {
         let scaled: Vec<Flight> = first.iter().map(|flight| flight.with_rates_times(factors)).collect();
+        // What turns too fast to be followed in this unit is in another.
+        if require_fine(&scaled).is_err() {
+            return (f64::INFINITY, false);
+        }
         let gyro_noise = options.gyro_noise.map(|noise| noise * factors[0].abs());
         let found = identified(&scaled, &TumbleOptions { gyro_noise, drag, ..*options });
         found.map_or((f64::INFINITY, false), |found| {

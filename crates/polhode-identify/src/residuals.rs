@@ -82,6 +82,17 @@ impl ResidualTest {
         ((1.0 - variance) - libm::cbrt(1.0 / self.reduced_chi_square)) / variance.sqrt()
     }
 
+    /// Of a change of told measurements, what has to be left of its χ² until the residuals are larger than the noise beyond chance, in the mean.
+    pub(crate) fn least_noncentrality(&self) -> f64 {
+        let (degrees, variance) = (self.degrees_of_freedom, 2.0 / (9.0 * self.degrees_of_freedom));
+        degrees * ((1.0 - variance + NO_CHANCE * variance.sqrt()).powi(3) - 1.0)
+    }
+
+    /// Residuals are smaller than the noise that was told, beyond chance: it is less than that, or the measurements are no independent ones.
+    pub fn is_too_small(&self) -> bool {
+        self.noise_is_told && self.excess() < -NO_CHANCE
+    }
+
     /// Residuals are larger than the noise, beyond chance.
     pub fn is_too_large(&self) -> bool {
         self.excess() > NO_CHANCE

@@ -3,11 +3,13 @@
 //! Rows r = measured − predicted and J = ∂predicted/∂p become an upper triangle (QR) group by group, so no normal equations lose half of the digits, and
 //! what a measurement does not determine shows as a singular value that is zero.
 
+mod left;
 mod more;
 mod outlier;
 mod rows;
 mod solution;
 
+pub(crate) use left::{Response, response};
 pub(crate) use outlier::{Outliers, spread};
 pub(crate) use rows::{Rows, stacked};
 pub(crate) use solution::{Information, Solution};

@@ -70,6 +70,20 @@ impl Rows {
         self.begins.iter().zip(ends).map(|(&from, to)| (from..to).map(|row| self.residual(row)).collect())
     }
 
+    /// How many numbers are the group's own, and how many shared.
+    pub(super) const fn sizes(&self) -> (usize, usize) {
+        (self.local, self.shared)
+    }
+
+    /// The same with other residuals.
+    pub(super) fn with_residuals(&self, residuals: &[f64]) -> Self {
+        let mut other = self.clone();
+        other.elements.chunks_exact_mut(self.width()).zip(residuals).for_each(|(row, residual)| {
+            row[self.local + self.shared] = *residual;
+        });
+        other
+    }
+
     fn residual(&self, row: usize) -> f64 {
         self.elements[(row + 1) * self.width() - 1]
     }

@@ -5,6 +5,7 @@ use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{Body, Position};
 
 use super::measurement::{Measurement, Signal};
+use super::mistake::{Mistake, mistakes};
 use super::number::{CENTER, MASS, TENSOR};
 use super::plan::SwingPlan;
 use super::problem::{Stage, Swings};
@@ -28,6 +29,8 @@ pub struct SwingEstimate {
     pub left_of_numbers: Vec<f64>,
     /// By what all errors were multiplied, as residuals show more than noise.
     pub widening: f64,
+    /// Mistakes that could have been made, and whether what is left of counted swings would show them: none where nothing is left.
+    pub mistakes: Vec<Mistake>,
 }
 
 /// What becomes of a test.
@@ -158,7 +161,11 @@ fn said(plan: &SwingPlan, swings: &Swings, solution: &Solution) -> Result<SwingE
     let inertia = InertiaTensor::with_negative_products([xx, yy, zz], [xy, xz, yz])?;
     let center = Position::new(values[CENTER], values[CENTER + 1], values[CENTER + 2]);
     let body = MassProperties::new(values[MASS], center, inertia)?;
-    Ok(SwingEstimate { estimate, body, tests, counted, left_of_numbers: measured, widening })
+    let mistakes = match &counted {
+        Some(test) => mistakes(plan, swings, solution, &found, test)?,
+        None => Vec::new(),
+    };
+    Ok(SwingEstimate { estimate, body, tests, counted, left_of_numbers: measured, widening, mistakes })
 }
 
 fn moment(values: &[f64], by_elements: &[f64; 6], estimate: &Estimate) -> Number {

@@ -40,7 +40,7 @@ pub struct SwingPlan {
     gravity: Measured,
     start: Option<InertiaTensor<Body>>,
     numbers: Vec<(String, &'static str, Measured)>,
-    tests: Vec<SwingTest>,
+    pub(super) tests: Vec<SwingTest>,
 }
 
 /// One test.
@@ -192,6 +192,18 @@ impl SwingPlan {
         all.push(("gravity".to_owned(), "m/s²"));
         all.extend(self.numbers.iter().map(|(name, unit, _)| (name.clone(), *unit)));
         all
+    }
+
+    /// Of each measured number that has an error, in their order: the name and half of the value in standard deviations of what is a length, and no coordinate.
+    pub(super) fn lengths(&self) -> impl Iterator<Item = Option<(&str, f64)>> {
+        let is_measured = |measured: &Measured| measured.sd > 0.0 && measured.sd.is_finite();
+        let body = [self.mass].into_iter().chain(self.center).chain([self.gravity]);
+        let body = body.filter(is_measured).map(|_| None);
+        let own = self.numbers.iter().filter(move |(_, _, measured)| is_measured(measured));
+        body.chain(own.map(|(name, unit, measured)| {
+            let is_length = *unit == "m" && measured.value > 0.0;
+            is_length.then(|| (name.as_str(), 0.5 * measured.value / measured.sd))
+        }))
     }
 
     pub(super) fn check(&self) -> Result<(), IdentifyError> {

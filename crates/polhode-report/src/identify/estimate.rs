@@ -105,7 +105,7 @@ pub(super) fn residuals(section: &mut Section, tests: &[ResidualTest]) {
     }
 }
 
-/// What is left that is no noise.
+/// What is left that is no noise, or not the noise that was told.
 pub(super) fn model_findings(tests: &[ResidualTest]) -> Vec<Finding> {
     let widening = tests.iter().map(ResidualTest::widening).fold(1.0, f64::max);
     let odd = tests.iter().filter(|test| test.is_too_large() || test.is_correlated());
@@ -120,7 +120,26 @@ pub(super) fn model_findings(tests: &[ResidualTest]) -> Vec<Finding> {
         ),
         place: None,
     })
+    .chain(small_findings(tests))
     .collect()
+}
+
+/// What is left that is less than the noise that was told.
+pub(super) fn small_findings<'a>(tests: impl IntoIterator<Item = &'a ResidualTest>) -> Vec<Finding> {
+    let small = tests.into_iter().filter(|test| test.is_too_small());
+    small
+        .map(|test| Finding {
+            code: "identify.noise",
+            severity: Severity::Info,
+            message: format!(
+                "what is left of {} is {} of the noise that was told (χ² {} per degree of freedom): the errors are of that noise, and too wide if it is less",
+                test.what,
+                number(test.reduced_chi_square.sqrt(), 2),
+                number(test.reduced_chi_square, 2)
+            ),
+            place: None,
+        })
+        .collect()
 }
 
 pub(super) fn principal(section: &mut Section, p: &PrincipalEstimate, unit: Option<&str>) {

@@ -1,6 +1,7 @@
 //! What was found of a body by measuring it, for people and for programs.
 
 mod estimate;
+mod mistakes;
 mod motion;
 mod next;
 mod payload;

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::next::Named;
 use super::scenario::{NoBody, Part};
-use super::{estimate, next};
+use super::{estimate, mistakes, next};
 use crate::explain::document::{Document, Section};
 use crate::explain::drawing::{Drawing, Scatter, Series};
 use crate::layout::printable;
@@ -108,6 +108,15 @@ impl SwingReport {
                 "as much is found as was measured: nothing is left that could show a wrong model".to_owned(),
             );
         }
+        if let Some(message) = mistakes::unseen(&self.found) {
+            findings.push(Finding {
+                code: "identify.unchecked",
+                severity: Severity::Info,
+                message,
+                place: None,
+            });
+        }
+        findings.extend(estimate::small_findings(self.found.model_tests()));
         let gravity = self.found.estimate.numbers.iter().find(|number| number.name == "gravity");
         if let Some(gravity) = gravity.filter(|gravity| !ON_EARTH.contains(&gravity.value)) {
             let message = format!("gravity is {} m/s²", number(gravity.value, 6));
@@ -210,6 +219,7 @@ impl SwingReport {
         if let Some(scatter) = self.scatter() {
             s.draw(Drawing::Scatter(scatter));
         }
+        mistakes::table(&mut s, &self.found);
         s
     }
 
@@ -269,6 +279,7 @@ impl SwingReport {
             "principal": self.is_known().then(|| estimate::principal_to_json(&self.principal)),
             "left_of_numbers": found.left_of_numbers,
             "widening": found.widening,
+            "mistakes": mistakes::to_json(&found.mistakes),
             "residuals": found.counted.as_ref().map(|test| {
                 estimate::residuals_to_json(core::slice::from_ref(test))[0].clone()
             }),

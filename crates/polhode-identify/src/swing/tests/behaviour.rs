@@ -337,3 +337,53 @@ fn rods_along_any_direction_are_found() {
         }
     }
 }
+
+#[test]
+fn mistakes_show_as_far_as_is_said() {
+    let tensor = [0.0132, 0.0178, 0.0241, 0.0011, -0.0007, 0.0013];
+    let right = identify_swings(&swung(tensor, 0.0, 1)).unwrap();
+    let of = |kind: &MistakeKind, test: Option<usize>| {
+        right.mistakes.iter().find(|mistake| mistake.kind == *kind && mistake.test == test).unwrap().clone()
+    };
+    let chi = |found: &SwingEstimate| {
+        let test = found.counted.as_ref().unwrap();
+        (test.reduced_chi_square * test.degrees_of_freedom).sqrt()
+    };
+    assert!(chi(&right) < 1e-3);
+    let mut hidden = 0;
+    for k in 0..7 {
+        let mut plan = swung(tensor, 0.0, 1);
+        let Measurement::Counted(counted) = &mut plan.tests[k].measurement else { unreachable!() };
+        // 21 swings that were counted as 20
+        counted.intervals[0].time *= 21.0 / 20.0;
+        let said = of(&MistakeKind::Miscount, Some(k));
+        let found = identify_swings(&plan).unwrap();
+        assert!((chi(&found) / said.left - 1.0).abs() < 0.08, "{said:?} {}", chi(&found));
+        assert_eq!(found.counted.as_ref().unwrap().is_too_large(), said.shows(), "{said:?}");
+        hidden += usize::from(said.is_hidden());
+        // Of a spindle the period does not depend on the amplitude.
+        let said = of(&MistakeKind::SideToSide, Some(k));
+        assert!(!said.matters() && !said.shows(), "{said:?}");
+    }
+    assert_eq!(hidden, 0);
+    // A clock that is fast makes another body, as does a stiffness.
+    let said = of(&MistakeKind::Clock, None);
+    assert!(said.matters(), "{said:?}");
+    let mut plan = swung(tensor, 0.0, 1);
+    for test in &mut plan.tests {
+        let Measurement::Counted(counted) = &mut test.measurement else { unreachable!() };
+        counted.intervals[0].time *= 1.01;
+    }
+    let found = identify_swings(&plan).unwrap();
+    assert!((chi(&found) - said.left).abs() < 0.1 * said.left + 0.2, "{said:?} {}", chi(&found));
+    // Without a seventh axis only amplitudes test each other: no miscount shows.
+    let mut plan = swung(tensor, 0.0, 1);
+    plan.tests.pop();
+    let found = identify_swings(&plan).unwrap();
+    let miscounts = found.mistakes.iter().filter(|mistake| mistake.kind == MistakeKind::Miscount);
+    assert!(
+        miscounts.clone().count() == 6 && miscounts.clone().all(Mistake::is_hidden),
+        "{:?}",
+        found.mistakes
+    );
+}

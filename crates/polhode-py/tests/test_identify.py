@@ -129,6 +129,24 @@ def test_swings_as_dictionaries(found: dict[str, Any], examples: Path) -> None:
     assert elsewhere.estimate["gravity"].value == 9.78 and elsewhere.estimate["mass"].sd == 0.0
 
 
+def test_logs_of_swings_as_arrays(examples: Path) -> None:
+    plan = tomllib.loads((examples / "identify" / "rod-logs.toml").read_text())
+    angle = np.loadtxt(examples / "identify" / "rod-angle.csv", delimiter=",", skiprows=1)
+    rate = np.loadtxt(examples / "identify" / "rod-rate.csv", delimiter=",", skiprows=1)
+    rate = rate[rate[:, 0] >= 1000.0]
+    by_file = polhode.identify(examples / "identify" / "rod-logs.toml")
+    tests = plan["swing"]["test"]
+    tests[0]["logged"] = {"times": angle[:, 0], "values": np.radians(angle[:, 1]), "signal": "angle", "sd": np.radians(0.1)}
+    tests[1]["logged"] = {"times": rate[:, 0] / 1000.0, "values": rate[:, 1], "signal": "rate", "sd": 0.004}
+    with pytest.warns(polhode.PolhodeWarning, match="identify.unknown"):
+        by_array = polhode.identify_swings(mass=plan["swing"]["mass"], center=plan["swing"]["center"], tests=tests)
+    assert by_array.estimate["Izz"].value == pytest.approx(by_file.estimate["Izz"].value, rel=1e-9)
+    assert by_array.estimate["Izz"].sd == pytest.approx(by_file.estimate["Izz"].sd, rel=1e-6)
+    del tests[0]["logged"]["values"]
+    with pytest.raises(polhode.PolhodeError, match="the key values is missing"):
+        polhode.identify_swings(mass=plan["swing"]["mass"], center=plan["swing"]["center"], tests=tests)
+
+
 def test_wrenches_as_arrays(found: dict[str, Any], examples: Path) -> None:
     rows = np.loadtxt(examples / "identify" / "payload.csv", delimiter=",", skiprows=2)
     names = ("omega", "alpha", "acceleration", "gravity", "force", "torque")

@@ -230,6 +230,36 @@ fn logs_of_swings_are_read() {
         let error = logged(keys).unwrap_err();
         assert!(error.message().contains(says), "{keys}: {error}");
     }
+    let lists = |keys: &str| {
+        let Measurement::Swing(swing) = plan(&format!("logged = {{ sd = \"1 deg\", {keys} }}"))?.measurement
+        else {
+            panic!("a plan of swings")
+        };
+        let Measured::Logged(logged) = swing.tests()[0].measurement.clone() else { panic!("logged") };
+        Ok::<_, FormatError>(logged)
+    };
+    let listed = lists(
+        "signal = \"angle\", times = [\"0 s\", \"50 ms\", \"0.1 s\"], values = [\"10 deg\", \"20 deg\", \"5 deg\"]",
+    );
+    let listed = listed.unwrap();
+    assert_eq!((&listed.times, &listed.values), (&angle.times, &angle.values));
+    for (keys, says) in [
+        ("signal = \"angle\", times = [0, 1], values = [\"10 deg\"]", "as many as there are times: 2, not 1"),
+        ("signal = \"angle\", times = [0, 1, 1], values = [0, 1, 2]", "after the time before"),
+        ("signal = \"angle\", times = [0, 1]", "the key values is missing"),
+        (
+            "signal = \"angle\", times = [0, 1], values = [0, 1], units = { angle = \"deg\" }",
+            "it is of a file",
+        ),
+        (
+            "signal = \"angle\", times = [0, 1], values = [0, 1], log = \"log.csv\"",
+            "a log is a file, or in the plan",
+        ),
+        ("signal = \"angle\", log = \"log.csv\", values = [0, 1]", "the log is a file"),
+    ] {
+        let error = lists(keys).unwrap_err();
+        assert!(format!("{error}").contains(says), "{keys}: {error}");
+    }
     let both =
         plan("logged = { log = \"log.csv\", signal = \"angle\", sd = \"1 deg\" }\ncounted = { swings = 3 }");
     assert!(both.unwrap_err().message().contains("counted swings, or a log"));

@@ -91,7 +91,7 @@ fn test<'a>(
     let given = table.at_most_one(&["counted", "logged"], "a test has counted swings, or a log")?;
     if let Some(logged) = given.filter(|given| given.key() == "logged") {
         let (logged, read) = log::logged(&logged)?;
-        logs.push(read);
+        logs.extend(read);
         let measurement = Measurement::Logged(logged);
         return Ok(SwingTest { name: name.to_owned(), body, fixture, rig, air, measurement });
     }

@@ -94,7 +94,8 @@ impl Measured {
         let parts = threads.map_pieces(count, count.div_ceil(threads.count()).max(1), |components| {
             Self::some(welded, patches, components)
         });
-        let mut all = Self::default();
+        let mut parts = parts.into_iter();
+        let mut all = parts.next().unwrap_or_default();
         for part in parts {
             all.components.extend(part.components);
             all.largest.extend(part.largest);

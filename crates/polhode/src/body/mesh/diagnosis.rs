@@ -190,8 +190,10 @@ impl Analysis {
             });
             let once = once.as_ref().unwrap_or(&tree);
             let layers = Layers::of(&welded, once, &edges, |t| is_again[t as usize], &measured.collinear);
-            let doubtful = once.part(&welded, layers.doubtful(work, threads), threads);
-            Meetings::of(&windings, &edges, &doubtful, lowest_winding(&measured.components), sought, threads)
+            let doubtful = layers.doubtful(work, threads);
+            let some = (doubtful.len() < once.order().len()).then(|| once.part(&welded, doubtful, threads));
+            let doubtful = some.as_ref().unwrap_or(once);
+            Meetings::of(&windings, &edges, doubtful, lowest_winding(&measured.components), sought, threads)
         };
         let undecided = work.not_enough();
         // What was found until then depends on the threads.

@@ -228,9 +228,9 @@ impl Search<'_> {
         work: impl Fn(usize, &mut dyn FnMut(u32, u32) -> ControlFlow<()>) + Sync,
     ) -> Meetings {
         let mut all = self.found.clone();
-        let mut begin = 0;
+        let (mut begin, mut some) = (0, FIRST);
         while begin < pieces && !all.is_full(self.windings.patches) {
-            let parts = self.threads.map((pieces - begin).min(SOME), |piece| {
+            let parts = self.threads.map((pieces - begin).min(some), |piece| {
                 let mut meetings = Meetings::default();
                 let mut beside = self.lowest.map(|lowest| Neighborhoods::of(self.windings, lowest));
                 work(begin + piece, &mut |t, u| {
@@ -239,7 +239,8 @@ impl Search<'_> {
                 meetings
             });
             parts.iter().for_each(|part| all.join(part));
-            begin += SOME;
+            begin += some;
+            some = (2 * some).min(SOME);
         }
         [&mut all.between, &mut all.within, &mut all.contacts].into_iter().for_each(Overlaps::sort);
         all
@@ -268,8 +269,9 @@ fn is_sound_at(
 /// Edges in a piece of work.
 const EDGES: usize = 1 << 7;
 
-/// Leaves in a piece of work, and pieces at once.
+/// Leaves in a piece of work, and pieces at once: few at first, as what is wrong everywhere is so there.
 const LEAVES: usize = 1 << 9;
+const FIRST: usize = 8;
 const SOME: usize = 64;
 
 /// Pairs of triangles whose boxes meet: up to here they are near each other, with more for each triangle.

@@ -20,6 +20,7 @@ mod head;
 mod heading;
 mod key;
 mod measured;
+mod named;
 mod number;
 mod part;
 mod place;
@@ -30,12 +31,15 @@ mod shape;
 mod sheet;
 mod taken;
 mod tensor;
+mod workbook;
+mod xlsx;
 
 use std::path::{Path, PathBuf};
 
 use polhode::math::{Body, Part, Position, Rotation};
 use polhode_budget::{Basis, Budget};
 
+use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::FormatError;
 use crate::file;
 use crate::scenario::reader::Table;
@@ -121,11 +125,16 @@ pub fn read(path: &Path) -> Result<BudgetFile, FormatError> {
 /// # Errors
 /// As [`read()`].
 pub fn from_bytes(path: &Path, bytes: &[u8]) -> Result<BudgetFile, FormatError> {
-    let text = text(path, bytes)?;
-    from_text(path, text)
+    if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
+        return named::of_plan(path, text(path, bytes)?);
+    }
+    if xlsx::is_archive(bytes) {
+        return workbook::read(path, bytes, None);
+    }
+    from_text(path, text(path, bytes)?)
 }
 
-/// Reads a parts list from its text, CSV, or a plan if the path ends in `.toml`.
+/// Reads a parts list from its text, CSV.
 ///
 /// # Errors
 /// As [`read()`].
@@ -135,7 +144,7 @@ pub fn from_text(path: &Path, text: &str) -> Result<BudgetFile, FormatError> {
     let entries = tree::parse(&toml).map_err(|error| head_error(source, &error))?;
     list_units::check(source, &entries)?;
     let plan = plan::plan(&Table::root(source, &entries), &[])?;
-    budget_of_csv(source, from, plan)
+    of_csv(source, from, plan)
 }
 
 /// Bytes of a file: a larger one is no parts list.
@@ -147,6 +156,12 @@ fn bytes_of(path: &Path) -> Result<Vec<u8>, FormatError> {
 }
 
 fn text<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a str, FormatError> {
+    if xlsx::is_compound(bytes) {
+        let what = "workbooks of this kind: XLS, or XLSX with a password".to_owned();
+        let kind = ContentErrorKind::Unsupported { what };
+        let error = ContentError::new(kind, ContentPlace::Whole).hint("save it as XLSX, without a password");
+        return Err(FormatError::of_content(path, bytes, error));
+    }
     str::from_utf8(bytes).map_err(|error| FormatError::not_utf8(path, bytes, error.valid_up_to()))
 }
 
@@ -156,14 +171,14 @@ fn head_error(source: Source<'_>, error: &toml::de::Error) -> FormatError {
         .with_hint("lines in front of the table are TOML behind their #: a remark begins with ##")
 }
 
-fn budget_of_csv(source: Source<'_>, from: usize, plan: Plan) -> Result<BudgetFile, FormatError> {
+fn of_csv(source: Source<'_>, from: usize, plan: Plan) -> Result<BudgetFile, FormatError> {
     let (mut sheet, separator) = csv::sheet(source, from)?;
     let columns = Columns::of(&sheet, &plan.ignore)?;
     sheet.decimal_comma = decimal::comma(&sheet, &columns, &plan, separator)?;
-    budget_of(plan, &sheet, &columns, Vec::new())
+    of_table(plan, &sheet, &columns, Vec::new())
 }
 
-fn budget_of(
+fn of_table(
     plan: Plan,
     sheet: &Sheet<'_>,
     columns: &Columns,

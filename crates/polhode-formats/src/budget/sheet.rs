@@ -123,7 +123,7 @@ pub(super) fn cell_name(sheet: &str, column: usize, row: usize) -> String {
 }
 
 /// Of the column 0: A; of 27: AB.
-fn column_name(column: usize) -> String {
+pub(super) fn column_name(column: usize) -> String {
     let mut letters = Vec::new();
     let mut rest = column + 1;
     while rest > 0 {

@@ -62,6 +62,10 @@ pub(super) const KEYS: [&str; 11] = [
     "result",
 ];
 
+/// Those whose values are tables, and lists of such: a workbook has a sheet for each.
+pub(super) const TABLES: [&str; 3] = ["growth", "cad", "result"];
+pub(super) const LISTS: [&str; 1] = ["group"];
+
 /// Reads all keys of a plan; `others` may stand beside them.
 pub(super) fn plan(root: &Table<'_>, others: &[&'static str]) -> Result<Plan, FormatError> {
     root.allow(&[&KEYS[..], others].concat())?;

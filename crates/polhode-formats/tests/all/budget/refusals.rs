@@ -90,6 +90,15 @@ const LISTS: &[(&str, &str)] = &[
     ),
     ("name,parent,mass\na,,3.50\nb,a,\nc,b,1\nd,b,2.5\n", ""),
     ("name,mass\nframe,\n", "list.csv: no row has a mass"),
+    (
+        "name,mass\nb\u{200b}olt,1\n",
+        "list.csv:2:1: name = b\u{fffd}olt must be a name of characters that can be seen",
+    ),
+    (
+        "name,mass\n\"a\u{1b}[31mb\",1\n",
+        "list.csv:2:1: name = a\u{fffd}[31mb must be a name of characters that can be seen",
+    ),
+    ("name,mass,\u{1b}[31m\na,1,\n", "list.csv:1:11: unknown key \"\\u{1b}[31m\" in the headings"),
     // Numbers that cannot be
     ("name,mass\na,-1\n", "list.csv:2:3: \"a\" cannot exist: the mass = -1 must be positive and finite"),
     ("name,mass\na,0\n", "list.csv:2:3: \"a\" cannot exist: the mass = 0 must be positive"),

@@ -1,5 +1,7 @@
 //! The headings of a parts list: what its columns are, and in which units.
 
+use std::collections::BTreeMap;
+
 use super::key::{COUNT, DENSITY, Holds, KEYS, NAME, PATH};
 use super::measured::{hundredths, percent};
 use super::number::{Unit, Wrong};
@@ -48,7 +50,7 @@ pub(super) struct Columns {
     /// Where the headings are, among the rows of the table.
     pub(super) row: usize,
     /// Columns that are not read, and their headings.
-    pub(super) ignored: Vec<(usize, String)>,
+    pub(super) ignored: BTreeMap<usize, String>,
     /// By keys: their places.
     pub(super) places: [Option<usize>; COUNT],
 }
@@ -73,12 +75,12 @@ impl Columns {
     pub(super) fn of(sheet: &Sheet<'_>, ignore: &[String]) -> Result<Self, FormatError> {
         let row = sheet.rows.iter().position(|row| sheet.row(row).iter().any(|cell| is_of_names(&cell.text)));
         let row = row.ok_or_else(|| nameless(sheet))?;
-        let mut columns = Self { all: Vec::new(), row, ignored: Vec::new(), places: [None; COUNT] };
+        let mut columns = Self { all: Vec::new(), row, ignored: BTreeMap::new(), places: [None; COUNT] };
         for cell in sheet.rows.get(row).map_or(&[][..], |row| sheet.row(row)) {
             columns.all.resize(cell.column, None);
             let column = columns.column(sheet, cell, ignore)?;
             if column.is_none() {
-                columns.ignored.push((cell.column, shown(cell)));
+                columns.ignored.insert(cell.column, shown(cell));
             }
             columns.all.push(column);
         }
@@ -141,7 +143,7 @@ impl Columns {
 
     /// Whether a column has a heading, and is not read.
     pub(super) fn is_ignored(&self, column: usize) -> bool {
-        self.ignored.iter().any(|(ignored, _)| *ignored == column)
+        self.ignored.contains_key(&column)
     }
 
     pub(super) fn get(&self, column: usize) -> Option<&Column> {

@@ -309,6 +309,21 @@ fn each_mistake_is_named_where_it_is() {
 }
 
 #[test]
+fn a_list_has_so_many_configurations_at_most() {
+    let folder = Folder::new("many");
+    let list = |count: usize| {
+        let rows: String = (0..count).map(|k| format!("a,1,number {k}\n")).collect();
+        folder.read("list.csv", format!("name,mass,configuration\n{rows}"))
+    };
+    assert_eq!(list(100).unwrap().configurations.len(), 100);
+    let error = list(101).unwrap_err();
+    assert!(
+        error.starts_with("list.csv:102:1: polhode does not read more than 100 configurations"),
+        "{error}"
+    );
+}
+
+#[test]
 fn an_error_in_a_file_says_where_it_is_named() {
     let folder = Folder::new("named");
     folder.write("bad.stl", "solid x\nfacet nonsense\n");

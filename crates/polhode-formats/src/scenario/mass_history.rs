@@ -65,7 +65,7 @@ fn outflow(table: &Table<'_>) -> Result<Outflow, FormatError> {
             }
             (None, None) => Direction::ZERO,
             (Some(_), _) => {
-                let axis = table.require("axis", "axis = [0, 0, 1]: what the exit is across")?;
+                let axis = table.require("axis", "axis = [0, 0, 1]")?;
                 let direction = Direction::from_array(axis.numbers()?);
                 direction.direction().ok_or_else(|| axis.invalid("a direction: finite and not zero"))?
             }
@@ -74,7 +74,7 @@ fn outflow(table: &Table<'_>) -> Result<Outflow, FormatError> {
             Some(share) => share.positive(Dimension::NONE)?,
             None if alone => 1.0,
             None => {
-                return Err(table.missing("share", "share = 0.5: its part of the flow; all together are 1"));
+                return Err(table.missing("share", "share = 0.5"));
             }
         };
         Ok(Exit { share, position, axis, radius: radius.unwrap_or(0.0) })
@@ -122,7 +122,7 @@ fn of_parts(table: &Table<'_>, parts: &[BodyPart]) -> Result<Vec<MassRow>, Forma
             return Err(part.invalid("named in one burn"));
         }
         let from = burn.get("from").map_or(Ok(0.0), |from| not_before_start(&from))?;
-        let until = burn.require("until", "until = \"60 s\"")?;
+        let until = burn.require("until", "until = \"40 s\"")?;
         let end = until.quantity(Dimension::TIME)?;
         if !(end > from) {
             return Err(until.invalid(format!("after the burn begins, at {from} s")));
@@ -140,7 +140,7 @@ fn of_parts(table: &Table<'_>, parts: &[BodyPart]) -> Result<Vec<MassRow>, Forma
     }
     for (drop, _) in tables(table, "drop", "mass_history.drop")? {
         drop.allow(&["part", "time"])?;
-        let part = drop.require("part", "part = \"booster\"")?;
+        let part = drop.require("part", "part = \"case\"")?;
         let k = place(&part, parts)?;
         if fates[k].dropped.is_finite() {
             return Err(part.invalid("dropped once"));

@@ -265,6 +265,40 @@ fn the_best_method_an_error_and_events_come_with_it() {
     assert_eq!(simulation.states().unwrap()[0].time, 8.0);
 }
 
+/// Mass goes at b: h = µ b × ρ, of ρ from the centre of mass, about which b is where what goes is.
+#[test]
+fn the_flow_that_is_left_out_is_known() {
+    let dry = generic(2.0);
+    let at = |m: f64| {
+        MassProperties::new(m, Position::new(0.4, 0.3, -0.2), InertiaTensor::diagonal([0.1 * m; 3]).unwrap())
+    };
+    let whole = |m: f64| MassProperties::combined(&[dry, at(m).unwrap()]).unwrap();
+    let position = Position::new(0.1, -0.2, -1.1);
+    let exit = Exit { share: 1.0, position, axis: Direction::ZERO, radius: 0.0 };
+    let rows = [row(0.0, whole(1.5)), row(5.0, whole(0.5))];
+    let history = MassHistory::new(&rows, Outflow::Exits(vec![exit])).unwrap();
+    let of_center = |center: Position<Body>| {
+        let [b, r] = [Position::new(0.4, 0.3, -0.2) - center, position - center]
+            .map(|v| Direction::<Body>::from_array(v.to_array()));
+        0.2 * b.cross(r).norm()
+    };
+    let found = history.flow_momentum(0.0, None).unwrap();
+    assert!((found - of_center(whole(1.5).center_of_mass())).abs() < 1e-14);
+    let pivot = Position::new(0.3, 0.1, 0.5);
+    assert!((history.flow_momentum(2.0, Some(pivot)).unwrap() - of_center(pivot)).abs() < 1e-14);
+    assert_eq!(history.flow_momentum(5.0, None).unwrap(), 0.0);
+    let said = |omega: f64| {
+        let start = at_rate(omega);
+        let scenario = Scenario::new(whole(1.5)).starting(start).unwrap().changing(history.clone()).unwrap();
+        scenario.check().iter().any(|finding| finding.code == "mass_history.flow")
+    };
+    assert!(said(0.1) && !said(10.0));
+}
+
+fn at_rate(omega: f64) -> State {
+    at([0.0, 0.6 * omega, 0.8 * omega])
+}
+
 #[test]
 fn what_is_no_history_or_not_known_is_refused() {
     let whole = generic(2.3);

@@ -91,7 +91,7 @@ impl ChangingBody {
         let lever = first.map(|x| x / mass);
         let (mut inertia, mut rate) = (six(&self.moments), six(&self.rates));
         if !self.is_held {
-            // I = J − M (|d|² 1 − d dᵀ), İ = J̇ − 2 (M d)˙·d … + Ṁ (|d|² 1 − d dᵀ), d = lever
+            // I = J − M (d² 1 − d dᵀ), d the lever; in İ the centre's own motion in the body is that of (M d)˙.
             inertia = difference(inertia, steiner(first, lever));
             let moved = steiner(three(&self.rates), lever).map(|x| x.scaled(2.0));
             rate = sum(difference(rate, moved), times(steiner(lever, lever), mass_rate));

@@ -37,7 +37,8 @@ use timeline::Timeline;
 /// let sequence = Sequence { burns: vec![burn], ..Sequence::of(&budget, Basis::Basic, [(tank, 40.0)]) };
 /// let now = sequence.at(20.0)?;
 /// assert!((now.properties.mass() - 65.0).abs() < 1e-12 && (now.rates.mass + 0.5).abs() < 1e-15);
-/// let exit = Exit { share: 1.0, position: at(0.0, 0.0, -0.6), axis: Direction::new(0.0, 0.0, 1.0), radius: 0.05 };
+/// let position = Position::new(0.0, 0.0, -0.6);
+/// let exit = Exit { share: 1.0, position, axis: Direction::new(0.0, 0.0, 1.0), radius: 0.05 };
 /// let history = sequence.history([0.0, 100.0], 16, Outflow::Exits(vec![exit]))?; // what `simulate` takes
 /// let (body, _) = history.at(20.0)?;
 /// assert!((body.center_of_mass() - now.properties.center_of_mass()).norm() < 1e-8);

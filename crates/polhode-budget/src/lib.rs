@@ -36,6 +36,7 @@
 //! | principal moments, axes and tilt, with theirs | [`Estimate::principal`], [`PrincipalUncertainty`] |
 //! | which errors matter | [`Budget::sensitivities`] |
 //! | what first order leaves out | [`Budget::draws`], [`Draws::compare`] |
+//! | what is left over time, or by how full the tanks are | [`Sequence`], [`Tank`] |
 
 mod budget;
 mod changes;
@@ -51,6 +52,8 @@ mod principal;
 mod random;
 mod row;
 mod sensitivity;
+mod sequence;
+mod tank;
 mod tensor;
 mod tree;
 mod uncertainty;
@@ -65,5 +68,7 @@ pub use growth::{Basis, Growth, GrowthTable, MassStatement};
 pub use principal::{PrincipalUncertainty, Tilt};
 pub use row::{CopyErrors, GivenPart, Place, Quantity, Row, Subtotal};
 pub use sensitivity::{Sensitivity, Source};
+pub use sequence::{Burn, Change, Sequence, SequenceError, SequenceRow};
+pub use tank::{Down, Fill, Liquid, LiquidTable, Slice, Tank, TankShape, Vessel};
 pub use tensor::{GivenTensor, ProductSign, TensorPoint};
 pub use uncertainty::{ErrorKind, PartUncertainty, Spread, Uncertainty};

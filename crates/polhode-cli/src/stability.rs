@@ -41,6 +41,13 @@ impl Stability {
                 hint,
             ));
         }
+        if scenario.history().is_some() {
+            let hint = "polhode simulate computes its motion; leave out [mass_history] for the body as it is at the start";
+            return Err(Failure::usage(
+                format!("the mass properties of {path} change: no motion of it is steady"),
+                hint,
+            ));
+        }
         let title = scenario.title().unwrap_or("scenario");
         let source = SourceInfo::new(self.file.display().to_string(), "scenario").described(title);
         let report = StabilityReport::of_scenario(source, &scenario);

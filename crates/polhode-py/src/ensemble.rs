@@ -154,5 +154,6 @@ fn only_torques(scenario: &Scenario) -> bool {
     let is_free =
         scenario.pivot().is_none() && scenario.prescribed().is_none() && scenario.suspension().is_none();
     let acts = scenario.switched_off().is_empty() && scenario.events().is_empty();
-    is_plain && is_at_rest && is_free && acts && scenario.wheels().is_empty() && scenario.run().is_none()
+    let no_more = scenario.wheels().is_empty() && scenario.history().is_none() && scenario.run().is_none();
+    is_plain && is_at_rest && is_free && acts && no_more
 }

@@ -10,6 +10,8 @@ pub(crate) struct Driven {
     pub(crate) by_torques: bool,
     /// Wheels spin inside.
     pub(crate) by_wheels: bool,
+    /// Its mass changes.
+    pub(crate) by_mass: bool,
 }
 
 impl Driven {
@@ -17,17 +19,18 @@ impl Driven {
         Self {
             by_torques: scenario.prescribed().is_some() || !scenario.torques().is_empty(),
             by_wheels: !scenario.wheels().is_empty(),
+            by_mass: scenario.history().is_some(),
         }
     }
 
     /// True if the motion is not that of a free rigid body.
     pub(crate) const fn at_all(self) -> bool {
-        self.by_torques || self.by_wheels
+        self.by_torques || self.by_wheels || self.by_mass
     }
 
     /// What the work done since the start is called.
     pub(crate) const fn work(self) -> &'static str {
-        if self.by_torques { "work" } else { "work of the motors" }
+        if self.by_torques || self.by_mass { "work" } else { "work of the motors" }
     }
 }
 
@@ -72,7 +75,7 @@ fn kept(trajectory: &Trajectory, driven: Driven) -> Vec<Balance> {
     if let (Solution::Exact(_), Some(total)) = (trajectory.solution(), &total) {
         return vec![total.clone()];
     }
-    let impulse = if driven.by_torques { "L − impulse" } else { "L in space" };
+    let impulse = if driven.by_torques || driven.by_mass { "L − impulse" } else { "L in space" };
     let both = [one("T − work", |d| d.work_energy), one(impulse, |d| d.momentum)];
     both.into_iter().chain(total).collect()
 }

@@ -11,7 +11,7 @@ use crate::unit::{DIGITS, rate};
 /// The top that a scenario's body is, if gravity alone acts on it and it is symmetric about its arm.
 pub(crate) fn of(scenario: &Scenario, start: State) -> Option<HeavyTop> {
     let [TorqueModel::Gravity(gravity)] = scenario.torques() else { return None };
-    if scenario.prescribed().is_some() || scenario.suspension().is_some() {
+    if scenario.prescribed().is_some() || scenario.suspension().is_some() || scenario.history().is_some() {
         return None;
     }
     HeavyTop::of(scenario.rotor(), gravity, start).ok()

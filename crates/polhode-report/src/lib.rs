@@ -29,6 +29,7 @@ mod forces;
 mod free_facts;
 mod global_error;
 mod heavy_top;
+mod history;
 mod identify;
 mod inertia;
 mod intermediate;

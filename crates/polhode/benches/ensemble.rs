@@ -165,8 +165,18 @@ fn taylor(rotor: &Rotor, torques: &[TorqueModel]) -> Result<[f64; 2], Box<dyn Er
         for member in all.members().iter().take(8) {
             let (switched_off, events, start) = (&[], &[], member.start);
             let (times, method) = (&times, Method::Taylor);
-            let run =
-                Simulation { rotor, torques, switched_off, start, events, times, method, tolerance }.states();
+            let run = Simulation {
+                rotor,
+                history: None,
+                torques,
+                switched_off,
+                start,
+                events,
+                times,
+                method,
+                tolerance,
+            }
+            .states();
             black_box(run.is_ok());
         }
     });

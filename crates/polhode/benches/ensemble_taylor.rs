@@ -89,6 +89,7 @@ fn start(k: usize) -> State {
 fn alone(member: &Member, tolerance: f64) -> Simulation<'_> {
     Simulation {
         rotor: &member.rotor,
+        history: None,
         torques: &member.torques,
         switched_off: &[],
         start: member.start,

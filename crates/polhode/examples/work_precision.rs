@@ -117,6 +117,7 @@ fn run(problem: &Problem, name: &str, size: f64, method: Method) -> Result<(), M
     let tolerance = if size > 0.0 { size } else { TIGHTEST_TOLERANCE };
     let simulation = Simulation {
         rotor,
+        history: None,
         torques,
         switched_off: &[],
         start: *start,

@@ -7,4 +7,6 @@ mod lists;
 mod masses;
 mod principal;
 mod published;
+mod sequences;
 mod sums;
+mod tanks;

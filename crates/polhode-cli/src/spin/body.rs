@@ -41,6 +41,8 @@ impl Subject {
             "a torque acts on the body"
         } else if !scenario.wheels().is_empty() {
             "wheels spin in the body"
+        } else if scenario.history().is_some() {
+            "the mass properties change"
         } else if scenario.pivot().is_some() {
             "the body is held at a pivot"
         } else if scenario.prescribed().is_some() {

@@ -22,6 +22,7 @@ mod interrupted;
 mod judge;
 mod limits;
 mod live;
+mod mass_history;
 mod mend;
 mod mesh;
 mod names;

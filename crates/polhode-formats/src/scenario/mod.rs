@@ -32,6 +32,8 @@ mod formula;
 mod key;
 mod known_mesh;
 pub(crate) mod list_units;
+mod mass_history;
+mod mass_table;
 mod meant;
 mod molecule;
 mod motion_table;
@@ -248,9 +250,15 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
         root.at_most_one(&[a, b], why)?;
     }
 
+    root.at_most_one(&["mass_history", "sweep"], "the members of a sweep are bodies that stay as they are")?;
+
     let mut findings = Vec::new();
     let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
-    let body::Assembly { parts, body, mut pivot } = body::body(&root, &mut findings)?;
+    let body::Assembly { parts, mut body, mut pivot } = body::body(&root, &mut findings)?;
+    let history = mass_history::read(&root, &parts, &body)?;
+    if let Some((history, value)) = &history {
+        body = history.at(0.0).map_err(|error| value.motion(error))?.0;
+    }
     let shared = orbit::read(&root)?;
     let orbit = shared.as_ref().map(|shared| &shared.orbit);
     let run = run::run(&root, orbit)?;
@@ -293,6 +301,9 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     scenario =
         scenario.pointing(pointings).with_wheels(&wheels).and_then(|s| s.under(acting)).map_err(whole)?;
     scenario = scenario.naming_wheels(wheel_names).watching(events).map_err(whole)?;
+    if let Some((history, value)) = history {
+        scenario = scenario.changing(history).map_err(|error| value.motion(error))?;
+    }
     if let Some(motion) = prescribed {
         scenario = scenario.prescribed_as(motion).map_err(whole)?;
     }

@@ -16,13 +16,14 @@ use polhode::math::RotationError;
 use polhode::motion::MotionError;
 
 /// The keys of the file itself.
-pub(crate) const TOP: [&str; 13] = [
+pub(crate) const TOP: [&str; 14] = [
     "title",
     "body",
     "orbit",
     "start",
     "torque",
     "wheel",
+    "mass_history",
     "event",
     "pointing",
     "prescribed",

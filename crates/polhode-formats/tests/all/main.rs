@@ -12,6 +12,7 @@ mod formula;
 mod gltf;
 mod identify;
 mod identify_swing;
+mod mass_history;
 mod mistakes;
 mod molecule;
 mod motion_errors;

@@ -71,6 +71,7 @@ fn estimated_errors_are_columns_of_their_own() {
     let rotor = Rotor::free(&MassProperties::new(1.7, Position::ZERO, inertia).unwrap());
     let simulation = Simulation {
         rotor: &rotor,
+        history: None,
         torques: &[],
         switched_off: &[],
         start: State {

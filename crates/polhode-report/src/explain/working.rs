@@ -59,6 +59,13 @@ impl<'a> Working<'a> {
         scenario: &'a Scenario,
         trajectory: Option<Cow<'a, Trajectory>>,
     ) -> Result<Self, MotionError> {
+        if scenario.history().is_some() {
+            let (time, why) = (
+                scenario.start().time,
+                "has no worked solution: the steps are those of a body that stays as it is",
+            );
+            return Err(MotionError::MassHistory { time, why });
+        }
         let rotor = scenario.rotor();
         let pendulum = scenario.pendulum().transpose()?;
         let needed = scenario
@@ -89,7 +96,7 @@ impl<'a> Working<'a> {
 
     /// True if no torque acts, no wheel spins, and the motion is not given.
     pub(super) fn is_free(&self) -> bool {
-        self.needed.is_none() && self.scenario.torques().is_empty() && self.scenario.wheels().is_empty()
+        self.scenario.is_free()
     }
 
     /// True if friction inside makes the axes turn at Ω and not at ω.

@@ -1,7 +1,10 @@
 //! What a motion's reports say, gathered once from the core.
 
+use std::borrow::Cow;
+
 use polhode::motion::{
-    ParticleForce, Pendulum, Prescribed, Required, Rotor, Sample, Scenario, State, Swing, Trajectory,
+    MassHistory, ParticleForce, Pendulum, Prescribed, Required, Rotor, Sample, Scenario, State, Swing,
+    Trajectory,
 };
 use polhode::observe::{Cones, Drift, SymmetricTop};
 
@@ -10,7 +13,8 @@ use crate::free_facts::FreeFacts;
 /// Everything that is asked of the core for one motion.
 #[derive(Clone, Debug)]
 pub(super) struct Facts<'a> {
-    pub(super) rotor: &'a Rotor,
+    /// At the first sample too, if it changes.
+    pub(super) rotor: Cow<'a, Rotor>,
     /// At the first sample; that of the scenario if there is none.
     pub(super) start: State,
     /// The free motion that the start would have without torque.
@@ -45,11 +49,12 @@ pub(super) struct Needed {
 
 impl<'a> Facts<'a> {
     pub(super) fn of(scenario: &'a Scenario, trajectory: &Trajectory) -> Self {
-        let rotor = scenario.rotor();
         let start = trajectory.samples().first().map_or(scenario.start(), |sample| sample.state);
+        let then = |history: &MassHistory| history.rotor(start.time, scenario.pivot()).ok();
+        let rotor = scenario.history().and_then(then).map_or(Cow::Borrowed(scenario.rotor()), Cow::Owned);
         let prescribed = scenario.prescribed();
-        let is_free = prescribed.is_none() && scenario.torques().is_empty() && scenario.wheels().is_empty();
-        let at_start = FreeFacts::from_start(rotor, start);
+        let is_free = scenario.is_free();
+        let at_start = FreeFacts::from_start(&rotor, start);
         let free = at_start.filter(|_| is_free);
         Self {
             at_start,

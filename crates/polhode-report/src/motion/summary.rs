@@ -11,7 +11,7 @@ use crate::block::{self, Geometry};
 use crate::free_facts::FreeFacts;
 use crate::json::{numbers, vector};
 use crate::torque::Description;
-use crate::{VERSION, event, finding, global_error, heavy_top, orbit, symmetric_top};
+use crate::{VERSION, event, finding, global_error, heavy_top, history, orbit, symmetric_top};
 
 pub(super) fn of(report: &MotionReport<'_>) -> Value {
     let (scenario, samples) = (report.scenario, report.trajectory.samples());
@@ -41,6 +41,8 @@ pub(super) fn of(report: &MotionReport<'_>) -> Value {
     put("at", report.at.iter().map(|sample| sample_json(scenario, sample)).collect());
     put("torques", torques(scenario));
     put("wheels", wheels(report));
+    let end = samples.last().map_or(scenario.start().time, |sample| sample.state.time);
+    put("mass_history", scenario.history().map_or(Value::Null, |history| history::to_json(history, end)));
     put("events", event::json(report.trajectory, scenario));
     put("findings", finding::to_json(&report.findings()));
     Value::Object(object)

@@ -11,7 +11,7 @@ use crate::periods::in_both_conventions;
 use crate::sparkline::Sparkline;
 use crate::torque::{Description, off_at_start, wheel_name};
 use crate::unit::{self, CLOSED, DIGITS, cone, duration, rate};
-use crate::{event, finding, global_error, heavy_top, intermediate, omega, orbit};
+use crate::{event, finding, global_error, heavy_top, history, intermediate, omega, orbit};
 
 /// Forces on more particles than this fill the screen: JSON has them all.
 const MOST_PARTICLES: usize = 8;
@@ -205,6 +205,10 @@ fn what_acts(scenario: &Scenario) -> String {
         let name = name.map_or_else(String::new, |name| format!("{}: ", printable(&name)));
         let off = off_at_start(scenario, k).map_or_else(String::new, |off| format!(", {off}"));
         text.push_str(&labelled("torque", &format!("{name}{}{off}", Description::of(model).text())));
+    }
+    if let (Some(history), Some(run)) = (scenario.history(), scenario.run()) {
+        let ends = [scenario.start().time, run.times.last().copied().unwrap_or_default()];
+        text.push_str(&labelled("mass", &history::in_words(history, ends)));
     }
     for (k, wheel) in scenario.wheels().iter().enumerate() {
         text.push_str(&labelled(&printable(&wheel_name(scenario, k)), &Description::of_wheel(wheel).text()));

@@ -91,12 +91,20 @@ fn driven(scenario: &Scenario, trajectory: &Trajectory) -> String {
         scenario.torques().iter().partition(|torque| matches!(torque, TorqueModel::EnergySink(_)));
     let torques: Vec<String> = outer.into_iter().map(|torque| Description::of(torque).title).collect();
     let wheels: Vec<String> = scenario.wheels().iter().enumerate().map(|(k, _)| wheel(scenario, k)).collect();
-    let outside = if torques.is_empty() {
+    let outside = if torques.is_empty() && scenario.history().is_some() {
+        "No torque from outside".to_owned()
+    } else if torques.is_empty() {
         "No torque from outside: L is fixed in space".to_owned()
     } else {
-        format!("Torque N: {}; dL/dt = N", printable(&torques.join(" + ")))
+        let law = if scenario.history().is_some() { "" } else { "; dL/dt = N" };
+        format!("Torque N: {}{law}", printable(&torques.join(" + ")))
     };
     let lost = if inner.is_empty() { "" } else { ". Friction inside the body takes kinetic energy" };
+    if scenario.history().is_some() {
+        return format!(
+            "{outside}. The mass of the body changes: what leaves takes angular momentum with it."
+        );
+    }
     let inside =
         if wheels.is_empty() { String::new() } else { format!(". L = Iω + h; {}", wheels.join("; ")) };
     format!("{outside}{lost}{inside}.")

@@ -12,6 +12,7 @@ use super::{PageInput, PageSubject};
 use crate::block::Geometry;
 use crate::event;
 use crate::free_facts::FreeFacts;
+use crate::history;
 use crate::layout::printable;
 use crate::number::{count, error, number, tidy, tidy_matrix, typeset, vector};
 use crate::periods::Periods;
@@ -186,7 +187,10 @@ fn driven(scenario: &Scenario, shown: &Shown<'_>) -> Vec<Row> {
         rows
     };
     let torques = scenario.torques().iter().enumerate().map(torque);
-    torques.chain(scenario.wheels().iter().enumerate().flat_map(wheel)).collect()
+    let mass = scenario.history().zip(shown.samples.last()).map(|(history, last)| {
+        Row::new("mass", history::in_words(history, [scenario.start().time, last.state.time]), "")
+    });
+    torques.chain(mass).chain(scenario.wheels().iter().enumerate().flat_map(wheel)).collect()
 }
 
 /// The times of the first events by name and sense, and how the motion ended, if not at the end of the run.

@@ -27,9 +27,7 @@ const MOST_POINTS: usize = 4_000;
 pub(super) fn facts(input: &PageInput<'_>) -> Option<FreeFacts> {
     let motion = match (input.trajectory.solution(), input.subject) {
         (Solution::Exact(ClosedForm::Free(motion)), _) => **motion,
-        (Solution::Integrated { .. }, PageSubject::Scenario(scenario))
-            if scenario.torques().is_empty() && scenario.wheels().is_empty() =>
-        {
+        (Solution::Integrated { .. }, PageSubject::Scenario(scenario)) if scenario.is_free() => {
             FreeMotion::of(scenario.rotor(), input.trajectory.start().state).ok()?
         }
         _ => return None,

@@ -140,6 +140,7 @@ fn the_summary_has_the_same_keys_for_every_motion() {
         "at",
         "torques",
         "wheels",
+        "mass_history",
         "events",
         "findings",
     ];

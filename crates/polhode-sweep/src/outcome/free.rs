@@ -17,11 +17,7 @@ pub(super) struct Found {
 pub(super) fn motion(scenario: &Scenario, rotor: &Rotor) -> Option<(FreeMotion, f64)> {
     let run = scenario.run()?;
     let end = run.times.last().copied().filter(|end| end.is_finite())?;
-    let alone = scenario.torques().is_empty()
-        && scenario.wheels().is_empty()
-        && scenario.events().is_empty()
-        && scenario.pointings().is_empty()
-        && scenario.prescribed().is_none();
+    let alone = scenario.is_free() && scenario.events().is_empty() && scenario.pointings().is_empty();
     let exact = matches!(run.method, Method::Auto | Method::Exact);
     if !(alone && exact && end >= scenario.start().time) {
         return None;

@@ -43,6 +43,13 @@ pub enum MotionError {
         /// What it has to be.
         rule: &'static str,
     },
+    /// Mass properties over time that cannot be, or whose motion is not known.
+    MassHistory {
+        /// When, s.
+        time: f64,
+        /// What the history does then.
+        why: &'static str,
+    },
     /// Two parts of a scenario that exclude each other.
     Exclusive {
         /// Both, as a scenario file names them.
@@ -209,6 +216,7 @@ impl MotionError {
                 | Self::NegativeParameter { .. }
                 | Self::NoDirection { .. }
                 | Self::ParameterOutOfRange { .. }
+                | Self::MassHistory { .. }
         )
     }
 
@@ -253,6 +261,7 @@ impl MotionError {
             | Self::NegativeParameter { .. }
             | Self::NoDirection { .. }
             | Self::ParameterOutOfRange { .. }
+            | Self::MassHistory { .. }
             | Self::NoMotionDerivatives { .. }
             | Self::Exclusive { .. }
             | Self::Stopped { .. }
@@ -275,6 +284,9 @@ impl fmt::Display for MotionError {
                 broken(f, parameter, *length, "a direction: finite and not zero")
             }
             Self::ParameterOutOfRange { parameter, value, rule } => broken(f, parameter, *value, rule),
+            Self::MassHistory { time, why } => {
+                write!(f, "at t = {time} s the body's history of mass properties {why}", time = plain(*time))
+            }
             Self::Exclusive { parts: [a, b], why } => write!(f, "{a} and {b} exclude each other: {why}"),
             Self::NotSpinnable => {
                 write!(

@@ -34,6 +34,7 @@ pub use model::event::{Crossing, Event, EventAction, Measure, Sense};
 pub use model::kinematics::{
     KineticEnergySplit, MovingParticle, angular_momentum, momentum, rigid_acceleration, rigid_velocity,
 };
+pub use model::mass_history::{Exit, MassHistory, MassRates, MassRow, Outflow};
 pub use model::orbit::{MU_EARTH, Orbit};
 pub use model::orbital_elements::{Anomaly, OrbitalElements};
 pub use model::pointing::{Pointing, Reference};

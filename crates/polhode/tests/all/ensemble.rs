@@ -308,6 +308,7 @@ fn other_members_have_the_bits_of_a_simulation() {
             let found = ensemble(std::slice::from_ref(&member)).at(&times, method, 1e-11, ONE).unwrap();
             let simulation = Simulation {
                 rotor: &member.rotor,
+                history: None,
                 torques: &member.torques,
                 switched_off: &[],
                 start: member.start,

@@ -106,6 +106,7 @@ fn beyond_reach_nothing_is_said() {
         assert!(all.len() == 11 && all.iter().all(is_unknown));
         let simulation = Simulation {
             rotor: &rotor,
+            history: None,
             torques: &[],
             switched_off: &[],
             start,

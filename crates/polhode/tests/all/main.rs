@@ -23,6 +23,7 @@ mod jacobian;
 mod judge;
 mod judge_causes;
 mod mass_derivatives;
+mod mass_history;
 mod mesh;
 mod mesh_diagnosis;
 mod mesh_fill;

@@ -275,6 +275,7 @@ fn an_estimate_of_the_error_tells_that_it_is_made() {
     for method in METHODS {
         let simulation = Simulation {
             rotor: &rotor,
+            history: None,
             torques: &[],
             switched_off: &[],
             start,

@@ -2,8 +2,8 @@
 
 use polhode::motion::torque::EnergySink;
 use polhode::motion::{
-    ActingTorque, Anomaly, EventAction, MU_EARTH, Measure, Motor, MountedShaft, Orbit, OrbitalElements,
-    Prescribed, Run, Sense, Shaft, Suspension, Task,
+    ActingTorque, Anomaly, EventAction, MU_EARTH, MassHistory, MassRow, Measure, Motor, MountedShaft, Orbit,
+    OrbitalElements, Outflow, Prescribed, Run, Sense, Shaft, Suspension, Task,
 };
 use polhode::prelude::*;
 
@@ -46,6 +46,10 @@ fn with(part: &str, scenario: Scenario) -> Result<Scenario, MotionError> {
             let mounted =
                 MountedShaft { shaft, rate: 30.0, acceleration: -1.5, gravity, balance: Vec::new() };
             scenario.mounted(mounted)
+        }
+        "mass_history" => {
+            let row = |time| MassRow { time, body: body(), rates: None };
+            scenario.changing(MassHistory::new(&[row(1.0), row(2.0)], Outflow::None).unwrap())
         }
         other => panic!("{other}"),
     }

@@ -205,6 +205,7 @@ fn more_pulses_than_steps_are_refused_before_the_first() {
         let (start, times) = (start([0.3, -0.2, 0.9]), [0.5, 3.0]);
         let simulation = |switched_off| Simulation {
             rotor: &rotor,
+            history: None,
             torques: &torques,
             switched_off,
             start,

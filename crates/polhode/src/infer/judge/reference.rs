@@ -1,6 +1,7 @@
 //! The exact motion at the times of a log.
 
 use super::error::JudgeError;
+use crate::motion::error::MotionError;
 use crate::motion::model::state::{State, StateError};
 use crate::motion::run::global_error::ErrorEffort;
 use crate::motion::run::simulation::Simulation;
@@ -66,6 +67,13 @@ impl Reference {
 /// # Errors
 /// As [`Reference::of`].
 pub(super) fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<State>, JudgeError> {
+    if scenario.history().is_some() {
+        let (time, why) = (
+            scenario.start().time,
+            "changes: the causes of errors are known of bodies that stay as they are",
+        );
+        return Err(JudgeError::Motion(MotionError::MassHistory { time, why }));
+    }
     if !matches!(scenario.task(), Task::Forward(_)) {
         return Err(JudgeError::NoMotion);
     }

@@ -167,6 +167,17 @@ impl Event {
         self.action
     }
 
+    /// True if what it measures depends on the mass of the body.
+    pub(crate) fn needs_inertia(&self) -> bool {
+        match &self.measure {
+            Measure::KineticEnergy | Measure::TotalEnergy | Measure::Momentum | Measure::MomentumAngle(_) => {
+                true
+            }
+            Measure::Formula(formula) => StateVariables::of_inertia().any(|k| formula.depends_on(k)),
+            _ => false,
+        }
+    }
+
     /// True if it switches a torque.
     pub(crate) const fn switches(&self) -> bool {
         matches!(self.action, EventAction::Switch { .. })

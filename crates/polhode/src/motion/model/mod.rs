@@ -4,6 +4,7 @@ pub(crate) mod euler;
 pub(crate) mod event;
 pub(crate) mod event_slope;
 pub(crate) mod kinematics;
+pub(crate) mod mass_history;
 pub(crate) mod orbit;
 pub(crate) mod orbital_elements;
 pub(crate) mod pointing;

@@ -54,6 +54,12 @@ impl StateVariables {
         "phi", "theta", "psi",
     ];
 
+    /// The places of those that depend on the mass of the body.
+    pub(crate) fn of_inertia() -> impl Iterator<Item = usize> {
+        let names = Self::NAMES.into_iter().enumerate();
+        names.filter(|(_, name)| name.starts_with('L') || *name == "T_rot").map(|(k, _)| k)
+    }
+
     /// Their values in a state.
     pub fn of(rotor: &Rotor, state: &State) -> [f64; Self::COUNT] {
         let momentum = rotor.angular_momentum(state.omega) + rotor.wheel_momentum(state.time);

@@ -64,9 +64,12 @@ impl Simulation<'_> {
         parameters: &[TorqueParameter],
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Result<TrajectoryDerivatives, MotionError> {
-        let Self { rotor, torques, switched_off, start, events, times, tolerance, method } = *self;
+        let Self { rotor, torques, switched_off, start, events, times, tolerance, method, history } = *self;
         self.require_possible()?;
         let why_not = |why| Err(MotionError::NoMotionDerivatives { why, time: start.time });
+        if history.is_some() {
+            return why_not("the mass properties change with time");
+        }
         if !matches!(method, Method::Auto | Method::Taylor) {
             return why_not("they are found by Taylor's method");
         }
@@ -83,7 +86,8 @@ impl Simulation<'_> {
         }
         let parameters =
             parameters.iter().map(|parameter| parameter.of(torques)).collect::<Result<_, _>>()?;
-        let stepper = Stepper::new(Rule::Taylor, rotor, torques, switched_off, start, tolerance, false)?;
+        let stepper =
+            Stepper::new(Rule::Taylor, (rotor, None), torques, switched_off, start, tolerance, false)?;
         let stepper = stepper.differentiated(parameters);
         let mut integration = Integration::new(stepper, events, start, times).with_derivatives();
         let (_, ending) = integration.run(start, progress)?;

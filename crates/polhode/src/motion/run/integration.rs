@@ -35,7 +35,7 @@ impl<'a> Integration<'a> {
     pub(super) fn new(stepper: Stepper<'a>, events: &'a [Event], start: State, wanted: &'a [f64]) -> Self {
         let (rotor, torques) = stepper.subject();
         // Energy that comes and goes with a switch is no potential.
-        let has_potential = !events.iter().any(Event::switches);
+        let has_potential = !stepper.is_changing() && !events.iter().any(Event::switches);
         Self {
             watch: EventDetector::new(rotor, torques, events, &start),
             samples: Vec::with_capacity(wanted.len()),
@@ -217,7 +217,9 @@ impl<'a> Integration<'a> {
     }
 
     fn sample(&self, balanced: Balanced) -> Result<Sample, MotionError> {
-        let (rotor, torques) = self.stepper.subject();
+        let (_, torques) = self.stepper.subject();
+        let time = balanced.state.time;
+        let rotor = &*self.stepper.rotor_at(time).ok_or(MotionError::NotFinite { time })?;
         let potential =
             self.has_potential.then(|| total_potential(torques, rotor, &balanced.state)).flatten();
         Sample::of(rotor, self.stepper.switched_on(), potential, balanced)

@@ -7,6 +7,7 @@ use super::solution::Solution;
 use super::trajectory::Trajectory;
 use crate::motion::error::MotionError;
 use crate::motion::model::event::{Crossing, Event, EventAction};
+use crate::motion::model::mass_history::MassHistory;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
@@ -37,6 +38,8 @@ use crate::motion::solve::start::{require_ascending, require_few_pulses, require
 pub struct Simulation<'a> {
     /// The body and the point that it turns about.
     pub rotor: &'a Rotor,
+    /// Its mass properties over time, if they change: those of `rotor` are its mass properties at the start then.
+    pub history: Option<&'a MassHistory>,
     /// What turns it.
     pub torques: &'a [TorqueModel],
     /// Which of the torques, from 0, are switched off until an event switches them on.
@@ -57,7 +60,13 @@ impl<'a> Simulation<'a> {
     /// A body under torques, all of which act, from a start to times: by the best method at a tolerance of 1e-13, without events.
     pub const fn new(rotor: &'a Rotor, torques: &'a [TorqueModel], start: State, times: &'a [f64]) -> Self {
         let (switched_off, events, method, tolerance) = (&[], &[], Method::Auto, 1e-13);
-        Self { rotor, torques, switched_off, start, events, times, method, tolerance }
+        Self { rotor, history: None, torques, switched_off, start, events, times, method, tolerance }
+    }
+
+    /// Of a body whose mass properties are these over time.
+    #[must_use]
+    pub const fn changing(self, history: Option<&'a MassHistory>) -> Self {
+        Self { history, ..self }
     }
 
     /// Detects these events.
@@ -115,6 +124,7 @@ impl<'a> Simulation<'a> {
         require_ascending(start.time, times)?;
         require_finite(rotor, torques, switched_off, &start)?;
         events.iter().try_for_each(|event| event.require_possible(rotor, torques, events, &start))?;
+        self.require_changing()?;
         let stays_off = |k: &usize| {
             let wakes = EventAction::Switch { torque: *k, on: true };
             switched_off.contains(k) && !events.iter().any(|event| event.action() == wakes)
@@ -150,6 +160,7 @@ impl<'a> Simulation<'a> {
         require_ascending(start.time, times)?;
         require_finite(rotor, torques, switched_off, &start)?;
         require_few_pulses(rotor, torques, &|k| switched_off.contains(k), [start.time, self.end()])?;
+        self.require_changing()?;
         let rule = match self.choose()? {
             (Way::Closed(motion), _) => {
                 motion.require(times)?;
@@ -158,7 +169,8 @@ impl<'a> Simulation<'a> {
             }
             (Way::Steps(rule), _) => rule,
         };
-        let mut stepper = Stepper::new(rule, rotor, torques, switched_off, start, tolerance, false)?;
+        let mut stepper =
+            Stepper::new(rule, (rotor, self.history), torques, switched_off, start, tolerance, false)?;
         let end = times.last().copied().unwrap_or(start.time);
         for &time in times {
             while stepper.time() < time {
@@ -167,6 +179,34 @@ impl<'a> Simulation<'a> {
             }
             let there = if time == stepper.time() { stepper.now() } else { stepper.at(time) };
             states.push(there.state);
+        }
+        Ok(())
+    }
+
+    /// # Errors
+    /// What is not known of bodies whose mass properties change, if they do.
+    fn require_changing(&self) -> Result<(), MotionError> {
+        let Self { rotor, history, torques, events, start, method, .. } = *self;
+        let Some(history) = history else { return Ok(()) };
+        let why = |why| Err(MotionError::MassHistory { time: start.time, why });
+        let pivot = rotor.is_pivoted().then(|| rotor.point());
+        let own = history.rotor(start.time, pivot)?;
+        let differs = |a: f64, b: f64| !((a - b).abs() <= 1e-9 * b.abs());
+        let (given, known) = (rotor.inertia().symmetric(), own.inertia().symmetric());
+        if differs(rotor.mass(), own.mass()) || (*given - *known).max_abs() > 1e-9 * known.max_abs() {
+            return why("is not that of the body at the start");
+        }
+        if !rotor.wheels().is_empty() {
+            return why("cannot go with wheels: what is left of the body beside them is not known");
+        }
+        if matches!(method, Method::Splitting { .. }) {
+            return why("cannot go with splitting, which needs a body that stays as it is");
+        }
+        if events.iter().any(Event::needs_inertia) {
+            return why("cannot go with an event that measures energy or angular momentum");
+        }
+        if torques.iter().any(TorqueModel::needs_constant_mass) {
+            return why("cannot go with an energy sink or with gravity on single mass points");
         }
         Ok(())
     }
@@ -208,6 +248,9 @@ impl<'a> Simulation<'a> {
     /// # Errors
     /// [`MotionError::NoClosedForm`], or what makes the motion undetermined.
     fn closed_form(&self) -> Result<ClosedForm, MotionError> {
+        if self.history.is_some() {
+            return Err(MotionError::NoClosedForm { why: "the mass properties change with time" });
+        }
         if self.switched_off.is_empty() && !self.events.iter().any(Event::switches) {
             return ClosedForm::of(self.rotor, self.torques, self.start);
         }
@@ -222,7 +265,7 @@ impl<'a> Simulation<'a> {
     ) -> Result<Trajectory, MotionError> {
         let stepper = Stepper::new(
             rule,
-            self.rotor,
+            (self.rotor, self.history),
             self.torques,
             self.switched_off,
             self.start,
@@ -336,8 +379,6 @@ impl Trajectory {
         method: Method,
         tolerance: f64,
     ) -> Result<Self, MotionError> {
-        let simulation =
-            Simulation { rotor, torques, switched_off: &[], start, events: &[], times, method, tolerance };
-        simulation.run()
+        Simulation::new(rotor, torques, start, times).method(method).tolerance(tolerance).run()
     }
 }

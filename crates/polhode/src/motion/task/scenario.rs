@@ -12,6 +12,7 @@ use crate::math::vector::{Acceleration, AngularVelocity, Direction, Position, Ve
 use crate::motion::error::MotionError;
 use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::model::event::Event;
+use crate::motion::model::mass_history::MassHistory;
 use crate::motion::model::orbit::Orbit;
 use crate::motion::model::pointing::Pointing;
 use crate::motion::model::require;
@@ -52,6 +53,7 @@ pub struct Scenario {
     orbit: Option<Orbit>,
     pointings: Vec<Pointing>,
     wheel_names: Vec<Option<String>>,
+    history: Option<MassHistory>,
     task: Task,
     run: Option<Run>,
     findings: Vec<Finding>,
@@ -149,7 +151,7 @@ impl MountedShaft {
 
 impl Scenario {
     /// The parts of a scenario, as a file names them, that exclude each other, and why.
-    pub const EXCLUSIVE: [(&'static str, &'static str, &'static str); 11] = [
+    pub const EXCLUSIVE: [(&'static str, &'static str, &'static str); 15] = [
         ("orbit", "shaft", ORBIT),
         ("prescribed", "torque", "a prescribed motion is given, and the torque that it needs is the answer"),
         ("prescribed", "event", "a prescribed motion is given, and nothing on its way changes it"),
@@ -161,6 +163,14 @@ impl Scenario {
         ("shaft", "wheel", SHAFT),
         ("shaft", "event", SHAFT),
         ("shaft", "pendulum", SHAFT),
+        ("mass_history", "shaft", SHAFT),
+        (
+            "mass_history",
+            "prescribed",
+            "the torque that a prescribed motion needs is that of a body that stays as it is",
+        ),
+        ("mass_history", "pendulum", "a pendulum swings as a body that stays as it is"),
+        ("mass_history", "wheel", "what is left of a changing body beside its wheels is not known"),
     ];
 
     /// A free body at rest, its axes along those of space.
@@ -176,6 +186,7 @@ impl Scenario {
             orbit: None,
             pointings: Vec::new(),
             wheel_names: Vec::new(),
+            history: None,
             task: Task::Forward(Forward::default()),
             run: None,
             findings: Vec::new(),
@@ -245,6 +256,17 @@ impl Scenario {
     #[must_use]
     pub fn naming_wheels(self, names: Vec<Option<String>>) -> Self {
         Self { wheel_names: names, ..self }
+    }
+
+    /// With mass properties that change with time; those at the start become the body's. It is to know already where it starts and where it is held.
+    ///
+    /// # Errors
+    /// [`MotionError::Exclusive`] of a body with wheels, a pendulum, a prescribed motion and a shaft; as [`MassHistory::at`].
+    pub fn changing(self, history: MassHistory) -> Result<Self, MotionError> {
+        self.require_compatible("mass_history", true)?;
+        let (body, _) = history.at(self.start.time)?;
+        let rotor = history.rotor(self.start.time, self.pivot)?;
+        Ok(Self { body, rotor, history: Some(history), ..self })
     }
 
     /// From this attitude and ω; of a prescribed motion they are its own.
@@ -377,6 +399,7 @@ impl Scenario {
             "event" => !self.events().is_empty(),
             "orbit" => self.orbit.is_some(),
             "pendulum" => self.suspension().is_some(),
+            "mass_history" => self.history.is_some(),
             _ => !self.wheels().is_empty(),
         };
         let excluded = Self::EXCLUSIVE
@@ -468,6 +491,17 @@ impl Scenario {
     /// What spins inside it.
     pub fn wheels(&self) -> &[Wheel] {
         self.rotor.wheels()
+    }
+
+    /// Its mass properties over time, if they change.
+    pub const fn history(&self) -> Option<&MassHistory> {
+        self.history.as_ref()
+    }
+
+    /// True if nothing but its inertia, which stays as it is, decides its motion.
+    pub fn is_free(&self) -> bool {
+        let alone = self.torques().is_empty() && self.wheels().is_empty();
+        alone && self.prescribed().is_none() && self.history.is_none()
     }
 
     /// The name of a wheel, from 0, if it has one.

@@ -72,6 +72,7 @@ impl Scenario {
 
     fn simulation<'a>(&'a self, run: &'a Run) -> Simulation<'a> {
         Simulation::new(self.rotor(), self.torques(), self.start(), &run.times)
+            .changing(self.history())
             .switched_off(self.switched_off())
             .events(self.events())
             .method(run.method)

@@ -20,6 +20,9 @@ pub struct UniformGravity {
 
 impl Law for UniformGravity {
     fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
+        if let Some(moment) = at.moving_moment() {
+            return moment.cross(at.in_space(self.acceleration.as_quantity()));
+        }
         let weight = at.space_parameters(0, self.acceleration.as_quantity()).scaled(at.rotor().mass());
         at.body_parameters(3, at.rotor().lever().as_quantity()).cross(weight)
     }

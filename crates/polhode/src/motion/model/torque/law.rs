@@ -110,6 +110,16 @@ pub trait LawInput {
     /// The vector with these components.
     fn vector(&self, components: [Self::Scalar; 3]) -> Self::Vector;
 
+    /// Where the point that the body turns about is in the body, if its mass properties change.
+    fn moving_point(&self) -> Option<Self::Vector> {
+        None
+    }
+
+    /// M l, l from that point to the centre of mass, if they change.
+    fn moving_moment(&self) -> Option<Self::Vector> {
+        None
+    }
+
     /// A constant that is the law's parameter at this place.
     fn parameter(&self, _which: usize, value: f64) -> Self::Scalar {
         self.number(value)

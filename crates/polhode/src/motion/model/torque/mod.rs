@@ -1,5 +1,6 @@
 //! Torques: a sum of small models, each in its own file.
 
+mod changing;
 mod condensed;
 pub(crate) mod constant;
 pub(crate) mod drag;
@@ -156,6 +157,16 @@ impl TorqueModel {
             Self::Scheduled(model) => model.schedule.next_change(time).min(model.torque.next_change(time)),
             Self::Tabulated(table) => table.next_change(time),
             _ => f64::INFINITY,
+        }
+    }
+
+    /// Is it unknown what it does to a body whose mass changes?
+    pub(crate) fn needs_constant_mass(&self) -> bool {
+        match self {
+            Self::Scheduled(model) => model.torque.needs_constant_mass(),
+            Self::GravityGradient(gravity) => matches!(gravity.attracted, Attracted::Points(_)),
+            Self::EnergySink(_) => true,
+            _ => false,
         }
     }
 

@@ -41,6 +41,11 @@ impl OwnTorque {
         Self { name, kind: OwnLaw::Law { law, is_smooth } }
     }
 
+    /// A law that is known to have a power series.
+    pub(super) fn smooth(name: &'static str, law: Arc<dyn AnyLaw + Send + Sync>) -> Self {
+        Self { name, kind: OwnLaw::Law { law, is_smooth: true } }
+    }
+
     pub(super) fn function(
         name: &'static str,
         torque: impl Fn(&Rotor, &State) -> Torque<Body> + Send + Sync + 'static,

@@ -11,6 +11,7 @@ use crate::math::frame::{Body, Principal, Space};
 use crate::math::rotation::{Attitude, Rotation};
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Direction;
+use crate::motion::model::mass_history::changing_body::ChangingBody;
 use crate::motion::model::orbit::Orbit;
 use crate::motion::model::rotor::Rotor;
 
@@ -35,7 +36,7 @@ impl Graph {
         // By their places: that two are alike in one body must not change what is recorded.
         let matrices = vec![to_principal.matrix(), to_principal.inverse().matrix(), inertia];
         let graph = RefCell::new(Self { matrices, ..Self::default() });
-        let recorded = record(&Recorder { rotor, to_principal, graph: &graph });
+        let recorded = record(&Recorder { rotor, to_principal, graph: &graph, changing: None });
         (graph.into_inner(), recorded)
     }
 }
@@ -46,6 +47,8 @@ pub(in crate::motion) struct Recorder<'r> {
     rotor: &'r Rotor,
     to_principal: Rotation<Principal, Body>,
     graph: &'r RefCell<Graph>,
+    /// The body in whose place the rotor turns.
+    changing: Option<&'r ChangingBody>,
 }
 
 /// A number of a graph.
@@ -267,6 +270,17 @@ impl<'r> Recorder<'r> {
         VectorNode { graph: self.graph, place }
     }
 
+    /// Records what a changing body does, of which the rotor knows nothing.
+    pub(super) fn of_changing(
+        &self,
+        body: &ChangingBody,
+        record: impl for<'s> FnOnce(&Recorder<'s>) -> VectorNode<'s>,
+    ) -> VectorNode<'r> {
+        let Self { rotor, to_principal, graph, .. } = *self;
+        let place = record(&Recorder { rotor, to_principal, graph, changing: Some(body) }).place;
+        VectorNode { graph, place }
+    }
+
     pub(super) fn constant(&self, v: Direction<Principal>) -> VectorNode<'r> {
         let k = index(&mut self.graph.borrow_mut().vectors, v.to_array(), PartialEq::eq);
         self.vector_node(VectorOperation::Constant(k))
@@ -344,7 +358,15 @@ impl<'r> LawInput for Recorder<'r> {
     }
 
     fn inertia(&self, v: VectorNode<'r>) -> VectorNode<'r> {
-        v.image_by(INERTIA)
+        self.changing.map_or_else(|| v.image_by(INERTIA), |body| body.inertia(self, v))
+    }
+
+    fn moving_point(&self) -> Option<VectorNode<'r>> {
+        self.changing.map(|body| body.point(self))
+    }
+
+    fn moving_moment(&self) -> Option<VectorNode<'r>> {
+        self.changing.map(|body| body.first_moment(self))
     }
 
     fn symmetric(&self, elements: [f64; 6], v: VectorNode<'r>) -> VectorNode<'r> {

@@ -2,6 +2,7 @@
 
 use super::law::{Law, LawInput};
 use super::model::Model;
+use crate::math::algebra::VectorAlgebra;
 use crate::math::frame::Body;
 use crate::math::vector::{Force, Position};
 
@@ -18,6 +19,10 @@ pub struct Thruster {
 
 impl Law for Thruster {
     fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
+        if let Some(point) = at.moving_point() {
+            let arm = at.in_body(self.position.as_quantity()) - point;
+            return arm.cross(at.in_body(self.force.as_quantity()));
+        }
         let arm = self.position - at.rotor().point();
         at.moment_parameters(0, [arm.as_quantity(), self.force.as_quantity()])
     }

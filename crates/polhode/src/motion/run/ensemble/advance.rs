@@ -115,7 +115,8 @@ fn integrate(
 ) {
     let Member { rotor, torques, start } = &portion.members[k];
     let (switched_off, events, start) = (&[], &[], *start);
-    let simulation = Simulation { rotor, torques, switched_off, start, events, times, method, tolerance };
+    let simulation =
+        Simulation { history: None, rotor, torques, switched_off, start, events, times, method, tolerance };
     states.clear();
     let result = simulation.fill(states);
     portion.put(k, 0, states);

@@ -94,7 +94,7 @@ impl Simulation<'_> {
         let samples = trajectory.samples();
         let watched = ComparedSamples::of_trajectory(trajectory);
         let inputs = input_error(&watched, |seed, amplitude| {
-            let Inputs { rotor, start } = Inputs::of(self, seed, amplitude);
+            let Inputs { rotor, start, .. } = Inputs::of(self, seed, amplitude);
             // Not every change of a body keeps the symmetry that a closed form needs.
             ClosedForm::of(&rotor, self.torques, start)
                 .or_else(|_| ClosedForm::of(self.rotor, self.torques, start))

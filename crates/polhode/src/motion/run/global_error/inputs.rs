@@ -3,6 +3,7 @@
 use crate::math::rotation::Rotation;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Vector;
+use crate::motion::model::mass_history::MassHistory;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::run::simulation::Simulation;
@@ -18,17 +19,20 @@ const HALF_BIT: f64 = 0.5 * f64::EPSILON;
 #[derive(Clone, Debug)]
 pub(super) struct Inputs {
     pub(super) rotor: Rotor,
+    pub(super) history: Option<MassHistory>,
     pub(super) start: State,
 }
 
 impl Inputs {
     pub(super) fn of(simulation: &Simulation<'_>, seed: u64, amplitude: f64) -> Self {
         let mut change = Change::new(seed, amplitude);
-        let Simulation { rotor, start, .. } = *simulation;
-        let inertia = change.inertia(rotor.inertia().symmetric());
+        let Simulation { rotor, history, start, .. } = *simulation;
+        let stretch = change.stretch(rotor.inertia().symmetric());
+        let inertia = stretched(rotor.inertia().symmetric(), stretch);
+        let history = history.map(|history| history.stretched(stretch));
         let lever = Vector::from_array(change.each(rotor.lever().to_array()));
         let start = change.start(start);
-        Self { rotor: rotor.with_inertia(inertia, lever).unwrap_or_else(|| rotor.clone()), start }
+        Self { rotor: rotor.with_inertia(inertia, lever).unwrap_or_else(|| rotor.clone()), history, start }
     }
 }
 
@@ -61,6 +65,12 @@ impl Change {
 
     /// I of second moments D S D, D = diag(d): S = ½ tr(I) 1 − I stays positive semi-definite, so that a body stays one.
     pub(super) fn inertia(&mut self, i: &Symmetric3) -> Symmetric3 {
+        let stretch = self.stretch(i);
+        stretched(i, stretch)
+    }
+
+    /// d
+    fn stretch(&mut self, i: &Symmetric3) -> [f64; 3] {
         let [a, b, c] = self.each([1.0; 3]);
         let half = 0.5 * (i.xx + i.yy + i.zz);
         let [sx, sy, sz] = [half - i.xx, half - i.yy, half - i.zz];
@@ -73,14 +83,20 @@ impl Change {
         } else {
             c
         };
-        Symmetric3 {
-            xx: a * a * sx,
-            yy: b * b * sy,
-            zz: c * c * sz,
-            xy: -a * b * i.xy,
-            xz: -a * c * i.xz,
-            yz: -b * c * i.yz,
-        }
-        .inertia_of_second_moments()
+        [a, b, c]
     }
+}
+
+/// The tensor of second moments D S D.
+fn stretched(i: &Symmetric3, [a, b, c]: [f64; 3]) -> Symmetric3 {
+    let half = 0.5 * (i.xx + i.yy + i.zz);
+    Symmetric3 {
+        xx: a * a * (half - i.xx),
+        yy: b * b * (half - i.yy),
+        zz: c * c * (half - i.zz),
+        xy: -a * b * i.xy,
+        xz: -a * c * i.xz,
+        yz: -b * c * i.yz,
+    }
+    .inertia_of_second_moments()
 }

@@ -60,6 +60,7 @@ pub enum ErrorEffort {
 /// let torques = [TorqueModel::GravityGradient(Box::new(GravityGradient { orbit, attracted: Attracted::Tensor }))];
 /// let simulation = Simulation {
 ///     rotor: &rotor,
+///     history: None,
 ///     torques: &torques,
 ///     switched_off: &[],
 ///     start: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.5, 0.9) },

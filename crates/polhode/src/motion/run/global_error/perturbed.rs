@@ -49,9 +49,16 @@ impl Perturbed<'_> {
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Result<Vec<State>, MotionError> {
         let Simulation { torques, switched_off, events, .. } = *self.simulation;
-        let Inputs { rotor, start } = &self.inputs;
-        let mut stepper =
-            Stepper::new(self.rule, rotor, torques, switched_off, *start, self.tolerance, false)?;
+        let Inputs { rotor, history, start } = &self.inputs;
+        let mut stepper = Stepper::new(
+            self.rule,
+            (rotor, history.as_ref()),
+            torques,
+            switched_off,
+            *start,
+            self.tolerance,
+            false,
+        )?;
         if let Some((noise, stretch)) = &self.noise {
             stepper = stepper.perturbed(noise.clone(), *stretch);
         }

@@ -1,19 +1,25 @@
 //! A piece of time in which nothing begins or ends: what acts there.
 
+use std::sync::Arc;
+
 use super::rounding::ROUNDING;
 use crate::math::frame::{Body, Principal};
 use crate::math::vector::{AngularMomentum, AngularVelocity, Torque};
 use crate::motion::error::MotionError;
+use crate::motion::model::mass_history::MassHistory;
+use crate::motion::model::mass_history::changing_body::ChangingBody;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
-use crate::motion::model::torque::TorqueModel;
+use crate::motion::model::torque::{OwnTorque, TorqueModel};
 
 /// What acts from one time until something changes. Within it everything is as smooth as the torques themselves.
 #[derive(Clone, Debug)]
 pub(super) struct Piece<'a> {
     pub(super) rotor: &'a Rotor,
-    /// The torques that act, without their schedules.
+    /// The torques that act, without their schedules; none on a changing body, which has them in itself.
     pub(super) torques: Vec<&'a TorqueModel>,
+    /// The body whose mass properties change, if they do: a ball turns in its place.
+    pub(super) changing: Option<(Arc<ChangingBody>, TorqueModel)>,
     /// Σ α of the energy sinks.
     pub(super) sink: f64,
     /// The largest torque that there can be, with the motors', N·m.
@@ -51,12 +57,34 @@ impl<'a> Piece<'a> {
             sink: acting.iter().map(|torque| torque.model().sink()).sum(),
             largest_torque: largest_torque + rotor.motor_torque(time).norm(),
             torques: acting,
+            changing: None,
             until: changes.chain(wheels).fold(f64::INFINITY, f64::min),
             wheels: Wheels {
                 time,
                 momentum: to_principal * rotor.wheel_momentum(time),
                 rate: to_principal * rotor.motor_torque(time),
             },
+        }
+    }
+
+    /// The same of a body with such a history, which has no wheels and no friction inside.
+    pub(super) fn of_changing(
+        rotor: &Rotor,
+        history: &'a MassHistory,
+        torques: impl Iterator<Item = &'a TorqueModel> + Clone,
+        state: &State,
+    ) -> Self {
+        let (time, ball) = (state.time, history.ball());
+        let pivot = rotor.is_pivoted().then(|| rotor.point());
+        let acting = torques.clone().filter_map(|torque| torque.acting(time)).cloned();
+        let body = Arc::new(history.body(time, pivot, acting.collect()));
+        let law = TorqueModel::Own(OwnTorque::of_changing(Arc::clone(&body)));
+        let changes = torques.map(|torque| torque.next_change(time));
+        Self {
+            largest_torque: law.scale(ball, state),
+            changing: Some((body, law)),
+            until: changes.fold(history.next_change(time), f64::min),
+            ..Self::new(ball, core::iter::empty(), state)
         }
     }
 
@@ -76,12 +104,17 @@ impl<'a> Piece<'a> {
 
     /// True if nothing acts: the body moves freely.
     pub(super) fn is_free(&self) -> bool {
-        self.torques.is_empty() && self.rotor.wheels().is_empty()
+        self.acting().next().is_none() && self.rotor.wheels().is_empty()
+    }
+
+    /// All that acts on what turns.
+    pub(super) fn acting(&self) -> impl Iterator<Item = &TorqueModel> + Clone {
+        self.torques.iter().copied().chain(self.changing.iter().map(|(_, law)| law))
     }
 
     /// The torque of all that acts from outside, body axes.
     pub(super) fn torque(&self, state: &State) -> Torque<Body> {
-        self.torques.iter().fold(Torque::ZERO, |sum, model| sum + model.torque(self.rotor, state))
+        self.acting().fold(Torque::ZERO, |sum, model| sum + model.torque(self.rotor, state))
     }
 
     /// h, the angular momentum of the wheels, principal axes.

@@ -9,7 +9,7 @@ use super::noise::Noise;
 use super::orientation::Orientation;
 use super::piece::Piece;
 use super::step_statistics::StepStatistics;
-use crate::math::frame::Principal;
+use crate::math::frame::{Body, Principal};
 use crate::math::sum::two_sum;
 use crate::math::vector::{AngularVelocity, Vector};
 use crate::motion::error::MotionError;
@@ -216,6 +216,14 @@ impl<'a> RungeKutta<'a> {
             *y += more;
         }
         self.k0 = self.chart.derivative(self.time, &self.y);
+    }
+
+    /// Adds to ω at once, body axes; [`RungeKutta::change`] is to follow.
+    pub(super) fn kick(&mut self, more: AngularVelocity<Body>) {
+        let more = self.chart.piece.rotor.principal().rotation().inverse() * more;
+        for (y, more) in self.y[3..6].iter_mut().zip(more.to_array()) {
+            *y += more;
+        }
     }
 
     /// Moves to the end of the step, and the chart with it.

@@ -1,9 +1,12 @@
 //! What steps from one time to the next, whichever method it is.
 
+mod changing;
+
 use std::rc::Rc;
 
 use super::balanced::Balanced;
 use super::bound::Bound;
+use super::ledger::Ledger;
 use super::noise::Noise;
 use super::piece::Piece;
 use super::runge_kutta::RungeKutta;
@@ -13,6 +16,7 @@ use super::taylor::Taylor;
 use crate::math::frame::Body;
 use crate::math::vector::Direction;
 use crate::motion::error::MotionError;
+use crate::motion::model::mass_history::MassHistory;
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
@@ -58,6 +62,11 @@ pub(crate) struct Stepper<'a> {
     steps: Steps<'a>,
     /// What a perturbed run adds to each step.
     noise: Option<Noise>,
+    /// The mass properties, if they change.
+    history: Option<&'a MassHistory>,
+    piece: Rc<Piece<'a>>,
+    /// The evidence of a changing body.
+    ledger: Option<Ledger>,
 }
 
 #[derive(Debug)]
@@ -76,7 +85,7 @@ impl<'a> Stepper<'a> {
     /// balanced.
     pub(crate) fn new(
         rule: Rule,
-        rotor: &'a Rotor,
+        (rotor, history): (&'a Rotor, Option<&'a MassHistory>),
         torques: &'a [TorqueModel],
         switched_off: &[usize],
         start: State,
@@ -84,20 +93,43 @@ impl<'a> Stepper<'a> {
         with_evidence: bool,
     ) -> Result<Self, MotionError> {
         let switched_on: Vec<bool> = (0..torques.len()).map(|k| !switched_off.contains(&k)).collect();
-        let piece = Rc::new(first_piece(rule, rotor, acting(torques, &switched_on), &start, tolerance)?);
+        let torques_on = acting(torques, &switched_on);
+        let piece = Rc::new(match history {
+            None => first_piece(rule, rotor, torques_on, &start, tolerance)?,
+            Some(history) => {
+                require_tolerance(tolerance)?;
+                Piece::of_changing(rotor, history, torques_on, &start)
+            }
+        });
+        let ledger = (with_evidence && history.is_some()).then(Ledger::default);
+        let with_evidence = with_evidence && history.is_none();
         let until = piece.until;
         let bound = Bound::new(&piece, &start);
         let is_sprung = torques.iter().any(|torque| torque.model().has_twist());
+        let first = Rc::clone(&piece);
         let steps = match rule {
-            Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(piece, start, tolerance, with_evidence)?)),
-            Rule::Dop853 => Steps::Dop853(Box::new(RungeKutta::new(piece, start, tolerance)?)),
+            Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(first, start, tolerance, with_evidence)?)),
+            Rule::Dop853 => Steps::Dop853(Box::new(RungeKutta::new(first, start, tolerance)?)),
             Rule::Splitting { order, step } => {
-                Steps::Splitting(Box::new(Splitting::new(piece, torques, start, order, step)?))
+                Steps::Splitting(Box::new(Splitting::new(first, torques, start, order, step)?))
             }
         };
-        let from = start.time;
-        let noise = None;
-        Ok(Self { rotor, torques, switched_on, until, bound, from, tolerance, is_sprung, rule, steps, noise })
+        Ok(Self {
+            rotor,
+            torques,
+            switched_on,
+            until,
+            bound,
+            from: start.time,
+            tolerance,
+            is_sprung,
+            rule,
+            steps,
+            noise: None,
+            history,
+            piece,
+            ledger,
+        })
     }
 
     /// The same with steps so many times as long, and perturbed after each of them. Steps of a given length keep it.
@@ -115,11 +147,19 @@ impl<'a> Stepper<'a> {
     /// # Errors
     /// [`MotionError::TorqueWithoutInertia`] if it cannot be balanced.
     pub(crate) fn change(&mut self) -> Result<(), MotionError> {
-        let state = self.now().state;
-        let piece = Rc::new(Piece::new(self.rotor, acting(self.torques, &self.switched_on), &state));
+        let mut state = self.now().state;
+        if let Some(history) = self.history.filter(|_| self.time() >= self.until) {
+            state = self.jump_of_mass(history, state)?;
+        }
+        let torques = acting(self.torques, &self.switched_on);
+        let piece = Rc::new(match self.history {
+            None => Piece::new(self.rotor, torques, &state),
+            Some(history) => Piece::of_changing(self.rotor, history, torques, &state),
+        });
         piece.require_balanced_sink(&state)?;
         self.until = piece.until;
         self.bound.act(&piece);
+        self.piece = Rc::clone(&piece);
         match &mut self.steps {
             Steps::Taylor(taylor) => taylor.change(piece),
             Steps::Dop853(dop853) => dop853.change(piece),
@@ -151,6 +191,7 @@ impl<'a> Stepper<'a> {
             Steps::Dop853(dop853) => dop853.cut(time),
             Steps::Splitting(splitting) => splitting.cut(time),
         }
+        self.account();
     }
 
     /// Refuses to go on with a motion that runs away before it comes to `end`, or whose end is too many steps away: see [`Bound`].
@@ -159,11 +200,12 @@ impl<'a> Stepper<'a> {
     /// [`MotionError::RunAway`], [`MotionError::TooManySteps`].
     pub(crate) fn require_bounded(&mut self, end: f64) -> Result<(), MotionError> {
         let (step, allowed, now) = (self.statistics().accepted, self.next_step(), [self.time(), self.rate()]);
-        let Self { bound, steps, from, .. } = self;
+        let Self { bound, steps, from, ledger, .. } = self;
         bound.end(end);
         bound.require(step, now[1], || {
             let before = steps.at(*from);
-            (*from, before.state.omega.norm(), before)
+            let rate = before.state.omega.norm();
+            (*from, rate, ledger.map_or(before, |ledger| ledger.from(before.state)))
         })?;
         bound.require_few_steps(step, allowed, now, end)
     }
@@ -199,12 +241,16 @@ impl<'a> Stepper<'a> {
         let until = until.min(self.until);
         let before = self.is_sprung.then(|| self.now().state);
         self.from = self.time();
+        if let Some(ledger) = &mut self.ledger {
+            ledger.begin();
+        }
         let stepped = match &mut self.steps {
             Steps::Taylor(taylor) => taylor.step(until),
             Steps::Dop853(dop853) => dop853.step(until),
             Steps::Splitting(splitting) => splitting.step(until),
         };
         stepped.map_err(|cause| self.explained(cause))?;
+        self.account();
         if let Some(noise) = &mut self.noise {
             match &mut self.steps {
                 Steps::Taylor(taylor) => taylor.perturb(noise),
@@ -276,16 +322,20 @@ impl<'a> Stepper<'a> {
 
     /// The state now.
     pub(crate) fn now(&self) -> Balanced {
-        match &self.steps {
+        let now = match &self.steps {
             Steps::Taylor(taylor) => taylor.now(),
             Steps::Dop853(dop853) => dop853.now(),
             Steps::Splitting(splitting) => splitting.now(),
-        }
+        };
+        self.ledger.map_or(now, |ledger| ledger.now(now.state))
     }
 
     /// The state at a time within the last step: dense output.
     pub(crate) fn at(&self, time: f64) -> Balanced {
-        self.steps.at(time)
+        let there = self.steps.at(time);
+        self.ledger.map_or(there, |ledger| {
+            ledger.at(&self.piece, self.from, there.state, &|time| self.steps.at(time).state)
+        })
     }
 
     /// |ω|, rad/s.

@@ -434,7 +434,7 @@ fn is_plain(piece: &Piece<'_>) -> bool {
 }
 
 fn decomposed(piece: &Piece<'_>) -> Decomposition {
-    Decomposition::of(piece.rotor, piece.torques.iter().copied(), is_plain(piece))
+    Decomposition::of(piece.rotor, piece.acting(), is_plain(piece))
 }
 
 /// Made where it stays: a copy of some kilobytes would be a part of a short run's time.

@@ -11,7 +11,7 @@ use crate::math::frame::{Body, Principal, Space};
 use crate::math::machine::{Machine, Work, in_vectors};
 use crate::math::rotation::Rotation;
 use crate::math::sum::two_sum;
-use crate::math::vector::{AngularMomentum, Direction, Vector};
+use crate::math::vector::{AngularMomentum, AngularVelocity, Direction, Vector};
 use crate::motion::error::MotionError;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
@@ -212,6 +212,15 @@ impl<'a> Taylor<'a> {
         let turn = Row([0.0, 0.5 * x, 0.5 * y, 0.5 * z]);
         let more = Increment { omega: Row([p, q, r, 0.0]), turn, impulse: [0.0; 3], work: 0.0 };
         self.pack[self.now] = head.plus(&more, head.time);
+    }
+
+    /// Adds to ω at once, body axes.
+    pub(in crate::motion::solve::propagate) fn kick(&mut self, more: AngularVelocity<Body>) {
+        let [x, y, z] = (self.to_body.inverse() * more).to_array();
+        let (omega, turn) = (Row([x, y, z, 0.0]), Row::ZERO);
+        let head = self.head();
+        self.pack[self.now] = head.plus(&Increment { omega, turn, impulse: [0.0; 3], work: 0.0 }, head.time);
+        self.rate = self.head().rate();
     }
 
     /// What the series are about.

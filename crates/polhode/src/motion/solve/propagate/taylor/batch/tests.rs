@@ -184,7 +184,18 @@ fn compare(members: &[Member], times: &[f64], tolerance: f64) -> [usize; 2] {
         let BatchBody { rotor, torques, start, .. } = *body;
         let alone = |times: &[f64]| {
             let (switched_off, events, method) = (&[], &[], Method::Taylor);
-            Simulation { rotor, torques, switched_off, start, events, times, method, tolerance }.states()
+            Simulation {
+                rotor,
+                history: None,
+                torques,
+                switched_off,
+                start,
+                events,
+                times,
+                method,
+                tolerance,
+            }
+            .states()
         };
         let got = &states[k * times.len()..(k + 1) * times.len()];
         let cause = failures.iter().find(|(body, _)| *body == k).map(|(_, cause)| cause);

@@ -1,0 +1,100 @@
+//! A tank by a table of the mass properties of what is in it.
+
+use polhode::body::{InertiaTensor, MassProperties};
+use polhode::math::{Part, Position};
+
+use super::{Fill, Slice};
+use crate::sequence::SequenceError;
+use crate::tensor::{elements, plus, rows, steiner};
+
+/// The liquid of a tank at some masses.
+///
+/// From row to row mass, first moments and second moments are straight, so that every body on the way is a mixture of two possible ones, and possible; below the first
+/// row it is that of the first, thinned out. It is off by ⅛ of the second derivative of a moment times the square of the step in mass.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LiquidTable {
+    rows: Vec<MassProperties<Part>>,
+    levels: Option<Vec<f64>>,
+}
+
+impl LiquidTable {
+    /// A liquid that is so at masses that ascend; with the levels at which it stands then, m, if they are known, which ascend too.
+    ///
+    /// # Errors
+    /// [`SequenceError::Value`] of what does not ascend, [`SequenceError::EmptyTable`].
+    pub fn new(rows: Vec<MassProperties<Part>>, levels: Option<Vec<f64>>) -> Result<Self, SequenceError> {
+        let rule = "more than that of the row before";
+        let ascends = |what, values: &[f64]| {
+            let wrong = values.windows(2).find(|pair| !(pair[1] > pair[0])).map(|pair| pair[1]);
+            wrong.map_or(Ok(()), |value| Err(SequenceError::Value { what, value, rule }))
+        };
+        if rows.is_empty() || levels.as_ref().is_some_and(|levels| levels.len() != rows.len()) {
+            return Err(SequenceError::EmptyTable);
+        }
+        ascends("the mass of a liquid", &rows.iter().map(MassProperties::mass).collect::<Vec<_>>())?;
+        ascends("the level of a liquid", levels.as_deref().unwrap_or_default())?;
+        Ok(Self { rows, levels })
+    }
+
+    pub(super) fn capacity(&self) -> f64 {
+        self.rows.last().map_or(0.0, MassProperties::mass)
+    }
+
+    pub(super) fn at(&self, mass: f64) -> Option<Fill> {
+        let after = self.rows.partition_point(|row| row.mass() < mass).min(self.rows.len() - 1);
+        let to = self.rows.get(after)?;
+        let from = after.checked_sub(1).and_then(|before| self.rows.get(before));
+        let next = slope(from, to);
+        let level = self.level(mass, after);
+        if mass == 0.0 {
+            return Some(Fill { properties: None, level, next });
+        }
+        // A mixture of both rows, with weights a and b.
+        let properties = match from {
+            None => scaled(to, mass / to.mass()),
+            Some(from) => {
+                let b = (mass - from.mass()) / (to.mass() - from.mass());
+                let parts = [(from, 1.0 - b), (to, b)].into_iter().filter(|(_, weight)| *weight > 0.0);
+                let parts: Option<Vec<_>> = parts.map(|(row, weight)| scaled(row, weight)).collect();
+                MassProperties::combined(&parts?).ok()
+            }
+        };
+        properties.map(|properties| Fill { properties: Some(properties), level, next })
+    }
+
+    fn level(&self, mass: f64, after: usize) -> Option<f64> {
+        let levels = self.levels.as_ref()?;
+        let [m1, h1] = [self.rows.get(after)?.mass(), *levels.get(after)?];
+        let [m0, h0] = match after.checked_sub(1) {
+            Some(before) => [self.rows.get(before)?.mass(), *levels.get(before)?],
+            None => return (mass == m1).then_some(h1),
+        };
+        Some(h0 + (h1 - h0) * (mass - m0) / (m1 - m0))
+    }
+}
+
+/// The difference of two rows for each kilogram.
+fn slope(from: Option<&MassProperties<Part>>, to: &MassProperties<Part>) -> Slice {
+    let own = |body: &MassProperties<Part>| elements(body.inertia().matrix());
+    let c1 = to.center_of_mass().to_array();
+    let Some(from) = from else {
+        return Slice { center: c1, tensor: own(to).map(|x| x / to.mass()) };
+    };
+    let c0 = from.center_of_mass().to_array();
+    let [m0, m1] = [from.mass(), to.mass()];
+    let more = m1 - m0;
+    let center: [f64; 3] = core::array::from_fn(|k| (m1 * c1[k] - m0 * c0[k]) / more);
+    let about = |body, m, c: [f64; 3]| {
+        let d = core::array::from_fn(|k| c[k] - center[k]);
+        plus(own(body), steiner(d, d), m)
+    };
+    let tensor = plus(about(to, m1, c1), about(from, m0, c0), -1.0).map(|x| x / more);
+    Slice { center, tensor }
+}
+
+fn scaled(body: &MassProperties<Part>, factor: f64) -> Option<MassProperties<Part>> {
+    let tensor = elements(body.inertia().matrix()).map(|x| factor * x);
+    let inertia = InertiaTensor::from_matrix(rows(tensor)).ok()?;
+    let center: Position<Part> = body.center_of_mass();
+    MassProperties::new(factor * body.mass(), center, inertia).ok()
+}

@@ -1,0 +1,251 @@
+//! A tank by its shape: integrals over its sections up to a level, and the level of a volume.
+//!
+//! Within a band of sections of one kind, u = ½ h (1 − cos φ) above its lower end makes every moment of a section a polynomial in sin φ and cos φ of six
+//! degrees at most, also where a wall begins round: Gauss's rule with [`NODES`] nodes integrates it to rounding, and nothing cancels in it, however little there is.
+
+use core::f64::consts::PI;
+
+use polhode::body::{InertiaTensor, MassProperties};
+use polhode::math::Position;
+
+use super::shape::{Down, TankShape};
+use super::{Fill, Slice};
+use crate::sequence::SequenceError;
+
+const NODES: usize = 24;
+
+/// A tank by its shape, with a liquid of one density that has settled in one direction.
+///
+/// ```
+/// use polhode_budget::{Down, Liquid, TankShape, Vessel};
+/// // A half-full sphere: 2/3 π r³, its centre 3/8 r below the middle.
+/// let sphere = Vessel::new(TankShape::Ellipsoid([0.4; 3]), 1000.0, Down::MinusZ)?;
+/// let half = Liquid::Vessel(Box::new(sphere.clone())).at(0.5 * sphere.capacity()).ok_or("it holds that")?;
+/// let liquid = half.properties.ok_or("there is some")?;
+/// assert!((liquid.center_of_mass().z + 0.15).abs() < 1e-15 && (half.level.ok_or("it has one")? - 0.4).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Vessel {
+    shape: TankShape,
+    density: f64,
+    down: Down,
+    /// Each with its volume.
+    bands: Vec<([f64; 2], f64)>,
+    /// Of Gauss's rule on 0 … 1: places and weights.
+    nodes: Vec<[f64; 2]>,
+}
+
+impl Vessel {
+    /// A tank of this shape, for a liquid of a density, kg/m³, that settles in a direction.
+    ///
+    /// # Errors
+    /// [`SequenceError::Value`] of a size or a density that is not positive and finite.
+    pub fn new(shape: TankShape, density: f64, down: Down) -> Result<Self, SequenceError> {
+        let is_density = density > 0.0 && density.is_finite();
+        let wrong = shape.wrong().or_else(|| (!is_density).then_some(("the density of a liquid", density)));
+        if let Some((what, value)) = wrong {
+            return Err(SequenceError::Value { what, value, rule: "positive and finite" });
+        }
+        let mut vessel = Self { shape, density, down, bands: Vec::new(), nodes: gauss() };
+        vessel.bands = shape.bands(down).into_iter().map(|band| (band, vessel.volume_of(band, PI))).collect();
+        Ok(vessel)
+    }
+
+    /// What it is inside.
+    pub const fn shape(&self) -> &TankShape {
+        &self.shape
+    }
+
+    /// Of the liquid, kg/m³.
+    pub const fn density(&self) -> f64 {
+        self.density
+    }
+
+    /// Where the liquid settles.
+    pub const fn down(&self) -> Down {
+        self.down
+    }
+
+    /// What it holds, kg.
+    pub fn capacity(&self) -> f64 {
+        self.density * self.bands.iter().map(|(_, volume)| volume).sum::<f64>()
+    }
+
+    /// How high so many kilograms stand above the bottom, m.
+    fn level(&self, mass: f64) -> f64 {
+        let mut rest = mass / self.density;
+        let Some((last, bands)) = self.bands.split_last() else { return 0.0 };
+        let below = bands.iter().find(|(_, volume)| {
+            let is_here = rest <= *volume;
+            if !is_here {
+                rest -= volume;
+            }
+            is_here
+        });
+        let (band, _) = below.unwrap_or(last);
+        band[0] + height(*band, self.phase(*band, rest))
+    }
+
+    /// Where in a band its volume is reached: Newton's steps between bounds that close in.
+    fn phase(&self, band: [f64; 2], volume: f64) -> f64 {
+        let [mut low, mut high] = [0.0, PI];
+        let mut phi = 0.5 * PI;
+        loop {
+            let over = self.volume_of(band, phi) - volume;
+            if over > 0.0 {
+                high = phi;
+            } else {
+                low = phi;
+            }
+            let slope = self.shape.section(self.down, band[0] + height(band, phi)).area
+                * 0.5
+                * (band[1] - band[0])
+                * libm::sin(phi);
+            let newton = phi - over / slope;
+            // A step that has become rounding ends it.
+            if (newton - phi).abs() <= 2.0 * f64::EPSILON * phi {
+                return newton.clamp(low, high);
+            }
+            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            if next == low || next == high {
+                return next;
+            }
+            phi = next;
+        }
+    }
+
+    fn volume_of(&self, band: [f64; 2], until: f64) -> f64 {
+        let mut sum = 0.0;
+        self.sections([(band, until)], |_, section, weight| sum += weight * section.area);
+        sum
+    }
+
+    /// Bands up to a level, each with the phase that it is full to.
+    fn filled(&self, level: f64) -> impl Iterator<Item = ([f64; 2], f64)> + '_ {
+        self.bands.iter().filter(move |(band, _)| level > band[0]).map(move |&(band, _)| {
+            let part = ((level - band[0]) / (band[1] - band[0])).min(1.0);
+            (band, 2.0 * libm::asin(part.sqrt()))
+        })
+    }
+
+    /// Gauss's rule over sections: heights, sections, weights.
+    fn sections(
+        &self,
+        parts: impl IntoIterator<Item = ([f64; 2], f64)>,
+        mut take: impl FnMut(f64, super::section::Section, f64),
+    ) {
+        for (band, until) in parts {
+            for &[place, weight] in &self.nodes {
+                let phi = until * place;
+                let above = band[0] + height(band, phi);
+                let weight = weight * until * 0.5 * (band[1] - band[0]) * libm::sin(phi);
+                take(above, self.shape.section(self.down, above), weight);
+            }
+        }
+    }
+
+    pub(super) fn at(&self, mass: f64) -> Option<Fill> {
+        let level = self.level(mass);
+        let next = self.slice(level);
+        if mass == 0.0 {
+            return Some(Fill { properties: None, level: Some(0.0), next });
+        }
+        let (mut volume, mut first) = (0.0, [0.0; 3]);
+        self.sections(self.filled(level), |above, section, weight| {
+            volume += weight * section.area;
+            first[0] += weight * above * section.area;
+            first[1] += weight * section.first[0];
+            first[2] += weight * section.first[1];
+        });
+        let center = first.map(|x| x / volume);
+        let mut second = [0.0; 6];
+        self.sections(self.filled(level), |above, section, weight| {
+            for (sum, x) in second.iter_mut().zip(moments(above, section, center)) {
+                *sum += weight * x;
+            }
+        });
+        // The mass as it was asked for: what the level has rounded is none of it.
+        let tensor = self.tensor(second.map(|x| mass / volume * x));
+        let inertia = InertiaTensor::from_matrix(crate::tensor::rows(tensor)).ok()?;
+        let properties = MassProperties::new(mass, Position::from_array(self.place(center)), inertia).ok();
+        Some(Fill { properties, level: Some(level), next })
+    }
+
+    /// The surface at a level.
+    fn slice(&self, level: f64) -> Slice {
+        // At a point of the wall the section is a point: what is added first is there.
+        let section = self.shape.section(self.down, level);
+        if section.area == 0.0 {
+            return Slice { center: self.place([level, 0.0, 0.0]), tensor: [0.0; 6] };
+        }
+        let [p, q] = section.first.map(|x| x / section.area);
+        let center = [level, p, q];
+        let tensor = self.tensor(moments(level, section, center).map(|x| x / section.area));
+        Slice { center: self.place(center), tensor }
+    }
+
+    /// From height and the two axes that follow to the tank's axes.
+    fn place(&self, [above, p, q]: [f64; 3]) -> [f64; 3] {
+        let (axis, up) = self.down.axis();
+        let mut place = [0.0; 3];
+        place[axis] = self.shape.bottom(self.down) + up * above;
+        (place[(axis + 1) % 3], place[(axis + 2) % 3]) = (p, q);
+        place
+    }
+
+    /// The tensor of second moments uu, pp, qq, up, uq, pq.
+    fn tensor(&self, [uu, pp, qq, up, uq, pq]: [f64; 6]) -> [f64; 6] {
+        let (axis, sign) = self.down.axis();
+        let mut s = [[0.0; 3]; 3];
+        let [u, p, q] = [axis, (axis + 1) % 3, (axis + 2) % 3];
+        (s[u][u], s[p][p], s[q][q]) = (uu, pp, qq);
+        for (i, j, x) in [(u, p, sign * up), (u, q, sign * uq), (p, q, pq)] {
+            (s[i][j], s[j][i]) = (x, x);
+        }
+        [s[1][1] + s[2][2], s[0][0] + s[2][2], s[0][0] + s[1][1], -s[0][1], -s[0][2], -s[1][2]]
+    }
+}
+
+/// Second moments uu, pp, qq, up, uq, pq of a section at a height about a point.
+fn moments(above: f64, section: super::section::Section, [u, p, q]: [f64; 3]) -> [f64; 6] {
+    let (d, area) = (above - u, section.area);
+    let [fp, fq] = section.first;
+    let [sp, sq] = section.second;
+    let [gp, gq] = [fp - area * p, fq - area * q];
+    [
+        area * d * d,
+        sp - 2.0 * p * fp + area * p * p,
+        sq - 2.0 * q * fq + area * q * q,
+        d * gp,
+        d * gq,
+        // about the point: ∫ (y − p)(z − q) dA, with ∫ y z dA = 0
+        area * p * q - p * fq - q * fp,
+    ]
+}
+
+/// ½ h (1 − cos φ)
+fn height([from, to]: [f64; 2], phi: f64) -> f64 {
+    let s = libm::sin(0.5 * phi);
+    (to - from) * s * s
+}
+
+/// Nodes and weights of Gauss's rule on 0 … 1: Newton's iteration on Legendre's polynomial.
+fn gauss() -> Vec<[f64; 2]> {
+    let n = NODES as f64;
+    let node = |k: usize| {
+        let mut x = libm::cos(PI * (k as f64 + 0.75) / (n + 0.5));
+        let mut slope = 1.0;
+        for _ in 0..8 {
+            let (mut p, mut before) = (x, 1.0);
+            for j in 2..=NODES {
+                let j = j as f64;
+                (p, before) = (((2.0 * j - 1.0) * x * p - (j - 1.0) * before) / j, p);
+            }
+            slope = n * (x * p - before) / (x * x - 1.0);
+            x -= p / slope;
+        }
+        [0.5 * (1.0 + x), 1.0 / ((1.0 - x * x) * slope * slope)]
+    };
+    (0..NODES).map(node).collect()
+}

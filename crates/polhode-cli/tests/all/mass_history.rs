@@ -1,0 +1,50 @@
+//! A body whose mass changes, as users of the command meet it.
+
+use crate::common::{Scratch, example, json, number, refused, stdout};
+
+#[test]
+fn the_stage_burns_and_what_does_not_know_it_says_so() {
+    let scratch = Scratch::new("mass-history");
+    let stage = example("spinning-stage.toml");
+    let text = stdout(&scratch.run(&["simulate", &stage, "--output", "run"]));
+    assert!(text.contains("425 → 150 kg, through an exit, with jet damping"), "{text}");
+    assert!(text.contains("the mass properties change with time") && !text.contains("free motion"), "{text}");
+    let summary: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(scratch.0.join("run/summary.json")).unwrap()).unwrap();
+    let history = &summary["mass_history"];
+    assert_eq!(
+        (history["outflow"].as_str(), history["changes_at_s"].as_array().map(Vec::len)),
+        (Some("exits"), Some(3))
+    );
+    assert!((number(&history["final"]["mass_kg"]) - 150.0).abs() < 1e-12);
+    assert!(number(&summary["drift"]["momentum"]) < 1e-13 && summary["motion"]["regime"].is_null());
+    // Jet damping, and a spin that goes with J^(µ r²/2 b − 1), b the rate at which J falls.
+    let [x, y, z] = [0, 1, 2].map(|k| number(&summary["final"]["omega_body"][k]));
+    assert!(x.hypot(y) < 0.002, "{x} {y}");
+    let (mu, b, grain, rest) = (
+        250.0 / 45.0,
+        250.0 / 45.0 * 0.29_f64.powi(2) / 2.0,
+        250.0 * 0.29_f64.powi(2) / 2.0,
+        payload_and_case(),
+    );
+    let spin = std::f64::consts::TAU * ((rest + grain) / rest).powf(1.0 - mu * 0.2_f64.powi(2) / (2.0 * b));
+    assert!((z / spin - 1.0).abs() < 1e-12, "{z} {spin}");
+
+    for command in ["explain", "stability"] {
+        let error = refused(&scratch.run(&[command, &stage]), 2);
+        assert!(error.contains("worked solution") || error.contains("no motion of it is steady"), "{error}");
+    }
+    let error = refused(&scratch.run(&["spin", &stage]), 2);
+    assert!(error.contains("the mass properties change"), "{error}");
+    let mass = json(&scratch.run(&["inertia", &stage, "--json"]));
+    assert!((number(&mass["mass"]) - 425.0).abs() < 1e-10, "that at the start: {mass}");
+}
+
+/// J of what does not burn: a solid cylinder, and a thin tube with its ends closed or not, as its part says.
+fn payload_and_case() -> f64 {
+    let scratch = Scratch::new("mass-history-rest");
+    let text = std::fs::read_to_string(example("spinning-stage.toml")).unwrap();
+    let from = text.find("[[body.part]]\nname = \"propellant\"").unwrap();
+    scratch.write("rest.toml", &text[..from]);
+    number(&json(&scratch.run(&["inertia", "rest.toml", "--json"]))["inertia"]["tensor"][2][2])
+}

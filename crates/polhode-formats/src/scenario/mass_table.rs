@@ -1,0 +1,126 @@
+//! The table of a `[mass_history]`: times with the mass properties of the whole body, as CSV.
+//!
+//! Columns name their units: `time_s`, `mass_kg`, `center_x_m …`, `inertia_xx_kg_m2 …` about the centre of mass, and, if they are known, their rates,
+//! `mass_rate_kg_s`, `center_rate_x_m_s …`, `inertia_rate_xx_kg_m2_s …`, in any order; others are not read. Two rows of one time are a jump.
+
+use std::ops::Range;
+
+use polhode::body::{InertiaTensor, MassProperties};
+use polhode::math::{Body, Position, Velocity};
+use polhode::motion::{MassRates, MassRow};
+
+use super::csv::{self, fields, missing};
+use super::reader::{Table, Value};
+use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use crate::error::FormatError;
+
+const NAMES: [&str; 11] = [
+    "time_s",
+    "mass_kg",
+    "center_x_m",
+    "center_y_m",
+    "center_z_m",
+    "inertia_xx_kg_m2",
+    "inertia_yy_kg_m2",
+    "inertia_zz_kg_m2",
+    "inertia_xy_kg_m2",
+    "inertia_xz_kg_m2",
+    "inertia_yz_kg_m2",
+];
+
+const RATES: [&str; 10] = [
+    "mass_rate_kg_s",
+    "center_rate_x_m_s",
+    "center_rate_y_m_s",
+    "center_rate_z_m_s",
+    "inertia_rate_xx_kg_m2_s",
+    "inertia_rate_yy_kg_m2_s",
+    "inertia_rate_zz_kg_m2_s",
+    "inertia_rate_xy_kg_m2_s",
+    "inertia_rate_xz_kg_m2_s",
+    "inertia_rate_yz_kg_m2_s",
+];
+
+/// How near the row at the start is to be to the `[body]`.
+const SAME: f64 = 1e-6;
+
+/// Reads the file that `table` names; `products` says what its products are, as that of a tensor does.
+pub(super) fn rows(
+    value: &Value<'_>,
+    table: &Table<'_>,
+    body: &MassProperties<Body>,
+) -> Result<Vec<MassRow>, FormatError> {
+    let sign = match table.get("products") {
+        Some(name) if name.choice(&["negative_integral", "positive_integral"])? == "positive_integral" => {
+            -1.0
+        }
+        _ => 1.0,
+    };
+    let path = value.path()?;
+    let bytes = csv::bytes(value, &path)?;
+    let rows = of_text(&bytes, sign).map_err(|error| {
+        FormatError::of_content(&path, &bytes, error).named_in(value.source().path, value.place())
+    })?;
+    let first = rows.iter().rev().find(|row| row.time <= 0.0).or(rows.first()).map(|row| row.body);
+    if first.is_none_or(|first| differs(&first, body)) {
+        let rule = "a table that is the [body] at t = 0";
+        let hint = "the body is said twice, and so differently: a body.part of shape \"tensor\" with the numbers of that row agrees";
+        return Err(value.invalid(rule).with_hint(hint));
+    }
+    Ok(rows)
+}
+
+fn differs(a: &MassProperties<Body>, b: &MassProperties<Body>) -> bool {
+    let size = (b.inertia().matrix()[0][0] / b.mass()).sqrt() + b.gyration_radii()[2];
+    let elements = |body: &MassProperties<Body>| body.inertia().matrix();
+    let [p, q] = [elements(a), elements(b)];
+    let apart = p.as_flattened().iter().zip(q.as_flattened()).map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
+    (a.mass() - b.mass()).abs() > SAME * b.mass()
+        || (a.center_of_mass() - b.center_of_mass()).norm() > SAME * (size + b.center_of_mass().norm())
+        || apart > SAME * q[0][0].max(q[1][1]).max(q[2][2])
+}
+
+fn of_text(bytes: &[u8], sign: f64) -> Result<Vec<MassRow>, ContentError> {
+    let text = csv::text(bytes)?;
+    let mut lines = fields(text);
+    let Some((_, header)) = lines.next() else {
+        return Err(missing("lines").hint(format!("write a header such as {}", NAMES.join(","))));
+    };
+    let places = places(text, &header)?;
+    let with_rates = places.len() > NAMES.len();
+    let mut rows: Vec<MassRow> = Vec::new();
+    for (line, fields) in lines {
+        let numbers = csv::numbers::<21>(text, &line, &fields, header.len(), &places)?;
+        let [time, mass, x, y, z, xx, yy, zz, xy, xz, yz, rates @ ..] = numbers;
+        if rows.last().is_some_and(|last| time < last.time) {
+            return Err(csv::value("time_s", &time.to_string(), "not before that of the row before", line));
+        }
+        let refused = |error| {
+            ContentError::new(ContentErrorKind::Body(Box::new(error)), ContentPlace::Text(line.clone()))
+        };
+        let products = [xy, xz, yz].map(|product| sign * product);
+        let inertia = InertiaTensor::with_negative_products([xx, yy, zz], products).map_err(refused)?;
+        let body = MassProperties::new(mass, Position::new(x, y, z), inertia).map_err(refused)?;
+        let [mass, x, y, z, xx, yy, zz, xy, xz, yz] = rates;
+        let inertia = [xx, yy, zz, sign * xy, sign * xz, sign * yz];
+        let rates = MassRates { mass, center_of_mass: Velocity::new(x, y, z), inertia };
+        rows.push(MassRow { time, body, rates: with_rates.then_some(rates) });
+    }
+    Ok(rows)
+}
+
+/// Where the columns are; those of rates are all there, or none is.
+fn places(text: &str, header: &[Range<usize>]) -> Result<Vec<usize>, ContentError> {
+    let place = |name: &str| header.iter().position(|field| text[field.clone()].trim_matches('"') == name);
+    let require = |name: &&str| {
+        place(name).ok_or_else(|| {
+            let hint = format!("the columns are {}, and perhaps {}", NAMES.join(", "), RATES.join(", "));
+            missing(&format!("column {name}")).hint(hint)
+        })
+    };
+    let mut places = NAMES.iter().map(require).collect::<Result<Vec<_>, _>>()?;
+    if RATES.iter().any(|name| place(name).is_some()) {
+        places.extend(RATES.iter().map(require).collect::<Result<Vec<_>, _>>()?);
+    }
+    Ok(places)
+}

@@ -1,0 +1,98 @@
+//! How mass leaves a body.
+
+use crate::math::frame::Body;
+use crate::math::vector::{Direction, Position};
+use crate::motion::error::MotionError;
+use crate::motion::model::require;
+
+use super::moments::Moments;
+use super::{SAME_MASS, wrong};
+
+/// How mass leaves a body between jumps.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outflow {
+    /// None does.
+    None,
+    /// It is left behind where it was, with the velocity that it has there, as what evaporates or crumbles off: ω is not changed by it.
+    InPlace,
+    /// Through exits, whose shares of the flow are positive and make 1.
+    Exits(Vec<Exit>),
+}
+
+/// Where mass leaves: evenly over a disc.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Exit {
+    /// Its part of the whole flow.
+    pub share: f64,
+    /// Its centre, in the body, m.
+    pub position: Position<Body>,
+    /// What the disc is across.
+    pub axis: Direction<Body>,
+    /// m; zero of a point.
+    pub radius: f64,
+}
+
+impl Outflow {
+    /// # Errors
+    /// A parameter's error ([`MotionError::is_parameter`]).
+    pub(super) fn require_possible(&self) -> Result<(), MotionError> {
+        let Self::Exits(exits) = self else { return Ok(()) };
+        for exit in exits {
+            require::positive("the share of an exit", exit.share)?;
+            require::finite("the place of an exit", exit.position.norm())?;
+            require::not_negative("the radius of an exit", exit.radius)?;
+            if exit.radius > 0.0 {
+                require::direction("the length of an exit's axis", exit.axis)?;
+            }
+        }
+        let sum: f64 = exits.iter().map(|exit| exit.share).sum();
+        require::that("the sum of the shares of all exits", sum, (sum - 1.0).abs() <= 1e-9, "1")
+    }
+
+    /// # Errors
+    /// [`MotionError::MassHistory`] of a piece from a time on, by the bodies that it is a mixture of.
+    pub(super) fn require_piece(
+        &self,
+        time: f64,
+        bodies: &[Moments],
+        reference: Position<Body>,
+    ) -> Result<(), MotionError> {
+        if bodies.iter().any(|body| body.properties(reference).is_err()) {
+            return Err(wrong(
+                time,
+                "has impossible bodies before the next row, with the rates that are given",
+            ));
+        }
+        for pair in bodies.windows(2) {
+            let [before, after] = pair else { continue };
+            let lost = before.minus(after);
+            if lost.mass().abs() <= SAME_MASS * before.mass() {
+                continue;
+            }
+            if lost.mass() < 0.0 {
+                return Err(wrong(time, "gains mass, of which the motion is not known"));
+            }
+            match self {
+                Self::None => return Err(wrong(time, "loses mass, and nothing says where it leaves")),
+                Self::InPlace if !lost.is_part_of(before) => {
+                    return Err(wrong(
+                        time,
+                        "loses what is no possible body, though it is left behind in place",
+                    ));
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn stretched(&self, reference: Position<Body>, by: [f64; 3]) -> Self {
+        let Self::Exits(exits) = self else { return self.clone() };
+        let moved = |exit: &Exit| {
+            let d = (exit.position - reference).to_array();
+            let position = reference + Position::from_array(core::array::from_fn(|k| by[k] * d[k]));
+            Exit { position, ..*exit }
+        };
+        Self::Exits(exits.iter().map(moved).collect())
+    }
+}

@@ -1,0 +1,64 @@
+//! A changing body in place of torques: of a ball of one kg·m² the torque is ω̇.
+
+use std::sync::Arc;
+
+use super::OwnTorque;
+use super::law::Values;
+use super::model::AnyLaw;
+use super::polynomial::{PolynomialVector, Unknowns};
+use super::recorder::{Recorder, VectorNode};
+use super::tangent::Tangent;
+use super::variation::Variation;
+use super::varied::VariedVector;
+use crate::math::frame::{Body, Space};
+use crate::math::vector::{AngularMomentum, Direction, Torque};
+use crate::motion::model::mass_history::changing_body::ChangingBody;
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+
+impl OwnTorque {
+    /// The law of a changing body.
+    pub(in crate::motion) fn of_changing(body: Arc<ChangingBody>) -> Self {
+        Self::smooth("changing mass", body)
+    }
+}
+
+impl ChangingBody {
+    /// As [`ChangingBody::balances`], of the ball that turns in its place.
+    pub(in crate::motion) fn evidence(&self, ball: &Rotor, state: &State) -> (f64, AngularMomentum<Space>) {
+        self.balances(&Values { rotor: ball, state }, state)
+    }
+}
+
+/// It has a graph, and no derivatives.
+impl AnyLaw for ChangingBody {
+    fn value(&self, rotor: &Rotor, state: &State) -> Torque<Body> {
+        let torque: Direction<Body> = self.torque(state).as_quantity();
+        self.acceleration(&Values { rotor, state }, torque).as_quantity()
+    }
+
+    fn polynomial(&self, _: &Unknowns<'_>) -> PolynomialVector {
+        PolynomialVector::NONE
+    }
+
+    fn record<'r>(&self, recorder: &Recorder<'r>) -> VectorNode<'r> {
+        recorder.of_changing(self, |recorder| {
+            let torques = self.torques.iter().map(|torque| torque.model().record(recorder));
+            let torque =
+                torques.reduce(|sum, n| sum + n).unwrap_or_else(|| recorder.constant(Direction::ZERO));
+            self.acceleration(recorder, torque)
+        })
+    }
+
+    fn derivative(&self, _: &Tangent<'_>) -> Torque<Body> {
+        Torque::from_array([f64::NAN; 3])
+    }
+
+    fn variation<'r>(&self, at: &Variation<'_, 'r>) -> VariedVector<'r> {
+        at.rough()
+    }
+
+    fn parameters(&self) -> &'static [&'static str] {
+        &[]
+    }
+}

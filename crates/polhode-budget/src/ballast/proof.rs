@@ -92,7 +92,8 @@ impl Problem {
         }
         match (prices.of_mass, bound.low > 0.0) {
             (false, true) => f64::INFINITY,
-            (true, true) => bound.low,
+            (true, true) if bound.low <= cap => bound.low,
+            (true, true) => f64::INFINITY,
             _ => 0.0,
         }
     }

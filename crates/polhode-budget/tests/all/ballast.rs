@@ -2,8 +2,8 @@
 
 use polhode::math::{Body, Direction, Position};
 use polhode_budget::{
-    About, Ballast, BallastAnswer, BallastError, BallastPlace, Basis, Budget, GivenPart, GivenTensor, LeastBallast, Limit,
-    Measure, PartUncertainty, PartsList, ProductSign, Round, Row, Site, Spread, Uncertainty,
+    About, Ballast, BallastAnswer, BallastPlace, Basis, Budget, GivenPart, GivenTensor, LeastBallast, Limit,
+    Measure, PartsList, ProductSign, Row, Site,
 };
 
 const X: Direction<Body> = Direction::new(1.0, 0.0, 0.0);
@@ -75,7 +75,8 @@ pub(crate) fn least(budget: &Budget, ballast: &Ballast, limits: &[Limit], gap: f
             for limit in limits {
                 let with = found.with(&budget.mass_properties(limit.basis).unwrap()).unwrap();
                 let value = limit.of.value(&with).unwrap();
-                let allowed = if limit.least == limit.most || limit.most == Some(0.0) { 1e-11 } else { 1e-14 };
+                let allowed =
+                    if limit.least == limit.most || limit.most == Some(0.0) { 1e-11 } else { 1e-14 };
                 assert!(limit.most.is_none_or(|most| value <= most + allowed), "{limit:?} {value} {found:?}");
                 assert!(limit.least.is_none_or(|least| value >= least - allowed), "{limit:?} {value}");
             }

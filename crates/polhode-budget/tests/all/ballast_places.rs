@@ -2,8 +2,8 @@
 
 use polhode::math::{Body, Direction, Position, Rotation};
 use polhode_budget::{
-    About, Ballast, BallastAnswer, BallastError, BallastPlace, Basis, Budget, GivenPart, GivenTensor, Limit,
-    Measure, PartUncertainty, PartsList, PrincipalAxis, Round, Row, Site, Spread, Trial, Uncertainty,
+    About, Ballast, BallastError, BallastPlace, Basis, Budget, GivenPart, GivenTensor, Limit, Measure,
+    PartUncertainty, PartsList, PrincipalAxis, Round, Row, Site, Spread, Trial, Uncertainty,
 };
 
 use crate::ballast::{Random, at, body, center, least, limit, product, sites};
@@ -343,35 +343,6 @@ fn questions_that_cannot_be_answered_are_refused() {
         let error = refused(&sites(vec![site]), mass());
         assert!(matches!(&error, BallastError::Value { site, .. } if *site == name), "{error}");
     }
-}
-
-#[test]
-fn what_is_changed_is_not_proved() {
-    let budget = body(5.0, Position::new(0.03, -0.02, 0.4), [0.02, -0.03, 0.01]);
-    let ring = Site::new("ring", BallastPlace::Circle(round(Position::ZERO, Z, 0.5)));
-    let BallastAnswer::Least(good) = budget.ballast(&sites(vec![ring]), &[limit(AXIS, None, 0.004)]).unwrap()
-    else {
-        panic!()
-    };
-    assert!(good.is_proved());
-    let changed = |by: &dyn Fn(&mut polhode_budget::LeastBallast)| {
-        let mut bad = good.clone();
-        by(&mut bad);
-        assert!(!bad.is_proved(), "{bad:?}");
-    };
-    changed(&|bad| bad.bound = bad.mass * (1.0 + 1e-9));
-    changed(&|bad| bad.bound *= 1.0 - 1e-8);
-    changed(&|bad| bad.mass *= 1.0 + 1e-9);
-    changed(&|bad| bad.pieces[0].mass *= 1.0 - 1e-8);
-    changed(&|bad| bad.pieces[0].position = bad.pieces[0].position * 1.000_1);
-    changed(&|bad| bad.pieces[0].position.z = 0.1);
-    changed(&|bad| bad.pieces[0].site = 1);
-    changed(&|bad| bad.pieces.clear());
-    let heavier = |bad: &mut polhode_budget::LeastBallast| {
-        bad.pieces[0].mass *= 1.01;
-        bad.mass = bad.pieces.iter().map(|piece| piece.mass).sum();
-    };
-    changed(&heavier);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use polhode::body::{PrincipalFrame, Symmetry};
 use polhode::math::{Body, Direction};
 
-use super::measure::Undefined;
+use super::undefined::Undefined;
 
 /// A principal axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

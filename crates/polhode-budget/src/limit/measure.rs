@@ -1,11 +1,10 @@
 //! Numbers of a body that limits are on, and how they depend on it.
 
-use core::fmt;
-
 use polhode::body::{MassProperties, MassPropertiesGradient};
 use polhode::math::{Body, Direction, Position};
 
 use super::axis::{PrincipalAxis, chosen, determined, determined_spin, is_free, spin_moments, unit};
+use super::undefined::Undefined;
 use crate::estimate::Estimate;
 use crate::principal::{element, moment_gradient, scaled, sum};
 use crate::tensor::{ProductSign, elements};
@@ -91,27 +90,6 @@ pub enum About {
     CenterOfMass,
     /// A point that is fixed in the body, m.
     Point(Position<Body>),
-}
-
-/// Why a measure has no value, or no derivative.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Undefined {
-    /// Two principal moments are equal: their axes are any in a plane, and the greater and the less have no derivative.
-    EqualMoments,
-    /// A distance or an angle is zero, or two axes are equally near: the measure has a corner.
-    Corner,
-    /// A moment that it is divided by is zero.
-    ZeroMoment,
-}
-
-impl fmt::Display for Undefined {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::EqualMoments => "two principal moments are equal",
-            Self::Corner => "a distance or an angle is zero, or two axes are equally near",
-            Self::ZeroMoment => "a principal moment is zero",
-        })
-    }
 }
 
 /// Axes are perpendicular if their cosine is no more than this.

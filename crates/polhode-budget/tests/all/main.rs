@@ -1,12 +1,18 @@
 //! The integration tests of `polhode-budget`, as one program: each links the whole library.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
+#[cfg(feature = "ballast")]
+mod ballast;
+#[cfg(feature = "ballast")]
+mod ballast_places;
 mod draws;
 mod errors;
+mod limits;
 mod lists;
 mod masses;
 mod principal;
 mod published;
 mod sequences;
+mod shares;
 mod sums;
 mod tanks;

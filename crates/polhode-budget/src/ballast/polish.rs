@@ -1,0 +1,390 @@
+//! Few pieces that meet all limits to rounding, from many that nearly do.
+
+use super::interval::Interval;
+use super::problem::{Column, Problem};
+use super::row::{Coordinate, Functional, Kind, Moments, Product, weights};
+use crate::growth::Basis;
+
+/// Masses below this part of all ballast are none.
+const NOTHING: f64 = 1e-9;
+
+/// Limits that are nearer than this part of their size to being broken are kept exactly.
+const ACTIVE: f64 = 1e-6;
+
+/// By how much of its own size, and by how many roundings of what it is the difference of, a limit is kept inside.
+const INSIDE: (f64, f64) = (1e-13, 4.0 * f64::EPSILON);
+
+/// By how much of the same a limit may be broken.
+const BROKEN: (f64, f64) = (1e-11, 16.0 * f64::EPSILON);
+
+/// How near a piece is to its site, as a part of its coordinates and of the site.
+const AT: f64 = 1e-12;
+
+/// Pieces nearer than this part of a site's size are one, if that will do: programs with pieces end with some on each side of the best place.
+const NEAR: f64 = 1e-3;
+
+/// By how much ballast of fewer pieces may be heavier.
+const HEAVIER: f64 = 2e-10;
+
+/// What a limit comes to.
+struct State {
+    /// At least zero, or zero.
+    value: f64,
+    is_zero: bool,
+    /// How the moments change it.
+    slope: Functional,
+    /// Size of its terms, and of what they are the difference of.
+    size: (f64, f64),
+}
+
+/// What may be changed of a piece: its mass, or its place along a direction.
+struct Freedom {
+    piece: usize,
+    along: Option<[f64; 3]>,
+}
+
+impl Problem {
+    /// Few pieces by which all limits are met; `None` if they are not.
+    pub(super) fn polished(&self, pieces: &[(Column, f64)]) -> Option<Vec<(Column, f64)>> {
+        let total: f64 = pieces.iter().map(|(_, mass)| mass).sum();
+        let mut pieces: Vec<_> = pieces.iter().copied().filter(|(_, mass)| *mass > NOTHING * total).collect();
+        self.reduce(&mut pieces);
+        let many = self.corrected(pieces.clone());
+        let few = self.corrected(self.merged(&pieces));
+        let mass = |pieces: &Vec<(Column, f64)>| pieces.iter().map(|(_, mass)| mass).sum::<f64>();
+        match (many, few) {
+            (Some(many), Some(few)) if mass(&few) > mass(&many) * (1.0 + HEAVIER) => Some(many),
+            (many, few) => few.or(many),
+        }
+    }
+
+    fn corrected(&self, mut pieces: Vec<(Column, f64)>) -> Option<Vec<(Column, f64)>> {
+        for (column, mass) in &mut pieces {
+            if let Some(size) = self.nearest_size(column.site, *mass) {
+                *mass = size;
+            }
+        }
+        for _ in 0..6 {
+            self.correct(&mut pieces)?;
+        }
+        pieces.retain(|(_, mass)| *mass > 0.0);
+        self.is_met(&pieces).then_some(pieces)
+    }
+
+    /// The size of a site that is nearest to a mass, if it has sizes.
+    pub(super) fn nearest_size(&self, site: usize, mass: f64) -> Option<f64> {
+        let beside = |size: &f64| (size - mass).abs();
+        self.sizes[site].iter().copied().min_by(|a, b| beside(a).total_cmp(&beside(b)))
+    }
+
+    /// Pieces that are near each other become one at their centre of mass.
+    fn merged(&self, pieces: &[(Column, f64)]) -> Vec<(Column, f64)> {
+        let mut merged: Vec<(Column, f64)> = Vec::with_capacity(pieces.len());
+        for (column, mass) in pieces {
+            let chart = &self.charts[column.site];
+            let same = merged
+                .iter_mut()
+                .find(|(other, _)| other.site == column.site && chart.are_near(other.at, column.at, NEAR));
+            match same {
+                None => merged.push((*column, *mass)),
+                Some((other, sum)) => {
+                    let share = mass / (*sum + mass);
+                    let between =
+                        core::array::from_fn(|k| other.at[k] + share * (column.at[k] - other.at[k]));
+                    other.at = chart.nearest(between);
+                    *sum += mass;
+                }
+            }
+        }
+        merged
+    }
+
+    /// Of more pieces than there are linear functions in all limits, some can be left out without changing any (Carathéodory).
+    fn reduce(&self, pieces: &mut Vec<(Column, f64)>) {
+        let mut functions: Vec<Functional> = vec![Functional::mass()];
+        functions.extend(self.blocks.iter().flat_map(|block| block.rows.iter().copied()));
+        for product in &self.products {
+            let [u, v] = product.axes;
+            functions.extend([Functional::second(u, v), Functional::first(u), Functional::first(v)]);
+        }
+        loop {
+            // Pieces of sites that have sizes or a most stay.
+            let (free, kept): (Vec<_>, Vec<_>) =
+                pieces.iter().copied().partition(|(column, _)| self.is_free(column.site));
+            let columns: Vec<Vec<f64>> = free
+                .iter()
+                .map(|(column, _)| {
+                    let w = weights(self.local(column.at));
+                    functions.iter().map(|f| f.at(&w).middle()).collect()
+                })
+                .collect();
+            let Some(null) = null_vector(&columns) else { break };
+            // The first mass to vanish.
+            let step = free.iter().zip(&null).filter(|(_, z)| **z > 0.0).map(|((_, m), z)| m / z);
+            let step = step.fold(f64::INFINITY, f64::min);
+            if !step.is_finite() {
+                break;
+            }
+            let total: f64 = free.iter().map(|(_, mass)| mass).sum();
+            let moved = free.iter().zip(&null).map(|((column, mass), z)| (*column, mass - step * z));
+            let left: Vec<_> = moved.filter(|(_, mass)| *mass > NOTHING * 1e-3 * total).collect();
+            if left.len() == free.len() {
+                break;
+            }
+            *pieces = [kept, left].concat();
+        }
+    }
+
+    fn is_free(&self, site: usize) -> bool {
+        self.sizes[site].is_empty() && self.most[site].is_infinite()
+    }
+
+    /// Changes masses and places, in proportion, so that what is at its limit is just inside.
+    fn correct(&self, pieces: &mut [(Column, f64)]) -> Option<()> {
+        let states = self.states(pieces);
+        let inside = |state: &State| INSIDE.0 * state.size.0 + INSIDE.1 * state.size.1;
+        let active: Vec<&State> = states
+            .iter()
+            .filter(|state| state.is_zero || state.value < ACTIVE * state.size.0 + INSIDE.1 * state.size.1)
+            .collect();
+        let mut free = Vec::new();
+        for (piece, (column, _)) in pieces.iter().enumerate() {
+            if self.sizes[column.site].is_empty() {
+                free.push(Freedom { piece, along: None });
+            }
+            let along = self.charts[column.site].freedoms(column.at);
+            free.extend(along.into_iter().map(|along| Freedom { piece, along: Some(along) }));
+        }
+        // x += Jᵀ (J Jᵀ)⁻¹ (what is missing), in units of each row, each mass and each site.
+        let change = |state: &State, freedom: &Freedom| {
+            let (column, mass) = &pieces[freedom.piece];
+            let r = self.local(column.at);
+            let by = match freedom.along {
+                None => state.slope.at(&weights(r)),
+                Some(e) => state.slope.slope(&r, &e.map(Interval::from)),
+            };
+            mass * by.middle() / state.size.0
+        };
+        let rows: Vec<Vec<f64>> =
+            active.iter().map(|state| free.iter().map(|freedom| change(state, freedom)).collect()).collect();
+        let wanted: Vec<f64> = active
+            .iter()
+            .map(|state| (if state.is_zero { 0.0 } else { inside(state) } - state.value) / state.size.0)
+            .collect();
+        let gram: Vec<Vec<f64>> = rows.iter().map(|a| rows.iter().map(|b| inner(a, b)).collect()).collect();
+        let multipliers = solved(gram, wanted);
+        for (k, freedom) in free.iter().enumerate() {
+            let by = rows.iter().zip(&multipliers).map(|(row, y)| row[k] * y).sum::<f64>();
+            let (column, mass) = &mut pieces[freedom.piece];
+            match freedom.along {
+                None => *mass += *mass * by,
+                Some(e) => column.at = core::array::from_fn(|k| column.at[k] + by * e[k]),
+            }
+            if !(*mass >= 0.0 && mass.is_finite()) {
+                return None;
+            }
+        }
+        for (column, _) in pieces {
+            column.at = self.charts[column.site].nearest(column.at);
+        }
+        Some(())
+    }
+
+    /// Whether pieces are at their sites and meet all limits, but for rounding; proved.
+    pub(super) fn is_met(&self, pieces: &[(Column, f64)]) -> bool {
+        let at_sites = pieces.iter().all(|(column, mass)| {
+            let reach = column.at.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            let size_holds = self.sizes[column.site].is_empty() || self.sizes[column.site].contains(mass);
+            let chart = &self.charts[column.site];
+            let near = chart.nearest(column.at).into_iter().zip(column.at).map(|(a, b)| (a - b).abs());
+            let near = near.fold(0.0, f64::max) <= AT * reach.max(chart.size());
+            *mass >= 0.0 && size_holds && near
+        });
+        let within_sites = (0..self.charts.len()).all(|site| {
+            let own = pieces.iter().filter(|(column, _)| column.site == site);
+            let sum: f64 = own.map(|(_, mass)| mass).sum();
+            sum <= self.most[site] * (1.0 + BROKEN.0)
+        });
+        let allowed = |state: &State| BROKEN.0 * state.size.0 + BROKEN.1 * state.size.1;
+        at_sites
+            && within_sites
+            && self.states(pieces).iter().all(|state| {
+                let below = state.value >= -allowed(state);
+                below && (!state.is_zero || state.value <= allowed(state))
+            })
+    }
+
+    /// Every limit with these pieces: values that are to be positive are rounded down, as far as it is not known what they are.
+    fn states(&self, pieces: &[(Column, f64)]) -> Vec<State> {
+        let at: Vec<Moments> = pieces.iter().map(|(column, _)| weights(self.local(column.at))).collect();
+        let mut all = Vec::new();
+        for block in &self.blocks {
+            let rows: Vec<(Interval, (f64, f64))> =
+                block.rows.iter().map(|row| value(row, &at, pieces)).collect();
+            if let (Kind::Cone, [first, rest @ ..]) = (block.kind, &rows[..]) {
+                let norm = rest.iter().map(|(value, _)| value.square()).sum::<Interval>().sqrt();
+                let turned = block.rows[1..].iter().zip(rest);
+                let slope = turned.fold(block.rows[0], |sum, (row, (value, _))| {
+                    let cosine = if norm.high > 0.0 { value.middle() / norm.high } else { 0.0 };
+                    sum - *row * Interval::from(cosine)
+                });
+                let size = rows.iter().fold((0.0, 0.0), |(a, b), (_, (c, d))| (a + c, b + d));
+                all.push(State { value: (first.0 - norm).low, is_zero: false, slope, size });
+                continue;
+            }
+            let is_zero = block.kind == Kind::Zero;
+            all.extend(block.rows.iter().zip(rows).map(|(row, (value, size))| State {
+                value: if is_zero { value.middle() } else { value.low },
+                is_zero,
+                slope: *row,
+                size,
+            }));
+        }
+        for product in &self.products {
+            all.extend(self.product_states(product, &at, pieces));
+        }
+        all
+    }
+
+    fn product_states(&self, product: &Product, at: &[Moments], pieces: &[(Column, f64)]) -> Vec<State> {
+        let whole = self.with(product.basis, pieces);
+        let value = product.value(&whole);
+        let [u, v] = product.axes;
+        let [us, vs] = [u, v].map(|u| Functional::first(u).at(&whole));
+        let mass = whole[0];
+        // The derivative of u·W v − (u·S)(v·S)/M
+        let slope = Functional::second(u, v)
+            - Functional::first(u) * vs.over(mass)
+            - Functional::first(v) * us.over(mass)
+            + Functional::mass() * (us.over(mass) * vs.over(mass));
+        let before = product.value(self.whole(product.basis)).middle();
+        let moved: f64 =
+            at.iter().zip(pieces).map(|(w, (_, mass))| (slope.at(w).middle() * mass).abs()).sum();
+        let terms =
+            Functional::second(u, v).by.iter().zip(&whole).map(|(l, w)| (*l * *w).size()).sum::<f64>();
+        let state = |value: f64, is_zero, sign: f64, bound: f64| State {
+            value,
+            is_zero,
+            slope: slope * Interval::from(sign),
+            size: ((before - bound).abs() + moved, terms + (us * vs).over(mass).size() + bound.abs()),
+        };
+        match (product.least, product.most) {
+            (Some(least), Some(most)) if least == most => {
+                vec![state(value.middle() - least, true, 1.0, least)]
+            }
+            (least, most) => {
+                let least = least.map(|least| state((value - least.into()).low, false, 1.0, least));
+                let most = most.map(|most| state((Interval::from(most) - value).low, false, -1.0, most));
+                least.into_iter().chain(most).collect()
+            }
+        }
+    }
+
+    /// By how much a product about the centre is beside its limits, and the centre's coordinates, with these pieces.
+    pub(super) fn broken_products(&self, pieces: &[(Column, f64)]) -> Vec<f64> {
+        let beside = |product: &Product| {
+            let value = product.value(&self.with(product.basis, pieces)).middle();
+            let below = product.least.map_or(0.0, |least| least - value);
+            below.max(product.most.map_or(0.0, |most| value - most)).max(0.0)
+        };
+        self.products.iter().map(beside).collect()
+    }
+
+    /// The coordinates of the centre that are searched.
+    pub(super) fn center(&self, pieces: &[(Column, f64)]) -> Vec<f64> {
+        let wholes = [Basis::Basic, Basis::Predicted].map(|basis| self.with(basis, pieces));
+        let at = |coordinate: &Coordinate| {
+            let whole = &wholes[usize::from(coordinate.basis == Basis::Predicted)];
+            Functional::first(coordinate.along).at(whole).over(whole[0]).middle()
+        };
+        self.coordinates.iter().map(at).collect()
+    }
+}
+
+/// A function of the pieces, the size of its terms, and of what its constant is the difference of.
+fn value(row: &Functional, at: &[Moments], pieces: &[(Column, f64)]) -> (Interval, (f64, f64)) {
+    let (mut value, mut size) = (row.constant, row.constant.size());
+    for (w, (_, mass)) in at.iter().zip(pieces) {
+        let term = row.at(w) * Interval::from(*mass);
+        value = value + term;
+        size += term.size();
+    }
+    (value, (size, row.size))
+}
+
+fn inner(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// x of A x = b, A symmetric and not negative; zero where rows depend on those before.
+fn solved(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
+    let n = b.len();
+    let diagonal: Vec<f64> = (0..n).map(|k| a[k][k]).collect();
+    let mut order = Vec::with_capacity(n);
+    let mut left: Vec<usize> = (0..n).collect();
+    loop {
+        let relative = |k: &usize| if diagonal[*k] > 0.0 { a[*k][*k] / diagonal[*k] } else { 0.0 };
+        let Some(place) = (0..left.len()).max_by(|i, j| relative(&left[*i]).total_cmp(&relative(&left[*j])))
+        else {
+            break;
+        };
+        if relative(&left[place]) < 1e-12 {
+            break;
+        }
+        let pivot = left.swap_remove(place);
+        order.push(pivot);
+        let row = a[pivot].clone();
+        for &k in &left {
+            let factor = a[k][pivot] / row[pivot];
+            a[k].iter_mut().zip(&row).for_each(|(x, y)| *x -= factor * y);
+            b[k] -= factor * b[pivot];
+        }
+    }
+    let mut x = vec![0.0; n];
+    for &k in order.iter().rev() {
+        let known: f64 = order.iter().filter(|j| **j != k).map(|&j| a[k][j] * x[j]).sum();
+        x[k] = (b[k] - known) / a[k][k];
+    }
+    x
+}
+
+/// z with Σ z of columns zero and some z positive, if there are more columns than their rank.
+fn null_vector(columns: &[Vec<f64>]) -> Option<Vec<f64>> {
+    let rows = columns.first()?.len();
+    // One column more than rows depends on the others; fewer may.
+    let count = columns.len().min(rows + 1);
+    let mut a: Vec<Vec<f64>> =
+        (0..rows).map(|i| columns[..count].iter().map(|column| column[i]).collect()).collect();
+    for row in &mut a {
+        let most = row.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        if most > 0.0 {
+            row.iter_mut().for_each(|x| *x /= most);
+        }
+    }
+    let (mut pivots, mut next) = (Vec::new(), 0);
+    for column in 0..count {
+        let best = (next..rows).max_by(|i, j| a[*i][column].abs().total_cmp(&a[*j][column].abs()));
+        let Some(best) = best.filter(|best| a[*best][column].abs() > 1e-10) else {
+            // This column depends on the pivots.
+            let mut z = vec![0.0; columns.len()];
+            z[column] = 1.0;
+            for (row, pivot) in pivots.iter().enumerate() {
+                z[*pivot] = -a[row][column];
+            }
+            return Some(z);
+        };
+        a.swap(next, best);
+        let factor = 1.0 / a[next][column];
+        a[next].iter_mut().for_each(|x| *x *= factor);
+        let row = a[next].clone();
+        for (i, other) in a.iter_mut().enumerate() {
+            if i != next {
+                let factor = other[column];
+                other.iter_mut().zip(&row).for_each(|(x, y)| *x -= factor * y);
+            }
+        }
+        pivots.push(column);
+        next += 1;
+    }
+    None
+}

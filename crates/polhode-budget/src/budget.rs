@@ -286,8 +286,19 @@ impl Budget {
         part.map(Some).map_err(|error| BudgetError::Part { row: row_name(&self.list.rows, k), error })
     }
 
+    /// One copy of the part of each row, without what stands in it, in the body; `None` of frames alone.
+    ///
+    /// # Errors
+    /// [`BudgetError::Part`] if one overflows.
+    pub fn parts(&self, basis: Basis) -> Result<Vec<Option<MassProperties<Body>>>, BudgetError> {
+        (0..self.places.len()).map(|k| self.own(k, basis)).collect()
+    }
+
     /// One copy of each row with all in it, in the body; `None` of frames without mass.
-    pub(crate) fn subtrees(&self, basis: Basis) -> Result<Vec<Option<MassProperties<Body>>>, BudgetError> {
+    ///
+    /// # Errors
+    /// As [`Budget::mass_properties`].
+    pub fn subtrees(&self, basis: Basis) -> Result<Vec<Option<MassProperties<Body>>>, BudgetError> {
         let mut inside: Vec<Vec<MassProperties<Body>>> = vec![Vec::new(); self.places.len()];
         let mut all = vec![None; self.places.len()];
         for &k in self.tree.order.iter().rev() {

@@ -18,6 +18,8 @@
 mod balance;
 mod base64;
 mod block;
+mod body_part;
+mod budget;
 pub mod display;
 mod error_estimate;
 mod event;
@@ -59,9 +61,14 @@ mod symmetric_top;
 mod torque;
 mod unit;
 
+pub use budget::{
+    BudgetOptions, BudgetReport, COLUMNS as BUDGET_COLUMNS, Cell as BudgetCell, NoConfiguration,
+};
 pub use error_estimate::error_estimate;
 pub use explain::document::{Block, Document, Section};
-pub use explain::drawing::{Correlations, Drawing, Scatter, Series, Triangle};
+pub use explain::drawing::{
+    Bar, BarPanel, Bars, Correlations, Drawing, Scatter, Series, Solid, Solids, Triangle,
+};
 pub use explain::graph::Graph;
 pub use explain::{explain, explain_motion};
 pub use export::{ExportBody, ExportError, ExportFormat, export};

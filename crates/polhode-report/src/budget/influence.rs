@@ -1,0 +1,128 @@
+//! Whose errors matter.
+
+use polhode_budget::{ErrorKind, Sensitivity, Source};
+
+use super::case::{Case, SpreadResult};
+use crate::explain::document::Section;
+use crate::explain::drawing::{Bar, BarPanel, Bars, Drawing};
+use crate::layout::printable;
+use crate::number::number;
+
+/// Bars of a result, and cells of the table.
+const BARS: usize = 6;
+const CELLS: usize = 3;
+
+pub(super) fn section(case: &Case) -> Option<Section> {
+    let results: Vec<&SpreadResult> = case.results.iter().filter(|result| !result.by.is_empty()).collect();
+    if results.is_empty() {
+        return None;
+    }
+    let mut section = Section::new(4, "Whose errors matter");
+    section
+        .say("To first order, each error's part of the variance of a number; all parts together are 100 %.");
+    let row = |result: &&SpreadResult| {
+        let (unit, scale) = shown_unit(result.unit);
+        let mut cells = vec![result.name.clone(), format!("{} {unit}", number(scale * result.sd, 2))];
+        cells.extend(
+            result
+                .by
+                .iter()
+                .take(CELLS)
+                .map(|by| format!("{} {} %", named(case, by), number(100.0 * share(result, by), 2))),
+        );
+        cells.resize(2 + CELLS, String::new());
+        cells
+    };
+    let headers = ["number", "sd", "most of it", "then", "then"];
+    section.table(&headers, results.iter().map(row).collect());
+    let [first, second, third] = [0..4, 4..10, 10..results_end(case)].map(|range| {
+        let results = case.results.get(range).unwrap_or_default();
+        results.iter().filter(|result| !result.by.is_empty()).collect::<Vec<_>>()
+    });
+    for (title, results) in [
+        ("Errors of mass and centre of mass", first),
+        ("Errors of the inertia tensor", second),
+        ("Errors of principal moments and axes", third),
+    ] {
+        if !results.is_empty() {
+            section.draw(Drawing::Bars(tornado(case, title, &results)));
+        }
+    }
+    Some(section)
+}
+
+fn results_end(case: &Case) -> usize {
+    case.results.len()
+}
+
+/// Standard deviations to both sides, the greatest above.
+fn tornado(case: &Case, title: &str, results: &[&SpreadResult]) -> Bars {
+    let panel = |result: &&SpreadResult| {
+        let (unit, scale) = shown_unit(result.unit);
+        let bar = |by: &Sensitivity| {
+            let sd = scale * by.variance.sqrt();
+            Bar {
+                name: source_name(case, by),
+                from: -sd,
+                to: sd,
+                size: format!("{} %", number(100.0 * share(result, by), 2)),
+                kind: kind_place(by.kind),
+            }
+        };
+        BarPanel {
+            title: format!("{} ± {} {unit}", result.name, number(scale * result.sd, 2)),
+            across: ["standard deviation", unit],
+            bars: result.by.iter().take(BARS).map(bar).collect(),
+        }
+    };
+    Bars {
+        title: title.to_owned(),
+        caption: "Each bar is as long as what one standard deviation of an error makes of the number, to both sides; beside it is its part of the variance.",
+        kinds: KINDS.to_vec(),
+        panels: results.iter().map(panel).collect(),
+    }
+}
+
+const KINDS: [&str; 5] = ["of mass", "of centre of mass", "of tensor", "of position", "of rotation"];
+
+const fn kind_place(kind: ErrorKind) -> usize {
+    match kind {
+        ErrorKind::Mass => 0,
+        ErrorKind::Center => 1,
+        ErrorKind::Tensor => 2,
+        ErrorKind::Position => 3,
+        ErrorKind::Rotation => 4,
+    }
+}
+
+/// `mass`, `center`, …, as JSON has it.
+pub(super) const fn kind_name(kind: ErrorKind) -> &'static str {
+    ["mass", "center", "tensor", "position", "rotation"][kind_place(kind)]
+}
+
+/// A row or a group.
+pub(super) fn source_name(case: &Case, by: &Sensitivity) -> String {
+    let list = case.budget.list();
+    match by.source {
+        Source::Row(k) => list.rows[k].name.clone(),
+        Source::Group(k) => format!("group {}", list.groups[k].name),
+    }
+}
+
+/// `battery, mass:`
+fn named(case: &Case, by: &Sensitivity) -> String {
+    let kind = KINDS[kind_place(by.kind)].trim_start_matches("of ");
+    format!("{}, {kind}:", printable(&source_name(case, by)))
+}
+
+pub(super) fn share(result: &SpreadResult, by: &Sensitivity) -> f64 {
+    by.variance / (result.sd * result.sd)
+}
+
+fn shown_unit(unit: &'static str) -> (&'static str, f64) {
+    match unit {
+        "m" => ("mm", 1e3),
+        "rad" => ("deg", 1f64.to_degrees()),
+        unit => (unit, 1.0),
+    }
+}

@@ -152,6 +152,29 @@ pub enum BudgetError {
 }
 
 impl BudgetError {
+    /// The row that it is about, by its place in [`PartsList::rows`](crate::PartsList::rows); of several, the last.
+    pub fn row(&self) -> Option<usize> {
+        match self {
+            Self::Nameless { row } | Self::Duplicate { row, .. } => Some(*row),
+            Self::TwoRoots { second: row, .. }
+            | Self::MissingFrame { row, .. }
+            | Self::Part { row, .. }
+            | Self::Value { row, .. }
+            | Self::Deviation { row, .. }
+            | Self::Covariance { row, .. }
+            | Self::MaturityCode { row, .. }
+            | Self::MissingGroup { row, .. }
+            | Self::IndependentAssembly { row, .. }
+            | Self::Subtotal { row, .. } => Some(row.row),
+            Self::Cycle { rows } => rows.last().map(|row| row.row),
+            Self::Empty
+            | Self::Table { .. }
+            | Self::DuplicateGroup { .. }
+            | Self::Sum(_)
+            | Self::Draws { .. } => None,
+        }
+    }
+
     /// What its reader may do.
     pub fn hint(&self) -> Option<&'static str> {
         match self {

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use polhode::body::BodyError;
 use polhode::math::RotationError;
 use polhode::motion::MotionError;
+use polhode_budget::BudgetError;
 use polhode_identify::IdentifyError;
 
 use crate::content::{ContentError, ContentPlace};
@@ -122,6 +123,8 @@ pub enum FormatErrorKind {
     Rotation(RotationError),
     /// Measurements from which no body can be found.
     Identify(IdentifyError),
+    /// Parts that make no possible body.
+    Budget(BudgetError),
     /// Bytes that are not an STL file.
     Stl(StlError),
     /// Contents that are not what the format asks for.
@@ -255,6 +258,7 @@ impl fmt::Display for FormatErrorKind {
             Self::Motion(e) => e.fmt(f),
             Self::Rotation(e) => e.fmt(f),
             Self::Identify(e) => e.fmt(f),
+            Self::Budget(e) => e.fmt(f),
             // A line and a column are the error's own; a record has to be said.
             Self::Stl(e) if matches!(e.place(), Some(StlPlace::Text { .. })) => f.write_str(&e.message()),
             Self::Stl(e) => e.fmt(f),
@@ -304,6 +308,7 @@ impl FormatErrorKind {
             Self::Motion(e) => e.hint().map(str::to_owned),
             Self::Rotation(e) => Some(rotation_hint(e).to_owned()),
             Self::Identify(e) => e.hint().map(str::to_owned),
+            Self::Budget(e) => e.hint().map(str::to_owned),
             Self::Stl(e) => e.hint().map(str::to_owned),
             Self::Content(e) => e.hint.clone(),
         }

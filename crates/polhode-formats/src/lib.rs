@@ -9,6 +9,7 @@
 //! - [`particles`]: particles and point clouds, as CSV
 //! - [`run_log`]: motions that other programs logged, as CSV, Parquet and JSON lines
 //! - [`mod@identify`]: what was measured of a body, and how, as TOML
+//! - [`budget`]: parts lists, as CSV, XLSX and TOML
 //! - [`mod@unit`]: quantities in text
 //! - [`expression`]: formulas in text
 //! - [`voxel`]: densities on a grid, as NPY and NRRD
@@ -21,6 +22,7 @@
 //! Whatever cannot be read is a [`FormatError`]: path, line, column, what stands there, the rule, a hint.
 
 pub mod brep;
+pub mod budget;
 pub mod cad;
 mod content;
 mod decimal;

@@ -23,7 +23,7 @@ use crate::layout::printable;
 use crate::number::{count, number, with_error};
 use case::Case;
 
-pub use table::{COLUMNS, Cell};
+pub use table::{Cell, Sheet};
 
 /// What is asked of a parts list.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 use polhode::math::{Frame, Rotation};
 use polhode_budget::{Basis, Estimate, EstimateAbout, NUMBERS};
 
-use super::case::{AXES, Case, ten};
+use super::case::{Case, ten};
 use super::{BudgetOptions, basis_name};
 use crate::explain::document::Section;
 use crate::explain::drawing::{Correlations, Drawing};
@@ -117,9 +117,4 @@ fn correlations(section: &mut Section, covariance: &[[f64; 10]; 10]) {
         names: shown.iter().map(|&k| NUMBERS[k].0.to_owned()).collect(),
         rows: shown.iter().map(|&i| shown.iter().map(|&j| correlation(covariance, i, j)).collect()).collect(),
     }));
-}
-
-/// `x`, `y` or `z`.
-pub(super) const fn axis_name(k: usize) -> &'static str {
-    AXES[k]
 }

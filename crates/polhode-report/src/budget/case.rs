@@ -90,6 +90,13 @@ impl Case {
         self.estimate(basis).principal()
     }
 
+    /// A row's name without the root's before it.
+    pub(super) fn short(&self, row: usize) -> &str {
+        let rows = &self.budget.list().rows;
+        let (name, root) = (&rows[row].name, &rows[self.budget.root()].name);
+        name.strip_prefix(root.as_str()).and_then(|rest| rest.strip_prefix('/')).unwrap_or(name)
+    }
+
     /// The masses of all; the root may have copies.
     pub(super) fn whole_statement(&self) -> MassStatement {
         self.statements[self.budget.root()]
@@ -163,7 +170,7 @@ fn results(
     }
     for (k, AxisTilt { from, tilt, .. }) in tilts.iter().enumerate() {
         if let Some(gradient) = tilt.and_then(|tilt| tilt.gradient) {
-            let name = format!("tilt of axis {} from {}", k + 1, AXES[*from]);
+            let name = format!("tilt of {} from {}", k + 1, AXES[*from]);
             asked.push((name, "rad", gradient));
         }
     }

@@ -3,14 +3,14 @@
 use polhode_budget::{ErrorKind, Sensitivity, Source};
 
 use super::case::{Case, SpreadResult};
-use crate::explain::document::Section;
+use crate::explain::document::{Block, Section};
 use crate::explain::drawing::{Bar, BarPanel, Bars, Drawing};
 use crate::layout::printable;
-use crate::number::number;
+use crate::number::{GROUP, number};
 
 /// Bars of a result, and cells of the table.
 const BARS: usize = 6;
-const CELLS: usize = 3;
+const CELLS: usize = 2;
 
 pub(super) fn section(case: &Case) -> Option<Section> {
     let results: Vec<&SpreadResult> = case.results.iter().filter(|result| !result.by.is_empty()).collect();
@@ -23,19 +23,15 @@ pub(super) fn section(case: &Case) -> Option<Section> {
     let row = |result: &&SpreadResult| {
         let (unit, scale) = shown_unit(result.unit);
         let mut cells = vec![result.name.clone(), format!("{} {unit}", number(scale * result.sd, 2))];
-        cells.extend(
-            result
-                .by
-                .iter()
-                .take(CELLS)
-                .map(|by| format!("{} {} %", named(case, by), number(100.0 * share(result, by), 2))),
-        );
+        cells.extend(result.by.iter().take(CELLS).map(|by| {
+            format!("{}: {}{GROUP}%", printable(&named(case, by)), number(100.0 * share(result, by), 2))
+        }));
         cells.resize(2 + CELLS, String::new());
         cells
     };
-    let headers = ["number", "sd", "most of it", "then", "then"];
+    let headers = ["number", "sd", "most of it by", "then by"];
     section.table(&headers, results.iter().map(row).collect());
-    let [first, second, third] = [0..4, 4..10, 10..results_end(case)].map(|range| {
+    let [first, second, third] = [0..4, 4..10, 10..case.results.len()].map(|range| {
         let results = case.results.get(range).unwrap_or_default();
         results.iter().filter(|result| !result.by.is_empty()).collect::<Vec<_>>()
     });
@@ -45,24 +41,25 @@ pub(super) fn section(case: &Case) -> Option<Section> {
         ("Errors of principal moments and axes", third),
     ] {
         if !results.is_empty() {
-            section.draw(Drawing::Bars(tornado(case, title, &results)));
+            let caption = if section.blocks.iter().any(|block| matches!(block, Block::Drawing(_))) {
+                ""
+            } else {
+                CAPTION
+            };
+            section.draw(Drawing::Bars(tornado(case, title, caption, &results)));
         }
     }
     Some(section)
 }
 
-fn results_end(case: &Case) -> usize {
-    case.results.len()
-}
-
 /// Standard deviations to both sides, the greatest above.
-fn tornado(case: &Case, title: &str, results: &[&SpreadResult]) -> Bars {
+fn tornado(case: &Case, title: &str, caption: &'static str, results: &[&SpreadResult]) -> Bars {
     let panel = |result: &&SpreadResult| {
         let (unit, scale) = shown_unit(result.unit);
         let bar = |by: &Sensitivity| {
             let sd = scale * by.variance.sqrt();
             Bar {
-                name: source_name(case, by),
+                name: named(case, by),
                 from: -sd,
                 to: sd,
                 size: format!("{} %", number(100.0 * share(result, by), 2)),
@@ -77,13 +74,15 @@ fn tornado(case: &Case, title: &str, results: &[&SpreadResult]) -> Bars {
     };
     Bars {
         title: title.to_owned(),
-        caption: "Each bar is as long as what one standard deviation of an error makes of the number, to both sides; beside it is its part of the variance.",
+        caption,
         kinds: KINDS.to_vec(),
         panels: results.iter().map(panel).collect(),
     }
 }
 
-const KINDS: [&str; 5] = ["of mass", "of centre of mass", "of tensor", "of position", "of rotation"];
+const CAPTION: &str = "Each bar is as long as what one standard deviation of an error makes of the number, to both sides; beside it is its part of the variance.";
+
+const KINDS: [&str; 5] = ["mass", "centre", "tensor", "position", "rotation"];
 
 const fn kind_place(kind: ErrorKind) -> usize {
     match kind {
@@ -102,17 +101,15 @@ pub(super) const fn kind_name(kind: ErrorKind) -> &'static str {
 
 /// A row or a group.
 pub(super) fn source_name(case: &Case, by: &Sensitivity) -> String {
-    let list = case.budget.list();
     match by.source {
-        Source::Row(k) => list.rows[k].name.clone(),
-        Source::Group(k) => format!("group {}", list.groups[k].name),
+        Source::Row(k) => case.short(k).to_owned(),
+        Source::Group(k) => format!("group {}", case.budget.list().groups[k].name),
     }
 }
 
-/// `battery, mass:`
+/// `battery, mass`
 fn named(case: &Case, by: &Sensitivity) -> String {
-    let kind = KINDS[kind_place(by.kind)].trim_start_matches("of ");
-    format!("{}, {kind}:", printable(&source_name(case, by)))
+    format!("{}, {}", source_name(case, by), KINDS[kind_place(by.kind)])
 }
 
 pub(super) fn share(result: &SpreadResult, by: &Sensitivity) -> f64 {

@@ -6,7 +6,7 @@ use super::case::Case;
 use crate::explain::document::Section;
 use crate::explain::drawing::{Bar, BarPanel, Bars, Drawing};
 use crate::layout::{INDENT, printable};
-use crate::number::{alike, count, number};
+use crate::number::{GROUP, alike, count, number};
 
 /// Rows that are shown; all are in JSON and CSV.
 const SHOWN: usize = 60;
@@ -37,7 +37,7 @@ pub(super) fn margin_in_words(case: &Case) -> Option<String> {
     let whole = case.whole_statement();
     let (allowable, margin, part) = (whole.allowable?, whole.margin()?, whole.relative_margin()?);
     let words = format!(
-        "Allowable {} kg: the margin is {} kg, {} % of the basic mass",
+        "Allowable {} kg: the margin is {} kg, {}{GROUP}% of the basic mass",
         number(allowable, DIGITS),
         number(margin, 4),
         number(100.0 * part, 3)
@@ -167,7 +167,7 @@ fn waterfall(case: &Case, tree: &Tree) -> Bars {
     for k in front {
         let mass = case.statements[k].basic;
         if mass > 0.0 {
-            add(rows[k].name.clone(), mass, 0);
+            add(case.short(k).to_owned(), mass, 0);
         }
     }
     if case.grows() {

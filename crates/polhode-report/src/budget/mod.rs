@@ -20,7 +20,7 @@ use polhode_budget::{Basis, Budget, BudgetError};
 use crate::body_part::BodyPart;
 use crate::explain::document::{Document, Section};
 use crate::layout::printable;
-use crate::number::{count, number, with_error};
+use crate::number::{GROUP, count, number, with_error};
 use case::Case;
 
 pub use table::{Cell, Sheet};
@@ -239,7 +239,7 @@ fn mass_in_words(case: &Case) -> String {
     let whole = case.whole_statement();
     let allowance = whole.growth_allowance();
     format!(
-        "Predicted mass {}: basic {basic}, and a growth allowance of {} kg ({} %)",
+        "Predicted mass {}: basic {basic}, and a growth allowance of {} kg ({}{GROUP}%)",
         of(Basis::Predicted),
         number(allowance, 4),
         number(100.0 * allowance / whole.basic, 3)

@@ -7,22 +7,38 @@ use polhode_budget::Basis;
 use super::case::Case;
 use crate::explain::document::Section;
 use crate::explain::drawing::{Drawing, Solid, Solids};
-use crate::number::count;
+use crate::layout::printable;
+use crate::number::{count, number};
 
 /// Parts that are drawn: more would hide each other.
 const MOST: usize = 150;
+/// Parts that are listed.
+const ROWS: usize = 20;
+/// Where lengths are read in mm, m.
+const SHORT: f64 = 2.0;
 /// Groups that have a colour.
 const GROUPS: usize = 7;
 
 /// `None` of a list whose parts are no numbers.
 pub(super) fn section(case: &Case, basis: Basis) -> Option<Section> {
     let mut section = Section::new(6, "Where the parts are");
-    section.draw(Drawing::Solids(solids(case, basis)?));
+    let drawn = solids(case, basis)?;
+    let extent =
+        drawn.solids.iter().flat_map(|solid| solid.center).fold(0.0_f64, |most, x| most.max(x.abs()));
+    let (unit, scale) = if extent < SHORT { ("mm", 1e3) } else { ("m", 1.0) };
+    section.say(format!("The heaviest parts, with their centres of mass and the boxes that have their inertia tensors, along the box's own axes, in {unit}."));
+    let row = |solid: &Solid| {
+        let [x, y, z] = solid.center.map(|x| number(scale * x, 4));
+        let sides = solid.halves.map(|half| half.iter().map(|x| x * x).sum::<f64>().sqrt());
+        let sides = sides.map(|half| number(2.0 * scale * half, 3)).join(" × ");
+        vec![printable(&solid.name), x, y, z, sides]
+    };
+    section.table(&["part", "x", "y", "z", "box"], drawn.solids.iter().take(ROWS).map(row).collect());
+    section.draw(Drawing::Solids(drawn));
     Some(section)
 }
 
 pub(super) fn solids(case: &Case, basis: Basis) -> Option<Solids> {
-    let list = case.budget.list();
     let parts = case.budget.parts(basis).ok()?;
     let mut all: Vec<(usize, MassProperties<Body>)> =
         parts.into_iter().enumerate().filter_map(|(k, part)| Some((k, part?))).collect();
@@ -37,7 +53,7 @@ pub(super) fn solids(case: &Case, basis: Basis) -> Option<Solids> {
         }
     }
     let solid = |(k, part): &(usize, MassProperties<Body>)| Solid {
-        name: list.rows[*k].name.clone(),
+        name: case.short(*k).to_owned(),
         center: part.center_of_mass().to_array(),
         halves: halves(part),
         group: groups.iter().position(|head| *head == heads[*k]).unwrap_or(GROUPS),
@@ -54,7 +70,7 @@ pub(super) fn solids(case: &Case, basis: Basis) -> Option<Solids> {
             "Each part is drawn as the box that has its mass, centre of mass and inertia tensor; a point is a small cube. All views but the last have one scale.{of_many}"
         ),
         solids: all.iter().map(solid).collect(),
-        groups: groups.iter().map(|&k| list.rows[k].name.clone()).collect(),
+        groups: groups.iter().map(|&k| case.short(k).to_owned()).collect(),
         center: whole.center_of_mass().to_array(),
         axes: [0, 1, 2].map(|k| frame.axis(k).to_array()),
     })

@@ -30,7 +30,7 @@ pub(super) fn section(case: &Case, options: &BudgetOptions) -> Section {
     section.line(format!("i2/i3 = {}", with_error(ratios.values[1], ratios.sd[1])));
     let quantiles = case.drawn.as_ref().map(|drawn| drawn.tilts);
     let row = |k: usize| {
-        let [x, y, z] = principal.frame.axis(k).to_array().map(|x| number(x, 5));
+        let [x, y, z] = principal.frame.axis(k).to_array().map(|x| format!("{x:.5}"));
         let tilt = &case.tilts[k];
         let (angle, sd) = tilt.tilt.map_or((f64::NAN, None), |tilt| (tilt.angle, tilt.sd));
         let mut cells = vec![format!("axis {}", k + 1), x, y, z, AXES[tilt.from].to_owned()];
@@ -41,14 +41,14 @@ pub(super) fn section(case: &Case, options: &BudgetOptions) -> Section {
         if let Some(all) = quantiles {
             cells.push(all[k].map_or_else(String::new, |all| {
                 let [low, middle, high] = all.map(|angle| number(angle.to_degrees(), 3));
-                format!("{low} … {middle} … {high}")
+                format!("{low}, {middle}, {high}")
             }));
         }
         cells
     };
-    let mut headers = vec!["axis of", "x", "y", "z", "nearest", "tilt from it (deg)"];
+    let mut headers = vec!["axis of", "x", "y", "z", "near", "tilt (deg)"];
     if quantiles.is_some() {
-        headers.push("5 … 50 … 95 % of draws (deg)");
+        headers.push("5, 50, 95 % of draws");
     }
     section.table(&headers, (0..3).map(row).collect());
     if options.along.is_some() {

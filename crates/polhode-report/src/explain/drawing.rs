@@ -143,7 +143,7 @@ impl Drawing {
     pub(crate) fn caption(&self) -> Option<String> {
         let triangle = match self {
             Self::Triangle(triangle) => triangle,
-            Self::Bars(bars) => return Some(bars.caption.to_owned()),
+            Self::Bars(bars) => return (!bars.caption.is_empty()).then(|| bars.caption.to_owned()),
             Self::Solids(solids) => return Some(solids.caption.clone()),
             Self::Scatter(_) | Self::Correlations(_) => return None,
         };

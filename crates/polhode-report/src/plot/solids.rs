@@ -2,6 +2,7 @@
 
 use super::axes::Area;
 use super::legend::{Key, heading};
+use super::prefix;
 use super::sheet::{Anchor, Colour, Mark, Pen, Point, SMALL, Sheet, Text};
 use crate::explain::drawing::{Solid, Solids};
 use crate::layout::printable;
@@ -16,8 +17,8 @@ const LOW: f64 = 170.0;
 /// Angles from which one looks aside, rad.
 const TURNED: f64 = 0.6;
 const RAISED: f64 = 0.42;
-/// The length of a principal axis, as a part of the longest extent.
-const AXIS: f64 = 0.3;
+/// How far a principal axis reaches beyond the body, as a part of the longest extent.
+const BEYOND: f64 = 0.05;
 /// A part without extent is as large as this part of it.
 const POINT: f64 = 0.012;
 const NAMES: [&str; 3] = ["x", "y", "z"];
@@ -85,6 +86,7 @@ pub(super) fn sheet(all: &Solids) -> Sheet {
     };
     let [_, below_front] = place(&front, &words(a, c), [MARGIN, top], scale);
     let right = MARGIN + first * scale + GAP;
+    scale_bar(extent, scale, [MARGIN + first * scale, top + SMALL], &mut sheet);
     let [_, below_side] = place(&side, &words(b, c), [right, top], scale);
     let second_row = below_front.max(below_side) + GAP;
     let [_, below_above] = place(&above, &words(a, b), [MARGIN, second_row], scale);
@@ -100,6 +102,23 @@ pub(super) fn sheet(all: &Solids) -> Sheet {
     };
     sheet.height = bottom + MARGIN;
     sheet
+}
+
+/// A length in numbers, up to a point.
+fn scale_bar(extent: f64, scale: f64, [right, base]: Point, sheet: &mut Sheet) {
+    if !(extent > 0.0) {
+        return;
+    }
+    let power = 10_f64.powi((0.3 * extent).log10().floor() as i32);
+    let length = [5.0, 2.0, 1.0].into_iter().map(|x| x * power).find(|x| *x <= 0.3 * extent).unwrap_or(power);
+    let words = prefix::value(length, 3, "m");
+    let text = Text::small([right, base], Anchor::End, Colour::TEXT, &words);
+    let end = right + text.extent()[0] - 8.0;
+    sheet.marks.push(Mark::Text(text));
+    let (from, middle) = (end - scale * length, base - 0.36 * SMALL);
+    let pen = Pen::solid(Colour::TEXT, 1.1);
+    let tick = |x: f64| vec![[x, middle - 3.0], [x, middle + 3.0]];
+    sheet.lines([vec![[from, middle], [end, middle]], tick(from), tick(end)], pen);
 }
 
 const UNIT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -130,6 +149,21 @@ fn ends(all: &Solids, view: &View) -> [[f64; 2]; 3] {
     points
         .map(|point| view.place(point))
         .fold(none, |ends, at| core::array::from_fn(|k| [ends[k][0].min(at[k]), ends[k][1].max(at[k])]))
+}
+
+/// Both ends of each principal axis: some way beyond the body.
+fn axes(all: &Solids) -> [[[f64; 3]; 2]; 3] {
+    let points = || all.solids.iter().flat_map(corners).chain([all.center]);
+    let reach = |axis: [f64; 3]| {
+        let heights = points().map(|point| dot(plus(point, 1.0, all.center, -1.0), axis));
+        heights.fold([0.0; 2], |[least, most]: [f64; 2], x| [least.min(x), most.max(x)])
+    };
+    let all_reach = all.axes.map(reach);
+    let more = BEYOND * all_reach.iter().map(|[from, to]| to - from).fold(0.0, f64::max);
+    [0, 1, 2].map(|k| {
+        let [from, to] = all_reach[k];
+        [from - more, to + more].map(|along| plus(all.center, 1.0, all.axes[k], along))
+    })
 }
 
 fn corners(solid: &Solid) -> impl Iterator<Item = [f64; 3]> + '_ {
@@ -194,9 +228,8 @@ fn draw(all: &Solids, view: &View, at: impl Fn([f64; 3]) -> Point, extent: f64, 
     }
     frame_of_the_body(view, &at, extent, sheet);
     let center = at(view.place(all.center));
-    for (k, axis) in all.axes.iter().enumerate() {
-        let end = |side: f64| at(view.place(plus(all.center, 1.0, *axis, side * AXIS * extent)));
-        let [near, far] = [end(1.0), end(-1.0)];
+    for (k, ends) in axes(all).into_iter().enumerate() {
+        let [far, near] = ends.map(|end| at(view.place(end)));
         sheet.line(vec![far, near], axis_pen(k));
         // An axis toward the eye has no end that could be named.
         if (near[0] - center[0]).hypot(near[1] - center[1]) > 14.0 {

@@ -169,9 +169,15 @@ impl From<SweepError> for Failure {
 
 fn input(error: &FormatError) -> String {
     let mut text = format!("error: {}\n", error.message());
-    snippet(&mut text, error.path(), error.place(), "");
+    match error.cell() {
+        Some(cell) => _ = writeln!(text, "  --> {}: {}", shown(error.path()), shown(Path::new(cell))),
+        None => snippet(&mut text, error.path(), error.place(), ""),
+    }
     if let Some((path, place)) = error.origin() {
         snippet(&mut text, path, Some(place), "named here: ");
+    }
+    if let Some((path, cell)) = error.origin_cell() {
+        let _ = writeln!(text, "  --> named here: {}: {}", shown(path), shown(Path::new(cell)));
     }
     text + &hint(error.hint())
 }

@@ -28,10 +28,19 @@ pub struct FormatError(Box<Report>);
 #[derive(Clone, Debug, PartialEq)]
 struct Report {
     path: PathBuf,
-    place: Option<Place>,
+    place: Option<Spot>,
     kind: FormatErrorKind,
     hint: Option<String>,
-    named_in: Option<(PathBuf, Place)>,
+    named_in: Option<(PathBuf, Spot)>,
+}
+
+/// A place in a file.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Spot {
+    /// Of text.
+    Text(Place),
+    /// A cell of a workbook, as its programs write it: `parts!F12`.
+    Cell(String),
 }
 
 /// What is wrong with a file.
@@ -148,7 +157,25 @@ pub struct Place {
 
 impl FormatError {
     pub(crate) fn new(path: &Path, place: Option<Place>, kind: FormatErrorKind) -> Self {
+        Self::at(path, place.map(Spot::Text), kind)
+    }
+
+    pub(crate) fn at(path: &Path, place: Option<Spot>, kind: FormatErrorKind) -> Self {
         Self(Box::new(Report { path: path.to_owned(), place, kind, hint: None, named_in: None }))
+    }
+
+    /// The same where a text that was made of cells is that of no file: its places become those of the cells.
+    pub(crate) fn moved(mut self, path: &Path, spot: impl Fn(&Place) -> Option<Spot>) -> Self {
+        let moved = |place: Spot| match place {
+            Spot::Text(place) => spot(&place),
+            cell @ Spot::Cell(_) => Some(cell),
+        };
+        if self.0.path == path {
+            self.0.place = self.0.place.and_then(moved);
+        } else if let Some((named_in, place)) = self.0.named_in.take() {
+            self.0.named_in = moved(place).map(|place| (named_in, place));
+        }
+        self
     }
 
     /// An error in the contents, with its line if they are text.
@@ -181,7 +208,11 @@ impl FormatError {
     }
 
     /// The same about a file that another file names.
-    pub(crate) fn named_in(mut self, path: &Path, place: Place) -> Self {
+    pub(crate) fn named_in(self, path: &Path, place: Place) -> Self {
+        self.named_at(path, Spot::Text(place))
+    }
+
+    pub(crate) fn named_at(mut self, path: &Path, place: Spot) -> Self {
         self.0.named_in = Some((path.to_owned(), place));
         self
     }
@@ -193,7 +224,18 @@ impl FormatError {
 
     /// Where in the file; `None` if it is about the file as a whole, or the file is binary.
     pub fn place(&self) -> Option<&Place> {
-        self.0.place.as_ref()
+        match &self.0.place {
+            Some(Spot::Text(place)) => Some(place),
+            _ => None,
+        }
+    }
+
+    /// The cell of a workbook, as its programs write it: `parts!F12`.
+    pub fn cell(&self) -> Option<&str> {
+        match &self.0.place {
+            Some(Spot::Cell(cell)) => Some(cell),
+            _ => None,
+        }
     }
 
     /// What is wrong.
@@ -213,19 +255,31 @@ impl FormatError {
 
     /// The file and the place that name the file that it is about: the `file = "part.stl"` of a scenario.
     pub fn origin(&self) -> Option<(&Path, &Place)> {
-        self.0.named_in.as_ref().map(|(path, place)| (path.as_path(), place))
+        match &self.0.named_in {
+            Some((path, Spot::Text(place))) => Some((path, place)),
+            _ => None,
+        }
+    }
+
+    /// The workbook and its cell that name the file that it is about.
+    pub fn origin_cell(&self) -> Option<(&Path, &str)> {
+        match &self.0.named_in {
+            Some((path, Spot::Cell(cell))) => Some((path, cell)),
+            _ => None,
+        }
     }
 }
 
 impl fmt::Display for FormatError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let place = |f: &mut fmt::Formatter<'_>, path: &Path, place: Option<&Place>| match place {
-            Some(place) => write!(f, "{}:{}:{}", shown(path), place.line, place.column),
+        let place = |f: &mut fmt::Formatter<'_>, path: &Path, place: Option<&Spot>| match place {
+            Some(Spot::Text(place)) => write!(f, "{}:{}:{}", shown(path), place.line, place.column),
+            Some(Spot::Cell(cell)) => write!(f, "{}: {}", shown(path), escaped(cell)),
             None => f.write_str(&shown(path)),
         };
-        place(f, self.path(), self.place())?;
+        place(f, self.path(), self.0.place.as_ref())?;
         write!(f, ": {}", self.0.kind)?;
-        if let Some((path, at)) = self.origin() {
+        if let Some((path, at)) = &self.0.named_in {
             f.write_str(" (named in ")?;
             place(f, path, Some(at))?;
             f.write_str(")")?;

@@ -33,6 +33,7 @@ pub mod identify;
 pub mod material;
 pub mod mesh;
 pub mod molecule;
+mod package;
 pub mod particles;
 mod reading;
 pub mod run_log;

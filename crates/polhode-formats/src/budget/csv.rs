@@ -1,37 +1,74 @@
-//! Parts lists in text: fields between commas, in quotes if they hold any.
+//! Parts lists in text: fields between commas, semicolons or tabs, in quotes if they hold any.
 
 use std::borrow::Cow;
 use std::ops::Range;
 
-use super::sheet::{Cell, Origin, Sheet, SheetRow};
+use super::heading;
+use super::sheet::{Cell, Content, Origin, Sheet, SheetRow};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::FormatError;
 use crate::scenario::source::Source;
 
-/// The table in a text from this byte on.
-pub(super) fn sheet(source: Source<'_>, from: usize) -> Result<Sheet<'_>, FormatError> {
-    let mut sheet = Sheet { origin: Origin::Text(source), rows: Vec::new(), cells: Vec::new() };
+/// More cells than any parts list has.
+const MOST_CELLS: usize = 16_000_000;
+
+/// The table in a text from this byte on, and what parts its fields.
+pub(super) fn sheet(source: Source<'_>, from: usize) -> Result<(Sheet<'_>, u8), FormatError> {
+    let separator = separator(source.text, from);
+    let mut sheet =
+        Sheet { origin: Origin::Text(source), rows: Vec::new(), cells: Vec::new(), decimal_comma: false };
     let mut fields = Fields { text: source.text, at: from };
+    let mut number = 1 + newlines(source.text.get(..from).unwrap_or_default());
+    let located = |error| FormatError::of_content(source.path, source.text.as_bytes(), error);
     while fields.at < source.text.len() {
-        let first = sheet.cells.len();
+        let (first, start) = (sheet.cells.len(), fields.at);
         let mut column = 0;
         loop {
-            let (field, is_last) = fields
-                .next(b',')
-                .map_err(|error| FormatError::of_content(source.path, source.text.as_bytes(), error))?;
-            if !field.text.is_empty() {
-                sheet.cells.push(Cell { column, span: field.span, text: field.text });
+            let (Field { span, text }, is_last) = fields.next(separator).map_err(located)?;
+            if !text.is_empty() {
+                sheet.cells.push(Cell { column, row: number, span, text, content: Content::Text });
             }
             column += 1;
             if is_last {
                 break;
             }
         }
-        if sheet.cells.len() > first {
-            sheet.rows.push(SheetRow { cells: first..sheet.cells.len() });
+        if sheet.cells.len() > MOST_CELLS {
+            let kind = ContentErrorKind::Unsupported { what: format!("more than {MOST_CELLS} cells") };
+            return Err(located(ContentError::new(kind, ContentPlace::Whole)));
         }
+        if sheet.cells.len() > first {
+            sheet.rows.push(SheetRow { number, cells: first..sheet.cells.len(), is_hidden: false });
+        }
+        number += newlines(source.text.get(start..fields.at).unwrap_or_default());
     }
-    Ok(sheet)
+    Ok((sheet, separator))
+}
+
+fn newlines(text: &str) -> usize {
+    text.bytes().filter(|b| *b == b'\n').count()
+}
+
+/// What parts the fields: that by which the heading of names is one.
+fn separator(text: &str, from: usize) -> u8 {
+    /// The headings are not far below.
+    const LINES: usize = 100;
+    let mut at = from;
+    for line in text.get(from..).unwrap_or_default().split_inclusive('\n').take(LINES) {
+        let end = at + line.len();
+        for separator in *b",;\t" {
+            let mut fields = Fields { text: text.get(..end).unwrap_or_default(), at };
+            while fields.at < end {
+                match fields.next(separator) {
+                    Ok((field, _)) if heading::is_of_names(&field.text) => return separator,
+                    Ok(_) => {}
+                    Err(_) => break,
+                }
+            }
+        }
+        at = end;
+    }
+    b','
 }
 
 struct Fields<'a> {

@@ -1,98 +1,170 @@
-//! What the columns of a parts list are.
+//! The headings of a parts list: what its columns are, and in which units.
 
-use super::number::Unit;
-use super::sheet::{Cell, Sheet};
+use super::key::{COUNT, DENSITY, Holds, KEYS, NAME, PATH};
+use super::measured::percent;
+use super::number::{Unit, Wrong};
+use super::sheet::{Cell, Content, Sheet};
+use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::suggestion::nearest;
 use crate::unit::Dimension;
 
-/// What a column holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Key {
-    Name,
-    Parent,
-    Quantity,
-    Mass,
-    X,
-    Y,
-    Z,
-    Ixx,
-    Iyy,
-    Izz,
-    Ixy,
-    Ixz,
-    Iyz,
-    AtX,
-    AtY,
-    AtZ,
-}
-
-/// The number of keys.
-pub(super) const KEYS: usize = NAMES.len();
-
-/// Each key's name and, of a number, what it measures.
-pub(super) const NAMES: [(&str, Option<Dimension>); 16] = {
-    const MASS: Option<Dimension> = Some(Dimension::MASS);
-    const LENGTH: Option<Dimension> = Some(Dimension::LENGTH);
-    const INERTIA: Option<Dimension> = Some(Dimension::INERTIA);
-    [
-        ("name", None),
-        ("parent", None),
-        ("quantity", None),
-        ("mass", MASS),
-        ("x", LENGTH),
-        ("y", LENGTH),
-        ("z", LENGTH),
-        ("ixx", INERTIA),
-        ("iyy", INERTIA),
-        ("izz", INERTIA),
-        ("ixy", INERTIA),
-        ("ixz", INERTIA),
-        ("iyz", INERTIA),
-        ("at x", LENGTH),
-        ("at y", LENGTH),
-        ("at z", LENGTH),
-    ]
-};
-
-/// A column.
+/// A column that is read.
 #[derive(Clone, Debug)]
 pub(super) struct Column {
+    /// Which of the [`KEYS`].
     pub(super) key: usize,
+    /// Whether it has the errors of that, and not the numbers.
+    pub(super) spread: Option<Spread>,
     /// Its heading, as it is written.
     pub(super) heading: String,
-    pub(super) unit: Option<Unit>,
+    pub(super) unit: ColumnUnit,
 }
 
-/// The columns by the headings in the first row.
-pub(super) fn columns(sheet: &Sheet<'_>, headings: &[Cell<'_>]) -> Result<Vec<Option<Column>>, FormatError> {
-    let mut columns: Vec<Option<Column>> = Vec::new();
-    for cell in headings {
-        let column = column(sheet, cell)?;
-        columns.resize(cell.column, None);
-        columns.push(Some(column));
-    }
-    Ok(columns)
+/// What a column of errors has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Spread {
+    /// Standard deviations.
+    Deviation,
+    /// What stands after ±.
+    PlusMinus,
 }
 
-fn column(sheet: &Sheet<'_>, cell: &Cell<'_>) -> Result<Column, FormatError> {
-    let (name, unit) = split(&cell.text);
+/// The unit of a column.
+#[derive(Clone, Debug)]
+pub(super) enum ColumnUnit {
+    /// The heading has none.
+    None,
+    Unit(Unit),
+    Percent,
+}
+
+/// The columns of a table.
+#[derive(Debug)]
+pub(super) struct Columns {
+    /// By their places; `None` of what is not read.
+    pub(super) all: Vec<Option<Column>>,
+    /// Where the headings are, among the rows of the table.
+    pub(super) row: usize,
+    /// Columns that are not read, and their headings.
+    pub(super) ignored: Vec<(usize, String)>,
+    /// By keys: their places.
+    pub(super) places: [Option<usize>; COUNT],
+}
+
+/// Whether a heading is that of the names, by which the headings are known.
+pub(super) fn is_of_names(heading: &str) -> bool {
+    let name = plain(heading);
+    name == KEYS[NAME].name || name == KEYS[PATH].name
+}
+
+/// What the density of a thin surface or a rod may measure.
+const THIN_DENSITIES: [Dimension; 2] = [Dimension::AREA_DENSITY, Dimension::LINE_DENSITY];
+
+/// A name as columns are told apart: in lower case, with one space between words.
+fn plain(name: &str) -> String {
     let name = name.to_lowercase().replace('_', " ");
-    let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
-    let Some(key) = NAMES.iter().position(|(known, _)| *known == name) else {
-        let known = NAMES.iter().map(|(name, _)| *name).collect();
-        let suggestion = nearest(&name, NAMES.iter().map(|(name, _)| *name));
-        let key = cell.text.to_string();
-        let table = "the parts list".to_owned();
-        return Err(sheet.error(cell, FormatErrorKind::UnknownKey { key, table, suggestion, known }));
-    };
-    let unit = match (unit, NAMES[key].1) {
-        (Some(unit), Some(dimension)) => Some(
-            Unit::new(unit, dimension).map_err(|error| sheet.error(cell, FormatErrorKind::Unit(error)))?,
-        ),
-        _ => None,
-    };
-    Ok(Column { key, heading: cell.text.to_string(), unit })
+    name.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+impl Columns {
+    /// The columns by the headings: the first row that has one of names.
+    pub(super) fn of(sheet: &Sheet<'_>, ignore: &[String]) -> Result<Self, FormatError> {
+        let row = sheet.rows.iter().position(|row| sheet.row(row).iter().any(|cell| is_of_names(&cell.text)));
+        let row = row.ok_or_else(|| nameless(sheet))?;
+        let mut columns = Self { all: Vec::new(), row, ignored: Vec::new(), places: [None; COUNT] };
+        for cell in sheet.rows.get(row).map_or(&[][..], |row| sheet.row(row)) {
+            columns.all.resize(cell.column, None);
+            let column = columns.column(sheet, cell, ignore)?;
+            if column.is_none() {
+                columns.ignored.push((cell.column, cell.text.to_string()));
+            }
+            columns.all.push(column);
+        }
+        Ok(columns)
+    }
+
+    fn column(
+        &mut self,
+        sheet: &Sheet<'_>,
+        cell: &Cell<'_>,
+        ignore: &[String],
+    ) -> Result<Option<Column>, FormatError> {
+        let heading = cell.text.to_string();
+        if let Content::Broken(rule) = cell.content {
+            return Err(sheet.invalid(cell, "the heading", rule));
+        }
+        if ignore.iter().any(|name| plain(name) == plain(&heading)) {
+            return Ok(None);
+        }
+        let (name, unit) = split(&heading);
+        let (name, spread) = spread(plain(name));
+        let Some(key) = KEYS.iter().position(|key| key.name == name) else {
+            return Err(unknown(sheet, cell, &name));
+        };
+        let holds = KEYS[key].holds;
+        if holds == Holds::Remark {
+            return Ok(None);
+        }
+        if spread.is_some() && !holds.may_err() || spread.is_none() && matches!(holds, Holds::Errors(_)) {
+            return Err(unknown(sheet, cell, &plain(split(&heading).0)));
+        }
+        let unit = match (unit, holds.dimension()) {
+            (None, _) => ColumnUnit::None,
+            (Some("%"), Some(dimension)) if spread.is_some() || dimension == Dimension::NONE => {
+                ColumnUnit::Percent
+            }
+            (Some(unit), Some(dimension)) if dimension != Dimension::NONE => {
+                let others: &[Dimension] = if key == DENSITY { &THIN_DENSITIES } else { &[] };
+                let unit = Unit::new(unit, dimension).or_else(|error| {
+                    others.iter().find_map(|other| Unit::new(unit, *other).ok()).ok_or(error)
+                });
+                ColumnUnit::Unit(unit.map_err(|error| {
+                    let hint = error.hint_for_name().unwrap_or_default();
+                    sheet.error(cell, FormatErrorKind::Unit(error)).with_hint(hint)
+                })?)
+            }
+            _ => return Err(sheet.invalid(cell, "the heading", "without a unit: it has no quantities")),
+        };
+        let is_alike = |other: &&Column| {
+            let names = [NAME, PATH];
+            other.spread.is_some() == spread.is_some()
+                && (other.key == key || names.contains(&other.key) && names.contains(&key))
+        };
+        if let Some(other) = self.all.iter().flatten().find(is_alike) {
+            let rule = format!("another column than that with the heading \"{}\"", other.heading);
+            return Err(sheet.invalid(cell, "the heading", rule));
+        }
+        if spread.is_none() {
+            self.places[key] = Some(cell.column);
+        }
+        Ok(Some(Column { key, spread, heading, unit }))
+    }
+
+    /// Whether a column has a heading, and is not read.
+    pub(super) fn is_ignored(&self, column: usize) -> bool {
+        self.ignored.iter().any(|(ignored, _)| *ignored == column)
+    }
+
+    pub(super) fn get(&self, column: usize) -> Option<&Column> {
+        self.all.get(column)?.as_ref()
+    }
+}
+
+impl Column {
+    /// A number that has no error, in the unit of the column: SI, or a fraction.
+    pub(super) fn number(&self, text: &str, dimension: Dimension) -> Result<(f64, bool), Wrong> {
+        match &self.unit {
+            _ if text.ends_with('%') && (dimension == Dimension::NONE || self.spread.is_some()) => {
+                percent(text).unwrap_or(Ok(0.0)).map(|fraction| (fraction, true))
+            }
+            ColumnUnit::Percent => {
+                percent(&format!("{text}%")).unwrap_or(Ok(0.0)).map(|fraction| (fraction, true))
+            }
+            ColumnUnit::None => Ok(Unit::SI.read(text, dimension).map(|read| (read.value, read.has_unit))?),
+            ColumnUnit::Unit(unit) => Ok(unit.read(text, dimension).map(|read| (read.value, true))?),
+        }
+    }
 }
 
 /// `mass [kg]`, `mass (kg)`: name and unit.
@@ -105,4 +177,49 @@ fn split(heading: &str) -> (&str, Option<&str>) {
         }
     }
     (heading.trim(), None)
+}
+
+/// `mass sd`, `mass ±`: of what it has errors.
+fn spread(name: String) -> (String, Option<Spread>) {
+    for (end, spread) in [
+        ("sd", Spread::Deviation),
+        ("±", Spread::PlusMinus),
+        ("+/-", Spread::PlusMinus),
+        ("+-", Spread::PlusMinus),
+    ] {
+        if let Some(of) = name.strip_suffix(end).and_then(|of| of.strip_suffix(' ')) {
+            return (of.to_owned(), Some(spread));
+        }
+    }
+    (name, None)
+}
+
+fn unknown(sheet: &Sheet<'_>, cell: &Cell<'_>, name: &str) -> FormatError {
+    let known: Vec<&'static str> = KEYS.iter().map(|key| key.name).collect();
+    let suggestion = nearest(name, known.iter().copied());
+    let (key, table) = (cell.text.to_string(), "the headings".to_owned());
+    let error = sheet.error(cell, FormatErrorKind::UnknownKey { key, table, suggestion, known });
+    let hint =
+        format!("or write ignore = [\"{}\"] into the head, if it is for people", cell.text.replace('"', "'"));
+    match (suggestion, error.hint()) {
+        (Some(near), _) => error.with_hint(format!("did you mean {near}? {hint}")),
+        (None, Some(known)) => error.with_hint(format!("{known}; {hint}")),
+        (None, None) => error,
+    }
+}
+
+/// No row is one of headings.
+fn nameless(sheet: &Sheet<'_>) -> FormatError {
+    let first = sheet.rows.first().map(|row| sheet.row(row)).unwrap_or_default();
+    let slip =
+        first.iter().find(|cell| nearest(&plain(&cell.text), [KEYS[NAME].name, KEYS[PATH].name]).is_some());
+    if let Some(cell) = slip {
+        return unknown(sheet, cell, &plain(&cell.text));
+    }
+    let what = "column with the heading \"name\", or \"path\", by which its headings are known".to_owned();
+    let kind =
+        FormatErrorKind::Content(ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole));
+    sheet
+        .row_error(sheet.rows.first().map(|_| 0), kind)
+        .with_hint("write name,mass [kg] above the first part")
 }

@@ -11,21 +11,43 @@
 //! Lines in front of the table that begin with `#` are TOML after that. Whatever is unknown, impossible or ambiguous is an error that names its line and column, or its
 //! sheet and cell.
 
+mod assemble;
+mod blame;
+mod cells;
 mod csv;
+mod decimal;
+mod head;
 mod heading;
+mod key;
+mod measured;
+mod named;
 mod number;
+mod part;
+mod place;
 mod plan;
-mod row;
+mod printed;
+mod rows;
+mod shape;
 mod sheet;
+mod taken;
+mod tensor;
+mod workbook;
+mod xlsx;
 
 use std::path::{Path, PathBuf};
 
 use polhode::math::{Body, Part, Position, Rotation};
-use polhode_budget::{Basis, Budget, PartsList};
+use polhode_budget::{Basis, Budget};
 
-use crate::error::{FormatError, FormatErrorKind};
+use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use crate::error::FormatError;
+use crate::file;
+use crate::scenario::reader::Table;
 use crate::scenario::source::Source;
-use crate::scenario::text_of;
+use crate::scenario::{list_units, tree};
+use heading::Columns;
+use plan::Plan;
+use rows::Rows;
 use sheet::Sheet;
 
 /// A parts list as files give it, and what is asked of it.
@@ -90,37 +112,83 @@ impl BudgetFile {
     }
 }
 
-/// Reads a parts list.
+/// Reads a parts list, or a plan that names one.
 ///
 /// # Errors
 /// [`FormatError`], with the place, if it, or a file that it names, cannot be read or makes no possible body.
 pub fn read(path: &Path) -> Result<BudgetFile, FormatError> {
-    from_text(path, &text_of(path)?)
+    from_bytes(path, &bytes_of(path)?)
 }
 
-/// Reads a parts list from its text, CSV; files that it names are relative to the path, which errors name.
+/// Reads a parts list from the bytes of its file; files that it names are relative to the path, which errors name.
+///
+/// # Errors
+/// As [`read()`].
+pub fn from_bytes(path: &Path, bytes: &[u8]) -> Result<BudgetFile, FormatError> {
+    if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
+        return named::of_plan(path, text(path, bytes)?);
+    }
+    if xlsx::is_archive(bytes) {
+        return workbook::read(path, bytes, None);
+    }
+    from_text(path, text(path, bytes)?)
+}
+
+/// Reads a parts list from its text, CSV.
 ///
 /// # Errors
 /// As [`read()`].
 pub fn from_text(path: &Path, text: &str) -> Result<BudgetFile, FormatError> {
     let source = Source::new(path, text);
-    let (plan, table) = plan::of_head(source)?;
-    let sheet = csv::sheet(source, table)?;
-    budget_of(plan, &sheet)
+    let (toml, from) = head::toml(source)?;
+    let entries = tree::parse(&toml).map_err(|error| head_error(source, &error))?;
+    list_units::check(source, &entries)?;
+    let plan = plan::plan(&Table::root(source, &entries), &[])?;
+    of_csv(source, from, plan)
 }
 
-fn budget_of(plan: plan::Plan, sheet: &Sheet<'_>) -> Result<BudgetFile, FormatError> {
-    let (rows, origins) = row::rows(sheet, &plan)?;
-    let list = PartsList { rows, groups: plan.groups, growth: plan.growth };
-    let budget = list.budget().map_err(|error| {
-        let row = error.row().and_then(|row| origins.get(row)).copied();
-        sheet.row_error(row, FormatErrorKind::Budget(error))
-    })?;
-    let read = ReadParts { path: sheet.path().to_owned(), lines: Vec::new() };
-    Ok(BudgetFile {
-        title: plan.title,
-        configurations: vec![NamedBudget { name: None, budget }],
-        questions: plan.questions,
-        read: vec![read],
-    })
+/// Bytes of a file: a larger one is no parts list.
+const LARGEST_FILE: u64 = 256 << 20;
+
+fn bytes_of(path: &Path) -> Result<Vec<u8>, FormatError> {
+    file::bytes(path, &path.to_string_lossy(), LARGEST_FILE)
+        .map_err(|kind| FormatError::new(path, None, kind))
+}
+
+fn text<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a str, FormatError> {
+    if xlsx::is_compound(bytes) {
+        let what = "workbooks of this kind: XLS, or XLSX with a password".to_owned();
+        let kind = ContentErrorKind::Unsupported { what };
+        let error = ContentError::new(kind, ContentPlace::Whole).hint("save it as XLSX, without a password");
+        return Err(FormatError::of_content(path, bytes, error));
+    }
+    str::from_utf8(bytes).map_err(|error| FormatError::not_utf8(path, bytes, error.valid_up_to()))
+}
+
+fn head_error(source: Source<'_>, error: &toml::de::Error) -> FormatError {
+    source
+        .syntax(error)
+        .with_hint("lines in front of the table are TOML behind their #: a remark begins with ##")
+}
+
+fn of_csv(source: Source<'_>, from: usize, plan: Plan) -> Result<BudgetFile, FormatError> {
+    let (mut sheet, separator) = csv::sheet(source, from)?;
+    let columns = Columns::of(&sheet, &plan.ignore)?;
+    sheet.decimal_comma = decimal::comma(&sheet, &columns, &plan, separator)?;
+    of_table(plan, &sheet, &columns, Vec::new())
+}
+
+fn of_table(
+    plan: Plan,
+    sheet: &Sheet<'_>,
+    columns: &Columns,
+    mut lines: Vec<String>,
+) -> Result<BudgetFile, FormatError> {
+    let mut rows = Rows::new(sheet, columns, &plan);
+    let all = rows.all()?;
+    let configurations = assemble::budgets(all, &plan, &rows, &mut lines)?;
+    lines.extend(taken::of_sheet(sheet, columns, &plan, &rows.reader));
+    lines.extend(rows.taken.lines());
+    let read = vec![ReadParts { path: sheet.path().to_owned(), lines }];
+    Ok(BudgetFile { title: plan.title, configurations, questions: plan.questions, read })
 }

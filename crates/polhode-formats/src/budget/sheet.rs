@@ -4,43 +4,69 @@ use std::borrow::Cow;
 use std::ops::Range;
 use std::path::Path;
 
-use crate::error::{FormatError, FormatErrorKind};
+use crate::error::{FormatError, FormatErrorKind, Place, Spot};
 use crate::scenario::source::Source;
+use crate::text::{cut, visible};
 
-/// A table: a row of headings, then rows. Cells that are empty are left out, and so are rows of such.
+/// A table. Cells that are empty are left out, and so are rows of such.
 #[derive(Debug)]
 pub(super) struct Sheet<'a> {
     pub(super) origin: Origin<'a>,
     pub(super) rows: Vec<SheetRow>,
     pub(super) cells: Vec<Cell<'a>>,
+    /// Whether numbers in text have a comma where others have a point.
+    pub(super) decimal_comma: bool,
 }
 
 /// Where a table is from.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Origin<'a> {
     /// A text file.
     Text(Source<'a>),
+    /// A sheet of a workbook.
+    Workbook { path: &'a Path, sheet: String },
 }
 
 /// A row, by its cells.
 #[derive(Clone, Debug)]
 pub(super) struct SheetRow {
+    /// As the file counts, from 1.
+    pub(super) number: usize,
     pub(super) cells: Range<usize>,
+    /// Whether programs do not show it.
+    pub(super) is_hidden: bool,
 }
 
 /// What stands in a cell, without the spaces around it: not empty.
 #[derive(Clone, Debug)]
 pub(super) struct Cell<'a> {
+    /// From 0.
     pub(super) column: usize,
+    /// The row, as the file counts.
+    pub(super) row: usize,
     /// In a text file: its bytes.
     pub(super) span: Range<usize>,
     pub(super) text: Cow<'a, str>,
+    pub(super) content: Content,
+}
+
+/// What kind of content a cell has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Content {
+    Text,
+    /// A number of a workbook, and how many decimals are shown of it.
+    Number {
+        decimals: Option<u8>,
+    },
+    /// Nothing that can be read: what it has to be instead.
+    Broken(&'static str),
 }
 
 impl<'a> Sheet<'a> {
     pub(super) fn path(&self) -> &Path {
-        match self.origin {
+        match &self.origin {
             Origin::Text(source) => source.path,
+            Origin::Workbook { path, .. } => path,
         }
     }
 
@@ -48,11 +74,24 @@ impl<'a> Sheet<'a> {
         self.cells.get(row.cells.clone()).unwrap_or_default()
     }
 
+    /// Where a cell is.
+    pub(super) fn spot(&self, cell: &Cell<'_>) -> Spot {
+        match &self.origin {
+            Origin::Text(source) => Spot::Text(source.place(cell.span.clone())),
+            Origin::Workbook { sheet, .. } => Spot::Cell(cell_name(sheet, cell.column, cell.row)),
+        }
+    }
+
     /// An error at a cell.
     pub(super) fn error(&self, cell: &Cell<'_>, kind: FormatErrorKind) -> FormatError {
-        match self.origin {
-            Origin::Text(source) => source.error(cell.span.clone(), kind),
-        }
+        FormatError::at(self.path(), Some(self.spot(cell)), kind)
+    }
+
+    /// An error about a value that breaks a rule.
+    pub(super) fn invalid(&self, cell: &Cell<'_>, heading: &str, rule: impl Into<String>) -> FormatError {
+        let value = cut(&cell.text).chars().map(visible).collect();
+        let key = cut(heading).chars().map(visible).collect();
+        self.error(cell, FormatErrorKind::Value { key, value, rule: rule.into() })
     }
 
     /// An error at a row as a whole, or about the whole table.
@@ -62,5 +101,50 @@ impl<'a> Sheet<'a> {
             Some(cell) => self.error(cell, kind),
             None => FormatError::new(self.path(), None, kind),
         }
+    }
+
+    /// An error of a text that was made of cells: at the cell of which that part of the text is, or else at this one.
+    pub(super) fn moved(
+        &self,
+        error: FormatError,
+        cells: &[(Range<usize>, &Cell<'_>)],
+        otherwise: &Cell<'_>,
+    ) -> FormatError {
+        let of = |place: &Place| cells.iter().find(|(range, _)| range.contains(&place.span.start));
+        error.moved(self.path(), |place| Some(self.spot(of(place).map_or(otherwise, |(_, cell)| cell))))
+    }
+}
+
+/// `parts!F12`, or `'my parts'!F12`
+pub(super) fn cell_name(sheet: &str, column: usize, row: usize) -> String {
+    let is_plain = sheet.chars().all(|c| c.is_alphanumeric() || c == '_');
+    let sheet = if is_plain { sheet.to_owned() } else { format!("'{}'", sheet.replace('\'', "''")) };
+    format!("{sheet}!{}{row}", column_name(column))
+}
+
+/// Of the column 0: A; of 27: AB.
+pub(super) fn column_name(column: usize) -> String {
+    let mut letters = Vec::new();
+    let mut rest = column + 1;
+    while rest > 0 {
+        letters.push(char::from(b'A' + ((rest - 1) % 26) as u8));
+        rest = (rest - 1) / 26;
+    }
+    letters.iter().rev().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_have_the_names_that_spreadsheets_give_them() {
+        for (column, name) in
+            [(0, "A"), (25, "Z"), (26, "AA"), (27, "AB"), (701, "ZZ"), (702, "AAA"), (16383, "XFD")]
+        {
+            assert_eq!(column_name(column), name);
+        }
+        assert_eq!(cell_name("parts", 5, 12), "parts!F12");
+        assert_eq!(cell_name("Bob's parts", 5, 12), "'Bob''s parts'!F12");
     }
 }

@@ -9,7 +9,7 @@ use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 /// Bytes that may still be made.
 #[derive(Debug)]
-pub(super) struct Budget {
+pub(crate) struct Budget {
     left: u64,
     limit: u64,
 }
@@ -17,13 +17,13 @@ pub(super) struct Budget {
 impl Budget {
     /// For meshes: 100 times the bytes of the file, or 256 MiB. A solid costs 48 bytes a vertex here and 24 in
     /// a file, so fifty copies of all of a file are within, or five million vertices whatever the file.
-    pub(super) fn placing(present: u64) -> Self {
+    pub(crate) fn placing(present: u64) -> Self {
         Self::new(present.saturating_mul(100), 256 << 20)
     }
 
     /// For text that is inflated: 60 times the bytes of the archive, or 64 MiB. A model of real coordinates
     /// deflates 4 to 10 times, and one of short integers in order 30 times.
-    pub(super) fn inflating(present: u64) -> Self {
+    pub(crate) fn inflating(present: u64) -> Self {
         Self::new(present.saturating_mul(60), 64 << 20)
     }
 
@@ -33,12 +33,12 @@ impl Budget {
     }
 
     /// What is left.
-    pub(super) fn left(&self) -> u64 {
+    pub(crate) fn left(&self) -> u64 {
         self.left
     }
 
     /// Takes the bytes of so many items.
-    pub(super) fn spend(
+    pub(crate) fn spend(
         &mut self,
         items: usize,
         bytes_each: usize,
@@ -55,7 +55,7 @@ impl Budget {
     }
 
     /// The error of a file that wants more than there is.
-    pub(super) fn exhausted(&self, place: String) -> ContentError {
+    pub(crate) fn exhausted(&self, place: String) -> ContentError {
         let kind = ContentErrorKind::Unsupported {
             what: format!("a file of this size that unfolds to more than {} MiB", self.limit >> 20),
         };

@@ -2,7 +2,7 @@
 
 mod affine;
 mod assumed_unit;
-mod budget;
+pub(crate) mod budget;
 pub mod collada;
 mod fill;
 pub mod gltf;

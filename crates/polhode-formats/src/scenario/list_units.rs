@@ -12,7 +12,7 @@ use crate::unit::{bare_beside_units, measured, unit_of};
 const TOGETHER: [&str; 6] = ["from", "to", "mode", "mean", "sd", "median"];
 
 /// Refuses the first list, or matrix, in which some numbers have units and others, which are not zero, have none.
-pub(super) fn check(source: Source<'_>, entries: &Entries) -> Result<(), FormatError> {
+pub(crate) fn check(source: Source<'_>, entries: &Entries) -> Result<(), FormatError> {
     let together: Vec<&Node> =
         TOGETHER.iter().filter_map(|key| entries.get(*key)).map(|entry| &*entry.node).collect();
     let key_of = |node: &Node| {

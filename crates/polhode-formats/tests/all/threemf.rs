@@ -282,7 +282,7 @@ fn a_model_that_contradicts_itself() {
         (
             "<model",
             "<!DOCTYPE model [<!ENTITY a \"b\">]>\n<model",
-            "2: polhode does not read XML with a document type: 3MF forbids it",
+            "2: polhode does not read XML with a document type: packages forbid it",
         ),
         ("core/2015/02", "core/2013/01", "2: expected one model element of 3MF, found \"model\""),
         ("</build>\n</model>", "</build>\n", "28: expected the end of an element, found the end of the file"),

@@ -14,9 +14,7 @@
 //!
 //! Source: 3MF Consortium, Core Specification, version 1.3; Production Extension, version 1.1.
 
-mod archive;
 mod model;
-mod xml;
 
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
@@ -28,9 +26,10 @@ use super::budget::Budget;
 use super::notes::Notes;
 use super::{MeshContents, MeshPart};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use archive::{Archive, key};
+use crate::package::archive::{Archive, key};
+use crate::package::relation::relations;
+use crate::package::xml::Xml;
 use model::{Contents, Model, Use};
-use xml::{Token, Xml};
 
 /// Reads the bytes of a 3MF file.
 ///
@@ -113,32 +112,9 @@ impl Package<'_> {
     fn root(&mut self) -> Result<String, ContentError> {
         const RELATIONSHIPS: &str = "_rels/.rels";
         const MODEL: &str = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
-        let usual = || "3D/3dmodel.model".to_owned();
-        if !self.archive.has(RELATIONSHIPS) {
-            return Ok(usual());
-        }
-        let mut xml = Xml::new(self.archive.stream(RELATIONSHIPS)?, RELATIONSHIPS);
-        let (mut buffer, mut root) = (Vec::new(), None);
-        loop {
-            match xml.next(&mut buffer)? {
-                Token::Start(element) if element.local_name().into_inner() == "Relationship" => {
-                    let (mut kind, mut target) = (String::new(), String::new());
-                    for attribute in xml.attributes(&element) {
-                        let attribute = attribute?;
-                        match attribute.key.0 {
-                            "Type" => kind = xml.value(&attribute)?.into_owned(),
-                            "Target" => target = xml.value(&attribute)?.into_owned(),
-                            _ => {}
-                        }
-                    }
-                    if kind == MODEL {
-                        root = root.or(Some(target));
-                    }
-                }
-                Token::Eof => return Ok(root.unwrap_or_else(usual)),
-                Token::Start(_) | Token::Text(_) | Token::End | Token::Other => {}
-            }
-        }
+        let all = relations(&mut self.archive, RELATIONSHIPS)?;
+        let root = all.into_iter().find(|relation| relation.kind == MODEL);
+        Ok(root.map_or_else(|| "3D/3dmodel.model".to_owned(), |root| root.target))
     }
 
     /// The number of a model file, which is read when it is first needed.

@@ -8,10 +8,10 @@ use polhode::body::Severity;
 use quick_xml::events::BytesStart;
 use quick_xml::events::attributes::Attribute;
 
-use super::xml::{Token, Xml};
 use crate::content::{ContentError, ContentErrorKind};
 use crate::mesh::affine::Affine;
 use crate::mesh::notes::Notes;
+use crate::package::xml::{Token, Xml};
 
 const CORE: &str = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
 const PRODUCTION: &str = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";

@@ -1,4 +1,4 @@
-//! The ZIP archive around a 3MF model: its entries by name, as text that is inflated while it is read.
+//! The ZIP archive around a package: its entries by name, as text that is inflated while it is read.
 
 use std::collections::HashMap;
 use std::io::{self, BufRead, BufReader, Cursor, Read};
@@ -11,7 +11,7 @@ use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::mesh::budget::Budget;
 
 /// An archive whose entries have plain names and bytes of their own.
-pub(super) struct Archive<'a> {
+pub(crate) struct Archive<'a> {
     zip: ZipArchive<Cursor<&'a [u8]>>,
     /// Number of each entry by its name in lower case: part names of a package do not tell cases apart.
     numbers: HashMap<String, usize>,
@@ -20,17 +20,17 @@ pub(super) struct Archive<'a> {
 }
 
 /// The text of an entry, and how far it has been read.
-pub(super) struct Stream<'s, 'a> {
+pub(crate) struct Stream<'s, 'a> {
     file: BufReader<ZipFile<'s, Cursor<&'a [u8]>>>,
     budget: &'s mut Budget,
     /// Bytes that the entry may still have, by its own header.
     declared: u64,
     /// The line of the next byte, from 1.
-    pub(super) line: usize,
+    pub(crate) line: usize,
 }
 
 impl<'a> Archive<'a> {
-    pub(super) fn open(bytes: &'a [u8]) -> Result<Self, ContentError> {
+    pub(crate) fn open(bytes: &'a [u8]) -> Result<Self, ContentError> {
         if !bytes.starts_with(b"PK") {
             let found = String::from_utf8_lossy(&bytes[..bytes.len().min(16)]).into_owned();
             let kind = ContentErrorKind::Expected { what: "the \"PK\" of a ZIP archive".to_owned(), found };
@@ -66,12 +66,12 @@ impl<'a> Archive<'a> {
     }
 
     /// Whether there is an entry of this name, with or without a leading slash.
-    pub(super) fn has(&self, path: &str) -> bool {
+    pub(crate) fn has(&self, path: &str) -> bool {
         self.numbers.contains_key(&key(path))
     }
 
     /// The text of an entry.
-    pub(super) fn stream(&mut self, path: &str) -> Result<Stream<'_, 'a>, ContentError> {
+    pub(crate) fn stream(&mut self, path: &str) -> Result<Stream<'_, 'a>, ContentError> {
         let Some(&number) = self.numbers.get(&key(path)) else {
             let kind = ContentErrorKind::Missing { what: format!("part {path}") };
             return Err(ContentError::new(kind, ContentPlace::Whole));
@@ -161,7 +161,7 @@ fn require_agreement(bytes: &[u8], entry: &ZipFile<'_, Cursor<&[u8]>>) -> Result
 }
 
 /// The name of a part, one for all its spellings.
-pub(super) fn key(path: &str) -> String {
+pub(crate) fn key(path: &str) -> String {
     path.strip_prefix('/').unwrap_or(path).to_ascii_lowercase()
 }
 
@@ -185,5 +185,6 @@ fn failed(error: &ZipError, place: ContentPlace) -> ContentError {
             ContentErrorKind::Value { what, value, rule: "a whole ZIP archive".to_owned() }
         }
     };
-    ContentError::new(kind, place).hint("the file is cut short or damaged, or is no 3MF; export it again")
+    ContentError::new(kind, place)
+        .hint("the file is cut short or damaged, or is none of its kind; export it again")
 }

@@ -12,14 +12,14 @@ use super::archive::Stream;
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 /// The reader of one entry.
-pub(super) struct Xml<'s, 'a> {
+pub(crate) struct Xml<'s, 'a> {
     reader: NsReader<Stream<'s, 'a>>,
     entry: String,
     depth: usize,
 }
 
 /// What stands next. An empty element is a start and an end.
-pub(super) enum Token<'b> {
+pub(crate) enum Token<'b> {
     Start(BytesStart<'b>),
     Text(Cow<'b, str>),
     End,
@@ -30,19 +30,19 @@ pub(super) enum Token<'b> {
 }
 
 impl<'s, 'a> Xml<'s, 'a> {
-    pub(super) fn new(stream: Stream<'s, 'a>, entry: &str) -> Self {
+    pub(crate) fn new(stream: Stream<'s, 'a>, entry: &str) -> Self {
         let mut reader = NsReader::from_reader(stream);
         reader.config_mut().expand_empty_elements = true;
         Self { reader, entry: entry.to_owned(), depth: 0 }
     }
 
     /// The line that has been reached.
-    pub(super) fn line(&self) -> usize {
+    pub(crate) fn line(&self) -> usize {
         self.reader.get_ref().line
     }
 
     /// What stands next; the buffer keeps its text.
-    pub(super) fn next<'b>(&mut self, buffer: &'b mut Vec<u8>) -> Result<Token<'b>, ContentError> {
+    pub(crate) fn next<'b>(&mut self, buffer: &'b mut Vec<u8>) -> Result<Token<'b>, ContentError> {
         buffer.clear();
         match self.reader.read_event_into(buffer) {
             Err(e) => Err(self.broken(&e)),
@@ -60,12 +60,15 @@ impl<'s, 'a> Xml<'s, 'a> {
             }
             Ok(Event::Eof) => Ok(Token::Eof),
             Ok(Event::DocType(_)) => {
-                let what = "XML with a document type: 3MF forbids it".to_owned();
+                let what = "XML with a document type: packages forbid it".to_owned();
                 Err(self.error(ContentErrorKind::Unsupported { what }))
             }
             Ok(Event::Text(text)) => Ok(Token::Text(text.into_inner())),
             Ok(Event::CData(text)) => Ok(Token::Text(text.into_inner())),
             Ok(Event::GeneralRef(name)) => {
+                if let Ok(Some(character)) = name.resolve_char_ref() {
+                    return Ok(Token::Text(Cow::Owned(character.into())));
+                }
                 let character = quick_xml::escape::resolve_predefined_entity(&name);
                 Ok(Token::Text(Cow::Borrowed(character.unwrap_or("\u{fffd}"))))
             }
@@ -74,7 +77,7 @@ impl<'s, 'a> Xml<'s, 'a> {
     }
 
     /// Passes over the rest of the element that was just entered.
-    pub(super) fn skip(&mut self) -> Result<(), ContentError> {
+    pub(crate) fn skip(&mut self) -> Result<(), ContentError> {
         let (outside, mut buffer) = (self.depth.saturating_sub(1), Vec::new());
         while self.depth > outside {
             self.next(&mut buffer)?;
@@ -83,22 +86,22 @@ impl<'s, 'a> Xml<'s, 'a> {
     }
 
     /// The namespace of an element; empty if it has none.
-    pub(super) fn namespace(&self, element: &BytesStart<'_>) -> &str {
+    pub(crate) fn namespace(&self, element: &BytesStart<'_>) -> &str {
         name(&self.reader.resolver().resolve_element(element.name()).0)
     }
 
     /// The namespace of an attribute; empty if it has none.
-    pub(super) fn namespace_of(&self, attribute: &Attribute<'_>) -> &str {
+    pub(crate) fn namespace_of(&self, attribute: &Attribute<'_>) -> &str {
         name(&self.reader.resolver().resolve_attribute(attribute.key).0)
     }
 
     /// The namespace that a prefix stands for.
-    pub(super) fn prefixed(&self, prefix: &str) -> &str {
+    pub(crate) fn prefixed(&self, prefix: &str) -> &str {
         name(&self.reader.resolver().resolve_attribute(QName(&format!("{prefix}:x"))).0)
     }
 
     /// The attributes of an element, one by one.
-    pub(super) fn attributes<'e>(
+    pub(crate) fn attributes<'e>(
         &self,
         element: &'e BytesStart<'_>,
     ) -> impl Iterator<Item = Result<Attribute<'e>, ContentError>> {
@@ -109,26 +112,26 @@ impl<'s, 'a> Xml<'s, 'a> {
     }
 
     /// The text of an attribute, its entities resolved.
-    pub(super) fn value<'e>(&self, attribute: &Attribute<'e>) -> Result<Cow<'e, str>, ContentError> {
+    pub(crate) fn value<'e>(&self, attribute: &Attribute<'e>) -> Result<Cow<'e, str>, ContentError> {
         attribute.normalized_value(XmlVersion::Implicit1_0).map_err(|e| self.broken(&e))
     }
 
     /// Something is wrong in the line that has been reached.
-    pub(super) fn error(&self, kind: ContentErrorKind) -> ContentError {
+    pub(crate) fn error(&self, kind: ContentErrorKind) -> ContentError {
         ContentError::new(kind, ContentPlace::Within(self.place()))
     }
 
-    pub(super) fn place(&self) -> String {
+    pub(crate) fn place(&self) -> String {
         format!("{}, line {}", self.entry, self.line())
     }
 
     /// A value breaks a rule.
-    pub(super) fn refused(&self, what: &str, value: &str, rule: &str) -> ContentError {
+    pub(crate) fn refused(&self, what: &str, value: &str, rule: &str) -> ContentError {
         let (what, value, rule) = (what.to_owned(), value.to_owned(), rule.to_owned());
         self.error(ContentErrorKind::Value { what, value, rule })
     }
 
-    pub(super) fn missing(&self, what: &str) -> ContentError {
+    pub(crate) fn missing(&self, what: &str) -> ContentError {
         self.error(ContentErrorKind::Missing { what: what.to_owned() })
     }
 

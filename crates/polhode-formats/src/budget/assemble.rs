@@ -1,0 +1,109 @@
+//! Rows as budgets: one of each configuration.
+
+use std::collections::HashMap;
+
+use polhode_budget::{Budget, PartsList, Row};
+
+use super::NamedBudget;
+use super::blame::Blame;
+use super::key::MASS;
+use super::plan::Plan;
+use super::rows::{ReadRow, Rows};
+use super::sheet::Cell;
+use crate::error::FormatError;
+
+/// The name of a frame in which all parts stand that stand in no other.
+const WHOLE: &str = "whole";
+
+/// A budget of each configuration; lines are added about what was taken as given.
+pub(super) fn budgets(
+    rows: Vec<ReadRow>,
+    plan: &Plan,
+    reader: &Rows<'_, '_>,
+    lines: &mut Vec<String>,
+) -> Result<Vec<NamedBudget>, FormatError> {
+    let mut names = plan.configurations.clone().unwrap_or_default();
+    for name in rows.iter().flat_map(|row| &row.configurations) {
+        if !names.contains(name) {
+            names.push(name.clone());
+        }
+    }
+    if names.is_empty() {
+        let (rows, origins) = rows.into_iter().map(|row| (row.row, row.origin)).unzip();
+        let budget = one(rows, origins, plan, reader, None, lines)?;
+        return Ok(vec![NamedBudget { name: None, budget }]);
+    }
+    let mut budgets = Vec::new();
+    for name in names {
+        let inside =
+            rows.iter().filter(|row| row.configurations.is_empty() || row.configurations.contains(&name));
+        let (rows, origins) = inside.map(|row| (row.row.clone(), row.origin)).unzip();
+        let budget = one(rows, origins, plan, reader, Some(&name), lines)?;
+        budgets.push(NamedBudget { name: Some(name), budget });
+    }
+    Ok(budgets)
+}
+
+fn one(
+    mut rows: Vec<Row>,
+    origins: Vec<usize>,
+    plan: &Plan,
+    reader: &Rows<'_, '_>,
+    configuration: Option<&str>,
+    lines: &mut Vec<String>,
+) -> Result<Budget, FormatError> {
+    let suffix = configuration.map_or_else(String::new, |name| format!(" in the configuration {name}"));
+    lines.push(format!("{} rows{suffix}", rows.len()));
+    let is_flat = rows.len() > 1 && rows.iter().all(|row| row.parent.is_none() && !row.name.contains('/'));
+    if is_flat {
+        let name = plan.title.as_deref().unwrap_or(WHOLE).replace('/', " ");
+        lines.push(format!("all rows stand in one frame, \"{name}\", as none names another"));
+        rows.iter_mut().for_each(|row| row.parent = Some(name.clone()));
+        rows.push(Row::frame(name));
+    }
+    let names = rows.iter().take(MOST_SUGGESTED).map(|row| row.name.clone()).collect();
+    let blame = Blame { reader, plan, origins: &origins, configuration, names };
+    let list = PartsList { rows, groups: plan.groups.clone(), growth: plan.growth.clone() };
+    let budget = list.budget().map_err(|error| blame.of(error))?;
+    double_counting(&budget, &blame)?;
+    Ok(budget)
+}
+
+/// Names among which one is looked for that is nearly another.
+const MOST_SUGGESTED: usize = 1000;
+
+/// Refuses the mass of a row that is the sum of the rows in it: a spreadsheet's total, which would count twice.
+fn double_counting(budget: &Budget, blame: &Blame<'_, '_, '_>) -> Result<(), FormatError> {
+    let rows = &budget.list().rows;
+    let mut direct: HashMap<usize, f64> = HashMap::new();
+    for (row, parent) in rows.iter().zip(budget.parents()) {
+        if let (Some(parent), Some(part)) = (parent, &row.part)
+            && rows.get(*parent).is_some_and(|row| row.part.is_some())
+        {
+            *direct.entry(*parent).or_default() += part.mass * f64::from(row.quantity.count);
+        }
+    }
+    if direct.is_empty() {
+        return Ok(());
+    }
+    let statements = budget.mass_statements().map_err(|error| blame.of(error))?;
+    let mut found: Vec<(usize, f64)> = direct.into_iter().collect();
+    found.sort_by_key(|(row, _)| *row);
+    for (k, direct) in found {
+        let (Some(row), Some(statement)) = (rows.get(k), statements.get(k)) else { continue };
+        let Some(own) = row.part.as_ref().map(|part| part.mass) else { continue };
+        let Some(cell) = blame.cell(k, &[MASS]) else { continue };
+        let inside = statement.basic / f64::from(row.quantity.count) - own;
+        let tolerance = blame.reader.reader.half_digit(cell)? + 1e-9 * own;
+        if (own - direct).abs() <= tolerance || (own - inside).abs() <= tolerance {
+            return Err(total(blame, cell));
+        }
+    }
+    Ok(())
+}
+
+fn total(blame: &Blame<'_, '_, '_>, cell: &Cell<'_>) -> FormatError {
+    let rule = "the mass of the part itself, but it is the sum of the rows that stand in it: these would count twice";
+    let hint = "write a sum into the column subtotal; if the part itself has that mass, give it a row of its own, which stands in this one";
+    blame.reader.reader.invalid(cell, rule).with_hint(hint)
+}

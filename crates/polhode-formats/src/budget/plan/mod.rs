@@ -1,0 +1,164 @@
+//! What a file says besides its parts, as TOML: one set of keys, in a plan as themselves, in a CSV as its head, in a workbook as further sheets.
+
+mod cad;
+mod group;
+mod growth;
+mod result;
+
+use polhode_budget::{Group, GrowthTable, ProductSign};
+
+use super::Questions;
+use crate::cad::CadOptions;
+use crate::error::FormatError;
+use crate::scenario::reader::{Table, Value};
+use crate::unit::Dimension;
+
+/// What a file says besides its parts.
+#[derive(Debug, Default)]
+pub(super) struct Plan {
+    pub(super) title: Option<String>,
+    /// What products of inertia are, where a row does not say it.
+    pub(super) products: Option<ProductSign>,
+    /// The point that tensors are about, where a row does not say it.
+    pub(super) about: Option<About>,
+    /// How many standard deviations stand after ±.
+    pub(super) coverage_factor: Option<f64>,
+    /// Whether numbers in text have a comma where others have a point.
+    pub(super) decimal_comma: Option<bool>,
+    /// Columns and sheets that are for people.
+    pub(super) ignore: Vec<String>,
+    /// All configurations, in the order that they are wanted in.
+    pub(super) configurations: Option<Vec<String>>,
+    pub(super) groups: Vec<Group>,
+    pub(super) growth: GrowthTable,
+    /// Its codes.
+    pub(super) codes: Vec<String>,
+    pub(super) cad: CadOptions,
+    pub(super) questions: Questions,
+}
+
+/// The point that a tensor is about.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum About {
+    Center,
+    /// Of the row's own frame, m.
+    Point([f64; 3]),
+    /// The origin of the frame of that row.
+    Frame(String),
+}
+
+/// The keys of a plan.
+pub(super) const KEYS: [&str; 11] = [
+    "title",
+    "products",
+    "about",
+    "coverage_factor",
+    "decimal",
+    "ignore",
+    "configurations",
+    "growth",
+    "group",
+    "cad",
+    "result",
+];
+
+/// Those whose values are tables, and lists of such: a workbook has a sheet for each.
+pub(super) const TABLES: [&str; 3] = ["growth", "cad", "result"];
+pub(super) const LISTS: [&str; 1] = ["group"];
+
+/// Reads all keys of a plan; `others` may stand beside them.
+pub(super) fn plan(root: &Table<'_>, others: &[&'static str]) -> Result<Plan, FormatError> {
+    root.allow(&[&KEYS[..], others].concat())?;
+    let mut plan = Plan {
+        title: root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?,
+        products: root.get("products").map(|value| products(&value)).transpose()?,
+        about: root.get("about").map(|value| about(&value)).transpose()?,
+        ignore: root.get("ignore").map_or(Ok(Vec::new()), |value| names(&value))?,
+        configurations: root.get("configurations").map(|value| names(&value)).transpose()?,
+        ..Plan::default()
+    };
+    if let Some(value) = root.get("coverage_factor") {
+        let factor = value.number()?;
+        if !(factor > 0.0) {
+            return Err(value
+                .invalid("positive")
+                .with_hint("with 2, ± 0.4 g is a standard deviation of 0.2 g"));
+        }
+        plan.coverage_factor = Some(factor);
+    }
+    if let Some(value) = root.get("decimal") {
+        plan.decimal_comma = Some(value.choice(&["point", "comma"])? == "comma");
+    }
+    if let Some(value) = root.get("growth") {
+        (plan.growth, plan.codes) = growth::table(&value)?;
+    }
+    if let Some(value) = root.get("group") {
+        plan.groups = group::groups(&value)?;
+    }
+    if let Some(value) = root.get("cad") {
+        plan.cad = cad::options(&value.table()?)?;
+    }
+    if let Some(value) = root.get("result") {
+        plan.questions = result::questions(&value.table()?)?;
+    }
+    Ok(plan)
+}
+
+/// `products = "tensor elements"`
+fn products(value: &Value<'_>) -> Result<ProductSign, FormatError> {
+    value
+        .choice(&PRODUCTS.map(|(name, _)| name))
+        .map(|chosen| sign_of(chosen).unwrap_or(ProductSign::NegativeIntegral))
+}
+
+/// What a product of inertia may be.
+pub(super) const PRODUCTS: [(&str, ProductSign); 2] = [
+    ("tensor elements", ProductSign::NegativeIntegral),
+    ("positive integrals", ProductSign::PositiveIntegral),
+];
+
+pub(super) fn sign_of(name: &str) -> Option<ProductSign> {
+    PRODUCTS.iter().find(|(known, _)| *known == name).map(|(_, sign)| *sign)
+}
+
+/// `about = "center"`, `"origin"`, the name of a frame, or a point.
+fn about(value: &Value<'_>) -> Result<About, FormatError> {
+    if value.is_array() {
+        return Ok(About::Point(value.quantities(Dimension::LENGTH)?));
+    }
+    Ok(About::named(value.string()?))
+}
+
+impl About {
+    /// By its name.
+    pub(super) fn named(name: &str) -> Self {
+        match name {
+            "center" => Self::Center,
+            "origin" => Self::Point([0.0; 3]),
+            frame => Self::Frame(frame.to_owned()),
+        }
+    }
+}
+
+/// Strings, none of them twice.
+fn names(value: &Value<'_>) -> Result<Vec<String>, FormatError> {
+    let mut names: Vec<String> = Vec::new();
+    for element in value.elements("an array of strings")? {
+        let name = element.string()?.trim();
+        if name.is_empty() || names.iter().any(|other| other == name) {
+            return Err(element.invalid("a name that does not stand there already"));
+        }
+        names.push(name.to_owned());
+    }
+    Ok(names)
+}
+
+/// A fraction: `0.15`, `"15 %"`.
+fn fraction(value: &Value<'_>) -> Result<f64, FormatError> {
+    let percent = value.string().ok().and_then(super::measured::percent);
+    match percent {
+        Some(Ok(fraction)) => Ok(fraction),
+        Some(Err(_)) => Err(value.invalid("a number in percent").with_hint("write \"15 %\"")),
+        None => value.quantity(Dimension::NONE),
+    }
+}

@@ -1,0 +1,191 @@
+//! Rows of cells as rows of a parts list.
+
+use std::collections::HashMap;
+
+use polhode::body::MassProperties;
+use polhode::math::Part;
+use polhode_budget::{CopyErrors, Growth, Quantity, Row, Subtotal, Uncertainty};
+
+use super::cells::{Cells, Reader};
+use super::heading::Columns;
+use super::key::{
+    ALLOWABLE, CONFIGURATION, COPIES, GROUP, GROWTH, MASS, MATURITY, NAME, PARENT, PATH, QUANTITY, SUBTOTAL,
+};
+use super::measured::Amount;
+use super::plan::Plan;
+use super::sheet::Sheet;
+use super::taken::Taken;
+use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use crate::error::{FormatError, FormatErrorKind};
+
+/// Reads rows one after another.
+pub(super) struct Rows<'s, 'a> {
+    pub(super) reader: Reader<'s, 'a>,
+    pub(super) plan: &'s Plan,
+    pub(super) taken: Taken,
+    /// What files and shapes came to, by what says them.
+    pub(super) known: HashMap<String, MassProperties<Part>>,
+}
+
+/// A row of a table as a row of a parts list.
+#[derive(Debug)]
+pub(super) struct ReadRow {
+    pub(super) row: Row,
+    /// Which row of the table it is.
+    pub(super) origin: usize,
+    /// The configurations that it is in; of none in all.
+    pub(super) configurations: Vec<String>,
+}
+
+/// Names of rows that are sums of others.
+const TOTALS: [&str; 9] =
+    ["total", "totals", "grand total", "sum", "subtotal", "sub-total", "total mass", "summe", "gesamt"];
+
+impl<'s, 'a> Rows<'s, 'a> {
+    pub(super) fn new(sheet: &'s Sheet<'a>, columns: &'s Columns, plan: &'s Plan) -> Self {
+        let reader = Reader::new(sheet, columns, plan.coverage_factor.unwrap_or(1.0));
+        Self { reader, plan, taken: Taken::default(), known: HashMap::new() }
+    }
+
+    /// All rows below the headings.
+    pub(super) fn all(&mut self) -> Result<Vec<ReadRow>, FormatError> {
+        let (sheet, columns) = (self.reader.sheet, self.reader.columns);
+        let mut rows = Vec::with_capacity(sheet.rows.len());
+        for (origin, row) in sheet.rows.iter().enumerate().skip(columns.row + 1) {
+            let Some(cells) = Cells::of(sheet, columns, sheet.row(row))? else { continue };
+            let (row, configurations) = self.row(&cells)?;
+            rows.push(ReadRow { row, origin, configurations });
+        }
+        Ok(rows)
+    }
+
+    fn row(&mut self, cells: &Cells<'s, 'a>) -> Result<(Row, Vec<String>), FormatError> {
+        let name = self.name(cells)?;
+        let parent = self.reader.text(cells, PARENT)?.map(str::to_owned);
+        let (place, position, rotation) = self.reader.place(cells)?;
+        let quantity = self.quantity(cells)?;
+        let (part, uncertainty) =
+            self.part(cells)?.map_or((None, None), |(part, own)| (Some(part), Some(own)));
+        let subtotal = self.subtotal(cells)?;
+        let allowable = self.reader.number(cells, ALLOWABLE)?;
+        if let Some(given) = allowable.filter(|given| !(given.value > 0.0)) {
+            return Err(self.reader.invalid(given.cell, "positive"));
+        }
+        let row = Row {
+            parent,
+            quantity,
+            place,
+            part,
+            uncertainty: Uncertainty { part: uncertainty.unwrap_or_default(), position, rotation },
+            group: self.reader.text(cells, GROUP)?.map(str::to_owned),
+            growth: self.growth(cells)?,
+            subtotal,
+            allowable: allowable.map(|given| given.value),
+            ..Row::frame(name)
+        };
+        Ok((row, self.configurations(cells)?))
+    }
+
+    fn name(&self, cells: &Cells<'s, 'a>) -> Result<String, FormatError> {
+        const TOTAL: &str = "write a sum into the column subtotal of the row that all its parts stand in";
+        let name = [NAME, PATH].iter().find_map(|key| cells.cell(*key));
+        let Some(cell) = name else {
+            let what = format!("name in row {}", cells.first.row);
+            let kind = ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole);
+            let error = self.reader.sheet.error(cells.first, FormatErrorKind::Content(kind));
+            let is_total = cells.cell(MASS).is_some() || cells.cell(SUBTOTAL).is_some();
+            return Err(if is_total { error.with_hint(TOTAL) } else { error });
+        };
+        let name = self.reader.whole(cell)?;
+        let plain = name.trim_end_matches(':').trim().to_lowercase();
+        if TOTALS.contains(&plain.as_str()) && cells.cell(MASS).is_some() {
+            return Err(self
+                .reader
+                .invalid(cell, "the name of a part, and no sum of others")
+                .with_hint(TOTAL));
+        }
+        Ok(name.to_owned())
+    }
+
+    fn quantity(&mut self, cells: &Cells<'s, 'a>) -> Result<Quantity, FormatError> {
+        let mut quantity = Quantity::ONE;
+        if let Some(given) = self.reader.number(cells, QUANTITY)? {
+            if !(given.value >= 1.0 && given.value <= f64::from(u32::MAX) && given.value.fract() == 0.0) {
+                let error = self.reader.invalid(given.cell, "a whole number, 1 at least");
+                return Err(error.with_hint("leave out the row of what is not there"));
+            }
+            quantity.count = given.value as u32;
+        }
+        if let (Some(text), Some(cell)) = (self.reader.text(cells, COPIES)?, cells.cell(COPIES)) {
+            quantity.errors = match text {
+                "alike" => CopyErrors::Alike,
+                "independent" => CopyErrors::Independent,
+                _ => {
+                    let error = self.reader.invalid(cell, "alike or independent");
+                    return Err(error.with_hint(
+                        "alike: one estimate stands for all; independent: each was weighed by itself",
+                    ));
+                }
+            };
+        }
+        self.taken.alike_copies += usize::from(quantity.count > 1 && cells.cell(COPIES).is_none());
+        Ok(quantity)
+    }
+
+    fn growth(&mut self, cells: &Cells<'s, 'a>) -> Result<Growth, FormatError> {
+        let code = self.reader.text(cells, MATURITY)?;
+        let fraction = self.reader.number(cells, GROWTH)?;
+        if let Some(given) = fraction.filter(|given| !(given.value >= 0.0)) {
+            return Err(self.reader.invalid(given.cell, "zero or positive"));
+        }
+        let of_code = code.and_then(|code| self.plan.growth.get(code));
+        if let (Some(given), Some(allowance)) = (fraction, of_code)
+            && (given.value - allowance).abs() > 1e-9
+        {
+            let rule = format!("that of its maturity code, {} %, or left out", 100.0 * allowance);
+            return Err(self.reader.invalid(given.cell, rule));
+        }
+        Ok(match (code, fraction) {
+            (_, Some(given)) => Growth::Fraction(given.value),
+            (Some(code), None) => Growth::Code(code.to_owned()),
+            (None, None) => Growth::None,
+        })
+    }
+
+    fn subtotal(&mut self, cells: &Cells<'s, 'a>) -> Result<Option<Subtotal>, FormatError> {
+        let Some(given) = self.reader.number(cells, SUBTOTAL)? else { return Ok(None) };
+        let tolerance = match self.reader.tolerance(cells, given)? {
+            Some(Amount::Absolute(tolerance)) => tolerance,
+            Some(Amount::Relative(fraction)) => fraction * given.value.abs(),
+            None => self.reader.half_digit(given.cell)?,
+        };
+        Ok(Some(Subtotal { mass: given.value, tolerance }))
+    }
+
+    fn configurations(&self, cells: &Cells<'s, 'a>) -> Result<Vec<String>, FormatError> {
+        let (Some(text), Some(cell)) = (self.reader.text(cells, CONFIGURATION)?, cells.cell(CONFIGURATION))
+        else {
+            return Ok(Vec::new());
+        };
+        let mut names: Vec<String> = Vec::new();
+        for name in text.split([',', ';']).map(str::trim) {
+            if name.is_empty() || names.iter().any(|other| other == name) {
+                return Err(self
+                    .reader
+                    .invalid(cell, "names of configurations, each once, with commas between"));
+            }
+            if let Some(known) = &self.plan.configurations
+                && !known.iter().any(|other| other == name)
+            {
+                let error = self.reader.invalid(cell, format!("of {}", known.join(", ")));
+                let near = crate::scenario::suggestion::nearest(name, known.iter().map(String::as_str));
+                return Err(match near {
+                    Some(near) => error.with_hint(format!("did you mean {near}?")),
+                    None => error.with_hint("configurations = [...] in the head has all of them"),
+                });
+            }
+            names.push(name.to_owned());
+        }
+        Ok(names)
+    }
+}

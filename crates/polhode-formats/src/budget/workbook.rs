@@ -1,0 +1,84 @@
+//! Parts lists in workbooks: a sheet of parts, and a sheet for each section of a plan.
+
+use std::path::Path;
+
+use super::heading::Columns;
+use super::plan::{self, Plan};
+use super::sheet::Sheet;
+use super::xlsx::{Sections, Workbook, is_section};
+use super::{BudgetFile, of_table};
+use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use crate::error::FormatError;
+use crate::scenario::reader::Table;
+use crate::scenario::source::Source;
+use crate::scenario::{list_units, tree};
+
+/// The sheet of the parts, where there are others beside it.
+const PARTS: &str = "parts";
+
+/// Reads a workbook; with the plan that names it, if one does.
+pub(super) fn read(path: &Path, bytes: &[u8], told: Option<Plan>) -> Result<BudgetFile, FormatError> {
+    let fail = |error| FormatError::of_content(path, bytes, error);
+    let workbook = Workbook::read(bytes).map_err(fail)?;
+    let names = workbook.names();
+    let (sections, others): (Vec<&str>, Vec<&str>) = names.iter().copied().partition(|name| is_section(name));
+    let sheets: Vec<(&str, Sheet<'_>)> =
+        sections.iter().filter_map(|name| Some((*name, workbook.sheet(path, name)?.0))).collect();
+    let plan = match told {
+        None => of_sections(path, &sheets)?,
+        Some(_) if !sheets.is_empty() => {
+            let what = format!("the sheet {} beside a plan that names the workbook", sections.join(", "));
+            let kind = ContentErrorKind::Unsupported { what };
+            let hint = "write what it says into the plan, or give the workbook alone";
+            return Err(fail(ContentError::new(kind, ContentPlace::Whole).hint(hint)));
+        }
+        Some(plan) => plan,
+    };
+    let wanted: Vec<&str> =
+        others.into_iter().filter(|name| !plan.ignore.iter().any(|other| other == name)).collect();
+    let name = match wanted[..] {
+        [one] => one,
+        [] => return Err(fail(missing(format!("sheet \"{PARTS}\"")))),
+        _ => {
+            let others: Vec<&str> = wanted.iter().copied().filter(|name| *name != PARTS).collect();
+            let question = format!("which of the sheets {} are the parts?", wanted.join(", "));
+            let kind = ContentErrorKind::Unclear { question, found: String::new() };
+            let hint = format!(
+                "call it \"{PARTS}\", and write ignore = {:?} into the sheet \"plan\", for those that are for people",
+                others
+            );
+            return Err(fail(ContentError::new(kind, ContentPlace::Whole).hint(hint)));
+        }
+    };
+    let Some((mut sheet, mut lines)) = workbook.sheet(path, name) else {
+        return Err(fail(missing(format!("sheet \"{name}\""))));
+    };
+    let not_read: Vec<&str> =
+        names.into_iter().filter(|name| plan.ignore.iter().any(|other| other == name)).collect();
+    if !not_read.is_empty() {
+        lines.push(format!("sheets that were not read: {}", not_read.join(", ")));
+    }
+    let columns = Columns::of(&sheet, &plan.ignore)?;
+    sheet.decimal_comma = plan.decimal_comma.unwrap_or(false);
+    of_table(plan, &sheet, &columns, lines)
+}
+
+fn of_sections(path: &Path, sheets: &[(&str, Sheet<'_>)]) -> Result<Plan, FormatError> {
+    let mut sections = Sections::default();
+    // Keys that stand in no table come before those that do.
+    let (first, then): (Vec<_>, Vec<_>) = sheets.iter().partition(|(name, _)| *name == "plan");
+    for (name, sheet) in first.into_iter().chain(then) {
+        sections.add(name, sheet)?;
+    }
+    let source = Source::new(path, &sections.toml);
+    let read = || {
+        let entries = tree::parse(&sections.toml).map_err(|error| source.syntax(&error))?;
+        list_units::check(source, &entries)?;
+        plan::plan(&Table::root(source, &entries), &[])
+    };
+    read().map_err(|error| sections.moved(error))
+}
+
+fn missing(what: String) -> ContentError {
+    ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole)
+}

@@ -1,0 +1,329 @@
+//! The cells of one sheet of a workbook.
+
+use std::borrow::Cow;
+use std::ops::RangeInclusive;
+
+use super::format::Format;
+use super::strings::{inside, is};
+use crate::budget::sheet::{Cell, Content, SheetRow};
+use crate::content::{ContentError, ContentErrorKind};
+use crate::package::xml::{Token, Xml};
+
+/// What a sheet may have at most, by the standard that its programs follow.
+const MOST_ROWS: usize = 1 << 20;
+const MOST_COLUMNS: usize = 1 << 14;
+
+/// More cells than any parts list has.
+const MOST_CELLS: usize = 16_000_000;
+
+const NO_RESULT: &str =
+    "a value: it is a formula without its result; open the workbook in a spreadsheet program and save it";
+const AN_ERROR: &str = "a value, where the spreadsheet has an error";
+const A_DATE: &str = "a number or a text: it is shown as a date";
+const MERGED: &str = "in a cell of its own: it is merged with others";
+
+/// A sheet, as its entry has it.
+#[derive(Debug, Default)]
+pub(super) struct RawSheet {
+    /// In the order of rows, and in them of columns.
+    cells: Vec<RawCell>,
+    hidden_rows: Vec<usize>,
+    hidden_columns: Vec<RangeInclusive<usize>>,
+}
+
+#[derive(Debug)]
+struct RawCell {
+    /// From 1.
+    row: usize,
+    /// From 0.
+    column: usize,
+    text: RawText,
+    content: Content,
+}
+
+#[derive(Debug)]
+enum RawText {
+    Own(String),
+    /// One of the workbook's strings.
+    Shared(usize),
+}
+
+/// Where the next cell is, and where the last was.
+#[derive(Default)]
+struct Position {
+    row: usize,
+    column: usize,
+}
+
+impl RawSheet {
+    /// Reads the entry of a sheet.
+    pub(super) fn read(
+        mut xml: Xml<'_, '_>,
+        formats: &[Format],
+        strings: usize,
+    ) -> Result<Self, ContentError> {
+        let mut sheet = Self::default();
+        let mut at = Position::default();
+        let mut buffer = Vec::new();
+        loop {
+            match xml.next(&mut buffer)? {
+                Token::Start(element) if is(&element, "row") => {
+                    let (mut number, mut is_hidden) = (at.row + 1, false);
+                    for attribute in xml.attributes(&element) {
+                        let attribute = attribute?;
+                        let value = xml.value(&attribute)?;
+                        match attribute.key.0 {
+                            "r" => {
+                                number = value.parse().map_err(|_| xml.refused("row", &value, "a number"))?
+                            }
+                            "hidden" => is_hidden = truth(&value),
+                            _ => {}
+                        }
+                    }
+                    if number <= at.row || number > MOST_ROWS {
+                        let rule = format!("below the row before, and {MOST_ROWS} at most");
+                        return Err(xml.refused("row", &number.to_string(), &rule));
+                    }
+                    at = Position { row: number, column: 0 };
+                    sheet.hidden_rows.extend(is_hidden.then_some(number));
+                }
+                Token::Start(element) if is(&element, "c") => {
+                    let (mut place, mut format, mut kind) = (None, Format::GENERAL, String::new());
+                    for attribute in xml.attributes(&element) {
+                        let attribute = attribute?;
+                        let value = xml.value(&attribute)?;
+                        match attribute.key.0 {
+                            "r" => place = Some(value.into_owned()),
+                            "s" => {
+                                let number = value.parse::<usize>().ok();
+                                let known = number.and_then(|number| formats.get(number));
+                                format = known.copied().unwrap_or(Format::GENERAL);
+                            }
+                            "t" => kind = value.into_owned(),
+                            _ => {}
+                        }
+                    }
+                    drop(element);
+                    if let Some(place) = place {
+                        match parsed(&place) {
+                            Some((row, column)) if row == at.row && column >= at.column => at.column = column,
+                            _ => {
+                                return Err(xml.refused("cell", &place, "in its row, behind the cell before"));
+                            }
+                        }
+                    }
+                    if at.column >= MOST_COLUMNS {
+                        return Err(xml.refused("column", &at.column.to_string(), "one of 16384"));
+                    }
+                    if let Some((text, content)) = value(&mut xml, &kind, format, strings)? {
+                        sheet.cells.push(RawCell { row: at.row, column: at.column, text, content });
+                    }
+                    if sheet.cells.len() > MOST_CELLS {
+                        let what = format!("more than {MOST_CELLS} cells");
+                        return Err(xml.error(ContentErrorKind::Unsupported { what }));
+                    }
+                    at.column += 1;
+                }
+                Token::Start(element) if is(&element, "col") => {
+                    let (mut from, mut to, mut is_hidden) = (0, 0, false);
+                    for attribute in xml.attributes(&element) {
+                        let attribute = attribute?;
+                        let value = xml.value(&attribute)?;
+                        match attribute.key.0 {
+                            "min" => from = value.parse().unwrap_or(0),
+                            "max" => to = value.parse().unwrap_or(0),
+                            "hidden" => is_hidden = truth(&value),
+                            _ => {}
+                        }
+                    }
+                    sheet.hidden_columns.extend(is_hidden.then_some(from..=to));
+                }
+                Token::Start(element) if is(&element, "mergeCell") => {
+                    for attribute in xml.attributes(&element) {
+                        let attribute = attribute?;
+                        if attribute.key.0 == "ref" {
+                            let value = xml.value(&attribute)?;
+                            sheet.merge(&value);
+                        }
+                    }
+                }
+                Token::Eof => return Ok(sheet),
+                Token::Start(_) | Token::Text(_) | Token::End | Token::Other => {}
+            }
+        }
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.cells.is_empty()
+    }
+
+    /// Marks the cell that is shown over several, if anything stands in it.
+    fn merge(&mut self, range: &str) {
+        let Some((first, last)) = range.split_once(':') else { return };
+        let Some(first) = parsed(first).filter(|_| first != last) else { return };
+        let found = self.cells.binary_search_by_key(&first, |cell| (cell.row, cell.column));
+        if let Some(cell) = found.ok().and_then(|k| self.cells.get_mut(k)) {
+            cell.content = Content::Broken(MERGED);
+        }
+    }
+
+    /// Rows and cells as tables have them.
+    pub(super) fn rows<'a>(&'a self, strings: &'a [String]) -> (Vec<SheetRow>, Vec<Cell<'a>>) {
+        let (mut rows, mut cells): (Vec<SheetRow>, Vec<Cell<'a>>) = (Vec::new(), Vec::new());
+        for RawCell { row, column, text, content } in &self.cells {
+            let text = match text {
+                RawText::Own(text) => text.as_str(),
+                RawText::Shared(number) => strings.get(*number).map_or("", String::as_str),
+            };
+            let text = text.trim();
+            if text.is_empty() {
+                continue;
+            }
+            let at = cells.len();
+            match rows.last_mut() {
+                Some(last) if last.number == *row => last.cells.end = at + 1,
+                _ => {
+                    let is_hidden = self.hidden_rows.binary_search(row).is_ok();
+                    rows.push(SheetRow { number: *row, cells: at..at + 1, is_hidden });
+                }
+            }
+            let (row, column, content) = (*row, *column, *content);
+            cells.push(Cell { row, column, span: 0..0, text: Cow::Borrowed(text), content });
+        }
+        (rows, cells)
+    }
+
+    /// Which columns are hidden, as a sentence.
+    pub(super) fn hidden_columns(&self) -> Option<String> {
+        let has_cells =
+            |range: &&RangeInclusive<usize>| self.cells.iter().any(|cell| range.contains(&(cell.column + 1)));
+        let names: Vec<String> = self
+            .hidden_columns
+            .iter()
+            .filter(has_cells)
+            .map(|range| {
+                let name = |number: usize| crate::budget::sheet::column_name(number.saturating_sub(1));
+                format!("{} to {}", name(*range.start()), name(*range.end()))
+            })
+            .collect();
+        (!names.is_empty()).then(|| format!("read although hidden: columns {}", names.join(", ")))
+    }
+}
+
+/// What stands in a cell that was just entered.
+fn value(
+    xml: &mut Xml<'_, '_>,
+    kind: &str,
+    format: Format,
+    strings: usize,
+) -> Result<Option<(RawText, Content)>, ContentError> {
+    let (mut result, mut own, mut formula) = (String::new(), None, None);
+    let mut buffer = Vec::new();
+    let (mut depth, mut element_of) = (1, "");
+    while depth > 0 {
+        match xml.next(&mut buffer)? {
+            Token::Start(element) if is(&element, "is") => {
+                drop(element);
+                own = Some(inside(xml)?);
+            }
+            Token::Start(element) => {
+                depth += 1;
+                element_of = if is(&element, "v") {
+                    "v"
+                } else if is(&element, "f") {
+                    formula = Some(String::new());
+                    "f"
+                } else {
+                    ""
+                };
+            }
+            Token::End => {
+                depth -= 1;
+                element_of = "";
+            }
+            Token::Text(text) if element_of == "v" => result.push_str(&text),
+            Token::Text(text) if element_of == "f" => formula.iter_mut().for_each(|f| f.push_str(&text)),
+            Token::Text(_) | Token::Other => {}
+            Token::Eof => break,
+        }
+    }
+    if let Some(text) = own {
+        return Ok(Some((RawText::Own(text), Content::Text)));
+    }
+    if result.is_empty() {
+        return Ok(formula
+            .filter(|_| kind != "str")
+            .map(|formula| (RawText::Own(format!("={formula}")), Content::Broken(NO_RESULT))));
+    }
+    Ok(Some(match (kind, format) {
+        ("s", _) => {
+            let number = result.trim().parse::<usize>().ok().filter(|number| *number < strings);
+            let number = number.ok_or_else(|| xml.refused("the string", &result, "one of the workbook's"))?;
+            (RawText::Shared(number), Content::Text)
+        }
+        ("str", _) => (RawText::Own(result), Content::Text),
+        ("b", _) => (RawText::Own(if truth(&result) { "true" } else { "false" }.to_owned()), Content::Text),
+        ("e", _) => (RawText::Own(result), Content::Broken(AN_ERROR)),
+        ("d", _) | (_, Format::Date) => (RawText::Own(result), Content::Broken(A_DATE)),
+        (_, Format::Percent) => {
+            (RawText::Own(format!("{} %", hundredfold(result.trim()))), Content::Number { decimals: None })
+        }
+        (_, Format::Number { decimals }) => (RawText::Own(result), Content::Number { decimals }),
+    }))
+}
+
+fn truth(text: &str) -> bool {
+    matches!(text.trim(), "1" | "true")
+}
+
+/// A hundred times a number, by its digits.
+fn hundredfold(number: &str) -> String {
+    let (digits, power) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+    let Ok(power) = power.parse::<i32>() else { return number.to_owned() };
+    let (whole, behind) = digits.split_once('.').unwrap_or((digits, ""));
+    if power != 0 || !behind.bytes().all(|b| b.is_ascii_digit()) {
+        return format!("{digits}e{}", power.saturating_add(2));
+    }
+    let (first, rest) = behind.split_at(behind.len().min(2));
+    let moved = format!("{whole}{first:0<2}");
+    let trimmed = moved.trim_start_matches('0');
+    let moved = if trimmed.is_empty() { "0" } else { trimmed };
+    if rest.is_empty() { moved.to_owned() } else { format!("{moved}.{rest}") }
+}
+
+/// Row, from 1, and column, from 0, of `F12`.
+fn parsed(name: &str) -> Option<(usize, usize)> {
+    let letters = name.bytes().take_while(u8::is_ascii_uppercase).count();
+    let (letters, digits) = name.split_at(letters);
+    if letters.is_empty() || letters.len() > 3 || digits.len() > 7 || digits.starts_with('+') {
+        return None;
+    }
+    let column = letters.bytes().fold(0, |n, letter| 26 * n + usize::from(letter - b'A') + 1);
+    Some((digits.parse().ok()?, column - 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_have_names_and_percents_their_digits() {
+        assert_eq!(parsed("F12"), Some((12, 5)));
+        assert_eq!(parsed("XFD1048576"), Some((1_048_576, 16_383)));
+        for wrong in ["", "F", "12", "f12", "AAAA1", "A99999999", "A+1", "A1B"] {
+            assert_eq!(parsed(wrong), None, "{wrong}");
+        }
+        for (number, expected) in [
+            ("0.15", "15"),
+            ("0.075", "7.5"),
+            ("1", "100"),
+            ("0", "0"),
+            ("0.005", "0.5"),
+            ("0.1234", "12.34"),
+            ("1.5E-3", "1.5e-1"),
+            ("12.5", "1250"),
+        ] {
+            assert_eq!(hundredfold(number), expected, "{number}");
+        }
+    }
+}

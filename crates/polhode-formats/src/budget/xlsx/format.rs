@@ -1,0 +1,137 @@
+//! How a workbook shows its numbers: as percent, as dates, with so many decimals.
+
+use std::collections::HashMap;
+
+use super::strings::is;
+use crate::content::ContentError;
+use crate::package::xml::{Token, Xml};
+
+/// How the numbers of a cell are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Format {
+    /// As a number, with so many decimals, if that is told.
+    Number {
+        decimals: Option<u8>,
+    },
+    Percent,
+    Date,
+}
+
+impl Format {
+    pub(super) const GENERAL: Self = Self::Number { decimals: None };
+
+    /// By its code: `0.00`, `#,##0.0" kg"`, `yyyy-mm-dd`.
+    fn of_code(code: &str) -> Self {
+        let mut plain = String::new();
+        let mut characters = code.chars();
+        while let Some(c) = characters.next() {
+            match c {
+                // Of positive numbers alone.
+                ';' => break,
+                '"' => _ = characters.by_ref().find(|c| *c == '"'),
+                '\\' | '_' | '*' => _ = characters.next(),
+                '[' => {
+                    let inside: String = characters.by_ref().take_while(|c| *c != ']').collect();
+                    let is_time = !inside.is_empty() && inside.chars().all(|c| "hmsHMS".contains(c));
+                    plain.extend(is_time.then_some('h'));
+                }
+                c => plain.push(c.to_ascii_lowercase()),
+            }
+        }
+        if plain.contains("general") {
+            return Self::GENERAL;
+        }
+        if plain.contains('%') {
+            return Self::Percent;
+        }
+        if plain.contains(['y', 'm', 'd', 'h', 's']) {
+            return Self::Date;
+        }
+        if plain.contains(['e', '/', '@']) || !plain.contains(['0', '#', '?']) {
+            return Self::GENERAL;
+        }
+        let behind = plain.split_once('.').map_or("", |(_, behind)| behind);
+        let decimals = behind.chars().take_while(|c| "0#?".contains(*c)).count();
+        Self::Number { decimals: u8::try_from(decimals).ok() }
+    }
+
+    /// One of those that have no code.
+    fn built_in(number: u32) -> Self {
+        match number {
+            1 | 3 | 37 | 38 => Self::Number { decimals: Some(0) },
+            2 | 4 | 39 | 40 => Self::Number { decimals: Some(2) },
+            9 | 10 => Self::Percent,
+            14..=22 | 27..=36 | 45..=47 | 50..=58 => Self::Date,
+            _ => Self::GENERAL,
+        }
+    }
+}
+
+/// The formats by the numbers that cells have.
+pub(super) fn read(mut xml: Xml<'_, '_>) -> Result<Vec<Format>, ContentError> {
+    let (mut codes, mut formats) = (HashMap::new(), Vec::new());
+    let mut buffer = Vec::new();
+    let mut is_of_cells = false;
+    loop {
+        match xml.next(&mut buffer)? {
+            Token::Start(element) if is(&element, "numFmt") => {
+                let (mut number, mut code) = (None, String::new());
+                for attribute in xml.attributes(&element) {
+                    let attribute = attribute?;
+                    let value = xml.value(&attribute)?;
+                    match attribute.key.0 {
+                        "numFmtId" => number = value.parse::<u32>().ok(),
+                        "formatCode" => code = value.into_owned(),
+                        _ => {}
+                    }
+                }
+                codes.extend(number.map(|number| (number, Format::of_code(&code))));
+            }
+            Token::Start(element) if is(&element, "cellXfs") => is_of_cells = true,
+            Token::Start(element) if is(&element, "cellStyles") || is(&element, "dxfs") => {
+                is_of_cells = false
+            }
+            Token::Start(element) if is_of_cells && is(&element, "xf") => {
+                let mut format = Format::GENERAL;
+                for attribute in xml.attributes(&element) {
+                    let attribute = attribute?;
+                    if attribute.key.0 == "numFmtId"
+                        && let Ok(number) = xml.value(&attribute)?.parse::<u32>()
+                    {
+                        format = codes.get(&number).copied().unwrap_or_else(|| Format::built_in(number));
+                    }
+                }
+                formats.push(format);
+            }
+            Token::Eof => return Ok(formats),
+            Token::Start(_) | Token::Text(_) | Token::End | Token::Other => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn codes_say_how_numbers_are_shown() {
+        let decimals = |decimals| Format::Number { decimals: Some(decimals) };
+        for (code, expected) in [
+            ("General", Format::GENERAL),
+            ("0.000", decimals(3)),
+            ("#,##0.0\" kg\"", decimals(1)),
+            ("#,##0_);[Red](#,##0.00)", decimals(0)),
+            ("0.0%", Format::Percent),
+            ("0\\%", decimals(0)),
+            ("yyyy-mm-dd", Format::Date),
+            ("[h]:mm", Format::Date),
+            ("[$-409]d\\-mmm\\-yy", Format::Date),
+            ("[Red]0.0", decimals(1)),
+            ("0.00E+00", Format::GENERAL),
+            ("# ?/?", Format::GENERAL),
+            ("@", Format::GENERAL),
+        ] {
+            assert_eq!(Format::of_code(code), expected, "{code}");
+        }
+    }
+}

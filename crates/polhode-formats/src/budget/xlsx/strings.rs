@@ -1,0 +1,50 @@
+//! The strings of a workbook, which its cells share.
+
+use quick_xml::events::BytesStart;
+
+use crate::content::ContentError;
+use crate::package::xml::{Token, Xml};
+
+/// All of them, in their order.
+pub(super) fn read(mut xml: Xml<'_, '_>) -> Result<Vec<String>, ContentError> {
+    let mut all = Vec::new();
+    let mut buffer = Vec::new();
+    loop {
+        match xml.next(&mut buffer)? {
+            Token::Start(element) if is(&element, "si") => all.push(inside(&mut xml)?),
+            Token::Eof => return Ok(all),
+            Token::Start(_) | Token::Text(_) | Token::End | Token::Other => {}
+        }
+    }
+}
+
+/// The text in an element that was just entered, in however many runs; not how it is pronounced.
+pub(super) fn inside(xml: &mut Xml<'_, '_>) -> Result<String, ContentError> {
+    let mut text = String::new();
+    let mut buffer = Vec::new();
+    let (mut depth, mut is_text) = (1, false);
+    while depth > 0 {
+        match xml.next(&mut buffer)? {
+            Token::Start(element) if is(&element, "rPh") => {
+                drop(element);
+                xml.skip()?;
+            }
+            Token::Start(element) => {
+                depth += 1;
+                is_text = is(&element, "t");
+            }
+            Token::End => {
+                depth -= 1;
+                is_text = false;
+            }
+            Token::Text(part) if is_text => text.push_str(&part),
+            Token::Text(_) | Token::Other => {}
+            Token::Eof => break,
+        }
+    }
+    Ok(text)
+}
+
+pub(super) fn is(element: &BytesStart<'_>, name: &str) -> bool {
+    element.local_name().into_inner() == name
+}

@@ -209,6 +209,16 @@ impl Budget {
         &self.tree.parents
     }
 
+    /// One copy of a row's part, in its own frame; `None` of a frame alone, and of a row that is not there.
+    pub fn given(&self, row: usize) -> Option<&MassProperties<Part>> {
+        self.places.get(row)?.part.as_ref().map(|part| &part.properties)
+    }
+
+    /// The growth allowance of a row's part, as a fraction of its basic mass; zero of a row that is not there.
+    pub fn growth(&self, row: usize) -> f64 {
+        self.places.get(row).map_or(0.0, |place| place.growth - 1.0)
+    }
+
     /// The mass properties of the whole, along the axes of the body, in which the root's frame stands.
     ///
     /// # Errors

@@ -61,7 +61,9 @@ mod symmetric_top;
 mod torque;
 mod unit;
 
-pub use budget::{BudgetOptions, BudgetReport, Cell as BudgetCell, NoConfiguration, Sheet as BudgetSheet};
+pub use budget::{
+    BudgetDiff, BudgetOptions, BudgetReport, Cell as BudgetCell, NoConfiguration, Sheet as BudgetSheet,
+};
 pub use error_estimate::error_estimate;
 pub use explain::document::{Block, Document, Section};
 pub use explain::drawing::{

@@ -2,6 +2,7 @@
 
 mod case;
 mod compared;
+mod diff;
 mod influence;
 mod json;
 mod masses;
@@ -23,6 +24,7 @@ use crate::layout::printable;
 use crate::number::{GROUP, count, number, with_error};
 use case::Case;
 
+pub use diff::BudgetDiff;
 pub use table::{Cell, Sheet};
 
 /// What is asked of a parts list.

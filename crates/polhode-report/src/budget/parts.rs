@@ -30,7 +30,9 @@ pub(super) fn section(case: &Case, basis: Basis) -> Option<Section> {
     let row = |solid: &Solid| {
         let [x, y, z] = solid.center.map(|x| number(scale * x, 4));
         let sides = solid.halves.map(|half| half.iter().map(|x| x * x).sum::<f64>().sqrt());
+        let is_point = sides.iter().all(|half| *half == 0.0);
         let sides = sides.map(|half| number(2.0 * scale * half, 3)).join(" × ");
+        let sides = if is_point { "a point".to_owned() } else { sides };
         vec![printable(&solid.name), x, y, z, sides]
     };
     section.table(&["part", "x", "y", "z", "box"], drawn.solids.iter().take(ROWS).map(row).collect());

@@ -11,7 +11,7 @@ const WIDTH: f64 = 640.0;
 const MARGIN: f64 = 10.0;
 const GAP: f64 = 22.0;
 /// What stands above each view.
-const TITLE: f64 = 18.0;
+const TITLE: f64 = 26.0;
 /// A view from aside has a row of its own if it would be lower than this.
 const LOW: f64 = 170.0;
 /// Angles from which one looks aside, rad.
@@ -86,7 +86,6 @@ pub(super) fn sheet(all: &Solids) -> Sheet {
     };
     let [_, below_front] = place(&front, &words(a, c), [MARGIN, top], scale);
     let right = MARGIN + first * scale + GAP;
-    scale_bar(extent, scale, [MARGIN + first * scale, top + SMALL], &mut sheet);
     let [_, below_side] = place(&side, &words(b, c), [right, top], scale);
     let second_row = below_front.max(below_side) + GAP;
     let [_, below_above] = place(&above, &words(a, b), [MARGIN, second_row], scale);
@@ -100,6 +99,7 @@ pub(super) fn sheet(all: &Solids) -> Sheet {
         let scale = ((WIDTH - 2.0 * MARGIN) / (x1 - x0)).min(1.4 * WIDTH / 2.0 / (y1 - y0));
         place(&aside, "from aside", [MARGIN, below_above + GAP], scale)[1]
     };
+    scale_bar(extent, scale, [MARGIN + first * scale, top + SMALL], &mut sheet);
     sheet.height = bottom + MARGIN;
     sheet
 }
@@ -111,7 +111,8 @@ fn scale_bar(extent: f64, scale: f64, [right, base]: Point, sheet: &mut Sheet) {
     }
     let power = 10_f64.powi((0.3 * extent).log10().floor() as i32);
     let length = [5.0, 2.0, 1.0].into_iter().map(|x| x * power).find(|x| *x <= 0.3 * extent).unwrap_or(power);
-    let words = prefix::value(length, 3, "m");
+    let words =
+        if length < 1.0 { prefix::value(1e3 * length, 3, "mm") } else { prefix::value(length, 3, "m") };
     let text = Text::small([right, base], Anchor::End, Colour::TEXT, &words);
     let end = right + text.extent()[0] - 8.0;
     sheet.marks.push(Mark::Text(text));
@@ -145,7 +146,7 @@ fn words(right: usize, up: usize) -> String {
 /// From the least to the greatest along each axis of a view.
 fn ends(all: &Solids, view: &View) -> [[f64; 2]; 3] {
     let none = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
-    let points = all.solids.iter().flat_map(corners).chain([all.center, [0.0; 3]]);
+    let points = all.solids.iter().flat_map(corners).chain(axes(all).into_iter().flatten()).chain([[0.0; 3]]);
     points
         .map(|point| view.place(point))
         .fold(none, |ends, at| core::array::from_fn(|k| [ends[k][0].min(at[k]), ends[k][1].max(at[k])]))

@@ -36,6 +36,7 @@
 //! | principal moments, axes and tilt, with theirs | [`Estimate::principal`], [`PrincipalUncertainty`] |
 //! | which errors matter | [`Budget::sensitivities`] |
 //! | what first order leaves out | [`Budget::draws`], [`Draws::compare`] |
+//! | whether limits are met, with what margin and probability | [`Budget::limits`], [`Limit`], [`Answer`] |
 
 mod budget;
 mod changes;
@@ -47,6 +48,7 @@ mod error;
 mod estimate;
 mod group;
 mod growth;
+mod limit;
 mod principal;
 mod random;
 mod row;
@@ -62,6 +64,10 @@ pub use error::{BudgetError, RowName};
 pub use estimate::{Estimate, EstimateAbout, NUMBERS};
 pub use group::Group;
 pub use growth::{Basis, Growth, GrowthTable, MassStatement};
+pub use limit::{
+    About, AllMet, Answer, Evidence, Limit, LimitAnswers, LimitError, Margin, Measure, PrincipalAxis, Share,
+    Trial, Undefined,
+};
 pub use principal::{PrincipalUncertainty, Tilt};
 pub use row::{CopyErrors, GivenPart, Place, Quantity, Row, Subtotal};
 pub use sensitivity::{Sensitivity, Source};

@@ -3,6 +3,7 @@
 
 mod draws;
 mod errors;
+mod limits;
 mod lists;
 mod masses;
 mod principal;

@@ -3,11 +3,12 @@
 use polhode::body::{MassProperties, MassPropertiesGradient};
 use polhode::math::{Body, Direction};
 use polhode_budget::{
-    Basis, Budget, BudgetError, Comparison, Draws, Estimate, Growth, MassStatement, NUMBERS,
-    PrincipalUncertainty, Sensitivity, Tilt, Uncertainty,
+    Basis, Budget, BudgetError, Comparison, Draws, Estimate, Evidence, Growth, Limit, LimitAnswers,
+    LimitError, MassStatement, NUMBERS, PrincipalUncertainty, Sensitivity, Tilt, Uncertainty,
 };
 
 use super::BudgetOptions;
+use super::limits::LEVEL;
 
 /// A configuration, and what is computed of it.
 #[derive(Clone, Debug)]
@@ -22,6 +23,8 @@ pub(super) struct Case {
     pub(super) tilts: [AxisTilt; 3],
     pub(super) results: Vec<SpreadResult>,
     pub(super) drawn: Option<Drawn>,
+    /// Of each limit, if there are any and draws to try them by.
+    pub(super) limits: Option<LimitAnswers>,
 }
 
 /// A principal axis beside the axis of the frame to which it is nearest.
@@ -58,8 +61,9 @@ impl Case {
     pub(super) fn new(
         name: Option<String>,
         budget: Budget,
+        limits: &[Limit],
         options: &BudgetOptions,
-    ) -> Result<Self, BudgetError> {
+    ) -> Result<Self, LimitError> {
         let statements = budget.mass_statements()?;
         let estimates = [budget.estimate(Basis::Basic)?, budget.estimate(Basis::Predicted)?];
         let estimate = &estimates[index(options.basis)];
@@ -79,7 +83,13 @@ impl Case {
         } else {
             None
         };
-        Ok(Self { name, budget, statements, estimates, tilts, results, drawn })
+        let limits = match &drawn {
+            Some(Drawn { draws, .. }) if !limits.is_empty() => {
+                Some(tried(&budget, limits, options, &estimates, draws)?)
+            }
+            _ => None,
+        };
+        Ok(Self { name, budget, statements, estimates, tilts, results, drawn, limits })
     }
 
     pub(super) const fn estimate(&self, basis: Basis) -> &Estimate<Body> {
@@ -120,6 +130,30 @@ impl Case {
         let parts = || rows.iter().filter(|row| row.part.is_some());
         (parts().filter(|row| row.uncertainty == Uncertainty::default()).count(), parts().count())
     }
+}
+
+/// Limits by the draws that there are, and those of the other basis where a limit is on that.
+fn tried(
+    budget: &Budget,
+    limits: &[Limit],
+    options: &BudgetOptions,
+    estimates: &[Estimate<Body>; 2],
+    draws: &Draws,
+) -> Result<LimitAnswers, LimitError> {
+    let other = match options.basis {
+        Basis::Basic => Basis::Predicted,
+        Basis::Predicted => Basis::Basic,
+    };
+    let others = if limits.iter().any(|limit| limit.basis == other) {
+        Some(budget.draws(other, options.seed, options.draws)?)
+    } else {
+        None
+    };
+    let evidence = |basis: Basis| {
+        let draws = if basis == options.basis { Some(draws) } else { others.as_ref() };
+        draws.map(|draws| Evidence { estimate: &estimates[index(basis)], draws })
+    };
+    LimitAnswers::new(limits, LEVEL, evidence(Basis::Basic), evidence(Basis::Predicted))
 }
 
 pub(super) const fn index(basis: Basis) -> usize {

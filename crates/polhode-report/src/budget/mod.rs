@@ -5,6 +5,7 @@ mod compared;
 mod diff;
 mod influence;
 mod json;
+mod limits;
 mod masses;
 mod parts;
 mod principal;
@@ -16,7 +17,7 @@ use core::fmt;
 
 use polhode::body::{Finding, MassProperties, Severity};
 use polhode::math::{Body, Part, Position, Rotation};
-use polhode_budget::{Basis, Budget, BudgetError};
+use polhode_budget::{Basis, Budget, BudgetError, Limit, LimitError};
 
 use crate::body_part::BodyPart;
 use crate::explain::document::{Document, Section};
@@ -49,6 +50,7 @@ pub struct BudgetReport {
     /// What was read, line by line.
     sources: Vec<String>,
     options: BudgetOptions,
+    limits: Vec<Limit>,
     cases: Vec<Case>,
 }
 
@@ -62,22 +64,23 @@ pub struct NoConfiguration {
 }
 
 impl BudgetReport {
-    /// Computes what is asked of each configuration, at least one; `sources` say what was read.
+    /// Computes what is asked of each configuration, at least one, and tries the limits by its draws, if there are any; `sources` say what was read.
     ///
     /// # Errors
-    /// As [`Budget::estimate`] and [`Budget::draws`].
+    /// As [`Budget::estimate`], [`Budget::draws`] and [`Budget::limits`].
     pub fn new(
         title: Option<&str>,
         sources: Vec<String>,
         configurations: Vec<(Option<String>, Budget)>,
+        limits: Vec<Limit>,
         options: BudgetOptions,
-    ) -> Result<Self, BudgetError> {
-        let case = |(name, budget)| Case::new(name, budget, &options);
+    ) -> Result<Self, LimitError> {
+        let case = |(name, budget)| Case::new(name, budget, &limits, &options);
         let cases: Vec<Case> = configurations.into_iter().map(case).collect::<Result<_, _>>()?;
         if cases.is_empty() {
-            return Err(BudgetError::Empty);
+            return Err(BudgetError::Empty.into());
         }
-        Ok(Self { title: title.unwrap_or("a parts list").to_owned(), sources, options, cases })
+        Ok(Self { title: title.unwrap_or("a parts list").to_owned(), sources, options, limits, cases })
     }
 
     /// How many rows are fewer than so many draws of each can be had of in some seconds.
@@ -89,9 +92,12 @@ impl BudgetReport {
         (ROWS / rows.max(1)).clamp(LEAST, MOST)
     }
 
-    /// True if an allowable mass is exceeded.
+    /// True if a limit is not met or an allowable mass exceeded.
     pub fn is_beyond(&self) -> bool {
-        self.cases.iter().any(|case| case.exceeded().next().is_some())
+        let is_beyond = |case: &Case| {
+            case.exceeded().next().is_some() || limits::broken(case, &self.limits).next().is_some()
+        };
+        self.cases.iter().any(is_beyond)
     }
 
     /// The body of a configuration, which has to be said if there are several.
@@ -143,11 +149,12 @@ impl BudgetReport {
             sections.push(side_by_side::section(&self.cases, basis));
         }
         for case in &self.cases {
-            let mut of_case = vec![
+            let mut of_case: Vec<Section> = limits::section(case, &self.limits).into_iter().collect();
+            of_case.extend([
                 masses::section(case),
                 whole::section(case, &self.options),
                 principal::section(case, &self.options),
-            ];
+            ]);
             of_case.extend(influence::section(case));
             of_case.extend(compared::section(case));
             of_case.extend(parts::section(case, basis));
@@ -182,6 +189,7 @@ impl BudgetReport {
         let principal = case.principal(self.options.basis);
         lines.push(principal::in_words(&principal));
         lines.extend(masses::margin_in_words(case));
+        lines.extend(limits::answer_in_words(case));
         if self.cases.len() == 1 {
             return lines;
         }
@@ -207,6 +215,11 @@ impl BudgetReport {
                 let verb = if exceeded.len() == 1 { "is" } else { "are" };
                 let message = format!("{names}{others} {verb} heavier with growth than allowed");
                 say("budget.margin", Severity::Warning, message);
+            }
+            let broken: Vec<String> = limits::broken(case, &self.limits).map(printable).collect();
+            if !broken.is_empty() {
+                let are = if broken.len() == 1 { "this limit is" } else { "these limits are" };
+                say("budget.limit", Severity::Warning, format!("{are} not met: {}", broken.join(", ")));
             }
             let (exact, parts) = case.exact_parts();
             if exact == parts {

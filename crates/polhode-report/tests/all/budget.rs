@@ -1,9 +1,10 @@
 //! The report of a mass budget, over lists that are made here.
 
-use polhode::math::{Part, Position, Rotation};
+use polhode::math::{Direction, Part, Position, Rotation};
 use polhode_budget::{
-    Basis, Budget, CopyErrors, GivenPart, GivenTensor, Group, Growth, GrowthTable, PartUncertainty,
-    PartsList, Place, ProductSign, Quantity, Row, Spread, TensorPoint, Uncertainty,
+    Basis, Budget, CopyErrors, GivenPart, GivenTensor, Group, Growth, GrowthTable, Limit, Measure,
+    PartUncertainty, PartsList, Place, PrincipalAxis, ProductSign, Quantity, Row, Spread, TensorPoint,
+    Uncertainty,
 };
 use polhode_report::{BudgetOptions, BudgetReport};
 use serde_json::Value;
@@ -105,16 +106,43 @@ fn satellite(wings: bool) -> Budget {
     list.budget().unwrap()
 }
 
+fn limits() -> Vec<Limit> {
+    let limit = |name: &str, of, least, most| Limit {
+        name: name.to_owned(),
+        of,
+        least,
+        most,
+        basis: Basis::Predicted,
+    };
+    let z = Direction::new(0.0, 0.0, 1.0);
+    vec![
+        limit("mass", Measure::Mass, None, Some(3.6)),
+        limit(
+            "centre from the z axis",
+            Measure::CenterFromLine { point: polhode::math::Position::ZERO, along: z },
+            None,
+            Some(0.005),
+        ),
+        limit(
+            "tilt of the long axis",
+            Measure::Tilt { axis: PrincipalAxis::Nearest, from: z },
+            None,
+            Some(0.1),
+        ),
+        limit("spin about z", Measure::SpinRatio(z), Some(1.0), None),
+    ]
+}
+
 fn report(options: BudgetOptions) -> BudgetReport {
     let sources = vec!["satellite.csv: the list is complete".to_owned()];
-    BudgetReport::new(Some("A CubeSat"), sources, vec![(None, satellite(true))], options).unwrap()
+    BudgetReport::new(Some("A CubeSat"), sources, vec![(None, satellite(true))], limits(), options).unwrap()
 }
 
 #[test]
 fn dump() {
     let both =
         vec![(Some("stowed".to_owned()), satellite(false)), (Some("deployed".to_owned()), satellite(true))];
-    let both = BudgetReport::new(Some("A CubeSat"), Vec::new(), both, options(2000)).unwrap();
+    let both = BudgetReport::new(Some("A CubeSat"), Vec::new(), both, Vec::new(), options(2000)).unwrap();
     std::fs::write("/tmp/b-both.html", both.to_document().to_html()).unwrap();
     std::fs::write("/tmp/b-both.txt", both.to_document().to_text(100)).unwrap();
     let one = report(options(2000));

@@ -143,7 +143,8 @@ impl BudgetCommand {
     fn report(&self, path: &Path) -> Result<BudgetReport, Failure> {
         let file = budget::read(path)?;
         let sources = file.sources(&|path| shown(path));
-        let BudgetFile { title, configurations, questions, limits, .. } = file;
+        let BudgetFile { title, configurations, questions, .. } = file;
+        let limits: Vec<polhode_budget::Limit> = Vec::new();
         let mut all: Vec<_> = configurations.into_iter().map(|one| (one.name, one.budget)).collect();
         if let Some(wanted) = &self.configuration {
             let names: Vec<String> = all.iter().filter_map(|(name, _)| name.clone()).collect();

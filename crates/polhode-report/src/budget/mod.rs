@@ -165,36 +165,33 @@ impl BudgetReport {
             }
             sections.extend(of_case);
         }
+        if !self.sources.is_empty() {
+            let mut read = Section::new(0, "What was read, and taken as given");
+            self.sources.iter().for_each(|line| read.line(line));
+            sections.push(read);
+        }
         for (k, section) in sections.iter_mut().enumerate() {
             section.number = u8::try_from(k + 1).unwrap_or(u8::MAX);
-        }
-        if let Some(first) = sections.first_mut() {
-            self.say_sources(first);
         }
         let answer = self.cases.iter().flat_map(|case| self.answer(case)).collect();
         Document { title: self.title.clone(), answer, sections, findings: self.findings() }
     }
 
-    fn say_sources(&self, section: &mut Section) {
-        let mut said = Section::new(0, "");
-        for line in &self.sources {
-            said.say(format!("{line}."));
-        }
-        said.blocks.append(&mut section.blocks);
-        section.blocks = said.blocks;
-    }
-
     fn answer(&self, case: &Case) -> Vec<String> {
-        let mut lines = vec![mass_in_words(case), whole::center_in_words(case, self.options.basis)];
-        let principal = case.principal(self.options.basis);
-        lines.push(principal::in_words(&principal));
+        let basis = self.options.basis;
+        if let Some(name) = case.name.as_deref().filter(|_| self.cases.len() > 1) {
+            let estimate = case.estimate(basis);
+            let mass = with_error(estimate.properties.mass(), estimate.sd(0));
+            let mut parts =
+                vec![format!("{} mass {mass} kg", basis_name(basis)), whole::center_in_words(case, basis)];
+            parts.extend(limits::answer_in_words(case));
+            return vec![format!("{}: {}", printable(name), parts.join("; "))];
+        }
+        let mut lines = vec![mass_in_words(case), whole::center_in_words(case, basis)];
+        lines.push(principal::in_words(&case.principal(basis)));
         lines.extend(masses::margin_in_words(case));
         lines.extend(limits::answer_in_words(case));
-        if self.cases.len() == 1 {
-            return lines;
-        }
-        let name = case.name.as_deref().map_or_else(String::new, printable);
-        vec![format!("{name}: {}", lines.join("; "))]
+        lines
     }
 
     fn findings(&self) -> Vec<Finding> {

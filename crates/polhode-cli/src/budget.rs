@@ -19,6 +19,10 @@ use crate::partial;
 use crate::stderr::shown;
 use crate::stdout::{columns, print, print_exact};
 
+/// What is printed instead of a workbook: without naming them `requires` would let these pass.
+const PRINTED: [&str; 10] =
+    ["json", "markdown", "html", "csv", "body", "diff", "about", "along", "draws", "seed"];
+
 /// What is of the list as it is given, along its own axes.
 const TABLES: [&str; 3] = ["csv", "xlsx", "body"];
 
@@ -82,7 +86,7 @@ pub(crate) struct BudgetCommand {
     #[arg(long, group = "form")]
     body: bool,
     /// Replace the file of --xlsx.
-    #[arg(long, requires = "xlsx")]
+    #[arg(long, requires = "xlsx", conflicts_with_all = PRINTED)]
     force: bool,
     /// Exit with status 1 if a limit is not met, or something is heavier than allowed.
     #[arg(long)]

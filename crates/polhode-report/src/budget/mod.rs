@@ -100,6 +100,20 @@ impl BudgetReport {
         self.cases.iter().any(is_beyond)
     }
 
+    /// The names of the configurations.
+    pub fn names(&self) -> Vec<Option<String>> {
+        self.cases.iter().map(|case| case.name.clone()).collect()
+    }
+
+    /// The ten numbers of each drawn body, in the order of [`NUMBERS`](polhode_budget::NUMBERS), of each configuration; none without draws.
+    pub fn draws(&self) -> impl Iterator<Item = Vec<[f64; 10]>> + '_ {
+        let bodies = |case: &Case| match &case.drawn {
+            Some(drawn) => drawn.draws.bodies.iter().map(case::ten).collect(),
+            None => Vec::new(),
+        };
+        self.cases.iter().map(bodies)
+    }
+
     /// The body of a configuration, which has to be said if there are several.
     ///
     /// # Errors

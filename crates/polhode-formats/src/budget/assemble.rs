@@ -75,20 +75,24 @@ const MOST_SUGGESTED: usize = 1000;
 /// Refuses the mass of a row that is the sum of the rows in it: a spreadsheet's total, which would count twice.
 fn double_counting(budget: &Budget, blame: &Blame<'_, '_, '_>) -> Result<(), FormatError> {
     let rows = &budget.list().rows;
-    let mut direct: HashMap<usize, f64> = HashMap::new();
+    // Of rows with a mass of their own in which two others or more stand: the masses of these, and how many.
+    let mut direct: HashMap<usize, (f64, usize)> = HashMap::new();
     for (row, parent) in rows.iter().zip(budget.parents()) {
-        if let (Some(parent), Some(part)) = (parent, &row.part)
+        if let Some(parent) = parent
             && rows.get(*parent).is_some_and(|row| row.part.is_some())
         {
-            *direct.entry(*parent).or_default() += part.mass * f64::from(row.quantity.count);
+            let (sum, count) = direct.entry(*parent).or_default();
+            *count += 1;
+            *sum += row.part.as_ref().map_or(0.0, |part| part.mass * f64::from(row.quantity.count));
         }
     }
-    if direct.is_empty() {
+    let mut found: Vec<(usize, f64)> =
+        direct.into_iter().filter(|(_, (_, count))| *count > 1).map(|(row, (sum, _))| (row, sum)).collect();
+    if found.is_empty() {
         return Ok(());
     }
-    let statements = budget.mass_statements().map_err(|error| blame.of(error))?;
-    let mut found: Vec<(usize, f64)> = direct.into_iter().collect();
     found.sort_by_key(|(row, _)| *row);
+    let statements = budget.mass_statements().map_err(|error| blame.of(error))?;
     for (k, direct) in found {
         let (Some(row), Some(statement)) = (rows.get(k), statements.get(k)) else { continue };
         let Some(own) = row.part.as_ref().map(|part| part.mass) else { continue };

@@ -108,7 +108,11 @@ impl RawSheet {
                         match parsed(&place) {
                             Some((row, column)) if row == at.row && column >= at.column => at.column = column,
                             _ => {
-                                return Err(xml.refused("cell", &place, "in its row, behind the cell before"));
+                                return Err(xml.refused(
+                                    "cell",
+                                    &place,
+                                    "in its row, behind the cell before",
+                                ));
                             }
                         }
                     }

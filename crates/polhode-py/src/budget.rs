@@ -64,7 +64,8 @@ pub(crate) fn budget_list(
         report(file, &asked, axes)
     })?;
     let draws = report.draws().map(|bodies| matrix(py, &bodies)).collect::<PyResult<_>>()?;
-    let scenarios = report.names().iter().map(|name| report.to_scenario(name.as_deref()));
+    let names = report.names();
+    let scenarios = names.iter().map(|name| report.to_scenario(name.as_deref()));
     let scenarios = scenarios.collect::<Result<_, _>>().map_err(|why| no_configuration(&why))?;
     let [json, text, markdown, page] = py.detach(|| {
         let document = report.to_document();

@@ -37,7 +37,10 @@
 //! | which errors matter | [`Budget::sensitivities`] |
 //! | what first order leaves out | [`Budget::draws`], [`Draws::compare`] |
 //! | whether limits are met, with what margin and probability | [`Budget::limits`], [`Limit`], [`Answer`] |
+//! | the least ballast that meets limits, with a proof | [`Budget::ballast`], [`LeastBallast`] |
 
+#[cfg(feature = "ballast")]
+mod ballast;
 mod budget;
 mod changes;
 mod comparison;
@@ -57,6 +60,10 @@ mod tensor;
 mod tree;
 mod uncertainty;
 
+#[cfg(feature = "ballast")]
+pub use ballast::{
+    Ballast, BallastAnswer, BallastError, BallastPlace, LeastBallast, NoBallast, Piece, Round, Site,
+};
 pub use budget::{Budget, PartsList};
 pub use comparison::{ComparedNumber, Comparison};
 pub use draws::Draws;

@@ -32,6 +32,20 @@ pub enum Measure {
         /// Its direction.
         along: Direction<Body>,
     },
+    /// The static unbalance about a line, kg·m: mass by the distance of its centre from the line.
+    StaticUnbalance {
+        /// A point of the line.
+        point: Position<Body>,
+        /// Its direction.
+        along: Direction<Body>,
+    },
+    /// The couple unbalance about a line, kg·m²: the size of ∫ z ρ dm, with z along it from the point and ρ from it.
+    CoupleUnbalance {
+        /// A point of the line, in the plane that the couple is about: any, if there is no static unbalance.
+        point: Position<Body>,
+        /// Its direction.
+        along: Direction<Body>,
+    },
     /// A moment of inertia, kg·m²: of the axis with this direction through a point.
     Moment {
         /// The direction.
@@ -119,7 +133,11 @@ impl Measure {
         match self {
             Self::Mass => "kg",
             Self::Center { .. } | Self::CenterFromPoint(_) | Self::CenterFromLine { .. } => "m",
-            Self::Moment { .. } | Self::Product { .. } | Self::PrincipalMoment(_) => "kg·m²",
+            Self::StaticUnbalance { .. } => "kg·m",
+            Self::CoupleUnbalance { .. }
+            | Self::Moment { .. }
+            | Self::Product { .. }
+            | Self::PrincipalMoment(_) => "kg·m²",
             Self::Tilt { .. } => "rad",
             Self::PrincipalRatio(_) | Self::SpinRatio(_) | Self::SpinStability(_) => "",
         }
@@ -142,7 +160,9 @@ impl Measure {
             Self::Mass => Ok(()),
             Self::Center { along, from } => direction(along).and_then(|()| point(from)),
             Self::CenterFromPoint(at) => point(at),
-            Self::CenterFromLine { point: at, along } => point(at).and_then(|()| direction(along)),
+            Self::CenterFromLine { point: at, along }
+            | Self::StaticUnbalance { point: at, along }
+            | Self::CoupleUnbalance { point: at, along } => point(at).and_then(|()| direction(along)),
             Self::Moment { axis, about: at } => direction(axis).and_then(|()| about(at)),
             Self::Product { axes: [u, v], about: at, .. } => {
                 direction(u)?;
@@ -178,6 +198,11 @@ impl Measure {
             Self::Center { along, from } => unit(*along).dot(center - *from),
             Self::CenterFromPoint(point) => (center - *point).norm(),
             Self::CenterFromLine { point, along } => across(center - *point, *along).norm(),
+            Self::StaticUnbalance { point, along } => body.mass() * across(center - *point, *along).norm(),
+            Self::CoupleUnbalance { point, along } => {
+                let [x, y] = couple(body, *point, *along);
+                x.hypot(y)
+            }
             Self::Moment { axis, about } => tensor_element(body, *axis, *axis, *about),
             Self::Product { axes: [u, v], sign, about } => {
                 sign.factor() * tensor_element(body, *u, *v, *about)
@@ -223,6 +248,21 @@ impl Measure {
             Self::Center { along, .. } => Ok(Gradient { by_center_of_mass: unit(*along), ..NONE }),
             Self::CenterFromPoint(point) => of_center(center - *point),
             Self::CenterFromLine { point, along } => of_center(across(center - *point, *along)),
+            Self::StaticUnbalance { point, along } => {
+                let out = across(center - *point, *along);
+                let by = of_center(out)?;
+                Ok(Gradient { by_mass: out.norm(), ..scaled(&by, body.mass()) })
+            }
+            Self::CoupleUnbalance { point, along } => {
+                let [x, y] = couple(body, *point, *along);
+                let size = x.hypot(y);
+                if size == 0.0 {
+                    return Err(Undefined::Corner);
+                }
+                let [u, v] =
+                    across_axes(*along).map(|u| element_gradient(body, *along, u, About::Point(*point)));
+                Ok(sum(&scaled(&u, -x / size), &scaled(&v, -y / size)))
+            }
             Self::Moment { axis, about } => Ok(element_gradient(body, *axis, *axis, *about)),
             Self::Product { axes: [u, v], sign, about } => {
                 Ok(scaled(&element_gradient(body, *u, *v, *about), sign.factor()))
@@ -284,6 +324,19 @@ fn unit(u: Direction<Body>) -> Direction<Body> {
 fn across(d: Position<Body>, along: Direction<Body>) -> Position<Body> {
     let n = unit(along);
     d - Position::from_array((n * n.dot(d)).to_array())
+}
+
+/// Two directions across a line and each other.
+pub(crate) fn across_axes(along: Direction<Body>) -> [Direction<Body>; 2] {
+    let n = unit(along);
+    let other = if n.x.abs() < 0.6 { Direction::new(1.0, 0.0, 0.0) } else { Direction::new(0.0, 1.0, 0.0) };
+    let u = unit(n.cross(other));
+    [u, n.cross(u)]
+}
+
+/// ∫ z ρ dm along these two.
+fn couple(body: &MassProperties<Body>, point: Position<Body>, along: Direction<Body>) -> [f64; 2] {
+    across_axes(along).map(|u| -tensor_element(body, along, u, About::Point(point)))
 }
 
 fn quotient(above: f64, below: f64) -> Result<f64, Undefined> {

@@ -7,6 +7,7 @@ mod share;
 
 pub use answer::{AllMet, Answer, Evidence, LimitAnswers, Margin, Trial};
 pub use error::LimitError;
+pub(crate) use measure::across_axes;
 pub use measure::{About, Measure, PrincipalAxis, Undefined};
 pub use share::Share;
 

@@ -1,6 +1,8 @@
 //! The integration tests of `polhode-budget`, as one program: each links the whole library.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
+#[cfg(feature = "ballast")]
+mod ballast;
 mod draws;
 mod errors;
 mod limits;

@@ -3,8 +3,8 @@
 use polhode::body::{MassProperties, MassPropertiesGradient};
 use polhode::math::{Body, Direction};
 use polhode_budget::{
-    Basis, Budget, BudgetError, Comparison, Draws, Estimate, Evidence, Growth, Limit, LimitAnswers,
-    LimitError, MassStatement, NUMBERS, PrincipalUncertainty, Sensitivity, Tilt, Uncertainty,
+    BallastAnswer, Basis, Budget, BudgetError, Comparison, Draws, Estimate, Evidence, Growth, Limit,
+    LimitAnswers, LimitError, MassStatement, NUMBERS, PrincipalUncertainty, Sensitivity, Tilt, Uncertainty,
 };
 
 use super::BudgetOptions;
@@ -25,6 +25,8 @@ pub(super) struct Case {
     pub(super) drawn: Option<Drawn>,
     /// Of each limit, if there are any and draws to try them by.
     pub(super) limits: Option<LimitAnswers>,
+    /// If it is asked for.
+    pub(super) ballast: Option<BallastAnswer>,
 }
 
 /// A principal axis beside the axis of the frame to which it is nearest.
@@ -89,7 +91,7 @@ impl Case {
             }
             _ => None,
         };
-        Ok(Self { name, budget, statements, estimates, tilts, results, drawn, limits })
+        Ok(Self { name, budget, statements, estimates, tilts, results, drawn, limits, ballast: None })
     }
 
     pub(super) const fn estimate(&self, basis: Basis) -> &Estimate<Body> {

@@ -3,6 +3,7 @@
 use polhode_budget::{ErrorKind, Sensitivity, Source};
 
 use super::case::{Case, SpreadResult};
+use super::limits::shown_unit;
 use crate::explain::document::{Block, Section};
 use crate::explain::drawing::{Bar, BarPanel, Bars, Drawing};
 use crate::layout::printable;
@@ -114,12 +115,4 @@ fn named(case: &Case, by: &Sensitivity) -> String {
 
 pub(super) fn share(result: &SpreadResult, by: &Sensitivity) -> f64 {
     by.variance / (result.sd * result.sd)
-}
-
-fn shown_unit(unit: &'static str) -> (&'static str, f64) {
-    match unit {
-        "m" => ("mm", 1e3),
-        "rad" => ("deg", 1f64.to_degrees()),
-        unit => (unit, 1.0),
-    }
 }

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::case::{AXES, Case, Drawn, SpreadResult, ten};
 use super::influence::{kind_name, share, source_name};
 use super::whole::{asked, correlation};
-use super::{BudgetReport, basis_name, limits, parts, principal};
+use super::{BudgetReport, ballast, basis_name, limits, parts, principal};
 use crate::json::matrix;
 use crate::{VERSION, finding};
 
@@ -35,6 +35,7 @@ impl BudgetReport {
             "name": case.name,
             "mass": statement(&case.whole_statement()),
             "limits": limits::to_json(case, &self.limits),
+            "ballast": ballast::to_json(case, self.ballast.as_ref()),
             "estimate": estimate_to_json(estimate),
             "basic": estimate_to_json(case.estimate(Basis::Basic)),
             "predicted": estimate_to_json(case.estimate(Basis::Predicted)),

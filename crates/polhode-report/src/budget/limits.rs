@@ -88,7 +88,7 @@ impl LeastMargin for Answer {
     }
 }
 
-fn shown_unit(unit: &'static str) -> (&'static str, f64) {
+pub(super) fn shown_unit(unit: &'static str) -> (&'static str, f64) {
     match unit {
         "m" => ("mm", 1e3),
         "rad" => ("deg", 1f64.to_degrees()),
@@ -96,7 +96,7 @@ fn shown_unit(unit: &'static str) -> (&'static str, f64) {
     }
 }
 
-fn allowed(limit: &Limit, scale: f64) -> String {
+pub(super) fn allowed(limit: &Limit, scale: f64) -> String {
     let shown = |x: f64| number(scale * x, 6);
     match (limit.least, limit.most) {
         (Some(least), Some(most)) => format!("{} … {}", shown(least), shown(most)),

@@ -1,5 +1,6 @@
 //! What a parts list comes to, for people and for programs.
 
+mod ballast;
 mod case;
 mod compared;
 mod diff;
@@ -17,7 +18,7 @@ use core::fmt;
 
 use polhode::body::{Finding, MassProperties, Severity};
 use polhode::math::{Body, Part, Position, Rotation};
-use polhode_budget::{Basis, Budget, BudgetError, Limit, LimitError};
+use polhode_budget::{Ballast, BallastError, Basis, Budget, BudgetError, Limit, LimitError};
 
 use crate::body_part::BodyPart;
 use crate::explain::document::{Document, Section};
@@ -51,6 +52,7 @@ pub struct BudgetReport {
     sources: Vec<String>,
     options: BudgetOptions,
     limits: Vec<Limit>,
+    ballast: Option<Ballast>,
     cases: Vec<Case>,
 }
 
@@ -80,7 +82,14 @@ impl BudgetReport {
         if cases.is_empty() {
             return Err(BudgetError::Empty.into());
         }
-        Ok(Self { title: title.unwrap_or("a parts list").to_owned(), sources, options, limits, cases })
+        Ok(Self {
+            title: title.unwrap_or("a parts list").to_owned(),
+            sources,
+            options,
+            limits,
+            ballast: None,
+            cases,
+        })
     }
 
     /// How many rows are fewer than so many draws of each can be had of in some seconds.
@@ -90,6 +99,18 @@ impl BudgetReport {
         const LEAST: usize = 200;
         const MOST: usize = 10_000;
         (ROWS / rows.max(1)).clamp(LEAST, MOST)
+    }
+
+    /// With the least ballast by which each configuration meets the limits.
+    ///
+    /// # Errors
+    /// As [`Budget::ballast`].
+    pub fn with_ballast(mut self, ballast: Ballast) -> Result<Self, BallastError> {
+        for case in &mut self.cases {
+            case.ballast = Some(case.budget.ballast(&ballast, &self.limits)?);
+        }
+        self.ballast = Some(ballast);
+        Ok(self)
     }
 
     /// True if a limit is not met or an allowable mass exceeded.
@@ -164,6 +185,7 @@ impl BudgetReport {
         }
         for case in &self.cases {
             let mut of_case: Vec<Section> = limits::section(case, &self.limits).into_iter().collect();
+            of_case.extend(self.ballast.as_ref().and_then(|all| ballast::section(case, all, &self.limits)));
             of_case.extend([
                 masses::section(case),
                 whole::section(case, &self.options),
@@ -199,12 +221,14 @@ impl BudgetReport {
             let mut parts =
                 vec![format!("{} mass {mass} kg", basis_name(basis)), whole::center_in_words(case, basis)];
             parts.extend(limits::answer_in_words(case));
+            parts.extend(ballast::in_words(case));
             return vec![format!("{}: {}", printable(name), parts.join("; "))];
         }
         let mut lines = vec![mass_in_words(case), whole::center_in_words(case, basis)];
         lines.push(principal::in_words(&case.principal(basis)));
         lines.extend(masses::margin_in_words(case));
         lines.extend(limits::answer_in_words(case));
+        lines.extend(ballast::in_words(case));
         lines
     }
 

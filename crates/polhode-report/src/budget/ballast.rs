@@ -1,0 +1,106 @@
+//! The least ballast by which limits are met.
+
+use polhode_budget::{Ballast, BallastAnswer, LeastBallast, Limit};
+use serde_json::{Value, json};
+
+use super::case::Case;
+use super::limits::{allowed, shown_unit};
+use crate::explain::document::Section;
+use crate::layout::printable;
+use crate::number::{count, number};
+
+pub(super) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Option<Section> {
+    let answer = case.ballast.as_ref()?;
+    let mut section = Section::new(0, "Ballast");
+    let least = match answer {
+        BallastAnswer::Least(least) => least,
+        BallastAnswer::None(none) => {
+            section.say(format!(
+                "No ballast at these sites, up to {} kg, meets all limits. That is proved: the prices of the limits leave none in {}.",
+                number(none.up_to, 6),
+                regions(none.regions)
+            ));
+            return Some(section);
+        }
+    };
+    if least.pieces.is_empty() {
+        section.say("All limits are met without.");
+        return Some(section);
+    }
+    let row = |piece: &polhode_budget::Piece| {
+        let [x, y, z] = piece.position.to_array().map(|x| number(1e3 * x, 5));
+        let site = ballast.sites.get(piece.site).map_or_else(String::new, |site| printable(&site.name));
+        vec![site, x, y, z, number(1e3 * piece.mass, 6)]
+    };
+    section
+        .table(&["site", "x (mm)", "y (mm)", "z (mm)", "mass (g)"], least.pieces.iter().map(row).collect());
+    section.say(format!(
+        "{} kg is the least: none below {} kg meets the limits (gap {}), as the prices of the limits prove, checked in intervals, in {}.",
+        number(least.mass, 9),
+        number(least.bound, 9),
+        number(least.gap(), 2),
+        regions(least.regions)
+    ));
+    if ballast.deviations > 0.0 {
+        section.say(format!(
+            "The whole is kept {} standard deviations inside the limits.",
+            number(ballast.deviations, 3)
+        ));
+    }
+    let row = |limit: &Limit| {
+        let (unit, scale) = shown_unit(limit.of.unit());
+        let without = case.estimate(limit.basis).properties;
+        let value = |body| limit.of.value(&body).map_or_else(|why| why.to_string(), |x| number(scale * x, 5));
+        let with = least.with(&without).map_or_else(|error| error.to_string(), value);
+        vec![printable(&limit.name), allowed(limit, scale), value(without), with, unit.to_owned()]
+    };
+    section.table(&["limit", "allowed", "without", "with", "unit"], limits.iter().map(row).collect());
+    Some(section)
+}
+
+/// `Least ballast 0.123 kg, in 2 pieces`
+pub(super) fn in_words(case: &Case) -> Option<String> {
+    Some(match case.ballast.as_ref()? {
+        BallastAnswer::None(_) => "No ballast at these sites meets all limits".to_owned(),
+        BallastAnswer::Least(LeastBallast { pieces, .. }) if pieces.is_empty() => {
+            "No ballast is needed: all limits are met without".to_owned()
+        }
+        BallastAnswer::Least(LeastBallast { pieces, mass, .. }) => {
+            let plural = if pieces.len() == 1 { "" } else { "s" };
+            format!(
+                "Least ballast {} kg, in {} piece{plural}: proved",
+                number(*mass, 4),
+                count(pieces.len() as u64)
+            )
+        }
+    })
+}
+
+fn regions(n: usize) -> String {
+    if n == 1 { "one region".to_owned() } else { format!("{} regions", count(n as u64)) }
+}
+
+pub(super) fn to_json(case: &Case, ballast: Option<&Ballast>) -> Value {
+    match (case.ballast.as_ref(), ballast) {
+        (Some(BallastAnswer::Least(least)), Some(ballast)) => {
+            let piece = |piece: &polhode_budget::Piece| {
+                json!({
+                    "site": ballast.sites.get(piece.site).map(|site| &site.name),
+                    "position": piece.position.to_array(),
+                    "mass": piece.mass,
+                })
+            };
+            json!({
+                "mass": least.mass,
+                "bound": least.bound,
+                "gap": least.gap(),
+                "regions": least.regions,
+                "pieces": least.pieces.iter().map(piece).collect::<Value>(),
+            })
+        }
+        (Some(BallastAnswer::None(none)), _) => {
+            json!({ "mass": null, "none_up_to": none.up_to, "regions": none.regions })
+        }
+        _ => Value::Null,
+    }
+}

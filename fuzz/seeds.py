@@ -32,6 +32,7 @@ TEXTS = {
     "particles": ["formats/tests/all/particles.rs", "formats/src/particles.rs"],
     "voxel": ["formats/tests/all/voxel.rs", "formats/src/voxel/mod.rs"],
     "times": ["formats/src/times.rs"],
+    "budget": ["formats/tests/all/budget/*.rs"],
     "motion_table": ["formats/tests/all/prescribed.rs", "formats/src/scenario/motion_table.rs"],
     "run_log": ["formats/tests/all/run_log/*.rs", "formats/src/run_log/mod.rs"],
     "cad": ["formats/tests/all/cad.rs", "formats/src/cad/mod.rs"],
@@ -53,7 +54,7 @@ WORDS = {
     "stl": "formats/src/mesh/stl.rs", "obj": "formats/src/mesh/obj.rs", "ply": "formats/src/mesh/ply/*.rs",
     "off": "formats/src/mesh/off.rs", "gltf": "formats/src/mesh/gltf/*.rs", "threemf": "formats/src/mesh/threemf/*.rs",
     "collada": "formats/src/mesh/collada/*.rs", "mol": "formats/src/molecule/mol.rs", "pdb": "formats/src/molecule/pdb.rs",
-    "xyz": "formats/src/molecule/xyz.rs", "particles": "formats/src/particles*.rs", "voxel": "formats/src/voxel/*.rs",
+    "xyz": "formats/src/molecule/xyz.rs", "particles": "formats/src/particles*.rs", "voxel": "formats/src/voxel/*.rs", "budget": "formats/src/budget/**/*.rs",
     "motion_table": "formats/src/scenario/motion_table.rs", "run_log": "formats/src/run_log/*.rs", "cad": "formats/src/cad/*.rs", "unit": "formats/src/unit/table.rs",
     "expression": "formats/src/expression/*.rs", "formula": "polhode/src/motion/state_variables.rs",
     "urdf": "robot/src/read/urdf.rs", "sdf": "robot/src/read/sdf*.rs", "mjcf": "robot/src/read/mjcf/**/*.rs",
@@ -63,7 +64,7 @@ WORDS = {
 
 # What a text of the target has to hold, where a source has texts of several.
 HOLDS = {"collada": "<COLLADA", "urdf": "<robot", "sdf": "<sdf", "mjcf": "<mujoco", "usd": "#usda", "osim": "<OpenSim", "gltf": "{", "scenario": "[", "plan": "[sweep",
-         "motion_table": "time_s", "cad": "\n", "mol": "V2000", "pdb": "ATOM"}
+         "motion_table": "time_s", "cad": "\n", "budget": "\n", "mol": "V2000", "pdb": "ATOM"}
 
 
 def add(target, data):
@@ -127,7 +128,12 @@ def from_files():
     endings = {".stl": "stl", ".obj": "obj", ".ply": "ply", ".off": "off", ".glb": "gltf", ".gltf": "gltf", ".3mf": "threemf",
                ".xyz": "xyz", ".mol": "mol", ".pdb": "pdb", ".urdf": "urdf", ".sdf": "sdf", ".usda": "usd", ".osim": "osim", ".dae": "collada", ".csv": "motion_table"}
     for path in sorted(p for top in ("examples", "fixtures") for p in (ROOT / top).rglob("*") if p.is_file()):
-        if path.suffix in endings:
+        if path.parent.name == "budget" and path.suffix in (".csv", ".xlsx"):
+            add("budget", path.read_bytes())
+            if path.suffix == ".xlsx":
+                with zipfile.ZipFile(path) as archive:
+                    add("budget", archive.read("xl/worksheets/sheet1.xml").split(b"?>\n")[-1])
+        elif path.suffix in endings:
             add(endings[path.suffix], path.read_bytes())
         elif path.suffix == ".xml" and b"<mujoco" in path.read_bytes():
             add("mjcf", path.read_bytes())

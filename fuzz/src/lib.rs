@@ -17,7 +17,7 @@ pub mod text;
 pub type Target = fn(&[u8]);
 
 /// All targets by name: what the folders of the corpora are called.
-pub const TARGETS: [(&str, Target); 26] = [
+pub const TARGETS: [(&str, Target); 27] = [
     ("stl", mesh::stl),
     ("obj", mesh::obj),
     ("ply", mesh::ply),
@@ -31,6 +31,7 @@ pub const TARGETS: [(&str, Target); 26] = [
     ("particles", table::particles),
     ("voxel", table::voxel),
     ("times", table::times),
+    ("budget", table::budget),
     ("motion_table", motion::motion_table),
     ("run_log", motion::run_log),
     ("cad", text::cad),

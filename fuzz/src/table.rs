@@ -1,8 +1,9 @@
-//! Rows of numbers: molecules, particles, voxels, times.
+//! Rows of numbers: molecules, particles, voxels, times, parts lists.
 
 use std::path::Path;
 
 use polhode::body::mass_properties_of_particles;
+use polhode_formats::budget;
 use polhode_formats::molecule::{self, Isotopes, MoleculeFormat};
 use polhode_formats::particles::{self, ParticleOptions};
 use polhode_formats::voxel::{self, VoxelOptions};
@@ -83,4 +84,77 @@ pub fn times(data: &[u8]) {
         assert!(times.iter().all(|time| time.is_finite()));
         assert_eq!(Ok(&times), polhode_formats::times::parse(&printed, path).as_ref());
     }
+}
+
+/// A list, a workbook, or a sheet that a workbook is made of here: no bit of one that is packed can be turned over without being found.
+pub fn budget(data: &[u8]) {
+    let workbook;
+    let (path, data) = if data.starts_with(b"<") {
+        workbook = packed(data);
+        ("/nowhere/a.xlsx", &workbook[..])
+    } else {
+        ("/nowhere/a.csv", data)
+    };
+    let read = || budget::from_bytes_alone(Path::new(path), data);
+    let file = match read() {
+        Ok(file) => file,
+        Err(error) => {
+            assert!(!error.to_string().is_empty());
+            assert!(error.hint().is_none_or(|hint| !hint.is_empty()));
+            return;
+        }
+    };
+    assert_eq!(Ok(&file), read().as_ref());
+    assert!(!file.configurations.is_empty() && !file.sources(&|path| path.display().to_string()).is_empty());
+    for one in &file.configurations {
+        if let Ok(body) = one.budget.mass_properties(file.questions.basis) {
+            assert_physical(&body);
+        }
+        if let Ok(estimate) = one.budget.estimate(file.questions.basis) {
+            assert!((0..10).all(|k| !(estimate.covariance[k][k] < 0.0)), "{:?}", estimate.covariance);
+        }
+    }
+}
+
+/// A workbook with this sheet, as an archive of entries that are not packed.
+fn packed(sheet: &[u8]) -> Vec<u8> {
+    let entries: [(&str, &[u8]); 5] = [
+        ("_rels/.rels", b"<R><Relationship Type=\"x/officeDocument\" Target=\"w.xml\"/></R>"),
+        ("_rels/w.xml.rels", b"<R><Relationship Id=\"a\" Type=\"x/worksheet\" Target=\"a.xml\"/><Relationship Type=\"x/styles\" Target=\"t.xml\"/></R>"),
+        ("w.xml", b"<workbook xmlns:r=\"x\"><sheets><sheet name=\"parts\" r:id=\"a\"/></sheets></workbook>"),
+        ("t.xml", b"<s><cellXfs><xf numFmtId=\"0\"/><xf numFmtId=\"14\"/><xf numFmtId=\"10\"/><xf numFmtId=\"2\"/></cellXfs></s>"),
+        ("a.xml", sheet),
+    ];
+    let (mut archive, mut directory) = (Vec::new(), Vec::new());
+    for (name, bytes) in entries {
+        let (offset, size) = (archive.len() as u32, (bytes.len() as u32).to_le_bytes());
+        let mut header = vec![20, 0, 0, 0, 0, 0, 0, 0, 0x21, 0];
+        header.extend(checksum(bytes).to_le_bytes());
+        header.extend([size, size].concat());
+        header.extend((name.len() as u32).to_le_bytes());
+        archive.extend(b"PK\x03\x04");
+        archive.extend(&header);
+        archive.extend([name.as_bytes(), bytes].concat());
+        directory.extend(b"PK\x01\x02\x14\0");
+        directory.extend(&header);
+        directory.extend([0; 10]);
+        directory.extend(offset.to_le_bytes());
+        directory.extend(name.as_bytes());
+    }
+    let (start, length) = (archive.len() as u32, directory.len() as u32);
+    archive.extend(directory);
+    archive.extend(b"PK\x05\x06\0\0\0\0\x05\0\x05\0");
+    archive.extend([length.to_le_bytes(), start.to_le_bytes()].concat());
+    archive.extend([0, 0]);
+    archive
+}
+
+/// CRC-32, bit by bit.
+fn checksum(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(!0, |sum, byte| {
+        (0..8).fold(
+            sum ^ u32::from(*byte),
+            |sum, _| if sum & 1 == 1 { sum >> 1 ^ 0xedb8_8320 } else { sum >> 1 },
+        )
+    })
 }

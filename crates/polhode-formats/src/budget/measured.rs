@@ -43,7 +43,10 @@ pub(super) fn measured(
     dimension: Dimension,
     heading: &str,
 ) -> Result<Measured, Wrong> {
-    let Some((left, right)) = MARKS.iter().find_map(|mark| text.split_once(mark)) else {
+    // Most numbers have none, and a search for three marks costs more than all the rest.
+    let is_marked = text.bytes().any(|b| b == b'+' || !b.is_ascii());
+    let marked = || MARKS.iter().find_map(|mark| text.split_once(mark));
+    let Some((left, right)) = is_marked.then(marked).flatten() else {
         let read = unit.read(text, dimension)?;
         return Ok(Measured { value: read.value, error: None, has_unit: read.has_unit });
     };

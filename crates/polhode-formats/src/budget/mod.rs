@@ -125,26 +125,53 @@ pub fn read(path: &Path) -> Result<BudgetFile, FormatError> {
 /// # Errors
 /// As [`read()`].
 pub fn from_bytes(path: &Path, bytes: &[u8]) -> Result<BudgetFile, FormatError> {
+    of_bytes(path, bytes, false)
+}
+
+/// The same of bytes that nobody is trusted for: no other file is opened, and what names one is refused.
+///
+/// # Errors
+/// As [`read()`].
+pub fn from_bytes_alone(path: &Path, bytes: &[u8]) -> Result<BudgetFile, FormatError> {
+    of_bytes(path, bytes, true)
+}
+
+fn of_bytes(path: &Path, bytes: &[u8], is_alone: bool) -> Result<BudgetFile, FormatError> {
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
-        return named::of_plan(path, text(path, bytes)?);
+        return named::of_plan(path, text(path, bytes)?, is_alone);
     }
     if xlsx::is_archive(bytes) {
-        return workbook::read(path, bytes, None);
+        return workbook::read(path, bytes, None, is_alone);
     }
-    from_text(path, text(path, bytes)?)
+    of_text(path, text(path, bytes)?, is_alone)
 }
 
 /// Reads a parts list from its text, CSV.
 ///
+/// ```
+/// use polhode_formats::budget;
+/// let text = "name,mass [g],x [mm]\nbattery,270 ± 5,12\nradio,94,-20\n";
+/// let file = budget::from_text("list.csv".as_ref(), text)?;
+/// assert_eq!(file.configurations[0].budget.mass_properties(file.questions.basis).unwrap().mass(), 0.364);
+///
+/// let error = budget::from_text("list.csv".as_ref(), &text.replace("94", "94 mm")).unwrap_err();
+/// assert_eq!(error.to_string(), "list.csv:3:7: \"mm\" is a length where a mass belongs");
+/// # Ok::<(), polhode_formats::FormatError>(())
+/// ```
+///
 /// # Errors
 /// As [`read()`].
 pub fn from_text(path: &Path, text: &str) -> Result<BudgetFile, FormatError> {
+    of_text(path, text, false)
+}
+
+fn of_text(path: &Path, text: &str, is_alone: bool) -> Result<BudgetFile, FormatError> {
     let source = Source::new(path, text);
     let (toml, from) = head::toml(source)?;
     let entries = tree::parse(&toml).map_err(|error| head_error(source, &error))?;
     list_units::check(source, &entries)?;
     let plan = plan::plan(&Table::root(source, &entries), &[])?;
-    of_csv(source, from, plan)
+    of_csv(source, from, Plan { is_alone, ..plan })
 }
 
 /// Bytes of a file: a larger one is no parts list.

@@ -1,5 +1,6 @@
 //! Plans, TOML, that name the file of their parts.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use super::{BudgetFile, bytes_of, head, of_csv, plan, text, workbook, xlsx};
@@ -9,8 +10,10 @@ use crate::scenario::reader::Table;
 use crate::scenario::source::Source;
 
 /// Reads a plan from its text, and the parts that it names.
-pub(super) fn of_plan(path: &Path, plan_text: &str) -> Result<BudgetFile, FormatError> {
-    let source = Source::new(path, plan_text);
+pub(super) fn of_plan(path: &Path, plan_text: &str, is_alone: bool) -> Result<BudgetFile, FormatError> {
+    let nothing = BTreeSet::new();
+    let files = is_alone.then_some(&nothing);
+    let source = Source { files, ..Source::new(path, plan_text) };
     let entries = document(source)?;
     let root = Table::root(source, &entries);
     let plan = plan::plan(&root, &["parts"])?;
@@ -27,7 +30,7 @@ pub(super) fn of_plan(path: &Path, plan_text: &str) -> Result<BudgetFile, Format
     })?;
     let read = || {
         if xlsx::is_archive(&bytes) {
-            return workbook::read(&file, &bytes, Some(plan));
+            return workbook::read(&file, &bytes, Some(plan), is_alone);
         }
         let parts = Source::new(&file, text(&file, &bytes)?);
         let (toml, from) = head::toml(parts)?;

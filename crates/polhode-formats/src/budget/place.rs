@@ -89,8 +89,11 @@ impl<'s, 'a> Reader<'s, 'a> {
         match forms {
             [Some(cell), ..] => self.written_rotation(cell),
             [_, Some(cell), _] => {
-                let angles = self.all_or_none(cells, ANGLES)?.unwrap_or_default();
-                let angles = angles.map(|angle| angle.map_or(0.0, |angle| angle.value));
+                // An angle that is not given is no turn.
+                let mut angles = [0.0; 3];
+                for (slot, key) in angles.iter_mut().zip(ANGLES) {
+                    *slot = self.number(cells, key)?.map_or(0.0, |angle| angle.value);
+                }
                 Rotation::from_roll_pitch_yaw(angles).map_err(|error| self.turned(cell, error))
             }
             [_, _, Some(cell)] => {

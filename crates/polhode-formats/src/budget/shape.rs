@@ -1,5 +1,6 @@
 //! Parts by their form: a shape, a mesh, a report of a CAD program, or the body of a scenario.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -77,6 +78,9 @@ impl<'s, 'a> Rows<'s, 'a> {
                 if let Some(other) = mass.map(|mass| mass.cell).into_iter().chain(others).next() {
                     return Err(self.reader.invalid(other, "left out where a file says it"));
                 }
+                if self.plan.is_alone {
+                    return Err(self.reader.invalid(cell, "left out: no other file is opened for this list"));
+                }
                 let path = self.beside(text);
                 match form {
                     Form::Cad => self.reported(&path, cell)?,
@@ -146,7 +150,9 @@ impl<'s, 'a> Rows<'s, 'a> {
         if let Some(known) = self.known.get(&table.text) {
             return Ok(*known);
         }
-        let source = Source::new(self.reader.sheet.path(), &table.text);
+        let nothing = BTreeSet::new();
+        let files = self.plan.is_alone.then_some(&nothing);
+        let source = Source { files, ..Source::new(self.reader.sheet.path(), &table.text) };
         let mut findings = Vec::new();
         let mut read = || {
             let entries = tree::parse(&table.text).map_err(|error| source.syntax(&error))?;

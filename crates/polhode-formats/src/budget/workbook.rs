@@ -17,7 +17,12 @@ use crate::scenario::{list_units, tree};
 const PARTS: &str = "parts";
 
 /// Reads a workbook; with the plan that names it, if one does.
-pub(super) fn read(path: &Path, bytes: &[u8], told: Option<Plan>) -> Result<BudgetFile, FormatError> {
+pub(super) fn read(
+    path: &Path,
+    bytes: &[u8],
+    told: Option<Plan>,
+    is_alone: bool,
+) -> Result<BudgetFile, FormatError> {
     let fail = |error| FormatError::of_content(path, bytes, error);
     let workbook = Workbook::read(bytes).map_err(fail)?;
     let names = workbook.names();
@@ -25,7 +30,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], told: Option<Plan>) -> Result<Budg
     let sheets: Vec<(&str, Sheet<'_>)> =
         sections.iter().filter_map(|name| Some((*name, workbook.sheet(path, name)?.0))).collect();
     let plan = match told {
-        None => of_sections(path, &sheets)?,
+        None => Plan { is_alone, ..of_sections(path, &sheets)? },
         Some(_) if !sheets.is_empty() => {
             let what = format!("the sheet {} beside a plan that names the workbook", sections.join(", "));
             let kind = ContentErrorKind::Unsupported { what };

@@ -35,6 +35,8 @@ pub(super) struct Plan {
     pub(super) codes: Vec<String>,
     pub(super) cad: CadOptions,
     pub(super) questions: Questions,
+    /// Whether no other file may be opened: the text comes from where nobody is trusted.
+    pub(super) is_alone: bool,
 }
 
 /// The point that a tensor is about.

@@ -165,10 +165,6 @@ const LISTS: &[(&str, &str)] = &[
     ),
     ("name,mass,Ixx,Iyy,Izz,Ixy\na,1,1,1,1,5\n", "list.csv:2:11:"),
     // Rotations
-    (
-        "name,mass,roll [deg],pitch [deg],yaw [deg]\na,1,1,2,\n",
-        "list.csv:2:5: roll [deg] = 1 must be given with yaw [deg], which is empty",
-    ),
     ("name,mass,qw,qx,qy,qz\na,1,0,0,0,0\n", "list.csv:2:5: "),
     (
         "name,mass,qw,yaw\na,1,1,1\n",

@@ -290,13 +290,16 @@ def budget(
     >>> found = polhode.budget({
     ...     "name": ["sat", "sat/bus", "sat/battery"],
     ...     "mass [kg]": [None, "3.1 ± 0.05", "0.9 ± 0.1"],
+    ...     "x [mm]": [None, 0, 0],
+    ...     "y [mm]": [None, 0, 0],
     ...     "z [mm]": [None, 120, 20],
     ...     "growth": [None, "5 %", "10 %"],
     ... }, draws=0)
     >>> print(found.only.estimate["mass"])
     mass: 4.245 ± 0.12 kg
-    >>> print(found.only.errors["z"][0])
-    ErrorShare(source='battery', of='mass', share=0.966...)
+    >>> most = found.only.errors["z"][0]
+    >>> most.source, round(most.share, 3)
+    ('battery', 0.979)
     """
     asked: _native.BudgetAsked = {
         "is_basic": None if basis is None else _arrays.choice("basis", basis, ["basic", "predicted"]) == "basic",
@@ -374,7 +377,7 @@ def _cell(place: str, value: object) -> str:
         # A cell is one line.
         return " ".join(value.split("\n"))
     if isinstance(value, os.PathLike):
-        return os.fspath(value)
+        return _arrays.path(place, value)
     raise TypeError(f"{place} must be text or a number, not {type(value).__name__}")
 
 
@@ -426,7 +429,7 @@ def _estimate(said: dict[str, Any]) -> Estimate:
 def _limit(said: dict[str, Any]) -> BudgetLimit:
     low, high = said["draws"]["interval"]
     keys = ("name", "unit", "least", "most", "value", "sd", "met")
-    return BudgetLimit(*(said[key] for key in keys), probability=said["draws"]["probability"], interval=(low, high))
+    return BudgetLimit(**{key: said[key] for key in keys}, probability=said["draws"]["probability"], interval=(low, high))
 
 
 def _row(said: dict[str, Any]) -> BudgetRow:

@@ -4,6 +4,7 @@
 
 #![allow(clippy::print_stdout, reason = "a bench prints")]
 
+use std::error::Error;
 use std::fmt::Write as _;
 use std::time::Instant;
 
@@ -11,25 +12,26 @@ use polhode_formats::budget;
 
 const ROWS: usize = 100_000;
 
-fn main() {
+fn main() -> Result<(), Box<dyn Error>> {
     let csv = list();
-    time("csv", csv.as_bytes());
-    time("xlsx", &workbook(&csv));
+    time("csv", csv.as_bytes())?;
+    time("xlsx", &workbook(&csv)?)
 }
 
-fn time(kind: &str, bytes: &[u8]) {
+fn time(kind: &str, bytes: &[u8]) -> Result<(), Box<dyn Error>> {
     let path = std::env::temp_dir().join(format!("polhode-budget-{}.{kind}", std::process::id()));
-    std::fs::write(&path, bytes).unwrap();
+    std::fs::write(&path, bytes)?;
     let begin = Instant::now();
     let mut best = f64::INFINITY;
     for _ in 0..5 {
         let start = now(begin);
-        let file = budget::read(&path).unwrap();
+        let file = budget::read(&path)?;
         best = best.min(now(begin) - start);
         assert_eq!(file.configurations[0].budget.list().rows.len(), ROWS);
     }
-    std::fs::remove_file(path).unwrap();
+    std::fs::remove_file(path)?;
     println!("{kind}: {ROWS} rows, {:.1} MB in {best:.3} s", bytes.len() as f64 / 1e6);
+    Ok(())
 }
 
 fn now(begin: Instant) -> f64 {
@@ -40,7 +42,7 @@ fn now(begin: Instant) -> f64 {
 }
 
 /// The same as a workbook, as spreadsheets write it.
-fn workbook(csv: &str) -> Vec<u8> {
+fn workbook(csv: &str) -> Result<Vec<u8>, Box<dyn Error>> {
     const OFFICE: &str = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
     let mut sheet = String::from("<worksheet><sheetData>");
     let mut plan = String::from("<worksheet><sheetData>");
@@ -85,10 +87,10 @@ fn workbook(csv: &str) -> Vec<u8> {
         ("parts.xml", sheet + "</sheetData></worksheet>"),
         ("plan.xml", plan + "</sheetData></worksheet>"),
     ] {
-        zip.start_file(name, zip::write::SimpleFileOptions::default()).unwrap();
-        std::io::Write::write_all(&mut zip, text.as_bytes()).unwrap();
+        zip.start_file(name, zip::write::SimpleFileOptions::default())?;
+        std::io::Write::write_all(&mut zip, text.as_bytes())?;
     }
-    zip.finish().unwrap().into_inner()
+    Ok(zip.finish()?.into_inner())
 }
 
 /// Assemblies of a hundred parts, each with a place, a tensor, and errors.

@@ -29,16 +29,16 @@ pub(super) fn budgets(
         }
     }
     if names.is_empty() {
-        let (rows, origins) = rows.into_iter().map(|row| (row.row, row.origin)).unzip();
-        let budget = one(rows, origins, plan, reader, None, lines)?;
+        let (rows, origins): (Vec<_>, Vec<_>) = rows.into_iter().map(|row| (row.row, row.origin)).unzip();
+        let budget = one(rows, &origins, plan, reader, None, lines)?;
         return Ok(vec![NamedBudget { name: None, budget }]);
     }
     let mut budgets = Vec::new();
     for name in names {
         let inside =
             rows.iter().filter(|row| row.configurations.is_empty() || row.configurations.contains(&name));
-        let (rows, origins) = inside.map(|row| (row.row.clone(), row.origin)).unzip();
-        let budget = one(rows, origins, plan, reader, Some(&name), lines)?;
+        let (rows, origins): (Vec<_>, Vec<_>) = inside.map(|row| (row.row.clone(), row.origin)).unzip();
+        let budget = one(rows, &origins, plan, reader, Some(&name), lines)?;
         budgets.push(NamedBudget { name: Some(name), budget });
     }
     Ok(budgets)
@@ -46,7 +46,7 @@ pub(super) fn budgets(
 
 fn one(
     mut rows: Vec<Row>,
-    origins: Vec<usize>,
+    origins: &[usize],
     plan: &Plan,
     reader: &Rows<'_, '_>,
     configuration: Option<&str>,
@@ -62,7 +62,7 @@ fn one(
         rows.push(Row::frame(name));
     }
     let names = rows.iter().take(MOST_SUGGESTED).map(|row| row.name.clone()).collect();
-    let blame = Blame { reader, plan, origins: &origins, configuration, names };
+    let blame = Blame { reader, plan, origins, configuration, names };
     let list = PartsList { rows, groups: plan.groups.clone(), growth: plan.growth.clone() };
     let budget = list.budget().map_err(|error| blame.of(error))?;
     double_counting(&budget, &blame)?;

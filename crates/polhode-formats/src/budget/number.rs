@@ -91,7 +91,7 @@ const POWERS: [f64; 23] = [
 fn decimal(factor: f64) -> Option<(u64, i32)> {
     POWERS.iter().zip(0..).take(13).find_map(|(power, t)| {
         let p = (factor * power).round();
-        (p >= 1.0 && p < 1e10 && p / power == factor).then_some((p as u64, -t))
+        ((1.0..1e10).contains(&p) && p / power == factor).then_some((p as u64, -t))
     })
 }
 

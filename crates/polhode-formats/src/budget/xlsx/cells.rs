@@ -1,7 +1,9 @@
 //! The cells of one sheet of a workbook.
 
 use std::borrow::Cow;
-use std::ops::RangeInclusive;
+use std::ops::{Range, RangeInclusive};
+
+use quick_xml::events::BytesStart;
 
 use super::format::Format;
 use super::strings::{inside, is};
@@ -27,6 +29,8 @@ const MERGED: &str = "in a cell of its own: it is merged with others";
 pub(super) struct RawSheet {
     /// In the order of rows, and in them of columns.
     cells: Vec<RawCell>,
+    /// The texts of cells that are no strings of the workbook, one behind the other.
+    texts: String,
     hidden_rows: Vec<usize>,
     hidden_columns: Vec<RangeInclusive<usize>>,
 }
@@ -43,7 +47,8 @@ struct RawCell {
 
 #[derive(Debug)]
 enum RawText {
-    Own(String),
+    /// A part of the sheet's texts.
+    Own(Range<usize>),
     /// One of the workbook's strings.
     Shared(usize),
 }
@@ -67,87 +72,32 @@ impl RawSheet {
         let mut buffer = Vec::new();
         loop {
             match xml.next(&mut buffer)? {
-                Token::Start(element) if is(&element, "row") => {
-                    let (mut number, mut is_hidden) = (at.row + 1, false);
-                    for attribute in xml.attributes(&element) {
-                        let attribute = attribute?;
-                        let value = xml.value(&attribute)?;
-                        match attribute.key.0 {
-                            "r" => {
-                                number = value.parse().map_err(|_| xml.refused("row", &value, "a number"))?
-                            }
-                            "hidden" => is_hidden = truth(&value),
-                            _ => {}
-                        }
-                    }
-                    if number <= at.row || number > MOST_ROWS {
-                        let rule = format!("below the row before, and {MOST_ROWS} at most");
-                        return Err(xml.refused("row", &number.to_string(), &rule));
-                    }
-                    at = Position { row: number, column: 0 };
-                    sheet.hidden_rows.extend(is_hidden.then_some(number));
-                }
                 Token::Start(element) if is(&element, "c") => {
-                    let (mut place, mut format, mut kind) = (None, Format::GENERAL, String::new());
-                    for attribute in xml.attributes(&element) {
-                        let attribute = attribute?;
-                        let value = xml.value(&attribute)?;
-                        match attribute.key.0 {
-                            "r" => place = Some(value.into_owned()),
-                            "s" => {
-                                let number = value.parse::<usize>().ok();
-                                let known = number.and_then(|number| formats.get(number));
-                                format = known.copied().unwrap_or(Format::GENERAL);
-                            }
-                            "t" => kind = value.into_owned(),
-                            _ => {}
-                        }
-                    }
+                    let Head { column, format, kind } = head(&xml, &element, &at, formats)?;
                     drop(element);
-                    if let Some(place) = place {
-                        match parsed(&place) {
-                            Some((row, column)) if row == at.row && column >= at.column => at.column = column,
-                            _ => {
-                                return Err(xml.refused(
-                                    "cell",
-                                    &place,
-                                    "in its row, behind the cell before",
-                                ));
-                            }
-                        }
-                    }
-                    if at.column >= MOST_COLUMNS {
-                        return Err(xml.refused("column", &at.column.to_string(), "one of 16384"));
-                    }
-                    if let Some((text, content)) = value(&mut xml, &kind, format, strings)? {
-                        sheet.cells.push(RawCell { row: at.row, column: at.column, text, content });
+                    let value = value(&mut xml, &mut buffer, kind, format, strings, &mut sheet.texts)?;
+                    if let Some((text, content)) = value {
+                        sheet.cells.push(RawCell { row: at.row, column, text, content });
                     }
                     if sheet.cells.len() > MOST_CELLS {
                         let what = format!("more than {MOST_CELLS} cells");
                         return Err(xml.error(ContentErrorKind::Unsupported { what }));
                     }
-                    at.column += 1;
+                    at.column = column + 1;
+                }
+                Token::Start(element) if is(&element, "row") => {
+                    let (number, is_hidden) = row(&xml, &element, &at)?;
+                    at = Position { row: number, column: 0 };
+                    sheet.hidden_rows.extend(is_hidden.then_some(number));
                 }
                 Token::Start(element) if is(&element, "col") => {
-                    let (mut from, mut to, mut is_hidden) = (0, 0, false);
-                    for attribute in xml.attributes(&element) {
-                        let attribute = attribute?;
-                        let value = xml.value(&attribute)?;
-                        match attribute.key.0 {
-                            "min" => from = value.parse().unwrap_or(0),
-                            "max" => to = value.parse().unwrap_or(0),
-                            "hidden" => is_hidden = truth(&value),
-                            _ => {}
-                        }
-                    }
-                    sheet.hidden_columns.extend(is_hidden.then_some(from..=to));
+                    sheet.hidden_columns.extend(hidden(&xml, &element)?);
                 }
                 Token::Start(element) if is(&element, "mergeCell") => {
                     for attribute in xml.attributes(&element) {
                         let attribute = attribute?;
                         if attribute.key.0 == "ref" {
-                            let value = xml.value(&attribute)?;
-                            sheet.merge(&value);
+                            sheet.merge(&xml.value(&attribute)?);
                         }
                     }
                 }
@@ -176,7 +126,7 @@ impl RawSheet {
         let (mut rows, mut cells): (Vec<SheetRow>, Vec<Cell<'a>>) = (Vec::new(), Vec::new());
         for RawCell { row, column, text, content } in &self.cells {
             let text = match text {
-                RawText::Own(text) => text.as_str(),
+                RawText::Own(range) => self.texts.get(range.clone()).unwrap_or_default(),
                 RawText::Shared(number) => strings.get(*number).map_or("", String::as_str),
             };
             let text = text.trim();
@@ -214,66 +164,174 @@ impl RawSheet {
     }
 }
 
-/// What stands in a cell that was just entered.
+/// The number of a row, and whether it is hidden.
+fn row(xml: &Xml<'_, '_>, element: &BytesStart<'_>, at: &Position) -> Result<(usize, bool), ContentError> {
+    let (mut number, mut is_hidden) = (at.row + 1, false);
+    for attribute in xml.attributes(element) {
+        let attribute = attribute?;
+        let value = xml.value(&attribute)?;
+        match attribute.key.0 {
+            "r" => number = value.parse().map_err(|_| xml.refused("row", &value, "a number"))?,
+            "hidden" => is_hidden = truth(&value),
+            _ => {}
+        }
+    }
+    if number > at.row && number <= MOST_ROWS {
+        return Ok((number, is_hidden));
+    }
+    let rule = format!("below the row before, and {MOST_ROWS} at most");
+    Err(xml.refused("row", &number.to_string(), &rule))
+}
+
+/// Columns that are hidden.
+fn hidden(
+    xml: &Xml<'_, '_>,
+    element: &BytesStart<'_>,
+) -> Result<Option<RangeInclusive<usize>>, ContentError> {
+    let (mut from, mut to, mut is_hidden) = (0, 0, false);
+    for attribute in xml.attributes(element) {
+        let attribute = attribute?;
+        let value = xml.value(&attribute)?;
+        match attribute.key.0 {
+            "min" => from = value.parse().unwrap_or(0),
+            "max" => to = value.parse().unwrap_or(0),
+            "hidden" => is_hidden = truth(&value),
+            _ => {}
+        }
+    }
+    Ok(is_hidden.then_some(from..=to))
+}
+
+/// What a cell says besides its value.
+struct Head {
+    column: usize,
+    format: Format,
+    kind: Kind,
+}
+
+fn head(
+    xml: &Xml<'_, '_>,
+    element: &BytesStart<'_>,
+    at: &Position,
+    formats: &[Format],
+) -> Result<Head, ContentError> {
+    let mut head = Head { column: at.column, format: Format::GENERAL, kind: Kind::Number };
+    for attribute in xml.attributes(element) {
+        let attribute = attribute?;
+        let value = xml.value(&attribute)?;
+        match attribute.key.0 {
+            "r" => match parsed(&value) {
+                Some((row, column)) if row == at.row && column >= at.column => head.column = column,
+                _ => return Err(xml.refused("cell", &value, "in its row, behind the cell before")),
+            },
+            "s" => {
+                let number = value.parse::<usize>().ok();
+                let known = number.and_then(|number| formats.get(number));
+                head.format = known.copied().unwrap_or(Format::GENERAL);
+            }
+            "t" => head.kind = Kind::named(&value),
+            _ => {}
+        }
+    }
+    if head.column < MOST_COLUMNS {
+        return Ok(head);
+    }
+    Err(xml.refused("column", &head.column.to_string(), &format!("one of {MOST_COLUMNS}")))
+}
+
+/// What kind of value a cell says that it has.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Number,
+    Shared,
+    Text,
+    Truth,
+    Error,
+    Date,
+}
+
+impl Kind {
+    fn named(name: &str) -> Self {
+        match name {
+            "s" => Self::Shared,
+            "str" | "inlineStr" => Self::Text,
+            "b" => Self::Truth,
+            "e" => Self::Error,
+            "d" => Self::Date,
+            _ => Self::Number,
+        }
+    }
+}
+
+/// What stands in a cell that was just entered; its text goes behind `texts`.
 fn value(
     xml: &mut Xml<'_, '_>,
-    kind: &str,
+    buffer: &mut Vec<u8>,
+    kind: Kind,
     format: Format,
     strings: usize,
+    texts: &mut String,
 ) -> Result<Option<(RawText, Content)>, ContentError> {
-    let (mut result, mut own, mut formula) = (String::new(), None, None);
-    let mut buffer = Vec::new();
-    let (mut depth, mut element_of) = (1, "");
+    let start = texts.len();
+    let (mut formula, mut is_text) = (None, false);
+    let (mut depth, mut element_of) = (1, b' ');
     while depth > 0 {
-        match xml.next(&mut buffer)? {
+        match xml.next(buffer)? {
             Token::Start(element) if is(&element, "is") => {
                 drop(element);
-                own = Some(inside(xml)?);
+                texts.push_str(&inside(xml)?);
+                is_text = true;
             }
             Token::Start(element) => {
                 depth += 1;
-                element_of = if is(&element, "v") {
-                    "v"
-                } else if is(&element, "f") {
-                    formula = Some(String::new());
-                    "f"
-                } else {
-                    ""
-                };
+                element_of = if is(&element, "v") { b'v' } else { b' ' };
+                if is(&element, "f") {
+                    (formula, element_of) = (Some(String::new()), b'f');
+                }
             }
             Token::End => {
                 depth -= 1;
-                element_of = "";
+                element_of = b' ';
             }
-            Token::Text(text) if element_of == "v" => result.push_str(&text),
-            Token::Text(text) if element_of == "f" => formula.iter_mut().for_each(|f| f.push_str(&text)),
+            Token::Text(text) if element_of == b'v' => texts.push_str(&text),
+            Token::Text(text) if element_of == b'f' => formula.iter_mut().for_each(|f| f.push_str(&text)),
             Token::Text(_) | Token::Other => {}
             Token::Eof => break,
         }
     }
-    if let Some(text) = own {
-        return Ok(Some((RawText::Own(text), Content::Text)));
-    }
-    if result.is_empty() {
-        return Ok(formula
-            .filter(|_| kind != "str")
-            .map(|formula| (RawText::Own(format!("={formula}")), Content::Broken(NO_RESULT))));
-    }
-    Ok(Some(match (kind, format) {
-        ("s", _) => {
-            let number = result.trim().parse::<usize>().ok().filter(|number| *number < strings);
-            let number = number.ok_or_else(|| xml.refused("the string", &result, "one of the workbook's"))?;
-            (RawText::Shared(number), Content::Text)
+    let result = texts.get(start..).unwrap_or_default().trim();
+    let content = match (kind, format) {
+        _ if is_text => Content::Text,
+        _ if result.is_empty() => {
+            let Some(formula) = formula.filter(|_| kind != Kind::Text) else { return Ok(None) };
+            texts.push('=');
+            texts.push_str(&formula);
+            Content::Broken(NO_RESULT)
         }
-        ("str", _) => (RawText::Own(result), Content::Text),
-        ("b", _) => (RawText::Own(if truth(&result) { "true" } else { "false" }.to_owned()), Content::Text),
-        ("e", _) => (RawText::Own(result), Content::Broken(AN_ERROR)),
-        ("d", _) | (_, Format::Date) => (RawText::Own(result), Content::Broken(A_DATE)),
+        (Kind::Shared, _) => {
+            let number = result.parse::<usize>().ok().filter(|number| *number < strings);
+            let number = number.ok_or_else(|| xml.refused("the string", result, "one of the workbook's"))?;
+            texts.truncate(start);
+            return Ok(Some((RawText::Shared(number), Content::Text)));
+        }
+        (Kind::Text, _) => Content::Text,
+        (Kind::Truth, _) => {
+            let truth = if truth(result) { "true" } else { "false" };
+            texts.truncate(start);
+            texts.push_str(truth);
+            Content::Text
+        }
+        (Kind::Error, _) => Content::Broken(AN_ERROR),
+        (Kind::Date, _) | (_, Format::Date) => Content::Broken(A_DATE),
         (_, Format::Percent) => {
-            (RawText::Own(format!("{} %", hundredfold(result.trim()))), Content::Number { decimals: None })
+            let percent = format!("{} %", hundredfold(result));
+            texts.truncate(start);
+            texts.push_str(&percent);
+            Content::Number { decimals: None }
         }
-        (_, Format::Number { decimals }) => (RawText::Own(result), Content::Number { decimals }),
-    }))
+        (_, Format::Number { decimals }) => Content::Number { decimals },
+    };
+    Ok(Some((RawText::Own(start..texts.len()), content)))
 }
 
 fn truth(text: &str) -> bool {

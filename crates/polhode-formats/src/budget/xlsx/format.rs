@@ -89,7 +89,7 @@ pub(super) fn read(mut xml: Xml<'_, '_>) -> Result<Vec<Format>, ContentError> {
             }
             Token::Start(element) if is(&element, "cellXfs") => is_of_cells = true,
             Token::Start(element) if is(&element, "cellStyles") || is(&element, "dxfs") => {
-                is_of_cells = false
+                is_of_cells = false;
             }
             Token::Start(element) if is_of_cells && is(&element, "xf") => {
                 let mut format = Format::GENERAL;

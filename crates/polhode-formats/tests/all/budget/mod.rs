@@ -1,5 +1,6 @@
 //! Parts lists: what their columns and their heads say, and what is refused, with its place.
 
+mod book;
 mod forms;
 mod refusals;
 mod sections;

@@ -147,8 +147,7 @@ impl BudgetCommand {
     fn report(&self, path: &Path) -> Result<BudgetReport, Failure> {
         let file = budget::read(path)?;
         let sources = file.sources(&|path| shown(path));
-        let BudgetFile { title, configurations, questions, .. } = file;
-        let limits: Vec<polhode_budget::Limit> = Vec::new();
+        let BudgetFile { title, configurations, questions, limits, ballast, .. } = file;
         let mut all: Vec<_> = configurations.into_iter().map(|one| (one.name, one.budget)).collect();
         if let Some(wanted) = &self.configuration {
             let names: Vec<String> = all.iter().filter_map(|(name, _)| name.clone()).collect();
@@ -164,15 +163,26 @@ impl BudgetCommand {
         }
         let rows = all.iter().map(|(_, budget)| budget.list().rows.len()).max().unwrap_or(0);
         let options = self.options(&questions, rows, !limits.is_empty());
+        let is_given = self.is_given();
         let report = BudgetReport::new(title.as_deref(), sources, all, limits, options);
-        report.map_err(|error| self.refused(&error).about(path))
+        let report = report.map_err(|error| self.refused(&error).about(path))?;
+        match ballast.filter(|_| !is_given) {
+            None => Ok(report),
+            Some(ballast) => report.with_ballast(ballast).map_err(|error| {
+                let hint = "leave [[site]] out to see what the limits come to without ballast";
+                Failure::usage(error.to_string(), hint).about(path)
+            }),
+        }
+    }
+
+    /// A body, tables and differences are of the list as it is given, without draws and ballast.
+    const fn is_given(&self) -> bool {
+        self.body || self.csv || self.xlsx.is_some() || self.diff.is_some()
     }
 
     /// What the file asks, and what the command line asks instead.
     fn options(&self, asked: &Questions, rows: usize, is_limited: bool) -> BudgetOptions {
-        // A body, tables and differences are of the list as it is given; limits are not.
-        let is_given = self.body || self.csv || self.xlsx.is_some() || self.diff.is_some();
-        let needed = !is_given || (self.strict && is_limited);
+        let needed = !self.is_given() || (self.strict && is_limited);
         let usual = asked.draws.min(BudgetReport::affordable_draws(rows));
         BudgetOptions {
             basis: self.basis.map_or(asked.basis, BasisName::basis),

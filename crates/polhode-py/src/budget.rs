@@ -77,8 +77,7 @@ pub(crate) fn budget_list(
 
 fn report(file: BudgetFile, asked: &Asked, axes: Option<Rotation<Body, Part>>) -> PyResult<BudgetReport> {
     let sources = file.sources(&|path: &Path| plain::printable(&path.to_string_lossy()));
-    let BudgetFile { title, configurations, questions, .. } = file;
-    let limits: Vec<polhode_budget::Limit> = Vec::new();
+    let BudgetFile { title, configurations, questions, limits, ballast, .. } = file;
     let mut all: Vec<_> = configurations.into_iter().map(|one| (one.name, one.budget)).collect();
     if let Some(wanted) = &asked.configuration {
         let names = all.iter().filter_map(|(name, _)| name.clone()).collect();
@@ -96,7 +95,15 @@ fn report(file: BudgetFile, asked: &Asked, axes: Option<Rotation<Body, Part>>) -
         draws: asked.draws.unwrap_or_else(|| questions.draws.min(BudgetReport::affordable_draws(rows))),
         seed: asked.seed.unwrap_or(questions.seed),
     };
-    BudgetReport::new(title.as_deref(), sources, all, limits, options).map_err(Raise::raise)
+    if options.draws == 0 && !limits.is_empty() {
+        let hint = "leave draws out";
+        return Err(refused("the list has limits, which are tried by draws, and draws is 0", Some(hint)));
+    }
+    let report = BudgetReport::new(title.as_deref(), sources, all, limits, options).map_err(Raise::raise)?;
+    match ballast {
+        None => Ok(report),
+        Some(ballast) => report.with_ballast(ballast).map_err(|error| refused(&error, None)),
+    }
 }
 
 /// Of a dataframe the row is said, from 0, and not a place in the text that it became.

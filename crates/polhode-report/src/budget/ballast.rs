@@ -1,6 +1,6 @@
 //! The least ballast by which limits are met.
 
-use polhode_budget::{Ballast, BallastAnswer, LeastBallast, Limit};
+use polhode_budget::{Ballast, BallastAnswer, BallastError, Budget, LeastBallast, Limit};
 use serde_json::{Value, json};
 
 use super::case::Case;
@@ -9,9 +9,39 @@ use crate::explain::document::Section;
 use crate::layout::printable;
 use crate::number::{count, number};
 
+/// What ballast there is to be, and for what it was not sought.
+#[derive(Clone, Debug)]
+pub(super) struct Found {
+    answer: BallastAnswer,
+    /// Limits, and why no ballast can be sought for them.
+    left_out: Vec<(String, &'static str)>,
+}
+
+impl Found {
+    pub(super) fn new(budget: &Budget, ballast: &Ballast, limits: &[Limit]) -> Result<Self, BallastError> {
+        let (mut sought, mut left_out) = (limits.to_vec(), Vec::new());
+        loop {
+            match budget.ballast(ballast, &sought) {
+                Ok(answer) => return Ok(Self { answer, left_out }),
+                Err(BallastError::Limit { limit, why }) if sought.len() > 1 => {
+                    sought.retain(|other| other.name != limit);
+                    left_out.push((limit, why));
+                }
+                Err(error) => return Err(error),
+            }
+        }
+    }
+}
+
 pub(super) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Option<Section> {
-    let answer = case.ballast.as_ref()?;
+    let Found { answer, left_out } = case.ballast.as_ref()?;
     let mut section = Section::new(0, "Ballast");
+    let mut reasons: Vec<&str> = left_out.iter().map(|(_, why)| *why).collect();
+    reasons.dedup();
+    for reason in reasons {
+        let names = left_out.iter().filter(|(_, why)| *why == reason).map(|(name, _)| printable(name));
+        section.say(format!("Not sought for {}: {reason}.", names.collect::<Vec<_>>().join(", ")));
+    }
     let least = match answer {
         BallastAnswer::Least(least) => least,
         BallastAnswer::None(none) => {
@@ -60,7 +90,7 @@ pub(super) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Optio
 
 /// `Least ballast 0.123 kg, in 2 pieces`
 pub(super) fn in_words(case: &Case) -> Option<String> {
-    Some(match case.ballast.as_ref()? {
+    Some(match &case.ballast.as_ref()?.answer {
         BallastAnswer::None(_) => "No ballast at these sites meets all limits".to_owned(),
         BallastAnswer::Least(LeastBallast { pieces, .. }) if pieces.is_empty() => {
             "No ballast is needed: all limits are met without".to_owned()
@@ -81,7 +111,9 @@ fn regions(n: usize) -> String {
 }
 
 pub(super) fn to_json(case: &Case, ballast: Option<&Ballast>) -> Value {
-    match (case.ballast.as_ref(), ballast) {
+    let left_out = case.ballast.iter().flat_map(|found| &found.left_out);
+    let left_out: Vec<&str> = left_out.map(|(name, _)| name.as_str()).collect();
+    match (case.ballast.as_ref().map(|found| &found.answer), ballast) {
         (Some(BallastAnswer::Least(least)), Some(ballast)) => {
             let piece = |piece: &polhode_budget::Piece| {
                 json!({
@@ -96,10 +128,11 @@ pub(super) fn to_json(case: &Case, ballast: Option<&Ballast>) -> Value {
                 "gap": least.gap(),
                 "regions": least.regions,
                 "pieces": least.pieces.iter().map(piece).collect::<Value>(),
+                "not_sought_for": left_out,
             })
         }
         (Some(BallastAnswer::None(none)), _) => {
-            json!({ "mass": null, "none_up_to": none.up_to, "regions": none.regions })
+            json!({ "mass": null, "none_up_to": none.up_to, "regions": none.regions, "not_sought_for": left_out })
         }
         _ => Value::Null,
     }

@@ -3,11 +3,12 @@
 use polhode::body::{MassProperties, MassPropertiesGradient};
 use polhode::math::{Body, Direction};
 use polhode_budget::{
-    BallastAnswer, Basis, Budget, BudgetError, Comparison, Draws, Estimate, Evidence, Growth, Limit,
-    LimitAnswers, LimitError, MassStatement, NUMBERS, PrincipalUncertainty, Sensitivity, Tilt, Uncertainty,
+    Basis, Budget, BudgetError, Comparison, Draws, Estimate, Evidence, Growth, Limit, LimitAnswers,
+    LimitError, MassStatement, NUMBERS, PrincipalUncertainty, Sensitivity, Tilt, Uncertainty,
 };
 
 use super::BudgetOptions;
+use super::ballast::Found;
 use super::limits::LEVEL;
 
 /// A configuration, and what is computed of it.
@@ -26,7 +27,7 @@ pub(super) struct Case {
     /// Of each limit, if there are any and draws to try them by.
     pub(super) limits: Option<LimitAnswers>,
     /// If it is asked for.
-    pub(super) ballast: Option<BallastAnswer>,
+    pub(super) ballast: Option<Found>,
 }
 
 /// A principal axis beside the axis of the frame to which it is nearest.

@@ -55,20 +55,18 @@ pub(super) fn section(case: &Case, limits: &[Limit]) -> Option<Section> {
     Some(section)
 }
 
-/// `All 5 limits are met; with a probability of 87.2 % (85.1 … 89.0 %) in the body that is built`
+/// `All 5 limits are met; in 87.2 % (85.1 … 89.0 %) of possible bodies`
 pub(super) fn answer_in_words(case: &Case) -> Option<String> {
     let answers = case.limits.as_ref().filter(|answers| !answers.answers.is_empty())?;
     let (met, all) = (answers.answers.iter().filter(|answer| answer.met).count(), answers.answers.len());
-    let share = probability(&answers.all.share);
+    let share = format!("{} of possible bodies", probability(&answers.all.share));
     Some(match (met == all, all) {
-        (true, 1) => format!("The limit is met; of possible bodies by {share}"),
-        (false, 1) => format!("The limit is not met; of possible bodies by {share}"),
-        (true, _) => format!("All {} limits are met; of possible bodies by {share}", count(all as u64)),
-        (false, _) => format!(
-            "{} of {} limits are met; all, of possible bodies, by {share}",
-            count(met as u64),
-            count(all as u64)
-        ),
+        (true, 1) => format!("The limit is met; in {share}"),
+        (false, 1) => format!("The limit is not met; in {share} it is"),
+        (true, _) => format!("All {} limits are met; in {share}", count(all as u64)),
+        (false, _) => {
+            format!("{} of {} limits are met; all in {share}", count(met as u64), count(all as u64))
+        }
     })
 }
 
@@ -114,8 +112,19 @@ fn in_words(margin: Margin, scale: f64) -> String {
 
 /// `87.2 % (85.1 … 89.0 %)`
 fn probability(share: &Share) -> String {
-    let [low, high] = share.interval.map(|p| format!("{:.1}", 100.0 * p));
+    let [low, high] = share.interval.map(end);
     format!("{}{GROUP}({low} … {high}{GROUP}%)", percent(share.estimate()))
+}
+
+/// Of an interval, in percent: near 0 and 1 with two decimals.
+fn end(p: f64) -> String {
+    const NEAR: f64 = 1e-3;
+    match p {
+        0.0 => "0".to_owned(),
+        1.0 => "100".to_owned(),
+        p if !(NEAR..=1.0 - NEAR).contains(&p) => format!("{:.2}", 100.0 * p),
+        p => format!("{:.1}", 100.0 * p),
+    }
 }
 
 fn percent(p: f64) -> String {

@@ -101,13 +101,13 @@ impl BudgetReport {
         (ROWS / rows.max(1)).clamp(LEAST, MOST)
     }
 
-    /// With the least ballast by which each configuration meets the limits.
+    /// With the least ballast by which each configuration meets the limits; those for which none can be sought are left out, and named.
     ///
     /// # Errors
-    /// As [`Budget::ballast`].
+    /// As [`Budget::ballast`], and if it can be sought for none of them.
     pub fn with_ballast(mut self, ballast: Ballast) -> Result<Self, BallastError> {
         for case in &mut self.cases {
-            case.ballast = Some(case.budget.ballast(&ballast, &self.limits)?);
+            case.ballast = Some(ballast::Found::new(&case.budget, &ballast, &self.limits)?);
         }
         self.ballast = Some(ballast);
         Ok(self)

@@ -7,7 +7,7 @@ use super::case::Case;
 use super::limits::{allowed, shown_unit};
 use crate::explain::document::Section;
 use crate::layout::printable;
-use crate::number::{count, number};
+use crate::number::{count, number, tidy};
 
 /// What ballast there is to be, and for what it was not sought.
 #[derive(Clone, Debug)]
@@ -58,7 +58,7 @@ pub(super) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Optio
         return Some(section);
     }
     let row = |piece: &polhode_budget::Piece| {
-        let [x, y, z] = piece.position.to_array().map(|x| number(1e3 * x, 5));
+        let [x, y, z] = tidy(piece.position.to_array()).map(|x| number(1e3 * x, 5));
         let site = ballast.sites.get(piece.site).map_or_else(String::new, |site| printable(&site.name));
         vec![site, x, y, z, number(1e3 * piece.mass, 6)]
     };

@@ -4,7 +4,7 @@ use polhode::body::{MassProperties, MassPropertiesGradient};
 use polhode::math::{Body, Direction};
 use polhode_budget::{
     Basis, Budget, BudgetError, Comparison, Draws, Estimate, Evidence, Growth, Limit, LimitAnswers,
-    LimitError, MassStatement, NUMBERS, PrincipalUncertainty, Sensitivity, Tilt, Uncertainty,
+    LimitError, MassStatement, Measure, NUMBERS, PrincipalUncertainty, Sensitivity, Tilt, Uncertainty,
 };
 
 use super::BudgetOptions;
@@ -44,8 +44,22 @@ pub(super) struct AxisTilt {
 pub(super) struct SpreadResult {
     pub(super) name: String,
     pub(super) unit: &'static str,
+    pub(super) of: ResultKind,
     pub(super) sd: f64,
     pub(super) by: Vec<Sensitivity>,
+}
+
+/// Of what a number is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum ResultKind {
+    /// Mass and centre of mass.
+    Place,
+    /// The tensor.
+    Tensor,
+    /// Principal moments and tilts.
+    Principal,
+    /// What a limit is on.
+    Limit,
 }
 
 /// What draws show.
@@ -71,7 +85,7 @@ impl Case {
         let estimates = [budget.estimate(Basis::Basic)?, budget.estimate(Basis::Predicted)?];
         let estimate = &estimates[index(options.basis)];
         let tilts = tilts(estimate, options);
-        let results = results(&budget, options.basis, estimate, &tilts)?;
+        let results = results(&budget, options.basis, estimate, &tilts, limits)?;
         let drawn = if options.draws > 0 {
             let draws = budget.draws(options.basis, options.seed, options.draws)?;
             let comparison = draws.compare(estimate);
@@ -195,27 +209,38 @@ fn results(
     basis: Basis,
     estimate: &Estimate<Body>,
     tilts: &[AxisTilt; 3],
+    limits: &[Limit],
 ) -> Result<Vec<SpreadResult>, BudgetError> {
     let principal = estimate.principal();
-    let mut asked: Vec<(String, &'static str, MassPropertiesGradient<Body>)> = NUMBERS
+    let mut asked: Vec<(String, &'static str, ResultKind, MassPropertiesGradient<Body>)> = NUMBERS
         .iter()
         .enumerate()
-        .map(|(k, (name, unit))| ((*name).to_owned(), *unit, number_gradient(k)))
+        .map(|(k, (name, unit))| {
+            let of = if k < 4 { ResultKind::Place } else { ResultKind::Tensor };
+            ((*name).to_owned(), *unit, of, number_gradient(k))
+        })
         .collect();
     for k in 0..3 {
-        asked.push((format!("i{}", k + 1), "kg·m²", principal.moment_gradient(k)));
+        asked.push((format!("i{}", k + 1), "kg·m²", ResultKind::Principal, principal.moment_gradient(k)));
     }
     for (k, AxisTilt { from, tilt, .. }) in tilts.iter().enumerate() {
         if let Some(gradient) = tilt.and_then(|tilt| tilt.gradient) {
             let name = format!("tilt of {} from {}", k + 1, AXES[*from]);
-            asked.push((name, "rad", gradient));
+            asked.push((name, "rad", ResultKind::Principal, gradient));
+        }
+    }
+    // Those on the mass are above.
+    for limit in limits.iter().filter(|limit| limit.basis == basis && limit.of != Measure::Mass) {
+        if let Ok(gradient) = limit.of.gradient(estimate) {
+            asked.push((limit.name.clone(), limit.of.unit(), ResultKind::Limit, gradient));
         }
     }
     let gradients: Vec<_> = asked.iter().map(|(.., gradient)| *gradient).collect();
     let found = budget.sensitivities(basis, &gradients)?;
-    let result = |((name, unit, gradient), by): ((String, _, _), _)| SpreadResult {
+    let result = |((name, unit, of, gradient), by): ((String, _, _, _), _)| SpreadResult {
         name,
         unit,
+        of,
         sd: estimate.sd_of(&gradient),
         by,
     };

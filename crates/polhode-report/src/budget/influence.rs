@@ -2,7 +2,7 @@
 
 use polhode_budget::{ErrorKind, Sensitivity, Source};
 
-use super::case::{Case, SpreadResult};
+use super::case::{Case, ResultKind, SpreadResult};
 use super::limits::shown_unit;
 use crate::explain::document::{Block, Section};
 use crate::explain::drawing::{Bar, BarPanel, Bars, Drawing};
@@ -23,7 +23,7 @@ pub(super) fn section(case: &Case) -> Option<Section> {
         .say("To first order, each error's part of the variance of a number; all parts together are 100 %.");
     let row = |result: &&SpreadResult| {
         let (unit, scale) = shown_unit(result.unit);
-        let mut cells = vec![result.name.clone(), format!("{} {unit}", number(scale * result.sd, 2))];
+        let mut cells = vec![printable(&result.name), format!("{} {unit}", number(scale * result.sd, 2))];
         cells.extend(result.by.iter().take(CELLS).map(|by| {
             format!("{}: {}{GROUP}%", printable(&named(case, by)), number(100.0 * share(result, by), 2))
         }));
@@ -32,15 +32,13 @@ pub(super) fn section(case: &Case) -> Option<Section> {
     };
     let headers = ["number", "sd", "most of it by", "then by"];
     section.table(&headers, results.iter().map(row).collect());
-    let [first, second, third] = [0..4, 4..10, 10..case.results.len()].map(|range| {
-        let results = case.results.get(range).unwrap_or_default();
-        results.iter().filter(|result| !result.by.is_empty()).collect::<Vec<_>>()
-    });
-    for (title, results) in [
-        ("Errors of mass and centre of mass", first),
-        ("Errors of the inertia tensor", second),
-        ("Errors of principal moments and axes", third),
+    for (title, of) in [
+        ("Errors of mass and centre of mass", ResultKind::Place),
+        ("Errors of the inertia tensor", ResultKind::Tensor),
+        ("Errors of principal moments and axes", ResultKind::Principal),
+        ("Errors of what is limited", ResultKind::Limit),
     ] {
+        let results: Vec<&SpreadResult> = results.iter().copied().filter(|result| result.of == of).collect();
         if !results.is_empty() {
             let caption = if section.blocks.iter().any(|block| matches!(block, Block::Drawing(_))) {
                 ""

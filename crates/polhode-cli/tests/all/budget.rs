@@ -5,7 +5,9 @@ use std::fs;
 use polhode::math::Position;
 use serde_json::Value;
 
-use crate::common::{Scratch, json, number, numbers, refused, stdout};
+use crate::common::figures::compare;
+use crate::common::recipe::follow;
+use crate::common::{Scratch, example, json, number, numbers, refused, stdout};
 
 /// A satellite with its wings in two places, heavier than allowed in one part.
 pub(crate) const CUBESAT: &str = r#"# title = "A CubeSat"
@@ -156,4 +158,81 @@ fn draws_are_those_of_the_seed() {
     assert!(run(&["--draws", "0"])["configurations"][0]["draws"].is_null());
     let error = refused(&scratch.run(&["budget", "cubesat.csv", "--draws", "5"]), 2);
     assert!(error.contains("0, or 10 at least"), "{error}");
+}
+
+#[test]
+fn limits_are_answered_and_strict_is_about_them() {
+    let scratch = Scratch::new("budget-limits");
+    let list = "name,mass [kg],x [mm],y [mm],z [mm]\na,2 ± 0.1,1,0,0\nb,1 ± 0.1,-5,2,300\n";
+    let limit = |most: &str| {
+        format!("# [[limit]]\n# of = \"mass\"\n# most = \"{most}\"\n# [result]\n# draws = 400\n{list}")
+    };
+    scratch.write("light.csv", &limit("3.1 kg"));
+    scratch.write("heavy.csv", &limit("2.9 kg"));
+    let said = json(&scratch.run(&["budget", "light.csv", "--json", "--strict"]));
+    let one = &said["configurations"][0]["limits"]["each"][0];
+    assert_eq!((one["met"].as_bool(), number(&one["draws"]["of"])), (Some(true), 400.0));
+    // 0.1 kg of √2 · 0.1 kg
+    let p = number(&one["draws"]["probability"]);
+    assert!((number(&one["first_order"]) - 0.760_25).abs() < 1e-5 && (p - 0.76).abs() < 0.08, "{p}");
+    for form in [&[][..], &["--csv"], &["--body"]] {
+        let output = scratch.run(&[&["budget", "heavy.csv", "--strict"], form].concat());
+        assert_eq!(output.status.code(), Some(1), "{form:?}");
+    }
+    let error = refused(&scratch.run(&["budget", "light.csv", "--draws", "0"]), 2);
+    assert!(error.contains("--draws is 0"), "{error}");
+}
+
+#[test]
+fn ballast_meets_the_limits_or_there_is_none() {
+    let scratch = Scratch::new("budget-ballast");
+    let plan = |most: &str| {
+        format!(
+            "# [[limit]]\n# of = \"center distance\"\n# along = \"z\"\n# most = \"1 mm\"\n# [[limit]]\n# of = \"tilt\"\n# along = \"z\"\n# most = \"9 deg\"\n\
+             # [[site]]\n# name = \"rim\"\n# at = [0, 0, \"10 cm\"]\n# radius = \"20 cm\"\n# normal = \"z\"\n# rim = true\n# [ballast]\n# most = \"{most}\"\n# [result]\n# draws = 20\n\
+             name,mass [kg],x [mm],y [mm],z [mm]\na,2 ± 0.1,12,9,0\nb,1 ± 0.1,12,9,300\n"
+        )
+    };
+    scratch.write("some.csv", &plan("1 kg"));
+    let said = json(&scratch.run(&["budget", "some.csv", "--json"]));
+    let ballast = &said["configurations"][0]["ballast"];
+    // 3 kg at 15 mm from the axis, m at 200 mm on the other side: (45 − 200 m)/(3 + m) = 1
+    let mass = number(&ballast["mass"]);
+    assert!((mass - 42.0 / 201.0).abs() < 1e-8, "{ballast}");
+    assert!(number(&ballast["gap"]) < 1e-9 && number(&ballast["bound"]) <= mass);
+    assert_eq!(ballast["not_sought_for"][0], "tilt along z");
+    let text = stdout(&scratch.run(&["budget", "some.csv"]));
+    assert!(text.contains("Least ballast 0.209 kg, in 1 piece: proved"), "{text}");
+    scratch.write("little.csv", &plan("100 g"));
+    let text = stdout(&scratch.run(&["budget", "little.csv"]));
+    assert!(text.contains("No ballast at these sites, up to 0.1 kg, meets all limits."), "{text}");
+}
+
+#[test]
+fn the_guide_is_what_its_commands_print() {
+    let scratch = Scratch::new("budget-guide");
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    fs::create_dir_all(scratch.0.join("examples/budget")).unwrap();
+    for name in ["cubesat.csv", "sounding-rocket.xlsx"] {
+        let name = format!("examples/budget/{name}");
+        fs::copy(root.join(&name), scratch.0.join(&name)).unwrap();
+    }
+    let followed = follow(&root.join("book/budget.md"), &scratch);
+    assert!(followed.commands >= 5 && followed.excerpts >= 5);
+}
+
+#[test]
+fn the_books_pictures_of_budgets_are_those_of_the_example() {
+    let scratch = Scratch::new("budget-book");
+    let list = example("budget/cubesat.csv");
+    let page = ["budget", &list, "--configuration", "deployed", "--draws", "1000", "--html"];
+    compare(
+        &scratch,
+        &[
+            (&page, "What the mass is made of", "budget-mass.svg"),
+            (&page, "Errors of mass", "budget-errors.svg"),
+            (&page, "Parts, centre of mass", "budget-parts.svg"),
+            (&page, "The triangle of moments", "budget-triangle.svg"),
+        ],
+    );
 }

@@ -202,7 +202,7 @@ fn ballast_meets_the_limits_or_there_is_none() {
     assert!(number(&ballast["gap"]) < 1e-9 && number(&ballast["bound"]) <= mass);
     assert_eq!(ballast["not_sought_for"][0], "tilt along z");
     let text = stdout(&scratch.run(&["budget", "some.csv"]));
-    assert!(text.contains("Least ballast 0.209 kg, in 1 piece: proved"), "{text}");
+    assert!(text.contains("→ Least ballast 0.209 kg, in ") && text.contains(": proved"), "{text}");
     scratch.write("little.csv", &plan("100 g"));
     let text = stdout(&scratch.run(&["budget", "little.csv"]));
     assert!(text.contains("No ballast at these sites, up to 0.1 kg, meets all limits."), "{text}");

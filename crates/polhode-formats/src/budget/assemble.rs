@@ -1,6 +1,6 @@
 //! Rows as budgets: one of each configuration.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use polhode_budget::{Budget, PartsList, Row};
 
@@ -10,10 +10,14 @@ use super::key::MASS;
 use super::plan::Plan;
 use super::rows::{ReadRow, Rows};
 use super::sheet::Cell;
-use crate::error::FormatError;
+use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use crate::error::{FormatError, FormatErrorKind};
 
 /// The name of a frame in which all parts stand that stand in no other.
 const WHOLE: &str = "whole";
+
+/// Each has all rows of its own: more would fill the memory.
+const MOST_CONFIGURATIONS: usize = 100;
 
 /// A budget of each configuration; lines are added about what was taken as given.
 pub(super) fn budgets(
@@ -23,9 +27,16 @@ pub(super) fn budgets(
     lines: &mut Vec<String>,
 ) -> Result<Vec<NamedBudget>, FormatError> {
     let mut names = plan.configurations.clone().unwrap_or_default();
-    for name in rows.iter().flat_map(|row| &row.configurations) {
-        if !names.contains(name) {
-            names.push(name.clone());
+    for (row, name) in rows.iter().flat_map(|row| row.configurations.iter().map(move |name| (row, name))) {
+        if names.contains(name) {
+            continue;
+        }
+        names.push(name.clone());
+        if names.len() > MOST_CONFIGURATIONS {
+            let what = format!("more than {MOST_CONFIGURATIONS} configurations");
+            let error = ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Whole);
+            let sheet = reader.reader.sheet;
+            return Err(sheet.row_error(Some(row.origin), FormatErrorKind::Content(error)));
         }
     }
     if names.is_empty() {
@@ -56,7 +67,7 @@ fn one(
     lines.push(format!("{} rows{suffix}", rows.len()));
     let is_flat = rows.len() > 1 && rows.iter().all(|row| row.parent.is_none() && !row.name.contains('/'));
     if is_flat {
-        let name = plan.title.as_deref().unwrap_or(WHOLE).replace('/', " ");
+        let name = whole(&rows, plan.title.as_deref());
         lines.push(format!("all rows stand in one frame, \"{name}\", as none names another"));
         rows.iter_mut().for_each(|row| row.parent = Some(name.clone()));
         rows.push(Row::frame(name));
@@ -67,6 +78,15 @@ fn one(
     let budget = list.budget().map_err(|error| blame.of(error))?;
     double_counting(&budget, &blame)?;
     Ok(budget)
+}
+
+/// What the frame of all is called: as the list is, if no row is.
+fn whole(rows: &[Row], title: Option<&str>) -> String {
+    let names: HashSet<&str> = rows.iter().map(|row| row.name.as_str()).collect();
+    let title = title.map(|title| title.replace('/', " ").trim().to_owned());
+    let numbered = (2..).map(|number| format!("{WHOLE} {number}"));
+    let mut all = title.into_iter().chain([WHOLE.to_owned()]).chain(numbered);
+    all.find(|name| !name.is_empty() && !names.contains(name.as_str())).unwrap_or_default()
 }
 
 /// Names among which one is looked for that is nearly another.

@@ -8,7 +8,7 @@ use super::measured::{Amount, measured};
 use super::number::{Unit, Wrong};
 use super::sheet::{Cell, Content, Sheet};
 use crate::error::FormatError;
-use crate::text::cut;
+use crate::text::{cut, is_unseen};
 use crate::unit::{Dimension, unit_of};
 
 /// The cells of a row.
@@ -131,6 +131,20 @@ impl<'s, 'a> Reader<'s, 'a> {
     /// What stands under a key.
     pub(super) fn text(&self, cells: &Cells<'s, 'a>, key: usize) -> Result<Option<&'s str>, FormatError> {
         cells.cell(key).map(|cell| self.whole(cell)).transpose()
+    }
+
+    /// A name: with one space between its words, and without what cannot be seen.
+    pub(super) fn label(&self, cells: &Cells<'s, 'a>, key: usize) -> Result<Option<String>, FormatError> {
+        cells.cell(key).map(|cell| self.label_of(cell)).transpose()
+    }
+
+    /// The name in a cell.
+    pub(super) fn label_of(&self, cell: &'s Cell<'a>) -> Result<String, FormatError> {
+        let text = self.whole(cell)?;
+        if text.chars().any(|c| is_unseen(c) && !c.is_whitespace()) {
+            return Err(self.invalid(cell, "a name of characters that can be seen"));
+        }
+        Ok(text.split_whitespace().collect::<Vec<_>>().join(" "))
     }
 
     /// A number with a decimal point.

@@ -27,7 +27,7 @@ pub(super) fn comma(
             let is_number = columns
                 .get(cell.column)
                 .and_then(|column| KEYS.get(column.key)?.holds.dimension())
-                .is_some_and(|_| cell.content == Content::Text);
+                .is_some_and(|_| cell.content == Content::Text && !cell.text.starts_with('['));
             if !is_number {
                 continue;
             }

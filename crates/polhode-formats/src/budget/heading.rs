@@ -1,13 +1,16 @@
 //! The headings of a parts list: what its columns are, and in which units.
 
+use std::collections::BTreeMap;
+
 use super::key::{COUNT, DENSITY, Holds, KEYS, NAME, PATH};
-use super::measured::percent;
+use super::measured::{hundredths, percent};
 use super::number::{Unit, Wrong};
 use super::sheet::{Cell, Content, Sheet};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::suggestion::nearest;
-use crate::unit::Dimension;
+use crate::text::{cut, visible};
+use crate::unit::{Dimension, UnitError};
 
 /// A column that is read.
 #[derive(Clone, Debug)]
@@ -47,7 +50,7 @@ pub(super) struct Columns {
     /// Where the headings are, among the rows of the table.
     pub(super) row: usize,
     /// Columns that are not read, and their headings.
-    pub(super) ignored: Vec<(usize, String)>,
+    pub(super) ignored: BTreeMap<usize, String>,
     /// By keys: their places.
     pub(super) places: [Option<usize>; COUNT],
 }
@@ -72,12 +75,12 @@ impl Columns {
     pub(super) fn of(sheet: &Sheet<'_>, ignore: &[String]) -> Result<Self, FormatError> {
         let row = sheet.rows.iter().position(|row| sheet.row(row).iter().any(|cell| is_of_names(&cell.text)));
         let row = row.ok_or_else(|| nameless(sheet))?;
-        let mut columns = Self { all: Vec::new(), row, ignored: Vec::new(), places: [None; COUNT] };
+        let mut columns = Self { all: Vec::new(), row, ignored: BTreeMap::new(), places: [None; COUNT] };
         for cell in sheet.rows.get(row).map_or(&[][..], |row| sheet.row(row)) {
             columns.all.resize(cell.column, None);
             let column = columns.column(sheet, cell, ignore)?;
             if column.is_none() {
-                columns.ignored.push((cell.column, cell.text.to_string()));
+                columns.ignored.insert(cell.column, shown(cell));
             }
             columns.all.push(column);
         }
@@ -119,10 +122,7 @@ impl Columns {
                 let unit = Unit::new(unit, dimension).or_else(|error| {
                     others.iter().find_map(|other| Unit::new(unit, *other).ok()).ok_or(error)
                 });
-                ColumnUnit::Unit(unit.map_err(|error| {
-                    let hint = error.hint_for_name().unwrap_or_default();
-                    sheet.error(cell, FormatErrorKind::Unit(error)).with_hint(hint)
-                })?)
+                ColumnUnit::Unit(unit.map_err(|error| no_unit(error, |kind| sheet.error(cell, kind)))?)
             }
             _ => return Err(sheet.invalid(cell, "the heading", "without a unit: it has no quantities")),
         };
@@ -138,12 +138,12 @@ impl Columns {
         if spread.is_none() {
             self.places[key] = Some(cell.column);
         }
-        Ok(Some(Column { key, spread, heading, unit }))
+        Ok(Some(Column { key, spread, heading: shown(cell), unit }))
     }
 
     /// Whether a column has a heading, and is not read.
     pub(super) fn is_ignored(&self, column: usize) -> bool {
-        self.ignored.iter().any(|(ignored, _)| *ignored == column)
+        self.ignored.contains_key(&column)
     }
 
     pub(super) fn get(&self, column: usize) -> Option<&Column> {
@@ -154,17 +154,31 @@ impl Columns {
 impl Column {
     /// A number that has no error, in the unit of the column: SI, or a fraction.
     pub(super) fn number(&self, text: &str, dimension: Dimension) -> Result<(f64, bool), Wrong> {
+        let may_be_fraction = dimension == Dimension::NONE || self.spread.is_some();
+        if let Some(fraction) = percent(text).filter(|_| may_be_fraction) {
+            return fraction.map(|fraction| (fraction, true));
+        }
         match &self.unit {
-            _ if text.ends_with('%') && (dimension == Dimension::NONE || self.spread.is_some()) => {
-                percent(text).unwrap_or(Ok(0.0)).map(|fraction| (fraction, true))
-            }
-            ColumnUnit::Percent => {
-                percent(&format!("{text}%")).unwrap_or(Ok(0.0)).map(|fraction| (fraction, true))
-            }
+            ColumnUnit::Percent => hundredths(text).map(|fraction| (fraction, true)),
             ColumnUnit::None => Ok(Unit::SI.read(text, dimension).map(|read| (read.value, read.has_unit))?),
             ColumnUnit::Unit(unit) => Ok(unit.read(text, dimension).map(|read| (read.value, true))?),
         }
     }
+}
+
+/// The error of a name that is no unit there.
+pub(super) fn no_unit(error: UnitError, at: impl Fn(FormatErrorKind) -> FormatError) -> FormatError {
+    let hint = error.hint_for_name();
+    let error = at(FormatErrorKind::Unit(error));
+    match hint {
+        Some(hint) => error.with_hint(hint),
+        None => error,
+    }
+}
+
+/// A heading as messages print it.
+fn shown(cell: &Cell<'_>) -> String {
+    cut(&cell.text).chars().map(visible).collect()
 }
 
 /// `mass [kg]`, `mass (kg)`: name and unit.
@@ -199,8 +213,10 @@ fn unknown(sheet: &Sheet<'_>, cell: &Cell<'_>, name: &str) -> FormatError {
     let suggestion = nearest(name, known.iter().copied());
     let (key, table) = (cell.text.to_string(), "the headings".to_owned());
     let error = sheet.error(cell, FormatErrorKind::UnknownKey { key, table, suggestion, known });
-    let hint =
-        format!("or write ignore = [\"{}\"] into the head, if it is for people", cell.text.replace('"', "'"));
+    let hint = format!(
+        "or write ignore = [\"{}\"] into the head, if it is for people",
+        shown(cell).replace('"', "'")
+    );
     match (suggestion, error.hint()) {
         (Some(near), _) => error.with_hint(format!("did you mean {near}? {hint}")),
         (None, Some(known)) => error.with_hint(format!("{known}; {hint}")),

@@ -77,9 +77,12 @@ pub(super) fn measured(
 
 /// A fraction that is written in percent; `None` of what is not.
 pub(super) fn percent(text: &str) -> Option<Result<f64, Wrong>> {
-    let number = text.trim().strip_suffix('%')?.trim_end();
-    let of_hundred = |number: &str| unit::parse(&hundredth(number), Dimension::NONE).map_err(Wrong::from);
-    Some(of_hundred(number))
+    text.trim().strip_suffix('%').map(|number| hundredths(number.trim_end()))
+}
+
+/// So many hundredths.
+pub(super) fn hundredths(number: &str) -> Result<f64, Wrong> {
+    unit::parse(&hundredth(number), Dimension::NONE).map_err(Wrong::from)
 }
 
 /// A hundredth of a number, as it is written.

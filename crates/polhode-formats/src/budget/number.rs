@@ -1,6 +1,7 @@
 //! Numbers in cells, and their units.
 
 use crate::error::FormatErrorKind;
+use crate::text::{cut, visible};
 use crate::unit::{self, Dimension, UnitError};
 
 /// A unit, as a column has it.
@@ -98,7 +99,8 @@ fn decimal(factor: f64) -> Option<(u64, i32)> {
 impl Wrong {
     /// A text that breaks a rule.
     pub(super) fn rule(heading: &str, text: &str, rule: &str, hint: &str) -> Self {
-        let (key, value, rule) = (heading.to_owned(), crate::text::cut(text), rule.to_owned());
+        let value = cut(text).chars().map(visible).collect();
+        let (key, rule) = (heading.to_owned(), rule.to_owned());
         Self { kind: FormatErrorKind::Value { key, value, rule }, hint: Some(hint.to_owned()) }
     }
 }

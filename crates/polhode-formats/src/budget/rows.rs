@@ -61,7 +61,7 @@ impl<'s, 'a> Rows<'s, 'a> {
 
     fn row(&mut self, cells: &Cells<'s, 'a>) -> Result<(Row, Vec<String>), FormatError> {
         let name = self.name(cells)?;
-        let parent = self.reader.text(cells, PARENT)?.map(str::to_owned);
+        let parent = self.reader.label(cells, PARENT)?;
         let (place, position, rotation) = self.reader.place(cells)?;
         let quantity = self.quantity(cells)?;
         let (part, uncertainty) =
@@ -77,7 +77,7 @@ impl<'s, 'a> Rows<'s, 'a> {
             place,
             part,
             uncertainty: Uncertainty { part: uncertainty.unwrap_or_default(), position, rotation },
-            group: self.reader.text(cells, GROUP)?.map(str::to_owned),
+            group: self.reader.label(cells, GROUP)?,
             growth: self.growth(cells)?,
             subtotal,
             allowable: allowable.map(|given| given.value),
@@ -96,7 +96,7 @@ impl<'s, 'a> Rows<'s, 'a> {
             let is_total = cells.cell(MASS).is_some() || cells.cell(SUBTOTAL).is_some();
             return Err(if is_total { error.with_hint(TOTAL) } else { error });
         };
-        let name = self.reader.whole(cell)?;
+        let name = self.reader.label_of(cell)?;
         let plain = name.trim_end_matches(':').trim().to_lowercase();
         if TOTALS.contains(&plain.as_str()) && cells.cell(MASS).is_some() {
             return Err(self
@@ -104,7 +104,7 @@ impl<'s, 'a> Rows<'s, 'a> {
                 .invalid(cell, "the name of a part, and no sum of others")
                 .with_hint(TOTAL));
         }
-        Ok(name.to_owned())
+        Ok(name)
     }
 
     fn quantity(&mut self, cells: &Cells<'s, 'a>) -> Result<Quantity, FormatError> {
@@ -133,12 +133,12 @@ impl<'s, 'a> Rows<'s, 'a> {
     }
 
     fn growth(&mut self, cells: &Cells<'s, 'a>) -> Result<Growth, FormatError> {
-        let code = self.reader.text(cells, MATURITY)?;
+        let code = self.reader.label(cells, MATURITY)?;
         let fraction = self.reader.number(cells, GROWTH)?;
         if let Some(given) = fraction.filter(|given| !(given.value >= 0.0)) {
             return Err(self.reader.invalid(given.cell, "zero or positive"));
         }
-        let of_code = code.and_then(|code| self.plan.growth.get(code));
+        let of_code = code.as_deref().and_then(|code| self.plan.growth.get(code));
         if let (Some(given), Some(allowance)) = (fraction, of_code)
             && (given.value - allowance).abs() > 1e-9
         {
@@ -147,7 +147,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         }
         Ok(match (code, fraction) {
             (_, Some(given)) => Growth::Fraction(given.value),
-            (Some(code), None) => Growth::Code(code.to_owned()),
+            (Some(code), None) => Growth::Code(code),
             (None, None) => Growth::None,
         })
     }
@@ -163,7 +163,7 @@ impl<'s, 'a> Rows<'s, 'a> {
     }
 
     fn configurations(&self, cells: &Cells<'s, 'a>) -> Result<Vec<String>, FormatError> {
-        let (Some(text), Some(cell)) = (self.reader.text(cells, CONFIGURATION)?, cells.cell(CONFIGURATION))
+        let (Some(text), Some(cell)) = (self.reader.label(cells, CONFIGURATION)?, cells.cell(CONFIGURATION))
         else {
             return Ok(Vec::new());
         };

@@ -243,10 +243,10 @@ impl<'s, 'a> Reader<'s, 'a> {
 
     /// Lengths as a scenario has them: `100 × 50 × 20 mm` as a list of three.
     fn sizes(&self, cell: &'s Cell<'a>) -> Result<String, FormatError> {
-        let text = self.pointed(cell)?;
-        if text.starts_with('[') {
-            return Ok(text.into_owned());
+        if self.whole(cell)?.starts_with('[') {
+            return Ok(cell.text.to_string());
         }
+        let text = self.pointed(cell)?;
         let mut pieces: Vec<&str> = text.split(['×', 'x', 'X', ';']).map(str::trim).collect();
         if let [one] = pieces[..] {
             pieces = one.split(',').map(str::trim).collect();

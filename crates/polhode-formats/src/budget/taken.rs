@@ -65,7 +65,7 @@ pub(super) fn of_sheet(
         lines.push(format!("what stands above the headings in row {} was not read", row.number));
     }
     if !columns.ignored.is_empty() {
-        let headings: Vec<&str> = columns.ignored.iter().map(|(_, heading)| heading.as_str()).collect();
+        let headings: Vec<&str> = columns.ignored.values().map(String::as_str).collect();
         lines.push(format!("not read: {}", headings.join(", ")));
     }
     let hidden: Vec<String> =

@@ -9,7 +9,7 @@ use super::key::{ABOUT, KEYS, MASS, PRODUCTS};
 use super::part::{CENTER, MOMENTS, PRODUCTS as ELEMENTS};
 use super::plan::{self, About};
 use super::rows::Rows;
-use super::sheet::Cell;
+use super::sheet::{Cell, Content};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::suggestion::nearest;
@@ -75,14 +75,21 @@ impl<'s, 'a> Rows<'s, 'a> {
 
     /// `center`, `origin`, the name of a frame, or three lengths: `10 mm, 0, 0`.
     fn named_point(&self, cell: &'s Cell<'a>) -> Result<About, FormatError> {
-        let text = self.reader.whole(cell)?;
-        let is_point = text.starts_with(['-', '+', '.', '\u{2212}', '[', '('])
-            || text.starts_with(|c: char| c.is_ascii_digit());
-        let pieces: Vec<&str> =
-            text.trim_matches(['[', ']', '(', ')']).split([',', ';']).map(str::trim).collect();
+        let label = self.reader.label_of(cell)?;
+        let inside = label.trim_matches(['[', ']', '(', ')']);
+        let begins = ['-', '+', '.', '\u{2212}'];
+        let is_point = inside.starts_with(begins) || inside.starts_with(|c: char| c.is_ascii_digit());
+        let comma = self.reader.sheet.decimal_comma && cell.content == Content::Text;
+        let marks: &[char] = if comma { &[';'] } else { &[',', ';'] };
+        let pieces: Vec<&str> = inside.split(marks).map(str::trim).collect();
         if !is_point || pieces.len() != 3 {
-            return Ok(About::named(text));
+            return Ok(About::named(&label));
         }
+        let pointed: Vec<String> = pieces
+            .iter()
+            .map(|piece| if comma { piece.replace(',', ".") } else { (*piece).to_owned() })
+            .collect();
+        let pieces: Vec<&str> = pointed.iter().map(String::as_str).collect();
         if unit::bare_beside_units(pieces.iter().copied()).is_some() {
             return Err(self.reader.invalid(cell, "three lengths, each with its unit"));
         }

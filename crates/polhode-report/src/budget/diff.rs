@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use polhode::body::MassProperties;
 use polhode::math::Part;
-use polhode_budget::{Basis, NUMBERS, Row};
+use polhode_budget::{Basis, Estimate, NUMBERS, Row};
 use serde_json::{Value, json};
 
 use super::case::{Case, ten};
@@ -160,7 +160,7 @@ impl<'a> BudgetDiff<'a> {
                 vec![name.to_owned(), was, is, signed(change), unit.to_owned()]
             })
             .collect();
-        let moments = [before, after].map(|estimate| estimate.principal());
+        let moments = [before, after].map(Estimate::principal);
         for k in 0..3 {
             let of = |side: usize| moments[side].frame.moments()[k];
             let cells =

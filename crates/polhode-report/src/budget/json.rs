@@ -1,6 +1,6 @@
 //! A budget as data.
 
-use polhode::math::Body;
+use polhode::math::{Body, Position, Rotation};
 use polhode_budget::{Basis, ComparedNumber, Estimate, MassStatement, NUMBERS};
 use serde_json::{Value, json};
 
@@ -52,8 +52,8 @@ impl BudgetReport {
         asked(estimate, &self.options).map_or(Value::Null, |asked| {
             let [xx, yy, zz, xy, xz, yz] = asked.inertia;
             json!({
-                "about": self.options.about.map(|point| point.to_array()),
-                "axes": self.options.along.map(|r| r.matrix()),
+                "about": self.options.about.map(Position::to_array),
+                "axes": self.options.along.map(Rotation::matrix),
                 "center_of_mass": asked.place[1..],
                 "inertia": matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]),
                 "covariance": asked.covariance,

@@ -22,19 +22,17 @@ pub(super) fn section(case: &Case, limits: &[Limit]) -> Option<Section> {
             (Ok(value), Err(_)) => number(scale * value, 4),
             (Err(why), _) => why.to_string(),
         };
-        let first_order = answer.first_order.map_or_else(|_| "—".to_owned(), percent);
+        let unit = if unit.is_empty() { String::new() } else { format!("{GROUP}{unit}") };
         vec![
             printable(&limit.name),
-            allowed(limit, scale),
+            format!("{}{unit}", allowed(limit, scale)),
             value,
-            answer.least_margin().map_or_else(String::new, |margin| in_words(margin, scale)),
-            unit.to_owned(),
+            answer.least_margin().map_or_else(String::new, |margin| number(scale * margin.value, 3)),
             if answer.met { "met" } else { "not met" }.to_owned(),
             probability(&answer.share),
-            first_order,
         ]
     };
-    let headers = ["limit", "allowed", "value ± sd", "margin", "unit", "", "probability", "first order"];
+    let headers = ["limit", "allowed", "value ± sd", "margin", "", "probability"];
     section.table(&headers, limits.iter().zip(&answers.answers).map(row).collect());
     section.say(format!(
         "A probability is the share of {} draws in which the limit is met, with the interval that has it with {} % (Clopper and Pearson). A limit is met or not by the list as it is given.",
@@ -42,10 +40,11 @@ pub(super) fn section(case: &Case, limits: &[Limit]) -> Option<Section> {
         number(100.0 * LEVEL, 3)
     ));
     for (limit, answer) in limits.iter().zip(&answers.answers) {
-        if answer.differs == Some(true) {
+        if let (Some(true), Ok(first_order)) = (answer.differs, answer.first_order) {
             section.say(format!(
-                "{}: draws differ from first order by more than chance, and are right where they do.",
-                printable(&limit.name)
+                "{}: first order has {}; the draws are right.",
+                printable(&limit.name),
+                percent(first_order)
             ));
         }
     }
@@ -102,12 +101,6 @@ pub(super) fn allowed(limit: &Limit, scale: f64) -> String {
         (None, Some(most)) => format!("≤ {}", shown(most)),
         (None, None) => String::new(),
     }
-}
-
-/// `0.35 (2.1 sd)`
-fn in_words(margin: Margin, scale: f64) -> String {
-    let shown = number(scale * margin.value, 3);
-    margin.deviations.map_or(shown.clone(), |sd| format!("{shown} ({} sd)", number(sd, 2)))
 }
 
 /// `87.2 % (85.1 … 89.0 %)`

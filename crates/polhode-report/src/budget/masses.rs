@@ -17,6 +17,7 @@ const DIGITS: usize = 6;
 
 pub(super) fn section(case: &Case) -> Section {
     let mut section = Section::new(1, "Masses");
+    section.say("In kg, of each row with all that stands in it.");
     let tree = Tree::of(case);
     let shown = tree.shown(case);
     table(&mut section, case, &tree, &shown);
@@ -124,19 +125,19 @@ fn table(section: &mut Section, case: &Case, tree: &Tree, shown: &[usize]) {
         };
         column("quantity", shown.iter().map(copies).collect());
     }
-    column(if case.grows() { "basic (kg)" } else { "mass (kg)" }, masses(&|s| Some(s.basic)));
+    column(if case.grows() { "basic" } else { "mass" }, masses(&|s| Some(s.basic)));
     if case.grows() {
         let growth = |s: &&MassStatement| match s.growth_allowance() / s.basic {
             part if part.is_finite() => format!("{} %", number(100.0 * part, 3)),
             _ => String::new(),
         };
         column("growth", statements.iter().map(growth).collect());
-        column("predicted (kg)", masses(&|s| Some(s.predicted)));
+        column("predicted", masses(&|s| Some(s.predicted)));
     }
     if is_allowed {
-        column("allowable (kg)", masses(&|s| s.allowable));
+        column("allowable", masses(&|s| s.allowable));
         let margin = |s: &&MassStatement| s.margin().map_or_else(String::new, |margin| number(margin, 4));
-        column("margin (kg)", statements.iter().map(margin).collect());
+        column("margin", statements.iter().map(margin).collect());
     }
     let lines = (0..shown.len()).map(|k| columns.iter().map(|cells| cells[k].clone()).collect()).collect();
     section.table(&headers, lines);

@@ -8,14 +8,14 @@ use super::case::Case;
 use crate::explain::document::Section;
 use crate::explain::drawing::{Drawing, Solid, Solids};
 use crate::layout::printable;
-use crate::number::{count, number};
+use crate::number::{count, number, tidy};
 
 /// Parts that are drawn: more would hide each other.
 const MOST: usize = 150;
 /// Parts that are listed.
 const ROWS: usize = 20;
 /// Where lengths are read in mm, m.
-const SHORT: f64 = 2.0;
+const SHORT: f64 = 10.0;
 /// Groups that have a colour.
 const GROUPS: usize = 7;
 
@@ -28,7 +28,7 @@ pub(super) fn section(case: &Case, basis: Basis) -> Option<Section> {
     let (unit, scale) = if extent < SHORT { ("mm", 1e3) } else { ("m", 1.0) };
     section.say(format!("The heaviest parts, with their centres of mass and the boxes that have their inertia tensors, along the box's own axes, in {unit}."));
     let row = |solid: &Solid| {
-        let [x, y, z] = solid.center.map(|x| number(scale * x, 4));
+        let [x, y, z] = tidy(solid.center).map(|x| number(scale * x, 4));
         let sides = solid.halves.map(|half| half.iter().map(|x| x * x).sum::<f64>().sqrt());
         let is_point = sides.iter().all(|half| *half == 0.0);
         let sides = sides.map(|half| number(2.0 * scale * half, 3)).join(" × ");

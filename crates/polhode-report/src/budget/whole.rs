@@ -10,7 +10,7 @@ use crate::explain::drawing::{Correlations, Drawing};
 use crate::number::{number, tidy, with_error};
 
 /// Where lengths are read in mm, m.
-const SHORT: f64 = 2.0;
+const SHORT: f64 = 10.0;
 
 pub(super) fn section(case: &Case, options: &BudgetOptions) -> Section {
     let mut section = Section::new(2, "Mass properties of the whole");

@@ -16,7 +16,7 @@ const BAR: f64 = 12.0;
 const TITLE: f64 = 20.0;
 const GAP: f64 = 14.0;
 /// The part of a panel that names may take.
-const NAMES: f64 = 0.42;
+const NAMES: f64 = 0.5;
 
 pub(super) fn sheet(bars: &Bars) -> Sheet {
     let columns = if bars.panels.len() > 1 { 2 } else { 1 };

@@ -1,7 +1,8 @@
 //! `[cad]`: what reports of CAD programs leave open.
 
+use crate::budget::heading::no_unit;
 use crate::cad::{CadOptions, DecimalMark, ProductConvention};
-use crate::error::{FormatError, FormatErrorKind};
+use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
 use crate::unit::{self, Dimension};
 
@@ -27,8 +28,5 @@ pub(super) fn options(table: &Table<'_>) -> Result<CadOptions, FormatError> {
 }
 
 fn factor(value: &Value<'_>, dimension: Dimension) -> Result<f64, FormatError> {
-    unit::factor(value.string()?, dimension).map_err(|error| {
-        let hint = error.hint_for_name().unwrap_or_default();
-        value.error(FormatErrorKind::Unit(error)).with_hint(hint)
-    })
+    unit::factor(value.string()?, dimension).map_err(|error| no_unit(error, |kind| value.error(kind)))
 }

@@ -127,9 +127,10 @@ pub(super) fn plan(root: &Table<'_>, others: &[&'static str]) -> Result<Plan, Fo
 
 /// `products = "tensor elements"`
 fn products(value: &Value<'_>) -> Result<ProductSign, FormatError> {
-    value
-        .choice(&PRODUCTS.map(|(name, _)| name))
-        .map(|chosen| sign_of(chosen).unwrap_or(ProductSign::NegativeIntegral))
+    Ok(match value.choice(&PRODUCTS.map(|(name, _)| name))? {
+        "positive integrals" => ProductSign::PositiveIntegral,
+        _ => ProductSign::NegativeIntegral,
+    })
 }
 
 /// What a product of inertia may be.

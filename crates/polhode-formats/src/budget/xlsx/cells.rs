@@ -1,6 +1,7 @@
 //! The cells of one sheet of a workbook.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::ops::{Range, RangeInclusive};
 
 use quick_xml::events::BytesStart;
@@ -91,6 +92,10 @@ impl RawSheet {
                     sheet.hidden_rows.extend(is_hidden.then_some(number));
                 }
                 Token::Start(element) if is(&element, "col") => {
+                    if sheet.hidden_columns.len() == MOST_COLUMNS {
+                        let what = "more columns than a sheet has".to_owned();
+                        return Err(xml.error(ContentErrorKind::Unsupported { what }));
+                    }
                     sheet.hidden_columns.extend(hidden(&xml, &element)?);
                 }
                 Token::Start(element) if is(&element, "mergeCell") => {
@@ -149,8 +154,8 @@ impl RawSheet {
 
     /// Which columns are hidden, as a sentence.
     pub(super) fn hidden_columns(&self) -> Option<String> {
-        let has_cells =
-            |range: &&RangeInclusive<usize>| self.cells.iter().any(|cell| range.contains(&(cell.column + 1)));
+        let used: BTreeSet<usize> = self.cells.iter().map(|cell| cell.column + 1).collect();
+        let has_cells = |range: &&RangeInclusive<usize>| used.iter().any(|column| range.contains(column));
         let names: Vec<String> = self
             .hidden_columns
             .iter()

@@ -275,6 +275,14 @@ fn numbers_may_have_a_decimal_comma_in_a_list_with_semicolons() {
         "# decimal = \"comma\"\nname\tmass [g]\tx [mm]\ty [mm]\tz [mm]\na\t12,5 ± 0,25\t-3,25\t1\t2\nb\t7\t1,125\t0,5\t0\n",
     );
     same(&told, &point, "told");
+    let about = budget("name;mass [g];x [mm];y [mm];z [mm];ixx [g mm^2];iyy [g mm^2];izz [g mm^2];about;shape;size [mm]\n\
+                        a;12,5;1;2;3;900;900;900;1,5 mm; 0; 2,5 mm;;\nb;7,5;0;0;0;;;;;box;10,5 × 20 × 5,25\nc;7,5;0;0;0;;;;;box;\"['10.5 mm', '20 mm', '5.25 mm']\"\n"
+        .replace("1,5 mm; 0; 2,5 mm", "\"1,5 mm; 0; 2,5 mm\"").as_str());
+    let other = budget(
+        "name,mass [g],x [mm],y [mm],z [mm],ixx [g mm^2],iyy [g mm^2],izz [g mm^2],about,shape,size [mm]\n\
+                        a,12.5,1,2,3,900,900,900,1.5 mm; 0; 2.5 mm,,\nb,15,0,0,0,,,,,box,10.5 × 20 × 5.25\n",
+    );
+    same(&about, &other, "lists of lengths");
     let with_mark = budget(
         "\u{feff}# title = \"µ\"\r\n\"name\",\"mass [g]\",\"x [mm]\",y [mm],z [mm]\r\n\"a\",12.5 ± 0.25,-3.25,1,2\r\n\r\n,,,,\r\nb,7,1.125,0.5,0\r\n",
     );

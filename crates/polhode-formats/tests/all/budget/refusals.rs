@@ -90,6 +90,15 @@ const LISTS: &[(&str, &str)] = &[
     ),
     ("name,parent,mass\na,,3.50\nb,a,\nc,b,1\nd,b,2.5\n", ""),
     ("name,mass\nframe,\n", "list.csv: no row has a mass"),
+    (
+        "name,mass\nb\u{200b}olt,1\n",
+        "list.csv:2:1: name = b\u{fffd}olt must be a name of characters that can be seen",
+    ),
+    (
+        "name,mass\n\"a\u{1b}[31mb\",1\n",
+        "list.csv:2:1: name = a\u{fffd}[31mb must be a name of characters that can be seen",
+    ),
+    ("name,mass,\u{1b}[31m\na,1,\n", "list.csv:1:11: unknown key \"\\u{1b}[31m\" in the headings"),
     // Numbers that cannot be
     ("name,mass\na,-1\n", "list.csv:2:3: \"a\" cannot exist: the mass = -1 must be positive and finite"),
     ("name,mass\na,0\n", "list.csv:2:3: \"a\" cannot exist: the mass = 0 must be positive"),
@@ -297,6 +306,21 @@ fn each_mistake_is_named_where_it_is() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn a_list_has_so_many_configurations_at_most() {
+    let folder = Folder::new("many");
+    let list = |count: usize| {
+        let rows: String = (0..count).map(|k| format!("a,1,number {k}\n")).collect();
+        folder.read("list.csv", format!("name,mass,configuration\n{rows}"))
+    };
+    assert_eq!(list(100).unwrap().configurations.len(), 100);
+    let error = list(101).unwrap_err();
+    assert!(
+        error.starts_with("list.csv:102:1: polhode does not read more than 100 configurations"),
+        "{error}"
+    );
 }
 
 #[test]

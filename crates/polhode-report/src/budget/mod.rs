@@ -92,9 +92,9 @@ impl BudgetReport {
         })
     }
 
-    /// How many rows are fewer than so many draws of each can be had of in some seconds.
+    /// How many bodies of a list of so many rows are drawn in some ten seconds: 200 at least, 10,000 at most.
     pub fn affordable_draws(rows: usize) -> usize {
-        /// Rows that are drawn: some ten seconds.
+        /// Rows times draws.
         const ROWS: usize = 20_000_000;
         const LEAST: usize = 200;
         const MOST: usize = 10_000;

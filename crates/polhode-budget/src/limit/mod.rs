@@ -1,14 +1,17 @@
 //! Limits on what a parts list comes to.
 
 mod answer;
+mod axis;
 mod error;
 mod measure;
 mod share;
 
 pub use answer::{AllMet, Answer, Evidence, LimitAnswers, Margin, Trial};
+pub use axis::PrincipalAxis;
 pub use error::LimitError;
+#[cfg(feature = "ballast")]
 pub(crate) use measure::across_axes;
-pub use measure::{About, Measure, PrincipalAxis, Undefined};
+pub use measure::{About, Measure, Undefined};
 pub use share::Share;
 
 use crate::growth::Basis;

@@ -3,6 +3,8 @@
 
 #[cfg(feature = "ballast")]
 mod ballast;
+#[cfg(feature = "ballast")]
+mod ballast_places;
 mod draws;
 mod errors;
 mod limits;
@@ -10,4 +12,5 @@ mod lists;
 mod masses;
 mod principal;
 mod published;
+mod shares;
 mod sums;

@@ -8,8 +8,7 @@ use polhode_budget::{
 };
 
 use super::BudgetOptions;
-use super::ballast::Found;
-use super::limits::LEVEL;
+use super::found::Found;
 
 /// A configuration, and what is computed of it.
 #[derive(Clone, Debug)]
@@ -172,6 +171,9 @@ fn tried(
     };
     LimitAnswers::new(limits, LEVEL, evidence(Basis::Basic), evidence(Basis::Predicted))
 }
+
+/// Level of confidence of the intervals of limits.
+pub(super) const LEVEL: f64 = 0.95;
 
 pub(super) const fn index(basis: Basis) -> usize {
     match basis {

@@ -4,6 +4,7 @@ mod ballast;
 mod case;
 mod compared;
 mod diff;
+mod found;
 mod influence;
 mod json;
 mod limits;
@@ -25,6 +26,7 @@ use crate::explain::document::{Document, Section};
 use crate::layout::printable;
 use crate::number::{GROUP, count, number, with_error};
 use case::Case;
+use found::Found;
 
 pub use diff::BudgetDiff;
 pub use table::{Cell, Sheet};
@@ -107,7 +109,7 @@ impl BudgetReport {
     /// As [`Budget::ballast`], and if it can be sought for none of them.
     pub fn with_ballast(mut self, ballast: Ballast) -> Result<Self, BallastError> {
         for case in &mut self.cases {
-            case.ballast = Some(ballast::Found::new(&case.budget, &ballast, &self.limits)?);
+            case.ballast = Some(Found::new(&case.budget, &ballast, &self.limits)?);
         }
         self.ballast = Some(ballast);
         Ok(self)

@@ -1,12 +1,14 @@
 //! Results of polhode, for people and for programs.
 //!
-//! Six reports, each with a face for either reader, and a page:
+//! Eight reports, each with a face for either reader, and a page:
 //!
 //! - [`InertiaReport`]: how much mass, where, and how it resists being turned;
 //! - [`MotionReport`]: how the body moves, and the evidence that the numbers are good;
 //! - [`SpinReport`]: a free motion in closed form, at any time;
 //! - [`RequiredReport`]: the torque and the forces that a prescribed motion needs;
 //! - [`SweepSummary`]: what many members come to;
+//! - [`IdentifyReport`]: what was found of a body by measuring it;
+//! - [`BudgetReport`]: what a parts list comes to;
 //! - [`explain()`]: the worked solution, step by step, as a [`Document`];
 //! - [`page()`]: all of it to look at, as one file for a browser.
 //!
@@ -18,6 +20,8 @@
 mod balance;
 mod base64;
 mod block;
+mod body_part;
+mod budget;
 pub mod display;
 mod error_estimate;
 mod event;
@@ -60,9 +64,14 @@ mod symmetric_top;
 mod torque;
 mod unit;
 
+pub use budget::{
+    BudgetDiff, BudgetOptions, BudgetReport, Cell as BudgetCell, NoConfiguration, Sheet as BudgetSheet,
+};
 pub use error_estimate::error_estimate;
 pub use explain::document::{Block, Document, Section};
-pub use explain::drawing::{Correlations, Drawing, Scatter, Series, Triangle};
+pub use explain::drawing::{
+    Bar, BarPanel, Bars, Correlations, Drawing, Scatter, Series, Solid, Solids, Triangle,
+};
 pub use explain::graph::Graph;
 pub use explain::{explain, explain_motion};
 pub use export::{ExportBody, ExportError, ExportFormat, export};

@@ -87,6 +87,15 @@ impl<'a> Archive<'a> {
     }
 }
 
+impl Stream<'_, '_> {
+    /// Bytes that come next, as far as they are unpacked already.
+    pub(crate) fn unpacked(&self) -> &[u8] {
+        let bytes = self.file.buffer();
+        let most = usize::try_from(self.declared).unwrap_or(usize::MAX);
+        &bytes[..bytes.len().min(most)]
+    }
+}
+
 impl Read for Stream<'_, '_> {
     fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
         let taken = self.fill_buf()?.read(into)?;
@@ -97,12 +106,10 @@ impl Read for Stream<'_, '_> {
 
 impl BufRead for Stream<'_, '_> {
     fn fill_buf(&mut self) -> io::Result<&[u8]> {
-        let bytes = self.file.fill_buf()?;
-        if self.declared == 0 && !bytes.is_empty() {
+        if !self.file.fill_buf()?.is_empty() && self.declared == 0 {
             return Err(io::Error::other("more bytes than the archive's directory says"));
         }
-        let most = usize::try_from(self.declared).unwrap_or(usize::MAX);
-        Ok(&bytes[..bytes.len().min(most)])
+        Ok(self.unpacked())
     }
 
     fn consume(&mut self, count: usize) {

@@ -1,6 +1,7 @@
 //! XML as a stream of elements that know their line.
 
 use std::borrow::Cow;
+use std::io::BufRead;
 
 use quick_xml::events::attributes::Attribute;
 use quick_xml::events::{BytesStart, Event};
@@ -74,6 +75,16 @@ impl<'s, 'a> Xml<'s, 'a> {
             }
             Ok(Event::Empty(_) | Event::Comment(_) | Event::Decl(_) | Event::PI(_)) => Ok(Token::Other),
         }
+    }
+
+    /// Bytes that come next and are unpacked already, where an element has just begun or ended.
+    pub(crate) fn ahead(&self) -> &[u8] {
+        self.reader.get_ref().unpacked()
+    }
+
+    /// Passes over so many of these: whole elements, and what stands between such.
+    pub(crate) fn pass(&mut self, count: usize) {
+        self.reader.get_mut().consume(count);
     }
 
     /// Passes over the rest of the element that was just entered.

@@ -2,12 +2,14 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
-use std::ops::{Range, RangeInclusive};
+use std::ops::RangeInclusive;
 
 use quick_xml::events::BytesStart;
 
 use super::format::Format;
-use super::strings::{inside, is};
+use super::plain;
+use super::strings::is;
+use super::value::{Kind, RawText, Written, truth, value};
 use crate::budget::sheet::{Cell, Content, SheetRow};
 use crate::content::{ContentError, ContentErrorKind};
 use crate::package::xml::{Token, Xml};
@@ -19,10 +21,6 @@ const MOST_COLUMNS: usize = 1 << 14;
 /// More cells than any parts list has.
 const MOST_CELLS: usize = 16_000_000;
 
-const NO_RESULT: &str =
-    "a value: it is a formula without its result; open the workbook in a spreadsheet program and save it";
-const AN_ERROR: &str = "a value, where the spreadsheet has an error";
-const A_DATE: &str = "a number or a text: it is shown as a date";
 const MERGED: &str = "in a cell of its own: it is merged with others";
 
 /// A sheet, as its entry has it.
@@ -44,14 +42,6 @@ struct RawCell {
     column: usize,
     text: RawText,
     content: Content,
-}
-
-#[derive(Debug)]
-enum RawText {
-    /// A part of the sheet's texts.
-    Own(Range<usize>),
-    /// One of the workbook's strings.
-    Shared(usize),
 }
 
 /// Where the next cell is, and where the last was.
@@ -85,11 +75,13 @@ impl RawSheet {
                         return Err(xml.error(ContentErrorKind::Unsupported { what }));
                     }
                     at.column = column + 1;
+                    sheet.pass(&mut xml, &mut at, formats, strings);
                 }
                 Token::Start(element) if is(&element, "row") => {
                     let (number, is_hidden) = row(&xml, &element, &at)?;
                     at = Position { row: number, column: 0 };
                     sheet.hidden_rows.extend(is_hidden.then_some(number));
+                    sheet.pass(&mut xml, &mut at, formats, strings);
                 }
                 Token::Start(element) if is(&element, "col") => {
                     if sheet.hidden_columns.len() == MOST_COLUMNS {
@@ -112,6 +104,35 @@ impl RawSheet {
         }
     }
 
+    /// Reads the plain cells that come next.
+    fn pass(&mut self, xml: &mut Xml<'_, '_>, at: &mut Position, formats: &[Format], strings: usize) {
+        let bytes = xml.ahead();
+        let mut rest = bytes;
+        while let Some((cell, behind)) = plain::cell(rest).filter(|_| self.cells.len() < MOST_CELLS) {
+            let place = parsed(cell.name)
+                .filter(|(row, column)| *row == at.row && (at.column..MOST_COLUMNS).contains(column));
+            let Some((row, column)) = place else { break };
+            let start = self.texts.len();
+            self.texts.push_str(cell.text);
+            let written = Written {
+                kind: Kind::named(cell.kind),
+                format: cell.style.map_or(Format::GENERAL, |style| format_of(style, formats)),
+                formula: cell.formula,
+                is_text: cell.is_text,
+                start,
+            };
+            let Ok(value) = written.content(strings, &mut self.texts) else {
+                self.texts.truncate(start);
+                break;
+            };
+            self.cells.extend(value.map(|(text, content)| RawCell { row, column, text, content }));
+            at.column = column + 1;
+            rest = behind;
+        }
+        let count = bytes.len() - rest.len();
+        xml.pass(count);
+    }
+
     pub(super) fn is_empty(&self) -> bool {
         self.cells.is_empty()
     }
@@ -128,7 +149,8 @@ impl RawSheet {
 
     /// Rows and cells as tables have them.
     pub(super) fn rows<'a>(&'a self, strings: &'a [String]) -> (Vec<SheetRow>, Vec<Cell<'a>>) {
-        let (mut rows, mut cells): (Vec<SheetRow>, Vec<Cell<'a>>) = (Vec::new(), Vec::new());
+        let mut rows: Vec<SheetRow> = Vec::new();
+        let mut cells = Vec::with_capacity(self.cells.len());
         for RawCell { row, column, text, content } in &self.cells {
             let text = match text {
                 RawText::Own(range) => self.texts.get(range.clone()).unwrap_or_default(),
@@ -229,11 +251,7 @@ fn head(
                 Some((row, column)) if row == at.row && column >= at.column => head.column = column,
                 _ => return Err(xml.refused("cell", &value, "in its row, behind the cell before")),
             },
-            "s" => {
-                let number = value.parse::<usize>().ok();
-                let known = number.and_then(|number| formats.get(number));
-                head.format = known.copied().unwrap_or(Format::GENERAL);
-            }
+            "s" => head.format = format_of(&value, formats),
             "t" => head.kind = Kind::named(&value),
             _ => {}
         }
@@ -244,118 +262,9 @@ fn head(
     Err(xml.refused("column", &head.column.to_string(), &format!("one of {MOST_COLUMNS}")))
 }
 
-/// What kind of value a cell says that it has.
-#[derive(Clone, Copy, PartialEq)]
-enum Kind {
-    Number,
-    Shared,
-    Text,
-    Truth,
-    Error,
-    Date,
-}
-
-impl Kind {
-    fn named(name: &str) -> Self {
-        match name {
-            "s" => Self::Shared,
-            "str" | "inlineStr" => Self::Text,
-            "b" => Self::Truth,
-            "e" => Self::Error,
-            "d" => Self::Date,
-            _ => Self::Number,
-        }
-    }
-}
-
-/// What stands in a cell that was just entered; its text goes behind `texts`.
-fn value(
-    xml: &mut Xml<'_, '_>,
-    buffer: &mut Vec<u8>,
-    kind: Kind,
-    format: Format,
-    strings: usize,
-    texts: &mut String,
-) -> Result<Option<(RawText, Content)>, ContentError> {
-    let start = texts.len();
-    let (mut formula, mut is_text) = (None, false);
-    let (mut depth, mut element_of) = (1, b' ');
-    while depth > 0 {
-        match xml.next(buffer)? {
-            Token::Start(element) if is(&element, "is") => {
-                drop(element);
-                texts.push_str(&inside(xml)?);
-                is_text = true;
-            }
-            Token::Start(element) => {
-                depth += 1;
-                element_of = if is(&element, "v") { b'v' } else { b' ' };
-                if is(&element, "f") {
-                    (formula, element_of) = (Some(String::new()), b'f');
-                }
-            }
-            Token::End => {
-                depth -= 1;
-                element_of = b' ';
-            }
-            Token::Text(text) if element_of == b'v' => texts.push_str(&text),
-            Token::Text(text) if element_of == b'f' => formula.iter_mut().for_each(|f| f.push_str(&text)),
-            Token::Text(_) | Token::Other => {}
-            Token::Eof => break,
-        }
-    }
-    let result = texts.get(start..).unwrap_or_default().trim();
-    let content = match (kind, format) {
-        _ if is_text => Content::Text,
-        _ if result.is_empty() => {
-            let Some(formula) = formula.filter(|_| kind != Kind::Text) else { return Ok(None) };
-            texts.push('=');
-            texts.push_str(&formula);
-            Content::Broken(NO_RESULT)
-        }
-        (Kind::Shared, _) => {
-            let number = result.parse::<usize>().ok().filter(|number| *number < strings);
-            let number = number.ok_or_else(|| xml.refused("the string", result, "one of the workbook's"))?;
-            texts.truncate(start);
-            return Ok(Some((RawText::Shared(number), Content::Text)));
-        }
-        (Kind::Text, _) => Content::Text,
-        (Kind::Truth, _) => {
-            let truth = if truth(result) { "true" } else { "false" };
-            texts.truncate(start);
-            texts.push_str(truth);
-            Content::Text
-        }
-        (Kind::Error, _) => Content::Broken(AN_ERROR),
-        (Kind::Date, _) | (_, Format::Date) => Content::Broken(A_DATE),
-        (_, Format::Percent) => {
-            let percent = format!("{} %", hundredfold(result));
-            texts.truncate(start);
-            texts.push_str(&percent);
-            Content::Number { decimals: None }
-        }
-        (_, Format::Number { decimals }) => Content::Number { decimals },
-    };
-    Ok(Some((RawText::Own(start..texts.len()), content)))
-}
-
-fn truth(text: &str) -> bool {
-    matches!(text.trim(), "1" | "true")
-}
-
-/// A hundred times a number, by its digits.
-fn hundredfold(number: &str) -> String {
-    let (digits, power) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
-    let Ok(power) = power.parse::<i32>() else { return number.to_owned() };
-    let (whole, behind) = digits.split_once('.').unwrap_or((digits, ""));
-    if power != 0 || !behind.bytes().all(|b| b.is_ascii_digit()) {
-        return format!("{digits}e{}", power.saturating_add(2));
-    }
-    let (first, rest) = behind.split_at(behind.len().min(2));
-    let moved = format!("{whole}{first:0<2}");
-    let trimmed = moved.trim_start_matches('0');
-    let moved = if trimmed.is_empty() { "0" } else { trimmed };
-    if rest.is_empty() { moved.to_owned() } else { format!("{moved}.{rest}") }
+/// The format of a number among those of the workbook.
+fn format_of(number: &str, formats: &[Format]) -> Format {
+    number.parse::<usize>().ok().and_then(|number| formats.get(number)).copied().unwrap_or(Format::GENERAL)
 }
 
 /// Row, from 1, and column, from 0, of `F12`.
@@ -374,23 +283,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn cells_have_names_and_percents_their_digits() {
+    fn cells_have_names() {
         assert_eq!(parsed("F12"), Some((12, 5)));
         assert_eq!(parsed("XFD1048576"), Some((1_048_576, 16_383)));
         for wrong in ["", "F", "12", "f12", "AAAA1", "A99999999", "A+1", "A1B"] {
             assert_eq!(parsed(wrong), None, "{wrong}");
-        }
-        for (number, expected) in [
-            ("0.15", "15"),
-            ("0.075", "7.5"),
-            ("1", "100"),
-            ("0", "0"),
-            ("0.005", "0.5"),
-            ("0.1234", "12.34"),
-            ("1.5E-3", "1.5e-1"),
-            ("12.5", "1250"),
-        ] {
-            assert_eq!(hundredfold(number), expected, "{number}");
         }
     }
 }

@@ -6,8 +6,10 @@
 
 mod cells;
 mod format;
+mod plain;
 mod sections;
 mod strings;
+mod value;
 
 use std::path::Path;
 

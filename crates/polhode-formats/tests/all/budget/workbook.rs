@@ -255,3 +255,44 @@ fn archives_that_are_no_workbooks_are_refused() {
     let file = folder.read("a.xlsx", zipped(&entries)).unwrap();
     assert_eq!(file.configurations[0].budget.list().rows[0].name, "a &");
 }
+
+#[test]
+fn a_cell_is_read_alike_however_it_is_written() {
+    let folder = Folder::new("alike");
+    let read = |cell: &str, front: &str| {
+        let rows: &[&[&str]] = &[&["name", "mass", "note"], &["a"], &["two words", "1"]];
+        let mut book = Book::new().sheet("parts", rows);
+        let end = "</row><row r=\"3\">";
+        book.change(|xml| xml.replace(end, &format!("{cell}{end}")).replace("<c ", front));
+        folder.read("alike.xlsx", book.bytes())
+    };
+    let mut refused = 0;
+    for cell in [
+        "<c r=\"D2\"><v>1.5</v></c>",
+        "<c r=\"B2\"><v>1.5</v></c>",
+        "<c r=\"B2\" s=\"0\"><v> 2e-3\n</v></c>\n<c r=\"C2\" t=\"b\"><v>1</v></c>",
+        "<c r=\"B2\" s=\"2\"><v>0.5</v></c>",
+        "<c r=\"B2\" s=\"1\"><v>45000</v></c>",
+        "<c r=\"B2\" s=\"9\" t=\"n\"><v>3</v></c>",
+        "<c r=\"B2\" t=\"e\"><v>#REF!</v></c>",
+        "<c r=\"C2\" t=\"s\"><v>2</v></c>",
+        "<c r=\"B2\" t=\"s\"><v>99</v></c>",
+        "<c r=\"B2\"><f>SUM(B3)</f><v>4</v></c>",
+        "<c r=\"B2\"><f>SUM(B3)</f><v></v></c>",
+        "<c r=\"B2\" t=\"str\"><f>A1</f><v></v></c>",
+        "<c r=\"B2\" t=\"inlineStr\"><is><t>5 ± 4 %</t></is></c>",
+        "<c r=\"B2\"><v>1</v></c><c r=\"B2\"><v>2</v></c>",
+        "<c r=\"A2\"><v>1</v></c>",
+        "<c r=\"B3\"><v>1</v></c>",
+        "<c r=\"XFE2\"><v>1</v></c>",
+        "<c r=\"B2\"><v>&#49;</v></c>",
+        "<c r=\"B2\"><v>1</v></b>",
+        "<c r=\"B2\"><v>1",
+    ] {
+        // The second is not plain.
+        let (plain, other) = (read(cell, "<c "), read(cell, "<c  "));
+        assert_eq!(plain, other, "{cell}");
+        refused += usize::from(plain.is_err());
+    }
+    assert_eq!(refused, 12);
+}

@@ -48,6 +48,11 @@ impl Book {
         self
     }
 
+    /// Writes all sheets otherwise.
+    pub(super) fn change(&mut self, change: impl Fn(&str) -> String) {
+        self.sheets.iter_mut().for_each(|(_, xml)| *xml = change(xml));
+    }
+
     fn cell(&mut self, place: &str, cell: &str) -> String {
         let number = |style: usize, value: &str| format!("<c r=\"{place}\" s=\"{style}\"><v>{value}</v></c>");
         let escaped = |text: &str| text.replace('&', "&amp;").replace('<', "&lt;");

@@ -81,6 +81,19 @@ PLAN = [
 ]
 GROWTH = [("code", "growth"), ("E", 0.25), ("L", 0.15), ("R", 0.08), ("B", 0.03), ("W", 0.0)]
 GROUP = [("name", "mass"), ("tubes", 0.8), ("fins", 0.95)]
+LIMIT = [
+    ("name", "of", "along", "most", "least"),
+    ("centre off the axis", "center distance", "z", "0.8 mm", None),
+    ("couple about the axis", "couple unbalance", "z", "0.05 kg m^2", None),
+    ("tilt", "tilt", "z", "0.08 deg", None),
+    ("spin lasts", "spin stability", "z", None, 0),
+]
+# Holes in the ring between payload and recovery.
+SITE = [
+    ("name", "at", "radius", "normal", "holes", "first"),
+    ("ring", "[0, 0, '1010 mm']", "68 mm", "z", 12, "x"),
+]
+BALLAST = [("key", "value"), ("most", "500 g")]
 RESULT = [("key", "value"), ("about", "[0, 0, '1.5 m']"), ("seed", 11)]
 
 OFFICE = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
@@ -188,6 +201,9 @@ def main():
         "growth": sheet(table(strings, GROWTH, PERCENT)),
         "group": sheet(table(strings, GROUP)),
         "result": sheet(table(strings, RESULT)),
+        "limit": sheet(table(strings, LIMIT)),
+        "site": sheet(table(strings, SITE)),
+        "ballast": sheet(table(strings, BALLAST)),
     }
     kind = "application/vnd.openxmlformats-officedocument.spreadsheetml"
     types = "".join(

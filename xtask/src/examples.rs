@@ -6,7 +6,7 @@ use std::process::Command;
 use crate::process::{cargo, empty_folder, output, polhode, program};
 use crate::{Outcome, files, read, root, short};
 
-/// Runs `identify` on every plan of measurements; on every scenario `inertia` and `explain`, `simulate` on each that has a `[run]`, and `sweep` on each
+/// Runs `budget` on every parts list and `identify` on every plan of measurements; on every scenario `inertia` and `explain`, `simulate` on each that has a `[run]`, and `sweep` on each
 /// that is a plan.
 pub(crate) fn check() -> Outcome {
     let polhode = polhode()?;
@@ -14,6 +14,13 @@ pub(crate) fn check() -> Outcome {
     let scenarios = files(&root().join("examples"), "toml")?;
     if scenarios.is_empty() {
         return Err("examples/ has no scenario".into());
+    }
+    for extension in ["csv", "xlsx"] {
+        for path in files(&root().join("examples/budget"), extension)? {
+            let list = short(&path);
+            output(Command::new(&polhode).current_dir(root()).arg("budget").arg(&list))?;
+            println!("   {list}: budget");
+        }
     }
     for (k, path) in scenarios.iter().enumerate() {
         let scenario = short(path);

@@ -16,12 +16,14 @@ pub(crate) const EXECUTABLE: &str = if cfg!(windows) { "Scripts/python.exe" } el
 
 /// What the tests need besides the package: what it uses where it is there, Dask for the cluster, pandoc for worked solutions, and what
 /// reads the workflows.
-const NEEDED: [&str; 9] = [
+const NEEDED: [&str; 11] = [
     "pytest",
     "scipy",
     "matplotlib",
     "mypy",
     "pyarrow",
+    "pandas",
+    "polars",
     "distributed",
     "pypandoc_binary",
     "check-jsonschema==0.39.0",

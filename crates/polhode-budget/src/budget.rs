@@ -209,6 +209,16 @@ impl Budget {
         &self.tree.parents
     }
 
+    /// One copy of a row's part, in its own frame; `None` of a frame alone, and of a row that is not there.
+    pub fn given(&self, row: usize) -> Option<&MassProperties<Part>> {
+        self.places.get(row)?.part.as_ref().map(|part| &part.properties)
+    }
+
+    /// The growth allowance of a row's part, as a fraction of its basic mass; zero of a row that is not there.
+    pub fn growth(&self, row: usize) -> f64 {
+        self.places.get(row).map_or(0.0, |place| place.growth - 1.0)
+    }
+
     /// The mass properties of the whole, along the axes of the body, in which the root's frame stands.
     ///
     /// # Errors
@@ -286,8 +296,19 @@ impl Budget {
         part.map(Some).map_err(|error| BudgetError::Part { row: row_name(&self.list.rows, k), error })
     }
 
+    /// One copy of the part of each row, without what stands in it, in the body; `None` of frames alone.
+    ///
+    /// # Errors
+    /// [`BudgetError::Part`] if one overflows.
+    pub fn parts(&self, basis: Basis) -> Result<Vec<Option<MassProperties<Body>>>, BudgetError> {
+        (0..self.places.len()).map(|k| self.own(k, basis)).collect()
+    }
+
     /// One copy of each row with all in it, in the body; `None` of frames without mass.
-    pub(crate) fn subtrees(&self, basis: Basis) -> Result<Vec<Option<MassProperties<Body>>>, BudgetError> {
+    ///
+    /// # Errors
+    /// As [`Budget::mass_properties`].
+    pub fn subtrees(&self, basis: Basis) -> Result<Vec<Option<MassProperties<Body>>>, BudgetError> {
         let mut inside: Vec<Vec<MassProperties<Body>>> = vec![Vec::new(); self.places.len()];
         let mut all = vec![None; self.places.len()];
         for &k in self.tree.order.iter().rev() {

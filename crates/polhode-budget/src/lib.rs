@@ -37,7 +37,11 @@
 //! | which errors matter | [`Budget::sensitivities`] |
 //! | what first order leaves out | [`Budget::draws`], [`Draws::compare`] |
 //! | what is left over time, or by how full the tanks are | [`Sequence`], [`Tank`] |
+//! | whether limits are met, with what margin and probability | [`Budget::limits`], [`Limit`], [`Answer`] |
+//! | the least ballast that meets limits, with a proof | [`Budget::ballast`], [`LeastBallast`] |
 
+#[cfg(feature = "ballast")]
+mod ballast;
 mod budget;
 mod changes;
 mod comparison;
@@ -48,6 +52,7 @@ mod error;
 mod estimate;
 mod group;
 mod growth;
+mod limit;
 mod principal;
 mod random;
 mod row;
@@ -58,6 +63,10 @@ mod tensor;
 mod tree;
 mod uncertainty;
 
+#[cfg(feature = "ballast")]
+pub use ballast::{
+    Ballast, BallastAnswer, BallastError, BallastPlace, LeastBallast, NoBallast, Piece, Round, Site,
+};
 pub use budget::{Budget, PartsList};
 pub use comparison::{ComparedNumber, Comparison};
 pub use draws::Draws;
@@ -65,6 +74,10 @@ pub use error::{BudgetError, RowName};
 pub use estimate::{Estimate, EstimateAbout, NUMBERS};
 pub use group::Group;
 pub use growth::{Basis, Growth, GrowthTable, MassStatement};
+pub use limit::{
+    About, AllMet, Answer, Evidence, Limit, LimitAnswers, LimitError, Margin, Measure, PrincipalAxis, Share,
+    Trial, Undefined,
+};
 pub use principal::{PrincipalUncertainty, Tilt};
 pub use row::{CopyErrors, GivenPart, Place, Quantity, Row, Subtotal};
 pub use sensitivity::{Sensitivity, Source};

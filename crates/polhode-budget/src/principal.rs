@@ -87,7 +87,7 @@ fn quotient(sd: f64, apart: f64) -> f64 {
     if sd == 0.0 { 0.0 } else { sd / apart }
 }
 
-fn moment_gradient<F: Frame>(frame: &PrincipalFrame<F>, k: usize) -> MassPropertiesGradient<F> {
+pub(crate) fn moment_gradient<F: Frame>(frame: &PrincipalFrame<F>, k: usize) -> MassPropertiesGradient<F> {
     element(frame.axis(k), frame.axis(k))
 }
 
@@ -98,7 +98,7 @@ fn turn<F: Frame>(frame: &PrincipalFrame<F>, k: usize) -> (MassPropertiesGradien
 }
 
 /// uᵀ δI v
-fn element<F: Frame>(u: Direction<F>, v: Direction<F>) -> MassPropertiesGradient<F> {
+pub(crate) fn element<F: Frame>(u: Direction<F>, v: Direction<F>) -> MassPropertiesGradient<F> {
     let (u, v) = (u.to_array(), v.to_array());
     let off = |i: usize, j: usize| u[i] * v[j] + u[j] * v[i];
     MassPropertiesGradient {
@@ -108,7 +108,10 @@ fn element<F: Frame>(u: Direction<F>, v: Direction<F>) -> MassPropertiesGradient
     }
 }
 
-fn scaled<F: Frame>(gradient: &MassPropertiesGradient<F>, factor: f64) -> MassPropertiesGradient<F> {
+pub(crate) fn scaled<F: Frame>(
+    gradient: &MassPropertiesGradient<F>,
+    factor: f64,
+) -> MassPropertiesGradient<F> {
     MassPropertiesGradient {
         by_mass: gradient.by_mass * factor,
         by_center_of_mass: gradient.by_center_of_mass * factor,
@@ -116,7 +119,10 @@ fn scaled<F: Frame>(gradient: &MassPropertiesGradient<F>, factor: f64) -> MassPr
     }
 }
 
-fn sum<F: Frame>(a: &MassPropertiesGradient<F>, b: &MassPropertiesGradient<F>) -> MassPropertiesGradient<F> {
+pub(crate) fn sum<F: Frame>(
+    a: &MassPropertiesGradient<F>,
+    b: &MassPropertiesGradient<F>,
+) -> MassPropertiesGradient<F> {
     MassPropertiesGradient {
         by_mass: a.by_mass + b.by_mass,
         by_center_of_mass: a.by_center_of_mass + b.by_center_of_mass,

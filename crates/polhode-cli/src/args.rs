@@ -5,6 +5,7 @@ use std::ffi::OsString;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory as _, Parser, Subcommand};
 
+use crate::budget::BudgetCommand;
 use crate::check::Check;
 use crate::explain::Explain;
 use crate::failure::Failure;
@@ -56,6 +57,7 @@ pub(crate) enum Command {
     Explain(Explain),
     Judge(Box<Judge>),
     Identify(Identify),
+    Budget(Box<BudgetCommand>),
     #[cfg(feature = "live")]
     Live(Live),
     Completions(Completions),
@@ -76,6 +78,7 @@ impl Command {
             Self::Explain(command) => command.run(),
             Self::Judge(command) => command.run(),
             Self::Identify(command) => command.run(),
+            Self::Budget(command) => command.run(),
             #[cfg(feature = "live")]
             Self::Live(command) => command.run(),
             Self::Completions(command) => command.run(Polhode::command()),

@@ -36,7 +36,7 @@ use self::substance::SubstanceFlags;
 use self::voxel::VoxelFlags;
 use self::written::MeshFile;
 use crate::failure::Failure;
-use crate::numbers::{numbers, positive, rotation, unit_named};
+use crate::numbers::{point, positive, rotation, unit_named};
 use crate::progress::FileProgress;
 use crate::stderr::shown;
 use crate::stdout::print;
@@ -316,8 +316,4 @@ fn mass_unit(text: &str) -> Result<f64, String> {
         return Err("the name of a unit of mass belongs here, such as g".to_owned());
     }
     positive(unit_named(text, Dimension::MASS)?)
-}
-
-fn point(text: &str) -> Result<Position<Body>, String> {
-    numbers(text, "x,y,z", Dimension::LENGTH).map(Position::from_array)
 }

@@ -5,6 +5,7 @@
 
 mod args;
 mod browser;
+mod budget;
 mod check;
 mod explain;
 mod failure;

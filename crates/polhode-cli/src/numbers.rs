@@ -1,6 +1,6 @@
 //! Numbers in flags: quantities with their units, and lists of them.
 
-use polhode::math::{Frame, Rotation};
+use polhode::math::{Body, Frame, Position, Rotation};
 use polhode_formats::times;
 use polhode_formats::unit::{self, Dimension};
 
@@ -101,6 +101,11 @@ pub(crate) fn numbers<const N: usize>(
 pub(crate) fn rotation<A: Frame, B: Frame>(text: &str) -> Result<Rotation<A, B>, String> {
     let q = numbers(text, "w,x,y,z", Dimension::NONE)?;
     Rotation::from_quaternion(q).map_err(|e| e.to_string())
+}
+
+/// A point of a body: x,y,z from its origin.
+pub(crate) fn point(text: &str) -> Result<Position<Body>, String> {
+    numbers(text, "x,y,z", Dimension::LENGTH).map(Position::from_array)
 }
 
 /// The number, if it is positive.

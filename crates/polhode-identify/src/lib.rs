@@ -26,7 +26,7 @@ pub use estimate::{Estimate, Number};
 pub use knowledge::Knowledge;
 pub use next::{Candidate, NextExperiment};
 pub use principal::PrincipalEstimate;
-pub use region::{TRIANGLE, on_triangle, possible_ratios};
+pub use region::{TRIANGLE, on_triangle, possible_ratios, ratio_region};
 pub use residuals::ResidualTest;
 
 /// Gravity at the Earth's surface, m/s²: 9.780 at the equator, 9.832 at the poles, and less on mountains.

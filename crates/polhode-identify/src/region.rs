@@ -23,24 +23,34 @@ const POINTS: u32 = 240;
 const POSSIBLE: [[f64; 3]; 3] = [[1.0, 1.0, -1.0], [-1.0, 1.0, 1.0], [1.0, -1.0, 1.0]];
 
 impl PrincipalEstimate {
-    /// The outline of where (i1/i3, i2/i3) are with a probability: the ellipse of their covariance, rᵀ C⁻¹ r = −2 ln(1 − p), cut off where no body is possible. The
-    /// moments are those along the axes that were found, in whatever order. `None` where the ratios are not known; a line if one combination of them is exact.
+    /// [`ratio_region`] of the ratios that were found; `None` where they are not known.
     pub fn ratio_region(&self, probability: f64) -> Option<Vec<[f64; 2]>> {
         let [Some(first), Some(second)] = self.ratio_sd else { return None };
-        if !(first.max(second) > 0.0 && first.max(second).is_finite()) {
-            return None;
-        }
-        let size = (-2.0 * libm::log1p(-probability)).sqrt();
-        let r = self.ratio_correlation.unwrap_or(0.0).clamp(-1.0, 1.0);
-        let across = (1.0 - r * r).sqrt();
-        let at = |k: u32| {
-            let (sin, cos) = libm::sincos(TAU * f64::from(k) / f64::from(POINTS));
-            let [x, y] = [size * first * cos, size * second * (r * cos + across * sin)];
-            [self.ratios[0] + x, self.ratios[1] + y]
-        };
-        let outline = possible_ratios(&(0..POINTS).map(at).collect::<Vec<_>>());
-        (!outline.is_empty()).then_some(outline)
+        ratio_region(self.ratios, [first, second], self.ratio_correlation.unwrap_or(0.0), probability)
     }
+}
+
+/// The outline of where (i1/i3, i2/i3) are with a probability: the ellipse of their covariance, rᵀ C⁻¹ r = −2 ln(1 − p), cut off where no body is possible. The
+/// moments are those along the axes that were found, in whatever order. `None` of exact ratios; a line if one combination of them is exact.
+pub fn ratio_region(
+    ratios: [f64; 2],
+    [first, second]: [f64; 2],
+    correlation: f64,
+    probability: f64,
+) -> Option<Vec<[f64; 2]>> {
+    if !(first.max(second) > 0.0 && first.max(second).is_finite()) {
+        return None;
+    }
+    let size = (-2.0 * libm::log1p(-probability)).sqrt();
+    let r = correlation.clamp(-1.0, 1.0);
+    let across = (1.0 - r * r).sqrt();
+    let at = |k: u32| {
+        let (sin, cos) = libm::sincos(TAU * f64::from(k) / f64::from(POINTS));
+        let [x, y] = [size * first * cos, size * second * (r * cos + across * sin)];
+        [ratios[0] + x, ratios[1] + y]
+    };
+    let outline = possible_ratios(&(0..POINTS).map(at).collect::<Vec<_>>());
+    (!outline.is_empty()).then_some(outline)
 }
 
 /// The part of a convex outline of (i1/i3, i2/i3) in which bodies are possible.

@@ -6,6 +6,7 @@
 
 mod arrays;
 mod brep;
+mod budget;
 mod check;
 mod command;
 mod derivatives;
@@ -37,6 +38,8 @@ mod _native {
 
     #[pymodule_export]
     use crate::brep::step_solids;
+    #[pymodule_export]
+    use crate::budget::budget_list;
     #[pymodule_export]
     use crate::check::check_file;
     #[pymodule_export]

@@ -5,6 +5,9 @@ use crate::number::{GROUP, alike};
 /// The width that text is laid out for where nobody asks for another.
 pub const WIDTH: usize = 100;
 
+/// A space that pages keep at the start of a cell: of what stands in something. Plain text has ordinary ones.
+pub(crate) const INDENT: char = '\u{2002}';
+
 /// What is not left alone at the start of a line.
 const UNITS: [&str; 14] =
     ["s", "/s", "m", "kg", "rad", "rad/s", "rad/s²", "deg/s", "m/s", "N", "N·m", "J", "kg·m²", "kg·m²/s"];

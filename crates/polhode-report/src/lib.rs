@@ -18,6 +18,8 @@
 mod balance;
 mod base64;
 mod block;
+mod body_part;
+mod budget;
 pub mod display;
 mod error_estimate;
 mod event;
@@ -60,9 +62,14 @@ mod symmetric_top;
 mod torque;
 mod unit;
 
+pub use budget::{
+    BudgetDiff, BudgetOptions, BudgetReport, Cell as BudgetCell, NoConfiguration, Sheet as BudgetSheet,
+};
 pub use error_estimate::error_estimate;
 pub use explain::document::{Block, Document, Section};
-pub use explain::drawing::{Correlations, Drawing, Scatter, Series, Triangle};
+pub use explain::drawing::{
+    Bar, BarPanel, Bars, Correlations, Drawing, Scatter, Series, Solid, Solids, Triangle,
+};
 pub use explain::graph::Graph;
 pub use explain::{explain, explain_motion};
 pub use export::{ExportBody, ExportError, ExportFormat, export};

@@ -1,8 +1,11 @@
 //! The integration tests of `polhode-budget`, as one program: each links the whole library.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
+#[cfg(feature = "ballast")]
+mod ballast;
 mod draws;
 mod errors;
+mod limits;
 mod lists;
 mod masses;
 mod principal;

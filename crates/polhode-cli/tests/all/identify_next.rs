@@ -2,6 +2,7 @@
 
 use serde_json::Value;
 
+use crate::common::figures::compare;
 use crate::common::{Scratch, example, json, number, numbers, stdout};
 
 const EXAMPLES: [&str; 3] = ["racket-like", "bifilar", "payload"];
@@ -135,46 +136,20 @@ fn the_best_comes_first_and_is_better_than_nothing() {
     assert!((48.0..66.0).contains(&time), "{time}");
 }
 
-/// A picture of a page, by its title.
-fn picture<'a>(page: &'a str, title: &str) -> &'a str {
-    let at = page.find(&format!("<title>{title}")).unwrap_or_else(|| panic!("{title}"));
-    let from = page[..at].rfind("<svg").unwrap();
-    let to = at + page[at..].find("</svg>").unwrap() + "</svg>".len();
-    &page[from..to]
-}
-
-/// The words of a picture, and its numbers.
-fn parts(svg: &str) -> (String, Vec<f64>) {
-    let is_number = |c: char| c.is_ascii_digit() || c == '.';
-    let words = svg.split(is_number).filter(|word| !word.is_empty()).collect::<Vec<_>>().join("#");
-    let all = svg.split(|c| !is_number(c)).filter(|digits| digits.chars().any(|c| c != '.'));
-    (words, all.map(|digits| digits.parse().unwrap_or(f64::NAN)).collect())
-}
-
-/// The book's pictures are those of the examples. `POLHODE_GOLDEN=write cargo test -p polhode-cli --test all books_pictures` writes them anew.
 #[test]
 fn the_books_pictures_are_those_of_the_examples() {
     let scratch = Scratch::new("identify-book");
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/figures");
-    for (name, title, file) in [
-        ("racket-like", "The triangle of moments", "identify-triangle.svg"),
-        ("racket-like", "What is left of flight", "identify-left.svg"),
-        ("bifilar", "Correlations", "identify-correlations.svg"),
-        ("bifilar", "What is left, test by test", "identify-swing-left.svg"),
-        ("payload", "What is left of the torque", "identify-payload-left.svg"),
-    ] {
-        let page = stdout(&scratch.run(&["identify", &example(&format!("identify/{name}.toml")), "--html"]));
-        let drawn = picture(&page, title).to_owned() + "\n";
-        let path = folder.join(file);
-        if std::env::var_os("POLHODE_GOLDEN").is_some() {
-            std::fs::write(&path, &drawn).unwrap();
-        }
-        let kept =
-            std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        let ((words, numbers), (kept_words, kept_numbers)) = (parts(&drawn), parts(&kept));
-        assert_eq!(words, kept_words, "{file}");
-        // hundredths of a pixel may round to the other side
-        let far = numbers.iter().zip(&kept_numbers).filter(|(a, b)| !((*a - *b).abs() < 0.06)).count();
-        assert!(numbers.len() == kept_numbers.len() && far == 0, "{file}: {far} numbers differ");
-    }
+    let [racket, bifilar, payload] =
+        ["racket-like", "bifilar", "payload"].map(|name| example(&format!("identify/{name}.toml")));
+    let of = |plan| ["identify", plan, "--html"];
+    compare(
+        &scratch,
+        &[
+            (&of(&racket), "The triangle of moments", "identify-triangle.svg"),
+            (&of(&racket), "What is left of flight", "identify-left.svg"),
+            (&of(&bifilar), "Correlations", "identify-correlations.svg"),
+            (&of(&bifilar), "What is left, test by test", "identify-swing-left.svg"),
+            (&of(&payload), "What is left of the torque", "identify-payload-left.svg"),
+        ],
+    );
 }

@@ -1,6 +1,7 @@
 //! The integration tests of `polhode-cli`, as one program: each links the whole library.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
+mod budget;
 mod check;
 mod check_forms;
 mod check_gate;

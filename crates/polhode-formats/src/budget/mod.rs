@@ -37,7 +37,7 @@ mod xlsx;
 use std::path::{Path, PathBuf};
 
 use polhode::math::{Body, Part, Position, Rotation};
-use polhode_budget::{Basis, Budget};
+use polhode_budget::{Ballast, Basis, Budget, Limit};
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::FormatError;
@@ -59,6 +59,10 @@ pub struct BudgetFile {
     pub configurations: Vec<NamedBudget>,
     /// What is asked.
     pub questions: Questions,
+    /// What numbers of the whole have to be.
+    pub limits: Vec<Limit>,
+    /// Where ballast may be by which they are.
+    pub ballast: Option<Ballast>,
     /// What was read, and what was taken as given.
     pub read: Vec<ReadParts>,
 }
@@ -217,5 +221,6 @@ fn of_table(
     lines.extend(taken::of_sheet(sheet, columns, &plan, &rows.reader));
     lines.extend(rows.taken.lines());
     let read = vec![ReadParts { path: sheet.path().to_owned(), lines }];
-    Ok(BudgetFile { title: plan.title, configurations, questions: plan.questions, read })
+    let Plan { title, questions, limits, ballast, .. } = plan;
+    Ok(BudgetFile { title, configurations, questions, limits, ballast, read })
 }

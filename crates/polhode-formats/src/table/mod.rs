@@ -7,6 +7,7 @@ pub mod csv;
 pub mod curve;
 pub mod parquet;
 pub mod required;
+pub mod workbook;
 
 use std::borrow::Cow;
 

@@ -2,6 +2,7 @@
 
 - :func:`inertia`, :class:`MassProperties`, :class:`Body`, :mod:`shapes`, :func:`particles`: how much mass, where
 - :func:`mesh_derivatives`, :func:`particle_derivatives`, :meth:`Body.derivatives`: and what that depends on
+- :func:`budget`: what a parts list comes to, and how well that is known
 - :class:`FreeMotion`: a free motion at any time, in closed form
 - :func:`identify`, :func:`identify_tumbles`, :func:`identify_swings`, :func:`identify_payload`: from measured motion to mass properties
 - :func:`simulate`: the motion of a scenario; :func:`judge`: is the one that another program computed right?
@@ -20,6 +21,7 @@ from types import FunctionType as _Function
 
 from . import plot, shapes
 from ._body import Body
+from ._budget import Budget, BudgetCase, BudgetLimit, BudgetRow, ErrorShare, budget
 from ._check import CheckReport, ModelFinding, check
 from ._derivatives import Derivatives, EventDerivatives
 from ._ensemble import Ensemble, Failure, EnsembleStates
@@ -57,6 +59,10 @@ from ._robot import LinkRow, LinkTable, fixed_groups, link_table
 __all__ = [
     "Body",
     "BodyDerivatives",
+    "Budget",
+    "BudgetCase",
+    "BudgetLimit",
+    "BudgetRow",
     "Cause",
     "CheckReport",
     "Derivatives",
@@ -66,6 +72,7 @@ __all__ = [
     "EnsembleStates",
     "ErrorGrowth",
     "ErrorPart",
+    "ErrorShare",
     "ErrorSplit",
     "Estimate",
     "Event",
@@ -100,6 +107,7 @@ __all__ = [
     "TumbleResult",
     "Unconstrained",
     "__version__",
+    "budget",
     "check",
     "find_flights",
     "fixed_groups",
@@ -122,6 +130,10 @@ __all__ = [
 for _public in (
     Body,
     BodyDerivatives,
+    Budget,
+    BudgetCase,
+    BudgetLimit,
+    BudgetRow,
     Cause,
     CheckReport,
     Derivatives,
@@ -131,6 +143,7 @@ for _public in (
     EnsembleStates,
     ErrorGrowth,
     ErrorPart,
+    ErrorShare,
     ErrorSplit,
     Estimate,
     Event,

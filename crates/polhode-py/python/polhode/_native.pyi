@@ -154,6 +154,23 @@ class Identified(TypedDict):
     swings: list[Floats]
     times: Floats | None
 
+class BudgetAsked(TypedDict):
+    is_basic: bool | None
+    about: list[float] | None
+    axes: list[list[float]] | None
+    draws: int | None
+    seed: int | None
+    configuration: str | None
+
+class Budgeted(TypedDict):
+    json: str
+    text: str
+    markdown: str
+    page: str
+    is_beyond: bool
+    draws: list[Floats]
+    scenarios: list[str]
+
 class MassProperties:
     @staticmethod
     def of_tensor(
@@ -305,6 +322,7 @@ def carried_covariance(by_start: Floats, by_inertia: Floats, by_parameters: Floa
 def identify_plan(path: str, text: str | None, is_written: bool) -> Identified: ...
 def identify_flights(title: str | None, flights: list[FlightArrays], options: FlightOptions) -> Identified: ...
 def identify_wrenches(title: str | None, given: WrenchArrays, options: WrenchOptions) -> Identified: ...
+def budget_list(path: str, text: str | None, head: int | None, asked: BudgetAsked) -> Budgeted: ...
 def find_flights(times: Floats, gyro: Floats, slowest: float, shortest: float, torque: float) -> list[list[float]]: ...
 def motion_page(title: str | None, data: str) -> str: ...
 def judge_arrays(path: str, text: str | None, times: Floats, attitude: Floats, omega: Floats | None, said: Said) -> Judged: ...

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::graph::{COLUMNS, Canvas};
-use crate::layout::{plain_spaces, printable};
+use crate::layout::{plain_spaces, printable, width};
 
 /// A picture on a page. Texts have the dots in letters, and nothing of the rest, of which they have the numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +15,10 @@ pub enum Drawing {
     Triangle(Triangle),
     /// How errors hang together.
     Correlations(Correlations),
+    /// Bars beside each other.
+    Bars(Bars),
+    /// Solids in space.
+    Solids(Solids),
 }
 
 /// Dots over an axis, and a band about zero.
@@ -52,6 +56,77 @@ pub struct Triangle {
     pub ratios: [f64; 2],
     /// Where they are with a probability: its outline. The smallest first.
     pub regions: Vec<(f64, Vec<[f64; 2]>)>,
+    /// i1/i3 and i2/i3 of other bodies that it may be.
+    pub cloud: Vec<[f64; 2]>,
+}
+
+/// Panels of bars.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bars {
+    /// What they show.
+    pub title: String,
+    /// What stands below the picture.
+    pub caption: &'static str,
+    /// What the kinds of bars are.
+    pub kinds: Vec<&'static str>,
+    /// From left to right, and then down.
+    pub panels: Vec<BarPanel>,
+}
+
+/// Bars over one axis, one below the other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BarPanel {
+    /// What they are parts of.
+    pub title: String,
+    /// The name and the unit of what runs to the right.
+    pub across: [&'static str; 2],
+    /// From above.
+    pub bars: Vec<Bar>,
+}
+
+/// A bar with its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bar {
+    /// What it is.
+    pub name: String,
+    /// Where it begins.
+    pub from: f64,
+    /// Where it ends.
+    pub to: f64,
+    /// How large it is, in words.
+    pub size: String,
+    /// Its place among the kinds: each has a colour.
+    pub kind: usize,
+}
+
+/// Boxes in space, and axes through a point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solids {
+    /// What they are.
+    pub title: String,
+    /// What stands below the picture.
+    pub caption: String,
+    /// In any order.
+    pub solids: Vec<Solid>,
+    /// Names of the groups that solids are of.
+    pub groups: Vec<String>,
+    /// A point, m.
+    pub center: [f64; 3],
+    /// Unit vectors through it.
+    pub axes: [[f64; 3]; 3],
+}
+
+/// A box.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solid {
+    /// What it is.
+    pub name: String,
+    /// Its middle, m.
+    pub center: [f64; 3],
+    /// From the middle to three of its faces, m: across each other.
+    pub halves: [[f64; 3]; 3],
+    /// Its group's place among the names; beyond them it is of none.
+    pub group: usize,
 }
 
 /// A matrix of correlations.
@@ -66,7 +141,12 @@ pub struct Correlations {
 impl Drawing {
     /// What stands below the picture.
     pub(crate) fn caption(&self) -> Option<String> {
-        let Self::Triangle(triangle) = self else { return None };
+        let triangle = match self {
+            Self::Triangle(triangle) => triangle,
+            Self::Bars(bars) => return (!bars.caption.is_empty()).then(|| bars.caption.to_owned()),
+            Self::Solids(solids) => return Some(solids.caption.clone()),
+            Self::Scatter(_) | Self::Correlations(_) => return None,
+        };
         let percent = |p: f64| format!("{:.0} %", 100.0 * p);
         let regions: Vec<String> = triangle.regions.iter().map(|(p, _)| percent(*p)).collect();
         let of_regions = if regions.is_empty() {
@@ -77,8 +157,12 @@ impl Drawing {
                 regions.join(" and ")
             )
         };
+        let of_cloud = match triangle.cloud.len() {
+            0 => String::new(),
+            count => format!(" Dots are {count} bodies that the errors allow, each a possible one."),
+        };
         Some(format!(
-            "A body is where masses in the corners, as large as its second moments ∫x² dm along the principal axes, balance. Inside are all possible bodies, on the edges laminae, in the corners rods.{of_regions}"
+            "A body is where masses in the corners, as large as its second moments ∫x² dm along the principal axes, balance. Inside are all possible bodies, on the edges laminae, in the corners rods.{of_regions}{of_cloud}"
         ))
     }
 
@@ -86,7 +170,8 @@ impl Drawing {
     pub(super) fn lines(&self) -> Vec<String> {
         match self {
             Self::Scatter(scatter) => scatter.lines(),
-            Self::Triangle(_) | Self::Correlations(_) => Vec::new(),
+            Self::Bars(bars) => bars.lines(),
+            Self::Triangle(_) | Self::Correlations(_) | Self::Solids(_) => Vec::new(),
         }
     }
 
@@ -104,6 +189,8 @@ impl Drawing {
             Self::Correlations(all) => {
                 json!({ "kind": "correlations", "names": all.names, "rows": all.rows })
             }
+            Self::Bars(bars) => bars.to_json(),
+            Self::Solids(solids) => solids.to_json(),
         }
     }
 }
@@ -135,6 +222,7 @@ impl Triangle {
             "place": polhode_identify::on_triangle([first, second, 1.0]),
             "corners": polhode_identify::TRIANGLE,
             "regions": self.regions.iter().map(region).collect::<Value>(),
+            "cloud": self.cloud,
         })
     }
 }
@@ -164,5 +252,79 @@ impl Scatter {
         let names: Vec<String> = names.chain([format!("- - -  {}", self.band_name)]).collect();
         lines.push(names.join("   "));
         lines
+    }
+}
+
+/// Columns of the longest bar, and of the longest name.
+const LONGEST: usize = 40;
+const NAME: usize = 32;
+
+impl Bars {
+    /// Of one panel, whose axis is that of all; several would be many lines, of which a table has the numbers.
+    fn lines(&self) -> Vec<String> {
+        let [panel] = &self.panels[..] else { return Vec::new() };
+        let [least, greatest] = panel.ends();
+        let column = |x: f64| ((x - least) / (greatest - least) * LONGEST as f64).round() as usize;
+        let names: Vec<String> = panel.bars.iter().map(|bar| shortened(&printable(&bar.name))).collect();
+        let beside = names.iter().map(|name| width(name)).max().unwrap_or(0);
+        let mut lines = vec![format!("{} ({})", printable(&panel.title), panel.across[1])];
+        for (bar, name) in panel.bars.iter().zip(names) {
+            let (from, to) = (column(bar.from.min(bar.to)), column(bar.from.max(bar.to)));
+            let drawn = format!("{}{}", " ".repeat(from), "█".repeat((to - from).max(1)));
+            let gap = beside - width(&name);
+            lines.push(format!("{name}{:gap$} │{drawn:<1$}  {2}", "", LONGEST + 1, bar.size));
+        }
+        lines
+    }
+
+    fn to_json(&self) -> Value {
+        let bar = |bar: &Bar| json!({ "name": plain_spaces(&bar.name), "from": bar.from, "to": bar.to });
+        let panel = |panel: &BarPanel| {
+            json!({
+                "title": plain_spaces(&panel.title),
+                "across": panel.across,
+                "bars": panel.bars.iter().map(bar).collect::<Value>(),
+            })
+        };
+        json!({
+            "kind": "bars",
+            "title": plain_spaces(&self.title),
+            "panels": self.panels.iter().map(panel).collect::<Value>(),
+        })
+    }
+}
+
+impl BarPanel {
+    /// From the least to the greatest, with zero between them.
+    pub(crate) fn ends(&self) -> [f64; 2] {
+        let wider = |[a, b]: [f64; 2], x: f64| [a.min(x), b.max(x)];
+        self.bars.iter().flat_map(|bar| [bar.from, bar.to]).fold([0.0; 2], wider)
+    }
+}
+
+fn shortened(name: &str) -> String {
+    if width(name) <= NAME {
+        return name.to_owned();
+    }
+    name.chars().take(NAME - 1).chain(['…']).collect()
+}
+
+impl Solids {
+    pub(crate) fn to_json(&self) -> Value {
+        let solid = |solid: &Solid| {
+            json!({
+                "name": solid.name,
+                "group": self.groups.get(solid.group),
+                "center": solid.center,
+                "halves": solid.halves,
+            })
+        };
+        json!({
+            "kind": "solids",
+            "title": plain_spaces(&self.title),
+            "solids": self.solids.iter().map(solid).collect::<Value>(),
+            "center": self.center,
+            "axes": self.axes,
+        })
     }
 }

@@ -2,7 +2,7 @@
 
 use super::document::{Block, Document};
 use crate::finding;
-use crate::layout::{broken, columns, matrix_rows, plain_spaces, printable, width, wrap};
+use crate::layout::{self, broken, columns, matrix_rows, plain_spaces, printable, width, wrap};
 use crate::number::tidy_matrix;
 
 const INDENT: &str = "    ";
@@ -80,7 +80,10 @@ pub(super) fn matrix(name: &str, rows: &[[f64; 3]; 3], unit: &str) -> Vec<String
 fn table(headers: &[String], rows: &[Vec<String>]) -> Vec<String> {
     let mut all = vec![headers.to_vec()];
     all.extend(rows.iter().map(|row| row.iter().map(|cell| printable(cell)).collect()));
-    let mut lines: Vec<String> = columns(&all).into_iter().map(|line| format!("{INDENT}{line}")).collect();
+    let mut lines: Vec<String> = columns(&all)
+        .into_iter()
+        .map(|line| format!("{INDENT}{}", line.replace(layout::INDENT, " ")))
+        .collect();
     let longest = lines.iter().map(|line| width(line)).max().unwrap_or(0);
     lines.insert(1, format!("{INDENT}{}", "─".repeat(longest.saturating_sub(INDENT.len()))));
     lines

@@ -6,12 +6,13 @@ use polhode_identify::payload::{Edge, EdgeKind, NextMotion, Payload, PayloadFind
 use polhode_identify::{NextExperiment, ResidualTest};
 use serde_json::{Value, json};
 
-use super::scenario::{NoBody, Part};
+use super::scenario::NoBody;
 use super::{estimate, next};
+use crate::body_part::BodyPart;
 use crate::explain::document::{Document, Section};
 use crate::explain::drawing::{Drawing, Scatter, Series};
 use crate::layout::printable;
-use crate::number::{count, number};
+use crate::number::{count, number, with_error};
 use crate::{VERSION, finding};
 
 /// A payload that was found, with what it was found from.
@@ -64,7 +65,7 @@ impl PayloadReport {
     pub fn to_scenario(&self) -> Result<String, NoBody> {
         let body = self.payload.body.as_ref().ok_or(NoBody::Unknown { by: "the motion" })?;
         let meaning = "in kg, m, kg m^2, along the axes of the sensor, from its origin";
-        Ok(Part::of_body(format!("{}: {meaning}", self.title), "payload", body).to_toml())
+        Ok(BodyPart::of_body(format!("{}: {meaning}", self.title), "payload", body).to_toml())
     }
 
     fn findings(&self) -> Vec<Finding> {
@@ -175,7 +176,7 @@ impl PayloadReport {
         let mass = self.mass();
         let row = |thin: &Thin| {
             let mut row: Vec<String> = thin.direction.iter().map(|x| number(*x, 5)).collect();
-            row.push(estimate::with_error(thin.unconstrained, thin.sd));
+            row.push(with_error(thin.unconstrained, thin.sd));
             row.push(number(thin.at_most, 3));
             row.push(number(thin.thickness_at_most(mass), 3));
             row

@@ -16,7 +16,7 @@ pub(super) fn triangle(p: &PrincipalEstimate) -> Option<Triangle> {
     }
     let region = |probability: f64| Some((probability, p.ratio_region(probability)?));
     let regions = PROBABILITIES.into_iter().filter_map(region).collect();
-    Some(Triangle { ratios: p.ratios, regions })
+    Some(Triangle { ratios: p.ratios, regions, cloud: Vec::new() })
 }
 
 pub(super) fn draw_triangle(section: &mut Section, p: &PrincipalEstimate) {

@@ -7,8 +7,9 @@ use polhode_identify::{NextExperiment, Number, ON_EARTH, PrincipalEstimate};
 use serde_json::{Value, json};
 
 use super::next::Named;
-use super::scenario::{NoBody, Part};
+use super::scenario::NoBody;
 use super::{estimate, mistakes, next};
+use crate::body_part::BodyPart;
 use crate::explain::document::{Document, Section};
 use crate::explain::drawing::{Drawing, Scatter, Series};
 use crate::layout::printable;
@@ -62,7 +63,7 @@ impl SwingReport {
     pub fn to_scenario(&self) -> Result<String, NoBody> {
         let body = self.known().ok_or(NoBody::Unknown { by: "what was swung" })?;
         let meaning = "in kg, m, kg m^2, along the axes of the body, from their origin";
-        Ok(Part::of_body(format!("{}: {meaning}", self.title), "body", &body).to_toml())
+        Ok(BodyPart::of_body(format!("{}: {meaning}", self.title), "body", &body).to_toml())
     }
 
     /// The body, if all of it is known.

@@ -6,8 +6,9 @@ use polhode_identify::tumble::{Flaw, FlightFit, NextFlight, Tumble};
 use serde_json::{Value, json};
 
 use super::next::Named;
-use super::scenario::{BodySize, NoBody, Part};
+use super::scenario::{BodySize, NoBody};
 use super::{estimate, next};
+use crate::body_part::BodyPart;
 use crate::explain::document::{Document, Section};
 use crate::explain::drawing::{Drawing, Scatter, Series};
 use crate::layout::printable;
@@ -66,7 +67,7 @@ impl TumbleReport {
         });
         comments.push("Where the centre of mass is does not show: it is put into the origin.".to_owned());
         let inertia = core::array::from_fn(|k| greatest * tumble.estimate.numbers[k].value);
-        let part = Part { comments, name: "body", mass, center: [0.0; 3], inertia };
+        let part = BodyPart { comments, name: "body", mass, center: [0.0; 3], inertia };
         Ok(part.to_toml() + &self.flown().unwrap_or_default())
     }
 

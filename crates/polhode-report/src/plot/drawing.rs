@@ -5,7 +5,7 @@ use super::axes::{Area, Axes, Axis};
 use super::font;
 use super::legend::{Key, heading};
 use super::sheet::{Anchor, Colour, Mark, Pen, SMALL, Sheet, Text};
-use super::triangle;
+use super::{bars, solids, triangle};
 use crate::explain::drawing::{Correlations, Drawing, Scatter};
 use crate::layout::printable;
 
@@ -24,6 +24,8 @@ impl Picture {
             Drawing::Scatter(scatter) => dots(scatter),
             Drawing::Triangle(triangle) => triangle::sheet(triangle),
             Drawing::Correlations(all) => correlations(all),
+            Drawing::Bars(all) => bars::sheet(all),
+            Drawing::Solids(all) => solids::sheet(all),
         };
         Self { sheet }
     }

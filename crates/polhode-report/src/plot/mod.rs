@@ -10,6 +10,7 @@
 
 mod axes;
 pub(crate) mod axis_path;
+mod bars;
 mod chart;
 mod constant;
 mod curve;
@@ -36,6 +37,7 @@ mod range;
 mod scale;
 pub(crate) mod series;
 mod sheet;
+mod solids;
 mod sphere;
 mod svg;
 mod sweep;

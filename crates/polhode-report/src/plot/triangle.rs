@@ -22,6 +22,7 @@ const WIDE: f64 = 0.45;
 const ROOM: f64 = 1.35;
 
 const DOT: Pen = Pen::solid(Colour::BLACK, 5.0);
+const CLOUD: Pen = Pen::solid(Colour::FAINT, 1.8).faint(0.6);
 const OUTLINE: Pen = Pen::solid(Colour::AXES[0], 1.3);
 const FIRST: Pen = Pen::solid(Colour::AXES[1], 0.9).faint(0.75);
 const SECOND: Pen = Pen::solid(Colour::AXES[2], 0.9).faint(0.75);
@@ -37,6 +38,7 @@ pub(super) fn sheet(triangle: &Triangle) -> Sheet {
         .iter()
         .map(|(p, outline)| (*p, outline.iter().map(|&[a, b]| on_triangle([a, b, 1.0])).collect()))
         .collect();
+    let cloud: Vec<Point> = triangle.cloud.iter().map(|&[a, b]| on_triangle([a, b, 1.0])).collect();
     let [first, second] = triangle.ratios;
     let body = on_triangle([first, second, 1.0]);
     let window = regions.last().and_then(|(_, outline)| window(outline));
@@ -49,6 +51,9 @@ pub(super) fn sheet(triangle: &Triangle) -> Sheet {
         );
         keys.push(Key::line(OUTLINE, words));
     }
+    if !cloud.is_empty() {
+        keys.push(Key::dot(CLOUD, "draws"));
+    }
     if window.is_some() {
         keys.extend([Key::line(FIRST, "i1/i3"), Key::line(SECOND, "i2/i3")]);
     }
@@ -57,12 +62,13 @@ pub(super) fn sheet(triangle: &Triangle) -> Sheet {
     let at = |[x, y]: Point| [MARGIN + 16.0 + SIDE * x, FOOT - SIDE * y];
     all_bodies(&mut sheet, at);
     if window.is_none() {
+        sheet.dots(cloud.iter().map(|&point| at(point)).collect(), CLOUD);
         draw_regions(&mut sheet, &regions, at);
     }
     sheet.dots(vec![at(body)], DOT);
     if let Some(window) = window {
         window.mark(&mut sheet, at);
-        window.draw(&mut sheet, &regions, body);
+        window.draw(&mut sheet, &regions, &cloud, body);
     }
     sheet
 }
@@ -138,7 +144,7 @@ impl Window {
         sheet.line(corners.to_vec(), Pen::solid(Colour::TEXT, 0.9));
     }
 
-    fn draw(self, sheet: &mut Sheet, regions: &[(f64, Vec<Point>)], body: Point) {
+    fn draw(self, sheet: &mut Sheet, regions: &[(f64, Vec<Point>)], cloud: &[Point], body: Point) {
         let scale = PART / (2.0 * self.half);
         let (left, bottom) = (WIDTH - MARGIN - 48.0 - PART, FOOT - 8.0);
         let [[x0, y0], ..] = self.corners();
@@ -153,6 +159,9 @@ impl Window {
         for (k, pen) in [(0, FIRST), (1, SECOND)] {
             self.level_lines(sheet, k, pen, at, &mut feet);
         }
+        let inside =
+            cloud.iter().filter(|point| (0..2).all(|c| (point[c] - self.middle[c]).abs() < self.half));
+        sheet.dots(inside.map(|&point| at(point)).collect(), CLOUD);
         draw_regions(sheet, regions, at);
         sheet.dots(vec![at(body)], DOT);
         sheet.line(frame.iter().chain(&frame[..1]).copied().collect(), Pen::solid(Colour::TEXT, 0.9));
@@ -231,14 +240,21 @@ mod tests {
     #[test]
     fn no_region_leaves_the_possible_part() {
         let outline = vec![[0.29, 0.71], [0.33, 0.72], [0.31, 0.75], [0.28, 0.72]];
-        let triangle =
-            Triangle { ratios: [0.305, 0.715], regions: vec![(0.68, outline.clone()), (0.95, outline)] };
+        let triangle = Triangle {
+            ratios: [0.305, 0.715],
+            regions: vec![(0.68, outline.clone()), (0.95, outline)],
+            cloud: vec![[0.3, 0.72]],
+        };
         let svg = super::super::svg::write(&sheet(&triangle));
         for words in ["no body", "times as large", "rod along 1", "68 %, in the outer with 95 %"] {
             assert!(svg.contains(words), "{words}: {svg}");
         }
         // without regions there is nothing to magnify
-        let svg = super::super::svg::write(&sheet(&Triangle { ratios: [0.5, 0.8], regions: Vec::new() }));
+        let svg = super::super::svg::write(&sheet(&Triangle {
+            ratios: [0.5, 0.8],
+            regions: Vec::new(),
+            cloud: Vec::new(),
+        }));
         assert!(svg.contains("laminae") && !svg.contains("times as large"));
     }
 }

@@ -7,6 +7,7 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
+pub mod figures;
 pub mod recipe;
 
 /// A folder of a test's own, removed when it is done.

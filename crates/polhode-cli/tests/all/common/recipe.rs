@@ -1,6 +1,6 @@
 //! A page as a reader follows it: its files are written, its commands are run, and its excerpts compared with what they print.
 //!
-//! - A block whose first or second line is a comment with the name of a file, `# top.toml` or `<!-- arm.urdf -->`, is that file.
+//! - A block whose first or second line is a comment with the name of a file, `# top.toml`, `## parts.csv` or `<!-- arm.urdf -->`, is that file.
 //! - ```` ```console ```` has commands, each after `$ `. They succeed, or say how they end: `# exit status 1`.
 //! - ```` ```text ```` behind it is all that they print, but for what is left out where a line is `…`.
 
@@ -80,7 +80,8 @@ fn blocks(page: &str) -> Vec<Block<'_>> {
 
 fn file_name(text: &str) -> Option<&str> {
     let comments = text.lines().take(2).filter_map(|line| {
-        line.strip_prefix("# ").or_else(|| line.strip_prefix("<!-- ")?.strip_suffix(" -->"))
+        let hash = line.strip_prefix("# ").or_else(|| line.strip_prefix("## "));
+        hash.or_else(|| line.strip_prefix("<!-- ")?.strip_suffix(" -->"))
     });
     comments.filter_map(|line| line.split([' ', ',']).next()).find(|word| {
         word.contains('.') && word.chars().all(|c| c.is_ascii_alphanumeric() || "._-".contains(c))
@@ -173,9 +174,16 @@ fn a_page_is_taken_apart() {
     let page = "Text.\n```toml\n# a.toml\nx = 1\n```\n```console\n$ polhode --version\n```\n";
     let found: Vec<_> = blocks(page).iter().map(|b| (b.line, b.language, b.text)).collect();
     assert_eq!(found, [(3, "toml", "# a.toml\nx = 1\n"), (7, "console", "$ polhode --version\n")]);
-    let names =
-        ["# a.toml\n", "<!-- arm.urdf -->\n", "3\n# hdo.xyz, water\n", "# a word\n", "x\n", "# 2 a.b\n"];
+    let names = [
+        "# a.toml\n",
+        "## b.csv\n",
+        "<!-- arm.urdf -->\n",
+        "3\n# hdo.xyz, water\n",
+        "# a word\n",
+        "x\n",
+        "# 2 a.b\n",
+    ];
     let found = names.map(file_name);
-    assert_eq!(found, [Some("a.toml"), Some("arm.urdf"), Some("hdo.xyz"), None, None, None]);
+    assert_eq!(found, [Some("a.toml"), Some("b.csv"), Some("arm.urdf"), Some("hdo.xyz"), None, None, None]);
     assert_eq!(words("polhode spin --at \"1 s, 2 s\" ''"), ["polhode", "spin", "--at", "1 s, 2 s", ""]);
 }

@@ -128,6 +128,13 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
             "3\nwater\nO 0 0 0.120823\nH 0 0.761688 -0.483292\nH 0 -0.761688 -0.483292\n",
         ),
         "grid" => fs::write(scratch.0.join("grid.npy"), npy()).unwrap(),
+        "budget" | "budget again" => {
+            scratch.write("cubesat.csv", crate::budget::CUBESAT);
+            scratch.write("before.csv", &crate::budget::before());
+            if words.contains(&"again") {
+                scratch.write("out.xlsx", "an older one");
+            }
+        }
         "robot" => {
             fs::copy(crate::common::example("robots/arm.urdf"), scratch.0.join("arm.urdf")).unwrap();
         }

@@ -5,6 +5,7 @@
 //! or gives another output than either alone. Where one has nothing to do beside the other a table says why. What does not go without
 //! a third is refused without it beside every other too.
 
+mod budget;
 mod identify;
 mod inertia;
 mod inputs;
@@ -214,7 +215,7 @@ fn every_subcommand_is_looked_at() {
     // These have one option at the most, or none; live, which does not end, and judge, which finds what its options say, have tests of
     // their own.
     let without = ["new", "stability", "completions", "man", "help", "live", "judge"];
-    let tables = ["inertia", "check", "simulate", "spin", "torque", "sweep", "explain", "identify"];
+    let tables = ["inertia", "check", "simulate", "spin", "torque", "sweep", "explain", "identify", "budget"];
     assert_eq!(names, without.into_iter().chain(tables).collect());
     for name in &without[..3] {
         assert!(options_of(name).len() <= 1, "{name}");

@@ -3,9 +3,11 @@
 mod cad;
 mod group;
 mod growth;
+mod limit;
 mod result;
+mod site;
 
-use polhode_budget::{Group, GrowthTable, ProductSign};
+use polhode_budget::{Ballast, Group, GrowthTable, Limit, ProductSign};
 
 use super::Questions;
 use crate::cad::CadOptions;
@@ -35,6 +37,8 @@ pub(super) struct Plan {
     pub(super) codes: Vec<String>,
     pub(super) cad: CadOptions,
     pub(super) questions: Questions,
+    pub(super) limits: Vec<Limit>,
+    pub(super) ballast: Option<Ballast>,
     /// Whether no other file may be opened: the text comes from where nobody is trusted.
     pub(super) is_alone: bool,
 }
@@ -50,7 +54,7 @@ pub(super) enum About {
 }
 
 /// The keys of a plan.
-pub(super) const KEYS: [&str; 11] = [
+pub(super) const KEYS: [&str; 14] = [
     "title",
     "products",
     "about",
@@ -62,11 +66,14 @@ pub(super) const KEYS: [&str; 11] = [
     "group",
     "cad",
     "result",
+    "limit",
+    "site",
+    "ballast",
 ];
 
 /// Those whose values are tables, and lists of such: a workbook has a sheet for each.
-pub(super) const TABLES: [&str; 3] = ["growth", "cad", "result"];
-pub(super) const LISTS: [&str; 1] = ["group"];
+pub(super) const TABLES: [&str; 4] = ["growth", "cad", "result", "ballast"];
+pub(super) const LISTS: [&str; 3] = ["group", "limit", "site"];
 
 /// Reads all keys of a plan; `others` may stand beside them.
 pub(super) fn plan(root: &Table<'_>, others: &[&'static str]) -> Result<Plan, FormatError> {
@@ -102,6 +109,18 @@ pub(super) fn plan(root: &Table<'_>, others: &[&'static str]) -> Result<Plan, Fo
     }
     if let Some(value) = root.get("result") {
         plan.questions = result::questions(&value.table()?)?;
+    }
+    if let Some(value) = root.get("limit") {
+        plan.limits = limit::limits(&value, plan.products)?;
+    }
+    let asked = root.get("ballast");
+    match (root.get("site"), &asked) {
+        (Some(sites), _) => plan.ballast = Some(site::ballast(&sites, asked.as_ref())?),
+        (None, Some(_)) => return Err(root.missing("site", "[[site]] with name and at: where it may be")),
+        (None, None) => {}
+    }
+    if let Some(value) = root.get("site").filter(|_| plan.limits.is_empty()) {
+        return Err(value.invalid("with [[limit]], which the ballast is to meet"));
     }
     Ok(plan)
 }

@@ -71,6 +71,7 @@ fn the_page_has_every_column_and_key() {
         ("group", "# [[group]]\n# zzz = 1\nname\na\n"),
         ("cad", "# [cad]\n# zzz = 1\nname\na\n"),
         ("result", "# [result]\n# zzz = 1\nname\na\n"),
+        ("ballast", "# [[limit]]\n# of = \"mass\"\n# most = 1\n# [[site]]\n# name = \"a\"\n# at = [0, 0, 0]\n# [ballast]\n# zzz = 1\nname\na\n"),
     ] {
         let keys = page.split("\n## Keys\n").nth(1).unwrap();
         let row = keys.lines().find(|line| line.starts_with(&format!("| `{table}` | "))).unwrap();

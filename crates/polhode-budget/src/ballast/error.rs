@@ -1,0 +1,103 @@
+//! Why ballast cannot be looked for, or was not found.
+
+use core::fmt;
+
+use crate::error::BudgetError;
+use crate::limit::LimitError;
+
+/// Why there is no answer.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum BallastError {
+    /// There is no site.
+    NoSites,
+    /// A number of a site that cannot be.
+    Value {
+        /// The site.
+        site: String,
+        /// What it is.
+        what: &'static str,
+        /// As it was given.
+        value: f64,
+        /// What it has to be.
+        rule: &'static str,
+    },
+    /// A number of the question that cannot be.
+    Question {
+        /// What it is.
+        what: &'static str,
+        /// As it was given.
+        value: f64,
+        /// What it has to be.
+        rule: &'static str,
+    },
+    /// A limit that ballast cannot be found for.
+    Limit {
+        /// The limit.
+        limit: String,
+        /// Why not.
+        why: &'static str,
+    },
+    /// A limit that says nothing.
+    NotLimit(LimitError),
+    /// The list has no such estimate.
+    Budget(BudgetError),
+    /// The search ended before its end: nothing lighter than `bound` will do, and `found` will, if that was found.
+    Undecided {
+        /// kg
+        bound: f64,
+        /// kg
+        found: Option<f64>,
+    },
+}
+
+impl fmt::Display for BallastError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoSites => write!(f, "there is no site for ballast"),
+            Self::Value { site, what, value, rule } => {
+                write!(f, "{what} of the site \"{site}\" is {value}, and has to be {rule}")
+            }
+            Self::Question { what, value, rule } => write!(f, "{what} is {value}, and has to be {rule}"),
+            Self::Limit { limit, why } => {
+                write!(f, "no ballast can be sought for the limit \"{limit}\": {why}")
+            }
+            Self::NotLimit(error) => error.fmt(f),
+            Self::Budget(error) => error.fmt(f),
+            Self::Undecided { bound, found: None } => {
+                write!(
+                    f,
+                    "no ballast was found, and none below {bound} kg will do; whether more would is not decided"
+                )
+            }
+            Self::Undecided { bound, found: Some(found) } => {
+                write!(
+                    f,
+                    "{found} kg of ballast will do, and nothing below {bound} kg; what is between is not decided"
+                )
+            }
+        }
+    }
+}
+
+impl std::error::Error for BallastError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::NotLimit(error) => Some(error),
+            Self::Budget(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl From<LimitError> for BallastError {
+    fn from(error: LimitError) -> Self {
+        Self::NotLimit(error)
+    }
+}
+
+impl From<BudgetError> for BallastError {
+    fn from(error: BudgetError) -> Self {
+        Self::Budget(error)
+    }
+}

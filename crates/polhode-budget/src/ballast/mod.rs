@@ -1,0 +1,199 @@
+//! The least ballast by which limits are met, with the proof that none is lighter.
+//!
+//! Ballast is exact, and at sites: points, lines, discs and circles, of which all but points take several masses; points also take pieces of given sizes. The mass and the first and second moments of the whole are
+//! linear in the masses, so limits on these are linear: on the mass, on a coordinate c = S/M of the centre (S ≤ most·M), on moments and products about a fixed point; and cones, if they are on a distance of
+//! the centre or on an unbalance. Products about the moving centre, W − S S/M, are not: there it is proved in regions of the centre that nothing is lighter.
+
+mod error;
+mod interval;
+mod polish;
+mod problem;
+mod proof;
+mod relaxation;
+mod row;
+mod search;
+mod site;
+
+pub use error::BallastError;
+pub use site::{Place as BallastPlace, Round, Site};
+
+use polhode::body::{BodyError, InertiaTensor, MassProperties};
+use polhode::math::{Body, Position};
+
+use crate::budget::{Budget, combined};
+use crate::limit::Limit;
+use problem::{Column, Problem};
+use proof::Tree;
+use search::{Outcome, Search};
+
+/// Ballast to be found.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Ballast {
+    /// Where it may be.
+    pub sites: Vec<Site>,
+    /// The most of all together, kg.
+    pub most: Option<f64>,
+    /// How many standard deviations, to first order in the errors of the list, the whole is kept inside its limits: of each side of a coordinate, a mass, a moment and a product about a fixed point; of a
+    /// distance and an unbalance in every direction, at least.
+    pub deviations: f64,
+}
+
+/// What ballast there is to be.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BallastAnswer {
+    /// The least.
+    Least(LeastBallast),
+    /// None meets the limits.
+    None(NoBallast),
+}
+
+/// The least ballast that meets all limits.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LeastBallast {
+    /// Where it is, in the order of the sites; none if the limits are met without.
+    pub pieces: Vec<Piece>,
+    /// All of it, kg.
+    pub mass: f64,
+    /// What no ballast that meets the limits is below, kg.
+    pub bound: f64,
+    /// How many regions of sizes and of centres the proof has; 1 of a linear or conic question.
+    pub regions: usize,
+    proof: Proof,
+}
+
+/// That there is no ballast.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NoBallast {
+    /// None up to this mass, kg: what is allowed, or a million times the mass of the list.
+    pub up_to: f64,
+    /// How many regions of sizes and of centres the proof has.
+    pub regions: usize,
+    proof: Proof,
+}
+
+/// A mass to be put into a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece {
+    /// Which of the sites.
+    pub site: usize,
+    /// Where, m.
+    pub position: Position<Body>,
+    /// kg
+    pub mass: f64,
+}
+
+/// A proof, which can be checked against its question.
+#[derive(Clone, Debug, PartialEq)]
+struct Proof {
+    problem: Problem,
+    tree: Tree,
+    cap: f64,
+}
+
+/// By how much the least mass may be above what is proved, as a part of it: of linear and conic questions and of sizes.
+const GAP: f64 = 1e-9;
+
+/// The same where products about the moving centre are limited.
+const GAP_OF_PRODUCTS: f64 = 1e-6;
+
+impl Budget {
+    /// The least ballast by which limits are met, to a part of 1e-9, or of 1e-6 if products about the centre of mass are among them.
+    ///
+    /// Limits are met but for rounding: to a part of 1e-11 of what ballast changes.
+    ///
+    /// # Errors
+    /// [`BallastError`] of a site or a limit that cannot be, of a limit that ballast cannot be found for, and where nothing is proved.
+    pub fn ballast(&self, ballast: &Ballast, limits: &[Limit]) -> Result<BallastAnswer, BallastError> {
+        let problem = Problem::new(self, ballast, limits)?;
+        let gap = if problem.products.is_empty() { GAP } else { GAP_OF_PRODUCTS };
+        let Outcome { found, tree, cap } = Search::new(&problem, gap).run();
+        let proof = Proof { problem, tree, cap };
+        let regions = proof.tree.leaves();
+        let Some(mut found) = found else {
+            let bound = proof.bound(cap);
+            return if bound == f64::INFINITY {
+                Ok(BallastAnswer::None(NoBallast { up_to: cap, regions, proof }))
+            } else {
+                Err(BallastError::Undecided { bound, found: None })
+            };
+        };
+        found.sort_by_key(|(column, _)| column.site);
+        let piece = |(column, mass): &(Column, f64)| Piece {
+            site: column.site,
+            position: Position::from_array(column.at),
+            mass: *mass,
+        };
+        let pieces: Vec<Piece> = found.iter().map(piece).collect();
+        let mass = pieces.iter().map(|piece| piece.mass).sum();
+        let bound = proof.bound(mass).min(mass);
+        let least = LeastBallast { pieces, mass, bound, regions, proof };
+        if least.is_proved() {
+            Ok(BallastAnswer::Least(least))
+        } else {
+            Err(BallastError::Undecided { bound, found: Some(mass) })
+        }
+    }
+}
+
+impl LeastBallast {
+    /// By how much it may be above the least, as a part of it.
+    pub fn gap(&self) -> f64 {
+        if self.mass > 0.0 { (self.mass - self.bound) / self.mass } else { 0.0 }
+    }
+
+    /// Checks the proof, in intervals: that the pieces are at their sites and meet the limits, and that the prices of the limits leave nothing below the bound.
+    pub fn is_proved(&self) -> bool {
+        let pieces: Vec<_> = self
+            .pieces
+            .iter()
+            .map(|piece| (Column { site: piece.site, at: piece.position.to_array() }, piece.mass))
+            .collect();
+        let sum: f64 = self.pieces.iter().map(|piece| piece.mass).sum();
+        let problem = &self.proof.problem;
+        let gap = if problem.products.is_empty() { GAP } else { GAP_OF_PRODUCTS };
+        pieces.iter().all(|(column, _)| column.site < problem.charts.len())
+            && problem.is_met(&pieces)
+            && sum == self.mass
+            && self.bound <= self.proof.bound(self.mass)
+            && self.mass - self.bound <= gap * self.mass * (1.0 + 1e-6)
+    }
+
+    /// A body with it: the list on either basis.
+    ///
+    /// # Errors
+    /// [`BodyError`] if the sum is not finite.
+    pub fn with(&self, body: &MassProperties<Body>) -> Result<MassProperties<Body>, BodyError> {
+        let mut parts = vec![*body];
+        for piece in &self.pieces {
+            parts.push(MassProperties::new(piece.mass, piece.position, InertiaTensor::diagonal([0.0; 3])?)?);
+        }
+        Ok(combined(&parts)?.unwrap_or(*body))
+    }
+}
+
+impl NoBallast {
+    /// Checks the proof, in intervals.
+    pub fn is_proved(&self) -> bool {
+        self.proof.cap >= self.up_to && self.proof.bound(self.up_to) == f64::INFINITY
+    }
+}
+
+impl Proof {
+    /// What no ballast up to a mass is below.
+    fn bound(&self, mass: f64) -> f64 {
+        // The regions of the centre are those of ballast up to the cap.
+        if mass > self.cap {
+            return 0.0;
+        }
+        self.problem.proved(&self.tree, &self.problem.root(self.cap), mass)
+    }
+}
+
+impl Tree {
+    fn leaves(&self) -> usize {
+        match self {
+            Self::Leaf(_) => 1,
+            Self::Split { below, above, .. } => below.leaves() + above.leaves(),
+        }
+    }
+}

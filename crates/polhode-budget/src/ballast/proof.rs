@@ -1,0 +1,124 @@
+//! Proof that no ballast is lighter, or that none exists, and its check.
+//!
+//! Every limit is a function f ≥ 0 (or = 0, or in a cone) of the moments, f = β + Σ m a(r) over pieces of the mass m at r. With prices y, none negative (or free, or in the cone), every ballast that meets
+//! all limits has
+//!
+//! ```text
+//! Σ m ≥ Σ m − y·f = −y·β + Σ m d(r),  d(r) = 1 − y·a(r)
+//! ```
+//!
+//! and d, quadratic in r, has a least value at each site, which is found and bounded. So the prices alone say what no ballast can be below: the dual bound. Without the first Σ m it is zero that is above
+//! the right side, and if that is positive, there is no ballast at all. Where sizes or products about the moving centre make limits that are not linear, this holds in each region of a tree.
+
+use super::interval::Interval;
+use super::problem::{Problem, Region};
+use super::row::{Functional, Kind};
+
+/// What is proved of a region.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Tree {
+    /// By prices of all rows.
+    Leaf(Prices),
+    /// In each of two regions that make up this one.
+    Split { branch: Branch, below: Box<Tree>, above: Box<Tree> },
+}
+
+/// Prices of what limits ask.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Prices {
+    /// In kg per unit of each row; or, where none exists, in any unit.
+    pub(super) of: Vec<f64>,
+    /// Whether they bound the mass, and do not show that there is no ballast.
+    pub(super) of_mass: bool,
+}
+
+/// Where a region is split.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Branch {
+    /// A site has this size at most, or the next at least.
+    Size { site: usize, index: usize },
+    /// A coordinate of the centre is this at most, or at least.
+    Center { coordinate: usize, at: f64 },
+}
+
+impl Region {
+    pub(super) fn split(&self, branch: Branch) -> [Self; 2] {
+        let [mut below, mut above] = [self.clone(), self.clone()];
+        match branch {
+            Branch::Size { site, index } => {
+                below.sizes[site][1] = below.sizes[site][1].min(index);
+                above.sizes[site][0] = above.sizes[site][0].max(index + 1);
+            }
+            Branch::Center { coordinate, at } => {
+                below.boxes[coordinate][1] = below.boxes[coordinate][1].min(at);
+                above.boxes[coordinate][0] = above.boxes[coordinate][0].max(at);
+            }
+        }
+        [below, above]
+    }
+
+    /// Whether nothing is in it.
+    fn is_empty(&self) -> bool {
+        self.sizes.iter().any(|[least, most]| least > most) || self.boxes.iter().any(|[low, high]| low > high)
+    }
+}
+
+impl Problem {
+    /// What no ballast in a region is below, of those that are no more than `cap`: infinite if there is none.
+    pub(super) fn proved(&self, tree: &Tree, region: &Region, cap: f64) -> f64 {
+        if region.is_empty() {
+            return f64::INFINITY;
+        }
+        match tree {
+            Tree::Leaf(prices) => self.bound(prices, region, cap),
+            Tree::Split { branch, below, above } => {
+                let [lower, upper] = region.split(*branch);
+                self.proved(below, &lower, cap).min(self.proved(above, &upper, cap))
+            }
+        }
+    }
+
+    /// The same by prices: never above what is true, whatever they are.
+    pub(super) fn bound(&self, prices: &Prices, region: &Region, cap: f64) -> f64 {
+        let Some(sum) = self.weighed(&prices.of, region) else { return 0.0 };
+        let one = if prices.of_mass { Interval::ONE } else { Interval::ZERO };
+        let price = Functional { constant: Interval::ZERO, ..Functional::mass() * one - sum };
+        let mut bound = -sum.constant;
+        for (site, chart) in self.charts.iter().enumerate() {
+            let [least, most] = self.masses(region, site, cap);
+            let each = chart.least(&price, self.origin).1;
+            let mass = if each < 0.0 { most } else { least };
+            bound = bound + Interval::from(mass) * Interval::from(each);
+        }
+        match (prices.of_mass, bound.low > 0.0) {
+            (false, true) => f64::INFINITY,
+            (true, true) => bound.low,
+            _ => 0.0,
+        }
+    }
+
+    /// y·f, if the prices are such that it cannot be negative.
+    fn weighed(&self, prices: &[f64], region: &Region) -> Option<Functional> {
+        let mut prices = prices.iter().copied();
+        let mut sum = Functional::constant(Interval::ZERO);
+        for block in self.rows(region) {
+            let own: Vec<f64> = prices.by_ref().take(block.rows.len()).collect();
+            let (first, rest) = own.split_first()?;
+            let holds = match block.kind {
+                Kind::Zero => own.iter().all(|y| y.is_finite()),
+                Kind::Positive => own.iter().all(|y| *y >= 0.0 && y.is_finite()),
+                Kind::Cone => {
+                    let square = rest.iter().map(|y| Interval::from(*y).square()).sum::<Interval>();
+                    first.is_finite() && *first >= square.sqrt().high
+                }
+            };
+            if !holds || own.len() != block.rows.len() {
+                return None;
+            }
+            for (row, y) in block.rows.iter().zip(own) {
+                sum = sum + *row * Interval::from(y);
+            }
+        }
+        prices.next().is_none().then_some(sum)
+    }
+}

@@ -1,0 +1,213 @@
+//! The least ballast in a region if limits are linear there: a conic program over all pieces that the sites allow, solved with those that matter.
+
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
+
+use super::interval::Interval;
+use super::problem::{Column, Problem, Region};
+use super::proof::Prices;
+use super::row::{Block, Functional, Kind, weights};
+
+/// What comes of a region.
+#[derive(Clone, Debug)]
+pub(super) struct Relaxed {
+    /// What proves the bound.
+    pub(super) prices: Prices,
+    /// The pieces, if there are any that will do.
+    pub(super) pieces: Option<Vec<(Column, f64)>>,
+}
+
+/// Pieces are added until none would make ballast lighter by more than this part of its own mass.
+const PRICE: f64 = 1e-11;
+
+/// How often.
+const ROUNDS: usize = 80;
+
+impl Problem {
+    /// The pieces that a search begins with.
+    pub(super) fn seeds(&self) -> Vec<Column> {
+        let of = |(site, chart): (usize, &super::site::Chart)| {
+            chart.seeds().into_iter().map(move |at| Column { site, at }).collect::<Vec<_>>()
+        };
+        self.charts.iter().enumerate().flat_map(of).collect()
+    }
+
+    /// The least ballast in a region, of pieces that are there or are added; `None` if the solver gives up.
+    pub(super) fn relaxed(&self, region: &Region, columns: &mut Vec<Column>) -> Option<Relaxed> {
+        let (rows, mut last) = (self.rows(region), None);
+        for _ in 0..ROUNDS {
+            let master = self.master(&rows, region, columns)?;
+            let Master { prices, masses, full } = master;
+            let sum = weighed(&rows, &prices.of);
+            let one = if prices.of_mass { Interval::ONE } else { Interval::ZERO };
+            let price = Functional { constant: Interval::ZERO, ..Functional::mass() * one - sum };
+            let tolerance = if prices.of_mass { PRICE } else { 0.1 * sum.constant.size() / self.cap };
+            let mut added = false;
+            for (site, chart) in self.charts.iter().enumerate() {
+                let (at, least) = chart.least(&price, self.origin);
+                let new = Column { site, at };
+                let is_new = || !columns.iter().any(|old| old.site == site && chart.are_near(old.at, at));
+                if !chart.is_point() && least + full[site] < -tolerance && is_new() {
+                    columns.push(new);
+                    added = true;
+                }
+            }
+            let pieces = masses.map(|masses| columns.iter().copied().zip(masses).collect());
+            last = Some(Relaxed { prices, pieces });
+            if !added {
+                break;
+            }
+        }
+        last
+    }
+
+    fn master(&self, rows: &[Block], region: &Region, columns: &[Column]) -> Option<Master> {
+        let at: Vec<[Interval; 10]> = columns.iter().map(|column| weights(self.local(column.at))).collect();
+        let elements: Vec<Vec<f64>> = rows
+            .iter()
+            .flat_map(|block| &block.rows)
+            .map(|row| at.iter().map(|w| row.at(w).middle()).collect())
+            .collect();
+        // Each block in units of what a unit mass does to it, and masses in those that the worst needs.
+        let (mut units, mut unit, mut first) = (Vec::new(), 0.0_f64, 0);
+        for block in rows {
+            let own = &elements[first..first + block.rows.len()];
+            let most = own.iter().flatten().fold(0.0, |most: f64, a| most.max(a.abs()));
+            let most = if most > 0.0 { most } else { 1.0 };
+            units.extend(block.rows.iter().map(|_| most));
+            unit = unit.max(missing(block) / most);
+            first += block.rows.len();
+        }
+        let bounds: Vec<[f64; 2]> =
+            (0..self.charts.len()).map(|site| self.masses(region, site, self.cap)).collect();
+        unit = bounds.iter().fold(unit, |unit, [least, _]| unit.max(*least));
+        if !(unit > 0.0) {
+            unit = 1.0;
+        }
+        let constants: Vec<f64> =
+            rows.iter().flat_map(|block| &block.rows).map(|row| row.constant.middle()).collect();
+        // A x + s = b with s in the cones: s = f, then what sites leave, then the masses.
+        let mut b: Vec<f64> = constants.iter().zip(&units).map(|(c, of)| c / of / unit).collect();
+        let mut cones: Vec<SupportedConeT<f64>> = rows.iter().map(cone).collect();
+        let mut sites: Vec<Vec<(usize, f64)>> = vec![Vec::new(); self.charts.len()];
+        for (site, [least, most]) in bounds.iter().enumerate() {
+            if least == most {
+                sites[site].push((b.len(), 1.0));
+                b.push(most / unit);
+                cones.push(SupportedConeT::ZeroConeT(1));
+                continue;
+            }
+            for (bound, sign) in [(*most, 1.0), (*least, -1.0)] {
+                if bound < self.cap && (sign > 0.0 || bound > 0.0) {
+                    sites[site].push((b.len(), sign));
+                    b.push(sign * bound / unit);
+                    cones.push(SupportedConeT::NonnegativeConeT(1));
+                }
+            }
+        }
+        let before = b.len();
+        b.extend(columns.iter().map(|_| 0.0));
+        cones.push(SupportedConeT::NonnegativeConeT(columns.len()));
+        let (mut starts, mut places, mut values) = (vec![0], Vec::new(), Vec::new());
+        for (k, column) in columns.iter().enumerate() {
+            let of_rows = elements.iter().zip(&units).map(|(row, of)| -row[k] / of).enumerate();
+            for (place, value) in
+                of_rows.filter(|(_, value)| *value != 0.0).chain(sites[column.site].iter().copied())
+            {
+                places.push(place);
+                values.push(value);
+            }
+            places.push(before + k);
+            values.push(-1.0);
+            starts.push(places.len());
+        }
+        let a = CscMatrix::new(b.len(), columns.len(), starts, places, values);
+        let settings = DefaultSettingsBuilder::default()
+            .verbose(false)
+            .tol_gap_abs(1e-14)
+            .tol_gap_rel(1e-13)
+            .tol_feas(1e-13)
+            .tol_infeas_abs(1e-12)
+            .tol_infeas_rel(1e-12)
+            .build()
+            .ok()?;
+        let (q, p) = (vec![1.0; columns.len()], CscMatrix::zeros((columns.len(), columns.len())));
+        let mut solver = DefaultSolver::new(&p, &q, &a, &b, &cones, settings).ok()?;
+        solver.solve();
+        let solution = &solver.solution;
+        // Whatever the solver says of its own tolerances: what is proved is checked, and so are the pieces.
+        let of_mass = match solution.status {
+            SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => false,
+            SolverStatus::DualInfeasible | SolverStatus::AlmostDualInfeasible | SolverStatus::Unsolved => {
+                return None;
+            }
+            _ => true,
+        };
+        let y: Vec<f64> = solution.z.iter().zip(&units).map(|(z, of)| z / of).collect();
+        if y.iter().chain(&solution.x).any(|x| !x.is_finite()) {
+            return None;
+        }
+        // What it is worth to a site to take more than it may, of its most and its least mass.
+        let full =
+            sites.iter().map(|rows| rows.iter().map(|(row, sign)| sign * solution.z[*row]).sum()).collect();
+        let of = in_cones(rows, y);
+        let masses = of_mass.then(|| solution.x.iter().map(|x| (x * unit).max(0.0)).collect());
+        Some(Master { prices: Prices { of, of_mass }, masses, full })
+    }
+}
+
+struct Master {
+    prices: Prices,
+    masses: Option<Vec<f64>>,
+    /// Of each site.
+    full: Vec<f64>,
+}
+
+fn cone(block: &Block) -> SupportedConeT<f64> {
+    let rows = block.rows.len();
+    match block.kind {
+        Kind::Zero => SupportedConeT::ZeroConeT(rows),
+        Kind::Positive => SupportedConeT::NonnegativeConeT(rows),
+        Kind::Cone => SupportedConeT::SecondOrderConeT(rows),
+    }
+}
+
+/// By how much a block is beside what is asked of it without ballast.
+fn missing(block: &Block) -> f64 {
+    let values: Vec<f64> = block.rows.iter().map(|row| row.constant.middle()).collect();
+    beside(block.kind, &values)
+}
+
+/// By how much values are beside what is asked of them.
+pub(super) fn beside(kind: Kind, values: &[f64]) -> f64 {
+    match (kind, values) {
+        (Kind::Cone, [first, rest @ ..]) => (rest.iter().map(|x| x * x).sum::<f64>().sqrt() - first).max(0.0),
+        (Kind::Positive, values) => values.iter().fold(0.0, |most, x| most.max(-x)),
+        (_, values) => values.iter().fold(0.0, |most, x| most.max(x.abs())),
+    }
+}
+
+/// y·f
+fn weighed(rows: &[Block], prices: &[f64]) -> Functional {
+    let all = rows.iter().flat_map(|block| &block.rows).zip(prices);
+    all.fold(Functional::constant(Interval::ZERO), |sum, (row, y)| sum + *row * Interval::from(*y))
+}
+
+/// The prices, with what rounding has put beside the cones put into them.
+fn in_cones(rows: &[Block], mut prices: Vec<f64>) -> Vec<f64> {
+    let mut first = 0;
+    for block in rows {
+        let own = &mut prices[first..first + block.rows.len()];
+        match (block.kind, own) {
+            (Kind::Positive, own) => own.iter_mut().for_each(|y| *y = y.max(0.0)),
+            (Kind::Cone, [first, rest @ ..]) => {
+                let square = rest.iter().map(|y| Interval::from(*y).square()).sum::<Interval>();
+                *first = first.max(square.sqrt().high);
+            }
+            _ => {}
+        }
+        first += block.rows.len();
+    }
+    prices.truncate(first);
+    prices
+}

@@ -1,0 +1,432 @@
+//! Numbers of a body that limits are on, and how they depend on it.
+
+use core::fmt;
+
+use polhode::body::{MassProperties, MassPropertiesGradient, PrincipalFrame, Symmetry};
+use polhode::math::{Body, Direction, Position};
+
+use crate::estimate::Estimate;
+use crate::principal::{element, moment_gradient, scaled, sum};
+use crate::tensor::{ProductSign, elements};
+
+/// A number of a body.
+///
+/// Directions may have any length, but zero.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Measure {
+    /// Mass, kg.
+    Mass,
+    /// A coordinate of the centre of mass, m: along a direction, from a point.
+    Center {
+        /// The direction.
+        along: Direction<Body>,
+        /// The point.
+        from: Position<Body>,
+    },
+    /// The distance of the centre of mass from a point, m.
+    CenterFromPoint(Position<Body>),
+    /// The distance of the centre of mass from a line, m.
+    CenterFromLine {
+        /// A point of the line.
+        point: Position<Body>,
+        /// Its direction.
+        along: Direction<Body>,
+    },
+    /// The static unbalance about a line, kg·m: mass by the distance of its centre from the line.
+    StaticUnbalance {
+        /// A point of the line.
+        point: Position<Body>,
+        /// Its direction.
+        along: Direction<Body>,
+    },
+    /// The couple unbalance about a line, kg·m²: the size of ∫ z ρ dm, with z along it from the point and ρ from it.
+    CoupleUnbalance {
+        /// A point of the line, in the plane that the couple is about: any, if there is no static unbalance.
+        point: Position<Body>,
+        /// Its direction.
+        along: Direction<Body>,
+    },
+    /// A moment of inertia, kg·m²: of the axis with this direction through a point.
+    Moment {
+        /// The direction.
+        axis: Direction<Body>,
+        /// The point.
+        about: About,
+    },
+    /// A product of inertia, kg·m².
+    Product {
+        /// The two directions, perpendicular.
+        axes: [Direction<Body>; 2],
+        /// What a product is.
+        sign: ProductSign,
+        /// The point.
+        about: About,
+    },
+    /// A principal moment, kg·m²: 0 is the least, 2 the greatest.
+    PrincipalMoment(usize),
+    /// The first of two principal moments over the second.
+    PrincipalRatio([usize; 2]),
+    /// The angle between a principal axis, either way along it, and a direction, 0 to π/2 rad.
+    Tilt {
+        /// Which.
+        axis: PrincipalAxis,
+        /// The direction.
+        from: Direction<Body>,
+    },
+    /// The moment of the principal axis that is nearest to a direction, over the greater of the other two.
+    ///
+    /// Above 1 a spin about it lasts though energy is lost inside: it is the axis of greatest moment.
+    SpinRatio(Direction<Body>),
+    /// (i − a)(i − b)/(a b) of the moment i of the principal axis that is nearest to a direction, and the other two a and b: the square of the rate of nutation over that of spin.
+    ///
+    /// Above 0 a spin about it lasts while no energy is lost: i is the greatest moment or the least.
+    SpinStability(Direction<Body>),
+}
+
+/// The point that a moment or product is about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum About {
+    /// The centre of mass, wherever that is.
+    CenterOfMass,
+    /// A point that is fixed in the body, m.
+    Point(Position<Body>),
+}
+
+/// A principal axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PrincipalAxis {
+    /// By its moment: 0 is that of the least, 2 of the greatest.
+    Number(usize),
+    /// That which is nearest to the direction.
+    Nearest,
+}
+
+/// Why a measure has no value, or no derivative.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Undefined {
+    /// Two principal moments are equal: their axes are any in a plane, and the greater and the less have no derivative.
+    EqualMoments,
+    /// A distance or an angle is zero, or two axes are equally near: the measure has a corner.
+    Corner,
+    /// A moment that it is divided by is zero.
+    ZeroMoment,
+}
+
+impl fmt::Display for Undefined {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::EqualMoments => "two principal moments are equal",
+            Self::Corner => "a distance or an angle is zero, or two axes are equally near",
+            Self::ZeroMoment => "a principal moment is zero",
+        })
+    }
+}
+
+/// Axes are perpendicular if their cosine is no more than this.
+const PERPENDICULAR: f64 = 1e-9;
+
+type Gradient = MassPropertiesGradient<Body>;
+
+impl Measure {
+    /// The unit; empty of ratios.
+    pub const fn unit(&self) -> &'static str {
+        match self {
+            Self::Mass => "kg",
+            Self::Center { .. } | Self::CenterFromPoint(_) | Self::CenterFromLine { .. } => "m",
+            Self::StaticUnbalance { .. } => "kg·m",
+            Self::CoupleUnbalance { .. }
+            | Self::Moment { .. }
+            | Self::Product { .. }
+            | Self::PrincipalMoment(_) => "kg·m²",
+            Self::Tilt { .. } => "rad",
+            Self::PrincipalRatio(_) | Self::SpinRatio(_) | Self::SpinStability(_) => "",
+        }
+    }
+
+    pub(super) fn check(&self) -> Result<(), (&'static str, f64, &'static str)> {
+        let point = |at: &Position<Body>| match at.to_array().into_iter().find(|x| !x.is_finite()) {
+            None => Ok(()),
+            Some(x) => Err(("the point", x, "finite")),
+        };
+        let about = |about: &About| if let About::Point(at) = about { point(at) } else { Ok(()) };
+        let direction = |u: &Direction<Body>| match u.direction() {
+            Some(_) => Ok(()),
+            None => Err(("the length of a direction", u.norm(), "finite and not zero")),
+        };
+        let moment = |k: usize| {
+            if k < 3 { Ok(()) } else { Err(("the number of a principal axis", k as f64, "0, 1 or 2")) }
+        };
+        match self {
+            Self::Mass => Ok(()),
+            Self::Center { along, from } => direction(along).and_then(|()| point(from)),
+            Self::CenterFromPoint(at) => point(at),
+            Self::CenterFromLine { point: at, along }
+            | Self::StaticUnbalance { point: at, along }
+            | Self::CoupleUnbalance { point: at, along } => point(at).and_then(|()| direction(along)),
+            Self::Moment { axis, about: at } => direction(axis).and_then(|()| about(at)),
+            Self::Product { axes: [u, v], about: at, .. } => {
+                direction(u)?;
+                direction(v)?;
+                about(at)?;
+                let cosine = unit(*u).dot(unit(*v));
+                if cosine.abs() <= PERPENDICULAR {
+                    Ok(())
+                } else {
+                    Err(("the cosine of the angle of the axes", cosine, "0"))
+                }
+            }
+            Self::PrincipalMoment(k) => moment(*k),
+            Self::PrincipalRatio([i, j]) => moment(*i).and_then(|()| moment(*j)),
+            Self::Tilt { axis, from } => {
+                if let PrincipalAxis::Number(k) = axis {
+                    moment(*k)?;
+                }
+                direction(from)
+            }
+            Self::SpinRatio(axis) | Self::SpinStability(axis) => direction(axis),
+        }
+    }
+
+    /// Its value of a body.
+    ///
+    /// # Errors
+    /// [`Undefined`] where it has none.
+    pub fn value(&self, body: &MassProperties<Body>) -> Result<f64, Undefined> {
+        let center = body.center_of_mass();
+        Ok(match self {
+            Self::Mass => body.mass(),
+            Self::Center { along, from } => unit(*along).dot(center - *from),
+            Self::CenterFromPoint(point) => (center - *point).norm(),
+            Self::CenterFromLine { point, along } => across(center - *point, *along).norm(),
+            Self::StaticUnbalance { point, along } => body.mass() * across(center - *point, *along).norm(),
+            Self::CoupleUnbalance { point, along } => {
+                let [x, y] = couple(body, *point, *along);
+                x.hypot(y)
+            }
+            Self::Moment { axis, about } => tensor_element(body, *axis, *axis, *about),
+            Self::Product { axes: [u, v], sign, about } => {
+                sign.factor() * tensor_element(body, *u, *v, *about)
+            }
+            Self::PrincipalMoment(k) => body.principal().moments()[k % 3],
+            Self::PrincipalRatio([i, j]) => {
+                let moments = body.principal().moments();
+                quotient(moments[i % 3], moments[j % 3])?
+            }
+            Self::Tilt { axis, from } => {
+                let frame = body.principal();
+                let (k, n) = (chosen(&frame, *axis, *from).0, unit(*from));
+                if is_free(frame.symmetry(), k) {
+                    return Err(Undefined::EqualMoments);
+                }
+                let angle = frame.axis(k).angle_to(n);
+                angle.min(core::f64::consts::PI - angle)
+            }
+            Self::SpinRatio(axis) => {
+                let [i, a, b] = spin_moments(&body.principal(), *axis).0;
+                quotient(i, a.max(b))?
+            }
+            Self::SpinStability(axis) => {
+                let [i, a, b] = spin_moments(&body.principal(), *axis).0;
+                quotient(i - a, a)? * quotient(i - b, b)?
+            }
+        })
+    }
+
+    /// How it depends on the body of an estimate.
+    ///
+    /// # Errors
+    /// [`Undefined`] where it has no derivative.
+    pub fn gradient(&self, estimate: &Estimate<Body>) -> Result<Gradient, Undefined> {
+        self.value(&estimate.properties)?;
+        let (body, center) = (&estimate.properties, estimate.properties.center_of_mass());
+        let of_center = |by: Position<Body>| {
+            let by = by.direction().ok_or(Undefined::Corner)?;
+            Ok(Gradient { by_center_of_mass: by, ..NONE })
+        };
+        match self {
+            Self::Mass => Ok(Gradient { by_mass: 1.0, ..NONE }),
+            Self::Center { along, .. } => Ok(Gradient { by_center_of_mass: unit(*along), ..NONE }),
+            Self::CenterFromPoint(point) => of_center(center - *point),
+            Self::CenterFromLine { point, along } => of_center(across(center - *point, *along)),
+            Self::StaticUnbalance { point, along } => {
+                let out = across(center - *point, *along);
+                let by = of_center(out)?;
+                Ok(Gradient { by_mass: out.norm(), ..scaled(&by, body.mass()) })
+            }
+            Self::CoupleUnbalance { point, along } => {
+                let [x, y] = couple(body, *point, *along);
+                let size = x.hypot(y);
+                if size == 0.0 {
+                    return Err(Undefined::Corner);
+                }
+                let [u, v] =
+                    across_axes(*along).map(|u| element_gradient(body, *along, u, About::Point(*point)));
+                Ok(sum(&scaled(&u, -x / size), &scaled(&v, -y / size)))
+            }
+            Self::Moment { axis, about } => Ok(element_gradient(body, *axis, *axis, *about)),
+            Self::Product { axes: [u, v], sign, about } => {
+                Ok(scaled(&element_gradient(body, *u, *v, *about), sign.factor()))
+            }
+            Self::PrincipalMoment(k) => {
+                let frame = body.principal();
+                determined(&frame, k % 3).map(|()| moment_gradient(&frame, k % 3))
+            }
+            Self::PrincipalRatio([i, j]) => {
+                let (frame, [i, j]) = (body.principal(), [i % 3, j % 3]);
+                if i == j {
+                    return Ok(NONE);
+                }
+                determined(&frame, i)?;
+                determined(&frame, j)?;
+                let (above, below) = (frame.moments()[i], frame.moments()[j]);
+                let [above_by, below_by] = [i, j].map(|k| moment_gradient(&frame, k));
+                Ok(sum(&scaled(&above_by, 1.0 / below), &scaled(&below_by, -above / (below * below))))
+            }
+            Self::Tilt { axis, from } => {
+                let principal = estimate.principal();
+                let (k, tie) = chosen(&principal.frame, *axis, *from);
+                if tie {
+                    return Err(Undefined::Corner);
+                }
+                let tilt = principal.tilt(estimate, k, *from).ok_or(Undefined::Corner)?;
+                tilt.gradient.ok_or(Undefined::Corner)
+            }
+            Self::SpinRatio(axis) => {
+                let frame = body.principal();
+                let ([i, a, b], k) = determined_spin(&frame, *axis)?;
+                if a == b {
+                    return Err(Undefined::EqualMoments);
+                }
+                let (most, other) = if a > b { (a, (k + 1) % 3) } else { (b, (k + 2) % 3) };
+                let [above_by, below_by] = [k, other].map(|k| moment_gradient(&frame, k));
+                Ok(sum(&scaled(&above_by, 1.0 / most), &scaled(&below_by, -i / (most * most))))
+            }
+            Self::SpinStability(axis) => {
+                // Of equal a and b too: both count alike, and the sum of their derivatives does not depend on the choice of their axes.
+                let frame = body.principal();
+                let ([i, a, b], k) = determined_spin(&frame, *axis)?;
+                let by =
+                    [(2.0 * i - a - b) / (a * b), -(i - b) * i / (a * a * b), -(i - a) * i / (a * b * b)];
+                let terms = [0, 1, 2].map(|n| scaled(&moment_gradient(&frame, (k + n) % 3), by[n]));
+                Ok(sum(&sum(&terms[0], &terms[1]), &terms[2]))
+            }
+        }
+    }
+}
+
+const NONE: Gradient = Gradient { by_mass: 0.0, by_center_of_mass: Direction::ZERO, by_inertia: [0.0; 6] };
+
+/// Of a direction that was checked.
+fn unit(u: Direction<Body>) -> Direction<Body> {
+    u.direction().unwrap_or(u)
+}
+
+fn across(d: Position<Body>, along: Direction<Body>) -> Position<Body> {
+    let n = unit(along);
+    d - Position::from_array((n * n.dot(d)).to_array())
+}
+
+/// Two directions across a line and each other.
+pub(crate) fn across_axes(along: Direction<Body>) -> [Direction<Body>; 2] {
+    let n = unit(along);
+    let other = if n.x.abs() < 0.6 { Direction::new(1.0, 0.0, 0.0) } else { Direction::new(0.0, 1.0, 0.0) };
+    let u = unit(n.cross(other));
+    [u, n.cross(u)]
+}
+
+/// ∫ z ρ dm along these two.
+fn couple(body: &MassProperties<Body>, point: Position<Body>, along: Direction<Body>) -> [f64; 2] {
+    across_axes(along).map(|u| -tensor_element(body, along, u, About::Point(point)))
+}
+
+fn quotient(above: f64, below: f64) -> Result<f64, Undefined> {
+    if below == 0.0 { Err(Undefined::ZeroMoment) } else { Ok(above / below) }
+}
+
+/// d² u·v − (u·d)(v·d): what a unit mass at d adds to uᵀ J v.
+fn of_point([x, y, z]: [f64; 3], u: Direction<Body>, v: Direction<Body>) -> f64 {
+    let d = Direction::new(x, y, z);
+    d.dot(d) * u.dot(v) - u.dot(d) * v.dot(d)
+}
+
+fn lever(body: &MassProperties<Body>, about: About) -> [f64; 3] {
+    match about {
+        About::CenterOfMass => [0.0; 3],
+        About::Point(point) => (body.center_of_mass() - point).to_array(),
+    }
+}
+
+/// uᵀ J v, with J = I + M (d² 1 − d dᵀ), d from the point to the centre of mass.
+fn tensor_element(body: &MassProperties<Body>, u: Direction<Body>, v: Direction<Body>, about: About) -> f64 {
+    let (u, v) = (unit(u), unit(v));
+    let by = element(u, v).by_inertia;
+    let own = by.iter().zip(elements(body.inertia().matrix())).map(|(g, x)| g * x).sum::<f64>();
+    own + body.mass() * of_point(lever(body, about), u, v)
+}
+
+fn element_gradient(
+    body: &MassProperties<Body>,
+    u: Direction<Body>,
+    v: Direction<Body>,
+    about: About,
+) -> Gradient {
+    let (u, v) = (unit(u), unit(v));
+    let d = lever(body, about);
+    let at = Direction::from_array(d);
+    let by_center = at * (2.0 * u.dot(v)) - u * v.dot(at) - v * u.dot(at);
+    Gradient { by_mass: of_point(d, u, v), by_center_of_mass: by_center * body.mass(), ..element(u, v) }
+}
+
+/// Whether a principal axis is any in a plane, or in space.
+const fn is_free(symmetry: Symmetry, k: usize) -> bool {
+    match symmetry {
+        Symmetry::Point | Symmetry::Spherical => true,
+        Symmetry::Rod | Symmetry::Prolate => k > 0,
+        Symmetry::Oblate => k < 2,
+        Symmetry::Asymmetric => false,
+    }
+}
+
+fn determined(frame: &PrincipalFrame<Body>, k: usize) -> Result<(), Undefined> {
+    if is_free(frame.symmetry(), k) { Err(Undefined::EqualMoments) } else { Ok(()) }
+}
+
+/// The axis, and whether another is equally near.
+fn chosen(frame: &PrincipalFrame<Body>, axis: PrincipalAxis, from: Direction<Body>) -> (usize, bool) {
+    match axis {
+        PrincipalAxis::Number(k) => (k % 3, false),
+        PrincipalAxis::Nearest => nearest(frame, from),
+    }
+}
+
+/// The principal axis that is nearest to a direction, and whether another one is as near. Of axes that are free in a plane that is one in it.
+fn nearest(frame: &PrincipalFrame<Body>, from: Direction<Body>) -> (usize, bool) {
+    let n = unit(from);
+    let square = |k: usize| frame.axis(k).dot(n) * frame.axis(k).dot(n);
+    let alone = [0, 1, 2].map(square);
+    let [a, b, c] = match frame.symmetry() {
+        Symmetry::Point | Symmetry::Spherical => return (2, false),
+        Symmetry::Rod | Symmetry::Prolate => [alone[0], 0.0, alone[1] + alone[2]],
+        Symmetry::Oblate => [alone[0] + alone[1], 0.0, alone[2]],
+        Symmetry::Asymmetric => alone,
+    };
+    let most = a.max(b).max(c);
+    let near = [a, b, c].map(|square| square >= most);
+    let k = if near[2] { 2 } else { usize::from(near[1]) };
+    (k, near.iter().filter(|near| **near).count() > 1)
+}
+
+/// The moment of the axis that is nearest to a direction, those of the next two, and its number.
+fn spin_moments(frame: &PrincipalFrame<Body>, axis: Direction<Body>) -> ([f64; 3], usize, bool) {
+    let ((k, tie), moments) = (nearest(frame, axis), frame.moments());
+    ([0, 1, 2].map(|n| moments[(k + n) % 3]), k, tie)
+}
+
+fn determined_spin(
+    frame: &PrincipalFrame<Body>,
+    axis: Direction<Body>,
+) -> Result<([f64; 3], usize), Undefined> {
+    let (moments, k, tie) = spin_moments(frame, axis);
+    determined(frame, k)?;
+    if tie { Err(Undefined::Corner) } else { Ok((moments, k)) }
+}

@@ -1,0 +1,43 @@
+//! The pairs of `polhode budget`.
+
+use crate::options::{Choice, Subcommand, every_pair_is_honoured_or_refused};
+
+const BOTH: &[&str] = &["budget", "budget again"];
+const FIRST: &[&str] = &["budget"];
+const AGAIN: &[&str] = &["budget again"];
+
+const fn choice(
+    option: &'static str,
+    arguments: &'static [&'static str],
+    inputs: &'static [&'static str],
+) -> Choice {
+    Choice { option, arguments, inputs, needs: &[] }
+}
+
+static BUDGET: Subcommand = Subcommand {
+    name: "budget",
+    inputs: &[("budget", &["cubesat.csv"]), ("budget again", &["cubesat.csv"])],
+    options: &[
+        choice("--basis", &["--basis", "basic"], BOTH),
+        choice("--about", &["--about", "0,0,1 cm"], BOTH),
+        choice("--along", &["--along", "1,0.1,0,0"], BOTH),
+        choice("--draws", &["--draws", "20"], BOTH),
+        choice("--seed", &["--seed", "7"], BOTH),
+        choice("--configuration", &["--configuration", "stowed"], BOTH),
+        choice("--diff", &["--diff", "before.csv"], BOTH),
+        choice("--json", &["--json"], BOTH),
+        choice("--markdown", &["--markdown"], BOTH),
+        choice("--html", &["--html"], BOTH),
+        choice("--csv", &["--csv"], BOTH),
+        choice("--xlsx", &["--xlsx", "out.xlsx"], FIRST),
+        Choice { needs: &["+--configuration"], ..choice("--body", &["--body"], BOTH) },
+        Choice { needs: &["--xlsx"], ..choice("--force", &["--force"], AGAIN) },
+        choice("--strict", &["--strict"], BOTH),
+    ],
+    independent: &[],
+};
+
+#[test]
+fn pairs_of_budget() {
+    every_pair_is_honoured_or_refused(&BUDGET);
+}

@@ -1,0 +1,127 @@
+//! What a parts list comes to.
+
+use std::path::{Path, PathBuf};
+
+use numpy::PyArray2;
+use polhode::math::{Body, Part, Position, Rotation};
+use polhode_budget::{Basis, LimitError};
+use polhode_formats::FormatError;
+use polhode_formats::budget::{self, BudgetFile};
+use polhode_report::{BudgetOptions, BudgetReport, NoConfiguration, plain};
+use pyo3::prelude::*;
+
+use crate::arrays::matrix;
+use crate::error::{Raise, refused};
+
+/// An answer as the command prints it, and the draws as arrays.
+#[derive(Debug, IntoPyObject)]
+pub(crate) struct Budgeted<'py> {
+    json: String,
+    text: String,
+    markdown: String,
+    page: String,
+    is_beyond: bool,
+    /// Of each configuration, a row a draw.
+    draws: Vec<Bound<'py, PyArray2<f64>>>,
+    /// Each as a part of a scenario.
+    scenarios: Vec<String>,
+}
+
+/// What is asked instead of what the file asks.
+#[derive(Debug, FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Asked {
+    is_basic: Option<bool>,
+    about: Option<[f64; 3]>,
+    axes: Option<[[f64; 3]; 3]>,
+    draws: Option<usize>,
+    seed: Option<u64>,
+    configuration: Option<String>,
+}
+
+/// Reads a parts list, of a file or of a text, whose files are found beside `path`; of a table that is no text of the user's the head has so many lines.
+///
+/// # Errors
+/// `PolhodeError` if the list cannot be read, or makes no possible body.
+#[pyfunction]
+pub(crate) fn budget_list(
+    py: Python<'_>,
+    path: PathBuf,
+    text: Option<String>,
+    head: Option<usize>,
+    asked: Asked,
+) -> PyResult<Budgeted<'_>> {
+    let axes = asked.axes.map(Rotation::<Body, Part>::from_matrix).transpose().map_err(Raise::raise)?;
+    let report = py.detach(|| {
+        let read = match &text {
+            None => budget::read(&path),
+            Some(text) => budget::from_text(&path, text),
+        };
+        let file = read.map_err(|error| match head {
+            Some(head) if error.path() == path => of_table(&error, head),
+            _ => error.raise(),
+        })?;
+        report(file, &asked, axes)
+    })?;
+    let draws = report.draws().map(|bodies| matrix(py, &bodies)).collect::<PyResult<_>>()?;
+    let names = report.names();
+    let scenarios = names.iter().map(|name| report.to_scenario(name.as_deref()));
+    let scenarios = scenarios.collect::<Result<_, _>>().map_err(|why| no_configuration(&why))?;
+    let [json, text, markdown, page] = py.detach(|| {
+        let document = report.to_document();
+        let json = report.to_json().to_string();
+        [json, document.to_text(plain::WIDTH), document.to_markdown(), document.to_html()]
+    });
+    Ok(Budgeted { json, text, markdown, page, is_beyond: report.is_beyond(), draws, scenarios })
+}
+
+fn report(file: BudgetFile, asked: &Asked, axes: Option<Rotation<Body, Part>>) -> PyResult<BudgetReport> {
+    let sources = file.sources(&|path: &Path| plain::printable(&path.to_string_lossy()));
+    let BudgetFile { title, configurations, questions, limits, ballast, .. } = file;
+    let mut all: Vec<_> = configurations.into_iter().map(|one| (one.name, one.budget)).collect();
+    if let Some(wanted) = &asked.configuration {
+        let names = all.iter().filter_map(|(name, _)| name.clone()).collect();
+        all.retain(|(name, _)| name.as_ref() == Some(wanted));
+        if all.is_empty() {
+            return Err(no_configuration(&NoConfiguration { asked: Some(wanted.clone()), names }));
+        }
+    }
+    let rows = all.iter().map(|(_, budget)| budget.list().rows.len()).max().unwrap_or(0);
+    let basis = asked.is_basic.map(|is_basic| if is_basic { Basis::Basic } else { Basis::Predicted });
+    let options = BudgetOptions {
+        basis: basis.unwrap_or(questions.basis),
+        about: asked.about.map(Position::from_array).or(questions.about),
+        along: axes.or(questions.axes),
+        draws: asked.draws.unwrap_or_else(|| questions.draws.min(BudgetReport::affordable_draws(rows))),
+        seed: asked.seed.unwrap_or(questions.seed),
+    };
+    if options.draws == 0 && !limits.is_empty() {
+        let hint = "leave draws out";
+        return Err(refused("the list has limits, which are tried by draws, and draws is 0", Some(hint)));
+    }
+    let report = BudgetReport::new(title.as_deref(), sources, all, limits, options).map_err(Raise::raise)?;
+    match ballast {
+        None => Ok(report),
+        Some(ballast) => report.with_ballast(ballast).map_err(|error| refused(&error, None)),
+    }
+}
+
+/// Of a dataframe the row is said, from 0, and not a place in the text that it became.
+fn of_table(error: &FormatError, head: usize) -> PyErr {
+    let row = error.place().and_then(|place| place.line.checked_sub(head + 2));
+    let message = match row {
+        Some(row) => format!("row {row}: {}", error.message()),
+        None => error.message(),
+    };
+    refused(message, error.hint().as_deref())
+}
+
+fn no_configuration(why: &NoConfiguration) -> PyErr {
+    refused(why, Some(&why.hint()))
+}
+
+impl Raise for LimitError {
+    fn raise(self) -> PyErr {
+        refused(&self, self.hint())
+    }
+}

@@ -1,0 +1,139 @@
+//! The least ballast by which limits are met.
+
+use polhode_budget::{Ballast, BallastAnswer, BallastError, Budget, LeastBallast, Limit};
+use serde_json::{Value, json};
+
+use super::case::Case;
+use super::limits::{allowed, shown_unit};
+use crate::explain::document::Section;
+use crate::layout::printable;
+use crate::number::{count, number, tidy};
+
+/// What ballast there is to be, and for what it was not sought.
+#[derive(Clone, Debug)]
+pub(super) struct Found {
+    answer: BallastAnswer,
+    /// Limits, and why no ballast can be sought for them.
+    left_out: Vec<(String, &'static str)>,
+}
+
+impl Found {
+    pub(super) fn new(budget: &Budget, ballast: &Ballast, limits: &[Limit]) -> Result<Self, BallastError> {
+        let (mut sought, mut left_out) = (limits.to_vec(), Vec::new());
+        loop {
+            match budget.ballast(ballast, &sought) {
+                Ok(answer) => return Ok(Self { answer, left_out }),
+                Err(BallastError::Limit { limit, why }) if sought.len() > 1 => {
+                    sought.retain(|other| other.name != limit);
+                    left_out.push((limit, why));
+                }
+                Err(error) => return Err(error),
+            }
+        }
+    }
+}
+
+pub(super) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Option<Section> {
+    let Found { answer, left_out } = case.ballast.as_ref()?;
+    let mut section = Section::new(0, "Ballast");
+    let mut reasons: Vec<&str> = left_out.iter().map(|(_, why)| *why).collect();
+    reasons.dedup();
+    for reason in reasons {
+        let names = left_out.iter().filter(|(_, why)| *why == reason).map(|(name, _)| printable(name));
+        section.say(format!("Not sought for {}: {reason}.", names.collect::<Vec<_>>().join(", ")));
+    }
+    let least = match answer {
+        BallastAnswer::Least(least) => least,
+        BallastAnswer::None(none) => {
+            section.say(format!(
+                "No ballast at these sites, up to {} kg, meets all limits. That is proved: the prices of the limits leave none in {}.",
+                number(none.up_to, 6),
+                regions(none.regions)
+            ));
+            return Some(section);
+        }
+    };
+    if least.pieces.is_empty() {
+        section.say("All limits are met without.");
+        return Some(section);
+    }
+    let row = |piece: &polhode_budget::Piece| {
+        let [x, y, z] = tidy(piece.position.to_array()).map(|x| number(1e3 * x, 5));
+        let site = ballast.sites.get(piece.site).map_or_else(String::new, |site| printable(&site.name));
+        vec![site, x, y, z, number(1e3 * piece.mass, 6)]
+    };
+    section
+        .table(&["site", "x (mm)", "y (mm)", "z (mm)", "mass (g)"], least.pieces.iter().map(row).collect());
+    section.say(format!(
+        "{} kg is the least: none below {} kg meets the limits (gap {}), as the prices of the limits prove, checked in intervals, in {}.",
+        number(least.mass, 9),
+        number(least.bound, 9),
+        number(least.gap(), 2),
+        regions(least.regions)
+    ));
+    if ballast.deviations > 0.0 {
+        section.say(format!(
+            "The whole is kept {} standard deviations inside the limits.",
+            number(ballast.deviations, 3)
+        ));
+    }
+    let row = |limit: &Limit| {
+        let (unit, scale) = shown_unit(limit.of.unit());
+        let without = case.estimate(limit.basis).properties;
+        let value = |body| limit.of.value(&body).map_or_else(|why| why.to_string(), |x| number(scale * x, 5));
+        let with = least.with(&without).map_or_else(|error| error.to_string(), value);
+        vec![printable(&limit.name), allowed(limit, scale), value(without), with, unit.to_owned()]
+    };
+    section.table(&["limit", "allowed", "without", "with", "unit"], limits.iter().map(row).collect());
+    Some(section)
+}
+
+/// `Least ballast 0.123 kg, in 2 pieces`
+pub(super) fn in_words(case: &Case) -> Option<String> {
+    Some(match &case.ballast.as_ref()?.answer {
+        BallastAnswer::None(_) => "No ballast at these sites meets all limits".to_owned(),
+        BallastAnswer::Least(LeastBallast { pieces, .. }) if pieces.is_empty() => {
+            "No ballast is needed: all limits are met without".to_owned()
+        }
+        BallastAnswer::Least(LeastBallast { pieces, mass, .. }) => {
+            let plural = if pieces.len() == 1 { "" } else { "s" };
+            format!(
+                "Least ballast {} kg, in {} piece{plural}: proved",
+                number(*mass, 4),
+                count(pieces.len() as u64)
+            )
+        }
+    })
+}
+
+fn regions(n: usize) -> String {
+    if n == 1 { "one region".to_owned() } else { format!("{} regions", count(n as u64)) }
+}
+
+pub(super) fn to_json(case: &Case, ballast: Option<&Ballast>) -> Value {
+    let left_out = case.ballast.iter().flat_map(|found| &found.left_out);
+    let left_out: Vec<&str> = left_out.map(|(name, _)| name.as_str()).collect();
+    match (case.ballast.as_ref().map(|found| &found.answer), ballast) {
+        (Some(BallastAnswer::Least(least)), Some(ballast)) => {
+            let piece = |piece: &polhode_budget::Piece| {
+                json!({
+                    "site": ballast.sites.get(piece.site).map(|site| &site.name),
+                    "position": piece.position.to_array(),
+                    "mass": piece.mass,
+                })
+            };
+            json!({
+                "mass": least.mass,
+                "bound": least.bound,
+                "gap": least.gap(),
+                "regions": least.regions,
+                "pieces": least.pieces.iter().map(piece).collect::<Value>(),
+                "not_sought_for": left_out,
+            })
+        }
+        (Some(BallastAnswer::None(none)), _) => {
+            json!({ "mass": null, "none_up_to": none.up_to, "regions": none.regions, "not_sought_for": left_out })
+        }
+        _ => Value::Null,
+    }
+}

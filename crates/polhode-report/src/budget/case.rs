@@ -1,0 +1,265 @@
+//! A configuration, and what is computed of it.
+
+use polhode::body::{MassProperties, MassPropertiesGradient};
+use polhode::math::{Body, Direction};
+use polhode_budget::{
+    Basis, Budget, BudgetError, Comparison, Draws, Estimate, Evidence, Growth, Limit, LimitAnswers,
+    LimitError, MassStatement, Measure, NUMBERS, PrincipalUncertainty, Sensitivity, Tilt, Uncertainty,
+};
+
+use super::BudgetOptions;
+use super::ballast::Found;
+use super::limits::LEVEL;
+
+/// A configuration, and what is computed of it.
+#[derive(Clone, Debug)]
+pub(super) struct Case {
+    pub(super) name: Option<String>,
+    pub(super) budget: Budget,
+    /// Of each row.
+    pub(super) statements: Vec<MassStatement>,
+    /// Of the basic masses, and of the predicted ones.
+    estimates: [Estimate<Body>; 2],
+    /// Of each principal axis.
+    pub(super) tilts: [AxisTilt; 3],
+    pub(super) results: Vec<SpreadResult>,
+    pub(super) drawn: Option<Drawn>,
+    /// Of each limit, if there are any and draws to try them by.
+    pub(super) limits: Option<LimitAnswers>,
+    /// If it is asked for.
+    pub(super) ballast: Option<Found>,
+}
+
+/// A principal axis beside the axis of the frame to which it is nearest.
+#[derive(Clone, Debug)]
+pub(super) struct AxisTilt {
+    /// 0 to 2: x, y, z.
+    pub(super) from: usize,
+    pub(super) direction: Direction<Body>,
+    pub(super) tilt: Option<Tilt<Body>>,
+}
+
+/// A number, its standard deviation to first order, and what that comes from, the greatest first.
+#[derive(Clone, Debug)]
+pub(super) struct SpreadResult {
+    pub(super) name: String,
+    pub(super) unit: &'static str,
+    pub(super) of: ResultKind,
+    pub(super) sd: f64,
+    pub(super) by: Vec<Sensitivity>,
+}
+
+/// Of what a number is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum ResultKind {
+    /// Mass and centre of mass.
+    Place,
+    /// The tensor.
+    Tensor,
+    /// Principal moments and tilts.
+    Principal,
+    /// What a limit is on.
+    Limit,
+}
+
+/// What draws show.
+#[derive(Clone, Debug)]
+pub(super) struct Drawn {
+    pub(super) draws: Draws,
+    pub(super) comparison: Comparison,
+    /// Of the tilt of each principal axis: 5 %, 50 % and 95 % of the draws are below, rad.
+    pub(super) tilts: [Option<[f64; 3]>; 3],
+}
+
+/// What [`Drawn::tilts`] are below of.
+const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
+
+impl Case {
+    pub(super) fn new(
+        name: Option<String>,
+        budget: Budget,
+        limits: &[Limit],
+        options: &BudgetOptions,
+    ) -> Result<Self, LimitError> {
+        let statements = budget.mass_statements()?;
+        let estimates = [budget.estimate(Basis::Basic)?, budget.estimate(Basis::Predicted)?];
+        let estimate = &estimates[index(options.basis)];
+        let tilts = tilts(estimate, options);
+        let results = results(&budget, options.basis, estimate, &tilts, limits)?;
+        let drawn = if options.draws > 0 {
+            let draws = budget.draws(options.basis, options.seed, options.draws)?;
+            let comparison = draws.compare(estimate);
+            let quantiles = |k: usize| {
+                let mut all = draws.tilts(k, tilts[k].direction)?;
+                all.sort_by(f64::total_cmp);
+                let last = all.len().checked_sub(1)?;
+                Some(QUANTILES.map(|q| all[(q * last as f64).round() as usize]))
+            };
+            let tilts = [0, 1, 2].map(quantiles);
+            Some(Drawn { draws, comparison, tilts })
+        } else {
+            None
+        };
+        let limits = match &drawn {
+            Some(Drawn { draws, .. }) if !limits.is_empty() => {
+                Some(tried(&budget, limits, options, &estimates, draws)?)
+            }
+            _ => None,
+        };
+        Ok(Self { name, budget, statements, estimates, tilts, results, drawn, limits, ballast: None })
+    }
+
+    pub(super) const fn estimate(&self, basis: Basis) -> &Estimate<Body> {
+        &self.estimates[index(basis)]
+    }
+
+    pub(super) fn principal(&self, basis: Basis) -> PrincipalUncertainty<Body> {
+        self.estimate(basis).principal()
+    }
+
+    /// A row's name without the root's before it.
+    pub(super) fn short(&self, row: usize) -> &str {
+        let rows = &self.budget.list().rows;
+        let (name, root) = (&rows[row].name, &rows[self.budget.root()].name);
+        name.strip_prefix(root.as_str()).and_then(|rest| rest.strip_prefix('/')).unwrap_or(name)
+    }
+
+    /// The masses of all; the root may have copies.
+    pub(super) fn whole_statement(&self) -> MassStatement {
+        self.statements[self.budget.root()]
+    }
+
+    /// True if a part has a growth allowance.
+    pub(super) fn grows(&self) -> bool {
+        self.statements.iter().any(|statement| statement.predicted != statement.basic)
+            || self.budget.list().rows.iter().any(|row| row.growth != Growth::None)
+    }
+
+    /// Rows that with growth are heavier than allowed.
+    pub(super) fn exceeded(&self) -> impl Iterator<Item = usize> + '_ {
+        let is_beyond = |k: &usize| self.statements[*k].margin().is_some_and(|margin| margin < 0.0);
+        (0..self.statements.len()).filter(is_beyond)
+    }
+
+    /// How many parts are taken as exact, and how many there are.
+    pub(super) fn exact_parts(&self) -> (usize, usize) {
+        let rows = &self.budget.list().rows;
+        let parts = || rows.iter().filter(|row| row.part.is_some());
+        (parts().filter(|row| row.uncertainty == Uncertainty::default()).count(), parts().count())
+    }
+}
+
+/// Limits by the draws that there are, and those of the other basis where a limit is on that.
+fn tried(
+    budget: &Budget,
+    limits: &[Limit],
+    options: &BudgetOptions,
+    estimates: &[Estimate<Body>; 2],
+    draws: &Draws,
+) -> Result<LimitAnswers, LimitError> {
+    let other = match options.basis {
+        Basis::Basic => Basis::Predicted,
+        Basis::Predicted => Basis::Basic,
+    };
+    let others = if limits.iter().any(|limit| limit.basis == other) {
+        Some(budget.draws(other, options.seed, options.draws)?)
+    } else {
+        None
+    };
+    let evidence = |basis: Basis| {
+        let draws = if basis == options.basis { Some(draws) } else { others.as_ref() };
+        draws.map(|draws| Evidence { estimate: &estimates[index(basis)], draws })
+    };
+    LimitAnswers::new(limits, LEVEL, evidence(Basis::Basic), evidence(Basis::Predicted))
+}
+
+pub(super) const fn index(basis: Basis) -> usize {
+    match basis {
+        Basis::Basic => 0,
+        Basis::Predicted => 1,
+    }
+}
+
+/// Each principal axis beside another axis of the body, or of the asked axes, so that all are as near as can be.
+fn tilts(estimate: &Estimate<Body>, options: &BudgetOptions) -> [AxisTilt; 3] {
+    const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+    let principal = estimate.principal();
+    let unit = |k: usize| {
+        let mut axis = [0.0; 3];
+        axis[k] = 1.0;
+        match options.along {
+            Some(r) => r * Direction::from_array(axis),
+            None => Direction::from_array(axis),
+        }
+    };
+    let near = |order: &[usize; 3]| -> f64 {
+        (0..3).map(|k| principal.frame.axis(k).dot(unit(order[k])).abs()).sum()
+    };
+    let order = ORDERS
+        .into_iter()
+        .fold(ORDERS[0], |best, order| if near(&order) > near(&best) { order } else { best });
+    [0, 1, 2].map(|k| {
+        let direction = unit(order[k]);
+        AxisTilt { from: order[k], direction, tilt: principal.tilt(estimate, k, direction) }
+    })
+}
+
+fn results(
+    budget: &Budget,
+    basis: Basis,
+    estimate: &Estimate<Body>,
+    tilts: &[AxisTilt; 3],
+    limits: &[Limit],
+) -> Result<Vec<SpreadResult>, BudgetError> {
+    let principal = estimate.principal();
+    let mut asked: Vec<(String, &'static str, ResultKind, MassPropertiesGradient<Body>)> = NUMBERS
+        .iter()
+        .enumerate()
+        .map(|(k, (name, unit))| {
+            let of = if k < 4 { ResultKind::Place } else { ResultKind::Tensor };
+            ((*name).to_owned(), *unit, of, number_gradient(k))
+        })
+        .collect();
+    for k in 0..3 {
+        asked.push((format!("i{}", k + 1), "kg·m²", ResultKind::Principal, principal.moment_gradient(k)));
+    }
+    for (k, AxisTilt { from, tilt, .. }) in tilts.iter().enumerate() {
+        if let Some(gradient) = tilt.and_then(|tilt| tilt.gradient) {
+            let name = format!("tilt of {} from {}", k + 1, AXES[*from]);
+            asked.push((name, "rad", ResultKind::Principal, gradient));
+        }
+    }
+    // Those on the mass are above.
+    for limit in limits.iter().filter(|limit| limit.basis == basis && limit.of != Measure::Mass) {
+        if let Ok(gradient) = limit.of.gradient(estimate) {
+            asked.push((limit.name.clone(), limit.of.unit(), ResultKind::Limit, gradient));
+        }
+    }
+    let gradients: Vec<_> = asked.iter().map(|(.., gradient)| *gradient).collect();
+    let found = budget.sensitivities(basis, &gradients)?;
+    let result = |((name, unit, of, gradient), by): ((String, _, _, _), _)| SpreadResult {
+        name,
+        unit,
+        of,
+        sd: estimate.sd_of(&gradient),
+        by,
+    };
+    Ok(asked.into_iter().zip(found).map(result).collect())
+}
+
+pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// One of the ten numbers itself.
+fn number_gradient(k: usize) -> MassPropertiesGradient<Body> {
+    let mut all = [0.0; 10];
+    all[k] = 1.0;
+    let [by_mass, x, y, z, by_inertia @ ..] = all;
+    MassPropertiesGradient { by_mass, by_center_of_mass: Direction::new(x, y, z), by_inertia }
+}
+
+/// The ten numbers.
+pub(super) fn ten(body: &MassProperties<Body>) -> [f64; 10] {
+    let [[xx, xy, xz], [_, yy, yz], [.., zz]] = body.inertia().matrix();
+    let [x, y, z] = body.center_of_mass().to_array();
+    [body.mass(), x, y, z, xx, yy, zz, xy, xz, yz]
+}

@@ -1,0 +1,49 @@
+//! First order beside draws.
+
+use polhode_budget::ComparedNumber;
+
+use super::case::{Case, Drawn};
+use crate::explain::document::Section;
+use crate::number::{count, number};
+
+pub(super) fn section(case: &Case) -> Option<Section> {
+    let Drawn { comparison, .. } = case.drawn.as_ref()?;
+    let mut section = Section::new(5, "First order and draws");
+    let draws = count(comparison.draws as u64);
+    section.say(format!(
+        "{draws} bodies, each made of possible parts, have errors as the list states them: masses are drawn log-normal, centres, places and tensors normal. What first order leaves out shows beside them."
+    ));
+    let row = |n: &ComparedNumber| {
+        let (unit, scale) = if n.unit == "m" { ("mm", 1e3) } else { (n.unit, 1.0) };
+        let shown = |x: f64, digits: usize| number(scale * x, digits);
+        vec![
+            n.name.to_owned(),
+            shown(n.first_order_sd, 3),
+            format!("{} ± {}", shown(n.sd, 3), shown(n.sd_error, 1)),
+            format!("{} ± {}", shown(n.bias(), 2), shown(n.mean_error, 1)),
+            unit.to_owned(),
+            if n.differs() { "differs" } else { "" }.to_owned(),
+        ]
+    };
+    let headers = ["number", "sd to first order", "sd of draws", "mean of draws − value", "unit", ""];
+    section.table(&headers, comparison.numbers.iter().map(row).collect());
+    if comparison.moved > 0 {
+        section.say(format!(
+            "In {} of {draws} draws the tensor of some part had to be moved to the nearest that a body can have.",
+            count(comparison.moved as u64)
+        ));
+    }
+    Some(section)
+}
+
+/// Which numbers draws say differently.
+pub(super) fn difference_in_words(case: &Case) -> Option<String> {
+    let comparison = &case.drawn.as_ref()?.comparison;
+    let names: Vec<&str> = comparison.numbers.iter().filter(|n| n.differs()).map(|n| n.name).collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "draws differ from first order by more than chance in {}: where they do, the draws are right",
+            names.join(", ")
+        )
+    })
+}

@@ -1,0 +1,327 @@
+//! What a parts list comes to, for people and for programs.
+
+mod ballast;
+mod case;
+mod compared;
+mod diff;
+mod influence;
+mod json;
+mod limits;
+mod masses;
+mod parts;
+mod principal;
+mod side_by_side;
+mod table;
+mod whole;
+
+use core::fmt;
+
+use polhode::body::{Finding, MassProperties, Severity};
+use polhode::math::{Body, Part, Position, Rotation};
+use polhode_budget::{Ballast, BallastError, Basis, Budget, BudgetError, Limit, LimitError};
+
+use crate::body_part::BodyPart;
+use crate::explain::document::{Document, Section};
+use crate::layout::printable;
+use crate::number::{GROUP, count, number, with_error};
+use case::Case;
+
+pub use diff::BudgetDiff;
+pub use table::{Cell, Sheet};
+
+/// What is asked of a parts list.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BudgetOptions {
+    /// Which masses count.
+    pub basis: Basis,
+    /// A point that the tensor is wanted about, besides the centre of mass.
+    pub about: Option<Position<Body>>,
+    /// Axes that it is wanted along, and that tilts are from: R_body_axes.
+    pub along: Option<Rotation<Body, Part>>,
+    /// How many possible bodies are drawn; none of 0.
+    pub draws: usize,
+    /// Of the draws.
+    pub seed: u64,
+}
+
+/// A mass budget: one of each configuration, ready to be read.
+#[derive(Clone, Debug)]
+pub struct BudgetReport {
+    title: String,
+    /// What was read, line by line.
+    sources: Vec<String>,
+    options: BudgetOptions,
+    limits: Vec<Limit>,
+    ballast: Option<Ballast>,
+    cases: Vec<Case>,
+}
+
+/// There is no such configuration, or it has to be said which.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NoConfiguration {
+    /// What was asked for.
+    pub asked: Option<String>,
+    /// What there is.
+    pub names: Vec<String>,
+}
+
+impl BudgetReport {
+    /// Computes what is asked of each configuration, at least one, and tries the limits by its draws, if there are any; `sources` say what was read.
+    ///
+    /// # Errors
+    /// As [`Budget::estimate`], [`Budget::draws`] and [`Budget::limits`].
+    pub fn new(
+        title: Option<&str>,
+        sources: Vec<String>,
+        configurations: Vec<(Option<String>, Budget)>,
+        limits: Vec<Limit>,
+        options: BudgetOptions,
+    ) -> Result<Self, LimitError> {
+        let case = |(name, budget)| Case::new(name, budget, &limits, &options);
+        let cases: Vec<Case> = configurations.into_iter().map(case).collect::<Result<_, _>>()?;
+        if cases.is_empty() {
+            return Err(BudgetError::Empty.into());
+        }
+        Ok(Self {
+            title: title.unwrap_or("a parts list").to_owned(),
+            sources,
+            options,
+            limits,
+            ballast: None,
+            cases,
+        })
+    }
+
+    /// How many rows are fewer than so many draws of each can be had of in some seconds.
+    pub fn affordable_draws(rows: usize) -> usize {
+        /// Rows that are drawn: some ten seconds.
+        const ROWS: usize = 20_000_000;
+        const LEAST: usize = 200;
+        const MOST: usize = 10_000;
+        (ROWS / rows.max(1)).clamp(LEAST, MOST)
+    }
+
+    /// With the least ballast by which each configuration meets the limits; those for which none can be sought are left out, and named.
+    ///
+    /// # Errors
+    /// As [`Budget::ballast`], and if it can be sought for none of them.
+    pub fn with_ballast(mut self, ballast: Ballast) -> Result<Self, BallastError> {
+        for case in &mut self.cases {
+            case.ballast = Some(ballast::Found::new(&case.budget, &ballast, &self.limits)?);
+        }
+        self.ballast = Some(ballast);
+        Ok(self)
+    }
+
+    /// True if a limit is not met or an allowable mass exceeded.
+    pub fn is_beyond(&self) -> bool {
+        let is_beyond = |case: &Case| {
+            case.exceeded().next().is_some() || limits::broken(case, &self.limits).next().is_some()
+        };
+        self.cases.iter().any(is_beyond)
+    }
+
+    /// The names of the configurations.
+    pub fn names(&self) -> Vec<Option<String>> {
+        self.cases.iter().map(|case| case.name.clone()).collect()
+    }
+
+    /// The ten numbers of each drawn body, in the order of [`NUMBERS`](polhode_budget::NUMBERS), of each configuration; none without draws.
+    pub fn draws(&self) -> impl Iterator<Item = Vec<[f64; 10]>> + '_ {
+        let bodies = |case: &Case| match &case.drawn {
+            Some(drawn) => drawn.draws.bodies.iter().map(case::ten).collect(),
+            None => Vec::new(),
+        };
+        self.cases.iter().map(bodies)
+    }
+
+    /// The body of a configuration, which has to be said if there are several.
+    ///
+    /// # Errors
+    /// [`NoConfiguration`] without it, or of another.
+    pub fn body(&self, configuration: Option<&str>) -> Result<MassProperties<Body>, NoConfiguration> {
+        self.case(configuration).map(|case| case.estimate(self.options.basis).properties)
+    }
+
+    /// The body as a part of a scenario file.
+    ///
+    /// # Errors
+    /// As [`BudgetReport::body`].
+    pub fn to_scenario(&self, configuration: Option<&str>) -> Result<String, NoConfiguration> {
+        let case = self.case(configuration)?;
+        let estimate = case.estimate(self.options.basis);
+        let title = case.name.as_ref().map_or_else(String::new, |name| format!(", {name}"));
+        let basis = basis_name(self.options.basis);
+        let meaning = "in kg, m, kg m^2, along the axes of the body, from their origin";
+        let comment = format!("{}{title}, {basis} masses: {meaning}", self.title);
+        let mut part = BodyPart::of_body(comment, "whole", &estimate.properties);
+        if estimate.covariance != [[0.0; 10]; 10] {
+            part.comments.push(
+                "Its numbers have errors that are correlated, which no [sweep] draws: polhode budget --json has their covariance"
+                    .to_owned(),
+            );
+        }
+        Ok(part.to_toml())
+    }
+
+    fn case(&self, configuration: Option<&str>) -> Result<&Case, NoConfiguration> {
+        let found = match (configuration, &self.cases[..]) {
+            (None, [only]) => Some(only),
+            (None, _) => None,
+            (Some(name), cases) => cases.iter().find(|case| case.name.as_deref() == Some(name)),
+        };
+        found.ok_or_else(|| NoConfiguration {
+            asked: configuration.map(str::to_owned),
+            names: self.cases.iter().filter_map(|case| case.name.clone()).collect(),
+        })
+    }
+
+    /// The report as a document: text, Markdown, a page.
+    pub fn to_document(&self) -> Document {
+        let basis = self.options.basis;
+        let mut sections = Vec::new();
+        if self.cases.len() > 1 {
+            sections.push(side_by_side::section(&self.cases, basis));
+        }
+        for case in &self.cases {
+            let mut of_case: Vec<Section> = limits::section(case, &self.limits).into_iter().collect();
+            of_case.extend(self.ballast.as_ref().and_then(|all| ballast::section(case, all, &self.limits)));
+            of_case.extend([
+                masses::section(case),
+                whole::section(case, &self.options),
+                principal::section(case, &self.options),
+            ]);
+            of_case.extend(influence::section(case));
+            of_case.extend(compared::section(case));
+            of_case.extend(parts::section(case, basis));
+            if let Some(name) = case.name.as_ref().filter(|_| self.cases.len() > 1) {
+                for section in &mut of_case {
+                    section.title = format!("{}: {}", printable(name), section.title);
+                }
+            }
+            sections.extend(of_case);
+        }
+        if !self.sources.is_empty() {
+            let mut read = Section::new(0, "What was read, and taken as given");
+            self.sources.iter().for_each(|line| read.line(line));
+            sections.push(read);
+        }
+        for (k, section) in sections.iter_mut().enumerate() {
+            section.number = u8::try_from(k + 1).unwrap_or(u8::MAX);
+        }
+        let answer = self.cases.iter().flat_map(|case| self.answer(case)).collect();
+        Document { title: self.title.clone(), answer, sections, findings: self.findings() }
+    }
+
+    fn answer(&self, case: &Case) -> Vec<String> {
+        let basis = self.options.basis;
+        if let Some(name) = case.name.as_deref().filter(|_| self.cases.len() > 1) {
+            let estimate = case.estimate(basis);
+            let mass = with_error(estimate.properties.mass(), estimate.sd(0));
+            let mut parts =
+                vec![format!("{} mass {mass} kg", basis_name(basis)), whole::center_in_words(case, basis)];
+            parts.extend(limits::answer_in_words(case));
+            parts.extend(ballast::in_words(case));
+            return vec![format!("{}: {}", printable(name), parts.join("; "))];
+        }
+        let mut lines = vec![mass_in_words(case), whole::center_in_words(case, basis)];
+        lines.push(principal::in_words(&case.principal(basis)));
+        lines.extend(masses::margin_in_words(case));
+        lines.extend(limits::answer_in_words(case));
+        lines.extend(ballast::in_words(case));
+        lines
+    }
+
+    fn findings(&self) -> Vec<Finding> {
+        let named = |case: &Case| case.name.clone().filter(|_| self.cases.len() > 1);
+        let mut all = Vec::new();
+        for case in &self.cases {
+            let mut say = |code: &'static str, severity, message| {
+                all.push(Finding { code, severity, message, place: named(case) });
+            };
+            let exceeded: Vec<usize> = case.exceeded().collect();
+            if let [first, ..] = exceeded[..] {
+                let rows = case.budget.list();
+                let names = printable(&rows.rows[first].name);
+                let others = match exceeded.len() {
+                    1 => String::new(),
+                    n => format!(" and {} more", count(n as u64 - 1)),
+                };
+                let verb = if exceeded.len() == 1 { "is" } else { "are" };
+                let message = format!("{names}{others} {verb} heavier with growth than allowed");
+                say("budget.margin", Severity::Warning, message);
+            }
+            let broken: Vec<String> = limits::broken(case, &self.limits).map(printable).collect();
+            if !broken.is_empty() {
+                let are = if broken.len() == 1 { "this limit is" } else { "these limits are" };
+                say("budget.limit", Severity::Warning, format!("{are} not met: {}", broken.join(", ")));
+            }
+            let (exact, parts) = case.exact_parts();
+            if exact == parts {
+                let message = "no part has an uncertainty: all numbers are taken as exact".to_owned();
+                say("budget.exact", Severity::Info, message);
+            } else if exact > 0 {
+                let of = format!("{} of {}", count(exact as u64), count(parts as u64));
+                let message = format!("{of} parts have no uncertainty, and are taken as exact");
+                say("budget.exact", Severity::Info, message);
+            }
+            if let Some(message) = principal::not_known(&case.principal(self.options.basis)) {
+                say("budget.axes", Severity::Warning, message);
+            }
+            if let Some(message) = compared::difference_in_words(case) {
+                say("budget.first-order", Severity::Info, message);
+            }
+        }
+        all
+    }
+}
+
+/// `Predicted mass 4.312 ± 0.041 kg: basic 4.010 ± 0.039 kg and a growth allowance of 0.302 kg (7.5 %)`
+fn mass_in_words(case: &Case) -> String {
+    let of = |basis| {
+        let estimate = case.estimate(basis);
+        format!("{} kg", with_error(estimate.properties.mass(), estimate.sd(0)))
+    };
+    let basic = of(Basis::Basic);
+    if !case.grows() {
+        return format!("Mass {basic}");
+    }
+    let whole = case.whole_statement();
+    let allowance = whole.growth_allowance();
+    format!(
+        "Predicted mass {}: basic {basic}, and a growth allowance of {} kg ({}{GROUP}%)",
+        of(Basis::Predicted),
+        number(allowance, 4),
+        number(100.0 * allowance / whole.basic, 3)
+    )
+}
+
+const fn basis_name(basis: Basis) -> &'static str {
+    match basis {
+        Basis::Basic => "basic",
+        Basis::Predicted => "predicted",
+    }
+}
+
+impl NoConfiguration {
+    /// What to do.
+    pub fn hint(&self) -> String {
+        let names: Vec<String> = self.names.iter().map(|name| format!("\"{}\"", printable(name))).collect();
+        match (names.is_empty(), &self.asked) {
+            (true, _) => "leave it out: the file has no configurations".to_owned(),
+            (false, Some(_)) => format!("there are {}", names.join(", ")),
+            (false, None) => format!("name one of {}", names.join(", ")),
+        }
+    }
+}
+
+impl fmt::Display for NoConfiguration {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.asked {
+            Some(name) => write!(f, "there is no configuration \"{}\"", printable(name)),
+            None => f.write_str("there are several configurations, and a body is one of them"),
+        }
+    }
+}
+
+impl std::error::Error for NoConfiguration {}

@@ -1,0 +1,128 @@
+//! Principal moments and axes of the whole.
+
+use polhode::math::Body;
+use polhode_budget::PrincipalUncertainty;
+use polhode_identify::ratio_region;
+
+use super::BudgetOptions;
+use super::case::{AXES, Case};
+use crate::explain::document::Section;
+use crate::explain::drawing::{Drawing, Triangle};
+use crate::number::{number, with_error};
+
+/// Probabilities of the regions of moments: one and two standard deviations of one number.
+const PROBABILITIES: [f64; 2] = [0.68, 0.95];
+/// Dots of the cloud.
+const DOTS: usize = 800;
+/// From this turn on (rad) first order says nothing of axes.
+const FAR: f64 = 0.3;
+
+pub(super) fn section(case: &Case, options: &BudgetOptions) -> Section {
+    let mut section = Section::new(3, "Principal moments and axes");
+    let principal = case.principal(options.basis);
+    let moments = principal.frame.moments();
+    let row = |k: usize| {
+        vec![format!("i{}", k + 1), with_error(moments[k], moment_sd(&principal, k)), "kg·m²".to_owned()]
+    };
+    section.table(&["moment", "value ± sd", "unit"], (0..3).map(row).collect());
+    let ratios = Ratios::of(&principal);
+    section.line(format!("i1/i3 = {}", with_error(ratios.values[0], ratios.sd[0])));
+    section.line(format!("i2/i3 = {}", with_error(ratios.values[1], ratios.sd[1])));
+    let quantiles = case.drawn.as_ref().map(|drawn| drawn.tilts);
+    let row = |k: usize| {
+        let [x, y, z] = principal.frame.axis(k).to_array().map(|x| format!("{x:.5}"));
+        let tilt = &case.tilts[k];
+        let (angle, sd) = tilt.tilt.map_or((f64::NAN, None), |tilt| (tilt.angle, tilt.sd));
+        let mut cells = vec![format!("axis {}", k + 1), x, y, z, AXES[tilt.from].to_owned()];
+        cells.push(match sd.filter(|sd| *sd < FAR) {
+            Some(sd) => with_error(angle.to_degrees(), sd.to_degrees()),
+            None => number(angle.to_degrees(), 3),
+        });
+        if let Some(all) = quantiles {
+            cells.push(all[k].map_or_else(String::new, |all| {
+                let [low, middle, high] = all.map(|angle| number(angle.to_degrees(), 3));
+                format!("{low}, {middle}, {high}")
+            }));
+        }
+        cells
+    };
+    let mut headers = vec!["axis of", "x", "y", "z", "near", "tilt (deg)"];
+    if quantiles.is_some() {
+        headers.push("5, 50, 95 % of draws");
+    }
+    section.table(&headers, (0..3).map(row).collect());
+    if options.along.is_some() {
+        section.say(
+            "Tilts are from the axes that were asked for; x, y and z of an axis are along those of the body.",
+        );
+    }
+    section.draw(Drawing::Triangle(triangle(case, &principal)));
+    section
+}
+
+/// `Principal moments a ± b; c ± d; e ± f kg·m²`
+pub(super) fn in_words(principal: &PrincipalUncertainty<Body>) -> String {
+    let moments = principal.frame.moments();
+    let each = [0, 1, 2].map(|k| with_error(moments[k], moment_sd(principal, k)));
+    format!("Principal moments {} kg·m²", each.join("; "))
+}
+
+/// Which axes first order does not know.
+pub(super) fn not_known(principal: &PrincipalUncertainty<Body>) -> Option<String> {
+    let k = (0..3).find(|&k| principal.turn_sd[k] > FAR)?;
+    let [i, j] = [(k + 1) % 3, (k + 2) % 3].map(|k| k + 1);
+    let [i, j] = [i.min(j), i.max(j)];
+    Some(format!(
+        "the axes {i} and {j} are not known: i{i} and i{j} are too near for their errors, and the body may be turned by any angle about axis {}",
+        k + 1
+    ))
+}
+
+pub(super) fn moment_sd(principal: &PrincipalUncertainty<Body>, k: usize) -> f64 {
+    principal.moment_covariance[k][k].max(0.0).sqrt()
+}
+
+/// i1/i3 and i2/i3.
+pub(super) struct Ratios {
+    pub(super) values: [f64; 2],
+    pub(super) sd: [f64; 2],
+    pub(super) correlation: f64,
+}
+
+impl Ratios {
+    /// Zero of a body without extent.
+    pub(super) fn of(principal: &PrincipalUncertainty<Body>) -> Self {
+        let [i1, i2, i3] = principal.frame.moments();
+        if i3 == 0.0 {
+            return Self { values: [0.0; 2], sd: [0.0; 2], correlation: 0.0 };
+        }
+        let values = [i1 / i3, i2 / i3];
+        // δ(iₖ/i3) = (δiₖ − iₖ/i3 δi3)/i3
+        let c = &principal.moment_covariance;
+        let covariance = |a: usize, b: usize| {
+            (c[a][b] - values[a] * c[2][b] - values[b] * c[a][2] + values[a] * values[b] * c[2][2])
+                / (i3 * i3)
+        };
+        let sd = [0, 1].map(|k| covariance(k, k).max(0.0).sqrt());
+        let size = sd[0] * sd[1];
+        let correlation = if size > 0.0 { covariance(0, 1) / size } else { 0.0 };
+        Self { values, sd, correlation }
+    }
+}
+
+/// The body on the triangle of moments, with draws around it.
+pub(super) fn triangle(case: &Case, principal: &PrincipalUncertainty<Body>) -> Triangle {
+    let Ratios { values, sd, correlation } = Ratios::of(principal);
+    let region = |p: f64| Some((p, ratio_region(values, sd, correlation, p)?));
+    let bodies = case.drawn.as_ref().map_or(&[][..], |drawn| &drawn.draws.bodies);
+    let ratios = |body: &polhode::body::MassProperties<Body>| {
+        let [i1, i2, i3] = body.principal().moments();
+        [i1 / i3, i2 / i3]
+    };
+    let varies = sd.iter().any(|sd| *sd > 0.0);
+    Triangle {
+        ratios: values,
+        regions: PROBABILITIES.into_iter().filter_map(region).collect(),
+        cloud: bodies.iter().filter(|_| varies).take(DOTS).map(ratios).collect(),
+    }
+}

@@ -1,0 +1,150 @@
+//! The rows of a budget as a table, for spreadsheets.
+
+use polhode_budget::{Basis, BudgetError, NUMBERS};
+
+use super::case::{Case, ten};
+use super::{BudgetReport, basis_name};
+use crate::export::csv::quoted;
+use crate::number::exact;
+
+/// What stands in a cell.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell {
+    /// Nothing.
+    Empty,
+    /// Words.
+    Text(String),
+    /// A number.
+    Number(f64),
+}
+
+/// What stands above the columns.
+const COLUMNS: [&str; 19] = [
+    "configuration",
+    "name",
+    "parent",
+    "quantity",
+    "basic_mass_kg",
+    "predicted_mass_kg",
+    "allowable_mass_kg",
+    "margin_kg",
+    "basis",
+    "mass_of_one_kg",
+    "center_of_mass_x_m",
+    "center_of_mass_y_m",
+    "center_of_mass_z_m",
+    "ixx_kg_m2",
+    "iyy_kg_m2",
+    "izz_kg_m2",
+    "ixy_kg_m2",
+    "ixz_kg_m2",
+    "iyz_kg_m2",
+];
+
+/// A sheet of a workbook.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sheet {
+    /// What stands on its tab.
+    pub name: &'static str,
+    /// The first row has headings.
+    pub rows: Vec<Vec<Cell>>,
+}
+
+impl BudgetReport {
+    /// CSV with a row for each row of each configuration: its masses, all copies counted, and the mass properties of one copy with all in it, along the axes of the body, the
+    /// tensor about its own centre of mass with Ixy = −∫ x y dm.
+    ///
+    /// # Errors
+    /// As [`polhode_budget::Budget::subtrees`].
+    pub fn to_csv(&self) -> Result<String, BudgetError> {
+        let mut text = COLUMNS.join(",") + "\n";
+        for row in self.rows()? {
+            let cells: Vec<String> = row.iter().map(Cell::to_csv).collect();
+            text += &(cells.join(",") + "\n");
+        }
+        Ok(text)
+    }
+
+    /// The same as a workbook, and besides it the ten numbers of each configuration with their errors, and their covariance.
+    ///
+    /// # Errors
+    /// As [`BudgetReport::to_csv`].
+    pub fn to_sheets(&self) -> Result<Vec<Sheet>, BudgetError> {
+        let headings = |names: &[&str]| -> Vec<Cell> { names.iter().map(|name| Cell::of(name)).collect() };
+        let mut parts = vec![headings(&COLUMNS)];
+        parts.extend(self.rows()?);
+        let mut whole = vec![headings(&["configuration", "basis", "number", "unit", "value", "sd"])];
+        let mut names = vec!["configuration", "basis", "covariance of", "unit"];
+        names.extend(NUMBERS.iter().map(|(name, _)| *name));
+        let mut covariance = vec![headings(&names)];
+        let mut numbers = |case: &Case, basis| {
+            let estimate = case.estimate(basis);
+            let values = ten(&estimate.properties);
+            for (k, (name, unit)) in NUMBERS.iter().enumerate() {
+                let row = [
+                    Cell::of_option(case.name.as_deref()),
+                    Cell::of(basis_name(basis)),
+                    Cell::of(name),
+                    Cell::of(unit),
+                ];
+                whole.push([&row[..], &[values[k], estimate.sd(k)].map(Cell::Number)].concat());
+                covariance.push([&row[..], &estimate.covariance[k].map(Cell::Number)].concat());
+            }
+        };
+        for case in &self.cases {
+            numbers(case, Basis::Basic);
+            if case.grows() {
+                numbers(case, Basis::Predicted);
+            }
+        }
+        let sheet = |name, rows| Sheet { name, rows };
+        Ok(vec![sheet("parts", parts), sheet("whole", whole), sheet("covariance", covariance)])
+    }
+
+    fn rows(&self) -> Result<Vec<Vec<Cell>>, BudgetError> {
+        let basis = self.options.basis;
+        let mut all = Vec::new();
+        for case in &self.cases {
+            let subtrees = case.budget.subtrees(basis)?;
+            let rows = &case.budget.list().rows;
+            for (k, row) in rows.iter().enumerate() {
+                let number = |number: Option<f64>| number.map_or(Cell::Empty, Cell::Number);
+                let statement = &case.statements[k];
+                let parent = case.budget.parents()[k].map(|parent| rows[parent].name.as_str());
+                let mut cells = vec![
+                    Cell::of_option(case.name.as_deref()),
+                    Cell::of(&row.name),
+                    Cell::of_option(parent),
+                    Cell::Number(f64::from(row.quantity.count)),
+                    Cell::Number(statement.basic),
+                    Cell::Number(statement.predicted),
+                    number(statement.allowable),
+                    number(statement.margin()),
+                    Cell::of(basis_name(basis)),
+                ];
+                let numbers = subtrees[k].as_ref().map(ten);
+                cells.extend((0..10).map(|k| number(numbers.map(|numbers| numbers[k]))));
+                all.push(cells);
+            }
+        }
+        Ok(all)
+    }
+}
+
+impl Cell {
+    fn of(text: &str) -> Self {
+        Self::Text(text.to_owned())
+    }
+
+    fn of_option(text: Option<&str>) -> Self {
+        text.map_or(Self::Empty, Self::of)
+    }
+
+    fn to_csv(&self) -> String {
+        match self {
+            Self::Empty => String::new(),
+            Self::Text(text) => quoted(text),
+            Self::Number(number) => exact(*number),
+        }
+    }
+}

@@ -9,6 +9,7 @@ use polhode_budget::{
 
 use super::BudgetOptions;
 use super::ballast::Found;
+use super::changing::Changing;
 use super::limits::LEVEL;
 
 /// A configuration, and what is computed of it.
@@ -28,6 +29,8 @@ pub(super) struct Case {
     pub(super) limits: Option<LimitAnswers>,
     /// If it is asked for.
     pub(super) ballast: Option<Found>,
+    /// If it has tanks, or something happens to it.
+    pub(super) changing: Option<Changing>,
 }
 
 /// A principal axis beside the axis of the frame to which it is nearest.
@@ -106,7 +109,18 @@ impl Case {
             }
             _ => None,
         };
-        Ok(Self { name, budget, statements, estimates, tilts, results, drawn, limits, ballast: None })
+        Ok(Self {
+            name,
+            budget,
+            statements,
+            estimates,
+            tilts,
+            results,
+            drawn,
+            limits,
+            ballast: None,
+            changing: None,
+        })
     }
 
     pub(super) const fn estimate(&self, basis: Basis) -> &Estimate<Body> {

@@ -129,40 +129,20 @@ fn symmetric([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> Value {
     matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 }
 
-/// Headings of the ten numbers, with the centre in millimetres.
-const TEN: [&str; 10] = [
-    "M (kg)",
-    "x (mm)",
-    "y (mm)",
-    "z (mm)",
-    "Ixx (kg·m²)",
-    "Iyy (kg·m²)",
-    "Izz (kg·m²)",
-    "Ixy",
-    "Ixz",
-    "Iyz",
-];
-const TEN_RATES: [&str; 10] = [
-    "dM/dt (kg/s)",
-    "dx/dt (mm/s)",
-    "dy/dt (mm/s)",
-    "dz/dt (mm/s)",
-    "dIxx/dt (kg·m²/s)",
-    "dIyy/dt",
-    "dIzz/dt",
-    "dIxy/dt",
-    "dIxz/dt",
-    "dIyz/dt",
-];
+/// Headings of mass and centre, and of the tensor about it; and of their rates.
+const PLACE: [&str; 4] = ["M (kg)", "x (mm)", "y (mm)", "z (mm)"];
+const PLACE_RATES: [&str; 4] = ["dM/dt (kg/s)", "dx/dt (mm/s)", "dy/dt (mm/s)", "dz/dt (mm/s)"];
+const TENSOR: [&str; 6] = ["Ixx (kg·m²)", "Iyy (kg·m²)", "Izz (kg·m²)", "Ixy", "Ixz", "Iyz"];
+const TENSOR_RATES: [&str; 6] = ["dIxx/dt (kg·m²/s)", "dIyy/dt", "dIzz/dt", "dIxy/dt", "dIxz/dt", "dIyz/dt"];
 
 /// The ten numbers as they are shown: rounding beside large ones is none.
-fn cells(values: [f64; 10]) -> impl Iterator<Item = String> {
+fn cells(values: [f64; 10]) -> [Vec<String>; 2] {
     let [mass, x, y, z, xx, yy, zz, xy, xz, yz] = values;
     let [x, y, z] = tidy([x, y, z]).map(|x| 1e3 * x);
     let least = 1e-12 * xx.abs().max(yy.abs()).max(zz.abs());
-    let products = [xy, xz, yz].map(|x| if x.abs() < least { 0.0 } else { x });
-    let all = [[mass, x, y, z, xx, yy, zz].as_slice(), &products].concat();
-    all.into_iter().map(|x| number(x, DIGITS))
+    let [xy, xz, yz] = [xy, xz, yz].map(|x| if x.abs() < least { 0.0 } else { x });
+    let shown = |numbers: &[f64]| numbers.iter().map(|x| number(*x, DIGITS)).collect();
+    [shown(&[mass, x, y, z]), shown(&[xx, yy, zz, xy, xz, yz])]
 }
 
 impl FilledTank {
@@ -194,12 +174,19 @@ impl FilledTank {
         let mut headers = vec!["full (%)", "in it (kg)"];
         let has_level = shown().all(|(_, level, _)| level.is_some());
         headers.extend(has_level.then_some("level (mm)"));
-        headers.extend(TEN);
+        headers.extend(PLACE);
         let row = |(fill, level, row): &(f64, Option<f64>, SequenceRow)| {
             let mut line = vec![number(100.0 * fill, 3), number(fill * self.capacity, DIGITS)];
             line.extend(level.filter(|_| has_level).map(|level| number(1e3 * level, DIGITS)));
-            line.extend(cells(ten(&row.properties)));
+            let [place, _] = cells(ten(&row.properties));
+            line.extend(place);
             line
+        };
+        section.table(&headers, shown().map(row).collect());
+        let headers: Vec<&str> = ["full (%)"].into_iter().chain(TENSOR).collect();
+        let row = |(fill, _, row): &(f64, Option<f64>, SequenceRow)| {
+            let [_, tensor] = cells(ten(&row.properties));
+            [number(100.0 * fill, 3)].into_iter().chain(tensor).collect()
         };
         section.table(&headers, shown().map(row).collect());
         let across = |(fill, _, row): &(f64, Option<f64>, SequenceRow)| (100.0 * fill, ten(&row.properties));
@@ -285,15 +272,18 @@ impl OverTime {
                 shown.push(row);
             }
         }
-        let table = |headers: [&'static str; 10], of: &dyn Fn(&SequenceRow) -> [f64; 10]| {
-            let headers: Vec<&str> = ["t (s)"].into_iter().chain(headers).collect();
-            let line = |row: &&SequenceRow| [seconds(row.time)].into_iter().chain(cells(of(row))).collect();
-            (headers, shown.iter().map(line).collect::<Vec<Vec<String>>>())
-        };
-        let (headers, lines) = table(TEN, &|row| ten(&row.properties));
-        section.table(&headers, lines);
-        let (headers, lines) = table(TEN_RATES, &rates);
-        section.table(&headers, lines);
+        let mut table =
+            |headers: &[&'static str], of: &dyn Fn([Vec<String>; 2], [Vec<String>; 2]) -> Vec<String>| {
+                let headers: Vec<&str> = ["t (s)"].iter().chain(headers).copied().collect();
+                let line = |row: &&SequenceRow| {
+                    let numbers = of(cells(ten(&row.properties)), cells(rates(row)));
+                    [seconds(row.time)].into_iter().chain(numbers).collect()
+                };
+                section.table(&headers, shown.iter().map(line).collect());
+            };
+        table(&[PLACE, PLACE_RATES].concat(), &|[place, _], [rates, _]| [place, rates].concat());
+        table(&TENSOR, &|[_, tensor], _| tensor);
+        table(&TENSOR_RATES, &|_, [_, rates]| rates);
         section.say(
             "Two rows of one time are just before and just after. The tensor is about the centre of mass, along the axes of the body; rates are exact at each time, as what leaves a tank next is the surface of its liquid.",
         );

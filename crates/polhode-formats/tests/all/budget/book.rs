@@ -86,6 +86,29 @@ fn the_page_has_every_column_and_key() {
 }
 
 #[test]
+fn the_page_has_every_key_of_tanks_and_sequences() {
+    let page = page();
+    let section = |from: &str, to: &str| {
+        let text = page.split(&format!("\n{from}\n")).nth(1).unwrap();
+        text.split(&format!("\n{to}\n")).next().unwrap().to_owned()
+    };
+    let keys = section("## Keys", "## CSV");
+    let tanks = section("## Tanks", "## What is refused besides");
+    for (text, head) in [
+        (&tanks, "# [[tank]]\n# zzz = 1\nname\na\n"),
+        (&tanks, "# [[tank]]\n# name = \"a\"\n# [[tank.table]]\n# zzz = 1\nname\na\n"),
+        (&keys, "# [sequence]\n# zzz = 1\nname\na\n"),
+        (&tanks, "# [sequence]\n# until = 1\n# [[burn]]\n# zzz = 1\nname\na\n"),
+        (&tanks, "# [sequence]\n# until = 1\n# [[drop]]\n# zzz = 1\nname\na\n"),
+        (&tanks, "# [sequence]\n# until = 1\n# [[deploy]]\n# zzz = 1\nname\na\n"),
+    ] {
+        for key in known(head) {
+            assert!(text.contains(&format!("`{key}`")), "{key} of {head}");
+        }
+    }
+}
+
+#[test]
 fn examples_are_read() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/budget");
     for (name, configurations, rows) in [

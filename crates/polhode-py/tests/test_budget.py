@@ -167,3 +167,25 @@ def test_what_is_no_list_is_refused(written: Path) -> None:
     with pytest.raises(polhode.PolhodeError) as refused:
         polhode.budget(wrong)
     assert refused.value.line == 6
+
+
+def test_limits_have_probabilities() -> None:
+    limits = [
+        {"of": "mass", "most": "3.5 kg"},
+        {"name": "flat", "of": "spin ratio", "along": "z", "least": 1},
+        {"of": "center distance", "along": "z", "within": "1 m"},
+    ]
+    found = polhode.budget(COLUMNS, plan={**PLAN, "limit": limits})
+    assert [(limit.name, limit.unit, limit.met) for limit in found.limits] == [
+        ("mass", "kg", True),
+        ("flat", "", True),
+        ("center distance along z", "m", True),
+    ]
+    mass = found.limits[0]
+    assert mass.most == 3.5 and mass.least is None and mass.value == found.mass
+    assert 0.5 < mass.probability < 1.0 and mass.interval[0] < mass.probability < mass.interval[1]
+    assert found.only.errors["flat"] and str(mass).startswith("mass: met, probability ")
+    with pytest.warns(polhode.PolhodeWarning, match="this limit is not met: mass"):
+        assert polhode.budget(COLUMNS, plan={**PLAN, "limit": [{"of": "mass", "most": "3.4 kg"}]}).is_beyond
+    with pytest.raises(polhode.PolhodeError, match="draws is 0"):
+        polhode.budget(COLUMNS, plan={**PLAN, "limit": limits}, draws=0)

@@ -29,7 +29,13 @@ ASKED: dict[str, list[dict[str, Any]]] = {
     "about": [{"point": [-1.0, 0.4, 0.7]}],
     "along": [{"rotation": TURN}],
     "placed": [{"position": [0.3, -0.2, 1.7], "rotation": TURN}],
-    "export": [{"format": f} for f in ("urdf", "sdf", "mjcf", "mjcf-principal", "usd", "solidworks", "csv")],
+    "export": [
+        {"format": f}
+        for f in (
+            *("urdf", "sdf", "mjcf", "mjcf-principal", "usd"),
+            *("jsbsim", "rocketpy", "basilisk", "solidworks", "csv"),
+        )
+    ],
     "at": [{"times": [0.25, 1.5, 40.0]}],
     "error": [{"times": [0.25, 1.5, 40.0]}],
     "rotations": [{}, {"times": [0.25, 1.5]}, {"member": 1}],

@@ -1,12 +1,14 @@
 //! Results of polhode, for people and for programs.
 //!
-//! Six reports, each with a face for either reader, and a page:
+//! Eight reports, each with a face for either reader, and a page:
 //!
 //! - [`InertiaReport`]: how much mass, where, and how it resists being turned;
 //! - [`MotionReport`]: how the body moves, and the evidence that the numbers are good;
 //! - [`SpinReport`]: a free motion in closed form, at any time;
 //! - [`RequiredReport`]: the torque and the forces that a prescribed motion needs;
 //! - [`SweepSummary`]: what many members come to;
+//! - [`IdentifyReport`]: what was found of a body by measuring it;
+//! - [`BudgetReport`]: what a parts list comes to;
 //! - [`explain()`]: the worked solution, step by step, as a [`Document`];
 //! - [`page()`]: all of it to look at, as one file for a browser.
 //!

@@ -64,7 +64,7 @@ pub struct LeastBallast {
 /// That there is no ballast.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NoBallast {
-    /// None up to this mass, kg: what is allowed, or a million times the mass of the list.
+    /// None up to this mass, kg: what is allowed, or a thousand times the mass of the list.
     pub up_to: f64,
     /// How many regions of sizes and of centres the proof has.
     pub regions: usize,
@@ -109,7 +109,7 @@ impl Budget {
         let Outcome { found, tree, cap } = Search::new(&problem, gap).run();
         let proof = Proof { problem, tree, cap };
         let regions = proof.tree.leaves();
-        let Some(mut found) = found else {
+        let Some(found) = found else {
             let bound = proof.bound(cap);
             return if bound == f64::INFINITY {
                 Ok(BallastAnswer::None(NoBallast { up_to: cap, regions, proof }))
@@ -117,7 +117,6 @@ impl Budget {
                 Err(BallastError::Undecided { bound, found: None })
             };
         };
-        found.sort_by_key(|(column, _)| column.site);
         let piece = |(column, mass): &(Column, f64)| Piece {
             site: column.site,
             position: Position::from_array(column.at),

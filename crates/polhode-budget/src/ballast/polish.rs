@@ -2,8 +2,7 @@
 
 use super::interval::Interval;
 use super::problem::{Column, Problem};
-use super::relaxation::beside;
-use super::row::{Functional, Kind, weights};
+use super::row::{Coordinate, Functional, Kind, Moments, Product, weights};
 use crate::growth::Basis;
 
 /// Masses below this part of all ballast are none.
@@ -18,31 +17,54 @@ const INSIDE: (f64, f64) = (1e-13, 4.0 * f64::EPSILON);
 /// By how much of the same a limit may be broken.
 const BROKEN: (f64, f64) = (1e-11, 16.0 * f64::EPSILON);
 
+/// How near a piece is to its site, as a part of its coordinates and of the site.
+const AT: f64 = 1e-12;
+
+/// Pieces nearer than this part of a site's size are one, if that will do: programs with pieces end with some on each side of the best place.
+const NEAR: f64 = 1e-3;
+
+/// By how much ballast of fewer pieces may be heavier.
+const HEAVIER: f64 = 2e-10;
+
 /// What a limit comes to.
 struct State {
     /// At least zero, or zero.
     value: f64,
     is_zero: bool,
-    /// How each piece changes it.
-    by: Vec<f64>,
+    /// How the moments change it.
+    slope: Functional,
     /// Size of its terms, and of what they are the difference of.
     size: (f64, f64),
 }
 
+/// What may be changed of a piece: its mass, or its place along a direction.
+struct Freedom {
+    piece: usize,
+    along: Option<[f64; 3]>,
+}
+
 impl Problem {
-    /// Pieces of which no two are near, no more than it takes; `None` if they do not meet all limits.
+    /// Few pieces by which all limits are met; `None` if they are not.
     pub(super) fn polished(&self, pieces: &[(Column, f64)]) -> Option<Vec<(Column, f64)>> {
         let total: f64 = pieces.iter().map(|(_, mass)| mass).sum();
         let mut pieces: Vec<_> = pieces.iter().copied().filter(|(_, mass)| *mass > NOTHING * total).collect();
-        self.merge(&mut pieces);
         self.reduce(&mut pieces);
-        self.merge(&mut pieces);
+        let many = self.corrected(pieces.clone());
+        let few = self.corrected(self.merged(&pieces));
+        let mass = |pieces: &Vec<(Column, f64)>| pieces.iter().map(|(_, mass)| mass).sum::<f64>();
+        match (many, few) {
+            (Some(many), Some(few)) if mass(&few) > mass(&many) * (1.0 + HEAVIER) => Some(many),
+            (many, few) => few.or(many),
+        }
+    }
+
+    fn corrected(&self, mut pieces: Vec<(Column, f64)>) -> Option<Vec<(Column, f64)>> {
         for (column, mass) in &mut pieces {
             if let Some(size) = self.nearest_size(column.site, *mass) {
                 *mass = size;
             }
         }
-        for _ in 0..4 {
+        for _ in 0..6 {
             self.correct(&mut pieces)?;
         }
         pieces.retain(|(_, mass)| *mass > 0.0);
@@ -56,22 +78,25 @@ impl Problem {
     }
 
     /// Pieces that are near each other become one at their centre of mass.
-    fn merge(&self, pieces: &mut Vec<(Column, f64)>) {
+    fn merged(&self, pieces: &[(Column, f64)]) -> Vec<(Column, f64)> {
         let mut merged: Vec<(Column, f64)> = Vec::with_capacity(pieces.len());
-        for (column, mass) in pieces.drain(..) {
-            let same = merged.iter_mut().find(|(other, _)| {
-                other.site == column.site && self.charts[column.site].are_near(other.at, column.at)
-            });
+        for (column, mass) in pieces {
+            let chart = &self.charts[column.site];
+            let same = merged
+                .iter_mut()
+                .find(|(other, _)| other.site == column.site && chart.are_near(other.at, column.at, NEAR));
             match same {
-                None => merged.push((column, mass)),
+                None => merged.push((*column, *mass)),
                 Some((other, sum)) => {
                     let share = mass / (*sum + mass);
-                    other.at = core::array::from_fn(|k| other.at[k] + share * (column.at[k] - other.at[k]));
+                    let between =
+                        core::array::from_fn(|k| other.at[k] + share * (column.at[k] - other.at[k]));
+                    other.at = chart.nearest(between);
                     *sum += mass;
                 }
             }
         }
-        *pieces = merged;
+        merged
     }
 
     /// Of more pieces than there are linear functions in all limits, some can be left out without changing any (Carathéodory).
@@ -114,7 +139,7 @@ impl Problem {
         self.sizes[site].is_empty() && self.most[site].is_infinite()
     }
 
-    /// Changes masses, each by about the same part, so that what is at its limit is just inside.
+    /// Changes masses and places, in proportion, so that what is at its limit is just inside.
     fn correct(&self, pieces: &mut [(Column, f64)]) -> Option<()> {
         let states = self.states(pieces);
         let inside = |state: &State| INSIDE.0 * state.size.0 + INSIDE.1 * state.size.1;
@@ -122,26 +147,45 @@ impl Problem {
             .iter()
             .filter(|state| state.is_zero || state.value < ACTIVE * state.size.0 + INSIDE.1 * state.size.1)
             .collect();
-        let weight: Vec<f64> = pieces
-            .iter()
-            .map(|(column, mass)| if self.sizes[column.site].is_empty() { *mass } else { 0.0 })
-            .collect();
-        // x += D² Jᵀ (J D² Jᵀ)⁻¹ (what is missing), in units of each row.
-        let rows: Vec<Vec<f64>> = active
-            .iter()
-            .map(|state| state.by.iter().zip(&weight).map(|(by, d)| by * d / state.size.0).collect())
-            .collect();
+        let mut free = Vec::new();
+        for (piece, (column, _)) in pieces.iter().enumerate() {
+            if self.sizes[column.site].is_empty() {
+                free.push(Freedom { piece, along: None });
+            }
+            let along = self.charts[column.site].freedoms(column.at);
+            free.extend(along.into_iter().map(|along| Freedom { piece, along: Some(along) }));
+        }
+        // x += Jᵀ (J Jᵀ)⁻¹ (what is missing), in units of each row, each mass and each site.
+        let change = |state: &State, freedom: &Freedom| {
+            let (column, mass) = &pieces[freedom.piece];
+            let r = self.local(column.at);
+            let by = match freedom.along {
+                None => state.slope.at(&weights(r)),
+                Some(e) => state.slope.slope(&r, &e.map(Interval::from)),
+            };
+            mass * by.middle() / state.size.0
+        };
+        let rows: Vec<Vec<f64>> =
+            active.iter().map(|state| free.iter().map(|freedom| change(state, freedom)).collect()).collect();
         let wanted: Vec<f64> = active
             .iter()
             .map(|state| (if state.is_zero { 0.0 } else { inside(state) } - state.value) / state.size.0)
             .collect();
         let gram: Vec<Vec<f64>> = rows.iter().map(|a| rows.iter().map(|b| inner(a, b)).collect()).collect();
         let multipliers = solved(gram, wanted);
-        for (k, (_, mass)) in pieces.iter_mut().enumerate() {
-            *mass += weight[k] * rows.iter().zip(&multipliers).map(|(row, y)| row[k] * y).sum::<f64>();
+        for (k, freedom) in free.iter().enumerate() {
+            let by = rows.iter().zip(&multipliers).map(|(row, y)| row[k] * y).sum::<f64>();
+            let (column, mass) = &mut pieces[freedom.piece];
+            match freedom.along {
+                None => *mass += *mass * by,
+                Some(e) => column.at = core::array::from_fn(|k| column.at[k] + by * e[k]),
+            }
             if !(*mass >= 0.0 && mass.is_finite()) {
                 return None;
             }
+        }
+        for (column, _) in pieces {
+            column.at = self.charts[column.site].nearest(column.at);
         }
         Some(())
     }
@@ -151,8 +195,9 @@ impl Problem {
         let at_sites = pieces.iter().all(|(column, mass)| {
             let reach = column.at.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
             let size_holds = self.sizes[column.site].is_empty() || self.sizes[column.site].contains(mass);
-            let near = self.charts[column.site].distance(column.at)
-                <= 1e-12 * reach.max(self.charts[column.site].size());
+            let chart = &self.charts[column.site];
+            let near = chart.nearest(column.at).into_iter().zip(column.at).map(|(a, b)| (a - b).abs());
+            let near = near.fold(0.0, f64::max) <= AT * reach.max(chart.size());
             *mass >= 0.0 && size_holds && near
         });
         let within_sites = (0..self.charts.len()).all(|site| {
@@ -169,38 +214,31 @@ impl Problem {
             })
     }
 
-    /// Every limit with these pieces: values that are below zero are rounded down, as far as it is not known what they are.
+    /// Every limit with these pieces: values that are to be positive are rounded down, as far as it is not known what they are.
     fn states(&self, pieces: &[(Column, f64)]) -> Vec<State> {
-        let at: Vec<[Interval; 10]> =
-            pieces.iter().map(|(column, _)| weights(self.local(column.at))).collect();
+        let at: Vec<Moments> = pieces.iter().map(|(column, _)| weights(self.local(column.at))).collect();
         let mut all = Vec::new();
         for block in &self.blocks {
-            let rows: Vec<Row> = block.rows.iter().map(|row| Row::new(row, &at, pieces)).collect();
-            match (block.kind, &rows[..]) {
-                (Kind::Cone, [first, rest @ ..]) => {
-                    let values: Vec<f64> = rows.iter().map(|row| row.value.middle()).collect();
-                    let norm = rest.iter().map(|row| row.value.square()).sum::<Interval>().sqrt();
-                    let by = (0..pieces.len()).map(|k| {
-                        let along = rest.iter().zip(&values[1..]).map(|(row, x)| row.by[k] * x).sum::<f64>();
-                        first.by[k] - if norm.high > 0.0 { along / norm.high } else { 0.0 }
-                    });
-                    let sizes = rows.iter().map(|row| row.size);
-                    let size = sizes.fold((0.0, 0.0), |(a, b), (c, d): (f64, f64)| (a + c, b + d));
-                    debug_assert!(beside(block.kind, &values) >= 0.0);
-                    all.push(State {
-                        value: (first.value - norm).low,
-                        is_zero: false,
-                        by: by.collect(),
-                        size,
-                    });
-                }
-                (kind, _) => all.extend(rows.into_iter().map(|row| State {
-                    value: if kind == Kind::Zero { row.value.middle() } else { row.value.low },
-                    is_zero: kind == Kind::Zero,
-                    by: row.by,
-                    size: row.size,
-                })),
+            let rows: Vec<(Interval, (f64, f64))> =
+                block.rows.iter().map(|row| value(row, &at, pieces)).collect();
+            if let (Kind::Cone, [first, rest @ ..]) = (block.kind, &rows[..]) {
+                let norm = rest.iter().map(|(value, _)| value.square()).sum::<Interval>().sqrt();
+                let turned = block.rows[1..].iter().zip(rest);
+                let slope = turned.fold(block.rows[0], |sum, (row, (value, _))| {
+                    let cosine = if norm.high > 0.0 { value.middle() / norm.high } else { 0.0 };
+                    sum - *row * Interval::from(cosine)
+                });
+                let size = rows.iter().fold((0.0, 0.0), |(a, b), (_, (c, d))| (a + c, b + d));
+                all.push(State { value: (first.0 - norm).low, is_zero: false, slope, size });
+                continue;
             }
+            let is_zero = block.kind == Kind::Zero;
+            all.extend(block.rows.iter().zip(rows).map(|(row, (value, size))| State {
+                value: if is_zero { value.middle() } else { value.low },
+                is_zero,
+                slope: *row,
+                size,
+            }));
         }
         for product in &self.products {
             all.extend(self.product_states(product, &at, pieces));
@@ -208,33 +246,27 @@ impl Problem {
         all
     }
 
-    fn product_states(
-        &self,
-        product: &super::row::Product,
-        at: &[[Interval; 10]],
-        pieces: &[(Column, f64)],
-    ) -> Vec<State> {
+    fn product_states(&self, product: &Product, at: &[Moments], pieces: &[(Column, f64)]) -> Vec<State> {
         let whole = self.with(product.basis, pieces);
         let value = product.value(&whole);
         let [u, v] = product.axes;
-        let [su, sv] = [u, v].map(|u| Functional::first(u).at(&whole).middle());
-        let (m, integral) = (whole[0].middle(), Functional::second(u, v));
-        // ∂/∂m = (u·r)(v·r) − ((u·r)(v·S) + (v·r)(u·S))/M + (u·S)(v·S)/M²
-        let by: Vec<f64> = at
-            .iter()
-            .map(|w| {
-                let [ur, vr] = [u, v].map(|u| Functional::first(u).at(w).middle());
-                integral.at(w).middle() - (ur * sv + vr * su) / m + su * sv / (m * m)
-            })
-            .collect();
+        let [us, vs] = [u, v].map(|u| Functional::first(u).at(&whole));
+        let mass = whole[0];
+        // The derivative of u·W v − (u·S)(v·S)/M
+        let slope = Functional::second(u, v)
+            - Functional::first(u) * vs.over(mass)
+            - Functional::first(v) * us.over(mass)
+            + Functional::mass() * (us.over(mass) * vs.over(mass));
         let before = product.value(self.whole(product.basis)).middle();
-        let moved: f64 = by.iter().zip(pieces).map(|(by, (_, mass))| (by * mass).abs()).sum();
-        let terms = integral.by.iter().zip(&whole).map(|(l, w)| (*l * *w).size()).sum::<f64>();
+        let moved: f64 =
+            at.iter().zip(pieces).map(|(w, (_, mass))| (slope.at(w).middle() * mass).abs()).sum();
+        let terms =
+            Functional::second(u, v).by.iter().zip(&whole).map(|(l, w)| (*l * *w).size()).sum::<f64>();
         let state = |value: f64, is_zero, sign: f64, bound: f64| State {
             value,
             is_zero,
-            by: by.iter().map(|by| sign * by).collect(),
-            size: ((before - bound).abs() + moved, terms + (su * sv / m).abs() + bound.abs()),
+            slope: slope * Interval::from(sign),
+            size: ((before - bound).abs() + moved, terms + (us * vs).over(mass).size() + bound.abs()),
         };
         match (product.least, product.most) {
             (Some(least), Some(most)) if least == most => {
@@ -250,7 +282,7 @@ impl Problem {
 
     /// By how much a product about the centre is beside its limits, and the centre's coordinates, with these pieces.
     pub(super) fn broken_products(&self, pieces: &[(Column, f64)]) -> Vec<f64> {
-        let beside = |product: &super::row::Product| {
+        let beside = |product: &Product| {
             let value = product.value(&self.with(product.basis, pieces)).middle();
             let below = product.least.map_or(0.0, |least| least - value);
             below.max(product.most.map_or(0.0, |most| value - most)).max(0.0)
@@ -261,7 +293,7 @@ impl Problem {
     /// The coordinates of the centre that are searched.
     pub(super) fn center(&self, pieces: &[(Column, f64)]) -> Vec<f64> {
         let wholes = [Basis::Basic, Basis::Predicted].map(|basis| self.with(basis, pieces));
-        let at = |coordinate: &super::row::Coordinate| {
+        let at = |coordinate: &Coordinate| {
             let whole = &wholes[usize::from(coordinate.basis == Basis::Predicted)];
             Functional::first(coordinate.along).at(whole).over(whole[0]).middle()
         };
@@ -269,24 +301,15 @@ impl Problem {
     }
 }
 
-/// A function of the pieces.
-struct Row {
-    value: Interval,
-    by: Vec<f64>,
-    size: (f64, f64),
-}
-
-impl Row {
-    fn new(row: &Functional, at: &[[Interval; 10]], pieces: &[(Column, f64)]) -> Self {
-        let by: Vec<Interval> = at.iter().map(|w| row.at(w)).collect();
-        let terms = by.iter().zip(pieces).map(|(by, (_, mass))| *by * Interval::from(*mass));
-        let (mut value, mut size) = (row.constant, row.constant.size());
-        for term in terms {
-            value = value + term;
-            size += term.size();
-        }
-        Self { value, by: by.iter().map(|by| by.middle()).collect(), size: (size, row.size) }
+/// A function of the pieces, the size of its terms, and of what its constant is the difference of.
+fn value(row: &Functional, at: &[Moments], pieces: &[(Column, f64)]) -> (Interval, (f64, f64)) {
+    let (mut value, mut size) = (row.constant, row.constant.size());
+    for (w, (_, mass)) in at.iter().zip(pieces) {
+        let term = row.at(w) * Interval::from(*mass);
+        value = value + term;
+        size += term.size();
     }
+    (value, (size, row.size))
 }
 
 fn inner(a: &[f64], b: &[f64]) -> f64 {

@@ -41,7 +41,7 @@ pub(super) struct Column {
 }
 
 /// No more ballast than so many times the mass of the body is looked for.
-const CAP: f64 = 1e6;
+const CAP: f64 = 1e3;
 
 impl Problem {
     pub(super) fn new(budget: &Budget, ballast: &Ballast, limits: &[Limit]) -> Result<Self, BallastError> {
@@ -65,6 +65,9 @@ impl Problem {
         for (site, chart) in ballast.sites.iter().zip(&problem.charts) {
             problem.sizes.push(sizes(site, chart)?);
         }
+        let largest =
+            problem.sizes.iter().zip(&problem.most).map(|(sizes, most)| sizes.last().unwrap_or(most));
+        problem.cap = problem.cap.min(largest.map(|most| Interval::from(*most)).sum::<Interval>().high);
         let question = |what, value, rule| BallastError::Question { what, value, rule };
         if !(ballast.deviations >= 0.0 && ballast.deviations.is_finite()) {
             let rule = "zero or positive, and finite";

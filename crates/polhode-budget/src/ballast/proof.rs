@@ -92,7 +92,8 @@ impl Problem {
         }
         match (prices.of_mass, bound.low > 0.0) {
             (false, true) => f64::INFINITY,
-            (true, true) => bound.low,
+            (true, true) if bound.low <= cap => bound.low,
+            (true, true) => f64::INFINITY,
             _ => 0.0,
         }
     }
@@ -120,5 +121,78 @@ impl Problem {
             }
         }
         prices.next().is_none().then_some(sum)
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
+mod tests {
+    use polhode::math::{Body, Direction, Position};
+
+    use super::*;
+    use crate::ballast::{Ballast, BallastAnswer, BallastPlace, Site};
+    use crate::{Basis, GivenPart, Limit, Measure, PartsList, Row};
+
+    fn asked(sites: &[[f64; 3]]) -> BallastAnswer {
+        let point = GivenPart::point(5.0, Position::new(0.03, -0.02, 0.4));
+        let list = PartsList { rows: vec![Row::part("body", point)], ..PartsList::default() };
+        let along = Direction::<Body>::new(0.0, 0.0, 1.0);
+        let limit = Limit {
+            name: "centre".to_owned(),
+            of: Measure::CenterFromLine { point: Position::ZERO, along },
+            least: None,
+            most: Some(0.004),
+            basis: Basis::Basic,
+        };
+        let site = |at: &[f64; 3]| Site::new("site", BallastPlace::Point(Position::from_array(*at)));
+        let ballast = Ballast { sites: sites.iter().map(site).collect(), ..Ballast::default() };
+        list.budget().unwrap().ballast(&ballast, &[limit]).unwrap()
+    }
+
+    fn prices(tree: &mut Tree) -> &mut Prices {
+        let Tree::Leaf(prices) = tree else { panic!() };
+        prices
+    }
+
+    #[test]
+    fn other_prices_prove_nothing() {
+        let BallastAnswer::Least(good) = asked(&[[-0.6, 0.2, 0.1], [0.1, 0.7, -0.3], [-0.4, 0.5, 0.2]])
+        else {
+            panic!()
+        };
+        assert!(good.is_proved() && good.mass > 0.1);
+        let changes: [&dyn Fn(&mut Prices); 7] = [
+            &|prices| prices.of[0] *= 1.0 + 1e-6,
+            &|prices| prices.of[0] *= 1.0 - 1e-6,
+            &|prices| prices.of[1] += 1e-6,
+            &|prices| prices.of[2] = f64::NAN,
+            &|prices| prices.of.push(0.0),
+            &|prices| prices.of.truncate(2),
+            &|prices| prices.of_mass = false,
+        ];
+        for change in changes {
+            let mut bad = good.clone();
+            change(prices(&mut bad.proof.tree));
+            assert!(!bad.is_proved(), "{:?}", bad.proof.tree);
+        }
+    }
+
+    #[test]
+    fn nor_that_there_is_none() {
+        let BallastAnswer::None(good) = asked(&[[0.6, -0.2, 0.1], [0.1, -0.7, -0.3]]) else { panic!() };
+        assert!(good.is_proved());
+        let changes: [&dyn Fn(&mut Prices); 3] = [
+            &|prices| prices.of[0] *= 20.0,
+            &|prices| prices.of.iter_mut().for_each(|y| *y = 0.0),
+            &|prices| prices.of.iter_mut().skip(1).for_each(|y| *y = -*y),
+        ];
+        for change in changes {
+            let mut bad = good.clone();
+            change(prices(&mut bad.proof.tree));
+            assert!(!bad.is_proved(), "{:?}", bad.proof.tree);
+        }
+        let mut bad = good;
+        bad.up_to *= 2.0;
+        assert!(!bad.is_proved());
     }
 }

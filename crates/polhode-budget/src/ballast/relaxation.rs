@@ -17,8 +17,14 @@ pub(super) struct Relaxed {
     pub(super) pieces: Option<Vec<(Column, f64)>>,
 }
 
-/// Pieces are added until none would make ballast lighter by more than this part of its own mass.
-const PRICE: f64 = 1e-11;
+/// Pieces are added until none would make ballast lighter by more than this part of its own mass: in all, and in a region of centres.
+const PRICE: [f64; 2] = [1e-11, 1e-8];
+
+/// How many pieces besides the first are kept for other regions.
+const KEPT: usize = 24;
+
+/// Pieces nearer than this part of a site's size are one piece.
+const NEAR: f64 = 1e-7;
 
 /// How often.
 const ROUNDS: usize = 80;
@@ -41,23 +47,37 @@ impl Problem {
             let sum = weighed(&rows, &prices.of);
             let one = if prices.of_mass { Interval::ONE } else { Interval::ZERO };
             let price = Functional { constant: Interval::ZERO, ..Functional::mass() * one - sum };
-            let tolerance = if prices.of_mass { PRICE } else { 0.1 * sum.constant.size() / self.cap };
+            let price_of_mass = PRICE[usize::from(!self.products.is_empty())];
+            let tolerance = if prices.of_mass { price_of_mass } else { 0.1 * sum.constant.size() / self.cap };
             let mut added = false;
             for (site, chart) in self.charts.iter().enumerate() {
                 let (at, least) = chart.least(&price, self.origin);
                 let new = Column { site, at };
-                let is_new = || !columns.iter().any(|old| old.site == site && chart.are_near(old.at, at));
+                let is_new =
+                    || !columns.iter().any(|old| old.site == site && chart.are_near(old.at, at, NEAR));
                 if !chart.is_point() && least + full[site] < -tolerance && is_new() {
                     columns.push(new);
                     added = true;
                 }
             }
-            let pieces = masses.map(|masses| columns.iter().copied().zip(masses).collect());
+            let pieces: Option<Vec<_>> = masses.map(|masses| columns.iter().copied().zip(masses).collect());
             last = Some(Relaxed { prices, pieces });
-            if !added {
+            let is_proved = |relaxed: &Relaxed| {
+                !relaxed.prices.of_mass && self.bound(&relaxed.prices, region, self.cap) == f64::INFINITY
+            };
+            if !added || last.as_ref().is_some_and(is_proved) {
                 break;
             }
         }
+        let seeds = self.seeds().len();
+        let used = last.iter().filter_map(|relaxed| relaxed.pieces.as_ref()).flatten();
+        let heaviest = used.clone().fold(0.0, |most: f64, (_, mass)| most.max(*mass));
+        let used: Vec<Column> =
+            used.skip(seeds).filter(|(_, mass)| *mass > 1e-6 * heaviest).map(|(column, _)| *column).collect();
+        let mut others = columns.split_off(seeds.min(columns.len()));
+        others.retain(|column| !used.contains(column));
+        columns.extend(others.into_iter().rev().take(KEPT).rev());
+        columns.extend(used);
         last
     }
 
@@ -175,12 +195,7 @@ fn cone(block: &Block) -> SupportedConeT<f64> {
 /// By how much a block is beside what is asked of it without ballast.
 fn missing(block: &Block) -> f64 {
     let values: Vec<f64> = block.rows.iter().map(|row| row.constant.middle()).collect();
-    beside(block.kind, &values)
-}
-
-/// By how much values are beside what is asked of them.
-pub(super) fn beside(kind: Kind, values: &[f64]) -> f64 {
-    match (kind, values) {
+    match (block.kind, &values[..]) {
         (Kind::Cone, [first, rest @ ..]) => (rest.iter().map(|x| x * x).sum::<f64>().sqrt() - first).max(0.0),
         (Kind::Positive, values) => values.iter().fold(0.0, |most, x| most.max(-x)),
         (_, values) => values.iter().fold(0.0, |most, x| most.max(x.abs())),

@@ -1,5 +1,8 @@
 //! Branch and bound: regions of sizes and of centres are split until none can have lighter ballast.
 
+use core::cmp::Ordering;
+use std::collections::BinaryHeap;
+
 use super::problem::{Column, Problem, Region};
 use super::proof::{Branch, Prices, Tree};
 use super::relaxation::Relaxed;
@@ -18,6 +21,9 @@ pub(super) struct Outcome {
 /// Regions that are looked at.
 const REGIONS: usize = 20_000;
 
+/// Once some ballast is found, in one of so many regions lighter one is tried.
+const TRIES: usize = 4;
+
 /// A region of centres narrower than this part of the first is not split.
 const NARROW: f64 = 1e-9;
 
@@ -32,10 +38,32 @@ struct Node {
     parts: Option<[usize; 2]>,
 }
 
+/// A region that may have lighter ballast; those of the least bound are the greatest.
+#[derive(PartialEq)]
+struct Open {
+    bound: f64,
+    place: usize,
+}
+
+impl Eq for Open {}
+
+impl Ord for Open {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.bound.total_cmp(&self.bound).then(other.place.cmp(&self.place))
+    }
+}
+
+impl PartialOrd for Open {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
 pub(super) struct Search<'a> {
     problem: &'a Problem,
     columns: Vec<Column>,
     nodes: Vec<Node>,
+    open: BinaryHeap<Open>,
     found: Option<(f64, Vec<(Column, f64)>)>,
     cap: f64,
     gap: f64,
@@ -44,7 +72,15 @@ pub(super) struct Search<'a> {
 impl<'a> Search<'a> {
     /// Until what is found is proved but for a part of its mass.
     pub(super) fn new(problem: &'a Problem, gap: f64) -> Self {
-        Self { problem, columns: problem.seeds(), nodes: Vec::new(), found: None, cap: problem.cap, gap }
+        Self {
+            problem,
+            columns: problem.seeds(),
+            nodes: Vec::new(),
+            open: BinaryHeap::new(),
+            found: None,
+            cap: problem.cap,
+            gap,
+        }
     }
 
     pub(super) fn run(mut self) -> Outcome {
@@ -59,15 +95,14 @@ impl<'a> Search<'a> {
         while let Some((mass, _)) = self.found.as_ref().filter(|(mass, _)| *mass < 0.5 * self.cap) {
             self.cap = *mass;
             self.nodes.clear();
+            self.open.clear();
             root = self.problem.root(self.cap);
             self.look(root.clone());
         }
         while self.nodes.len() < REGIONS {
-            let open = |(_, node): &(usize, &Node)| node.parts.is_none() && !self.is_closed(node.bound);
-            let least =
-                self.nodes.iter().enumerate().filter(open).min_by(|a, b| a.1.bound.total_cmp(&b.1.bound));
-            let Some((place, branch)) = least.map(|(place, node)| (place, node.branch)) else { break };
-            let Some(branch) = branch else { break };
+            // The least bound first: when that is closed, all are.
+            let Some(Open { bound, place }) = self.open.pop() else { break };
+            let Some(branch) = self.nodes[place].branch.filter(|_| !self.is_closed(bound)) else { break };
             let parts = self.nodes[place].region.split(branch).map(|region| self.look(region));
             self.nodes[place].parts = Some(parts);
         }
@@ -95,7 +130,9 @@ impl<'a> Search<'a> {
         };
         let mut branch = None;
         if let Some(pieces) = pieces {
-            self.try_near(&region, &pieces);
+            if self.found.is_none() || self.nodes.len().is_multiple_of(TRIES) {
+                self.try_near(&region, &pieces);
+            }
             let bound = self.problem.bound(&prices, &region, self.limit());
             if !self.is_closed(bound) {
                 branch = self.branch(&region, &pieces);
@@ -109,13 +146,18 @@ impl<'a> Search<'a> {
     }
 
     fn push(&mut self, node: Node) -> usize {
+        let place = self.nodes.len();
+        if !self.is_closed(node.bound) {
+            self.open.push(Open { bound: node.bound, place });
+        }
         self.nodes.push(node);
-        self.nodes.len() - 1
+        place
     }
 
     /// Takes ballast if it meets all limits and is lighter than what was found.
     fn offer(&mut self, pieces: Option<Vec<(Column, f64)>>) {
-        let Some(pieces) = pieces else { return };
+        let Some(mut pieces) = pieces else { return };
+        pieces.sort_by_key(|(column, _)| column.site);
         let mass = pieces.iter().map(|(_, mass)| mass).sum::<f64>();
         let lighter = self.found.as_ref().is_none_or(|(found, _)| mass < *found);
         if lighter && self.problem.is_met(&pieces) {

@@ -86,9 +86,6 @@ struct Least {
     multiplier: f64,
 }
 
-/// Pieces nearer than this part of a site's size are one piece.
-const NEAR: f64 = 1e-7;
-
 impl Chart {
     pub(super) fn new(site: &Site) -> Result<Self, BallastError> {
         let wrong = |what, value, rule| BallastError::Value { site: site.name.clone(), what, value, rule };
@@ -145,9 +142,9 @@ impl Chart {
         around.iter().map(|u| self.point(*u)).collect()
     }
 
-    /// Whether two points are one but for what does not matter.
-    pub(super) fn are_near(&self, a: [f64; 3], b: [f64; 3]) -> bool {
-        a.iter().zip(b).all(|(a, b)| (a - b).abs() <= NEAR * self.size())
+    /// Whether two points are nearer than a part of the size of the place.
+    pub(super) fn are_near(&self, a: [f64; 3], b: [f64; 3], part: f64) -> bool {
+        a.iter().zip(b).all(|(a, b)| (a - b).abs() <= part * self.size())
     }
 
     /// The length of its greatest axis.
@@ -155,19 +152,36 @@ impl Chart {
         self.axes.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()))
     }
 
-    /// The distance of a point from the place.
-    pub(super) fn distance(&self, r: [f64; 3]) -> f64 {
+    /// s and t of the foot of a point.
+    fn foot(&self, r: [f64; 3]) -> [f64; 2] {
         let d: [f64; 3] = core::array::from_fn(|k| r[k] - self.center[k]);
         let inner = |a: &[f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let u = self.axes.map(|axis| {
+        self.axes.map(|axis| {
             let square = inner(&axis, &axis);
             if square > 0.0 { inner(&axis, &d) / square } else { 0.0 }
-        });
+        })
+    }
+
+    /// The point of the place that is nearest to a point; of its rim, along the radius.
+    pub(super) fn nearest(&self, r: [f64; 3]) -> [f64; 3] {
+        let u = self.foot(r);
         let norm = u[0].hypot(u[1]);
         let factor = if norm > 1.0 || (self.rim && norm > 0.0) { 1.0 / norm } else { 1.0 };
-        let near = self.point(u.map(|u| u * factor));
-        let away: [f64; 3] = core::array::from_fn(|k| r[k] - near[k]);
-        inner(&away, &away).sqrt()
+        self.point(u.map(|u| u * factor))
+    }
+
+    /// Along what a point of the place can move without leaving it, either way: on a rim, along that.
+    pub(super) fn freedoms(&self, r: [f64; 3]) -> Vec<[f64; 3]> {
+        let [s, t] = self.foot(r);
+        let [a, b] = self.axes;
+        let is_inside = !self.rim && s.hypot(t) < 1.0 - 1e-9;
+        match (is_inside, b == [0.0; 3]) {
+            _ if self.is_point() => Vec::new(),
+            (true, true) => vec![a],
+            (true, false) => vec![a, b],
+            (false, true) => Vec::new(),
+            (false, false) => vec![core::array::from_fn(|k| s * b[k] - t * a[k])],
+        }
     }
 
     /// Where a function of a place is about least, and a number that it is nowhere below.

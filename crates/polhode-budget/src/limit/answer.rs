@@ -4,8 +4,8 @@ use polhode::math::Body;
 
 use super::Limit;
 use super::error::LimitError;
-use super::measure::Undefined;
 use super::share::{Share, normal};
+use super::undefined::Undefined;
 use crate::budget::Budget;
 use crate::draws::Draws;
 use crate::estimate::Estimate;

@@ -1,10 +1,10 @@
 //! Numbers of a body that limits are on, and how they depend on it.
 
-use core::fmt;
-
-use polhode::body::{MassProperties, MassPropertiesGradient, PrincipalFrame, Symmetry};
+use polhode::body::{MassProperties, MassPropertiesGradient};
 use polhode::math::{Body, Direction, Position};
 
+use super::axis::{PrincipalAxis, chosen, determined, determined_spin, is_free, spin_moments, unit};
+use super::undefined::Undefined;
 use crate::estimate::Estimate;
 use crate::principal::{element, moment_gradient, scaled, sum};
 use crate::tensor::{ProductSign, elements};
@@ -90,36 +90,6 @@ pub enum About {
     CenterOfMass,
     /// A point that is fixed in the body, m.
     Point(Position<Body>),
-}
-
-/// A principal axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PrincipalAxis {
-    /// By its moment: 0 is that of the least, 2 of the greatest.
-    Number(usize),
-    /// That which is nearest to the direction.
-    Nearest,
-}
-
-/// Why a measure has no value, or no derivative.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Undefined {
-    /// Two principal moments are equal: their axes are any in a plane, and the greater and the less have no derivative.
-    EqualMoments,
-    /// A distance or an angle is zero, or two axes are equally near: the measure has a corner.
-    Corner,
-    /// A moment that it is divided by is zero.
-    ZeroMoment,
-}
-
-impl fmt::Display for Undefined {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::EqualMoments => "two principal moments are equal",
-            Self::Corner => "a distance or an angle is zero, or two axes are equally near",
-            Self::ZeroMoment => "a principal moment is zero",
-        })
-    }
 }
 
 /// Axes are perpendicular if their cosine is no more than this.
@@ -316,11 +286,6 @@ impl Measure {
 
 const NONE: Gradient = Gradient { by_mass: 0.0, by_center_of_mass: Direction::ZERO, by_inertia: [0.0; 6] };
 
-/// Of a direction that was checked.
-fn unit(u: Direction<Body>) -> Direction<Body> {
-    u.direction().unwrap_or(u)
-}
-
 fn across(d: Position<Body>, along: Direction<Body>) -> Position<Body> {
     let n = unit(along);
     d - Position::from_array((n * n.dot(d)).to_array())
@@ -375,58 +340,4 @@ fn element_gradient(
     let at = Direction::from_array(d);
     let by_center = at * (2.0 * u.dot(v)) - u * v.dot(at) - v * u.dot(at);
     Gradient { by_mass: of_point(d, u, v), by_center_of_mass: by_center * body.mass(), ..element(u, v) }
-}
-
-/// Whether a principal axis is any in a plane, or in space.
-const fn is_free(symmetry: Symmetry, k: usize) -> bool {
-    match symmetry {
-        Symmetry::Point | Symmetry::Spherical => true,
-        Symmetry::Rod | Symmetry::Prolate => k > 0,
-        Symmetry::Oblate => k < 2,
-        Symmetry::Asymmetric => false,
-    }
-}
-
-fn determined(frame: &PrincipalFrame<Body>, k: usize) -> Result<(), Undefined> {
-    if is_free(frame.symmetry(), k) { Err(Undefined::EqualMoments) } else { Ok(()) }
-}
-
-/// The axis, and whether another is equally near.
-fn chosen(frame: &PrincipalFrame<Body>, axis: PrincipalAxis, from: Direction<Body>) -> (usize, bool) {
-    match axis {
-        PrincipalAxis::Number(k) => (k % 3, false),
-        PrincipalAxis::Nearest => nearest(frame, from),
-    }
-}
-
-/// The principal axis that is nearest to a direction, and whether another one is as near. Of axes that are free in a plane that is one in it.
-fn nearest(frame: &PrincipalFrame<Body>, from: Direction<Body>) -> (usize, bool) {
-    let n = unit(from);
-    let square = |k: usize| frame.axis(k).dot(n) * frame.axis(k).dot(n);
-    let alone = [0, 1, 2].map(square);
-    let [a, b, c] = match frame.symmetry() {
-        Symmetry::Point | Symmetry::Spherical => return (2, false),
-        Symmetry::Rod | Symmetry::Prolate => [alone[0], 0.0, alone[1] + alone[2]],
-        Symmetry::Oblate => [alone[0] + alone[1], 0.0, alone[2]],
-        Symmetry::Asymmetric => alone,
-    };
-    let most = a.max(b).max(c);
-    let near = [a, b, c].map(|square| square >= most);
-    let k = if near[2] { 2 } else { usize::from(near[1]) };
-    (k, near.iter().filter(|near| **near).count() > 1)
-}
-
-/// The moment of the axis that is nearest to a direction, those of the next two, and its number.
-fn spin_moments(frame: &PrincipalFrame<Body>, axis: Direction<Body>) -> ([f64; 3], usize, bool) {
-    let ((k, tie), moments) = (nearest(frame, axis), frame.moments());
-    ([0, 1, 2].map(|n| moments[(k + n) % 3]), k, tie)
-}
-
-fn determined_spin(
-    frame: &PrincipalFrame<Body>,
-    axis: Direction<Body>,
-) -> Result<([f64; 3], usize), Undefined> {
-    let (moments, k, tie) = spin_moments(frame, axis);
-    determined(frame, k)?;
-    if tie { Err(Undefined::Corner) } else { Ok((moments, k)) }
 }

@@ -1,15 +1,20 @@
 //! Limits on what a parts list comes to.
 
 mod answer;
+mod axis;
 mod error;
 mod measure;
 mod share;
+mod undefined;
 
 pub use answer::{AllMet, Answer, Evidence, LimitAnswers, Margin, Trial};
+pub use axis::PrincipalAxis;
 pub use error::LimitError;
+#[cfg(feature = "ballast")]
 pub(crate) use measure::across_axes;
-pub use measure::{About, Measure, PrincipalAxis, Undefined};
+pub use measure::{About, Measure};
 pub use share::Share;
+pub use undefined::Undefined;
 
 use crate::growth::Basis;
 

@@ -2,8 +2,8 @@
 
 use polhode::math::{Body, Direction, Position};
 use polhode_budget::{
-    About, Ballast, BallastAnswer, BallastError, BallastPlace, Basis, Budget, GivenPart, GivenTensor, LeastBallast, Limit,
-    Measure, PartUncertainty, PartsList, ProductSign, Round, Row, Site, Spread, Uncertainty,
+    About, Ballast, BallastAnswer, BallastPlace, Basis, Budget, GivenPart, GivenTensor, LeastBallast, Limit,
+    Measure, PartsList, ProductSign, Round, Row, Site,
 };
 
 const X: Direction<Body> = Direction::new(1.0, 0.0, 0.0);
@@ -75,7 +75,8 @@ pub(crate) fn least(budget: &Budget, ballast: &Ballast, limits: &[Limit], gap: f
             for limit in limits {
                 let with = found.with(&budget.mass_properties(limit.basis).unwrap()).unwrap();
                 let value = limit.of.value(&with).unwrap();
-                let allowed = if limit.least == limit.most || limit.most == Some(0.0) { 1e-11 } else { 1e-14 };
+                let allowed =
+                    if limit.least == limit.most || limit.most == Some(0.0) { 1e-11 } else { 1e-14 };
                 assert!(limit.most.is_none_or(|most| value <= most + allowed), "{limit:?} {value} {found:?}");
                 assert!(limit.least.is_none_or(|least| value >= least - allowed), "{limit:?} {value}");
             }
@@ -177,4 +178,35 @@ fn least_ballast_at_points_is_that_of_all_corners() {
         }
     }
     assert!(found > 40 && none > 20, "{found} {none}");
+}
+
+#[test]
+fn what_is_changed_is_not_proved() {
+    let budget = body(5.0, Position::new(0.03, -0.02, 0.4), [0.02, -0.03, 0.01]);
+    let axis = Measure::CenterFromLine { point: Position::ZERO, along: Z };
+    let ring =
+        Site::new("ring", BallastPlace::Circle(Round { center: Position::ZERO, normal: Z, radius: 0.5 }));
+    let BallastAnswer::Least(good) = budget.ballast(&sites(vec![ring]), &[limit(axis, None, 0.004)]).unwrap()
+    else {
+        panic!()
+    };
+    assert!(good.is_proved());
+    let changed = |by: &dyn Fn(&mut LeastBallast)| {
+        let mut bad = good.clone();
+        by(&mut bad);
+        assert!(!bad.is_proved(), "{bad:?}");
+    };
+    changed(&|bad| bad.bound = bad.mass * (1.0 + 1e-9));
+    changed(&|bad| bad.bound *= 1.0 - 1e-8);
+    changed(&|bad| bad.mass *= 1.0 + 1e-9);
+    changed(&|bad| bad.pieces[0].mass *= 1.0 - 1e-8);
+    changed(&|bad| bad.pieces[0].position = bad.pieces[0].position * 1.000_1);
+    changed(&|bad| bad.pieces[0].position.z = 0.1);
+    changed(&|bad| bad.pieces[0].site = 1);
+    changed(&|bad| bad.pieces.clear());
+    let heavier = |bad: &mut LeastBallast| {
+        bad.pieces[0].mass *= 1.01;
+        bad.mass = bad.pieces.iter().map(|piece| piece.mass).sum();
+    };
+    changed(&heavier);
 }

@@ -3,6 +3,8 @@
 
 #[cfg(feature = "ballast")]
 mod ballast;
+#[cfg(feature = "ballast")]
+mod ballast_places;
 mod draws;
 mod errors;
 mod limits;
@@ -11,5 +13,6 @@ mod masses;
 mod principal;
 mod published;
 mod sequences;
+mod shares;
 mod sums;
 mod tanks;

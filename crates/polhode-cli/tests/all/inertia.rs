@@ -243,8 +243,19 @@ fn every_form_of_the_answer_says_that_a_mesh_was_taken_as_its_hull_or_as_a_sheet
     let scratch = Scratch::new("taken-as");
     let bracket = example("bracket.stl");
     let given = ["inertia", &bracket, "--unit", "mm", "--material", "aluminium"];
-    let forms =
-        ["urdf", "sdf", "mjcf", "mjcf-principal", "usd", "solidworks", "csv"].map(|name| ["--as", name]);
+    let forms = [
+        "urdf",
+        "sdf",
+        "mjcf",
+        "mjcf-principal",
+        "usd",
+        "jsbsim",
+        "rocketpy",
+        "basilisk",
+        "solidworks",
+        "csv",
+    ]
+    .map(|name| ["--as", name]);
     let forms = forms.iter().map(|form| &form[..]).chain([&[][..], &["--csv"], &["--json"]]);
     for form in forms {
         let of = |more: &[&str]| stdout(&scratch.run(&[&given[..], form, more].concat())).replace('_', " ");

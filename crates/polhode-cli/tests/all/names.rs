@@ -267,6 +267,9 @@ fn no_name_within_a_file_steers_the_terminal() {
             &["--csv", "--lump", "all"],
             &["--as", "mjcf"],
             &["--as", "usd"],
+            &["--as", "jsbsim"],
+            &["--as", "rocketpy"],
+            &["--as", "basilisk"],
             &["--as", "solidworks"],
         ] {
             let run = [&["inertia", file], flags].concat();

@@ -188,7 +188,8 @@ class MassProperties:
         return dict(json.loads(self._native.json()))
 
     def export(self, format: str, *, name: str = "body") -> str:
-        """As another program reads it: ``urdf``, ``sdf``, ``mjcf``, ``mjcf-principal``, ``usd``, ``solidworks`` or ``csv``."""
+        """As another program reads it: ``urdf``, ``sdf``, ``mjcf``, ``mjcf-principal``, ``usd``, ``jsbsim``,
+        ``rocketpy``, ``basilisk``, ``solidworks`` or ``csv``."""
         return self._native.export(_arrays.text("format", format), _arrays.text("name", name))
 
     def __repr__(self) -> str:

@@ -1,37 +1,14 @@
 //! The least ballast by which limits are met.
 
-use polhode_budget::{Ballast, BallastAnswer, BallastError, Budget, LeastBallast, Limit};
+use polhode_budget::{Ballast, BallastAnswer, LeastBallast, Limit};
 use serde_json::{Value, json};
 
 use super::case::Case;
+use super::found::Found;
 use super::limits::{allowed, shown_unit};
 use crate::explain::document::Section;
 use crate::layout::printable;
 use crate::number::{count, number, tidy};
-
-/// What ballast there is to be, and for what it was not sought.
-#[derive(Clone, Debug)]
-pub(super) struct Found {
-    answer: BallastAnswer,
-    /// Limits, and why no ballast can be sought for them.
-    left_out: Vec<(String, &'static str)>,
-}
-
-impl Found {
-    pub(super) fn new(budget: &Budget, ballast: &Ballast, limits: &[Limit]) -> Result<Self, BallastError> {
-        let (mut sought, mut left_out) = (limits.to_vec(), Vec::new());
-        loop {
-            match budget.ballast(ballast, &sought) {
-                Ok(answer) => return Ok(Self { answer, left_out }),
-                Err(BallastError::Limit { limit, why }) if sought.len() > 1 => {
-                    sought.retain(|other| other.name != limit);
-                    left_out.push((limit, why));
-                }
-                Err(error) => return Err(error),
-            }
-        }
-    }
-}
 
 pub(super) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Option<Section> {
     let Found { answer, left_out } = case.ballast.as_ref()?;

@@ -8,9 +8,9 @@ use polhode_budget::{
 };
 
 use super::BudgetOptions;
-use super::ballast::Found;
 use super::changing::Changing;
-use super::limits::LEVEL;
+use super::found::Found;
+pub(super) use super::numbers::ten;
 
 /// A configuration, and what is computed of it.
 #[derive(Clone, Debug)]
@@ -187,6 +187,9 @@ fn tried(
     LimitAnswers::new(limits, LEVEL, evidence(Basis::Basic), evidence(Basis::Predicted))
 }
 
+/// Level of confidence of the intervals of limits.
+pub(super) const LEVEL: f64 = 0.95;
+
 pub(super) const fn index(basis: Basis) -> usize {
     match basis {
         Basis::Basic => 0,
@@ -269,11 +272,4 @@ fn number_gradient(k: usize) -> MassPropertiesGradient<Body> {
     all[k] = 1.0;
     let [by_mass, x, y, z, by_inertia @ ..] = all;
     MassPropertiesGradient { by_mass, by_center_of_mass: Direction::new(x, y, z), by_inertia }
-}
-
-/// The ten numbers.
-pub(super) fn ten(body: &MassProperties<Body>) -> [f64; 10] {
-    let [[xx, xy, xz], [_, yy, yz], [.., zz]] = body.inertia().matrix();
-    let [x, y, z] = body.center_of_mass().to_array();
-    [body.mass(), x, y, z, xx, yy, zz, xy, xz, yz]
 }

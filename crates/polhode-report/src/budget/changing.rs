@@ -3,7 +3,7 @@
 use polhode_budget::{Change, Sequence, SequenceError, SequenceRow};
 use serde_json::{Value, json};
 
-use super::case::ten;
+use super::numbers::ten;
 use crate::explain::document::Section;
 use crate::explain::graph::Graph;
 use crate::json::matrix;

@@ -4,13 +4,10 @@ use polhode_budget::{Answer, Limit, LimitAnswers, Margin, Share};
 use serde_json::{Value, json};
 
 use super::basis_name;
-use super::case::Case;
+use super::case::{Case, LEVEL};
 use crate::explain::document::Section;
 use crate::layout::printable;
 use crate::number::{GROUP, count, number, with_error};
-
-/// Level of confidence of the intervals.
-pub(super) const LEVEL: f64 = 0.95;
 
 pub(super) fn section(case: &Case, limits: &[Limit]) -> Option<Section> {
     let answers = case.limits.as_ref()?;

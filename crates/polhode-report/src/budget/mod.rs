@@ -5,11 +5,13 @@ mod case;
 mod changing;
 mod compared;
 mod diff;
+mod found;
 mod history;
 mod influence;
 mod json;
 mod limits;
 mod masses;
+mod numbers;
 mod parts;
 mod principal;
 mod side_by_side;
@@ -30,6 +32,7 @@ use crate::layout::printable;
 use crate::number::{GROUP, count, number, with_error};
 use case::Case;
 use changing::Changing;
+use found::Found;
 
 pub use diff::BudgetDiff;
 pub use history::{HistoryOptions, history_files};
@@ -98,9 +101,9 @@ impl BudgetReport {
         })
     }
 
-    /// How many rows are fewer than so many draws of each can be had of in some seconds.
+    /// How many bodies of a list of so many rows are drawn in some ten seconds: 200 at least, 10,000 at most.
     pub fn affordable_draws(rows: usize) -> usize {
-        /// Rows that are drawn: some ten seconds.
+        /// Rows times draws.
         const ROWS: usize = 20_000_000;
         const LEAST: usize = 200;
         const MOST: usize = 10_000;
@@ -113,7 +116,7 @@ impl BudgetReport {
     /// As [`Budget::ballast`], and if it can be sought for none of them.
     pub fn with_ballast(mut self, ballast: Ballast) -> Result<Self, BallastError> {
         for case in &mut self.cases {
-            case.ballast = Some(ballast::Found::new(&case.budget, &ballast, &self.limits)?);
+            case.ballast = Some(Found::new(&case.budget, &ballast, &self.limits)?);
         }
         self.ballast = Some(ballast);
         Ok(self)

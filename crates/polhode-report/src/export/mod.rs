@@ -7,15 +7,19 @@
 //! |---|---|---|---|---|
 //! | URDF, SDF, MJCF | centre of mass | body axes | elements of the tensor, −∫xy dm | f64 |
 //! | MJCF principal, USD | centre of mass | principal axes, turned by a quaternion (w, x, y, z) | none | f64; USD reads f32 |
+//! | JSBSim | centre of mass | body axes, as its structural frame: x aft, y right, z up; lb, in, slug·ft² | elements of the tensor, −∫xy dm | f64 |
+//! | RocketPy, Basilisk | centre of mass | body axes; RocketPy: z along the rocket, towards its nose | elements of the tensor, −∫xy dm | f64 |
 //! | SolidWorks | centre of mass, and the origin | body axes | "positive tensor notation", +∫xy dm | f64 |
 //! | CSV | centre of mass | body axes, and principal ones | elements of the tensor, −∫xy dm | f64 |
 //!
-//! The frame of a link, prim or output coordinate system is the body's. All is SI. Text around the numbers is ASCII: these
+//! The frame of a link, prim, hub or output coordinate system is the body's. All is SI, but for JSBSim. Text around the numbers is ASCII: these
 //! files meet old tools.
 
 pub(crate) mod csv;
 mod error;
+mod jsbsim;
 mod mjcf;
+mod python;
 mod sdf;
 mod solidworks;
 mod urdf;
@@ -52,6 +56,12 @@ pub enum ExportFormat {
     MjcfPrincipal,
     /// OpenUSD as text, a prim each, with `PhysicsMassAPI` applied. USD keeps single precision.
     Usd,
+    /// The `<mass_balance>` of a JSBSim aircraft, in lb, in and slug·ft².
+    JsbSim,
+    /// Python: the arguments of `rocketpy.Rocket`.
+    RocketPy,
+    /// Python: the hub of a Basilisk spacecraft.
+    Basilisk,
     /// Text in the layout of a SolidWorks report.
     SolidWorks,
     /// A table: a line of column names, and a line for each body.
@@ -60,8 +70,18 @@ pub enum ExportFormat {
 
 impl ExportFormat {
     /// All formats.
-    pub const ALL: &'static [Self] =
-        &[Self::Urdf, Self::Sdf, Self::Mjcf, Self::MjcfPrincipal, Self::Usd, Self::SolidWorks, Self::Csv];
+    pub const ALL: &'static [Self] = &[
+        Self::Urdf,
+        Self::Sdf,
+        Self::Mjcf,
+        Self::MjcfPrincipal,
+        Self::Usd,
+        Self::JsbSim,
+        Self::RocketPy,
+        Self::Basilisk,
+        Self::SolidWorks,
+        Self::Csv,
+    ];
 
     /// The name in lower case, as a flag has it.
     pub const fn name(self) -> &'static str {
@@ -71,6 +91,9 @@ impl ExportFormat {
             Self::Mjcf => "mjcf",
             Self::MjcfPrincipal => "mjcf-principal",
             Self::Usd => "usd",
+            Self::JsbSim => "jsbsim",
+            Self::RocketPy => "rocketpy",
+            Self::Basilisk => "basilisk",
             Self::SolidWorks => "solidworks",
             Self::Csv => "csv",
         }
@@ -86,7 +109,8 @@ impl ExportFormat {
         match self {
             Self::Urdf => "urdf",
             Self::Sdf => "sdf",
-            Self::Mjcf | Self::MjcfPrincipal => "xml",
+            Self::Mjcf | Self::MjcfPrincipal | Self::JsbSim => "xml",
+            Self::RocketPy | Self::Basilisk => "py",
             Self::Usd => "usda",
             Self::SolidWorks => "txt",
             Self::Csv => "csv",
@@ -178,6 +202,9 @@ pub fn export(format: ExportFormat, bodies: &[ExportBody]) -> Result<String, Exp
         ExportFormat::Sdf => sdf::write(bodies),
         ExportFormat::Mjcf | ExportFormat::MjcfPrincipal => mjcf::write(format, bodies),
         ExportFormat::Usd => usd::write(bodies),
+        ExportFormat::JsbSim => jsbsim::write(bodies),
+        ExportFormat::RocketPy => python::rocketpy(bodies),
+        ExportFormat::Basilisk => python::basilisk(bodies),
         ExportFormat::SolidWorks => solidworks::write(bodies),
         ExportFormat::Csv => Ok(csv::write(bodies)),
     }

@@ -157,7 +157,8 @@ fn exports() {
     let handle = ExportBody::new("T-handle", *crate::common::t_handle().body());
     for &format in ExportFormat::ALL {
         let bodies = [bracket.clone(), handle.clone()];
-        let bodies = if format == ExportFormat::Urdf { &bodies[..1] } else { &bodies[..] };
+        let one = [ExportFormat::Urdf, ExportFormat::JsbSim, ExportFormat::RocketPy, ExportFormat::Basilisk];
+        let bodies = if one.contains(&format) { &bodies[..1] } else { &bodies[..] };
         let name = format!("export_{}.{}", format.name(), format.extension());
         check(&name, &export(format, bodies).unwrap());
     }

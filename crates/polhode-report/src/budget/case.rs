@@ -1,6 +1,6 @@
 //! A configuration, and what is computed of it.
 
-use polhode::body::{MassProperties, MassPropertiesGradient};
+use polhode::body::MassPropertiesGradient;
 use polhode::math::{Body, Direction};
 use polhode_budget::{
     Basis, Budget, BudgetError, Comparison, Draws, Estimate, Evidence, Growth, Limit, LimitAnswers,

@@ -24,7 +24,7 @@ pub(crate) fn write(
             "add [sequence] with until, and [[burn]], [[drop]] or [[deploy]]; --body has the body as it is";
         return Err(Failure::usage("nothing happens in it over time", hint).about(list));
     };
-    if !target.extension().is_some_and(|extension| extension == "toml") {
+    if target.extension().is_none_or(|extension| extension != "toml") {
         let hint = "name a file that ends in .toml: the table beside it ends in .csv";
         return Err(Failure::usage("a scenario is a TOML file", hint).about(target));
     }
@@ -41,7 +41,7 @@ pub(crate) fn write(
         table: &table,
     };
     let files = history_files(&sequence, &options).map_err(|error| refused(&error, list))?;
-    for path in [target, &beside].into_iter().filter(|path| !force && path.exists()) {
+    if let Some(path) = [target, &beside].into_iter().find(|path| !force && path.exists()) {
         return Err(partial::exists(path));
     }
     let [scenario, rows] = files;

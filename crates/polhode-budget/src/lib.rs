@@ -40,7 +40,6 @@
 //! | whether limits are met, with what margin and probability | [`Budget::limits`], [`Limit`], [`Answer`] |
 //! | the least ballast that meets limits, with a proof | [`Budget::ballast`], [`LeastBallast`] |
 
-#[cfg(feature = "ballast")]
 mod ballast;
 mod budget;
 mod changes;
@@ -63,7 +62,6 @@ mod tensor;
 mod tree;
 mod uncertainty;
 
-#[cfg(feature = "ballast")]
 pub use ballast::{
     Ballast, BallastAnswer, BallastError, BallastPlace, LeastBallast, NoBallast, Piece, Round, Site,
 };

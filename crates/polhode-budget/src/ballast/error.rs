@@ -11,6 +11,8 @@ use crate::limit::LimitError;
 pub enum BallastError {
     /// There is no site.
     NoSites,
+    /// This was built without the feature `ballast`.
+    NoSolver,
     /// A number of a site that cannot be.
     Value {
         /// The site.
@@ -55,6 +57,9 @@ impl fmt::Display for BallastError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoSites => write!(f, "there is no site for ballast"),
+            Self::NoSolver => {
+                write!(f, "this program was built without the feature `ballast`, and seeks none")
+            }
             Self::Value { site, what, value, rule } => {
                 write!(f, "{what} of the site \"{site}\" is {value}, and has to be {rule}")
             }

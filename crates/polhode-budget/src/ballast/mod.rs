@@ -13,6 +13,7 @@ mod relaxation;
 mod row;
 mod search;
 mod site;
+mod solver;
 
 pub use error::BallastError;
 pub use site::{Place as BallastPlace, Round, Site};
@@ -104,6 +105,9 @@ impl Budget {
     /// # Errors
     /// [`BallastError`] of a site or a limit that cannot be, of a limit that ballast cannot be found for, and where nothing is proved.
     pub fn ballast(&self, ballast: &Ballast, limits: &[Limit]) -> Result<BallastAnswer, BallastError> {
+        if !solver::IS_THERE {
+            return Err(BallastError::NoSolver);
+        }
         let problem = Problem::new(self, ballast, limits)?;
         let gap = if problem.products.is_empty() { GAP } else { GAP_OF_PRODUCTS };
         let Outcome { found, tree, cap } = Search::new(&problem, gap).run();

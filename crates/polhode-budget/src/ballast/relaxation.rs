@@ -1,12 +1,10 @@
 //! The least ballast in a region if limits are linear there: a conic program over all pieces that the sites allow, solved with those that matter.
 
-use clarabel::algebra::CscMatrix;
-use clarabel::solver::{DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
-
 use super::interval::Interval;
 use super::problem::{Column, Problem, Region};
 use super::proof::Prices;
 use super::row::{Block, Functional, Kind, weights};
+use super::solver::{Columns, Solved, least_sum};
 
 /// What comes of a region.
 #[derive(Clone, Debug)]
@@ -108,70 +106,42 @@ impl Problem {
             rows.iter().flat_map(|block| &block.rows).map(|row| row.constant.middle()).collect();
         // A x + s = b with s in the cones: s = f, then what sites leave, then the masses.
         let mut b: Vec<f64> = constants.iter().zip(&units).map(|(c, of)| c / of / unit).collect();
-        let mut cones: Vec<SupportedConeT<f64>> = rows.iter().map(cone).collect();
+        let mut cones: Vec<(Kind, usize)> = rows.iter().map(|block| (block.kind, block.rows.len())).collect();
         let mut sites: Vec<Vec<(usize, f64)>> = vec![Vec::new(); self.charts.len()];
         for (site, [least, most]) in bounds.iter().enumerate() {
             if least == most {
                 sites[site].push((b.len(), 1.0));
                 b.push(most / unit);
-                cones.push(SupportedConeT::ZeroConeT(1));
+                cones.push((Kind::Zero, 1));
                 continue;
             }
             for (bound, sign) in [(*most, 1.0), (*least, -1.0)] {
                 if bound < self.cap && (sign > 0.0 || bound > 0.0) {
                     sites[site].push((b.len(), sign));
                     b.push(sign * bound / unit);
-                    cones.push(SupportedConeT::NonnegativeConeT(1));
+                    cones.push((Kind::Positive, 1));
                 }
             }
         }
         let before = b.len();
         b.extend(columns.iter().map(|_| 0.0));
-        cones.push(SupportedConeT::NonnegativeConeT(columns.len()));
-        let (mut starts, mut places, mut values) = (vec![0], Vec::new(), Vec::new());
+        cones.push((Kind::Positive, columns.len()));
+        let mut a = Columns::of_rows(b.len());
         for (k, column) in columns.iter().enumerate() {
             let of_rows = elements.iter().zip(&units).map(|(row, of)| -row[k] / of).enumerate();
-            for (place, value) in
-                of_rows.filter(|(_, value)| *value != 0.0).chain(sites[column.site].iter().copied())
-            {
-                places.push(place);
-                values.push(value);
-            }
-            places.push(before + k);
-            values.push(-1.0);
-            starts.push(places.len());
+            let of_rows =
+                of_rows.filter(|(_, value)| *value != 0.0).chain(sites[column.site].iter().copied());
+            a.push(of_rows.chain([(before + k, -1.0)]));
         }
-        let a = CscMatrix::new(b.len(), columns.len(), starts, places, values);
-        let settings = DefaultSettingsBuilder::default()
-            .verbose(false)
-            .tol_gap_abs(1e-14)
-            .tol_gap_rel(1e-13)
-            .tol_feas(1e-13)
-            .tol_infeas_abs(1e-12)
-            .tol_infeas_rel(1e-12)
-            .build()
-            .ok()?;
-        let (q, p) = (vec![1.0; columns.len()], CscMatrix::zeros((columns.len(), columns.len())));
-        let mut solver = DefaultSolver::new(&p, &q, &a, &b, &cones, settings).ok()?;
-        solver.solve();
-        let solution = &solver.solution;
-        // Whatever the solver says of its own tolerances: what is proved is checked, and so are the pieces.
-        let of_mass = match solution.status {
-            SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => false,
-            SolverStatus::DualInfeasible | SolverStatus::AlmostDualInfeasible | SolverStatus::Unsolved => {
-                return None;
-            }
-            _ => true,
-        };
-        let y: Vec<f64> = solution.z.iter().zip(&units).map(|(z, of)| z / of).collect();
-        if y.iter().chain(&solution.x).any(|x| !x.is_finite()) {
+        let Solved { is_feasible: of_mass, x, z } = least_sum(a, &b, &cones)?;
+        let y: Vec<f64> = z.iter().zip(&units).map(|(z, of)| z / of).collect();
+        if y.iter().chain(&x).any(|x| !x.is_finite()) {
             return None;
         }
         // What it is worth to a site to take more than it may, of its most and its least mass.
-        let full =
-            sites.iter().map(|rows| rows.iter().map(|(row, sign)| sign * solution.z[*row]).sum()).collect();
+        let full = sites.iter().map(|rows| rows.iter().map(|(row, sign)| sign * z[*row]).sum()).collect();
         let of = in_cones(rows, y);
-        let masses = of_mass.then(|| solution.x.iter().map(|x| (x * unit).max(0.0)).collect());
+        let masses = of_mass.then(|| x.iter().map(|x| (x * unit).max(0.0)).collect());
         Some(Master { prices: Prices { of, of_mass }, masses, full })
     }
 }
@@ -181,15 +151,6 @@ struct Master {
     masses: Option<Vec<f64>>,
     /// Of each site.
     full: Vec<f64>,
-}
-
-fn cone(block: &Block) -> SupportedConeT<f64> {
-    let rows = block.rows.len();
-    match block.kind {
-        Kind::Zero => SupportedConeT::ZeroConeT(rows),
-        Kind::Positive => SupportedConeT::NonnegativeConeT(rows),
-        Kind::Cone => SupportedConeT::SecondOrderConeT(rows),
-    }
 }
 
 /// By how much a block is beside what is asked of it without ballast.

@@ -10,7 +10,6 @@ mod undefined;
 pub use answer::{AllMet, Answer, Evidence, LimitAnswers, Margin, Trial};
 pub use axis::PrincipalAxis;
 pub use error::LimitError;
-#[cfg(feature = "ballast")]
 pub(crate) use measure::across_axes;
 pub use measure::{About, Measure};
 pub use share::Share;

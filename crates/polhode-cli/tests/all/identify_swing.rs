@@ -1,7 +1,5 @@
 //! `polhode identify` of swing tests.
 
-use serde_json::Value;
-
 use crate::common::{Scratch, example, json, number, refused, stdout};
 
 /// As fixtures/identify_bifilar.py has it.

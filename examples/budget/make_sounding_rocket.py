@@ -1,7 +1,7 @@
 """Writes sounding-rocket.xlsx: the parts of a small sounding rocket, as a spreadsheet program would keep them.
 
 The sheet of parts has a title in merged cells above its headings, percents, sums with their results, numbers that are shown with
-two decimals, and a column for people; other sheets have what is asked and how parts grow. The numbers are invented. The same
+two decimals, and a column for people; other sheets have what is asked, how parts grow, what burns and what is dropped. The numbers are invented. The same
 bytes are written each time.
 
     python3 make_sounding_rocket.py
@@ -55,8 +55,6 @@ PARTS = [
                            "Maturity": "W", "Drawing": "SR-302"}),
     ("nozzle", "motor", {"Mass [kg]": 2.36, "Mass sd [%]": 0.02, "x [mm]": 0.3, "y [mm]": -0.2, "z [mm]": 1322, "Shape": "cone",
                          "Radius [mm]": 34, "Top radius [mm]": 61, "Height [mm]": 130, "Maturity": "W", "Drawing": "SR-303"}),
-    ("propellant", "motor", {"Configuration": "lift-off", "Mass [kg]": 28.6, "Mass sd [%]": 0.005, "z [mm]": 648, "Shape": "cylinder",
-                             "Radius [mm]": 68, "Length [mm]": 1210, "Maturity": "W", "Drawing": "SR-304"}),
     ("slag", "motor", {"Configuration": "burnout", "Mass [kg]": 0.24, "Mass sd [%]": 0.5, "z [mm]": 1180, "Maturity": "E",
                        "Drawing": "what stays of the propellant"}),
     ("fins", "rocket", {"at z [mm]": 2480}),
@@ -95,6 +93,26 @@ SITE = [
 ]
 BALLAST = [("key", "value"), ("most", "500 g")]
 RESULT = [("key", "value"), ("about", "[0, 0, '1.5 m']"), ("seed", 11)]
+# The grain, in the motor's frame, by what is left of it: it burns from its axis outwards.
+GRAIN_MASS, GRAIN_RADIUS, GRAIN_LENGTH, GRAIN_PLACE = 28.6, 0.068, 1.21, 648
+
+
+def grain(left):
+    mass, inner = GRAIN_MASS * left, GRAIN_RADIUS**2 * (1 - left)
+    along = mass * (GRAIN_RADIUS**2 + inner) / 2
+    across = along / 2 + mass * GRAIN_LENGTH**2 / 12
+    return f'{{ mass = {mass:.8g}, center = [0, 0, "{GRAIN_PLACE} mm"], moments = [{across:.8g}, {across:.8g}, {along:.8g}] }}'
+
+
+TANK = [
+    ("name", "frame", "configuration", "table", "mass"),
+    ("propellant", "motor", "lift-off", f"[{', '.join(grain(k / 8) for k in range(1, 9))}]", "28.6 kg"),
+]
+SEQUENCE = [("key", "value"), ("configuration", "lift-off"), ("until", "20 s"), ("spin", '["0.05 rad/s", 0, "3 rev/s"]')]
+# What does not burn is the slag.
+BURN = [("tank", "until", "mass"), ("propellant", "6.2 s", "28.36 kg")]
+DROP = [("time", "rows"), ("12 s", '["motor", "fins"]')]
+EXIT = [("position", "radius", "axis"), ("[0, 0, '2777 mm']", "61 mm", "[0, 0, 1]")]
 
 OFFICE = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
 PACKAGE = "http://schemas.openxmlformats.org/package/2006"
@@ -204,6 +222,11 @@ def main():
         "limit": sheet(table(strings, LIMIT)),
         "site": sheet(table(strings, SITE)),
         "ballast": sheet(table(strings, BALLAST)),
+        "tank": sheet(table(strings, TANK)),
+        "sequence": sheet(table(strings, SEQUENCE)),
+        "burn": sheet(table(strings, BURN)),
+        "drop": sheet(table(strings, DROP)),
+        "exit": sheet(table(strings, EXIT)),
     }
     kind = "application/vnd.openxmlformats-officedocument.spreadsheetml"
     types = "".join(

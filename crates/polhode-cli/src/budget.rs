@@ -13,6 +13,7 @@ use polhode_report::{
 };
 use serde_json::Value;
 
+use crate::budget_history;
 use crate::failure::Failure;
 use crate::numbers::{point, rotation};
 use crate::partial;
@@ -23,8 +24,11 @@ use crate::stdout::{columns, print, print_exact};
 const PRINTED: [&str; 10] =
     ["json", "markdown", "html", "csv", "body", "diff", "about", "along", "draws", "seed"];
 
+/// The same of a scenario.
+const NO_SCENARIO: [&str; 3] = ["diff", "configuration", "strict"];
+
 /// What is of the list as it is given, along its own axes.
-const TABLES: [&str; 3] = ["csv", "xlsx", "body"];
+const TABLES: [&str; 4] = ["csv", "xlsx", "body", "scenario"];
 
 /// What a parts list comes to: mass, centre of mass and inertia with their uncertainties.
 ///
@@ -41,7 +45,8 @@ Examples:
   polhode budget examples/budget/sounding-rocket.xlsx --about \"0,0,1.2 m\" --json
   polhode budget examples/budget/cubesat.csv --basis basic --csv > parts.csv
   polhode budget parts.csv --diff last-week.csv
-  polhode budget examples/budget/cubesat.csv --configuration deployed --body > whole.toml")]
+  polhode budget examples/budget/cubesat.csv --configuration deployed --body > whole.toml
+  polhode budget examples/budget/sounding-rocket.xlsx --scenario rocket.toml && polhode simulate rocket.toml")]
 pub(crate) struct BudgetCommand {
     /// A parts list, CSV or XLSX; or a plan that names one, TOML.
     #[arg(value_name = "FILE")]
@@ -65,7 +70,7 @@ pub(crate) struct BudgetCommand {
     #[arg(long, value_name = "NAME")]
     configuration: Option<String>,
     /// Say what changed since another parts list: row by row, and in the whole.
-    #[arg(long, value_name = "OTHER", conflicts_with_all = ["csv", "xlsx", "body", "about", "along", "draws", "seed", "strict"])]
+    #[arg(long, value_name = "OTHER", conflicts_with_all = ["csv", "xlsx", "body", "scenario", "about", "along", "draws", "seed", "strict"])]
     diff: Option<PathBuf>,
     /// Print JSON: all numbers, with the covariance.
     #[arg(long, group = "form")]
@@ -80,13 +85,16 @@ pub(crate) struct BudgetCommand {
     #[arg(long, group = "form")]
     csv: bool,
     /// Write the same as a workbook, with sheets of the whole and its covariance.
-    #[arg(long, group = "form", value_name = "OUT")]
+    #[arg(long, groups = ["form", "written"], value_name = "OUT")]
     xlsx: Option<PathBuf>,
     /// Print the whole as a part of a scenario file, for simulate, stability and sweep.
     #[arg(long, group = "form")]
     body: bool,
-    /// Replace the file of --xlsx.
-    #[arg(long, requires = "xlsx", conflicts_with_all = PRINTED)]
+    /// Write what happens over time as a scenario that simulate runs, with the table of the mass properties beside it.
+    #[arg(long, groups = ["form", "written"], value_name = "OUT.toml", conflicts_with_all = NO_SCENARIO)]
+    scenario: Option<PathBuf>,
+    /// Replace the files of --xlsx and --scenario.
+    #[arg(long, requires = "written", conflicts_with_all = PRINTED)]
     force: bool,
     /// Exit with status 1 if a limit is not met, or something is heavier than allowed.
     #[arg(long)]
@@ -103,6 +111,11 @@ enum BasisName {
 
 impl BudgetCommand {
     pub(crate) fn run(self) -> Result<(), Failure> {
+        if let Some(target) = &self.scenario {
+            let file = budget::read(&self.file)?;
+            let basis = self.basis.map_or(file.questions.basis, BasisName::basis);
+            return budget_history::write(&file, &self.file, basis, target, self.force);
+        }
         let report = self.report(&self.file)?;
         if let Some(other) = &self.diff {
             let before = self.report(other)?;
@@ -147,7 +160,7 @@ impl BudgetCommand {
     fn report(&self, path: &Path) -> Result<BudgetReport, Failure> {
         let file = budget::read(path)?;
         let sources = file.sources(&|path| shown(path));
-        let BudgetFile { title, configurations, questions, limits, ballast, .. } = file;
+        let BudgetFile { title, configurations, questions, limits, ballast, prescribed, .. } = file;
         let mut all: Vec<_> = configurations.into_iter().map(|one| (one.name, one.budget)).collect();
         if let Some(wanted) = &self.configuration {
             let names: Vec<String> = all.iter().filter_map(|(name, _)| name.clone()).collect();
@@ -164,8 +177,19 @@ impl BudgetCommand {
         let rows = all.iter().map(|(_, budget)| budget.list().rows.len()).max().unwrap_or(0);
         let options = self.options(&questions, rows, !limits.is_empty());
         let is_given = self.is_given();
+        let basis = options.basis;
         let report = BudgetReport::new(title.as_deref(), sources, all, limits, options);
-        let report = report.map_err(|error| self.refused(&error).about(path))?;
+        let mut report = report.map_err(|error| self.refused(&error).about(path))?;
+        if let Some(prescribed) = prescribed.filter(|_| !is_given) {
+            for name in report.names() {
+                let Some(sequence) = prescribed.sequence(name.as_deref(), basis) else { continue };
+                let over_time = prescribed.over_time.as_ref().filter(|all| all.configuration == name);
+                let until = over_time.map(|all| all.until);
+                report = report
+                    .with_sequence(name.as_deref(), &sequence, until)
+                    .map_err(|error| budget_history::refused(&error, path))?;
+            }
+        }
         match ballast.filter(|_| !is_given) {
             None => Ok(report),
             Some(ballast) => report.with_ballast(ballast).map_err(|error| {

@@ -6,6 +6,7 @@
 mod args;
 mod browser;
 mod budget;
+mod budget_history;
 mod check;
 mod explain;
 mod failure;

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use polhode::body::BodyError;
 use polhode::math::RotationError;
 use polhode::motion::MotionError;
-use polhode_budget::BudgetError;
+use polhode_budget::{BudgetError, SequenceError};
 use polhode_identify::IdentifyError;
 
 use crate::content::{ContentError, ContentPlace};
@@ -134,6 +134,8 @@ pub enum FormatErrorKind {
     Identify(IdentifyError),
     /// Parts that make no possible body.
     Budget(BudgetError),
+    /// Tanks, or what is to happen over time, that cannot be.
+    Sequence(SequenceError),
     /// Bytes that are not an STL file.
     Stl(StlError),
     /// Contents that are not what the format asks for.
@@ -199,6 +201,12 @@ impl FormatError {
         // What stands before it is text, and shows the place.
         let place = Place::in_text(&String::from_utf8_lossy(bytes), valid..valid);
         Self::new(path, Some(place), FormatErrorKind::NotUtf8 { byte })
+    }
+
+    /// Something else that is wrong at the same place.
+    pub(crate) fn replaced(mut self, kind: FormatErrorKind) -> Self {
+        (self.0.kind, self.0.hint) = (kind, None);
+        self
     }
 
     /// The same with a hint that knows more than its kind does.
@@ -313,6 +321,7 @@ impl fmt::Display for FormatErrorKind {
             Self::Rotation(e) => e.fmt(f),
             Self::Identify(e) => e.fmt(f),
             Self::Budget(e) => e.fmt(f),
+            Self::Sequence(e) => e.fmt(f),
             // A line and a column are the error's own; a record has to be said.
             Self::Stl(e) if matches!(e.place(), Some(StlPlace::Text { .. })) => f.write_str(&e.message()),
             Self::Stl(e) => e.fmt(f),
@@ -363,6 +372,7 @@ impl FormatErrorKind {
             Self::Rotation(e) => Some(rotation_hint(e).to_owned()),
             Self::Identify(e) => e.hint().map(str::to_owned),
             Self::Budget(e) => e.hint().map(str::to_owned),
+            Self::Sequence(e) => e.hint().map(str::to_owned),
             Self::Stl(e) => e.hint().map(str::to_owned),
             Self::Content(e) => e.hint.clone(),
         }

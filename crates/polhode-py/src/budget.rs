@@ -77,7 +77,7 @@ pub(crate) fn budget_list(
 
 fn report(file: BudgetFile, asked: &Asked, axes: Option<Rotation<Body, Part>>) -> PyResult<BudgetReport> {
     let sources = file.sources(&|path: &Path| plain::printable(&path.to_string_lossy()));
-    let BudgetFile { title, configurations, questions, limits, ballast, .. } = file;
+    let BudgetFile { title, configurations, questions, limits, ballast, prescribed, .. } = file;
     let mut all: Vec<_> = configurations.into_iter().map(|one| (one.name, one.budget)).collect();
     if let Some(wanted) = &asked.configuration {
         let names = all.iter().filter_map(|(name, _)| name.clone()).collect();
@@ -99,7 +99,17 @@ fn report(file: BudgetFile, asked: &Asked, axes: Option<Rotation<Body, Part>>) -
         let hint = "leave draws out";
         return Err(refused("the list has limits, which are tried by draws, and draws is 0", Some(hint)));
     }
-    let report = BudgetReport::new(title.as_deref(), sources, all, limits, options).map_err(Raise::raise)?;
+    let basis = options.basis;
+    let report = BudgetReport::new(title.as_deref(), sources, all, limits, options);
+    let mut report = report.map_err(Raise::raise)?;
+    for name in report.names() {
+        let Some(prescribed) = &prescribed else { break };
+        let Some(sequence) = prescribed.sequence(name.as_deref(), basis) else { continue };
+        let until =
+            prescribed.over_time.as_ref().filter(|all| all.configuration == name).map(|all| all.until);
+        let changing = report.with_sequence(name.as_deref(), &sequence, until);
+        report = changing.map_err(|error| refused(&error, error.hint()))?;
+    }
     match ballast {
         None => Ok(report),
         Some(ballast) => report.with_ballast(ballast).map_err(|error| refused(&error, None)),

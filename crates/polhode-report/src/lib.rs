@@ -65,7 +65,8 @@ mod torque;
 mod unit;
 
 pub use budget::{
-    BudgetDiff, BudgetOptions, BudgetReport, Cell as BudgetCell, NoConfiguration, Sheet as BudgetSheet,
+    BudgetDiff, BudgetOptions, BudgetReport, Cell as BudgetCell, HistoryOptions, NoConfiguration,
+    Sheet as BudgetSheet, history_files,
 };
 pub use error_estimate::error_estimate;
 pub use explain::document::{Block, Document, Section};

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 mod budget;
+mod budget_history;
 mod check;
 mod check_forms;
 mod check_gate;

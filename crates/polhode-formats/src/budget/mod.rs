@@ -25,6 +25,7 @@ mod number;
 mod part;
 mod place;
 mod plan;
+mod prescribed;
 mod printed;
 mod rows;
 mod shape;
@@ -47,6 +48,7 @@ use crate::scenario::source::Source;
 use crate::scenario::{list_units, tree};
 use heading::Columns;
 use plan::Plan;
+pub use prescribed::{OverTime, Prescribed};
 use rows::Rows;
 use sheet::Sheet;
 
@@ -63,6 +65,8 @@ pub struct BudgetFile {
     pub limits: Vec<Limit>,
     /// Where ballast may be by which they are.
     pub ballast: Option<Ballast>,
+    /// Tanks, and what is to happen over time.
+    pub prescribed: Option<Prescribed>,
     /// What was read, and what was taken as given.
     pub read: Vec<ReadParts>,
 }
@@ -72,7 +76,7 @@ pub struct BudgetFile {
 pub struct NamedBudget {
     /// The configuration.
     pub name: Option<String>,
-    /// Its parts.
+    /// Its parts, and what is in its tanks.
     pub budget: Budget,
 }
 
@@ -218,9 +222,10 @@ fn of_table(
     let mut rows = Rows::new(sheet, columns, &plan);
     let all = rows.all()?;
     let configurations = assemble::budgets(all, &plan, &rows, &mut lines)?;
+    let (configurations, prescribed) = prescribed::with_liquid(configurations, &plan, &mut lines)?;
     lines.extend(taken::of_sheet(sheet, columns, &plan, &rows.reader));
     lines.extend(rows.taken.lines());
     let read = vec![ReadParts { path: sheet.path().to_owned(), lines }];
     let Plan { title, questions, limits, ballast, .. } = plan;
-    Ok(BudgetFile { title, configurations, questions, limits, ballast, read })
+    Ok(BudgetFile { title, configurations, questions, limits, ballast, prescribed, read })
 }

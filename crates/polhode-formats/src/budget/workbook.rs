@@ -81,7 +81,10 @@ fn of_sections(path: &Path, sheets: &[(&str, Sheet<'_>)]) -> Result<Plan, Format
         list_units::check(source, &entries)?;
         plan::plan(&Table::root(source, &entries), &[])
     };
-    read().map_err(|error| sections.moved(error))
+    match read() {
+        Ok(plan) => Ok(plan.moved(|error| sections.moved(error))),
+        Err(error) => Err(sections.moved(error)),
+    }
 }
 
 fn missing(what: String) -> ContentError {

@@ -50,7 +50,12 @@ fn outflow(table: &Table<'_>) -> Result<Outflow, FormatError> {
     if given.key() == "in_place" {
         return Ok(if given.boolean()? { Outflow::InPlace } else { Outflow::None });
     }
-    let tables = given.tables("mass_history.exit")?;
+    Ok(Outflow::Exits(exits(&given, "mass_history.exit")?))
+}
+
+/// Where mass leaves, in tables with such a header.
+pub(crate) fn exits(given: &Value<'_>, header: &str) -> Result<Vec<Exit>, FormatError> {
+    let tables = given.tables(header)?;
     let alone = tables.len() == 1;
     let exit = |table: &Table<'_>| {
         table.allow(&["position", "radius", "axis", "share"])?;
@@ -84,7 +89,7 @@ fn outflow(table: &Table<'_>) -> Result<Outflow, FormatError> {
     if (sum - 1.0).abs() > 1e-9 {
         return Err(given.invalid(format!("exits whose shares are 1 together: they are {sum}")));
     }
-    Ok(Outflow::Exits(exits))
+    Ok(exits)
 }
 
 /// What becomes of a part: its mass, as a fraction, from one time to another, and when it is dropped.

@@ -32,7 +32,7 @@ mod formula;
 mod key;
 mod known_mesh;
 pub(crate) mod list_units;
-mod mass_history;
+pub(crate) mod mass_history;
 mod mass_table;
 mod meant;
 mod molecule;

@@ -1,6 +1,6 @@
 //! A configuration, and what is computed of it.
 
-use polhode::body::{MassProperties, MassPropertiesGradient};
+use polhode::body::MassPropertiesGradient;
 use polhode::math::{Body, Direction};
 use polhode_budget::{
     Basis, Budget, BudgetError, Comparison, Draws, Estimate, Evidence, Growth, Limit, LimitAnswers,
@@ -8,7 +8,9 @@ use polhode_budget::{
 };
 
 use super::BudgetOptions;
+use super::changing::Changing;
 use super::found::Found;
+pub(super) use super::numbers::ten;
 
 /// A configuration, and what is computed of it.
 #[derive(Clone, Debug)]
@@ -27,6 +29,8 @@ pub(super) struct Case {
     pub(super) limits: Option<LimitAnswers>,
     /// If it is asked for.
     pub(super) ballast: Option<Found>,
+    /// If it has tanks, or something happens to it.
+    pub(super) changing: Option<Changing>,
 }
 
 /// A principal axis beside the axis of the frame to which it is nearest.
@@ -105,7 +109,18 @@ impl Case {
             }
             _ => None,
         };
-        Ok(Self { name, budget, statements, estimates, tilts, results, drawn, limits, ballast: None })
+        Ok(Self {
+            name,
+            budget,
+            statements,
+            estimates,
+            tilts,
+            results,
+            drawn,
+            limits,
+            ballast: None,
+            changing: None,
+        })
     }
 
     pub(super) const fn estimate(&self, basis: Basis) -> &Estimate<Body> {
@@ -257,11 +272,4 @@ fn number_gradient(k: usize) -> MassPropertiesGradient<Body> {
     all[k] = 1.0;
     let [by_mass, x, y, z, by_inertia @ ..] = all;
     MassPropertiesGradient { by_mass, by_center_of_mass: Direction::new(x, y, z), by_inertia }
-}
-
-/// The ten numbers.
-pub(super) fn ten(body: &MassProperties<Body>) -> [f64; 10] {
-    let [[xx, xy, xz], [_, yy, yz], [.., zz]] = body.inertia().matrix();
-    let [x, y, z] = body.center_of_mass().to_array();
-    [body.mass(), x, y, z, xx, yy, zz, xy, xz, yz]
 }

@@ -5,6 +5,7 @@ use polhode_budget::{Basis, ComparedNumber, Estimate, MassStatement, NUMBERS};
 use serde_json::{Value, json};
 
 use super::case::{AXES, Case, Drawn, SpreadResult, ten};
+use super::changing::Changing;
 use super::influence::{kind_name, share, source_name};
 use super::whole::{asked, correlation};
 use super::{BudgetReport, ballast, basis_name, limits, parts, principal};
@@ -36,6 +37,7 @@ impl BudgetReport {
             "mass": statement(&case.whole_statement()),
             "limits": limits::to_json(case, &self.limits),
             "ballast": ballast::to_json(case, self.ballast.as_ref()),
+            "changing": case.changing.as_ref().map(Changing::to_json),
             "estimate": estimate_to_json(estimate),
             "basic": estimate_to_json(case.estimate(Basis::Basic)),
             "predicted": estimate_to_json(case.estimate(Basis::Predicted)),

@@ -2,13 +2,16 @@
 
 mod ballast;
 mod case;
+mod changing;
 mod compared;
 mod diff;
 mod found;
+mod history;
 mod influence;
 mod json;
 mod limits;
 mod masses;
+mod numbers;
 mod parts;
 mod principal;
 mod side_by_side;
@@ -19,16 +22,20 @@ use core::fmt;
 
 use polhode::body::{Finding, MassProperties, Severity};
 use polhode::math::{Body, Part, Position, Rotation};
-use polhode_budget::{Ballast, BallastError, Basis, Budget, BudgetError, Limit, LimitError};
+use polhode_budget::{
+    Ballast, BallastError, Basis, Budget, BudgetError, Limit, LimitError, Sequence, SequenceError,
+};
 
 use crate::body_part::BodyPart;
 use crate::explain::document::{Document, Section};
 use crate::layout::printable;
 use crate::number::{GROUP, count, number, with_error};
 use case::Case;
+use changing::Changing;
 use found::Found;
 
 pub use diff::BudgetDiff;
+pub use history::{HistoryOptions, history_files};
 pub use table::{Cell, Sheet};
 
 /// What is asked of a parts list.
@@ -115,6 +122,22 @@ impl BudgetReport {
         Ok(self)
     }
 
+    /// With what a configuration is by how full its tanks are, and, with a time, from 0 until then.
+    ///
+    /// # Errors
+    /// As [`Sequence::rows`].
+    pub fn with_sequence(
+        mut self,
+        configuration: Option<&str>,
+        sequence: &Sequence<'_>,
+        until: Option<f64>,
+    ) -> Result<Self, SequenceError> {
+        for case in self.cases.iter_mut().filter(|case| case.name.as_deref() == configuration) {
+            case.changing = Some(Changing::new(sequence, until)?);
+        }
+        Ok(self)
+    }
+
     /// True if a limit is not met or an allowable mass exceeded.
     pub fn is_beyond(&self) -> bool {
         let is_beyond = |case: &Case| {
@@ -193,6 +216,7 @@ impl BudgetReport {
                 whole::section(case, &self.options),
                 principal::section(case, &self.options),
             ]);
+            of_case.extend(case.changing.iter().flat_map(Changing::sections));
             of_case.extend(influence::section(case));
             of_case.extend(compared::section(case));
             of_case.extend(parts::section(case, basis));
@@ -224,6 +248,7 @@ impl BudgetReport {
                 vec![format!("{} mass {mass} kg", basis_name(basis)), whole::center_in_words(case, basis)];
             parts.extend(limits::answer_in_words(case));
             parts.extend(ballast::in_words(case));
+            parts.extend(case.changing.as_ref().and_then(Changing::in_words));
             return vec![format!("{}: {}", printable(name), parts.join("; "))];
         }
         let mut lines = vec![mass_in_words(case), whole::center_in_words(case, basis)];
@@ -231,6 +256,7 @@ impl BudgetReport {
         lines.extend(masses::margin_in_words(case));
         lines.extend(limits::answer_in_words(case));
         lines.extend(ballast::in_words(case));
+        lines.extend(case.changing.as_ref().and_then(Changing::in_words));
         lines
     }
 

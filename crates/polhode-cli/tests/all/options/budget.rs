@@ -4,6 +4,8 @@ use crate::options::{Choice, Subcommand, every_pair_is_honoured_or_refused};
 
 const BOTH: &[&str] = &["budget", "budget again"];
 const FIRST: &[&str] = &["budget"];
+const OVER_TIME: &[&str] = &["budget over time"];
+const ALL: &[&str] = &["budget", "budget again", "budget over time"];
 const AGAIN: &[&str] = &["budget again"];
 
 const fn choice(
@@ -16,9 +18,13 @@ const fn choice(
 
 static BUDGET: Subcommand = Subcommand {
     name: "budget",
-    inputs: &[("budget", &["cubesat.csv"]), ("budget again", &["cubesat.csv"])],
+    inputs: &[
+        ("budget", &["cubesat.csv"]),
+        ("budget again", &["cubesat.csv"]),
+        ("budget over time", &["sounding-rocket.xlsx"]),
+    ],
     options: &[
-        choice("--basis", &["--basis", "basic"], BOTH),
+        choice("--basis", &["--basis", "basic"], ALL),
         choice("--about", &["--about", "0,0,1 cm"], BOTH),
         choice("--along", &["--along", "1,0.1,0,0"], BOTH),
         choice("--draws", &["--draws", "20"], BOTH),
@@ -31,6 +37,7 @@ static BUDGET: Subcommand = Subcommand {
         choice("--csv", &["--csv"], BOTH),
         choice("--xlsx", &["--xlsx", "out.xlsx"], FIRST),
         Choice { needs: &["+--configuration"], ..choice("--body", &["--body"], BOTH) },
+        choice("--scenario", &["--scenario", "out.toml"], OVER_TIME),
         Choice { needs: &["--xlsx"], ..choice("--force", &["--force"], AGAIN) },
         choice("--strict", &["--strict"], BOTH),
     ],

@@ -135,6 +135,10 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
                 scratch.write("out.xlsx", "an older one");
             }
         }
+        "budget over time" => {
+            let rocket = crate::common::example("budget/sounding-rocket.xlsx");
+            fs::copy(rocket, scratch.0.join("sounding-rocket.xlsx")).unwrap();
+        }
         "robot" => {
             fs::copy(crate::common::example("robots/arm.urdf"), scratch.0.join("arm.urdf")).unwrap();
         }

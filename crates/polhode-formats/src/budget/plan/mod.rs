@@ -5,7 +5,9 @@ mod group;
 mod growth;
 mod limit;
 mod result;
+pub(super) mod sequence;
 mod site;
+pub(super) mod tank;
 
 use polhode_budget::{Ballast, Group, GrowthTable, Limit, ProductSign};
 
@@ -14,6 +16,8 @@ use crate::cad::CadOptions;
 use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
 use crate::unit::Dimension;
+use sequence::PlannedSequence;
+use tank::PlannedTank;
 
 /// What a file says besides its parts.
 #[derive(Debug, Default)]
@@ -39,6 +43,8 @@ pub(super) struct Plan {
     pub(super) questions: Questions,
     pub(super) limits: Vec<Limit>,
     pub(super) ballast: Option<Ballast>,
+    pub(super) tanks: Vec<PlannedTank>,
+    pub(super) sequence: Option<PlannedSequence>,
     /// Whether no other file may be opened: the text comes from where nobody is trusted.
     pub(super) is_alone: bool,
 }
@@ -54,7 +60,7 @@ pub(super) enum About {
 }
 
 /// The keys of a plan.
-pub(super) const KEYS: [&str; 14] = [
+pub(super) const KEYS: [&str; 20] = [
     "title",
     "products",
     "about",
@@ -69,11 +75,17 @@ pub(super) const KEYS: [&str; 14] = [
     "limit",
     "site",
     "ballast",
+    "tank",
+    "sequence",
+    "burn",
+    "drop",
+    "deploy",
+    "exit",
 ];
 
 /// Those whose values are tables, and lists of such: a workbook has a sheet for each.
-pub(super) const TABLES: [&str; 4] = ["growth", "cad", "result", "ballast"];
-pub(super) const LISTS: [&str; 3] = ["group", "limit", "site"];
+pub(super) const TABLES: [&str; 5] = ["growth", "cad", "result", "ballast", "sequence"];
+pub(super) const LISTS: [&str; 8] = ["group", "limit", "site", "tank", "burn", "drop", "deploy", "exit"];
 
 /// Reads all keys of a plan; `others` may stand beside them.
 pub(super) fn plan(root: &Table<'_>, others: &[&'static str]) -> Result<Plan, FormatError> {
@@ -113,6 +125,10 @@ pub(super) fn plan(root: &Table<'_>, others: &[&'static str]) -> Result<Plan, Fo
     if let Some(value) = root.get("limit") {
         plan.limits = limit::limits(&value, plan.products)?;
     }
+    if let Some(value) = root.get("tank") {
+        plan.tanks = tank::tanks(&value, plan.products)?;
+    }
+    plan.sequence = sequence::sequence(root, &plan.tanks)?;
     let asked = root.get("ballast");
     match (root.get("site"), &asked) {
         (Some(sites), _) => plan.ballast = Some(site::ballast(&sites, asked.as_ref())?),
@@ -123,6 +139,23 @@ pub(super) fn plan(root: &Table<'_>, others: &[&'static str]) -> Result<Plan, Fo
         return Err(value.invalid("with [[limit]], which the ballast is to meet"));
     }
     Ok(plan)
+}
+
+impl Plan {
+    /// The same where its text was made of cells: its places become theirs.
+    pub(super) fn moved(mut self, moved: impl Fn(FormatError) -> FormatError) -> Self {
+        for tank in &mut self.tanks {
+            tank.places = tank.places.clone().map(&moved);
+        }
+        if let Some(sequence) = &mut self.sequence {
+            let burns = sequence.burns.iter_mut().map(|(_, place)| place);
+            let changes = sequence.changes.iter_mut().map(|(_, place)| place);
+            for place in burns.chain(changes).chain([&mut sequence.place]) {
+                *place = moved(place.clone());
+            }
+        }
+        self
+    }
 }
 
 /// `products = "tensor elements"`

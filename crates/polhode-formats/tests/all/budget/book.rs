@@ -39,7 +39,7 @@ fn known(text: &str) -> BTreeSet<String> {
 fn lists_of_the_page_are_read() {
     let page = page();
     let lists = blocks(&page, "csv");
-    assert_eq!(lists.len(), 3);
+    assert_eq!(lists.len(), 4);
     for list in &lists {
         let read = from_text(Path::new("list.csv"), list)
             .unwrap_or_else(|error| panic!("{error} {:?}", error.hint()));
@@ -81,6 +81,29 @@ fn the_page_has_every_column_and_key() {
         let said: BTreeSet<&str> = row.split('`').skip(1).step_by(2).collect();
         for key in known(head) {
             assert!(said.contains(key.as_str()), "{table}: {key}");
+        }
+    }
+}
+
+#[test]
+fn the_page_has_every_key_of_tanks_and_sequences() {
+    let page = page();
+    let section = |from: &str, to: &str| {
+        let text = page.split(&format!("\n{from}\n")).nth(1).unwrap();
+        text.split(&format!("\n{to}\n")).next().unwrap().to_owned()
+    };
+    let keys = section("## Keys", "## CSV");
+    let tanks = section("## Tanks", "## What is refused besides");
+    for (text, head) in [
+        (&tanks, "# [[tank]]\n# zzz = 1\nname\na\n"),
+        (&tanks, "# [[tank]]\n# name = \"a\"\n# [[tank.table]]\n# zzz = 1\nname\na\n"),
+        (&keys, "# [sequence]\n# zzz = 1\nname\na\n"),
+        (&tanks, "# [sequence]\n# until = 1\n# [[burn]]\n# zzz = 1\nname\na\n"),
+        (&tanks, "# [sequence]\n# until = 1\n# [[drop]]\n# zzz = 1\nname\na\n"),
+        (&tanks, "# [sequence]\n# until = 1\n# [[deploy]]\n# zzz = 1\nname\na\n"),
+    ] {
+        for key in known(head) {
+            assert!(text.contains(&format!("`{key}`")), "{key} of {head}");
         }
     }
 }

@@ -6,6 +6,7 @@ mod limits;
 mod refusals;
 mod sections;
 mod signs;
+mod tanks;
 mod workbook;
 mod workbook_file;
 

@@ -1,0 +1,61 @@
+//! `polhode budget --scenario`: what happens over time, for simulate.
+
+use std::io::Write as _;
+use std::path::Path;
+
+use polhode_budget::{Basis, SequenceError};
+use polhode_formats::budget::BudgetFile;
+use polhode_report::{HistoryOptions, history_files};
+
+use crate::failure::Failure;
+use crate::partial;
+
+/// Writes a scenario, and beside it the table that it names.
+pub(crate) fn write(
+    file: &BudgetFile,
+    list: &Path,
+    basis: Basis,
+    target: &Path,
+    force: bool,
+) -> Result<(), Failure> {
+    let over_time = file.prescribed.as_ref().and_then(|all| Some((all, all.over_time.as_ref()?)));
+    let Some((prescribed, over_time)) = over_time else {
+        let hint =
+            "add [sequence] with until, and [[burn]], [[drop]] or [[deploy]]; --body has the body as it is";
+        return Err(Failure::usage("nothing happens in it over time", hint).about(list));
+    };
+    if target.extension().is_none_or(|extension| extension != "toml") {
+        let hint = "name a file that ends in .toml: the table beside it ends in .csv";
+        return Err(Failure::usage("a scenario is a TOML file", hint).about(target));
+    }
+    let beside = target.with_extension("csv");
+    let table = beside.file_name().unwrap_or_default().to_string_lossy();
+    let name = over_time.configuration.as_deref();
+    let of_file = prescribed.sequence(name, basis);
+    let sequence = of_file.ok_or_else(|| Failure::usage("the configuration is not there", "").about(list))?;
+    let options = HistoryOptions {
+        title: file.title.as_deref().unwrap_or("a parts list"),
+        until: over_time.until,
+        spin: over_time.spin,
+        outflow: &over_time.outflow,
+        table: &table,
+    };
+    let files = history_files(&sequence, &options).map_err(|error| refused(&error, list))?;
+    if let Some(path) = [target, &beside].into_iter().find(|path| !force && path.exists()) {
+        return Err(partial::exists(path));
+    }
+    let [scenario, rows] = files;
+    partial::write(&beside, force, |out| out.write_all(rows.as_bytes()))?;
+    partial::write(target, force, |out| out.write_all(scenario.as_bytes()))
+}
+
+/// What cannot be, with what its reader may do.
+pub(crate) fn refused(error: &SequenceError, list: &Path) -> Failure {
+    let hint = match error {
+        SequenceError::Motion(_) => {
+            "say where what leaves goes: [[exit]] with position, or in_place = true under [sequence]"
+        }
+        error => error.hint().unwrap_or_default(),
+    };
+    Failure::usage(error.to_string(), hint).about(list)
+}

@@ -1,0 +1,285 @@
+//! Tanks and what is to happen, where their rows and configurations are known.
+
+use polhode::math::{AngularVelocity, Body};
+use polhode::motion::Outflow;
+use polhode_budget::{
+    Basis, Budget, Burn, Change, GivenPart, GivenTensor, PartsList, ProductSign, Row, Sequence,
+    SequenceError, Tank, TensorPoint,
+};
+
+use super::NamedBudget;
+use super::plan::Plan;
+use super::plan::sequence::{PlannedChange, PlannedSequence};
+use super::plan::tank::PlannedTank;
+use crate::error::{FormatError, FormatErrorKind};
+use crate::scenario::suggestion::nearest;
+
+/// Tanks, and what is to happen to the body over time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Prescribed {
+    /// Each configuration without what is in its tanks, and these.
+    stages: Vec<DryBudget>,
+    /// What happens, if anything is said of it.
+    pub over_time: Option<OverTime>,
+}
+
+/// A configuration without the liquid in it.
+#[derive(Clone, Debug, PartialEq)]
+struct DryBudget {
+    name: Option<String>,
+    budget: Budget,
+    /// With what is in them at first, kg.
+    tanks: Vec<(Tank, f64)>,
+}
+
+/// What happens to the body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OverTime {
+    /// The configuration that it begins as.
+    pub configuration: Option<String>,
+    /// To when it is wanted, from 0 on, s.
+    pub until: f64,
+    /// What the body has at first.
+    pub spin: Option<AngularVelocity<Body>>,
+    /// Where mass leaves.
+    pub outflow: Outflow,
+    burns: Vec<Burn>,
+    changes: Vec<PlannedChange>,
+}
+
+impl Prescribed {
+    /// The tanks of a configuration, and, if it is the one that it begins with, what happens.
+    pub fn sequence(&self, configuration: Option<&str>, basis: Basis) -> Option<Sequence<'_>> {
+        let stage = self.stage(configuration)?;
+        let mut sequence = Sequence::of(&stage.budget, basis, stage.tanks.iter().cloned());
+        if let Some(over_time) = self.over_time.as_ref().filter(|all| all.configuration == stage.name) {
+            sequence.burns.clone_from(&over_time.burns);
+            let change = |change: &PlannedChange| match change {
+                PlannedChange::Drop { time, rows } => Some(Change::Drop { time: *time, rows: rows.clone() }),
+                PlannedChange::Deploy { time, configuration } => {
+                    let budget = &self.stage(Some(configuration))?.budget;
+                    Some(Change::Become { time: *time, budget })
+                }
+            };
+            sequence.changes = over_time.changes.iter().map(change).collect::<Option<_>>()?;
+        }
+        Some(sequence)
+    }
+
+    fn stage(&self, name: Option<&str>) -> Option<&DryBudget> {
+        self.stages.iter().find(|stage| stage.name.as_deref() == name)
+    }
+}
+
+/// Adds what is in the tanks to each configuration; lines are added about what was taken as given.
+pub(super) fn with_liquid(
+    configurations: Vec<NamedBudget>,
+    plan: &Plan,
+    lines: &mut Vec<String>,
+) -> Result<(Vec<NamedBudget>, Option<Prescribed>), FormatError> {
+    if plan.tanks.is_empty() && plan.sequence.is_none() {
+        return Ok((configurations, None));
+    }
+    let names: Vec<&str> = configurations.iter().filter_map(|one| one.name.as_deref()).collect();
+    for tank in &plan.tanks {
+        check(tank, &configurations, &names)?;
+    }
+    let mut wet = Vec::new();
+    let mut stages = Vec::new();
+    for NamedBudget { name, budget } in configurations.iter().cloned() {
+        let inside = plan.tanks.iter().filter(|tank| tank.is_in(name.as_deref(), &budget));
+        let inside: Vec<(&PlannedTank, Tank)> = inside.map(|tank| (tank, tank.placed(&budget))).collect();
+        let all = filled(&budget, &inside)?;
+        if !inside.is_empty() {
+            let each = inside.iter().map(|(tank, _)| format!("{} kg in \"{}\"", tank.mass, tank.name));
+            let of = name.as_ref().map_or_else(String::new, |name| format!(" in the configuration {name}"));
+            let each = each.collect::<Vec<_>>().join(", ");
+            lines.push(format!("what is in tanks counts, is known exactly and does not grow{of}: {each}"));
+        }
+        wet.push(NamedBudget { name: name.clone(), budget: all });
+        let tanks = inside.into_iter().map(|(tank, placed)| (placed, tank.mass)).collect();
+        stages.push(DryBudget { name, budget, tanks });
+    }
+    let mut prescribed = Prescribed { stages, over_time: None };
+    if let Some(sequence) = &plan.sequence {
+        prescribed.over_time = Some(over_time(sequence, &names)?);
+        let configuration = prescribed.over_time.as_ref().and_then(|all| all.configuration.clone());
+        if let Some(of_file) = prescribed.sequence(configuration.as_deref(), plan.questions.basis) {
+            // Two places between corners: what is wrong with a tank is so at an end.
+            let tried = of_file.rows([0.0, sequence.until], 2);
+            tried.map_err(|error| blame(error, sequence, &plan.tanks))?;
+        }
+    }
+    Ok((wet, Some(prescribed)))
+}
+
+impl PlannedTank {
+    fn is_in(&self, name: Option<&str>, budget: &Budget) -> bool {
+        let named = self.configurations.is_empty()
+            || name.is_some_and(|name| self.configurations.iter().any(|other| other == name));
+        named && self.frame.as_ref().is_none_or(|frame| has_row(budget, frame))
+    }
+
+    fn placed(&self, budget: &Budget) -> Tank {
+        let root = || budget.list().rows.get(budget.root()).map_or_else(String::new, |row| row.name.clone());
+        let frame = self.frame.clone().unwrap_or_else(root);
+        Tank { name: self.name.clone(), frame, liquid: self.liquid.clone() }
+    }
+
+    fn refused(&self, place: usize, rule: String) -> FormatError {
+        let value = [self.frame.clone().unwrap_or_default(), String::new(), String::new()];
+        let value = value.get(place).cloned().unwrap_or_default();
+        invalid(&self.places[place.min(2)], ["frame", "configuration", "mass"][place.min(2)], &value, rule)
+    }
+}
+
+fn has_row(budget: &Budget, name: &str) -> bool {
+    budget.list().rows.iter().any(|row| row.name == name)
+}
+
+/// At the place of another error.
+fn invalid(place: &FormatError, key: &str, value: &str, rule: String) -> FormatError {
+    let kind = FormatErrorKind::Value { key: key.to_owned(), value: format!("{value:?}"), rule };
+    place.clone().replaced(kind)
+}
+
+fn suggested<'a>(error: FormatError, word: &str, all: impl IntoIterator<Item = &'a str>) -> FormatError {
+    match nearest(word, all) {
+        Some(near) => error.with_hint(format!("did you mean \"{near}\"?")),
+        None => error,
+    }
+}
+
+/// Is the frame of a tank a row, are its configurations some, and is its name that of no row?
+fn check(tank: &PlannedTank, configurations: &[NamedBudget], names: &[&str]) -> Result<(), FormatError> {
+    for name in &tank.configurations {
+        if !names.contains(&name.as_str()) {
+            let error = invalid(&tank.places[1], "configuration", name, "a configuration".to_owned());
+            return Err(suggested(error, name, names.iter().copied()));
+        }
+    }
+    let rows = || configurations.iter().flat_map(|one| one.budget.list().rows.iter());
+    if rows().any(|row| row.name == tank.name) {
+        let error = invalid(&tank.places[0], "the tank", &tank.name, "called as no row is".to_owned());
+        return Err(
+            error.with_hint("what is in a tank becomes a row of its name: call the tank itself otherwise")
+        );
+    }
+    let Some(frame) = &tank.frame else { return Ok(()) };
+    if !rows().any(|row| row.name == *frame) {
+        let error = tank.refused(0, "the name of a row, in whose frame the tank is".to_owned());
+        return Err(suggested(error, frame, rows().map(|row| row.name.as_str())));
+    }
+    let absent = tank.configurations.iter().find(|name| {
+        let one = configurations.iter().find(|one| one.name.as_ref() == Some(name));
+        one.is_some_and(|one| !has_row(&one.budget, frame))
+    });
+    match absent {
+        Some(name) => Err(tank.refused(0, format!("the name of a row in the configuration \"{name}\""))),
+        None => Ok(()),
+    }
+}
+
+/// A list with what is in its tanks: a row each.
+fn filled(dry: &Budget, tanks: &[(&PlannedTank, Tank)]) -> Result<Budget, FormatError> {
+    if tanks.is_empty() {
+        return Ok(dry.clone());
+    }
+    let mut list: PartsList = dry.list().clone();
+    // Those that are stated are of the rows that the file has, and are met.
+    list.rows.iter_mut().for_each(|row| row.subtotal = None);
+    for (tank, placed) in tanks {
+        let in_copies = Sequence::of(dry, Basis::Basic, [(placed.clone(), tank.mass)]).at(0.0).err();
+        let place = match in_copies {
+            Some(SequenceError::Fill { .. }) => 2,
+            _ => 0,
+        };
+        if let Some(error) = in_copies {
+            return Err(tank.places[place].clone().replaced(FormatErrorKind::Sequence(error)));
+        }
+        let Some(liquid) = placed.liquid.at(tank.mass).and_then(|fill| fill.properties) else { continue };
+        let [[xx, xy, xz], [_, yy, yz], [.., zz]] = liquid.inertia().matrix();
+        let tensor = GivenTensor {
+            moments: [xx, yy, zz],
+            products: [xy, xz, yz],
+            sign: ProductSign::NegativeIntegral,
+            about: TensorPoint::CenterOfMass,
+        };
+        let part = GivenPart { mass: liquid.mass(), center_of_mass: liquid.center_of_mass(), tensor };
+        list.rows.push(Row { parent: Some(placed.frame.clone()), ..Row::part(&tank.name, part) });
+    }
+    list.budget().map_err(|error| match tanks.first() {
+        Some((tank, _)) => tank.places[2].clone().replaced(FormatErrorKind::Budget(error)),
+        None => FormatError::new("".as_ref(), None, FormatErrorKind::Budget(error)),
+    })
+}
+
+fn over_time(sequence: &PlannedSequence, names: &[&str]) -> Result<OverTime, FormatError> {
+    let known = |name: &str, place: &FormatError| {
+        if names.contains(&name) {
+            return Ok(());
+        }
+        let rule = if names.is_empty() { "left out: the file has none" } else { "a configuration" };
+        let error = invalid(place, "configuration", name, rule.to_owned());
+        Err(suggested(error, name, names.iter().copied()))
+    };
+    let configuration = match (&sequence.configuration, names) {
+        (Some(name), _) => {
+            known(name, &sequence.place)?;
+            Some(name.clone())
+        }
+        (None, []) => None,
+        (None, [only]) => Some((*only).to_owned()),
+        (None, _) => {
+            let kind = FormatErrorKind::MissingKey {
+                key: "configuration",
+                table: "[sequence]".to_owned(),
+                example: "configuration = \"stowed\"",
+            };
+            return Err(sequence.place.clone().replaced(kind));
+        }
+    };
+    for (change, place) in &sequence.changes {
+        if let PlannedChange::Deploy { configuration, .. } = change {
+            known(configuration, place)?;
+        }
+    }
+    Ok(OverTime {
+        configuration,
+        until: sequence.until,
+        spin: sequence.spin,
+        outflow: sequence.outflow.clone(),
+        burns: sequence.burns.iter().map(|(burn, _)| burn.clone()).collect(),
+        changes: sequence.changes.iter().map(|(change, _)| change.clone()).collect(),
+    })
+}
+
+/// The error at what is to blame.
+fn blame(error: SequenceError, sequence: &PlannedSequence, tanks: &[PlannedTank]) -> FormatError {
+    let of_burn = |tank: &str, until: f64| {
+        let mut burns = sequence.burns.iter().rev();
+        burns.find(|(burn, _)| burn.tank == tank && burn.from <= until).map(|(_, place)| place)
+    };
+    let at_time =
+        |time: f64| sequence.changes.iter().find(|(change, _)| change.time() == time).map(|(_, place)| place);
+    let dropping = |row: &str| {
+        let mut changes = sequence.changes.iter().rev();
+        let drops = |change: &PlannedChange| match change {
+            PlannedChange::Drop { rows, .. } => rows.iter().any(|other| other == row),
+            PlannedChange::Deploy { .. } => false,
+        };
+        changes.find(|(change, _)| drops(change)).map(|(_, place)| place)
+    };
+    let of_tank = |name: &str| tanks.iter().find(|tank| tank.name == name).map(|tank| &tank.places[0]);
+    let place = match &error {
+        SequenceError::Fill { tank, time, .. } => of_burn(tank, *time),
+        SequenceError::MissingRow { row, .. } => dropping(row),
+        SequenceError::Copies { tank, .. } => of_tank(tank),
+        SequenceError::Gone { what, time } => of_burn(what, *time).or_else(|| dropping(what)),
+        SequenceError::Simultaneous { time }
+        | SequenceError::MassChanges { time, .. }
+        | SequenceError::Nothing { time } => at_time(*time),
+        _ => None,
+    };
+    place.unwrap_or(&sequence.place).clone().replaced(FormatErrorKind::Sequence(error))
+}

@@ -1,0 +1,104 @@
+//! A body over time, as a scenario and the table that it names.
+
+use core::fmt::Write as _;
+
+use polhode::math::{AngularVelocity, Body, Direction};
+use polhode::motion::{Exit, Outflow};
+use polhode_budget::{Sequence, SequenceError, SequenceRow};
+
+use crate::body_part::BodyPart;
+
+/// Between corners a history has so many cubics.
+const PIECES: usize = 16;
+/// Samples of a run.
+const SAMPLES: f64 = 600.0;
+
+/// What a scenario of a body over time has besides the body.
+#[derive(Clone, Debug)]
+pub struct HistoryOptions<'a> {
+    /// What it is of.
+    pub title: &'a str,
+    /// To when, from 0 on, s.
+    pub until: f64,
+    /// What the body has at first; it is at rest without.
+    pub spin: Option<AngularVelocity<Body>>,
+    /// Where mass leaves.
+    pub outflow: &'a Outflow,
+    /// The file of the table, as the scenario names it.
+    pub table: &'a str,
+}
+
+/// A scenario that `simulate` runs, and the table that it names, CSV.
+///
+/// # Errors
+/// As [`Sequence::history`].
+pub fn history_files(
+    sequence: &Sequence<'_>,
+    options: &HistoryOptions<'_>,
+) -> Result<[String; 2], SequenceError> {
+    let span = [0.0, options.until];
+    sequence.history(span, PIECES, options.outflow.clone())?;
+    let rows = sequence.rows(span, PIECES)?;
+    let first = rows.first().ok_or(SequenceError::Nothing { time: 0.0 })?;
+    let comment = format!("{}: the whole at t = 0, with what is in its tanks", options.title);
+    let mut toml = BodyPart::of_body(comment, "whole", &first.properties).to_toml();
+    let _ = write!(toml, "\n[mass_history]\ntable = {}\n", quoted(options.table));
+    match options.outflow {
+        Outflow::None => {}
+        Outflow::InPlace => toml += "in_place = true\n",
+        Outflow::Exits(exits) => exits.iter().for_each(|exit| toml += &of_exit(exit)),
+    }
+    if let Some(spin) = options.spin {
+        let [x, y, z] = spin.to_array();
+        let _ = write!(toml, "\n[start]\nspin = {{ body = [{x:?}, {y:?}, {z:?}] }}\n");
+    }
+    let (until, every) = (options.until, options.until / SAMPLES);
+    let _ = write!(toml, "\n[run]\nduration = {until:?}\nevery = {every:?}\n");
+    Ok([toml, table(&rows)])
+}
+
+fn of_exit(exit: &Exit) -> String {
+    let [x, y, z] = exit.position.to_array();
+    let mut text =
+        format!("\n[[mass_history.exit]]\nposition = [{x:?}, {y:?}, {z:?}]\nshare = {:?}\n", exit.share);
+    if exit.radius > 0.0 && exit.axis != Direction::ZERO {
+        let [x, y, z] = exit.axis.to_array();
+        let _ = write!(text, "radius = {:?}\naxis = [{x:?}, {y:?}, {z:?}]\n", exit.radius);
+    }
+    text
+}
+
+fn table(rows: &[SequenceRow]) -> String {
+    const ELEMENTS: [&str; 6] = ["xx", "yy", "zz", "xy", "xz", "yz"];
+    let mut text = "time_s,mass_kg,center_x_m,center_y_m,center_z_m".to_owned();
+    ELEMENTS.iter().for_each(|element| text += &format!(",inertia_{element}_kg_m2"));
+    text += ",mass_rate_kg_s,center_rate_x_m_s,center_rate_y_m_s,center_rate_z_m_s";
+    ELEMENTS.iter().for_each(|element| text += &format!(",inertia_rate_{element}_kg_m2_s"));
+    text.push('\n');
+    for row in rows {
+        let [[xx, xy, xz], [_, yy, yz], [.., zz]] = row.properties.inertia().matrix();
+        let numbers = [row.time, row.properties.mass()]
+            .into_iter()
+            .chain(row.properties.center_of_mass().to_array())
+            .chain([xx, yy, zz, xy, xz, yz, row.rates.mass])
+            .chain(row.rates.center_of_mass.to_array())
+            .chain(row.rates.inertia);
+        let line: Vec<String> = numbers.map(|x| format!("{x:?}")).collect();
+        text += &line.join(",");
+        text.push('\n');
+    }
+    text
+}
+
+/// A string of TOML.
+fn quoted(text: &str) -> String {
+    let mut quoted = "\"".to_owned();
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => quoted.extend(['\\', c]),
+            c if c.is_control() => quoted += &format!("\\u{:04X}", u32::from(c)),
+            c => quoted.push(c),
+        }
+    }
+    quoted + "\""
+}

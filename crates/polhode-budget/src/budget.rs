@@ -245,6 +245,19 @@ impl Budget {
     }
 
     fn check(&self) -> Result<(), BudgetError> {
+        for (k, row) in self.list.rows.iter().enumerate() {
+            let given = row.quantity.count;
+            let is_drawn = row.quantity.errors == CopyErrors::Independent
+                && given > MOST_DRAWN
+                && row.factors().is_ok_and(|factors| !factors.is_empty());
+            if is_drawn {
+                return Err(BudgetError::Copies {
+                    row: row_name(&self.list.rows, k),
+                    given,
+                    most: MOST_DRAWN,
+                });
+            }
+        }
         for (child, parent) in self.tree.parents.iter().enumerate() {
             if let Some(parent) = *parent
                 && self.list.rows[parent].quantity.errors == CopyErrors::Independent
@@ -323,6 +336,9 @@ impl Budget {
         Ok(all)
     }
 }
+
+/// Copies of independent errors that are drawn one by one.
+const MOST_DRAWN: u32 = 10_000;
 
 /// The rounding of a sum and of decimal numbers in it.
 const ROUNDING: f64 = 1e-12;

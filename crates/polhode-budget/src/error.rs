@@ -129,6 +129,15 @@ pub enum BudgetError {
         /// A row in it.
         inside: RowName,
     },
+    /// More copies of independent errors than can be drawn one by one.
+    Copies {
+        /// The row.
+        row: RowName,
+        /// How many.
+        given: u32,
+        /// The most.
+        most: u32,
+    },
     /// A stated subtotal that is not the sum of its rows.
     Subtotal {
         /// The row that states it.
@@ -165,6 +174,7 @@ impl BudgetError {
             | Self::MaturityCode { row, .. }
             | Self::MissingGroup { row, .. }
             | Self::IndependentAssembly { row, .. }
+            | Self::Copies { row, .. }
             | Self::Subtotal { row, .. } => Some(row.row),
             Self::Cycle { rows } => rows.last().map(|row| row.row),
             Self::Empty
@@ -184,7 +194,9 @@ impl BudgetError {
             Self::MissingFrame { .. } => {
                 Some("a frame is a row: add one with this name, without mass if it has none")
             }
-            Self::Part { error, .. } | Self::Sum(error) => error.hint(),
+            Self::Part { error, .. } | Self::Sum(error) => Some(error.hint().unwrap_or(
+                "check the units and the exponents of masses, places and errors: a number has to be possible, and of a size that a double holds",
+            )),
             Self::Covariance { .. } => {
                 Some("a covariance is symmetric, and its correlations are such that they can all hold")
             }
@@ -195,7 +207,18 @@ impl BudgetError {
             Self::Subtotal { .. } => {
                 Some("look for a row that is missing, counted twice, or has another quantity or unit")
             }
-            _ => None,
+            Self::Copies { .. } => Some(
+                "say that the copies are alike, or give their sum as one part with the error of the sum",
+            ),
+            Self::Empty => Some("give a part a mass"),
+            Self::Nameless { .. } => Some("give it a name"),
+            Self::Duplicate { .. } => Some("give one of them another name, or count copies by the quantity"),
+            Self::Cycle { .. } => Some("one of them has to stand in another row, or in none"),
+            Self::Value { .. } | Self::Table { .. } => Some("check its sign, its unit and its exponent"),
+            Self::Deviation { .. } => Some("write how far the number may be off, without a sign"),
+            Self::MissingGroup { .. } => Some("declare the group, or leave it out"),
+            Self::DuplicateGroup { .. } => Some("give one of them another name"),
+            Self::Draws { .. } => Some("ask for more: 10000 say what a standard deviation is to 1 %"),
         }
     }
 }
@@ -245,6 +268,10 @@ impl fmt::Display for BudgetError {
             Self::IndependentAssembly { row, inside } => {
                 write!(f, "copies of {row} are to have independent errors, but {inside} stands in it")
             }
+            Self::Copies { row, given, most } => write!(
+                f,
+                "{given} copies of {row} are to have independent errors, where {most} at most can be drawn"
+            ),
             Self::Subtotal { row, stated, sum, tolerance } => write!(
                 f,
                 "{row} states {stated} kg, but its rows come to {sum} kg, which differs by more than {tolerance} kg"

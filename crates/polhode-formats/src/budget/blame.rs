@@ -45,6 +45,7 @@ impl<'s, 'a> Blame<'_, 's, 'a> {
             BudgetError::MaturityCode { .. } => &[MATURITY],
             BudgetError::MissingGroup { .. } => &[GROUP],
             BudgetError::IndependentAssembly { .. } => &[COPIES, QUANTITY],
+            BudgetError::Copies { .. } => &[QUANTITY],
             BudgetError::Subtotal { .. } => &[SUBTOTAL],
             _ => &[NAME, PATH],
         };

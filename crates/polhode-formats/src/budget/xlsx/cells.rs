@@ -264,7 +264,7 @@ fn head(
 
 /// The format of a number among those of the workbook.
 fn format_of(number: &str, formats: &[Format]) -> Format {
-    number.parse::<usize>().ok().and_then(|number| formats.get(number)).copied().unwrap_or(Format::GENERAL)
+    number.parse::<usize>().ok().and_then(|number| formats.get(number)).cloned().unwrap_or(Format::GENERAL)
 }
 
 /// Row, from 1, and column, from 0, of `F12`.

@@ -1,21 +1,30 @@
 //! How a workbook shows its numbers: as percent, as dates, with so many decimals.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use super::strings::is;
 use crate::content::ContentError;
 use crate::package::xml::{Token, Xml};
 
 /// How the numbers of a cell are shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Format {
     /// As a number, with so many decimals, if that is told.
     Number {
         decimals: Option<u8>,
     },
+    /// With text in front and behind, which is as good as written there: a unit.
+    Quoted {
+        decimals: Option<u8>,
+        text: Arc<[String; 2]>,
+    },
     Percent,
     Date,
 }
+
+/// Where a code has the number.
+const DIGITS: [char; 4] = ['0', '#', '?', 'g'];
 
 impl Format {
     pub(super) const GENERAL: Self = Self::Number { decimals: None };
@@ -23,13 +32,16 @@ impl Format {
     /// By its code: `0.00`, `#,##0.0" kg"`, `yyyy-mm-dd`.
     fn of_code(code: &str) -> Self {
         let mut plain = String::new();
+        let mut text = [String::new(), String::new()];
         let mut characters = code.chars();
         while let Some(c) = characters.next() {
             match c {
                 // Of positive numbers alone.
                 ';' => break,
-                '"' => _ = characters.by_ref().find(|c| *c == '"'),
-                '\\' | '_' | '*' => _ = characters.next(),
+                '"' => text[usize::from(plain.contains(DIGITS))]
+                    .extend(characters.by_ref().take_while(|c| *c != '"')),
+                '\\' => text[usize::from(plain.contains(DIGITS))].extend(characters.next()),
+                '_' | '*' => _ = characters.next(),
                 '[' => {
                     let inside: String = characters.by_ref().take_while(|c| *c != ']').collect();
                     let is_time = !inside.is_empty() && inside.chars().all(|c| "hmsHMS".contains(c));
@@ -38,8 +50,13 @@ impl Format {
                 c => plain.push(c.to_ascii_lowercase()),
             }
         }
+        let text = text.map(|text| text.trim().to_owned());
+        let with = |decimals| match text.iter().all(String::is_empty) {
+            true => Self::Number { decimals },
+            false => Self::Quoted { decimals, text: Arc::new(text.clone()) },
+        };
         if plain.contains("general") {
-            return Self::GENERAL;
+            return with(None);
         }
         if plain.contains('%') {
             return Self::Percent;
@@ -48,11 +65,11 @@ impl Format {
             return Self::Date;
         }
         if plain.contains(['e', '/', '@']) || !plain.contains(['0', '#', '?']) {
-            return Self::GENERAL;
+            return with(None);
         }
         let behind = plain.split_once('.').map_or("", |(_, behind)| behind);
         let decimals = behind.chars().take_while(|c| "0#?".contains(*c)).count();
-        Self::Number { decimals: u8::try_from(decimals).ok() }
+        with(u8::try_from(decimals).ok())
     }
 
     /// One of those that have no code.
@@ -98,7 +115,7 @@ pub(super) fn read(mut xml: Xml<'_, '_>) -> Result<Vec<Format>, ContentError> {
                     if attribute.key.0 == "numFmtId"
                         && let Ok(number) = xml.value(&attribute)?.parse::<u32>()
                     {
-                        format = codes.get(&number).copied().unwrap_or_else(|| Format::built_in(number));
+                        format = codes.get(&number).cloned().unwrap_or_else(|| Format::built_in(number));
                     }
                 }
                 formats.push(format);
@@ -116,13 +133,20 @@ mod tests {
     #[test]
     fn codes_say_how_numbers_are_shown() {
         let decimals = |decimals| Format::Number { decimals: Some(decimals) };
+        let quoted = |decimals, front: &str, behind: &str| Format::Quoted {
+            decimals,
+            text: Arc::new([front.to_owned(), behind.to_owned()]),
+        };
         for (code, expected) in [
             ("General", Format::GENERAL),
             ("0.000", decimals(3)),
-            ("#,##0.0\" kg\"", decimals(1)),
+            ("#,##0.0\" kg\"", quoted(Some(1), "", "kg")),
+            ("0\\ \\g", quoted(Some(0), "", "g")),
+            ("\"about \"0.0", quoted(Some(1), "about", "")),
+            ("General\" mm\"", quoted(None, "", "mm")),
             ("#,##0_);[Red](#,##0.00)", decimals(0)),
             ("0.0%", Format::Percent),
-            ("0\\%", decimals(0)),
+            ("0\\%", quoted(Some(0), "", "%")),
             ("yyyy-mm-dd", Format::Date),
             ("[h]:mm", Format::Date),
             ("[$-409]d\\-mmm\\-yy", Format::Date),

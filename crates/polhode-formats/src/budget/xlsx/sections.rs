@@ -111,7 +111,7 @@ fn key_of(text: &str) -> String {
 fn toml(cell: &Cell<'_>) -> String {
     let text = cell.text.as_ref();
     match cell.content {
-        Content::Number { .. } if text.ends_with('%') => quoted(text),
+        Content::Number { .. } if text.ends_with('%') || text.contains(' ') => quoted(text),
         Content::Number { .. } => text.to_owned(),
         _ if ["true", "false"].contains(&text) => text.to_owned(),
         _ if text.starts_with(['[', '{']) => text.replace(['\n', '\r'], " "),

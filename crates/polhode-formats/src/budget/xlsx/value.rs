@@ -140,6 +140,13 @@ impl Written<'_> {
                 Content::Number { decimals: None }
             }
             (_, Format::Number { decimals }) => Content::Number { decimals },
+            (_, Format::Quoted { decimals, text }) => {
+                let [front, behind] = text.as_ref();
+                let shown = format!("{front} {result} {behind}").trim().to_owned();
+                texts.truncate(start);
+                texts.push_str(&shown);
+                Content::Number { decimals }
+            }
         };
         Ok(Some((RawText::Own(start..texts.len()), content)))
     }

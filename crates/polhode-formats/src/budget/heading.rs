@@ -65,7 +65,7 @@ pub(super) fn is_of_names(heading: &str) -> bool {
 const THIN_DENSITIES: [Dimension; 2] = [Dimension::AREA_DENSITY, Dimension::LINE_DENSITY];
 
 /// A name as columns are told apart: in lower case, with one space between words.
-fn plain(name: &str) -> String {
+pub(super) fn plain(name: &str) -> String {
     let name = name.to_lowercase().replace('_', " ");
     name.split_whitespace().collect::<Vec<_>>().join(" ")
 }

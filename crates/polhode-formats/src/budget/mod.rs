@@ -32,6 +32,7 @@ mod shape;
 mod sheet;
 mod taken;
 mod tensor;
+mod unused;
 mod workbook;
 mod xlsx;
 
@@ -209,6 +210,7 @@ fn head_error(source: Source<'_>, error: &toml::de::Error) -> FormatError {
 fn of_csv(source: Source<'_>, from: usize, plan: Plan) -> Result<BudgetFile, FormatError> {
     let (mut sheet, separator) = csv::sheet(source, from)?;
     let columns = Columns::of(&sheet, &plan.ignore)?;
+    unused::ignored(&sheet, &columns, &plan, &[])?;
     sheet.decimal_comma = decimal::comma(&sheet, &columns, &plan, separator)?;
     of_table(plan, &sheet, &columns, Vec::new())
 }
@@ -222,6 +224,7 @@ fn of_table(
     let mut rows = Rows::new(sheet, columns, &plan);
     let all = rows.all()?;
     let configurations = assemble::budgets(all, &plan, &rows, &mut lines)?;
+    unused::declared(sheet, columns, &plan, &configurations)?;
     let (configurations, prescribed) = prescribed::with_liquid(configurations, &plan, &mut lines)?;
     lines.extend(taken::of_sheet(sheet, columns, &plan, &rows.reader));
     lines.extend(rows.taken.lines());

@@ -6,7 +6,7 @@ use super::heading::Columns;
 use super::plan::{self, Plan};
 use super::sheet::Sheet;
 use super::xlsx::{Sections, Workbook, is_section};
-use super::{BudgetFile, of_table};
+use super::{BudgetFile, of_table, unused};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::FormatError;
 use crate::scenario::reader::Table;
@@ -64,6 +64,7 @@ pub(super) fn read(
         lines.push(format!("sheets that were not read: {}", not_read.join(", ")));
     }
     let columns = Columns::of(&sheet, &plan.ignore)?;
+    unused::ignored(&sheet, &columns, &plan, &not_read)?;
     sheet.decimal_comma = plan.decimal_comma.unwrap_or(false);
     of_table(plan, &sheet, &columns, lines)
 }

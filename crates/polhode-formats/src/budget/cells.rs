@@ -258,7 +258,10 @@ impl<'s, 'a> Reader<'s, 'a> {
         given: Given<'s, 'a>,
     ) -> Result<Option<Amount>, FormatError> {
         let key = super::key::SUBTOTAL;
-        let (k, used) = (self.coverage_factor, self.plus_minus);
+        let column = cells.spread(key).and_then(|cell| self.columns.get(cell.column));
+        let is_deviation = column.is_some_and(|column| column.spread == Some(Spread::Deviation));
+        let k = if is_deviation { 1.0 } else { self.coverage_factor };
+        let used = self.plus_minus;
         let deviation = self.deviation(cells, key, Some(given))?;
         self.plus_minus = used;
         Ok(deviation.map(|deviation| match deviation.amount {

@@ -1,7 +1,7 @@
 //! Numbers with their errors: `1.2 ± 0.1 kg`, `1.2 kg ± 5 %`.
 
-use super::number::{Unit, Wrong};
-use crate::unit::{self, Dimension};
+use super::number::{Unit, Wrong, is_parted};
+use crate::unit::{self, Dimension, UnitError};
 
 /// A number, and how well it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,6 +82,9 @@ pub(super) fn percent(text: &str) -> Option<Result<f64, Wrong>> {
 
 /// So many hundredths.
 pub(super) fn hundredths(number: &str) -> Result<f64, Wrong> {
+    if is_parted(number) {
+        return Err(UnitError::NotANumber { text: number.to_owned() }.into());
+    }
     unit::parse(&hundredth(number), Dimension::NONE).map_err(Wrong::from)
 }
 

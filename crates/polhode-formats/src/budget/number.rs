@@ -43,6 +43,9 @@ impl Unit {
         if let Some(value) = self.plain(text) {
             return Ok(Read { value, has_unit: false });
         }
+        if is_parted(text) {
+            return Err(UnitError::NotANumber { text: text.to_owned() });
+        }
         if !self.name.is_empty() && unit::number_of(text).is_some() && unit::unit_of(text).is_empty() {
             let value = unit::parse(&format!("{text} {}", self.name), self.dimension)?;
             return Ok(Read { value, has_unit: false });
@@ -80,6 +83,15 @@ impl Unit {
         };
         Some(sign * magnitude)
     }
+}
+
+/// Whether a space parts two digits: 1 250 may be one number or two.
+pub(super) fn is_parted(text: &str) -> bool {
+    let starts_with_digit = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
+    text.char_indices().any(|(k, c)| {
+        let rest = text[k + c.len_utf8()..].trim_start();
+        c.is_ascii_digit() && rest.len() < text.len() - k - c.len_utf8() && starts_with_digit(rest)
+    })
 }
 
 /// Powers of ten that are doubles.

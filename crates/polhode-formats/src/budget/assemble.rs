@@ -2,11 +2,11 @@
 
 use std::collections::{HashMap, HashSet};
 
-use polhode_budget::{Budget, PartsList, Row};
+use polhode_budget::{Budget, BudgetError, PartsList, Row, TensorPoint};
 
 use super::NamedBudget;
 use super::blame::Blame;
-use super::key::MASS;
+use super::key::{AT_X, AT_Y, AT_Z, IXX, IYY, IZZ, MASS, X, Y, Z};
 use super::plan::Plan;
 use super::rows::{ReadRow, Rows};
 use super::sheet::Cell;
@@ -42,17 +42,54 @@ pub(super) fn budgets(
     if names.is_empty() {
         let (rows, origins): (Vec<_>, Vec<_>) = rows.into_iter().map(|row| (row.row, row.origin)).unzip();
         let budget = one(rows, &origins, plan, reader, None, lines)?;
+        let used = used(&budget, &origins, plan);
+        without_effect(&origins, &used, reader)?;
         return Ok(vec![NamedBudget { name: None, budget }]);
     }
     let mut budgets = Vec::new();
+    let mut all_used = HashSet::new();
     for name in names {
         let inside =
             rows.iter().filter(|row| row.configurations.is_empty() || row.configurations.contains(&name));
         let (rows, origins): (Vec<_>, Vec<_>) = inside.map(|row| (row.row.clone(), row.origin)).unzip();
         let budget = one(rows, &origins, plan, reader, Some(&name), lines)?;
+        all_used.extend(used(&budget, &origins, plan));
         budgets.push(NamedBudget { name: Some(name), budget });
     }
+    let origins: Vec<usize> = rows.iter().map(|row| row.origin).collect();
+    without_effect(&origins, &all_used, reader)?;
     Ok(budgets)
+}
+
+/// Rows with a part, and frames in which something stands or of which the origin counts; by their places in the table.
+fn used(budget: &Budget, origins: &[usize], plan: &Plan) -> HashSet<usize> {
+    let rows = &budget.list().rows;
+    let mut frames: HashSet<&str> = plan.tanks.iter().filter_map(|tank| tank.frame.as_deref()).collect();
+    frames.extend(rows.iter().filter_map(|row| match &row.part.as_ref()?.tensor.about {
+        TensorPoint::OriginOf(frame) => Some(frame.as_str()),
+        _ => None,
+    }));
+    let parents: HashSet<usize> = budget.parents().iter().copied().flatten().collect();
+    let is_used = |k: usize, row: &Row| {
+        row.part.is_some() || parents.contains(&k) || frames.contains(row.name.as_str())
+    };
+    let all = rows.iter().zip(origins).enumerate();
+    all.filter(|(k, (row, _))| is_used(*k, row)).map(|(_, (_, origin))| *origin).collect()
+}
+
+/// Refuses a row without mass in which nothing stands.
+fn without_effect(
+    origins: &[usize],
+    used: &HashSet<usize>,
+    reader: &Rows<'_, '_>,
+) -> Result<(), FormatError> {
+    let reader = &reader.reader;
+    let Some(origin) = origins.iter().find(|origin| !used.contains(origin)) else { return Ok(()) };
+    let Some(cell) = reader.sheet.rows.get(*origin).and_then(|row| reader.sheet.row(row).first()) else {
+        return Ok(());
+    };
+    let error = reader.invalid(cell, "a row with mass, or one in which others stand");
+    Err(error.with_hint("a frame in which nothing stands has no effect: give it a mass, or leave it out"))
 }
 
 fn one(
@@ -77,7 +114,31 @@ fn one(
     let list = PartsList { rows, groups: plan.groups.clone(), growth: plan.growth.clone() };
     let budget = list.budget().map_err(|error| blame.of(error))?;
     double_counting(&budget, &blame)?;
+    budget.mass_properties(plan.questions.basis).map_err(|error| too_large(error, &budget, &blame))?;
     Ok(budget)
+}
+
+/// The error of a sum that overflows, at the largest number that the list has.
+fn too_large(error: BudgetError, budget: &Budget, blame: &Blame<'_, '_, '_>) -> FormatError {
+    let numbers = |row: &Row| {
+        let part = row.part.as_ref();
+        let mass = part.map_or(0.0, |part| part.mass);
+        let [x, y, z] = part.map_or([0.0; 3], |part| part.center_of_mass.to_array());
+        let [xx, yy, zz] = part.map_or([0.0; 3], |part| part.tensor.moments);
+        let [at_x, at_y, at_z] = row.place.position.to_array();
+        [mass, x, y, z, xx, yy, zz, at_x, at_y, at_z].map(f64::abs)
+    };
+    let keys = [MASS, X, Y, Z, IXX, IYY, IZZ, AT_X, AT_Y, AT_Z];
+    let rows = budget.list().rows.iter().enumerate();
+    let all = rows
+        .flat_map(|(k, row)| numbers(row).into_iter().zip(keys).map(move |(number, key)| (number, k, key)));
+    let cell = all.max_by(|a, b| a.0.total_cmp(&b.0)).and_then(|(_, k, key)| blame.cell(k, &[key]));
+    match (cell, error.hint()) {
+        (Some(cell), Some(hint)) => {
+            blame.reader.reader.sheet.error(cell, FormatErrorKind::Budget(error)).with_hint(hint)
+        }
+        _ => blame.of(error),
+    }
 }
 
 /// What the frame of all is called: as the list is, if no row is.
@@ -95,7 +156,7 @@ const MOST_SUGGESTED: usize = 1000;
 /// Refuses the mass of a row that is the sum of the rows in it: a spreadsheet's total, which would count twice.
 fn double_counting(budget: &Budget, blame: &Blame<'_, '_, '_>) -> Result<(), FormatError> {
     let rows = &budget.list().rows;
-    // Of rows with a mass of their own in which two others or more stand: the masses of these, and how many.
+    // Of rows with a mass of their own in which others stand: the masses of these, and how many.
     let mut direct: HashMap<usize, (f64, usize)> = HashMap::new();
     for (row, parent) in rows.iter().zip(budget.parents()) {
         if let Some(parent) = parent
@@ -106,19 +167,20 @@ fn double_counting(budget: &Budget, blame: &Blame<'_, '_, '_>) -> Result<(), For
             *sum += row.part.as_ref().map_or(0.0, |part| part.mass * f64::from(row.quantity.count));
         }
     }
-    let mut found: Vec<(usize, f64)> =
-        direct.into_iter().filter(|(_, (_, count))| *count > 1).map(|(row, (sum, _))| (row, sum)).collect();
+    let mut found: Vec<(usize, (f64, usize))> = direct.into_iter().collect();
     if found.is_empty() {
         return Ok(());
     }
     found.sort_by_key(|(row, _)| *row);
     let statements = budget.mass_statements().map_err(|error| blame.of(error))?;
-    for (k, direct) in found {
+    for (k, (direct, count)) in found {
         let (Some(row), Some(statement)) = (rows.get(k), statements.get(k)) else { continue };
         let Some(own) = row.part.as_ref().map(|part| part.mass) else { continue };
         let Some(cell) = blame.cell(k, &[MASS]) else { continue };
         let inside = statement.basic / f64::from(row.quantity.count) - own;
-        let tolerance = blame.reader.reader.half_digit(cell)? + 1e-9 * own;
+        // A sum may be rounded; the mass of one row is copied as it is.
+        let rounding = if count > 1 { blame.reader.reader.half_digit(cell)? } else { 0.0 };
+        let tolerance = rounding + 1e-9 * own;
         if (own - direct).abs() <= tolerance || (own - inside).abs() <= tolerance {
             return Err(total(blame, cell));
         }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use polhode::body::MassProperties;
 use polhode::math::Part;
-use polhode_budget::{CopyErrors, Growth, Quantity, Row, Subtotal, Uncertainty};
+use polhode_budget::{CopyErrors, Growth, Quantity, Row, Spread, Subtotal, Uncertainty};
 
 use super::cells::{Cells, Reader};
 use super::heading::Columns;
@@ -62,10 +62,27 @@ impl<'s, 'a> Rows<'s, 'a> {
     fn row(&mut self, cells: &Cells<'s, 'a>) -> Result<(Row, Vec<String>), FormatError> {
         let name = self.name(cells)?;
         let parent = self.reader.label(cells, PARENT)?;
+        if let (Some(parent), Some(cell), Some((path, _))) =
+            (&parent, cells.cell(PARENT), name.rsplit_once('/'))
+            && parent != path
+        {
+            let error = self.reader.invalid(cell, format!("\"{path}\", as the path says, or left out"));
+            return Err(
+                error.with_hint("a name with / is a path: in front of it is the row that this one stands in")
+            );
+        }
         let (place, position, rotation) = self.reader.place(cells)?;
         let quantity = self.quantity(cells)?;
         let (part, uncertainty) =
             self.part(cells)?.map_or((None, None), |(part, own)| (Some(part), Some(own)));
+        if part.is_none() {
+            let errs = position != Spread::Exact || rotation != Spread::Exact;
+            let keys = if errs { &[GROWTH, MATURITY][..] } else { &[GROWTH, MATURITY, GROUP] };
+            if let Some(cell) = cells.any(keys.iter().copied()) {
+                let error = self.reader.invalid(cell, "left out of a row without mass");
+                return Err(error.with_hint("a frame has no mass of its own: give it to the rows in it"));
+            }
+        }
         let subtotal = self.subtotal(cells)?;
         let allowable = self.reader.number(cells, ALLOWABLE)?;
         if let Some(given) = allowable.filter(|given| !(given.value > 0.0)) {
@@ -96,8 +113,15 @@ impl<'s, 'a> Rows<'s, 'a> {
             let is_total = cells.cell(MASS).is_some() || cells.cell(SUBTOTAL).is_some();
             return Err(if is_total { error.with_hint(TOTAL) } else { error });
         };
+        if self.reader.sheet.is_remark(cells.first) {
+            let error = self.reader.invalid(cells.first, "without # in front, below the headings");
+            return Err(error.with_hint(
+                "remarks, ##, stand above the headings: delete the line; or put a name that begins with # in quotes",
+            ));
+        }
         let name = self.reader.label_of(cell)?;
-        let plain = name.trim_end_matches(':').trim().to_lowercase();
+        // Total (all): what is in brackets is a remark.
+        let plain = name.split(['(', '[', ':']).next().unwrap_or_default().trim().to_lowercase();
         if TOTALS.contains(&plain.as_str()) && cells.cell(MASS).is_some() {
             return Err(self
                 .reader
@@ -135,6 +159,14 @@ impl<'s, 'a> Rows<'s, 'a> {
     fn growth(&mut self, cells: &Cells<'s, 'a>) -> Result<Growth, FormatError> {
         let code = self.reader.label(cells, MATURITY)?;
         let fraction = self.reader.number(cells, GROWTH)?;
+        if let (Some(code), Some(_), Some(cell)) = (&code, fraction, cells.cell(MATURITY))
+            && self.plan.growth.get(code).is_none()
+        {
+            let error = self.reader.invalid(cell, "a code of the table of growth allowances, or left out");
+            return Err(
+                error.with_hint("add the code to growth, or leave it out where the row has its growth")
+            );
+        }
         if let Some(given) = fraction.filter(|given| !(given.value >= 0.0)) {
             return Err(self.reader.invalid(given.cell, "zero or positive"));
         }

@@ -94,6 +94,16 @@ impl<'a> Sheet<'a> {
         self.error(cell, FormatErrorKind::Value { key, value, rule: rule.into() })
     }
 
+    /// Whether a line of a text begins with #, and not in quotes.
+    pub(super) fn is_remark(&self, first: &Cell<'_>) -> bool {
+        match &self.origin {
+            Origin::Text(source) => {
+                first.column == 0 && source.text.as_bytes().get(first.span.start) == Some(&b'#')
+            }
+            Origin::Workbook { .. } => false,
+        }
+    }
+
     /// An error at a row as a whole, or about the whole table.
     pub(super) fn row_error(&self, row: Option<usize>, kind: FormatErrorKind) -> FormatError {
         let first = row.and_then(|row| self.rows.get(row)).and_then(|row| self.row(row).first());

@@ -50,7 +50,7 @@ fn lists_of_the_page_are_read() {
     let folder = Folder::new("book");
     folder.write(
         "probe.csv",
-        "name;mass [g];configuration;maturity;group;Drawing no.\na;12,5;stowed;B 1;wheels;7\nb;1,5;;E;;8\n",
+        "name;mass [g];configuration;maturity;group;Drawing no.;cad\na;12,5;stowed;B 1;wheels;7;\nb;1,5;;E;;8;\n",
     );
     let file = folder.read("plan.toml", &plans[0]).unwrap();
     let names: Vec<_> = file.configurations.iter().map(|one| one.name.as_deref().unwrap()).collect();

@@ -1,5 +1,7 @@
 //! Every refusal, with its place and what it says.
 
+use polhode_budget::Basis;
+
 use super::Folder;
 
 /// A list, and how the message begins; after the bar, how its hint does.
@@ -88,7 +90,41 @@ const LISTS: &[(&str, &str)] = &[
         "name,parent,mass\na,,7\nb,a,1.00\nc,b,0.25\nd,b,0.7500\n",
         "list.csv:3:5: mass = 1.00 must be the mass of the part itself, but it is the sum of the rows",
     ),
-    ("name,parent,mass\na,,3.50\nb,a,\nc,b,1\nd,b,2.5\n", ""),
+    (
+        "name,parent,mass\na,,3.50\nb,a,\nc,b,1\nd,b,2.5\n",
+        "list.csv:2:4: mass = 3.50 must be the mass of the part itself, but it is the sum of the rows",
+    ),
+    (
+        "name,parent,mass\nf,,3.2\na,f,3.20\n",
+        "list.csv:2:4: mass = 3.2 must be the mass of the part itself, but it is the sum of the rows that stand in it: these would count twice | write a sum into the column subtotal",
+    ),
+    ("name,parent,mass\nf,,3\na,f,3.2\n", ""),
+    (
+        "name,mass\na,1\nTotal (all),3\n",
+        "list.csv:3:1: name = Total (all) must be the name of a part, and no sum of others",
+    ),
+    (
+        "name,mass\n# a,1\nb,2\n",
+        "list.csv:2:1: name = # a must be without # in front, below the headings | remarks, ##, stand above",
+    ),
+    ("name,mass\n#a,1\nb,2\n", "list.csv:2:1: name = #a must be without # in front"),
+    ("name,mass\n\"#8 screw\",1\nb,2\n", ""),
+    (
+        "path,parent,mass\na,,1\nc,a,2\na/b,c,5\n",
+        "list.csv:4:5: parent = c must be \"a\", as the path says, or left out | a name with / is a path",
+    ),
+    ("path,parent,mass\na,,1\na/b,a,5\n", ""),
+    (
+        "name,mass,quantity\na,1,\nb,,5\nc,2,\n",
+        "list.csv:3:1: name = b must be a row with mass, or one in which others stand | a frame in which nothing stands",
+    ),
+    ("name,mass\na,1\n---,\n", "list.csv:3:1: name = --- must be a row with mass"),
+    ("name,mass,configuration\na,1,\nb,,late\nc,2,early\n", "list.csv:3:1: name = b must be a row with mass"),
+    ("name,parent,mass,configuration\na,,1,\nb,a,,\nc,b,2,early\nd,a,3,late\n", ""),
+    ("name,parent,mass,Ixx,Iyy,Izz,about\na,,1,2,2,2,datum\ndatum,a,,,,,\n", ""),
+    ("name,mass\na,1 250\n", "list.csv:2:3: \"1 250\" is not a number"),
+    ("name,mass\na,1\u{a0}250.5 kg\n", "list.csv:2:3: "),
+    ("name,mass,growth [%]\na,1,1 5\n", "list.csv:2:5: \"1 5\" is not a number"),
     ("name,mass\nframe,\n", "list.csv: no row has a mass"),
     (
         "name,mass\nb\u{200b}olt,1\n",
@@ -186,6 +222,43 @@ const LISTS: &[(&str, &str)] = &[
         "list.csv:2:5: unknown key \"axes\" in rotate | did you mean axis?",
     ),
     // Growth, groups, configurations
+    (
+        "# growth = { E = 0.5 }\nname,parent,mass,maturity\nf,,,E\na,f,1,\n",
+        "list.csv:3:5: maturity = E must be left out of a row without mass | a frame has no mass of its own: give it to the rows in it",
+    ),
+    ("name,parent,mass,growth\nf,,,0.2\na,f,1,\n", "list.csv:2:5: growth = 0.2 must be left out of a row"),
+    (
+        "# [[group]]\n# name = \"g\"\n# mass = 1\nname,parent,mass,group\nf,,,g\na,f,1 ± 0.1,g\n",
+        "list.csv:5:5: group = g must be left out of a row without mass",
+    ),
+    (
+        "# [[group]]\n# name = \"g\"\n# position = 1\nname,parent,mass,at x,group\nf,,,1 ± 0.2,g\na,f,1 ± 0.1,0,g\n",
+        "",
+    ),
+    (
+        "# growth = { E = 0.1 }\nname,mass,maturity,growth\na,1,Q,0.2\nb,1,E,\n",
+        "list.csv:3:5: maturity = Q must be a code of the table of growth allowances, or left out | add the code",
+    ),
+    (
+        "# [[group]]\n# name = \"wheels\"\n# mass = 1\nname,mass\na,1\n",
+        "list.csv: group = \"wheels\" must be the group of a row | it has no effect",
+    ),
+    (
+        "# ignore = [\"colour\"]\nname,mass,note\na,1,\n",
+        "list.csv: ignore = \"colour\" must be the heading of a column, or the name of a sheet | it has no effect",
+    ),
+    (
+        "# [cad]\n# products = \"tensor elements\"\nname,mass\na,1\n",
+        "list.csv: cad = \"[cad]\" must be given with a column cad or file | it has no effect",
+    ),
+    (
+        "name,mass,quantity,copies\na,1 ± 0.1,10001,independent\n",
+        "list.csv:2:11: 10001 copies of \"a\" are to have independent errors, where 10000 at most can be drawn | say that",
+    ),
+    ("name,mass,quantity,copies\na,1,10001,independent\n", ""),
+    ("name,mass,quantity,copies\na,1 ± 0.1,10000,independent\n", ""),
+    ("name,mass\na,1e308\nb,1.5e308\n", "list.csv:3:3: the sum of all parts is no body: "),
+    ("name,mass,x,y,z\na,1,1e200,0,0\nb,1,0,-2e200,0\n", "list.csv:3:7: the sum of all parts is no body: "),
     ("name,mass,growth\na,1,-0.1\n", "list.csv:2:5: growth = -0.1 must be zero or positive"),
     (
         "# growth = { C = 0.1 }\nname,mass,maturity,growth\na,1,C,0.2\n",
@@ -306,6 +379,19 @@ fn each_mistake_is_named_where_it_is() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn no_hint_is_empty() {
+    for (list, _) in LISTS {
+        if let Err(error) = super::csv(list) {
+            assert_ne!(error.hint().as_deref(), Some(""), "{list}");
+        }
+    }
+    let draws = super::budget("name,mass\na,1 ± 0.1\n").draws(Basis::Basic, 1, 5).unwrap_err();
+    assert!(draws.hint().is_some_and(|hint| !hint.is_empty()));
+    let wide = super::budget("# coverage_factor = 1e-300\nname,mass\na,1 ± 0.1\n");
+    assert!(wide.draws(Basis::Basic, 1, 10).unwrap_err().hint().is_some_and(|hint| !hint.is_empty()));
 }
 
 #[test]

@@ -96,6 +96,17 @@ fn subtotals_hold_to_half_of_their_last_digit() {
 }
 
 #[test]
+fn tolerances_of_subtotals_know_no_coverage_factor() {
+    let list = |subtotal: &str| {
+        csv(&format!(
+            "# coverage_factor = 2\nname,mass [kg],subtotal [kg],subtotal sd [kg]\na,1.26,{subtotal}\n"
+        ))
+    };
+    assert!(list("1.4,0.15").is_ok());
+    assert!(list("1.4,0.08").unwrap_err().to_string().contains("differs by more than 0.08 kg"));
+}
+
+#[test]
 fn a_plan_names_the_file_of_its_parts() {
     let folder = Folder::new("plan");
     folder.write("parts.csv", "name,mass [g],maturity,supplier code\na,12 ± 0.2,E,x1\nb,7,E,x2\n");

@@ -20,6 +20,7 @@ const PARTS: &[&[&str]] = &[
         "subtotal [g]",
         "maturity",
         "note",
+        "group",
     ],
     &["sat", "", "", "", "", "", "", "", "two:17.36", "", "TRUE"],
     &[
@@ -34,8 +35,9 @@ const PARTS: &[&[&str]] = &[
         "",
         "",
         "date:45000",
+        "wheels",
     ],
-    &["inline:bolt", "sat", "result:5.02", "0", "0.25", "5.02 cm", "3", "", "", "E"],
+    &["inline:bolt", "sat", "result:5.02", "0", "0.25", "5.02 cm", "3", "", "", "E", "", "rods"],
 ];
 
 #[test]
@@ -97,6 +99,29 @@ fn what_is_hidden_is_read_and_said() {
         assert!(lines.contains(said), "{said}: {lines}");
     }
     assert_eq!(file.configurations[0].budget.list().rows.len(), 3);
+}
+
+#[test]
+fn a_unit_in_a_number_format_is_as_good_as_written() {
+    let folder = Folder::new("shown");
+    let limit: &[&[&str]] = &[&["of", "most"], &["mass", "two:3"]];
+    let mass = |heading: &str, value: &str| {
+        let book = Book::new().sheet("parts", &[&["name", heading], &["a", value]]).sheet("limit", limit);
+        let file = folder.read("shown.xlsx", book.bytes())?;
+        let budget = &file.configurations[0].budget;
+        Ok::<_, String>((budget.list().rows[0].part.as_ref().unwrap().mass, file.limits[0].clone()))
+    };
+    for heading in ["mass [kg]", "mass [g]", "mass"] {
+        let (mass, limit) = mass(heading, "two:12").unwrap();
+        assert_eq!(mass, 0.012, "{heading}");
+        assert_eq!(
+            limit,
+            csv("# [[limit]]\n# of = \"mass\"\n# most = \"3 g\"\nname,mass\na,1\n").unwrap().limits[0]
+        );
+    }
+    let rows: &[&[&str]] = &[&["name", "mass [kg]", "x [mm]"], &["a", "1", "two:12"]];
+    let error = folder.read("shown.xlsx", Book::new().sheet("parts", rows).bytes()).unwrap_err();
+    assert!(error.contains("shown.xlsx: parts!C2: \"g\" is a mass where a length belongs"), "{error}");
 }
 
 #[test]
@@ -294,5 +319,5 @@ fn a_cell_is_read_alike_however_it_is_written() {
         assert_eq!(plain, other, "{cell}");
         refused += usize::from(plain.is_err());
     }
-    assert_eq!(refused, 12);
+    assert_eq!(refused, 14);
 }

@@ -20,6 +20,8 @@ pub(super) enum Format {
         text: Arc<[String; 2]>,
     },
     Percent,
+    /// In thousands, or millions: a comma stands behind its digits.
+    Thousands,
     Date,
 }
 
@@ -66,6 +68,10 @@ impl Format {
         }
         if plain.contains(['e', '/', '@']) || !plain.contains(['0', '#', '?']) {
             return with(None);
+        }
+        let whole = plain.split('.').next().unwrap_or_default();
+        if plain.trim_end().ends_with(',') || whole.trim_end().ends_with(',') {
+            return Self::Thousands;
         }
         let behind = plain.split_once('.').map_or("", |(_, behind)| behind);
         let decimals = behind.chars().take_while(|c| "0#?".contains(*c)).count();
@@ -146,6 +152,9 @@ mod tests {
             ("General\" mm\"", quoted(None, "", "mm")),
             ("#,##0_);[Red](#,##0.00)", decimals(0)),
             ("0.0%", Format::Percent),
+            ("#,##0,\" t\"", Format::Thousands),
+            ("0.0,,", Format::Thousands),
+            ("0,.0", Format::Thousands),
             ("0\\%", quoted(Some(0), "", "%")),
             ("yyyy-mm-dd", Format::Date),
             ("[h]:mm", Format::Date),

@@ -11,6 +11,7 @@ use crate::package::xml::{Token, Xml};
 const NO_RESULT: &str =
     "a value: it is a formula without its result; open the workbook in a spreadsheet program and save it";
 const AN_ERROR: &str = "a value, where the spreadsheet has an error";
+const IN_THOUSANDS: &str = "a number that is shown as it is: its format shows it in thousands";
 const A_DATE: &str = "a number or a text: it is shown as a date";
 
 #[derive(Debug)]
@@ -132,6 +133,7 @@ impl Written<'_> {
                 Content::Text
             }
             (Kind::Error, _) => Content::Broken(AN_ERROR),
+            (_, Format::Thousands) => Content::Broken(IN_THOUSANDS),
             (Kind::Date, _) | (_, Format::Date) => Content::Broken(A_DATE),
             (_, Format::Percent) => {
                 let percent = format!("{} %", hundredfold(result));

@@ -41,8 +41,10 @@ pub(super) fn difference_in_words(case: &Case) -> Option<String> {
     let comparison = &case.drawn.as_ref()?.comparison;
     let names: Vec<&str> = comparison.numbers.iter().filter(|n| n.differs()).map(|n| n.name).collect();
     (!names.is_empty()).then(|| {
+        // The mass is a sum: its mean and standard deviation are exact to first order, even where draws miss its long tail.
+        let of_mass = if names.contains(&"mass") { "; of the mass first order is exact" } else { "" };
         format!(
-            "draws differ from first order by more than chance in {}: where they do, the draws are right",
+            "draws differ from first order by more than chance in {}: there numbers are not linear in the errors, or draws are too few for the tail of a distribution{of_mass}",
             names.join(", ")
         )
     })

@@ -448,3 +448,87 @@ fn tanks_and_what_happens_are_those_of_the_sequence() {
     assert!(text.lines().all(|line| line.chars().count() <= 100), "{text}");
     assert!(document.to_html().contains("Mass over time"));
 }
+
+/// A report of one list of points.
+fn of_points(rows: Vec<Row>, limits: Vec<Limit>, options: BudgetOptions) -> BudgetReport {
+    let list = PartsList { rows, ..PartsList::default() };
+    BudgetReport::new(None, Vec::new(), vec![(None, list.budget().unwrap())], limits, options).unwrap()
+}
+
+#[test]
+fn all_the_mass_in_the_origin_has_a_page() {
+    let report =
+        of_points(vec![Row::part("a", GivenPart::point(1.0, at(0.0, 0.0, 0.0)))], Vec::new(), options(20));
+    let page = report.to_document().to_html();
+    assert!(!page.contains("NaN") && !page.contains("inf\""), "{page}");
+    assert!(page.contains("a point"), "its place is still listed");
+}
+
+#[test]
+fn a_point_beyond_numbers_is_refused() {
+    let budget = satellite(true);
+    let about = Some(Position::new(1e200, 2.0, -1.0));
+    let asked = BudgetOptions { about, ..options(0) };
+    let error = BudgetReport::new(None, Vec::new(), vec![(None, budget)], Vec::new(), asked).unwrap_err();
+    let words = error.to_string();
+    assert!(words.contains(" is 1e200, and has to be so small that") || words.contains("1000000"), "{words}");
+}
+
+#[test]
+fn a_difference_has_what_is_stated_besides_the_rows() {
+    let list = satellite(true).list().clone();
+    let mut other = list.clone();
+    other.groups[0].mass = 0.35;
+    other.groups[0].rotation = 0.25;
+    let of = |list: &PartsList, limits: Vec<Limit>| {
+        let budget = list.clone().budget().unwrap();
+        BudgetReport::new(None, Vec::new(), vec![(None, budget)], limits, options(0)).unwrap()
+    };
+    let mut changed = limits();
+    changed[0].most = changed[0].most.map_or(Some(9.0), |most| Some(1.5 * most));
+    let gone = changed.pop().unwrap().name;
+    let reports = [of(&list, limits()), of(&other, changed)];
+    let diff = BudgetDiff::new(&reports[0], &reports[1]);
+    assert!(!diff.is_empty());
+    let json = diff.to_json();
+    assert_eq!(json["configurations"][0]["changes"].as_array().unwrap().len(), 0);
+    let group = &json["configurations"][0]["stated"];
+    assert_eq!(group[0]["what"], "group wings");
+    assert_eq!(group[0]["after"], "mass 0.35, position 0.5, rotation 0.25");
+    assert_eq!(json["stated"][0]["what"], format!("limit {}", limits()[0].name));
+    assert_eq!(json["stated"][1]["what"], format!("limit {gone}"));
+    assert_eq!(json["stated"][1]["after"], Value::Null);
+    let text = diff.to_document().to_text(100);
+    assert!(text.contains("changed besides the rows: group wings"), "{text}");
+}
+
+/// What stood in a frame that is gone stays with its mass.
+#[test]
+fn a_frame_that_is_gone_takes_no_mass_along() {
+    let inside = |parent: &str| Row {
+        parent: Some(parent.to_owned()),
+        ..Row::part("c", GivenPart::point(1.3, at(0.1, 0.0, 0.0)))
+    };
+    let frame =
+        |name: &str, parent: Option<&str>| Row { parent: parent.map(str::to_owned), ..Row::frame(name) };
+    let before = vec![frame("s", None), frame("b", Some("s")), inside("b")];
+    let after = vec![frame("s", None), inside("s")];
+    let [before, after] = [before, after].map(|rows| of_points(rows, Vec::new(), options(0)));
+    let text = BudgetDiff::new(&before, &after).to_document().to_text(100);
+    assert!(text.contains("removed, a frame") && !text.contains("removed, with"), "{text}");
+}
+
+/// 1 ± 100 kg: draws miss the tail of the mass, and first order has it.
+#[test]
+fn a_mass_with_a_great_error_keeps_its_digits() {
+    let doubtful =
+        Row { uncertainty: known(100.0, 0.0), ..Row::part("s/a", GivenPart::point(1.0, at(0.2, 0.0, 0.0))) };
+    let exact = Row::part("s/b", GivenPart::point(1.0, at(-0.3, 0.1, 0.0)));
+    let report = of_points(vec![Row::frame("s"), doubtful, exact], Vec::new(), options(400));
+    let text = text(&report);
+    assert!(text.contains("Mass 2 ± 100 kg"), "{text}");
+    assert!(
+        text.contains("of the mass first order is exact") && !text.contains("the draws are right"),
+        "{text}"
+    );
+}

@@ -8,6 +8,7 @@ use polhode_budget::{Basis, Estimate, NUMBERS, Row};
 use serde_json::{Value, json};
 
 use super::case::{Case, ten};
+use super::principal;
 use super::stated::{self, Stated};
 use super::{BudgetReport, basis_name};
 use crate::VERSION;
@@ -181,8 +182,7 @@ impl<'a> BudgetDiff<'a> {
         let moments = [before, after].map(Estimate::principal);
         for k in 0..3 {
             let of = |side: usize| moments[side].frame.moments()[k];
-            let cells =
-                [0, 1].map(|side| with_error(of(side), super::principal::moment_sd(&moments[side], k)));
+            let cells = [0, 1].map(|side| principal::moment(pair.cases[side], &moments[side], k));
             let [was, is] = cells;
             rows.push(vec![format!("i{}", k + 1), was, is, signed(of(1) - of(0)), "kg·m²".to_owned()]);
         }

@@ -263,7 +263,7 @@ impl BudgetReport {
             return vec![format!("{}: {}", printable(name), parts.join("; "))];
         }
         let mut lines = vec![mass_in_words(case), whole::center_in_words(case, basis)];
-        lines.push(principal::in_words(&case.principal(basis)));
+        lines.push(principal::in_words(case, &case.principal(basis)));
         lines.extend(masses::margin_in_words(case));
         lines.extend(limits::answer_in_words(case));
         lines.extend(ballast::in_words(case, &self.limits));

@@ -205,7 +205,10 @@ fn ballast_meets_the_limits_or_there_is_none() {
     assert!(text.contains("→ Least ballast 0.209 kg, in ") && text.contains(": proved"), "{text}");
     scratch.write("little.csv", &plan("100 g"));
     let text = stdout(&scratch.run(&["budget", "little.csv"]));
-    assert!(text.contains("No ballast at these sites, up to 0.1 kg, meets center distance along z."), "{text}");
+    assert!(
+        text.contains("No ballast at these sites, up to 0.1 kg, meets center distance along z."),
+        "{text}"
+    );
 }
 
 #[test]

@@ -43,6 +43,8 @@ pub struct ComparedNumber {
 
 /// Standard errors by which draws differ from first order by chance once in some 16,000 times.
 const SIGNIFICANT: f64 = 4.0;
+/// A standard deviation below this part of the mass, the centre's distance or the greatest moment is rounding of the draws.
+const ROUNDING: f64 = 1e-13;
 
 impl ComparedNumber {
     /// By how much the mean of the draws is beside the number.
@@ -52,7 +54,7 @@ impl ComparedNumber {
 
     /// Whether the draws' mean or standard deviation is beside first order by more than chance makes it: by four standard errors, and by more than rounding.
     pub fn differs(&self) -> bool {
-        let rounding = 1e-13 * self.value.abs();
+        let rounding = ROUNDING * self.value.abs();
         let beyond = |difference: f64, error: f64| difference.abs() > SIGNIFICANT * error + rounding;
         beyond(self.bias(), self.mean_error) || beyond(self.sd - self.first_order_sd, self.sd_error)
     }
@@ -79,17 +81,22 @@ impl Draws {
             core::array::from_fn(|j| unbiased * average(&|d| (d[i] - bias[i]) * (d[j] - bias[j])))
         });
         let moments = estimate.principal().moment_covariance;
+        let [_, x, y, z, _, _, _, _, _, _, _, _, greatest] = value;
+        let length = x.abs().max(y.abs()).max(z.abs());
+        let scale = |k: usize| [value[0].abs(), length, greatest][usize::from(k > 0) + usize::from(k > 3)];
+        let beyond_rounding = |k: usize, sd: f64| if sd > ROUNDING * scale(k) { sd } else { 0.0 };
         let compared = (0..13).map(|k| {
             let (name, unit) = NUMBERS.get(k).copied().unwrap_or(MOMENTS[k.saturating_sub(10)]);
             let power = |n: i32| average(&|d| (d[k] - bias[k]).powi(n));
             let (second, fourth) = (power(2), power(4));
-            let sd = (unbiased * second).sqrt();
+            let sd = beyond_rounding(k, (unbiased * second).sqrt());
+            let bias = if sd > 0.0 { bias[k] } else { 0.0 };
             ComparedNumber {
                 name,
                 unit,
                 value: value[k],
-                first_order_sd: if k < 10 { estimate.sd(k) } else { moments[k - 10][k - 10].sqrt() },
-                mean: value[k] + bias[k],
+                first_order_sd: if k < 10 { estimate.sd(k) } else { moments[k - 10][k - 10].max(0.0).sqrt() },
+                mean: value[k] + bias,
                 mean_error: sd / count.sqrt(),
                 sd,
                 // var(s²) = (μ₄ − μ₂²)/n, and s² = 2 s δs

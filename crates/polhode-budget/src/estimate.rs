@@ -73,9 +73,14 @@ impl<F: Frame> Estimate<F> {
         self.covariance[number][number].sqrt()
     }
 
-    /// Standard deviation of what has this gradient.
+    /// Standard deviation of what has this gradient; zero where no more than rounding is left of its terms.
     pub fn sd_of(&self, gradient: &MassPropertiesGradient<F>) -> f64 {
-        self.covariance_of(gradient, gradient).max(0.0).sqrt()
+        const ROUNDING: f64 = 1e-14;
+        let by = ten_of_gradient(gradient);
+        let sizes = self.covariance.map(|row| row.map(f64::abs));
+        let variance = form(&by, &self.covariance, &by);
+        let size = by.map(f64::abs);
+        if variance > ROUNDING * form(&size, &sizes, &size) { variance.sqrt() } else { 0.0 }
     }
 
     /// Covariance of two numbers that have these gradients.

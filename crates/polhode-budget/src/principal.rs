@@ -20,6 +20,9 @@ pub struct PrincipalUncertainty<F: Frame> {
     pub turn_sd: [f64; 3],
 }
 
+/// Of the difference of two moments, and the greatest turn of their axes, rad, up to which errors are small beside it.
+const NEAR: f64 = 0.3;
+
 /// The angle between a principal axis, either way along it, and a direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tilt<F> {
@@ -51,6 +54,20 @@ impl<F: Frame> PrincipalUncertainty<F> {
     /// How a moment, 0 to 2, depends on the tensor.
     pub fn moment_gradient(&self, k: usize) -> MassPropertiesGradient<F> {
         moment_gradient(&self.frame, k % 3)
+    }
+
+    /// Whether first order says of a moment, 0 to 2, what its error is: not where another is so near that errors make them equal.
+    pub fn is_first_order(&self, k: usize) -> bool {
+        (0..3).filter(|other| *other != k % 3).all(|other| self.are_apart(k % 3, other))
+    }
+
+    fn are_apart(&self, i: usize, j: usize) -> bool {
+        const ROUNDING: f64 = 1e-14;
+        let (moments, c) = (self.frame.moments(), &self.moment_covariance);
+        let variance = c[i][i] + c[j][j] - 2.0 * c[i][j];
+        let sd = if variance > ROUNDING * (c[i][i] + c[j][j]) { variance.sqrt() } else { 0.0 };
+        let turn = self.turn_sd[3 - i - j];
+        sd <= NEAR * (moments[i] - moments[j]).abs() && turn <= NEAR
     }
 
     /// How the turn about an axis, 0 to 2, depends on the tensor; `None` where the other two moments are equal.

@@ -116,9 +116,9 @@ impl BudgetCommand {
             let basis = self.basis.map_or(file.questions.basis, BasisName::basis);
             return budget_history::write(&file, &self.file, basis, target, self.force);
         }
-        let report = self.report(&self.file)?;
+        let report = self.report(&self.file, false)?;
         if let Some(other) = &self.diff {
-            let before = self.report(other)?;
+            let before = self.report(other, true)?;
             let diff = BudgetDiff::new(&before, &report);
             return print(&self.printed(|| diff.to_json(), || diff.to_document()));
         }
@@ -157,14 +157,16 @@ impl BudgetCommand {
         partial::write(target, self.force, |out| out.write_all(bytes.get_ref()))
     }
 
-    fn report(&self, path: &Path) -> Result<BudgetReport, Failure> {
+    fn report(&self, path: &Path, is_other: bool) -> Result<BudgetReport, Failure> {
         let file = budget::read(path)?;
         let sources = file.sources(&|path| shown(path));
         let BudgetFile { title, configurations, questions, limits, ballast, prescribed, .. } = file;
         let mut all: Vec<_> = configurations.into_iter().map(|one| (one.name, one.budget)).collect();
         if let Some(wanted) = &self.configuration {
             let names: Vec<String> = all.iter().filter_map(|(name, _)| name.clone()).collect();
-            all.retain(|(name, _)| name.as_ref() == Some(wanted));
+            // A list without configurations is the same in each.
+            let is_in_each = is_other && names.is_empty();
+            all.retain(|(name, _)| is_in_each || name.as_ref() == Some(wanted));
             if all.is_empty() {
                 let why = NoConfiguration { asked: Some(wanted.clone()), names };
                 return Err(Failure::usage(why.to_string(), why.hint()).about(path));
@@ -190,8 +192,9 @@ impl BudgetCommand {
                     .map_err(|error| budget_history::refused(&error, path))?;
             }
         }
-        match ballast.filter(|_| !is_given) {
+        match ballast {
             None => Ok(report),
+            Some(ballast) if is_given => Ok(report.with_sites(ballast)),
             Some(ballast) => report.with_ballast(ballast).map_err(|error| {
                 let hint = "leave [[site]] out to see what the limits come to without ballast";
                 Failure::usage(error.to_string(), hint).about(path)

@@ -110,23 +110,25 @@ pub(crate) fn error(x: f64) -> String {
 /// Of more decimals than this numbers are shown with exponents.
 const DECIMALS: i32 = 7;
 
-/// `1.2340 ± 0.0012`: as many digits as the error has two of.
+/// `1.2340 ± 0.0012`: as many digits as the error has two of, and of a value that is not zero one at least.
 pub(crate) fn with_error(value: f64, sd: f64) -> String {
+    /// A smaller part of the error than this is what rounding left of a zero.
+    const NOTHING: f64 = 1e-9;
     if !(sd.is_finite() && sd > 0.0) {
         return number(value, 6);
     }
+    let value = if value.abs() < NOTHING * sd { 0.0 } else { value };
     let places = power(sd) - 1;
+    if value != 0.0 && value.abs() < 0.5 * 10.0_f64.powi(places) {
+        return format!("{} ± {}", ungrouped(value, 1), ungrouped(sd, 2));
+    }
     if (-DECIMALS..=0).contains(&places) {
         let decimals = usize::try_from(-places).unwrap_or(0);
-        let value = if value.abs() < 0.5 * 10.0_f64.powi(places) { 0.0 } else { value };
         return format!("{value:.decimals$} ± {sd:.decimals$}");
     }
     let shown = ungrouped(sd, 2);
     let size = if value == 0.0 { places } else { power(value) };
     let digits = usize::try_from(size - places + 1).unwrap_or(1).clamp(1, 15);
-    if size < places {
-        return format!("0 ± {shown}");
-    }
     format!("{} ± {shown}", ungrouped(value, digits))
 }
 
@@ -299,7 +301,10 @@ mod tests {
         assert_eq!(with_error(1.234_56, 0.001_23), "1.2346 ± 0.0012");
         assert_eq!(with_error(0.5, 0.002_71), "0.5000 ± 0.0027");
         assert_eq!(with_error(-0.003_1, 0.02), "-0.003 ± 0.020");
-        assert_eq!(with_error(-0.000_3, 0.02), "0.000 ± 0.020");
+        assert_eq!(with_error(-0.000_3, 0.02), "-3e-4 ± 0.02");
+        assert_eq!(with_error(2.0, 100.0), "2 ± 100");
+        assert_eq!(with_error(6.0, 100.0), "6 ± 100");
+        assert_eq!(with_error(-1e-15, 0.02), "0.000 ± 0.020");
         assert_eq!(with_error(123.456, 3.2), "123.5 ± 3.2");
         assert_eq!(with_error(12_345.6, 321.0), "12346 ± 321");
         assert_eq!(with_error(1.234e-12, 3.21e-14), "1.234e-12 ± 3.2e-14");

@@ -205,7 +205,10 @@ fn ballast_meets_the_limits_or_there_is_none() {
     assert!(text.contains("→ Least ballast 0.209 kg, in ") && text.contains(": proved"), "{text}");
     scratch.write("little.csv", &plan("100 g"));
     let text = stdout(&scratch.run(&["budget", "little.csv"]));
-    assert!(text.contains("No ballast at these sites, up to 0.1 kg, meets all limits."), "{text}");
+    assert!(
+        text.contains("No ballast at these sites, up to 0.1 kg, meets center distance along z."),
+        "{text}"
+    );
 }
 
 #[test]
@@ -235,4 +238,41 @@ fn the_books_pictures_of_budgets_are_those_of_the_example() {
             (&page, "The triangle of moments", "budget-triangle.svg"),
         ],
     );
+}
+
+/// Nothing is said of limits that ballast was not sought for, but whether they are met with it.
+#[test]
+fn ballast_says_what_it_was_not_sought_for() {
+    let scratch = Scratch::new("budget-ballast-left-out");
+    let plan = |most: &str| {
+        format!(
+            "# about = \"center\"\n# [[limit]]\n# of = \"spin ratio\"\n# along = \"z\"\n# least = 1.1\n# [[limit]]\n# of = \"center\"\n# along = \"z\"\n# most = \"{most}\"\n\
+             # [[site]]\n# name = \"m\"\n# at = [0, 0, \"-200 mm\"]\n# [result]\n# draws = 20\n\
+             name,mass [kg],z [mm],Ixx [kg m^2],Iyy [kg m^2],Izz [kg m^2]\na,10 ± 0.1,20,0.11,0.13,0.09\n"
+        )
+    };
+    scratch.write("some.csv", &plan("1 mm"));
+    let text = stdout(&scratch.run(&["budget", "some.csv"])).replace("\n  ", " ");
+    assert!(
+        text.contains(
+            "kg, in 1 piece for center along z: proved; spin ratio along z, left out, is not met with it"
+        ),
+        "{text}"
+    );
+    scratch.write("none.csv", &plan("30 mm"));
+    let text = stdout(&scratch.run(&["budget", "none.csv"])).replace("\n  ", " ");
+    assert!(!text.contains("all limits are met"), "{text}");
+    assert!(text.contains("spin ratio along z, left out, is not met without"), "{text}");
+}
+
+/// A list without configurations is the same in each.
+#[test]
+fn a_configuration_is_compared_with_a_list_that_has_none() {
+    let scratch = scratch("budget-diff-configuration");
+    scratch.write("plain.csv", "name,mass [kg],x [mm]\nsat,,\nbox,1.5,20\n");
+    let run = |flags: &[&str]| scratch.run(&[&["budget"], flags].concat());
+    let text = stdout(&run(&["cubesat.csv", "--diff", "plain.csv", "--configuration", "stowed"]));
+    assert!(text.contains("predicted mass 1.5 to 2.8264 kg"), "{text}");
+    let error = refused(&run(&["plain.csv", "--diff", "cubesat.csv", "--configuration", "stowed"]), 2);
+    assert!(error.contains("plain.csv") && error.contains("the file has no configurations"), "{error}");
 }

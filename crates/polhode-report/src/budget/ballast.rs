@@ -19,11 +19,12 @@ pub(super) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Optio
         let names = left_out.iter().filter(|(_, why)| *why == reason).map(|(name, _)| printable(name));
         section.say(format!("Not sought for {}: {reason}.", names.collect::<Vec<_>>().join(", ")));
     }
+    let sought = sought(left_out, limits);
     let least = match answer {
         BallastAnswer::Least(least) => least,
         BallastAnswer::None(none) => {
             section.say(format!(
-                "No ballast at these sites, up to {} kg, meets all limits. That is proved: the prices of the limits leave none in {}.",
+                "No ballast at these sites, up to {} kg, meets {sought}. That is proved: the prices of the limits leave none in {}.",
                 number(none.up_to, 6),
                 regions(none.regions)
             ));
@@ -31,7 +32,10 @@ pub(super) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Optio
         }
     };
     if least.pieces.is_empty() {
-        section.say("All limits are met without.");
+        section.say(format!(
+            "Without ballast the list meets {sought}{}.",
+            others(case, least, left_out, limits, "without")
+        ));
         return Some(section);
     }
     let row = |piece: &polhode_budget::Piece| {
@@ -42,11 +46,12 @@ pub(super) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Optio
     section
         .table(&["site", "x (mm)", "y (mm)", "z (mm)", "mass (g)"], least.pieces.iter().map(row).collect());
     section.say(format!(
-        "{} kg is the least: none below {} kg meets the limits (gap {}), as the prices of the limits prove, checked in intervals, in {}.",
+        "{} kg is the least: none below {} kg meets {sought} (gap {}), as the prices of the limits prove, checked in intervals, in {}{}.",
         number(least.mass, 9),
         number(least.bound, 9),
         number(least.gap(), 2),
-        regions(least.regions)
+        regions(least.regions),
+        others(case, least, left_out, limits, "with it")
     ));
     if ballast.deviations > 0.0 {
         section.say(format!(
@@ -65,29 +70,70 @@ pub(super) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Optio
     Some(section)
 }
 
-/// `Least ballast 0.123 kg, in 2 pieces`
-pub(super) fn in_words(case: &Case) -> Option<String> {
-    Some(match &case.ballast.as_ref()?.answer {
-        BallastAnswer::None(_) => "No ballast at these sites meets all limits".to_owned(),
-        BallastAnswer::Least(LeastBallast { pieces, .. }) if pieces.is_empty() => {
-            "No ballast is needed: all limits are met without".to_owned()
+/// `Least ballast 0.123 kg, in 2 pieces: proved`, of the limits that it was sought for.
+pub(super) fn in_words(case: &Case, limits: &[Limit]) -> Option<String> {
+    let Found { answer, left_out } = case.ballast.as_ref()?;
+    let sought = sought(left_out, limits);
+    Some(match answer {
+        BallastAnswer::None(_) => format!("No ballast at these sites meets {sought}"),
+        BallastAnswer::Least(least) if least.pieces.is_empty() => {
+            let others = others(case, least, left_out, limits, "without");
+            format!("No ballast is needed: {sought} are met without{others}")
         }
-        BallastAnswer::Least(LeastBallast { pieces, mass, .. }) => {
+        BallastAnswer::Least(least) => {
+            let LeastBallast { pieces, mass, .. } = least;
             let plural = if pieces.len() == 1 { "" } else { "s" };
+            let of = if left_out.is_empty() { String::new() } else { format!(" for {sought}") };
             format!(
-                "Least ballast {} kg, in {} piece{plural}: proved",
+                "Least ballast {} kg, in {} piece{plural}{of}: proved{}",
                 number(*mass, 4),
-                count(pieces.len() as u64)
+                count(pieces.len() as u64),
+                others(case, least, left_out, limits, "with it")
             )
         }
     })
+}
+
+/// The limits that ballast was sought for.
+fn sought(left_out: &[(String, &str)], limits: &[Limit]) -> String {
+    if left_out.is_empty() {
+        return "all limits".to_owned();
+    }
+    let sought = limits.iter().filter(|limit| !is_left_out(left_out, limit));
+    let names: Vec<String> = sought.map(|limit| printable(&limit.name)).collect();
+    names.join(", ")
+}
+
+/// `; spin ratio along z, left out, is not met with it`
+fn others(
+    case: &Case,
+    least: &LeastBallast,
+    left_out: &[(String, &str)],
+    limits: &[Limit],
+    ballast: &str,
+) -> String {
+    let one = |limit: &Limit| {
+        let is = if is_met(case, least, limit) { "is" } else { "is not" };
+        format!("; {}, left out, {is} met {ballast}", printable(&limit.name))
+    };
+    limits.iter().filter(|limit| is_left_out(left_out, limit)).map(one).collect()
+}
+
+fn is_left_out(left_out: &[(String, &str)], limit: &Limit) -> bool {
+    left_out.iter().any(|(name, _)| *name == limit.name)
+}
+
+/// Whether the whole with this ballast meets a limit; not if its number is undefined.
+fn is_met(case: &Case, least: &LeastBallast, limit: &Limit) -> bool {
+    let body = least.with(&case.estimate(limit.basis).properties);
+    body.is_ok_and(|body| limit.of.value(&body).is_ok_and(|value| limit.is_met(value)))
 }
 
 fn regions(n: usize) -> String {
     if n == 1 { "one region".to_owned() } else { format!("{} regions", count(n as u64)) }
 }
 
-pub(super) fn to_json(case: &Case, ballast: Option<&Ballast>) -> Value {
+pub(super) fn to_json(case: &Case, ballast: Option<&Ballast>, limits: &[Limit]) -> Value {
     let left_out = case.ballast.iter().flat_map(|found| &found.left_out);
     let left_out: Vec<&str> = left_out.map(|(name, _)| name.as_str()).collect();
     match (case.ballast.as_ref().map(|found| &found.answer), ballast) {
@@ -99,6 +145,9 @@ pub(super) fn to_json(case: &Case, ballast: Option<&Ballast>) -> Value {
                     "mass": piece.mass,
                 })
             };
+            let met = limits.iter().filter(|limit| left_out.contains(&limit.name.as_str()));
+            let met: Vec<&str> =
+                met.filter(|limit| is_met(case, least, limit)).map(|limit| limit.name.as_str()).collect();
             json!({
                 "mass": least.mass,
                 "bound": least.bound,
@@ -106,6 +155,7 @@ pub(super) fn to_json(case: &Case, ballast: Option<&Ballast>) -> Value {
                 "regions": least.regions,
                 "pieces": least.pieces.iter().map(piece).collect::<Value>(),
                 "not_sought_for": left_out,
+                "not_sought_for_but_met": met,
             })
         }
         (Some(BallastAnswer::None(none)), _) => {

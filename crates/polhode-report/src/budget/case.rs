@@ -21,6 +21,8 @@ pub(super) struct Case {
     pub(super) statements: Vec<MassStatement>,
     /// Of the basic masses, and of the predicted ones.
     estimates: [Estimate<Body>; 2],
+    /// Of the basis that is asked for.
+    principal: PrincipalUncertainty<Body>,
     /// Of each principal axis.
     pub(super) tilts: [AxisTilt; 3],
     pub(super) results: Vec<SpreadResult>,
@@ -87,6 +89,7 @@ impl Case {
         let statements = budget.mass_statements()?;
         let estimates = [budget.estimate(Basis::Basic)?, budget.estimate(Basis::Predicted)?];
         let estimate = &estimates[index(options.basis)];
+        let principal = estimate.principal();
         let tilts = tilts(estimate, options);
         let results = results(&budget, options.basis, estimate, &tilts, limits)?;
         let drawn = if options.draws > 0 {
@@ -114,6 +117,7 @@ impl Case {
             budget,
             statements,
             estimates,
+            principal,
             tilts,
             results,
             drawn,
@@ -129,6 +133,11 @@ impl Case {
 
     pub(super) fn principal(&self, basis: Basis) -> PrincipalUncertainty<Body> {
         self.estimate(basis).principal()
+    }
+
+    /// Of the basis that is drawn.
+    pub(super) const fn drawn_principal(&self) -> &PrincipalUncertainty<Body> {
+        &self.principal
     }
 
     /// A row's name without the root's before it.
@@ -237,7 +246,7 @@ fn results(
             ((*name).to_owned(), *unit, of, number_gradient(k))
         })
         .collect();
-    for k in 0..3 {
+    for k in (0..3).filter(|k| principal.is_first_order(*k)) {
         asked.push((format!("i{}", k + 1), "kg·m²", ResultKind::Principal, principal.moment_gradient(k)));
     }
     for (k, AxisTilt { from, tilt, .. }) in tilts.iter().enumerate() {
@@ -254,12 +263,9 @@ fn results(
     }
     let gradients: Vec<_> = asked.iter().map(|(.., gradient)| *gradient).collect();
     let found = budget.sensitivities(basis, &gradients)?;
-    let result = |((name, unit, of, gradient), by): ((String, _, _, _), _)| SpreadResult {
-        name,
-        unit,
-        of,
-        sd: estimate.sd_of(&gradient),
-        by,
+    let result = |((name, unit, of, gradient), by): ((String, _, _, _), _)| {
+        let sd = estimate.sd_of(&gradient);
+        SpreadResult { name, unit, of, sd, by: if sd > 0.0 { by } else { Vec::new() } }
     };
     Ok(asked.into_iter().zip(found).map(result).collect())
 }

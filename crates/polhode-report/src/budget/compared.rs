@@ -1,6 +1,6 @@
 //! First order beside draws.
 
-use polhode_budget::ComparedNumber;
+use polhode_budget::{ComparedNumber, NUMBERS};
 
 use super::case::{Case, Drawn};
 use crate::explain::document::Section;
@@ -13,20 +13,20 @@ pub(super) fn section(case: &Case) -> Option<Section> {
     section.say(format!(
         "{draws} bodies, each made of possible parts, have errors as the list states them: masses are drawn log-normal, centres, places and tensors normal. What first order leaves out shows beside them."
     ));
-    let row = |n: &ComparedNumber| {
+    let row = |(k, n): (usize, &ComparedNumber)| {
         let (unit, scale) = if n.unit == "m" { ("mm", 1e3) } else { (n.unit, 1.0) };
         let shown = |x: f64, digits: usize| number(scale * x, digits);
         vec![
             n.name.to_owned(),
-            shown(n.first_order_sd, 3),
+            if is_comparable(case, k) { shown(n.first_order_sd, 3) } else { "none".to_owned() },
             format!("{} ± {}", shown(n.sd, 3), shown(n.sd_error, 1)),
             format!("{} ± {}", shown(n.bias(), 2), shown(n.mean_error, 1)),
             unit.to_owned(),
-            if n.differs() { "differs" } else { "" }.to_owned(),
+            if is_comparable(case, k) && n.differs() { "differs" } else { "" }.to_owned(),
         ]
     };
     let headers = ["number", "sd to first order", "sd of draws", "mean of draws − value", "unit", ""];
-    section.table(&headers, comparison.numbers.iter().map(row).collect());
+    section.table(&headers, comparison.numbers.iter().enumerate().map(row).collect());
     if comparison.moved > 0 {
         section.say(format!(
             "In {} of {draws} draws the tensor of some part had to be moved to the nearest that a body can have.",
@@ -39,11 +39,21 @@ pub(super) fn section(case: &Case) -> Option<Section> {
 /// Which numbers draws say differently.
 pub(super) fn difference_in_words(case: &Case) -> Option<String> {
     let comparison = &case.drawn.as_ref()?.comparison;
-    let names: Vec<&str> = comparison.numbers.iter().filter(|n| n.differs()).map(|n| n.name).collect();
+    let differs = |(k, n): &(usize, &ComparedNumber)| is_comparable(case, *k) && n.differs();
+    let names: Vec<&str> =
+        comparison.numbers.iter().enumerate().filter(differs).map(|(_, n)| n.name).collect();
     (!names.is_empty()).then(|| {
+        // The mass is a sum: its mean and standard deviation are exact to first order, even where draws miss its long tail.
+        let of_mass = if names.contains(&"mass") { "; of the mass first order is exact" } else { "" };
         format!(
-            "draws differ from first order by more than chance in {}: where they do, the draws are right",
+            "draws differ from first order by more than chance in {}: there numbers are not linear in the errors, or draws are too few for the tail of a distribution{of_mass}",
             names.join(", ")
         )
     })
+}
+
+/// Whether first order says what the error of a number is, by its place among those that are compared.
+fn is_comparable(case: &Case, k: usize) -> bool {
+    let Some(moment) = k.checked_sub(NUMBERS.len()) else { return true };
+    case.drawn_principal().is_first_order(moment)
 }

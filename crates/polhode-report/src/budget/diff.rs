@@ -8,6 +8,8 @@ use polhode_budget::{Basis, Estimate, NUMBERS, Row};
 use serde_json::{Value, json};
 
 use super::case::{Case, ten};
+use super::principal;
+use super::stated::{self, Stated};
 use super::{BudgetReport, basis_name};
 use crate::VERSION;
 use crate::explain::document::{Document, Section};
@@ -22,6 +24,8 @@ pub struct BudgetDiff<'a> {
     pairs: Vec<Pair<'a>>,
     /// Configurations that only the first has, and only the second.
     alone: [Vec<&'a str>; 2],
+    /// Besides the configurations.
+    stated: Vec<Stated>,
 }
 
 /// A configuration of both.
@@ -29,6 +33,8 @@ pub struct BudgetDiff<'a> {
 struct Pair<'a> {
     cases: [&'a Case; 2],
     changes: Vec<Change>,
+    /// Besides the rows.
+    stated: Vec<Stated>,
 }
 
 /// What became of a row.
@@ -41,7 +47,7 @@ struct Change {
 /// One thing that became of it.
 #[derive(Clone, Debug, PartialEq)]
 enum What {
-    /// With all that stands in it, kg.
+    /// All copies of its own part, kg: what stands in it has a row of its own.
     Added(f64),
     Removed(f64),
     /// One copy of its own part, kg.
@@ -75,18 +81,23 @@ impl<'a> BudgetDiff<'a> {
         for case in &after.cases {
             let same = before.cases.iter().find(|other| only || other.name == case.name);
             match same {
-                Some(other) => pairs.push(Pair { cases: [other, case], changes: changes([other, case]) }),
+                Some(other) => {
+                    let cases = [other, case];
+                    pairs.push(Pair { cases, changes: changes(cases), stated: stated::of_cases(cases) });
+                }
                 None => alone[1].extend(case.name.as_deref()),
             }
         }
         let is_alone = |case: &&Case| !only && after.cases.iter().all(|other| other.name != case.name);
         alone[0].extend(before.cases.iter().filter(is_alone).filter_map(|case| case.name.as_deref()));
-        Self { titles: [&before.title, &after.title], basis: after.options.basis, pairs, alone }
+        let stated = stated::of_reports([before, after]);
+        Self { titles: [&before.title, &after.title], basis: after.options.basis, pairs, alone, stated }
     }
 
-    /// True if no row differs.
+    /// True if nothing differs.
     pub fn is_empty(&self) -> bool {
-        self.alone.iter().all(Vec::is_empty) && self.pairs.iter().all(|pair| pair.changes.is_empty())
+        let is_same = |pair: &Pair<'_>| pair.changes.is_empty() && pair.stated.is_empty();
+        self.stated.is_empty() && self.alone.iter().all(Vec::is_empty) && self.pairs.iter().all(is_same)
     }
 
     /// As a document: text, Markdown, a page.
@@ -114,6 +125,14 @@ impl<'a> BudgetDiff<'a> {
             let mut whole = Section::new(0, &of("the whole"));
             self.whole(pair, &mut whole);
             sections.extend([rows, whole]);
+            if !pair.stated.is_empty() {
+                answer.push(of(&stated::in_words(&pair.stated)));
+                sections.push(stated::section(&pair.stated, &of("besides the rows")));
+            }
+        }
+        if !self.stated.is_empty() {
+            answer.push(stated::in_words(&self.stated));
+            sections.push(stated::section(&self.stated, "limits, sites and questions"));
         }
         for (k, section) in sections.iter_mut().enumerate() {
             section.number = u8::try_from(k + 1).unwrap_or(u8::MAX);
@@ -163,8 +182,7 @@ impl<'a> BudgetDiff<'a> {
         let moments = [before, after].map(Estimate::principal);
         for k in 0..3 {
             let of = |side: usize| moments[side].frame.moments()[k];
-            let cells =
-                [0, 1].map(|side| with_error(of(side), super::principal::moment_sd(&moments[side], k)));
+            let cells = [0, 1].map(|side| principal::moment(pair.cases[side], &moments[side], k));
             let [was, is] = cells;
             rows.push(vec![format!("i{}", k + 1), was, is, signed(of(1) - of(0)), "kg·m²".to_owned()]);
         }
@@ -197,6 +215,7 @@ impl<'a> BudgetDiff<'a> {
             json!({
                 "name": pair.cases[1].name,
                 "changes": pair.changes.iter().map(change).collect::<Value>(),
+                "stated": stated::to_json(&pair.stated),
                 "numbers": NUMBERS.map(|(name, _)| name),
                 "before": before,
                 "after": after,
@@ -209,6 +228,7 @@ impl<'a> BudgetDiff<'a> {
             "basis": basis_name(self.basis),
             "only_before": self.alone[0],
             "only_after": self.alone[1],
+            "stated": stated::to_json(&self.stated),
             "configurations": self.pairs.iter().map(pair).collect::<Value>(),
         })
     }
@@ -248,6 +268,8 @@ impl What {
     fn words(&self) -> String {
         let known = |x: &Option<f64>| x.map_or_else(|| "none".to_owned(), |x| format!("{} kg", number(x, 6)));
         match self {
+            Self::Added(0.0) => "added, a frame".to_owned(),
+            Self::Removed(0.0) => "removed, a frame".to_owned(),
             Self::Added(mass) => format!("added, with {} kg", number(*mass, 6)),
             Self::Removed(mass) => format!("removed, with {} kg", number(*mass, 6)),
             Self::Mass([before, after]) => {
@@ -306,14 +328,20 @@ fn changes([before, after]: [&Case; 2]) -> Vec<Change> {
     for (k, row) in new.iter().enumerate() {
         let mut add = |what| all.push(Change { row: row.name.clone(), what });
         match old_names.get(&row.name) {
-            None => add(What::Added(after.statements[k].basic)),
+            None => add(What::Added(own(after, k))),
             Some(&other) => differences([before, after], [other, k]).into_iter().for_each(add),
         }
     }
     for (k, row) in old.iter().enumerate().filter(|(_, row)| !new_names.contains_key(&row.name)) {
-        all.push(Change { row: row.name.clone(), what: What::Removed(before.statements[k].basic) });
+        all.push(Change { row: row.name.clone(), what: What::Removed(own(before, k)) });
     }
     all
+}
+
+/// The mass of all copies of a row's own part.
+fn own(case: &Case, row: usize) -> f64 {
+    let copies = f64::from(case.budget.list().rows[row].quantity.count);
+    case.budget.given(row).map_or(0.0, |part| copies * part.mass())
 }
 
 fn differences(cases: [&Case; 2], rows: [usize; 2]) -> Vec<What> {

@@ -36,7 +36,7 @@ impl BudgetReport {
             "name": case.name,
             "mass": statement(&case.whole_statement()),
             "limits": limits::to_json(case, &self.limits),
-            "ballast": ballast::to_json(case, self.ballast.as_ref()),
+            "ballast": ballast::to_json(case, self.ballast.as_ref(), &self.limits),
             "changing": case.changing.as_ref().map(Changing::to_json),
             "estimate": estimate_to_json(estimate),
             "basic": estimate_to_json(case.estimate(Basis::Basic)),

@@ -39,7 +39,7 @@ pub(super) fn section(case: &Case, limits: &[Limit]) -> Option<Section> {
     for (limit, answer) in limits.iter().zip(&answers.answers) {
         if let (Some(true), Ok(first_order)) = (answer.differs, answer.first_order) {
             section.say(format!(
-                "{}: first order has {}; the draws are right.",
+                "{}: first order, in which its value is normal, has {}.",
                 printable(&limit.name),
                 percent(first_order)
             ));
@@ -106,19 +106,21 @@ fn probability(share: &Share) -> String {
     format!("{}{GROUP}({low} … {high}{GROUP}%)", percent(share.estimate()))
 }
 
-/// Of an interval, in percent: near 0 and 1 with two decimals.
+/// In percent: near 0 and 1 with the decimals in which it is neither.
 fn end(p: f64) -> String {
     const NEAR: f64 = 1e-3;
-    match p {
-        0.0 => "0".to_owned(),
-        1.0 => "100".to_owned(),
-        p if !(NEAR..=1.0 - NEAR).contains(&p) => format!("{:.2}", 100.0 * p),
-        p => format!("{:.1}", 100.0 * p),
+    /// Nearer than this only rounding keeps it from 0 or 1.
+    const ROUNDING: f64 = 1e-12;
+    let beside = p.min(1.0 - p);
+    if beside < ROUNDING {
+        return if p < 0.5 { "0" } else { "100" }.to_owned();
     }
+    let decimals = if beside < NEAR { (-(100.0 * beside).log10().floor()).max(2.0) as usize } else { 1 };
+    format!("{:.decimals$}", 100.0 * p)
 }
 
 fn percent(p: f64) -> String {
-    format!("{:.1}{GROUP}%", 100.0 * p)
+    format!("{}{GROUP}%", end(p))
 }
 
 pub(super) fn to_json(case: &Case, limits: &[Limit]) -> Value {

@@ -15,6 +15,7 @@ mod numbers;
 mod parts;
 mod principal;
 mod side_by_side;
+mod stated;
 mod table;
 mod whole;
 
@@ -23,7 +24,7 @@ use core::fmt;
 use polhode::body::{Finding, MassProperties, Severity};
 use polhode::math::{Body, Part, Position, Rotation};
 use polhode_budget::{
-    Ballast, BallastError, Basis, Budget, BudgetError, Limit, LimitError, Sequence, SequenceError,
+    Ballast, BallastError, Basis, Budget, BudgetError, Limit, LimitError, RowName, Sequence, SequenceError,
 };
 
 use crate::body_part::BodyPart;
@@ -78,7 +79,7 @@ impl BudgetReport {
     /// Computes what is asked of each configuration, at least one, and tries the limits by its draws, if there are any; `sources` say what was read.
     ///
     /// # Errors
-    /// As [`Budget::estimate`], [`Budget::draws`] and [`Budget::limits`].
+    /// As [`Budget::estimate`], [`Budget::draws`] and [`Budget::limits`], and if the point of [`BudgetOptions::about`] is so far that the tensor about it is no number.
     pub fn new(
         title: Option<&str>,
         sources: Vec<String>,
@@ -90,6 +91,9 @@ impl BudgetReport {
         let cases: Vec<Case> = configurations.into_iter().map(case).collect::<Result<_, _>>()?;
         if cases.is_empty() {
             return Err(BudgetError::Empty.into());
+        }
+        for case in &cases {
+            about_in_range(case, &options)?;
         }
         Ok(Self {
             title: title.unwrap_or("a parts list").to_owned(),
@@ -120,6 +124,13 @@ impl BudgetReport {
         }
         self.ballast = Some(ballast);
         Ok(self)
+    }
+
+    /// With the sites that are stated, without a search: differences are of these.
+    #[must_use]
+    pub fn with_sites(mut self, ballast: Ballast) -> Self {
+        self.ballast = Some(ballast);
+        self
     }
 
     /// With what a configuration is by how full its tanks are, and, with a time, from 0 until then.
@@ -247,15 +258,15 @@ impl BudgetReport {
             let mut parts =
                 vec![format!("{} mass {mass} kg", basis_name(basis)), whole::center_in_words(case, basis)];
             parts.extend(limits::answer_in_words(case));
-            parts.extend(ballast::in_words(case));
+            parts.extend(ballast::in_words(case, &self.limits));
             parts.extend(case.changing.as_ref().and_then(Changing::in_words));
             return vec![format!("{}: {}", printable(name), parts.join("; "))];
         }
         let mut lines = vec![mass_in_words(case), whole::center_in_words(case, basis)];
-        lines.push(principal::in_words(&case.principal(basis)));
+        lines.push(principal::in_words(case, &case.principal(basis)));
         lines.extend(masses::margin_in_words(case));
         lines.extend(limits::answer_in_words(case));
-        lines.extend(ballast::in_words(case));
+        lines.extend(ballast::in_words(case, &self.limits));
         lines.extend(case.changing.as_ref().and_then(Changing::in_words));
         lines
     }
@@ -302,6 +313,23 @@ impl BudgetReport {
         }
         all
     }
+}
+
+/// Refuses a point so far that the tensor about it, or its variance, is no number.
+fn about_in_range(case: &Case, options: &BudgetOptions) -> Result<(), BudgetError> {
+    let Some(point) = options.about else { return Ok(()) };
+    let asked = whole::asked(case.estimate(options.basis), options);
+    let is_finite = |asked: whole::Asked| {
+        asked.place.iter().chain(&asked.inertia).chain(asked.covariance.as_flattened()).all(|x| x.is_finite())
+    };
+    if asked.is_none_or(is_finite) {
+        return Ok(());
+    }
+    let row = case.budget.root();
+    let name = case.budget.list().rows[row].name.clone();
+    let what = "the greatest coordinate of the point that the tensor is wanted about";
+    let rule = "so small that mass times its square, and the variance of that, are numbers";
+    Err(BudgetError::Value { row: RowName { row, name }, what, value: point.max_abs(), rule })
 }
 
 /// `Predicted mass 4.312 ± 0.041 kg: basic 4.010 ± 0.039 kg and a growth allowance of 0.302 kg (7.5 %)`

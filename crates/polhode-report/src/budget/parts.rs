@@ -36,7 +36,11 @@ pub(super) fn section(case: &Case, basis: Basis) -> Option<Section> {
         vec![printable(&solid.name), x, y, z, sides]
     };
     section.table(&["part", "x", "y", "z", "box"], drawn.solids.iter().take(ROWS).map(row).collect());
-    section.draw(Drawing::Solids(drawn));
+    // All the mass in the origin has no extent that could be drawn.
+    let is_somewhere = |solid: &Solid| solid.halves.iter().flatten().chain(&solid.center).any(|x| *x != 0.0);
+    if drawn.solids.iter().any(is_somewhere) {
+        section.draw(Drawing::Solids(drawn));
+    }
     Some(section)
 }
 

@@ -1,5 +1,6 @@
 //! Principal moments and axes of the whole.
 
+use polhode::body::Symmetry;
 use polhode::math::Body;
 use polhode_budget::PrincipalUncertainty;
 use polhode_identify::ratio_region;
@@ -12,6 +13,8 @@ use crate::number::{number, with_error};
 
 /// Probabilities of the regions of moments: one and two standard deviations of one number.
 const PROBABILITIES: [f64; 2] = [0.68, 0.95];
+/// What is left of terms that cancel, as a part of them.
+const ROUNDING: f64 = 1e-14;
 /// Dots of the cloud.
 const DOTS: usize = 800;
 /// From this turn on (rad) first order says nothing of axes.
@@ -20,16 +23,31 @@ const FAR: f64 = 0.3;
 pub(super) fn section(case: &Case, options: &BudgetOptions) -> Section {
     let mut section = Section::new(3, "Principal moments and axes");
     let principal = case.principal(options.basis);
-    let moments = principal.frame.moments();
-    let row = |k: usize| {
-        vec![format!("i{}", k + 1), with_error(moments[k], moment_sd(&principal, k)), "kg·m²".to_owned()]
-    };
+    let row = |k: usize| vec![format!("i{}", k + 1), moment(case, &principal, k), "kg·m²".to_owned()];
     section.table(&["moment", "value ± sd", "unit"], (0..3).map(row).collect());
+    let symmetry = principal.frame.symmetry();
+    if symmetry != Symmetry::Asymmetric {
+        section.say(format!("Symmetry: {}.", symmetry.freedom()));
+    }
+    if symmetry == Symmetry::Point {
+        return section;
+    }
     let ratios = Ratios::of(&principal);
-    section.line(format!("i1/i3 = {}", with_error(ratios.values[0], ratios.sd[0])));
-    section.line(format!("i2/i3 = {}", with_error(ratios.values[1], ratios.sd[1])));
+    for k in 0..2 {
+        let ratio = if principal.is_first_order(k) && principal.is_first_order(2) {
+            with_error(ratios.values[k], ratios.sd[k])
+        } else {
+            format!("{}, {UNKNOWN}", number(ratios.values[k], 6))
+        };
+        section.line(format!("i{}/i3 = {ratio}", k + 1));
+    }
     let quantiles = case.drawn.as_ref().map(|drawn| drawn.tilts);
     let row = |k: usize| {
+        if let Some(words) = freedom(symmetry, k) {
+            let mut cells = vec![format!("axis {}", k + 1), words.to_owned()];
+            cells.resize(if quantiles.is_some() { 7 } else { 6 }, String::new());
+            return cells;
+        }
         let [x, y, z] = principal.frame.axis(k).to_array().map(|x| format!("{x:.5}"));
         let tilt = &case.tilts[k];
         let (angle, sd) = tilt.tilt.map_or((f64::NAN, None), |tilt| (tilt.angle, tilt.sd));
@@ -61,9 +79,8 @@ pub(super) fn section(case: &Case, options: &BudgetOptions) -> Section {
 }
 
 /// `Principal moments a ± b; c ± d; e ± f kg·m²`
-pub(super) fn in_words(principal: &PrincipalUncertainty<Body>) -> String {
-    let moments = principal.frame.moments();
-    let each = [0, 1, 2].map(|k| with_error(moments[k], moment_sd(principal, k)));
+pub(super) fn in_words(case: &Case, principal: &PrincipalUncertainty<Body>) -> String {
+    let each = [0, 1, 2].map(|k| moment(case, principal, k));
     format!("Principal moments {} kg·m²", each.join("; "))
 }
 
@@ -78,8 +95,32 @@ pub(super) fn not_known(principal: &PrincipalUncertainty<Body>) -> Option<String
     ))
 }
 
-pub(super) fn moment_sd(principal: &PrincipalUncertainty<Body>, k: usize) -> f64 {
-    principal.moment_covariance[k][k].max(0.0).sqrt()
+/// The error of a moment that has none to first order, without draws.
+const UNKNOWN: &str = "its error not to first order";
+
+/// `1.234 ± 0.012`; by draws where two moments are equal within their errors.
+pub(super) fn moment(case: &Case, principal: &PrincipalUncertainty<Body>, k: usize) -> String {
+    let value = principal.frame.moments()[k];
+    match (moment_sd(principal, k), &case.drawn) {
+        (Some(sd), _) => with_error(value, sd),
+        (None, Some(drawn)) => format!("{} by draws", with_error(value, drawn.comparison.numbers[10 + k].sd)),
+        (None, None) => format!("{}, {UNKNOWN}", number(value, 6)),
+    }
+}
+
+/// To first order, where that says what it is.
+pub(super) fn moment_sd(principal: &PrincipalUncertainty<Body>, k: usize) -> Option<f64> {
+    principal.is_first_order(k).then(|| principal.moment_covariance[k][k].max(0.0).sqrt())
+}
+
+/// Where an axis may be that symmetry does not determine.
+pub(super) const fn freedom(symmetry: Symmetry, k: usize) -> Option<&'static str> {
+    match (symmetry, k) {
+        (Symmetry::Point | Symmetry::Spherical, _) => Some("any direction"),
+        (Symmetry::Rod | Symmetry::Prolate, 1 | 2) => Some("any direction across axis 1"),
+        (Symmetry::Oblate, 0 | 1) => Some("any direction across axis 3"),
+        _ => None,
+    }
 }
 
 /// i1/i3 and i2/i3.
@@ -100,8 +141,11 @@ impl Ratios {
         // δ(iₖ/i3) = (δiₖ − iₖ/i3 δi3)/i3
         let c = &principal.moment_covariance;
         let covariance = |a: usize, b: usize| {
-            (c[a][b] - values[a] * c[2][b] - values[b] * c[a][2] + values[a] * values[b] * c[2][2])
-                / (i3 * i3)
+            let terms =
+                [c[a][b], -values[a] * c[2][b], -values[b] * c[a][2], values[a] * values[b] * c[2][2]];
+            let sum: f64 = terms.iter().sum();
+            let size: f64 = terms.iter().map(|term| term.abs()).sum();
+            if sum.abs() > ROUNDING * size { sum / (i3 * i3) } else { 0.0 }
         };
         let sd = [0, 1].map(|k| covariance(k, k).max(0.0).sqrt());
         let size = sd[0] * sd[1];
@@ -119,10 +163,11 @@ pub(super) fn triangle(case: &Case, principal: &PrincipalUncertainty<Body>) -> T
         let [i1, i2, i3] = body.principal().moments();
         [i1 / i3, i2 / i3]
     };
-    let varies = sd.iter().any(|sd| *sd > 0.0);
+    let is_first_order = (0..3).all(|k| principal.is_first_order(k));
+    let varies = !is_first_order || sd.iter().any(|sd| *sd > 0.0);
     Triangle {
         ratios: values,
-        regions: PROBABILITIES.into_iter().filter_map(region).collect(),
+        regions: PROBABILITIES.into_iter().filter(|_| is_first_order).filter_map(region).collect(),
         cloud: bodies.iter().filter(|_| varies).take(DOTS).map(ratios).collect(),
     }
 }

@@ -3,7 +3,7 @@
 use polhode_budget::{Basis, NUMBERS};
 
 use super::case::{Case, ten};
-use super::principal::moment_sd;
+use super::principal;
 use super::whole::length;
 use crate::explain::document::Section;
 use crate::layout::printable;
@@ -37,10 +37,7 @@ pub(super) fn section(cases: &[Case], basis: Basis) -> Section {
         });
     }
     for k in 0..3 {
-        row(&format!("i{}", k + 1), "kg·m²", &|case| {
-            let principal = case.principal(basis);
-            with_error(principal.frame.moments()[k], moment_sd(&principal, k))
-        });
+        row(&format!("i{}", k + 1), "kg·m²", &|case| principal::moment(case, &case.principal(basis), k));
     }
     section.table(&headers, rows);
     section

@@ -242,7 +242,7 @@ fn limits_are_answered_and_broken_ones_named() {
     assert_eq!(limits["all"]["met"], false);
     assert_eq!(limits["each"][0]["draws"]["of"], 500);
     let text = text(&report);
-    assert!(text.contains("→ 2 of 4 limits are met; all in 0.0 % (0 … 0.7 %) of possible bodies"), "{text}");
+    assert!(text.contains("→ 2 of 4 limits are met; all in 0 % (0 … 0.7 %) of possible bodies"), "{text}");
     assert!(text.contains("these limits are not met: tilt of the long axis, spin about z"), "{text}");
 }
 
@@ -447,4 +447,150 @@ fn tanks_and_what_happens_are_those_of_the_sequence() {
     }
     assert!(text.lines().all(|line| line.chars().count() <= 100), "{text}");
     assert!(document.to_html().contains("Mass over time"));
+}
+
+/// A report of one list of points.
+fn of_points(rows: Vec<Row>, limits: Vec<Limit>, options: BudgetOptions) -> BudgetReport {
+    let list = PartsList { rows, ..PartsList::default() };
+    BudgetReport::new(None, Vec::new(), vec![(None, list.budget().unwrap())], limits, options).unwrap()
+}
+
+#[test]
+fn all_the_mass_in_the_origin_has_a_page() {
+    let report =
+        of_points(vec![Row::part("a", GivenPart::point(1.0, at(0.0, 0.0, 0.0)))], Vec::new(), options(20));
+    let page = report.to_document().to_html();
+    assert!(!page.contains("NaN") && !page.contains("inf\""), "{page}");
+    assert!(page.contains("a point"), "its place is still listed");
+}
+
+#[test]
+fn a_point_beyond_numbers_is_refused() {
+    let budget = satellite(true);
+    let about = Some(Position::new(1e200, 2.0, -1.0));
+    let asked = BudgetOptions { about, ..options(0) };
+    let error = BudgetReport::new(None, Vec::new(), vec![(None, budget)], Vec::new(), asked).unwrap_err();
+    let words = error.to_string();
+    assert!(words.contains(" is 1e200, and has to be so small that") || words.contains("1000000"), "{words}");
+}
+
+#[test]
+fn a_difference_has_what_is_stated_besides_the_rows() {
+    let list = satellite(true).list().clone();
+    let mut other = list.clone();
+    other.groups[0].mass = 0.35;
+    other.groups[0].rotation = 0.25;
+    let of = |list: &PartsList, limits: Vec<Limit>| {
+        let budget = list.clone().budget().unwrap();
+        BudgetReport::new(None, Vec::new(), vec![(None, budget)], limits, options(0)).unwrap()
+    };
+    let mut changed = limits();
+    changed[0].most = changed[0].most.map_or(Some(9.0), |most| Some(1.5 * most));
+    let gone = changed.pop().unwrap().name;
+    let reports = [of(&list, limits()), of(&other, changed)];
+    let diff = BudgetDiff::new(&reports[0], &reports[1]);
+    assert!(!diff.is_empty());
+    let json = diff.to_json();
+    assert_eq!(json["configurations"][0]["changes"].as_array().unwrap().len(), 0);
+    let group = &json["configurations"][0]["stated"];
+    assert_eq!(group[0]["what"], "group wings");
+    assert_eq!(group[0]["after"], "mass 0.35, position 0.5, rotation 0.25");
+    assert_eq!(json["stated"][0]["what"], format!("limit {}", limits()[0].name));
+    assert_eq!(json["stated"][1]["what"], format!("limit {gone}"));
+    assert_eq!(json["stated"][1]["after"], Value::Null);
+    let text = diff.to_document().to_text(100);
+    assert!(text.contains("changed besides the rows: group wings"), "{text}");
+}
+
+/// What stood in a frame that is gone stays with its mass.
+#[test]
+fn a_frame_that_is_gone_takes_no_mass_along() {
+    let inside = |parent: &str| Row {
+        parent: Some(parent.to_owned()),
+        ..Row::part("c", GivenPart::point(1.3, at(0.1, 0.0, 0.0)))
+    };
+    let frame =
+        |name: &str, parent: Option<&str>| Row { parent: parent.map(str::to_owned), ..Row::frame(name) };
+    let before = vec![frame("s", None), frame("b", Some("s")), inside("b")];
+    let after = vec![frame("s", None), inside("s")];
+    let [before, after] = [before, after].map(|rows| of_points(rows, Vec::new(), options(0)));
+    let text = BudgetDiff::new(&before, &after).to_document().to_text(100);
+    assert!(text.contains("removed, a frame") && !text.contains("removed, with"), "{text}");
+}
+
+/// 1 ± 100 kg: draws miss the tail of the mass, and first order has it.
+#[test]
+fn a_mass_with_a_great_error_keeps_its_digits() {
+    let doubtful =
+        Row { uncertainty: known(100.0, 0.0), ..Row::part("s/a", GivenPart::point(1.0, at(0.2, 0.0, 0.0))) };
+    let exact = Row::part("s/b", GivenPart::point(1.0, at(-0.3, 0.1, 0.0)));
+    let report = of_points(vec![Row::frame("s"), doubtful, exact], Vec::new(), options(400));
+    let text = text(&report).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(text.contains("Mass 2 ± 100 kg"), "{text}");
+    assert!(
+        text.contains("of the mass first order is exact") && !text.contains("the draws are right"),
+        "{text}"
+    );
+}
+
+/// A part with this diagonal tensor about its centre.
+fn with_moments(name: &str, moments: [f64; 3], x: f64) -> Row {
+    let part = solid(1.3, at(x, 0.0, 0.0), [0.1; 3]);
+    let tensor = GivenTensor { moments, ..part.tensor };
+    Row::part(name, GivenPart { tensor, ..part })
+}
+
+/// Where two moments are equal, an error of one of them parts both, which no derivative says.
+#[test]
+fn equal_moments_have_their_errors_from_draws() {
+    let spread = PartUncertainty::Separate {
+        mass: 0.0,
+        tensor_follows_mass: false,
+        center: Spread::Exact,
+        tensor: Spread::Deviations([0.05, 0.0, 0.0, 0.0, 0.0, 0.0]),
+    };
+    let row = Row {
+        uncertainty: Uncertainty { part: spread, ..Uncertainty::default() },
+        ..with_moments("a", [1.0, 1.0, 1.5], 0.0)
+    };
+    let drawn = of_points(vec![row.clone()], Vec::new(), options(400));
+    let text_of_drawn = text(&drawn);
+    let line = text_of_drawn.lines().find(|line| line.contains("Principal moments")).unwrap();
+    assert!(line.contains(" by draws; ") && line.ends_with("1.5 kg·m²"), "{line}");
+    let json = drawn.to_json();
+    assert_eq!(json["configurations"][0]["principal"]["moment_sd"][0], Value::Null);
+    let without = text(&of_points(vec![row], Vec::new(), options(0)));
+    assert!(
+        without.contains("1, its error not to first order; 1, its error not to first order; 1.5"),
+        "{without}"
+    );
+}
+
+#[test]
+fn axes_that_symmetry_leaves_free_are_said_to_be() {
+    let row = Row { uncertainty: known(0.1, 0.0), ..with_moments("s/a", [0.001, 0.002, 0.002], 0.0) };
+    let rows = vec![Row::frame("s"), row, with_moments("s/b", [0.001, 0.002, 0.002], 0.3)];
+    let text = text(&of_points(rows, Vec::new(), options(20)));
+    assert_eq!(text.matches("any direction across axis 1").count(), 2, "{text}");
+    assert!(text.contains("i2 = i3: axes 2 and 3 are free in their plane"), "{text}");
+}
+
+/// Masses scale with the tensor: what depends on neither has no error but rounding.
+#[test]
+fn what_rounding_leaves_is_no_error() {
+    let row = Row { uncertainty: known(0.1, 0.0), ..with_moments("a", [0.11, 0.13, 0.09], 0.0137) };
+    let ratio = Limit {
+        name: "spin".to_owned(),
+        of: Measure::SpinRatio(Direction::new(0.0, 0.0, 1.0)),
+        least: Some(0.3),
+        most: None,
+        basis: Basis::Basic,
+    };
+    let report = of_points(vec![row], vec![ratio], options(60));
+    let json = report.to_json();
+    let case = &json["configurations"][0];
+    assert_eq!(case["limits"]["each"][0]["sd"].as_f64().unwrap(), 0.0);
+    assert!(case["limits"]["each"][0]["value"].as_f64().unwrap() > 0.69);
+    let text = text(&report);
+    assert!(!text.contains("e-10") && !text.contains("e-17"), "{text}");
 }

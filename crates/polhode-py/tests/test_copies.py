@@ -166,6 +166,8 @@ def everything(tmp_path: Path) -> list[object]:
     assert derived.derivatives is not None and derived.derivatives.events
     joined = polhode.Body({"main": made[0], "mesh": made[1], "water": made[2]})
     corner = [[0.1, -0.2, 0.3], [1.4, 0.2, -0.1], [0.3, 1.7, 0.2], [-0.2, 0.4, 1.9]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+    columns = {"name": ["a", "b", "c"], "mass [kg]": [1.5, 2.0, 0.7], "mass sd [kg]": [0.1, 0.2, 0.0], "x [m]": [0.1, -0.2, 0.0], "y [m]": [0.2, 0.0, 0.3], "z [m]": [-0.3, 0.1, 0.0]}
+    listed = polhode.budget(columns, plan={"limit": [{"of": "mass", "most": "5 kg"}]}, draws=50)
     return [
         *made,
         *moved,
@@ -214,6 +216,11 @@ def everything(tmp_path: Path) -> list[object]:
         carried.edge.thin[0],
         carried.unconstrained,
         carried.left_out[0],
+        listed,
+        listed.only,
+        listed.only.limits[0],
+        listed.only.rows[1],
+        listed.only.errors["mass"][0],
         polhode.Flight(times=[0, 0.1, 0.3], gyro=omega[:3], attitude=attitude[:3], added=[1e-3, 2e-3, 2.5e-3], wheels=[([0, 0, 1], 0.2)]),
         error,
         heard[0].message,

@@ -134,7 +134,8 @@ def test_logs_of_swings_as_arrays(examples: Path) -> None:
     angle = np.loadtxt(examples / "identify" / "rod-angle.csv", delimiter=",", skiprows=1)
     rate = np.loadtxt(examples / "identify" / "rod-rate.csv", delimiter=",", skiprows=1)
     rate = rate[rate[:, 0] >= 1000.0]
-    by_file = polhode.identify(examples / "identify" / "rod-logs.toml")
+    with pytest.warns(polhode.PolhodeWarning, match="identify.unknown"):
+        by_file = polhode.identify(examples / "identify" / "rod-logs.toml")
     tests = plan["swing"]["test"]
     tests[0]["logged"] = {"times": angle[:, 0], "values": np.radians(angle[:, 1]), "signal": "angle", "sd": np.radians(0.1)}
     tests[1]["logged"] = {"times": rate[:, 0] / 1000.0, "values": rate[:, 1], "signal": "rate", "sd": 0.004}

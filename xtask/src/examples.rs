@@ -35,9 +35,7 @@ pub(crate) fn check() -> Outcome {
             continue;
         }
         output(&mut call("inertia"))?;
-        // A body whose mass changes has no worked solution, and says so.
-        let changes =
-            read(path)?.lines().any(|line| line.trim_start_matches('[').starts_with("mass_history"));
+        let changes = mass_changes(path)?;
         if !changes {
             output(&mut call("explain"))?;
         }
@@ -54,6 +52,11 @@ pub(crate) fn check() -> Outcome {
         println!("   {scenario}: inertia{}{}", if changes { "" } else { ", explain" }, more.concat());
     }
     outside()
+}
+
+/// Whether a scenario has a body whose mass changes: it has no worked solution, and says so.
+pub(crate) fn mass_changes(scenario: &Path) -> Result<bool, String> {
+    Ok(read(scenario)?.lines().any(|line| line.trim_start_matches('[').starts_with("mass_history")))
 }
 
 /// The program of `outside/`, which stands outside the workspace as a user's does: of few lines, and its event happens. Here it is run

@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use crate::examples::mass_changes;
 use crate::process::{empty_folder, output, polhode, run_beside};
 use crate::{Outcome, files, root, short};
 
@@ -33,6 +34,9 @@ fn write(folder: &Path) -> Outcome {
     let is_scenario = |path: &PathBuf| !short(path).starts_with("examples/identify");
     for (k, scenario) in files(&root().join("examples"), "toml")?.into_iter().filter(is_scenario).enumerate()
     {
+        if mass_changes(&scenario)? {
+            continue;
+        }
         for (option, extension) in [("--markdown", "md"), ("--latex", "tex")] {
             let text = output(Command::new(&polhode).arg("explain").arg(&scenario).arg(option))?;
             let file = folder.join(format!("{k:02}.{extension}"));

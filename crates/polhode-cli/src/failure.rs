@@ -41,7 +41,8 @@ pub(crate) enum Failure {
 
 impl Failure {
     pub(crate) fn usage(message: impl Into<String>, hint: impl Into<String>) -> Self {
-        Self::Usage { message: message.into(), file: None, place: None, hint: Some(hint.into()) }
+        let hint = Some(hint.into()).filter(|hint: &String| !hint.is_empty());
+        Self::Usage { message: message.into(), file: None, place: None, hint }
     }
 
     /// As [`Failure::usage`], at a line and column of a file.

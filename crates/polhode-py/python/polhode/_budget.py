@@ -12,11 +12,12 @@ from typing import Any, Iterable, Iterator, Mapping, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _html, _native, _toml
+from . import _arrays, _native, _toml
 from ._arrays import Floats
-from ._error import PolhodeError, in_python
+from ._error import PolhodeError
 from ._estimate import Estimate, floats
 from ._mass_properties import Finding, MassProperties, findings_of, warn_of
+from ._printed import Printed
 from ._record import Record
 
 
@@ -137,7 +138,7 @@ class BudgetCase(Record):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Budget(Record):
+class Budget(Printed):
     """What a parts list comes to. :func:`budget` makes one; of a list with one configuration it has all that :class:`BudgetCase` has."""
 
     #: What it is called.
@@ -150,8 +151,6 @@ class Budget(Record):
     is_beyond: bool
     #: What was noticed.
     findings: tuple[Finding, ...]
-    #: JSON, text, Markdown and page, as the command prints them.
-    _printed: tuple[str, str, str, str]
 
     def __getitem__(self, name: str) -> BudgetCase:
         """The configuration of this name."""
@@ -209,29 +208,8 @@ class Budget(Record):
         """Mass, centre of mass and inertia."""
         return self.only.body
 
-    def to_dict(self) -> dict[str, Any]:
-        """The object that ``polhode budget --json`` prints: its keys are stable."""
-        return dict(json.loads(self._printed[0]))
-
-    def report(self) -> str:
-        """The text that ``polhode budget`` prints."""
-        return "\n".join(map(in_python, self._printed[1].split("\n")))
-
-    def page(self) -> str:
-        """The report as a page with pictures, for a browser."""
-        return self._printed[3]
-
     def __repr__(self) -> str:
         return f"Budget({self.title!r}: {', '.join(map(repr, self.configurations))})"
-
-    def __str__(self) -> str:
-        return self.report()
-
-    def _repr_markdown_(self) -> str:
-        return self._printed[2]
-
-    def _repr_html_(self) -> str:
-        return _html.frame(self.page())
 
 
 def budget(

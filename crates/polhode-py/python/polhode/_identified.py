@@ -8,18 +8,18 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
-from . import _html, _native
+from . import _native
 from ._arrays import Floats
-from ._error import in_python
 from ._estimate import Estimate, Number, PrincipalEstimate, ResidualTest, counted, estimate_of, floats, principal_of, residual_test_of
 from ._mass_properties import Finding, MassProperties, findings_of
+from ._printed import Printed
 from ._record import Record
 
 Of = TypeVar("Of")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Identified(Record):
+class Identified(Printed):
     """What is common to all answers: :class:`TumbleResult`, :class:`SwingResult`, :class:`PayloadResult`.
 
     Every answer is a possible body. What the measurements do not determine is not filled in: it has no error, and its directions are in
@@ -38,21 +38,6 @@ class Identified(Record):
     has_model_error: bool
     #: What was noticed.
     findings: tuple[Finding, ...]
-    #: JSON, text, Markdown and page, as the command prints them.
-    _printed: tuple[str, str, str, str]
-
-    def to_dict(self) -> dict[str, Any]:
-        """The object that ``polhode identify --json`` prints: its keys are stable."""
-        return dict(json.loads(self._printed[0]))
-
-    def report(self) -> str:
-        """The text that ``polhode identify`` prints."""
-        # A drawing has dashes between letters that are no flags.
-        return "\n".join(line if "│" in line else in_python(line) for line in self._printed[1].split("\n"))
-
-    def page(self) -> str:
-        """The report as a page with plots, for a browser."""
-        return self._printed[3]
 
     def _summary(self) -> str:
         return repr(self.estimate)
@@ -60,15 +45,6 @@ class Identified(Record):
     def __repr__(self) -> str:
         odd = ", what is left is no noise" if self.has_model_error else ""
         return f"{type(self).__name__}({self.title!r}: {self._summary()}{odd})"
-
-    def __str__(self) -> str:
-        return self.report()
-
-    def _repr_markdown_(self) -> str:
-        return self._printed[2]
-
-    def _repr_html_(self) -> str:
-        return _html.frame(self.page())
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -78,7 +78,9 @@ pub(super) fn in_words(case: &Case, limits: &[Limit]) -> Option<String> {
         BallastAnswer::None(_) => format!("No ballast at these sites meets {sought}"),
         BallastAnswer::Least(least) if least.pieces.is_empty() => {
             let others = others(case, least, left_out, limits, "without");
-            format!("No ballast is needed: {sought} are met without{others}")
+            let is_one = !left_out.is_empty() && limits.len() == left_out.len() + 1;
+            let is = if is_one { "is" } else { "are" };
+            format!("No ballast is needed: {sought} {is} met without{others}")
         }
         BallastAnswer::Least(least) => {
             let LeastBallast { pieces, mass, .. } = least;

@@ -14,6 +14,7 @@ use polhode_report::{
 use serde_json::Value;
 
 use crate::budget_history;
+use crate::check::outputs::is_same;
 use crate::failure::Failure;
 use crate::numbers::{point, rotation};
 use crate::partial;
@@ -114,6 +115,7 @@ impl BudgetCommand {
         if let Some(target) = &self.scenario {
             let file = budget::read(&self.file)?;
             let basis = self.basis.map_or(file.questions.basis, BasisName::basis);
+            require_not_read(&self.file, &file, &[target, &target.with_extension("csv")])?;
             return budget_history::write(&file, &self.file, basis, target, self.force);
         }
         let report = self.report(&self.file, false)?;
@@ -159,6 +161,9 @@ impl BudgetCommand {
 
     fn report(&self, path: &Path, is_other: bool) -> Result<BudgetReport, Failure> {
         let file = budget::read(path)?;
+        if let Some(target) = &self.xlsx {
+            require_not_read(path, &file, &[target])?;
+        }
         let sources = file.sources(&|path| shown(path));
         let BudgetFile { title, configurations, questions, limits, ballast, prescribed, .. } = file;
         let mut all: Vec<_> = configurations.into_iter().map(|one| (one.name, one.budget)).collect();
@@ -231,6 +236,18 @@ impl BasisName {
             Self::Basic => Basis::Basic,
             Self::Predicted => Basis::Predicted,
         }
+    }
+}
+
+/// Refuses to write over what is read, whatever --force says.
+fn require_not_read(list: &Path, file: &BudgetFile, outputs: &[&Path]) -> Result<(), Failure> {
+    let read = || [list].into_iter().chain(file.read.iter().map(|read| read.path.as_path()));
+    match outputs.iter().find(|out| read().any(|file| is_same(out, file))) {
+        Some(out) => {
+            let message = format!("{} is read, and would be overwritten", shown(out));
+            Err(Failure::usage(message, "choose another name for what is written"))
+        }
+        None => Ok(()),
     }
 }
 

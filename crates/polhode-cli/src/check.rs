@@ -3,7 +3,7 @@
 mod files;
 mod fix;
 mod output;
-mod outputs;
+pub(crate) mod outputs;
 mod parallel;
 mod policy;
 

@@ -9,7 +9,7 @@ use crate::unit::DIGITS;
 
 /// `12.5 → 8.3 kg, through 1 exit; I changes with it`
 pub(crate) fn in_words(history: &MassHistory, [from, to]: [f64; 2]) -> String {
-    let [Ok((first, _)), Ok((last, _))] = [from, to].map(|time| history.at(time)) else {
+    let [Ok((first, _)), Ok((last, _))] = [from, at_end(to)].map(|time| history.at(time)) else {
         return String::new();
     };
     let [before, after] = [first, last].map(|body| number(body.mass(), DIGITS));
@@ -23,6 +23,11 @@ pub(crate) fn in_words(history: &MassHistory, [from, to]: [f64; 2]) -> String {
     format!("{before} → {after} kg, {how}; d(I ω)/dt + ω × I ω = N − Σ µ ρ × (ω × ρ)")
 }
 
+/// What jumps at the end is as it was: so is the motion's last state.
+const fn at_end(end: f64) -> f64 {
+    end.next_down()
+}
+
 /// The body at the end, and when something changes.
 pub(crate) fn to_json(history: &MassHistory, end: f64) -> Value {
     let how = match history.outflow() {
@@ -30,7 +35,7 @@ pub(crate) fn to_json(history: &MassHistory, end: f64) -> Value {
         Outflow::InPlace => "in_place",
         Outflow::Exits(_) => "exits",
     };
-    let last = history.at(end).ok().map(|(body, _)| {
+    let last = history.at(at_end(end)).ok().map(|(body, _)| {
         json!({
             "mass_kg": body.mass(),
             "center_of_mass_m": vector(body.center_of_mass()),

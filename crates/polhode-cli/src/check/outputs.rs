@@ -110,7 +110,7 @@ fn require_place(option: &str, out: &Path, force: bool) -> Result<(), Failure> {
 }
 
 /// Whether two names are of one file, by way of links perhaps, there or to come.
-fn is_same(one: &Path, other: &Path) -> bool {
+pub(crate) fn is_same(one: &Path, other: &Path) -> bool {
     let agree = |of: fn(&Path) -> Option<PathBuf>| of(one).is_some_and(|path| Some(path) == of(other));
     one == other || agree(entry) || agree(|path| fs::canonicalize(path).ok())
 }

@@ -89,6 +89,10 @@ fn the_scenario_moves_as_the_sequence_does() {
     let error = refused(&scratch.run(&["budget", "list.csv", "--scenario", "a.toml"]), 2);
     assert!(error.contains("[[exit]] with position") && !scratch.0.join("a.csv").exists(), "{error}");
     scratch.write("list.csv", &list.replace("# until = 9", "# until = 9\n# in_place = true"));
+    let error = refused(&scratch.run(&["budget", "list.csv", "--scenario", "list.toml", "--force"]), 2);
+    assert!(error.contains("list.csv is read, and would be overwritten"), "{error}");
+    let error = refused(&scratch.run(&["budget", "list.csv", "--xlsx", "./list.csv", "--force"]), 2);
+    assert!(error.contains("is read, and would be overwritten"), "{error}");
     stdout(&scratch.run(&["budget", "list.csv", "--scenario", "a.toml"]));
     stdout(&scratch.run(&["simulate", "a.toml", "--output", "run-a"]));
 }

@@ -103,6 +103,7 @@ pub(super) fn with_liquid(
     let mut prescribed = Prescribed { stages, over_time: None };
     if let Some(sequence) = &plan.sequence {
         prescribed.over_time = Some(over_time(sequence, &names)?);
+        same_tanks(&prescribed, &plan.tanks)?;
         let configuration = prescribed.over_time.as_ref().and_then(|all| all.configuration.clone());
         if let Some(of_file) = prescribed.sequence(configuration.as_deref(), plan.questions.basis) {
             // Two places between corners: what is wrong with a tank is so at an end.
@@ -111,6 +112,33 @@ pub(super) fn with_liquid(
         }
     }
     Ok((wet, Some(prescribed)))
+}
+
+/// Are the tanks of what it begins as also in what it becomes? Liquid does not appear, nor go, as arms unfold.
+fn same_tanks(prescribed: &Prescribed, tanks: &[PlannedTank]) -> Result<(), FormatError> {
+    let Some(over_time) = &prescribed.over_time else { return Ok(()) };
+    let has = |name: Option<&str>, tank: &PlannedTank| {
+        prescribed
+            .stage(name)
+            .is_some_and(|stage| stage.tanks.iter().any(|(other, _)| other.name == tank.name))
+    };
+    let begin = over_time.configuration.as_deref();
+    for change in &over_time.changes {
+        let PlannedChange::Deploy { configuration, .. } = change else { continue };
+        if let Some(tank) = tanks.iter().find(|tank| has(begin, tank) != has(Some(configuration), tank)) {
+            let begin = begin.unwrap_or_default();
+            let rule = format!(
+                "such that the tank \"{}\" is in \"{begin}\" and \"{configuration}\", or in neither",
+                tank.name
+            );
+            return Err(match tank.configurations.join(", ") {
+                // Its frame is in one of them only.
+                all if all.is_empty() => tank.refused(0, rule),
+                all => invalid(&tank.places[1], "configuration", &all, rule),
+            });
+        }
+    }
+    Ok(())
 }
 
 impl PlannedTank {

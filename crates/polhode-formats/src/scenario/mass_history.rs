@@ -26,7 +26,7 @@ pub(super) fn read<'a>(
     table.at_most_one(&["drop", "table"], rule)?;
     let outflow = outflow(&table)?;
     let rows = match table.get("table") {
-        Some(file) => mass_table::rows(&file, &table, body)?,
+        Some(file) => mass_table::rows(&file, &table)?,
         None => {
             if let Some(products) = table.get("products") {
                 return Err(products.invalid("left out without a table"));
@@ -40,6 +40,14 @@ pub(super) fn read<'a>(
         let hint = "say where it leaves: [[mass_history.exit]], or in_place = true for what is left behind where it was";
         if is_closed { error.with_hint(hint) } else { error }
     })?;
+    if let Some(file) = table.get("table") {
+        let (at_start, _) = history.at(0.0).map_err(|error| file.motion(error))?;
+        if mass_table::differs(&at_start, body) {
+            let rule = "a table that is the [body] at t = 0";
+            let hint = "the body is said twice, and so differently: a body.part of shape \"tensor\" with what the table has at t = 0 agrees";
+            return Err(file.invalid(rule).with_hint(hint));
+        }
+    }
     Ok(Some((history, value)))
 }
 

@@ -162,6 +162,28 @@ fn a_table_is_the_history_of_the_whole_body() {
     }
 }
 
+/// A body of half of the mass, of the same form.
+fn half(body: &MassProperties<Body>) -> MassProperties<Body> {
+    let rows = body.inertia().matrix().map(|row| row.map(|x| 0.5 * x));
+    let inertia = polhode::body::InertiaTensor::from_matrix(rows).unwrap();
+    MassProperties::new(0.5 * body.mass(), body.center_of_mass(), inertia).unwrap()
+}
+
+#[test]
+fn a_table_may_begin_before_the_run() {
+    let folder = Folder::new("before");
+    let whole = *with("").unwrap().body();
+    let scaled = |by: f64| {
+        let rows = whole.inertia().matrix().map(|row| row.map(|x| by * x));
+        let inertia = polhode::body::InertiaTensor::from_matrix(rows).unwrap();
+        MassProperties::new(by * whole.mass(), whole.center_of_mass(), inertia).unwrap()
+    };
+    let table = format!("{HEADER}\n{}\n{}\n", line(-3.0, &scaled(1.3), 1.0), line(6.0, &scaled(0.4), 1.0));
+    let read = folder.read(&table, EXIT).unwrap();
+    let (now, _) = history(&read).at(0.0).unwrap();
+    assert!((now.mass() - whole.mass()).abs() < 1e-12 * whole.mass(), "{now:?}");
+}
+
 #[test]
 fn tables_that_make_no_sense_are_refused() {
     let folder = Folder::new("refused");
@@ -176,6 +198,14 @@ fn tables_that_make_no_sense_are_refused() {
         (table(&line(-1.0, &body, 1.0)), "", "not before that of the row before"),
         (table(&first.replacen('0', "5", 1).replacen("5.8", "-5.8", 1)), "", "mass"),
         (table("5,6"), "", "fields long"),
+        (format!("{HEADER},mass_rate_kg_per_s\n{first},1\n"), "", "one of a mass history's"),
+        (format!("{HEADER},mass_kg\n{first},1\n"), "", "there once"),
+        // At t = 0 the body is half way between the rows.
+        (
+            format!("{HEADER}\n{}\n{}\n", line(-2.0, &body, 1.0), line(2.0, &half(&body), 1.0)),
+            EXIT,
+            "the [body] at t = 0",
+        ),
         // The wrong sign shows, as the body is said twice.
         (format!("{HEADER}\n{}\n", line(0.0, &body, -1.0)), "", "the [body] at t = 0"),
         (

@@ -63,7 +63,8 @@ pub(super) fn sequence(
     table.allow(&["configuration", "until", "spin", "in_place"])?;
     let configuration = table.get("configuration");
     let spin = table.get("spin").map(|value| value.quantities(Dimension::ANGULAR_VELOCITY)).transpose()?;
-    let burns = burns(root, tanks)?;
+    let until = table.require("until", "until = \"60 s\"")?.positive(Dimension::TIME)?;
+    let burns = burns(root, tanks, until)?;
     let outflow = outflow(root, &table)?;
     if let Some(value) = root.get("exit").or(table.get("in_place")).filter(|_| burns.is_empty()) {
         return Err(value.invalid("left out without [[burn]]"));
@@ -73,11 +74,11 @@ pub(super) fn sequence(
             .as_ref()
             .map(|value| value.string().map(|text| text.trim().to_owned()))
             .transpose()?,
-        until: table.require("until", "until = \"60 s\"")?.positive(Dimension::TIME)?,
+        until,
         spin: spin.map(AngularVelocity::from_array),
         outflow,
         burns,
-        changes: changes(root)?,
+        changes: changes(root, until)?,
         place: configuration.as_ref().unwrap_or(&section).invalid("right"),
     }))
 }
@@ -94,7 +95,11 @@ fn outflow(root: &Table<'_>, table: &Table<'_>) -> Result<Outflow, FormatError> 
     }
 }
 
-fn burns(root: &Table<'_>, tanks: &[PlannedTank]) -> Result<Vec<(Burn, FormatError)>, FormatError> {
+fn burns(
+    root: &Table<'_>,
+    tanks: &[PlannedTank],
+    last: f64,
+) -> Result<Vec<(Burn, FormatError)>, FormatError> {
     let Some(list) = root.get("burn") else { return Ok(Vec::new()) };
     let burn = |table: Table<'_>| {
         table.allow(&["tank", "from", "until", "flow", "mass"])?;
@@ -114,6 +119,9 @@ fn burns(root: &Table<'_>, tanks: &[PlannedTank]) -> Result<Vec<(Burn, FormatErr
         if !(until > from) {
             return Err(end.invalid(format!("after the burn begins, at {from} s")));
         }
+        if until > last {
+            return Err(end.invalid(format!("within the sequence, which ends at {last} s")));
+        }
         let given = table
             .at_most_one(&["flow", "mass"], "mass is what leaves in all, flow what leaves in a second")?;
         let given = given.ok_or_else(|| table.missing("flow", "flow = \"0.2 kg/s\", or mass = \"12 kg\""))?;
@@ -126,7 +134,7 @@ fn burns(root: &Table<'_>, tanks: &[PlannedTank]) -> Result<Vec<(Burn, FormatErr
     list.tables("burn")?.into_iter().map(burn).collect()
 }
 
-fn changes(root: &Table<'_>) -> Result<Vec<(PlannedChange, FormatError)>, FormatError> {
+fn changes(root: &Table<'_>, last: f64) -> Result<Vec<(PlannedChange, FormatError)>, FormatError> {
     let mut changes: Vec<(PlannedChange, FormatError)> = Vec::new();
     let mut add = |change: PlannedChange, at: &Value<'_>, place: &Value<'_>| {
         if changes.iter().any(|(other, _)| other.time() == change.time()) {
@@ -145,7 +153,7 @@ fn changes(root: &Table<'_>) -> Result<Vec<(PlannedChange, FormatError)>, Format
             if all.is_empty() {
                 return Err(rows.invalid("names of rows, one at least"));
             }
-            add(PlannedChange::Drop { time: later(&at)?, rows: all }, &at, &rows)?;
+            add(PlannedChange::Drop { time: later(&at, last)?, rows: all }, &at, &rows)?;
         }
     }
     if let Some(list) = root.get("deploy") {
@@ -154,7 +162,7 @@ fn changes(root: &Table<'_>) -> Result<Vec<(PlannedChange, FormatError)>, Format
             let to = table.require("configuration", "configuration = \"deployed\"")?;
             let at = table.require("time", "time = \"70 s\"")?;
             let configuration = to.string()?.trim().to_owned();
-            add(PlannedChange::Deploy { time: later(&at)?, configuration }, &at, &to)?;
+            add(PlannedChange::Deploy { time: later(&at, last)?, configuration }, &at, &to)?;
         }
     }
     Ok(changes)
@@ -165,7 +173,11 @@ fn time(value: &Value<'_>) -> Result<f64, FormatError> {
     if time >= 0.0 { Ok(time) } else { Err(value.invalid("not negative: the sequence starts at 0")) }
 }
 
-fn later(value: &Value<'_>) -> Result<f64, FormatError> {
+fn later(value: &Value<'_>, last: f64) -> Result<f64, FormatError> {
     let time = value.quantity(Dimension::TIME)?;
-    if time > 0.0 { Ok(time) } else { Err(value.invalid("after 0, when the sequence starts")) }
+    if time > 0.0 && time < last {
+        Ok(time)
+    } else {
+        Err(value.invalid(format!("after 0, when the sequence starts, and before {last} s, when it ends")))
+    }
 }

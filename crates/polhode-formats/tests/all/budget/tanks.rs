@@ -164,6 +164,21 @@ const REFUSED: &[(&str, &str, &str)] = &[
         "# tank = \"grian\"",
         "tank = \"grian\" must be the name of a [[tank]] | did you mean \"grain\"?",
     ),
+    (
+        "# until = \"60 s\"",
+        "# until = \"29 s\"",
+        "until = \"30 s\" must be within the sequence, which ends at 29 s",
+    ),
+    (
+        "# time = \"8 s\"",
+        "# time = \"60 s\"",
+        "time = \"60 s\" must be after 0, when the sequence starts, and before 60 s, when it ends",
+    ),
+    (
+        "# frame = \"tank\"",
+        "# frame = \"tank\"\n# configuration = \"stowed\"",
+        "configuration = \"stowed\" must be such that the tank \"fuel\" is in \"stowed\" and \"deployed\", or in neither",
+    ),
     ("# until = \"4 s\"", "# until = \"0 s\"", "until = \"0 s\" must be after the burn begins, at 0 s"),
     ("# mass = \"8 kg\"\n# [[burn]]", "# mass = \"8.1 kg\"\n# [[burn]]", "at t = 4 s there would be -0.0999"),
     ("# from = \"10 s\"", "# from = \"-1 s\"", "from = \"-1 s\" must be not negative"),

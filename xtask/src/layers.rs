@@ -16,6 +16,7 @@ const MODULES: [&str; 11] = [
     "motion/solve",
     "motion/inverse",
     "motion/run",
+    "motion/contact",
     "motion/task",
     "observe",
     "infer",

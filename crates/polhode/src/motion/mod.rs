@@ -20,6 +20,7 @@
 //! # A body and its motion in one value
 //! A [`Scenario`] is what a scenario file describes.
 
+pub mod contact;
 pub(crate) mod error;
 pub(crate) mod inverse;
 pub(crate) mod model;

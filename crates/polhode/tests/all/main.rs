@@ -3,6 +3,7 @@
 
 mod accuracy;
 mod common;
+mod contact;
 mod curves;
 mod density;
 mod derivatives;

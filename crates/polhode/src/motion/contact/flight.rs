@@ -1,0 +1,93 @@
+//! A body that has left the ground: its centre of mass falls, and it turns freely.
+
+use super::equations::{AXES, OMEGA};
+use super::model::{GroundForm, Model, SurfaceForm};
+use super::run::Reading;
+use crate::math::algebra::{Components, Field};
+
+/// The variables of a flight: e₁, e₃, ω; the centre of mass along the axes of the ground and its velocity; the work of friction and of the ground.
+pub(super) const CENTER: usize = 9;
+pub(super) const CENTER_RATE: usize = 12;
+pub(super) const COUNT: usize = 17;
+
+impl Model {
+    /// True if it is known how far the body is from the ground while it flies.
+    pub(super) fn may_fly(&self) -> bool {
+        let is_ball = matches!(self.surface, SurfaceForm::Rim { radius: 0.0, .. });
+        self.axis_inertia.is_none() && (self.ground == GroundForm::Plane || is_ball)
+    }
+
+    /// The rates of the variables, and the distance from the ground.
+    pub(super) fn flight<S: Field>(&self, one: S, y: &[S]) -> (Vec<S>, S) {
+        let vector = |k: usize| Components([y[k], y[k + 1], y[k + 2]]);
+        let (e1, e3, omega) = (vector(AXES), vector(AXES + 3), vector(OMEGA));
+        let image = |rows: &[[f64; 3]; 3], Components([x, y, z]): Components<S>| {
+            Components(rows.map(|[a, b, c]| x.times(a) + y.times(b) + z.times(c)))
+        };
+        let turned = image(&self.inverse_inertia, -omega.cross(image(&self.inertia, omega)));
+        let zero = one.times(0.0);
+        let falling = self.gravity.map(|g| one.times(g));
+        let mut rates: Vec<S> = [e1.cross(omega), e3.cross(omega), turned].iter().flat_map(|v| v.0).collect();
+        rates.extend(vector(CENTER_RATE).0);
+        rates.extend(falling);
+        rates.extend([zero, zero]);
+        (rates, self.gap(one, y))
+    }
+
+    /// How far the body is from the ground.
+    fn gap<S: Field>(&self, one: S, y: &[S]) -> S {
+        let vector = |k: usize| Components([y[k], y[k + 1], y[k + 2]]);
+        let (e1, e3, center) = (vector(AXES), vector(AXES + 3), vector(CENTER));
+        let offset = Components(self.offset.map(|x| one.times(x)));
+        let along = |v: Components<S>| Components([e1.dot(v), e3.cross(e1).dot(v), e3.dot(v)]);
+        match self.ground {
+            GroundForm::Plane => {
+                let lowest = offset + self.surface.point(one, e3);
+                center.0[2] + e3.dot(lowest)
+            }
+            GroundForm::Sphere { radius } | GroundForm::Cylinder { radius } => {
+                let Components([x, y, z]) = center + along(offset);
+                let across = if matches!(self.ground, GroundForm::Sphere { .. }) {
+                    x * x + y * y + z * z
+                } else {
+                    x * x + y * y
+                };
+                // Inside: ρ − a − |c|. Outside, where ρ is negative: |c| + ρ − a.
+                let from_axis = across.root().times(-radius.signum());
+                let tube = match self.surface {
+                    SurfaceForm::Rim { tube, .. } => tube,
+                    SurfaceForm::Ellipsoid { .. } => f64::NAN,
+                };
+                from_axis + one.times(radius - tube)
+            }
+        }
+    }
+}
+
+/// What is read off the variables; the contact is the point that is nearest to the ground.
+pub(super) fn reading(model: &Model, y: &[f64]) -> Reading {
+    let vector = |k: usize| Components([y[k], y[k + 1], y[k + 2]]);
+    let (e1, e3, center, velocity) = (vector(AXES), vector(AXES + 3), vector(CENTER), vector(CENTER_RATE));
+    let e2 = e3.cross(e1);
+    let in_body = |Components([a, b, c]): Components<f64>| e1.scaled(a) + e2.scaled(b) + e3.scaled(c);
+    let offset = Components(model.offset);
+    let middle = center + Components([e1.dot(offset), e2.dot(offset), e3.dot(offset)]);
+    let Components([x, y, z]) = middle;
+    let normal = match model.ground {
+        GroundForm::Plane => e3,
+        GroundForm::Sphere { radius } => in_body(middle.scaled(-radius.signum() / x.hypot(y).hypot(z))),
+        GroundForm::Cylinder { radius } => {
+            in_body(Components([x, y, 0.0]).scaled(-radius.signum() / x.hypot(y)))
+        }
+    };
+    Reading {
+        center: center.0,
+        arm: (offset + model.surface.point(1.0, normal)).0,
+        velocity: in_body(velocity).0,
+        normal: normal.0,
+        slip: [0.0; 3],
+        normal_force: 0.0,
+        friction: [0.0; 3],
+        torque: [0.0; 3],
+    }
+}

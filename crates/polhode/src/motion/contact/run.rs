@@ -1,0 +1,390 @@
+//! A run: its steps, its samples, its events, and how it ends.
+
+use super::change::{ContactEvent, ContactPhase};
+use super::equations::Regime;
+use super::flight;
+use super::ground::GroundSide;
+use super::model::Model;
+use super::phase::{Kind, Watch};
+use super::sample::ContactSample;
+use super::simulation::ContactSimulation;
+use super::stepper::Stepper;
+use super::surface::SurfaceShape;
+use super::trajectory::{ContactEnding, ContactTrajectory};
+use super::{GroundShape, equations};
+use crate::math::frame::{Body, Part, Space};
+use crate::math::rotation::Rotation;
+use crate::math::vector::{Direction, Position, Vector, Velocity};
+use crate::motion::error::MotionError;
+use crate::motion::model::event::{Crossing, EventAction, Measure};
+use crate::motion::model::require;
+use crate::motion::model::rotor::Rotor;
+use crate::motion::model::state::State;
+use crate::motion::run::event_detection::EventDetector;
+use crate::motion::solve::propagate::bound::MOST_STEPS;
+use crate::motion::solve::propagate::step_statistics::StepStatistics;
+
+/// The most events and changes of a run.
+const MOST_EVENTS: usize = 1_000_000;
+
+/// A run on its way.
+pub(super) struct Run<'a> {
+    of: &'a ContactSimulation<'a>,
+    pub(super) stepper: Stepper,
+    pub(super) changes: Vec<ContactEvent>,
+    samples: Vec<ContactSample>,
+    crossings: Vec<Crossing>,
+    statistics: StepStatistics,
+    start: ContactSample,
+    ending: ContactEnding,
+}
+
+impl<'a> Run<'a> {
+    /// # Errors
+    /// As [`ContactSimulation::run`].
+    pub(super) fn new(of: &'a ContactSimulation<'a>) -> Result<Self, MotionError> {
+        let stepper = started(of)?;
+        let start = sample(of, &stepper, of.start.state.time, stepper.variables())?;
+        // The start as it was given, not as it comes back from other axes.
+        let start = ContactSample { state: of.start.state, ..start };
+        let (changes, samples, crossings) = (Vec::new(), Vec::new(), Vec::new());
+        let (statistics, ending) = (StepStatistics::default(), ContactEnding::Complete);
+        let mut run = Self { of, stepper, changes, samples, crossings, statistics, start, ending };
+        run.ending = run.settle_start()?;
+        // With the forces of the phase that holds.
+        let now = sample(of, &run.stepper, of.start.state.time, run.stepper.variables())?;
+        Ok(Self { start: ContactSample { state: of.start.state, ..now }, ..run })
+    }
+
+    /// Runs to the last time, as far as it can.
+    ///
+    /// # Errors
+    /// [`MotionError::Stopped`] if `progress` says so.
+    pub(super) fn to_the_end(
+        mut self,
+        progress: &mut dyn FnMut(f64) -> bool,
+    ) -> Result<ContactTrajectory, MotionError> {
+        let rotor = Rotor::free(self.of.body);
+        let mut watch = EventDetector::new(&rotor, &[], self.of.events, &self.of.start.state);
+        while self.next_wanted().is_some_and(|t| t <= self.start.state.time) {
+            self.samples.push(self.start);
+        }
+        let end = self.of.times.last().copied().unwrap_or(self.start.state.time);
+        let mut ending = core::mem::replace(&mut self.ending, ContactEnding::Complete);
+        while self.stepper.time() < end && ending == ContactEnding::Complete {
+            ending = match self.step(end, &mut watch) {
+                Ok(ending) => ending,
+                Err(cause) => ContactEnding::Failed { cause, time: self.stepper.time() },
+            };
+            if !progress(self.stepper.time()) {
+                return Err(MotionError::Stopped { time: self.stepper.time() });
+            }
+        }
+        if ending != ContactEnding::Complete {
+            self.sample_end();
+        }
+        let last = self.samples.last().map_or(self.start.state.time, |last| last.state.time);
+        let (ContactEnding::Stopped { time, .. }
+        | ContactEnding::Changed { time, .. }
+        | ContactEnding::Failed { time, .. }) = &mut ending
+        else {
+            return Ok(self.finished(ending));
+        };
+        *time = last;
+        Ok(self.finished(ending))
+    }
+
+    fn finished(self, ending: ContactEnding) -> ContactTrajectory {
+        let Self { changes, samples, crossings, statistics, start, .. } = self;
+        ContactTrajectory { start, samples: continuous(samples), changes, crossings, ending, statistics }
+    }
+
+    /// One step, and what ends at it.
+    fn step(&mut self, end: f64, watch: &mut EventDetector<'_>) -> Result<ContactEnding, MotionError> {
+        let from = self.stepper.time();
+        let longest = self.stepper.expand();
+        if self.statistics.accepted == MOST_STEPS {
+            return Err(MotionError::TooManySteps { time: from, step: longest, most: MOST_STEPS });
+        }
+        if longest.is_nan() {
+            return Err(MotionError::NotFinite { time: from });
+        }
+        if !(from + longest > from) {
+            return Err(MotionError::StepTooSmall { time: from, step: longest });
+        }
+        let mut to = if from + longest < end { from + longest } else { end };
+        let passing = self.stepper.passing(to - from);
+        if let Some(passing) = passing {
+            to = from + passing.after;
+        }
+        let mut stop = None;
+        let found = {
+            let (of, stepper) = (self.of, &self.stepper);
+            watch.look([from, to], &|time| state(of, stepper, time, &stepper.variables_at(time)))
+        };
+        for crossing in found {
+            let Some(event) = self.of.events.get(crossing.event) else { continue };
+            if self.crossings.len() == MOST_EVENTS {
+                return Err(MotionError::TooManyEvents { time: crossing.time, most: MOST_EVENTS });
+            }
+            let at = state(self.of, &self.stepper, crossing.time, &self.stepper.variables_at(crossing.time));
+            let name = event.name().to_owned();
+            self.crossings.push(Crossing { event: crossing.event, name, state: at, rising: crossing.rising });
+            if event.action() == EventAction::Stop {
+                (to, stop) = (crossing.time, Some(crossing.event));
+                break;
+            }
+        }
+        while let Some(t) = self.next_wanted().filter(|&t| t <= to) {
+            let sample = sample(self.of, &self.stepper, t, &self.stepper.variables_at(t))?;
+            self.samples.push(sample);
+        }
+        self.stepper.advance(to - from, to);
+        self.statistics.accepted += 1;
+        self.statistics.evaluations += self.stepper.terms();
+        if let Some(event) = stop {
+            return Ok(ContactEnding::Stopped { event, time: to });
+        }
+        let exhausted = self.stepper.exhausted();
+        let Some(passed) = passing.map(|passing| passing.watch).or(exhausted) else {
+            return Ok(ContactEnding::Complete);
+        };
+        if self.changes.len() == MOST_EVENTS {
+            return Err(MotionError::TooManyEvents { time: to, most: MOST_EVENTS });
+        }
+        self.pass(passed)
+    }
+
+    /// The state at which the motion ends, if it is not a sample.
+    fn sample_end(&mut self) {
+        let time = self.stepper.time();
+        if self.samples.last().is_none_or(|last| last.state.time < time)
+            && let Ok(sample) = sample(self.of, &self.stepper, time, self.stepper.variables())
+        {
+            self.samples.push(sample);
+        }
+    }
+
+    fn next_wanted(&self) -> Option<f64> {
+        self.of.times.get(self.samples.len()).copied()
+    }
+}
+
+/// q and −q are one attitude: each sample takes the sign nearest to the one before it.
+fn continuous(mut samples: Vec<ContactSample>) -> Vec<ContactSample> {
+    for k in 1..samples.len() {
+        samples[k].state.attitude = samples[k].state.attitude.continuous_with(samples[k - 1].state.attitude);
+    }
+    samples
+}
+
+/// Attitude and ω of the variables.
+fn state(of: &ContactSimulation<'_>, stepper: &Stepper, time: f64, y: &[f64]) -> State {
+    let model = &stepper.model;
+    let e1 = Direction::<Part>::new(y[0], y[1], y[2]);
+    let e3 = Direction::<Part>::new(y[3], y[4], y[5]);
+    // The axes of the ground along those of the surface are the rows of R_ground_surface.
+    let surface_ground: Rotation<Part, Part> = Rotation::from_axes([e1, e3.cross(e1), e3]);
+    let attitude = model.in_space * surface_ground.inverse() * model.in_body.inverse();
+    let attitude = attitude.continuous_with(of.start.state.attitude);
+    State { time, attitude, omega: model.in_body * Vector::new(y[6], y[7], y[8]) }
+}
+
+/// A vector along the axes of the surface, along those of the body.
+fn in_body<Q>(model: &Model, v: [f64; 3]) -> Vector<Q, Body> {
+    model.in_body * Vector::<Q, Part>::from_array(v)
+}
+
+/// A body and its contact at one time.
+fn sample(
+    of: &ContactSimulation<'_>,
+    stepper: &Stepper,
+    time: f64,
+    y: &[f64],
+) -> Result<ContactSample, MotionError> {
+    let (model, kind) = (&stepper.model, stepper.kind());
+    let state = state(of, stepper, time, y);
+    let at = stepper.reading(y);
+    let [.., friction_work, ground_work] = y else { return Err(MotionError::NotFinite { time }) };
+    let center: Position<Space> = model.in_space * Position::<Part>::from_array(at.center);
+    let offset: Position<Space> = state.attitude * in_body(model, at.arm);
+    let weight = of.body.mass() * of.contact.gravity.dot(center);
+    let velocity: Velocity<Space> = state.attitude * in_body(model, at.velocity);
+    let inertia = of.body.inertia();
+    let momentum = {
+        let rows = inertia.matrix();
+        let [x, y, z] = state.omega.to_array();
+        rows.map(|[a, b, c]| a * x + b * y + c * z)
+    };
+    let turning: f64 = momentum.iter().zip(state.omega.to_array()).map(|(l, w)| l * w).sum();
+    let phase = match kind {
+        Kind::Flying => ContactPhase::Flying,
+        Kind::Touching(Regime::Rolling, _) => ContactPhase::Rolling,
+        Kind::Touching(Regime::Sliding, _) => ContactPhase::Sliding,
+    };
+    let sample = ContactSample {
+        state,
+        phase,
+        center,
+        velocity,
+        contact: center + offset,
+        contact_in_body: of.body.center_of_mass() + in_body(model, at.arm),
+        normal: state.attitude * in_body(model, at.normal),
+        slip: state.attitude * in_body(model, at.slip),
+        normal_force: at.normal_force,
+        friction: state.attitude * in_body(model, at.friction),
+        torque: in_body(model, at.torque),
+        kinetic_energy: 0.5 * (of.body.mass() * velocity.dot(velocity) + turning),
+        potential_energy: -weight,
+        friction_work: *friction_work,
+        ground_work: *ground_work,
+    };
+    let numbers = [sample.kinetic_energy, sample.normal_force, sample.contact.norm(), sample.torque.norm()];
+    if numbers.iter().all(|x| x.is_finite()) { Ok(sample) } else { Err(MotionError::NotFinite { time }) }
+}
+
+/// The stepper at the start, before it is asked whether friction can hold it.
+fn started(of: &ContactSimulation<'_>) -> Result<Stepper, MotionError> {
+    let (body, contact, start) = (of.body, of.contact, &of.start);
+    for (what, value) in [
+        ("the start's time", start.state.time),
+        ("the start's attitude", start.state.attitude.quaternion().iter().sum()),
+        ("the start's angular velocity", start.state.omega.norm()),
+        ("the point of contact", start.at.norm()),
+        ("the acceleration of gravity", contact.gravity.norm()),
+    ] {
+        require::finite(what, value)?;
+    }
+    let [least, ..] = Rotor::free(body).principal().moments();
+    require::that(
+        "the least principal moment about the centre of mass",
+        least,
+        least > 0.0,
+        "positive: of a needle that touches a surface the spin about its line is not known",
+    )?;
+    require_inside(of)?;
+    require_fit(of)?;
+    for event in of.events {
+        event_is_possible(event)?;
+    }
+    // The rim that is lower: that at z = −½ thickness where the normal has a component along z.
+    let normal = contact.ground.normal_at(start.at).ok_or(MotionError::NoDirection {
+        parameter: "the point of contact from the axis of the ground",
+        length: start.at.norm(),
+    })?;
+    let tilt = (contact.surface.axes().inverse() * (start.state.attitude.inverse() * normal)).z;
+    if let SurfaceShape::Rim { thickness, .. } = *contact.surface.shape() {
+        let rule = "not zero: a thick disk whose axis lies along the ground stands on both of its rims";
+        require::that("the tilt of the disk", tilt, thickness == 0.0 || tilt != 0.0, rule)?;
+    }
+    let side = if tilt > 0.0 { -1.0 } else { 1.0 };
+    let model = Model::of(body, &contact.surface, &contact.ground, &contact.law, contact.gravity, side);
+    let length = match *contact.surface.shape() {
+        SurfaceShape::Cylinder { length, .. } => length,
+        _ => None,
+    };
+    let [x, y, z] = model.offset;
+    let size = contact.surface.size() + x.hypot(y).hypot(z);
+    let mut stepper = Stepper::new(model, contact.law, length, [size, of.tolerance], start.state.time);
+    let (kind, variables) = super::start::variables(of, &stepper)?;
+    stepper.enter(kind, variables);
+    Ok(stepper)
+}
+
+/// # Errors
+/// A parameter's error where the centre of mass lies outside the surface.
+fn require_inside(of: &ContactSimulation<'_>) -> Result<(), MotionError> {
+    let (surface, center) = (&of.contact.surface, of.body.center_of_mass());
+    let rule = "inside the surface: no body that a convex surface bounds has its centre of mass outside of it";
+    let distance = (center - surface.center()).norm();
+    require::that(
+        "the distance of the centre of mass from that of the surface",
+        distance,
+        surface.contains(center),
+        rule,
+    )
+}
+
+/// # Errors
+/// A parameter's error where a body may touch the ground that it is in at more than one point.
+fn require_fit(of: &ContactSimulation<'_>) -> Result<(), MotionError> {
+    let (GroundShape::Sphere { radius, side } | GroundShape::Cylinder { radius, side }) =
+        *of.contact.ground.shape()
+    else {
+        return Ok(());
+    };
+    if side == GroundSide::Outside {
+        return Ok(());
+    }
+    // By Blaschke's theorem a convex body rolls freely in what is nowhere more curved than it.
+    let flattest = match *of.contact.surface.shape() {
+        SurfaceShape::Sphere { radius } | SurfaceShape::Cylinder { radius, .. } => radius,
+        SurfaceShape::Rim { radius, tube, .. } => radius + tube,
+        SurfaceShape::Ellipsoid { semi_axes: [a, b, c] } => {
+            let (longest, shortest) = (a.max(b).max(c), a.min(b).min(c));
+            longest * longest / shortest
+        }
+    };
+    let rule = "larger than each radius of curvature of the body: else it touches in more than one point";
+    require::that("the radius of the ground", radius, flattest < radius, rule)
+}
+
+/// # Errors
+/// [`MotionError::Exclusive`] of an event that switches a torque, or asks for an energy that is not known of a body on the ground.
+fn event_is_possible(event: &crate::motion::model::event::Event) -> Result<(), MotionError> {
+    let why = match (event.action(), event.measure()) {
+        (EventAction::Switch { .. }, _) => "no torque but those of the contact acts on a body on the ground",
+        (_, Measure::TotalEnergy) => "the energy of a body on the ground includes that of its centre of mass",
+        _ => return Ok(()),
+    };
+    Err(MotionError::Exclusive { parts: ["contact", "event"], why })
+}
+
+/// What is read off the variables for a sample: lengths and forces along the axes of the surface, the centre of mass along those of the ground.
+pub(super) struct Reading {
+    pub(super) center: [f64; 3],
+    pub(super) arm: [f64; 3],
+    pub(super) velocity: [f64; 3],
+    pub(super) normal: [f64; 3],
+    pub(super) slip: [f64; 3],
+    pub(super) normal_force: f64,
+    pub(super) friction: [f64; 3],
+    pub(super) torque: [f64; 3],
+}
+
+impl Stepper {
+    fn reading(&self, y: &[f64]) -> Reading {
+        let model = &self.model;
+        let Some(at) = self.kinetics(y) else {
+            return flight::reading(model, y);
+        };
+        let [e1, e2, e3] = at.axes;
+        let along = |v: crate::math::algebra::Components<f64>| [e1.dot(v), e2.dot(v), e3.dot(v)];
+        let arm = along(at.arm);
+        let position = model.ground.position([y[equations::PLACE], y[equations::PLACE + 1], y[equations::PLACE + 2]]);
+        let force = at.tangential + at.normal.scaled(at.normal_force);
+        Reading {
+            center: [0, 1, 2].map(|k| position[k] - arm[k]),
+            arm: at.arm.0,
+            velocity: at.velocity.0,
+            normal: at.normal.0,
+            slip: at.slip.0,
+            normal_force: at.normal_force,
+            friction: at.tangential.0,
+            torque: (at.arm.cross(force) + at.resistance).0,
+        }
+    }
+
+    /// What has become too small to go on with, as the series do not reach beyond it.
+    fn exhausted(&self) -> Option<Watch> {
+        let y = self.variables();
+        let watches = self.watches();
+        let at = self.kinetics(y)?;
+        if watches.contains(&Watch::SlipSpeed) && at.slip.dot(at.slip).sqrt() <= self.least_slip(y) {
+            return Some(Watch::SlipSpeed);
+        }
+        let across = at.relative - at.normal.scaled(at.relative.dot(at.normal));
+        let is_still = across.dot(across).sqrt() <= 1e-13 * self.rate(y);
+        (watches.contains(&Watch::RollingRate) && is_still).then_some(Watch::RollingRate)
+    }
+}

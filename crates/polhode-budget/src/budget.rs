@@ -11,7 +11,7 @@ use crate::growth::{Basis, Growth, GrowthTable, MassStatement, RULE};
 use crate::row::{CopyErrors, Place, Row};
 use crate::tensor::{TensorPoint, mass_properties};
 use crate::tree::{Tree, names, row_name};
-use crate::uncertainty::{Factor, NotUncertainty};
+use crate::uncertainty::{Factor, NotUncertainty, PartUncertainty};
 
 /// A parts list, as it is given.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -168,6 +168,11 @@ impl PartsList {
         let elements = part.tensor.elements();
         let properties = mass_properties(part.mass, part.center_of_mass, elements, about)
             .map_err(|error| BudgetError::Part { row: name(), error })?;
+        if let PartUncertainty::Liquid(liquid) = &self.rows[k].uncertainty.part
+            && !liquid.is(&properties)
+        {
+            return Err(BudgetError::NotTheLiquid { row: name() });
+        }
         Ok(Some(PlacedPart { properties, elements, about }))
     }
 }
@@ -178,7 +183,7 @@ impl Row {
         let sign = self.part.as_ref().map_or(1.0, |part| part.tensor.sign.factor());
         let mut all = self.uncertainty.factors(sign)?;
         if self.part.is_none() {
-            all.retain(|factor| factor.number >= 10);
+            all.retain(|factor| factor.kind().is_of_frame());
         }
         Ok(all)
     }

@@ -6,7 +6,7 @@ use polhode::math::{Direction, Part, Position, Rotation, symmetric_eigen};
 use crate::budget::PlacedPart;
 use crate::row::{Place, Row};
 use crate::tensor::{mass_properties, plus, steiner};
-use crate::uncertainty::{Factor, RowError};
+use crate::uncertainty::{Factor, PartUncertainty, RowError};
 
 /// The relative rounding of second moments: what is no more below zero is zero.
 const ROUNDING: f64 = 1e-12;
@@ -25,8 +25,11 @@ impl PlacedPart {
         row: &Row,
         sd: f64,
         error: &RowError,
-    ) -> Result<(MassProperties<Part>, bool), BodyError> {
+    ) -> Result<(Option<MassProperties<Part>>, bool), BodyError> {
         let nominal = self.properties.mass();
+        if let PartUncertainty::Liquid(liquid) = &row.uncertainty.part {
+            return liquid.drawn(nominal, error);
+        }
         let mass = if sd > 0.0 { log_normal(nominal, sd, error.mass / sd) } else { nominal };
         let center = self.properties.center_of_mass() + Position::from_array(error.center);
         let mut inertia = plus(self.elements, error.tensor, 1.0);
@@ -39,7 +42,7 @@ impl PlacedPart {
             inertia = inertia.map(|element| element * (mass / nominal));
         }
         let (inertia, moved) = possible(inertia);
-        Ok((mass_properties(mass, center, inertia, None)?, moved))
+        Ok((Some(mass_properties(mass, center, inertia, None)?), moved))
     }
 }
 
@@ -56,7 +59,8 @@ pub(crate) fn mass_sd(factors: &[Factor]) -> f64 {
     factors.iter().map(|factor| factor.error.mass * factor.error.mass).sum::<f64>().sqrt()
 }
 
-fn log_normal(mean: f64, sd: f64, z: f64) -> f64 {
+/// With the mean and the standard deviation that are stated.
+pub(crate) fn log_normal(mean: f64, sd: f64, z: f64) -> f64 {
     let square = libm::log1p((sd / mean) * (sd / mean));
     mean * libm::exp(square.sqrt() * z - 0.5 * square)
 }

@@ -18,6 +18,11 @@ pub(super) struct Known {
     pub(super) is_after_mark: bool,
 }
 
+impl Known {
+    /// What is not given.
+    pub(super) const EXACT: Self = Self { value: 1.0, sd: 0.0, is_after_mark: false };
+}
+
 /// What is in a tank that holds so much, kg, if its density is known so well; with the number that says it.
 pub(super) fn contents<'a>(
     table: &Table<'a>,
@@ -88,6 +93,17 @@ pub(super) fn quantity(
         None => None,
     };
     known(value, number, own, beside, coverage_factor)
+}
+
+/// How well a number is known that is not given: `5 %` of it.
+pub(super) fn relative(value: &Value<'_>) -> Result<Known, FormatError> {
+    let Some(fraction) = value.string().ok().and_then(percent) else {
+        return Err(value
+            .invalid("in percent beside a table, which has no density")
+            .with_hint("write \"1 %\""));
+    };
+    let fraction = fraction.map_err(|w| wrong(value, w))?;
+    known(value, 1.0, None, Some((value, fraction)), 1.0)
 }
 
 /// A part of a full tank, with its error, which is such a part too.

@@ -2,7 +2,7 @@
 
 use polhode_budget::{Down, Liquid, LiquidErrors, TankShape, Vessel};
 
-use super::contents::{Known, contents, quantity};
+use super::contents::{Known, contents, quantity, relative};
 use super::table_file::{ReadTable, Sheets, table_of};
 use super::{PRODUCTS, Plan, names, sign_of};
 use crate::error::{FormatError, FormatErrorKind};
@@ -55,8 +55,7 @@ const KEYS: [&str; 19] = [
 ];
 
 /// The keys that only shapes have.
-const OF_SHAPES: [&str; 8] =
-    ["size", "radius", "semi_axes", "length", "ends", "density", "density_sd", "settles"];
+const OF_SHAPES: [&str; 7] = ["size", "radius", "semi_axes", "length", "ends", "density", "settles"];
 
 const SHAPES: [(&str, &[&str]); 4] = [
     ("box", &["size"]),
@@ -118,21 +117,22 @@ fn tank(
                 None => plan.products,
             };
             let (states, read) = table_of(&states, sign, plan.decimal_comma, sheets)?;
-            (Liquid::Table(states), None, read)
+            let density = table.get("density_sd").map(|value| relative(&value)).transpose()?;
+            (Liquid::Table(states), density.unwrap_or(Known::EXACT), read)
         }
         (Some(shape), None) => {
             if let Some(value) = table.get("products") {
                 return Err(value.invalid("left out without a table"));
             }
             let (vessel, density) = vessel(table, &shape, coverage_factor)?;
-            (Liquid::Vessel(Box::new(vessel)), Some(density), None)
+            (Liquid::Vessel(Box::new(vessel)), density, None)
         }
         (None, None) => {
             let example = "shape = \"sphere\", or [[tank.table]] with mass and center";
             return Err(table.missing("shape", example));
         }
     };
-    let of_density = density.map_or(0.0, |known| known.sd / known.value);
+    let of_density = density.sd / density.value;
     let (mass, errors, known, given) = contents(table, liquid.capacity(), of_density, coverage_factor)?;
     let group = table.get("group").map(|value| group(&value, &errors, plan)).transpose()?;
     let here = |value: Option<Value<'_>>| value.as_ref().unwrap_or(whole).invalid("right");
@@ -143,7 +143,7 @@ fn tank(
         liquid,
         mass,
         errors,
-        has_mark: known.is_after_mark || density.is_some_and(|known| known.is_after_mark),
+        has_mark: known.is_after_mark || density.is_after_mark,
         group,
         table: read,
         places: [here(frame.or(Some(name))), here(configuration.or(Some(name))), here(Some(given))],
@@ -179,7 +179,7 @@ fn vessel(
 ) -> Result<(Vessel, Known), FormatError> {
     let name = shape.choice(&SHAPES.map(|(name, _)| name))?;
     let sizes = SHAPES.iter().find(|(known, _)| *known == name).map_or(&[][..], |(_, sizes)| sizes);
-    for key in OF_SHAPES.into_iter().filter(|key| !["density", "density_sd", "settles"].contains(key)) {
+    for key in OF_SHAPES.into_iter().filter(|key| !["density", "settles"].contains(key)) {
         if let Some(value) = table.get(key).filter(|_| !sizes.contains(&key)) {
             let hint = format!("its sizes are {}", sizes.join(", "));
             return Err(value.invalid(format!("left out of a tank that is a {name}")).with_hint(hint));

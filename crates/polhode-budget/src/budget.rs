@@ -2,14 +2,14 @@
 
 use std::collections::HashMap;
 
-use polhode::body::{BodyError, InertiaTensor, MassProperties};
+use polhode::body::{BodyError, MassProperties};
 use polhode::math::{Body, Frame, Part, Position, Rotation};
 
 use crate::error::{BudgetError, RowName};
 use crate::group::Group;
 use crate::growth::{Basis, Growth, GrowthTable, MassStatement, RULE};
 use crate::row::{CopyErrors, Place, Row};
-use crate::tensor::{TensorPoint, mass_properties};
+use crate::tensor::{TensorPoint, mass_properties, scaled};
 use crate::tree::{Tree, names, row_name};
 use crate::uncertainty::{Factor, NotUncertainty, PartUncertainty};
 
@@ -367,16 +367,4 @@ pub(crate) fn combined<F: Frame>(
         [one] => Ok(Some(*one)),
         parts => MassProperties::combined(parts).map(Some),
     }
-}
-
-/// A body of the same form, so many times as heavy.
-pub(crate) fn scaled<F: Frame>(
-    body: &MassProperties<F>,
-    factor: f64,
-) -> Result<MassProperties<F>, BodyError> {
-    if factor == 1.0 {
-        return Ok(*body);
-    }
-    let rows = body.inertia().matrix().map(|row| row.map(|element| element * factor));
-    MassProperties::new(body.mass() * factor, body.center_of_mass(), InertiaTensor::from_matrix(rows)?)
 }

@@ -99,7 +99,7 @@ impl PlacedPart {
     /// Of a tensor J about a point p, with d from p to the centre of mass: I = J − m (d² 1 − d dᵀ). If it follows the mass, as both terms do, δI = I δm/m besides.
     fn change(&self, row: &Row, error: &RowError, scale: f64) -> MassPropertiesDerivative<Part> {
         if let PartUncertainty::Liquid(liquid) = &row.uncertainty.part {
-            let change = liquid.change(&self.properties, error);
+            let change = liquid.change(&self.properties, [error.mass, error.density]);
             let inertia = change.inertia.map(|element| element * scale);
             return MassPropertiesDerivative { mass: change.mass * scale, inertia, ..change };
         }

@@ -3,12 +3,13 @@
 use polhode::body::{BodyError, MassProperties};
 use polhode::math::{Body, Direction, Part, Position, Rotation};
 
-use crate::budget::{Budget, combined, scaled};
+use crate::budget::{Budget, combined};
 use crate::draw::mass_sd;
 use crate::error::BudgetError;
 use crate::growth::Basis;
 use crate::random::Random;
 use crate::row::CopyErrors;
+use crate::tensor::scaled;
 use crate::tree::row_name;
 use crate::uncertainty::{Factor, NUMBERS, RowError};
 

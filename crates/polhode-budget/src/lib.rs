@@ -58,6 +58,7 @@ mod row;
 mod sensitivity;
 mod sequence;
 mod tank;
+mod tank_row;
 mod tensor;
 mod tree;
 mod uncertainty;

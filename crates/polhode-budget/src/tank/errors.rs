@@ -4,10 +4,8 @@ use polhode::body::{BodyError, MassProperties, MassPropertiesDerivative};
 use polhode::math::{Part, Position};
 
 use super::{Fill, Liquid, Slice};
-use crate::budget::scaled;
-use crate::draw::log_normal;
-use crate::tensor::{elements, plus, steiner};
-use crate::uncertainty::RowError;
+use crate::random::log_normal;
+use crate::tensor::{elements, plus, scaled, steiner};
 
 /// Errors of what is in a tank.
 ///
@@ -54,16 +52,16 @@ impl UncertainLiquid {
         apart <= ROUNDING * place.sqrt() && !found.iter().zip(&want).any(differs)
     }
 
-    /// What the liquid changes by, in the tank's frame: δr of all of it, and δn of the slice at its surface.
+    /// What the liquid changes by with these errors of amount and density, in the tank's frame: δr of all of it, and δn of the slice at its surface.
     pub(crate) fn change(
         &self,
         part: &MassProperties<Part>,
-        error: &RowError,
+        [amount, r]: [f64; 2],
     ) -> MassPropertiesDerivative<Part> {
-        let (mass, r) = (part.mass(), error.density);
+        let mass = part.mass();
         let n = match self.errors.measured {
-            Measured::Mass => error.mass - mass * r,
-            Measured::Fill => error.mass,
+            Measured::Mass => amount - mass * r,
+            Measured::Fill => amount,
         };
         let center = part.center_of_mass().to_array();
         // What has been checked holds so much.
@@ -82,11 +80,11 @@ impl UncertainLiquid {
     pub(crate) fn drawn(
         &self,
         mass: f64,
-        error: &RowError,
+        [of_amount, of_density]: [f64; 2],
     ) -> Result<(Option<MassProperties<Part>>, bool), BodyError> {
         let LiquidErrors { measured, amount, density } = self.errors;
         let of = |mean, sd, error: f64| if sd > 0.0 { log_normal(mean, sd, error / sd) } else { mean };
-        let (given, r) = (of(mass, amount, error.mass), of(1.0, density, error.density));
+        let (given, r) = (of(mass, amount, of_amount), of(1.0, density, of_density));
         let n = match measured {
             Measured::Mass => given / r,
             Measured::Fill => given,

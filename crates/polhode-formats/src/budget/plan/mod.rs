@@ -8,6 +8,7 @@ mod limit;
 mod result;
 pub(super) mod sequence;
 mod site;
+mod size;
 mod states;
 pub(super) mod table_file;
 pub(super) mod tank;

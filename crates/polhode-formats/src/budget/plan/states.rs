@@ -4,7 +4,7 @@ use polhode::body::{BodyError, InertiaTensor, MassProperties};
 use polhode::math::{Part, Position};
 use polhode_budget::{LiquidTable, ProductSign};
 
-use super::tank::not_negative;
+use super::size::not_negative;
 use crate::budget::heading::{no_unit, plain, split};
 use crate::budget::number::Unit;
 use crate::budget::sheet::{Cell, Content, Sheet};

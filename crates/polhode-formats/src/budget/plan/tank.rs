@@ -3,6 +3,7 @@
 use polhode_budget::{Down, Liquid, LiquidErrors, TankShape, Vessel};
 
 use super::contents::{Known, contents, quantity, relative};
+use super::size::{DENSITIES, SIZES, in_range, not_negative};
 use super::table_file::{ReadTable, Sheets, table_of};
 use super::{PRODUCTS, Plan, names, sign_of};
 use crate::error::{FormatError, FormatErrorKind};
@@ -221,24 +222,4 @@ fn vessel(
     let down = DOWN.iter().find(|(name, _)| *name == settles).map_or(Down::MinusZ, |(_, down)| *down);
     let vessel = Vessel::new(shape, known.value, down);
     Ok((vessel.map_err(|error| table.error(FormatErrorKind::Sequence(error)))?, known))
-}
-
-pub(super) fn not_negative(value: &Value<'_>) -> Result<f64, FormatError> {
-    let length = value.quantity(Dimension::LENGTH)?;
-    match length {
-        0.0 => Ok(length),
-        length if length > 0.0 => in_range(value, length, SIZES),
-        _ => Err(value.invalid("zero or positive")),
-    }
-}
-
-/// Of tanks, m, and of liquids, kg/m³: beyond them levels are rounding.
-const SIZES: [f64; 2] = [1e-6, 1e6];
-const DENSITIES: [f64; 2] = [1e-6, 1e6];
-
-fn in_range(value: &Value<'_>, number: f64, [least, most]: [f64; 2]) -> Result<f64, FormatError> {
-    if number >= least && number <= most {
-        return Ok(number);
-    }
-    Err(value.invalid(format!("from {least:e} to {most:e}, in SI")))
 }

@@ -8,6 +8,7 @@ mod ballast_places;
 mod draws;
 mod errors;
 mod limits;
+mod liquids;
 mod lists;
 mod masses;
 mod principal;

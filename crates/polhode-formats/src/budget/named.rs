@@ -16,7 +16,7 @@ pub(super) fn of_plan(path: &Path, plan_text: &str, is_alone: bool) -> Result<Bu
     let source = Source { files, ..Source::new(path, plan_text) };
     let entries = document(source)?;
     let root = Table::root(source, &entries);
-    let plan = plan::plan(&root, &["parts"])?;
+    let plan = plan::plan(&root, &["parts"], None)?;
     let value = root.require("parts", "parts = \"parts.csv\"")?;
     if value.string()?.is_empty() || value.string()?.to_ascii_lowercase().ends_with(".toml") {
         return Err(value.invalid("a file of parts, CSV or XLSX"));

@@ -2,10 +2,7 @@
 
 use polhode::math::{AngularVelocity, Body};
 use polhode::motion::Outflow;
-use polhode_budget::{
-    Basis, Budget, Burn, Change, GivenPart, GivenTensor, PartsList, ProductSign, Row, Sequence,
-    SequenceError, Tank, TensorPoint,
-};
+use polhode_budget::{Basis, Budget, Burn, Change, LiquidErrors, PartsList, Sequence, SequenceError, Tank};
 
 use super::NamedBudget;
 use super::plan::Plan;
@@ -91,10 +88,9 @@ pub(super) fn with_liquid(
         let inside: Vec<(&PlannedTank, Tank)> = inside.map(|tank| (tank, tank.placed(&budget))).collect();
         let all = filled(&budget, &inside)?;
         if !inside.is_empty() {
-            let each = inside.iter().map(|(tank, _)| format!("{} kg in \"{}\"", tank.mass, tank.name));
             let of = name.as_ref().map_or_else(String::new, |name| format!(" in the configuration {name}"));
-            let each = each.collect::<Vec<_>>().join(", ");
-            lines.push(format!("what is in tanks counts, is known exactly and does not grow{of}: {each}"));
+            let each = inside.iter().map(|(tank, _)| tank.in_words()).collect::<Vec<_>>().join(", ");
+            lines.push(format!("what is in tanks counts, and does not grow{of}: {each}"));
         }
         wet.push(NamedBudget { name: name.clone(), budget: all });
         let tanks = inside.into_iter().map(|(tank, placed)| (placed, tank.mass)).collect();
@@ -103,6 +99,7 @@ pub(super) fn with_liquid(
     let mut prescribed = Prescribed { stages, over_time: None };
     if let Some(sequence) = &plan.sequence {
         prescribed.over_time = Some(over_time(sequence, &names)?);
+        begins_with(&prescribed, sequence)?;
         same_tanks(&prescribed, &plan.tanks)?;
         let configuration = prescribed.over_time.as_ref().and_then(|all| all.configuration.clone());
         if let Some(of_file) = prescribed.sequence(configuration.as_deref(), plan.questions.basis) {
@@ -112,6 +109,31 @@ pub(super) fn with_liquid(
         }
     }
     Ok((wet, Some(prescribed)))
+}
+
+/// Are the tanks that drain in what it begins as?
+fn begins_with(prescribed: &Prescribed, sequence: &PlannedSequence) -> Result<(), FormatError> {
+    let Some(over_time) = &prescribed.over_time else { return Ok(()) };
+    let has = |stage: &DryBudget, name: &str| stage.tanks.iter().any(|(tank, _)| tank.name == name);
+    let begin = prescribed.stage(over_time.configuration.as_deref());
+    for (burn, [place, _]) in &sequence.burns {
+        if begin.is_some_and(|stage| has(stage, &burn.tank)) {
+            continue;
+        }
+        let stages = prescribed.stages.iter().filter(|stage| has(stage, &burn.tank));
+        let names: Vec<String> =
+            stages.filter_map(|stage| Some(format!("\"{}\"", stage.name.as_ref()?))).collect();
+        let rule = format!(
+            "in the configuration \"{}\", as which the body begins",
+            over_time.configuration.as_deref().unwrap_or_default()
+        );
+        let error = invalid(place, "tank", &burn.tank, rule);
+        return Err(match &names[..] {
+            [] => error.with_hint("it is in none"),
+            _ => error.with_hint(format!("it is in {}", names.join(", "))),
+        });
+    }
+    Ok(())
 }
 
 /// Are the tanks of what it begins as also in what it becomes? Liquid does not appear, nor go, as arms unfold.
@@ -152,6 +174,19 @@ impl PlannedTank {
         let root = || budget.list().rows.get(budget.root()).map_or_else(String::new, |row| row.name.clone());
         let frame = self.frame.clone().unwrap_or_else(root);
         Tank { name: self.name.clone(), frame, liquid: self.liquid.clone() }
+    }
+
+    /// `12 ± 0.3 kg in "fuel", its density ± 2 %`
+    fn in_words(&self) -> String {
+        let LiquidErrors { amount, density, .. } = self.errors;
+        let rounded = |x: f64| format!("{x:.2e}").parse::<f64>().unwrap_or(x);
+        let error = if amount > 0.0 { format!(" ± {}", rounded(amount)) } else { String::new() };
+        let exactly = if amount == 0.0 && density == 0.0 { ", exactly" } else { "" };
+        let of_density = match density {
+            0.0 => String::new(),
+            density => format!(", its density ± {} %", rounded(100.0 * density)),
+        };
+        format!("{}{error} kg in \"{}\"{of_density}{exactly}", self.mass, self.name)
     }
 
     fn refused(&self, place: usize, rule: String) -> FormatError {
@@ -225,16 +260,10 @@ fn filled(dry: &Budget, tanks: &[(&PlannedTank, Tank)]) -> Result<Budget, Format
         if let Some(error) = in_copies {
             return Err(tank.places[place].clone().replaced(FormatErrorKind::Sequence(error)));
         }
-        let Some(liquid) = placed.liquid.at(tank.mass).and_then(|fill| fill.properties) else { continue };
-        let [[xx, xy, xz], [_, yy, yz], [.., zz]] = liquid.inertia().matrix();
-        let tensor = GivenTensor {
-            moments: [xx, yy, zz],
-            products: [xy, xz, yz],
-            sign: ProductSign::NegativeIntegral,
-            about: TensorPoint::CenterOfMass,
-        };
-        let part = GivenPart { mass: liquid.mass(), center_of_mass: liquid.center_of_mass(), tensor };
-        list.rows.push(Row { parent: Some(placed.frame.clone()), ..Row::part(&tank.name, part) });
+        if let Some(mut row) = placed.row(tank.mass, tank.errors) {
+            row.group.clone_from(&tank.group);
+            list.rows.push(row);
+        }
     }
     list.budget().map_err(|error| match tanks.first() {
         Some((tank, _)) => tank.places[2].clone().replaced(FormatErrorKind::Budget(error)),
@@ -286,7 +315,7 @@ fn over_time(sequence: &PlannedSequence, names: &[&str]) -> Result<OverTime, For
 fn blame(error: SequenceError, sequence: &PlannedSequence, tanks: &[PlannedTank]) -> FormatError {
     let of_burn = |tank: &str, until: f64| {
         let mut burns = sequence.burns.iter().rev();
-        burns.find(|(burn, _)| burn.tank == tank && burn.from <= until).map(|(_, place)| place)
+        burns.find(|(burn, _)| burn.tank == tank && burn.from <= until).map(|(_, [_, flow])| flow)
     };
     let at_time =
         |time: f64| sequence.changes.iter().find(|(change, _)| change.time() == time).map(|(_, place)| place);

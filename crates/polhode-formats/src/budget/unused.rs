@@ -38,10 +38,11 @@ pub(super) fn declared(
         .iter()
         .flat_map(|one| &one.budget.list().rows)
         .filter_map(|row| row.group.as_deref())
+        .chain(plan.tanks.iter().filter_map(|tank| tank.group.as_deref()))
         .collect();
     let unnamed = plan.groups.iter().find(|group| !of_rows.contains(group.name.as_str()));
     if let Some(group) = unnamed {
-        let error = unused(sheet, "group", &group.name, "the group of a row");
+        let error = unused(sheet, "group", &group.name, "the group of a row, or of a tank");
         return Err(match nearest(&group.name, of_rows) {
             Some(near) => error.with_hint(format!("did you mean \"{near}\"?")),
             None => error,

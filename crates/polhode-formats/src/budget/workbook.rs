@@ -1,8 +1,10 @@
 //! Parts lists in workbooks: a sheet of parts, and a sheet for each section of a plan.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use super::heading::Columns;
+use super::plan::table_file::Sheets;
 use super::plan::{self, Plan};
 use super::sheet::Sheet;
 use super::xlsx::{Sections, Workbook, is_section};
@@ -30,7 +32,9 @@ pub(super) fn read(
     let sheets: Vec<(&str, Sheet<'_>)> =
         sections.iter().filter_map(|name| Some((*name, workbook.sheet(path, name)?.0))).collect();
     let plan = match told {
-        None => Plan { is_alone, ..of_sections(path, &sheets)? },
+        None => {
+            Plan { is_alone, ..of_sections(path, &sheets, is_alone, &|name| workbook.sheet(path, name))? }
+        }
         Some(_) if !sheets.is_empty() => {
             let what = format!("the sheet {} beside a plan that names the workbook", sections.join(", "));
             let kind = ContentErrorKind::Unsupported { what };
@@ -39,8 +43,10 @@ pub(super) fn read(
         }
         Some(plan) => plan,
     };
-    let wanted: Vec<&str> =
-        others.into_iter().filter(|name| !plan.ignore.iter().any(|other| other == name)).collect();
+    let wanted: Vec<&str> = others
+        .into_iter()
+        .filter(|name| !plan.ignore.iter().any(|other| other == name) && !plan.has_sheet(name))
+        .collect();
     let name = match wanted[..] {
         [one] => one,
         [] => return Err(fail(missing(format!("sheet \"{PARTS}\"")))),
@@ -69,18 +75,25 @@ pub(super) fn read(
     of_table(plan, &sheet, &columns, lines)
 }
 
-fn of_sections(path: &Path, sheets: &[(&str, Sheet<'_>)]) -> Result<Plan, FormatError> {
+fn of_sections(
+    path: &Path,
+    sheets: &[(&str, Sheet<'_>)],
+    is_alone: bool,
+    all: &Sheets<'_>,
+) -> Result<Plan, FormatError> {
     let mut sections = Sections::default();
     // Keys that stand in no table come before those that do.
     let (first, then): (Vec<_>, Vec<_>) = sheets.iter().partition(|(name, _)| *name == "plan");
     for (name, sheet) in first.into_iter().chain(then) {
         sections.add(name, sheet)?;
     }
-    let source = Source::new(path, &sections.toml);
+    let nothing = BTreeSet::new();
+    let source = Source { files: is_alone.then_some(&nothing), ..Source::new(path, &sections.toml) };
+    let tables = |name: &str| if is_section(name) { None } else { all(name) };
     let read = || {
         let entries = tree::parse(&sections.toml).map_err(|error| source.syntax(&error))?;
         list_units::check(source, &entries)?;
-        plan::plan(&Table::root(source, &entries), &[])
+        plan::plan(&Table::root(source, &entries), &[], Some(&tables))
     };
     match read() {
         Ok(plan) => Ok(plan.moved(|error| sections.moved(error))),

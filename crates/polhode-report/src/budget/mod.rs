@@ -16,6 +16,7 @@ mod parts;
 mod principal;
 mod side_by_side;
 mod stated;
+mod states;
 mod table;
 mod whole;
 

@@ -3,6 +3,7 @@
 mod book;
 mod forms;
 mod limits;
+mod liquids;
 mod refusals;
 mod sections;
 mod signs;

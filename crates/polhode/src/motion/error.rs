@@ -368,10 +368,16 @@ impl fmt::Display for MotionError {
                 write!(f, "to the end there are {count:.3e} pulses, most of {of}: that is more than {most}")
             }
             Self::Painleve { time } => {
-                write!(f, "at t = {time} s friction is so large that no normal force keeps the sliding body on the ground (Painlevé's paradox)")
+                write!(
+                    f,
+                    "at t = {time} s friction is so large that no normal force keeps the sliding body on the ground (Painlevé's paradox)"
+                )
             }
             Self::Undecided { time } => {
-                write!(f, "at t = {time} s it cannot be decided whether, or in which direction, the body slips")
+                write!(
+                    f,
+                    "at t = {time} s it cannot be decided whether, or in which direction, the body slips"
+                )
             }
             Self::TooManyEvents { time, most } => {
                 write!(f, "at t = {time} s there are already {most} events", time = plain(*time))

@@ -65,5 +65,5 @@ pub use solve::propagate::stepper::{LOOSEST_TOLERANCE, TIGHTEST_TOLERANCE};
 pub use solve::swinging_body::SwingingBody;
 pub use task::pendulum::{Pendulum, Swing};
 pub use task::run::Run;
-pub use task::scenario::{ActingTorque, Forward, MountedShaft, Scenario, Suspension, Task};
+pub use task::scenario::{ActingTorque, Forward, GroundContact, MountedShaft, Scenario, Suspension, Task};
 pub use task::shaft::{CorrectionMass, Reactions, Shaft, Unbalance};

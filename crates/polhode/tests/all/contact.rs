@@ -5,7 +5,9 @@ mod constants;
 mod truth;
 
 use polhode::math::Rotation;
-use polhode::motion::contact::{BodySurface, Contact, ContactSimulation, ContactStart, ContactTrajectory, SurfaceShape};
+use polhode::motion::contact::{
+    BodySurface, Contact, ContactSimulation, ContactStart, ContactTrajectory, SurfaceShape,
+};
 use polhode::prelude::*;
 
 /// Standard gravity, m/s².
@@ -24,11 +26,17 @@ fn ball(radius: f64) -> MassProperties<Body> {
 
 /// Three moments, three products, 1.7 kg; its centre of mass is at the origin.
 fn generic_body() -> MassProperties<Body> {
-    let inertia = InertiaTensor::with_negative_products([0.011, 0.014, 0.017], [0.002, -0.0015, 0.001]).unwrap();
+    let inertia =
+        InertiaTensor::with_negative_products([0.011, 0.014, 0.017], [0.002, -0.0015, 0.001]).unwrap();
     MassProperties::new(1.7, Position::ZERO, inertia).unwrap()
 }
 
-fn run(body: &MassProperties<Body>, contact: &Contact, start: ContactStart, times: &[f64]) -> ContactTrajectory {
+fn run(
+    body: &MassProperties<Body>,
+    contact: &Contact,
+    start: ContactStart,
+    times: &[f64],
+) -> ContactTrajectory {
     ContactSimulation::new(body, contact, start, times).run().unwrap()
 }
 

@@ -88,7 +88,9 @@ impl fmt::Display for ContactChange {
             Self::PivotingStops => "friction has stopped the pivoting about the normal",
             Self::Pivots => "friction is too small to hold the body from pivoting",
             Self::RollingStops => "rolling friction has stopped the rolling",
-            Self::OtherRim => "the disk stands on both of its rims; what the impact of the other one does is not known here",
+            Self::OtherRim => {
+                "the disk stands on both of its rims; what the impact of the other one does is not known here"
+            }
             Self::TipsOver => "the cylinder tips over: it would have to be held beyond its ends",
             Self::Osculates => "the body fits the ground so closely that it touches in more than a point",
         })

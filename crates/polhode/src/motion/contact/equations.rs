@@ -101,7 +101,8 @@ impl Model {
         let at = self.kinetics(one, y, regime, pivot);
         let Kinetics { axes: [e1, e2, e3], omega, trace, .. } = at;
         // ė = e × ω of what is fixed in space
-        let mut rates: Vec<S> = [e1.cross(omega), e3.cross(omega), at.omega_rate].iter().flat_map(|v| v.0).collect();
+        let mut rates: Vec<S> =
+            [e1.cross(omega), e3.cross(omega), at.omega_rate].iter().flat_map(|v| v.0).collect();
         let in_space = [e1.dot(trace), e2.dot(trace), e3.dot(trace)];
         let [a, b, c] = in_space;
         let zero = one.times(0.0);
@@ -184,7 +185,9 @@ impl Model {
         let mass = self.mass;
         // ω̇ = a + N b + τₚ c, and N = (N₀ − m n · (ω̇ × r)): of what rolls with the inertia about the contact, of what slides with that about the centre.
         let (k, viscous, mut direction) = match regime {
-            Regime::Rolling => (turning.cross(trace) - turned - gravity, constant([0.0; 3]), constant([0.0; 3])),
+            Regime::Rolling => {
+                (turning.cross(trace) - turned - gravity, constant([0.0; 3]), constant([0.0; 3]))
+            }
             Regime::Sliding => {
                 // What the velocity of the point of contact would be changed by, without a force and a torque.
                 let viscous = slip.scaled(-self.viscous);
@@ -209,7 +212,8 @@ impl Model {
             Regime::Sliding => (solve(gyroscopic + r.cross(viscous)), solve(r.cross(direction) + resisting)),
         };
         let inertance = one + n.dot(by_normal.cross(r)).times(mass);
-        let without = n.dot(k - free.cross(r)) - if regime == Regime::Sliding { moved.dot(tilting) } else { one.times(0.0) };
+        let without = n.dot(k - free.cross(r))
+            - if regime == Regime::Sliding { moved.dot(tilting) } else { one.times(0.0) };
         let mut normal_force = without.times(mass) / inertance;
         let mut omega_rate = free + by_normal * normal_force;
         let mut holding = one.times(0.0);
@@ -355,7 +359,8 @@ impl SurfaceForm {
                 let along = (radius != 0.0).then(|| {
                     let inverse = one / (x * x + y * y).root();
                     let (c, s) = (x * inverse, y * inverse);
-                    from_center = from_center - Components([c.times(radius), s.times(radius), one.times(-height)]);
+                    from_center =
+                        from_center - Components([c.times(radius), s.times(radius), one.times(-height)]);
                     (Components([-s, c, zero]), inverse.times(radius))
                 });
                 SurfacePoint { from_center, change: Change::Rim { tube, along } }

@@ -100,7 +100,8 @@ impl Ground {
     pub(super) fn axes(&self) -> Rotation<Space, Part> {
         let z = self.axis;
         // What is left of x, or of y, whichever is farther from the axis: so that a level plane has the axes of space.
-        let first = if z.x.abs() <= 0.9 { Direction::new(1.0, 0.0, 0.0) } else { Direction::new(0.0, 1.0, 0.0) };
+        let first =
+            if z.x.abs() <= 0.9 { Direction::new(1.0, 0.0, 0.0) } else { Direction::new(0.0, 1.0, 0.0) };
         let x = (first - z * z.dot(first)).direction().unwrap_or(first);
         Rotation::from_axes([x, z.cross(x), z])
     }

@@ -42,7 +42,8 @@ pub struct Resistance {
 
 impl ContactLaw {
     /// Rolling without slipping.
-    pub const ROLLING: Self = Self { grip: Grip::NoSlip, resistance: Resistance { rolling: 0.0, pivoting: 0.0 } };
+    pub const ROLLING: Self =
+        Self { grip: Grip::NoSlip, resistance: Resistance { rolling: 0.0, pivoting: 0.0 } };
 
     /// A contact without friction.
     pub const FRICTIONLESS: Self = Self {

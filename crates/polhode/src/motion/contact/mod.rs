@@ -19,8 +19,8 @@ mod simulation;
 mod start;
 mod stepper;
 mod surface;
-mod transition;
 mod trajectory;
+mod transition;
 
 pub use change::{ContactChange, ContactEvent, ContactPhase};
 pub use ground::{Ground, GroundShape, GroundSide};

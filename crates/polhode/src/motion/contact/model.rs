@@ -113,7 +113,9 @@ impl Model {
             ground: match *ground.shape() {
                 GroundShape::Plane => GroundForm::Plane,
                 GroundShape::Sphere { radius, side } => GroundForm::Sphere { radius: side.signed(radius) },
-                GroundShape::Cylinder { radius, side } => GroundForm::Cylinder { radius: side.signed(radius) },
+                GroundShape::Cylinder { radius, side } => {
+                    GroundForm::Cylinder { radius: side.signed(radius) }
+                }
             },
             gravity,
             turning: [0.0, 0.0, ground.turning()],
@@ -125,7 +127,6 @@ impl Model {
             in_space,
         }
     }
-
 }
 
 /// Of a tensor of inertia.

@@ -50,7 +50,13 @@ pub(super) struct Phase {
 }
 
 impl Phase {
-    pub(super) fn new(model: &Model, law: &ContactLaw, length: Option<f64>, kind: Kind, tolerance: f64) -> Self {
+    pub(super) fn new(
+        model: &Model,
+        law: &ContactLaw,
+        length: Option<f64>,
+        kind: Kind,
+        tolerance: f64,
+    ) -> Self {
         let watches = watches(model, law, length, kind);
         let system = match kind {
             Kind::Flying => System::record(flight::COUNT, |one, y| {
@@ -124,9 +130,7 @@ impl Model {
                 Pivot::Turning(sense) => relative.dot(n).times(sense),
                 Pivot::Held => one,
             },
-            Watch::Holding => {
-                (force * force).times(self.pivoting * self.pivoting) - at.holding * at.holding
-            }
+            Watch::Holding => (force * force).times(self.pivoting * self.pivoting) - at.holding * at.holding,
             Watch::RollingRate => {
                 let along = relative - n * relative.dot(n);
                 along.dot(along).root()

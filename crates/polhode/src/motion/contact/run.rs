@@ -17,10 +17,10 @@ use crate::math::rotation::Rotation;
 use crate::math::vector::{Direction, Position, Vector, Velocity};
 use crate::motion::error::MotionError;
 use crate::motion::model::event::{Crossing, EventAction, Measure};
+use crate::motion::model::event_detection::EventDetector;
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
-use crate::motion::run::event_detection::EventDetector;
 use crate::motion::solve::propagate::bound::MOST_STEPS;
 use crate::motion::solve::propagate::step_statistics::StepStatistics;
 
@@ -295,7 +295,8 @@ fn started(of: &ContactSimulation<'_>) -> Result<Stepper, MotionError> {
 /// A parameter's error where the centre of mass lies outside the surface.
 fn require_inside(of: &ContactSimulation<'_>) -> Result<(), MotionError> {
     let (surface, center) = (&of.contact.surface, of.body.center_of_mass());
-    let rule = "inside the surface: no body that a convex surface bounds has its centre of mass outside of it";
+    let rule =
+        "inside the surface: no body that a convex surface bounds has its centre of mass outside of it";
     let distance = (center - surface.center()).norm();
     require::that(
         "the distance of the centre of mass from that of the surface",
@@ -361,7 +362,8 @@ impl Stepper {
         let [e1, e2, e3] = at.axes;
         let along = |v: crate::math::algebra::Components<f64>| [e1.dot(v), e2.dot(v), e3.dot(v)];
         let arm = along(at.arm);
-        let position = model.ground.position([y[equations::PLACE], y[equations::PLACE + 1], y[equations::PLACE + 2]]);
+        let position =
+            model.ground.position([y[equations::PLACE], y[equations::PLACE + 1], y[equations::PLACE + 2]]);
         let force = at.tangential + at.normal.scaled(at.normal_force);
         Reading {
             center: [0, 1, 2].map(|k| position[k] - arm[k]),

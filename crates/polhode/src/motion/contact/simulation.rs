@@ -97,7 +97,10 @@ impl<'a> ContactSimulation<'a> {
     ///
     /// # Errors
     /// As [`ContactSimulation::run`]; [`MotionError::Stopped`] if `progress` said so.
-    pub fn run_watched(&self, progress: &mut dyn FnMut(f64) -> bool) -> Result<ContactTrajectory, MotionError> {
+    pub fn run_watched(
+        &self,
+        progress: &mut dyn FnMut(f64) -> bool,
+    ) -> Result<ContactTrajectory, MotionError> {
         let time = self.start.state.time;
         require_ascending(time, self.times)?;
         let rule = "between 1e-15 and 0.01";

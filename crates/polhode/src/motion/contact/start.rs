@@ -45,7 +45,10 @@ impl ContactStart {
 ///
 /// # Errors
 /// A parameter's error where the start violates the contact.
-pub(super) fn variables(of: &ContactSimulation<'_>, stepper: &Stepper) -> Result<(Kind, Vec<f64>), MotionError> {
+pub(super) fn variables(
+    of: &ContactSimulation<'_>,
+    stepper: &Stepper,
+) -> Result<(Kind, Vec<f64>), MotionError> {
     let (model, start) = (&stepper.model, &of.start);
     let size = stepper.size();
     let height = of.contact.ground.height_of(start.at);
@@ -62,7 +65,8 @@ pub(super) fn variables(of: &ContactSimulation<'_>, stepper: &Stepper) -> Result
     if model.axis_inertia.is_some() {
         let Components([x, y, _]) = rolling.omega;
         let rule = "zero: a cylinder that lies turns about its own axis alone";
-        let holds = x.hypot(y) <= 1e-9 * stepper.rate(&[[0.0; 6].to_vec(), omega.to_array().to_vec()].concat());
+        let holds =
+            x.hypot(y) <= 1e-9 * stepper.rate(&[[0.0; 6].to_vec(), omega.to_array().to_vec()].concat());
         require::that("the angular velocity of a cylinder across its axis", x.hypot(y), holds, rule)?;
         let tilt = rolling.normal.0[2];
         let rule = "zero: its axis lies along the ground";
@@ -79,13 +83,15 @@ pub(super) fn variables(of: &ContactSimulation<'_>, stepper: &Stepper) -> Result
     let rolls = (Kind::Touching(Regime::Rolling, Pivot::Turning(0.0)), y.clone());
     let slides = |slip| (Kind::Touching(Regime::Sliding, Pivot::Turning(0.0)), sliding(&y, &rolling, slip));
     let law = &of.contact.law;
-    let never_sticks = *law.grip() != Grip::NoSlip && law.friction().kinetic == 0.0 && law.friction().sticking == 0.0;
+    let never_sticks =
+        *law.grip() != Grip::NoSlip && law.friction().kinetic == 0.0 && law.friction().sticking == 0.0;
     let speed = stepper.speed(&y);
     let StartVelocity::Along(velocity) = start.velocity else {
         return Ok(if never_sticks { slides(Components([0.0; 3])) } else { rolls });
     };
     require::finite("the velocity of the centre of mass", velocity.norm())?;
-    let given = Components((model.in_body.inverse() * (start.state.attitude.inverse() * velocity)).to_array());
+    let given =
+        Components((model.in_body.inverse() * (start.state.attitude.inverse() * velocity)).to_array());
     let needed = rolling.carried - rolling.omega.cross(rolling.arm);
     let n = rolling.normal;
     let (along, across) = (given.dot(n), needed.dot(n));

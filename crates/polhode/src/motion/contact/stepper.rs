@@ -114,7 +114,8 @@ impl Stepper {
             return self.high.clone();
         }
         let expansion = &self.phases[self.current].expansion;
-        let mut y: Vec<f64> = (0..self.high.len()).map(|k| expansion.variable(time - self.begun, k)).collect();
+        let mut y: Vec<f64> =
+            (0..self.high.len()).map(|k| expansion.variable(time - self.begun, k)).collect();
         self.normalise(&mut y);
         y
     }

@@ -119,10 +119,8 @@ impl BodySurface {
             SurfaceShape::Sphere { radius } => x.hypot(y).hypot(z) < radius,
             SurfaceShape::Cylinder { radius, .. } => x.hypot(y) < radius,
             SurfaceShape::Ellipsoid { semi_axes: [a, b, c] } => (x / a).hypot(y / b).hypot(z / c) < 1.0,
-            SurfaceShape::Rim { radius, tube, thickness } => {
-                let beside = (z.abs() - 0.5 * thickness).max(0.0);
-                x.hypot(y) < radius && beside <= tube || (x.hypot(y) - radius).hypot(beside) < tube
-            }
+            // The rest of the body is where it likes along the axis.
+            SurfaceShape::Rim { radius, tube, .. } => x.hypot(y) < radius + tube,
         }
     }
 }

@@ -152,10 +152,8 @@ impl Run<'_> {
         let Kind::Touching(_, pivot) = self.stepper.kind() else { return Ok(()) };
         let Some(rolling) = self.stepper.kinetics(y) else { return Ok(()) };
         let time = self.stepper.time();
-        let direction = self
-            .stepper
-            .slip_direction(y, &rolling, pivot)
-            .ok_or(MotionError::Undecided { time })?;
+        let direction =
+            self.stepper.slip_direction(y, &rolling, pivot).ok_or(MotionError::Undecided { time })?;
         let slip = BEGINNING * self.stepper.speed(y);
         let variables = sliding(y, &rolling, direction.scaled(slip));
         self.stepper.enter(Kind::Touching(Regime::Sliding, pivot), variables);

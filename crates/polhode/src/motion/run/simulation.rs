@@ -1,12 +1,12 @@
 //! Simulations: from a start to a trajectory, by the best method there is.
 
 use super::ending::{Ending, MethodReason};
-use super::event_detection::EventDetector;
 use super::integration::{Integration, MOST_EVENTS, look_ahead};
 use super::solution::Solution;
 use super::trajectory::Trajectory;
 use crate::motion::error::MotionError;
 use crate::motion::model::event::{Crossing, Event, EventAction};
+use crate::motion::model::event_detection::EventDetector;
 use crate::motion::model::mass_history::MassHistory;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
@@ -334,7 +334,7 @@ impl<'a> Simulation<'a> {
         }
         let times = match ending {
             Ending::Complete => self.times.to_vec(),
-            Ending::Stopped { time, .. } | Ending::Failed { time, .. } => {
+            Ending::Stopped { time, .. } | Ending::Contact { time, .. } | Ending::Failed { time, .. } => {
                 let before = self.times.iter().copied().filter(|t| *t < time);
                 before.chain([time]).collect()
             }

@@ -4,8 +4,8 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 
 use polhode::math::{Direction, Rotation, Velocity};
 use polhode::motion::contact::{
-    Contact, ContactChange, ContactEnding, ContactLaw, ContactPhase, ContactStart, Friction, Ground, GroundShape,
-    GroundSide, StartVelocity, SurfaceShape,
+    Contact, ContactChange, ContactEnding, ContactLaw, ContactPhase, ContactStart, Friction, Ground,
+    GroundShape, GroundSide, StartVelocity, SurfaceShape,
 };
 use polhode::prelude::*;
 
@@ -100,7 +100,10 @@ fn a_ball_rolls_down_an_incline_or_slips() {
 #[test]
 fn a_ball_leaves_the_ball_that_it_rolls_down() {
     let big = 1.1;
-    let ground = Ground::new(GroundShape::Sphere { radius: big, side: GroundSide::Outside }, Direction::new(0.0, 0.0, 1.0));
+    let ground = Ground::new(
+        GroundShape::Sphere { radius: big, side: GroundSide::Outside },
+        Direction::new(0.0, 0.0, 1.0),
+    );
     let ground = ground.unwrap();
     // Let go at an angle of 0.1 from the top, at rest.
     let top = 0.1_f64;
@@ -113,12 +116,16 @@ fn a_ball_leaves_the_ball_that_it_rolls_down() {
         let [change, ..] = motion.changes() else { panic!("it leaves") };
         assert_eq!(change.change, ContactChange::LiftsOff);
         let time = change.time;
-        let [there, later] = [run(&ball(RADIUS), &contact, start, &[time]), run(&ball(RADIUS), &contact, start, &[time + 0.2])];
+        let [there, later] = [
+            run(&ball(RADIUS), &contact, start, &[time]),
+            run(&ball(RADIUS), &contact, start, &[time + 0.2]),
+        ];
         let (there, later) = (there.samples()[0], later.samples()[0]);
         near(there.normal.z, share * top.cos(), 1e-14);
         near(there.normal_force, 0.0, 1e-13);
         assert_eq!(later.phase, ContactPhase::Flying);
-        let fallen = there.center + (there.velocity.to_array().map(|v| v * 0.2)).into_position()
+        let fallen = there.center
+            + (there.velocity.to_array().map(|v| v * 0.2)).into_position()
             + Position::new(0.0, 0.0, -0.5 * G * 0.04);
         near((later.center - fallen).norm(), 0.0, 1e-14);
         assert!(motion.energy_drift() < 1e-14, "{:e}", motion.energy_drift());
@@ -213,7 +220,8 @@ fn a_cylinder_rolls_about_its_axis_alone() {
     for (shape, tips) in [(shape, false), (short, true)] {
         let contact = Contact { ground, ..Contact::rolling(surface(shape, [0.0; 3])) };
         let motion = run(&body, &contact, ContactStart::rolling(state(turned, [0.0; 3])), &[0.5]);
-        let tipped = matches!(motion.ending(), ContactEnding::Changed { change: ContactChange::TipsOver, .. });
+        let tipped =
+            matches!(motion.ending(), ContactEnding::Changed { change: ContactChange::TipsOver, .. });
         assert_eq!(tipped, tips, "{:?}", motion.ending());
     }
 }

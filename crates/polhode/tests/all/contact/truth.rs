@@ -2,8 +2,8 @@
 
 use polhode::math::{Acceleration, Direction, Rotation, Velocity};
 use polhode::motion::contact::{
-    BodySurface, Contact, ContactChange, ContactLaw, ContactPhase, ContactSample, ContactStart, Friction, Ground,
-    GroundShape, GroundSide, Resistance, StartVelocity, SurfaceShape,
+    BodySurface, Contact, ContactChange, ContactLaw, ContactPhase, ContactSample, ContactStart, Friction,
+    Ground, GroundShape, GroundSide, Resistance, StartVelocity, SurfaceShape,
 };
 use polhode::prelude::*;
 use toml::Table;
@@ -36,7 +36,8 @@ fn error_of(case: &Table) -> f64 {
         ("ring", [radius, tube]) => SurfaceShape::Rim { radius: *radius, tube: *tube, thickness: 0.0 },
         other => panic!("{other:?}"),
     };
-    let surface = BodySurface::new(shape, Position::from_array(triple("center")), Rotation::identity()).unwrap();
+    let surface =
+        BodySurface::new(shape, Position::from_array(triple("center")), Rotation::identity()).unwrap();
     let radius = number(&case["ground_radius"]);
     let level = Direction::new(0.0, 0.0, 1.0);
     let ground = match text("ground") {
@@ -49,7 +50,8 @@ fn error_of(case: &Table) -> f64 {
         }
         other => panic!("{other}"),
     };
-    let friction = |kinetic, viscous| ContactLaw::with_friction(Friction { sticking: kinetic, kinetic, viscous });
+    let friction =
+        |kinetic, viscous| ContactLaw::with_friction(Friction { sticking: kinetic, kinetic, viscous });
     let law = match text("law") {
         "rolling" => ContactLaw::ROLLING,
         "coulomb" => friction(number(&case["mu"]), 0.0).unwrap(),
@@ -73,7 +75,8 @@ fn error_of(case: &Table) -> f64 {
     };
     let start = ContactStart { state, at: Position::from_array(triple("start_contact")), velocity };
     let motion = run(&body, &contact, start, &times);
-    let changed = |change| motion.changes().iter().find(|event| event.change == change).map(|event| event.time);
+    let changed =
+        |change| motion.changes().iter().find(|event| event.change == change).map(|event| event.time);
     let found = match text("event") {
         "none" => None,
         "slip" => Some(changed(ContactChange::Slips)),
@@ -90,7 +93,7 @@ fn error_of(case: &Table) -> f64 {
         assert!(motion.changes().is_empty(), "{name}: {:?}", motion.changes());
     }
     let at_event = |t: f64| text("event") != "none" && (t - number(&case["event_t"])).abs() < 1e-9;
-    for (sample, row) in motion.samples().iter().zip(rows) {
+    for (sample, row) in motion.samples().iter().zip(&rows) {
         // On which side of an event a sample is, rounding decides.
         if at_event(sample.state.time) {
             continue;

@@ -33,7 +33,8 @@ impl Coefficients {
 #[inline(always)]
 fn convolution(a: &Coefficients, b: &Coefficients, n: usize) -> [f64; 4] {
     let mut sums = [0.0; 4];
-    let (ahead, back) = (a.ascending[..=n | 3].as_chunks::<4>().0, b.descending[ROOM - 1 - n..].as_chunks::<4>().0);
+    let (ahead, back) =
+        (a.ascending[..=n | 3].as_chunks::<4>().0, b.descending[ROOM - 1 - n..].as_chunks::<4>().0);
     for (a, b) in ahead.iter().zip(back) {
         for i in 0..4 {
             sums[i] += a[i] * b[i];
@@ -52,6 +53,8 @@ fn total([a, b, c, d]: [f64; 4]) -> f64 {
 pub(in crate::motion::contact) struct Expansion {
     system: System,
     order: usize,
+    /// The last coefficient that is a number.
+    last: usize,
     /// log₂ of the length of a step over the radius of convergence.
     reach: f64,
     steps: Vec<Coefficients>,
@@ -65,7 +68,15 @@ impl Expansion {
         let order = order(tolerance).min(MOST);
         let [variables, outputs] = [&system.rates, &system.outputs].map(|all| vec![[0.0; ROOM]; all.len()]);
         let steps = vec![Coefficients::ZERO; system.steps.len()];
-        Self { system, order, reach: reach(order, remainder(tolerance)), steps, variables, outputs }
+        Self {
+            system,
+            order,
+            last: order,
+            reach: reach(order, remainder(tolerance)),
+            steps,
+            variables,
+            outputs,
+        }
     }
 
     /// About a state; how long a step from it may be, its variables measured with `sizes`.
@@ -128,21 +139,21 @@ impl Expansion {
         }
     }
 
-    /// The longest step at which the terms that are left out are as small as they should be.
-    fn length(&self, sizes: &[f64]) -> f64 {
+    /// The longest step at which the terms that are left out are as small as they should be: by the last two coefficients that are finite.
+    fn length(&mut self, sizes: &[f64]) -> f64 {
         let log_radius = |n: usize| {
             let largest = |size: f64, (series, scale): (&[f64; ROOM], &f64)| {
                 let x = series[n].abs() / scale;
                 // A maximum that NaN does not escape.
-                if x <= size { size } else { x }
+                if size.is_nan() || x <= size { size } else { x }
             };
             let size = self.variables.iter().zip(sizes).fold(0.0, largest);
             if size.is_finite() { -rough_log2(size) / n as f64 } else { f64::NAN }
         };
-        let (last, before) = (log_radius(self.order), log_radius(self.order - 1));
-        if last.is_nan() || before.is_nan() {
-            return f64::NAN;
-        }
+        let pairs = (2..=self.order).rev().map(|n| (n, [log_radius(n), log_radius(n - 1)]));
+        let finite = pairs.into_iter().find(|(_, [last, before])| !last.is_nan() && !before.is_nan());
+        let Some((n, [last, before])) = finite else { return f64::NAN };
+        self.last = n;
         rough_exp2(last.min(before) + self.reach)
     }
 
@@ -154,7 +165,7 @@ impl Expansion {
     /// The change of a variable after h.
     pub(in crate::motion::contact) fn change(&self, h: f64, k: usize) -> f64 {
         let [_, series @ ..] = &self.variables[k];
-        series[..self.order].iter().rev().fold(0.0, |sum, c| sum * h + c) * h
+        series[..self.last].iter().rev().fold(0.0, |sum, c| sum * h + c) * h
     }
 
     /// A variable after h.
@@ -164,7 +175,7 @@ impl Expansion {
 
     /// One of the further functions after h.
     pub(in crate::motion::contact) fn output(&self, h: f64, k: usize) -> f64 {
-        self.outputs[k][..=self.order].iter().rev().fold(0.0, |sum, c| sum * h + c)
+        self.outputs[k][..self.last].iter().rev().fold(0.0, |sum, c| sum * h + c)
     }
 }
 

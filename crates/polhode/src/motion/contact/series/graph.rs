@@ -211,7 +211,6 @@ impl System {
         let roots = record(one, &variables).map(|nodes| nodes.iter().map(|node| node.value).collect());
         Compiler::of(&recording.into_inner().operations, &roots).system(roots)
     }
-
 }
 
 /// From operations to steps: forms that are used once go into those that use them.

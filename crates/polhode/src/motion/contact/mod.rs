@@ -26,6 +26,7 @@ pub use change::{ContactChange, ContactEvent, ContactPhase};
 pub use ground::{Ground, GroundShape, GroundSide};
 pub use law::{ContactLaw, Friction, Grip, Resistance};
 pub use sample::ContactSample;
+pub(in crate::motion) use simulation::StepNoise;
 pub use simulation::{Contact, ContactSimulation};
 pub use start::{ContactStart, StartVelocity};
 pub use surface::{BodySurface, SurfaceShape};

@@ -285,7 +285,8 @@ fn started(of: &ContactSimulation<'_>) -> Result<Stepper, MotionError> {
     };
     let [x, y, z] = model.offset;
     let size = contact.surface.size() + x.hypot(y).hypot(z);
-    let mut stepper = Stepper::new(model, contact.law, length, [size, of.tolerance], start.state.time);
+    let mut stepper =
+        Stepper::new(model, contact.law, length, [size, of.tolerance], start.state.time).perturbed(of.noise);
     let (kind, variables) = super::start::variables(of, &stepper)?;
     stepper.enter(kind, variables);
     Ok(stepper)

@@ -59,6 +59,15 @@ pub struct ContactSimulation<'a> {
     pub(super) times: &'a [f64],
     pub(super) events: &'a [Event],
     pub(super) tolerance: f64,
+    pub(super) noise: Option<StepNoise>,
+}
+
+/// What a perturbed run adds to its variables after each step, so many times what rounding does; and how many times as long its steps are.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::motion) struct StepNoise {
+    pub(in crate::motion) seed: u64,
+    pub(in crate::motion) amplitude: f64,
+    pub(in crate::motion) stretch: f64,
 }
 
 impl<'a> ContactSimulation<'a> {
@@ -69,7 +78,7 @@ impl<'a> ContactSimulation<'a> {
         start: ContactStart,
         times: &'a [f64],
     ) -> Self {
-        Self { body, contact, start, times, events: &[], tolerance: 1e-15 }
+        Self { body, contact, start, times, events: &[], tolerance: 1e-15, noise: None }
     }
 
     /// With a bound on the error of each step, relative to the sizes of the variables: 1e-15 unless it is said.
@@ -82,6 +91,27 @@ impl<'a> ContactSimulation<'a> {
     #[must_use]
     pub const fn events(self, events: &'a [Event]) -> Self {
         Self { events, ..self }
+    }
+
+    pub(in crate::motion) const fn with_noise(self, noise: Option<StepNoise>) -> Self {
+        Self { noise, ..self }
+    }
+
+    pub(in crate::motion) const fn body(&self) -> &MassProperties<Body> {
+        self.body
+    }
+
+    pub(in crate::motion) const fn contact(&self) -> &Contact {
+        self.contact
+    }
+
+    pub(in crate::motion) const fn start(&self) -> ContactStart {
+        self.start
+    }
+
+    /// The bound on the error of each step.
+    pub(in crate::motion) const fn bound(&self) -> f64 {
+        self.tolerance
     }
 
     /// Computes the motion.

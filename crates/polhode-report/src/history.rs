@@ -35,7 +35,8 @@ pub(crate) fn in_words(history: &MassHistory, [from, to]: [f64; 2]) -> String {
     if flows && drops {
         how += ", and dropped";
     }
-    format!("{before} → {after} kg, {how}; {law}")
+    let mass = if before == after { before } else { format!("{before} → {after}") };
+    format!("{mass} kg, {how}; {law}")
 }
 
 /// Does mass leave steadily in this time, and at once?

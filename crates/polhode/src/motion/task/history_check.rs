@@ -27,7 +27,8 @@ impl Scenario {
         }
         let before = history.changes().map(|[_, until]| until).filter(|until| *until <= start).last();
         let after = history.changes().map(|[from, _]| from).find(|from| *from >= end);
-        let before = before.map(|until| format!("until t = {} s, and it starts at {start} s", plain(until)));
+        let before =
+            before.map(|until| format!("until t = {} s, and the run starts at {start} s", plain(until)));
         let after = after.map(|from| format!("from t = {} s on, and the run ends at {end} s", plain(from)));
         let message = match [before, after] {
             [None, None] => {

@@ -12,6 +12,7 @@ mod ground;
 mod law;
 mod model;
 mod phase;
+mod reading;
 mod run;
 mod sample;
 mod series;

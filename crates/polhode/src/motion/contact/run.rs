@@ -2,16 +2,14 @@
 
 use super::change::{ContactEvent, ContactPhase};
 use super::equations::Regime;
-use super::flight;
-use super::ground::GroundSide;
+use super::ground::{GroundShape, GroundSide};
 use super::model::Model;
-use super::phase::{Kind, Watch};
+use super::phase::Kind;
 use super::sample::ContactSample;
 use super::simulation::ContactSimulation;
 use super::stepper::Stepper;
 use super::surface::SurfaceShape;
 use super::trajectory::{ContactEnding, ContactTrajectory};
-use super::{GroundShape, equations};
 use crate::math::frame::{Body, Part, Space};
 use crate::math::rotation::Rotation;
 use crate::math::vector::{Direction, Position, Vector, Velocity};
@@ -23,9 +21,38 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::solve::propagate::bound::MOST_STEPS;
 use crate::motion::solve::propagate::step_statistics::StepStatistics;
+use crate::motion::solve::propagate::stepper::{LOOSEST_TOLERANCE, TIGHTEST_TOLERANCE};
+use crate::motion::solve::start::require_ascending;
 
 /// The most events and changes of a run.
 const MOST_EVENTS: usize = 1_000_000;
+
+impl ContactSimulation<'_> {
+    /// Computes the motion.
+    ///
+    /// # Errors
+    /// A parameter's error ([`MotionError::is_parameter`]) for times out of order, a tolerance out of range and a start that is not finite;
+    /// [`MotionError::Contact`] for a start that violates the contact.
+    pub fn run(&self) -> Result<ContactTrajectory, MotionError> {
+        self.run_watched(&mut |_| true)
+    }
+
+    /// [`ContactSimulation::run`]; `progress` is told the time after each step, and `false` ends the work.
+    ///
+    /// # Errors
+    /// As [`ContactSimulation::run`]; [`MotionError::Stopped`] if `progress` said so.
+    pub fn run_watched(
+        &self,
+        progress: &mut dyn FnMut(f64) -> bool,
+    ) -> Result<ContactTrajectory, MotionError> {
+        let time = self.start.state.time;
+        require_ascending(time, self.times)?;
+        let rule = "between 1e-15 and 0.01";
+        let holds = (TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&self.tolerance);
+        require::that("the tolerance", self.tolerance, holds, rule)?;
+        Run::new(self)?.finish(progress)
+    }
+}
 
 /// A run on its way.
 pub(super) struct Run<'a> {
@@ -60,7 +87,7 @@ impl<'a> Run<'a> {
     ///
     /// # Errors
     /// [`MotionError::Stopped`] if `progress` says so.
-    pub(super) fn to_the_end(
+    pub(super) fn finish(
         mut self,
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Result<ContactTrajectory, MotionError> {
@@ -340,54 +367,4 @@ fn event_is_possible(event: &crate::motion::model::event::Event) -> Result<(), M
         _ => return Ok(()),
     };
     Err(MotionError::Exclusive { parts: ["contact", "event"], why })
-}
-
-/// What is read off the variables for a sample: lengths and forces along the axes of the surface, the centre of mass along those of the ground.
-pub(super) struct Reading {
-    pub(super) center: [f64; 3],
-    pub(super) arm: [f64; 3],
-    pub(super) velocity: [f64; 3],
-    pub(super) normal: [f64; 3],
-    pub(super) slip: [f64; 3],
-    pub(super) normal_force: f64,
-    pub(super) friction: [f64; 3],
-    pub(super) torque: [f64; 3],
-}
-
-impl Stepper {
-    fn reading(&self, y: &[f64]) -> Reading {
-        let model = &self.model;
-        let Some(at) = self.kinetics(y) else {
-            return flight::reading(model, y);
-        };
-        let [e1, e2, e3] = at.axes;
-        let along = |v: crate::math::algebra::Components<f64>| [e1.dot(v), e2.dot(v), e3.dot(v)];
-        let arm = along(at.arm);
-        let position =
-            model.ground.position([y[equations::PLACE], y[equations::PLACE + 1], y[equations::PLACE + 2]]);
-        let force = at.tangential + at.normal.scaled(at.normal_force);
-        Reading {
-            center: [0, 1, 2].map(|k| position[k] - arm[k]),
-            arm: at.arm.0,
-            velocity: at.velocity.0,
-            normal: at.normal.0,
-            slip: at.slip.0,
-            normal_force: at.normal_force,
-            friction: at.tangential.0,
-            torque: (at.arm.cross(force) + at.resistance).0,
-        }
-    }
-
-    /// What has become too small to go on with, as the series do not reach beyond it.
-    fn exhausted(&self) -> Option<Watch> {
-        let y = self.variables();
-        let watches = self.watches();
-        let at = self.kinetics(y)?;
-        if watches.contains(&Watch::SlipSpeed) && at.slip.dot(at.slip).sqrt() <= self.least_slip(y) {
-            return Some(Watch::SlipSpeed);
-        }
-        let across = at.relative - at.normal.scaled(at.relative.dot(at.normal));
-        let is_still = across.dot(across).sqrt() <= 1e-13 * self.rate(y);
-        (watches.contains(&Watch::RollingRate) && is_still).then_some(Watch::RollingRate)
-    }
 }

@@ -6,7 +6,6 @@ use super::model::GroundForm;
 use super::phase::Kind;
 use super::simulation::ContactSimulation;
 use super::stepper::Stepper;
-use super::transition::sliding;
 use crate::math::algebra::Components;
 use crate::math::frame::Space;
 use crate::math::vector::{Position, Velocity};
@@ -81,7 +80,7 @@ pub(super) fn variables(
         require::that("the ground of a cylinder that lies", f64::NAN, holds, rule)?;
     }
     let rolls = (Kind::Touching(Regime::Rolling, Pivot::Turning(0.0)), y.clone());
-    let slides = |slip| (Kind::Touching(Regime::Sliding, Pivot::Turning(0.0)), sliding(&y, &rolling, slip));
+    let slides = |slip| (Kind::Touching(Regime::Sliding, Pivot::Turning(0.0)), rolling.sliding(&y, slip));
     let law = &of.contact.law;
     let never_sticks =
         *law.grip() != Grip::NoSlip && law.friction().kinetic == 0.0 && law.friction().sticking == 0.0;

@@ -4,16 +4,21 @@
 //! linear in the masses, so limits on these are linear: on the mass, on a coordinate c = S/M of the centre (S ≤ most·M), on moments and products about a fixed point; and cones, if they are on a distance of
 //! the centre or on an unbalance. Products about the moving centre, W − S S/M, are not: there it is proved in regions of the centre that nothing is lighter.
 
+mod chart;
 mod error;
 mod interval;
+mod local;
+mod planar;
 mod polish;
 mod problem;
 mod proof;
+mod region;
 mod relaxation;
 mod row;
 mod search;
 mod site;
 mod solver;
+mod sums;
 
 pub use error::BallastError;
 pub use site::{Place as BallastPlace, Round, Site};
@@ -109,7 +114,7 @@ impl Budget {
             return Err(BallastError::NoSolver);
         }
         let problem = Problem::new(self, ballast, limits)?;
-        let gap = if problem.products.is_empty() { GAP } else { GAP_OF_PRODUCTS };
+        let gap = problem.gap();
         let Outcome { found, tree, cap } = Search::new(&problem, gap).run();
         let proof = Proof { problem, tree, cap };
         let regions = proof.tree.leaves();
@@ -153,7 +158,7 @@ impl LeastBallast {
             .collect();
         let sum: f64 = self.pieces.iter().map(|piece| piece.mass).sum();
         let problem = &self.proof.problem;
-        let gap = if problem.products.is_empty() { GAP } else { GAP_OF_PRODUCTS };
+        let gap = problem.gap();
         pieces.iter().all(|(column, _)| column.site < problem.charts.len())
             && problem.is_met(&pieces)
             && sum == self.mass
@@ -197,6 +202,7 @@ impl Tree {
         match self {
             Self::Leaf(_) => 1,
             Self::Split { below, above, .. } => below.leaves() + above.leaves(),
+            Self::Parted { rest, .. } => rest.leaves(),
         }
     }
 }

@@ -21,7 +21,10 @@ const BROKEN: (f64, f64) = (1e-11, 16.0 * f64::EPSILON);
 const AT: f64 = 1e-12;
 
 /// Pieces nearer than this part of a site's size are one, if that will do: programs with pieces end with some on each side of the best place.
-const NEAR: f64 = 1e-3;
+const NEAR: f64 = 1e-2;
+
+/// Masses below this part of all ballast are left out, if that will do.
+const FEW: f64 = 1e-6;
 
 /// By how much ballast of fewer pieces may be heavier.
 const HEAVIER: f64 = 2e-10;
@@ -50,7 +53,12 @@ impl Problem {
         let mut pieces: Vec<_> = pieces.iter().copied().filter(|(_, mass)| *mass > NOTHING * total).collect();
         self.reduce(&mut pieces);
         let many = self.corrected(pieces.clone());
-        let few = self.corrected(self.merged(&pieces));
+        let few = self.merged(&pieces, FEW * total);
+        let few = if few.len() < pieces.len() || self.is_split() {
+            self.moved(&few).and_then(|few| self.corrected(few)).or_else(|| self.corrected(few))
+        } else {
+            None
+        };
         let mass = |pieces: &Vec<(Column, f64)>| pieces.iter().map(|(_, mass)| mass).sum::<f64>();
         match (many, few) {
             (Some(many), Some(few)) if mass(&few) > mass(&many) * (1.0 + HEAVIER) => Some(many),
@@ -74,14 +82,19 @@ impl Problem {
     /// The size of a site that is nearest to a mass, if it has sizes.
     pub(super) fn nearest_size(&self, site: usize, mass: f64) -> Option<f64> {
         let beside = |size: &f64| (size - mass).abs();
-        self.sizes[site].iter().copied().min_by(|a, b| beside(a).total_cmp(&beside(b)))
+        let none = self.charts[site].is_point().then_some(&0.0).filter(|_| !self.sizes[site].is_empty());
+        self.sizes[site].iter().chain(none).copied().min_by(|a, b| beside(a).total_cmp(&beside(b)))
     }
 
-    /// Pieces that are near each other become one at their centre of mass.
-    fn merged(&self, pieces: &[(Column, f64)]) -> Vec<(Column, f64)> {
+    /// Pieces that are near each other become one at their centre of mass; those of less than a mass are left out.
+    fn merged(&self, pieces: &[(Column, f64)], least: f64) -> Vec<(Column, f64)> {
         let mut merged: Vec<(Column, f64)> = Vec::with_capacity(pieces.len());
         for (column, mass) in pieces {
             let chart = &self.charts[column.site];
+            if self.has_free_pieces(column.site) {
+                merged.push((*column, *mass));
+                continue;
+            }
             let same = merged
                 .iter_mut()
                 .find(|(other, _)| other.site == column.site && chart.are_near(other.at, column.at, NEAR));
@@ -96,17 +109,24 @@ impl Problem {
                 }
             }
         }
+        merged.retain(|(_, mass)| *mass > least);
         merged
     }
 
-    /// Of more pieces than there are linear functions in all limits, some can be left out without changing any (Carathéodory).
-    fn reduce(&self, pieces: &mut Vec<(Column, f64)>) {
-        let mut functions: Vec<Functional> = vec![Functional::mass()];
+    /// The functions of the moments that limits are made of, the mass before all.
+    pub(super) fn functions(&self) -> Vec<Functional> {
+        let mut functions = vec![Functional::mass()];
         functions.extend(self.blocks.iter().flat_map(|block| block.rows.iter().copied()));
         for product in &self.products {
             let [u, v] = product.axes;
             functions.extend([Functional::second(u, v), Functional::first(u), Functional::first(v)]);
         }
+        functions
+    }
+
+    /// Of more pieces than there are linear functions in all limits, some can be left out without changing any (Carathéodory).
+    fn reduce(&self, pieces: &mut Vec<(Column, f64)>) {
+        let functions = self.functions();
         loop {
             // Pieces of sites that have sizes or a most stay.
             let (free, kept): (Vec<_>, Vec<_>) =
@@ -202,8 +222,9 @@ impl Problem {
         });
         let within_sites = (0..self.charts.len()).all(|site| {
             let own = pieces.iter().filter(|(column, _)| column.site == site);
-            let sum: f64 = own.map(|(_, mass)| mass).sum();
-            sum <= self.most[site] * (1.0 + BROKEN.0)
+            let sum: f64 = own.clone().map(|(_, mass)| mass).sum();
+            let is_one = self.sums[site].is_none() || !self.charts[site].is_point() || own.count() <= 1;
+            is_one && sum <= self.most[site] * (1.0 + BROKEN.0)
         });
         let allowed = |state: &State| BROKEN.0 * state.size.0 + BROKEN.1 * state.size.1;
         at_sites

@@ -334,10 +334,6 @@ fn questions_that_cannot_be_answered_are_refused() {
     let good = Site::new("e", BallastPlace::Point(origin));
     bad.push(Site { most: Some(-1.0), ..good.clone() });
     bad.push(Site { sizes: vec![0.0], ..good.clone() });
-    bad.push(Site {
-        sizes: vec![1.0],
-        ..Site::new("f", BallastPlace::Line([origin, Position::new(1.0, 0.0, 0.0)]))
-    });
     for site in bad {
         let name = site.name.clone();
         let error = refused(&sites(vec![site]), mass());

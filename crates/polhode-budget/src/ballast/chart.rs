@@ -23,6 +23,9 @@ pub(super) type Part = [[f64; 2]; 2];
 /// More than parts are rounded by, in the coordinates of a place that is not far from the origin.
 const ROUNDING: f64 = 1e-14;
 
+/// Steps of Newton's method.
+const STEPS: usize = 8;
+
 impl Chart {
     pub(super) fn new(site: &Site) -> Result<Self, BallastError> {
         let wrong = |what, value, rule| BallastError::Value { site: site.name.clone(), what, value, rule };
@@ -81,23 +84,27 @@ impl Chart {
         if self.rim { [libm::atan2(t, s), 0.0] } else { [s, t] }
     }
 
-    /// What is about a point of it, this far: within it, or an arc of it that is so but for the square of that.
+    /// Parts of it about a point, this far: a disc or a line, and points of the rim.
     pub(super) fn about(&self, r: [f64; 3], far: f64) -> Vec<Self> {
-        let (u, arc) = (self.coordinates(r), |angle: f64| {
-            let rim = Self { rim: true, ..self.clone() };
-            rim.covering(&[[angle - far, angle + far], [0.0; 2]])
-        });
+        let u = self.coordinates(r);
         let within = |center: [f64; 2]| {
             let axes = self.axes.map(|axis| axis.map(|x| far * x));
             Self { center: self.point(center), axes, rim: false }
         };
-        let (norm, inside) = (u[0].hypot(u[1]), 1.0 - far);
-        let pulled = if norm > inside { u.map(|u| u * inside / norm) } else { u };
-        match (self.rim, norm > inside && self.axes[1] != [0.0; 3]) {
-            (true, _) => vec![arc(u[0])],
-            (false, false) => vec![within(pulled)],
-            (false, true) => vec![within(pulled), arc(libm::atan2(u[1], u[0]))],
+        let arc = |angle: f64| {
+            (-4_i32..=4).map(move |k| {
+                let (sin, cos) = libm::sincos(angle + far * f64::from(k) / 4.0);
+                Self { center: self.point([cos, sin]), axes: [[0.0; 3]; 2], rim: false }
+            })
+        };
+        if self.rim {
+            return arc(u[0]).collect();
         }
+        let (norm, inside) = (u[0].hypot(u[1]), 1.0 - far);
+        let pulled = within(if norm > inside { u.map(|u| u * inside / norm) } else { u });
+        let is_near_rim = norm > inside && self.axes[1] != [0.0; 3];
+        let rim = is_near_rim.then(|| arc(libm::atan2(u[1], u[0])));
+        core::iter::once(pulled).chain(rim.into_iter().flatten()).collect()
     }
 
     /// An ellipse, or of a line a line, that a part is within.
@@ -202,6 +209,17 @@ impl Chart {
         }
         let least = planar.least(self.rim);
         (self.point(least.at), planar.bound(&least, self.rim))
+    }
+
+    /// Where a function of a place is about least near a point, by Newton's method.
+    pub(super) fn least_about(&self, of: &Functional, origin: [f64; 3], r: [f64; 3]) -> [f64; 3] {
+        let planar = self.planar(of, origin);
+        let mut u = self.foot(r);
+        for _ in 0..STEPS {
+            let Some(next) = planar.nearer(u, self.rim, self.axes[1] == [0.0; 3]) else { break };
+            u = next;
+        }
+        self.nearest(self.point(u))
     }
 
     fn planar(&self, of: &Functional, origin: [f64; 3]) -> Planar {

@@ -6,7 +6,10 @@ use super::relaxation::{Placed, Until};
 use super::row::{Functional, weights};
 
 /// How far pieces may move in each step, as a part of their site: moments of places in between are wrong by the square.
-const REACHES: [f64; 9] = [0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
+const REACHES: [f64; 4] = [0.3, 0.1, 0.03, 0.01];
+
+/// A piece farther from where it is best, as a part of its site, is not moved there.
+const SETTLED: f64 = 0.1;
 
 impl Problem {
     /// Pieces of the sizes that sites have, few or many, in place of what a region has.
@@ -62,6 +65,17 @@ impl Problem {
         is_solved.then_some(pieces)
     }
 
+    /// Pieces on lines, discs and circles, each where a price is least about it.
+    pub(super) fn settled(&self, pieces: &[(Column, f64)], price: &Functional) -> Vec<(Column, f64)> {
+        let settled = |(column, mass): &(Column, f64)| {
+            let chart = &self.charts[column.site];
+            let at = chart.least_about(price, self.origin, column.at);
+            let at = if chart.are_near(at, column.at, SETTLED) { at } else { column.at };
+            (Column { at, ..*column }, *mass)
+        };
+        pieces.iter().map(settled).collect()
+    }
+
     /// Each piece in a part of its site about it; of other sites, points that take any mass.
     fn around(&self, pieces: &[(Column, f64)], reach: f64) -> Region {
         let mut cells: Vec<Cell> = (0..self.charts.len()).map(|site| self.cell(site, self.cap)).collect();
@@ -81,7 +95,7 @@ impl Problem {
                 let place = cells.len();
                 cells[site].parts.push(place);
                 let masses = if has_sizes { [*mass; 2] } else { cells[site].masses };
-                let part = Cell { masses: [0.0, masses[1]], parts: Vec::new(), ..cells[site].clone() };
+                let part = Cell { masses: [0.0, self.cap], parts: Vec::new(), ..cells[site].clone() };
                 let charts = chart.about(column.at, reach);
                 let parts = (1..=charts.len()).map(|k| place + k).collect();
                 cells.push(Cell { masses, parts, ..part.clone() });

@@ -60,6 +60,37 @@ impl Planar {
         Least { at: back(u.map(|u| u * factor)), multiplier: most - low }
     }
 
+    /// A step of Newton's method to a least value on the disc, the rim, or a line of the disc; `None` where there is none near.
+    pub(super) fn nearer(&self, u: [f64; 2], rim: bool, is_line: bool) -> Option<[f64; 2]> {
+        let [a, b, c] = self.square.map(Interval::middle);
+        let [g, h] = self.slope.map(Interval::middle);
+        let [s, t] = u;
+        let gradient = [g + 2.0 * (a * s + b * t), h + 2.0 * (b * s + c * t)];
+        let (out, norm) = (s * gradient[0] + t * gradient[1], s.hypot(t));
+        let determinant = a * c - b * b;
+        if is_line {
+            return (a > 0.0 && !rim).then(|| [(-0.5 * g / a).clamp(-1.0, 1.0), 0.0]);
+        }
+        if !rim && a > 0.0 && determinant > 0.0 {
+            let inside = [0.5 * (b * h - c * g) / determinant, 0.5 * (b * g - a * h) / determinant];
+            if inside[0].hypot(inside[1]) <= 1.0 {
+                return Some(inside);
+            }
+        }
+        // Along the rim: f″ = 2 eᵀ Q e − u·∇f
+        if !(norm > 0.9) || (!rim && out > 0.0) {
+            return None;
+        }
+        let [x, y] = [-t / norm, s / norm];
+        let (first, second) =
+            (x * gradient[0] + y * gradient[1], 2.0 * (a * x * x + 2.0 * b * x * y + c * y * y) - out / norm);
+        let turn = -first / second;
+        (second > 0.0 && turn.abs() < 0.5).then(|| {
+            let (sin, cos) = libm::sincos(turn);
+            [(cos * s - sin * t) / norm, (sin * s + cos * t) / norm]
+        })
+    }
+
     /// A lower bound: h(u) = f(u) + λ (u² − 1) is nowhere above f on the disc if λ ≥ 0, and is f on the rim. Where Q + λ has no negative eigenvalue, h is nowhere below its tangent plane.
     pub(super) fn bound(&self, least: &Least, rim: bool) -> f64 {
         let terms = self.square.iter().chain(&self.slope);

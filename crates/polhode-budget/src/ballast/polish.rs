@@ -47,23 +47,25 @@ struct Freedom {
 }
 
 impl Problem {
-    /// Few pieces by which all limits are met; `None` if they are not.
-    pub(super) fn polished(&self, pieces: &[(Column, f64)]) -> Option<Vec<(Column, f64)>> {
+    /// Few pieces by which all limits are met, for a price of pieces where they are; `None` if they are not met.
+    pub(super) fn polished(&self, pieces: &[(Column, f64)], price: Option<&Functional>) -> Option<Vec<(Column, f64)>> {
         let total: f64 = pieces.iter().map(|(_, mass)| mass).sum();
         let mut pieces: Vec<_> = pieces.iter().copied().filter(|(_, mass)| *mass > NOTHING * total).collect();
         self.reduce(&mut pieces);
-        let many = self.corrected(pieces.clone());
         let few = self.merged(&pieces, FEW * total);
-        let few = if few.len() < pieces.len() || self.is_split() {
-            self.moved(&few).and_then(|few| self.corrected(few)).or_else(|| self.corrected(few))
-        } else {
-            None
-        };
-        let mass = |pieces: &Vec<(Column, f64)>| pieces.iter().map(|(_, mass)| mass).sum::<f64>();
-        match (many, few) {
-            (Some(many), Some(few)) if mass(&few) > mass(&many) * (1.0 + HEAVIER) => Some(many),
-            (many, few) => few.or(many),
+        let settled = price.map(|price| self.settled(&few, price));
+        let moves = few.iter().any(|(column, _)| self.has_free_pieces(column.site));
+        let moved = || if moves { self.moved(&few).and_then(|few| self.corrected(few)) } else { None };
+        // The fewest that are as light as any.
+        let mut best = self.corrected(pieces);
+        let more = [Some(few.clone()), settled].into_iter().flatten().map(|few| self.corrected(few));
+        for few in more.flatten() {
+            let allowed = best.as_ref().map_or(f64::INFINITY, |best| mass(best) * (1.0 + HEAVIER));
+            if mass(&few) <= allowed {
+                best = Some(few);
+            }
         }
+        best.or_else(moved)
     }
 
     fn corrected(&self, mut pieces: Vec<(Column, f64)>) -> Option<Vec<(Column, f64)>> {
@@ -331,6 +333,10 @@ fn value(row: &Functional, at: &[Moments], pieces: &[(Column, f64)]) -> (Interva
         size += term.size();
     }
     (value, (size, row.size))
+}
+
+fn mass(pieces: &[(Column, f64)]) -> f64 {
+    pieces.iter().map(|(_, mass)| mass).sum()
 }
 
 fn inner(a: &[f64], b: &[f64]) -> f64 {

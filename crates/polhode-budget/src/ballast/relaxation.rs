@@ -12,6 +12,8 @@ use super::solver::{Columns, Solved, least_sum};
 pub(super) struct Relaxed {
     /// What proves the bound.
     pub(super) prices: Prices,
+    /// Of a piece by where it is: its mass less what it is worth to the limits.
+    pub(super) price: Functional,
     /// The pieces, if there are any that will do.
     pub(super) pieces: Option<Vec<Placed>>,
 }
@@ -68,8 +70,7 @@ impl Problem {
         for _ in 0..ROUNDS {
             let Master { prices, masses, full } = self.master(&rows, region, &columns)?;
             let sum = weighed(&rows, &prices.of);
-            let one = if prices.of_mass { Interval::ONE } else { Interval::ZERO };
-            let price = Functional { constant: Interval::ZERO, ..Functional::mass() * one - sum };
+            let price = price(&sum, &prices);
             let price_of_mass = PRICE[usize::from(!self.products.is_empty())];
             let tolerance = if prices.of_mass { price_of_mass } else { 0.1 * sum.constant.size() / self.cap };
             let mut added = false;
@@ -89,7 +90,7 @@ impl Problem {
                 let pieces = columns.iter().zip(masses);
                 pieces.map(|((cell, column), mass)| Placed { cell: *cell, column: *column, mass }).collect()
             };
-            let relaxed = Relaxed { prices, pieces: masses.map(placed) };
+            let relaxed = Relaxed { prices, price, pieces: masses.map(placed) };
             let bound = || self.bound(&relaxed.prices, region, self.cap);
             let enough = match (total, until) {
                 (None, _) => bound() == f64::INFINITY,
@@ -213,6 +214,12 @@ fn missing(block: &Block) -> f64 {
         (Kind::Positive, values) => values.iter().fold(0.0, |most, x| most.max(-x)),
         (_, values) => values.iter().fold(0.0, |most, x| most.max(x.abs())),
     }
+}
+
+/// 1 − y·a, or of what shows that there is no ballast −y·a.
+fn price(sum: &Functional, prices: &Prices) -> Functional {
+    let one = if prices.of_mass { Interval::ONE } else { Interval::ZERO };
+    Functional { constant: Interval::ZERO, ..Functional::mass() * one - *sum }
 }
 
 /// y·f

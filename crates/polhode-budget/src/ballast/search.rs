@@ -144,14 +144,14 @@ impl<'a> Search<'a> {
         }
         let until = self.until();
         let relaxed = self.problem.relaxed(&region, &mut self.pool, until);
-        let Some(Relaxed { prices, pieces }) = relaxed else {
+        let Some(Relaxed { prices, price, pieces }) = relaxed else {
             let step = self.middle(&region);
             return self.push(Node { region, prices: nothing, bound: 0.0, step, parts: Vec::new() });
         };
         let mut step = None;
         if let Some(pieces) = pieces {
             if self.found.is_none() || self.nodes.len().is_multiple_of(TRIES) {
-                self.try_near(&region, &pieces);
+                self.try_near(&region, &pieces, &price);
             }
             let bound = self.problem.bound(&prices, &region, self.limit());
             if !self.is_closed(bound) {
@@ -195,10 +195,10 @@ impl<'a> Search<'a> {
     }
 
     /// Ballast near that of a region: as it is, with the nearest sizes, and with the centre where it is but along one coordinate, so that products about it are linear.
-    fn try_near(&mut self, region: &Region, placed: &[Placed]) {
+    fn try_near(&mut self, region: &Region, placed: &[Placed], price: &Functional) {
         let problem = self.problem;
         if !problem.is_split() {
-            self.offer(problem.polished(&problem.in_pieces(region, placed, false)));
+            self.offer(problem.polished(&problem.in_pieces(region, placed, false), Some(price)));
             return;
         }
         let one_by_one = self.found.is_none() || self.nodes.len().is_multiple_of(TRIES * TRIES);
@@ -212,12 +212,13 @@ impl<'a> Search<'a> {
                 }
             }
             let relaxed = problem.relaxed(&fixed, &mut self.pool, Until::Solved);
+            let price = relaxed.as_ref().map(|relaxed| relaxed.price);
             let placed = relaxed.and_then(|relaxed| relaxed.pieces).unwrap_or_else(|| placed.clone());
             let few = problem.in_pieces(&fixed, &placed, false);
             let many = problem.in_pieces(&fixed, &placed, true);
-            self.offer(problem.polished(&few));
+            self.offer(problem.polished(&few, price.as_ref()));
             if many.len() > few.len() {
-                self.offer(problem.polished(&many));
+                self.offer(problem.polished(&many, price.as_ref()));
             }
         }
     }

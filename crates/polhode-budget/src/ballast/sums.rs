@@ -20,8 +20,11 @@ struct Last {
     size: f64,
 }
 
-/// Sums that are listed, of a site and of all.
-const LISTED: [usize; 2] = [4096, 65_536];
+/// Sums of a site that are listed.
+const LISTED: usize = 4096;
+
+/// Pairs of sums that are added for those of all sites.
+const ADDED: usize = 100_000;
 
 /// Sums nearer than this part are one.
 const SAME: f64 = 1e-12;
@@ -60,7 +63,7 @@ impl Sums {
                     own[0] = if last[0].pieces < own[0].pieces { last[0] } else { own[0] };
                     own[1] = if last[1].pieces > own[1].pieces { last[1] } else { own[1] };
                 }
-            } else if all.of.len() < LISTED[0] {
+            } else if all.of.len() < LISTED {
                 all.of.push([low.next_down(), high.next_up()]);
                 all.last.push(last);
             } else {
@@ -84,7 +87,9 @@ impl Sums {
         // Masses are not negative: their bits are in their order.
         let mut heap: BinaryHeap<Reverse<(u64, usize, usize)>> =
             (0..self.of.len()).map(|i| Reverse((least(i, 0).to_bits(), i, 0))).collect();
+        let mut added = 0;
         while let Some(Reverse((_, i, j))) = heap.pop() {
+            added += 1;
             if j + 1 < other.of.len() {
                 heap.push(Reverse((least(i, j + 1).to_bits(), i, j + 1)));
             }
@@ -93,7 +98,7 @@ impl Sums {
                 continue;
             }
             let [low, high] = if a + c > 0.0 { [(a + c).next_down(), (b + d).next_up()] } else { [0.0; 2] };
-            if all.of.len() >= LISTED[1] {
+            if added >= ADDED {
                 all.of.push([low, f64::INFINITY]);
                 break;
             }
@@ -195,7 +200,7 @@ mod tests {
     #[test]
     fn what_is_not_listed_may_be_any_mass() {
         let sums = Sums::of_any(&[0.001], 1e3);
-        assert_eq!(sums.len(), LISTED[0] + 1);
+        assert_eq!(sums.len(), LISTED + 1);
         assert!((sums.least_from(0.0122) - 0.013).abs() < 1e-15);
         assert_eq!(sums.least_from(7.01234), 7.01234);
         let totals = Sums::totals([Sums::of_one(&[0.0, 0.3, 0.7]), Sums::of_any(&[0.25], 0.6)].iter());

@@ -23,7 +23,10 @@ pub(super) struct Outcome {
 /// Regions that are looked at.
 const REGIONS: usize = 20_000;
 
-/// Once some ballast is found, in one of so many regions lighter one is tried.
+/// In so many regions some ballast is tried to be found,
+const FIRST: usize = 4;
+
+/// and then in one of so many lighter one.
 const TRIES: usize = 4;
 
 /// A region of centres narrower than this part of the first is not split.
@@ -150,7 +153,7 @@ impl<'a> Search<'a> {
         };
         let mut step = None;
         if let Some(pieces) = pieces {
-            if self.found.is_none() || self.nodes.len().is_multiple_of(TRIES) {
+            if self.nodes.len() < FIRST || self.nodes.len().is_multiple_of(TRIES) {
                 self.try_near(&region, &pieces, &price);
             }
             let bound = self.problem.bound(&prices, &region, self.limit());
@@ -201,7 +204,7 @@ impl<'a> Search<'a> {
             self.offer(problem.polished(&problem.in_pieces(region, placed, false), Some(price)));
             return;
         }
-        let one_by_one = self.found.is_none() || self.nodes.len().is_multiple_of(TRIES * TRIES);
+        let one_by_one = self.nodes.len() < FIRST || self.nodes.len().is_multiple_of(TRIES * TRIES);
         let Some((fixed, placed)) = self.with_sums(region, placed, one_by_one) else { return };
         let center = problem.center(&problem.in_pieces(&fixed, &placed, false));
         for free in 0..center.len().max(1) {

@@ -1,8 +1,8 @@
 //! The least ballast by which limits are met, with the proof that none is lighter.
 //!
-//! Ballast is exact, and at sites: points, lines, discs and circles, of which all but points take several masses; points also take pieces of given sizes. The mass and the first and second moments of the whole are
+//! Ballast is exact, and at sites: points, lines, discs and circles, of which all but points take several masses, at all of them also in pieces of given sizes. The mass and the first and second moments of the whole are
 //! linear in the masses, so limits on these are linear: on the mass, on a coordinate c = S/M of the centre (S ≤ most·M), on moments and products about a fixed point; and cones, if they are on a distance of
-//! the centre or on an unbalance. Products about the moving centre, W − S S/M, are not: there it is proved in regions of the centre that nothing is lighter.
+//! the centre or on an unbalance. Products about the moving centre, W − S S/M, are not: there it is proved in regions of the centre that nothing is lighter; and with sizes in regions of what pieces come to, and of where they are.
 
 mod chart;
 mod error;
@@ -62,7 +62,7 @@ pub struct LeastBallast {
     pub mass: f64,
     /// What no ballast that meets the limits is below, kg.
     pub bound: f64,
-    /// How many regions of sizes and of centres the proof has; 1 of a linear or conic question.
+    /// How many regions of sizes, of places and of centres the proof has; 1 of a linear or conic question.
     pub regions: usize,
     proof: Proof,
 }
@@ -72,7 +72,7 @@ pub struct LeastBallast {
 pub struct NoBallast {
     /// None up to this mass, kg: what is allowed, or a thousand times the mass of the list.
     pub up_to: f64,
-    /// How many regions of sizes and of centres the proof has.
+    /// How many regions of sizes, of places and of centres the proof has.
     pub regions: usize,
     proof: Proof,
 }
@@ -96,14 +96,14 @@ struct Proof {
     cap: f64,
 }
 
-/// By how much the least mass may be above what is proved, as a part of it: of linear and conic questions and of sizes.
+/// By how much the least mass may be above what is proved, as a part of it: of linear and conic questions and of sizes alone or at points.
 const GAP: f64 = 1e-9;
 
-/// The same where products about the moving centre are limited.
+/// The same where products about the moving centre are limited, and of sizes on lines, discs and circles beside masses that may be any.
 const GAP_OF_PRODUCTS: f64 = 1e-6;
 
 impl Budget {
-    /// The least ballast by which limits are met, to a part of 1e-9, or of 1e-6 if products about the centre of mass are among them.
+    /// The least ballast by which limits are met, to a part of 1e-9; or of 1e-6 if products about the centre of mass are among them, or if sizes on lines, discs and circles stand beside sites of any mass.
     ///
     /// Limits are met but for rounding: to a part of 1e-11 of what ballast changes.
     ///

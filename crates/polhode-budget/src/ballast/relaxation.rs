@@ -145,18 +145,23 @@ impl Problem {
         let mut b: Vec<f64> = constants.iter().zip(&units).map(|(c, of)| c / of / unit).collect();
         let mut cones: Vec<(Kind, usize)> = rows.iter().map(|block| (block.kind, block.rows.len())).collect();
         let mut cells: Vec<Vec<(usize, f64)>> = vec![Vec::new(); bounds.len()];
+        // What follows from the parts of a cell is not said again: rows that depend on each other are hard for the solver.
+        let of_parts = [0, 1].map(|end| region.summed(region.leaves().map(|(k, _)| (k, bounds[k][end]))));
         for (cell, [least, most]) in bounds.iter().enumerate() {
-            if region.cells[cell].parts.is_empty() && !columns.iter().any(|(own, _)| *own == cell) {
+            let is_parted = !region.cells[cell].parts.is_empty();
+            if !is_parted && !columns.iter().any(|(own, _)| *own == cell) {
                 continue;
             }
-            if most - least <= SAME * most {
+            let says_most = !is_parted || of_parts[1][cell] > most * (1.0 + SAME);
+            let says_least = !is_parted || of_parts[0][cell] < least * (1.0 - SAME);
+            if most - least <= SAME * most && says_most && says_least {
                 cells[cell].push((b.len(), 1.0));
                 b.push(most / unit);
                 cones.push((Kind::Zero, 1));
                 continue;
             }
-            for (bound, sign) in [(*most, 1.0), (*least, -1.0)] {
-                if bound < self.cap && (sign > 0.0 || bound > 0.0) {
+            for (bound, sign, is_said) in [(*most, 1.0, says_most), (*least, -1.0, says_least)] {
+                if is_said && bound < self.cap && (sign > 0.0 || bound > 0.0) {
                     cells[cell].push((b.len(), sign));
                     b.push(sign * bound / unit);
                     cones.push((Kind::Positive, 1));

@@ -105,14 +105,14 @@ impl<'a> Search<'a> {
             return Outcome { found: Some(Vec::new()), tree: Tree::Leaf(nothing), cap: self.cap };
         }
         let mut root = self.problem.root(self.cap);
-        self.look(root.clone());
+        self.look(root.clone(), None);
         // Light ballast moves the centre little: the region becomes smaller once some is found.
         while let Some((mass, _)) = self.found.as_ref().filter(|(mass, _)| *mass < 0.5 * self.cap) {
             self.cap = *mass;
             self.nodes.clear();
             self.open.clear();
             root = self.problem.root(self.cap);
-            self.look(root.clone());
+            self.look(root.clone(), None);
         }
         while self.nodes.len() < REGIONS {
             // The least bound first: when that is closed, all are.
@@ -123,7 +123,7 @@ impl<'a> Search<'a> {
                 Step::Split(branch) => self.problem.split(region, branch).to_vec(),
                 Step::Part { cell, axis, at } => vec![self.problem.parted(region, cell, axis, at)],
             };
-            self.nodes[place].parts = parts.into_iter().map(|region| self.look(region)).collect();
+            self.nodes[place].parts = parts.into_iter().map(|region| self.look(region, Some(place))).collect();
         }
         Outcome { tree: self.tree(0), cap: self.cap, found: self.found.map(|(_, pieces)| pieces) }
     }
@@ -140,16 +140,19 @@ impl<'a> Search<'a> {
     }
 
     /// Looks at a region, and says where its node is.
-    fn look(&mut self, region: Region) -> usize {
-        let nothing = Prices { of: Vec::new(), of_cells: Vec::new(), of_mass: true };
+    fn look(&mut self, region: Region, within: Option<usize>) -> usize {
+        let none = || Prices { of: Vec::new(), of_cells: Vec::new(), of_mass: true };
         if region.is_empty() {
-            return self.push(Node { region, prices: nothing, bound: f64::INFINITY, step: None, parts: Vec::new() });
+            return self.push(Node { region, prices: none(), bound: f64::INFINITY, step: None, parts: Vec::new() });
         }
         let until = self.until();
         let relaxed = self.problem.relaxed(&region, &mut self.pool, until);
         let Some(Relaxed { prices, price, pieces }) = relaxed else {
+            // The prices of what it is a part of hold here too.
+            let prices = within.map_or_else(none, |within| self.nodes[within].prices.clone());
+            let bound = self.problem.bound(&prices, &region, self.limit());
             let step = self.middle(&region);
-            return self.push(Node { region, prices: nothing, bound: 0.0, step, parts: Vec::new() });
+            return self.push(Node { region, prices, bound, step, parts: Vec::new() });
         };
         let mut step = None;
         if let Some(pieces) = pieces {

@@ -11,7 +11,7 @@ pub struct Site {
     pub place: Place,
     /// The most mass that it takes, kg.
     pub most: Option<f64>,
-    /// The masses of which a point takes one or none, kg; without, any mass.
+    /// The masses that pieces have, kg: a point takes one or none, other places any number. Without, any mass.
     pub sizes: Vec<f64>,
 }
 

@@ -7,6 +7,7 @@
 mod chart;
 mod error;
 mod interval;
+mod linear;
 mod local;
 mod planar;
 mod polish;

@@ -1,8 +1,8 @@
 //! The question in numbers: what sites and limits come to, in a region of sizes and centres.
 
+use super::chart::Chart;
 use super::error::BallastError;
 use super::interval::{Interval, dot};
-use super::chart::Chart;
 use super::region::Region;
 use super::row::{Asked, Block, Coordinate, Functional, Kind, Moments, Product, asked, moments};
 use super::sums::Sums;
@@ -73,9 +73,10 @@ impl Problem {
         if problem.sums.iter().all(Option::is_some) {
             problem.totals = Some(Sums::totals(problem.sums.iter().flatten()));
         }
-        let largest = problem.sums.iter().zip(&problem.most).map(|(sums, most)| {
-            sums.as_ref().map_or(*most, |sums| sums.at(sums.len() - 1)[1].min(*most))
-        });
+        let largest =
+            problem.sums.iter().zip(&problem.most).map(|(sums, most)| {
+                sums.as_ref().map_or(*most, |sums| sums.at(sums.len() - 1)[1].min(*most))
+            });
         problem.cap = problem.cap.min(largest.map(Interval::from).sum::<Interval>().high);
         let question = |what, value, rule| BallastError::Question { what, value, rule };
         if !(ballast.deviations >= 0.0 && ballast.deviations.is_finite()) {
@@ -258,7 +259,8 @@ fn sizes(site: &Site) -> Result<Vec<f64>, BallastError> {
         let rule = "positive and finite";
         return Err(BallastError::Value { site: site.name.clone(), what: "a size", value: *size, rule });
     }
-    let mut all: Vec<f64> = site.sizes.iter().copied().filter(|size| site.most.is_none_or(|most| *size <= most)).collect();
+    let mut all: Vec<f64> =
+        site.sizes.iter().copied().filter(|size| site.most.is_none_or(|most| *size <= most)).collect();
     all.sort_by(f64::total_cmp);
     all.dedup();
     Ok(all)

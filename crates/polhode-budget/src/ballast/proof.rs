@@ -73,7 +73,8 @@ impl Problem {
         let mut bound = -sum.constant;
         // Σ (d − π) m + π Σ m, with π the prices of the cells that a part is in.
         let owners = region.owners();
-        let price_of = |cell: usize| prices.of_cells.get(cell).copied().map_or(Interval::ZERO, Interval::from);
+        let price_of =
+            |cell: usize| prices.of_cells.get(cell).copied().map_or(Interval::ZERO, Interval::from);
         for (k, cell) in region.cells.iter().enumerate() {
             let (mut owner, mut own) = (owners[k], Interval::ZERO);
             if cell.parts.is_empty() {
@@ -86,7 +87,8 @@ impl Problem {
                 own = own + price_of(k);
             }
             let [least, most] = [cell.masses[0], cell.masses[1].min(cap)];
-            bound = bound + Interval::from(if own.low < 0.0 { most } else { least }) * Interval::from(own.low);
+            bound =
+                bound + Interval::from(if own.low < 0.0 { most } else { least }) * Interval::from(own.low);
         }
         match (prices.of_mass, bound.low > 0.0) {
             (false, true) => f64::INFINITY,

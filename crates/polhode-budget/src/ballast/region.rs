@@ -167,7 +167,11 @@ impl Problem {
             let width = high - low;
             let mean = if mean.is_finite() { mean } else { 0.5 * low + 0.5 * high };
             let at = mean.clamp(low + 0.3 * width, high - 0.3 * width);
-            (width > NARROW).then_some((spread / total.max(f64::MIN_POSITIVE) + 0.02 * width * width, axis, at))
+            (width > NARROW).then_some((
+                spread / total.max(f64::MIN_POSITIVE) + 0.02 * width * width,
+                axis,
+                at,
+            ))
         };
         let best = [0, 1].into_iter().filter_map(of).max_by(|a, b| a.0.total_cmp(&b.0));
         best.map(|(_, axis, at)| (axis, at))

@@ -123,7 +123,8 @@ impl<'a> Search<'a> {
                 Step::Split(branch) => self.problem.split(region, branch).to_vec(),
                 Step::Part { cell, axis, at } => vec![self.problem.parted(region, cell, axis, at)],
             };
-            self.nodes[place].parts = parts.into_iter().map(|region| self.look(region, Some(place))).collect();
+            self.nodes[place].parts =
+                parts.into_iter().map(|region| self.look(region, Some(place))).collect();
         }
         Outcome { tree: self.tree(0), cap: self.cap, found: self.found.map(|(_, pieces)| pieces) }
     }
@@ -143,12 +144,17 @@ impl<'a> Search<'a> {
     fn look(&mut self, region: Region, within: Option<usize>) -> usize {
         let none = || Prices { of: Vec::new(), of_cells: Vec::new(), of_mass: true };
         if region.is_empty() {
-            return self.push(Node { region, prices: none(), bound: f64::INFINITY, step: None, parts: Vec::new() });
+            return self.push(Node {
+                region,
+                prices: none(),
+                bound: f64::INFINITY,
+                step: None,
+                parts: Vec::new(),
+            });
         }
         let until = self.until();
         let relaxed = self.problem.relaxed(&region, &mut self.pool, until);
         let Some(Relaxed { prices, price, pieces }) = relaxed else {
-            // The prices of what it is a part of hold here too.
             let prices = within.map_or_else(none, |within| self.nodes[within].prices.clone());
             let bound = self.problem.bound(&prices, &region, self.limit());
             let step = self.middle(&region);
@@ -164,7 +170,15 @@ impl<'a> Search<'a> {
                 step = self.step(&region, &pieces);
             }
         }
-        let bound = self.problem.bound(&prices, &region, self.limit());
+        let mut prices = prices;
+        let mut bound = self.problem.bound(&prices, &region, self.limit());
+        // The prices of what it is a part of hold here too.
+        if let Some(others) = within.map(|within| self.nodes[within].prices.clone())
+            && let by_others = self.problem.bound(&others, &region, self.limit())
+            && by_others > bound
+        {
+            (prices, bound) = (others, by_others);
+        }
         if step.is_none() && !self.is_closed(bound) {
             step = self.middle(&region);
         }
@@ -293,8 +307,10 @@ impl<'a> Search<'a> {
             let at = at.clamp(low + 0.2 * width, high - 0.2 * width);
             let size = Functional::second(product.axes[0], product.axes[1]);
             let size = size.added_to(problem.whole(product.basis)).size;
-            (self.wide(region, coordinate) > NARROW)
-                .then_some((*by / size.max(f64::MIN_POSITIVE), Step::Split(Branch::Center { coordinate, at })))
+            (self.wide(region, coordinate) > NARROW).then_some((
+                *by / size.max(f64::MIN_POSITIVE),
+                Step::Split(Branch::Center { coordinate, at }),
+            ))
         });
         match (apart, center) {
             (Some((by, k, cell)), center) if center.is_none_or(|(broken, _)| by > broken) => {
@@ -323,9 +339,9 @@ impl<'a> Search<'a> {
         }
         let center = (0..region.boxes.len()).map(|k| (self.wide(region, k), k));
         let center = center.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(wide, _)| *wide > NARROW);
-        let free = region.leaves().filter(|(_, cell)| {
-            self.problem.has_free_pieces(cell.site) && cell.masses[1] > 0.0
-        });
+        let free = region
+            .leaves()
+            .filter(|(_, cell)| self.problem.has_free_pieces(cell.site) && cell.masses[1] > 0.0);
         let parting = |(k, cell): (usize, &Cell)| {
             let (axis, at) = self.problem.parting(cell, &[])?;
             let part = cell.chart.size() / self.problem.charts[cell.site].size();

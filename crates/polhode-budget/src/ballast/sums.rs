@@ -32,7 +32,8 @@ const SAME: f64 = 1e-12;
 impl Sums {
     /// One of the sizes or none.
     pub(super) fn of_one(sizes: &[f64]) -> Self {
-        let last = |(before, size): (usize, &f64)| [Last { pieces: before.min(1), before: 0, size: *size }; 2];
+        let last =
+            |(before, size): (usize, &f64)| [Last { pieces: before.min(1), before: 0, size: *size }; 2];
         Self {
             of: sizes.iter().map(|size| [*size; 2]).collect(),
             last: sizes.iter().enumerate().map(last).collect(),
@@ -52,11 +53,8 @@ impl Sums {
                 break;
             }
             let before = next[k];
-            let last = [0, 1].map(|of| Last {
-                pieces: all.last[before][of].pieces + 1,
-                before,
-                size: sizes[k],
-            });
+            let last =
+                [0, 1].map(|of| Last { pieces: all.last[before][of].pieces + 1, before, size: sizes[k] });
             next[k] += 1;
             if all.joins([low, high]) {
                 if let Some(own) = all.last.last_mut() {
@@ -189,7 +187,10 @@ mod tests {
             assert!(low <= *sum + 1e-16 && *sum <= high + 1e-16 && high - low < 1e-14, "{sum} {low} {high}");
             for many in [false, true] {
                 let pieces = sums.pieces(k, many);
-                assert!((pieces.iter().sum::<f64>() - sum).abs() < 1e-14 && pieces.iter().all(|p| sizes.contains(p)));
+                assert!(
+                    (pieces.iter().sum::<f64>() - sum).abs() < 1e-14
+                        && pieces.iter().all(|p| sizes.contains(p))
+                );
             }
             assert!(sums.pieces(k, false).len() <= sums.pieces(k, true).len());
         }

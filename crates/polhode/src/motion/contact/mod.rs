@@ -16,6 +16,7 @@ mod reading;
 mod run;
 mod sample;
 mod series;
+mod setup;
 mod simulation;
 mod start;
 mod stepper;

@@ -2,19 +2,18 @@
 
 use super::change::{ContactEvent, ContactPhase};
 use super::equations::Regime;
-use super::ground::{GroundShape, GroundSide};
 use super::model::Model;
 use super::phase::Kind;
 use super::sample::ContactSample;
+use super::setup;
 use super::simulation::ContactSimulation;
 use super::stepper::Stepper;
-use super::surface::SurfaceShape;
 use super::trajectory::{ContactEnding, ContactTrajectory};
 use crate::math::frame::{Body, Part, Space};
 use crate::math::rotation::Rotation;
 use crate::math::vector::{Direction, Position, Vector, Velocity};
 use crate::motion::error::MotionError;
-use crate::motion::model::event::{Crossing, EventAction, Measure};
+use crate::motion::model::event::{Crossing, EventAction};
 use crate::motion::model::event_detection::EventDetector;
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
@@ -70,7 +69,7 @@ impl<'a> Run<'a> {
     /// # Errors
     /// As [`ContactSimulation::run`].
     pub(super) fn new(of: &'a ContactSimulation<'a>) -> Result<Self, MotionError> {
-        let stepper = started(of)?;
+        let stepper = setup::started(of)?;
         let start = sample(of, &stepper, of.start.state.time, stepper.variables())?;
         // The start as it was given, not as it comes back from other axes.
         let start = ContactSample { state: of.start.state, ..start };
@@ -268,103 +267,4 @@ fn sample(
     };
     let numbers = [sample.kinetic_energy, sample.normal_force, sample.contact.norm(), sample.torque.norm()];
     if numbers.iter().all(|x| x.is_finite()) { Ok(sample) } else { Err(MotionError::NotFinite { time }) }
-}
-
-/// The stepper at the start, before it is asked whether friction can hold it.
-fn started(of: &ContactSimulation<'_>) -> Result<Stepper, MotionError> {
-    let (body, contact, start) = (of.body, of.contact, &of.start);
-    for (what, value) in [
-        ("the start's time", start.state.time),
-        ("the start's attitude", start.state.attitude.quaternion().iter().sum()),
-        ("the start's angular velocity", start.state.omega.norm()),
-        ("the point of contact", start.at.norm()),
-        ("the acceleration of gravity", contact.gravity.norm()),
-    ] {
-        require::finite(what, value)?;
-    }
-    let [least, ..] = Rotor::free(body).principal().moments();
-    require::that(
-        "the least principal moment about the centre of mass",
-        least,
-        least > 0.0,
-        "positive: of a needle that touches a surface the spin about its line is not known",
-    )?;
-    require_inside(of)?;
-    require_fit(of)?;
-    for event in of.events {
-        event_is_possible(event)?;
-    }
-    // The rim that is lower: that at z = −½ thickness where the normal has a component along z.
-    let normal = contact.ground.normal_at(start.at).ok_or(MotionError::NoDirection {
-        parameter: "the point of contact from the axis of the ground",
-        length: start.at.norm(),
-    })?;
-    let tilt = (contact.surface.axes().inverse() * (start.state.attitude.inverse() * normal)).z;
-    if let SurfaceShape::Rim { thickness, .. } = *contact.surface.shape() {
-        let rule = "not zero: a thick disk whose axis lies along the ground stands on both of its rims";
-        require::that("the tilt of the disk", tilt, thickness == 0.0 || tilt != 0.0, rule)?;
-    }
-    let side = if tilt > 0.0 { -1.0 } else { 1.0 };
-    let model = Model::of(body, &contact.surface, &contact.ground, &contact.law, contact.gravity, side);
-    let length = match *contact.surface.shape() {
-        SurfaceShape::Cylinder { length, .. } => length,
-        _ => None,
-    };
-    let [x, y, z] = model.offset;
-    let size = contact.surface.size() + x.hypot(y).hypot(z);
-    let mut stepper =
-        Stepper::new(model, contact.law, length, [size, of.tolerance], start.state.time).perturbed(of.noise);
-    let (kind, variables) = super::start::variables(of, &stepper)?;
-    stepper.enter(kind, variables);
-    Ok(stepper)
-}
-
-/// # Errors
-/// A parameter's error where the centre of mass lies outside the surface.
-fn require_inside(of: &ContactSimulation<'_>) -> Result<(), MotionError> {
-    let (surface, center) = (&of.contact.surface, of.body.center_of_mass());
-    let rule =
-        "inside the surface: no body that a convex surface bounds has its centre of mass outside of it";
-    let distance = (center - surface.center()).norm();
-    require::that(
-        "the distance of the centre of mass from that of the surface",
-        distance,
-        surface.contains(center),
-        rule,
-    )
-}
-
-/// # Errors
-/// A parameter's error where a body may touch the ground that it is in at more than one point.
-fn require_fit(of: &ContactSimulation<'_>) -> Result<(), MotionError> {
-    let (GroundShape::Sphere { radius, side } | GroundShape::Cylinder { radius, side }) =
-        *of.contact.ground.shape()
-    else {
-        return Ok(());
-    };
-    if side == GroundSide::Outside {
-        return Ok(());
-    }
-    // By Blaschke's theorem a convex body rolls freely in what is nowhere more curved than it.
-    let flattest = match *of.contact.surface.shape() {
-        SurfaceShape::Sphere { radius } | SurfaceShape::Cylinder { radius, .. } => radius,
-        SurfaceShape::Rim { radius, tube, .. } => radius + tube,
-        SurfaceShape::Ellipsoid { semi_axes: [a, b, c] } => {
-            let (longest, shortest) = (a.max(b).max(c), a.min(b).min(c));
-            longest * longest / shortest
-        }
-    };
-    let rule = "larger than each radius of curvature of the body: else it touches in more than one point";
-    require::that("the radius of the ground", radius, flattest < radius, rule)
-}
-
-/// # Errors
-/// [`MotionError::Exclusive`] of an event that switches a torque, or asks for an energy that is not known of a body on the ground.
-fn event_is_possible(event: &crate::motion::model::event::Event) -> Result<(), MotionError> {
-    let why = match (event.action(), event.measure()) {
-        (EventAction::Switch { .. }, _) => "no torque but those of the contact acts on a body on the ground",
-        (_, Measure::TotalEnergy) => "the energy of a body on the ground includes that of its centre of mass",
-        _ => return Ok(()),
-    };
-    Err(MotionError::Exclusive { parts: ["contact", "event"], why })
 }

@@ -10,6 +10,7 @@ mod interval;
 mod linear;
 mod local;
 mod planar;
+mod parting;
 mod polish;
 mod problem;
 mod proof;

@@ -425,7 +425,7 @@ fn broken(f: &mut fmt::Formatter<'_>, parameter: &str, value: f64, rule: &str) -
 }
 
 /// A number without a power of ten where people write it so: 1e300 has no three hundred digits.
-fn plain(x: f64) -> String {
+pub(super) fn plain(x: f64) -> String {
     if x != 0.0 && !(1e-9..1e16).contains(&x.abs()) { format!("{x:e}") } else { x.to_string() }
 }
 

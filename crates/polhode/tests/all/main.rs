@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 mod accuracy;
+mod changing_torques;
 mod common;
 mod contact;
 mod curves;

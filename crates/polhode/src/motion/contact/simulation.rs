@@ -2,18 +2,12 @@
 
 use super::ground::Ground;
 use super::law::ContactLaw;
-use super::run::Run;
 use super::start::ContactStart;
 use super::surface::BodySurface;
-use super::trajectory::ContactTrajectory;
 use crate::body::mass_properties::MassProperties;
 use crate::math::frame::{Body, Space};
 use crate::math::vector::Acceleration;
-use crate::motion::error::MotionError;
 use crate::motion::model::event::Event;
-use crate::motion::model::require;
-use crate::motion::solve::propagate::stepper::{LOOSEST_TOLERANCE, TIGHTEST_TOLERANCE};
-use crate::motion::solve::start::require_ascending;
 
 /// What touches what, and how.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,6 +53,15 @@ pub struct ContactSimulation<'a> {
     pub(super) times: &'a [f64],
     pub(super) events: &'a [Event],
     pub(super) tolerance: f64,
+    pub(super) noise: Option<StepNoise>,
+}
+
+/// What a perturbed run adds to its variables after each step, so many times what rounding does; and how many times as long its steps are.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::motion) struct StepNoise {
+    pub(in crate::motion) seed: u64,
+    pub(in crate::motion) amplitude: f64,
+    pub(in crate::motion) stretch: f64,
 }
 
 impl<'a> ContactSimulation<'a> {
@@ -69,7 +72,7 @@ impl<'a> ContactSimulation<'a> {
         start: ContactStart,
         times: &'a [f64],
     ) -> Self {
-        Self { body, contact, start, times, events: &[], tolerance: 1e-15 }
+        Self { body, contact, start, times, events: &[], tolerance: 1e-15, noise: None }
     }
 
     /// With a bound on the error of each step, relative to the sizes of the variables: 1e-15 unless it is said.
@@ -84,28 +87,24 @@ impl<'a> ContactSimulation<'a> {
         Self { events, ..self }
     }
 
-    /// Computes the motion.
-    ///
-    /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for times out of order, a tolerance out of range and a start that is not finite;
-    /// [`MotionError::Contact`] for a start that violates the contact.
-    pub fn run(&self) -> Result<ContactTrajectory, MotionError> {
-        self.run_watched(&mut |_| true)
+    pub(in crate::motion) const fn with_noise(self, noise: Option<StepNoise>) -> Self {
+        Self { noise, ..self }
     }
 
-    /// [`ContactSimulation::run`]; `progress` is told the time after each step, and `false` ends the work.
-    ///
-    /// # Errors
-    /// As [`ContactSimulation::run`]; [`MotionError::Stopped`] if `progress` said so.
-    pub fn run_watched(
-        &self,
-        progress: &mut dyn FnMut(f64) -> bool,
-    ) -> Result<ContactTrajectory, MotionError> {
-        let time = self.start.state.time;
-        require_ascending(time, self.times)?;
-        let rule = "between 1e-15 and 0.01";
-        let holds = (TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&self.tolerance);
-        require::that("the tolerance", self.tolerance, holds, rule)?;
-        Run::new(self)?.to_the_end(progress)
+    pub(in crate::motion) const fn body(&self) -> &MassProperties<Body> {
+        self.body
+    }
+
+    pub(in crate::motion) const fn contact(&self) -> &Contact {
+        self.contact
+    }
+
+    pub(in crate::motion) const fn start(&self) -> ContactStart {
+        self.start
+    }
+
+    /// The bound on the error of each step.
+    pub(in crate::motion) const fn bound(&self) -> f64 {
+        self.tolerance
     }
 }

@@ -5,8 +5,10 @@ use super::flight::{CENTER, CENTER_RATE};
 use super::law::ContactLaw;
 use super::model::{GroundForm, Model};
 use super::phase::{Kind, Phase, Watch};
+use super::simulation::StepNoise;
 use crate::math::algebra::Components;
 use crate::math::sum::two_sum;
+use crate::motion::solve::propagate::noise::Random;
 
 /// Places of a step at which what is watched is looked at.
 const LOOKS: u32 = 8;
@@ -30,6 +32,9 @@ pub(super) struct Stepper {
     high: Vec<f64>,
     low: Vec<f64>,
     time: f64,
+    /// What is added to the variables after each step, and how many times as long steps are.
+    noise: Option<(Random, f64)>,
+    stretch: f64,
 }
 
 /// The end of a phase, found in a step.
@@ -61,7 +66,15 @@ impl Stepper {
             high: Vec::new(),
             low: Vec::new(),
             time,
+            noise: None,
+            stretch: 1.0,
         }
+    }
+
+    /// With larger rounding, and other steps.
+    pub(super) fn perturbed(self, noise: Option<StepNoise>) -> Self {
+        let Some(StepNoise { seed, amplitude, stretch }) = noise else { return self };
+        Self { noise: Some((Random::new(seed), amplitude * f64::EPSILON)), stretch, ..self }
     }
 
     /// Goes on by other equations, from these variables.
@@ -145,7 +158,7 @@ impl Stepper {
         self.begun = self.time;
         self.step = 0.0;
         let phase = &mut self.phases[self.current];
-        phase.expansion.about(&self.high, &sizes)
+        self.stretch * phase.expansion.about(&self.high, &sizes)
     }
 
     /// What ends the phase within h of the start of the step, first.
@@ -175,7 +188,11 @@ impl Stepper {
     pub(super) fn advance(&mut self, h: f64, to: f64) {
         let expansion = &self.phases[self.current].expansion;
         for (k, (high, low)) in self.high.iter_mut().zip(&mut self.low).enumerate() {
+            let before = high.abs();
             (*high, *low) = two_sum(*high, *low + expansion.change(h, k));
+            if let Some((random, amplitude)) = &mut self.noise {
+                *low += 0.5 * *amplitude * (before + high.abs()) * random.next();
+            }
         }
         self.step = h;
         self.time = to;

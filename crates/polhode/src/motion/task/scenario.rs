@@ -289,6 +289,24 @@ impl Scenario {
 
     /// With mass properties that change with time; those at the start become the body's. It is to know already where it starts and where it is held.
     ///
+    /// ```
+    /// use polhode::body::InertiaTensor;
+    /// use polhode::motion::{MassHistory, MassRow, Method, Outflow, Run};
+    /// use polhode::prelude::*;
+    /// // A ball of 1 kg drops half of itself at 2 s and keeps its ω; the same torque makes it faster twice as fast from then on.
+    /// let ball = |mass: f64| MassProperties::new(mass, Position::ZERO, InertiaTensor::diagonal([0.4 * mass; 3])?);
+    /// let row = |time, body| MassRow { time, body, rates: None };
+    /// let rows = [row(0.0, ball(1.0)?), row(2.0, ball(1.0)?), row(2.0, ball(0.5)?)];
+    /// let history = MassHistory::new(&rows, Outflow::None)?;
+    /// let torque = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.0, 0.0, 0.2)));
+    /// let run = Run { times: vec![2.0, 4.0], method: Method::Auto, tolerance: 1e-13 };
+    /// let scenario = Scenario::new(ball(1.0)?).under([torque])?.changing(history)?.sampled(run);
+    /// let motion = scenario.simulate().ok_or("it has a run")??;
+    /// let rates = motion.samples().iter().map(|sample| sample.state.omega.z);
+    /// assert!(rates.zip([1.0, 3.0]).all(|(rate, want)| (rate - want).abs() < 1e-13));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`MotionError::Exclusive`] of a body with wheels, a pendulum, a prescribed motion and a shaft; as [`MassHistory::at`].
     pub fn changing(self, history: MassHistory) -> Result<Self, MotionError> {

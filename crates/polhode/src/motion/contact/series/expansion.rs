@@ -3,6 +3,8 @@
 //! Source: L. B. Rall, Automatic Differentiation (1981), ch. 3.3; À. Jorba, M. Zou, Exp. Math. 14 (2005) 99.
 
 use super::graph::{Form, Step, System};
+use crate::math::machine::{Machine, Work, in_vectors};
+use crate::math::number::Number as _;
 use crate::motion::solve::propagate::taylor::length::{order, reach, remainder, rough_exp2, rough_log2};
 
 /// Room for the coefficients of a series, in fours.
@@ -29,22 +31,20 @@ impl Coefficients {
     }
 }
 
-/// Σ aₖ bₙ₋ₖ, k = 0 … n, in four sums.
+/// sums + Σ aₖ bₙ₋ₖ, k = 0 … n, by fours.
 #[inline(always)]
-fn convolution(a: &Coefficients, b: &Coefficients, n: usize) -> [f64; 4] {
-    let mut sums = [0.0; 4];
-    let (ahead, back) =
-        (a.ascending[..=n | 3].as_chunks::<4>().0, b.descending[ROOM - 1 - n..].as_chunks::<4>().0);
-    for (a, b) in ahead.iter().zip(back) {
-        for i in 0..4 {
-            sums[i] += a[i] * b[i];
-        }
+fn convolution<S: Machine>(s: S, sums: S::Four, a: &Coefficients, b: &Coefficients, n: usize) -> S::Four {
+    let (ahead, back) = (&a.ascending[..=n | 3], &b.descending[ROOM - 1 - n..]);
+    let mut sums = sums;
+    for (a, b) in ahead.as_chunks::<4>().0.iter().zip(back.as_chunks::<4>().0) {
+        sums = s.load(a).mul_add(s.load(b), sums);
     }
     sums
 }
 
 #[inline(always)]
-fn total([a, b, c, d]: [f64; 4]) -> f64 {
+fn total<S: Machine>(s: S, sums: S::Four) -> f64 {
+    let [a, b, c, d] = s.numbers(sums);
     (a + b) + (c + d)
 }
 
@@ -87,55 +87,34 @@ impl Expansion {
         for coefficients in &mut self.steps {
             coefficients.ascending = [0.0; ROOM];
         }
-        for n in 0..=self.order {
-            self.work_out(n);
-            for (k, rate) in self.system.rates.iter().enumerate() {
-                let rate = form(rate, &self.steps, n);
-                if let Some(next) = self.variables[k].get_mut(n + 1) {
-                    *next = rate / (n + 1) as f64;
-                }
-            }
-            for (k, output) in self.system.outputs.iter().enumerate() {
-                self.outputs[k][n] = form(output, &self.steps, n);
-            }
-        }
+        in_vectors(Coming(self));
         self.length(sizes)
     }
 
     /// Coefficient n of everything, once those of the variables are known up to n.
-    fn work_out(&mut self, n: usize) {
+    #[inline(always)]
+    fn work_out<S: Machine>(&mut self, s: S, n: usize) {
         for (own, step) in self.system.steps.iter().enumerate() {
+            let steps = &mut self.steps;
             let value = match step {
                 Step::Variable(k) => self.variables[*k][n],
-                Step::Form(of) => form(of, &self.steps, n),
+                Step::Form(of) => form(s, of, steps, n),
                 Step::Divide(..) | Step::Invert(_) | Step::Root(_) => {
                     // Not known yet: it adds nothing to the sums.
-                    self.steps[own].set(n, 0.0);
-                    self.implicit(step, own, n)
+                    steps[own].set(n, 0.0);
+                    implicit(s, step, steps, own, n)
                 }
             };
-            self.steps[own].set(n, value);
+            steps[own].set(n, value);
         }
-    }
-
-    /// Coefficient n of a quotient or a root, from those of itself before it.
-    fn implicit(&self, step: &Step, own: usize, n: usize) -> f64 {
-        let (steps, c) = (&self.steps, &self.steps[own]);
-        match *step {
-            // b c = a
-            Step::Divide(a, b) => {
-                let (a, b) = (&steps[a], &steps[b]);
-                (a.ascending[n] - total(convolution(b, c, n))) / b.ascending[0]
+        for (k, rate) in self.system.rates.iter().enumerate() {
+            let rate = form(s, rate, &self.steps, n);
+            if let Some(next) = self.variables[k].get_mut(n + 1) {
+                *next = rate / (n + 1) as f64;
             }
-            Step::Invert(b) => {
-                let b = &steps[b];
-                let one = if n == 0 { 1.0 } else { 0.0 };
-                (one - total(convolution(b, c, n))) / b.ascending[0]
-            }
-            // c c = a
-            Step::Root(a) if n == 0 => steps[a].ascending[0].sqrt(),
-            Step::Root(a) => 0.5 * (steps[a].ascending[n] - total(convolution(c, c, n))) / c.ascending[0],
-            Step::Variable(_) | Step::Form(_) => f64::NAN,
+        }
+        for (k, output) in self.system.outputs.iter().enumerate() {
+            self.outputs[k][n] = form(s, output, &self.steps, n);
         }
     }
 
@@ -179,19 +158,52 @@ impl Expansion {
     }
 }
 
-/// Coefficient n of a form.
-#[inline(always)]
-fn form(form: &Form, steps: &[Coefficients], n: usize) -> f64 {
-    let mut sums = [0.0; 4];
-    for &(a, b, factor) in &form.products {
-        let products = convolution(&steps[a], &steps[b], n);
-        for i in 0..4 {
-            sums[i] += factor * products[i];
+/// All coefficients, one after another.
+struct Coming<'e>(&'e mut Expansion);
+
+impl Work for Coming<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Machine>(self, s: S) {
+        for n in 0..=self.0.order {
+            self.0.work_out(s, n);
         }
     }
-    let mut sum = total(sums);
+}
+
+/// Coefficient n of a quotient or a root, from those of itself before it.
+#[inline(always)]
+fn implicit<S: Machine>(s: S, step: &Step, steps: &[Coefficients], own: usize, n: usize) -> f64 {
+    let c = &steps[own];
+    let known = |b: &Coefficients| total(s, convolution(s, s.splat(0.0), b, c, n));
+    match *step {
+        // b c = a
+        Step::Divide(a, b) => (steps[a].ascending[n] - known(&steps[b])) / steps[b].ascending[0],
+        Step::Invert(b) => {
+            let one = if n == 0 { 1.0 } else { 0.0 };
+            (one - known(&steps[b])) / steps[b].ascending[0]
+        }
+        // c c = a
+        Step::Root(a) if n == 0 => steps[a].ascending[0].sqrt(),
+        Step::Root(a) => 0.5 * (steps[a].ascending[n] - known(c)) / c.ascending[0],
+        Step::Variable(_) | Step::Form(_) => f64::NAN,
+    }
+}
+
+/// Coefficient n of a form.
+#[inline(always)]
+fn form<S: Machine>(s: S, form: &Form, steps: &[Coefficients], n: usize) -> f64 {
+    let mut sum = if n == 0 { form.constant } else { 0.0 };
+    for (factor, pairs) in &form.products {
+        let mut sums = s.splat(0.0);
+        for &[a, b] in pairs {
+            sums = convolution(s, sums, &steps[a], &steps[b], n);
+        }
+        sum += factor * total(s, sums);
+    }
     for &(a, factor) in &form.terms {
         sum += factor * steps[a].ascending[n];
     }
-    if n == 0 { sum + form.constant } else { sum }
+    sum
 }

@@ -162,7 +162,8 @@ impl Div for Node<'_> {
 pub(super) struct Form {
     pub(super) constant: f64,
     pub(super) terms: Vec<(usize, f64)>,
-    pub(super) products: Vec<(usize, usize, f64)>,
+    /// Those with the same factor together.
+    pub(super) products: Vec<(f64, Vec<[usize; 2]>)>,
 }
 
 impl Form {
@@ -170,11 +171,23 @@ impl Form {
         Self { terms: vec![(place, 1.0)], ..Self::default() }
     }
 
+    /// Adds a product.
+    fn multiply(&mut self, pair: [usize; 2], factor: f64) {
+        match self.products.iter_mut().find(|(known, _)| *known == factor) {
+            Some((_, pairs)) => pairs.push(pair),
+            None => self.products.push((factor, vec![pair])),
+        }
+    }
+
     /// Adds a multiple of another one.
     fn add(&mut self, other: &Self, factor: f64) {
         self.constant += factor * other.constant;
         self.terms.extend(other.terms.iter().map(|&(a, f)| (a, f * factor)));
-        self.products.extend(other.products.iter().map(|&(a, b, f)| (a, b, f * factor)));
+        for (own, pairs) in &other.products {
+            for pair in pairs {
+                self.multiply(*pair, own * factor);
+            }
+        }
     }
 }
 
@@ -330,7 +343,7 @@ impl<'o> Compiler<'o> {
             Operation::Multiply(a, b) => {
                 // A multiple of one series leaves its factor before the product.
                 let ((a, f), (b, g)) = (self.multiple_of(a), self.multiple_of(b));
-                form.products.push((a, b, f * g));
+                form.multiply([a, b], f * g);
             }
             _ => {}
         }

@@ -9,6 +9,7 @@ mod check_gate;
 mod check_outputs;
 mod command;
 mod common;
+mod contact;
 mod cookbook;
 mod corpus;
 mod digits;

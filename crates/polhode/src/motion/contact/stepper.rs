@@ -1,10 +1,10 @@
 //! Steps along a phase: Taylor series about one state after another, the rounding of the variables carried along.
 
-use super::equations::{AXES, Kinetics, OMEGA, PLACE, VELOCITY};
+use super::equations::{AXES, Kinetics, OMEGA, PLACE, Pivot, Regime, VELOCITY};
 use super::flight::{CENTER, CENTER_RATE};
 use super::law::ContactLaw;
 use super::model::{GroundForm, Model};
-use super::phase::{Kind, Phase, Watch};
+use super::phase::{self, Kind, Phase, Watch};
 use super::simulation::StepNoise;
 use crate::math::algebra::Components;
 use crate::math::sum::two_sum;
@@ -35,6 +35,9 @@ pub(super) struct Stepper {
     /// What is added to the variables after each step, and how many times as long steps are.
     noise: Option<(Random, f64)>,
     stretch: f64,
+    /// The longest step from where the last one began; and how long a motion is known that no series has.
+    longest: f64,
+    imposed: Option<f64>,
 }
 
 /// The end of a phase, found in a step.
@@ -68,6 +71,8 @@ impl Stepper {
             time,
             noise: None,
             stretch: 1.0,
+            longest: 0.0,
+            imposed: None,
         }
     }
 
@@ -88,6 +93,32 @@ impl Stepper {
         self.high = variables;
         self.begun = self.time;
         self.step = 0.0;
+    }
+
+    /// Begins to slip from where it rolled until now, slowly at first; false if it is not known how.
+    pub(super) fn begin_to_slip(&mut self, pivot: Pivot) -> bool {
+        if self.step == 0.0 {
+            return false;
+        }
+        let kind = Kind::Touching(Regime::Sliding, pivot);
+        let (since, now) = (self.time - self.begun, self.high.clone());
+        let expansion = &self.phases[self.current].expansion;
+        let rolling = |t: f64| {
+            let on = |(k, y): (usize, &f64)| if t == 0.0 { *y } else { expansion.variable(since + t, k) };
+            now.iter().enumerate().map(on).collect()
+        };
+        let watches = phase::watches(&self.model, &self.law, self.length, kind);
+        let Some(onset) = self.onset(&rolling, pivot, self.longest, &watches) else { return false };
+        let beginning = onset.variables.iter().map(|series| series[0]).collect();
+        self.enter(kind, beginning);
+        self.phases[self.current].expansion.impose(&onset.variables, &onset.outputs);
+        self.imposed = Some(onset.duration);
+        true
+    }
+
+    /// The value of what is watched.
+    pub(super) fn value(&self, at: &Kinetics<f64>, watch: Watch, pivot: Pivot) -> f64 {
+        self.model.watched(1.0, at, watch, &self.law, self.length, pivot)
     }
 
     pub(super) fn kind(&self) -> Kind {
@@ -154,11 +185,15 @@ impl Stepper {
 
     /// The step that may be taken from here; its series. No number if there is none.
     pub(super) fn expand(&mut self) -> f64 {
-        let sizes = self.sizes();
         self.begun = self.time;
         self.step = 0.0;
+        if let Some(known) = self.imposed.take() {
+            return known;
+        }
+        let sizes = self.sizes_of(&self.high);
         let phase = &mut self.phases[self.current];
-        self.stretch * phase.expansion.about(&self.high, &sizes)
+        self.longest = self.stretch * phase.expansion.about(&self.high, &sizes);
+        self.longest
     }
 
     /// What ends the phase within h of the start of the step, first.
@@ -209,7 +244,7 @@ impl Stepper {
         }
         let at = self.kinetics(&self.high)?;
         let Kind::Touching(_, pivot) = phase.kind else { return None };
-        Some(self.model.watched(1.0, &at, watch, &self.law, self.length, pivot))
+        Some(self.value(&at, watch, pivot))
     }
 
     /// What is read off the variables of what touches the ground.
@@ -221,12 +256,12 @@ impl Stepper {
     }
 
     /// What each variable is measured with.
-    fn sizes(&self) -> Vec<f64> {
-        let (rate, speed) = (self.rate(&self.high), self.speed(&self.high));
+    pub(super) fn sizes_of(&self, y: &[f64]) -> Vec<f64> {
+        let (rate, speed) = (self.rate(y), self.speed(y));
         let mut sizes = vec![1.0; AXES + 6];
         sizes.extend([rate; 3]);
         let largest = |k: usize, least: f64| {
-            let v = &self.high[k..k + 3];
+            let v = &y[k..k + 3];
             v.iter().fold(least, |size, x| size.max(x.abs()))
         };
         let works = match self.kind() {
@@ -241,7 +276,7 @@ impl Stepper {
                     GroundForm::Sphere { .. } => [1.0; 3],
                     GroundForm::Cylinder { .. } => [1.0, 1.0, self.size],
                 });
-                if self.high.len() > VELOCITY + 2 {
+                if y.len() > VELOCITY + 2 {
                     sizes.extend([largest(VELOCITY, speed); 3]);
                 }
                 sizes.len()

@@ -12,6 +12,9 @@ use crate::math::algebra::Components;
 
 /// Nodes in the step.
 const STAGES: usize = 9;
+/// The last coefficients of a polynomial that is the motion, relative to the sizes of the variables: near the start friction is as uncertain as the direction of
+/// a slip of some 1e-9 of the speed is.
+const SMALL: f64 = 1e-12;
 /// Of Newton's method.
 const ITERATIONS: usize = 12;
 
@@ -82,7 +85,8 @@ impl Stepper {
                     residual.push(beginning[k] + h * sum - stage[k]);
                 }
             }
-            let jacobians: Vec<Vec<Vec<f64>>> = stages.iter().map(|y| self.jacobian(y, pivot, &sizes)).collect();
+            let jacobians: Vec<Vec<Vec<f64>>> =
+                stages.iter().map(|y| self.jacobian(y, pivot, &sizes)).collect();
             // (1 − h A ⊗ J) Δ = residual
             let mut matrix = vec![vec![0.0; STAGES * count]; STAGES * count];
             for (i, integrals) in nodes.integrals.iter().enumerate() {
@@ -99,7 +103,8 @@ impl Stepper {
             for (stage, change) in stages.iter_mut().zip(change.chunks(count)) {
                 stage.iter_mut().zip(change).for_each(|(y, d)| *y += d);
             }
-            let size = change.iter().zip(sizes.iter().cycle()).map(|(d, s)| (d / s).abs()).fold(0.0, f64::max);
+            let size =
+                change.iter().zip(sizes.iter().cycle()).map(|(d, s)| (d / s).abs()).fold(0.0, f64::max);
             if size.is_nan() {
                 return None;
             }
@@ -149,7 +154,7 @@ impl Stepper {
             let values: Vec<f64> = slopes.iter().map(|f| h * f[k]).collect();
             let legendre = nodes.legendre(&values);
             let [.., before, last] = legendre;
-            if before.abs().max(last.abs()) > 1e-14 * sizes[k] {
+            if before.abs().max(last.abs()) > SMALL * sizes[k] {
                 return None;
             }
             let integrated = monomials(&legendre).into_iter().enumerate().map(|(n, c)| c / (n + 1) as f64);

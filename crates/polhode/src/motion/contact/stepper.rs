@@ -7,11 +7,12 @@ use super::model::{GroundForm, Model};
 use super::phase::{self, Kind, Phase, Watch};
 use super::simulation::StepNoise;
 use crate::math::algebra::Components;
+use crate::math::root::{dip, root};
 use crate::math::sum::two_sum;
 use crate::motion::solve::propagate::noise::Random;
 
 /// Places of a step at which what is watched is looked at.
-const LOOKS: u32 = 8;
+const LOOKS: usize = 8;
 
 /// A body on its way.
 #[derive(Clone, Debug)]
@@ -199,24 +200,11 @@ impl Stepper {
     /// What ends the phase within h of the start of the step, first.
     pub(super) fn passing(&self, h: f64) -> Option<Passing> {
         let phase = &self.phases[self.current];
-        let mut first: Option<Passing> = None;
-        for (k, &watch) in phase.watches.iter().enumerate() {
-            let value = |t: f64| phase.expansion.output(t, k);
-            let mut before = [0.0, value(0.0)];
-            for look in 1..=LOOKS {
-                let t = h * f64::from(look) / f64::from(LOOKS);
-                let now = value(t);
-                if now < 0.0 && before[1] > 0.0 {
-                    let after = crate::math::root::root(value, [before[0], t], [before[1], now]);
-                    if first.is_none_or(|first| after < first.after) {
-                        first = Some(Passing { after, watch });
-                    }
-                    break;
-                }
-                before = [t, now];
-            }
-        }
-        first
+        let all = phase.watches.iter().enumerate().filter_map(|(k, &watch)| {
+            let after = vanishing(|t| phase.expansion.output(t, k), h)?;
+            Some(Passing { after, watch })
+        });
+        all.reduce(|first, next| if next.after < first.after { next } else { first })
     }
 
     /// Takes the step, or as much of it as is good.
@@ -325,4 +313,31 @@ impl Stepper {
             }
         }
     }
+}
+
+/// Where a function that is positive passes zero within h, first; what is not positive at the start has to become so before.
+fn vanishing(f: impl Fn(f64) -> f64, h: f64) -> Option<f64> {
+    let looks: [[f64; 2]; LOOKS + 1] = core::array::from_fn(|k| {
+        let t = h * k as f64 / LOOKS as f64;
+        [t, f(t)]
+    });
+    for (k, pair) in looks.windows(2).enumerate() {
+        let &[[from, before], [to, now]] = pair else { continue };
+        if !(before > 0.0) {
+            continue;
+        }
+        if now < 0.0 {
+            return Some(root(&f, [from, to], [before, now]));
+        }
+        // It may have been below zero between two places where it is not, if it turns back at one of them.
+        if let Some(&[end, next]) = looks.get(k + 2)
+            && now < before
+            && now < next
+            && now < 0.25 * before.max(next)
+            && let Some(there) = dip(&f, [from, end])
+        {
+            return Some(root(&f, [from, there], [before, f(there)]));
+        }
+    }
+    None
 }

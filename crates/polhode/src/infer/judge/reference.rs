@@ -1,7 +1,6 @@
 //! The exact motion at the times of a log.
 
 use super::error::JudgeError;
-use crate::motion::error::MotionError;
 use crate::motion::model::state::{State, StateError};
 use crate::motion::run::global_error::ErrorEffort;
 use crate::motion::run::simulation::Simulation;

@@ -66,8 +66,25 @@ impl Prescribed {
         Some(sequence)
     }
 
+    /// Each configuration without what is in its tanks, and these with what is in them at first, kg.
+    pub fn dry(&self) -> impl Iterator<Item = (Option<&str>, &Budget, &[(Tank, f64)])> {
+        self.stages.iter().map(|stage| (stage.name.as_deref(), &stage.budget, &stage.tanks[..]))
+    }
+
     fn stage(&self, name: Option<&str>) -> Option<&DryBudget> {
         self.stages.iter().find(|stage| stage.name.as_deref() == name)
+    }
+}
+
+impl OverTime {
+    /// What leaves tanks.
+    pub fn burns(&self) -> &[Burn] {
+        &self.burns
+    }
+
+    /// What happens at once.
+    pub fn changes(&self) -> &[PlannedChange] {
+        &self.changes
     }
 }
 

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::heading::Columns;
+use super::joined::Naming;
 use super::plan::{self, Plan};
 use super::sheet::Sheet;
 use super::xlsx::{Sections, Workbook, is_section};
@@ -16,11 +17,11 @@ use crate::scenario::{list_units, tree};
 /// The sheet of the parts, where there are others beside it.
 const PARTS: &str = "parts";
 
-/// Reads a workbook; with the plan that names it, if one does.
+/// Reads a workbook; with what its sheets say besides what the plan says that names it, if one does.
 pub(super) fn read(
     path: &Path,
     bytes: &[u8],
-    told: Option<Plan>,
+    told: Option<&Naming<'_>>,
     is_alone: bool,
 ) -> Result<BudgetFile, FormatError> {
     let fail = |error| FormatError::of_content(path, bytes, error);
@@ -29,16 +30,7 @@ pub(super) fn read(
     let (sections, others): (Vec<&str>, Vec<&str>) = names.iter().copied().partition(|name| is_section(name));
     let sheets: Vec<(&str, Sheet<'_>)> =
         sections.iter().filter_map(|name| Some((*name, workbook.sheet(path, name)?.0))).collect();
-    let plan = match told {
-        None => Plan { is_alone, ..of_sections(path, &sheets)? },
-        Some(_) if !sheets.is_empty() => {
-            let what = format!("the sheet {} beside a plan that names the workbook", sections.join(", "));
-            let kind = ContentErrorKind::Unsupported { what };
-            let hint = "write what it says into the plan, or give the workbook alone";
-            return Err(fail(ContentError::new(kind, ContentPlace::Whole).hint(hint)));
-        }
-        Some(plan) => plan,
-    };
+    let plan = Plan { is_alone, ..of_sections(path, &sheets, told)? };
     let wanted: Vec<&str> =
         others.into_iter().filter(|name| !plan.ignore.iter().any(|other| other == name)).collect();
     let name = match wanted[..] {
@@ -64,12 +56,16 @@ pub(super) fn read(
         lines.push(format!("sheets that were not read: {}", not_read.join(", ")));
     }
     let columns = Columns::of(&sheet, &plan.ignore)?;
-    unused::ignored(&sheet, &columns, &plan, &not_read)?;
+    unused::ignored(&columns, &plan, &not_read)?;
     sheet.decimal_comma = plan.decimal_comma.unwrap_or(false);
     of_table(plan, &sheet, &columns, lines)
 }
 
-fn of_sections(path: &Path, sheets: &[(&str, Sheet<'_>)]) -> Result<Plan, FormatError> {
+fn of_sections(
+    path: &Path,
+    sheets: &[(&str, Sheet<'_>)],
+    told: Option<&Naming<'_>>,
+) -> Result<Plan, FormatError> {
     let mut sections = Sections::default();
     // Keys that stand in no table come before those that do.
     let (first, then): (Vec<_>, Vec<_>) = sheets.iter().partition(|(name, _)| *name == "plan");
@@ -77,6 +73,9 @@ fn of_sections(path: &Path, sheets: &[(&str, Sheet<'_>)]) -> Result<Plan, Format
         sections.add(name, sheet)?;
     }
     let source = Source::new(path, &sections.toml);
+    if let Some(told) = told {
+        return told.plan(source, &|error| sections.moved(error));
+    }
     let read = || {
         let entries = tree::parse(&sections.toml).map_err(|error| source.syntax(&error))?;
         list_units::check(source, &entries)?;

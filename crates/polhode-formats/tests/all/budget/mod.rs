@@ -2,6 +2,7 @@
 
 mod book;
 mod forms;
+mod joined;
 mod limits;
 mod refusals;
 mod sections;

@@ -160,7 +160,7 @@ fn mistakes_are_named_where_they_stand() {
         (
             "{ covariance = [['0.1 deg^2/s^2', 0], [0, «'3 deg/s'»]] }",
             "\"deg/s\" is an angular velocity where a quantity in s^-2 rad^2 belongs",
-            "write",
+            "",
         ),
         (
             "{ covariance = [['0.1 deg^2/s^2', 0], [0, «2»]] }",

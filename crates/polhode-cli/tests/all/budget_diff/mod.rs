@@ -61,7 +61,7 @@ fn no_key_is_left_out() {
         };
         let error = from_text("rich.csv".as_ref(), &list(&text)).unwrap_err();
         let FormatErrorKind::UnknownKey { known, .. } = error.kind() else { panic!("{section}: {error}") };
-        for key in known.iter().filter(|key| section != "" || !OF_READING.contains(*key)) {
+        for key in known.iter().filter(|key| !section.is_empty() || !OF_READING.contains(*key)) {
             let is_section = |name: &str| {
                 sections.contains(format!("[{name}]").as_str())
                     || sections.contains(format!("[[{name}]]").as_str())

@@ -101,12 +101,14 @@ def grain(left):
     mass, inner = GRAIN_MASS * left, GRAIN_RADIUS**2 * (1 - left)
     along = mass * (GRAIN_RADIUS**2 + inner) / 2
     across = along / 2 + mass * GRAIN_LENGTH**2 / 12
-    return f'{{ mass = {mass:.8g}, center = [0, 0, "{GRAIN_PLACE} mm"], moments = [{across:.8g}, {across:.8g}, {along:.8g}] }}'
+    return (float(f"{mass:.8g}"), GRAIN_PLACE, *(float(f"{moment:.8g}") for moment in (across, across, along)))
 
 
+GRAIN = [("mass [kg]", "z [mm]", "Ixx [kg m^2]", "Iyy [kg m^2]", "Izz [kg m^2]"), *(grain(k / 8) for k in range(1, 9))]
+# The motor is full of it, and its density is known to half a percent.
 TANK = [
-    ("name", "frame", "configuration", "table", "mass"),
-    ("propellant", "motor", "lift-off", f"[{', '.join(grain(k / 8) for k in range(1, 9))}]", "28.6 kg"),
+    ("name", "frame", "configuration", "table", "fill", "density_sd"),
+    ("propellant", "motor", "lift-off", "grain", 1, "0.5 %"),
 ]
 SEQUENCE = [("key", "value"), ("configuration", "lift-off"), ("until", "20 s"), ("spin", '["0.05 rad/s", 0, "3 rev/s"]')]
 # What does not burn is the slag.
@@ -223,6 +225,7 @@ def main():
         "site": sheet(table(strings, SITE)),
         "ballast": sheet(table(strings, BALLAST)),
         "tank": sheet(table(strings, TANK)),
+        "grain": sheet(table(strings, GRAIN)),
         "sequence": sheet(table(strings, SEQUENCE)),
         "burn": sheet(table(strings, BURN)),
         "drop": sheet(table(strings, DROP)),

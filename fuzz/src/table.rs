@@ -113,6 +113,15 @@ pub fn budget(data: &[u8]) {
         if let Ok(estimate) = one.budget.estimate(file.questions.basis) {
             assert!((0..10).all(|k| !(estimate.covariance[k][k] < 0.0)), "{:?}", estimate.covariance);
         }
+        let Some(prescribed) = &file.prescribed else { continue };
+        let sequence = prescribed.sequence(one.name.as_deref(), file.questions.basis);
+        let until = prescribed.over_time.as_ref().map_or(1.0, |all| all.until);
+        if let Some(Ok(rows)) = sequence.map(|sequence| sequence.rows([0.0, until], 3)) {
+            rows.iter().for_each(|row| assert_physical(&row.properties));
+        }
+        if let Ok(draws) = one.budget.draws(file.questions.basis, 1, 10) {
+            draws.bodies.iter().for_each(assert_physical);
+        }
     }
 }
 

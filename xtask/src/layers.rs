@@ -8,12 +8,13 @@ use std::path::{Path, PathBuf};
 use crate::{Outcome, files, read, root, short};
 
 /// The modules of the core crate, in order: each may import itself and those before it.
-const MODULES: [&str; 11] = [
+const MODULES: [&str; 12] = [
     "math",
     "body",
     "motion/error",
     "motion/model",
     "motion/solve",
+    "motion/contact",
     "motion/inverse",
     "motion/run",
     "motion/task",

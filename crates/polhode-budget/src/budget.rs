@@ -2,16 +2,16 @@
 
 use std::collections::HashMap;
 
-use polhode::body::{BodyError, InertiaTensor, MassProperties};
+use polhode::body::{BodyError, MassProperties};
 use polhode::math::{Body, Frame, Part, Position, Rotation};
 
 use crate::error::{BudgetError, RowName};
 use crate::group::Group;
 use crate::growth::{Basis, Growth, GrowthTable, MassStatement, RULE};
 use crate::row::{CopyErrors, Place, Row};
-use crate::tensor::{TensorPoint, mass_properties};
+use crate::tensor::{TensorPoint, mass_properties, scaled};
 use crate::tree::{Tree, names, row_name};
-use crate::uncertainty::{Factor, NotUncertainty};
+use crate::uncertainty::{Factor, NotUncertainty, PartUncertainty};
 
 /// A parts list, as it is given.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -168,6 +168,11 @@ impl PartsList {
         let elements = part.tensor.elements();
         let properties = mass_properties(part.mass, part.center_of_mass, elements, about)
             .map_err(|error| BudgetError::Part { row: name(), error })?;
+        if let PartUncertainty::Liquid(liquid) = &self.rows[k].uncertainty.part
+            && !liquid.is(&properties)
+        {
+            return Err(BudgetError::NotTheLiquid { row: name() });
+        }
         Ok(Some(PlacedPart { properties, elements, about }))
     }
 }
@@ -178,7 +183,7 @@ impl Row {
         let sign = self.part.as_ref().map_or(1.0, |part| part.tensor.sign.factor());
         let mut all = self.uncertainty.factors(sign)?;
         if self.part.is_none() {
-            all.retain(|factor| factor.number >= 10);
+            all.retain(|factor| factor.kind().is_of_frame());
         }
         Ok(all)
     }
@@ -362,16 +367,4 @@ pub(crate) fn combined<F: Frame>(
         [one] => Ok(Some(*one)),
         parts => MassProperties::combined(parts).map(Some),
     }
-}
-
-/// A body of the same form, so many times as heavy.
-pub(crate) fn scaled<F: Frame>(
-    body: &MassProperties<F>,
-    factor: f64,
-) -> Result<MassProperties<F>, BodyError> {
-    if factor == 1.0 {
-        return Ok(*body);
-    }
-    let rows = body.inertia().matrix().map(|row| row.map(|element| element * factor));
-    MassProperties::new(body.mass() * factor, body.center_of_mass(), InertiaTensor::from_matrix(rows)?)
 }

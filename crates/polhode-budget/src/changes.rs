@@ -8,7 +8,7 @@ use crate::error::BudgetError;
 use crate::growth::Basis;
 use crate::row::{CopyErrors, Row};
 use crate::tensor::{elements, plus, steiner};
-use crate::uncertainty::{ErrorKind, RowError};
+use crate::uncertainty::{ErrorKind, PartUncertainty, RowError};
 
 /// What the whole changes by with a standard normal variable.
 pub(crate) struct Change {
@@ -51,7 +51,7 @@ impl Budget {
             let turns = subtrees[k].map(|one| MassPropertiesDerivative::by_rotation(&one, place.position));
             for factor in factors {
                 let change = match (&place.part, &own, &subtrees[k], turns) {
-                    (Some(part), Some(own), ..) if factor.number < 10 => {
+                    (Some(part), Some(own), ..) if !factor.kind().is_of_frame() => {
                         let by = part.change(row, &factor.error, place.scale(basis));
                         by.in_frame(place.rotation).of_whole(own, whole)
                     }
@@ -98,6 +98,11 @@ impl PlacedPart {
     ///
     /// Of a tensor J about a point p, with d from p to the centre of mass: I = J − m (d² 1 − d dᵀ). If it follows the mass, as both terms do, δI = I δm/m besides.
     fn change(&self, row: &Row, error: &RowError, scale: f64) -> MassPropertiesDerivative<Part> {
+        if let PartUncertainty::Liquid(liquid) = &row.uncertainty.part {
+            let change = liquid.change(&self.properties, [error.mass, error.density]);
+            let inertia = change.inertia.map(|element| element * scale);
+            return MassPropertiesDerivative { mass: change.mass * scale, inertia, ..change };
+        }
         let (mass, follows) = (self.properties.mass(), row.uncertainty.part.tensor_follows_mass());
         let mut inertia = error.tensor;
         if follows {

@@ -3,12 +3,13 @@
 use polhode::body::{BodyError, MassProperties};
 use polhode::math::{Body, Direction, Part, Position, Rotation};
 
-use crate::budget::{Budget, combined, scaled};
+use crate::budget::{Budget, combined};
 use crate::draw::mass_sd;
 use crate::error::BudgetError;
 use crate::growth::Basis;
 use crate::random::Random;
 use crate::row::CopyErrors;
+use crate::tensor::scaled;
 use crate::tree::row_name;
 use crate::uncertainty::{Factor, NUMBERS, RowError};
 
@@ -18,12 +19,12 @@ const LEAST: usize = 10;
 /// Whole bodies, each made of possible parts.
 ///
 /// Masses are log-normal, centres, positions and rotation vectors normal, with the means and standard deviations that the list states; tensors are normal, and where no body
-/// could have that, the nearest that one could. Of correlated errors the normal variables behind these are correlated.
+/// could have that, the nearest that one could. Amounts and densities of liquids are log-normal; where there would be more than a tank holds, it is full. Of correlated errors the normal variables behind these are correlated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Draws {
     /// One of each draw.
     pub bodies: Vec<MassProperties<Body>>,
-    /// Of how many draws some part had to be moved to be possible: bodies that a draw of the tensors alone would have made of parts that cannot exist.
+    /// Of how many draws some part had to be moved to be possible: bodies that a draw of the numbers alone would have made of parts that cannot exist, or of tanks that hold less.
     pub moved: usize,
 }
 
@@ -96,7 +97,9 @@ impl Budget {
                 let mut all = unmoved.clone();
                 if let Some(part) = place.part.as_ref().filter(|_| factors.iter().any(of_part)) {
                     let (drawn, changed) = part.drawn(row, *mass_sd, &error).map_err(impossible)?;
-                    all.push(scaled(&drawn, place.scale(basis)).map_err(impossible)?);
+                    if let Some(drawn) = drawn {
+                        all.push(scaled(&drawn, place.scale(basis)).map_err(impossible)?);
+                    }
                     moved |= changed;
                 }
                 let Some(one) = combined(&all).map_err(BudgetError::Sum)? else { continue };
@@ -168,7 +171,7 @@ impl Budget {
 
 /// Whether an error is of the part, and not of its frame.
 fn of_part(factor: &Factor) -> bool {
-    factor.number < 10
+    !factor.kind().is_of_frame()
 }
 
 fn placed(

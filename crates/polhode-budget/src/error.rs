@@ -122,6 +122,11 @@ pub enum BudgetError {
         /// The name.
         group: String,
     },
+    /// A part with the errors of a liquid, which is not so much of that in its tank.
+    NotTheLiquid {
+        /// The row.
+        row: RowName,
+    },
     /// Copies whose errors are independent, of a row in which other rows stand.
     IndependentAssembly {
         /// The row.
@@ -173,6 +178,7 @@ impl BudgetError {
             | Self::Covariance { row, .. }
             | Self::MaturityCode { row, .. }
             | Self::MissingGroup { row, .. }
+            | Self::NotTheLiquid { row }
             | Self::IndependentAssembly { row, .. }
             | Self::Copies { row, .. }
             | Self::Subtotal { row, .. } => Some(row.row),
@@ -201,6 +207,7 @@ impl BudgetError {
                 Some("a covariance is symmetric, and its correlations are such that they can all hold")
             }
             Self::MaturityCode { .. } => Some("add the code to the table of growth allowances"),
+            Self::NotTheLiquid { .. } => Some("make the row of the tank"),
             Self::IndependentAssembly { .. } => {
                 Some("give each copy a row of its own, or say that the copies are alike")
             }
@@ -264,6 +271,9 @@ impl fmt::Display for BudgetError {
             }
             Self::MissingGroup { row, group } => {
                 write!(f, "{row} is in the group \"{group}\", which is not declared")
+            }
+            Self::NotTheLiquid { row } => {
+                write!(f, "{row} has the errors of a liquid, but is not what so much of it is in its tank")
             }
             Self::IndependentAssembly { row, inside } => {
                 write!(f, "copies of {row} are to have independent errors, but {inside} stands in it")

@@ -21,12 +21,22 @@ pub struct Group {
     pub position: f64,
     /// ρ of rotations.
     pub rotation: f64,
+    /// ρ of the densities of liquids.
+    pub density: f64,
 }
 
 impl Group {
     /// Rows whose masses are correlated, and nothing else.
     pub fn of_masses(name: impl Into<String>, correlation: f64) -> Self {
-        Self { name: name.into(), mass: correlation, center: 0.0, tensor: 0.0, position: 0.0, rotation: 0.0 }
+        Self {
+            name: name.into(),
+            mass: correlation,
+            center: 0.0,
+            tensor: 0.0,
+            position: 0.0,
+            rotation: 0.0,
+            density: 0.0,
+        }
     }
 
     pub(crate) const fn correlation(&self, kind: ErrorKind) -> f64 {
@@ -36,6 +46,7 @@ impl Group {
             ErrorKind::Tensor => self.tensor,
             ErrorKind::Position => self.position,
             ErrorKind::Rotation => self.rotation,
+            ErrorKind::Density => self.density,
         }
     }
 
@@ -46,6 +57,7 @@ impl Group {
             ("the correlation of tensors", self.tensor),
             ("the correlation of positions", self.position),
             ("the correlation of rotations", self.rotation),
+            ("the correlation of densities", self.density),
         ];
         match kinds.into_iter().find(|(_, value)| !(0.0..=1.0).contains(value)) {
             None => Ok(()),

@@ -60,6 +60,7 @@ mod row;
 mod sensitivity;
 mod sequence;
 mod tank;
+mod tank_row;
 mod tensor;
 mod tree;
 mod uncertainty;
@@ -84,6 +85,8 @@ pub use principal::{PrincipalUncertainty, Tilt};
 pub use row::{CopyErrors, GivenPart, Place, Quantity, Row, Subtotal};
 pub use sensitivity::{Sensitivity, Source};
 pub use sequence::{Burn, Change, Sequence, SequenceError, SequenceRow};
-pub use tank::{Down, Fill, Liquid, LiquidTable, Slice, Tank, TankShape, Vessel};
+pub use tank::{
+    Down, Fill, Liquid, LiquidErrors, LiquidTable, Measured, Slice, Tank, TankShape, UncertainLiquid, Vessel,
+};
 pub use tensor::{GivenTensor, ProductSign, TensorPoint};
 pub use uncertainty::{ErrorKind, PartUncertainty, Spread, Uncertainty};

@@ -1,4 +1,4 @@
-//! Standard normal numbers, each a function of a seed and of what it is for.
+//! Standard normal numbers, and log-normal ones of these, each a function of a seed and of what it is for.
 
 use core::f64::consts::TAU;
 
@@ -48,6 +48,12 @@ fn finished(x: u64) -> u64 {
     x ^ (x >> 31)
 }
 
+/// Log-normal, of a normal z: with the mean and the standard deviation that are stated.
+pub(crate) fn log_normal(mean: f64, sd: f64, z: f64) -> f64 {
+    let square = libm::log1p((sd / mean) * (sd / mean));
+    mean * libm::exp(square.sqrt() * z - 0.5 * square)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -74,5 +80,18 @@ mod tests {
         let error = 4.0 / (count as f64).sqrt();
         assert!(m1.abs() < error && (m2 - 1.0).abs() < 1.42 * error, "{m1} {m2}");
         assert!(m3.abs() < 3.9 * error && (m4 - 3.0).abs() < 9.8 * error, "{m3} {m4}");
+    }
+
+    #[test]
+    fn masses_have_the_mean_and_the_deviation_that_are_stated() {
+        // By the trapezoidal rule in z, which is exact to rounding for such functions.
+        let (mut m0, mut m1, mut m2) = (0.0, 0.0, 0.0);
+        for k in -1200..=1200 {
+            let z = 0.01 * f64::from(k);
+            let (weight, mass) = ((-0.5 * z * z).exp(), log_normal(2.3, 0.9, z));
+            (m0, m1, m2) = (m0 + weight, m1 + weight * mass, m2 + weight * mass * mass);
+        }
+        let (mean, square) = (m1 / m0, m2 / m0);
+        assert!((mean - 2.3).abs() < 1e-13 && ((square - mean * mean).sqrt() - 0.9).abs() < 1e-13);
     }
 }

@@ -1,7 +1,7 @@
 //! Inertia tensors as lists give them: about some point, with products of either sign.
 
 use polhode::body::{BodyError, InertiaAbout, InertiaTensor, MassProperties};
-use polhode::math::{Part, Position};
+use polhode::math::{Frame, Part, Position};
 
 /// A tensor along the axes of its row.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,6 +78,18 @@ pub(crate) fn mass_properties(
             &InertiaAbout::from_matrix(point, rows(elements))?,
         ),
     }
+}
+
+/// A body of the same form, so many times as heavy.
+pub(crate) fn scaled<F: Frame>(
+    body: &MassProperties<F>,
+    factor: f64,
+) -> Result<MassProperties<F>, BodyError> {
+    if factor == 1.0 {
+        return Ok(*body);
+    }
+    let rows = body.inertia().matrix().map(|row| row.map(|element| element * factor));
+    MassProperties::new(body.mass() * factor, body.center_of_mass(), InertiaTensor::from_matrix(rows)?)
 }
 
 /// The matrix of xx, yy, zz, xy, xz, yz.

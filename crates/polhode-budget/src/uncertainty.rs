@@ -1,6 +1,7 @@
 //! How well the numbers of a row are known.
 
 use crate::covariance::{NotCovariance, columns};
+use crate::tank::UncertainLiquid;
 
 /// Errors of the numbers of a row, with mean zero.
 ///
@@ -31,6 +32,8 @@ pub enum PartUncertainty {
     },
     /// One covariance of mass, centre of mass x, y, z and these six.
     Joint(Box<[[f64; 10]; 10]>),
+    /// The part is what is in a tank: of its amount, and of its density.
+    Liquid(Box<UncertainLiquid>),
 }
 
 impl Default for PartUncertainty {
@@ -75,10 +78,13 @@ pub enum ErrorKind {
     Position,
     /// How its frame is turned.
     Rotation,
+    /// The density of a liquid.
+    Density,
 }
 
-/// How many numbers a row has: mass, centre, tensor, position, rotation.
-pub(crate) const NUMBERS: usize = 16;
+/// How many numbers a row has: mass, centre, tensor, position, rotation, density of a liquid.
+pub(crate) const NUMBERS: usize = 17;
+const DENSITY: usize = 16;
 
 /// An error of a row: so much of each number for a standard normal variable, a column of the covariance's Cholesky factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,6 +102,8 @@ pub(crate) struct RowError {
     pub(crate) tensor: [f64; 6],
     pub(crate) position: [f64; 3],
     pub(crate) rotation: [f64; 3],
+    /// As a part of the density.
+    pub(crate) density: f64,
 }
 
 /// Why an uncertainty is none.
@@ -118,8 +126,14 @@ impl ErrorKind {
             1..4 => Self::Center,
             4..10 => Self::Tensor,
             10..13 => Self::Position,
-            _ => Self::Rotation,
+            13..DENSITY => Self::Rotation,
+            _ => Self::Density,
         }
+    }
+
+    /// Whether it is of the row's frame, and not of its part.
+    pub(crate) const fn is_of_frame(self) -> bool {
+        matches!(self, Self::Position | Self::Rotation)
     }
 }
 
@@ -127,6 +141,7 @@ impl RowError {
     pub(crate) fn add(&mut self, other: &Self, factor: f64) {
         let add = |a: &mut [f64], b: &[f64]| a.iter_mut().zip(b).for_each(|(a, b)| *a += factor * b);
         self.mass += factor * other.mass;
+        self.density += factor * other.density;
         add(&mut self.center, &other.center);
         add(&mut self.tensor, &other.tensor);
         add(&mut self.position, &other.position);
@@ -141,12 +156,8 @@ impl Uncertainty {
         let tensor = |[xx, yy, zz, xy, xz, yz]: [f64; 6]| [xx, yy, zz, sign * xy, sign * xz, sign * yz];
         match &self.part {
             PartUncertainty::Separate { mass, center, tensor: spread, .. } => {
-                let value = *mass;
-                if !(value >= 0.0 && value.is_finite()) {
-                    return Err(NotUncertainty::Deviation { what: "the mass", value });
-                }
-                if value > 0.0 {
-                    all.push(Factor { number: 0, error: RowError { mass: value, ..RowError::default() } });
+                if let Some(mass) = deviation("the mass", *mass)? {
+                    all.push(Factor { number: 0, error: RowError { mass, ..RowError::default() } });
                 }
                 center.factors("the centre of mass", |number, center| {
                     all.push(Factor {
@@ -166,6 +177,15 @@ impl Uncertainty {
                     let error =
                         RowError { mass, center: [x, y, z], tensor: tensor(elements), ..RowError::default() };
                     all.push(Factor { number, error });
+                }
+            }
+            PartUncertainty::Liquid(liquid) => {
+                if let Some(mass) = deviation("the amount of the liquid", liquid.errors.amount)? {
+                    all.push(Factor { number: 0, error: RowError { mass, ..RowError::default() } });
+                }
+                if let Some(density) = deviation("the density of the liquid", liquid.errors.density)? {
+                    let error = RowError { density, ..RowError::default() };
+                    all.push(Factor { number: DENSITY, error });
                 }
             }
         }
@@ -189,10 +209,7 @@ impl<const N: usize> Spread<N> {
             Self::Exact => {}
             Self::Deviations(sd) => {
                 for (k, &value) in sd.iter().enumerate() {
-                    if !(value >= 0.0 && value.is_finite()) {
-                        return Err(NotUncertainty::Deviation { what, value });
-                    }
-                    if value > 0.0 {
+                    if let Some(value) = deviation(what, value)? {
                         let mut column = [0.0; N];
                         column[k] = value;
                         each(k, column);
@@ -207,6 +224,15 @@ impl<const N: usize> Spread<N> {
             }
         }
         Ok(())
+    }
+}
+
+/// A standard deviation, unless it is zero.
+fn deviation(what: &'static str, value: f64) -> Result<Option<f64>, NotUncertainty> {
+    match value {
+        0.0 => Ok(None),
+        value if value > 0.0 && value.is_finite() => Ok(Some(value)),
+        value => Err(NotUncertainty::Deviation { what, value }),
     }
 }
 

@@ -49,6 +49,7 @@ Examples:
   polhode budget examples/budget/cubesat.csv --html > cubesat.html
   polhode budget examples/budget/sounding-rocket.xlsx --about \"0,0,1.2 m\" --json
   polhode budget examples/budget/cubesat.csv --basis basic --csv > parts.csv
+  polhode budget examples/budget/sounding-rocket.xlsx --csv=time > over-time.csv
   polhode budget parts.csv --diff last-week.csv
   polhode budget examples/budget/cubesat.csv --configuration deployed --body > whole.toml
   polhode budget examples/budget/cubesat.csv --configuration deployed --sweep plan.toml && polhode sweep plan.toml
@@ -87,10 +88,10 @@ pub(crate) struct BudgetCommand {
     /// Print one HTML page with pictures, which needs nothing else.
     #[arg(long, group = "form")]
     html: bool,
-    /// Print CSV: a row for each row of the list, with the masses and mass properties of all in it.
-    #[arg(long, group = "form")]
-    csv: bool,
-    /// Write the same as a workbook, with sheets of the whole and its covariance.
+    /// Print CSV: a row for each row of the list, with the masses and mass properties of all in it; or the whole over time, or by how full its tanks are.
+    #[arg(long, group = "form", value_enum, value_name = "TABLE", num_args = 0..=1, require_equals = true, default_missing_value = "parts")]
+    csv: Option<Table>,
+    /// Write all these as a workbook, with sheets of the whole and its covariance.
     #[arg(long, groups = ["form", "written"], value_name = "OUT")]
     xlsx: Option<PathBuf>,
     /// Print the whole as a part of a scenario file, for simulate, stability and sweep.
@@ -108,6 +109,17 @@ pub(crate) struct BudgetCommand {
     /// Exit with status 1 if a limit is not met, or something is heavier than allowed.
     #[arg(long)]
     strict: bool,
+}
+
+/// A table of --csv.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Table {
+    /// The rows of the list.
+    Parts,
+    /// The whole over time, with its rates.
+    Time,
+    /// The whole by what is in each tank.
+    Fill,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -136,8 +148,8 @@ impl BudgetCommand {
         }
         if let Some(target) = &self.xlsx {
             self.write_workbook(target, &report)?;
-        } else if self.csv {
-            print_exact(&report.to_csv().map_err(|error| self.refused(&error.into()))?)?;
+        } else if let Some(table) = self.csv {
+            print_exact(&self.table(table, &report)?)?;
         } else if let Some(target) = &self.sweep {
             let plan = report.to_plan(self.configuration.as_deref(), &plan);
             let plan = plan.map_err(|why| Failure::usage(why.to_string(), why.hint()).about(&self.file))?;
@@ -161,6 +173,18 @@ impl BudgetCommand {
             document().to_html()
         } else {
             document().to_text(columns().unwrap_or(polhode_report::plain::WIDTH))
+        }
+    }
+
+    fn table(&self, table: Table, report: &BudgetReport) -> Result<String, Failure> {
+        let nothing = |(message, hint): (&str, &str)| Failure::usage(message, hint).about(&self.file);
+        match table {
+            Table::Parts => report.to_csv().map_err(|error| self.refused(&error.into())),
+            Table::Time => report.to_time_csv().ok_or_else(|| nothing(budget_history::NOTHING)),
+            Table::Fill => {
+                let none = ("there is no tank in it", "add [[tank]] with what is in it");
+                report.to_fill_csv().ok_or_else(|| nothing(none))
+            }
         }
     }
 
@@ -201,7 +225,7 @@ impl BudgetCommand {
         let basis = options.basis;
         let report = BudgetReport::new(title.as_deref(), sources, all, limits, options);
         let mut report = report.map_err(|error| self.refused(&error).about(path))?;
-        if let Some(prescribed) = prescribed.filter(|_| !is_given) {
+        if let Some(prescribed) = prescribed.filter(|_| !is_given || self.has_states()) {
             for name in report.names() {
                 let Some(sequence) = prescribed.sequence(name.as_deref(), basis) else { continue };
                 let over_time = prescribed.over_time.as_ref().filter(|all| all.configuration == name);
@@ -225,7 +249,7 @@ impl BudgetCommand {
 
     /// A body, tables and differences are of the list as it is given, without draws and ballast.
     const fn is_given(&self) -> bool {
-        self.body || self.sweep.is_some() || self.csv || self.xlsx.is_some() || self.diff.is_some()
+        self.body || self.sweep.is_some() || self.csv.is_some() || self.xlsx.is_some() || self.diff.is_some()
     }
 
     /// Of the members of a plan: their number and seed are those of the draws.
@@ -246,6 +270,11 @@ impl BudgetCommand {
             spin: over_time.and_then(|all| all.spin),
             duration: over_time.map_or(DURATION, |all| all.until),
         })
+    }
+
+    /// Tables of the body over time, and by what is in its tanks, are asked for.
+    fn has_states(&self) -> bool {
+        self.xlsx.is_some() || matches!(self.csv, Some(Table::Time | Table::Fill))
     }
 
     /// What the file asks, and what the command line asks instead.

@@ -1,6 +1,5 @@
 //! `polhode budget --scenario`: what happens over time, for simulate.
 
-use std::io::Write as _;
 use std::path::Path;
 
 use polhode_budget::{Basis, SequenceError};
@@ -9,6 +8,12 @@ use polhode_report::{HistoryOptions, history_files};
 
 use crate::failure::Failure;
 use crate::partial;
+
+/// What is said of a list without a sequence, and what its reader may do.
+pub(crate) const NOTHING: (&str, &str) = (
+    "nothing happens in it over time",
+    "add [sequence] with until, and [[burn]], [[drop]] or [[deploy]]; --body has the body as it is",
+);
 
 /// Writes a scenario, and beside it the table that it names.
 pub(crate) fn write(
@@ -20,9 +25,8 @@ pub(crate) fn write(
 ) -> Result<(), Failure> {
     let over_time = file.prescribed.as_ref().and_then(|all| Some((all, all.over_time.as_ref()?)));
     let Some((prescribed, over_time)) = over_time else {
-        let hint =
-            "add [sequence] with until, and [[burn]], [[drop]] or [[deploy]]; --body has the body as it is";
-        return Err(Failure::usage("nothing happens in it over time", hint).about(list));
+        let (message, hint) = NOTHING;
+        return Err(Failure::usage(message, hint).about(list));
     };
     if target.extension().is_none_or(|extension| extension != "toml") {
         let hint = "name a file that ends in .toml: the table beside it ends in .csv";
@@ -41,12 +45,8 @@ pub(crate) fn write(
         table: &table,
     };
     let files = history_files(&sequence, &options).map_err(|error| refused(&error, list))?;
-    if let Some(path) = [target, &beside].into_iter().find(|path| !force && path.exists()) {
-        return Err(partial::exists(path));
-    }
     let [scenario, rows] = files;
-    partial::write(&beside, force, |out| out.write_all(rows.as_bytes()))?;
-    partial::write(target, force, |out| out.write_all(scenario.as_bytes()))
+    partial::write_pair([(&beside, rows.as_bytes()), (target, scenario.as_bytes())], force)
 }
 
 /// What cannot be, with what its reader may do.

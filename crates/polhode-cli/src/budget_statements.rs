@@ -1,6 +1,6 @@
 //! What a parts list says besides its rows, for `polhode budget --diff`.
 
-use polhode_formats::budget::{BudgetFile, OverTime, PlannedChange};
+use polhode_formats::budget::{BudgetFile, FilledTank, OverTime, PlannedChange};
 use polhode_report::{BudgetStatements, StatedChange, StatedSequence, StatedTank};
 
 /// All that it says besides its rows and its limits.
@@ -13,7 +13,7 @@ pub(crate) fn statements(file: &BudgetFile) -> BudgetStatements {
     let Some(prescribed) = &file.prescribed else { return stated };
     for (name, dry, tanks) in prescribed.dry() {
         stated.dry.push((name.map(str::to_owned), dry.clone()));
-        for (tank, mass) in tanks {
+        for FilledTank { tank, mass, errors, group } in tanks {
             let known = stated.tanks.iter_mut().find(|other| other.tank.name == tank.name);
             match known {
                 Some(known) => known.configurations.extend(name.map(str::to_owned)),
@@ -21,6 +21,8 @@ pub(crate) fn statements(file: &BudgetFile) -> BudgetStatements {
                     tank: tank.clone(),
                     configurations: name.iter().map(|name| (*name).to_owned()).collect(),
                     mass: *mass,
+                    errors: *errors,
+                    group: group.clone(),
                 }),
             }
         }

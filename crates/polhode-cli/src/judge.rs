@@ -186,15 +186,21 @@ impl Judge {
         let declared = self.read_as.declared(&log.says);
         let step = self.step.or(step).or(log.step);
         let judged = JudgedRun::of(Some(path), &file.scenario, &log.log, &declared, step)
-            .map_err(|error| refused(path, error))?;
+            .map_err(|error| refused(file, path, error))?;
         Ok(JudgedRun { ignored: log.not_read(), engine: log.engine, ..judged })
     }
 }
 
-/// Why a run cannot be judged, and what helps.
-fn refused(path: &Path, error: JudgeError) -> Failure {
+/// Why a run cannot be judged, and what helps: what is wrong with the scenario's own motion is not the run's fault.
+fn refused(file: &ScenarioFile, path: &Path, error: JudgeError) -> Failure {
     match error {
-        JudgeError::Motion(error) => Failure::Motion { path: shown(path), error },
+        JudgeError::Motion(error) => match file.placed(&error) {
+            Some(placed) => placed.into(),
+            None => Failure::Motion { path: shown(&file.path), error },
+        },
+        JudgeError::NoMotion | JudgeError::Changing => {
+            Failure::usage(error.to_string(), judge_hint(&error).unwrap_or_default()).about(&file.path)
+        }
         error => Failure::usage(error.to_string(), judge_hint(&error).unwrap_or_default()).about(path),
     }
 }

@@ -131,10 +131,44 @@ pub(crate) fn write(
     force: bool,
     write: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>,
 ) -> Result<(), Failure> {
-    let failed = |error: io::Error| match error.kind() {
-        io::ErrorKind::AlreadyExists => exists(target),
-        _ => output(target, error),
+    written(target, write)?.publish(|partial| moved(partial, force)).map_err(|error| failed(target, error))
+}
+
+/// Writes two files of which both appear or none.
+pub(crate) fn write_pair([first, second]: [(&Path, &[u8]); 2], force: bool) -> Result<(), Failure> {
+    let all = [first, second].map(|(target, _)| target);
+    if let Some(target) = all.into_iter().find(|target| !force && fs::symlink_metadata(target).is_ok()) {
+        return Err(exists(target));
+    }
+    let of = |(target, bytes): (&Path, &[u8])| written(target, |out| out.write_all(bytes));
+    let [before, after] = [of(first)?, of(second)?];
+    let [first, second] = all;
+    // What the first replaces is kept under another name until the second is there.
+    let old = before.old();
+    let kept = match fs::hard_link(first, &old) {
+        Ok(()) => true,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => false,
+        Err(_) => fs::copy(first, &old).map(|_| true).map_err(|error| failed(first, error))?,
     };
+    let moved_first = before.publish(|partial| moved(partial, force)).map_err(|error| failed(first, error));
+    let both = moved_first.and_then(|()| {
+        after.publish(|partial| moved(partial, force)).map_err(|error| {
+            let _ = if kept { fs::rename(&old, first) } else { fs::remove_file(first) };
+            failed(second, error)
+        })
+    });
+    if kept {
+        // After a failure it has its name again.
+        let _ = fs::remove_file(&old);
+    }
+    both
+}
+
+/// A file in the making, with all that is to be in it.
+fn written(
+    target: &Path,
+    write: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>,
+) -> Result<Partial, Failure> {
     let partial = Partial::file(target)?;
     let written = partial.lock.as_ref().map_or(Ok(()), |file| {
         let mut out = BufWriter::new(file);
@@ -144,19 +178,29 @@ pub(crate) fn write(
         // A full disk may not show before.
         file.sync_all()
     });
-    written.map_err(failed)?;
-    let publish = |partial: &Partial| {
-        if force {
-            return fs::rename(partial.path(), target);
+    written.map_err(|error| failed(target, error))?;
+    Ok(partial)
+}
+
+/// A second name is refused where there is a file already; a rename would replace it.
+fn moved(partial: &Partial, force: bool) -> io::Result<()> {
+    if force {
+        return fs::rename(partial.path(), partial.target());
+    }
+    match fs::hard_link(partial.path(), partial.target()) {
+        Err(error) if error.kind() != io::ErrorKind::AlreadyExists => {
+            fs::rename(partial.path(), partial.target())
         }
-        // A second name is refused where there is a file already; a rename would replace it.
-        match fs::hard_link(partial.path(), target) {
-            Err(error) if error.kind() != io::ErrorKind::AlreadyExists => fs::rename(partial.path(), target),
-            Ok(()) => fs::remove_file(partial.path()),
-            refused => refused,
-        }
-    };
-    partial.publish(publish).map_err(failed)
+        Ok(()) => fs::remove_file(partial.path()),
+        refused => refused,
+    }
+}
+
+fn failed(target: &Path, error: io::Error) -> Failure {
+    match error.kind() {
+        io::ErrorKind::AlreadyExists => exists(target),
+        _ => output(target, error),
+    }
 }
 
 /// Something is there that is not to be replaced.

@@ -161,7 +161,11 @@ fn unjudged(scenario: &ScenarioFile, run: Option<&Path>, error: &JudgeError) -> 
     if let JudgeError::Motion(error) = error {
         return scenario.placed(error).map_or_else(|| error.clone().raise(), Raise::raise);
     }
-    let path = run.map(|path| path.display().to_string());
+    let path = match error {
+        JudgeError::NoMotion | JudgeError::Changing => Some(scenario.path.as_path()),
+        _ => run,
+    };
+    let path = path.map(|path| path.display().to_string());
     PolhodeError::new_err((error.to_string(), judge_hint(error), path))
 }
 

@@ -128,7 +128,7 @@ impl PyMotion {
         self.derivatives.as_ref().map(of).transpose()
     }
 
-    /// `complete`, `stopped` or `failed`, the event that stopped it or the cause of failure, and when (s).
+    /// `complete`, `stopped`, `contact` or `failed`, the event that stopped it, the change of the contact or the cause of failure, and when (s).
     #[getter]
     fn ending(&self) -> (&'static str, Option<String>, Option<f64>) {
         match self.trajectory.ending() {
@@ -137,6 +137,7 @@ impl PyMotion {
                 let name = self.scenario.events().get(*event).map(|event| event.name().to_owned());
                 ("stopped", name, Some(*time))
             }
+            Ending::Contact { change, time } => ("contact", Some(change.to_string()), Some(*time)),
             Ending::Failed { time, cause } => ("failed", Some(cause.to_string()), Some(*time)),
         }
     }

@@ -19,13 +19,16 @@ pub(crate) fn ending_in_words(trajectory: &Trajectory, scenario: &Scenario) -> O
             let name = scenario.events().get(*event).map_or("", Event::name);
             Some(format!("stopped at t = {} s by the event \"{name}\"", number(*time, DIGITS)))
         }
+        Ending::Contact { change, time } => {
+            Some(format!("ended at t = {} s: {change}", number(*time, DIGITS)))
+        }
         Ending::Failed { time, cause } => {
             Some(format!("incomplete, and ends at t = {} s: {cause}", number(*time, DIGITS)))
         }
     }
 }
 
-/// `time_s`, `reason` (`end_of_run`, `event`, `failure`), and `event` or `cause`.
+/// `time_s`, `reason` (`end_of_run`, `event`, `contact`, `failure`), and `event` or `cause`.
 pub(crate) fn ending_json(trajectory: &Trajectory, scenario: &Scenario) -> Value {
     let last = trajectory.samples().last().map(|sample| sample.state.time);
     match trajectory.ending() {
@@ -33,6 +36,9 @@ pub(crate) fn ending_json(trajectory: &Trajectory, scenario: &Scenario) -> Value
         Ending::Stopped { event, time } => {
             let name = scenario.events().get(*event).map(Event::name);
             json!({ "time_s": time, "reason": "event", "event": name, "cause": null })
+        }
+        Ending::Contact { change, time } => {
+            json!({ "time_s": time, "reason": "contact", "event": null, "cause": change.to_string() })
         }
         Ending::Failed { time, cause } => {
             json!({ "time_s": time, "reason": "failure", "event": null, "cause": cause.to_string() })

@@ -7,20 +7,51 @@ use crate::json::{matrix, vector};
 use crate::number::number;
 use crate::unit::DIGITS;
 
-/// `12.5 → 8.3 kg, through 1 exit; I changes with it`
+/// `12.5 → 8.3 kg, through an exit, with jet damping; d(I ω)/dt + ω × I ω = N − Σ µ ρ × (ω × ρ)`
 pub(crate) fn in_words(history: &MassHistory, [from, to]: [f64; 2]) -> String {
+    /// With no mass lost on the way.
+    const KEPT: &str = "d(I ω)/dt + ω × I ω = N";
     let [Ok((first, _)), Ok((last, _))] = [from, at_end(to)].map(|time| history.at(time)) else {
         return String::new();
     };
     let [before, after] = [first, last].map(|body| number(body.mass(), DIGITS));
-    let how = match history.outflow() {
-        _ if first.mass() == last.mass() => "mass moves in the body".to_owned(),
-        Outflow::None => "dropped".to_owned(),
-        Outflow::InPlace => "left behind in place".to_owned(),
-        Outflow::Exits(exits) if exits.len() == 1 => "through an exit, with jet damping".to_owned(),
-        Outflow::Exits(exits) => format!("through {} exits, with jet damping", exits.len()),
+    if !history.changes_between(from, to) {
+        return format!("{before} kg; nothing of its history is in this time");
+    }
+    let [flows, drops] = losses(history, [from, to]);
+    let (mut how, law) = match history.outflow() {
+        _ if !flows => (if drops { "dropped" } else { "mass moves in the body" }.to_owned(), KEPT),
+        // Of rounding.
+        Outflow::None => ("mass moves in the body".to_owned(), KEPT),
+        Outflow::InPlace => ("left behind in place".to_owned(), "I dω/dt + ω × I ω = N"),
+        Outflow::Exits(exits) => {
+            let through = match exits.len() {
+                1 => "an exit".to_owned(),
+                several => format!("{several} exits"),
+            };
+            (format!("through {through}, with jet damping"), "d(I ω)/dt + ω × I ω = N − Σ µ ρ × (ω × ρ)")
+        }
     };
-    format!("{before} → {after} kg, {how}; d(I ω)/dt + ω × I ω = N − Σ µ ρ × (ω × ρ)")
+    if flows && drops {
+        how += ", and dropped";
+    }
+    let mass = if before == after { before } else { format!("{before} → {after}") };
+    format!("{mass} kg, {how}; {law}")
+}
+
+/// Does mass leave steadily in this time, and at once?
+fn losses(history: &MassHistory, [from, to]: [f64; 2]) -> [bool; 2] {
+    let mass = |time: f64| history.at(time).map_or(f64::NAN, |(body, _)| body.mass());
+    let is_less = |before: f64, after: f64| mass(after) < mass(before);
+    let (mut flows, mut drops) = (false, false);
+    for [begin, end] in history.changes().filter(|[begin, end]| *begin < to && from < *end) {
+        if begin == end {
+            drops |= is_less(at_end(begin), begin);
+        } else {
+            flows |= is_less(begin.max(from), at_end(end.min(to)));
+        }
+    }
+    [flows, drops]
 }
 
 /// What jumps at the end is as it was: so is the motion's last state.

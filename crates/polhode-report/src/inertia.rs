@@ -86,7 +86,7 @@ impl InertiaReport {
         }
     }
 
-    /// The report of a scenario's body, about its pivot too if it has one.
+    /// The report of a scenario's body at the start, about its pivot too if it has one.
     pub fn of_scenario(source: SourceInfo, scenario: &Scenario) -> Self {
         let geometry = Geometry::of_parts(scenario.parts(), scenario.body().mass());
         Self {
@@ -94,7 +94,7 @@ impl InertiaReport {
             surface_area: geometry.surface_area,
             density: geometry.density,
             about: scenario.pivot(),
-            findings: scenario.findings().to_vec(),
+            findings: scenario.findings().iter().cloned().chain(scenario.taken_at_start()).collect(),
             ..Self::new(source, *scenario.body())
         }
     }

@@ -1,7 +1,7 @@
 //! What happens to a body over time: tanks that drain, parts that are dropped, arms that unfold.
 //!
 //! Everything is prescribed: at every time the body is the rows that are there and the liquid that is left. Mass properties and their rates are exact at every time, as
-//! what leaves a tank next is the slice at the surface of its liquid. The liquid is known exactly: errors are those of the parts list ([`Budget::estimate`]).
+//! what leaves a tank next is the slice at the surface of its liquid. Errors are those of the parts list, and of what is in its tanks at first ([`Budget::estimate`]).
 
 mod error;
 mod loaded;

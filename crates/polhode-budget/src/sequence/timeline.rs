@@ -7,9 +7,10 @@ use polhode::math::Body;
 
 use super::loaded::{PlacedTank, rates};
 use super::{Change, Sequence, SequenceError, SequenceRow};
-use crate::budget::{Budget, combined, scaled};
+use crate::budget::{Budget, combined};
 use crate::error::BudgetError;
 use crate::tank::Slice;
+use crate::tensor::scaled;
 
 /// The stretches between changes of the body.
 #[derive(Debug)]

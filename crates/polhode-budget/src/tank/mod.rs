@@ -3,6 +3,7 @@
 //! The liquid is taken to be at rest in the tank and to turn with it like a solid: it does not slosh, and its free surface is a plane across the direction towards which
 //! it has settled. A body that spins so fast that its liquid lies at the wall has another surface: give a table then.
 
+mod errors;
 mod section;
 mod shape;
 mod table;
@@ -11,6 +12,7 @@ mod vessel;
 use polhode::body::MassProperties;
 use polhode::math::Part;
 
+pub use errors::{LiquidErrors, Measured, UncertainLiquid};
 pub use shape::{Down, TankShape};
 pub use table::LiquidTable;
 pub use vessel::Vessel;

@@ -1,11 +1,11 @@
 //! A tank by a table of the mass properties of what is in it.
 
-use polhode::body::{InertiaTensor, MassProperties};
-use polhode::math::{Part, Position};
+use polhode::body::MassProperties;
+use polhode::math::Part;
 
 use super::{Fill, Slice};
 use crate::sequence::SequenceError;
-use crate::tensor::{elements, plus, rows, steiner};
+use crate::tensor::{elements, plus, scaled, steiner};
 
 /// The liquid of a tank at some masses.
 ///
@@ -61,11 +61,11 @@ impl LiquidTable {
         }
         // A mixture of both rows, with weights a and b.
         let properties = match from {
-            None => scaled(to, mass / to.mass()),
+            None => scaled(to, mass / to.mass()).ok(),
             Some(from) => {
                 let b = (mass - from.mass()) / (to.mass() - from.mass());
                 let parts = [(from, 1.0 - b), (to, b)].into_iter().filter(|(_, weight)| *weight > 0.0);
-                let parts: Option<Vec<_>> = parts.map(|(row, weight)| scaled(row, weight)).collect();
+                let parts: Option<Vec<_>> = parts.map(|(row, weight)| scaled(row, weight).ok()).collect();
                 MassProperties::combined(&parts?).ok()
             }
         };
@@ -100,11 +100,4 @@ fn slope(from: Option<&MassProperties<Part>>, to: &MassProperties<Part>) -> Slic
     };
     let tensor = plus(about(to, m1, c1), about(from, m0, c0), -1.0).map(|x| x / more);
     Slice { center, tensor }
-}
-
-fn scaled(body: &MassProperties<Part>, factor: f64) -> Option<MassProperties<Part>> {
-    let tensor = elements(body.inertia().matrix()).map(|x| factor * x);
-    let inertia = InertiaTensor::from_matrix(rows(tensor)).ok()?;
-    let center: Position<Part> = body.center_of_mass();
-    MassProperties::new(factor * body.mass(), center, inertia).ok()
 }

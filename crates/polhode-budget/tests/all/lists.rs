@@ -42,7 +42,7 @@ fn vector(value: &toml::Value) -> Position<Part> {
 pub(crate) fn list(case: &toml::Table) -> PartsList {
     let group = |name: &str| {
         let [mass, center, tensor, position, rotation] = numbers(&case[name]);
-        Group { name: name.to_owned(), mass, center, tensor, position, rotation }
+        Group { name: name.to_owned(), mass, center, tensor, position, rotation, density: 0.0 }
     };
     let rows = case["row"].as_array().unwrap().iter().map(|row| self::row(row.as_table().unwrap()));
     PartsList { rows: rows.collect(), groups: vec![group("g0"), group("g1")], ..PartsList::default() }

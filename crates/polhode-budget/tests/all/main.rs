@@ -5,9 +5,11 @@
 mod ballast;
 #[cfg(feature = "ballast")]
 mod ballast_places;
+mod ballast_sizes;
 mod draws;
 mod errors;
 mod limits;
+mod liquids;
 mod lists;
 mod masses;
 mod principal;

@@ -96,3 +96,138 @@ fn the_scenario_moves_as_the_sequence_does() {
     stdout(&scratch.run(&["budget", "list.csv", "--scenario", "a.toml"]));
     stdout(&scratch.run(&["simulate", "a.toml", "--output", "run-a"]));
 }
+
+/// Rows by their headings.
+fn table(text: &str) -> (Vec<String>, Vec<Vec<String>>) {
+    let mut lines = text.lines().map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
+    let headings = lines.next().unwrap();
+    (headings, lines.collect())
+}
+
+#[test]
+fn states_are_tables() {
+    let scratch = Scratch::new("budget-states");
+    let rocket = example("budget/sounding-rocket.xlsx");
+    let file = budget::read(rocket.as_ref()).unwrap();
+    let sequence =
+        file.prescribed.as_ref().unwrap().sequence(Some("lift-off"), file.questions.basis).unwrap();
+    let text = stdout(&scratch.run(&["budget", &rocket, "--csv=time"]));
+    let (headings, rows) = table(&text);
+    let cell = |row: &[String], name: &str| -> f64 {
+        row[headings.iter().position(|heading| heading == name).unwrap()].parse().unwrap()
+    };
+    // Before a jump, and after it: 6.2 s and 12 s are corners.
+    assert_eq!(rows.len(), 3 * 17);
+    for row in rows.iter().filter(|row| ![6.2, 12.0, 20.0].contains(&cell(row, "time_s"))) {
+        let want = sequence.at(cell(row, "time_s")).unwrap();
+        assert_eq!(row[0], "lift-off");
+        for (name, want) in [
+            ("mass_kg", want.properties.mass()),
+            ("center_z_m", want.properties.center_of_mass().z),
+            ("inertia_yy_kg_m2", want.properties.inertia().matrix()[1][1]),
+            ("mass_rate_kg_s", want.rates.mass),
+            ("center_rate_z_m_s", want.rates.center_of_mass.z),
+            ("inertia_rate_zz_kg_m2_s", want.rates.inertia[2]),
+            ("liquid_kg propellant", want.liquid[0]),
+        ] {
+            assert!((cell(row, name) - want).abs() < 1e-12, "{name}: {row:?} {want}");
+        }
+    }
+    // It is a table that a scenario may name, as that of --scenario is, but for what is in the tanks.
+    stdout(&scratch.run(&["budget", &rocket, "--scenario", "rocket.toml"]));
+    let beside = fs::read_to_string(scratch.0.join("rocket.csv")).unwrap();
+    for (all, line) in text.lines().zip(beside.lines()) {
+        assert_eq!(all.split(',').skip(1).take(21).collect::<Vec<_>>().join(","), line);
+    }
+    scratch.write("rocket.csv", &text);
+    stdout(&scratch.run(&["simulate", "rocket.toml", "--output", "run"]));
+
+    // By fill, with what a kilogram more makes: differences of neighbours, of moments that are straight between the rows of the tank's table.
+    let fill = stdout(&scratch.run(&["budget", &rocket, "--csv=fill"]));
+    let (headings, rows) = table(&fill);
+    let cell = |row: &[String], name: &str| -> f64 {
+        row[headings.iter().position(|heading| heading == name).unwrap()].parse().unwrap()
+    };
+    assert_eq!(rows.len(), 21);
+    let [low, row, high] = [5, 6, 7].map(|k| &rows[k]);
+    let across = cell(high, "liquid_kg") - cell(low, "liquid_kg");
+    for (name, slope) in [
+        ("center_z_m", "center_z_m_per_kg"),
+        ("inertia_xx_kg_m2", "inertia_xx_kg_m2_per_kg"),
+        ("inertia_zz_kg_m2", "inertia_zz_kg_m2_per_kg"),
+    ] {
+        let difference = (cell(high, name) - cell(low, name)) / across;
+        let found = cell(row, slope);
+        assert!(found != 0.0 && (found / difference - 1.0).abs() < 0.02, "{slope}: {found} {difference}");
+    }
+
+    stdout(&scratch.run(&["budget", &rocket, "--xlsx", "out.xlsx"]));
+    let error = refused(&scratch.run(&["budget", "out.xlsx"]), 2);
+    assert!(error.contains("parts, whole, covariance, over time, by fill"), "{error}");
+    stdout(&scratch.run(&["budget", &rocket, "--xlsx", "burnt.xlsx", "--configuration", "burnout"]));
+    let error = refused(&scratch.run(&["budget", "burnt.xlsx"]), 2);
+    assert!(error.contains("parts, whole, covariance are"), "{error}");
+    let list = example("budget/cubesat.csv");
+    for (form, expected) in
+        [("--csv=time", "nothing happens in it over time"), ("--csv=fill", "there is no tank in it")]
+    {
+        let error = refused(&scratch.run(&["budget", &list, form]), 2);
+        assert!(error.contains(expected), "{error}");
+    }
+    let rows = |form: &str| stdout(&scratch.run(&["budget", &list, form]));
+    assert_eq!(rows("--csv"), rows("--csv=parts"));
+}
+
+/// Where one of two files cannot be written, neither is.
+#[test]
+fn a_scenario_comes_with_its_table_or_not_at_all() {
+    let scratch = Scratch::new("budget-pair");
+    let rocket = example("budget/sounding-rocket.xlsx");
+    fs::create_dir(scratch.0.join("rocket.toml")).unwrap();
+    let names = || {
+        let mut names: Vec<String> = fs::read_dir(&scratch.0)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
+            .collect();
+        names.sort();
+        names
+    };
+    let asked = ["budget", &rocket, "--scenario", "rocket.toml", "--force"];
+    let failed = || refused(&scratch.run(&asked), 2);
+    assert!(failed().contains("rocket.toml"));
+    assert_eq!(names(), ["rocket.toml"]);
+    // What was there stays.
+    scratch.write("rocket.csv", "mine");
+    assert!(failed().contains("rocket.toml"));
+    assert_eq!(names(), ["rocket.csv", "rocket.toml"]);
+    assert_eq!(fs::read_to_string(scratch.0.join("rocket.csv")).unwrap(), "mine");
+    fs::remove_dir(scratch.0.join("rocket.toml")).unwrap();
+    stdout(&scratch.run(&asked));
+    assert_eq!(names(), ["rocket.csv", "rocket.toml"]);
+    assert!(fs::read_to_string(scratch.0.join("rocket.csv")).unwrap().starts_with("time_s,"));
+}
+
+/// What is in a tank is known as well as it is said, in all that is asked: the errors that matter, limits, and draws.
+#[test]
+fn a_liquid_has_errors() {
+    let scratch = Scratch::new("budget-liquid");
+    let list = "# [[tank]]\n# name = \"water\"\n# shape = \"sphere\"\n# radius = 0.2\n# density = \"1000 kg/m^3 ± 1 %\"\n# settles = \"-z\"\n# fill = \"50 % ± 2 %\"\n\
+                # [[limit]]\n# of = \"mass\"\n# most = 29\nname,mass,x,y,z\na,4 ± 0.1,1,0,0\nb,4,-1,1,0\nc,4,0,-1,1\n";
+    scratch.write("list.csv", list);
+    let data = json(&scratch.run(&["budget", "list.csv", "--json", "--draws", "4000"]));
+    let one = &data["configurations"][0];
+    let half = 1000.0 * 2.0 / 3.0 * std::f64::consts::PI * 0.008;
+    let sd = (0.01 + (0.04 * half).powi(2) + (0.01 * half).powi(2)).sqrt();
+    let text = serde_json::to_string(one).unwrap();
+    assert!(text.contains("\"of\":\"density\""), "{text}");
+    let shown = stdout(&scratch.run(&["budget", "list.csv", "--draws", "4000"]));
+    for said in ["water, mass: 8", "its density ± 1 %", "± 0.67 kg in \"water\""] {
+        assert!(shown.contains(said), "{said}: {shown}");
+    }
+    let file = budget::read(&scratch.0.join("list.csv")).unwrap();
+    let estimate = file.configurations[0].budget.estimate(file.questions.basis).unwrap();
+    assert!((estimate.sd(0) / sd - 1.0).abs() < 1e-12, "{} {sd}", estimate.sd(0));
+    // The limit is 0.35 standard deviations above the mean.
+    let probability = number(&one["limits"]["each"][0]["draws"]["probability"]);
+    assert!((0.55..0.75).contains(&probability), "{probability}");
+}

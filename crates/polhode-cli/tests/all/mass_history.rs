@@ -38,6 +38,47 @@ fn the_stage_burns_and_what_does_not_know_it_says_so() {
     assert!(error.contains("the mass properties change"), "{error}");
     let mass = json(&scratch.run(&["inertia", &stage, "--json"]));
     assert!((number(&mass["mass"]) - 425.0).abs() < 1e-10, "that at the start: {mass}");
+    assert_eq!(mass["findings"][0]["code"], "mass_history.start");
+    let taken = "the mass properties change with time: these are those at t = 0 s";
+    assert_eq!(mass["findings"][0]["message"], taken);
+    scratch.write("parts.csv", &format!("name,scenario\nstage,\"{stage}\"\n"));
+    let data = json(&scratch.run(&["budget", "parts.csv", "--json"]));
+    assert!(data.to_string().contains(taken), "{data}");
+    // It is the scenario that cannot be judged by, not the run.
+    scratch.write("run.csv", "time_s,qw,qx,qy,qz\n0,1,0,0,0\n1,0.6,0.8,0,0\n");
+    let error = refused(&scratch.run(&["judge", &stage, "run.csv"]), 2);
+    assert!(error.contains("the mass properties of the scenario's body change"), "{error}");
+    assert!(
+        error.contains("--> ") && error.contains("spinning-stage.toml") && !error.contains("run.csv"),
+        "{error}"
+    );
+}
+
+/// What the line of the mass says, of runs that see all of a history, a part of it, and nothing.
+#[test]
+fn the_line_of_the_mass_says_what_happens_in_the_run() {
+    let scratch = Scratch::new("mass-line");
+    let text = std::fs::read_to_string(example("spinning-stage.toml")).unwrap();
+    let line = |changed: &[(&str, &str)]| {
+        let text = changed.iter().fold(text.clone(), |text, (old, new)| {
+            assert!(text.contains(old), "{old}");
+            text.replace(old, new)
+        });
+        scratch.write("stage.toml", &text);
+        let said = stdout(&scratch.run(&["simulate", "stage.toml", "--output", "run", "--force"]));
+        let from = said.find("\nmass ").unwrap();
+        let line = &said[from..from + said[from..].find("\ndrift").unwrap()];
+        line.split_whitespace().skip(1).collect::<Vec<_>>().join(" ")
+    };
+    let [run, burn] = ["duration = \"60 s\"", "until = \"45 s\""];
+    let jet = "d(I ω)/dt + ω × I ω = N − Σ µ ρ × (ω × ρ)";
+    assert_eq!(line(&[]), format!("425 → 150 kg, through an exit, with jet damping, and dropped; {jet}"));
+    let early = line(&[(run, "duration = \"45 s\"")]);
+    assert_eq!(early, format!("425 → 175 kg, through an exit, with jet damping; {jet}"));
+    let late = (burn, "from = \"65 s\"\nuntil = \"70 s\"");
+    let drop = ("time = \"50 s\"", "time = \"71 s\"");
+    assert_eq!(line(&[late]), "425 → 400 kg, dropped; d(I ω)/dt + ω × I ω = N");
+    assert_eq!(line(&[late, drop]), "425 kg; nothing of its history is in this time");
 }
 
 /// J of what does not burn: a solid cylinder, and a thin tube with its ends closed or not, as its part says.

@@ -3,7 +3,6 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use super::heading;
 use super::sheet::{Cell, Content, Origin, Sheet, SheetRow};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::FormatError;
@@ -12,9 +11,13 @@ use crate::scenario::source::Source;
 /// More cells than any parts list has.
 const MOST_CELLS: usize = 16_000_000;
 
-/// The table in a text from this byte on, and what parts its fields.
-pub(super) fn sheet(source: Source<'_>, from: usize) -> Result<(Sheet<'_>, u8), FormatError> {
-    let separator = separator(source.text, from);
+/// The table in a text from this byte on, and what parts its fields: by whichever a heading is one.
+pub(super) fn sheet(
+    source: Source<'_>,
+    from: usize,
+    is_heading: fn(&str) -> bool,
+) -> Result<(Sheet<'_>, u8), FormatError> {
+    let separator = separator(source.text, from, is_heading);
     let mut sheet =
         Sheet { origin: Origin::Text(source), rows: Vec::new(), cells: Vec::new(), decimal_comma: false };
     let mut fields = Fields { text: source.text, at: from };
@@ -49,8 +52,8 @@ fn newlines(text: &str) -> usize {
     text.bytes().filter(|b| *b == b'\n').count()
 }
 
-/// What parts the fields: that by which the heading of names is one.
-fn separator(text: &str, from: usize) -> u8 {
+/// What parts the fields: that by which a heading is one.
+fn separator(text: &str, from: usize, is_heading: fn(&str) -> bool) -> u8 {
     /// The headings are not far below.
     const LINES: usize = 100;
     let mut at = from;
@@ -60,7 +63,7 @@ fn separator(text: &str, from: usize) -> u8 {
             let mut fields = Fields { text: text.get(..end).unwrap_or_default(), at };
             while fields.at < end {
                 match fields.next(separator) {
-                    Ok((field, _)) if heading::is_of_names(&field.text) => return separator,
+                    Ok((field, _)) if is_heading(&field.text) => return separator,
                     Ok(_) => {}
                     Err(_) => break,
                 }

@@ -182,7 +182,7 @@ fn shown(cell: &Cell<'_>) -> String {
 }
 
 /// `mass [kg]`, `mass (kg)`: name and unit.
-fn split(heading: &str) -> (&str, Option<&str>) {
+pub(super) fn split(heading: &str) -> (&str, Option<&str>) {
     for (open, close) in [('[', ']'), ('(', ')')] {
         if let Some((name, rest)) = heading.split_once(open)
             && let Some(unit) = rest.trim_end().strip_suffix(close)

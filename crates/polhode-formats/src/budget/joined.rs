@@ -1,5 +1,6 @@
 //! A plan that names a file of parts, and what that file says besides them: together one set of keys.
 
+use super::plan::table_file::Sheets;
 use super::plan::{self, Plan};
 use crate::error::{FormatError, FormatErrorKind, Place, Spot};
 use crate::scenario::reader::Table;
@@ -19,33 +20,42 @@ impl Naming<'_> {
     pub(super) fn plan(
         &self,
         beside: Source<'_>,
+        sheets: Option<&Sheets<'_>>,
         moved: &dyn Fn(FormatError) -> FormatError,
     ) -> Result<Plan, FormatError> {
         let others = ["parts"];
         if beside.text.trim().is_empty() {
-            return plan::plan(&Table::root(self.source, self.entries), &others);
+            return plan::plan(&Table::root(self.source, self.entries), &others, sheets);
         }
         self.check(beside).map_err(moved)?;
         // One text, the plan's and the other, in which each keeps its places.
         let text = format!("{}\n{}", self.source.text, beside.text);
         let from = text.len() - beside.text.len();
         let padded = format!("{}{}", " ".repeat(from), beside.text);
-        let source = Source { text: &text, ..self.source };
+        let source = Source { text: &text, rest: Some((from, beside.path)), ..self.source };
         let mut entries = self.entries.clone();
         entries.extend(tree::parse(&padded).map_err(|error| source.syntax(&error))?);
-        let apart = |error: FormatError| match error.place().map(|place| place.span.clone()) {
-            Some(span) if span.start >= from => {
-                let place = Place::in_text(beside.text, span.start - from..span.end - from);
-                let hint = error.hint();
-                let error = FormatError::at(beside.path, Some(Spot::Text(place)), error.kind().clone());
-                moved(match hint {
-                    Some(hint) => error.with_hint(hint),
-                    None => error,
-                })
-            }
-            _ => error,
+        let of_other = |place: &Place| {
+            let start = place.span.start.checked_sub(from)?;
+            Some(Place::in_text(beside.text, start..place.span.end - from))
         };
-        match plan::plan(&Table::root(source, &entries), &others) {
+        let apart = |error: FormatError| {
+            if error.path() != self.source.path {
+                // In a file that one of them names.
+                return match error.origin().and_then(|(_, place)| of_other(place)) {
+                    Some(place) => moved(error.named_in(beside.path, place)),
+                    None => error,
+                };
+            }
+            let Some(place) = error.place().and_then(of_other) else { return error };
+            let hint = error.hint();
+            let error = FormatError::at(beside.path, Some(Spot::Text(place)), error.kind().clone());
+            moved(match hint {
+                Some(hint) => error.with_hint(hint),
+                None => error,
+            })
+        };
+        match plan::plan(&Table::root(source, &entries), &others, sheets) {
             Ok(plan) => Ok(plan.moved(apart)),
             Err(error) => Err(apart(error)),
         }

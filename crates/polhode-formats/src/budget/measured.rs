@@ -34,7 +34,7 @@ impl Amount {
     }
 }
 
-const MARKS: [&str; 3] = ["±", "+/-", "+-"];
+pub(super) const MARKS: [&str; 3] = ["±", "+/-", "+-"];
 
 /// A number of a column, with its error if the cell has one.
 pub(super) fn measured(

@@ -37,6 +37,7 @@ mod unused;
 mod workbook;
 mod xlsx;
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use polhode::math::{Body, Part, Position, Rotation};
@@ -51,7 +52,7 @@ use crate::scenario::{list_units, tree};
 use heading::Columns;
 use plan::Plan;
 pub use plan::sequence::PlannedChange;
-pub use prescribed::{OverTime, Prescribed};
+pub use prescribed::{FilledTank, OverTime, Prescribed};
 use rows::Rows;
 use sheet::Sheet;
 
@@ -177,11 +178,12 @@ pub fn from_text(path: &Path, text: &str) -> Result<BudgetFile, FormatError> {
 }
 
 fn of_text(path: &Path, text: &str, is_alone: bool) -> Result<BudgetFile, FormatError> {
-    let source = Source::new(path, text);
+    let nothing = BTreeSet::new();
+    let source = Source { files: is_alone.then_some(&nothing), ..Source::new(path, text) };
     let (toml, from) = head::toml(source)?;
     let entries = tree::parse(&toml).map_err(|error| head_error(source, &error))?;
     list_units::check(source, &entries)?;
-    let plan = plan::plan(&Table::root(source, &entries), &[])?;
+    let plan = plan::plan(&Table::root(source, &entries), &[], None)?;
     of_csv(source, from, Plan { is_alone, ..plan })
 }
 
@@ -208,7 +210,7 @@ fn head_error(source: Source<'_>, error: &toml::de::Error) -> FormatError {
 }
 
 fn of_csv(source: Source<'_>, from: usize, plan: Plan) -> Result<BudgetFile, FormatError> {
-    let (mut sheet, separator) = csv::sheet(source, from)?;
+    let (mut sheet, separator) = csv::sheet(source, from, heading::is_of_names)?;
     let columns = Columns::of(&sheet, &plan.ignore)?;
     unused::ignored(&columns, &plan, &[])?;
     sheet.decimal_comma = decimal::comma(&sheet, &columns, &plan, separator)?;
@@ -228,7 +230,7 @@ fn of_table(
     let (configurations, prescribed) = prescribed::with_liquid(configurations, &plan, &mut lines)?;
     lines.extend(taken::of_sheet(sheet, columns, &plan, &rows.reader));
     lines.extend(rows.taken.lines());
-    let read = vec![ReadParts { path: sheet.path().to_owned(), lines }];
+    let read = taken::files(sheet, &plan, lines);
     let Plan { title, questions, limits, ballast, .. } = plan;
     Ok(BudgetFile { title, configurations, questions, limits, ballast, prescribed, read })
 }

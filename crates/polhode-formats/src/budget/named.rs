@@ -40,12 +40,11 @@ pub(super) fn of_plan(path: &Path, plan_text: &str, is_alone: bool) -> Result<Bu
         let (toml, from) = head::toml(parts)?;
         // The head stands in it where it stands in the file, and errors show the file's own lines.
         let shown = |error: FormatError| {
-            let place = error.place().map(|place| Spot::Text(parts.place(place.span.clone())));
             let is_syntax = matches!(error.kind(), FormatErrorKind::Toml { .. });
-            let error = error.moved(&file, |_| place.clone());
+            let error = error.moved(&file, |place| Some(Spot::Text(parts.place(place.span.clone()))));
             if is_syntax { error.with_hint(head::SYNTAX) } else { error }
         };
-        let plan = naming.plan(Source { text: &toml, ..parts }, &shown)?;
+        let plan = naming.plan(Source { text: &toml, ..parts }, None, &shown)?;
         of_csv(parts, from, Plan { is_alone, ..plan })
     };
     // Of what both say the error names the place in the plan already.

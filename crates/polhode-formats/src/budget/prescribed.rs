@@ -2,10 +2,7 @@
 
 use polhode::math::{AngularVelocity, Body};
 use polhode::motion::Outflow;
-use polhode_budget::{
-    Basis, Budget, Burn, Change, GivenPart, GivenTensor, PartsList, ProductSign, Row, Sequence,
-    SequenceError, Tank, TensorPoint,
-};
+use polhode_budget::{Basis, Budget, Burn, Change, LiquidErrors, PartsList, Sequence, SequenceError, Tank};
 
 use super::NamedBudget;
 use super::plan::Plan;
@@ -28,8 +25,20 @@ pub struct Prescribed {
 struct DryBudget {
     name: Option<String>,
     budget: Budget,
-    /// With what is in them at first, kg.
-    tanks: Vec<(Tank, f64)>,
+    tanks: Vec<FilledTank>,
+}
+
+/// A tank, and what is in it at first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FilledTank {
+    /// The tank.
+    pub tank: Tank,
+    /// Of the liquid, kg.
+    pub mass: f64,
+    /// How well that is known.
+    pub errors: LiquidErrors,
+    /// The group with which its errors are correlated.
+    pub group: Option<String>,
 }
 
 /// What happens to the body.
@@ -51,7 +60,8 @@ impl Prescribed {
     /// The tanks of a configuration, and, if it is the one that it begins with, what happens.
     pub fn sequence(&self, configuration: Option<&str>, basis: Basis) -> Option<Sequence<'_>> {
         let stage = self.stage(configuration)?;
-        let mut sequence = Sequence::of(&stage.budget, basis, stage.tanks.iter().cloned());
+        let tanks = stage.tanks.iter().map(|one| (one.tank.clone(), one.mass));
+        let mut sequence = Sequence::of(&stage.budget, basis, tanks);
         if let Some(over_time) = self.over_time.as_ref().filter(|all| all.configuration == stage.name) {
             sequence.burns.clone_from(&over_time.burns);
             let change = |change: &PlannedChange| match change {
@@ -66,8 +76,8 @@ impl Prescribed {
         Some(sequence)
     }
 
-    /// Each configuration without what is in its tanks, and these with what is in them at first, kg.
-    pub fn dry(&self) -> impl Iterator<Item = (Option<&str>, &Budget, &[(Tank, f64)])> {
+    /// Each configuration without what is in its tanks, and these with what is in them at first.
+    pub fn dry(&self) -> impl Iterator<Item = (Option<&str>, &Budget, &[FilledTank])> {
         self.stages.iter().map(|stage| (stage.name.as_deref(), &stage.budget, &stage.tanks[..]))
     }
 
@@ -108,18 +118,18 @@ pub(super) fn with_liquid(
         let inside: Vec<(&PlannedTank, Tank)> = inside.map(|tank| (tank, tank.placed(&budget))).collect();
         let all = filled(&budget, &inside)?;
         if !inside.is_empty() {
-            let each = inside.iter().map(|(tank, _)| format!("{} kg in \"{}\"", tank.mass, tank.name));
             let of = name.as_ref().map_or_else(String::new, |name| format!(" in the configuration {name}"));
-            let each = each.collect::<Vec<_>>().join(", ");
-            lines.push(format!("what is in tanks counts, is known exactly and does not grow{of}: {each}"));
+            let each = inside.iter().map(|(tank, _)| tank.in_words()).collect::<Vec<_>>().join(", ");
+            lines.push(format!("what is in tanks counts, and does not grow{of}: {each}"));
         }
         wet.push(NamedBudget { name: name.clone(), budget: all });
-        let tanks = inside.into_iter().map(|(tank, placed)| (placed, tank.mass)).collect();
+        let tanks = inside.into_iter().map(|(tank, placed)| tank.filled(placed)).collect();
         stages.push(DryBudget { name, budget, tanks });
     }
     let mut prescribed = Prescribed { stages, over_time: None };
     if let Some(sequence) = &plan.sequence {
         prescribed.over_time = Some(over_time(sequence, &names)?);
+        begins_with(&prescribed, sequence)?;
         same_tanks(&prescribed, &plan.tanks)?;
         let configuration = prescribed.over_time.as_ref().and_then(|all| all.configuration.clone());
         if let Some(of_file) = prescribed.sequence(configuration.as_deref(), plan.questions.basis) {
@@ -131,13 +141,38 @@ pub(super) fn with_liquid(
     Ok((wet, Some(prescribed)))
 }
 
+/// Are the tanks that drain in what it begins as?
+fn begins_with(prescribed: &Prescribed, sequence: &PlannedSequence) -> Result<(), FormatError> {
+    let Some(over_time) = &prescribed.over_time else { return Ok(()) };
+    let has = |stage: &DryBudget, name: &str| stage.tanks.iter().any(|one| one.tank.name == name);
+    let begin = prescribed.stage(over_time.configuration.as_deref());
+    for (burn, [place, _]) in &sequence.burns {
+        if begin.is_some_and(|stage| has(stage, &burn.tank)) {
+            continue;
+        }
+        let stages = prescribed.stages.iter().filter(|stage| has(stage, &burn.tank));
+        let names: Vec<String> =
+            stages.filter_map(|stage| Some(format!("\"{}\"", stage.name.as_ref()?))).collect();
+        let rule = format!(
+            "in the configuration \"{}\", as which the body begins",
+            over_time.configuration.as_deref().unwrap_or_default()
+        );
+        let error = invalid(place, "tank", &burn.tank, rule);
+        return Err(match &names[..] {
+            [] => error.with_hint("it is in none"),
+            _ => error.with_hint(format!("it is in {}", names.join(", "))),
+        });
+    }
+    Ok(())
+}
+
 /// Are the tanks of what it begins as also in what it becomes? Liquid does not appear, nor go, as arms unfold.
 fn same_tanks(prescribed: &Prescribed, tanks: &[PlannedTank]) -> Result<(), FormatError> {
     let Some(over_time) = &prescribed.over_time else { return Ok(()) };
     let has = |name: Option<&str>, tank: &PlannedTank| {
         prescribed
             .stage(name)
-            .is_some_and(|stage| stage.tanks.iter().any(|(other, _)| other.name == tank.name))
+            .is_some_and(|stage| stage.tanks.iter().any(|other| other.tank.name == tank.name))
     };
     let begin = over_time.configuration.as_deref();
     for change in &over_time.changes {
@@ -169,6 +204,23 @@ impl PlannedTank {
         let root = || budget.list().rows.get(budget.root()).map_or_else(String::new, |row| row.name.clone());
         let frame = self.frame.clone().unwrap_or_else(root);
         Tank { name: self.name.clone(), frame, liquid: self.liquid.clone() }
+    }
+
+    fn filled(&self, placed: Tank) -> FilledTank {
+        FilledTank { tank: placed, mass: self.mass, errors: self.errors, group: self.group.clone() }
+    }
+
+    /// `12 ± 0.3 kg in "fuel", its density ± 2 %`
+    fn in_words(&self) -> String {
+        let LiquidErrors { amount, density, .. } = self.errors;
+        let rounded = |x: f64| format!("{x:.2e}").parse::<f64>().unwrap_or(x);
+        let error = if amount > 0.0 { format!(" ± {}", rounded(amount)) } else { String::new() };
+        let exactly = if amount == 0.0 && density == 0.0 { ", exactly" } else { "" };
+        let of_density = match density {
+            0.0 => String::new(),
+            density => format!(", its density ± {} %", rounded(100.0 * density)),
+        };
+        format!("{}{error} kg in \"{}\"{of_density}{exactly}", self.mass, self.name)
     }
 
     fn refused(&self, place: usize, rule: String) -> FormatError {
@@ -242,16 +294,10 @@ fn filled(dry: &Budget, tanks: &[(&PlannedTank, Tank)]) -> Result<Budget, Format
         if let Some(error) = in_copies {
             return Err(tank.places[place].clone().replaced(FormatErrorKind::Sequence(error)));
         }
-        let Some(liquid) = placed.liquid.at(tank.mass).and_then(|fill| fill.properties) else { continue };
-        let [[xx, xy, xz], [_, yy, yz], [.., zz]] = liquid.inertia().matrix();
-        let tensor = GivenTensor {
-            moments: [xx, yy, zz],
-            products: [xy, xz, yz],
-            sign: ProductSign::NegativeIntegral,
-            about: TensorPoint::CenterOfMass,
-        };
-        let part = GivenPart { mass: liquid.mass(), center_of_mass: liquid.center_of_mass(), tensor };
-        list.rows.push(Row { parent: Some(placed.frame.clone()), ..Row::part(&tank.name, part) });
+        if let Some(mut row) = placed.row(tank.mass, tank.errors) {
+            row.group.clone_from(&tank.group);
+            list.rows.push(row);
+        }
     }
     list.budget().map_err(|error| match tanks.first() {
         Some((tank, _)) => tank.places[2].clone().replaced(FormatErrorKind::Budget(error)),
@@ -303,7 +349,7 @@ fn over_time(sequence: &PlannedSequence, names: &[&str]) -> Result<OverTime, For
 fn blame(error: SequenceError, sequence: &PlannedSequence, tanks: &[PlannedTank]) -> FormatError {
     let of_burn = |tank: &str, until: f64| {
         let mut burns = sequence.burns.iter().rev();
-        burns.find(|(burn, _)| burn.tank == tank && burn.from <= until).map(|(_, place)| place)
+        burns.find(|(burn, _)| burn.tank == tank && burn.from <= until).map(|(_, [_, flow])| flow)
     };
     let at_time =
         |time: f64| sequence.changes.iter().find(|(change, _)| change.time() == time).map(|(_, place)| place);

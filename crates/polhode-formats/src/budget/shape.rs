@@ -198,7 +198,8 @@ impl<'s, 'a> Rows<'s, 'a> {
             return Ok(*known);
         }
         let scenario = scenario::read(path).map_err(|error| self.named_in(error, cell))?;
-        let findings = scenario.findings().iter();
+        let taken = scenario.taken_at_start();
+        let findings = scenario.findings().iter().chain(&taken);
         self.taken.findings.extend(findings.map(|finding| format!("{}: {}", cell.text, finding.message)));
         self.keep(key, scenario.body(), cell)
     }

@@ -1,8 +1,10 @@
 //! What was taken as given.
 
+use super::ReadParts;
 use super::cells::Reader;
 use super::heading::Columns;
 use super::plan::Plan;
+use super::plan::table_file::TableOrigin;
 use super::sheet::Sheet;
 use crate::text::counted;
 
@@ -53,6 +55,19 @@ impl Taken {
     }
 }
 
+/// The files that were read: the list, and the tables of tanks.
+pub(super) fn files(sheet: &Sheet<'_>, plan: &Plan, mut lines: Vec<String>) -> Vec<ReadParts> {
+    let mut files = Vec::new();
+    for table in plan.tanks.iter().filter_map(|tank| tank.table.clone()) {
+        match table.from {
+            TableOrigin::Sheet(_) => lines.extend(table.lines),
+            TableOrigin::File(path) => files.push(ReadParts { path, lines: table.lines }),
+        }
+    }
+    files.insert(0, ReadParts { path: sheet.path().to_owned(), lines });
+    files
+}
+
 /// What was taken as given of a table as a whole, a sentence each.
 pub(super) fn of_sheet(
     sheet: &Sheet<'_>,
@@ -80,7 +95,7 @@ pub(super) fn of_sheet(
     if !bare.is_empty() {
         lines.push(format!("without a unit, so in SI (kg, m, rad): {}", bare.join(", ")));
     }
-    if reader.plus_minus {
+    if reader.plus_minus || plan.tanks.iter().any(|tank| tank.has_mark) {
         lines.push(match plan.coverage_factor {
             None => "± is one standard deviation, as no coverage_factor is given".to_owned(),
             Some(k) => format!("± is {k} standard deviations, as coverage_factor says"),

@@ -32,10 +32,11 @@ pub(super) fn declared(
         .iter()
         .flat_map(|one| &one.budget.list().rows)
         .filter_map(|row| row.group.as_deref())
+        .chain(plan.tanks.iter().filter_map(|tank| tank.group.as_deref()))
         .collect();
     let mut groups = plan.groups.iter().zip(&plan.places.groups);
     if let Some((group, place)) = groups.find(|(group, _)| !of_rows.contains(group.name.as_str())) {
-        let error = unused(place, "group", &group.name, "the group of a row");
+        let error = unused(place, "group", &group.name, "the group of a row, or of a tank");
         return Err(match nearest(&group.name, of_rows) {
             Some(near) => error.with_hint(format!("did you mean \"{near}\"?")),
             None => error,

@@ -1,9 +1,11 @@
 //! Parts lists in workbooks: a sheet of parts, and a sheet for each section of a plan.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use super::heading::Columns;
 use super::joined::Naming;
+use super::plan::table_file::Sheets;
 use super::plan::{self, Plan};
 use super::sheet::Sheet;
 use super::xlsx::{Sections, Workbook, is_section};
@@ -30,9 +32,12 @@ pub(super) fn read(
     let (sections, others): (Vec<&str>, Vec<&str>) = names.iter().copied().partition(|name| is_section(name));
     let sheets: Vec<(&str, Sheet<'_>)> =
         sections.iter().filter_map(|name| Some((*name, workbook.sheet(path, name)?.0))).collect();
-    let plan = Plan { is_alone, ..of_sections(path, &sheets, told)? };
-    let wanted: Vec<&str> =
-        others.into_iter().filter(|name| !plan.ignore.iter().any(|other| other == name)).collect();
+    let plan = of_sections(path, &sheets, told, is_alone, &|name| workbook.sheet(path, name))?;
+    let plan = Plan { is_alone, ..plan };
+    let wanted: Vec<&str> = others
+        .into_iter()
+        .filter(|name| !plan.ignore.iter().any(|other| other == name) && !plan.has_sheet(name))
+        .collect();
     let name = match wanted[..] {
         [one] => one,
         [] => return Err(fail(missing(format!("sheet \"{PARTS}\"")))),
@@ -65,6 +70,8 @@ fn of_sections(
     path: &Path,
     sheets: &[(&str, Sheet<'_>)],
     told: Option<&Naming<'_>>,
+    is_alone: bool,
+    all: &Sheets<'_>,
 ) -> Result<Plan, FormatError> {
     let mut sections = Sections::default();
     // Keys that stand in no table come before those that do.
@@ -72,14 +79,16 @@ fn of_sections(
     for (name, sheet) in first.into_iter().chain(then) {
         sections.add(name, sheet)?;
     }
-    let source = Source::new(path, &sections.toml);
+    let nothing = BTreeSet::new();
+    let source = Source { files: is_alone.then_some(&nothing), ..Source::new(path, &sections.toml) };
+    let tables = |name: &str| if is_section(name) { None } else { all(name) };
     if let Some(told) = told {
-        return told.plan(source, &|error| sections.moved(error));
+        return told.plan(source, Some(&tables), &|error| sections.moved(error));
     }
     let read = || {
         let entries = tree::parse(&sections.toml).map_err(|error| source.syntax(&error))?;
         list_units::check(source, &entries)?;
-        plan::plan(&Table::root(source, &entries), &[])
+        plan::plan(&Table::root(source, &entries), &[], Some(&tables))
     };
     match read() {
         Ok(plan) => Ok(plan.moved(|error| sections.moved(error))),

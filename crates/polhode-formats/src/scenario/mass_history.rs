@@ -2,7 +2,7 @@
 //!
 //! Parts that burn away or are dropped, by their names, or a table of the whole body; and where mass leaves.
 
-use polhode::body::{BodyPart, InertiaTensor, MassProperties};
+use polhode::body::{BodyPart, Finding, InertiaTensor, MassProperties, Severity};
 use polhode::math::{Body, Direction, Position};
 use polhode::motion::{Exit, MassHistory, MassRow, Outflow};
 
@@ -12,12 +12,42 @@ use super::suggestion::nearest;
 use crate::error::{FormatError, FormatErrorKind};
 use crate::unit::Dimension;
 
+/// A history, and what happens to which part.
+pub(super) struct PartHistory<'a> {
+    pub(super) history: MassHistory,
+    pub(super) value: Value<'a>,
+    happenings: Vec<Happening>,
+}
+
+/// What happens to a part, and from when on, s.
+struct Happening {
+    what: String,
+    from: f64,
+}
+
+impl PartHistory<'_> {
+    /// What of it comes too late to be seen in a run that ends so, where the history as a whole does not.
+    pub(super) fn idle(&self, end: f64) -> Vec<Finding> {
+        if !self.history.changes_between(0.0, end) {
+            return Vec::new();
+        }
+        let late = self.happenings.iter().filter(|happening| happening.from >= end);
+        late.map(|Happening { what, from }| Finding {
+            code: "mass_history.idle",
+            severity: Severity::Warning,
+            message: format!("{what} at t = {from} s, and the run ends at {end} s"),
+            place: None,
+        })
+        .collect()
+    }
+}
+
 /// Reads `[mass_history]`: `[[mass_history.burn]]`, `[[mass_history.drop]]` or `table`, and `[[mass_history.exit]]` or `in_place`.
 pub(super) fn read<'a>(
     root: &Table<'a>,
     parts: &[BodyPart],
     body: &MassProperties<Body>,
-) -> Result<Option<(MassHistory, Value<'a>)>, FormatError> {
+) -> Result<Option<PartHistory<'a>>, FormatError> {
     let Some(value) = root.get("mass_history") else { return Ok(None) };
     let table = value.table()?;
     table.allow(&["burn", "drop", "table", "products", "exit", "in_place"])?;
@@ -25,8 +55,8 @@ pub(super) fn read<'a>(
     table.at_most_one(&["burn", "table"], rule)?;
     table.at_most_one(&["drop", "table"], rule)?;
     let outflow = outflow(&table)?;
-    let rows = match table.get("table") {
-        Some(file) => mass_table::rows(&file, &table)?,
+    let (rows, happenings) = match table.get("table") {
+        Some(file) => (mass_table::rows(&file, &table)?, Vec::new()),
         None => {
             if let Some(products) = table.get("products") {
                 return Err(products.invalid("left out without a table"));
@@ -48,7 +78,7 @@ pub(super) fn read<'a>(
             return Err(file.invalid(rule).with_hint(hint));
         }
     }
-    Ok(Some((history, value)))
+    Ok(Some(PartHistory { history, value, happenings }))
 }
 
 /// `exit`: `position`, and of a wide one `radius` and `axis`, and of several `share`; or `in_place = true`.
@@ -124,7 +154,8 @@ impl Fate {
 }
 
 /// `burn`: `part`, `from`, `until`, `left`; `drop`: `part`, `time`.
-fn of_parts(table: &Table<'_>, parts: &[BodyPart]) -> Result<Vec<MassRow>, FormatError> {
+fn of_parts(table: &Table<'_>, parts: &[BodyPart]) -> Result<(Vec<MassRow>, Vec<Happening>), FormatError> {
+    let mut happenings = Vec::new();
     let mut fates = vec![Fate::KEPT; parts.len()];
     let mut times = vec![0.0];
     for (burn, _) in tables(table, "burn", "mass_history.burn")? {
@@ -150,6 +181,7 @@ fn of_parts(table: &Table<'_>, parts: &[BodyPart]) -> Result<Vec<MassRow>, Forma
         })?;
         (fates[k].burn, fates[k].left) = (Some([from, end]), left / whole);
         times.extend([from, end]);
+        happenings.push(Happening { what: format!("the burn of \"{}\" begins", parts[k].name), from });
     }
     for (drop, _) in tables(table, "drop", "mass_history.drop")? {
         drop.allow(&["part", "time"])?;
@@ -166,6 +198,7 @@ fn of_parts(table: &Table<'_>, parts: &[BodyPart]) -> Result<Vec<MassRow>, Forma
         }
         fates[k].dropped = time;
         times.push(time);
+        happenings.push(Happening { what: format!("\"{}\" is dropped", parts[k].name), from: time });
     }
     if fates.iter().all(|fate| fate.burn.is_none() && !fate.dropped.is_finite()) {
         return Err(
@@ -183,7 +216,7 @@ fn of_parts(table: &Table<'_>, parts: &[BodyPart]) -> Result<Vec<MassRow>, Forma
             }
         }
     }
-    Ok(rows)
+    Ok((rows, happenings))
 }
 
 fn row(

@@ -97,6 +97,9 @@ fn of_text(bytes: &[u8], sign: f64) -> Result<Vec<MassRow>, ContentError> {
         let rates = MassRates { mass, center_of_mass: Velocity::new(x, y, z), inertia };
         rows.push(MassRow { time, body, rates: with_rates.then_some(rates) });
     }
+    if rows.is_empty() {
+        return Err(missing("rows").hint("below the header write a line for each time"));
+    }
     Ok(rows)
 }
 

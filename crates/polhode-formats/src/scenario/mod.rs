@@ -70,6 +70,7 @@ use crate::mesh::stl;
 use crate::text::is_utf16;
 pub use completion::{Completion, Suggested};
 pub use draft::Draft;
+use mass_history::PartHistory;
 pub use number::WrittenNumber;
 use pointing::References;
 use polhode::motion::{ActingTorque, MotionError, Rotor, Scenario};
@@ -117,7 +118,8 @@ pub struct ScenarioFile {
     pub text: String,
     /// The formats of the table that `[run]` asks for; none where it says nothing.
     pub tables: Vec<TableFormat>,
-    path: PathBuf,
+    /// Where it is.
+    pub path: PathBuf,
     torques: Vec<TorquePlaces>,
 }
 
@@ -256,7 +258,7 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
     let body::Assembly { parts, mut body, mut pivot } = body::body(&root, &mut findings)?;
     let history = mass_history::read(&root, &parts, &body)?;
-    if let Some((history, value)) = &history {
+    if let Some(PartHistory { history, value, .. }) = &history {
         body = history.at(0.0).map_err(|error| value.motion(error))?.0;
     }
     let shared = orbit::read(&root)?;
@@ -264,6 +266,7 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     let run = run::run(&root, orbit)?;
     run::tables(&root)?;
     let end = run.as_ref().and_then(|run| run.times.last().copied());
+    findings.extend(history.iter().flat_map(|history| history.idle(end.unwrap_or(f64::INFINITY))));
     let torques = torque::torques(&root, &parts, orbit, end, &mut pivot)?;
     let references = References { orbit, field: torques.field() };
     let events = event::events(&root, &torques, &references)?;
@@ -301,7 +304,7 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     scenario =
         scenario.pointing(pointings).with_wheels(&wheels).and_then(|s| s.under(acting)).map_err(whole)?;
     scenario = scenario.naming_wheels(wheel_names).watching(events).map_err(whole)?;
-    if let Some((history, value)) = history {
+    if let Some(PartHistory { history, value, .. }) = history {
         scenario = scenario.changing(history).map_err(|error| value.motion(error))?;
     }
     if let Some(motion) = prescribed {

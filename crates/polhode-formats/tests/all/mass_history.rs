@@ -162,23 +162,23 @@ fn a_table_is_the_history_of_the_whole_body() {
     }
 }
 
-/// A body of half of the mass, of the same form.
-fn half(body: &MassProperties<Body>) -> MassProperties<Body> {
-    let rows = body.inertia().matrix().map(|row| row.map(|x| 0.5 * x));
+/// A body of so many times the mass, of the same form.
+fn scaled(body: &MassProperties<Body>, by: f64) -> MassProperties<Body> {
+    let rows = body.inertia().matrix().map(|row| row.map(|x| by * x));
     let inertia = polhode::body::InertiaTensor::from_matrix(rows).unwrap();
-    MassProperties::new(0.5 * body.mass(), body.center_of_mass(), inertia).unwrap()
+    MassProperties::new(by * body.mass(), body.center_of_mass(), inertia).unwrap()
+}
+
+fn half(body: &MassProperties<Body>) -> MassProperties<Body> {
+    scaled(body, 0.5)
 }
 
 #[test]
 fn a_table_may_begin_before_the_run() {
     let folder = Folder::new("before");
     let whole = *with("").unwrap().body();
-    let scaled = |by: f64| {
-        let rows = whole.inertia().matrix().map(|row| row.map(|x| by * x));
-        let inertia = polhode::body::InertiaTensor::from_matrix(rows).unwrap();
-        MassProperties::new(by * whole.mass(), whole.center_of_mass(), inertia).unwrap()
-    };
-    let table = format!("{HEADER}\n{}\n{}\n", line(-3.0, &scaled(1.3), 1.0), line(6.0, &scaled(0.4), 1.0));
+    let [first, last] = [(-3.0, 1.3), (6.0, 0.4)].map(|(time, by)| line(time, &scaled(&whole, by), 1.0));
+    let table = format!("{HEADER}\n{first}\n{last}\n");
     let read = folder.read(&table, EXIT).unwrap();
     let (now, _) = history(&read).at(0.0).unwrap();
     assert!((now.mass() - whole.mass()).abs() < 1e-12 * whole.mass(), "{now:?}");
@@ -193,6 +193,7 @@ fn tables_that_make_no_sense_are_refused() {
     let table = |second: &str| format!("{HEADER}\n{first}\n{second}\n");
     for (table, keys, what) in [
         (String::new(), "", "lines"),
+        (format!("{HEADER}\n"), "", "mass.csv: the file has no rows"),
         (HEADER.replace("center_z_m,", ""), "", "column center_z_m"),
         (format!("{HEADER},mass_rate_kg_s\n"), "", "column center_rate_x_m_s"),
         (table(&line(-1.0, &body, 1.0)), "", "not before that of the row before"),
@@ -310,4 +311,68 @@ fn a_body_alone_is_not_changed_by_a_history_that_says_nothing() {
     let scenario = with("").unwrap().changing(history).unwrap();
     let [a, b] = [&scenario, &with("").unwrap()].map(|s| s.simulate().unwrap().unwrap().samples()[5].state);
     assert!(a.attitude.angle_to(b.attitude) < 1e-12 && (a.omega - b.omega).norm() < 1e-12);
+}
+
+#[test]
+fn what_lies_outside_the_run_is_said() {
+    let idle = |scenario: &Scenario| -> Vec<String> {
+        let of = |finding: &&polhode::body::Finding| finding.code == "mass_history.idle";
+        scenario.findings().iter().filter(of).map(|finding| finding.message.clone()).collect()
+    };
+    let burn = |from: f64| {
+        format!("[[mass_history.burn]]\npart = 'grain'\nfrom = {from}\nuntil = {}\n{EXIT}", from + 4.0)
+    };
+    let drop = |time: f64| format!("[[mass_history.drop]]\npart = 'booster'\ntime = {time}\n");
+    // The run ends at 10 s.
+    let only = |from: &str| {
+        format!(
+            "the mass properties change only from t = {from} s on, and the run ends at 10 s: the body stays as it is"
+        )
+    };
+    for (keys, want) in [
+        (burn(9.5) + &drop(9.9), vec![]),
+        (
+            burn(3.0) + &drop(10.0),
+            vec!["\"booster\" is dropped at t = 10 s, and the run ends at 10 s".to_owned()],
+        ),
+        (
+            burn(12.5) + &drop(3.0),
+            vec!["the burn of \"grain\" begins at t = 12.5 s, and the run ends at 10 s".to_owned()],
+        ),
+        (burn(12.5) + &drop(11.0), vec![only("11")]),
+    ] {
+        assert_eq!(idle(&with(&keys).unwrap()), want);
+    }
+    let folder = Folder::new("idle");
+    let body = *with("").unwrap().body();
+    let of = |rows: &[(f64, MassProperties<Body>)]| {
+        let lines: Vec<String> = rows.iter().map(|(time, body)| line(*time, body, 1.0)).collect();
+        idle(&folder.read(&format!("{HEADER}\n{}\n", lines.join("\n")), EXIT).unwrap())
+    };
+    let heavy = scaled(&body, 1.5);
+    assert_eq!(of(&[(0.0, body), (11.0, half(&body))]), Vec::<String>::new());
+    assert_eq!(of(&[(10.0, body), (11.0, half(&body))]), [only("10")]);
+    let before = "the mass properties change only until t = -1 s, and the run starts at 0 s";
+    assert_eq!(of(&[(-2.0, heavy), (-1.0, body)]), [format!("{before}: the body stays as it is")]);
+    let both = format!("{before}, and from t = 12 s on, and the run ends at 10 s: the body stays as it is");
+    assert_eq!(of(&[(-2.0, heavy), (-1.0, body), (12.0, body), (12.0, half(&body))]), [both]);
+    let never = "the mass properties never change: all rows of their history are alike";
+    assert_eq!(of(&[(0.0, body), (2.0, body), (2.0, body)]), [never]);
+}
+
+/// What runs to the exits is seen where the run is, and in plain numbers.
+#[test]
+fn the_flow_is_that_in_the_run() {
+    let exit = "[[mass_history.exit]]\nposition = [0.9, 0, 0.3]\n";
+    let keys = format!(
+        "[[mass_history.burn]]\npart = 'grain'\nfrom = 2\nuntil = 2.5\n{exit}[[mass_history.burn]]\npart = 'booster'\nfrom = 20\nuntil = 20.001\n"
+    );
+    let scenario = with(&keys).unwrap();
+    let said: Vec<_> =
+        scenario.findings().iter().filter(|finding| finding.code == "mass_history.flow").collect();
+    let [flow] = said.as_slice() else { panic!("{said:?}") };
+    assert!(flow.message.starts_with("at t = 2"), "{}", flow.message);
+    let most = [2.0, 2.5_f64.next_down()].map(|time| history(&scenario).flow_momentum(time, None).unwrap());
+    let most = format!("{:.1}", most[0].max(most[1]));
+    assert!(flow.message.contains(&format!("has {most} kg·m²/s")), "{most}: {}", flow.message);
 }

@@ -52,7 +52,7 @@ class ErrorShare(NamedTuple):
 
     #: The row, or ``group NAME`` for what its rows have in common.
     source: str
-    #: ``mass``, ``center``, ``tensor``, ``position`` or ``rotation``.
+    #: ``mass``, ``center``, ``tensor``, ``position``, ``rotation`` or ``density``.
     of: str
     #: Its part of the variance, 0 to 1.
     share: float

@@ -1,9 +1,9 @@
 //! A body whose tanks drain, and to which things happen: its numbers by fill and over time.
 
-use polhode_budget::{Change, Sequence, SequenceError, SequenceRow};
+use polhode_budget::{Burn, Change, Sequence, SequenceError, SequenceRow};
 use serde_json::{Value, json};
 
-use super::numbers::ten;
+use super::numbers::{rates, ten};
 use crate::explain::document::Section;
 use crate::explain::graph::Graph;
 use crate::json::matrix;
@@ -31,7 +31,7 @@ struct FilledTank {
     name: String,
     capacity: f64,
     at_first: f64,
-    /// Parts of a full tank, ascending, with the levels that are known.
+    /// Parts of a full tank, ascending, with the levels that are known; rates are those of a kilogram more.
     rows: Vec<(f64, Option<f64>, SequenceRow)>,
 }
 
@@ -67,6 +67,19 @@ impl Changing {
             sections.push(section);
         }
         sections
+    }
+
+    /// The tanks, and the body at all times.
+    pub(super) fn over_time(&self) -> Option<(&[String], &[SequenceRow])> {
+        self.over_time.as_ref().map(|over_time| (&over_time.tanks[..], &over_time.all[..]))
+    }
+
+    /// Each tank with the part that it is full to, kg in it, its level, and the body, of which the rates are those of a kilogram more.
+    pub(super) fn by_fill(&self) -> impl Iterator<Item = (&str, f64, f64, Option<f64>, &SequenceRow)> {
+        self.tanks.iter().flat_map(|tank| {
+            let rows = tank.rows.iter();
+            rows.map(|(fill, level, row)| (&*tank.name, *fill, fill * tank.capacity, *level, row))
+        })
     }
 
     /// `Over 60 s: 73.24 kg become 35.1 kg`
@@ -150,6 +163,7 @@ impl FilledTank {
         let mut base = Sequence::of(sequence.budget, sequence.basis, sequence.tanks.iter().cloned());
         let (tank, at_first) = sequence.tanks.get(k).ok_or_else(|| missing(k))?;
         let capacity = tank.liquid.capacity();
+        base.burns = vec![Burn { tank: tank.name.clone(), from: 0.0, until: 1.0, flow: 1.0 }];
         let row = |j: usize| {
             let fill = j as f64 / FILLS as f64;
             let mass = fill * capacity;
@@ -157,7 +171,7 @@ impl FilledTank {
                 load.1 = mass;
             }
             let level = tank.liquid.at(mass).and_then(|fill| fill.level);
-            Ok((fill, level, base.at(0.0)?))
+            Ok((fill, level, more(base.at(0.0)?)))
         };
         let rows = (0..=FILLS).map(row).collect::<Result<_, SequenceError>>()?;
         Ok(Self { name: tank.name.clone(), capacity, at_first: *at_first, rows })
@@ -195,6 +209,15 @@ impl FilledTank {
         let title = format!("Centre of mass by what is in {}", printable(&self.name));
         section.graph(curve(title, ["full", "%"], ["x", "y", "z"][k - 1], "mm", &points, k, 1e3));
     }
+}
+
+/// Of a kilogram that leaves in a second: what comes with one more.
+fn more(mut row: SequenceRow) -> SequenceRow {
+    let rates = &mut row.rates;
+    rates.mass = -rates.mass;
+    rates.center_of_mass = -rates.center_of_mass;
+    rates.inertia = rates.inertia.map(|x| 0.0 - x);
+    row
 }
 
 fn missing(k: usize) -> SequenceError {
@@ -307,10 +330,4 @@ impl OverTime {
         }
         section
     }
-}
-
-fn rates(row: &SequenceRow) -> [f64; 10] {
-    let [x, y, z] = row.rates.center_of_mass.to_array();
-    let [xx, yy, zz, xy, xz, yz] = row.rates.inertia;
-    [row.rates.mass, x, y, z, xx, yy, zz, xy, xz, yz]
 }

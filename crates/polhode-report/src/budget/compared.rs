@@ -1,6 +1,6 @@
 //! First order beside draws.
 
-use polhode_budget::{ComparedNumber, NUMBERS};
+use polhode_budget::{ComparedNumber, NUMBERS, PartUncertainty};
 
 use super::case::{Case, Drawn};
 use crate::explain::document::Section;
@@ -28,8 +28,13 @@ pub(super) fn section(case: &Case) -> Option<Section> {
     let headers = ["number", "sd to first order", "sd of draws", "mean of draws − value", "unit", ""];
     section.table(&headers, comparison.numbers.iter().enumerate().map(row).collect());
     if comparison.moved > 0 {
+        let tanks = if has_liquid(case) {
+            ", or some tank would have had more in it than it holds, and is full"
+        } else {
+            ""
+        };
         section.say(format!(
-            "In {} of {draws} draws the tensor of some part had to be moved to the nearest that a body can have.",
+            "In {} of {draws} draws the tensor of some part had to be moved to the nearest that a body can have{tanks}.",
             count(comparison.moved as u64)
         ));
     }
@@ -43,13 +48,19 @@ pub(super) fn difference_in_words(case: &Case) -> Option<String> {
     let names: Vec<&str> =
         comparison.numbers.iter().enumerate().filter(differs).map(|(_, n)| n.name).collect();
     (!names.is_empty()).then(|| {
-        // The mass is a sum: its mean and standard deviation are exact to first order, even where draws miss its long tail.
-        let of_mass = if names.contains(&"mass") { "; of the mass first order is exact" } else { "" };
+        // The mass is a sum: its mean and standard deviation are exact to first order, even where draws miss its long tail; but tanks hold no more than they do.
+        let of_mass = if names.contains(&"mass") && !has_liquid(case) { "; of the mass first order is exact" } else { "" };
         format!(
             "draws differ from first order by more than chance in {}: there numbers are not linear in the errors, or draws are too few for the tail of a distribution{of_mass}",
             names.join(", ")
         )
     })
+}
+
+/// Whether there is a liquid with errors.
+fn has_liquid(case: &Case) -> bool {
+    let rows = &case.budget.list().rows;
+    rows.iter().any(|row| matches!(row.uncertainty.part, PartUncertainty::Liquid(_)))
 }
 
 /// Whether first order says what the error of a number is, by its place among those that are compared.

@@ -4,8 +4,10 @@ use core::fmt::Write as _;
 
 use polhode::math::{AngularVelocity, Body, Direction};
 use polhode::motion::{Exit, Outflow};
-use polhode_budget::{Sequence, SequenceError, SequenceRow};
+use polhode_budget::{Sequence, SequenceError};
 
+use super::states::history;
+use super::table::to_csv;
 use crate::body_part::BodyPart;
 
 /// Between corners a history has so many cubics.
@@ -54,7 +56,7 @@ pub fn history_files(
     }
     let (until, every) = (options.until, options.until / SAMPLES);
     let _ = write!(toml, "\n[run]\nduration = {until:?}\nevery = {every:?}\n");
-    Ok([toml, table(&rows)])
+    Ok([toml, to_csv(&history(&rows))])
 }
 
 fn of_exit(exit: &Exit) -> String {
@@ -64,28 +66,6 @@ fn of_exit(exit: &Exit) -> String {
     if exit.radius > 0.0 && exit.axis != Direction::ZERO {
         let [x, y, z] = exit.axis.to_array();
         let _ = write!(text, "radius = {:?}\naxis = [{x:?}, {y:?}, {z:?}]\n", exit.radius);
-    }
-    text
-}
-
-fn table(rows: &[SequenceRow]) -> String {
-    const ELEMENTS: [&str; 6] = ["xx", "yy", "zz", "xy", "xz", "yz"];
-    let mut text = "time_s,mass_kg,center_x_m,center_y_m,center_z_m".to_owned();
-    ELEMENTS.iter().for_each(|element| text += &format!(",inertia_{element}_kg_m2"));
-    text += ",mass_rate_kg_s,center_rate_x_m_s,center_rate_y_m_s,center_rate_z_m_s";
-    ELEMENTS.iter().for_each(|element| text += &format!(",inertia_rate_{element}_kg_m2_s"));
-    text.push('\n');
-    for row in rows {
-        let [[xx, xy, xz], [_, yy, yz], [.., zz]] = row.properties.inertia().matrix();
-        let numbers = [row.time, row.properties.mass()]
-            .into_iter()
-            .chain(row.properties.center_of_mass().to_array())
-            .chain([xx, yy, zz, xy, xz, yz, row.rates.mass])
-            .chain(row.rates.center_of_mass.to_array())
-            .chain(row.rates.inertia);
-        let line: Vec<String> = numbers.map(|x| format!("{x:?}")).collect();
-        text += &line.join(",");
-        text.push('\n');
     }
     text
 }

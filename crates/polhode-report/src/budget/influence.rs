@@ -81,7 +81,7 @@ fn tornado(case: &Case, title: &str, caption: &'static str, results: &[&SpreadRe
 
 const CAPTION: &str = "Each bar is as long as what one standard deviation of an error makes of the number, to both sides; beside it is its part of the variance.";
 
-const KINDS: [&str; 5] = ["mass", "centre", "tensor", "position", "rotation"];
+const KINDS: [&str; 6] = ["mass", "centre", "tensor", "position", "rotation", "density"];
 
 const fn kind_place(kind: ErrorKind) -> usize {
     match kind {
@@ -90,12 +90,13 @@ const fn kind_place(kind: ErrorKind) -> usize {
         ErrorKind::Tensor => 2,
         ErrorKind::Position => 3,
         ErrorKind::Rotation => 4,
+        ErrorKind::Density => 5,
     }
 }
 
 /// `mass`, `center`, …, as JSON has it.
 pub(super) const fn kind_name(kind: ErrorKind) -> &'static str {
-    ["mass", "center", "tensor", "position", "rotation"][kind_place(kind)]
+    ["mass", "center", "tensor", "position", "rotation", "density"][kind_place(kind)]
 }
 
 /// A row or a group.

@@ -17,6 +17,7 @@ mod parts;
 mod principal;
 mod side_by_side;
 mod statements;
+mod states;
 mod table;
 mod whole;
 

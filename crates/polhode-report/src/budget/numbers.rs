@@ -2,6 +2,14 @@
 
 use polhode::body::MassProperties;
 use polhode::math::Body;
+use polhode_budget::SequenceRow;
+
+/// How fast they change.
+pub(super) fn rates(row: &SequenceRow) -> [f64; 10] {
+    let [x, y, z] = row.rates.center_of_mass.to_array();
+    let [xx, yy, zz, xy, xz, yz] = row.rates.inertia;
+    [row.rates.mass, x, y, z, xx, yy, zz, xy, xz, yz]
+}
 
 /// The ten numbers.
 pub(super) fn ten(body: &MassProperties<Body>) -> [f64; 10] {

@@ -2,7 +2,7 @@
 
 use polhode::math::{AngularVelocity, Body};
 use polhode::motion::Outflow;
-use polhode_budget::{Ballast, Budget, Burn, Tank};
+use polhode_budget::{Ballast, Budget, Burn, LiquidErrors, Tank};
 
 /// What a parts list says besides its rows and its limits.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -28,6 +28,10 @@ pub struct StatedTank {
     pub configurations: Vec<String>,
     /// What is in it at first, kg.
     pub mass: f64,
+    /// How well that is known.
+    pub errors: LiquidErrors,
+    /// The group with which its errors are correlated.
+    pub group: Option<String>,
 }
 
 /// What is to happen over time.

@@ -57,20 +57,17 @@ impl BudgetReport {
     /// # Errors
     /// As [`polhode_budget::Budget::subtrees`].
     pub fn to_csv(&self) -> Result<String, BudgetError> {
-        let mut text = COLUMNS.join(",") + "\n";
-        for row in self.rows()? {
-            let cells: Vec<String> = row.iter().map(Cell::to_csv).collect();
-            text += &(cells.join(",") + "\n");
-        }
-        Ok(text)
+        let mut rows = vec![headings(&COLUMNS)];
+        rows.extend(self.rows()?);
+        Ok(to_csv(&rows))
     }
 
-    /// The same as a workbook, and besides it the ten numbers of each configuration with their errors, and their covariance.
+    /// The same as a workbook, and besides it the ten numbers of each configuration with their errors, and their covariance; and the body over time and by what is in its tanks, as far as
+    /// these are known.
     ///
     /// # Errors
     /// As [`BudgetReport::to_csv`].
     pub fn to_sheets(&self) -> Result<Vec<Sheet>, BudgetError> {
-        let headings = |names: &[&str]| -> Vec<Cell> { names.iter().map(|name| Cell::of(name)).collect() };
         let mut parts = vec![headings(&COLUMNS)];
         parts.extend(self.rows()?);
         let mut whole = vec![headings(&["configuration", "basis", "number", "unit", "value", "sd"])];
@@ -98,7 +95,10 @@ impl BudgetReport {
             }
         }
         let sheet = |name, rows| Sheet { name, rows };
-        Ok(vec![sheet("parts", parts), sheet("whole", whole), sheet("covariance", covariance)])
+        let mut all = vec![sheet("parts", parts), sheet("whole", whole), sheet("covariance", covariance)];
+        all.extend(self.over_time().map(|rows| sheet("over time", rows)));
+        all.extend(self.by_fill().map(|rows| sheet("by fill", rows)));
+        Ok(all)
     }
 
     fn rows(&self) -> Result<Vec<Vec<Cell>>, BudgetError> {
@@ -131,12 +131,22 @@ impl BudgetReport {
     }
 }
 
+fn headings(names: &[&str]) -> Vec<Cell> {
+    names.iter().map(|name| Cell::of(name)).collect()
+}
+
+/// A line for each row.
+pub(super) fn to_csv(rows: &[Vec<Cell>]) -> String {
+    let line = |row: &Vec<Cell>| row.iter().map(Cell::to_csv).collect::<Vec<_>>().join(",") + "\n";
+    rows.iter().map(line).collect()
+}
+
 impl Cell {
-    fn of(text: &str) -> Self {
+    pub(super) fn of(text: &str) -> Self {
         Self::Text(text.to_owned())
     }
 
-    fn of_option(text: Option<&str>) -> Self {
+    pub(super) fn of_option(text: Option<&str>) -> Self {
         text.map_or(Self::Empty, Self::of)
     }
 

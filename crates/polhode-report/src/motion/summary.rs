@@ -50,7 +50,7 @@ pub(super) fn of(report: &MotionReport<'_>) -> Value {
 
 /// The point that L, T, N and the tensor of the motion are about.
 fn turns_about(scenario: &Scenario, facts: &Facts<'_>) -> Value {
-    let point = scenario.pivot().unwrap_or(scenario.body().center_of_mass());
+    let point = facts.rotor.point();
     json!({
         "what": if scenario.pivot().is_some() { "pivot" } else { "center_of_mass" },
         "point": vector(point),

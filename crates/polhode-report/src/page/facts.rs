@@ -98,7 +98,7 @@ fn body(scenario: &Scenario, turning: &Turning<'_>) -> Vec<Row> {
     let body = scenario.body();
     let size = unit::size(body);
     let geometry = Geometry::of_parts(scenario.parts(), body.mass());
-    let mut rows = vec![Row::sized("mass", &unit::mass(body.mass()))];
+    let mut rows = vec![Row::sized("mass", &unit::mass(body.mass())).note(at_start(turning))];
     rows.extend(geometry.volume.map(|volume| Row::sized("volume", &unit::volume(volume))));
     rows.extend(geometry.density.map(|density| Row::of("density", density, "kg/m³").note("mean")));
     rows.push(
@@ -117,6 +117,11 @@ fn body(scenario: &Scenario, turning: &Turning<'_>) -> Vec<Row> {
     rows
 }
 
+/// Of a body that changes.
+const fn at_start(turning: &Turning<'_>) -> &'static str {
+    if turning.is_changing { "at the start" } else { "" }
+}
+
 fn inertia(turning: &Turning<'_>) -> Vec<Row> {
     let principal = &turning.principal;
     let [i1, i2, i3] = principal.moments();
@@ -127,7 +132,7 @@ fn inertia(turning: &Turning<'_>) -> Vec<Row> {
         Row::of("i1, least", i1, "kg·m²").note(format!("axis 1 = {e1} in the body")),
         Row::of("i2", i2, "kg·m²").note(format!("axis 2 = {e2}")),
         Row::of("i3, greatest", i3, "kg·m²").note(format!("axis 3 = {e3}")),
-        Row::new("about", format!("the {}", turning.about()), ""),
+        Row::new("about", format!("the {}", turning.about()), "").note(at_start(turning)),
         Row::new("symmetry", principal.symmetry().name(), "").note(principal.symmetry().freedom()),
         three("Ixx, Iyy, Izz", [xx, yy, zz]).note("body axes"),
         three("Ixy, Ixz, Iyz", [xy, xz, yz]).note("−∫xy dm, …"),

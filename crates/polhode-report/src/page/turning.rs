@@ -22,6 +22,8 @@ pub(super) struct Turning<'a> {
     pub(super) parts: &'a [BodyPart],
     /// About the centre of mass.
     pub(super) central: PrincipalFrame<Body>,
+    /// Is it so at the start only?
+    pub(super) is_changing: bool,
 }
 
 impl<'a> Turning<'a> {
@@ -38,6 +40,7 @@ impl<'a> Turning<'a> {
                     point: scenario.pivot().unwrap_or(body.center_of_mass()),
                     parts: scenario.parts(),
                     central: PrincipalFrame::of(body.inertia()),
+                    is_changing: scenario.history().is_some(),
                 }
             }
             PageSubject::Moments(principal) => Self {
@@ -49,6 +52,7 @@ impl<'a> Turning<'a> {
                 point: Position::ZERO,
                 parts: &[],
                 central: *principal,
+                is_changing: false,
             },
         }
     }

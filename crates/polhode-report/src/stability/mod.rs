@@ -80,7 +80,8 @@ impl StabilityReport {
             (Acting { name, model: model.clone() }, !scenario.switched_off().contains(&k))
         });
         let report = Self::of(source, scenario.rotor(), &named.collect::<Vec<_>>(), scenario.start());
-        Self { findings: scenario.findings().to_vec(), ..report }
+        let findings = scenario.findings().iter().cloned().chain(scenario.taken_at_start());
+        Self { findings: findings.collect(), ..report }
     }
 
     /// The report of a body, its torques and its start.

@@ -41,7 +41,7 @@ pub(super) struct Outcome {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) enum Status {
     Complete,
-    /// By the event of this name.
+    /// By the event of this name, or by a change of the contact with the ground.
     Stopped(String),
     #[default]
     Failed,
@@ -134,6 +134,7 @@ impl Outcome {
             Ending::Stopped { event, .. } => {
                 Status::Stopped(scenario.events().get(*event).map_or("", Event::name).to_owned())
             }
+            Ending::Contact { change, .. } => Status::Stopped(change.name().to_owned()),
             Ending::Failed { cause, .. } => return happened.failed(cause),
         };
         Self {

@@ -57,6 +57,27 @@ pub trait Scalar:
     }
 }
 
+/// What can be added, multiplied and divided, and has roots: all that vectors and polynomials need.
+pub(crate) trait Field:
+    Copy + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    /// The product with a constant.
+    fn times(self, constant: f64) -> Self;
+
+    /// √self
+    fn root(self) -> Self;
+}
+
+impl<S: Scalar> Field for S {
+    fn times(self, constant: f64) -> Self {
+        self.scaled(constant)
+    }
+
+    fn root(self) -> Self {
+        self.sqrt()
+    }
+}
+
 /// A vector along the axes of a body, with such numbers as components.
 pub trait VectorAlgebra<S>:
     Copy + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<S, Output = Self>
@@ -117,35 +138,49 @@ impl Scalar for f64 {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Components<S>(pub(crate) [S; 3]);
 
-impl<S: Scalar> Components<S> {
+impl<S: Field> Components<S> {
     fn each(self, b: Self, f: impl Fn(S, S) -> S) -> Self {
         let ([ax, ay, az], [bx, by, bz]) = (self.0, b.0);
         Self([f(ax, bx), f(ay, by), f(az, bz)])
     }
+
+    pub(crate) fn scaled(self, by: f64) -> Self {
+        Self(self.0.map(|a| a.times(by)))
+    }
+
+    pub(crate) fn dot(self, b: Self) -> S {
+        let [x, y, z] = self.each(b, |a, b| a * b).0;
+        x + y + z
+    }
+
+    pub(crate) fn cross(self, b: Self) -> Self {
+        let ([ax, ay, az], [bx, by, bz]) = (self.0, b.0);
+        Self([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx])
+    }
 }
 
-impl<S: Scalar> Neg for Components<S> {
+impl<S: Field> Neg for Components<S> {
     type Output = Self;
     fn neg(self) -> Self {
         Self(self.0.map(|a| -a))
     }
 }
 
-impl<S: Scalar> Add for Components<S> {
+impl<S: Field> Add for Components<S> {
     type Output = Self;
     fn add(self, b: Self) -> Self {
         self.each(b, |a, b| a + b)
     }
 }
 
-impl<S: Scalar> Sub for Components<S> {
+impl<S: Field> Sub for Components<S> {
     type Output = Self;
     fn sub(self, b: Self) -> Self {
         self.each(b, |a, b| a - b)
     }
 }
 
-impl<S: Scalar> Mul<S> for Components<S> {
+impl<S: Field> Mul<S> for Components<S> {
     type Output = Self;
     fn mul(self, b: S) -> Self {
         Self(self.0.map(|a| a * b))
@@ -154,17 +189,15 @@ impl<S: Scalar> Mul<S> for Components<S> {
 
 impl<S: Scalar> VectorAlgebra<S> for Components<S> {
     fn scaled(self, by: f64) -> Self {
-        Self(self.0.map(|a| a.scaled(by)))
+        Self::scaled(self, by)
     }
 
     fn dot(self, b: Self) -> S {
-        let [x, y, z] = self.each(b, |a, b| a * b).0;
-        x + y + z
+        Self::dot(self, b)
     }
 
     fn cross(self, b: Self) -> Self {
-        let ([ax, ay, az], [bx, by, bz]) = (self.0, b.0);
-        Self([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx])
+        Self::cross(self, b)
     }
 
     fn norm(self) -> S {

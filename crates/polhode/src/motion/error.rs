@@ -152,6 +152,16 @@ pub enum MotionError {
         /// The most that are written down.
         most: usize,
     },
+    /// Painlevé's paradox: friction of what slides is so large that no normal force keeps the body on the ground, or any does.
+    Painleve {
+        /// When, s.
+        time: f64,
+    },
+    /// A contact at which it cannot be decided whether, or whither, the body slips.
+    Undecided {
+        /// When, s.
+        time: f64,
+    },
     /// The body turns faster and faster, beyond all that its start and the torques of each beginning explain: |ω| becomes 10⁹ times as
     /// large, or grows towards infinity within a time.
     RunAway {
@@ -201,6 +211,8 @@ impl MotionError {
             Self::StepTooSmall { .. }
                 | Self::TooManySteps { .. }
                 | Self::TooManyEvents { .. }
+                | Self::Painleve { .. }
+                | Self::Undecided { .. }
                 | Self::RunAway { .. }
                 | Self::HalfTurn { .. }
                 | Self::NotFinite { .. }
@@ -256,6 +268,8 @@ impl MotionError {
             }
             Self::NotFinite { .. } => Some("check the units of the torque, the spin and the inertia"),
             Self::NoParameter { .. } => Some("`TorqueModel::parameters` lists the names that a torque has"),
+            Self::Painleve { .. } => Some("give a smaller coefficient of friction"),
+            Self::Undecided { .. } => Some("give another start, or another coefficient of friction"),
             Self::NonFiniteParameter { .. }
             | Self::NonPositiveParameter { .. }
             | Self::NegativeParameter { .. }
@@ -353,6 +367,18 @@ impl fmt::Display for MotionError {
                 };
                 write!(f, "to the end there are {count:.3e} pulses, most of {of}: that is more than {most}")
             }
+            Self::Painleve { time } => {
+                write!(
+                    f,
+                    "at t = {time} s friction is so large that no normal force keeps the sliding body on the ground (Painlevé's paradox)"
+                )
+            }
+            Self::Undecided { time } => {
+                write!(
+                    f,
+                    "at t = {time} s it cannot be decided whether, or in which direction, the body slips"
+                )
+            }
             Self::TooManyEvents { time, most } => {
                 write!(f, "at t = {time} s there are already {most} events", time = plain(*time))
             }
@@ -392,7 +418,7 @@ fn broken(f: &mut fmt::Formatter<'_>, parameter: &str, value: f64, rule: &str) -
 }
 
 /// A number without a power of ten where people write it so: 1e300 has no three hundred digits.
-fn plain(x: f64) -> String {
+pub(super) fn plain(x: f64) -> String {
     if x != 0.0 && !(1e-9..1e16).contains(&x.abs()) { format!("{x:e}") } else { x.to_string() }
 }
 

@@ -20,6 +20,7 @@
 //! # A body and its motion in one value
 //! A [`Scenario`] is what a scenario file describes.
 
+pub mod contact;
 pub(crate) mod error;
 pub(crate) mod inverse;
 pub(crate) mod model;
@@ -64,5 +65,5 @@ pub use solve::propagate::stepper::{LOOSEST_TOLERANCE, TIGHTEST_TOLERANCE};
 pub use solve::swinging_body::SwingingBody;
 pub use task::pendulum::{Pendulum, Swing};
 pub use task::run::Run;
-pub use task::scenario::{ActingTorque, Forward, MountedShaft, Scenario, Suspension, Task};
+pub use task::scenario::{ActingTorque, Forward, GroundContact, MountedShaft, Scenario, Suspension, Task};
 pub use task::shaft::{CorrectionMass, Reactions, Shaft, Unbalance};

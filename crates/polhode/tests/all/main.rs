@@ -2,7 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 mod accuracy;
+mod changing_torques;
 mod common;
+mod contact;
 mod curves;
 mod density;
 mod derivatives;

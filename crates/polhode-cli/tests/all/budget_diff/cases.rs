@@ -35,7 +35,11 @@ pub(super) const CASES: &[Case] = &[
     (
         "[[group]]",
         "name",
-        &[("name = \"arms\"", "name = \"limbs\""), (",arms,", ",limbs,")],
+        &[
+            ("name = \"arms\"", "name = \"limbs\""),
+            (",arms,", ",limbs,"),
+            ("group = \"arms\"", "group = \"limbs\""),
+        ],
         &["group limbs", "group arms", "boom group arms to limbs"],
     ),
     ("[[group]]", "mass", &[("mass = 0.9\n", "mass = 0.8\n")], &["group arms", "mass 0.8, center 0.1"]),
@@ -43,6 +47,7 @@ pub(super) const CASES: &[Case] = &[
     ("[[group]]", "tensor", &[("tensor = 0.2\n", "tensor = 0.25\n")], &["tensor 0.25"]),
     ("[[group]]", "position", &[("position = 0.3\n", "position = 0.35\n")], &["position 0.35"]),
     ("[[group]]", "rotation", &[("rotation = 0.4\n", "rotation = 0.45\n")], &["rotation 0.45"]),
+    ("[[group]]", "density", &[("density = 0.6\n", "density = 0.65\n")], &["density 0.65"]),
     ("[[group]]", "correlation", &[("rotation = 0.4\n", "correlation = 0.5\n")], &["rotation 0.5"]),
     (
         "[result]",
@@ -117,6 +122,18 @@ pub(super) const CASES: &[Case] = &[
     ("[[site]]", "holes", &[("holes = 8", "holes = 4")], &["site bolts 8"]),
     ("[[site]]", "first", &[("first = \"x\"", "first = \"y\"")], &["site bolts 1 at (70, 0, 20) mm"]),
     ("[[site]]", "sizes", &[("\"20 g\"]", "\"30 g\"]")], &["sizes 0.01, 0.03 kg"]),
+    (
+        "[[site]]",
+        "sizes",
+        &[("\"1 m\"]\n[[site]]", "\"1 m\"]\nsizes = [\"15 g\"]\n[[site]]")],
+        &["at (0, 0, 1) mm to (0, 0, 1000) mm; sizes 0.015 kg"],
+    ),
+    (
+        "[[site]]",
+        "sizes",
+        &[("rim = true\n", "rim = true\nsizes = [\"15 g\"]\n")],
+        &["normal z, rim; most 0.3 kg; sizes 0.015 kg"],
+    ),
     ("[ballast]", "most", &[("\"0.7 kg\"", "\"0.8 kg\"")], &["ballast, most 0.7 kg 0.8 kg"]),
     ("[ballast]", "deviations", &[("deviations = 1.5", "deviations = 2")], &["ballast, deviations 1.5 2"]),
     (
@@ -157,6 +174,48 @@ pub(super) const CASES: &[Case] = &[
     ("[[tank]]", "density", &[("density = 900", "density = 901")], &["density 901 kg/m³"]),
     ("[[tank]]", "settles", &[("settles = \"-z\"", "settles = \"z\"")], &["settles z"]),
     ("[[tank]]", "fill", &[("fill = \"75 %\"", "fill = \"70 %\"")], &["kg at first", "fuel lighter"]),
+    (
+        "[[tank]]",
+        "fill",
+        &[("mass = \"0.75 kg\"", "fill = 0.25")],
+        &["mass_sd 0 kg; density_sd 3 %", "fill_sd 0 %; density_sd 3 %"],
+    ),
+    (
+        "[[tank]]",
+        "fill_sd",
+        &[("fill_sd = \"2 %\"", "fill_sd = \"3 %\"")],
+        &["fuel sd of fill 2 to 3 %", "kg at first; fill_sd 3 %; density_sd 1 %; group arms"],
+    ),
+    (
+        "[[tank]]",
+        "density_sd",
+        &[("density_sd = \"1 %\"", "density_sd = \"1.5 %\"")],
+        &["fuel sd of density 1 to 1.5 %", "density_sd 1.5 %"],
+    ),
+    (
+        "[[tank]]",
+        "density",
+        &[("density = 900\n", "density = \"900 ± 36 kg/m^3\"\n"), ("density_sd = \"1 %\"\n", "")],
+        &["fuel sd of density 1 to 2 %"],
+    ),
+    (
+        "[[tank]]",
+        "mass_sd",
+        &[("mass_sd = \"20 g\"", "mass_sd = \"30 g\"")],
+        &["ball sd of mass 0.02 to 0.03 kg", "0.25 kg at first; mass_sd 0.03 kg"],
+    ),
+    (
+        "[[tank]]",
+        "mass",
+        &[("mass = \"1.5 kg\"", "mass = \"1.5 ± 0.2 kg\"")],
+        &["gas sd of mass 0 to 0.1 kg", "1.5 kg at first; mass_sd 0.1 kg"],
+    ),
+    (
+        "[[tank]]",
+        "group",
+        &[("group = \"arms\"\n", "")],
+        &["fuel group arms to none", "fill_sd 2 %; density_sd 1 %; group arms"],
+    ),
     ("[[tank]]", "mass", &[("mass = \"1.5 kg\"", "mass = \"1.6 kg\"")], &["by a table; 1.6 kg at first"]),
     (
         "[[tank]]",
@@ -169,6 +228,12 @@ pub(super) const CASES: &[Case] = &[
         "table",
         &[("\"3 kg\"\nlevel", "\"3.5 kg\"\nlevel")],
         &["row 2 of the table of the tank gas"],
+    ),
+    (
+        "[[tank]]",
+        "table",
+        &[("\"grain.csv\"", "\"heavy.csv\"")],
+        &["row 2 of the table of the tank grain mass 3 kg", "mass 3.5 kg"],
     ),
     ("[[tank]]", "semi_axes", &[("\"92 mm\"", "\"93 mm\"")], &["ellipsoid, semi_axes 90 × 91 × 93 mm"]),
     (

@@ -10,7 +10,7 @@ use polhode_formats::budget::from_text;
 
 use crate::common::{Scratch, stdout};
 use cases::CASES;
-use rich::{PARTS, RICH};
+use rich::{GRAINS, PARTS, RICH};
 
 /// What only says how the file is read shows in what it reads, if that changes.
 const OF_READING: [&str; 3] = ["decimal", "ignore", "cad"];
@@ -25,6 +25,7 @@ fn list(rich: &str) -> String {
 fn every_key_and_column_is_compared() {
     let scratch = Scratch::new("budget-diff-rich");
     let rich = format!("{RICH}{PARTS}");
+    GRAINS.iter().for_each(|(name, table)| scratch.write(name, table));
     scratch.write("before.csv", &list(&rich));
     let diff = |text: &str| {
         scratch.write("after.csv", &list(text));
@@ -52,6 +53,8 @@ fn every_key_and_column_is_compared() {
 /// All keys that the reader knows are in the cases above, but for sections, which have keys.
 #[test]
 fn no_key_is_left_out() {
+    let scratch = Scratch::new("budget-diff-keys");
+    GRAINS.iter().for_each(|(name, table)| scratch.write(name, table));
     let rich = format!("{RICH}{PARTS}");
     let sections: BTreeSet<&str> = RICH.lines().filter(|line| line.starts_with('[')).collect();
     for section in sections.iter().copied().filter(|section| *section != "[growth]").chain([""]) {
@@ -59,7 +62,7 @@ fn no_key_is_left_out() {
             "" => format!("zzz = 1\n{rich}"),
             section => rich.replacen(&format!("{section}\n"), &format!("{section}\nzzz = 1\n"), 1),
         };
-        let error = from_text("rich.csv".as_ref(), &list(&text)).unwrap_err();
+        let error = from_text(&scratch.0.join("rich.csv"), &list(&text)).unwrap_err();
         let FormatErrorKind::UnknownKey { known, .. } = error.kind() else { panic!("{section}: {error}") };
         for key in known.iter().filter(|key| !section.is_empty() || !OF_READING.contains(*key)) {
             let is_section = |name: &str| {

@@ -17,6 +17,7 @@ center = 0.1
 tensor = 0.2
 position = 0.3
 rotation = 0.4
+density = 0.6
 [result]
 about = ["10 mm", 0, 0]
 axes = { axis = [0, 0, 1], angle = "30 deg" }
@@ -82,6 +83,9 @@ ends = ["11 mm", "22 mm"]
 density = 900
 settles = "-z"
 fill = "75 %"
+fill_sd = "2 %"
+density_sd = "1 %"
+group = "arms"
 [[tank]]
 name = "gas"
 mass = "1.5 kg"
@@ -101,6 +105,7 @@ products = [0.01, 0, 0]
 [[tank]]
 name = "ball"
 mass = 0.25
+mass_sd = "20 g"
 shape = "ellipsoid"
 semi_axes = ["90 mm", "91 mm", "92 mm"]
 density = 1000
@@ -112,6 +117,11 @@ shape = "box"
 size = ["100 mm", "110 mm", "120 mm"]
 density = 1000
 settles = "y"
+[[tank]]
+name = "grain"
+table = "grain.csv"
+mass = "0.75 kg"
+density_sd = "3 %"
 [sequence]
 configuration = "stowed"
 until = "60 s"
@@ -140,6 +150,10 @@ share = 0.4
 position = [0, 0, "-2 m"]
 share = 0.6
 "#;
+
+/// The file of the table of its grain, and another.
+pub(super) const GRAINS: [(&str, &str); 2] =
+    [("grain.csv", "mass [kg],z [mm]\n1,5\n3,9\n"), ("heavy.csv", "mass [kg],z [mm]\n1,5\n3.5,9\n")];
 
 /// Its rows.
 pub(super) const PARTS: &str = "name,parent,quantity,copies,configuration,group,maturity,growth,subtotal [kg],allowable [kg],mass [kg],x [mm],y [mm],z [mm],Ixx [kg m^2],Iyy [kg m^2],Izz [kg m^2],Ixy [kg m^2],Ixz [kg m^2],Iyz [kg m^2],at x [mm],at y [mm],at z [mm],yaw [deg],rotate z sd [deg],colour

@@ -5,7 +5,8 @@ use polhode_budget::Group;
 use crate::error::FormatError;
 use crate::scenario::reader::Value;
 
-const KEYS: [&str; 7] = ["name", "correlation", "mass", "center", "tensor", "position", "rotation"];
+const KEYS: [&str; 8] =
+    ["name", "correlation", "mass", "center", "tensor", "position", "rotation", "density"];
 
 /// Reads all groups.
 pub(super) fn groups(value: &Value<'_>) -> Result<Vec<Group>, FormatError> {
@@ -26,6 +27,7 @@ pub(super) fn groups(value: &Value<'_>) -> Result<Vec<Group>, FormatError> {
             tensor: of("tensor")?,
             position: of("position")?,
             rotation: of("rotation")?,
+            density: of("density")?,
         };
         if KEYS.iter().skip(1).all(|key| table.get(key).is_none()) {
             return Err(table.missing("correlation", "correlation = 0.8, or mass = 0.8 for masses alone"));

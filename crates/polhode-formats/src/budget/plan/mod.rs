@@ -1,12 +1,16 @@
 //! What a file says besides its parts, as TOML: one set of keys, in a plan as themselves, in a CSV as its head, in a workbook as further sheets.
 
 mod cad;
+mod contents;
 mod group;
 mod growth;
 mod limit;
 mod result;
 pub(super) mod sequence;
 mod site;
+mod size;
+mod states;
+pub(super) mod table_file;
 pub(super) mod tank;
 
 use polhode_budget::{Ballast, Group, GrowthTable, Limit, ProductSign};
@@ -17,6 +21,7 @@ use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
 use crate::unit::Dimension;
 use sequence::PlannedSequence;
+use table_file::{Sheets, TableOrigin};
 use tank::PlannedTank;
 
 /// What a file says besides its parts.
@@ -96,8 +101,12 @@ pub(super) const KEYS: [&str; 20] = [
 pub(super) const TABLES: [&str; 5] = ["growth", "cad", "result", "ballast", "sequence"];
 pub(super) const LISTS: [&str; 8] = ["group", "limit", "site", "tank", "burn", "drop", "deploy", "exit"];
 
-/// Reads all keys of a plan; `others` may stand beside them.
-pub(super) fn plan(root: &Table<'_>, others: &[&'static str]) -> Result<Plan, FormatError> {
+/// Reads all keys of a plan; `others` may stand beside them, and tables in sheets of its workbook, if it is one.
+pub(super) fn plan(
+    root: &Table<'_>,
+    others: &[&'static str],
+    sheets: Option<&Sheets<'_>>,
+) -> Result<Plan, FormatError> {
     root.allow(&[&KEYS[..], others].concat())?;
     let mut plan = Plan {
         title: root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?,
@@ -142,7 +151,7 @@ pub(super) fn plan(root: &Table<'_>, others: &[&'static str]) -> Result<Plan, Fo
         plan.limits = limit::limits(&value, plan.products)?;
     }
     if let Some(value) = root.get("tank") {
-        plan.tanks = tank::tanks(&value, plan.products)?;
+        plan.tanks = tank::tanks(&value, &plan, sheets)?;
     }
     plan.sequence = sequence::sequence(root, &plan.tanks)?;
     let asked = root.get("ballast");
@@ -158,6 +167,12 @@ pub(super) fn plan(root: &Table<'_>, others: &[&'static str]) -> Result<Plan, Fo
 }
 
 impl Plan {
+    /// Whether a sheet of the workbook is the table of a tank.
+    pub(super) fn has_sheet(&self, name: &str) -> bool {
+        let tables = self.tanks.iter().filter_map(|tank| tank.table.as_ref());
+        tables.into_iter().any(|table| table.from == TableOrigin::Sheet(name.to_owned()))
+    }
+
     /// The same where its text was made of others: its places become theirs.
     pub(super) fn moved(mut self, moved: impl Fn(FormatError) -> FormatError) -> Self {
         let Places { ignore, groups, cad } = &mut self.places;
@@ -168,7 +183,7 @@ impl Plan {
             tank.places = tank.places.clone().map(&moved);
         }
         if let Some(sequence) = &mut self.sequence {
-            let burns = sequence.burns.iter_mut().map(|(_, place)| place);
+            let burns = sequence.burns.iter_mut().flat_map(|(_, places)| places);
             let changes = sequence.changes.iter_mut().map(|(_, place)| place);
             for place in burns.chain(changes).chain([&mut sequence.place]) {
                 *place = moved(place.clone());

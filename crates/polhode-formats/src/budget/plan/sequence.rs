@@ -24,8 +24,9 @@ pub(in crate::budget) struct PlannedSequence {
     pub(in crate::budget) until: f64,
     pub(in crate::budget) spin: Option<AngularVelocity<Body>>,
     pub(in crate::budget) outflow: Outflow,
+    /// Each with an error at its tank and at its flow.
+    pub(in crate::budget) burns: Vec<(Burn, [FormatError; 2])>,
     /// Each with an error at its place.
-    pub(in crate::budget) burns: Vec<(Burn, FormatError)>,
     pub(in crate::budget) changes: Vec<(PlannedChange, FormatError)>,
     /// An error at `configuration`, or at the section.
     pub(in crate::budget) place: FormatError,
@@ -111,7 +112,7 @@ fn burns(
     root: &Table<'_>,
     tanks: &[PlannedTank],
     last: f64,
-) -> Result<Vec<(Burn, FormatError)>, FormatError> {
+) -> Result<Vec<(Burn, [FormatError; 2])>, FormatError> {
     let Some(list) = root.get("burn") else { return Ok(Vec::new()) };
     let burn = |table: Table<'_>| {
         table.allow(&["tank", "from", "until", "flow", "mass"])?;
@@ -141,7 +142,8 @@ fn burns(
             "flow" => given.positive(FLOW)?,
             _ => given.positive(Dimension::MASS)? / (until - from),
         };
-        Ok((Burn { tank: name.to_owned(), from, until, flow }, given.invalid("right")))
+        let places = [tank.invalid("right"), given.invalid("right")];
+        Ok((Burn { tank: name.to_owned(), from, until, flow }, places))
     };
     list.tables("burn")?.into_iter().map(burn).collect()
 }

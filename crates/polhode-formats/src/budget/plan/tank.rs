@@ -1,12 +1,14 @@
 //! `[[tank]]`: what liquids are in, and how much of them.
 
-use polhode::body::{InertiaTensor, MassProperties};
-use polhode::math::{Part, Position};
-use polhode_budget::{Down, Liquid, LiquidTable, ProductSign, SequenceError, TankShape, Vessel};
+use polhode_budget::{Down, Liquid, LiquidErrors, TankShape, Vessel};
 
-use super::{PRODUCTS, fraction, names, sign_of};
+use super::contents::{Known, contents, quantity, relative};
+use super::size::{DENSITIES, SIZES, in_range, not_negative};
+use super::table_file::{ReadTable, Sheets, table_of};
+use super::{PRODUCTS, Plan, names, sign_of};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::reader::{Table, Value};
+use crate::scenario::suggestion::nearest;
 use crate::unit::Dimension;
 
 /// A tank as a file gives it: which row it stands in is not known yet.
@@ -20,11 +22,18 @@ pub(in crate::budget) struct PlannedTank {
     pub(in crate::budget) liquid: Liquid,
     /// At first, kg.
     pub(in crate::budget) mass: f64,
+    pub(in crate::budget) errors: LiquidErrors,
+    /// Whether an error stands after ±.
+    pub(in crate::budget) has_mark: bool,
+    /// The group with which its errors are correlated.
+    pub(in crate::budget) group: Option<String>,
+    /// What its table was read from, if that is not the plan.
+    pub(in crate::budget) table: Option<ReadTable>,
     /// An error at its frame, its configurations and its contents each.
     pub(in crate::budget) places: [FormatError; 3],
 }
 
-const KEYS: [&str; 15] = [
+const KEYS: [&str; 19] = [
     "name",
     "frame",
     "configuration",
@@ -40,6 +49,10 @@ const KEYS: [&str; 15] = [
     "products",
     "mass",
     "fill",
+    "mass_sd",
+    "fill_sd",
+    "density_sd",
+    "group",
 ];
 
 /// The keys that only shapes have.
@@ -61,15 +74,16 @@ const DOWN: [(&str, Down); 6] = [
     ("z", Down::PlusZ),
 ];
 
-/// Reads all tanks; `products` says what products are where a tank does not.
+/// Reads all tanks, of what the plan says besides, and perhaps of sheets of its workbook.
 pub(super) fn tanks(
     value: &Value<'_>,
-    products: Option<ProductSign>,
+    plan: &Plan,
+    sheets: Option<&Sheets<'_>>,
 ) -> Result<Vec<PlannedTank>, FormatError> {
     let mut tanks: Vec<PlannedTank> = Vec::new();
     for (table, whole) in value.array_of_tables("tank")?.iter().map(|value| (value.table(), value)) {
         let table = table?;
-        let tank = tank(&table, whole, products)?;
+        let tank = tank(&table, whole, plan, sheets)?;
         if tanks.iter().any(|other| other.name == tank.name) {
             return Err(table.require("name", "")?.invalid("the name of no other tank"));
         }
@@ -81,7 +95,8 @@ pub(super) fn tanks(
 fn tank(
     table: &Table<'_>,
     whole: &Value<'_>,
-    products: Option<ProductSign>,
+    plan: &Plan,
+    sheets: Option<&Sheets<'_>>,
 ) -> Result<PlannedTank, FormatError> {
     table.allow(&KEYS)?;
     let name = table.require("name", "name = \"fuel\"")?;
@@ -92,47 +107,35 @@ fn tank(
     let frame = table.get("frame");
     let configuration = table.get("configuration");
     table.at_most_one(&["shape", "table"], "a tank is given by its shape, or by a table of what is in it")?;
-    let liquid = match (table.get("shape"), table.get("table")) {
+    let coverage_factor = plan.coverage_factor.unwrap_or(1.0);
+    let (liquid, density, read) = match (table.get("shape"), table.get("table")) {
         (_, Some(states)) => {
             if let Some(value) = OF_SHAPES.into_iter().find_map(|key| table.get(key)) {
                 return Err(value.invalid("left out beside a table").with_hint("it goes with shape"));
             }
             let sign = match table.get("products") {
                 Some(value) => sign_of(value.choice(&PRODUCTS.map(|(name, _)| name))?),
-                None => products,
+                None => plan.products,
             };
-            Liquid::Table(states_of(&states, sign)?)
+            let (states, read) = table_of(&states, sign, plan.decimal_comma, sheets)?;
+            let density = table.get("density_sd").map(|value| relative(&value)).transpose()?;
+            (Liquid::Table(states), density.unwrap_or(Known::EXACT), read)
         }
         (Some(shape), None) => {
             if let Some(value) = table.get("products") {
                 return Err(value.invalid("left out without a table"));
             }
-            Liquid::Vessel(Box::new(vessel(table, &shape)?))
+            let (vessel, density) = vessel(table, &shape, coverage_factor)?;
+            (Liquid::Vessel(Box::new(vessel)), density, None)
         }
         (None, None) => {
-            return Err(table.missing("shape", "shape = \"sphere\", or [[tank.table]] with mass and center"));
+            let example = "shape = \"sphere\", or [[tank.table]] with mass and center";
+            return Err(table.missing("shape", example));
         }
     };
-    let capacity = liquid.capacity();
-    let given =
-        table.at_most_one(&["mass", "fill"], "mass is what is in the tank, fill the same as a part")?;
-    let given = given.ok_or_else(|| table.missing("mass", "mass = \"12 kg\", or fill = \"80 %\""))?;
-    let mass = if given.key() == "mass" {
-        let mass = given.quantity(Dimension::MASS)?;
-        // What is written with some digits fills a tank that is computed.
-        if !(mass >= 0.0 && mass <= capacity * (1.0 + 1e-9)) {
-            return Err(
-                given.invalid(format!("not negative, and no more than the tank holds, {capacity} kg"))
-            );
-        }
-        mass.min(capacity)
-    } else {
-        let part = fraction(&given)?;
-        if !(0.0..=1.0).contains(&part) {
-            return Err(given.invalid("from 0 to 100 %"));
-        }
-        part * capacity
-    };
+    let of_density = density.sd / density.value;
+    let (mass, errors, known, given) = contents(table, liquid.capacity(), of_density, coverage_factor)?;
+    let group = table.get("group").map(|value| group(&value, &errors, plan)).transpose()?;
     let here = |value: Option<Value<'_>>| value.as_ref().unwrap_or(whole).invalid("right");
     Ok(PlannedTank {
         name: text,
@@ -140,6 +143,10 @@ fn tank(
         configurations: configuration.as_ref().map_or(Ok(Vec::new()), configurations)?,
         liquid,
         mass,
+        errors,
+        has_mark: known.is_after_mark || density.is_after_mark,
+        group,
+        table: read,
         places: [here(frame.or(Some(name))), here(configuration.or(Some(name))), here(Some(given))],
     })
 }
@@ -149,7 +156,28 @@ fn configurations(value: &Value<'_>) -> Result<Vec<String>, FormatError> {
     if value.is_array() { names(value) } else { Ok(vec![value.string()?.trim().to_owned()]) }
 }
 
-fn vessel(table: &Table<'_>, shape: &Value<'_>) -> Result<Vessel, FormatError> {
+/// The group of a tank whose contents have errors.
+fn group(value: &Value<'_>, errors: &LiquidErrors, plan: &Plan) -> Result<String, FormatError> {
+    let name = value.string()?.trim();
+    let names = || plan.groups.iter().map(|group| group.name.as_str());
+    if !names().any(|other| other == name) {
+        let error = value.invalid("the name of a [[group]]");
+        return Err(match nearest(name, names()) {
+            Some(near) => error.with_hint(format!("did you mean \"{near}\"?")),
+            None => error,
+        });
+    }
+    if errors.amount == 0.0 && errors.density == 0.0 {
+        return Err(value.invalid("left out of a tank of which nothing has an error"));
+    }
+    Ok(name.to_owned())
+}
+
+fn vessel(
+    table: &Table<'_>,
+    shape: &Value<'_>,
+    coverage_factor: f64,
+) -> Result<(Vessel, Known), FormatError> {
     let name = shape.choice(&SHAPES.map(|(name, _)| name))?;
     let sizes = SHAPES.iter().find(|(known, _)| *known == name).map_or(&[][..], |(_, sizes)| sizes);
     for key in OF_SHAPES.into_iter().filter(|key| !["density", "settles"].contains(key)) {
@@ -188,79 +216,10 @@ fn vessel(table: &Table<'_>, shape: &Value<'_>) -> Result<Vessel, FormatError> {
         }
     };
     let density = table.require("density", "density = \"1.01 g/cm^3\"")?;
-    let density = in_range(&density, density.positive(Dimension::DENSITY)?, DENSITIES)?;
+    let known = quantity(&density, table.get("density_sd").as_ref(), Dimension::DENSITY, coverage_factor)?;
+    in_range(&density, known.value, DENSITIES)?;
     let settles = table.require("settles", "settles = \"-z\"")?.choice(&DOWN.map(|(name, _)| name))?;
     let down = DOWN.iter().find(|(name, _)| *name == settles).map_or(Down::MinusZ, |(_, down)| *down);
-    Vessel::new(shape, density, down).map_err(|error| table.error(FormatErrorKind::Sequence(error)))
-}
-
-fn not_negative(value: &Value<'_>) -> Result<f64, FormatError> {
-    let length = value.quantity(Dimension::LENGTH)?;
-    match length {
-        0.0 => Ok(length),
-        length if length > 0.0 => in_range(value, length, SIZES),
-        _ => Err(value.invalid("zero or positive")),
-    }
-}
-
-/// Of tanks, m, and of liquids, kg/m³: beyond them levels are rounding.
-const SIZES: [f64; 2] = [1e-6, 1e6];
-const DENSITIES: [f64; 2] = [1e-6, 1e6];
-
-fn in_range(value: &Value<'_>, number: f64, [least, most]: [f64; 2]) -> Result<f64, FormatError> {
-    if number >= least && number <= most {
-        return Ok(number);
-    }
-    Err(value.invalid(format!("from {least:e} to {most:e}, in SI")))
-}
-
-/// `[[tank.table]]`: `mass`, `level`, `center`, `moments` and `products` about the centre.
-fn states_of(value: &Value<'_>, sign: Option<ProductSign>) -> Result<LiquidTable, FormatError> {
-    let mut rows: Vec<MassProperties<Part>> = Vec::new();
-    let mut levels: Vec<f64> = Vec::new();
-    let mut with_levels = None;
-    for table in value.tables("tank.table")? {
-        table.allow(&["mass", "level", "center", "moments", "products"])?;
-        let given = table.require("mass", "mass = \"12 kg\"")?;
-        let mass = given.positive(Dimension::MASS)?;
-        if rows.last().is_some_and(|row| row.mass() >= mass) {
-            return Err(given.invalid("more than that of the row before"));
-        }
-        let level = table.get("level");
-        if *with_levels.get_or_insert(level.is_some()) != level.is_some() {
-            return Err(table.missing("level", "level = \"120 mm\", in all rows or in none"));
-        }
-        if let Some(level) = level {
-            let height = not_negative(&level)?;
-            if levels.last().is_some_and(|last| *last >= height) {
-                return Err(level.invalid("more than that of the row before"));
-            }
-            levels.push(height);
-        }
-        let center = table.require("center", "center = [0, 0, \"120 mm\"]")?.quantities(Dimension::LENGTH)?;
-        let moments = match table.get("moments") {
-            Some(value) => value.quantities(Dimension::INERTIA)?,
-            None if table.get("products").is_none() => [0.0; 3],
-            None => return Err(table.missing("moments", "moments = [0.2, 0.2, 0.1]")),
-        };
-        let mut products = [0.0; 3];
-        if let Some(value) = table.get("products") {
-            products = value.quantities(Dimension::INERTIA)?;
-            if sign.is_none() && products != [0.0; 3] {
-                let hint =
-                    "say products = \"tensor elements\" or \"positive integrals\" in the tank or in the file";
-                return Err(value.invalid("beside what their sign is").with_hint(hint));
-            }
-        }
-        if sign == Some(ProductSign::PositiveIntegral) {
-            products = products.map(|product| -product);
-        }
-        let inertia = InertiaTensor::with_negative_products(moments, products);
-        let row =
-            inertia.and_then(|inertia| MassProperties::new(mass, Position::from_array(center), inertia));
-        rows.push(row.map_err(|error| given.body(error))?);
-    }
-    let levels = Some(levels).filter(|levels| !levels.is_empty());
-    LiquidTable::new(rows, levels)
-        .map_err(|error: SequenceError| value.error(FormatErrorKind::Sequence(error)))
+    let vessel = Vessel::new(shape, known.value, down);
+    Ok((vessel.map_err(|error| table.error(FormatErrorKind::Sequence(error)))?, known))
 }

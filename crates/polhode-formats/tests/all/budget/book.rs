@@ -45,6 +45,17 @@ fn lists_of_the_page_are_read() {
             .unwrap_or_else(|error| panic!("{error} {:?}", error.hint()));
         assert!(read.configurations[0].budget.list().rows.len() >= 3);
     }
+    let tables = blocks(&page, "text");
+    assert_eq!(tables.len(), 1);
+    let folder = Folder::new("book-table");
+    folder.write("grain.csv", &tables[0]);
+    folder.write("parts.csv", "name,mass\na,5\nb,6\n");
+    let plan = "parts = \"parts.csv\"\nproducts = \"tensor elements\"\n[[tank]]\nname = \"grain\"\ntable = \"grain.csv\"\nfill = \"80 % ± 1 %\"\n";
+    let read = folder.read("a.toml", plan).unwrap();
+    assert!(
+        (read.configurations[0].budget.estimate(polhode_budget::Basis::Basic).unwrap().sd(0) - 0.1).abs()
+            < 1e-12
+    );
     let plans = blocks(&page, "toml");
     assert_eq!(plans.len(), 1);
     let folder = Folder::new("book");

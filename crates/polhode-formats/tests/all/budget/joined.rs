@@ -106,7 +106,9 @@ fn errors_of_a_plan_and_a_head_are_where_they_stand() {
     folder.write("parts.csv", format!("{HEAD}name,mass,maturity\na,1,E\n"));
     let error = folder.read("plan.toml", PLAN).unwrap_err();
     assert!(
-        error.starts_with("parts.csv:4:10: group = \"wheels\" must be the group of a row (named in"),
+        error.starts_with(
+            "parts.csv:4:10: group = \"wheels\" must be the group of a row, or of a tank (named in"
+        ),
         "{error}"
     );
     folder.write("parts.csv", format!("{HEAD}{PARTS}"));
@@ -184,4 +186,72 @@ fn a_plan_and_the_sheets_of_its_workbook_are_one_set_of_keys() {
         Book::new().sheet("parts", &[&["name", "mass"], &["a", "1"]]).sheet("cad", &[&["mass_unit", "g"]]);
     let error = folder.read("b.xlsx", cad.bytes()).unwrap_err();
     assert!(error.starts_with("b.xlsx: cad!A1: cad = \"[cad]\" must be given with a column cad"), "{error}");
+}
+
+const GRAIN: &[&[&str]] = &[&["mass [kg]", "z [mm]"], &["4", "612"], &["10", "655"]];
+
+/// What a head names is relative to its file, not to the plan; a plan may name a sheet of its workbook.
+#[test]
+fn tables_of_tanks_are_of_the_file_that_names_them() {
+    let folder = Folder::new("joined-tables");
+    std::fs::create_dir_all(folder.0.join("lists")).unwrap();
+    let grain = GRAIN.iter().map(|row| row.join(",") + "\n").collect::<String>();
+    let head = "# [[tank]]\n# name = \"grain\"\n# mass = \"7 kg\"\n# table = \"grain.csv\"\nname,mass\na,5\n";
+    folder.write("lists/parts.csv", head);
+    folder.write("lists/grain.csv", &grain);
+    let plan = "parts = \"lists/parts.csv\"\n[growth]\nE = 0.25\n";
+    let read = |plan: &str| folder.read("plan.toml", plan).unwrap_or_else(|error| panic!("{error}"));
+    let of_head = read(plan);
+    assert!(of_head.read.iter().any(|read| read.path == folder.0.join("lists/grain.csv")));
+    let book = Book::new().sheet("parts", &[&["name", "mass"], &["a", "5"]]).sheet("grain", GRAIN);
+    folder.write("lists/b.xlsx", book.bytes());
+    let tank = "[[tank]]\nname = \"grain\"\nmass = \"7 kg\"\n";
+    let of_plan = plan.replace("parts.csv", "b.xlsx") + tank;
+    let of_sheet = read(&format!("{of_plan}table = \"grain\"\n"));
+    assert_eq!(of_sheet.configurations, of_head.configurations);
+    for (table, plan, message) in [
+        (
+            "mass,z\n4,1\n3,2\n",
+            plan,
+            "lists/grain.csv:3:1: mass = 3 must be more than that of the row before (named in lists/parts.csv:4:11)",
+        ),
+        (
+            &grain,
+            &of_plan.replace("7 kg", "11 kg").replace("[[tank]]", "[[tank]]\ntable = \"grain\""),
+            "plan.toml:7:8: mass = \"11 kg\" must be not negative, and no more than the tank holds, 10 kg",
+        ),
+        (
+            &grain,
+            &format!("{of_plan}table = \"gravel\"\n"),
+            "plan.toml:7:9: table = \"gravel\" must be a file of CSV, or the name of a sheet",
+        ),
+        (
+            &grain,
+            &format!("{of_plan}table = \"grain.csv\"\n"),
+            "plan.toml:7:9: cannot read \"grain.csv\": there is no such file",
+        ),
+    ] {
+        folder.write("lists/grain.csv", table);
+        let error = folder.read("plan.toml", plan).unwrap_err();
+        assert!(error.starts_with(message), "{error} is not {message}");
+    }
+    folder.write("lists/parts.csv", head.replace("grain.csv", "gravel.csv"));
+    let error = folder.read("plan.toml", plan).unwrap_err();
+    assert!(
+        error.starts_with("lists/parts.csv:4:11: cannot read \"gravel.csv\": there is no such file"),
+        "{error}"
+    );
+    // In a sheet of the workbook that the plan names.
+    let tanks: &[&[&str]] = &[&["name", "mass", "table"], &["grain", "7 kg", "grain.csv"]];
+    let book = Book::new().sheet("parts", &[&["name", "mass"], &["a", "5"]]).sheet("tank", tanks);
+    folder.write("lists/b.xlsx", book.bytes());
+    let plan = plan.replace("parts.csv", "b.xlsx");
+    folder.write("lists/grain.csv", &grain);
+    assert_eq!(read(&plan).configurations, of_head.configurations);
+    folder.write("lists/grain.csv", "mass,z\n4,1\n3,2\n");
+    let error = folder.read("plan.toml", plan).unwrap_err();
+    assert!(
+        error.starts_with("lists/grain.csv:3:1: mass = 3 must be more than that of the row before (named in lists/b.xlsx: tank!C2)"),
+        "{error}"
+    );
 }

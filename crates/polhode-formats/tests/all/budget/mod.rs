@@ -4,6 +4,7 @@ mod book;
 mod forms;
 mod joined;
 mod limits;
+mod liquids;
 mod refusals;
 mod sections;
 mod signs;

@@ -1,6 +1,6 @@
 //! How well the numbers of a row are known, and what changed of that.
 
-use polhode_budget::{PartUncertainty, Row, Spread, Uncertainty};
+use polhode_budget::{LiquidErrors, Measured, PartUncertainty, Row, Spread, Uncertainty};
 
 use crate::number::number;
 
@@ -15,8 +15,10 @@ pub(super) struct Deviation {
     scale: f64,
 }
 
-/// Columns of numbers that have errors, and the units in which these are shown.
-const NUMBERS: [(&str, &str, f64); 16] = [
+const COUNT: usize = 18;
+
+/// Columns of numbers that have errors, and what is known of liquids, and the units in which these are shown.
+const NUMBERS: [(&str, &str, f64); COUNT] = [
     ("mass", "kg", 1.0),
     ("x", "mm", 1e3),
     ("y", "mm", 1e3),
@@ -33,6 +35,8 @@ const NUMBERS: [(&str, &str, f64); 16] = [
     ("rotate x", "deg", 180.0 / core::f64::consts::PI),
     ("rotate y", "deg", 180.0 / core::f64::consts::PI),
     ("rotate z", "deg", 180.0 / core::f64::consts::PI),
+    ("fill", "%", 100.0),
+    ("density", "%", 100.0),
 ];
 
 /// Rounding of errors in other units.
@@ -58,8 +62,8 @@ pub(super) fn changed(rows: [&Row; 2]) -> Option<Vec<Deviation>> {
     (!all.is_empty() || is_correlated_otherwise || is_about_other).then_some(all)
 }
 
-fn deviations(of: &Uncertainty) -> [f64; 16] {
-    let mut all = [0.0; 16];
+fn deviations(of: &Uncertainty) -> [f64; COUNT] {
+    let mut all = [0.0; COUNT];
     let mut put = |from: usize, sd: &[f64]| {
         all.iter_mut().skip(from).zip(sd).for_each(|(slot, sd)| *slot = *sd);
     };
@@ -70,6 +74,14 @@ fn deviations(of: &Uncertainty) -> [f64; 16] {
             put(4, &sd(tensor));
         }
         PartUncertainty::Joint(covariance) => put(0, &diagonal(covariance)),
+        PartUncertainty::Liquid(liquid) => {
+            let LiquidErrors { measured, amount, density } = liquid.errors;
+            match measured {
+                Measured::Mass => put(0, &[amount]),
+                Measured::Fill => put(16, &[amount / liquid.liquid.capacity()]),
+            }
+            put(17, &[density]);
+        }
     }
     put(10, &sd(&of.position));
     put(13, &sd(&of.rotation));
@@ -95,6 +107,7 @@ const fn is_joint(of: &Uncertainty) -> bool {
             matches!(center, Spread::Covariance(_)) || matches!(tensor, Spread::Covariance(_))
         }
         PartUncertainty::Joint(_) => true,
+        PartUncertainty::Liquid(_) => false,
     };
     of_part || matches!(of.position, Spread::Covariance(_)) || matches!(of.rotation, Spread::Covariance(_))
 }

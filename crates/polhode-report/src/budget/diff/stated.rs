@@ -115,6 +115,7 @@ fn group_in_words(group: &Group, digits: usize) -> String {
         ("tensor", group.tensor),
         ("position", group.position),
         ("rotation", group.rotation),
+        ("density", group.density),
     ];
     let stated = all.iter().filter(|(_, x)| *x != 0.0);
     let words: Vec<String> = stated.map(|(name, x)| format!("{name} {}", number(*x, digits))).collect();

@@ -2,7 +2,7 @@
 
 use polhode::body::MassProperties;
 use polhode::math::Part;
-use polhode_budget::{Down, Liquid, LiquidTable, TankShape, Vessel};
+use polhode_budget::{Down, Liquid, LiquidErrors, LiquidTable, Measured, TankShape, Vessel};
 
 use super::words::point;
 use crate::budget::statements::StatedTank;
@@ -24,9 +24,29 @@ pub(super) fn items(tank: &StatedTank, digits: usize) -> Vec<(String, String)> {
         }
     }
     words.push(format!("{} kg at first", number(tank.mass, digits)));
+    words.extend(of_errors(tank, digits));
+    words.extend(tank.group.iter().map(|group| format!("group {group}")));
     let rows = rows.into_iter().enumerate();
     let rows = rows.map(|(k, row)| (format!("row {} of the table of the tank {name}", k + 1), row));
     [(format!("tank {name}"), words.join("; "))].into_iter().chain(rows).collect()
+}
+
+/// Standard deviations, as parts where the file has parts.
+fn of_errors(tank: &StatedTank, digits: usize) -> Vec<String> {
+    let LiquidErrors { measured, amount, density } = tank.errors;
+    let percent = |x: f64| format!("{} %", number(100.0 * x, digits));
+    let mut words = Vec::new();
+    // Also where it is none: what the density makes of it depends on what was measured.
+    if amount > 0.0 || density > 0.0 {
+        words.push(match measured {
+            Measured::Mass => format!("mass_sd {} kg", number(amount, digits)),
+            Measured::Fill => format!("fill_sd {}", percent(amount / tank.tank.liquid.capacity())),
+        });
+    }
+    if density > 0.0 {
+        words.push(format!("density_sd {}", percent(density)));
+    }
+    words
 }
 
 fn of_vessel(vessel: &Vessel, digits: usize) -> [String; 3] {

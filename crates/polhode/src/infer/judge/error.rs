@@ -11,6 +11,8 @@ use crate::motion::error::MotionError;
 pub enum JudgeError {
     /// The scenario's motion is given: there is nothing to compute, and so nothing to compare with.
     NoMotion,
+    /// The mass properties of the scenario's body change: the causes of errors are known of bodies that stay as they are.
+    Changing,
     /// A time before the scenario's start.
     BeforeStart {
         /// The time, s.
@@ -54,6 +56,9 @@ impl fmt::Display for JudgeError {
             Self::NoMotion => {
                 f.write_str("the scenario prescribes its motion, so there is no motion to judge another by")
             }
+            Self::Changing => f.write_str(
+                "the mass properties of the scenario's body change, and what makes motions wrong is known of bodies that stay as they are",
+            ),
             Self::BeforeStart { time, start } => {
                 write!(f, "the run has a row at {time} s, before the scenario's start at {start} s")
             }

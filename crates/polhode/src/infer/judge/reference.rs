@@ -1,7 +1,6 @@
 //! The exact motion at the times of a log.
 
 use super::error::JudgeError;
-use crate::motion::error::MotionError;
 use crate::motion::model::state::{State, StateError};
 use crate::motion::run::global_error::ErrorEffort;
 use crate::motion::run::simulation::Simulation;
@@ -29,7 +28,7 @@ impl Reference {
     /// The motion of a scenario at times (s, ascending, none before its start).
     ///
     /// # Errors
-    /// [`JudgeError::NoMotion`] of a scenario whose motion is prescribed; [`JudgeError::BeforeStart`] and [`JudgeError::Ends`] of times at
+    /// [`JudgeError::NoMotion`] of a scenario whose motion is prescribed, [`JudgeError::Changing`] of one whose body changes; [`JudgeError::BeforeStart`] and [`JudgeError::Ends`] of times at
     /// which it has none; [`JudgeError::Motion`] of a motion that cannot be computed.
     pub fn of(scenario: &Scenario, times: &[f64]) -> Result<Self, JudgeError> {
         let states = states(scenario, times)?;
@@ -68,11 +67,7 @@ impl Reference {
 /// As [`Reference::of`].
 pub(super) fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<State>, JudgeError> {
     if scenario.history().is_some() {
-        let (time, why) = (
-            scenario.start().time,
-            "changes: the causes of errors are known of bodies that stay as they are",
-        );
-        return Err(JudgeError::Motion(MotionError::MassHistory { time, why }));
+        return Err(JudgeError::Changing);
     }
     if !matches!(scenario.task(), Task::Forward(_)) {
         return Err(JudgeError::NoMotion);

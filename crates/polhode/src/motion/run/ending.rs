@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::motion::contact::{ContactChange, ContactEnding};
 use crate::motion::error::MotionError;
 
 /// How a trajectory ended.
@@ -13,6 +14,13 @@ pub enum Ending {
     Stopped {
         /// Which of the events, from 0.
         event: usize,
+        /// When, s: the time of the last sample.
+        time: f64,
+    },
+    /// At a change of the contact with the ground after which the motion is not known.
+    Contact {
+        /// What changed.
+        change: ContactChange,
         /// When, s: the time of the last sample.
         time: f64,
     },
@@ -35,6 +43,16 @@ impl Ending {
         }
     }
 
+    /// Of a motion on the ground.
+    pub(crate) fn of_contact(ending: &ContactEnding) -> Self {
+        match ending {
+            ContactEnding::Complete => Self::Complete,
+            ContactEnding::Stopped { event, time } => Self::Stopped { event: *event, time: *time },
+            ContactEnding::Changed { change, time } => Self::Contact { change: *change, time: *time },
+            ContactEnding::Failed { cause, time } => Self::Failed { time: *time, cause: cause.clone() },
+        }
+    }
+
     /// True unless the computation failed: a motion that an event stopped is all that was asked for.
     pub const fn is_complete(&self) -> bool {
         !matches!(self, Self::Failed { .. })
@@ -49,6 +67,8 @@ pub enum MethodReason {
     Asked,
     /// The motion was given.
     Given,
+    /// A body on the ground has series for each phase of its motion.
+    Contact,
     /// A closed form is known.
     ClosedForm {
         /// Which.
@@ -75,6 +95,9 @@ impl fmt::Display for MethodReason {
         match self {
             Self::Asked => f.write_str("it was asked for"),
             Self::Given => f.write_str("the motion is given"),
+            Self::Contact => {
+                f.write_str("a body on the ground has a Taylor series for each phase of its motion")
+            }
             Self::ClosedForm { title } => write!(f, "there is a closed form: {title}"),
             Self::Smooth { no_closed_form } => {
                 write!(

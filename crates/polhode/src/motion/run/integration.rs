@@ -2,11 +2,11 @@
 
 use super::derivative_log::DerivativeLog;
 use super::ending::Ending;
-use super::event_detection::{EventDetector, Found};
 use super::sample::Sample;
 use crate::math::vector::AngularMomentum;
 use crate::motion::error::MotionError;
 use crate::motion::model::event::{Crossing, Event, EventAction};
+use crate::motion::model::event_detection::{EventDetector, Found};
 use crate::motion::model::state::State;
 use crate::motion::model::torque::total_potential;
 use crate::motion::solve::propagate::balanced::Balanced;

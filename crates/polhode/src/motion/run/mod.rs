@@ -4,7 +4,6 @@ pub(crate) mod derivative_log;
 pub(crate) mod derivatives;
 pub(crate) mod ending;
 pub(crate) mod ensemble;
-pub(crate) mod event_detection;
 pub(crate) mod global_error;
 pub(crate) mod integration;
 pub(crate) mod sample;

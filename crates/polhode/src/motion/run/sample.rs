@@ -2,6 +2,7 @@
 
 use crate::math::frame::{Body, Space};
 use crate::math::vector::{AngularMomentum, Torque};
+use crate::motion::contact::ContactSample;
 use crate::motion::error::MotionError;
 use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::inverse::required::Required;
@@ -63,6 +64,21 @@ impl Sample {
         let balanced = Balanced { state: needed.state, work: 0.0, impulse: AngularMomentum::ZERO };
         let sample = Self::of(rotor, core::iter::empty(), None, balanced)?;
         Self { torque: needed.torque, ..sample }.finite()
+    }
+
+    /// # Errors
+    /// As [`Sample::of`].
+    pub(crate) fn of_contact(
+        rotor: &Rotor,
+        at: &ContactSample,
+        first: Option<&Self>,
+    ) -> Result<Self, MotionError> {
+        let balanced = Balanced { state: at.state, work: 0.0, impulse: AngularMomentum::ZERO };
+        let sample = Self::of(rotor, core::iter::empty(), None, balanced)?;
+        let first = first.copied().unwrap_or(sample);
+        let work = sample.kinetic_energy - first.kinetic_energy;
+        let impulse = sample.momentum - first.momentum;
+        Self { torque: at.torque, work, impulse, ..sample }.finite()
     }
 
     fn finite(self) -> Result<Self, MotionError> {

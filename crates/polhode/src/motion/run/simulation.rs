@@ -1,12 +1,14 @@
 //! Simulations: from a start to a trajectory, by the best method there is.
 
 use super::ending::{Ending, MethodReason};
-use super::event_detection::EventDetector;
 use super::integration::{Integration, MOST_EVENTS, look_ahead};
 use super::solution::Solution;
 use super::trajectory::Trajectory;
+use crate::math::frame::Body;
+use crate::math::vector::Position;
 use crate::motion::error::MotionError;
 use crate::motion::model::event::{Crossing, Event, EventAction};
+use crate::motion::model::event_detection::EventDetector;
 use crate::motion::model::mass_history::MassHistory;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
@@ -189,8 +191,7 @@ impl<'a> Simulation<'a> {
         let Self { rotor, history, torques, events, start, method, .. } = *self;
         let Some(history) = history else { return Ok(()) };
         let why = |why| Err(MotionError::MassHistory { time: start.time, why });
-        let pivot = rotor.is_pivoted().then(|| rotor.point());
-        let own = history.rotor(start.time, pivot)?;
+        let own = history.rotor(start.time, self.pivot())?;
         let differs = |a: f64, b: f64| !((a - b).abs() <= 1e-9 * b.abs());
         let (given, known) = (rotor.inertia().symmetric(), own.inertia().symmetric());
         if differs(rotor.mass(), own.mass()) || (*given - *known).max_abs() > 1e-9 * known.max_abs() {
@@ -211,6 +212,11 @@ impl<'a> Simulation<'a> {
         Ok(())
     }
 
+    /// The point that is held.
+    fn pivot(&self) -> Option<Position<Body>> {
+        self.rotor.is_pivoted().then(|| self.rotor.point())
+    }
+
     /// The last of the times, s.
     fn end(&self) -> f64 {
         self.times.last().copied().unwrap_or(self.start.time)
@@ -218,8 +224,14 @@ impl<'a> Simulation<'a> {
 
     /// The method that is asked for, or the best.
     fn choose(&self) -> Result<(Way, MethodReason), MotionError> {
-        let rough =
-            self.torques.iter().enumerate().find_map(|(k, torque)| Some((k, torque.model().roughness()?)));
+        let body =
+            self.history.map(|history| (history.body(self.start.time, self.pivot(), Vec::new()), history));
+        let roughness = |torque: &TorqueModel| {
+            let of_changing =
+                || body.as_ref().and_then(|(body, history)| body.roughness(torque, history.ball()));
+            torque.model().roughness().or_else(of_changing)
+        };
+        let rough = self.torques.iter().enumerate().find_map(|(k, torque)| Some((k, roughness(torque)?)));
         let steps = |rule| Ok((Way::Steps(rule), MethodReason::Asked));
         match self.method {
             Method::Exact => Ok((Way::Closed(self.closed_form()?), MethodReason::Asked)),
@@ -334,7 +346,7 @@ impl<'a> Simulation<'a> {
         }
         let times = match ending {
             Ending::Complete => self.times.to_vec(),
-            Ending::Stopped { time, .. } | Ending::Failed { time, .. } => {
+            Ending::Stopped { time, .. } | Ending::Contact { time, .. } | Ending::Failed { time, .. } => {
                 let before = self.times.iter().copied().filter(|t| *t < time);
                 before.chain([time]).collect()
             }

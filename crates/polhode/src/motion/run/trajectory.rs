@@ -4,6 +4,7 @@ use super::ending::{Ending, MethodReason};
 use super::global_error::GlobalError;
 use super::sample::{Sample, continuous};
 use super::solution::Solution;
+use crate::motion::contact::ContactTrajectory;
 use crate::motion::error::MotionError;
 use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::model::event::Crossing;
@@ -12,6 +13,7 @@ use crate::motion::model::state::State;
 use crate::motion::model::torque::{TorqueModel, total_potential};
 use crate::motion::solve::closed_form::ClosedForm;
 use crate::motion::solve::free::FreeMotion;
+use crate::motion::solve::method::Method;
 use crate::motion::solve::propagate::balanced::Balanced;
 use crate::motion::solve::start::require_ascending;
 
@@ -25,9 +27,36 @@ pub struct Trajectory {
     events: Vec<Crossing>,
     ending: Ending,
     error: Option<GlobalError>,
+    contact: Option<Box<ContactTrajectory>>,
 }
 
 impl Trajectory {
+    /// A motion on the ground. Of each sample the work and the impulse are by the theorems themselves: what is integrated is in
+    /// [`Trajectory::contact`].
+    ///
+    /// # Errors
+    /// [`MotionError::NotFinite`] where energy or momentum leave the range of f64.
+    pub(crate) fn of_contact(
+        rotor: &Rotor,
+        motion: ContactTrajectory,
+        tolerance: f64,
+    ) -> Result<Self, MotionError> {
+        let first = Sample::of_contact(rotor, motion.start(), None)?;
+        let samples = motion.samples().iter().map(|sample| Sample::of_contact(rotor, sample, Some(&first)));
+        let samples = samples.collect::<Result<_, _>>()?;
+        let statistics = motion.statistics();
+        let solution =
+            Solution::Integrated { method: Method::Taylor, tolerance: Some(tolerance), statistics };
+        let (events, ending) = (motion.events().to_vec(), Ending::of_contact(motion.ending()));
+        let trajectory = Self::assembled(first, samples, solution).because(MethodReason::Contact);
+        Ok(Self { contact: Some(Box::new(motion)), ..trajectory.with_events(events, ending) })
+    }
+
+    /// The contact with the ground at each sample, of a body that has one.
+    pub fn contact(&self) -> Option<&ContactTrajectory> {
+        self.contact.as_deref()
+    }
+
     /// A prescribed motion at each of `times` (ascending, s), with the torque that it needs.
     ///
     /// # Errors
@@ -133,6 +162,7 @@ impl Trajectory {
             events: Vec::new(),
             ending: Ending::Complete,
             error: None,
+            contact: None,
         }
     }
 

@@ -53,6 +53,7 @@ impl Scenario {
             let message = "no torque depends on the orbit: the gravity gradient is a [[torque]] of its own";
             found.push(finding("orbit.idle", Severity::Info, message.to_owned()));
         }
+        found.extend(self.idle_history());
         found.extend(self.flow_left_out());
         let is_switched_on = |k: usize| {
             let action = EventAction::Switch { torque: k, on: true };
@@ -64,25 +65,5 @@ impl Scenario {
             found.push(finding("torque.off", Severity::Warning, message));
         }
         found
-    }
-
-    /// The flow inside a changing body is taken to have no angular momentum of its own: where that may be a part of the whole, it is said.
-    fn flow_left_out(&self) -> Option<Finding> {
-        /// Of I ω at the start.
-        const SMALL: f64 = 1e-2;
-        let history = self.history()?;
-        let own = self.rotor().angular_momentum(self.start().omega).norm();
-        let flow = |time: f64| history.flow_momentum(time, self.pivot()).unwrap_or_default();
-        let time = history.times().max_by(|a, b| flow(*a).total_cmp(&flow(*b)))?;
-        let most = flow(time);
-        (most > SMALL * own).then(|| Finding {
-            code: "mass_history.flow",
-            severity: Severity::Warning,
-            message: format!(
-                "at t = {time} s what runs to the exits has {most:.1e} kg·m²/s of angular momentum in the body if it runs straight, beside {own:.1e} \
-                 kg·m²/s of the body at the start: the motion leaves that out, as the centre of mass is taken to move along the way to the exit"
-            ),
-            place: None,
-        })
     }
 }

@@ -1,6 +1,7 @@
 //! Tasks: a scenario with its motion, a pendulum, a shaft in its bearings.
 
 mod check;
+mod history_check;
 pub(crate) mod pendulum;
 pub(crate) mod run;
 pub(crate) mod scenario;

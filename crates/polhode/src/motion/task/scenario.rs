@@ -9,6 +9,7 @@ use crate::body::particles::Particle;
 use crate::math::frame::{Body, Space};
 use crate::math::rotation::{Attitude, Rotation};
 use crate::math::vector::{Acceleration, AngularVelocity, Direction, Position, Velocity};
+use crate::motion::contact::{Contact, ContactSimulation, ContactStart, StartVelocity};
 use crate::motion::error::MotionError;
 use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::model::event::Event;
@@ -54,6 +55,7 @@ pub struct Scenario {
     pointings: Vec<Pointing>,
     wheel_names: Vec<Option<String>>,
     history: Option<MassHistory>,
+    contact: Option<Box<GroundContact>>,
     task: Task,
     run: Option<Run>,
     findings: Vec<Finding>,
@@ -96,6 +98,17 @@ impl From<TorqueModel> for ActingTorque {
     fn from(model: TorqueModel) -> Self {
         Self { model, name: None, is_on: true }
     }
+}
+
+/// How a body is on the ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GroundContact {
+    /// What touches what, and how.
+    pub contact: Contact,
+    /// The point of the ground that is touched at the start.
+    pub at: Position<Space>,
+    /// The velocity of the centre of mass at the start.
+    pub velocity: StartVelocity,
 }
 
 /// The fixed axis of a pendulum.
@@ -151,7 +164,22 @@ impl MountedShaft {
 
 impl Scenario {
     /// The parts of a scenario, as a file names them, that exclude each other, and why.
-    pub const EXCLUSIVE: [(&'static str, &'static str, &'static str); 15] = [
+    pub const EXCLUSIVE: [(&'static str, &'static str, &'static str); 22] = [
+        ("contact", "orbit", "a body on the ground is on no orbit"),
+        ("contact", "shaft", SHAFT),
+        (
+            "contact",
+            "prescribed",
+            "the torque that a prescribed motion needs is that of a body that is free or held at a point",
+        ),
+        (
+            "contact",
+            "torque",
+            "the forces at the point of contact and gravity are all that acts on a body on the ground",
+        ),
+        ("contact", "pendulum", "a pendulum hangs, and touches no ground"),
+        ("contact", "wheel", "what rolls is one rigid body"),
+        ("contact", "mass_history", "what rolls is one rigid body, whose mass stays as it is"),
         ("orbit", "shaft", ORBIT),
         ("prescribed", "torque", "a prescribed motion is given, and the torque that it needs is the answer"),
         ("prescribed", "event", "a prescribed motion is given, and nothing on its way changes it"),
@@ -187,6 +215,7 @@ impl Scenario {
             pointings: Vec::new(),
             wheel_names: Vec::new(),
             history: None,
+            contact: None,
             task: Task::Forward(Forward::default()),
             run: None,
             findings: Vec::new(),
@@ -260,6 +289,24 @@ impl Scenario {
 
     /// With mass properties that change with time; those at the start become the body's. It is to know already where it starts and where it is held.
     ///
+    /// ```
+    /// use polhode::body::InertiaTensor;
+    /// use polhode::motion::{MassHistory, MassRow, Method, Outflow, Run};
+    /// use polhode::prelude::*;
+    /// // A ball of 1 kg drops half of itself at 2 s and keeps its ω; the same torque makes it faster twice as fast from then on.
+    /// let ball = |mass: f64| MassProperties::new(mass, Position::ZERO, InertiaTensor::diagonal([0.4 * mass; 3])?);
+    /// let row = |time, body| MassRow { time, body, rates: None };
+    /// let rows = [row(0.0, ball(1.0)?), row(2.0, ball(1.0)?), row(2.0, ball(0.5)?)];
+    /// let history = MassHistory::new(&rows, Outflow::None)?;
+    /// let torque = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.0, 0.0, 0.2)));
+    /// let run = Run { times: vec![2.0, 4.0], method: Method::Auto, tolerance: 1e-13 };
+    /// let scenario = Scenario::new(ball(1.0)?).under([torque])?.changing(history)?.sampled(run);
+    /// let motion = scenario.simulate().ok_or("it has a run")??;
+    /// let rates = motion.samples().iter().map(|sample| sample.state.omega.z);
+    /// assert!(rates.zip([1.0, 3.0]).all(|(rate, want)| (rate - want).abs() < 1e-13));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`MotionError::Exclusive`] of a body with wheels, a pendulum, a prescribed motion and a shaft; as [`MassHistory::at`].
     pub fn changing(self, history: MassHistory) -> Result<Self, MotionError> {
@@ -267,6 +314,23 @@ impl Scenario {
         let (body, _) = history.at(self.start.time)?;
         let rotor = history.rotor(self.start.time, self.pivot)?;
         Ok(Self { body, rotor, history: Some(history), ..self })
+    }
+
+    /// On the ground. It is to know already where it starts.
+    ///
+    /// # Errors
+    /// [`MotionError::Exclusive`] of a body that is held at a pivot, and of all that a body on the ground does not have; as
+    /// [`ContactSimulation::run`].
+    pub fn on_ground(self, ground: GroundContact) -> Result<Self, MotionError> {
+        self.require_compatible("contact", true)?;
+        if self.pivot.is_some() {
+            return Err(exclusive("contact", "pivot", "the body is held at its point of contact alone"));
+        }
+        let start = ContactStart { state: self.start, at: ground.at, velocity: ground.velocity };
+        let motion =
+            ContactSimulation::new(&self.body, &ground.contact, start, &[]).events(self.events()).run()?;
+        let velocity = motion.start().velocity;
+        Ok(Self { velocity, contact: Some(Box::new(ground)), ..self })
     }
 
     /// From this attitude and ω; of a prescribed motion they are its own.
@@ -400,6 +464,7 @@ impl Scenario {
             "orbit" => self.orbit.is_some(),
             "pendulum" => self.suspension().is_some(),
             "mass_history" => self.history.is_some(),
+            "contact" => self.contact.is_some(),
             _ => !self.wheels().is_empty(),
         };
         let excluded = Self::EXCLUSIVE
@@ -498,10 +563,15 @@ impl Scenario {
         self.history.as_ref()
     }
 
+    /// How it is on the ground, if it is.
+    pub fn ground(&self) -> Option<&GroundContact> {
+        self.contact.as_deref()
+    }
+
     /// True if nothing but its inertia, which stays as it is, decides its motion.
     pub fn is_free(&self) -> bool {
         let alone = self.torques().is_empty() && self.wheels().is_empty();
-        alone && self.prescribed().is_none() && self.history.is_none()
+        alone && self.prescribed().is_none() && self.history.is_none() && self.contact.is_none()
     }
 
     /// The name of a wheel, from 0, if it has one.

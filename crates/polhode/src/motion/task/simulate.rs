@@ -3,12 +3,14 @@
 use super::pendulum::Pendulum;
 use super::run::Run;
 use super::scenario::Scenario;
+use crate::motion::contact::{ContactSimulation, ContactStart};
 use crate::motion::error::MotionError;
 use crate::motion::model::torque::{TorqueModel, TorqueParameter};
 use crate::motion::run::derivatives::TrajectoryDerivatives;
-use crate::motion::run::global_error::ErrorEffort;
+use crate::motion::run::global_error::{ErrorEffort, on_ground};
 use crate::motion::run::simulation::Simulation;
 use crate::motion::run::trajectory::Trajectory;
+use crate::motion::solve::method::Method;
 
 impl Scenario {
     /// The motion at the times of the run; `None` without a run.
@@ -27,6 +29,9 @@ impl Scenario {
         &self,
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Option<Result<Trajectory, MotionError>> {
+        if let Some(motion) = self.on_ground_watched(None, progress) {
+            return Some(motion);
+        }
         self.trajectory(|simulation| simulation.run_watched(progress))
     }
 
@@ -39,6 +44,9 @@ impl Scenario {
         effort: ErrorEffort,
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Option<Result<Trajectory, MotionError>> {
+        if let Some(motion) = self.on_ground_watched(Some(effort), progress) {
+            return Some(motion);
+        }
         self.trajectory(|simulation| simulation.run_with_error(effort, progress))
     }
 
@@ -56,7 +64,42 @@ impl Scenario {
             let why = "it is prescribed, whatever the body is";
             return Some(Err(MotionError::NoMotionDerivatives { why, time: self.start().time }));
         }
+        if self.ground().is_some() {
+            let why = "it is that of a body on the ground";
+            return Some(Err(MotionError::NoMotionDerivatives { why, time: self.start().time }));
+        }
         Some(self.simulation(run).run_with_derivatives_watched(parameters, progress))
+    }
+
+    /// The motion of a body on the ground, with the estimate of its error if one is wanted.
+    fn on_ground_watched(
+        &self,
+        effort: Option<ErrorEffort>,
+        progress: &mut dyn FnMut(f64) -> bool,
+    ) -> Option<Result<Trajectory, MotionError>> {
+        let (run, ground) = (self.run()?, self.ground()?);
+        if !matches!(run.method, Method::Auto | Method::Taylor) {
+            let why = "a body on the ground is computed by Taylor series, method \"auto\" or \"taylor\"";
+            return Some(Err(MotionError::Exclusive { parts: ["contact", "method"], why }));
+        }
+        let start = ContactStart { state: self.start(), at: ground.at, velocity: ground.velocity };
+        let simulation = ContactSimulation::new(self.body(), &ground.contact, start, &run.times)
+            .events(self.events())
+            .tolerance(run.tolerance);
+        let motion = simulation.run_watched(progress);
+        let trajectory =
+            motion.and_then(|motion| Trajectory::of_contact(self.rotor(), motion, run.tolerance));
+        let (Some(effort), Ok(trajectory)) = (effort, &trajectory) else { return Some(trajectory) };
+        let end = run.times.last().copied().unwrap_or(start.state.time);
+        let mut goes_on = true;
+        let error = on_ground::of_contact(&simulation, trajectory, effort, &mut |_| {
+            goes_on = progress(end);
+            goes_on
+        });
+        if !goes_on {
+            return Some(Err(MotionError::Stopped { time: end }));
+        }
+        Some(Ok(trajectory.clone().with_error(Some(error))))
     }
 
     fn trajectory(

@@ -22,7 +22,7 @@ pub(super) const BESIDES: &[(&str, &str)] = &[
     ),
     (
         "# [[group]]\n# name = \"wheels\"\n# mass = 1\nname,mass\na,1\n",
-        "list.csv:2:10: group = \"wheels\" must be the group of a row | it has no effect",
+        "list.csv:2:10: group = \"wheels\" must be the group of a row, or of a tank | it has no effect",
     ),
     (
         "# ignore = [\"colour\"]\nname,mass,note\na,1,\n",

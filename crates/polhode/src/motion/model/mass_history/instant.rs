@@ -1,6 +1,6 @@
 //! What a changing body is at one time, in numbers of any kind: so the equations are stated once, for values and for power series.
 
-use crate::math::algebra::{Components, Scalar, VectorAlgebra};
+use crate::math::algebra::{Components, Scalar};
 
 /// The elements xx, yy, zz, xy, xz, yz of a symmetric matrix.
 pub(super) type Elements<S> = [S; 6];

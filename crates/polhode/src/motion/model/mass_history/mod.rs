@@ -111,6 +111,12 @@ struct MassPiece {
     jump: Option<Jump>,
 }
 
+impl MassPiece {
+    fn is_moving(&self) -> bool {
+        self.moments.0.iter().skip(1).any(|term| term.0.iter().any(|x| *x != 0.0))
+    }
+}
+
 /// What happens at once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Jump {
@@ -150,7 +156,7 @@ impl MassHistory {
             require_row(row)?;
         }
         let mut pieces = vec![constant(first, f64::NEG_INFINITY)];
-        let mut jump = None;
+        let (mut is_second, mut jump) = (false, None);
         for pair in rows.windows(2) {
             let [before, after] = pair else { continue };
             let (from, to) = (of(before), of(after));
@@ -158,12 +164,13 @@ impl MassHistory {
                 return Err(wrong(after.time, "has a row that is earlier than the one before it"));
             }
             if after.time == before.time {
-                if jump.is_some() {
+                if is_second {
                     return Err(wrong(after.time, "has more than two rows"));
                 }
-                jump = Some(jump_between(after.time, from, to)?);
+                (is_second, jump) = (true, jump_between(after.time, from, to)?);
                 continue;
             }
+            is_second = false;
             let span = after.time - before.time;
             let slopes = before
                 .rates
@@ -190,6 +197,23 @@ impl MassHistory {
     /// The times at which something becomes different, s.
     pub fn times(&self) -> impl Iterator<Item = f64> + '_ {
         self.pieces.iter().skip(1).map(|piece| piece.start)
+    }
+
+    /// From when until when something changes, s, in the order of time: at one time, if it jumps.
+    pub fn changes(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
+        self.pieces
+            .windows(2)
+            .flat_map(|pair| {
+                let [before, after] = pair else { return [None; 2] };
+                let jump = after.jump.map(|_| [after.start; 2]);
+                [before.is_moving().then_some([before.start, after.start]), jump]
+            })
+            .flatten()
+    }
+
+    /// Does something change after one time and before another?
+    pub fn changes_between(&self, from: f64, to: f64) -> bool {
+        self.changes().any(|[begin, end]| begin < to && from < end)
     }
 
     /// What the body is just after a time, and how fast it changes.
@@ -301,10 +325,13 @@ fn require_row(row: &MassRow) -> Result<(), MotionError> {
 
 /// # Errors
 /// [`MotionError::MassHistory`] if mass comes, or if what goes is no body.
-fn jump_between(time: f64, from: Moments, to: Moments) -> Result<Jump, MotionError> {
+fn jump_between(time: f64, from: Moments, to: Moments) -> Result<Option<Jump>, MotionError> {
+    if from == to {
+        return Ok(None);
+    }
     let lost = from.minus(&to);
     if lost.mass().abs() <= SAME_MASS * from.mass() {
-        return Ok(Jump::Internal);
+        return Ok(Some(Jump::Internal));
     }
     if lost.mass() < 0.0 {
         return Err(wrong(time, "gains mass, of which the motion is not known"));
@@ -312,7 +339,7 @@ fn jump_between(time: f64, from: Moments, to: Moments) -> Result<Jump, MotionErr
     if !lost.is_part_of(&from) {
         return Err(wrong(time, "loses what is no possible body"));
     }
-    Ok(Jump::Separation)
+    Ok(Some(Jump::Separation))
 }
 
 const fn wrong(time: f64, why: &'static str) -> MotionError {

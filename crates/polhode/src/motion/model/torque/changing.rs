@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::OwnTorque;
+use super::graph::Graph;
 use super::law::Values;
 use super::model::AnyLaw;
 use super::polynomial::{PolynomialVector, Unknowns};
@@ -10,6 +10,7 @@ use super::recorder::{Recorder, VectorNode};
 use super::tangent::Tangent;
 use super::variation::Variation;
 use super::varied::VariedVector;
+use super::{OwnTorque, TorqueModel};
 use crate::math::frame::{Body, Space};
 use crate::math::vector::{AngularMomentum, Direction, Torque};
 use crate::motion::model::mass_history::changing_body::ChangingBody;
@@ -24,6 +25,19 @@ impl OwnTorque {
 }
 
 impl ChangingBody {
+    /// Why a law has no power series in time if it acts on this body. A user's may ask for the rotor, which is known in states only.
+    pub(in crate::motion) fn roughness(&self, torque: &TorqueModel, ball: &Rotor) -> Option<&'static str> {
+        let own = match torque {
+            TorqueModel::Scheduled(scheduled) => return self.roughness(&scheduled.torque, ball),
+            TorqueModel::Own(own) => own,
+            _ => return None,
+        };
+        let record =
+            |recorder: &Recorder<'_>| recorder.of_changing(self, |recorder| own.record(recorder)).place;
+        let (graph, _) = Graph::recorded(ball, record);
+        graph.asks_for_rotor.then_some("a law that asks for the rotor, and the body changes")
+    }
+
     /// As [`ChangingBody::balances`], of the ball that turns in its place.
     pub(in crate::motion) fn evidence(&self, ball: &Rotor, state: &State) -> (f64, AngularMomentum<Space>) {
         self.balances(&Values { rotor: ball, state }, state)

@@ -121,6 +121,8 @@ pub(in crate::motion) struct Graph {
     pub(in crate::motion) torque: usize,
     /// The place of each operation's result.
     pub(super) places: Vec<usize>,
+    /// Did a law ask for the body itself?
+    pub(super) asks_for_rotor: bool,
 }
 
 impl Graph {

@@ -68,7 +68,8 @@ pub trait LawInput {
     /// A vector.
     type Vector: VectorAlgebra<Self::Scalar>;
 
-    /// The body, and the point that it turns about.
+    /// The body, and the point that it turns about. Of a body whose mass properties change it is known in states only, so that a law that asks for it
+    /// has no power series then; [`LawInput::inertia`], [`LawInput::moving_point`] and [`LawInput::moving_moment`] have one.
     fn rotor(&self) -> &Rotor;
 
     /// A constant.
@@ -110,7 +111,7 @@ pub trait LawInput {
     /// The vector with these components.
     fn vector(&self, components: [Self::Scalar; 3]) -> Self::Vector;
 
-    /// Where the point that the body turns about is in the body, if its mass properties change.
+    /// Where the point that the body turns about is in the body, if its mass properties change and the rotor does not know.
     fn moving_point(&self) -> Option<Self::Vector> {
         None
     }

@@ -304,6 +304,7 @@ impl<'r> LawInput for Recorder<'r> {
     type Vector = VectorNode<'r>;
 
     fn rotor(&self) -> &Rotor {
+        self.graph.borrow_mut().asks_for_rotor = true;
         self.rotor
     }
 

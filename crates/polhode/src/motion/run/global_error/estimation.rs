@@ -17,17 +17,17 @@ use crate::motion::solve::propagate::noise::Noise;
 use crate::motion::solve::propagate::stepper::{LOOSEST_TOLERANCE, Rule, TIGHTEST_TOLERANCE};
 
 /// Amplitude of the rounding of a step in a perturbed run, in units of ε.
-const STEP_NOISE: f64 = 2.0;
+pub(super) const STEP_NOISE: f64 = 2.0;
 /// Of the constants that steps are made with, in units of half an ε.
-const CONSTANT_NOISE: f64 = 3.0;
+pub(super) const CONSTANT_NOISE: f64 = 3.0;
 /// The last bit of the inputs, times: a power of two, so large that what steps do is nothing beside it, and so small that its effect stays linear ([`LINEAR`]).
-const INPUT_AMPLITUDES: [f64; 3] = [4096.0, 64.0, 1.0];
+pub(super) const INPUT_AMPLITUDES: [f64; 3] = [4096.0, 64.0, 1.0];
 /// Where the seeds of other inputs begin.
-const INPUT_SEED: u64 = 1_000;
+pub(super) const INPUT_SEED: u64 = 1_000;
 /// Perturbed runs of a thorough estimate, with larger rounding and from other inputs.
-const RUNS: [u64; 2] = [8, 4];
+pub(super) const RUNS: [u64; 2] = [8, 4];
 /// Up to so many steps and samples a thorough estimate is made without being asked for: some hundredths of a second.
-const FEW: u64 = 10_000;
+pub(super) const FEW: u64 = 10_000;
 /// Steps of DOP853 and of splitting take several times as long as Taylor's for the same accuracy.
 const FEW_OF_MANY_STAGES: u64 = 3_000;
 

@@ -23,6 +23,7 @@ mod estimation;
 mod finding;
 mod free;
 mod inputs;
+pub(crate) mod on_ground;
 mod perturbed;
 
 use crate::motion::model::state::StateError;

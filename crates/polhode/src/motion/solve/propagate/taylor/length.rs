@@ -44,12 +44,12 @@ impl<N: Number> Expansion<N> {
 }
 
 /// The order of a tolerance.
-pub(super) fn order(tolerance: f64) -> usize {
+pub(in crate::motion) fn order(tolerance: f64) -> usize {
     ((14.0 - 0.3 * tolerance.ln()).ceil() as usize).min(TERMS - 1)
 }
 
 /// The terms that are left out at a tolerance: the errors of all steps add up, and less where steps are long.
-pub(super) fn remainder(tolerance: f64) -> f64 {
+pub(in crate::motion) fn remainder(tolerance: f64) -> f64 {
     let loosely = rough_exp2(0.35 * rough_log2(tolerance / 1e-9)).max(1.0);
     (4e-4 * tolerance * loosely).max(SMALLEST_REMAINDER)
 }
@@ -58,7 +58,7 @@ pub(super) fn remainder(tolerance: f64) -> f64 {
 const SMALLEST_REMAINDER: f64 = 5e-18;
 
 /// log₂ x of x^(p+1)/(1 − x) = the remainder.
-pub(super) fn reach(order: usize, remainder: f64) -> f64 {
+pub(in crate::motion) fn reach(order: usize, remainder: f64) -> f64 {
     let (power, remainder) = (1.0 / (order + 1) as f64, rough_log2(remainder));
     // From x = 0, a few rounds are enough: each leaves a hundredth of the error, as the right-hand side hardly changes.
     let log = |x: f64| (remainder + rough_log2(1.0 - x)) * power;
@@ -70,7 +70,7 @@ pub(super) fn reach(order: usize, remainder: f64) -> f64 {
 /// The bits of a number, read as one of fixed point, are its logarithm but for the chord in place of the curve. No branch, and no
 /// more than shifts for the integers: eight at once are vectors.
 #[inline(always)]
-fn rough_log2(x: f64) -> f64 {
+pub(in crate::motion) fn rough_log2(x: f64) -> f64 {
     // The integer n < 2⁵² is the mantissa of 2⁵² + n.
     let bits = f64::from_bits(TWO_52.to_bits() | x.to_bits() >> 20) - TWO_52;
     let log = bits * TWO_32.recip() - (1023.0 - 0.043);
@@ -79,7 +79,7 @@ fn rough_log2(x: f64) -> f64 {
 
 /// 2ˣ, to 2e-3; infinite and zero where f64 ends.
 #[inline(always)]
-fn rough_exp2(x: f64) -> f64 {
+pub(in crate::motion) fn rough_exp2(x: f64) -> f64 {
     // The nearest integer n: n + 1023, an exponent, is the end of the mantissa.
     let shifted = x + (TWO_52 + 1023.0);
     let m = x - (shifted - (TWO_52 + 1023.0));

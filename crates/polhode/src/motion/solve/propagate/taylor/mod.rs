@@ -12,7 +12,7 @@ mod base;
 mod batch;
 mod body_resolved;
 mod function;
-mod length;
+pub(in crate::motion) mod length;
 mod many;
 mod one;
 mod pair;

@@ -1,0 +1,64 @@
+//! A body that has left the ground: its centre of mass falls, and it turns freely.
+
+use super::equations::{AXES, OMEGA};
+use super::model::{GroundForm, Model, SurfaceForm};
+use crate::math::algebra::{Components, Field};
+
+/// The variables of a flight: e₁, e₃, ω; the centre of mass along the axes of the ground and its velocity; the work of friction and of the ground.
+pub(super) const CENTER: usize = 9;
+pub(super) const CENTER_RATE: usize = 12;
+pub(super) const COUNT: usize = 17;
+
+impl Model {
+    /// True if it is known how far the body is from the ground while it flies.
+    pub(super) fn may_fly(&self) -> bool {
+        let is_ball = matches!(self.surface, SurfaceForm::Rim { radius: 0.0, .. });
+        self.axis_inertia.is_none() && (self.ground == GroundForm::Plane || is_ball)
+    }
+
+    /// The rates of the variables, and the distance from the ground.
+    pub(super) fn flight<S: Field>(&self, one: S, y: &[S]) -> (Vec<S>, S) {
+        let vector = |k: usize| Components([y[k], y[k + 1], y[k + 2]]);
+        let (e1, e3, omega) = (vector(AXES), vector(AXES + 3), vector(OMEGA));
+        let image = |rows: &[[f64; 3]; 3], Components([x, y, z]): Components<S>| {
+            Components(rows.map(|[a, b, c]| x.times(a) + y.times(b) + z.times(c)))
+        };
+        let turned = image(&self.inverse_inertia, -omega.cross(image(&self.inertia, omega)));
+        let zero = one.times(0.0);
+        let falling = self.gravity.map(|g| one.times(g));
+        let mut rates: Vec<S> = [e1.cross(omega), e3.cross(omega), turned].iter().flat_map(|v| v.0).collect();
+        rates.extend(vector(CENTER_RATE).0);
+        rates.extend(falling);
+        rates.extend([zero, zero]);
+        (rates, self.gap(one, y))
+    }
+
+    /// How far the body is from the ground.
+    fn gap<S: Field>(&self, one: S, y: &[S]) -> S {
+        let vector = |k: usize| Components([y[k], y[k + 1], y[k + 2]]);
+        let (e1, e3, center) = (vector(AXES), vector(AXES + 3), vector(CENTER));
+        let offset = Components(self.offset.map(|x| one.times(x)));
+        let along = |v: Components<S>| Components([e1.dot(v), e3.cross(e1).dot(v), e3.dot(v)]);
+        match self.ground {
+            GroundForm::Plane => {
+                let lowest = offset + self.surface.point(one, e3);
+                center.0[2] + e3.dot(lowest)
+            }
+            GroundForm::Sphere { radius } | GroundForm::Cylinder { radius } => {
+                let Components([x, y, z]) = center + along(offset);
+                let across = if matches!(self.ground, GroundForm::Sphere { .. }) {
+                    x * x + y * y + z * z
+                } else {
+                    x * x + y * y
+                };
+                // Inside: ρ − a − |c|. Outside, where ρ is negative: |c| + ρ − a.
+                let from_axis = across.root().times(-radius.signum());
+                let tube = match self.surface {
+                    SurfaceForm::Rim { tube, .. } => tube,
+                    SurfaceForm::Ellipsoid { .. } => f64::NAN,
+                };
+                from_axis + one.times(radius - tube)
+            }
+        }
+    }
+}

@@ -1,0 +1,162 @@
+//! Phases: rolling, sliding and flying, each with its equations and with what ends it.
+
+use super::equations::{Kinetics, Pivot, Regime};
+use super::flight;
+use super::law::{ContactLaw, Grip};
+use super::model::{GroundForm, Model, SurfaceForm};
+use super::series::{Expansion, System};
+use crate::math::algebra::{Components, Field};
+
+/// Which equations hold.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Kind {
+    Touching(Regime, Pivot),
+    Flying,
+}
+
+/// A function that is positive as long as a phase goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Watch {
+    /// N
+    NormalForce,
+    /// µₛ² N² − F_t²
+    Grip,
+    /// |u|
+    SlipSpeed,
+    /// What N is divided by.
+    Inertance,
+    /// The rate at which the body turns about the normal, in its sense.
+    Turning,
+    /// µₚ² N² − τₚ²
+    Holding,
+    /// |ω_t|
+    RollingRate,
+    /// How much the rim that is touched is lower than the other one.
+    OtherRim,
+    /// (½ N l)² less the square of the torque that keeps the axis level.
+    Ends,
+    /// The determinant of 1 + r′K.
+    Fit,
+    /// The distance from the ground.
+    Gap,
+}
+
+/// A phase, with room for its series.
+#[derive(Clone, Debug)]
+pub(super) struct Phase {
+    pub(super) kind: Kind,
+    pub(super) watches: Vec<Watch>,
+    pub(super) expansion: Expansion,
+}
+
+impl Phase {
+    pub(super) fn new(
+        model: &Model,
+        law: &ContactLaw,
+        length: Option<f64>,
+        kind: Kind,
+        tolerance: f64,
+    ) -> Self {
+        let watches = watches(model, law, length, kind);
+        let system = match kind {
+            Kind::Flying => System::record(flight::COUNT, |one, y| {
+                let (rates, gap) = model.flight(one, y);
+                [rates, vec![gap]]
+            }),
+            Kind::Touching(regime, pivot) => System::record(Model::count(regime), |one, y| {
+                let (rates, at) = model.rates(one, y, regime, pivot);
+                let value = |watch: &Watch| model.watched(one, &at, *watch, law, length, pivot);
+                [rates, watches.iter().map(value).collect()]
+            }),
+        };
+        Self { kind, watches, expansion: Expansion::new(system, tolerance) }
+    }
+}
+
+/// What may end a phase.
+fn watches(model: &Model, law: &ContactLaw, length: Option<f64>, kind: Kind) -> Vec<Watch> {
+    let Kind::Touching(regime, pivot) = kind else { return vec![Watch::Gap] };
+    let mut watches = vec![Watch::NormalForce];
+    match regime {
+        Regime::Rolling if *law.grip() != Grip::NoSlip => watches.push(Watch::Grip),
+        Regime::Rolling => {}
+        Regime::Sliding => {
+            watches.push(Watch::Inertance);
+            if model.kinetic != 0.0 {
+                watches.push(Watch::SlipSpeed);
+            }
+        }
+    }
+    if model.pivoting != 0.0 {
+        watches.push(if pivot == Pivot::Held { Watch::Holding } else { Watch::Turning });
+    }
+    if model.rolling != 0.0 {
+        watches.push(Watch::RollingRate);
+    }
+    if matches!(model.surface, SurfaceForm::Rim { height, .. } if height != 0.0) {
+        watches.push(Watch::OtherRim);
+    }
+    if model.axis_inertia.is_some() && length.is_some() {
+        watches.push(Watch::Ends);
+    }
+    if model.ground != GroundForm::Plane {
+        watches.push(Watch::Fit);
+    }
+    watches
+}
+
+impl Model {
+    /// The value of what is watched.
+    pub(super) fn watched<S: Field>(
+        &self,
+        one: S,
+        at: &Kinetics<S>,
+        watch: Watch,
+        law: &ContactLaw,
+        length: Option<f64>,
+        pivot: Pivot,
+    ) -> S {
+        let n = at.normal;
+        let (relative, force) = (at.relative, at.normal_force);
+        match watch {
+            Watch::NormalForce => force,
+            Watch::Grip => {
+                let most = law.friction().sticking;
+                (force * force).times(most * most) - at.tangential.dot(at.tangential)
+            }
+            Watch::SlipSpeed => at.slip.dot(at.slip).root(),
+            Watch::Inertance => at.inertance,
+            Watch::Turning => match pivot {
+                Pivot::Turning(sense) => relative.dot(n).times(sense),
+                Pivot::Held => one,
+            },
+            Watch::Holding => (force * force).times(self.pivoting * self.pivoting) - at.holding * at.holding,
+            Watch::RollingRate => {
+                let along = relative - n * relative.dot(n);
+                along.dot(along).root()
+            }
+            Watch::OtherRim => match self.surface {
+                SurfaceForm::Rim { height, .. } => n.0[2].times(-height),
+                SurfaceForm::Ellipsoid { .. } => one,
+            },
+            Watch::Ends => {
+                let half = 0.5 * length.unwrap_or(f64::INFINITY);
+                let level = self.leveling(one, at);
+                (force * force).times(half * half) - level * level
+            }
+            Watch::Fit => at.fit,
+            Watch::Gap => one,
+        }
+    }
+
+    /// The torque about z × n that keeps the axis of a cylinder level, beside that of a force in its middle.
+    fn leveling<S: Field>(&self, one: S, at: &Kinetics<S>) -> S {
+        let image = |Components([x, y, z]): Components<S>| {
+            Components(self.inertia.map(|[a, b, c]| x.times(a) + y.times(b) + z.times(c)))
+        };
+        let force = at.tangential + at.normal * at.normal_force;
+        let needed = image(at.omega_rate) + at.omega.cross(image(at.omega)) - at.arm.cross(force);
+        let zero = one.times(0.0);
+        Components([zero, zero, one]).cross(at.normal).dot(needed)
+    }
+}

@@ -1,0 +1,209 @@
+//! The Taylor series of a system about a state.
+//!
+//! Source: L. B. Rall, Automatic Differentiation (1981), ch. 3.3; À. Jorba, M. Zou, Exp. Math. 14 (2005) 99.
+
+use super::graph::{Form, Step, System};
+use crate::math::machine::{Machine, Work, in_vectors};
+use crate::math::number::Number as _;
+use crate::motion::solve::propagate::taylor::length::{order, reach, remainder, rough_exp2, rough_log2};
+
+/// Room for the coefficients of a series, in fours.
+const ROOM: usize = 28;
+
+/// The highest order: sums go by fours, and one coefficient more is that of the rates.
+const MOST: usize = ROOM - 4;
+
+/// Coefficients in ascending and in descending order, so that a convolution runs forward in both.
+#[derive(Clone, Debug)]
+struct Coefficients {
+    ascending: [f64; ROOM],
+    /// Coefficient n at ROOM − 1 − n; then zeros, as many as a sum by fours reads too far.
+    descending: [f64; ROOM + 4],
+}
+
+impl Coefficients {
+    const ZERO: Self = Self { ascending: [0.0; ROOM], descending: [0.0; ROOM + 4] };
+
+    #[inline(always)]
+    fn set(&mut self, n: usize, x: f64) {
+        self.ascending[n] = x;
+        self.descending[ROOM - 1 - n] = x;
+    }
+}
+
+/// sums + Σ aₖ bₙ₋ₖ, k = 0 … n, by fours.
+#[inline(always)]
+fn convolution<S: Machine>(s: S, sums: S::Four, a: &Coefficients, b: &Coefficients, n: usize) -> S::Four {
+    let (ahead, back) = (&a.ascending[..=n | 3], &b.descending[ROOM - 1 - n..]);
+    let mut sums = sums;
+    for (a, b) in ahead.as_chunks::<4>().0.iter().zip(back.as_chunks::<4>().0) {
+        sums = s.load(a).mul_add(s.load(b), sums);
+    }
+    sums
+}
+
+#[inline(always)]
+fn total<S: Machine>(s: S, sums: S::Four) -> f64 {
+    let [a, b, c, d] = s.numbers(sums);
+    (a + b) + (c + d)
+}
+
+/// A system with its series about a state.
+#[derive(Clone, Debug)]
+pub(in crate::motion::contact) struct Expansion {
+    system: System,
+    order: usize,
+    /// The last coefficient that is a number.
+    last: usize,
+    /// log₂ of the length of a step over the radius of convergence.
+    reach: f64,
+    steps: Vec<Coefficients>,
+    variables: Vec<[f64; ROOM]>,
+    outputs: Vec<[f64; ROOM]>,
+}
+
+impl Expansion {
+    /// Without a state yet. `tolerance` is of each step, relative to the sizes of the variables.
+    pub(in crate::motion::contact) fn new(system: System, tolerance: f64) -> Self {
+        let order = order(tolerance).min(MOST);
+        let [variables, outputs] = [&system.rates, &system.outputs].map(|all| vec![[0.0; ROOM]; all.len()]);
+        let steps = vec![Coefficients::ZERO; system.steps.len()];
+        Self {
+            system,
+            order,
+            last: order,
+            reach: reach(order, remainder(tolerance)),
+            steps,
+            variables,
+            outputs,
+        }
+    }
+
+    /// About a state; how long a step from it may be, its variables measured with `sizes`.
+    pub(in crate::motion::contact) fn about(&mut self, state: &[f64], sizes: &[f64]) -> f64 {
+        for (series, &x) in self.variables.iter_mut().zip(state) {
+            series[0] = x;
+        }
+        for coefficients in &mut self.steps {
+            coefficients.ascending = [0.0; ROOM];
+        }
+        in_vectors(Coming(self));
+        self.length(sizes)
+    }
+
+    /// Coefficient n of everything, once those of the variables are known up to n.
+    #[inline(always)]
+    fn work_out<S: Machine>(&mut self, s: S, n: usize) {
+        for (own, step) in self.system.steps.iter().enumerate() {
+            let steps = &mut self.steps;
+            let value = match step {
+                Step::Variable(k) => self.variables[*k][n],
+                Step::Form(of) => form(s, of, steps, n),
+                Step::Divide(..) | Step::Invert(_) | Step::Root(_) => {
+                    // Not known yet: it adds nothing to the sums.
+                    steps[own].set(n, 0.0);
+                    implicit(s, step, steps, own, n)
+                }
+            };
+            steps[own].set(n, value);
+        }
+        for (k, rate) in self.system.rates.iter().enumerate() {
+            let rate = form(s, rate, &self.steps, n);
+            if let Some(next) = self.variables[k].get_mut(n + 1) {
+                *next = rate / (n + 1) as f64;
+            }
+        }
+        for (k, output) in self.system.outputs.iter().enumerate() {
+            self.outputs[k][n] = form(s, output, &self.steps, n);
+        }
+    }
+
+    /// The longest step at which the terms that are left out are as small as they should be: by the last two coefficients that are finite.
+    fn length(&mut self, sizes: &[f64]) -> f64 {
+        let log_radius = |n: usize| {
+            let largest = |size: f64, (series, scale): (&[f64; ROOM], &f64)| {
+                let x = series[n].abs() / scale;
+                // A maximum that NaN does not escape.
+                if size.is_nan() || x <= size { size } else { x }
+            };
+            let size = self.variables.iter().zip(sizes).fold(0.0, largest);
+            if size.is_finite() { -rough_log2(size) / n as f64 } else { f64::NAN }
+        };
+        let pairs = (2..=self.order).rev().map(|n| (n, [log_radius(n), log_radius(n - 1)]));
+        let finite = pairs.into_iter().find(|(_, [last, before])| !last.is_nan() && !before.is_nan());
+        let Some((n, [last, before])) = finite else { return f64::NAN };
+        self.last = n;
+        rough_exp2(last.min(before) + self.reach)
+    }
+
+    /// How many coefficients a step takes.
+    pub(in crate::motion::contact) const fn terms(&self) -> u64 {
+        self.order as u64 + 1
+    }
+
+    /// The change of a variable after h.
+    pub(in crate::motion::contact) fn change(&self, h: f64, k: usize) -> f64 {
+        let [_, series @ ..] = &self.variables[k];
+        series[..self.last].iter().rev().fold(0.0, |sum, c| sum * h + c) * h
+    }
+
+    /// A variable after h.
+    pub(in crate::motion::contact) fn variable(&self, h: f64, k: usize) -> f64 {
+        self.variables[k][0] + self.change(h, k)
+    }
+
+    /// One of the further functions after h.
+    pub(in crate::motion::contact) fn output(&self, h: f64, k: usize) -> f64 {
+        self.outputs[k][..self.last].iter().rev().fold(0.0, |sum, c| sum * h + c)
+    }
+}
+
+/// All coefficients, one after another.
+struct Coming<'e>(&'e mut Expansion);
+
+impl Work for Coming<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Machine>(self, s: S) {
+        for n in 0..=self.0.order {
+            self.0.work_out(s, n);
+        }
+    }
+}
+
+/// Coefficient n of a quotient or a root, from those of itself before it.
+#[inline(always)]
+fn implicit<S: Machine>(s: S, step: &Step, steps: &[Coefficients], own: usize, n: usize) -> f64 {
+    let c = &steps[own];
+    let known = |b: &Coefficients| total(s, convolution(s, s.splat(0.0), b, c, n));
+    match *step {
+        // b c = a
+        Step::Divide(a, b) => (steps[a].ascending[n] - known(&steps[b])) / steps[b].ascending[0],
+        Step::Invert(b) => {
+            let one = if n == 0 { 1.0 } else { 0.0 };
+            (one - known(&steps[b])) / steps[b].ascending[0]
+        }
+        // c c = a
+        Step::Root(a) if n == 0 => steps[a].ascending[0].sqrt(),
+        Step::Root(a) => 0.5 * (steps[a].ascending[n] - known(c)) / c.ascending[0],
+        Step::Variable(_) | Step::Form(_) => f64::NAN,
+    }
+}
+
+/// Coefficient n of a form.
+#[inline(always)]
+fn form<S: Machine>(s: S, form: &Form, steps: &[Coefficients], n: usize) -> f64 {
+    let mut sum = if n == 0 { form.constant } else { 0.0 };
+    for (factor, pairs) in &form.products {
+        let mut sums = s.splat(0.0);
+        for &[a, b] in pairs {
+            sums = convolution(s, sums, &steps[a], &steps[b], n);
+        }
+        sum += factor * total(s, sums);
+    }
+    for &(a, factor) in &form.terms {
+        sum += factor * steps[a].ascending[n];
+    }
+    sum
+}

@@ -1,0 +1,293 @@
+//! Steps along a phase: Taylor series about one state after another, the rounding of the variables carried along.
+
+use super::equations::{AXES, Kinetics, OMEGA, PLACE, VELOCITY};
+use super::flight::{CENTER, CENTER_RATE};
+use super::law::ContactLaw;
+use super::model::{GroundForm, Model};
+use super::phase::{Kind, Phase, Watch};
+use super::simulation::StepNoise;
+use crate::math::algebra::Components;
+use crate::math::sum::two_sum;
+use crate::motion::solve::propagate::noise::Random;
+
+/// Places of a step at which what is watched is looked at.
+const LOOKS: u32 = 8;
+
+/// A body on its way.
+#[derive(Clone, Debug)]
+pub(super) struct Stepper {
+    pub(super) model: Model,
+    law: ContactLaw,
+    length: Option<f64>,
+    tolerance: f64,
+    /// The size of the body, m.
+    size: f64,
+    /// Those that have been needed, and which goes on.
+    phases: Vec<Phase>,
+    current: usize,
+    /// Where the last step began, and what it was.
+    begun: f64,
+    step: f64,
+    /// The variables at the end of the last step, and what rounding left of them.
+    high: Vec<f64>,
+    low: Vec<f64>,
+    time: f64,
+    /// What is added to the variables after each step, and how many times as long steps are.
+    noise: Option<(Random, f64)>,
+    stretch: f64,
+}
+
+/// The end of a phase, found in a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Passing {
+    /// Since the start of the step, s.
+    pub(super) after: f64,
+    pub(super) watch: Watch,
+}
+
+impl Stepper {
+    pub(super) fn new(
+        model: Model,
+        law: ContactLaw,
+        length: Option<f64>,
+        [size, tolerance]: [f64; 2],
+        time: f64,
+    ) -> Self {
+        Self {
+            model,
+            law,
+            length,
+            tolerance,
+            size,
+            phases: Vec::new(),
+            current: 0,
+            begun: time,
+            step: 0.0,
+            high: Vec::new(),
+            low: Vec::new(),
+            time,
+            noise: None,
+            stretch: 1.0,
+        }
+    }
+
+    /// With larger rounding, and other steps.
+    pub(super) fn perturbed(self, noise: Option<StepNoise>) -> Self {
+        let Some(StepNoise { seed, amplitude, stretch }) = noise else { return self };
+        Self { noise: Some((Random::new(seed), amplitude * f64::EPSILON)), stretch, ..self }
+    }
+
+    /// Goes on by other equations, from these variables.
+    pub(super) fn enter(&mut self, kind: Kind, variables: Vec<f64>) {
+        let known = self.phases.iter().position(|phase| phase.kind == kind);
+        self.current = known.unwrap_or_else(|| {
+            self.phases.push(Phase::new(&self.model, &self.law, self.length, kind, self.tolerance));
+            self.phases.len() - 1
+        });
+        self.low = vec![0.0; variables.len()];
+        self.high = variables;
+        self.begun = self.time;
+        self.step = 0.0;
+    }
+
+    pub(super) fn kind(&self) -> Kind {
+        self.phases[self.current].kind
+    }
+
+    pub(super) const fn size(&self) -> f64 {
+        self.size
+    }
+
+    pub(super) const fn law(&self) -> &ContactLaw {
+        &self.law
+    }
+
+    /// What may end the phase.
+    pub(super) fn watches(&self) -> &[Watch] {
+        &self.phases[self.current].watches
+    }
+
+    /// How many coefficients a step takes.
+    pub(super) fn terms(&self) -> u64 {
+        self.phases[self.current].expansion.terms()
+    }
+
+    pub(super) const fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// The variables at the end of the last step.
+    pub(super) fn variables(&self) -> &[f64] {
+        &self.high
+    }
+
+    /// The variables within the last step.
+    pub(super) fn variables_at(&self, time: f64) -> Vec<f64> {
+        if time == self.time {
+            return self.high.clone();
+        }
+        let expansion = &self.phases[self.current].expansion;
+        let mut y: Vec<f64> =
+            (0..self.high.len()).map(|k| expansion.variable(time - self.begun, k)).collect();
+        self.normalise(&mut y);
+        y
+    }
+
+    /// How fast slip is where it is too small to be told from rounding, m/s.
+    pub(super) fn least_slip(&self, y: &[f64]) -> f64 {
+        1e-13 * self.speed(y)
+    }
+
+    /// What velocities are measured with, m/s.
+    pub(super) fn speed(&self, y: &[f64]) -> f64 {
+        self.rate(y) * self.size
+    }
+
+    /// What rates of turning are measured with, rad/s.
+    pub(super) fn rate(&self, y: &[f64]) -> f64 {
+        let [gx, gy, gz] = self.model.gravity;
+        let falling = (gx.hypot(gy).hypot(gz) / self.size).sqrt();
+        let omega = y[OMEGA].hypot(y[OMEGA + 1]).hypot(y[OMEGA + 2]);
+        let rate = omega + falling + self.model.turning[2].abs();
+        if rate > 0.0 { rate } else { 1.0 }
+    }
+
+    /// The step that may be taken from here; its series. No number if there is none.
+    pub(super) fn expand(&mut self) -> f64 {
+        let sizes = self.sizes();
+        self.begun = self.time;
+        self.step = 0.0;
+        let phase = &mut self.phases[self.current];
+        self.stretch * phase.expansion.about(&self.high, &sizes)
+    }
+
+    /// What ends the phase within h of the start of the step, first.
+    pub(super) fn passing(&self, h: f64) -> Option<Passing> {
+        let phase = &self.phases[self.current];
+        let mut first: Option<Passing> = None;
+        for (k, &watch) in phase.watches.iter().enumerate() {
+            let value = |t: f64| phase.expansion.output(t, k);
+            let mut before = [0.0, value(0.0)];
+            for look in 1..=LOOKS {
+                let t = h * f64::from(look) / f64::from(LOOKS);
+                let now = value(t);
+                if now < 0.0 && before[1] > 0.0 {
+                    let after = crate::math::root::root(value, [before[0], t], [before[1], now]);
+                    if first.is_none_or(|first| after < first.after) {
+                        first = Some(Passing { after, watch });
+                    }
+                    break;
+                }
+                before = [t, now];
+            }
+        }
+        first
+    }
+
+    /// Takes the step, or as much of it as is good.
+    pub(super) fn advance(&mut self, h: f64, to: f64) {
+        let expansion = &self.phases[self.current].expansion;
+        for (k, (high, low)) in self.high.iter_mut().zip(&mut self.low).enumerate() {
+            let before = high.abs();
+            (*high, *low) = two_sum(*high, *low + expansion.change(h, k));
+            if let Some((random, amplitude)) = &mut self.noise {
+                *low += 0.5 * *amplitude * (before + high.abs()) * random.next();
+            }
+        }
+        self.step = h;
+        self.time = to;
+        let mut y = core::mem::take(&mut self.high);
+        self.normalise(&mut y);
+        self.high = y;
+    }
+
+    /// The value of what is watched, at the end of the last step; nothing if it is not.
+    pub(super) fn watched(&self, watch: Watch) -> Option<f64> {
+        let phase = &self.phases[self.current];
+        if !phase.watches.contains(&watch) {
+            return None;
+        }
+        let at = self.kinetics(&self.high)?;
+        let Kind::Touching(_, pivot) = phase.kind else { return None };
+        Some(self.model.watched(1.0, &at, watch, &self.law, self.length, pivot))
+    }
+
+    /// What is read off the variables of what touches the ground.
+    pub(super) fn kinetics(&self, y: &[f64]) -> Option<Kinetics<f64>> {
+        match self.kind() {
+            Kind::Touching(regime, pivot) => Some(self.model.kinetics(1.0, y, regime, pivot)),
+            Kind::Flying => None,
+        }
+    }
+
+    /// What each variable is measured with.
+    fn sizes(&self) -> Vec<f64> {
+        let (rate, speed) = (self.rate(&self.high), self.speed(&self.high));
+        let mut sizes = vec![1.0; AXES + 6];
+        sizes.extend([rate; 3]);
+        let largest = |k: usize, least: f64| {
+            let v = &self.high[k..k + 3];
+            v.iter().fold(least, |size, x| size.max(x.abs()))
+        };
+        let works = match self.kind() {
+            Kind::Flying => {
+                sizes.extend([largest(CENTER, self.size); 3]);
+                sizes.extend([largest(CENTER_RATE, speed); 3]);
+                CENTER_RATE + 3
+            }
+            Kind::Touching(..) => {
+                sizes.extend(match self.model.ground {
+                    GroundForm::Plane => [self.size; 3],
+                    GroundForm::Sphere { .. } => [1.0; 3],
+                    GroundForm::Cylinder { .. } => [1.0, 1.0, self.size],
+                });
+                if self.high.len() > VELOCITY + 2 {
+                    sizes.extend([largest(VELOCITY, speed); 3]);
+                }
+                sizes.len()
+            }
+        };
+        sizes.resize(works, 1.0);
+        let energy = self.model.mass * speed * speed;
+        sizes.extend([energy; 2]);
+        sizes
+    }
+
+    /// Brings the axes back to right angles and unit length, a normal to unit length, and a velocity into the ground, where rounding has led away from
+    /// it.
+    fn normalise(&self, y: &mut [f64]) {
+        const SMALL: f64 = 4.0 * f64::EPSILON;
+        let vector = |y: &[f64], k: usize| Components([y[k], y[k + 1], y[k + 2]]);
+        let (e1, e3) = (vector(y, AXES), vector(y, AXES + 3));
+        let off = [e1.dot(e1) - 1.0, e3.dot(e3) - 1.0, e1.dot(e3)];
+        if off.iter().any(|x| x.abs() > SMALL) {
+            let e3 = e3.scaled(1.0 / e3.dot(e3).sqrt());
+            let e1 = e1 - e3.scaled(e1.dot(e3));
+            let e1 = e1.scaled(1.0 / e1.dot(e1).sqrt());
+            y[AXES..AXES + 3].copy_from_slice(&e1.0);
+            y[AXES + 3..AXES + 6].copy_from_slice(&e3.0);
+        }
+        if self.kind() == Kind::Flying {
+            return;
+        }
+        let last = match self.model.ground {
+            GroundForm::Plane => 0,
+            GroundForm::Cylinder { .. } => 2,
+            GroundForm::Sphere { .. } => 3,
+        };
+        let square: f64 = y[PLACE..PLACE + last].iter().map(|x| x * x).sum();
+        if last > 0 && (square - 1.0).abs() > SMALL {
+            let length = square.sqrt();
+            y[PLACE..PLACE + last].iter_mut().for_each(|x| *x /= length);
+        }
+        if y.len() > VELOCITY + 2
+            && let Some(at) = self.kinetics(y)
+        {
+            let off = at.slip.dot(at.normal);
+            if off.abs() > f64::EPSILON * self.speed(y) {
+                let v = vector(y, VELOCITY) - at.normal.scaled(off);
+                y[VELOCITY..VELOCITY + 3].copy_from_slice(&v.0);
+            }
+        }
+    }
+}

@@ -1,6 +1,7 @@
 //! The exact motion at the times of a log.
 
 use super::error::JudgeError;
+use crate::motion::error::MotionError;
 use crate::motion::model::state::{State, StateError};
 use crate::motion::run::global_error::ErrorEffort;
 use crate::motion::run::simulation::Simulation;
@@ -68,6 +69,10 @@ impl Reference {
 pub(super) fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<State>, JudgeError> {
     if scenario.history().is_some() {
         return Err(JudgeError::Changing);
+    }
+    if scenario.ground().is_some() {
+        let why = "the causes of errors are known of bodies that are free or held at a point";
+        return Err(JudgeError::Motion(MotionError::OnGround { why }));
     }
     if !matches!(scenario.task(), Task::Forward(_)) {
         return Err(JudgeError::NoMotion);

@@ -74,7 +74,7 @@ impl Phase {
 }
 
 /// What may end a phase.
-fn watches(model: &Model, law: &ContactLaw, length: Option<f64>, kind: Kind) -> Vec<Watch> {
+pub(super) fn watches(model: &Model, law: &ContactLaw, length: Option<f64>, kind: Kind) -> Vec<Watch> {
     let Kind::Touching(regime, pivot) = kind else { return vec![Watch::Gap] };
     let mut watches = vec![Watch::NormalForce];
     match regime {

@@ -1,7 +1,7 @@
 //! The numbers beside the picture, ready to read.
 
 use polhode::motion::torque::TorqueModel;
-use polhode::motion::{Crossing, FreeMotion, Regime, Scenario, Solution, Swing, Trajectory, Wheel};
+use polhode::motion::{Crossing, FreeMotion, Regime, Scenario, Solution, Swing, Wheel};
 use polhode::observe::{Cones, Drift, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin, SymmetricTop};
 use serde_json::{Value, json};
 
@@ -329,7 +329,7 @@ fn heavy_top(scenario: &Scenario) -> Vec<Row> {
 
 /// How far the balances fail at the worst sample.
 fn evidence(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
-    let mut rows = balances(input.trajectory, is_free);
+    let mut rows = balance(input, is_free);
     if let Some(estimate) = input.trajectory.error() {
         let [end, inputs] = [estimate.end(), estimate.inputs_end()];
         rows.push(Row::new("attitude is right to", error(end.attitude), "rad").note("estimate, at the end"));
@@ -344,13 +344,13 @@ fn evidence(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
     rows
 }
 
-/// The balances of energy and momentum.
-fn balances(trajectory: &Trajectory, is_free: bool) -> Vec<Row> {
+/// What stays the same, and how well.
+fn balance(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
     let row = |label, value: f64| Row::new(label, error(value), "").note("relative, worst sample");
-    if let Some(contact) = trajectory.contact() {
+    if let Some(contact) = input.trajectory.contact() {
         return vec![row("T + U − works of the contact", contact.energy_drift())];
     }
-    let Some(drift) = Drift::of(trajectory) else { return Vec::new() };
+    let Some(drift) = Drift::of(input.trajectory) else { return Vec::new() };
     let mut rows = if is_free {
         vec![
             row("T stays to", drift.kinetic_energy),

@@ -2,7 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 mod budget;
+mod budget_diff;
 mod budget_history;
+mod budget_sweep;
 mod check;
 mod check_forms;
 mod check_gate;

@@ -11,6 +11,7 @@ mod flight;
 mod ground;
 mod law;
 mod model;
+mod onset;
 mod phase;
 mod reading;
 mod run;

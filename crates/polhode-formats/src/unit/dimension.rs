@@ -214,5 +214,5 @@ const NAMES: [(Dimension, &str, &str); 25] = [
     (Dimension::STIFFNESS, "a torque per angle", "0.1 N m/rad"),
     (Dimension::DRAG, "a torque per angular velocity", "0.1 N m s/rad"),
     (Dimension::QUADRATIC_DRAG, "a torque per squared angular velocity", "0.1 N m s^2/rad^2"),
-    (Dimension::VISCOUS_FRICTION, "a force per velocity", "0.1 N s/m"),
+    (Dimension::VISCOUS_FRICTION, "a mass flow or a viscous friction", "0.1 kg/s"),
 ];

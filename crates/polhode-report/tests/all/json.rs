@@ -141,6 +141,7 @@ fn the_summary_has_the_same_keys_for_every_motion() {
         "torques",
         "wheels",
         "mass_history",
+        "contact",
         "events",
         "findings",
     ];

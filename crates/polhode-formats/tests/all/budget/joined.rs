@@ -238,7 +238,7 @@ fn tables_of_tanks_are_of_the_file_that_names_them() {
     folder.write("lists/parts.csv", head.replace("grain.csv", "gravel.csv"));
     let error = folder.read("plan.toml", plan).unwrap_err();
     assert!(
-        error.starts_with("lists/parts.csv:4:11: cannot read \"gravel.csv\": there is no such file"),
+        error.starts_with("lists/parts.csv:4:11: cannot read \"lists/gravel.csv\": there is no such file"),
         "{error}"
     );
     // In a sheet of the workbook that the plan names.

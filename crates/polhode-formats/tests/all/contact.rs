@@ -134,7 +134,7 @@ fn each_mistake_has_its_place() {
         (&format!("{BALL}law = 'friction'\nrolls = true"), "", "[contact]", "friction"),
         (&format!("{BALL}law = 'friction'\nfriction = -0.1"), "", "-0.1", "not negative"),
         (&format!("{slides}\nstatic_friction = 0.2\nrolls = true"), "", "0.2", "not below friction = 0.3"),
-        (&format!("{slides}\nviscous = '3 m'\nrolls = true"), "", "'3 m'", "force per velocity"),
+        (&format!("{slides}\nviscous = '3 m'\nrolls = true"), "", "'3 m'", "viscous friction"),
         (&format!("{rolling}\nfriction = 0.3"), "", "0.3", "left out with law = \"rolling\""),
         (&format!("{rolling}\nrolling_friction = '-1 mm'"), "", "'-1 mm'", "not negative"),
         (&format!("{rolling}\nrolling_friction = '1 mm'"), "", "'1 mm'", "the rate of rolling"),

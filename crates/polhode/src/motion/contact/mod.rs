@@ -6,12 +6,14 @@
 //! ([`ContactChange`]) found on the way. Impacts are not computed: a motion ends where a body comes back to the ground.
 
 mod change;
+mod dual;
 mod equations;
 mod flight;
 mod ground;
 mod law;
 mod model;
 mod phase;
+pub(crate) mod reduced;
 mod run;
 mod sample;
 mod series;
@@ -25,6 +27,7 @@ mod transition;
 pub use change::{ContactChange, ContactEvent, ContactPhase};
 pub use ground::{Ground, GroundShape, GroundSide};
 pub use law::{ContactLaw, Friction, Grip, Resistance};
+pub use reduced::Footing;
 pub use sample::ContactSample;
 pub(in crate::motion) use simulation::StepNoise;
 pub use simulation::{Contact, ContactSimulation};

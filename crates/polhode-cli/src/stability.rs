@@ -48,6 +48,13 @@ impl Stability {
                 hint,
             ));
         }
+        if scenario.ground().is_some() {
+            let hint = "polhode simulate computes its motion; leave out [contact] for the body alone";
+            return Err(Failure::usage(
+                format!("the body of {path} is on the ground: which of its motions last is not known here"),
+                hint,
+            ));
+        }
         let title = scenario.title().unwrap_or("scenario");
         let source = SourceInfo::new(self.file.display().to_string(), "scenario").described(title);
         let report = StabilityReport::of_scenario(source, &scenario);

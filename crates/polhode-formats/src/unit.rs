@@ -123,7 +123,7 @@ pub(crate) fn units_of(dimension: Dimension) -> Vec<&'static str> {
 }
 
 /// Products of units that people write.
-const COMPOUND: [&str; 36] = [
+const COMPOUND: [&str; 37] = [
     "m^3",
     "cm^3",
     "mm^3",
@@ -160,6 +160,7 @@ const COMPOUND: [&str; 36] = [
     "N m/rad",
     "N m s/rad",
     "N m s^2/rad^2",
+    "N s/m",
 ];
 
 /// True of a number with a unit; a formula such as `3*t` is none.

@@ -99,7 +99,11 @@ impl PyMotion {
 
     #[getter]
     fn work<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_vec(py, self.trajectory.samples().iter().map(|sample| sample.work).collect())
+        let work = match self.trajectory.contact() {
+            Some(contact) => contact.samples().iter().map(|s| s.friction_work + s.ground_work).collect(),
+            None => self.trajectory.samples().iter().map(|sample| sample.work).collect(),
+        };
+        PyArray1::from_vec(py, work)
     }
 
     #[getter]

@@ -6,7 +6,7 @@ use polhode::observe::Drift;
 /// What turns a body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Driven {
-    /// A torque acts, or would have to.
+    /// A torque acts, or would have to, or the forces of the ground do.
     pub(crate) by_torques: bool,
     /// Wheels spin inside.
     pub(crate) by_wheels: bool,
@@ -17,7 +17,9 @@ pub(crate) struct Driven {
 impl Driven {
     pub(crate) fn of(scenario: &Scenario) -> Self {
         Self {
-            by_torques: scenario.prescribed().is_some() || !scenario.torques().is_empty(),
+            by_torques: scenario.prescribed().is_some()
+                || !scenario.torques().is_empty()
+                || scenario.ground().is_some(),
             by_wheels: !scenario.wheels().is_empty(),
             by_mass: scenario.history().is_some(),
         }
@@ -57,6 +59,9 @@ pub(crate) fn balances(trajectory: &Trajectory, driven: Driven) -> Vec<Balance> 
 }
 
 fn kept(trajectory: &Trajectory, driven: Driven) -> Vec<Balance> {
+    if let Some(contact) = trajectory.contact() {
+        return vec![Balance { name: "T + U − works of the contact", values: contact.energy_departures() }];
+    }
     let Some(drift) = Drift::along(trajectory) else { return Vec::new() };
     let one = |name: &'static str, value: fn(&Drift) -> f64| Balance {
         name,

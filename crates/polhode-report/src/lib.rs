@@ -22,6 +22,7 @@ mod base64;
 mod block;
 mod body_part;
 mod budget;
+mod contact;
 pub mod display;
 mod error_estimate;
 mod event;

@@ -1,19 +1,26 @@
 //! The least ballast by which limits are met, with the proof that none is lighter.
 //!
-//! Ballast is exact, and at sites: points, lines, discs and circles, of which all but points take several masses; points also take pieces of given sizes. The mass and the first and second moments of the whole are
+//! Ballast is exact, and at sites: points, lines, discs and circles, of which all but points take several masses, at all of them also in pieces of given sizes. The mass and the first and second moments of the whole are
 //! linear in the masses, so limits on these are linear: on the mass, on a coordinate c = S/M of the centre (S ≤ most·M), on moments and products about a fixed point; and cones, if they are on a distance of
-//! the centre or on an unbalance. Products about the moving centre, W − S S/M, are not: there it is proved in regions of the centre that nothing is lighter.
+//! the centre or on an unbalance. Products about the moving centre, W − S S/M, are not: there it is proved in regions of the centre that nothing is lighter; and with sizes in regions of what pieces come to, and of where they are.
 
+mod chart;
 mod error;
 mod interval;
+mod linear;
+mod local;
+mod planar;
+mod parting;
 mod polish;
 mod problem;
 mod proof;
+mod region;
 mod relaxation;
 mod row;
 mod search;
 mod site;
 mod solver;
+mod sums;
 
 pub use error::BallastError;
 pub use site::{Place as BallastPlace, Round, Site};
@@ -57,7 +64,7 @@ pub struct LeastBallast {
     pub mass: f64,
     /// What no ballast that meets the limits is below, kg.
     pub bound: f64,
-    /// How many regions of sizes and of centres the proof has; 1 of a linear or conic question.
+    /// How many regions of sizes, of places and of centres the proof has; 1 of a linear or conic question.
     pub regions: usize,
     proof: Proof,
 }
@@ -67,7 +74,7 @@ pub struct LeastBallast {
 pub struct NoBallast {
     /// None up to this mass, kg: what is allowed, or a thousand times the mass of the list.
     pub up_to: f64,
-    /// How many regions of sizes and of centres the proof has.
+    /// How many regions of sizes, of places and of centres the proof has.
     pub regions: usize,
     proof: Proof,
 }
@@ -91,14 +98,14 @@ struct Proof {
     cap: f64,
 }
 
-/// By how much the least mass may be above what is proved, as a part of it: of linear and conic questions and of sizes.
+/// By how much the least mass may be above what is proved, as a part of it: of linear and conic questions and of sizes alone or at points.
 const GAP: f64 = 1e-9;
 
-/// The same where products about the moving centre are limited.
+/// The same where products about the moving centre are limited, and of sizes on lines, discs and circles beside masses that may be any.
 const GAP_OF_PRODUCTS: f64 = 1e-6;
 
 impl Budget {
-    /// The least ballast by which limits are met, to a part of 1e-9, or of 1e-6 if products about the centre of mass are among them.
+    /// The least ballast by which limits are met, to a part of 1e-9; or of 1e-6 if products about the centre of mass are among them, or if sizes on lines, discs and circles stand beside sites of any mass.
     ///
     /// Limits are met but for rounding: to a part of 1e-11 of what ballast changes.
     ///
@@ -109,7 +116,7 @@ impl Budget {
             return Err(BallastError::NoSolver);
         }
         let problem = Problem::new(self, ballast, limits)?;
-        let gap = if problem.products.is_empty() { GAP } else { GAP_OF_PRODUCTS };
+        let gap = problem.gap();
         let Outcome { found, tree, cap } = Search::new(&problem, gap).run();
         let proof = Proof { problem, tree, cap };
         let regions = proof.tree.leaves();
@@ -153,7 +160,7 @@ impl LeastBallast {
             .collect();
         let sum: f64 = self.pieces.iter().map(|piece| piece.mass).sum();
         let problem = &self.proof.problem;
-        let gap = if problem.products.is_empty() { GAP } else { GAP_OF_PRODUCTS };
+        let gap = problem.gap();
         pieces.iter().all(|(column, _)| column.site < problem.charts.len())
             && problem.is_met(&pieces)
             && sum == self.mass
@@ -197,6 +204,7 @@ impl Tree {
         match self {
             Self::Leaf(_) => 1,
             Self::Split { below, above, .. } => below.leaves() + above.leaves(),
+            Self::Parted { rest, .. } => rest.leaves(),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Few pieces that meet all limits to rounding, from many that nearly do.
 
 use super::interval::Interval;
+use super::linear::{inner, null_vector, solved};
 use super::problem::{Column, Problem};
 use super::row::{Coordinate, Functional, Kind, Moments, Product, weights};
 use crate::growth::Basis;
@@ -21,7 +22,10 @@ const BROKEN: (f64, f64) = (1e-11, 16.0 * f64::EPSILON);
 const AT: f64 = 1e-12;
 
 /// Pieces nearer than this part of a site's size are one, if that will do: programs with pieces end with some on each side of the best place.
-const NEAR: f64 = 1e-3;
+const NEAR: f64 = 1e-2;
+
+/// Masses below this part of all ballast are left out, if that will do.
+const FEW: f64 = 1e-6;
 
 /// By how much ballast of fewer pieces may be heavier.
 const HEAVIER: f64 = 2e-10;
@@ -44,18 +48,29 @@ struct Freedom {
 }
 
 impl Problem {
-    /// Few pieces by which all limits are met; `None` if they are not.
-    pub(super) fn polished(&self, pieces: &[(Column, f64)]) -> Option<Vec<(Column, f64)>> {
+    /// Few pieces by which all limits are met, for a price of pieces where they are; `None` if they are not met.
+    pub(super) fn polished(
+        &self,
+        pieces: &[(Column, f64)],
+        price: Option<&Functional>,
+    ) -> Option<Vec<(Column, f64)>> {
         let total: f64 = pieces.iter().map(|(_, mass)| mass).sum();
         let mut pieces: Vec<_> = pieces.iter().copied().filter(|(_, mass)| *mass > NOTHING * total).collect();
         self.reduce(&mut pieces);
-        let many = self.corrected(pieces.clone());
-        let few = self.corrected(self.merged(&pieces));
-        let mass = |pieces: &Vec<(Column, f64)>| pieces.iter().map(|(_, mass)| mass).sum::<f64>();
-        match (many, few) {
-            (Some(many), Some(few)) if mass(&few) > mass(&many) * (1.0 + HEAVIER) => Some(many),
-            (many, few) => few.or(many),
+        let few = self.merged(&pieces, FEW * total);
+        let settled = price.map(|price| self.settled(&few, price));
+        let moves = few.iter().any(|(column, _)| self.has_free_pieces(column.site));
+        let moved = || if moves { self.moved(&few).and_then(|few| self.corrected(few)) } else { None };
+        // The fewest that are as light as any.
+        let mut best = self.corrected(pieces);
+        let more = [Some(few.clone()), settled].into_iter().flatten().map(|few| self.corrected(few));
+        for few in more.flatten() {
+            let allowed = best.as_ref().map_or(f64::INFINITY, |best| mass(best) * (1.0 + HEAVIER));
+            if mass(&few) <= allowed {
+                best = Some(few);
+            }
         }
+        best.or_else(moved)
     }
 
     fn corrected(&self, mut pieces: Vec<(Column, f64)>) -> Option<Vec<(Column, f64)>> {
@@ -74,14 +89,19 @@ impl Problem {
     /// The size of a site that is nearest to a mass, if it has sizes.
     pub(super) fn nearest_size(&self, site: usize, mass: f64) -> Option<f64> {
         let beside = |size: &f64| (size - mass).abs();
-        self.sizes[site].iter().copied().min_by(|a, b| beside(a).total_cmp(&beside(b)))
+        let none = self.charts[site].is_point().then_some(&0.0).filter(|_| !self.sizes[site].is_empty());
+        self.sizes[site].iter().chain(none).copied().min_by(|a, b| beside(a).total_cmp(&beside(b)))
     }
 
-    /// Pieces that are near each other become one at their centre of mass.
-    fn merged(&self, pieces: &[(Column, f64)]) -> Vec<(Column, f64)> {
+    /// Pieces that are near each other become one at their centre of mass; those of less than a mass are left out.
+    fn merged(&self, pieces: &[(Column, f64)], least: f64) -> Vec<(Column, f64)> {
         let mut merged: Vec<(Column, f64)> = Vec::with_capacity(pieces.len());
         for (column, mass) in pieces {
             let chart = &self.charts[column.site];
+            if self.has_free_pieces(column.site) {
+                merged.push((*column, *mass));
+                continue;
+            }
             let same = merged
                 .iter_mut()
                 .find(|(other, _)| other.site == column.site && chart.are_near(other.at, column.at, NEAR));
@@ -96,17 +116,24 @@ impl Problem {
                 }
             }
         }
+        merged.retain(|(_, mass)| *mass > least);
         merged
     }
 
-    /// Of more pieces than there are linear functions in all limits, some can be left out without changing any (Carathéodory).
-    fn reduce(&self, pieces: &mut Vec<(Column, f64)>) {
-        let mut functions: Vec<Functional> = vec![Functional::mass()];
+    /// The functions of the moments that limits are made of, the mass before all.
+    pub(super) fn functions(&self) -> Vec<Functional> {
+        let mut functions = vec![Functional::mass()];
         functions.extend(self.blocks.iter().flat_map(|block| block.rows.iter().copied()));
         for product in &self.products {
             let [u, v] = product.axes;
             functions.extend([Functional::second(u, v), Functional::first(u), Functional::first(v)]);
         }
+        functions
+    }
+
+    /// Of more pieces than there are linear functions in all limits, some can be left out without changing any (Carathéodory).
+    fn reduce(&self, pieces: &mut Vec<(Column, f64)>) {
+        let functions = self.functions();
         loop {
             // Pieces of sites that have sizes or a most stay.
             let (free, kept): (Vec<_>, Vec<_>) =
@@ -202,8 +229,9 @@ impl Problem {
         });
         let within_sites = (0..self.charts.len()).all(|site| {
             let own = pieces.iter().filter(|(column, _)| column.site == site);
-            let sum: f64 = own.map(|(_, mass)| mass).sum();
-            sum <= self.most[site] * (1.0 + BROKEN.0)
+            let sum: f64 = own.clone().map(|(_, mass)| mass).sum();
+            let is_one = self.sums[site].is_none() || !self.charts[site].is_point() || own.count() <= 1;
+            is_one && sum <= self.most[site] * (1.0 + BROKEN.0)
         });
         let allowed = |state: &State| BROKEN.0 * state.size.0 + BROKEN.1 * state.size.1;
         at_sites
@@ -312,79 +340,6 @@ fn value(row: &Functional, at: &[Moments], pieces: &[(Column, f64)]) -> (Interva
     (value, (size, row.size))
 }
 
-fn inner(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// x of A x = b, A symmetric and not negative; zero where rows depend on those before.
-fn solved(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
-    let n = b.len();
-    let diagonal: Vec<f64> = (0..n).map(|k| a[k][k]).collect();
-    let mut order = Vec::with_capacity(n);
-    let mut left: Vec<usize> = (0..n).collect();
-    loop {
-        let relative = |k: &usize| if diagonal[*k] > 0.0 { a[*k][*k] / diagonal[*k] } else { 0.0 };
-        let Some(place) = (0..left.len()).max_by(|i, j| relative(&left[*i]).total_cmp(&relative(&left[*j])))
-        else {
-            break;
-        };
-        if relative(&left[place]) < 1e-12 {
-            break;
-        }
-        let pivot = left.swap_remove(place);
-        order.push(pivot);
-        let row = a[pivot].clone();
-        for &k in &left {
-            let factor = a[k][pivot] / row[pivot];
-            a[k].iter_mut().zip(&row).for_each(|(x, y)| *x -= factor * y);
-            b[k] -= factor * b[pivot];
-        }
-    }
-    let mut x = vec![0.0; n];
-    for &k in order.iter().rev() {
-        let known: f64 = order.iter().filter(|j| **j != k).map(|&j| a[k][j] * x[j]).sum();
-        x[k] = (b[k] - known) / a[k][k];
-    }
-    x
-}
-
-/// z with Σ z of columns zero and some z positive, if there are more columns than their rank.
-fn null_vector(columns: &[Vec<f64>]) -> Option<Vec<f64>> {
-    let rows = columns.first()?.len();
-    // One column more than rows depends on the others; fewer may.
-    let count = columns.len().min(rows + 1);
-    let mut a: Vec<Vec<f64>> =
-        (0..rows).map(|i| columns[..count].iter().map(|column| column[i]).collect()).collect();
-    for row in &mut a {
-        let most = row.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        if most > 0.0 {
-            row.iter_mut().for_each(|x| *x /= most);
-        }
-    }
-    let (mut pivots, mut next) = (Vec::new(), 0);
-    for column in 0..count {
-        let best = (next..rows).max_by(|i, j| a[*i][column].abs().total_cmp(&a[*j][column].abs()));
-        let Some(best) = best.filter(|best| a[*best][column].abs() > 1e-10) else {
-            // This column depends on the pivots.
-            let mut z = vec![0.0; columns.len()];
-            z[column] = 1.0;
-            for (row, pivot) in pivots.iter().enumerate() {
-                z[*pivot] = -a[row][column];
-            }
-            return Some(z);
-        };
-        a.swap(next, best);
-        let factor = 1.0 / a[next][column];
-        a[next].iter_mut().for_each(|x| *x *= factor);
-        let row = a[next].clone();
-        for (i, other) in a.iter_mut().enumerate() {
-            if i != next {
-                let factor = other[column];
-                other.iter_mut().zip(&row).for_each(|(x, y)| *x -= factor * y);
-            }
-        }
-        pivots.push(column);
-        next += 1;
-    }
-    None
+fn mass(pieces: &[(Column, f64)]) -> f64 {
+    pieces.iter().map(|(_, mass)| mass).sum()
 }

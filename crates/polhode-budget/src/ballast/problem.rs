@@ -1,9 +1,11 @@
 //! The question in numbers: what sites and limits come to, in a region of sizes and centres.
 
+use super::chart::Chart;
 use super::error::BallastError;
 use super::interval::{Interval, dot};
+use super::region::Region;
 use super::row::{Asked, Block, Coordinate, Functional, Kind, Moments, Product, asked, moments};
-use super::site::Chart;
+use super::sums::Sums;
 use super::{Ballast, Site};
 use crate::budget::Budget;
 use crate::growth::Basis;
@@ -17,20 +19,17 @@ pub(super) struct Problem {
     wholes: [Moments; 2],
     pub(super) charts: Vec<Chart>,
     pub(super) most: Vec<f64>,
-    /// Of each site, from 0 on, or none where any mass will do.
+    /// Of the pieces of each site, ascending; none where any mass will do.
     pub(super) sizes: Vec<Vec<f64>>,
+    /// What pieces at a site come to, if it has sizes.
+    pub(super) sums: Vec<Option<Sums>>,
+    /// What all ballast comes to, if all sites have sizes.
+    totals: Option<Sums>,
     pub(super) blocks: Vec<Block>,
     pub(super) products: Vec<Product>,
     pub(super) coordinates: Vec<Coordinate>,
     /// No more ballast than this is looked for, kg.
     pub(super) cap: f64,
-}
-
-/// Part of what ballast may be: for each site that has sizes, from which to which of them; for each coordinate of the centre, between which values.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Region {
-    pub(super) sizes: Vec<[usize; 2]>,
-    pub(super) boxes: Vec<[f64; 2]>,
 }
 
 /// A piece of ballast.
@@ -56,18 +55,29 @@ impl Problem {
             wholes,
             charts: ballast.sites.iter().map(Chart::new).collect::<Result<_, _>>()?,
             most: ballast.sites.iter().map(most).collect::<Result<_, _>>()?,
-            sizes: Vec::new(),
+            sizes: ballast.sites.iter().map(sizes).collect::<Result<_, _>>()?,
+            sums: Vec::new(),
+            totals: None,
             blocks: Vec::new(),
             products: Vec::new(),
             coordinates: Vec::new(),
             cap: CAP * estimates[0].properties.mass(),
         };
-        for (site, chart) in ballast.sites.iter().zip(&problem.charts) {
-            problem.sizes.push(sizes(site, chart)?);
+        let site = |k: usize| (&problem.charts[k], problem.most[k], &problem.sizes[k][..]);
+        let sums = |(chart, most, sizes): (&Chart, f64, &[f64])| match sizes {
+            [] => None,
+            sizes if chart.is_point() => Some(Sums::of_one(&[&[0.0], sizes].concat())),
+            sizes => Some(Sums::of_any(sizes, most.min(problem.cap))),
+        };
+        problem.sums = (0..problem.charts.len()).map(|k| sums(site(k))).collect();
+        if problem.sums.iter().all(Option::is_some) {
+            problem.totals = Some(Sums::totals(problem.sums.iter().flatten()));
         }
         let largest =
-            problem.sizes.iter().zip(&problem.most).map(|(sizes, most)| sizes.last().unwrap_or(most));
-        problem.cap = problem.cap.min(largest.map(|most| Interval::from(*most)).sum::<Interval>().high);
+            problem.sums.iter().zip(&problem.most).map(|(sums, most)| {
+                sums.as_ref().map_or(*most, |sums| sums.at(sums.len() - 1)[1].min(*most))
+            });
+        problem.cap = problem.cap.min(largest.map(Interval::from).sum::<Interval>().high);
         let question = |what, value, rule| BallastError::Question { what, value, rule };
         if !(ballast.deviations >= 0.0 && ballast.deviations.is_finite()) {
             let rule = "zero or positive, and finite";
@@ -116,8 +126,8 @@ impl Problem {
         }
     }
 
-    /// All that ballast up to this mass may be.
-    pub(super) fn root(&self, cap: f64) -> Region {
+    /// Between which values the coordinates of the centre are with ballast up to a mass.
+    pub(super) fn boxes(&self, cap: f64) -> Vec<[f64; 2]> {
         let total = Interval::from(cap);
         let bounds = |coordinate: &Coordinate| {
             let [mass, x, y, z, ..] = *self.whole(coordinate.basis);
@@ -133,20 +143,34 @@ impl Problem {
             };
             [end(-1.0), end(1.0)]
         };
-        Region {
-            sizes: self.sizes.iter().map(|sizes| [0, sizes.len().saturating_sub(1)]).collect(),
-            boxes: self.coordinates.iter().map(bounds).collect(),
-        }
+        self.coordinates.iter().map(bounds).collect()
     }
 
-    /// Between which masses a site is.
-    pub(super) fn masses(&self, region: &Region, site: usize, cap: f64) -> [f64; 2] {
-        let sizes = &self.sizes[site];
-        let [least, most] = region.sizes[site];
-        match (sizes.get(least), sizes.get(most)) {
-            (Some(least), Some(most)) => [*least, most.min(cap)],
-            _ => [0.0, self.most[site].min(cap)],
-        }
+    /// All that ballast up to this mass may be.
+    pub(super) fn root(&self, cap: f64) -> Region {
+        let cells = (0..self.charts.len()).map(|site| self.cell(site, cap)).collect();
+        Region { cells, boxes: self.boxes(cap) }
+    }
+
+    /// The least mass from one on that ballast can have.
+    pub(super) fn attainable(&self, mass: f64) -> f64 {
+        self.totals.as_ref().map_or(mass, |totals| totals.least_from(mass))
+    }
+
+    /// Whether several pieces of given sizes may be at a site, each at its own place.
+    pub(super) fn has_free_pieces(&self, site: usize) -> bool {
+        self.sums[site].is_some() && !self.charts[site].is_point()
+    }
+
+    /// By how much the least mass may be above what is proved, as a part of it.
+    pub(super) fn gap(&self) -> f64 {
+        let moves = self.totals.is_none() && (0..self.charts.len()).any(|site| self.has_free_pieces(site));
+        if self.products.is_empty() && !moves { super::GAP } else { super::GAP_OF_PRODUCTS }
+    }
+
+    /// Whether limits in some region are not linear.
+    pub(super) fn is_split(&self) -> bool {
+        !self.products.is_empty() || self.sums.iter().any(Option::is_some)
     }
 
     /// What all limits ask in a region, linear: of a product about the centre, (u·S)(v·S)/M is between the planes of McCormick (Math. Program. 10, 1976, 147) over the region's box.
@@ -222,27 +246,21 @@ impl Product {
 fn most(site: &Site) -> Result<f64, BallastError> {
     let most = site.most.unwrap_or(f64::INFINITY);
     if most >= 0.0 {
-        return Ok(most);
+        let fits = |size: &f64| *size <= most;
+        return Ok(if site.sizes.is_empty() || site.sizes.iter().any(fits) { most } else { 0.0 });
     }
     let rule = "zero or positive";
     Err(BallastError::Value { site: site.name.clone(), what: "the most mass", value: most, rule })
 }
 
-/// The sizes that a site has, from 0 on, up to its most.
-fn sizes(site: &Site, chart: &Chart) -> Result<Vec<f64>, BallastError> {
-    let wrong = |what, value, rule| BallastError::Value { site: site.name.clone(), what, value, rule };
-    if site.sizes.is_empty() {
-        return Ok(Vec::new());
-    }
-    if !chart.is_point() {
-        let rule = "none, but at points: give the points of a line, a disc or a circle where a piece may be";
-        return Err(wrong("the number of sizes", site.sizes.len() as f64, rule));
-    }
+/// The sizes that a site has, up to its most, ascending.
+fn sizes(site: &Site) -> Result<Vec<f64>, BallastError> {
     if let Some(size) = site.sizes.iter().find(|size| !(**size > 0.0 && size.is_finite())) {
-        return Err(wrong("a size", *size, "positive and finite"));
+        let rule = "positive and finite";
+        return Err(BallastError::Value { site: site.name.clone(), what: "a size", value: *size, rule });
     }
-    let mut all = vec![0.0];
-    all.extend(site.sizes.iter().filter(|size| site.most.is_none_or(|most| **size <= most)));
+    let mut all: Vec<f64> =
+        site.sizes.iter().copied().filter(|size| site.most.is_none_or(|most| *size <= most)).collect();
     all.sort_by(f64::total_cmp);
     all.dedup();
     Ok(all)

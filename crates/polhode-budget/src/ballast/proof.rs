@@ -8,10 +8,12 @@
 //! ```
 //!
 //! and d, quadratic in r, has a least value at each site, which is found and bounded. So the prices alone say what no ballast can be below: the dual bound. Without the first Σ m it is zero that is above
-//! the right side, and if that is positive, there is no ballast at all. Where sizes or products about the moving centre make limits that are not linear, this holds in each region of a tree.
+//! the right side, and if that is positive, there is no ballast at all. Where sizes or products about the moving centre make limits that are not linear, this holds in each region of a tree. There a part of a
+//! site has masses from one to another, and so have parts of parts: what a part may take has a price too. If all pieces have sizes, the bound is the next sum of them.
 
 use super::interval::Interval;
-use super::problem::{Problem, Region};
+use super::problem::Problem;
+use super::region::Region;
 use super::row::{Functional, Kind};
 
 /// What is proved of a region.
@@ -21,6 +23,8 @@ pub(super) enum Tree {
     Leaf(Prices),
     /// In each of two regions that make up this one.
     Split { branch: Branch, below: Box<Tree>, above: Box<Tree> },
+    /// With a part of a site parted where a coordinate has a value.
+    Parted { cell: usize, axis: usize, at: f64, rest: Box<Tree> },
 }
 
 /// Prices of what limits ask.
@@ -28,6 +32,8 @@ pub(super) enum Tree {
 pub(super) struct Prices {
     /// In kg per unit of each row; or, where none exists, in any unit.
     pub(super) of: Vec<f64>,
+    /// Of the mass in each cell that is parted.
+    pub(super) of_cells: Vec<f64>,
     /// Whether they bound the mass, and do not show that there is no ballast.
     pub(super) of_mass: bool,
 }
@@ -35,32 +41,10 @@ pub(super) struct Prices {
 /// Where a region is split.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Branch {
-    /// A site has this size at most, or the next at least.
-    Size { site: usize, index: usize },
+    /// A cell has this sum at most, or the next at least.
+    Sum { cell: usize, index: usize },
     /// A coordinate of the centre is this at most, or at least.
     Center { coordinate: usize, at: f64 },
-}
-
-impl Region {
-    pub(super) fn split(&self, branch: Branch) -> [Self; 2] {
-        let [mut below, mut above] = [self.clone(), self.clone()];
-        match branch {
-            Branch::Size { site, index } => {
-                below.sizes[site][1] = below.sizes[site][1].min(index);
-                above.sizes[site][0] = above.sizes[site][0].max(index + 1);
-            }
-            Branch::Center { coordinate, at } => {
-                below.boxes[coordinate][1] = below.boxes[coordinate][1].min(at);
-                above.boxes[coordinate][0] = above.boxes[coordinate][0].max(at);
-            }
-        }
-        [below, above]
-    }
-
-    /// Whether nothing is in it.
-    fn is_empty(&self) -> bool {
-        self.sizes.iter().any(|[least, most]| least > most) || self.boxes.iter().any(|[low, high]| low > high)
-    }
 }
 
 impl Problem {
@@ -72,8 +56,11 @@ impl Problem {
         match tree {
             Tree::Leaf(prices) => self.bound(prices, region, cap),
             Tree::Split { branch, below, above } => {
-                let [lower, upper] = region.split(*branch);
+                let [lower, upper] = self.split(region, *branch);
                 self.proved(below, &lower, cap).min(self.proved(above, &upper, cap))
+            }
+            Tree::Parted { cell, axis, at, rest } => {
+                self.proved(rest, &self.parted(region, *cell, *axis, *at), cap)
             }
         }
     }
@@ -84,15 +71,28 @@ impl Problem {
         let one = if prices.of_mass { Interval::ONE } else { Interval::ZERO };
         let price = Functional { constant: Interval::ZERO, ..Functional::mass() * one - sum };
         let mut bound = -sum.constant;
-        for (site, chart) in self.charts.iter().enumerate() {
-            let [least, most] = self.masses(region, site, cap);
-            let each = chart.least(&price, self.origin).1;
-            let mass = if each < 0.0 { most } else { least };
-            bound = bound + Interval::from(mass) * Interval::from(each);
+        // Σ (d − π) m + π Σ m, with π the prices of the cells that a part is in.
+        let owners = region.owners();
+        let price_of =
+            |cell: usize| prices.of_cells.get(cell).copied().map_or(Interval::ZERO, Interval::from);
+        for (k, cell) in region.cells.iter().enumerate() {
+            let (mut owner, mut own) = (owners[k], Interval::ZERO);
+            if cell.parts.is_empty() {
+                own = Interval::from(cell.chart.least(&price, self.origin).1);
+                while let Some(k) = owner {
+                    own = own - price_of(k);
+                    owner = owners[k];
+                }
+            } else {
+                own = own + price_of(k);
+            }
+            let [least, most] = [cell.masses[0], cell.masses[1].min(cap)];
+            bound =
+                bound + Interval::from(if own.low < 0.0 { most } else { least }) * Interval::from(own.low);
         }
         match (prices.of_mass, bound.low > 0.0) {
             (false, true) => f64::INFINITY,
-            (true, true) if bound.low <= cap => bound.low,
+            (true, true) if self.attainable(bound.low) <= cap => self.attainable(bound.low),
             (true, true) => f64::INFINITY,
             _ => 0.0,
         }

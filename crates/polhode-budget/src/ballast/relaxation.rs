@@ -1,8 +1,9 @@
 //! The least ballast in a region if limits are linear there: a conic program over all pieces that the sites allow, solved with those that matter.
 
 use super::interval::Interval;
-use super::problem::{Column, Problem, Region};
+use super::problem::{Column, Problem};
 use super::proof::Prices;
+use super::region::{Cell, Region};
 use super::row::{Block, Functional, Kind, weights};
 use super::solver::{Columns, Solved, least_sum};
 
@@ -11,76 +12,112 @@ use super::solver::{Columns, Solved, least_sum};
 pub(super) struct Relaxed {
     /// What proves the bound.
     pub(super) prices: Prices,
+    /// Of a piece by where it is: its mass less what it is worth to the limits.
+    pub(super) price: Functional,
     /// The pieces, if there are any that will do.
-    pub(super) pieces: Option<Vec<(Column, f64)>>,
+    pub(super) pieces: Option<Vec<Placed>>,
+}
+
+/// A piece in a cell of a region.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Placed {
+    pub(super) cell: usize,
+    pub(super) column: Column,
+    pub(super) mass: f64,
+}
+
+/// How well a region is solved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Until {
+    /// Until no more pieces would make ballast lighter.
+    Solved,
+    /// Until nothing in it is lighter than this, or it is known that more pieces cannot show that.
+    Above(f64),
 }
 
 /// Pieces are added until none would make ballast lighter by more than this part of its own mass: in all, and in a region of centres.
 const PRICE: [f64; 2] = [1e-11, 1e-8];
 
-/// How many pieces besides the first are kept for other regions.
+/// How near the least in a region has to be known before it is split, as a part of it.
+const ROUGH: f64 = 0.01;
+
+/// How many pieces besides those that cells begin with are kept for other regions.
 const KEPT: usize = 24;
 
-/// Pieces nearer than this part of a site's size are one piece.
+/// Pieces nearer than this part of a cell's size are one piece.
 const NEAR: f64 = 1e-7;
+
+/// Masses nearer than this part are one: sums of sizes are known but for rounding.
+const SAME: f64 = 1e-11;
 
 /// How often.
 const ROUNDS: usize = 80;
 
 impl Problem {
-    /// The pieces that a search begins with.
-    pub(super) fn seeds(&self) -> Vec<Column> {
-        let of = |(site, chart): (usize, &super::site::Chart)| {
-            chart.seeds().into_iter().map(move |at| Column { site, at }).collect::<Vec<_>>()
-        };
-        self.charts.iter().enumerate().flat_map(of).collect()
-    }
-
-    /// The least ballast in a region, of pieces that are there or are added; `None` if the solver gives up.
-    pub(super) fn relaxed(&self, region: &Region, columns: &mut Vec<Column>) -> Option<Relaxed> {
+    /// The least ballast in a region, of pieces that cells begin with, that were added elsewhere, or are added; `None` if the solver gives up.
+    pub(super) fn relaxed(&self, region: &Region, pool: &mut Vec<Column>, until: Until) -> Option<Relaxed> {
         let (rows, mut last) = (self.rows(region), None);
+        // What takes nothing has no pieces, but if nothing takes any.
+        let none = region.leaves().all(|(_, cell)| cell.masses[1] == 0.0);
+        let takes_some = |cell: &Cell| none || cell.masses[1] > 0.0;
+        let mut columns: Vec<(usize, Column)> = Vec::new();
+        for (k, cell) in region.leaves().filter(|(_, cell)| takes_some(cell)) {
+            let site = cell.site;
+            columns.extend(cell.chart.seeds().into_iter().map(|at| (k, Column { site, at })));
+            let others = pool.iter().filter(|column| column.site == site && cell.chart.holds(column.at));
+            columns.extend(others.map(|column| (k, *column)));
+        }
         for _ in 0..ROUNDS {
-            let master = self.master(&rows, region, columns)?;
-            let Master { prices, masses, full } = master;
+            let Master { prices, masses, full } = self.master(&rows, region, &columns)?;
             let sum = weighed(&rows, &prices.of);
-            let one = if prices.of_mass { Interval::ONE } else { Interval::ZERO };
-            let price = Functional { constant: Interval::ZERO, ..Functional::mass() * one - sum };
+            let price = price(&sum, &prices);
             let price_of_mass = PRICE[usize::from(!self.products.is_empty())];
             let tolerance = if prices.of_mass { price_of_mass } else { 0.1 * sum.constant.size() / self.cap };
             let mut added = false;
-            for (site, chart) in self.charts.iter().enumerate() {
-                let (at, least) = chart.least(&price, self.origin);
-                let new = Column { site, at };
-                let is_new =
-                    || !columns.iter().any(|old| old.site == site && chart.are_near(old.at, at, NEAR));
-                if !chart.is_point() && least + full[site] < -tolerance && is_new() {
-                    columns.push(new);
+            for (k, cell) in region.leaves().filter(|(_, cell)| takes_some(cell) && !cell.chart.is_point()) {
+                let (at, least) = cell.chart.least(&price, self.origin);
+                let new = Column { site: cell.site, at };
+                let is_old =
+                    |(other, old): &(usize, Column)| *other == k && cell.chart.are_near(old.at, at, NEAR);
+                if least + full[k] < -tolerance && !columns.iter().any(is_old) {
+                    columns.push((k, new));
+                    pool.push(new);
                     added = true;
                 }
             }
-            let pieces: Option<Vec<_>> = masses.map(|masses| columns.iter().copied().zip(masses).collect());
-            last = Some(Relaxed { prices, pieces });
-            let is_proved = |relaxed: &Relaxed| {
-                !relaxed.prices.of_mass && self.bound(&relaxed.prices, region, self.cap) == f64::INFINITY
+            let total = masses.as_ref().map(|masses| masses.iter().sum::<f64>());
+            let placed = |masses: Vec<f64>| {
+                let pieces = columns.iter().zip(masses);
+                pieces.map(|((cell, column), mass)| Placed { cell: *cell, column: *column, mass }).collect()
             };
-            if !added || last.as_ref().is_some_and(is_proved) {
+            let relaxed = Relaxed { prices, price, pieces: masses.map(placed) };
+            let bound = || self.bound(&relaxed.prices, region, self.cap);
+            let enough = match (total, until) {
+                (None, _) => bound() == f64::INFINITY,
+                (Some(_), Until::Solved) => false,
+                (Some(total), Until::Above(closing)) => {
+                    let bound = bound();
+                    bound >= closing || (total < closing && total - bound < ROUGH * total)
+                }
+            };
+            last = Some(relaxed);
+            if !added || enough {
                 break;
             }
         }
-        let seeds = self.seeds().len();
         let used = last.iter().filter_map(|relaxed| relaxed.pieces.as_ref()).flatten();
-        let heaviest = used.clone().fold(0.0, |most: f64, (_, mass)| most.max(*mass));
-        let used: Vec<Column> =
-            used.skip(seeds).filter(|(_, mass)| *mass > 1e-6 * heaviest).map(|(column, _)| *column).collect();
-        let mut others = columns.split_off(seeds.min(columns.len()));
-        others.retain(|column| !used.contains(column));
-        columns.extend(others.into_iter().rev().take(KEPT).rev());
-        columns.extend(used);
+        let heaviest = used.clone().fold(0.0, |most: f64, piece| most.max(piece.mass));
+        let used = used.filter(|piece| piece.mass > 1e-6 * heaviest).map(|piece| piece.column);
+        let used: Vec<Column> = used.filter(|column| pool.contains(column)).collect();
+        pool.retain(|column| !used.contains(column));
+        pool.drain(..pool.len().saturating_sub(KEPT));
+        pool.extend(used);
         last
     }
 
-    fn master(&self, rows: &[Block], region: &Region, columns: &[Column]) -> Option<Master> {
-        let at: Vec<[Interval; 10]> = columns.iter().map(|column| weights(self.local(column.at))).collect();
+    fn master(&self, rows: &[Block], region: &Region, columns: &[(usize, Column)]) -> Option<Master> {
+        let at: Vec<[Interval; 10]> =
+            columns.iter().map(|(_, column)| weights(self.local(column.at))).collect();
         let elements: Vec<Vec<f64>> = rows
             .iter()
             .flat_map(|block| &block.rows)
@@ -97,7 +134,7 @@ impl Problem {
             first += block.rows.len();
         }
         let bounds: Vec<[f64; 2]> =
-            (0..self.charts.len()).map(|site| self.masses(region, site, self.cap)).collect();
+            region.cells.iter().map(|cell| [cell.masses[0], cell.masses[1].min(self.cap)]).collect();
         unit = bounds.iter().fold(unit, |unit, [least, _]| unit.max(*least));
         if !(unit > 0.0) {
             unit = 1.0;
@@ -107,30 +144,45 @@ impl Problem {
         // A x + s = b with s in the cones: s = f, then what sites leave, then the masses.
         let mut b: Vec<f64> = constants.iter().zip(&units).map(|(c, of)| c / of / unit).collect();
         let mut cones: Vec<(Kind, usize)> = rows.iter().map(|block| (block.kind, block.rows.len())).collect();
-        let mut sites: Vec<Vec<(usize, f64)>> = vec![Vec::new(); self.charts.len()];
-        for (site, [least, most]) in bounds.iter().enumerate() {
-            if least == most {
-                sites[site].push((b.len(), 1.0));
+        let mut cells: Vec<Vec<(usize, f64)>> = vec![Vec::new(); bounds.len()];
+        // What follows from the parts of a cell is not said again: rows that depend on each other are hard for the solver.
+        let of_parts = [0, 1].map(|end| region.summed(region.leaves().map(|(k, _)| (k, bounds[k][end]))));
+        for (cell, [least, most]) in bounds.iter().enumerate() {
+            let is_parted = !region.cells[cell].parts.is_empty();
+            if !is_parted && !columns.iter().any(|(own, _)| *own == cell) {
+                continue;
+            }
+            let says_most = !is_parted || of_parts[1][cell] > most * (1.0 + SAME);
+            let says_least = !is_parted || of_parts[0][cell] < least * (1.0 - SAME);
+            if most - least <= SAME * most && says_most && says_least {
+                cells[cell].push((b.len(), 1.0));
                 b.push(most / unit);
                 cones.push((Kind::Zero, 1));
                 continue;
             }
-            for (bound, sign) in [(*most, 1.0), (*least, -1.0)] {
-                if bound < self.cap && (sign > 0.0 || bound > 0.0) {
-                    sites[site].push((b.len(), sign));
+            for (bound, sign, is_said) in [(*most, 1.0, says_most), (*least, -1.0, says_least)] {
+                if is_said && bound < self.cap && (sign > 0.0 || bound > 0.0) {
+                    cells[cell].push((b.len(), sign));
                     b.push(sign * bound / unit);
                     cones.push((Kind::Positive, 1));
                 }
             }
         }
+        // A piece is in a cell and in all that this is part of.
+        let owners = region.owners();
+        let rows_of = |cell: usize| {
+            let up = core::iter::successors(Some(cell), |cell| owners[*cell]);
+            let mut all: Vec<(usize, f64)> = up.flat_map(|cell| cells[cell].iter().copied()).collect();
+            all.sort_by_key(|(row, _)| *row);
+            all
+        };
         let before = b.len();
         b.extend(columns.iter().map(|_| 0.0));
         cones.push((Kind::Positive, columns.len()));
         let mut a = Columns::of_rows(b.len());
-        for (k, column) in columns.iter().enumerate() {
+        for (k, (cell, _)) in columns.iter().enumerate() {
             let of_rows = elements.iter().zip(&units).map(|(row, of)| -row[k] / of).enumerate();
-            let of_rows =
-                of_rows.filter(|(_, value)| *value != 0.0).chain(sites[column.site].iter().copied());
+            let of_rows = of_rows.filter(|(_, value)| *value != 0.0).chain(rows_of(*cell));
             a.push(of_rows.chain([(before + k, -1.0)]));
         }
         let Solved { is_feasible: of_mass, x, z } = least_sum(a, &b, &cones)?;
@@ -138,18 +190,24 @@ impl Problem {
         if y.iter().chain(&x).any(|x| !x.is_finite()) {
             return None;
         }
-        // What it is worth to a site to take more than it may, of its most and its least mass.
-        let full = sites.iter().map(|rows| rows.iter().map(|(row, sign)| sign * z[*row]).sum()).collect();
+        // What it is worth to a cell to take more than it may, of its most and its least mass.
+        let worth = |rows: &Vec<(usize, f64)>| rows.iter().map(|(row, sign)| sign * z[*row]).sum::<f64>();
+        let full = (0..bounds.len()).map(|cell| worth(&rows_of(cell))).collect();
+        let of_cells = if region.cells.len() > self.charts.len() {
+            cells.iter().map(|rows| -worth(rows)).collect()
+        } else {
+            Vec::new()
+        };
         let of = in_cones(rows, y);
         let masses = of_mass.then(|| x.iter().map(|x| (x * unit).max(0.0)).collect());
-        Some(Master { prices: Prices { of, of_mass }, masses, full })
+        Some(Master { prices: Prices { of, of_cells, of_mass }, masses, full })
     }
 }
 
 struct Master {
     prices: Prices,
     masses: Option<Vec<f64>>,
-    /// Of each site.
+    /// Of each cell.
     full: Vec<f64>,
 }
 
@@ -161,6 +219,12 @@ fn missing(block: &Block) -> f64 {
         (Kind::Positive, values) => values.iter().fold(0.0, |most, x| most.max(-x)),
         (_, values) => values.iter().fold(0.0, |most, x| most.max(x.abs())),
     }
+}
+
+/// 1 − y·a, or of what shows that there is no ballast −y·a.
+fn price(sum: &Functional, prices: &Prices) -> Functional {
+    let one = if prices.of_mass { Interval::ONE } else { Interval::ZERO };
+    Functional { constant: Interval::ZERO, ..Functional::mass() * one - *sum }
 }
 
 /// y·f

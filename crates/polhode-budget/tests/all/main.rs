@@ -5,6 +5,7 @@
 mod ballast;
 #[cfg(feature = "ballast")]
 mod ballast_places;
+mod ballast_sizes;
 mod draws;
 mod errors;
 mod limits;

@@ -43,6 +43,8 @@ impl Subject {
             "wheels spin in the body"
         } else if scenario.history().is_some() {
             "the mass properties change"
+        } else if scenario.ground().is_some() {
+            "the body is on the ground"
         } else if scenario.pivot().is_some() {
             "the body is held at a pivot"
         } else if scenario.prescribed().is_some() {

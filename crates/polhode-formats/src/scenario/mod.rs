@@ -25,6 +25,7 @@
 mod asked;
 mod body;
 mod completion;
+mod contact;
 pub(crate) mod csv;
 mod draft;
 mod event;
@@ -253,6 +254,10 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     }
 
     root.at_most_one(&["mass_history", "sweep"], "the members of a sweep are bodies that stay as they are")?;
+    root.at_most_one(
+        &["contact", "sweep"],
+        "what becomes of a body on the ground is no column of a dataset",
+    )?;
 
     let mut findings = Vec::new();
     let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
@@ -279,6 +284,7 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     });
     let wheels = wheel::wheels(&root)?;
     let start = start::start(&root, &wheel::locked(&rotor, &wheels)?, orbit)?;
+    let ground = contact::contact(&root, start.velocity)?;
     let prescribed = prescribed::prescribed(&root, &start, run.as_ref(), &mut findings)?;
     let named = torques.names.into_iter().enumerate();
     let acting = torques.models.into_iter().zip(named).map(|(model, (k, name))| {
@@ -312,6 +318,9 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     }
     if let Some(run) = run {
         scenario = scenario.sampled(run);
+    }
+    if let Some(ground) = ground {
+        scenario = ground.under(scenario, pivot.map(|pivot| pivot.value))?;
     }
     scenario = shaft::shaft(&root, &start, scenario)?;
     scenario = pendulum::pendulum(&root, scenario.noting(findings))?;

@@ -16,7 +16,7 @@ use polhode::math::RotationError;
 use polhode::motion::MotionError;
 
 /// The keys of the file itself.
-pub(crate) const TOP: [&str; 14] = [
+pub(crate) const TOP: [&str; 15] = [
     "title",
     "body",
     "orbit",
@@ -29,6 +29,7 @@ pub(crate) const TOP: [&str; 14] = [
     "prescribed",
     "shaft",
     "pendulum",
+    "contact",
     "run",
     "sweep",
 ];

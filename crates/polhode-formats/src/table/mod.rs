@@ -3,6 +3,7 @@
 //! The columns are defined here, once; each format has a file of its own. SI units, named in the column's name
 //! where it has one; attitudes are R_space_body as unit quaternions (w, x, y, z).
 
+mod contact;
 pub mod csv;
 pub mod curve;
 pub mod parquet;
@@ -11,6 +12,7 @@ pub mod workbook;
 
 use std::borrow::Cow;
 
+use polhode::motion::contact::ContactSample;
 use polhode::motion::{Orbit, Pointing, Sample, Scenario, State, StateError, Trajectory, Wheel};
 
 /// What a table has to know beside the trajectory: wheels inside the body, its orbit, and the angles that are of interest.
@@ -50,6 +52,7 @@ pub struct Column {
 #[derive(Clone, Debug)]
 enum Source {
     Sample(fn(&Sample) -> f64),
+    Contact(fn(&ContactSample) -> f64),
     Error(fn(&StateError) -> f64),
     WheelMomentum(Wheel),
     WheelSpeed(Wheel),
@@ -64,6 +67,9 @@ impl Column {
         let state = &sample.state;
         match &self.source {
             Source::Sample(value) => value(sample),
+            Source::Contact(value) => {
+                trajectory.contact().and_then(|contact| contact.samples().get(row)).map_or(f64::NAN, value)
+            }
             Source::Error(value) => {
                 trajectory.error().and_then(|error| error.computation().get(row)).map_or(f64::NAN, value)
             }
@@ -75,8 +81,8 @@ impl Column {
     }
 }
 
-/// The columns of a trajectory, in order: after those of every motion the potential energy where every torque has a potential, the
-/// estimates of the error where there are any; what each of the body's wheels does, numbered from 1, of one whose speed is held only its
+/// The columns of a trajectory, in order: after those of every motion the potential energy where every torque has a potential; of a body on
+/// the ground what it does there, with energies and works; the estimates of the error where there are any; what each of the body's wheels does, numbered from 1, of one whose speed is held only its
 /// momentum, for its inertia is not known; on an orbit the attitude relative to it, and where the body is; and the angles that are of
 /// interest.
 pub fn columns(trajectory: &Trajectory, surroundings: &Surroundings) -> Vec<Column> {
@@ -85,6 +91,14 @@ pub fn columns(trajectory: &Trajectory, surroundings: &Surroundings) -> Vec<Colu
     if has_potential {
         columns.push(column("potential_energy_j", "J", "potential energy of the torques", |s| {
             s.potential_energy.unwrap_or(f64::NAN)
+        }));
+    }
+    if trajectory.contact().is_some() {
+        columns.extend(contact::COLUMNS.map(|(name, unit, description, value)| Column {
+            name: Cow::Borrowed(name),
+            unit,
+            description,
+            source: Source::Contact(value),
         }));
     }
     if trajectory.error().is_some() {

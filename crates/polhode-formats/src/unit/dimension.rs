@@ -10,7 +10,7 @@ use std::fmt;
 /// ```
 /// use polhode_formats::unit::Dimension;
 /// assert_eq!(Dimension::INERTIA.to_string(), "a moment of inertia");
-/// assert_eq!(Dimension::new(1, 0, -1, 0).to_string(), "a quantity in kg s^-1");
+/// assert_eq!(Dimension::new(1, 0, -3, 0).to_string(), "a quantity in kg s^-3");
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Dimension {
@@ -47,6 +47,7 @@ impl Dimension {
     pub const STIFFNESS: Self = Self::new(1, 2, -2, -1);
     pub const DRAG: Self = Self::new(1, 2, -1, -1);
     pub const QUADRATIC_DRAG: Self = Self::new(1, 2, 0, -2);
+    pub const VISCOUS_FRICTION: Self = Self::new(1, 0, -1, 0);
 }
 
 impl Dimension {
@@ -161,13 +162,14 @@ impl Dimension {
 }
 
 /// Units with names of their own.
-const NAMED_UNITS: [(Dimension, &str, &str); 6] = [
+const NAMED_UNITS: [(Dimension, &str, &str); 7] = [
     (Dimension::TORQUE, "N·m", "n_m"),
     (Dimension::FORCE, "N", "n"),
     (Dimension::MAGNETIC_FIELD, "T", "t"),
     (Dimension::STIFFNESS, "N·m/rad", "n_m_rad"),
     (Dimension::DRAG, "N·m·s/rad", "n_m_s_rad"),
     (Dimension::QUADRATIC_DRAG, "N·m·s²/rad²", "n_m_s2_rad2"),
+    (Dimension::VISCOUS_FRICTION, "N·s/m", "n_s_m"),
 ];
 
 impl fmt::Display for Dimension {
@@ -187,7 +189,7 @@ impl fmt::Display for Dimension {
 }
 
 /// Dimension, name with its article, example.
-const NAMES: [(Dimension, &str, &str); 24] = [
+const NAMES: [(Dimension, &str, &str); 25] = [
     (Dimension::NONE, "a plain number", "0.5"),
     (Dimension::MASS, "a mass", "12 kg"),
     (Dimension::LENGTH, "a length", "25 mm"),
@@ -212,4 +214,5 @@ const NAMES: [(Dimension, &str, &str); 24] = [
     (Dimension::STIFFNESS, "a torque per angle", "0.1 N m/rad"),
     (Dimension::DRAG, "a torque per angular velocity", "0.1 N m s/rad"),
     (Dimension::QUADRATIC_DRAG, "a torque per squared angular velocity", "0.1 N m s^2/rad^2"),
+    (Dimension::VISCOUS_FRICTION, "a force per velocity", "0.1 N s/m"),
 ];

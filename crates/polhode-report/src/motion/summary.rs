@@ -1,7 +1,9 @@
 //! `summary.json`.
 
 use polhode::motion::torque::TorqueModel;
-use polhode::motion::{Method, ParticleForce, Pendulum, Sample, Scenario, Solution, State, Swing, Wheel};
+use polhode::motion::{
+    Method, ParticleForce, Pendulum, Sample, Scenario, Solution, State, Swing, Trajectory, Wheel,
+};
 use polhode::observe::Drift;
 use serde_json::{Map, Value, json};
 
@@ -11,7 +13,7 @@ use crate::block::{self, Geometry};
 use crate::free_facts::FreeFacts;
 use crate::json::{numbers, vector};
 use crate::torque::Description;
-use crate::{VERSION, event, finding, global_error, heavy_top, history, orbit, symmetric_top};
+use crate::{VERSION, contact, event, finding, global_error, heavy_top, history, orbit, symmetric_top};
 
 pub(super) fn of(report: &MotionReport<'_>) -> Value {
     let (scenario, samples) = (report.scenario, report.trajectory.samples());
@@ -29,8 +31,8 @@ pub(super) fn of(report: &MotionReport<'_>) -> Value {
     put("orbit", orbit::to_json(scenario));
     put("start", state(&facts, &facts.start, scenario));
     put("run", run(report));
-    put("motion", motion(&facts));
-    put("energy", energy(samples));
+    put("motion", motion(&facts, scenario));
+    put("energy", energy(report.trajectory));
     put("drift", facts.drift.map_or(Value::Null, |drift| drift_json(&drift, facts.is_free)));
     put("error", global_error::to_json(report.trajectory));
     put("required", facts.needed.as_ref().map_or(Value::Null, needed));
@@ -43,6 +45,7 @@ pub(super) fn of(report: &MotionReport<'_>) -> Value {
     put("wheels", wheels(report));
     let end = samples.last().map_or(scenario.start().time, |sample| sample.state.time);
     put("mass_history", scenario.history().map_or(Value::Null, |history| history::to_json(history, end)));
+    put("contact", contact::to_json(scenario, report.trajectory));
     put("events", event::json(report.trajectory, scenario));
     put("findings", finding::to_json(&report.findings()));
     Value::Object(object)
@@ -110,13 +113,13 @@ fn splitting(method: Method) -> Value {
 }
 
 /// The kind of a free motion; for any other the same keys, `null` where only a free motion has them.
-fn motion(facts: &Facts<'_>) -> Value {
+fn motion(facts: &Facts<'_>, scenario: &Scenario) -> Value {
     let free = facts.free();
     let omega = facts.start.omega;
     let momentum = facts.rotor.angular_momentum_space(&facts.start);
     let of_free = |number: fn(&FreeFacts) -> Option<f64>| free.and_then(number);
     let name = |facts: &FreeFacts| facts.regime.regime.name();
-    let has_regime = facts.needed.is_none() && facts.rotor.wheels().is_empty();
+    let has_regime = facts.needed.is_none() && facts.rotor.wheels().is_empty() && scenario.ground().is_none();
     json!({
         "regime": free.map(name),
         "regime_at_start": facts.at_start.as_ref().filter(|_| has_regime).map(name),
@@ -138,7 +141,19 @@ fn symmetric_top(top: &Top) -> Value {
     Value::Object(object)
 }
 
-fn energy(samples: &[Sample]) -> Value {
+/// Of a body on the ground with that of its centre of mass, and the work of friction and of the ground.
+fn energy(trajectory: &Trajectory) -> Value {
+    if let Some(motion) = trajectory.contact() {
+        let (first, last) = (motion.samples().first(), motion.samples().last());
+        return json!({
+            "kinetic_start_j": first.map(|s| s.kinetic_energy),
+            "kinetic_end_j": last.map(|s| s.kinetic_energy),
+            "potential_start_j": first.map(|s| s.potential_energy),
+            "potential_end_j": last.map(|s| s.potential_energy),
+            "work_j": last.map(|s| s.friction_work + s.ground_work),
+        });
+    }
+    let samples = trajectory.samples();
     let (first, last) = (samples.first(), samples.last());
     json!({
         "kinetic_start_j": first.map(|s| s.kinetic_energy),

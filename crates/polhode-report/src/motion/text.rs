@@ -11,7 +11,7 @@ use crate::periods::in_both_conventions;
 use crate::sparkline::Sparkline;
 use crate::torque::{Description, off_at_start, wheel_name};
 use crate::unit::{self, CLOSED, DIGITS, cone, duration, rate};
-use crate::{event, finding, global_error, heavy_top, history, intermediate, omega, orbit};
+use crate::{contact, event, finding, global_error, heavy_top, history, intermediate, omega, orbit};
 
 /// Forces on more particles than this fill the screen: JSON has them all.
 const MOST_PARTICLES: usize = 8;
@@ -37,6 +37,7 @@ pub(super) fn write(report: &MotionReport<'_>, picture: usize) -> String {
         text.push_str(&torque_needed(needed));
     }
     text.push_str(&what_acts(report.scenario));
+    text.push_str(&contact::to_text(report.scenario, report.trajectory));
     text.push_str(&orbit::to_text(report.scenario, samples, global_error::of_attitude(report.trajectory)));
     text.push_str(&event::table(report.trajectory, report.scenario));
     text.push_str(&evidence(report, &facts));
@@ -275,7 +276,9 @@ fn ends(report: &MotionReport<'_>, facts: &Facts<'_>) -> String {
                 false => "no digit of the attitude is right (estimate)".to_owned(),
             },
         ));
-        if !facts.is_free {
+        if let Some(motion) = report.trajectory.contact() {
+            text.push_str(&contact::ends(motion));
+        } else if !facts.is_free {
             // T goes with the square of ω.
             let omega_error = report.trajectory.error().map_or(0.0, |estimate| estimate.end().omega);
             let potential = match (first.potential_energy, last.potential_energy) {

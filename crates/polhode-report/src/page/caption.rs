@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 
 use super::cones::{ConeAngles, Precession, is_moving};
 use super::top::time_round;
+use crate::contact;
 use crate::free_facts::FreeFacts;
 use crate::layout::printable;
 use crate::number::{number, typeset};
@@ -85,6 +86,12 @@ fn body(free: &FreeFacts) -> String {
 fn driven(scenario: &Scenario, trajectory: &Trajectory) -> String {
     if matches!(trajectory.solution(), Solution::Prescribed(_)) {
         return "The motion is prescribed; N is the torque that it needs: dL/dt = N.".to_owned();
+    }
+    if let Some(ground) = scenario.ground() {
+        return format!(
+            "{}. N: torque of the forces at the point of contact.",
+            capitalised(&contact::how(ground))
+        );
     }
     // What takes energy inside the body leaves L as it is.
     let (inner, outer): (Vec<&TorqueModel>, Vec<_>) =

@@ -10,6 +10,7 @@ use super::sizes::{self, Sized};
 use super::turning::Turning;
 use super::{PageInput, PageSubject};
 use crate::block::Geometry;
+use crate::contact;
 use crate::event;
 use crate::free_facts::FreeFacts;
 use crate::history;
@@ -80,6 +81,12 @@ pub(super) fn json(
         ("Body", scenario.map_or_else(Vec::new, |scenario| body(scenario, turning))),
         ("Inertia", inertia(turning)),
         ("Motion", motion(input, free, shown)),
+        (
+            "Ground",
+            scenario
+                .and_then(|scenario| contact::facts(scenario, input.trajectory))
+                .map_or_else(Vec::new, on_ground),
+        ),
         ("Events", events(input)),
         ("Cones", free.and_then(|free| free.top.as_ref()).map_or_else(Vec::new, cones)),
         ("Poinsot's picture", free.map_or_else(Vec::new, |free| picture(&free.motion))),
@@ -139,6 +146,10 @@ fn inertia(turning: &Turning<'_>) -> Vec<Row> {
     ]
 }
 
+fn on_ground(facts: Vec<(&'static str, String)>) -> Vec<Row> {
+    facts.into_iter().map(|(label, text)| Row::new(label, text, "")).collect()
+}
+
 fn motion(input: &PageInput<'_>, free: Option<&FreeFacts>, shown: &Shown<'_>) -> Vec<Row> {
     let how = match input.trajectory.solution() {
         Solution::Exact(_) => "in closed form",
@@ -155,7 +166,8 @@ fn motion(input: &PageInput<'_>, free: Option<&FreeFacts>, shown: &Shown<'_>) ->
         rows.push(Row::with("ω at the start", sizes::rates(tidy(omega.to_array()))).note("body axes"));
         rows.push(Row::with("|ω| at the start", sizes::rate(omega.norm())));
         rows.push(Row::of("|L| at the start", first.momentum.norm(), "kg·m²/s"));
-        rows.push(Row::with("T at the start", sizes::energy(first.kinetic_energy)));
+        let of = if input.trajectory.contact().is_some() { "of the rotation alone" } else { "" };
+        rows.push(Row::with("T at the start", sizes::energy(first.kinetic_energy)).note(of));
     }
     match (free, input.subject) {
         (Some(free), _) => rows.extend(free_motion(free)),
@@ -317,6 +329,11 @@ fn heavy_top(scenario: &Scenario) -> Vec<Row> {
 
 /// How far the balances fail at the worst sample.
 fn evidence(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
+    if let Some(contact) = input.trajectory.contact() {
+        let drift = Row::new("T + U − works of the contact", error(contact.energy_drift()), "");
+        let rows = vec![drift.note("relative, worst sample"), Row::new("error", "not estimated", "")];
+        return rows.into_iter().chain(cost(input)).collect();
+    }
     let Some(drift) = Drift::of(input.trajectory) else { return Vec::new() };
     let row = |label, value: f64| Row::new(label, error(value), "").note("relative, worst sample");
     let mut rows = if is_free {
@@ -339,11 +356,17 @@ fn evidence(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
                 .note(format!("turns the attitude at the end{or_less}")),
         );
     }
-    if let Solution::Integrated { tolerance, statistics, .. } = input.trajectory.solution() {
-        rows.extend(tolerance.map(|tolerance| Row::new("tolerance", error(tolerance), "").note("of a step")));
-        rows.push(Row::new("steps", count(statistics.accepted), ""));
-    }
+    rows.extend(cost(input));
     rows
+}
+
+/// The tolerance and the steps of what was integrated.
+fn cost(input: &PageInput<'_>) -> Vec<Row> {
+    let Solution::Integrated { tolerance, statistics, .. } = input.trajectory.solution() else {
+        return Vec::new();
+    };
+    let tolerance = tolerance.map(|tolerance| Row::new("tolerance", error(tolerance), "").note("of a step"));
+    tolerance.into_iter().chain([Row::new("steps", count(statistics.accepted), "")]).collect()
 }
 
 /// What the page shows, where that is not all.

@@ -1,5 +1,6 @@
 //! The motion as rows of numbers.
 
+use polhode::motion::contact::ContactSample;
 use polhode::motion::{Crossing, Pointing, Sample, Trajectory, Wheel};
 use serde_json::{Value, json};
 
@@ -18,6 +19,8 @@ const MOST: usize = 2_001;
 #[derive(Debug)]
 pub(super) struct Shown<'a> {
     pub(super) samples: Vec<&'a Sample>,
+    /// What they are on the ground; none of any other body.
+    contact: Vec<&'a ContactSample>,
     /// How many there are.
     pub(super) of: usize,
     driven: Driven,
@@ -41,15 +44,19 @@ impl<'a> Shown<'a> {
         };
         let mut drift = balances(trajectory, driven);
         let mut samples = vec![trajectory.start()];
+        let mut contact: Vec<_> = trajectory.contact().map(|motion| motion.start()).into_iter().collect();
         if !all.is_empty() {
             let chosen = chosen(all.len());
             samples = chosen.iter().filter_map(|&k| all.get(k)).collect();
+            let on_ground = trajectory.contact().map_or(&[][..], |motion| motion.samples());
+            contact = chosen.iter().filter_map(|&k| on_ground.get(k)).collect();
             for balance in &mut drift {
                 balance.values = chosen.iter().filter_map(|&k| balance.values.get(k)).copied().collect();
             }
         }
         Self {
             samples,
+            contact,
             of: all.len().max(1),
             driven,
             drift,
@@ -98,10 +105,27 @@ impl<'a> Shown<'a> {
 
     /// What the torques or the motors have done since the start; null where there is a potential to tell instead, or nothing acts.
     fn work(&self, has_potential: bool, rows: &mut Rows) -> Value {
-        if has_potential || !self.driven.at_all() {
+        if has_potential || !self.driven.at_all() || !self.contact.is_empty() {
             return Value::Null;
         }
         json!({ "name": self.driven.work(), "values": self.row(rows, |s| [finite(s.work)]) })
+    }
+
+    /// T; of a body on the ground with that of its centre of mass.
+    fn kinetic(&self, rows: &mut Rows) -> Value {
+        if self.contact.is_empty() {
+            return self.row(rows, |s| [s.kinetic_energy]);
+        }
+        rows.put(self.contact.iter().map(|s| s.kinetic_energy))
+    }
+
+    /// U of the torques, or of the weight of a body on the ground.
+    fn potential(&self, has_potential: bool, rows: &mut Rows) -> Value {
+        match has_potential {
+            _ if !self.contact.is_empty() => rows.put(self.contact.iter().map(|s| s.potential_energy)),
+            true => self.row(rows, |s| [s.potential_energy.unwrap_or_default()]),
+            false => Value::Null,
+        }
     }
 
     /// The first of the events that happened: more would hide the curves.
@@ -136,8 +160,8 @@ pub(super) fn json(shown: &Shown<'_>, rows: &mut Rows) -> Value {
         "omega": shown.row(rows, |s| s.state.omega.to_array()),
         "momentum": shown.row(rows, |s| s.momentum.to_array()),
         "torque": shown.is_turned().then(|| shown.row(rows, |s| s.torque.to_array())),
-        "kinetic": shown.row(rows, |s| [s.kinetic_energy]),
-        "potential": has_potential.then(|| shown.row(rows, |s| [s.potential_energy.unwrap_or_default()])),
+        "kinetic": shown.kinetic(rows),
+        "potential": shown.potential(has_potential, rows),
         "work": shown.work(has_potential, rows),
         "drift": shown.drift(rows),
         "wheels": shown.wheels(rows),

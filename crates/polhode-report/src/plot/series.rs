@@ -2,6 +2,7 @@
 
 use polhode::body::Symmetry;
 use polhode::math::{Direction, Principal, Vector};
+use polhode::motion::contact::ContactSample;
 use polhode::motion::{Pointing, Reference, Sample, Scenario};
 
 use super::chart::Quantity;
@@ -94,6 +95,17 @@ fn energy(motion: &PlottedMotion<'_>) -> Vec<Curve> {
         return curves;
     }
     let bold = |k: usize| Pen::axis(k);
+    if let Some(contact) = motion.trajectory.contact() {
+        let of = |pen, name: &str, value: fn(&ContactSample) -> f64| {
+            let points = contact.samples().iter().map(|s| [s.state.time, value(s)]).collect();
+            Curve { pen, name: name.to_owned(), symbol: name.to_owned(), pieces: vec![points] }
+        };
+        return vec![
+            of(bold(1), "T", |s| s.kinetic_energy),
+            of(bold(0), "U", |s| s.potential_energy),
+            of(thin, "T + U", |s| s.kinetic_energy + s.potential_energy),
+        ];
+    }
     if has_potential(motion.samples()) {
         let potential = |s: &Sample| s.potential_energy.unwrap_or_default();
         return vec![

@@ -28,7 +28,9 @@ pub struct Drift {
 }
 
 impl Drift {
-    /// The drift of a trajectory since its start; `None` if it has no samples, or was prescribed and so cannot drift.
+    /// The drift of a trajectory since its start; `None` if it has no samples, or was prescribed and so cannot drift, or is that of a body on the
+    /// ground, whose energy is in balance with what its contact does
+    /// ([`ContactTrajectory::energy_drift`](crate::motion::contact::ContactTrajectory::energy_drift)).
     pub fn of(trajectory: &Trajectory) -> Option<Self> {
         let scale = Scale::of(trajectory)?;
         trajectory.samples().iter().map(|sample| scale.departure(sample)).reduce(Self::worse)
@@ -65,7 +67,8 @@ struct Scale<'a> {
 impl<'a> Scale<'a> {
     fn of(trajectory: &'a Trajectory) -> Option<Self> {
         let (first, samples) = (trajectory.start(), trajectory.samples());
-        if samples.is_empty() || matches!(trajectory.solution(), Solution::Prescribed(_)) {
+        let is_given = matches!(trajectory.solution(), Solution::Prescribed(_));
+        if samples.is_empty() || is_given || trajectory.contact().is_some() {
             return None;
         }
         let max = |f: &dyn Fn(&Sample) -> f64| samples.iter().chain([first]).map(f).fold(0.0, f64::max);

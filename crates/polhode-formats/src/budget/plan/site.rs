@@ -94,9 +94,6 @@ fn of_table(table: &Table<'_>) -> Result<Vec<Site>, FormatError> {
         for size in value.elements("a list of masses")? {
             sizes.push(size.positive(Dimension::MASS)?);
         }
-        if !matches!(sites.first().map(|site| &site.place), Some(BallastPlace::Point(_))) {
-            return Err(value.invalid("left out: only points take pieces of given sizes"));
-        }
     }
     for site in &mut sites {
         (site.most, site.sizes) = (most, sizes.clone());

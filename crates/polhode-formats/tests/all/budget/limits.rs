@@ -122,7 +122,7 @@ fn sites_have_their_forms() {
     let plan = |text: &str| folder.read("plan.toml", format!("parts = \"parts.csv\"\n{LIMIT}{text}"));
     let file = plan(
         "[ballast]\nmost = \"200 g\"\ndeviations = 2\n[[site]]\nname = \"a\"\nat = [1, 2, 3]\nmost = \"50 g\"\nsizes = [\"5 g\", \"10 g\"]\n\
-         [[site]]\nname = \"b\"\nat = [0, 0, 0]\nto = [\"10 cm\", 0, 0]\n[[site]]\nname = \"c\"\nat = [0, 0, 1]\nradius = \"20 cm\"\nnormal = \"z\"\n\
+         [[site]]\nname = \"b\"\nat = [0, 0, 0]\nto = [\"10 cm\", 0, 0]\nsizes = [\"20 g\"]\n[[site]]\nname = \"c\"\nat = [0, 0, 1]\nradius = \"20 cm\"\nnormal = \"z\"\n\
          [[site]]\nname = \"d\"\nat = [0, 0, 1]\nradius = \"20 cm\"\nnormal = \"z\"\nrim = true\n\
          [[site]]\nname = \"e\"\nat = [0, 0, 1]\nradius = \"20 cm\"\nnormal = \"z\"\nholes = 4\nfirst = \"x\"\n",
     )
@@ -133,7 +133,7 @@ fn sites_have_their_forms() {
     assert_eq!(names, ["a", "b", "c", "d", "e 1", "e 2", "e 3", "e 4"]);
     assert_eq!((ballast.sites[0].most, &ballast.sites[0].sizes[..]), (Some(0.05), &[0.005, 0.01][..]));
     let BallastPlace::Line([_, end]) = ballast.sites[1].place else { panic!() };
-    assert_eq!(end.to_array(), [0.1, 0.0, 0.0]);
+    assert_eq!((end.to_array(), &ballast.sites[1].sizes[..]), ([0.1, 0.0, 0.0], &[0.02][..]));
     assert!(
         matches!(ballast.sites[2].place, BallastPlace::Disc(_))
             && matches!(ballast.sites[3].place, BallastPlace::Circle(_))
@@ -143,7 +143,7 @@ fn sites_have_their_forms() {
     for (text, says) in [
         ("[ballast]\nmost = 1", "[[site]]"),
         ("[[site]]\nname = \"a\"\nat = [0, 0, 0]\nrim = true", "without a radius"),
-        ("[[site]]\nname = \"a\"\nat = [0, 0, 0]\nto = [1, 0, 0]\nsizes = [1]", "only points"),
+        ("[[site]]\nname = \"a\"\nat = [0, 0, 0]\nto = [1, 0, 0]\nsizes = [0]", "positive"),
         ("[[site]]\nname = \"a\"\nat = [0, 0, 0]\nto = [1, 0, 0]\nradius = 1", "a line has an end"),
         ("[[site]]\nname = \"a\"\nat = [0, 0, 0]\n[[site]]\nname = \"a\"\nat = [1, 0, 0]", "no other site"),
         (

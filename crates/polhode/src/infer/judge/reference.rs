@@ -69,6 +69,10 @@ pub(super) fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<State>, J
     if scenario.history().is_some() {
         return Err(JudgeError::Changing);
     }
+    if scenario.ground().is_some() {
+        let why = "the causes of errors are known of bodies that are free or held at a point";
+        return Err(JudgeError::Motion(MotionError::OnGround { why }));
+    }
     if !matches!(scenario.task(), Task::Forward(_)) {
         return Err(JudgeError::NoMotion);
     }

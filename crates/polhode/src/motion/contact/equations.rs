@@ -278,6 +278,14 @@ impl Model {
 }
 
 impl Kinetics<f64> {
+    /// The variables of a body that slips so, from those of one that rolls.
+    pub(super) fn sliding(&self, rolling: &[f64], slip: Components<f64>) -> Vec<f64> {
+        let mut variables = rolling[..VELOCITY].to_vec();
+        variables.extend((self.carried - self.omega.cross(self.arm) + slip).0);
+        variables.extend_from_slice(&rolling[rolling.len() - 2..]);
+        variables
+    }
+
     /// u̇ in space, along the axes of the surface.
     pub(super) fn slip_rate(&self, model: &Model) -> Components<f64> {
         let [e1, e2, e3] = self.axes;

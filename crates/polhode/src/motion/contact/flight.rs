@@ -2,7 +2,6 @@
 
 use super::equations::{AXES, OMEGA};
 use super::model::{GroundForm, Model, SurfaceForm};
-use super::run::Reading;
 use crate::math::algebra::{Components, Field};
 
 /// The variables of a flight: e₁, e₃, ω; the centre of mass along the axes of the ground and its velocity; the work of friction and of the ground.
@@ -61,33 +60,5 @@ impl Model {
                 from_axis + one.times(radius - tube)
             }
         }
-    }
-}
-
-/// What is read off the variables; the contact is the point that is nearest to the ground.
-pub(super) fn reading(model: &Model, y: &[f64]) -> Reading {
-    let vector = |k: usize| Components([y[k], y[k + 1], y[k + 2]]);
-    let (e1, e3, center, velocity) = (vector(AXES), vector(AXES + 3), vector(CENTER), vector(CENTER_RATE));
-    let e2 = e3.cross(e1);
-    let in_body = |Components([a, b, c]): Components<f64>| e1.scaled(a) + e2.scaled(b) + e3.scaled(c);
-    let offset = Components(model.offset);
-    let middle = center + Components([e1.dot(offset), e2.dot(offset), e3.dot(offset)]);
-    let Components([x, y, z]) = middle;
-    let normal = match model.ground {
-        GroundForm::Plane => e3,
-        GroundForm::Sphere { radius } => in_body(middle.scaled(-radius.signum() / x.hypot(y).hypot(z))),
-        GroundForm::Cylinder { radius } => {
-            in_body(Components([x, y, 0.0]).scaled(-radius.signum() / x.hypot(y)))
-        }
-    };
-    Reading {
-        center: center.0,
-        arm: (offset + model.surface.point(1.0, normal)).0,
-        velocity: in_body(velocity).0,
-        normal: normal.0,
-        slip: [0.0; 3],
-        normal_force: 0.0,
-        friction: [0.0; 3],
-        torque: [0.0; 3],
     }
 }

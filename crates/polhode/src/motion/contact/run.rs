@@ -2,30 +2,56 @@
 
 use super::change::{ContactEvent, ContactPhase};
 use super::equations::Regime;
-use super::flight;
-use super::ground::GroundSide;
 use super::model::Model;
-use super::phase::{Kind, Watch};
+use super::phase::Kind;
 use super::sample::ContactSample;
+use super::setup;
 use super::simulation::ContactSimulation;
 use super::stepper::Stepper;
-use super::surface::SurfaceShape;
 use super::trajectory::{ContactEnding, ContactTrajectory};
-use super::{GroundShape, equations};
 use crate::math::frame::{Body, Part, Space};
 use crate::math::rotation::Rotation;
 use crate::math::vector::{Direction, Position, Vector, Velocity};
 use crate::motion::error::MotionError;
-use crate::motion::model::event::{Crossing, EventAction, Measure};
+use crate::motion::model::event::{Crossing, EventAction};
 use crate::motion::model::event_detection::EventDetector;
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::solve::propagate::bound::MOST_STEPS;
 use crate::motion::solve::propagate::step_statistics::StepStatistics;
+use crate::motion::solve::propagate::stepper::{LOOSEST_TOLERANCE, TIGHTEST_TOLERANCE};
+use crate::motion::solve::start::require_ascending;
 
 /// The most events and changes of a run.
 const MOST_EVENTS: usize = 1_000_000;
+
+impl ContactSimulation<'_> {
+    /// Computes the motion.
+    ///
+    /// # Errors
+    /// A parameter's error ([`MotionError::is_parameter`]) for times out of order, a tolerance out of range and a start that is not finite;
+    /// [`MotionError::Contact`] for a start that violates the contact.
+    pub fn run(&self) -> Result<ContactTrajectory, MotionError> {
+        self.run_watched(&mut |_| true)
+    }
+
+    /// [`ContactSimulation::run`]; `progress` is told the time after each step, and `false` ends the work.
+    ///
+    /// # Errors
+    /// As [`ContactSimulation::run`]; [`MotionError::Stopped`] if `progress` said so.
+    pub fn run_watched(
+        &self,
+        progress: &mut dyn FnMut(f64) -> bool,
+    ) -> Result<ContactTrajectory, MotionError> {
+        let time = self.start.state.time;
+        require_ascending(time, self.times)?;
+        let rule = "between 1e-15 and 0.01";
+        let holds = (TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&self.tolerance);
+        require::that("the tolerance", self.tolerance, holds, rule)?;
+        Run::new(self)?.finish(progress)
+    }
+}
 
 /// A run on its way.
 pub(super) struct Run<'a> {
@@ -43,7 +69,7 @@ impl<'a> Run<'a> {
     /// # Errors
     /// As [`ContactSimulation::run`].
     pub(super) fn new(of: &'a ContactSimulation<'a>) -> Result<Self, MotionError> {
-        let stepper = started(of)?;
+        let stepper = setup::started(of)?;
         let start = sample(of, &stepper, of.start.state.time, stepper.variables())?;
         // The start as it was given, not as it comes back from other axes.
         let start = ContactSample { state: of.start.state, ..start };
@@ -60,7 +86,7 @@ impl<'a> Run<'a> {
     ///
     /// # Errors
     /// [`MotionError::Stopped`] if `progress` says so.
-    pub(super) fn to_the_end(
+    pub(super) fn finish(
         mut self,
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Result<ContactTrajectory, MotionError> {
@@ -241,153 +267,4 @@ fn sample(
     };
     let numbers = [sample.kinetic_energy, sample.normal_force, sample.contact.norm(), sample.torque.norm()];
     if numbers.iter().all(|x| x.is_finite()) { Ok(sample) } else { Err(MotionError::NotFinite { time }) }
-}
-
-/// The stepper at the start, before it is asked whether friction can hold it.
-fn started(of: &ContactSimulation<'_>) -> Result<Stepper, MotionError> {
-    let (body, contact, start) = (of.body, of.contact, &of.start);
-    for (what, value) in [
-        ("the start's time", start.state.time),
-        ("the start's attitude", start.state.attitude.quaternion().iter().sum()),
-        ("the start's angular velocity", start.state.omega.norm()),
-        ("the point of contact", start.at.norm()),
-        ("the acceleration of gravity", contact.gravity.norm()),
-    ] {
-        require::finite(what, value)?;
-    }
-    let [least, ..] = Rotor::free(body).principal().moments();
-    require::that(
-        "the least principal moment about the centre of mass",
-        least,
-        least > 0.0,
-        "positive: of a needle that touches a surface the spin about its line is not known",
-    )?;
-    require_inside(of)?;
-    require_fit(of)?;
-    for event in of.events {
-        event_is_possible(event)?;
-    }
-    // The rim that is lower: that at z = −½ thickness where the normal has a component along z.
-    let normal = contact.ground.normal_at(start.at).ok_or(MotionError::NoDirection {
-        parameter: "the point of contact from the axis of the ground",
-        length: start.at.norm(),
-    })?;
-    let tilt = (contact.surface.axes().inverse() * (start.state.attitude.inverse() * normal)).z;
-    if let SurfaceShape::Rim { thickness, .. } = *contact.surface.shape() {
-        let rule = "not zero: a thick disk whose axis lies along the ground stands on both of its rims";
-        require::that("the tilt of the disk", tilt, thickness == 0.0 || tilt != 0.0, rule)?;
-    }
-    let side = if tilt > 0.0 { -1.0 } else { 1.0 };
-    let model = Model::of(body, &contact.surface, &contact.ground, &contact.law, contact.gravity, side);
-    let length = match *contact.surface.shape() {
-        SurfaceShape::Cylinder { length, .. } => length,
-        _ => None,
-    };
-    let [x, y, z] = model.offset;
-    let size = contact.surface.size() + x.hypot(y).hypot(z);
-    let mut stepper =
-        Stepper::new(model, contact.law, length, [size, of.tolerance], start.state.time).perturbed(of.noise);
-    let (kind, variables) = super::start::variables(of, &stepper)?;
-    stepper.enter(kind, variables);
-    Ok(stepper)
-}
-
-/// # Errors
-/// A parameter's error where the centre of mass lies outside the surface.
-fn require_inside(of: &ContactSimulation<'_>) -> Result<(), MotionError> {
-    let (surface, center) = (&of.contact.surface, of.body.center_of_mass());
-    let rule =
-        "inside the surface: no body that a convex surface bounds has its centre of mass outside of it";
-    let distance = (center - surface.center()).norm();
-    require::that(
-        "the distance of the centre of mass from that of the surface",
-        distance,
-        surface.contains(center),
-        rule,
-    )
-}
-
-/// # Errors
-/// A parameter's error where a body may touch the ground that it is in at more than one point.
-fn require_fit(of: &ContactSimulation<'_>) -> Result<(), MotionError> {
-    let (GroundShape::Sphere { radius, side } | GroundShape::Cylinder { radius, side }) =
-        *of.contact.ground.shape()
-    else {
-        return Ok(());
-    };
-    if side == GroundSide::Outside {
-        return Ok(());
-    }
-    // By Blaschke's theorem a convex body rolls freely in what is nowhere more curved than it.
-    let flattest = match *of.contact.surface.shape() {
-        SurfaceShape::Sphere { radius } | SurfaceShape::Cylinder { radius, .. } => radius,
-        SurfaceShape::Rim { radius, tube, .. } => radius + tube,
-        SurfaceShape::Ellipsoid { semi_axes: [a, b, c] } => {
-            let (longest, shortest) = (a.max(b).max(c), a.min(b).min(c));
-            longest * longest / shortest
-        }
-    };
-    let rule = "larger than each radius of curvature of the body: else it touches in more than one point";
-    require::that("the radius of the ground", radius, flattest < radius, rule)
-}
-
-/// # Errors
-/// [`MotionError::Exclusive`] of an event that switches a torque, or asks for an energy that is not known of a body on the ground.
-fn event_is_possible(event: &crate::motion::model::event::Event) -> Result<(), MotionError> {
-    let why = match (event.action(), event.measure()) {
-        (EventAction::Switch { .. }, _) => "no torque but those of the contact acts on a body on the ground",
-        (_, Measure::TotalEnergy) => "the energy of a body on the ground includes that of its centre of mass",
-        _ => return Ok(()),
-    };
-    Err(MotionError::Exclusive { parts: ["contact", "event"], why })
-}
-
-/// What is read off the variables for a sample: lengths and forces along the axes of the surface, the centre of mass along those of the ground.
-pub(super) struct Reading {
-    pub(super) center: [f64; 3],
-    pub(super) arm: [f64; 3],
-    pub(super) velocity: [f64; 3],
-    pub(super) normal: [f64; 3],
-    pub(super) slip: [f64; 3],
-    pub(super) normal_force: f64,
-    pub(super) friction: [f64; 3],
-    pub(super) torque: [f64; 3],
-}
-
-impl Stepper {
-    fn reading(&self, y: &[f64]) -> Reading {
-        let model = &self.model;
-        let Some(at) = self.kinetics(y) else {
-            return flight::reading(model, y);
-        };
-        let [e1, e2, e3] = at.axes;
-        let along = |v: crate::math::algebra::Components<f64>| [e1.dot(v), e2.dot(v), e3.dot(v)];
-        let arm = along(at.arm);
-        let position =
-            model.ground.position([y[equations::PLACE], y[equations::PLACE + 1], y[equations::PLACE + 2]]);
-        let force = at.tangential + at.normal.scaled(at.normal_force);
-        Reading {
-            center: [0, 1, 2].map(|k| position[k] - arm[k]),
-            arm: at.arm.0,
-            velocity: at.velocity.0,
-            normal: at.normal.0,
-            slip: at.slip.0,
-            normal_force: at.normal_force,
-            friction: at.tangential.0,
-            torque: (at.arm.cross(force) + at.resistance).0,
-        }
-    }
-
-    /// What has become too small to go on with, as the series do not reach beyond it.
-    fn exhausted(&self) -> Option<Watch> {
-        let y = self.variables();
-        let watches = self.watches();
-        let at = self.kinetics(y)?;
-        if watches.contains(&Watch::SlipSpeed) && at.slip.dot(at.slip).sqrt() <= self.least_slip(y) {
-            return Some(Watch::SlipSpeed);
-        }
-        let across = at.relative - at.normal.scaled(at.relative.dot(at.normal));
-        let is_still = across.dot(across).sqrt() <= 1e-13 * self.rate(y);
-        (watches.contains(&Watch::RollingRate) && is_still).then_some(Watch::RollingRate)
-    }
 }

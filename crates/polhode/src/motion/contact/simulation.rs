@@ -2,18 +2,12 @@
 
 use super::ground::Ground;
 use super::law::ContactLaw;
-use super::run::Run;
 use super::start::ContactStart;
 use super::surface::BodySurface;
-use super::trajectory::ContactTrajectory;
 use crate::body::mass_properties::MassProperties;
 use crate::math::frame::{Body, Space};
 use crate::math::vector::Acceleration;
-use crate::motion::error::MotionError;
 use crate::motion::model::event::Event;
-use crate::motion::model::require;
-use crate::motion::solve::propagate::stepper::{LOOSEST_TOLERANCE, TIGHTEST_TOLERANCE};
-use crate::motion::solve::start::require_ascending;
 
 /// What touches what, and how.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -112,30 +106,5 @@ impl<'a> ContactSimulation<'a> {
     /// The bound on the error of each step.
     pub(in crate::motion) const fn bound(&self) -> f64 {
         self.tolerance
-    }
-
-    /// Computes the motion.
-    ///
-    /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for times out of order, a tolerance out of range and a start that is not finite;
-    /// [`MotionError::Contact`] for a start that violates the contact.
-    pub fn run(&self) -> Result<ContactTrajectory, MotionError> {
-        self.run_watched(&mut |_| true)
-    }
-
-    /// [`ContactSimulation::run`]; `progress` is told the time after each step, and `false` ends the work.
-    ///
-    /// # Errors
-    /// As [`ContactSimulation::run`]; [`MotionError::Stopped`] if `progress` said so.
-    pub fn run_watched(
-        &self,
-        progress: &mut dyn FnMut(f64) -> bool,
-    ) -> Result<ContactTrajectory, MotionError> {
-        let time = self.start.state.time;
-        require_ascending(time, self.times)?;
-        let rule = "between 1e-15 and 0.01";
-        let holds = (TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&self.tolerance);
-        require::that("the tolerance", self.tolerance, holds, rule)?;
-        Run::new(self)?.to_the_end(progress)
     }
 }

@@ -76,14 +76,22 @@ impl ContactTrajectory {
         self.statistics
     }
 
-    /// The largest change of T + U less the work of friction and of the ground, relative to the largest of T, |U| and these works so far.
-    pub fn energy_drift(&self) -> f64 {
+    /// The change of T + U less the work of friction and of the ground at each sample, relative to the largest of T, |U| and these works together.
+    pub fn energy_departures(&self) -> Vec<f64> {
         let first = self.start.balance();
         let size = |s: &ContactSample| {
             s.kinetic_energy.abs() + s.potential_energy.abs() + s.friction_work.abs() + s.ground_work.abs()
         };
         let scale = self.samples.iter().map(size).fold(size(&self.start), f64::max);
-        let worst = self.samples.iter().map(|s| (s.balance() - first).abs()).fold(0.0, f64::max);
-        if worst == 0.0 { 0.0 } else { worst / scale }
+        let departure = |s: &ContactSample| match (s.balance() - first).abs() {
+            0.0 => 0.0,
+            change => change / scale,
+        };
+        self.samples.iter().map(departure).collect()
+    }
+
+    /// The largest of [`ContactTrajectory::energy_departures`].
+    pub fn energy_drift(&self) -> f64 {
+        self.energy_departures().into_iter().fold(0.0, f64::max)
     }
 }

@@ -155,7 +155,7 @@ impl Run<'_> {
         let direction =
             self.stepper.slip_direction(y, &rolling, pivot).ok_or(MotionError::Undecided { time })?;
         let slip = BEGINNING * self.stepper.speed(y);
-        let variables = sliding(y, &rolling, direction.scaled(slip));
+        let variables = rolling.sliding(y, direction.scaled(slip));
         self.stepper.enter(Kind::Touching(Regime::Sliding, pivot), variables);
         self.note(change);
         Ok(())
@@ -168,14 +168,6 @@ impl Run<'_> {
         rolling.extend_from_slice(&y[y.len() - 2..]);
         self.stepper.enter(Kind::Touching(Regime::Rolling, pivot), rolling);
     }
-}
-
-/// The variables of what slides so much more than it would if it rolled.
-pub(super) fn sliding(y: &[f64], rolling: &Kinetics<f64>, slip: Components<f64>) -> Vec<f64> {
-    let mut variables = y[..VELOCITY].to_vec();
-    variables.extend((rolling.carried - rolling.omega.cross(rolling.arm) + slip).0);
-    variables.extend_from_slice(&y[y.len() - 2..]);
-    variables
 }
 
 impl Stepper {
@@ -200,7 +192,7 @@ impl Stepper {
         let slip = TRIAL * self.speed(y);
         let growth = |angle: f64| {
             let along = direction(angle);
-            let y = sliding(y, rolling, along.scaled(slip));
+            let y = rolling.sliding(y, along.scaled(slip));
             let at = self.model.kinetics(1.0, &y, Regime::Sliding, pivot);
             let rate = at.slip_rate(&self.model);
             [rate.dot(along), rate.dot(n.cross(along))]

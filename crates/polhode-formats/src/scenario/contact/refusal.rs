@@ -1,0 +1,95 @@
+//! Where in the file it stands what the core refuses of a body on the ground.
+
+use polhode::motion::{Event, Measure, MotionError};
+
+use super::OnGround;
+use crate::error::FormatError;
+use crate::scenario::reader::{Table, Value};
+
+/// What the core calls a number that it refuses, the table and the key where that stands, and what helps.
+const PLACES: [(&str, &str, &str, &str); 13] = [
+    (
+        "the height of the point of contact above the ground",
+        "contact",
+        "at",
+        "at is a point of the ground: of a plane one with n · x = 0, of a sphere or a cylinder one at its radius",
+    ),
+    ("the point of contact from the axis of the ground", "contact", "at", ""),
+    ("the point of contact", "contact", "at", ""),
+    (
+        "the velocity of the centre of mass along the normal",
+        "start",
+        "velocity",
+        "what it is along the normal follows from the spin: give the velocity along the ground",
+    ),
+    ("the velocity of the centre of mass", "start", "velocity", ""),
+    (
+        "the slip at the start",
+        "start",
+        "velocity",
+        "leave velocity out with law = \"rolling\", or write law = \"friction\" for what slips",
+    ),
+    ("the least principal moment about the centre of mass", "body", "part", "give the body a thickness"),
+    (
+        "the distance of the centre of mass from that of the surface",
+        "contact",
+        "surface",
+        "its position is that of its centre, in body axes",
+    ),
+    ("the radius of the ground", "contact", "ground", ""),
+    (
+        "the tilt of the disk",
+        "start",
+        "attitude",
+        "tilt it: attitude = { axis = [1, 0, 0], angle = \"80 deg\" }",
+    ),
+    ("the angular velocity of a cylinder across its axis", "start", "spin", ""),
+    (
+        "the tilt of a cylinder that lies",
+        "start",
+        "attitude",
+        "the z axis of the surface is the cylinder's: attitude = { axis = [1, 0, 0], angle = \"90 deg\" } lays it along y",
+    ),
+    ("the angle between two cylinders that touch", "start", "attitude", ""),
+];
+
+impl OnGround<'_> {
+    /// An error of the core at the key that it is about.
+    pub(super) fn refused(&self, error: MotionError, events: &[Event]) -> FormatError {
+        let parameter = match &error {
+            MotionError::ParameterOutOfRange { parameter, .. }
+            | MotionError::NonFiniteParameter { parameter, .. }
+            | MotionError::NoDirection { parameter, .. } => *parameter,
+            MotionError::Exclusive { parts: ["contact", "event"], .. } => {
+                return self.event(events).unwrap_or(self.value).motion(error);
+            }
+            _ => return self.value.motion(error),
+        };
+        if parameter == "the rate of rolling" {
+            let value = self.table.get("rolling_friction").unwrap_or(self.value);
+            return value
+                .motion(error)
+                .with_hint("give the body a spin with which it rolls, or leave it out");
+        }
+        let Some((_, table, key, hint)) = PLACES.iter().find(|(name, ..)| *name == parameter) else {
+            return self.value.motion(error);
+        };
+        let placed = self.at(table, key).unwrap_or(self.value).motion(error);
+        if hint.is_empty() { placed } else { placed.with_hint(*hint) }
+    }
+
+    /// The value of a key of a table of the file; the table, where it has no such key.
+    fn at(&self, table: &'static str, key: &'static str) -> Option<Value<'_>> {
+        let value = self.root.get(table)?;
+        let inside = value.table().ok().and_then(|table: Table<'_>| table.get(key));
+        Some(inside.unwrap_or(value))
+    }
+
+    /// The first event that a body on the ground cannot have.
+    fn event(&self, events: &[Event]) -> Option<Value<'_>> {
+        let k = events.iter().position(|event| matches!(event.measure(), Measure::TotalEnergy))?;
+        let event = self.root.get("event")?.elements("events").ok()?.get(k).copied()?;
+        let measure = event.table().ok().and_then(|table| table.get("measure"));
+        Some(measure.unwrap_or(event))
+    }
+}

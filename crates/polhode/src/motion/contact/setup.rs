@@ -1,0 +1,180 @@
+//! From an initial value problem to the variables of its first phase: what is refused is refused here.
+
+use super::equations::{Pivot, Regime};
+use super::ground::{GroundShape, GroundSide};
+use super::law::Grip;
+use super::model::{GroundForm, Model};
+use super::phase::Kind;
+use super::simulation::ContactSimulation;
+use super::start::StartVelocity;
+use super::stepper::Stepper;
+use super::surface::SurfaceShape;
+use crate::math::algebra::Components;
+use crate::motion::error::MotionError;
+use crate::motion::model::event::{Event, EventAction, Measure};
+use crate::motion::model::require;
+use crate::motion::model::rotor::Rotor;
+
+/// The stepper at the start, before it is asked whether friction can hold it.
+pub(super) fn started(of: &ContactSimulation<'_>) -> Result<Stepper, MotionError> {
+    let (body, contact, start) = (of.body, of.contact, &of.start);
+    for (what, value) in [
+        ("the start's time", start.state.time),
+        ("the start's attitude", start.state.attitude.quaternion().iter().sum()),
+        ("the start's angular velocity", start.state.omega.norm()),
+        ("the point of contact", start.at.norm()),
+        ("the acceleration of gravity", contact.gravity.norm()),
+    ] {
+        require::finite(what, value)?;
+    }
+    let [least, ..] = Rotor::free(body).principal().moments();
+    require::that(
+        "the least principal moment about the centre of mass",
+        least,
+        least > 0.0,
+        "positive: of a needle that touches a surface the spin about its line is not known",
+    )?;
+    require_inside(of)?;
+    require_fit(of)?;
+    for event in of.events {
+        event_is_possible(event)?;
+    }
+    // The rim that is lower: that at z = −½ thickness where the normal has a component along z.
+    let normal = contact.ground.normal_at(start.at).ok_or(MotionError::NoDirection {
+        parameter: "the point of contact from the axis of the ground",
+        length: start.at.norm(),
+    })?;
+    let tilt = (contact.surface.axes().inverse() * (start.state.attitude.inverse() * normal)).z;
+    if let SurfaceShape::Rim { thickness, .. } = *contact.surface.shape() {
+        let rule = "not zero: a thick disk whose axis lies along the ground stands on both of its rims";
+        require::that("the tilt of the disk", tilt, thickness == 0.0 || tilt != 0.0, rule)?;
+    }
+    let side = if tilt > 0.0 { -1.0 } else { 1.0 };
+    let model = Model::of(body, &contact.surface, &contact.ground, &contact.law, contact.gravity, side);
+    let length = match *contact.surface.shape() {
+        SurfaceShape::Cylinder { length, .. } => length,
+        _ => None,
+    };
+    let [x, y, z] = model.offset;
+    let size = contact.surface.size() + x.hypot(y).hypot(z);
+    let mut stepper =
+        Stepper::new(model, contact.law, length, [size, of.tolerance], start.state.time).perturbed(of.noise);
+    let (kind, variables) = variables(of, &stepper)?;
+    stepper.enter(kind, variables);
+    Ok(stepper)
+}
+
+/// # Errors
+/// A parameter's error where the centre of mass lies outside the surface.
+fn require_inside(of: &ContactSimulation<'_>) -> Result<(), MotionError> {
+    let (surface, center) = (&of.contact.surface, of.body.center_of_mass());
+    let rule =
+        "inside the surface: no body that a convex surface bounds has its centre of mass outside of it";
+    let distance = (center - surface.center()).norm();
+    require::that(
+        "the distance of the centre of mass from that of the surface",
+        distance,
+        surface.contains(center),
+        rule,
+    )
+}
+
+/// # Errors
+/// A parameter's error where a body may touch the ground that it is in at more than one point.
+fn require_fit(of: &ContactSimulation<'_>) -> Result<(), MotionError> {
+    let (GroundShape::Sphere { radius, side } | GroundShape::Cylinder { radius, side }) =
+        *of.contact.ground.shape()
+    else {
+        return Ok(());
+    };
+    if side == GroundSide::Outside {
+        return Ok(());
+    }
+    // By Blaschke's theorem a convex body rolls freely in what is nowhere more curved than it.
+    let flattest = match *of.contact.surface.shape() {
+        SurfaceShape::Sphere { radius } | SurfaceShape::Cylinder { radius, .. } => radius,
+        SurfaceShape::Rim { radius, tube, .. } => radius + tube,
+        SurfaceShape::Ellipsoid { semi_axes: [a, b, c] } => {
+            let (longest, shortest) = (a.max(b).max(c), a.min(b).min(c));
+            longest * longest / shortest
+        }
+    };
+    let rule = "larger than each radius of curvature of the body: else it touches in more than one point";
+    require::that("the radius of the ground", radius, flattest < radius, rule)
+}
+
+/// # Errors
+/// [`MotionError::Exclusive`] of an event that switches a torque, or asks for an energy that is not known of a body on the ground.
+fn event_is_possible(event: &Event) -> Result<(), MotionError> {
+    let why = match (event.action(), event.measure()) {
+        (EventAction::Switch { .. }, _) => "no torque but those of the contact acts on a body on the ground",
+        (_, Measure::TotalEnergy) => "the energy of a body on the ground includes that of its centre of mass",
+        _ => return Ok(()),
+    };
+    Err(MotionError::Exclusive { parts: ["contact", "event"], why })
+}
+
+/// The variables of a start, and whether the body slides.
+///
+/// # Errors
+/// A parameter's error where the start violates the contact.
+fn variables(of: &ContactSimulation<'_>, stepper: &Stepper) -> Result<(Kind, Vec<f64>), MotionError> {
+    let (model, start) = (&stepper.model, &of.start);
+    let size = stepper.size();
+    let height = of.contact.ground.height_of(start.at);
+    let rule = "zero: above the ground the body hovers, below it penetrates";
+    let touches = height.abs() <= 1e-9 * (size + start.at.norm());
+    require::that("the height of the point of contact above the ground", height, touches, rule)?;
+    let ground_surface = (model.in_space.inverse() * start.state.attitude * model.in_body).matrix();
+    let [e1, _, e3] = ground_surface;
+    let omega = model.in_body.inverse() * start.state.omega;
+    let place = model.ground.place((model.in_space.inverse() * start.at).to_array());
+    let mut y: Vec<f64> = e1.into_iter().chain(e3).chain(omega.to_array()).chain(place).collect();
+    y.extend([0.0; 2]);
+    let rolling = model.kinetics(1.0, &y, Regime::Rolling, Pivot::Turning(0.0));
+    if model.axis_inertia.is_some() {
+        let Components([x, y, _]) = rolling.omega;
+        let rule = "zero: a cylinder that lies turns about its own axis alone";
+        let holds =
+            x.hypot(y) <= 1e-9 * stepper.rate(&[[0.0; 6].to_vec(), omega.to_array().to_vec()].concat());
+        require::that("the angular velocity of a cylinder across its axis", x.hypot(y), holds, rule)?;
+        let tilt = rolling.normal.0[2];
+        let rule = "zero: its axis lies along the ground";
+        require::that("the tilt of a cylinder that lies", tilt, tilt.abs() <= 1e-9, rule)?;
+        if let GroundForm::Cylinder { .. } = model.ground {
+            let across = e3[2].abs() - 1.0;
+            let rule = "zero: it touches along a line";
+            require::that("the angle between two cylinders that touch", across, across.abs() <= 1e-9, rule)?;
+        }
+        let rule = "a plane or a cylinder";
+        let holds = !matches!(model.ground, GroundForm::Sphere { .. });
+        require::that("the ground of a cylinder that lies", f64::NAN, holds, rule)?;
+    }
+    let rolls = (Kind::Touching(Regime::Rolling, Pivot::Turning(0.0)), y.clone());
+    let slides = |slip| (Kind::Touching(Regime::Sliding, Pivot::Turning(0.0)), rolling.sliding(&y, slip));
+    let law = &of.contact.law;
+    let never_sticks =
+        *law.grip() != Grip::NoSlip && law.friction().kinetic == 0.0 && law.friction().sticking == 0.0;
+    let speed = stepper.speed(&y);
+    let StartVelocity::Along(velocity) = start.velocity else {
+        return Ok(if never_sticks { slides(Components([0.0; 3])) } else { rolls });
+    };
+    require::finite("the velocity of the centre of mass", velocity.norm())?;
+    let given =
+        Components((model.in_body.inverse() * (start.state.attitude.inverse() * velocity)).to_array());
+    let needed = rolling.carried - rolling.omega.cross(rolling.arm);
+    let n = rolling.normal;
+    let (along, across) = (given.dot(n), needed.dot(n));
+    let size = speed + velocity.norm();
+    let rule = "zero, or what the contact makes it: else the body leaves the ground, or enters it";
+    let holds = along.abs() <= 1e-9 * size || (along - across).abs() <= 1e-9 * size;
+    require::that("the velocity of the centre of mass along the normal", along, holds, rule)?;
+    let slip = (given - n.scaled(along)) - (needed - n.scaled(across));
+    let fast = slip.dot(slip).sqrt();
+    if *law.grip() == Grip::NoSlip {
+        let rule = "zero: the point of contact of what rolls has the velocity of the ground";
+        require::that("the slip at the start", fast, fast <= 1e-9 * size, rule)?;
+        return Ok(rolls);
+    }
+    Ok(if !never_sticks && fast <= 1e-13 * size { rolls } else { slides(slip) })
+}

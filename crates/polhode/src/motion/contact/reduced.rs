@@ -36,6 +36,17 @@ pub enum Footing {
     Viscous,
 }
 
+impl Footing {
+    /// Its name in JSON: `rolling`, `frictionless` or `viscous`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Rolling => "rolling",
+            Self::Frictionless => "frictionless",
+            Self::Viscous => "viscous",
+        }
+    }
+}
+
 /// A body on level ground, with its equations in n, ω and v.
 #[derive(Clone, Debug)]
 pub(crate) struct Reduced {

@@ -1,6 +1,9 @@
 //! Where sliding friction leads a tippe top.
 
-use polhode::motion::contact::{ContactStart, Footing, SurfaceShape};
+use polhode::math::Velocity;
+use polhode::motion::contact::{
+    Contact, ContactLaw, ContactSimulation, ContactStart, Footing, Friction, StartVelocity, SurfaceShape,
+};
 use polhode::observe::{Place, SteadyOnGround, SteadyPath, TippeTop};
 use polhode::prelude::*;
 
@@ -100,5 +103,29 @@ fn tilts_are_extrema_of_the_energy() {
     assert!((energy(tilt.cosine) / tilt.energy - 1.0).abs() < 1e-14);
     for step in [1e-3, -1e-3] {
         assert!(energy(tilt.cosine + step) > tilt.energy);
+    }
+}
+
+/// With dry friction one turns over, and another one, of group III, stays at a tilt: that of least energy for its Jellett constant.
+#[test]
+fn dry_friction_leads_to_the_minimum() {
+    for (across, place) in [(1.9e-6, Place::Inverted), (2.5e-6, Place::Tilted)] {
+        let body = body(0.015, [across, across, 2.0e-6]);
+        let friction = Friction { sticking: 0.3, kinetic: 0.3, viscous: 0.0 };
+        let law = ContactLaw::with_friction(friction).unwrap();
+        let sphere = SurfaceShape::Sphere { radius: 0.018 };
+        let contact = Contact { law, ..contact(sphere, [0.0, 0.0, 0.004], Footing::Rolling) };
+        let attitude = leaning(0.1);
+        let omega: AngularVelocity<Body> = attitude.inverse() * AngularVelocity::new(0.0, 0.0, 150.0);
+        let start = ContactStart {
+            velocity: StartVelocity::Along(Velocity::ZERO),
+            ..start(attitude, omega.to_array())
+        };
+        let steady = SteadyOnGround::near(&body, &contact, &start).unwrap();
+        let [end] = steady.tippe_top.unwrap().minima(steady.jellett.unwrap())[..] else { panic!("one end") };
+        assert_eq!(end.place, place);
+        let motion = ContactSimulation::new(&body, &contact, start, &[8.0]).run().unwrap();
+        let axis = motion.samples()[0].state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0);
+        assert!((axis.z - end.cosine).abs() < 0.02, "{} {end:?}", axis.z);
     }
 }

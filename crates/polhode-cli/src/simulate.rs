@@ -118,12 +118,6 @@ impl Simulate {
                 "leave out --error, or write [start] and torques in place of the prescribed motion",
             ));
         }
-        if self.error && scenario.ground().is_some() {
-            return Err(Failure::usage(
-                format!("{path} has a body on the ground: the error of its motion is not estimated"),
-                "leave out --error; the balance of energy in the summary says how well it was computed",
-            ));
-        }
         let end = scenario.run().and_then(|run| run.times.last().copied()).unwrap_or_default();
         let mut progress = Progress::new(end);
         let effort = if self.error { ErrorEffort::Thorough } else { ErrorEffort::Auto };

@@ -15,9 +15,6 @@ use crate::unit::{DIGITS, angle, length, place};
 /// More changes than these fill the screen: JSON has them all.
 const MOST: usize = 12;
 
-/// Why there is no estimate of the error.
-const NO_ESTIMATE: &str = "not estimated: the motion of a body on the ground is computed once";
-
 /// `it rolls without slipping on a level plane`
 pub(crate) fn how(ground: &GroundContact) -> String {
     let contact = &ground.contact;
@@ -66,8 +63,7 @@ pub(crate) fn to_text(scenario: &Scenario, trajectory: &Trajectory) -> String {
     text.push_str(&changes(motion));
     let drift = error(motion.energy_drift());
     let line = format!("T + U less the work of friction and of the ground {drift} (relative, worst sample)");
-    text.push_str(&labelled("drift", &line));
-    text + &labelled("error", NO_ESTIMATE)
+    text + &labelled("drift", &line)
 }
 
 /// The phase at the start, and what changed about the contact.
@@ -204,7 +200,6 @@ pub(crate) fn to_json(scenario: &Scenario, trajectory: &Trajectory) -> Value {
         "gravity_m_s2": vector(contact.gravity),
         "changes": motion.changes().iter().map(change).collect::<Value>(),
         "energy_drift": motion.energy_drift(),
-        "error": NO_ESTIMATE,
         "start": sample(motion.start()),
         "final": motion.samples().last().map_or(Value::Null, sample),
     })

@@ -329,23 +329,7 @@ fn heavy_top(scenario: &Scenario) -> Vec<Row> {
 
 /// How far the balances fail at the worst sample.
 fn evidence(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
-    if let Some(contact) = input.trajectory.contact() {
-        let drift = Row::new("T + U − works of the contact", error(contact.energy_drift()), "");
-        let rows = vec![drift.note("relative, worst sample"), Row::new("error", "not estimated", "")];
-        return rows.into_iter().chain(cost(input)).collect();
-    }
-    let Some(drift) = Drift::of(input.trajectory) else { return Vec::new() };
-    let row = |label, value: f64| Row::new(label, error(value), "").note("relative, worst sample");
-    let mut rows = if is_free {
-        vec![
-            row("T stays to", drift.kinetic_energy),
-            row("|L| stays to", drift.momentum_magnitude),
-            row("L in space stays to", drift.momentum),
-        ]
-    } else {
-        vec![row("T − work", drift.work_energy), row("L − impulse", drift.momentum)]
-    };
-    rows.extend(drift.total_energy.map(|total| row("T + U stays to", total)));
+    let mut rows = balance(input, is_free);
     if let Some(estimate) = input.trajectory.error() {
         let [end, inputs] = [estimate.end(), estimate.inputs_end()];
         rows.push(Row::new("attitude is right to", error(end.attitude), "rad").note("estimate, at the end"));
@@ -357,6 +341,26 @@ fn evidence(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
         );
     }
     rows.extend(cost(input));
+    rows
+}
+
+/// What stays the same, and how well.
+fn balance(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
+    let row = |label, value: f64| Row::new(label, error(value), "").note("relative, worst sample");
+    if let Some(contact) = input.trajectory.contact() {
+        return vec![row("T + U − works of the contact", contact.energy_drift())];
+    }
+    let Some(drift) = Drift::of(input.trajectory) else { return Vec::new() };
+    let mut rows = if is_free {
+        vec![
+            row("T stays to", drift.kinetic_energy),
+            row("|L| stays to", drift.momentum_magnitude),
+            row("L in space stays to", drift.momentum),
+        ]
+    } else {
+        vec![row("T − work", drift.work_energy), row("L − impulse", drift.momentum)]
+    };
+    rows.extend(drift.total_energy.map(|total| row("T + U stays to", total)));
     rows
 }
 

@@ -13,6 +13,8 @@ pub enum JudgeError {
     NoMotion,
     /// The mass properties of the scenario's body change: the causes of errors are known of bodies that stay as they are.
     Changing,
+    /// The scenario's body is on the ground: the causes of errors are known of bodies that are free or held at a point.
+    OnGround,
     /// A time before the scenario's start.
     BeforeStart {
         /// The time, s.
@@ -58,6 +60,9 @@ impl fmt::Display for JudgeError {
             }
             Self::Changing => f.write_str(
                 "the mass properties of the scenario's body change, and what makes motions wrong is known of bodies that stay as they are",
+            ),
+            Self::OnGround => f.write_str(
+                "the scenario's body is on the ground, and what makes motions wrong is known of bodies that are free or held at a point",
             ),
             Self::BeforeStart { time, start } => {
                 write!(f, "the run has a row at {time} s, before the scenario's start at {start} s")

@@ -28,7 +28,8 @@ impl Reference {
     /// The motion of a scenario at times (s, ascending, none before its start).
     ///
     /// # Errors
-    /// [`JudgeError::NoMotion`] of a scenario whose motion is prescribed, [`JudgeError::Changing`] of one whose body changes; [`JudgeError::BeforeStart`] and [`JudgeError::Ends`] of times at
+    /// [`JudgeError::NoMotion`] of a scenario whose motion is prescribed, [`JudgeError::Changing`] and
+    /// [`JudgeError::OnGround`] of one whose body changes or is on the ground; [`JudgeError::BeforeStart`] and [`JudgeError::Ends`] of times at
     /// which it has none; [`JudgeError::Motion`] of a motion that cannot be computed.
     pub fn of(scenario: &Scenario, times: &[f64]) -> Result<Self, JudgeError> {
         let states = states(scenario, times)?;
@@ -70,8 +71,7 @@ pub(super) fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<State>, J
         return Err(JudgeError::Changing);
     }
     if scenario.ground().is_some() {
-        let why = "the causes of errors are known of bodies that are free or held at a point";
-        return Err(JudgeError::Motion(MotionError::OnGround { why }));
+        return Err(JudgeError::OnGround);
     }
     if !matches!(scenario.task(), Task::Forward(_)) {
         return Err(JudgeError::NoMotion);

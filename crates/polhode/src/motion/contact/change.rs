@@ -36,6 +36,8 @@ pub enum ContactChange {
     RollingStops,
     /// A thick disk stands on both of its rims: its motion ends, as the impact of the other one is not known.
     OtherRim,
+    /// A disk lies flat, and touches with all of its rim: its motion ends.
+    LiesFlat,
     /// A cylinder that lies would have to be held beyond its ends: it tips over, and its motion as one that lies ends.
     TipsOver,
     /// The body fits the ground so closely that the contact is no longer one point: its motion ends.
@@ -56,7 +58,15 @@ impl ContactPhase {
 impl ContactChange {
     /// True if the motion is not known after it.
     pub const fn ends(self) -> bool {
-        matches!(self, Self::Lands | Self::RollingStops | Self::OtherRim | Self::TipsOver | Self::Osculates)
+        matches!(
+            self,
+            Self::Lands
+                | Self::RollingStops
+                | Self::OtherRim
+                | Self::LiesFlat
+                | Self::TipsOver
+                | Self::Osculates
+        )
     }
 
     /// Its name in summaries.
@@ -71,6 +81,7 @@ impl ContactChange {
             Self::Pivots => "pivots",
             Self::RollingStops => "rolling stops",
             Self::OtherRim => "other rim",
+            Self::LiesFlat => "lies flat",
             Self::TipsOver => "tips over",
             Self::Osculates => "osculates",
         }
@@ -91,6 +102,7 @@ impl fmt::Display for ContactChange {
             Self::OtherRim => {
                 "the disk stands on both of its rims; what the impact of the other one does is not known here"
             }
+            Self::LiesFlat => "the disk lies flat, and touches with all of its rim",
             Self::TipsOver => "the cylinder tips over: it would have to be held beyond its ends",
             Self::Osculates => "the body fits the ground so closely that it touches in more than a point",
         })

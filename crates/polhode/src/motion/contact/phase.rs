@@ -33,6 +33,8 @@ pub(super) enum Watch {
     RollingRate,
     /// How much the rim that is touched is lower than the other one.
     OtherRim,
+    /// How much the axis of a rim is off the normal.
+    Slope,
     /// (½ N l)² less the square of the torque that keeps the axis level.
     Ends,
     /// The determinant of 1 + r′K.
@@ -139,6 +141,7 @@ impl Model {
                 SurfaceForm::Rim { height, .. } => n.0[2].times(-height),
                 SurfaceForm::Ellipsoid { .. } => one,
             },
+            Watch::Slope => n.0[0] * n.0[0] + n.0[1] * n.0[1],
             Watch::Ends => {
                 let half = 0.5 * length.unwrap_or(f64::INFINITY);
                 let level = self.leveling(one, at);

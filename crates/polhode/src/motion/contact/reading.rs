@@ -4,7 +4,7 @@ use super::equations::AXES;
 use super::equations::PLACE;
 use super::flight::{CENTER, CENTER_RATE};
 use super::model::{GroundForm, Model};
-use super::phase::Watch;
+use super::phase::{Kind, Watch};
 use super::stepper::Stepper;
 use crate::math::algebra::Components;
 
@@ -43,6 +43,12 @@ impl Stepper {
         }
     }
 
+    /// True if a body that has left the ground is below it at a time of the step: it has left it by rounding alone.
+    pub(super) fn sinks(&self, time: f64) -> bool {
+        let is_below = || self.model.flight(1.0, &self.variables_at(time)).1 < -1e-9 * self.size();
+        self.kind() == Kind::Flying && is_below()
+    }
+
     /// What has become too small to go on with, as the series do not reach beyond it.
     pub(super) fn exhausted(&self) -> Option<Watch> {
         let y = self.variables();
@@ -50,6 +56,9 @@ impl Stepper {
         let at = self.kinetics(y)?;
         if watches.contains(&Watch::SlipSpeed) && at.slip.dot(at.slip).sqrt() <= self.least_slip(y) {
             return Some(Watch::SlipSpeed);
+        }
+        if self.model.lies_flat(&at) {
+            return Some(Watch::Slope);
         }
         let across = at.relative - at.normal.scaled(at.relative.dot(at.normal));
         let is_still = across.dot(across).sqrt() <= 1e-13 * self.rate(y);

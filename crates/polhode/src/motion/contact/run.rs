@@ -161,6 +161,9 @@ impl<'a> Run<'a> {
                 break;
             }
         }
+        if self.stepper.sinks(to) {
+            return Err(MotionError::Undecided { time: from });
+        }
         while let Some(t) = self.next_wanted().filter(|&t| t <= to) {
             let sample = sample(self.of, &self.stepper, t, &self.stepper.variables_at(t))?;
             self.samples.push(sample);

@@ -61,6 +61,9 @@ pub(super) fn started(of: &ContactSimulation<'_>) -> Result<Stepper, MotionError
         Stepper::new(model, contact.law, length, [size, of.tolerance], start.state.time).perturbed(of.noise);
     let (kind, variables) = variables(of, &stepper)?;
     stepper.enter(kind, variables);
+    let flat = stepper.kinetics(stepper.variables()).filter(|at| stepper.model.lies_flat(at));
+    let rule = "below one: a disk that lies flat touches with all of its rim";
+    require::that("the tilt of the disk", tilt.abs(), flat.is_none(), rule)?;
     Ok(stepper)
 }
 

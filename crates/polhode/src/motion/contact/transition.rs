@@ -86,6 +86,7 @@ impl Run<'_> {
             (Watch::Inertance, _) => return Err(MotionError::Painleve { time }),
             (Watch::RollingRate, _) => return Ok(self.end(ContactChange::RollingStops)),
             (Watch::OtherRim, _) => return Ok(self.end(ContactChange::OtherRim)),
+            (Watch::Slope, _) => return Ok(self.end(ContactChange::LiesFlat)),
             (Watch::Ends, _) => return Ok(self.end(ContactChange::TipsOver)),
             (Watch::Fit, _) => return Ok(self.end(ContactChange::Osculates)),
             (Watch::Gap, _) => return Ok(self.end(ContactChange::Lands)),

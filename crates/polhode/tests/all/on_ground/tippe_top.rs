@@ -106,15 +106,15 @@ fn tilts_are_extrema_of_the_energy() {
     }
 }
 
-/// With dry friction one turns over, and another one, of group III, stays at a tilt: that of least energy for its Jellett constant.
+/// One turns over, and another one, of group III, rises to a tilt: that of least energy for its Jellett constant.
 #[test]
-fn dry_friction_leads_to_the_minimum() {
+fn friction_leads_to_the_minimum() {
     for (across, place) in [(1.9e-6, Place::Inverted), (2.5e-6, Place::Tilted)] {
         let body = body(0.015, [across, across, 2.0e-6]);
-        let friction = Friction { sticking: 0.3, kinetic: 0.3, viscous: 0.0 };
-        let law = ContactLaw::with_friction(friction).unwrap();
         let sphere = SurfaceShape::Sphere { radius: 0.018 };
-        let contact = Contact { law, ..contact(sphere, [0.0, 0.0, 0.004], Footing::Rolling) };
+        let friction = Friction { sticking: 0.0, kinetic: 0.0, viscous: 0.3 };
+        let law = ContactLaw::with_friction(friction).unwrap();
+        let contact = Contact { law, ..contact(sphere, [0.0, 0.0, 0.004], Footing::Viscous) };
         let attitude = leaning(0.1);
         let omega: AngularVelocity<Body> = attitude.inverse() * AngularVelocity::new(0.0, 0.0, 150.0);
         let start = ContactStart {
@@ -124,8 +124,8 @@ fn dry_friction_leads_to_the_minimum() {
         let steady = SteadyOnGround::near(&body, &contact, &start).unwrap();
         let [end] = steady.tippe_top.unwrap().minima(steady.jellett.unwrap())[..] else { panic!("one end") };
         assert_eq!(end.place, place);
-        let motion = ContactSimulation::new(&body, &contact, start, &[8.0]).run().unwrap();
+        let motion = ContactSimulation::new(&body, &contact, start, &[80.0]).run().unwrap();
         let axis = motion.samples()[0].state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0);
-        assert!((axis.z - end.cosine).abs() < 0.02, "{} {end:?}", axis.z);
+        assert!((axis.z - end.cosine).abs() < 1e-4, "{} {end:?}", axis.z);
     }
 }

@@ -126,6 +126,7 @@ fn friction_leads_to_the_minimum() {
         assert_eq!(end.place, place);
         let motion = ContactSimulation::new(&body, &contact, start, &[80.0]).run().unwrap();
         let axis = motion.samples()[0].state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0);
-        assert!((axis.z - end.cosine).abs() < 1e-4, "{} {end:?}", axis.z);
+        // What is left of its swings after 80 s.
+        assert!((axis.z - end.cosine).abs() < 5e-4, "{} {end:?}", axis.z);
     }
 }

@@ -101,6 +101,8 @@ pub struct SteadyOnGround {
     pub turned_from_start: f64,
     /// How much the start's ω differs, rad/s.
     pub omega_from_start: f64,
+    /// How fast the start's point of contact slips, m/s; zero without friction, where that does not count.
+    pub slip_at_start: f64,
     /// The modes: those that grow fastest first, then by frequency.
     pub modes: Vec<SteadyMode>,
     /// How many rates are zero.

@@ -29,6 +29,7 @@ pub(super) fn of(report: &GroundStabilityReport) -> Value {
             "axis_body": steady.axis.map(vector),
             "turned_from_start": steady.turned_from_start,
             "omega_from_start": steady.omega_from_start,
+            "slip_at_start": steady.slip_at_start,
             "stable": steady.is_stable(),
             "modes": steady.modes.iter()
                 .map(|mode| json!({ "frequency": mode.frequency, "growth_rate": mode.growth_rate }))

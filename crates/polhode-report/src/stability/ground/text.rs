@@ -47,7 +47,7 @@ pub(super) fn write(report: &GroundStabilityReport) -> String {
 fn contact(report: &GroundStabilityReport) -> &'static str {
     match report.steady.footing {
         Footing::Rolling if report.is_dry => {
-            "with friction, on level ground: it rolls as long as friction holds its point of contact, as it does near a steady motion"
+            "with friction, on level ground: near a steady motion without slip it holds the point of contact, and the body rolls"
         }
         Footing::Rolling => "rolls without slipping, on level ground",
         Footing::Frictionless => "slides without friction, on level ground",
@@ -111,6 +111,14 @@ fn verdict(report: &GroundStabilityReport) -> String {
             number(mode.growth_rate, 6),
             number(1.0 / mode.growth_rate, 6)
         ),
+        // What dry friction makes of slip is not linear.
+        Some(_) if report.is_dry && steady.slip_at_start > 1e-9 * steady.omega.norm() => {
+            let slip = number(steady.slip_at_start, 4);
+            format!(
+                "stable once it rolls; the start slips at {slip} m/s, and until it grips, friction decides where it goes"
+            )
+        }
+        Some(_) if report.is_dry => "stable as long as its point of contact does not slip".to_owned(),
         Some(mode) if mode.growth_rate < 0.0 => "stable: it dies away".to_owned(),
         Some(_) if steady.modes.iter().any(|mode| mode.growth_rate < 0.0) => {
             "stable: nothing grows, and part of it dies away".to_owned()

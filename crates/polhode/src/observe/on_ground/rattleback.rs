@@ -35,8 +35,15 @@ pub struct RattleMode {
     pub growth_per_spin: f64,
 }
 
+impl VertexSpin {
+    /// What makes its two senses of turning different, if it rolls and its axes are not those of the surface.
+    pub fn rattleback(&self) -> Option<Rattleback> {
+        (self.chirality() != 0.0).then(|| Rattleback::of(self))
+    }
+}
+
 impl Rattleback {
-    pub(super) fn of(spin: &VertexSpin) -> Self {
+    fn of(spin: &VertexSpin) -> Self {
         let stable_sense = if spin.chirality() > 0.0 { -1.0 } else { 1.0 };
         let intervals = spin.stable_spins().map_or_else(Vec::new, |stable| stable.intervals);
         let outermost = if stable_sense > 0.0 { intervals.last() } else { intervals.first() };

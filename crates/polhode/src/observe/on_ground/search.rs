@@ -90,6 +90,7 @@ pub(super) fn near(
         stable_spins: nearest.stable_spins,
         tippe_top,
         jellett,
+        slip_at_start: slip,
     })
 }
 

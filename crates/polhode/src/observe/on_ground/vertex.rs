@@ -1,6 +1,5 @@
 //! Bodies that spin about the vertical on a point below their centre of mass.
 
-use super::rattleback::Rattleback;
 use super::stable_spins::{SpinInterval, StableSpins, both_senses};
 use crate::motion::contact::Footing;
 
@@ -90,11 +89,6 @@ impl VertexSpin {
             intervals,
             "−χ Ω > 0, a₀ > 0, Ω² ((tr S − C + m h²) tr G − 2 m h det G) > m g det G",
         ))
-    }
-
-    /// What makes its two senses of turning different, if it rolls and its axes are not those of the surface.
-    pub fn rattleback(&self) -> Option<Rattleback> {
-        (self.chirality() != 0.0).then(|| Rattleback::of(self))
     }
 
     fn of_symmetric(&self) -> StableSpins {

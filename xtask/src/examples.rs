@@ -6,7 +6,7 @@ use std::process::Command;
 use crate::process::{cargo, empty_folder, output, polhode, program};
 use crate::{Outcome, files, read, root, short};
 
-/// Runs `budget` on every parts list and `identify` on every plan of measurements; on every scenario `inertia` and, unless its mass changes, `explain`, `simulate` on each that has a `[run]`, and `sweep` on each
+/// Runs `budget` on every parts list and `identify` on every plan of measurements; on every scenario `inertia` and, if it has a worked solution, `explain`, `simulate` on each that has a `[run]`, and `sweep` on each
 /// that is a plan.
 pub(crate) fn check() -> Outcome {
     let polhode = polhode()?;
@@ -35,8 +35,8 @@ pub(crate) fn check() -> Outcome {
             continue;
         }
         output(&mut call("inertia"))?;
-        let changes = mass_changes(path)?;
-        if !changes {
+        let unsolved = has_no_solution(path)?;
+        if !unsolved {
             output(&mut call("explain"))?;
         }
         let runs = read(path)?.lines().any(|line| line.trim() == "[run]");
@@ -49,14 +49,18 @@ pub(crate) fn check() -> Outcome {
         }
         let more =
             [(runs, ", simulate"), (sweeps, ", sweep")].map(|(done, what)| if done { what } else { "" });
-        println!("   {scenario}: inertia{}{}", if changes { "" } else { ", explain" }, more.concat());
+        println!("   {scenario}: inertia{}{}", if unsolved { "" } else { ", explain" }, more.concat());
     }
     outside()
 }
 
-/// Whether a scenario has a body whose mass changes: it has no worked solution, and says so.
-pub(crate) fn mass_changes(scenario: &Path) -> Result<bool, String> {
-    Ok(read(scenario)?.lines().any(|line| line.trim_start_matches('[').starts_with("mass_history")))
+/// Whether a scenario has a body whose mass changes, or that is on the ground: it has no worked solution, and says so.
+pub(crate) fn has_no_solution(scenario: &Path) -> Result<bool, String> {
+    let is_section = |line: &str| {
+        let name = line.trim_start_matches('[');
+        name.len() < line.len() && (name.starts_with("mass_history") || name.starts_with("contact]"))
+    };
+    Ok(read(scenario)?.lines().any(is_section))
 }
 
 /// The program of `outside/`, which stands outside the workspace as a user's does: of few lines, and its event happens. Here it is run

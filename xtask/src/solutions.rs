@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::examples::mass_changes;
+use crate::examples::has_no_solution;
 use crate::process::{empty_folder, output, polhode, run_beside};
 use crate::{Outcome, files, root, short};
 
@@ -34,7 +34,7 @@ fn write(folder: &Path) -> Outcome {
     let is_scenario = |path: &PathBuf| !short(path).starts_with("examples/identify");
     for (k, scenario) in files(&root().join("examples"), "toml")?.into_iter().filter(is_scenario).enumerate()
     {
-        if mass_changes(&scenario)? {
+        if has_no_solution(&scenario)? {
             continue;
         }
         for (option, extension) in [("--markdown", "md"), ("--latex", "tex")] {

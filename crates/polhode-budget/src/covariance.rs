@@ -1,18 +1,41 @@
 //! Covariances of a few numbers.
 
-/// An element, from 1, by which a matrix is no covariance.
+use core::fmt;
+
+/// That a matrix is no covariance: it is not symmetric, or some combination of the numbers would have a negative variance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct NotCovariance {
-    pub(crate) element: [usize; 2],
+pub struct NotCovariance {
+    /// The row and column, from 1, of the element that cannot be.
+    pub element: [usize; 2],
 }
+
+impl fmt::Display for NotCovariance {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [i, j] = self.element;
+        write!(f, "the matrix is no covariance, by its element {i}, {j}")
+    }
+}
+
+impl std::error::Error for NotCovariance {}
 
 /// What is left of a variance counts as nothing below this part of it: rounding, also of ten printed digits.
 const ROUNDING: f64 = 1e-9;
 
 /// The columns of L in L Lᵀ = C that are not zero, each with its number. A combination of the numbers may have no error.
 pub(crate) fn columns<const N: usize>(c: &[[f64; N]; N]) -> Result<Vec<(usize, [f64; N])>, NotCovariance> {
+    let array = |(k, column): (usize, Vec<f64>)| (k, core::array::from_fn(|i| column[i]));
+    Ok(factor(c)?.into_iter().map(array).collect())
+}
+
+/// The same of a square matrix of any size.
+pub(crate) fn factor(c: &[impl AsRef<[f64]>]) -> Result<Vec<(usize, Vec<f64>)>, NotCovariance> {
+    let n = c.len();
+    let c: Vec<&[f64]> = c.iter().map(AsRef::as_ref).collect();
     let wrong = |i: usize, j: usize| NotCovariance { element: [i + 1, j + 1] };
-    for i in 0..N {
+    if let Some(i) = c.iter().position(|row| row.len() != n) {
+        return Err(wrong(i, n.min(c[i].len())));
+    }
+    for i in 0..n {
         if !(c[i][i] >= 0.0 && c[i][i].is_finite()) {
             return Err(wrong(i, i));
         }
@@ -23,8 +46,8 @@ pub(crate) fn columns<const N: usize>(c: &[[f64; N]; N]) -> Result<Vec<(usize, [
             }
         }
     }
-    let mut all: Vec<(usize, [f64; N])> = Vec::new();
-    for j in 0..N {
+    let mut all: Vec<(usize, Vec<f64>)> = Vec::new();
+    for j in 0..n {
         let left = |i: usize| c[i][j] - all.iter().map(|(_, l)| l[i] * l[j]).sum::<f64>();
         let variance = left(j);
         if variance < -ROUNDING * c[j][j] {
@@ -32,14 +55,14 @@ pub(crate) fn columns<const N: usize>(c: &[[f64; N]; N]) -> Result<Vec<(usize, [
         }
         if variance <= ROUNDING * c[j][j] {
             // What has no variance of its own left has no covariance left either; |left| ≤ √(left_ii left_jj).
-            if let Some(i) = (j + 1..N).find(|&i| left(i).abs() > 2.0 * (ROUNDING * c[i][i] * c[j][j]).sqrt())
+            if let Some(i) = (j + 1..n).find(|&i| left(i).abs() > 2.0 * (ROUNDING * c[i][i] * c[j][j]).sqrt())
             {
                 return Err(wrong(i, j));
             }
             continue;
         }
         let root = variance.sqrt();
-        let column = core::array::from_fn(|i| if i < j { 0.0 } else { left(i) / root });
+        let column = (0..n).map(|i| if i < j { 0.0 } else { left(i) / root }).collect();
         all.push((j, column));
     }
     Ok(all)

@@ -15,8 +15,7 @@ const ROUNDING: f64 = 1e-12;
 impl PlacedPart {
     /// The part with these errors, and whether it had to be moved to be possible.
     ///
-    /// The mass is m exp(s z − ½ s²), s² = ln(1 + σ²/m²), with the standard normal z = δm/σ: log-normal, with the mean and the standard deviation that are stated. All other
-    /// numbers are normal. The second moments G = ½ tr(I) 1 − I about the centre of mass that come of it are those of a possible body if none of their eigenvalues is negative; one that is,
+    /// The mass is [`log_normal`], with z = δm/σ. All other numbers are normal. The second moments G = ½ tr(I) 1 − I about the centre of mass that come of it are those of a possible body if none of their eigenvalues is negative; one that is,
     /// is put at zero. That is the nearest possible tensor, by the sum of squares of the elements of G, and a lamina.
     ///
     /// Coordinates in which all is possible, as log-Cholesky ones, would do worse: most parts are thin, and of a plate 1 mm thick the logarithm of the thickness has errors that are

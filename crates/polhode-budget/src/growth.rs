@@ -73,6 +73,11 @@ impl GrowthTable {
     pub fn get(&self, code: &str) -> Option<f64> {
         self.allowances.get(code).copied()
     }
+
+    /// All codes with their allowances, in order.
+    pub fn codes(&self) -> impl Iterator<Item = (&str, f64)> {
+        self.allowances.iter().map(|(code, allowance)| (code.as_str(), *allowance))
+    }
 }
 
 /// What an allowance has to be.

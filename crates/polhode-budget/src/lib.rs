@@ -36,6 +36,7 @@
 //! | principal moments, axes and tilt, with theirs | [`Estimate::principal`], [`PrincipalUncertainty`] |
 //! | which errors matter | [`Budget::sensitivities`] |
 //! | what first order leaves out | [`Budget::draws`], [`Draws::compare`] |
+//! | bodies of which only the estimate is known | [`Correlated`] |
 //! | what is left over time, or by how full the tanks are | [`Sequence`], [`Tank`] |
 //! | whether limits are met, with what margin and probability | [`Budget::limits`], [`Limit`], [`Answer`] |
 //! | the least ballast that meets limits, with a proof | [`Budget::ballast`], [`LeastBallast`] |
@@ -44,6 +45,7 @@ mod ballast;
 mod budget;
 mod changes;
 mod comparison;
+mod correlated;
 mod covariance;
 mod draw;
 mod draws;
@@ -68,6 +70,8 @@ pub use ballast::{
 };
 pub use budget::{Budget, PartsList};
 pub use comparison::{ComparedNumber, Comparison};
+pub use correlated::Correlated;
+pub use covariance::NotCovariance;
 pub use draws::Draws;
 pub use error::{BudgetError, RowName};
 pub use estimate::{Estimate, EstimateAbout, NUMBERS};

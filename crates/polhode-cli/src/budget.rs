@@ -9,11 +9,13 @@ use polhode_budget::{Basis, LimitError};
 use polhode_formats::budget::{self, BudgetFile, Questions};
 use polhode_formats::table::workbook;
 use polhode_report::{
-    BudgetCell, BudgetDiff, BudgetOptions, BudgetReport, BudgetSheet, Document, NoConfiguration, pretty,
+    BudgetCell, BudgetDiff, BudgetOptions, BudgetReport, BudgetSheet, Document, NoConfiguration, PlanOptions,
+    pretty,
 };
 use serde_json::Value;
 
 use crate::budget_history;
+use crate::budget_statements::statements;
 use crate::check::outputs::is_same;
 use crate::failure::Failure;
 use crate::numbers::{point, rotation};
@@ -22,14 +24,16 @@ use crate::stderr::shown;
 use crate::stdout::{columns, print, print_exact};
 
 /// What is printed instead of a workbook: without naming them `requires` would let these pass.
-const PRINTED: [&str; 10] =
-    ["json", "markdown", "html", "csv", "body", "diff", "about", "along", "draws", "seed"];
+const PRINTED: [&str; 8] = ["json", "markdown", "html", "csv", "body", "diff", "about", "along"];
 
 /// The same of a scenario.
 const NO_SCENARIO: [&str; 3] = ["diff", "configuration", "strict"];
 
 /// What is of the list as it is given, along its own axes.
 const TABLES: [&str; 4] = ["csv", "xlsx", "body", "scenario"];
+
+/// The same where draws may be asked for: the members of a plan are some.
+const GIVEN: [&str; 5] = ["csv", "xlsx", "body", "scenario", "sweep"];
 
 /// What a parts list comes to: mass, centre of mass and inertia with their uncertainties.
 ///
@@ -48,6 +52,7 @@ Examples:
   polhode budget examples/budget/sounding-rocket.xlsx --csv=time > over-time.csv
   polhode budget parts.csv --diff last-week.csv
   polhode budget examples/budget/cubesat.csv --configuration deployed --body > whole.toml
+  polhode budget examples/budget/cubesat.csv --configuration deployed --sweep plan.toml && polhode sweep plan.toml
   polhode budget examples/budget/sounding-rocket.xlsx --scenario rocket.toml && polhode simulate rocket.toml")]
 pub(crate) struct BudgetCommand {
     /// A parts list, CSV or XLSX; or a plan that names one, TOML.
@@ -57,12 +62,12 @@ pub(crate) struct BudgetCommand {
     #[arg(long, value_enum, value_name = "BASIS")]
     basis: Option<BasisName>,
     /// Also the tensor about this point: x,y,z from the origin, each with its unit or in metres.
-    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true, conflicts_with_all = TABLES)]
+    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true, conflicts_with_all = GIVEN)]
     about: Option<Position<Body>>,
     /// Also the tensor along axes turned by this unit quaternion (scalar first, turned axes to body axes), from which tilts are then.
-    #[arg(long, value_name = "W,X,Y,Z", value_parser = rotation::<Body, Part>, allow_hyphen_values = true, conflicts_with_all = TABLES)]
+    #[arg(long, value_name = "W,X,Y,Z", value_parser = rotation::<Body, Part>, allow_hyphen_values = true, conflicts_with_all = GIVEN)]
     along: Option<Rotation<Body, Part>>,
-    /// How many possible bodies are drawn: 0, or 10 at least.
+    /// How many possible bodies are drawn: 0, or 10 at least. Of --sweep, how many members the plan has.
     #[arg(long, value_name = "N", conflicts_with_all = TABLES, value_parser = draws)]
     draws: Option<usize>,
     /// Draw others [default: 1].
@@ -72,7 +77,7 @@ pub(crate) struct BudgetCommand {
     #[arg(long, value_name = "NAME")]
     configuration: Option<String>,
     /// Say what changed since another parts list: row by row, and in the whole.
-    #[arg(long, value_name = "OTHER", conflicts_with_all = ["csv", "xlsx", "body", "scenario", "about", "along", "draws", "seed", "strict"])]
+    #[arg(long, value_name = "OTHER", conflicts_with_all = ["csv", "xlsx", "body", "sweep", "scenario", "about", "along", "draws", "seed", "strict"])]
     diff: Option<PathBuf>,
     /// Print JSON: all numbers, with the covariance.
     #[arg(long, group = "form")]
@@ -92,10 +97,13 @@ pub(crate) struct BudgetCommand {
     /// Print the whole as a part of a scenario file, for simulate, stability and sweep.
     #[arg(long, group = "form")]
     body: bool,
+    /// Write a plan that sweep runs: members whose mass, centre of mass and tensor have the list's errors, with their correlations.
+    #[arg(long, groups = ["form", "written"], value_name = "OUT.toml")]
+    sweep: Option<PathBuf>,
     /// Write what happens over time as a scenario that simulate runs, with the table of the mass properties beside it.
     #[arg(long, groups = ["form", "written"], value_name = "OUT.toml", conflicts_with_all = NO_SCENARIO)]
     scenario: Option<PathBuf>,
-    /// Replace the files of --xlsx and --scenario.
+    /// Replace the files of --xlsx, --sweep and --scenario.
     #[arg(long, requires = "written", conflicts_with_all = PRINTED)]
     force: bool,
     /// Exit with status 1 if a limit is not met, or something is heavier than allowed.
@@ -130,9 +138,11 @@ impl BudgetCommand {
             require_not_read(&self.file, &file, &[target, &target.with_extension("csv")])?;
             return budget_history::write(&file, &self.file, basis, target, self.force);
         }
-        let report = self.report(&self.file, false)?;
+        let file = budget::read(&self.file)?;
+        let plan = self.plan_options(&file)?;
+        let report = self.report(&self.file, file, false)?;
         if let Some(other) = &self.diff {
-            let before = self.report(other, true)?;
+            let before = self.report(other, budget::read(other)?, true)?;
             let diff = BudgetDiff::new(&before, &report);
             return print(&self.printed(|| diff.to_json(), || diff.to_document()));
         }
@@ -140,6 +150,10 @@ impl BudgetCommand {
             self.write_workbook(target, &report)?;
         } else if let Some(table) = self.csv {
             print_exact(&self.table(table, &report)?)?;
+        } else if let Some(target) = &self.sweep {
+            let plan = report.to_plan(self.configuration.as_deref(), &plan);
+            let plan = plan.map_err(|why| Failure::usage(why.to_string(), why.hint()).about(&self.file))?;
+            partial::write(target, self.force, |out| out.write_all(plan.as_bytes()))?;
         } else if self.body {
             let body = report.to_scenario(self.configuration.as_deref());
             print(&body.map_err(|why| Failure::usage(why.to_string(), why.hint()).about(&self.file))?)?;
@@ -183,12 +197,12 @@ impl BudgetCommand {
         partial::write(target, self.force, |out| out.write_all(bytes.get_ref()))
     }
 
-    fn report(&self, path: &Path, is_other: bool) -> Result<BudgetReport, Failure> {
-        let file = budget::read(path)?;
-        if let Some(target) = &self.xlsx {
+    fn report(&self, path: &Path, file: BudgetFile, is_other: bool) -> Result<BudgetReport, Failure> {
+        if let Some(target) = self.xlsx.as_ref().or(self.sweep.as_ref()) {
             require_not_read(path, &file, &[target])?;
         }
         let sources = file.sources(&|path| shown(path));
+        let stated = self.diff.is_some().then(|| statements(&file));
         let BudgetFile { title, configurations, questions, limits, ballast, prescribed, .. } = file;
         let mut all: Vec<_> = configurations.into_iter().map(|one| (one.name, one.budget)).collect();
         if let Some(wanted) = &self.configuration {
@@ -221,9 +235,11 @@ impl BudgetCommand {
                     .map_err(|error| budget_history::refused(&error, path))?;
             }
         }
-        match ballast {
+        if let Some(stated) = stated {
+            return Ok(report.with_statements(stated));
+        }
+        match ballast.filter(|_| !is_given) {
             None => Ok(report),
-            Some(ballast) if is_given => Ok(report.with_sites(ballast)),
             Some(ballast) => report.with_ballast(ballast).map_err(|error| {
                 let hint = "leave [[site]] out to see what the limits come to without ballast";
                 Failure::usage(error.to_string(), hint).about(path)
@@ -233,7 +249,27 @@ impl BudgetCommand {
 
     /// A body, tables and differences are of the list as it is given, without draws and ballast.
     const fn is_given(&self) -> bool {
-        self.body || self.csv.is_some() || self.xlsx.is_some() || self.diff.is_some()
+        self.body || self.sweep.is_some() || self.csv.is_some() || self.xlsx.is_some() || self.diff.is_some()
+    }
+
+    /// Of the members of a plan: their number and seed are those of the draws.
+    fn plan_options(&self, file: &BudgetFile) -> Result<PlanOptions, Failure> {
+        let members = self.draws.unwrap_or(file.questions.draws);
+        if self.sweep.is_some() && members == 0 {
+            return Err(Failure::usage("a plan has members, and --draws is 0", "leave --draws out"));
+        }
+        let over_time = file.prescribed.as_ref().and_then(|all| all.over_time.as_ref());
+        // What it has at first is of the configuration that it begins as.
+        let is_first = |name: &Option<String>| self.configuration.is_none() || self.configuration == *name;
+        let over_time = over_time.filter(|all| is_first(&all.configuration));
+        /// s
+        const DURATION: f64 = 60.0;
+        Ok(PlanOptions {
+            members,
+            seed: self.seed.unwrap_or(file.questions.seed),
+            spin: over_time.and_then(|all| all.spin),
+            duration: over_time.map_or(DURATION, |all| all.until),
+        })
     }
 
     /// Tables of the body over time, and by what is in its tanks, are asked for.

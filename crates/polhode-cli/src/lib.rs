@@ -7,6 +7,7 @@ mod args;
 mod browser;
 mod budget;
 mod budget_history;
+mod budget_statements;
 mod check;
 mod explain;
 mod failure;

@@ -66,8 +66,9 @@ mod torque;
 mod unit;
 
 pub use budget::{
-    BudgetDiff, BudgetOptions, BudgetReport, Cell as BudgetCell, HistoryOptions, NoConfiguration,
-    Sheet as BudgetSheet, history_files,
+    BudgetDiff, BudgetOptions, BudgetReport, BudgetStatements, Cell as BudgetCell, HistoryOptions,
+    NoConfiguration, NoPlan, PlanOptions, Sheet as BudgetSheet, StatedChange, StatedSequence, StatedTank,
+    history_files,
 };
 pub use error_estimate::error_estimate;
 pub use explain::document::{Block, Document, Section};

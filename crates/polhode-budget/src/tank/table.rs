@@ -36,6 +36,16 @@ impl LiquidTable {
         Ok(Self { rows, levels })
     }
 
+    /// The rows.
+    pub fn rows(&self) -> &[MassProperties<Part>] {
+        &self.rows
+    }
+
+    /// The level at which the liquid stands in each of them, m, if it is known.
+    pub fn levels(&self) -> Option<&[f64]> {
+        self.levels.as_deref()
+    }
+
     pub(super) fn capacity(&self) -> f64 {
         self.rows.last().map_or(0.0, MassProperties::mass)
     }

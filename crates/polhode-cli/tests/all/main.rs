@@ -2,13 +2,16 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 mod budget;
+mod budget_diff;
 mod budget_history;
+mod budget_sweep;
 mod check;
 mod check_forms;
 mod check_gate;
 mod check_outputs;
 mod command;
 mod common;
+mod contact;
 mod cookbook;
 mod corpus;
 mod digits;

@@ -6,7 +6,7 @@ use polhode_budget::BudgetError;
 use super::cells::Cells;
 use super::key::{
     ABOUT, ALLOWABLE, AT_X, AT_Y, AT_Z, CAD, COPIES, FILE, GROUP, GROWTH, IXX, IXY, IXZ, IYY, IYZ, IZZ, MASS,
-    MATURITY, MESH, NAME, PARENT, PATH, QUANTITY, SCENARIO, SHAPE, SUBTOTAL, X, Y, Z,
+    MATURITY, MESH, NAME, PARENT, PATH, QUANTITY, SCENARIO, SHAPE, SUBTOTAL, TURN_X, TURN_Y, TURN_Z, X, Y, Z,
 };
 use super::plan::Plan;
 use super::rows::Rows;
@@ -38,6 +38,7 @@ impl<'s, 'a> Blame<'_, 's, 'a> {
             }
             BudgetError::Cycle { .. } | BudgetError::TwoRoots { .. } => &[PARENT, NAME, PATH],
             BudgetError::Part { error, .. } => part_keys(error),
+            BudgetError::Deviation { what, .. } | BudgetError::Covariance { what, .. } => error_keys(what),
             BudgetError::Value { what, .. } if what.contains("position") => &[AT_X, AT_Y, AT_Z],
             BudgetError::Value { what, .. } if what.contains("quantity") => &[QUANTITY],
             BudgetError::Value { what, .. } if what.contains("growth") => &[GROWTH, MATURITY],
@@ -88,6 +89,17 @@ impl<'s, 'a> Blame<'_, 's, 'a> {
             }
             _ => None,
         }
+    }
+}
+
+/// The columns of numbers whose errors cannot be.
+fn error_keys(what: &str) -> &'static [usize] {
+    match what {
+        "the centre of mass" => &[X, Y, Z],
+        "the inertia tensor" => &TENSOR,
+        "the position" => &[AT_X, AT_Y, AT_Z],
+        "the rotation" => &[TURN_X, TURN_Y, TURN_Z],
+        _ => &FORM,
     }
 }
 

@@ -300,12 +300,30 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 }
 
+/// Of any number, SI; and of a mass, relative to it.
+pub(super) const MOST_DEVIATION: f64 = 1e100;
+
 impl Deviation<'_, '_> {
     /// Of this number.
     pub(super) fn of(&self, value: f64, reader: &Reader<'_, '_>) -> Result<f64, FormatError> {
-        self.amount.of(value).ok_or_else(|| {
+        let sd = self.amount.of(value).ok_or_else(|| {
             let error = reader.invalid(self.cell, "an amount, as a fraction of zero is none");
             error.with_hint("write it with a unit")
+        })?;
+        self.within(sd, MOST_DEVIATION, reader)?;
+        Ok(sd)
+    }
+
+    /// Refuses a standard deviation of which squares are no numbers.
+    pub(super) fn within(&self, sd: f64, most: f64, reader: &Reader<'_, '_>) -> Result<(), FormatError> {
+        if sd <= most {
+            return Ok(());
+        }
+        let rule = format!("with a standard deviation of {most:e} at most, in SI: it is {sd:e}");
+        let error = reader.invalid(self.cell, rule);
+        Err(match reader.coverage_factor {
+            1.0 => error.with_hint("check its exponent"),
+            k => error.with_hint(format!("what stands after ± is divided by the coverage_factor, {k:e}")),
         })
     }
 }

@@ -4,6 +4,10 @@ use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::FormatError;
 use crate::scenario::source::Source;
 
+/// What to do about a head that is no TOML.
+pub(super) const SYNTAX: &str =
+    "lines in front of the table are TOML behind their #: a remark begins with ##";
+
 /// The TOML of a head, byte for byte where it is in the file, and where the table begins.
 pub(super) fn toml(source: Source<'_>) -> Result<(String, usize), FormatError> {
     let mut toml = String::new();

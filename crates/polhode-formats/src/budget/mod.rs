@@ -18,6 +18,7 @@ mod csv;
 mod decimal;
 mod head;
 mod heading;
+mod joined;
 mod key;
 mod measured;
 mod named;
@@ -50,7 +51,8 @@ use crate::scenario::source::Source;
 use crate::scenario::{list_units, tree};
 use heading::Columns;
 use plan::Plan;
-pub use prescribed::{OverTime, Prescribed};
+pub use plan::sequence::PlannedChange;
+pub use prescribed::{FilledTank, OverTime, Prescribed};
 use rows::Rows;
 use sheet::Sheet;
 
@@ -204,15 +206,13 @@ fn text<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a str, FormatError> {
 }
 
 fn head_error(source: Source<'_>, error: &toml::de::Error) -> FormatError {
-    source
-        .syntax(error)
-        .with_hint("lines in front of the table are TOML behind their #: a remark begins with ##")
+    source.syntax(error).with_hint(head::SYNTAX)
 }
 
 fn of_csv(source: Source<'_>, from: usize, plan: Plan) -> Result<BudgetFile, FormatError> {
     let (mut sheet, separator) = csv::sheet(source, from, heading::is_of_names)?;
     let columns = Columns::of(&sheet, &plan.ignore)?;
-    unused::ignored(&sheet, &columns, &plan, &[])?;
+    unused::ignored(&columns, &plan, &[])?;
     sheet.decimal_comma = decimal::comma(&sheet, &columns, &plan, separator)?;
     of_table(plan, &sheet, &columns, Vec::new())
 }
@@ -226,7 +226,7 @@ fn of_table(
     let mut rows = Rows::new(sheet, columns, &plan);
     let all = rows.all()?;
     let configurations = assemble::budgets(all, &plan, &rows, &mut lines)?;
-    unused::declared(sheet, columns, &plan, &configurations)?;
+    unused::declared(columns, &plan, &configurations)?;
     let (configurations, prescribed) = prescribed::with_liquid(configurations, &plan, &mut lines)?;
     lines.extend(taken::of_sheet(sheet, columns, &plan, &rows.reader));
     lines.extend(rows.taken.lines());

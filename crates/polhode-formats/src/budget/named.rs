@@ -3,8 +3,10 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use super::{BudgetFile, bytes_of, head, of_csv, plan, text, workbook, xlsx};
-use crate::error::{FormatError, FormatErrorKind};
+use super::joined::Naming;
+use super::plan::{self, Plan};
+use super::{BudgetFile, bytes_of, head, of_csv, text, workbook, xlsx};
+use crate::error::{FormatError, FormatErrorKind, Spot};
 use crate::scenario::document;
 use crate::scenario::reader::Table;
 use crate::scenario::source::Source;
@@ -16,11 +18,13 @@ pub(super) fn of_plan(path: &Path, plan_text: &str, is_alone: bool) -> Result<Bu
     let source = Source { files, ..Source::new(path, plan_text) };
     let entries = document(source)?;
     let root = Table::root(source, &entries);
-    let plan = plan::plan(&root, &["parts"], None)?;
     let value = root.require("parts", "parts = \"parts.csv\"")?;
     if value.string()?.is_empty() || value.string()?.to_ascii_lowercase().ends_with(".toml") {
         return Err(value.invalid("a file of parts, CSV or XLSX"));
     }
+    let naming = Naming { source, entries: &entries };
+    // What is wrong with the plan itself comes before what is wrong with the file.
+    root.allow(&[&plan::KEYS[..], &["parts"]].concat())?;
     let file = value.path()?;
     let bytes = bytes_of(&file).map_err(|error| match error.kind() {
         kind @ FormatErrorKind::Io { .. } => value
@@ -30,20 +34,20 @@ pub(super) fn of_plan(path: &Path, plan_text: &str, is_alone: bool) -> Result<Bu
     })?;
     let read = || {
         if xlsx::is_archive(&bytes) {
-            return workbook::read(&file, &bytes, Some(plan), is_alone);
+            return workbook::read(&file, &bytes, Some(&naming), is_alone);
         }
         let parts = Source::new(&file, text(&file, &bytes)?);
         let (toml, from) = head::toml(parts)?;
-        if !toml.trim().is_empty() {
-            let start = toml.len() - toml.trim_start().len();
-            let kind = FormatErrorKind::Value {
-                key: "the head".to_owned(),
-                value: toml.trim_start().lines().next().unwrap_or_default().trim().to_owned(),
-                rule: "left out where a plan names the file: the plan says it".to_owned(),
-            };
-            return Err(parts.error(start..start, kind));
-        }
-        of_csv(parts, from, plan)
+        // The head stands in it where it stands in the file, and errors show the file's own lines.
+        let shown = |error: FormatError| {
+            let is_syntax = matches!(error.kind(), FormatErrorKind::Toml { .. });
+            let error = error.moved(&file, |place| Some(Spot::Text(parts.place(place.span.clone()))));
+            if is_syntax { error.with_hint(head::SYNTAX) } else { error }
+        };
+        let plan = naming.plan(Source { text: &toml, ..parts }, None, &shown)?;
+        of_csv(parts, from, Plan { is_alone, ..plan })
     };
-    read().map_err(|error| if error.path() == file { error.named_in(path, value.place()) } else { error })
+    // Of what both say the error names the place in the plan already.
+    let is_open = |error: &FormatError| error.path() == file && error.origin().is_none();
+    read().map_err(|error| if is_open(&error) { error.named_in(path, value.place()) } else { error })
 }

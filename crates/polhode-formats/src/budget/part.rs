@@ -4,7 +4,7 @@ use polhode::body::MassProperties;
 use polhode::math::{Part, Position};
 use polhode_budget::{GivenPart, GivenTensor, PartUncertainty, ProductSign, TensorPoint};
 
-use super::cells::{Cells, Given};
+use super::cells::{Cells, Given, MOST_DEVIATION};
 use super::key::{
     CAD, DENSITY, ENDS, FILE, FILL, HEIGHT, IXX, IXY, IXZ, IYY, IYZ, IZZ, LENGTH, MASS, MATERIAL, MESH,
     RADIUS, RING_RADIUS, SCENARIO, SEMI_AXES, SHAPE, SIZE, THICKNESS, TOP_RADIUS, TUBE_RADIUS, UNION, UNIT,
@@ -152,6 +152,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         let mut sd = 0.0;
         if let Some(deviation) = self.reader.deviation(cells, MASS, mass)? {
             sd = deviation.of(part.mass, &self.reader)?;
+            deviation.within(sd, MOST_DEVIATION * part.mass, &self.reader)?;
         }
         let density = self.reader.given_density(cells)?;
         if let Some(deviation) = self.reader.deviation(cells, DENSITY, density)? {

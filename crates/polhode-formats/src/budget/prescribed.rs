@@ -25,8 +25,20 @@ pub struct Prescribed {
 struct DryBudget {
     name: Option<String>,
     budget: Budget,
-    /// With what is in them at first, kg.
-    tanks: Vec<(Tank, f64)>,
+    tanks: Vec<FilledTank>,
+}
+
+/// A tank, and what is in it at first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FilledTank {
+    /// The tank.
+    pub tank: Tank,
+    /// Of the liquid, kg.
+    pub mass: f64,
+    /// How well that is known.
+    pub errors: LiquidErrors,
+    /// The group with which its errors are correlated.
+    pub group: Option<String>,
 }
 
 /// What happens to the body.
@@ -48,7 +60,8 @@ impl Prescribed {
     /// The tanks of a configuration, and, if it is the one that it begins with, what happens.
     pub fn sequence(&self, configuration: Option<&str>, basis: Basis) -> Option<Sequence<'_>> {
         let stage = self.stage(configuration)?;
-        let mut sequence = Sequence::of(&stage.budget, basis, stage.tanks.iter().cloned());
+        let tanks = stage.tanks.iter().map(|one| (one.tank.clone(), one.mass));
+        let mut sequence = Sequence::of(&stage.budget, basis, tanks);
         if let Some(over_time) = self.over_time.as_ref().filter(|all| all.configuration == stage.name) {
             sequence.burns.clone_from(&over_time.burns);
             let change = |change: &PlannedChange| match change {
@@ -63,8 +76,25 @@ impl Prescribed {
         Some(sequence)
     }
 
+    /// Each configuration without what is in its tanks, and these with what is in them at first.
+    pub fn dry(&self) -> impl Iterator<Item = (Option<&str>, &Budget, &[FilledTank])> {
+        self.stages.iter().map(|stage| (stage.name.as_deref(), &stage.budget, &stage.tanks[..]))
+    }
+
     fn stage(&self, name: Option<&str>) -> Option<&DryBudget> {
         self.stages.iter().find(|stage| stage.name.as_deref() == name)
+    }
+}
+
+impl OverTime {
+    /// What leaves tanks.
+    pub fn burns(&self) -> &[Burn] {
+        &self.burns
+    }
+
+    /// What happens at once.
+    pub fn changes(&self) -> &[PlannedChange] {
+        &self.changes
     }
 }
 
@@ -93,7 +123,7 @@ pub(super) fn with_liquid(
             lines.push(format!("what is in tanks counts, and does not grow{of}: {each}"));
         }
         wet.push(NamedBudget { name: name.clone(), budget: all });
-        let tanks = inside.into_iter().map(|(tank, placed)| (placed, tank.mass)).collect();
+        let tanks = inside.into_iter().map(|(tank, placed)| tank.filled(placed)).collect();
         stages.push(DryBudget { name, budget, tanks });
     }
     let mut prescribed = Prescribed { stages, over_time: None };
@@ -114,7 +144,7 @@ pub(super) fn with_liquid(
 /// Are the tanks that drain in what it begins as?
 fn begins_with(prescribed: &Prescribed, sequence: &PlannedSequence) -> Result<(), FormatError> {
     let Some(over_time) = &prescribed.over_time else { return Ok(()) };
-    let has = |stage: &DryBudget, name: &str| stage.tanks.iter().any(|(tank, _)| tank.name == name);
+    let has = |stage: &DryBudget, name: &str| stage.tanks.iter().any(|one| one.tank.name == name);
     let begin = prescribed.stage(over_time.configuration.as_deref());
     for (burn, [place, _]) in &sequence.burns {
         if begin.is_some_and(|stage| has(stage, &burn.tank)) {
@@ -142,7 +172,7 @@ fn same_tanks(prescribed: &Prescribed, tanks: &[PlannedTank]) -> Result<(), Form
     let has = |name: Option<&str>, tank: &PlannedTank| {
         prescribed
             .stage(name)
-            .is_some_and(|stage| stage.tanks.iter().any(|(other, _)| other.name == tank.name))
+            .is_some_and(|stage| stage.tanks.iter().any(|other| other.tank.name == tank.name))
     };
     let begin = over_time.configuration.as_deref();
     for change in &over_time.changes {
@@ -174,6 +204,10 @@ impl PlannedTank {
         let root = || budget.list().rows.get(budget.root()).map_or_else(String::new, |row| row.name.clone());
         let frame = self.frame.clone().unwrap_or_else(root);
         Tank { name: self.name.clone(), frame, liquid: self.liquid.clone() }
+    }
+
+    fn filled(&self, placed: Tank) -> FilledTank {
+        FilledTank { tank: placed, mass: self.mass, errors: self.errors, group: self.group.clone() }
     }
 
     /// `12 ± 0.3 kg in "fuel", its density ± 2 %`

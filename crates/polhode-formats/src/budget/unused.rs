@@ -6,30 +6,24 @@ use super::NamedBudget;
 use super::heading::{Columns, plain};
 use super::key::{CAD, FILE};
 use super::plan::Plan;
-use super::sheet::Sheet;
-use crate::cad::CadOptions;
 use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::suggestion::nearest;
 
 /// Refuses names of `ignore` that are neither columns nor sheets.
-pub(super) fn ignored(
-    sheet: &Sheet<'_>,
-    columns: &Columns,
-    plan: &Plan,
-    sheets: &[&str],
-) -> Result<(), FormatError> {
+pub(super) fn ignored(columns: &Columns, plan: &Plan, sheets: &[&str]) -> Result<(), FormatError> {
     let is_known = |name: &str| {
         sheets.contains(&name) || columns.ignored.values().any(|heading| plain(heading) == plain(name))
     };
-    match plan.ignore.iter().find(|name| !is_known(name)) {
-        Some(name) => Err(unused(sheet, "ignore", name, "the heading of a column, or the name of a sheet")),
+    match plan.ignore.iter().zip(&plan.places.ignore).find(|(name, _)| !is_known(name)) {
+        Some((name, place)) => {
+            Err(unused(place, "ignore", name, "the heading of a column, or the name of a sheet"))
+        }
         None => Ok(()),
     }
 }
 
 /// Refuses groups that no row names, and answers about reports where there are none.
 pub(super) fn declared(
-    sheet: &Sheet<'_>,
     columns: &Columns,
     plan: &Plan,
     configurations: &[NamedBudget],
@@ -40,23 +34,26 @@ pub(super) fn declared(
         .filter_map(|row| row.group.as_deref())
         .chain(plan.tanks.iter().filter_map(|tank| tank.group.as_deref()))
         .collect();
-    let unnamed = plan.groups.iter().find(|group| !of_rows.contains(group.name.as_str()));
-    if let Some(group) = unnamed {
-        let error = unused(sheet, "group", &group.name, "the group of a row, or of a tank");
+    let mut groups = plan.groups.iter().zip(&plan.places.groups);
+    if let Some((group, place)) = groups.find(|(group, _)| !of_rows.contains(group.name.as_str())) {
+        let error = unused(place, "group", &group.name, "the group of a row, or of a tank");
         return Err(match nearest(&group.name, of_rows) {
             Some(near) => error.with_hint(format!("did you mean \"{near}\"?")),
             None => error,
         });
     }
     let has_reports = [CAD, FILE].iter().any(|key| columns.places.get(*key).is_some_and(Option::is_some));
-    if plan.cad != CadOptions::default() && !has_reports {
-        return Err(unused(sheet, "cad", "[cad]", "given with a column cad or file"));
+    match &plan.places.cad {
+        Some(place) if !has_reports => Err(unused(place, "cad", "[cad]", "given with a column cad or file")),
+        _ => Ok(()),
     }
-    Ok(())
 }
 
-fn unused(sheet: &Sheet<'_>, key: &str, value: &str, rule: &str) -> FormatError {
+/// At the place of another error.
+fn unused(place: &FormatError, key: &str, value: &str, rule: &str) -> FormatError {
     let (key, value, rule) = (key.to_owned(), format!("{value:?}"), rule.to_owned());
-    FormatError::new(sheet.path(), None, FormatErrorKind::Value { key, value, rule })
+    place
+        .clone()
+        .replaced(FormatErrorKind::Value { key, value, rule })
         .with_hint("it has no effect: leave it out, or check its name")
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use super::heading::Columns;
+use super::joined::Naming;
 use super::plan::table_file::Sheets;
 use super::plan::{self, Plan};
 use super::sheet::Sheet;
@@ -18,11 +19,11 @@ use crate::scenario::{list_units, tree};
 /// The sheet of the parts, where there are others beside it.
 const PARTS: &str = "parts";
 
-/// Reads a workbook; with the plan that names it, if one does.
+/// Reads a workbook; with what its sheets say besides what the plan says that names it, if one does.
 pub(super) fn read(
     path: &Path,
     bytes: &[u8],
-    told: Option<Plan>,
+    told: Option<&Naming<'_>>,
     is_alone: bool,
 ) -> Result<BudgetFile, FormatError> {
     let fail = |error| FormatError::of_content(path, bytes, error);
@@ -31,18 +32,8 @@ pub(super) fn read(
     let (sections, others): (Vec<&str>, Vec<&str>) = names.iter().copied().partition(|name| is_section(name));
     let sheets: Vec<(&str, Sheet<'_>)> =
         sections.iter().filter_map(|name| Some((*name, workbook.sheet(path, name)?.0))).collect();
-    let plan = match told {
-        None => {
-            Plan { is_alone, ..of_sections(path, &sheets, is_alone, &|name| workbook.sheet(path, name))? }
-        }
-        Some(_) if !sheets.is_empty() => {
-            let what = format!("the sheet {} beside a plan that names the workbook", sections.join(", "));
-            let kind = ContentErrorKind::Unsupported { what };
-            let hint = "write what it says into the plan, or give the workbook alone";
-            return Err(fail(ContentError::new(kind, ContentPlace::Whole).hint(hint)));
-        }
-        Some(plan) => plan,
-    };
+    let plan = of_sections(path, &sheets, told, is_alone, &|name| workbook.sheet(path, name))?;
+    let plan = Plan { is_alone, ..plan };
     let wanted: Vec<&str> = others
         .into_iter()
         .filter(|name| !plan.ignore.iter().any(|other| other == name) && !plan.has_sheet(name))
@@ -70,7 +61,7 @@ pub(super) fn read(
         lines.push(format!("sheets that were not read: {}", not_read.join(", ")));
     }
     let columns = Columns::of(&sheet, &plan.ignore)?;
-    unused::ignored(&sheet, &columns, &plan, &not_read)?;
+    unused::ignored(&columns, &plan, &not_read)?;
     sheet.decimal_comma = plan.decimal_comma.unwrap_or(false);
     of_table(plan, &sheet, &columns, lines)
 }
@@ -78,6 +69,7 @@ pub(super) fn read(
 fn of_sections(
     path: &Path,
     sheets: &[(&str, Sheet<'_>)],
+    told: Option<&Naming<'_>>,
     is_alone: bool,
     all: &Sheets<'_>,
 ) -> Result<Plan, FormatError> {
@@ -90,6 +82,9 @@ fn of_sections(
     let nothing = BTreeSet::new();
     let source = Source { files: is_alone.then_some(&nothing), ..Source::new(path, &sections.toml) };
     let tables = |name: &str| if is_section(name) { None } else { all(name) };
+    if let Some(told) = told {
+        return told.plan(source, Some(&tables), &|error| sections.moved(error));
+    }
     let read = || {
         let entries = tree::parse(&sections.toml).map_err(|error| source.syntax(&error))?;
         list_units::check(source, &entries)?;

@@ -11,6 +11,9 @@ use crate::unit::{bare_beside_units, measured, unit_of};
 /// Keys of one table whose values are of one kind: those of a distribution, or of a span of time.
 const TOGETHER: [&str; 6] = ["from", "to", "mode", "mean", "sd", "median"];
 
+/// The key of lists whose numbers measure different things: their reader asks for units.
+const APART: &str = "correlated";
+
 /// Refuses the first list, or matrix, in which some numbers have units and others, which are not zero, have none.
 pub(crate) fn check(source: Source<'_>, entries: &Entries) -> Result<(), FormatError> {
     let together: Vec<&Node> =
@@ -22,6 +25,7 @@ pub(crate) fn check(source: Source<'_>, entries: &Entries) -> Result<(), FormatE
     alike(source, key_of, &together)?;
     for (key, entry) in entries {
         match &entry.node.kind {
+            Kind::Table(_) if key.as_ref() == APART => {}
             Kind::Table(inner) => check(source, inner)?,
             Kind::List(elements) => list(source, key, elements)?,
             _ => {}

@@ -188,9 +188,11 @@ impl<'a> Value<'a> {
         let _ = self.value.known.set(known);
     }
 
-    /// The path of the file that it names, relative to the scenario.
+    /// The path of the file that it names, relative to the file in which it stands.
     pub(crate) fn path(&self) -> Result<PathBuf, FormatError> {
-        let path = self.source.beside(self.string()?);
+        let of = self.source.rest.filter(|(from, _)| self.span().start >= *from);
+        let source = Source { path: of.map_or(self.source.path, |(_, path)| path), ..self.source };
+        let path = source.beside(self.string()?);
         if self.source.files.is_some_and(|files| !files.contains(&path)) {
             let error = self.invalid("a file that was opened with the scenario, or dropped beside it");
             return Err(error.with_hint("no other file is opened for a text that comes from a page"));

@@ -16,6 +16,8 @@ use crate::expression::ExpressionError;
 pub(crate) struct Source<'a> {
     pub(crate) path: &'a Path,
     pub(crate) text: &'a str,
+    /// From which byte on the text is another file's, and that file: paths there are relative to it.
+    pub(crate) rest: Option<(usize, &'a Path)>,
     /// Whether the scenario will be looked at: members of sweeps are not.
     pub(crate) is_shown: bool,
     /// The only files that it may name; `None` where it may name any.
@@ -40,7 +42,16 @@ impl fmt::Debug for Watch<'_> {
 impl<'a> Source<'a> {
     /// Of a scenario that will be looked at, and may name any file.
     pub(crate) const fn new(path: &'a Path, text: &'a str) -> Self {
-        Self { path, text, is_shown: true, files: None, asked: None, mesh: None, watch: Watch(&|| true) }
+        Self {
+            path,
+            text,
+            rest: None,
+            is_shown: true,
+            files: None,
+            asked: None,
+            mesh: None,
+            watch: Watch(&|| true),
+        }
     }
 
     pub(crate) fn place(&self, span: Range<usize>) -> Place {

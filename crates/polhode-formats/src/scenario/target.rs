@@ -106,6 +106,30 @@ impl Target {
         Ok(self)
     }
 
+    /// With another number beside it, which has a value of its own.
+    pub(crate) fn beside(mut self, other: Self, key: &Value<'_>) -> Result<Self, FormatError> {
+        if self.overlaps(&other) {
+            return Err(key.invalid("another number than those before it").with_hint("leave it out"));
+        }
+        let named = |name: &str| self.columns.iter().any(|column| column.name == name);
+        if let Some(twice) = other.columns.iter().find(|column| named(&column.name)) {
+            let error = key.invalid(format!("of another name: {} is a column already", twice.name));
+            return Err(error.with_hint("a column's name has letters, digits and underscores"));
+        }
+        if let (Varied::Numbers(mine), Varied::Numbers(theirs)) = (&mut self.varied, other.varied) {
+            mine.extend(theirs);
+        }
+        if self.dimension != other.dimension {
+            self.dimension = Dimension::NONE;
+        }
+        self.key = format!("{}, {}", self.key, other.key);
+        self.parts.extend(other.parts);
+        self.nominal.extend(other.nominal);
+        self.columns.extend(other.columns);
+        self.covered.extend(other.covered);
+        Ok(self)
+    }
+
     /// True if the same number would vary by both.
     pub(crate) fn overlaps(&self, other: &Self) -> bool {
         let is_made = |target: &Self| matches!(target.varied, Varied::MassProperties(..));

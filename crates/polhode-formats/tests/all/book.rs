@@ -156,6 +156,13 @@ fn the_book_has_every_key_and_no_other() {
         ("mass_history", "### Burns", "[[mass_history.burn]]\nzzz = 1"),
         ("mass_history", "### Drops", "[[mass_history.drop]]\nzzz = 1"),
         ("mass_history", "### Exits", "[[mass_history.exit]]\nzzz = 1"),
+        ("contact", "## Contact", "[contact]\nzzz = 1"),
+        ("contact", "### Surface", "[contact]\nsurface = { zzz = 1 }"),
+        (
+            "contact",
+            "### Ground",
+            "[contact]\nsurface = { shape = 'sphere', radius = 1 }\nground = { zzz = 1 }",
+        ),
         ("prescribed", "## Prescribed", "[prescribed]\nzzz = 1"),
         ("prescribed", "### Angular velocity", "[prescribed]\nomega = { zzz = 1 }"),
         ("shaft", "## Shaft", "[shaft]\nzzz = 1"),

@@ -5,6 +5,8 @@ mod book;
 mod budget;
 mod cad;
 mod collada;
+mod contact;
+mod contact_examples;
 mod examples;
 mod expression;
 mod files;

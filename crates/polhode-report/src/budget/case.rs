@@ -4,7 +4,8 @@ use polhode::body::MassPropertiesGradient;
 use polhode::math::{Body, Direction};
 use polhode_budget::{
     Basis, Budget, BudgetError, Comparison, Draws, Estimate, Evidence, Growth, Limit, LimitAnswers,
-    LimitError, MassStatement, Measure, NUMBERS, PrincipalUncertainty, Sensitivity, Tilt, Uncertainty,
+    LimitError, MassStatement, Measure, NUMBERS, PrincipalUncertainty, Sensitivity, Subtotal, Tilt,
+    Uncertainty,
 };
 
 use super::BudgetOptions;
@@ -33,6 +34,8 @@ pub(super) struct Case {
     pub(super) ballast: Option<Found>,
     /// If it has tanks, or something happens to it.
     pub(super) changing: Option<Changing>,
+    /// The list without what is in its tanks, if it has some and differences are asked for.
+    pub(super) dry: Option<Budget>,
 }
 
 /// A principal axis beside the axis of the frame to which it is nearest.
@@ -124,11 +127,17 @@ impl Case {
             limits,
             ballast: None,
             changing: None,
+            dry: None,
         })
     }
 
     pub(super) const fn estimate(&self, basis: Basis) -> &Estimate<Body> {
         &self.estimates[index(basis)]
+    }
+
+    /// What the list states that a row comes to, whatever is in its tanks.
+    pub(super) fn subtotal(&self, row: usize) -> Option<Subtotal> {
+        self.dry.as_ref().unwrap_or(&self.budget).list().rows.get(row)?.subtotal
     }
 
     pub(super) fn principal(&self, basis: Basis) -> PrincipalUncertainty<Body> {

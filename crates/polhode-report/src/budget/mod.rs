@@ -1,6 +1,7 @@
 //! What a parts list comes to, for people and for programs.
 
 mod ballast;
+mod body;
 mod case;
 mod changing;
 mod compared;
@@ -15,20 +16,17 @@ mod numbers;
 mod parts;
 mod principal;
 mod side_by_side;
-mod stated;
+mod statements;
 mod states;
 mod table;
 mod whole;
 
-use core::fmt;
-
-use polhode::body::{Finding, MassProperties, Severity};
+use polhode::body::{Finding, Severity};
 use polhode::math::{Body, Part, Position, Rotation};
 use polhode_budget::{
     Ballast, BallastError, Basis, Budget, BudgetError, Limit, LimitError, RowName, Sequence, SequenceError,
 };
 
-use crate::body_part::BodyPart;
 use crate::explain::document::{Document, Section};
 use crate::layout::printable;
 use crate::number::{GROUP, count, number, with_error};
@@ -36,8 +34,10 @@ use case::Case;
 use changing::Changing;
 use found::Found;
 
+pub use body::{NoConfiguration, NoPlan, PlanOptions};
 pub use diff::BudgetDiff;
 pub use history::{HistoryOptions, history_files};
+pub use statements::{BudgetStatements, StatedChange, StatedSequence, StatedTank};
 pub use table::{Cell, Sheet};
 
 /// What is asked of a parts list.
@@ -64,16 +64,9 @@ pub struct BudgetReport {
     options: BudgetOptions,
     limits: Vec<Limit>,
     ballast: Option<Ballast>,
+    /// What it says besides, for differences.
+    stated: BudgetStatements,
     cases: Vec<Case>,
-}
-
-/// There is no such configuration, or it has to be said which.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NoConfiguration {
-    /// What was asked for.
-    pub asked: Option<String>,
-    /// What there is.
-    pub names: Vec<String>,
 }
 
 impl BudgetReport {
@@ -102,6 +95,7 @@ impl BudgetReport {
             options,
             limits,
             ballast: None,
+            stated: BudgetStatements::default(),
             cases,
         })
     }
@@ -127,10 +121,14 @@ impl BudgetReport {
         Ok(self)
     }
 
-    /// With the sites that are stated, without a search: differences are of these.
+    /// With what the list says besides its rows and its limits, of which nothing is computed: differences are of that too.
     #[must_use]
-    pub fn with_sites(mut self, ballast: Ballast) -> Self {
-        self.ballast = Some(ballast);
+    pub fn with_statements(mut self, statements: BudgetStatements) -> Self {
+        for (name, dry) in &statements.dry {
+            let cases = self.cases.iter_mut().filter(|case| case.name == *name);
+            cases.for_each(|case| case.dry = Some(dry.clone()));
+        }
+        self.stated = statements;
         self
     }
 
@@ -170,47 +168,6 @@ impl BudgetReport {
             None => Vec::new(),
         };
         self.cases.iter().map(bodies)
-    }
-
-    /// The body of a configuration, which has to be said if there are several.
-    ///
-    /// # Errors
-    /// [`NoConfiguration`] without it, or of another.
-    pub fn body(&self, configuration: Option<&str>) -> Result<MassProperties<Body>, NoConfiguration> {
-        self.case(configuration).map(|case| case.estimate(self.options.basis).properties)
-    }
-
-    /// The body as a part of a scenario file.
-    ///
-    /// # Errors
-    /// As [`BudgetReport::body`].
-    pub fn to_scenario(&self, configuration: Option<&str>) -> Result<String, NoConfiguration> {
-        let case = self.case(configuration)?;
-        let estimate = case.estimate(self.options.basis);
-        let title = case.name.as_ref().map_or_else(String::new, |name| format!(", {name}"));
-        let basis = basis_name(self.options.basis);
-        let meaning = "in kg, m, kg m^2, along the axes of the body, from their origin";
-        let comment = format!("{}{title}, {basis} masses: {meaning}", self.title);
-        let mut part = BodyPart::of_body(comment, "whole", &estimate.properties);
-        if estimate.covariance != [[0.0; 10]; 10] {
-            part.comments.push(
-                "Its numbers have errors that are correlated, which no [sweep] draws: polhode budget --json has their covariance"
-                    .to_owned(),
-            );
-        }
-        Ok(part.to_toml())
-    }
-
-    fn case(&self, configuration: Option<&str>) -> Result<&Case, NoConfiguration> {
-        let found = match (configuration, &self.cases[..]) {
-            (None, [only]) => Some(only),
-            (None, _) => None,
-            (Some(name), cases) => cases.iter().find(|case| case.name.as_deref() == Some(name)),
-        };
-        found.ok_or_else(|| NoConfiguration {
-            asked: configuration.map(str::to_owned),
-            names: self.cases.iter().filter_map(|case| case.name.clone()).collect(),
-        })
     }
 
     /// The report as a document: text, Markdown, a page.
@@ -359,26 +316,3 @@ const fn basis_name(basis: Basis) -> &'static str {
         Basis::Predicted => "predicted",
     }
 }
-
-impl NoConfiguration {
-    /// What to do.
-    pub fn hint(&self) -> String {
-        let names: Vec<String> = self.names.iter().map(|name| format!("\"{}\"", printable(name))).collect();
-        match (names.is_empty(), &self.asked) {
-            (true, _) => "leave it out: the file has no configurations".to_owned(),
-            (false, Some(_)) => format!("there are {}", names.join(", ")),
-            (false, None) => format!("name one of {}", names.join(", ")),
-        }
-    }
-}
-
-impl fmt::Display for NoConfiguration {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.asked {
-            Some(name) => write!(f, "there is no configuration \"{}\"", printable(name)),
-            None => f.write_str("there are several configurations, and a body is one of them"),
-        }
-    }
-}
-
-impl std::error::Error for NoConfiguration {}

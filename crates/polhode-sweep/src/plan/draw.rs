@@ -50,6 +50,9 @@ impl Draw {
             }
             (Law::Rotation(spread), &[u, v, w]) => values.extend(self.rotation(*spread, [u, v, w])),
             (Law::MassProperties(dispersion), _) => self.mass_properties(*dispersion, uniform, values),
+            (Law::Correlated(law), _) => {
+                values.extend(law.draw(uniform.iter().map(|u| normal::quantile(*u))));
+            }
             _ => {}
         }
     }

@@ -53,7 +53,7 @@ fn the_page_has_every_key_and_no_other() {
     assert_eq!(first_cells(&page, "| key of `[sweep]`", "\n### "), known("[sweep]\nzzz = 1"));
     let vary = "[sweep]\nmembers = 1\nsampling = 'sobol'\nvary = [{ key = 'body.part[0].mass', zzz = 1 }]";
     let mut laws = first_cells(&page, "### Distributions of a number", "\n### Mass");
-    laws.extend(["key".to_owned(), "dispersion".to_owned()]);
+    laws.extend(["key", "dispersion", "correlated"].map(str::to_owned));
     assert_eq!(laws, known(vary));
     let rows = first_cells(&page, "### Sampling", "\n### ");
     let samplings: BTreeSet<String> =

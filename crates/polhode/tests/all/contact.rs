@@ -2,6 +2,8 @@
 
 mod closed_form;
 mod constants;
+mod error;
+mod refusals;
 mod truth;
 
 use polhode::math::Rotation;

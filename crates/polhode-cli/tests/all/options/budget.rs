@@ -37,6 +37,7 @@ static BUDGET: Subcommand = Subcommand {
         choice("--csv", &["--csv"], BOTH),
         choice("--xlsx", &["--xlsx", "out.xlsx"], FIRST),
         Choice { needs: &["+--configuration"], ..choice("--body", &["--body"], BOTH) },
+        Choice { needs: &["+--configuration"], ..choice("--sweep", &["--sweep", "plan.toml"], FIRST) },
         choice("--scenario", &["--scenario", "out.toml"], OVER_TIME),
         Choice { needs: &["--xlsx"], ..choice("--force", &["--force"], AGAIN) },
         choice("--strict", &["--strict"], BOTH),

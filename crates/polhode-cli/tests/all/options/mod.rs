@@ -124,7 +124,7 @@ impl Runs {
         let needs: Vec<&str> = a.needs.iter().copied().filter(|name| !name.starts_with('+')).collect();
         // Whatever is written can be replaced.
         let writes = a.option == "--force"
-            && ["--output", "--html", "--plot", "--write-baseline", "--write-mesh", "--scenario"]
+            && ["--output", "--html", "--plot", "--write-baseline", "--write-mesh", "--scenario", "--sweep"]
                 .contains(&b.option);
         let helps = writes || needs.iter().any(|name| *name == b.option || b.needs.contains(name));
         let input = b.inputs.iter().find(|input| a.inputs.contains(input)).or(b.inputs.first());

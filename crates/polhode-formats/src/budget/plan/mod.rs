@@ -50,8 +50,17 @@ pub(super) struct Plan {
     pub(super) ballast: Option<Ballast>,
     pub(super) tanks: Vec<PlannedTank>,
     pub(super) sequence: Option<PlannedSequence>,
+    pub(super) places: Places,
     /// Whether no other file may be opened: the text comes from where nobody is trusted.
     pub(super) is_alone: bool,
+}
+
+/// Where things are declared that nothing may use: an error at each.
+#[derive(Debug, Default)]
+pub(super) struct Places {
+    pub(super) ignore: Vec<FormatError>,
+    pub(super) groups: Vec<FormatError>,
+    pub(super) cad: Option<FormatError>,
 }
 
 /// The point that a tensor is about.
@@ -107,6 +116,10 @@ pub(super) fn plan(
         configurations: root.get("configurations").map(|value| names(&value)).transpose()?,
         ..Plan::default()
     };
+    if let Some(value) = root.get("ignore") {
+        let names = value.elements("an array of strings")?;
+        plan.places.ignore = names.iter().map(|name| name.invalid("right")).collect();
+    }
     if let Some(value) = root.get("coverage_factor") {
         let factor = value.number()?;
         if !(factor > 0.0) {
@@ -124,9 +137,12 @@ pub(super) fn plan(
     }
     if let Some(value) = root.get("group") {
         plan.groups = group::groups(&value)?;
+        let name = |table: Table<'_>| Ok(table.require("name", "name = \"wheels\"")?.invalid("right"));
+        plan.places.groups = value.tables("group")?.into_iter().map(name).collect::<Result<_, _>>()?;
     }
     if let Some(value) = root.get("cad") {
         plan.cad = cad::options(&value.table()?)?;
+        plan.places.cad = Some(value.invalid("right"));
     }
     if let Some(value) = root.get("result") {
         plan.questions = result::questions(&value.table()?)?;
@@ -157,8 +173,12 @@ impl Plan {
         tables.into_iter().any(|table| table.from == TableOrigin::Sheet(name.to_owned()))
     }
 
-    /// The same where its text was made of cells: its places become theirs.
+    /// The same where its text was made of others: its places become theirs.
     pub(super) fn moved(mut self, moved: impl Fn(FormatError) -> FormatError) -> Self {
+        let Places { ignore, groups, cad } = &mut self.places;
+        for place in ignore.iter_mut().chain(groups).chain(cad) {
+            *place = moved(place.clone());
+        }
         for tank in &mut self.tanks {
             tank.places = tank.places.clone().map(&moved);
         }

@@ -34,9 +34,21 @@ pub(in crate::budget) struct PlannedSequence {
 
 /// What happens at once.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::budget) enum PlannedChange {
-    Drop { time: f64, rows: Vec<String> },
-    Deploy { time: f64, configuration: String },
+pub enum PlannedChange {
+    /// Rows go.
+    Drop {
+        /// s
+        time: f64,
+        /// Their names.
+        rows: Vec<String>,
+    },
+    /// Another configuration is taken.
+    Deploy {
+        /// s
+        time: f64,
+        /// Its name.
+        configuration: String,
+    },
 }
 
 impl PlannedChange {

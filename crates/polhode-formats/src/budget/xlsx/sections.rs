@@ -29,7 +29,9 @@ impl<'s, 'a> Sections<'s, 'a> {
             return self.list(name, sheet);
         }
         if name != PLAN {
+            let start = self.toml.len();
             self.toml += &format!("[{name}]\n");
+            self.cells.extend(sheet.cells.first().map(|cell| (start..self.toml.len(), sheet, cell)));
         }
         for (k, row) in sheet.rows.iter().enumerate() {
             let cells = sheet.row(row);

@@ -3,9 +3,12 @@
 use polhode::math::{Acceleration, Direction, Position, Space};
 use polhode::motion::contact::{Ground, GroundShape, GroundSide};
 
+use super::all_keys;
 use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
 use crate::unit::Dimension;
+
+const COMMON: [&str; 2] = ["shape", "rate"];
 
 /// The shapes, each with its own keys.
 const SHAPES: [(&str, &[&str]); 3] = [
@@ -18,10 +21,13 @@ const SHAPES: [(&str, &[&str]); 3] = [
 pub(super) fn ground(value: Option<&Value<'_>>) -> Result<Ground, FormatError> {
     let Some(value) = value else { return Ok(Ground::LEVEL) };
     let table = value.table()?;
+    if table.get("shape").is_none() {
+        table.allow(&all_keys(&COMMON, &SHAPES))?;
+    }
     let named = table.get("shape").map(|shape| shape.choice(&SHAPES.map(|(name, _)| name))).transpose()?;
     let kind = named.unwrap_or("plane");
     let own = SHAPES.iter().find(|(name, _)| *name == kind).map_or(&[][..], |(_, keys)| keys);
-    let keys: Vec<_> = ["shape", "rate"].iter().chain(own).copied().collect();
+    let keys: Vec<_> = COMMON.iter().chain(own).copied().collect();
     let table = table.called(format!("a ground of shape \"{kind}\""));
     table.allow(&keys)?;
     let shape = match kind {

@@ -127,3 +127,12 @@ fn not_negative(value: &Value<'_>, dimension: Dimension) -> Result<f64, FormatEr
     let number = value.quantity(dimension)?;
     if number >= 0.0 { Ok(number) } else { Err(value.invalid("not negative")) }
 }
+
+/// The keys of tables of any shape, each once.
+fn all_keys(common: &[&'static str], shapes: &[(&str, &[&'static str])]) -> Vec<&'static str> {
+    let own = shapes.iter().flat_map(|(_, keys)| keys.iter().copied());
+    let mut all: Vec<_> = common.iter().copied().chain(own).collect();
+    all.sort_unstable();
+    all.dedup();
+    all
+}

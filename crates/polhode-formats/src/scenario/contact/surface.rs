@@ -2,7 +2,7 @@
 
 use polhode::motion::contact::{BodySurface, SurfaceShape};
 
-use super::not_negative;
+use super::{all_keys, not_negative};
 use crate::error::FormatError;
 use crate::scenario::placement::Placement;
 use crate::scenario::reader::{Table, Value};
@@ -26,9 +26,7 @@ pub(super) fn surface(value: &Value<'_>) -> Result<BodySurface, FormatError> {
     let table = value.table()?;
     if table.get("shape").is_none() {
         // A misspelt `shape` is a key that no surface has.
-        let mut all = Vec::from(COMMON);
-        all.extend(SHAPES.iter().flat_map(|(_, keys)| keys.iter().copied()));
-        table.allow(&all)?;
+        table.allow(&all_keys(&COMMON, &SHAPES))?;
     }
     let kind = table.require("shape", EXAMPLE)?.choice(&SHAPES.map(|(name, _)| name))?;
     let own = SHAPES.iter().find(|(name, _)| *name == kind).map_or(&[][..], |(_, keys)| keys);

@@ -1,6 +1,9 @@
-//! The law of a `[[sweep.vary]]`: a distribution of a number, of a direction, of a rotation, of mass properties.
+//! The law of a `[[sweep.vary]]`: a distribution of a number, of a direction, of a rotation, of mass properties, of what is drawn together.
+
+use polhode_budget::Correlated;
 
 use super::Sampling;
+use super::correlated::Numbers;
 use super::distribution::{Distribution, FORMS, distribution};
 use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
@@ -24,6 +27,8 @@ pub enum Law {
     Rotation(Spread),
     /// Mass properties.
     MassProperties(Dispersion),
+    /// Several numbers, or mass properties, by their covariance.
+    Correlated(Correlated),
 }
 
 impl Law {
@@ -46,6 +51,7 @@ impl Law {
             Self::MassProperties(Dispersion::Together(_)) if columns == 6 => 9,
             Self::MassProperties(Dispersion::Together(_)) => 16,
             Self::MassProperties(Dispersion::Apart { .. }) => 13,
+            Self::Correlated(law) => law.variables(),
         }
     }
 }
@@ -80,7 +86,10 @@ pub enum Dispersion {
 }
 
 /// The key that says what is dispersed beside those of numbers.
-const OTHERS: [&str; 3] = ["random", "direction", "dispersion"];
+const OTHERS: [&str; 4] = ["random", "direction", "dispersion", CORRELATED];
+
+/// The one that is of several keys, or of mass properties.
+const CORRELATED: &str = "correlated";
 
 /// A greater dispersion no longer means what it says.
 const MOST_DISPERSION: f64 = 0.5;
@@ -107,6 +116,11 @@ pub(super) fn law(
         return Err(error.with_hint("write grid = { from = 0, to = 1, count = 11 }, or another sampling"));
     }
     let keys = keys(key)?;
+    if form.key() == CORRELATED {
+        let (target, numbers) = together(key, &keys, catalogue)?;
+        let law = numbers.law(&form)?;
+        return Ok((target, Law::Correlated(law)));
+    }
     let [key, others @ ..] = keys.as_slice() else { return Err(key.invalid("the key of a number")) };
     if let Some(other) = others.first().filter(|_| OTHERS.contains(&form.key())) {
         let error = other.invalid(format!("one key: what has {} is no number", form.key()));
@@ -143,7 +157,26 @@ pub(super) fn law(
     })
 }
 
-/// One key, or the keys of several numbers that are one and the same.
+/// What is drawn together: mass properties by one key, or several numbers.
+fn together(
+    key: &Value<'_>,
+    keys: &[Value<'_>],
+    catalogue: &Catalogue<'_>,
+) -> Result<(Target, Numbers), FormatError> {
+    if let [only] = keys {
+        let hint = "write key = \"body\" or \"body.inertia\", or an array of the keys of numbers";
+        let is_number = || catalogue.number(only).is_ok();
+        let target = catalogue
+            .mass_properties(only)
+            .map_err(|error| if is_number() { error.with_hint(hint) } else { error })?;
+        let numbers = Numbers::of_body(&target);
+        return Ok((target, numbers));
+    }
+    let targets = keys.iter().map(|key| Ok((catalogue.number(key)?, *key)));
+    Numbers::of_keys(key, targets.collect::<Result<_, FormatError>>()?)
+}
+
+/// One key, or the keys of several numbers: that are one and the same, or drawn together.
 fn keys<'a>(key: &Value<'a>) -> Result<Vec<Value<'a>>, FormatError> {
     if !key.is_array() {
         return Ok(vec![*key]);

@@ -1,5 +1,6 @@
 //! The `[sweep]`: how many members, how they are drawn, and what varies.
 
+mod correlated;
 mod distribution;
 mod law;
 mod question;
@@ -124,8 +125,7 @@ pub(crate) fn sweep(source: Source<'_>, entries: &Entries, nominal: &Scenario) -
         coordinates += one.coordinates();
         if sampling == Sampling::Sobol && coordinates > SOBOL_DIMENSIONS {
             let rule = format!("among the first {SOBOL_DIMENSIONS} numbers that are drawn for a member");
-            let hint =
-                "a vector draws up to 3, a rotation 3, a tensor 9, a body up to 16: take \"latin hypercube\"";
+            let hint = "a vector draws up to 3, a rotation 3, a tensor 9, a body up to 16, what is correlated one for each number: take \"latin hypercube\"";
             return Err(key.invalid(rule).with_hint(hint));
         }
         for (other, _) in vary.iter().take(k) {

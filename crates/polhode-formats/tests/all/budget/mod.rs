@@ -2,6 +2,7 @@
 
 mod book;
 mod forms;
+mod joined;
 mod limits;
 mod liquids;
 mod refusals;

@@ -3,7 +3,7 @@
 use polhode::math::{Body, Part, Rotation};
 use polhode_budget::{Basis, CopyErrors, Group, Growth};
 
-use super::{Folder, budget, csv, estimate, same};
+use super::{budget, csv, estimate};
 
 #[test]
 fn a_head_says_what_is_asked() {
@@ -104,42 +104,4 @@ fn tolerances_of_subtotals_know_no_coverage_factor() {
     };
     assert!(list("1.4,0.15").is_ok());
     assert!(list("1.4,0.08").unwrap_err().to_string().contains("differs by more than 0.08 kg"));
-}
-
-#[test]
-fn a_plan_names_the_file_of_its_parts() {
-    let folder = Folder::new("plan");
-    folder.write("parts.csv", "name,mass [g],maturity,supplier code\na,12 ± 0.2,E,x1\nb,7,E,x2\n");
-    let plan = "title = \"Two parts\"\nparts = \"parts.csv\"\ncoverage_factor = 2\nignore = [\"supplier code\"]\n[growth]\nE = 0.25\n[result]\nseed = 7\n";
-    let file = folder.read("plan.toml", plan).unwrap();
-    assert_eq!((file.title.as_deref(), file.questions.seed), (Some("Two parts"), 7));
-    let head = csv("# title = \"Two parts\"\n# coverage_factor = 2\n# growth = { E = 0.25 }\nname,mass [g],maturity\na,12 ± 0.2,E\nb,7,E\n").unwrap();
-    same(&head.configurations[0].budget, &file.configurations[0].budget, "a head and a plan");
-    for (plan, message) in [
-        ("parts = \"lost.csv\"\n", "plan.toml:1:9: cannot read"),
-        (
-            "parts = \"plan.toml\"\n",
-            "plan.toml:1:9: parts = \"plan.toml\" must be a file of parts, CSV or XLSX",
-        ),
-        (
-            "title = \"x\"\n",
-            "plan.toml:1:1: the key parts is missing in the file | write parts = \"parts.csv\"",
-        ),
-        (
-            "parts = \"parts.csv\"\n",
-            "parts.csv:1:24: unknown key \"supplier code\" in the headings (named in plan.toml:1:9)",
-        ),
-        ("partz = \"parts.csv\"\n", "plan.toml:1:1: unknown key \"partz\" in the file | did you mean parts?"),
-    ] {
-        let error = folder.read("plan.toml", plan).unwrap_err();
-        assert!(error.starts_with(message), "{error}");
-    }
-    folder.write("parts.csv", "# title = \"other\"\nname,mass [g]\na,1\n");
-    let error = folder.read("plan.toml", "parts = \"parts.csv\"\n").unwrap_err();
-    assert!(
-        error.starts_with(
-            "parts.csv:1:3: the head = title = \"other\" must be left out where a plan names the file"
-        ),
-        "{error}"
-    );
 }

@@ -22,7 +22,7 @@ fn refuses(sweep: &str, message: &str, hint: &str) {
 
 /// The same for one variable of a Monte Carlo plan.
 #[track_caller]
-fn refuses_vary(vary: &str, message: &str, hint: &str) {
+pub(super) fn refuses_vary(vary: &str, message: &str, hint: &str) {
     refuses(
         &format!("[sweep]\nmembers = 10\nsampling = 'monte carlo'\n[[sweep.vary]]\n{vary}"),
         message,

@@ -1,5 +1,6 @@
 //! Plans: what is read, what members are, and what is refused.
 
+mod correlated;
 mod mistakes;
 mod statistics;
 

@@ -12,6 +12,7 @@ mod flight;
 mod ground;
 mod law;
 mod model;
+mod onset;
 mod phase;
 mod reading;
 pub(crate) mod reduced;

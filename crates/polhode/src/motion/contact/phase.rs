@@ -6,6 +6,7 @@ use super::law::{ContactLaw, Grip};
 use super::model::{GroundForm, Model, SurfaceForm};
 use super::series::{Expansion, System};
 use crate::math::algebra::{Components, Field};
+use crate::motion::solve::propagate::stepper::TIGHTEST_TOLERANCE;
 
 /// Which equations hold.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,6 +61,8 @@ impl Phase {
         tolerance: f64,
     ) -> Self {
         let watches = watches(model, law, length, kind);
+        // The direction of a slip has all the digits of the slip, however small that is.
+        let tolerance = if watches.contains(&Watch::SlipSpeed) { TIGHTEST_TOLERANCE } else { tolerance };
         let system = match kind {
             Kind::Flying => System::record(flight::COUNT, |one, y| {
                 let (rates, gap) = model.flight(one, y);
@@ -76,7 +79,7 @@ impl Phase {
 }
 
 /// What may end a phase.
-fn watches(model: &Model, law: &ContactLaw, length: Option<f64>, kind: Kind) -> Vec<Watch> {
+pub(super) fn watches(model: &Model, law: &ContactLaw, length: Option<f64>, kind: Kind) -> Vec<Watch> {
     let Kind::Touching(regime, pivot) = kind else { return vec![Watch::Gap] };
     let mut watches = vec![Watch::NormalForce];
     match regime {

@@ -1,7 +1,6 @@
 //! What is read off the variables for a sample.
 
-use super::equations::AXES;
-use super::equations::PLACE;
+use super::equations::{AXES, PLACE, Regime};
 use super::flight::{CENTER, CENTER_RATE};
 use super::model::{GroundForm, Model};
 use super::phase::{Kind, Watch};
@@ -23,9 +22,13 @@ pub(super) struct Reading {
 impl Stepper {
     pub(super) fn reading(&self, y: &[f64]) -> Reading {
         let model = &self.model;
-        let Some(at) = self.kinetics(y) else {
+        let Some(mut at) = self.kinetics(y) else {
             return of_flight(model, y);
         };
+        // Friction of what is about to slip, and does not yet, is what held it.
+        if let (true, Kind::Touching(_, pivot)) = (at.normal_force.is_nan(), self.kind()) {
+            at = model.kinetics(1.0, y, Regime::Rolling, pivot);
+        }
         let [e1, e2, e3] = at.axes;
         let along = |v: Components<f64>| [e1.dot(v), e2.dot(v), e3.dot(v)];
         let arm = along(at.arm);

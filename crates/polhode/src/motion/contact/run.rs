@@ -70,7 +70,8 @@ impl<'a> Run<'a> {
     /// As [`ContactSimulation::run`].
     pub(super) fn new(of: &'a ContactSimulation<'a>) -> Result<Self, MotionError> {
         let stepper = setup::started(of)?;
-        let start = sample(of, &stepper, of.start.state.time, stepper.variables())?;
+        // It may have no numbers before it is known which phase holds.
+        let start = read(of, &stepper, of.start.state.time, stepper.variables());
         // The start as it was given, not as it comes back from other axes.
         let start = ContactSample { state: of.start.state, ..start };
         let (changes, samples, crossings) = (Vec::new(), Vec::new(), Vec::new());
@@ -225,16 +226,26 @@ fn in_body<Q>(model: &Model, v: [f64; 3]) -> Vector<Q, Body> {
 }
 
 /// A body and its contact at one time.
+///
+/// # Errors
+/// [`MotionError::NotFinite`] where a number of it is not.
 fn sample(
     of: &ContactSimulation<'_>,
     stepper: &Stepper,
     time: f64,
     y: &[f64],
 ) -> Result<ContactSample, MotionError> {
+    let sample = read(of, stepper, time, y);
+    let numbers = [sample.kinetic_energy, sample.normal_force, sample.contact.norm(), sample.torque.norm()];
+    if numbers.iter().all(|x| x.is_finite()) { Ok(sample) } else { Err(MotionError::NotFinite { time }) }
+}
+
+/// A body and its contact at one time, finite or not.
+fn read(of: &ContactSimulation<'_>, stepper: &Stepper, time: f64, y: &[f64]) -> ContactSample {
     let (model, kind) = (&stepper.model, stepper.kind());
     let state = state(of, stepper, time, y);
     let at = stepper.reading(y);
-    let [.., friction_work, ground_work] = y else { return Err(MotionError::NotFinite { time }) };
+    let [friction_work, ground_work] = [2, 1].map(|k| y.get(y.len() - k).copied().unwrap_or(f64::NAN));
     let center: Position<Space> = model.in_space * Position::<Part>::from_array(at.center);
     let offset: Position<Space> = state.attitude * in_body(model, at.arm);
     let weight = of.body.mass() * of.contact.gravity.dot(center);
@@ -251,7 +262,7 @@ fn sample(
         Kind::Touching(Regime::Rolling, _) => ContactPhase::Rolling,
         Kind::Touching(Regime::Sliding, _) => ContactPhase::Sliding,
     };
-    let sample = ContactSample {
+    ContactSample {
         state,
         phase,
         center,
@@ -265,9 +276,7 @@ fn sample(
         torque: in_body(model, at.torque),
         kinetic_energy: 0.5 * (of.body.mass() * velocity.dot(velocity) + turning),
         potential_energy: -weight,
-        friction_work: *friction_work,
-        ground_work: *ground_work,
-    };
-    let numbers = [sample.kinetic_energy, sample.normal_force, sample.contact.norm(), sample.torque.norm()];
-    if numbers.iter().all(|x| x.is_finite()) { Ok(sample) } else { Err(MotionError::NotFinite { time }) }
+        friction_work,
+        ground_work,
+    }
 }

@@ -65,6 +65,9 @@ pub(in crate::motion) struct StepNoise {
 }
 
 impl<'a> ContactSimulation<'a> {
+    /// The loosest bound on the error of a step: what a contact does next depends on signs, and looser steps would hardly be longer.
+    pub const LOOSEST: f64 = 1e-12;
+
     /// From `start`, to be sampled at `times` (ascending, s, none before the start).
     pub const fn new(
         body: &'a MassProperties<Body>,
@@ -75,7 +78,8 @@ impl<'a> ContactSimulation<'a> {
         Self { body, contact, start, times, events: &[], tolerance: 1e-15, noise: None }
     }
 
-    /// With a bound on the error of each step, relative to the sizes of the variables: 1e-15 unless it is said.
+    /// With a bound on the error of each step, relative to the sizes of the variables: 1e-15 unless it is said, and [`ContactSimulation::LOOSEST`] if it is looser
+    /// than that.
     #[must_use]
     pub const fn tolerance(self, tolerance: f64) -> Self {
         Self { tolerance, ..self }
@@ -105,6 +109,6 @@ impl<'a> ContactSimulation<'a> {
 
     /// The bound on the error of each step.
     pub(in crate::motion) const fn bound(&self) -> f64 {
-        self.tolerance
+        self.tolerance.min(Self::LOOSEST)
     }
 }

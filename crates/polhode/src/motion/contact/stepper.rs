@@ -1,17 +1,18 @@
 //! Steps along a phase: Taylor series about one state after another, the rounding of the variables carried along.
 
-use super::equations::{AXES, Kinetics, OMEGA, PLACE, VELOCITY};
+use super::equations::{AXES, Kinetics, OMEGA, PLACE, Pivot, Regime, VELOCITY};
 use super::flight::{CENTER, CENTER_RATE};
 use super::law::ContactLaw;
 use super::model::{GroundForm, Model};
-use super::phase::{Kind, Phase, Watch};
+use super::phase::{self, Kind, Phase, Watch};
 use super::simulation::StepNoise;
 use crate::math::algebra::Components;
+use crate::math::root::{dip, root};
 use crate::math::sum::two_sum;
 use crate::motion::solve::propagate::noise::Random;
 
 /// Places of a step at which what is watched is looked at.
-const LOOKS: u32 = 8;
+const LOOKS: usize = 8;
 
 /// A body on its way.
 #[derive(Clone, Debug)]
@@ -35,6 +36,9 @@ pub(super) struct Stepper {
     /// What is added to the variables after each step, and how many times as long steps are.
     noise: Option<(Random, f64)>,
     stretch: f64,
+    /// The longest step from where the last one began; and how long a motion is known that no series has.
+    longest: f64,
+    imposed: Option<f64>,
 }
 
 /// The end of a phase, found in a step.
@@ -68,6 +72,8 @@ impl Stepper {
             time,
             noise: None,
             stretch: 1.0,
+            longest: 0.0,
+            imposed: None,
         }
     }
 
@@ -88,6 +94,32 @@ impl Stepper {
         self.high = variables;
         self.begun = self.time;
         self.step = 0.0;
+    }
+
+    /// Begins to slip from where it rolled until now, slowly at first; false if it is not known how.
+    pub(super) fn begin_to_slip(&mut self, pivot: Pivot) -> bool {
+        if self.step == 0.0 {
+            return false;
+        }
+        let kind = Kind::Touching(Regime::Sliding, pivot);
+        let (since, now) = (self.time - self.begun, self.high.clone());
+        let expansion = &self.phases[self.current].expansion;
+        let rolling = |t: f64| {
+            let on = |(k, y): (usize, &f64)| if t == 0.0 { *y } else { expansion.variable(since + t, k) };
+            now.iter().enumerate().map(on).collect()
+        };
+        let watches = phase::watches(&self.model, &self.law, self.length, kind);
+        let Some(onset) = self.onset(&rolling, pivot, self.longest, &watches) else { return false };
+        let beginning = onset.variables.iter().map(|series| series[0]).collect();
+        self.enter(kind, beginning);
+        self.phases[self.current].expansion.impose(&onset.variables, &onset.outputs);
+        self.imposed = Some(onset.duration);
+        true
+    }
+
+    /// The value of what is watched.
+    pub(super) fn value(&self, at: &Kinetics<f64>, watch: Watch, pivot: Pivot) -> f64 {
+        self.model.watched(1.0, at, watch, &self.law, self.length, pivot)
     }
 
     pub(super) fn kind(&self) -> Kind {
@@ -154,34 +186,25 @@ impl Stepper {
 
     /// The step that may be taken from here; its series. No number if there is none.
     pub(super) fn expand(&mut self) -> f64 {
-        let sizes = self.sizes();
         self.begun = self.time;
         self.step = 0.0;
+        if let Some(known) = self.imposed.take() {
+            return known;
+        }
+        let sizes = self.sizes_of(&self.high);
         let phase = &mut self.phases[self.current];
-        self.stretch * phase.expansion.about(&self.high, &sizes)
+        self.longest = self.stretch * phase.expansion.about(&self.high, &sizes);
+        self.longest
     }
 
     /// What ends the phase within h of the start of the step, first.
     pub(super) fn passing(&self, h: f64) -> Option<Passing> {
         let phase = &self.phases[self.current];
-        let mut first: Option<Passing> = None;
-        for (k, &watch) in phase.watches.iter().enumerate() {
-            let value = |t: f64| phase.expansion.output(t, k);
-            let mut before = [0.0, value(0.0)];
-            for look in 1..=LOOKS {
-                let t = h * f64::from(look) / f64::from(LOOKS);
-                let now = value(t);
-                if now < 0.0 && before[1] > 0.0 {
-                    let after = crate::math::root::root(value, [before[0], t], [before[1], now]);
-                    if first.is_none_or(|first| after < first.after) {
-                        first = Some(Passing { after, watch });
-                    }
-                    break;
-                }
-                before = [t, now];
-            }
-        }
-        first
+        let all = phase.watches.iter().enumerate().filter_map(|(k, &watch)| {
+            let after = vanishing(|t| phase.expansion.output(t, k), h)?;
+            Some(Passing { after, watch })
+        });
+        all.reduce(|first, next| if next.after < first.after { next } else { first })
     }
 
     /// Takes the step, or as much of it as is good.
@@ -209,7 +232,7 @@ impl Stepper {
         }
         let at = self.kinetics(&self.high)?;
         let Kind::Touching(_, pivot) = phase.kind else { return None };
-        Some(self.model.watched(1.0, &at, watch, &self.law, self.length, pivot))
+        Some(self.value(&at, watch, pivot))
     }
 
     /// What is read off the variables of what touches the ground.
@@ -221,12 +244,12 @@ impl Stepper {
     }
 
     /// What each variable is measured with.
-    fn sizes(&self) -> Vec<f64> {
-        let (rate, speed) = (self.rate(&self.high), self.speed(&self.high));
+    pub(super) fn sizes_of(&self, y: &[f64]) -> Vec<f64> {
+        let (rate, speed) = (self.rate(y), self.speed(y));
         let mut sizes = vec![1.0; AXES + 6];
         sizes.extend([rate; 3]);
         let largest = |k: usize, least: f64| {
-            let v = &self.high[k..k + 3];
+            let v = &y[k..k + 3];
             v.iter().fold(least, |size, x| size.max(x.abs()))
         };
         let works = match self.kind() {
@@ -241,7 +264,7 @@ impl Stepper {
                     GroundForm::Sphere { .. } => [1.0; 3],
                     GroundForm::Cylinder { .. } => [1.0, 1.0, self.size],
                 });
-                if self.high.len() > VELOCITY + 2 {
+                if y.len() > VELOCITY + 2 {
                     sizes.extend([largest(VELOCITY, speed); 3]);
                 }
                 sizes.len()
@@ -290,4 +313,31 @@ impl Stepper {
             }
         }
     }
+}
+
+/// Where a function that is positive passes zero within h, first; what is not positive at the start has to become so before.
+fn vanishing(f: impl Fn(f64) -> f64, h: f64) -> Option<f64> {
+    let looks: [[f64; 2]; LOOKS + 1] = core::array::from_fn(|k| {
+        let t = h * k as f64 / LOOKS as f64;
+        [t, f(t)]
+    });
+    for (k, pair) in looks.windows(2).enumerate() {
+        let &[[from, before], [to, now]] = pair else { continue };
+        if !(before > 0.0) {
+            continue;
+        }
+        if now < 0.0 {
+            return Some(root(&f, [from, to], [before, now]));
+        }
+        // It may have been below zero between two places where it is not, if it turns back at one of them.
+        if let Some(&[end, next]) = looks.get(k + 2)
+            && now < before
+            && now < next
+            && now < 0.25 * before.max(next)
+            && let Some(there) = dip(&f, [from, end])
+        {
+            return Some(root(&f, [from, there], [before, f(there)]));
+        }
+    }
+    None
 }

@@ -153,6 +153,13 @@ impl Run<'_> {
         let Kind::Touching(_, pivot) = self.stepper.kind() else { return Ok(()) };
         let Some(rolling) = self.stepper.kinetics(y) else { return Ok(()) };
         let time = self.stepper.time();
+        // At the threshold itself slip grows from nothing with the square of time.
+        let friction = self.stepper.law().friction();
+        let slowly = change == ContactChange::Slips && friction.sticking == friction.kinetic;
+        if slowly && self.stepper.begin_to_slip(pivot) {
+            self.note(change);
+            return Ok(());
+        }
         let direction =
             self.stepper.slip_direction(y, &rolling, pivot).ok_or(MotionError::Undecided { time })?;
         let slip = BEGINNING * self.stepper.speed(y);

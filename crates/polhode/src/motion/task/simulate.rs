@@ -88,7 +88,7 @@ impl Scenario {
             .tolerance(run.tolerance);
         let motion = simulation.run_watched(progress);
         let trajectory =
-            motion.and_then(|motion| Trajectory::of_contact(self.rotor(), motion, run.tolerance));
+            motion.and_then(|motion| Trajectory::of_contact(self.rotor(), motion, simulation.bound()));
         let (Some(effort), Ok(trajectory)) = (effort, &trajectory) else { return Some(trajectory) };
         let end = run.times.last().copied().unwrap_or(start.state.time);
         let mut goes_on = true;

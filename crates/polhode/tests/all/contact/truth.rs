@@ -17,8 +17,8 @@ fn motions_are_those_of_another_formulation() {
     for case in cases(&table, "case") {
         let worst = error_of(case);
         let name = case["name"].as_str().unwrap();
-        // The forces are accelerations times the mass, and the longest motions are 20 s of a body that amplifies what it starts with.
-        let bound = if name.starts_with("rattleback") { 1e-10 } else { 2e-13 };
+        // Friction in the first moments of a slip is as uncertain as its direction.
+        let bound = if case["event"].as_str() == Some("slip") { 2e-12 } else { 1e-13 };
         assert!(worst < bound, "{name}: {worst:.2e}");
     }
 }

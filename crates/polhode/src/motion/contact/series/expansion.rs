@@ -136,6 +136,19 @@ impl Expansion {
         rough_exp2(last.min(before) + self.reach)
     }
 
+    /// A motion that is known otherwise, by the coefficients of the variables and of the further functions.
+    pub(in crate::motion::contact) fn impose(&mut self, variables: &[Vec<f64>], outputs: &[Vec<f64>]) {
+        let fill = |series: &mut Vec<[f64; ROOM]>, given: &[Vec<f64>]| {
+            for (series, given) in series.iter_mut().zip(given) {
+                *series = [0.0; ROOM];
+                series.iter_mut().zip(given).for_each(|(place, c)| *place = *c);
+            }
+        };
+        fill(&mut self.variables, variables);
+        fill(&mut self.outputs, outputs);
+        self.last = variables.first().map_or(0, |series| series.len() - 1);
+    }
+
     /// How many coefficients a step takes.
     pub(in crate::motion::contact) const fn terms(&self) -> u64 {
         self.order as u64 + 1

@@ -27,7 +27,7 @@ pub(super) const INPUT_SEED: u64 = 1_000;
 /// Perturbed runs of a thorough estimate, with larger rounding and from other inputs.
 pub(super) const RUNS: [u64; 2] = [8, 4];
 /// Up to so many steps and samples a thorough estimate is made without being asked for: some hundredths of a second.
-pub(super) const FEW: u64 = 10_000;
+const FEW: u64 = 10_000;
 /// Steps of DOP853 and of splitting take several times as long as Taylor's for the same accuracy.
 const FEW_OF_MANY_STAGES: u64 = 3_000;
 

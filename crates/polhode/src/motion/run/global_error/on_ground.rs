@@ -1,7 +1,7 @@
 //! The error of a motion on the ground: other runs of it, with larger rounding and from other inputs.
 
 use super::compared_samples::ComparedSamples;
-use super::estimation::{CONSTANT_NOISE, FEW, INPUT_AMPLITUDES, INPUT_SEED, RUNS, STEP_NOISE};
+use super::estimation::{CONSTANT_NOISE, INPUT_AMPLITUDES, INPUT_SEED, RUNS, STEP_NOISE};
 use super::inputs::Change;
 use super::perturbed::Distance;
 use super::{ErrorEffort, GlobalError, NONE, ROUNDING};
@@ -11,6 +11,9 @@ use crate::motion::contact::{ContactSimulation, ContactStart, StepNoise};
 use crate::motion::model::state::State;
 use crate::motion::model::state::StateError;
 use crate::motion::run::trajectory::Trajectory;
+
+/// Up to so many steps and samples an estimate is thorough without being asked for: each step takes some twenty times as long as without a contact.
+const FEW: u64 = 500;
 
 /// How much longer steps are in a thorough run and in a cheap one; what a cheap one shows of the truncation error; and its noise, as it is a single
 /// sample. As of Taylor's method without a contact.

@@ -1,0 +1,76 @@
+//! `polhode budget --sweep`: a parts list as a plan of a sweep.
+
+use polhode_sweep::Plan;
+
+use crate::common::{Scratch, json, numbers, refused, stdout};
+
+/// Members have the mean and the covariance that the list comes to.
+#[test]
+fn members_have_the_covariance_of_the_list() {
+    const MEMBERS: usize = 20_000;
+    let scratch = Scratch::new("budget-sweep");
+    scratch.write("cubesat.csv", crate::budget::CUBESAT);
+    let asked = ["budget", "cubesat.csv", "--configuration", "deployed"];
+    let report = json(&scratch.run(&[&asked[..], &["--json", "--draws", "20"]].concat()));
+    let estimate = &report["configurations"][0]["estimate"];
+    let covariance: Vec<Vec<f64>> = estimate["covariance"].as_array().unwrap().iter().map(numbers).collect();
+    stdout(
+        &scratch.run(&[&asked[..], &["--sweep", "plan.toml", "--draws", "20000", "--seed", "3"]].concat()),
+    );
+    let plan = Plan::read(&scratch.0.join("plan.toml")).unwrap();
+    assert_eq!((plan.members(), plan.seed()), (MEMBERS as u64, Some(3)));
+    assert!(plan.findings().iter().all(|finding| finding.code != "sweep.members"));
+    let values: Vec<Vec<f64>> = (0..plan.members()).map(|member| plan.values(member)).collect();
+    assert!(values.iter().all(|member| plan.scenario(member).is_ok()));
+    let body = plan.nominal().body();
+    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = body.inertia().matrix();
+    let [x, y, z] = body.center_of_mass().to_array();
+    let n = MEMBERS as f64;
+    let mean: Vec<f64> = (0..10).map(|k| values.iter().map(|v| v[k]).sum::<f64>() / n).collect();
+    for (i, nominal) in [body.mass(), x, y, z, xx, yy, zz, xy, xz, yz].into_iter().enumerate() {
+        let sd = (covariance[i][i] / n).sqrt();
+        assert!((mean[i] - nominal).abs() < 4.0 * sd + 1e-15, "mean {i}: {} is not {nominal}", mean[i]);
+        for j in 0..=i {
+            let sum: f64 = values.iter().map(|v| (v[i] - mean[i]) * (v[j] - mean[j])).sum();
+            let want = covariance[i][j];
+            // The standard deviation of a sample's covariance, of normal numbers
+            let sd = ((covariance[i][i] * covariance[j][j] + want * want) / n).sqrt();
+            assert!((sum / (n - 1.0) - want).abs() < 4.5 * sd, "{i} {j}: {} is not {want}", sum / n);
+        }
+    }
+    // They are correlated: the mass goes with Ixx.
+    assert!(covariance[4][0] > 0.3 * (covariance[4][4] * covariance[0][0]).sqrt());
+}
+
+#[test]
+fn the_plan_is_run() {
+    let scratch = Scratch::new("budget-sweep-run");
+    let list = "# [[tank]]\n# name = \"fuel\"\n# shape = \"sphere\"\n# radius = \"10 cm\"\n# density = 900\n# settles = \"-z\"\n# mass = \"1 kg\"\n\
+                # [sequence]\n# until = \"10 s\"\n# spin = [\"0.1 rad/s\", 0, \"30 rpm\"]\n# [result]\n# draws = 60\n# seed = 4\n\
+                name,mass [kg],x [mm],y [mm],z [mm]\na,2 ± 0.1,100,0,5\nb,1 ± 0.1,-50 ± 2,20,300\n";
+    scratch.write("list.csv", list);
+    let written = ["budget", "list.csv", "--sweep", "plan.toml"];
+    assert_eq!(stdout(&scratch.run(&written)), "");
+    assert!(refused(&scratch.run(&written), 2).contains("plan.toml"));
+    stdout(&scratch.run(&[&written[..], &["--force", "--draws", "60"]].concat()));
+    let error = refused(&scratch.run(&["budget", "list.csv", "--sweep", "list.csv", "--force"]), 2);
+    assert!(error.contains("is read, and would be overwritten"), "{error}");
+    let summary = json(&scratch.run(&["sweep", "plan.toml", "-o", "out", "--json"]));
+    assert_eq!(summary["status"]["complete"]["count"], 60);
+    let plan = Plan::read(&scratch.0.join("plan.toml")).unwrap();
+    assert_eq!((plan.members(), plan.seed()), (60, Some(4)));
+    assert_eq!(plan.nominal().start().omega.x, 0.1);
+    assert_eq!(plan.nominal().run().unwrap().times.last(), Some(&10.0));
+    scratch.write("exact.csv", "name,mass [kg],x [mm]\na,2,100\n");
+    let error = refused(&scratch.run(&["budget", "exact.csv", "--sweep", "out.toml"]), 2);
+    assert!(
+        error.contains("no part has an uncertainty") && error.contains("write errors into the list"),
+        "{error}"
+    );
+    let error = refused(&scratch.run(&["budget", "list.csv", "--sweep", "out.toml", "--draws", "0"]), 2);
+    assert!(error.contains("--draws is 0"), "{error}");
+    let error = refused(&scratch.run(&["budget", "list.csv", "--sweep", "out.toml", "--about", "0,0,1"]), 2);
+    assert!(error.contains("--about"), "{error}");
+    let error = refused(&scratch.run(&["budget", "list.csv", "--force", "--draws", "20"]), 2);
+    assert!(error.contains("--force") || error.contains("--xlsx"), "{error}");
+}

@@ -1,0 +1,136 @@
+//! What became of each row.
+
+use std::collections::HashMap;
+
+use polhode::body::MassProperties;
+use polhode::math::Part;
+use polhode_budget::{Growth, Row};
+
+use super::change::{Change, What};
+use super::errors;
+use crate::budget::case::Case;
+
+/// Rounding of numbers in other units.
+const ROUNDING: f64 = 1e-12;
+
+/// In the order of the rows of the second, then what is no more.
+pub(super) fn changes([before, after]: [&Case; 2]) -> Vec<Change> {
+    let (old, new) = (&before.budget.list().rows, &after.budget.list().rows);
+    let named = |rows: &[Row]| -> HashMap<String, usize> {
+        rows.iter().enumerate().map(|(k, row)| (row.name.clone(), k)).collect()
+    };
+    let (old_names, new_names) = (named(old), named(new));
+    let mut all = Vec::new();
+    for (k, row) in new.iter().enumerate() {
+        let mut add = |what| all.push(Change { row: row.name.clone(), what });
+        match old_names.get(&row.name) {
+            None => add(What::Added(own(after, k))),
+            Some(&other) => differences([before, after], [other, k]).into_iter().for_each(add),
+        }
+    }
+    for (k, row) in old.iter().enumerate().filter(|(_, row)| !new_names.contains_key(&row.name)) {
+        all.push(Change { row: row.name.clone(), what: What::Removed(own(before, k)) });
+    }
+    all
+}
+
+/// The mass of all copies of a row's own part.
+fn own(case: &Case, row: usize) -> f64 {
+    let copies = f64::from(case.budget.list().rows[row].quantity.count);
+    case.budget.given(row).map_or(0.0, |part| copies * part.mass())
+}
+
+fn differences(cases: [&Case; 2], rows: [usize; 2]) -> Vec<What> {
+    let [before, after] = [0, 1].map(|side| &cases[side].budget.list().rows[rows[side]]);
+    let mut all = Vec::new();
+    let parents = [0, 1].map(|side| {
+        let parent = cases[side].budget.parents()[rows[side]];
+        parent.map(|parent| cases[side].budget.list().rows[parent].name.clone())
+    });
+    if parents[0] != parents[1] {
+        all.push(What::Parent(parents));
+    }
+    let codes = [before, after].map(|row| match &row.growth {
+        Growth::Code(code) => Some(code.clone()),
+        Growth::None | Growth::Fraction(_) => None,
+    });
+    let counts = [before.quantity.count, after.quantity.count];
+    if counts[0] != counts[1] {
+        all.push(What::Quantity(counts));
+    }
+    let copies = [before.quantity.errors, after.quantity.errors];
+    if copies[0] != copies[1] {
+        all.push(What::Copies(copies));
+    }
+    let parts = [0, 1].map(|side| cases[side].budget.given(rows[side]));
+    let mut distance = (after.place.position - before.place.position).norm();
+    let size = after.place.position.max_abs().max(before.place.position.max_abs());
+    let mut is_moved = distance > ROUNDING * size;
+    match parts {
+        [Some(was), Some(is)] => {
+            if !near(was.mass(), is.mass()) {
+                all.push(What::Mass([was.mass(), is.mass()]));
+            }
+            let by = (is.center_of_mass() - was.center_of_mass()).norm();
+            let size = is.center_of_mass().max_abs().max(was.center_of_mass().max_abs());
+            if by > ROUNDING * size {
+                // Both together, along the axes of the frame in which it stands.
+                let [was, is] = [(before, was), (after, is)]
+                    .map(|(row, part)| row.place.position + row.place.rotation * part.center_of_mass());
+                (is_moved, distance) = (true, (is - was).norm());
+            }
+            // What is only heavier has the tensor that goes with it.
+            let part = tensor_change(was, is);
+            if part > ROUNDING.max(1e-9) {
+                all.push(What::Tensor(part));
+            }
+        }
+        [None, Some(is)] => all.push(What::Mass([0.0, is.mass()])),
+        [Some(was), None] => all.push(What::Mass([was.mass(), 0.0])),
+        [None, None] => {}
+    }
+    if is_moved {
+        all.push(What::Moved(distance));
+    }
+    let angle = (after.place.rotation * before.place.rotation.inverse()).angle();
+    if angle > 1e-9 {
+        all.push(What::Turned(angle));
+    }
+    let growths = [0, 1].map(|side| cases[side].budget.growth(rows[side]));
+    if !near(growths[0], growths[1]) {
+        all.push(What::Growth(growths));
+    }
+    if before.allowable != after.allowable {
+        all.push(What::Allowable([before.allowable, after.allowable]));
+    }
+    if codes[0] != codes[1] {
+        all.push(What::Maturity(codes));
+    }
+    let subtotals = [0, 1].map(|side| cases[side].subtotal(rows[side]));
+    if subtotals[0] != subtotals[1] {
+        all.push(What::Subtotal(subtotals));
+    }
+    let groups = [before, after].map(|row| row.group.clone());
+    if groups[0] != groups[1] {
+        all.push(What::Group(groups));
+    }
+    all.extend(errors::changed([before, after]).map(What::Uncertainty));
+    all
+}
+
+fn near(a: f64, b: f64) -> bool {
+    (a - b).abs() <= ROUNDING * a.abs().max(b.abs())
+}
+
+/// By how much the tensor of a mass of 1 kg changed, over its greatest element.
+fn tensor_change(was: &MassProperties<Part>, is: &MassProperties<Part>) -> f64 {
+    let each = |body: &MassProperties<Part>| {
+        let mass = body.mass();
+        body.inertia().matrix().map(|row| row.map(|x| x / mass))
+    };
+    let (was, is) = (each(was), each(is));
+    let greatest = was.iter().chain(&is).flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let by =
+        was.iter().flatten().zip(is.iter().flatten()).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+    if greatest > 0.0 { by / greatest } else { 0.0 }
+}

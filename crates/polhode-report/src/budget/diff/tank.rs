@@ -1,0 +1,92 @@
+//! Tanks in the words of the file.
+
+use polhode::body::MassProperties;
+use polhode::math::Part;
+use polhode_budget::{Down, Liquid, LiquidErrors, LiquidTable, Measured, TankShape, Vessel};
+
+use super::words::point;
+use crate::budget::statements::StatedTank;
+use crate::number::{number, vector};
+
+/// What is said of a tank, item by item: what it is, and each row of its table.
+pub(super) fn items(tank: &StatedTank, digits: usize) -> Vec<(String, String)> {
+    let name = &tank.tank.name;
+    let mut words = vec![format!("frame {}", tank.tank.frame)];
+    if !tank.configurations.is_empty() {
+        words.push(format!("configuration {}", tank.configurations.join(", ")));
+    }
+    let mut rows = Vec::new();
+    match &tank.tank.liquid {
+        Liquid::Vessel(vessel) => words.extend(of_vessel(vessel, digits)),
+        Liquid::Table(table) => {
+            words.push("by a table".to_owned());
+            rows = of_table(table, digits);
+        }
+    }
+    words.push(format!("{} kg at first", number(tank.mass, digits)));
+    words.extend(of_errors(tank, digits));
+    words.extend(tank.group.iter().map(|group| format!("group {group}")));
+    let rows = rows.into_iter().enumerate();
+    let rows = rows.map(|(k, row)| (format!("row {} of the table of the tank {name}", k + 1), row));
+    [(format!("tank {name}"), words.join("; "))].into_iter().chain(rows).collect()
+}
+
+/// Standard deviations, as parts where the file has parts.
+fn of_errors(tank: &StatedTank, digits: usize) -> Vec<String> {
+    let LiquidErrors { measured, amount, density } = tank.errors;
+    let percent = |x: f64| format!("{} %", number(100.0 * x, digits));
+    let mut words = Vec::new();
+    // Also where it is none: what the density makes of it depends on what was measured.
+    if amount > 0.0 || density > 0.0 {
+        words.push(match measured {
+            Measured::Mass => format!("mass_sd {} kg", number(amount, digits)),
+            Measured::Fill => format!("fill_sd {}", percent(amount / tank.tank.liquid.capacity())),
+        });
+    }
+    if density > 0.0 {
+        words.push(format!("density_sd {}", percent(density)));
+    }
+    words
+}
+
+fn of_vessel(vessel: &Vessel, digits: usize) -> [String; 3] {
+    let mm = |x: f64| number(1e3 * x, digits);
+    let shape = match *vessel.shape() {
+        TankShape::Box(size) => format!("box, size {} mm", size.map(mm).join(" × ")),
+        TankShape::Ellipsoid(axes) if axes == [axes[0]; 3] => format!("sphere, radius {} mm", mm(axes[0])),
+        TankShape::Ellipsoid(axes) => format!("ellipsoid, semi_axes {} mm", axes.map(mm).join(" × ")),
+        TankShape::Cylinder { radius, length, ends: [low, high] } => format!(
+            "cylinder, radius {} mm, length {} mm, ends {} and {} mm",
+            mm(radius),
+            mm(length),
+            mm(low),
+            mm(high)
+        ),
+    };
+    let settles = match vessel.down() {
+        Down::MinusX => "-x",
+        Down::MinusY => "-y",
+        Down::MinusZ => "-z",
+        Down::PlusX => "x",
+        Down::PlusY => "y",
+        Down::PlusZ => "z",
+    };
+    [shape, format!("density {} kg/m³", number(vessel.density(), digits)), format!("settles {settles}")]
+}
+
+fn of_table(table: &LiquidTable, digits: usize) -> Vec<String> {
+    let row = |(k, body): (usize, &MassProperties<Part>)| {
+        let [[xx, xy, xz], [_, yy, yz], [.., zz]] = body.inertia().matrix();
+        let level = table.levels().and_then(|levels| levels.get(k));
+        let level =
+            level.map_or_else(String::new, |level| format!(", level {} mm", number(1e3 * level, digits)));
+        format!(
+            "mass {} kg{level}, center {}, moments {} kg·m², products {} kg·m²",
+            number(body.mass(), digits),
+            point(body.center_of_mass().to_array(), digits),
+            vector([xx, yy, zz], digits),
+            vector([xy, xz, yz], digits)
+        )
+    };
+    table.rows().iter().enumerate().map(row).collect()
+}

@@ -1,0 +1,322 @@
+//! The onset of slip where friction has just become too small: slip grows with the square of time, and friction turns it against itself much faster.
+//!
+//! The equations are stiff there, and the direction of slip has no value at the start; yet the motion is smooth. So it is found as a polynomial that
+//! satisfies the equations at the nodes of Gauss (collocation, of order 2 × [`STAGES`]), by Newton's method.
+//!
+//! Source: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.5 and IV.8; for the onset D. E. Stewart, SIAM Rev. 42 (2000) 3.
+
+use super::equations::{Kinetics, Pivot, Regime};
+use super::phase::Watch;
+use super::stepper::Stepper;
+use crate::math::algebra::Components;
+
+/// Nodes in the step.
+const STAGES: usize = 9;
+/// The last coefficients of a polynomial that is the motion, relative to the sizes of the variables: near the start friction is as uncertain as the direction of
+/// a slip of some 1e-9 of the speed is.
+const SMALL: f64 = 1e-12;
+/// Of Newton's method.
+const ITERATIONS: usize = 12;
+
+/// The motion after an onset, as polynomials of the time since: their coefficients, of each variable and of each function that is watched.
+pub(super) struct Onset {
+    pub(super) duration: f64,
+    pub(super) variables: Vec<Vec<f64>>,
+    pub(super) outputs: Vec<Vec<f64>>,
+}
+
+/// Gauss's nodes in (0, 1), their weights, and ∫ of each Lagrange polynomial to each node.
+struct Nodes {
+    at: [f64; STAGES],
+    weights: [f64; STAGES],
+    integrals: [[f64; STAGES]; STAGES],
+}
+
+impl Stepper {
+    /// How a body begins to slip that has rolled until now, along a direction of the surface's axes; `rolling` are its variables, and `longest` is a
+    /// step of what rolls.
+    pub(super) fn onset(
+        &self,
+        rolling: &dyn Fn(f64) -> Vec<f64>,
+        pivot: Pivot,
+        longest: f64,
+        watches: &[Watch],
+    ) -> Option<Onset> {
+        let nodes = Nodes::new();
+        // Half, a quarter, …: where it begins to slip very slowly, or soon to do something else.
+        (1..24).find_map(|k| self.collocated(rolling, pivot, longest * 0.5_f64.powi(k), &nodes, watches))
+    }
+
+    fn collocated(
+        &self,
+        rolling: &dyn Fn(f64) -> Vec<f64>,
+        pivot: Pivot,
+        h: f64,
+        nodes: &Nodes,
+        watches: &[Watch],
+    ) -> Option<Onset> {
+        let read = |y: &[f64]| self.model.kinetics(1.0, y, Regime::Rolling, pivot);
+        let first = rolling(0.0);
+        let beginning = read(&first).sliding(&first, Components([0.0; 3]));
+        let count = beginning.len();
+        let rates = |y: &[f64]| self.model.rates(1.0, y, Regime::Sliding, pivot).0;
+        // As if it rolled on, and slipped against the force that would hold it.
+        let mut stages: Vec<Vec<f64>> = Vec::new();
+        for c in nodes.at {
+            let y = rolling(c * h);
+            let at = read(&y);
+            let against = against(&at)?;
+            let trial = at.sliding(&y, against.scaled(1e-8 * self.speed(&y)));
+            let sliding = self.model.kinetics(1.0, &trial, Regime::Sliding, pivot);
+            let growth = sliding.slip_rate(&self.model).dot(against);
+            if !(growth > 0.0) {
+                return None;
+            }
+            stages.push(at.sliding(&y, against.scaled(0.5 * growth * c * h)));
+        }
+        let sizes = self.sizes_of(&beginning);
+        let mut last = f64::INFINITY;
+        for _ in 0..ITERATIONS {
+            let slopes: Vec<Vec<f64>> = stages.iter().map(|y| rates(y)).collect();
+            let mut residual: Vec<f64> = Vec::with_capacity(STAGES * count);
+            for (stage, integrals) in stages.iter().zip(&nodes.integrals) {
+                for k in 0..count {
+                    let sum: f64 = integrals.iter().zip(&slopes).map(|(a, f)| a * f[k]).sum();
+                    residual.push(beginning[k] + h * sum - stage[k]);
+                }
+            }
+            let jacobians: Vec<Vec<Vec<f64>>> =
+                stages.iter().map(|y| self.jacobian(y, pivot, &sizes)).collect();
+            // (1 − h A ⊗ J) Δ = residual
+            let mut matrix = vec![vec![0.0; STAGES * count]; STAGES * count];
+            for (i, integrals) in nodes.integrals.iter().enumerate() {
+                for (j, a) in integrals.iter().enumerate() {
+                    for k in 0..count {
+                        for l in 0..count {
+                            let own = if i == j && k == l { 1.0 } else { 0.0 };
+                            matrix[i * count + k][j * count + l] = own - h * a * jacobians[j][l][k];
+                        }
+                    }
+                }
+            }
+            let change = solved(matrix, residual)?;
+            for (stage, change) in stages.iter_mut().zip(change.chunks(count)) {
+                stage.iter_mut().zip(change).for_each(|(y, d)| *y += d);
+            }
+            let size =
+                change.iter().zip(sizes.iter().cycle()).map(|(d, s)| (d / s).abs()).fold(0.0, f64::max);
+            if size.is_nan() {
+                return None;
+            }
+            // Quadratic until rounding is all that is left.
+            if size < 1e-14 || size < 1e-11 && size > 0.5 * last {
+                return self.polynomials((&beginning, &stages), pivot, (h, nodes), watches);
+            }
+            last = size;
+        }
+        None
+    }
+
+    /// ∂(rates)/∂(variable), by columns: good enough for Newton's method.
+    fn jacobian(&self, y: &[f64], pivot: Pivot, sizes: &[f64]) -> Vec<Vec<f64>> {
+        let at = self.model.kinetics(1.0, y, Regime::Sliding, pivot);
+        let slip = at.slip.dot(at.slip).sqrt();
+        let speed = self.speed(y);
+        let rates = |y: &[f64]| self.model.rates(1.0, y, Regime::Sliding, pivot).0;
+        (0..y.len())
+            .map(|k| {
+                // A change of the slip by a part of itself.
+                let step = 1e-4 * sizes[k] * (slip / speed).min(1e-2);
+                let shifted = |by: f64| {
+                    let mut y = y.to_vec();
+                    y[k] += by;
+                    rates(&y)
+                };
+                let (up, down) = (shifted(step), shifted(-step));
+                up.iter().zip(down).map(|(up, down)| (up - down) / (2.0 * step)).collect()
+            })
+            .collect()
+    }
+
+    /// The polynomials through the stages, if they have converged: their last coefficients are small.
+    fn polynomials(
+        &self,
+        (beginning, stages): (&[f64], &[Vec<f64>]),
+        pivot: Pivot,
+        (h, nodes): (f64, &Nodes),
+        watches: &[Watch],
+    ) -> Option<Onset> {
+        let sizes = self.sizes_of(beginning);
+        let slopes: Vec<Vec<f64>> =
+            stages.iter().map(|y| self.model.rates(1.0, y, Regime::Sliding, pivot).0).collect();
+        let mut variables = Vec::new();
+        for (k, &y) in beginning.iter().enumerate() {
+            let values: Vec<f64> = slopes.iter().map(|f| h * f[k]).collect();
+            let legendre = nodes.legendre(&values);
+            let [.., before, last] = legendre;
+            if before.abs().max(last.abs()) > SMALL * sizes[k] {
+                return None;
+            }
+            let integrated = monomials(&legendre).into_iter().enumerate().map(|(n, c)| c / (n + 1) as f64);
+            let in_time = [y].into_iter().chain(integrated).enumerate();
+            variables.push(in_time.map(|(n, c)| c * h.powi(-(n as i32))).collect());
+        }
+        let watched: Vec<Vec<f64>> = stages
+            .iter()
+            .map(|y| {
+                let at = self.model.kinetics(1.0, y, Regime::Sliding, pivot);
+                watches.iter().map(|watch| self.value(&at, *watch, pivot)).collect()
+            })
+            .collect();
+        let count = watched.first().map_or(0, Vec::len);
+        let outputs = (0..count).map(|k| {
+            let values: Vec<f64> = watched.iter().map(|all| all[k]).collect();
+            let in_time = monomials(&nodes.legendre(&values)).into_iter().enumerate();
+            in_time.map(|(n, c)| c * h.powi(-(n as i32))).collect()
+        });
+        Some(Onset { duration: h, variables, outputs: outputs.collect() })
+    }
+}
+
+/// Against the force of friction.
+fn against(at: &Kinetics<f64>) -> Option<Components<f64>> {
+    let size = at.tangential.dot(at.tangential).sqrt();
+    (size > 0.0).then(|| at.tangential.scaled(-1.0 / size))
+}
+
+impl Nodes {
+    fn new() -> Self {
+        let (mut at, mut weights) = ([0.0; STAGES], [0.0; STAGES]);
+        for (k, (node, weight)) in at.iter_mut().zip(&mut weights).enumerate() {
+            // Newton's method from Tricomi's approximation.
+            let mut x = -libm::cos(core::f64::consts::PI * (k as f64 + 0.75) / (STAGES as f64 + 0.5));
+            let slope = |x: f64| {
+                let p = legendre_values(x);
+                STAGES as f64 * (p[STAGES - 1] - x * p[STAGES]) / (1.0 - x * x)
+            };
+            for _ in 0..8 {
+                x -= legendre_values(x)[STAGES] / slope(x);
+            }
+            *node = 0.5 * (1.0 + x);
+            *weight = 1.0 / ((1.0 - x * x) * slope(x) * slope(x));
+        }
+        let mut integrals = [[0.0; STAGES]; STAGES];
+        for (row, c) in integrals.iter_mut().zip(at) {
+            let here = legendre_values(2.0 * c - 1.0);
+            for ((place, x), w) in row.iter_mut().zip(at).zip(weights) {
+                let there = legendre_values(2.0 * x - 1.0);
+                // ∫₀ᶜ of Pₙ(2x − 1) is ½ (Pₙ₊₁ − Pₙ₋₁)/(2n + 1).
+                let of = |n: usize| match n {
+                    0 => c,
+                    n => 0.5 * (here[n + 1] - here[n - 1]) / (2 * n + 1) as f64,
+                };
+                *place = w * (0..STAGES).map(|n| (2 * n + 1) as f64 * there[n] * of(n)).sum::<f64>();
+            }
+        }
+        Self { at, weights, integrals }
+    }
+
+    /// The coefficients of Pₙ(2x − 1) in the polynomial with these values at the nodes.
+    fn legendre(&self, values: &[f64]) -> [f64; STAGES] {
+        let mut sums = [0.0; STAGES];
+        for ((x, w), value) in self.at.iter().zip(self.weights).zip(values) {
+            let p = legendre_values(2.0 * x - 1.0);
+            for (n, sum) in sums.iter_mut().enumerate() {
+                *sum += (2 * n + 1) as f64 * w * p[n] * value;
+            }
+        }
+        sums
+    }
+}
+
+/// P₀ … P of order [`STAGES`].
+fn legendre_values(x: f64) -> [f64; STAGES + 1] {
+    let mut p = [1.0; STAGES + 1];
+    p[1] = x;
+    for n in 1..STAGES {
+        let m = n as f64;
+        p[n + 1] = ((2.0 * m + 1.0) * x * p[n] - m * p[n - 1]) / (m + 1.0);
+    }
+    p
+}
+
+/// Σ cₙ Pₙ(2x − 1) by powers of x.
+fn monomials(legendre: &[f64; STAGES]) -> [f64; STAGES] {
+    let mut sum = [0.0; STAGES];
+    let (mut before, mut now) = ([0.0; STAGES], [0.0; STAGES]);
+    now[0] = 1.0;
+    for (n, c) in legendre.iter().enumerate() {
+        sum.iter_mut().zip(now).for_each(|(sum, p)| *sum += c * p);
+        let m = n as f64;
+        let mut next = [0.0; STAGES];
+        for k in 0..STAGES {
+            let shifted = if k > 0 { now[k - 1] } else { 0.0 };
+            next[k] = ((2.0 * m + 1.0) * (2.0 * shifted - now[k]) - m * before[k]) / (m + 1.0);
+        }
+        (before, now) = (now, next);
+    }
+    sum
+}
+
+/// By elimination with partial pivoting; `None` of a matrix that is singular.
+fn solved(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
+    let n = b.len();
+    for k in 0..n {
+        let pivot = (k..n).max_by(|&i, &j| a[i][k].abs().total_cmp(&a[j][k].abs()))?;
+        a.swap(k, pivot);
+        b.swap(k, pivot);
+        if !(a[k][k].abs() > 0.0) {
+            return None;
+        }
+        for i in k + 1..n {
+            let factor = a[i][k] / a[k][k];
+            if factor != 0.0 {
+                let (above, below) = a.split_at_mut(i);
+                below[0][k..].iter_mut().zip(&above[k][k..]).for_each(|(x, y)| *x -= factor * y);
+                b[i] -= factor * b[k];
+            }
+        }
+    }
+    for k in (0..n).rev() {
+        let sum: f64 = (k + 1..n).map(|j| a[k][j] * b[j]).sum();
+        b[k] = (b[k] - sum) / a[k][k];
+    }
+    Some(b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nodes_integrate_polynomials() {
+        let nodes = Nodes::new();
+        let power = |n: i32| nodes.at.map(|x| x.powi(n));
+        for n in 0..2 * STAGES as i32 {
+            let sum: f64 = power(n).iter().zip(nodes.weights).map(|(x, w)| x * w).sum();
+            assert!((sum - 1.0 / f64::from(n + 1)).abs() < 1e-15, "{n}: {sum}");
+        }
+        for n in 0..STAGES as i32 {
+            for (c, row) in nodes.at.iter().zip(nodes.integrals) {
+                let sum: f64 = power(n).iter().zip(row).map(|(x, a)| x * a).sum();
+                assert!((sum - c.powi(n + 1) / f64::from(n + 1)).abs() < 1e-15, "{n} {c}");
+            }
+            let coefficients = monomials(&nodes.legendre(&power(n)));
+            for (k, c) in coefficients.iter().enumerate() {
+                let want = if k as i32 == n { 1.0 } else { 0.0 };
+                assert!((c - want).abs() < 1e-8, "{n} {k} {c}");
+            }
+        }
+    }
+
+    #[test]
+    fn linear_systems_are_solved() {
+        let a = vec![vec![0.0, 2.0, 1.0], vec![1.0, -1.0, 3.0], vec![4.0, 1.0, -2.0]];
+        let x = [1.5, -0.5, 2.0];
+        let b = a.iter().map(|row| row.iter().zip(x).map(|(a, x)| a * x).sum()).collect();
+        for (got, want) in solved(a, b).unwrap().into_iter().zip(x) {
+            assert!((got - want).abs() < 1e-15);
+        }
+        assert!(solved(vec![vec![1.0, 2.0], vec![2.0, 4.0]], vec![1.0, 1.0]).is_none());
+    }
+}

@@ -1,0 +1,48 @@
+//! The estimate of the error of a motion on the ground.
+
+use polhode::math::{Direction, Rotation};
+use polhode::motion::contact::{Contact, ContactLaw, Friction, StartVelocity, SurfaceShape};
+use polhode::motion::{ErrorEffort, GroundContact, Run, Trajectory};
+use polhode::prelude::*;
+
+use super::{generic_body, state, surface};
+
+fn motion(contact: Contact, tolerance: f64, end: f64) -> Trajectory {
+    let attitude = Rotation::about(Direction::new(0.48, 0.6, 0.64), 0.8).unwrap();
+    let ground = GroundContact { contact, at: Position::ZERO, velocity: StartVelocity::Rolling };
+    let scenario = Scenario::new(generic_body()).starting(state(attitude, [0.9, -1.4, 5.0])).unwrap();
+    let scenario = scenario.on_ground(ground).unwrap();
+    let scenario = scenario.sampled(Run::evenly(end, 41, Method::Auto, tolerance));
+    scenario.simulate_with_error(ErrorEffort::Thorough, &mut |_| true).unwrap().unwrap()
+}
+
+/// Of what rolls and of what slips and grips, with the loosest steps (which a tolerance of 1e-4 has too) and with tighter ones.
+#[test]
+fn an_estimate_is_not_below_half_of_the_error() {
+    let shape = SurfaceShape::Ellipsoid { semi_axes: [0.3, 0.25, 0.2] };
+    let rolling = Contact::rolling(surface(shape, [0.01, -0.02, 0.015]));
+    let friction = Friction { sticking: 0.2, kinetic: 0.2, viscous: 0.0 };
+    let slipping = Contact { law: ContactLaw::with_friction(friction).unwrap(), ..rolling };
+    for (contact, end) in [(rolling, 20.0), (slipping, 1.5)] {
+        let reference = motion(contact, 1e-15, end);
+        for tolerance in [1e-4, 1e-13] {
+            let trajectory = motion(contact, tolerance, end);
+            let estimate = trajectory.error().unwrap();
+            let ending = trajectory.ending();
+            assert_eq!(trajectory.samples().len(), reference.samples().len(), "{tolerance:e}: {ending:?}");
+            let own = reference.error().unwrap();
+            for (k, (sample, best)) in trajectory.samples().iter().zip(reference.samples()).enumerate() {
+                let error = sample.state.attitude.angle_to(best.state.attitude);
+                let [said, least] = [estimate, own].map(|error| error.computation()[k].attitude);
+                assert!(
+                    error <= 2.0 * said + least,
+                    "{tolerance:e} at {}: {error:e} {said:e}",
+                    best.state.time
+                );
+            }
+        }
+        // It says something: rounding and its growth.
+        let end = reference.error().unwrap().end().attitude;
+        assert!(end > 1e-16 && end < 1e-6, "{end:e}");
+    }
+}

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use polhode_formats::scenario;
-use polhode_report::{SourceInfo, StabilityReport, pretty};
+use polhode_report::{GroundStabilityReport, SourceInfo, StabilityReport, pretty};
 
 use crate::failure::Failure;
 use crate::stderr::shown;
@@ -16,6 +16,9 @@ use crate::stdout::print;
 /// what friction inside makes of them. If torques act, the oscillations are those about the start if it is an equilibrium, else about
 /// the one that is meant: at rest relative to a circular orbit, the steady precession of a top, the nearest one. Frequencies, damping
 /// or growth, and the axes about which the body swings.
+///
+/// Of a body on the ground, with a [contact], it is the steady motion that the start is near to: rolling upright, spinning upright or on a
+/// point below the centre of mass, the end states of a tippe top. Its rates, and the spin at which it becomes stable, in closed form.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -48,15 +51,14 @@ impl Stability {
                 hint,
             ));
         }
-        if scenario.ground().is_some() {
-            let hint = "polhode simulate computes its motion; leave out [contact] for the body alone";
-            return Err(Failure::usage(
-                format!("the body of {path} is on the ground: which of its motions last is not known here"),
-                hint,
-            ));
-        }
         let title = scenario.title().unwrap_or("scenario");
         let source = SourceInfo::new(self.file.display().to_string(), "scenario").described(title);
+        if let Some(ground) = scenario.ground() {
+            let report = GroundStabilityReport::of_scenario(source, &scenario, ground)
+                .map_err(|error| Failure::Motion { path, error })?;
+            let text = if self.json { pretty(&report.to_json()) + "\n" } else { report.to_text() };
+            return print(&text);
+        }
         let report = StabilityReport::of_scenario(source, &scenario);
         let text = if self.json { pretty(&report.to_json()) + "\n" } else { report.to_text() };
         print(&text)

@@ -93,7 +93,7 @@ pub use required::RequiredReport;
 pub use sign_proof::sign_proof;
 pub use source::SourceInfo;
 pub use spin::{SpinReport, TumblerReport};
-pub use stability::StabilityReport;
+pub use stability::{GroundStabilityReport, StabilityReport};
 
 pub use sweep::{
     SweepAttitude, SweepCorrelation, SweepHistogram, SweepIntervals, SweepQuantile, SweepQuestion,

@@ -39,6 +39,7 @@ mod resources;
 mod robot;
 mod spin;
 mod stability;
+mod stability_ground;
 mod sweep;
 mod sweep_kill;
 mod torque;

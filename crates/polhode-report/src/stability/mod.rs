@@ -1,5 +1,6 @@
 //! The report of `polhode stability`: permanent rotations, and small oscillations about an equilibrium.
 
+mod ground;
 mod search;
 mod summary;
 mod text;
@@ -9,6 +10,8 @@ use polhode::motion::torque::{EnergySink, TorqueModel};
 use polhode::motion::{MotionError, Rotor, Scenario, State};
 use polhode::observe::PermanentRotation;
 use serde_json::Value;
+
+pub use ground::GroundStabilityReport;
 
 use crate::source::SourceInfo;
 use search::{Found, Prevented, search};

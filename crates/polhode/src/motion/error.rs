@@ -106,6 +106,11 @@ pub enum MotionError {
         /// The sum of the sizes of what should balance, N·m.
         scale: f64,
     },
+    /// A body on the ground has no steady motion of which it is known here whether it lasts.
+    NoSteadyMotion {
+        /// Why, and what would have one.
+        why: &'static str,
+    },
     /// No closed form is known here for this body and start.
     NoClosedForm {
         /// Why.
@@ -250,6 +255,9 @@ impl MotionError {
             Self::NoDerivative { .. } => Some(
                 "dry friction at rest, |x|, sign(x) and the angle theta near 0 have a corner or a jump: write a torque that is smooth there",
             ),
+            Self::NoSteadyMotion { .. } => Some(
+                "start nearer to one: a symmetric body that rolls straight or spins upright, a spin about the vertical on a point below the centre of mass, without slip and pivoting friction on level ground",
+            ),
             Self::NoClosedForm { .. } => Some("use method = \"auto\" or \"dop853\""),
             Self::BeyondReach { .. } => {
                 Some("give an earlier time; the last bit of what is measured decides the phase long before")
@@ -342,6 +350,7 @@ impl fmt::Display for MotionError {
             Self::NoMotionDerivatives { why, time } => {
                 write!(f, "at t = {time} s the motion has no derivatives: {why}", time = plain(*time))
             }
+            Self::NoSteadyMotion { why } => write!(f, "no steady motion on the ground is near: {why}"),
             Self::NoClosedForm { why } => write!(f, "there is no closed form of this motion: {why}"),
             Self::BeyondReach { time, .. } if !time.is_finite() => {
                 write!(f, "t = {time} s is no time")

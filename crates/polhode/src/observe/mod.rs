@@ -4,7 +4,8 @@
 //! - Free motion: [`FreeRegime`] (kind, periods, flips), [`JacobiForm`] (ω(t) in elliptic functions), [`GeometricPhase`], [`SymmetricTop`], [`Cones`], and curves to draw: [`Polhode`],
 //!   [`Herpolhode`], [`MomentumTrace`], [`RollingCones`].
 //! - Which steady motions last: [`Stability`] of permanent rotations, with friction inside; [`SmallOscillations`] about equilibria under
-//!   torque, on orbits and of tops; [`Libration`]; [`LeastEnergySpin`], where dissipation leads.
+//!   torque, on orbits and of tops; [`Libration`]; [`LeastEnergySpin`], where dissipation leads; [`SteadyOnGround`], what rolls and spins on level
+//!   ground.
 //! - What observers measure: [`TumblingPeriods`] of an asteroid and back to its motion ([`TumblingSolution`]); [`RotationalConstants`] of a
 //!   molecule.
 
@@ -17,6 +18,7 @@ pub(crate) mod jacobi_form;
 pub(crate) mod least_energy;
 pub(crate) mod libration;
 pub(crate) mod momentum_trace;
+pub(crate) mod on_ground;
 pub(crate) mod polhode;
 mod polhode_family;
 pub(crate) mod regime;
@@ -38,6 +40,10 @@ pub use jacobi_form::{JacobiForm, JacobiFunction};
 pub use least_energy::LeastEnergySpin;
 pub use libration::Libration;
 pub use momentum_trace::MomentumTrace;
+pub use on_ground::{
+    EndState, Place, RattleMode, Rattleback, SpinInterval, StableSpins, SteadyMode, SteadyOnGround,
+    SteadyPath, TippeTop, UprightWheel, VertexSpin,
+};
 pub use polhode::Polhode;
 pub use regime::FreeRegime;
 pub use rolling_cones::RollingCones;

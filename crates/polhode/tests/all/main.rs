@@ -34,6 +34,7 @@ mod mesh_shapes;
 mod mesh_union;
 mod mesh_weld;
 mod motion;
+mod on_ground;
 mod orbits;
 mod own_torque;
 mod pendulum_motion;

@@ -6,6 +6,7 @@
 //! ([`ContactChange`]) found on the way. Impacts are not computed: a motion ends where a body comes back to the ground.
 
 mod change;
+mod dual;
 mod equations;
 mod flight;
 mod ground;
@@ -14,6 +15,7 @@ mod model;
 mod onset;
 mod phase;
 mod reading;
+pub(crate) mod reduced;
 mod run;
 mod sample;
 mod series;
@@ -28,6 +30,7 @@ mod transition;
 pub use change::{ContactChange, ContactEvent, ContactPhase};
 pub use ground::{Ground, GroundShape, GroundSide};
 pub use law::{ContactLaw, Friction, Grip, Resistance};
+pub use reduced::Footing;
 pub use sample::ContactSample;
 pub(in crate::motion) use simulation::StepNoise;
 pub use simulation::{Contact, ContactSimulation};

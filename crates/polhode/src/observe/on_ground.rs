@@ -1,0 +1,180 @@
+//! Steady motions of a body on level ground, and whether they last.
+
+mod rattleback;
+mod search;
+mod stable_spins;
+mod tippe_top;
+mod upright;
+mod vertex;
+
+pub use rattleback::{RattleMode, Rattleback};
+pub use stable_spins::{SpinInterval, StableSpins};
+pub use tippe_top::{EndState, Place, TippeTop};
+pub use upright::UprightWheel;
+pub use vertex::VertexSpin;
+
+use crate::body::mass_properties::MassProperties;
+use crate::math::complex::Complex;
+use crate::math::eigenvalues::{Matrix, eigenvalues};
+use crate::math::frame::Body;
+use crate::math::vector::{AngularVelocity, Direction};
+use crate::motion::contact::reduced::{MOST, Reading, Reduced};
+use crate::motion::contact::{Contact, ContactStart, Footing};
+use crate::motion::error::MotionError;
+
+/// Which steady motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SteadyPath {
+    /// A symmetric body with a level axis rolls, or slides, straight on.
+    RollingUpright(UprightWheel),
+    /// A symmetric body with a level axis spins about the vertical.
+    SpinningUpright(UprightWheel),
+    /// A body spins about the vertical on a point below its centre of mass.
+    OnVertex(VertexSpin),
+    /// A symmetric ball turns about the vertical at a tilt, with its centre of mass at rest and without slip.
+    Tilted,
+    /// A symmetric body runs in a circle at a constant tilt.
+    Circling,
+}
+
+impl SteadyPath {
+    /// Its name in JSON.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::RollingUpright(_) => "rolling_upright",
+            Self::SpinningUpright(_) => "spinning_upright",
+            Self::OnVertex(_) => "on_vertex",
+            Self::Tilted => "tilted",
+            Self::Circling => "circling",
+        }
+    }
+}
+
+/// A mode of small departures: e^(σ t) cos ϖt.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct SteadyMode {
+    /// ϖ ≥ 0, rad/s, as seen from the body, or, of a symmetric one, from axes that keep its lean.
+    pub frequency: f64,
+    /// σ, 1/s
+    pub growth_rate: f64,
+}
+
+/// A steady motion of a body on level ground, and what becomes of small departures from it.
+///
+/// The equations are those that [`crate::motion::contact::ContactSimulation`] integrates, in the upward vertical n along the body's axes, ω, and with viscous friction
+/// the velocity; their derivatives are exact. Of the rates that are zero, each belongs to a way from one steady motion to another one.
+///
+/// ```
+/// use polhode::motion::contact::{BodySurface, Contact, ContactStart, SurfaceShape};
+/// use polhode::observe::{SteadyOnGround, SteadyPath};
+/// use polhode::prelude::*;
+/// // A thin disk that rolls upright: stable beyond ω² = g/(3 r).
+/// let disk = MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal([0.0025, 0.0025, 0.005])?)?;
+/// let rim = SurfaceShape::Rim { radius: 0.1, tube: 0.0, thickness: 0.0 };
+/// let contact = Contact::rolling(BodySurface::new(rim, Position::ZERO, Rotation::identity())?);
+/// let attitude = Rotation::about(Direction::new(1.0, 0.0, 0.0), 1.55)?; // nearly upright
+/// let start = State { time: 0.0, attitude, omega: AngularVelocity::new(0.0, 0.0, 6.0) };
+/// let rolls = SteadyOnGround::near(&disk, &contact, &ContactStart::rolling(start))?;
+/// assert!(matches!(rolls.path, SteadyPath::RollingUpright(_)) && rolls.is_stable());
+/// let threshold = rolls.stable_spins.and_then(|spins| spins.nearest(6.0)).ok_or("none")?;
+/// assert!((threshold - (9.80665 / 0.3_f64).sqrt()).abs() < 1e-13);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct SteadyOnGround {
+    /// Which one.
+    pub path: SteadyPath,
+    /// What acts along the ground.
+    pub footing: Footing,
+    /// The upward vertical.
+    pub normal: Direction<Body>,
+    /// ω
+    pub omega: AngularVelocity<Body>,
+    /// The rate about the body's axis of what rolls upright or circles, else about the vertical, rad/s.
+    pub spin: f64,
+    /// The axis of a symmetric body: of a ball away from the centre of mass.
+    pub axis: Option<Direction<Body>>,
+    /// How far the start is turned from it, rad.
+    pub turned_from_start: f64,
+    /// How much the start's ω differs, rad/s.
+    pub omega_from_start: f64,
+    /// How fast the start's point of contact slips, m/s; zero without friction, where that does not count.
+    pub slip_at_start: f64,
+    /// The modes: those that grow fastest first, then by frequency.
+    pub modes: Vec<SteadyMode>,
+    /// How many rates are zero.
+    pub neutral: usize,
+    /// The spins at which such a motion is stable, where a closed form is known.
+    pub stable_spins: Option<StableSpins>,
+    /// A symmetric ball with its centre of mass beside the middle.
+    pub tippe_top: Option<TippeTop>,
+    /// Jellett's constant of the start, kg·m³/s, of a tippe top.
+    pub jellett: Option<f64>,
+}
+
+/// A rate smaller than this, relative to that of the motion, is zero: the root of rounding, which a pair that is defective has, and more.
+const NEUTRAL: f64 = 1e-6;
+
+/// A growth smaller than this is rounding.
+const ROUNDING: f64 = 1e-12;
+
+impl SteadyOnGround {
+    /// The steady motion that a start is near to.
+    ///
+    /// # Errors
+    /// [`MotionError::NoSteadyMotion`] if there is none, and for ground and surfaces of which none are known here.
+    pub fn near(
+        body: &MassProperties<Body>,
+        contact: &Contact,
+        start: &ContactStart,
+    ) -> Result<Self, MotionError> {
+        search::near(&Reduced::new(body, contact)?, contact, start)
+    }
+
+    /// True if no mode grows.
+    pub fn is_stable(&self) -> bool {
+        self.modes.iter().all(|mode| mode.growth_rate <= 0.0)
+    }
+
+    /// The ways from this motion to other steady ones, which make rates zero.
+    pub const fn neutral_ways(&self) -> &'static [&'static str] {
+        match self.path {
+            SteadyPath::OnVertex(_) => &["another spin"],
+            SteadyPath::RollingUpright(_) => &["another spin", "a wide circle", "a turn about the axis"],
+            SteadyPath::SpinningUpright(_) => {
+                &["another spin", "rolling on a small circle", "a turn about the axis"]
+            }
+            SteadyPath::Circling => &["another spin", "another circle", "a turn about the axis"],
+            SteadyPath::Tilted if matches!(self.footing, Footing::Viscous) => {
+                &["another spin", "a turn about the axis"]
+            }
+            SteadyPath::Tilted => &["another spin", "a circle", "a turn about the axis"],
+        }
+    }
+
+    /// Its modes, and how many rates are zero.
+    fn modes(reduced: &Reduced, at: &Reading) -> Result<(Vec<SteadyMode>, usize), MotionError> {
+        let (matrix, count) = reduced.linearised(at);
+        let values = if count == MOST {
+            eigenvalues(&matrix).map(|values| values.to_vec())
+        } else {
+            let part: Matrix<5> = core::array::from_fn(|i| core::array::from_fn(|j| matrix[i][j]));
+            eigenvalues(&part).map(|values| values.to_vec())
+        };
+        let values = values.ok_or(MotionError::NotFinite { time: 0.0 })?;
+        let rate = reduced.rate(at);
+        let moving = |value: &&Complex<f64>| value.im >= 0.0 && value.abs() >= NEUTRAL;
+        let mode = |value: &Complex<f64>| SteadyMode {
+            frequency: value.im * rate,
+            growth_rate: if value.re.abs() < ROUNDING { 0.0 } else { value.re * rate },
+        };
+        let mut modes: Vec<SteadyMode> = values.iter().filter(moving).map(mode).collect();
+        modes.sort_by(|a, b| {
+            b.growth_rate.total_cmp(&a.growth_rate).then(a.frequency.total_cmp(&b.frequency))
+        });
+        Ok((modes, values.iter().filter(|value| value.abs() < NEUTRAL).count()))
+    }
+}

@@ -1,0 +1,209 @@
+//! Symmetric balls with their centre of mass beside the middle, and where sliding friction leads them.
+
+use crate::math::root::root;
+
+/// A symmetric ball whose centre of mass is on its axis, α R from its middle.
+///
+/// Any friction at the point of contact keeps Jellett's constant J = −L · r, and takes energy as long as the point slips. Without slip the ball turns about
+/// ζ = n − α e, −r/R, at ω = J ζ/(R D), with the centre of mass at rest, and of all motions with this J at this tilt it has the least energy,
+///
+/// W(u) = J²/(2 R² D(u)) + m g R (1 − α u),  D = A (1 − u²) + C (u − α)²,  u = cos θ = e · n
+///
+/// with the axis e from the middle away from the centre of mass, so that u = 1 has the centre of mass lowest. Its minima are where friction leads:
+/// with R² D³ W′ ∝ P(u) = J² ((A − C) u + C α) − m g R³ α D², the bottom is one where P(1) < 0, inverted where P(−1) > 0, and a tilt where P rises
+/// through zero. With the spin ω = J/(R C (1 ∓ α)):
+///
+/// bottom: (A − C (1 − α)) ω² < m g R α (1 − α)²,  inverted: (C (1 + α) − A) ω² > m g R α (1 + α)².
+///
+/// Source: S. Ebenfeld, F. Scheck, Ann. Phys. 243 (1995) 195; S. Rauch-Wojciechowski, M. Sköldstam, T. Glad, Regul. Chaotic Dyn. 10 (2005) 333; the groups with the numbers
+/// of T. Ueda, K. Sasaki, S. Watanabe, SIAM J. Appl. Dyn. Syst. 4 (2005) 1159.
+///
+/// ```
+/// use polhode::observe::{Place, TippeTop};
+/// let top = TippeTop { mass: 0.006, gravity: 9.81, radius: 0.015, eccentricity: 0.2, across: 5.0e-7, along: 5.3e-7 };
+/// assert_eq!(top.group(), 2);
+/// let fast = top.jellett_of_bottom(100.0).max(top.inverted_from().unwrap() * 1.01);
+/// assert!(top.minima(fast).iter().any(|end| end.place == Place::Inverted));
+/// assert_eq!(top.minima(0.0)[0].place, Place::Bottom);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TippeTop {
+    /// m, kg
+    pub mass: f64,
+    /// g, m/s²
+    pub gravity: f64,
+    /// R, m
+    pub radius: f64,
+    /// α, between 0 and 1.
+    pub eccentricity: f64,
+    /// A, across the axis, about the centre of mass, kg·m²
+    pub across: f64,
+    /// C, kg·m²
+    pub along: f64,
+}
+
+/// Where the axis of a tippe top stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The centre of mass is lowest.
+    Bottom,
+    /// It is between.
+    Tilted,
+    /// The centre of mass is highest.
+    Inverted,
+}
+
+impl Place {
+    /// Its name in JSON.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Bottom => "bottom",
+            Self::Tilted => "tilted",
+            Self::Inverted => "inverted",
+        }
+    }
+}
+
+/// A motion without slip about the vertical.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct EndState {
+    /// Where the axis stands.
+    pub place: Place,
+    /// cos θ, of the angle between the axis and the vertical: 1 with the centre of mass lowest.
+    pub cosine: f64,
+    /// The energy, with the potential energy zero where the centre of mass would be on the ground, J.
+    pub energy: f64,
+    /// True if it is least for its J: friction leads there, and holds it.
+    pub is_minimum: bool,
+}
+
+impl TippeTop {
+    /// 1 if the bottom is stable at any spin, as A < C (1 − α): it never tips over; 3 if A > C (1 + α), and it never stands inverted; 2 between, where it turns over
+    /// if it spins fast enough.
+    pub fn group(&self) -> u8 {
+        if self.across < self.along * (1.0 - self.eccentricity) {
+            1
+        } else if self.across < self.along * (1.0 + self.eccentricity) {
+            2
+        } else {
+            3
+        }
+    }
+
+    /// J above which the bottom is no minimum, kg·m³/s; `None` if it always is.
+    pub fn bottom_up_to(&self) -> Option<f64> {
+        let less = 1.0 - self.eccentricity;
+        let left = self.across - self.along * less;
+        (left > 0.0).then(|| self.radius * self.along * less * less * (self.lever() / left).sqrt())
+    }
+
+    /// J above which the inverted position is a minimum, kg·m³/s; `None` if it never is.
+    pub fn inverted_from(&self) -> Option<f64> {
+        let more = 1.0 + self.eccentricity;
+        let left = self.along * more - self.across;
+        (left > 0.0).then(|| self.radius * self.along * more * more * (self.lever() / left).sqrt())
+    }
+
+    /// J of a spin about the vertical axis with the centre of mass lowest, kg·m³/s.
+    pub fn jellett_of_bottom(&self, spin: f64) -> f64 {
+        self.radius * self.along * (1.0 - self.eccentricity) * spin
+    }
+
+    /// J of a spin about the vertical axis with the centre of mass highest, kg·m³/s.
+    pub fn jellett_of_inverted(&self, spin: f64) -> f64 {
+        self.radius * self.along * (1.0 + self.eccentricity) * spin
+    }
+
+    /// The motions without slip that have this J, whose energy is least or greatest for it: from the bottom to the inverted position.
+    pub fn all(&self, jellett: f64) -> Vec<EndState> {
+        let slope = |u: f64| self.slope(jellett, u);
+        let state = |place, cosine, is_minimum| EndState {
+            place,
+            cosine,
+            energy: self.energy(jellett, cosine),
+            is_minimum,
+        };
+        let mut all = vec![state(Place::Bottom, 1.0, slope(1.0) < 0.0)];
+        let roots = self.tilts(jellett);
+        // The signs of the slope on both sides of each root.
+        for (k, &u) in roots.iter().enumerate().rev() {
+            let before = if k == 0 { -1.0 } else { roots[k - 1] };
+            let after = roots.get(k + 1).copied().unwrap_or(1.0);
+            let rises = slope(0.5 * (before + u)) < 0.0 && slope(0.5 * (u + after)) > 0.0;
+            all.push(state(Place::Tilted, u, rises));
+        }
+        all.push(state(Place::Inverted, -1.0, slope(-1.0) > 0.0));
+        all
+    }
+
+    /// Those of least energy: where sliding friction leads.
+    pub fn minima(&self, jellett: f64) -> Vec<EndState> {
+        self.all(jellett).into_iter().filter(|state| state.is_minimum).collect()
+    }
+
+    /// ω at a tilt, as its components along e and, across it, in the plane of e and n: J ζ/(R D).
+    pub(super) fn omega(&self, jellett: f64, u: f64) -> [f64; 2] {
+        let rate = jellett / (self.radius * self.moment(u));
+        [rate * (u - self.eccentricity), rate * ((1.0 - u) * (1.0 + u)).max(0.0).sqrt()]
+    }
+
+    /// m g R α
+    fn lever(&self) -> f64 {
+        self.mass * self.gravity * self.radius * self.eccentricity
+    }
+
+    /// D
+    fn moment(&self, u: f64) -> f64 {
+        let from = u - self.eccentricity;
+        self.across * (1.0 - u) * (1.0 + u) + self.along * from * from
+    }
+
+    fn energy(&self, jellett: f64, u: f64) -> f64 {
+        let lambda = jellett / self.radius;
+        0.5 * lambda * lambda / self.moment(u)
+            + self.mass * self.gravity * self.radius * (1.0 - self.eccentricity * u)
+    }
+
+    /// P/R²
+    fn slope(&self, jellett: f64, u: f64) -> f64 {
+        let (lambda, moment) = (jellett / self.radius, self.moment(u));
+        let turned = (self.across - self.along) * u + self.along * self.eccentricity;
+        lambda * lambda * turned - self.lever() * moment * moment
+    }
+
+    /// The zeros of P between −1 and 1, in ascending order: bracketed by those of its derivatives, the third of which is linear.
+    fn tilts(&self, jellett: f64) -> Vec<f64> {
+        let lambda = jellett / self.radius;
+        let (a, c, alpha) = (self.across, self.along, self.eccentricity);
+        // D = d₀ + d₁ u + d₂ u²
+        let (d0, d1, d2) = (a + c * alpha * alpha, -2.0 * c * alpha, c - a);
+        let k = self.lever();
+        let polynomial = [
+            lambda * lambda * c * alpha - k * d0 * d0,
+            lambda * lambda * (a - c) - k * 2.0 * d0 * d1,
+            -k * (d1 * d1 + 2.0 * d0 * d2),
+            -k * 2.0 * d1 * d2,
+            -k * d2 * d2,
+        ];
+        roots_within(&polynomial)
+    }
+}
+
+/// The zeros of a polynomial between −1 and 1 through which it changes its sign.
+fn roots_within(polynomial: &[f64]) -> Vec<f64> {
+    if polynomial.len() < 2 {
+        return Vec::new();
+    }
+    let value = |x: f64| polynomial.iter().rev().fold(0.0, |sum, a| sum * x + a);
+    let derivative: Vec<f64> =
+        polynomial.iter().enumerate().skip(1).map(|(power, a)| power as f64 * a).collect();
+    let mut bounds = vec![-1.0];
+    bounds.extend(roots_within(&derivative));
+    bounds.push(1.0);
+    let between = |pair: &[f64]| {
+        let values = [value(pair[0]), value(pair[1])];
+        (values[0] * values[1] < 0.0).then(|| root(value, [pair[0], pair[1]], values))
+    };
+    bounds.windows(2).filter_map(between).collect()
+}

@@ -3,7 +3,7 @@
 use crate::text::cut;
 
 /// A key of others, a key that has to be known in its place, and the advice.
-const KEYS: [(&str, &str, &str); 53] = [
+const KEYS: [(&str, &str, &str); 55] = [
     ("euler", "euler313", EULER),
     ("roll", "euler313", ROLL),
     ("rpy", "euler313", ROLL),
@@ -60,6 +60,8 @@ const KEYS: [(&str, &str, &str); 53] = [
     ("euler", "attitude", IN_ATTITUDE),
     ("roll", "attitude", IN_ATTITUDE),
     ("damping", "attitude", DAMPING_OF_TORQUE),
+    ("mu", "static_friction", "write friction = 0.3"),
+    ("mu_s", "static_friction", "write static_friction = 0.35"),
     ("damping", "coefficient", "how much a torque damps is its coefficient"),
 ];
 
@@ -74,7 +76,7 @@ const ROLL: &str = "write roll_pitch_yaw = [\"10 deg\", \"20 deg\", \"30 deg\"],
 const SPIN: &str = "write spin = { body = [0, 0, \"12 rad/s\"] }, or spin = { space = [0, 0, \"12 rad/s\"] } along the axes of space";
 
 /// A name of others, a name that has to be among the choices, and the advice.
-const NAMES: [(&str, &str, &str); 32] = [
+const NAMES: [(&str, &str, &str); 37] = [
     ("lhs", "latin hypercube", ""),
     ("lhc", "latin hypercube", ""),
     ("latin", "latin hypercube", ""),
@@ -105,6 +107,11 @@ const NAMES: [(&str, &str, &str); 32] = [
     ("pipe", "cylinder_shell", ""),
     ("ring", "torus", ""),
     ("point", "particles", ""),
+    ("disk", "rim", ""),
+    ("hoop", "rim", ""),
+    ("ring", "rim", ""),
+    ("coulomb", "friction", ""),
+    ("no slip", "rolling", ""),
     ("stl", "mesh", ""),
     ("inertia", "tensor", ""),
 ];
@@ -164,7 +171,9 @@ pub(super) fn element(key: &str, text: &str, elements: usize) -> String {
 }
 
 /// Keys, and a table that may stand there.
-const TABLES: [(&str, &str); 16] = [
+const TABLES: [(&str, &str); 18] = [
+    ("surface", "{ shape = \"sphere\", radius = \"20 mm\" }"),
+    ("ground", "{ shape = \"plane\", slope = \"10 deg\" }"),
     ("to", "\"nadir\", or { space = [1, 0, 0] }"),
     ("then", "\"stop\", or { switch = \"thruster\", on = false }"),
     ("spin", "{ body = [0, 0, \"12 rad/s\"] }"),

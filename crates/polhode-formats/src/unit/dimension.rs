@@ -10,7 +10,7 @@ use std::fmt;
 /// ```
 /// use polhode_formats::unit::Dimension;
 /// assert_eq!(Dimension::INERTIA.to_string(), "a moment of inertia");
-/// assert_eq!(Dimension::new(1, 0, -3, 0).to_string(), "a quantity in kg s^-3");
+/// assert_eq!(Dimension::new(1, 0, -1, 0).to_string(), "a quantity in kg s^-1");
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Dimension {
@@ -162,14 +162,13 @@ impl Dimension {
 }
 
 /// Units with names of their own.
-const NAMED_UNITS: [(Dimension, &str, &str); 7] = [
+const NAMED_UNITS: [(Dimension, &str, &str); 6] = [
     (Dimension::TORQUE, "N·m", "n_m"),
     (Dimension::FORCE, "N", "n"),
     (Dimension::MAGNETIC_FIELD, "T", "t"),
     (Dimension::STIFFNESS, "N·m/rad", "n_m_rad"),
     (Dimension::DRAG, "N·m·s/rad", "n_m_s_rad"),
     (Dimension::QUADRATIC_DRAG, "N·m·s²/rad²", "n_m_s2_rad2"),
-    (Dimension::VISCOUS_FRICTION, "N·s/m", "n_s_m"),
 ];
 
 impl fmt::Display for Dimension {
@@ -189,7 +188,7 @@ impl fmt::Display for Dimension {
 }
 
 /// Dimension, name with its article, example.
-const NAMES: [(Dimension, &str, &str); 25] = [
+const NAMES: [(Dimension, &str, &str); 24] = [
     (Dimension::NONE, "a plain number", "0.5"),
     (Dimension::MASS, "a mass", "12 kg"),
     (Dimension::LENGTH, "a length", "25 mm"),
@@ -214,5 +213,4 @@ const NAMES: [(Dimension, &str, &str); 25] = [
     (Dimension::STIFFNESS, "a torque per angle", "0.1 N m/rad"),
     (Dimension::DRAG, "a torque per angular velocity", "0.1 N m s/rad"),
     (Dimension::QUADRATIC_DRAG, "a torque per squared angular velocity", "0.1 N m s^2/rad^2"),
-    (Dimension::VISCOUS_FRICTION, "a mass flow or a viscous friction", "0.1 kg/s"),
 ];

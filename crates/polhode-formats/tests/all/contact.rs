@@ -31,10 +31,10 @@ fn ground(contact: &str, start: &str) -> GroundContact {
 #[test]
 fn a_contact_is_what_its_keys_say() {
     let given = ground(
-        "surface = { shape = 'ellipsoid', semi_axes = ['300 mm', 0.25, '20 cm'], position = [0.01, -0.02, 0.03], rotate = { axis = [0, 0, 1], angle = '20 deg' } }\n\
+        "surface = { shape = 'ellipsoid', semi_axes = ['300 mm', '0.25 m', '20 cm'], position = [0.01, -0.02, 0.03], rotate = { axis = [0, 0, 1], angle = '20 deg' } }\n\
          ground = { shape = 'plane', slope = '10 deg', rate = '30 rpm' }\nlaw = 'friction'\nfriction = 0.3\nstatic_friction = 0.35\nviscous = '0.1 N s/m'\n\
-         rolling_friction = '1 mm'\npivoting_friction = '0.5 mm'\ngravity = [0.1, 0, '-9.81 m/s^2']",
-        "spin = { body = [0.3, -0.4, 0.5] }\nvelocity = ['0.2 m/s', '-0.1 m/s', 0]",
+         rolling_friction = '1 mm'\npivoting_friction = '0.5 mm'\ngravity = ['0.1 m/s^2', 0, '-9.81 m/s^2']",
+        "spin = { body = [0.3, -0.4, 0.5] }\nvelocity = [0, '-0.1 m/s', 0]",
     );
     let contact = given.contact;
     assert_eq!(*contact.surface.shape(), SurfaceShape::Ellipsoid { semi_axes: [0.3, 0.25, 0.2] });
@@ -48,7 +48,7 @@ fn a_contact_is_what_its_keys_say() {
     assert_eq!(*contact.law.grip(), Grip::Friction(friction));
     assert_eq!([contact.law.resistance().rolling, contact.law.resistance().pivoting], [0.001, 0.0005]);
     assert_eq!(contact.gravity.to_array(), [0.1, 0.0, -9.81]);
-    assert_eq!(given.velocity, StartVelocity::Along(polhode::math::Velocity::new(0.2, -0.1, 0.0)));
+    assert_eq!(given.velocity, StartVelocity::Along(polhode::math::Velocity::new(0.0, -0.1, 0.0)));
 }
 
 #[test]
@@ -134,7 +134,7 @@ fn each_mistake_has_its_place() {
         (&format!("{BALL}law = 'friction'\nrolls = true"), "", "[contact]", "friction"),
         (&format!("{BALL}law = 'friction'\nfriction = -0.1"), "", "-0.1", "not negative"),
         (&format!("{slides}\nstatic_friction = 0.2\nrolls = true"), "", "0.2", "not below friction = 0.3"),
-        (&format!("{slides}\nviscous = '3 m'\nrolls = true"), "", "'3 m'", "viscous friction"),
+        (&format!("{slides}\nviscous = '3 m'\nrolls = true"), "", "'3 m'", "in kg s^-1"),
         (&format!("{rolling}\nfriction = 0.3"), "", "0.3", "left out with law = \"rolling\""),
         (&format!("{rolling}\nrolling_friction = '-1 mm'"), "", "'-1 mm'", "not negative"),
         (&format!("{rolling}\nrolling_friction = '1 mm'"), "", "'1 mm'", "the rate of rolling"),
@@ -178,12 +178,6 @@ fn each_mistake_has_its_place() {
             "",
             "{ shape = 'sphere', radius = 0.2, position = [0.3, 0, 0] }",
             "inside the surface",
-        ),
-        (
-            "surface = { shape = 'rim', radius = 0.2, thickness = 0.1 }\nlaw = 'rolling'",
-            laid,
-            "{ axis = [1, 0, 0], angle = '90 deg' }",
-            "both of its rims",
         ),
         ("surface = { shape = 'rim', radius = 0.2 }\nlaw = 'rolling'", "", "[start]", "lies flat"),
         (lying, "", "[start]", "its axis lies along the ground"),

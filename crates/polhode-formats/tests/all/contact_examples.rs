@@ -45,9 +45,9 @@ fn the_rattleback_turns_back() {
     let motion = motion(&read("rattleback.toml"));
     close(spin(motion.start()), -5.0, 1e-12);
     let back = motion.samples().iter().find(|s| spin(s) > 0.0).unwrap();
-    close(back.state.time, 2.7, 0.1);
+    close(back.state.time, 2.8, 0.05);
     let most = motion.samples().iter().map(spin).fold(0.0, f64::max);
-    close(most, 5.27, 0.02);
+    close(most, 5.35, 0.01);
     assert!(spin(motion.samples().last().unwrap()) > 5.0, "and keeps it");
     // Without the product it would not.
     let text =
@@ -63,18 +63,20 @@ fn the_rattleback_turns_back() {
 fn eulers_disk_whirls_ever_faster() {
     let scenario = read("eulers-disk.toml");
     let motion = self::motion(&scenario);
-    // The rate of the point of contact about the middle, between samples of 5 ms.
+    // The rate of the point of contact about the middle, between 40 samples of 5 ms.
     let whirl = |time: f64| {
         let k = motion.samples().iter().position(|s| s.state.time >= time - 1e-9).unwrap();
         let angle = |s: &ContactSample| {
             let arm = s.contact - s.center;
             arm.y.atan2(arm.x)
         };
-        let [from, to] = [k, k + 1].map(|k| angle(&motion.samples()[k]));
-        (to - from).rem_euclid(std::f64::consts::TAU) / 0.005
+        let steps = motion.samples()[k..=k + 40].windows(2);
+        let turn =
+            |pair: &[ContactSample]| (angle(&pair[1]) - angle(&pair[0])).rem_euclid(std::f64::consts::TAU);
+        steps.map(turn).sum::<f64>() / 0.2
     };
     close(whirl(0.0), 50.5, 0.5);
-    close(whirl(10.0) / whirl(0.0), 2.3, 0.2);
+    close(whirl(10.0) / whirl(0.0), 1.82, 0.05);
     close(tilt(at(&motion, 10.0)), 4.6, 0.1);
     assert!(motion.samples().iter().all(|s| s.center.x.hypot(s.center.y - 0.0318) < 0.003), "it stays");
     assert!(spin(motion.start()) > 12.0 && spin(motion.samples().last().unwrap()) < -4.0);
@@ -121,7 +123,7 @@ fn the_coin_spirals_and_falls() {
         ends[1] - ends[0]
     };
     assert!(width(0.0, 2.0) > 0.2 && width(5.5, 7.0) < 0.05, "{} {}", width(0.0, 2.0), width(5.5, 7.0));
-    // Without rolling friction it is a circle of 19 cm, for ever.
+    // Without rolling friction it is a circle of 20 cm, for ever.
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/coin.toml");
     let text = std::fs::read_to_string(path).unwrap();
     let circle: String = text
@@ -136,7 +138,7 @@ fn the_coin_spirals_and_falls() {
     assert!(least > 74.9 && most < 75.1, "{least} {most}");
     let points: Vec<f64> = circle.contact().unwrap().samples().iter().map(|s| s.contact.y).collect();
     let [low, high] = points.iter().fold([f64::MAX, f64::MIN], |[a, b], &x| [a.min(x), b.max(x)]);
-    close(0.5 * (high - low), 0.194, 0.003);
+    close(0.5 * (high - low), 0.197, 0.001);
 }
 
 #[test]
@@ -147,7 +149,7 @@ fn the_egg_stands_up() {
     assert!(tilt(last) < 10.0, "{}", tilt(last));
     close(last.center.z - motion.start().center.z, 0.008, 0.0005);
     let grips = motion.changes().last().unwrap();
-    close(grips.time, 1.20, 0.02);
+    close(grips.time, 1.33, 0.01);
     close(-last.friction_work / motion.start().kinetic_energy, 0.2, 0.03);
 }
 
@@ -166,7 +168,7 @@ fn the_marble_goes_round_in_rosettes() {
     let motion = motion(&read("ball-in-bowl.toml"));
     let distance = motion.samples().iter().map(|s| s.contact.x.hypot(s.contact.y));
     let [least, most] = distance.fold([f64::MAX, f64::MIN], |[a, b], x| [a.min(x), b.max(x)]);
-    close(least, 0.027, 0.001);
+    close(least, 0.022, 0.0005);
     close(most, 0.060, 0.0005);
     assert!(motion.samples().iter().all(|s| s.phase == ContactPhase::Rolling && s.normal_force > 0.0));
 }

@@ -411,7 +411,7 @@ fn a_wrong_dimension_is_told_what_to_write() {
         ("3 lb ft", D::TORQUE, "a quantity in kg m where a torque", "lb, oz and kg are masses"),
         ("3 s", D::VELOCITY, "a time where a velocity", "write a velocity, such as \"3.5 m/s\""),
         ("3 Hz", D::ANGULAR_VELOCITY, "there is no unit \"Hz\"", "write rev/s or rad/s"),
-        ("3 kg/s", D::DENSITY, "\"kg/s\" is a mass flow or a viscous friction where a density", "write a density, such as \"2700 kg/m^3\""),
+        ("3 kg/s", D::DENSITY, "in kg s^-1 where a density", "write a density, such as \"2700 kg/m^3\""),
     ] {
         let (told, told_hint) = message(text, expected);
         assert!(told.contains(sentence), "{told}");

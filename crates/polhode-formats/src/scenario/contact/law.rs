@@ -10,7 +10,8 @@ use crate::unit::Dimension;
 /// `law = "rolling"`, `"friction"` with its coefficients, or `"frictionless"`; and what resists rolling and pivoting.
 pub(super) fn law(table: &Table<'_>) -> Result<ContactLaw, FormatError> {
     const OF_FRICTION: [&str; 3] = ["friction", "static_friction", "viscous"];
-    let value = table.require("law", "law = \"rolling\"")?;
+    let rubs = OF_FRICTION.iter().any(|key| table.get(key).is_some()) || table.get("rolls").is_some();
+    let value = table.require("law", if rubs { "law = \"friction\"" } else { "law = \"rolling\"" })?;
     let law = match value.choice(&["rolling", "friction", "frictionless"])? {
         "friction" => friction(table)?,
         other => {

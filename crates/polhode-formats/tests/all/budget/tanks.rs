@@ -87,7 +87,7 @@ fn a_workbook_has_sheets_of_them() {
     for (flow, row, expected) in [
         ("0.3 kg/s", "case", "a.xlsx: burn!C2: at t = 10 s there would be -1 kg in the tank \"water\""),
         ("0.1 kg/s", "cases", "a.xlsx: drop!B2: a change names the row \"cases\", which is not in the list"),
-        ("0.1 m/s", "case", "a.xlsx: burn!C2: \"m/s\" is a velocity where a mass flow or a viscous friction belongs"),
+        ("0.1 m/s", "case", "a.xlsx: burn!C2: \"m/s\" is a velocity where a quantity in kg s^-1 belongs"),
     ] {
         let found = folder.read("a.xlsx", book(flow, row).bytes()).unwrap_err();
         assert!(found.starts_with(expected), "{found}");

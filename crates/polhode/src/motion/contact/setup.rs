@@ -61,6 +61,13 @@ pub(super) fn started(of: &ContactSimulation<'_>) -> Result<Stepper, MotionError
         Stepper::new(model, contact.law, length, [size, of.bound()], start.state.time).perturbed(of.noise);
     let (kind, variables) = variables(of, &stepper)?;
     stepper.enter(kind, variables);
+    if let Some(at) = stepper.kinetics(stepper.variables()).filter(|_| stepper.model.rolling != 0.0) {
+        let along = at.relative - at.normal.scaled(at.relative.dot(at.normal));
+        let rate = along.dot(along).sqrt();
+        let moves = rate > 1e-13 * stepper.rate(stepper.variables());
+        let rule = "not zero where rolling friction acts: it has no direction there";
+        require::that("the rate of rolling", rate, moves, rule)?;
+    }
     let flat = stepper.kinetics(stepper.variables()).filter(|at| stepper.model.lies_flat(at));
     let rule = "below one: a disk that lies flat touches with all of its rim";
     require::that("the tilt of the disk", tilt.abs(), flat.is_none(), rule)?;

@@ -24,24 +24,13 @@ impl Run<'_> {
     /// What holds at the start, of a body that might be held by friction.
     ///
     /// # Errors
-    /// A parameter's error for rolling friction of what does not roll; as [`Run::pass`].
+    /// As [`Run::pass`].
     pub(super) fn settle_start(&mut self) -> Result<ContactEnding, MotionError> {
         let stepper = &mut self.stepper;
         let y = stepper.variables().to_vec();
         let (Some(at), Kind::Touching(regime, _)) = (stepper.kinetics(&y), stepper.kind()) else {
             return Ok(ContactEnding::Complete);
         };
-        if stepper.model.rolling != 0.0 {
-            let along = at.relative - at.normal.scaled(at.relative.dot(at.normal));
-            let still = along.dot(along).sqrt() <= 1e-13 * stepper.rate(&y);
-            if still {
-                return Err(MotionError::ParameterOutOfRange {
-                    parameter: "the rate of rolling",
-                    value: along.dot(along).sqrt(),
-                    rule: "not zero where rolling friction acts: it has no direction there",
-                });
-            }
-        }
         // Pivoting friction that holds a body from the start.
         if stepper.model.pivoting != 0.0 {
             let rate = at.relative.dot(at.normal);

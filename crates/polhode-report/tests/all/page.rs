@@ -43,7 +43,7 @@ pub(crate) fn page_of(scenario: &Scenario) -> (Value, Trajectory) {
 }
 
 /// Base64 by the definition: six bits a digit, most significant first.
-fn bytes(text: &Value) -> Vec<u8> {
+pub(crate) fn bytes(text: &Value) -> Vec<u8> {
     let mut bits: Vec<bool> = Vec::new();
     for c in text.as_str().unwrap().bytes().filter(|c| *c != b'=') {
         let digit = match c {

@@ -9,8 +9,12 @@ use serde_json::Value;
 const OPEN: &str = "<script id=\"polhode-data\" type=\"application/json\">";
 
 pub(crate) fn html_of(scenario: &Scenario, trajectory: &Trajectory, text: &str) -> String {
-    let explanation = explain_motion(scenario, trajectory).unwrap();
-    page(&input(scenario, trajectory, text, &explanation))
+    // A motion on the ground has no worked solution.
+    let explanation = scenario.ground().is_none().then(|| explain_motion(scenario, trajectory).unwrap());
+    page(&PageInput {
+        explanation: explanation.as_ref(),
+        ..input(scenario, trajectory, text, &Document::default())
+    })
 }
 
 fn input<'a>(

@@ -1,5 +1,6 @@
 //! What a page has of a body on the ground.
 
+use polhode::body::shape::Ellipsoid;
 use polhode::motion::GroundContact;
 use polhode::motion::contact::{
     BodySurface, Contact, ContactLaw, Friction, Ground, GroundShape, StartVelocity, SurfaceShape,

@@ -11,17 +11,14 @@ const OPEN: &str = "<script id=\"polhode-data\" type=\"application/json\">";
 pub(crate) fn html_of(scenario: &Scenario, trajectory: &Trajectory, text: &str) -> String {
     // A motion on the ground has no worked solution.
     let explanation = scenario.ground().is_none().then(|| explain_motion(scenario, trajectory).unwrap());
-    page(&PageInput {
-        explanation: explanation.as_ref(),
-        ..input(scenario, trajectory, text, &Document::default())
-    })
+    page(&input(scenario, trajectory, text, explanation.as_ref()))
 }
 
 fn input<'a>(
     scenario: &'a Scenario,
     trajectory: &'a Trajectory,
     text: &'a str,
-    explanation: &'a Document,
+    explanation: Option<&'a Document>,
 ) -> PageInput<'a> {
     PageInput {
         title: scenario.title().unwrap(),
@@ -29,7 +26,7 @@ fn input<'a>(
         scenario_text: Some(text),
         subject: PageSubject::Scenario(scenario),
         trajectory,
-        explanation: Some(explanation),
+        explanation,
         whole: true,
     }
 }
@@ -97,7 +94,7 @@ fn rows_beside_are_those_inside(scenario: &Scenario, trajectory: &Trajectory, in
         }
     }
     let explanation = explain_motion(scenario, trajectory).unwrap();
-    let (beside, rows) = page_rows(&input(scenario, trajectory, "title = \"x\"", &explanation));
+    let (beside, rows) = page_rows(&input(scenario, trajectory, "title = \"x\"", Some(&explanation)));
     let mut seen = Vec::new();
     compare(inside, &beside, &rows, &mut seen);
     seen.sort_unstable();

@@ -146,8 +146,48 @@ export interface MotionData {
   events: { time: number; name: string }[];
   /** How much happened in all. */
   eventCount: number;
+  /** Of a body on the ground, whose centre of mass moves; null of any other, which turns about the origin. */
+  contact: ContactData | null;
   /** False if the motion could not be computed to its end; its last samples may then be far beyond all others. */
   complete: boolean;
+}
+
+/** A body on the ground. Rows are f64; vectors are along the axes of space. */
+export interface ContactData {
+  ground: GroundData;
+  /** Against gravity, a unit vector; null without gravity. */
+  up: [number, number, number] | null;
+  /** With what the body touches the ground, if its shapes do not show that; placed as they are. */
+  surface: Shape | null;
+  /** The centre of mass: 3 n, m. */
+  center: Row;
+  /** The point of contact; of what flies the lowest: 3 n, m. From the centre of mass and turned back it is the point in the body. */
+  point: Row;
+  /** n, N. */
+  normalForce: Row;
+  /** Its size: n, N. */
+  friction: Row;
+  /** The speed of the body's point of contact over the ground: n, m/s. */
+  slip: Row;
+  /** The work of friction since the start: n, J. */
+  frictionWork: Row;
+  /** The work that the ground has done by its own motion: n, J. */
+  groundWork: Row;
+  /** One after the other, s; "rolling", "sliding" or "flying". */
+  phases: { name: string; from: number; to: number }[];
+}
+
+/** Its centre, or a point of the plane, is the origin. */
+export interface GroundData {
+  form: "plane" | "sphere" | "cylinder";
+  /** m; zero of a plane. */
+  radius: number;
+  /** The body is in it. */
+  inside: boolean;
+  /** Of a plane the normal, towards the body; a unit vector. */
+  axis: [number, number, number];
+  /** At which it turns about its axis, rad/s. */
+  rate: number;
 }
 
 /** What the path of a top's axis is measured from. */

@@ -1,6 +1,7 @@
 /** What is plotted over time: the same figures on the screen and in the files that it saves. */
 import { angles } from "./angles";
 import { inverse, type Quaternion, rotate, type Vector, writeRotated } from "./attitude";
+import { contactFigures } from "./contact-figures";
 import { lengths, type Motion } from "./motion";
 import type { Figure, Line } from "./plot/lines";
 import { extent } from "./plot/scale";
@@ -32,7 +33,8 @@ export function makersOf(motion: Motion, principal: Principal): FigureMaker[] {
     ["omega", () => omega(motion)],
     ["omega-principal", isAlongBody(principal.quaternion) ? null : () => omegaAlongPrincipal(motion, principal.quaternion)],
     ["pointing", motion.pointings.length > 0 ? () => pointing(motion) : null],
-    ["energy", () => (free ? shares(motion, principal) : energy(motion))],
+    ...(motion.contact ? contactFigures(motion, motion.contact).map((figure): [string, () => Made] => [figure.id, () => figure]) : []),
+    ["energy", motion.contact ? null : () => (free ? shares(motion, principal) : energy(motion))],
     ["momentum", () => (free ? momentumInBody(motion, principal.quaternion) : momentumInSpace(motion))],
     ["torque", motion.torque === null ? null : torque(motion, motion.torque)],
     ["wheels", motion.wheels.length > 0 ? () => wheelMomenta(motion) : null],

@@ -5,6 +5,7 @@
 import type { MotionData, Row } from "./data";
 import { between, makeContinuous, type Quaternion, rotate, type Vector, writeRotated } from "./attitude";
 import { indexAt } from "./clock";
+import { Contact } from "./contact";
 import { BadData, f64 } from "./decode";
 
 export interface Moment {
@@ -15,6 +16,10 @@ export interface Moment {
   momentum: Vector;
   /** space axes, N·m; null without torque */
   torque: Vector | null;
+  /** The centre of mass, space axes, m; the origin of what turns in its place */
+  center: Vector;
+  /** Where the ground is touched, space axes, m; null without ground */
+  point: Vector | null;
 }
 
 /** A body that turns farther than this from a sample to the next may oscillate unseen, rad. */
@@ -42,6 +47,8 @@ export class Motion {
   readonly events: { time: number; name: string }[];
   /** How many happened: more than are in `events` if that is thinned. */
   readonly eventCount: number;
+  /** Of a body on the ground. */
+  readonly contact: Contact | null;
   readonly complete: boolean;
   /** So many samples say how large and how fast the motion is: a run-away's last ones are far beyond all before. */
   readonly telling: number;
@@ -77,6 +84,7 @@ export class Motion {
     this.events = data.events;
     this.eventCount = data.eventCount;
     if (!this.events.every(({ time }) => Number.isFinite(time))) throw new BadData("events: a time is not finite");
+    this.contact = data.contact === null ? null : new Contact(data.contact, n);
     this.complete = data.complete;
     for (let i = 1; i < n; i += 1) {
       if (this.times[i] < this.times[i - 1]) throw new BadData(`times: sample ${i} is earlier than the one before`);
@@ -115,9 +123,12 @@ export class Motion {
   at(time: number): Moment {
     const { i, j, part } = this.#place(time);
     const attitude = this.attitudeAt(time);
+    const { contact } = this;
     return {
       attitude,
-      omega: this.#cubic(i, j, part),
+      center: contact ? this.#cubic(contact.center, i, j, part) : [0, 0, 0],
+      point: contact && this.#cubic(contact.point, i, j, part),
+      omega: this.#cubic(this.omega, i, j, part),
       momentum: linear(this.momentum, i, j, part),
       torque: this.torque === null ? null : this.#torqueAt(this.torque, i, j, part, attitude),
     };
@@ -127,7 +138,9 @@ export class Motion {
   sample(i: number): Moment {
     const attitude = this.attitudeOf(i);
     const torque = this.torque === null ? null : rotate(attitude, at(this.torque, i));
-    return { attitude, omega: at(this.omega, i), momentum: at(this.momentum, i), torque };
+    const { contact } = this;
+    const [center, point] = contact ? [at(contact.center, i), at(contact.point, i)] : [[0, 0, 0] as Vector, null];
+    return { attitude, omega: at(this.omega, i), momentum: at(this.momentum, i), torque, center, point };
   }
 
   attitudeAt(time: number): Quaternion {
@@ -172,17 +185,17 @@ export class Motion {
   }
 
   // Catmull and Rom's cubic, for samples that are not evenly spaced.
-  #cubic(i: number, j: number, s: number): Vector {
+  #cubic(rows: Float64Array, i: number, j: number, s: number): Vector {
     const slope = (k: number, c: number): number => {
       const before = Math.max(k - 1, 0);
       const after = Math.min(k + 1, this.count - 1);
       const step = this.times[after] - this.times[before];
-      return step > 0 ? (this.omega[3 * after + c] - this.omega[3 * before + c]) / step : 0;
+      return step > 0 ? (rows[3 * after + c] - rows[3 * before + c]) / step : 0;
     };
     const h = this.times[j] - this.times[i];
     const component = (c: number): number => {
-      const a = this.omega[3 * i + c];
-      const b = this.omega[3 * j + c];
+      const a = rows[3 * i + c];
+      const b = rows[3 * j + c];
       const u = 1 - s;
       return (
         u * u * (1 + 2 * s) * a + s * s * (3 - 2 * s) * b + h * s * u * (u * slope(i, c) - s * slope(j, c))

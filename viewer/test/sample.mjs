@@ -90,6 +90,7 @@ function motionData(rows, inertia, torque, potential, method) {
     pointings: [],
     events: [],
     eventCount: 0,
+    contact: null,
     complete: true,
   };
 }

@@ -36,6 +36,7 @@ export const EMPTY: PageData = {
     pointings: [],
     events: [],
     eventCount: 0,
+    contact: null,
     complete: true,
   },
   free: null,

@@ -57,7 +57,7 @@ export class TipHandle {
     const { omega } = this.#view;
     this.#handle.hidden = omega === null || this.#session.document === null;
     if (!omega) return;
-    const [x, y] = this.#view.project(this.#tip ?? omega.tip);
+    const [x, y] = this.#view.project((this.#tip ?? omega.tip).clone().add(omega.foot));
     this.#handle.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
     this.#reading.style.transform = `translate(${(x + 16).toFixed(1)}px, ${(y - 26).toFixed(1)}px)`;
     // What is not looked at need not be said.
@@ -112,7 +112,8 @@ export class TipHandle {
     let grip = new Vector3();
     const at = (event: PointerEvent, through: Vector3): Vector3 => {
       const box = byId("canvas").getBoundingClientRect();
-      return this.#view.unproject(event.clientX - box.left, event.clientY - box.top, through);
+      const foot = this.#view.omega?.foot ?? new Vector3();
+      return this.#view.unproject(event.clientX - box.left, event.clientY - box.top, through.clone().add(foot)).sub(foot);
     };
     handle.addEventListener("pointerdown", (event) => {
       const tip = this.#view.omega?.tip;

@@ -1,8 +1,10 @@
-/** The key of the letters at the plots' upper edges; a click goes to the next time of an event. */
+/** The key of the letters at the plots' upper edges, where a click goes to the next time of an event; and that of the bands behind them. */
 import type { Clock } from "../clock";
+import type { Phase } from "../contact";
 import { element } from "../dom";
 import { number } from "../format";
 import type { Marked } from "../plot/events";
+import { words } from "../plot/phases";
 
 export function eventKey(all: readonly Marked[], count: number, clock: Clock, unit: { name: string; seconds: number }): HTMLElement {
   const host = element("div", { class: "events", role: "group", "aria-label": "Events" });
@@ -24,5 +26,17 @@ export function eventKey(all: readonly Marked[], count: number, clock: Clock, un
   }
   const shown = all.reduce((sum, { times }) => sum + times.length, 0);
   if (count > shown) host.append(element("p", { class: "hint" }, `The first ${shown} of ${count} events.`));
+  return host;
+}
+
+/** When the body rolls, slides and flies. */
+export function phaseKey(phases: readonly Phase[], unit: { name: string; seconds: number }): HTMLElement {
+  const say = (seconds: number): string => `${number(seconds / unit.seconds, 4)}\u00a0${unit.name}`;
+  const host = element("div", { class: "phases", role: "group", "aria-label": "Phases of the contact" });
+  for (const { ink, text } of words(phases, say)) {
+    const band = element("span", { class: "band", "aria-hidden": "true" });
+    if (ink) band.style.background = `color-mix(in srgb, var(--${ink}) 30%, transparent)`;
+    host.append(element("span", { class: "phase" }, band, text));
+  }
   return host;
 }

@@ -1,10 +1,12 @@
 /** A figure's section: its title with the buttons that save it, its constants as text, and its plots. */
 import type uPlot from "uplot";
+import type { Phase } from "../contact";
 import { element } from "../dom";
 import { type Arranged, arrange, sentences } from "../plot/arrange";
 import { type Marked, marksOf } from "../plot/events";
 import { svgOf } from "../plot/figure-svg";
 import type { Figure } from "../plot/lines";
+import { bandsOf } from "../plot/phases";
 import { saveButtons } from "../save/plot-buttons";
 import { TimePlot } from "./time-plot";
 
@@ -13,6 +15,8 @@ export interface Shared {
   times: Float64Array;
   unit: { name: string; seconds: number };
   marked: readonly Marked[];
+  /** Of a body on the ground. */
+  phases: readonly Phase[];
   /** Of files that are saved. */
   file: string;
 }
@@ -48,7 +52,7 @@ export class FigurePanel {
       this.plots.length === arranged.stacks.length &&
       this.plots.every((plot, k) => plot.fits(figure, arranged.stacks[k], shared.unit, marks));
     if (fits) {
-      this.plots.forEach((plot, k) => plot.update(figure, arranged.stacks[k], shared.times, marks));
+      this.plots.forEach((plot, k) => plot.update(figure, arranged.stacks[k], shared.times, marks, bandsOf(shared.phases)));
       this.#say();
     } else this.#make();
     return fits;
@@ -60,7 +64,8 @@ export class FigurePanel {
     const { stacks } = this.#arranged;
     const marks = marksOf(shared.marked);
     this.plots = stacks.map((stack, k) => {
-      return new TimePlot(figure, stack, shared.times, shared.unit, marks, { isFirst: k === 0, isLast: k === stacks.length - 1 });
+      const place = { isFirst: k === 0, isLast: k === stacks.length - 1 };
+      return new TimePlot(figure, stack, shared.times, shared.unit, marks, bandsOf(shared.phases), place);
     });
     const heading = element("div", { class: "plot-heading" }, element("h3", {}, figure.title));
     if (this.plots.length > 0) heading.append(...saveButtons(figure.title, `${shared.file}-${figure.id}`, () => this.#svg()));
@@ -78,9 +83,9 @@ export class FigurePanel {
   }
 
   #svg(): string {
-    const { times, marked } = this.#shared;
+    const { times, marked, phases } = this.#shared;
     const { min, max } = this.plots[0].plot.scales.x;
-    return svgOf(this.#figure, this.#arranged, times, min ?? times[0], max ?? times[times.length - 1], marked);
+    return svgOf(this.#figure, this.#arranged, times, min ?? times[0], max ?? times[times.length - 1], marked, bandsOf(phases));
   }
 }
 

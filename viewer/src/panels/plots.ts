@@ -14,7 +14,7 @@ import type { Motion } from "../motion";
 import { marked } from "../plot/events";
 import type { Figure } from "../plot/lines";
 import { AxisPicture } from "./axis-picture";
-import { eventKey } from "./events";
+import { eventKey, phaseKey } from "./events";
 import { FigurePanel, type Shared } from "./figure-panel";
 import type { TimePlot } from "./time-plot";
 
@@ -71,7 +71,8 @@ export class Plots {
       this.#build(page, motion);
       this.#resize(this.#width, true);
     } else {
-      if (before.marked.length > 0 || this.#shared.marked.length > 0) this.#listEvents(motion);
+      const isListed = [before, this.#shared].some(({ marked, phases }) => marked.length > 0 || phases.length > 0);
+      if (isListed) this.#listEvents(motion);
       for (const maker of makers) {
         const panel = this.#panels.get(maker.id);
         if (panel) this.#waiting.set(panel, maker);
@@ -143,7 +144,8 @@ export class Plots {
 
   #listEvents(motion: Motion): void {
     const { marked, unit } = this.#shared;
-    this.#events.replaceChildren(...(marked.length > 0 ? [eventKey(marked, motion.eventCount, this.#clock, unit)] : []));
+    const events = marked.length > 0 ? [eventKey(marked, motion.eventCount, this.#clock, unit)] : [];
+    this.#events.replaceChildren(...events, ...(motion.contact ? [phaseKey(motion.contact.phases, unit)] : []));
   }
 
   #drawSeen(): void {
@@ -242,5 +244,5 @@ export class Plots {
 function sharedBy(page: PageData, motion: Motion): Shared {
   const { times } = motion;
   const unit = timeUnit(Math.max(Math.abs(times[times.length - 1]), Math.abs(times[0])));
-  return { times, unit, marked: marked(motion.events), file: fileName(page.title) };
+  return { times, unit, marked: marked(motion.events), phases: motion.contact?.phases ?? [], file: fileName(page.title) };
 }

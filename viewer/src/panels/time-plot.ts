@@ -7,6 +7,7 @@ import { curve, largestSoFar } from "../plot/curve";
 import { envelopes } from "../plot/envelope";
 import { labels, type Mark } from "../plot/events";
 import type { Figure, Line } from "../plot/lines";
+import { type Band, STRENGTH } from "../plot/phases";
 import { decades, extent, logRange, padded, ticks } from "../plot/scale";
 import { ink } from "../theme";
 
@@ -37,6 +38,7 @@ export class TimePlot {
   #figure: Figure;
   #stack: Stack;
   #marks: readonly Mark[];
+  #bands: readonly Band[];
   readonly #now = element("div", { class: "now" });
   readonly #events: HTMLElement[];
   readonly #readings: HTMLElement[];
@@ -44,12 +46,13 @@ export class TimePlot {
   /** By line: true if it is drawn as an envelope, and whether its samples resolve it. */
   readonly #drawn: { enveloped: boolean; resolved: boolean }[];
 
-  constructor(figure: Figure, stack: Stack, times: Float64Array, unit: { name: string; seconds: number }, marks: readonly Mark[], place: Place) {
+  constructor(figure: Figure, stack: Stack, times: Float64Array, unit: { name: string; seconds: number }, marks: readonly Mark[], bands: readonly Band[], place: Place) {
     this.#figure = figure;
     this.#stack = stack;
     this.#place = place;
     this.#unit = unit;
     this.#marks = marks;
+    this.#bands = bands;
     this.#drawn = stack.lines.map(() => ({ enveloped: false, resolved: true }));
     this.#readings = stack.lines.map(() => element("span", { class: "reading" }));
     const key = element("div", { class: "key" });
@@ -91,13 +94,14 @@ export class TimePlot {
   }
 
   /** Shows a stack that fits; what is zoomed to stays. */
-  update(figure: Figure, stack: Stack, times: Float64Array, marks: readonly Mark[]): void {
+  update(figure: Figure, stack: Stack, times: Float64Array, marks: readonly Mark[], bands: readonly Band[]): void {
     const before = this.plot.data[0];
     const { min, max } = this.plot.scales.x;
     const zoomed = min !== undefined && min !== null && max !== undefined && max !== null && (min > before[0] || max < before[before.length - 1]);
     this.#figure = figure;
     this.#stack = stack;
     this.#marks = marks;
+    this.#bands = bands;
     this.#name();
     const [first, last] = [times[0], times[times.length - 1]];
     const kept = zoomed && max > first && min < last;
@@ -222,8 +226,21 @@ export class TimePlot {
           paths: (u, series, first, last) => this.#paths(u, series, first, last, this.#stack.lines[k], k),
         })),
       ],
-      hooks: { draw: [(): void => this.#say()] },
+      hooks: { drawClear: [(u): void => this.#tint(u)], draw: [(): void => this.#say()] },
     };
+  }
+
+  // Behind everything.
+  #tint(u: uPlot): void {
+    const { left, top, width, height } = u.bbox;
+    const place = (time: number): number => Math.min(Math.max(u.valToPos(time, "x", true), left), left + width);
+    u.ctx.save();
+    u.ctx.globalAlpha = STRENGTH;
+    for (const { from, to, ink: name } of this.#bands) {
+      u.ctx.fillStyle = ink(name);
+      u.ctx.fillRect(place(from), top, place(to) - place(from), height);
+    }
+    u.ctx.restore();
   }
 
   /** Of the values between the ends of the time axis; what a run-away reaches at its end is left outside. */

@@ -5,6 +5,7 @@ import { curve, largestSoFar } from "./curve";
 import { type Box, type Mark, svgText, textWidth, through, wrapped } from "./drawing";
 import { labels, type Marked, marksOf } from "./events";
 import type { Figure } from "./lines";
+import { type Band, STRENGTH } from "./phases";
 import { decades, extent, logRange, padded, ticks } from "./scale";
 
 const WIDTH = 640;
@@ -22,6 +23,7 @@ export function svgOf(
   from: number,
   to: number,
   events: readonly Marked[] = [],
+  bands: readonly Band[] = [],
 ): string {
   const marks: Mark[] = [];
   const unit = timeUnit(Math.max(Math.abs(from), Math.abs(to)));
@@ -48,6 +50,11 @@ export function svgOf(
     const lettered = k === 0 && seen.length > 0;
     top += lettered ? 26 : 10;
     const box = { left: FRAME.left, top, width: INNER, height: curves.height };
+    for (const { from: begin, to: end, ink } of bands) {
+      const [a, b] = [x(Math.max(begin, from)), x(Math.min(end, to))];
+      const corners: [number, number][] = [[a, top], [b, top], [b, top + box.height], [a, top + box.height]];
+      if (b > a) marks.push({ kind: "path", d: `${through(corners)}Z`, fill: ink, opacity: STRENGTH });
+    }
     const isLast = k === stacks.length - 1;
     for (const value of ticks(from / unit.seconds, to / unit.seconds, 7).values) {
       const at = x(value * unit.seconds);

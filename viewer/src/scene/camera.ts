@@ -26,6 +26,9 @@ export class OrbitCamera {
   /** Takes the frame in which azimuth and height are measured, with z up, to space. */
   readonly frame = new Quaternion();
 
+  /** From where, in space, content is measured. */
+  readonly origin = new Vector3();
+
   readonly #pointers = new Map<number, { x: number; y: number }>();
   readonly #changed: () => void;
   readonly #homed: () => void;
@@ -82,7 +85,7 @@ export class OrbitCamera {
     const flat = Math.cos(this.height);
     const back = new Vector3(flat * Math.cos(this.azimuth), flat * Math.sin(this.azimuth), Math.sin(this.height));
     const { target, distance } = fit(this.content, back, half * aspect * inside(MARGIN.beside, width), half * inside(MARGIN.above, height));
-    this.target.copy(target).applyQuaternion(this.frame);
+    this.target.copy(target).applyQuaternion(this.frame).add(this.origin);
     this.distance = distance / this.zoom;
     this.camera.aspect = aspect;
     this.camera.near = this.distance / 50;

@@ -76,16 +76,16 @@ export class Labels {
     });
   }
 
-  /** `outline`: points of the body's hull, in the picture's space. Arrows are before names of other things. */
-  draw(labels: Label[], outline: Vector3[], camera: Camera, width: number, height: number): void {
+  /** `outline`: points of the body's hull, in the picture's space, `from`: where its arrows begin. Arrows are before names of other things. */
+  draw(labels: Label[], outline: Vector3[], from: Vector3, camera: Camera, width: number, height: number): void {
     const project = (p: Vector3): Point => {
       const v = p.clone().project(camera);
       return [(0.5 + v.x / 2) * width, (0.5 - v.y / 2) * height];
     };
-    const middle = project(new Vector3());
+    const middle = project(from);
     const hull = outline.map(project);
     // The outer halves of the arrows, which no other name covers.
-    const shafts = labels.map(({ tip, along }) => (along ? [] : dense([0.5, 1].map((part) => project(tip.clone().multiplyScalar(part))))));
+    const shafts = labels.map(({ tip, along }) => (along ? [] : dense([0.5, 1].map((part) => project(tip.clone().sub(from).multiplyScalar(part).add(from))))));
     const lines = labels.map(({ along }) => (along ?? []).map(project));
     const arrows = new Density(shafts.flat(), width, height);
     const curves = new Density(lines.flatMap(dense), width, height);

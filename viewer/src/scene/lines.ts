@@ -3,7 +3,7 @@ import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
-import type { InterleavedBufferAttribute } from "three";
+import { GreaterDepth, type InterleavedBufferAttribute } from "three";
 import type { Ink, Palette } from "./palette";
 
 export interface Pen {
@@ -15,6 +15,8 @@ export interface Pen {
   strength?: number;
   /** Drawn over everything. */
   onTop?: boolean;
+  /** Drawn only where something hides it. */
+  behind?: boolean;
 }
 
 /** A curve that stays as it is; `points` are x y z of each, `scale` is multiplied to all. */
@@ -94,7 +96,8 @@ function line(geometry: LineGeometry, pen: Pen, palette: Palette): Line2 {
   return made;
 }
 
-export function lineMaterial({ ink, width, opacity = 1, strength = 1, onTop = false }: Pen, palette: Palette): LineMaterial {
-  const look = { linewidth: width, transparent: opacity < 1 || onTop, opacity, depthTest: !onTop, depthWrite: false };
-  return palette.shared(`line ${width} ${opacity} ${onTop}`, ink, () => new LineMaterial(look), strength);
+export function lineMaterial({ ink, width, opacity = 1, strength = 1, onTop = false, behind = false }: Pen, palette: Palette): LineMaterial {
+  const hidden = behind ? { depthFunc: GreaterDepth } : {};
+  const look = { linewidth: width, transparent: opacity < 1 || onTop, opacity, depthTest: !onTop, depthWrite: false, ...hidden };
+  return palette.shared(`line ${width} ${opacity} ${onTop} ${behind}`, ink, () => new LineMaterial(look), strength);
 }

@@ -1,6 +1,7 @@
 /**
  * What the 3-D view shows of one motion: the body, arrows, axes, and the pictures of a free motion, which are made when they are first
- * shown. Space axes are three's own, with z up; the group `body` has the body's attitude, and everything that turns with the body is in it.
+ * shown. Space axes are three's own, with z up; the group `body` has the body's attitude and place, and everything that turns with the body
+ * is in it. What turns in its place is at the origin.
  */
 import { Group, type Object3D, Quaternion, Vector3 } from "three";
 import { inverse, type Quaternion as Attitude, rotate, type Vector } from "../attitude";
@@ -10,6 +11,7 @@ import { Arrow } from "./arrows";
 import { Axes } from "./axes";
 import { BodyModel } from "./body";
 import { Cones } from "./cones";
+import { ContactScene } from "./contact-scene";
 import { dispose } from "./dispose";
 import { corners, equivalentBox } from "./equivalent-box";
 import { Contents, directions, type Seen } from "./framing";
@@ -41,6 +43,8 @@ interface Scales {
 export class MotionScene {
   readonly space = new Group();
   readonly body = new Group();
+  /** Arrows that begin at the body's middle. */
+  readonly #carried = new Group();
   readonly layers: Layer[] = [];
   readonly model: BodyModel;
   readonly pictures: Picture[];
@@ -62,6 +66,7 @@ export class MotionScene {
   readonly #torque: Arrow;
   readonly #axes: Axes;
   readonly #heavy: HeavyBody | null;
+  readonly #contact: ContactScene | null;
   readonly #wheels: Wheels | null;
   readonly #contents: Contents;
   /** Pictures with the layers that are on in them at first. */
@@ -69,7 +74,7 @@ export class MotionScene {
   readonly #trails = new Map<Trailed, Trail>();
   readonly #trailGroup: Group;
   /** A place in the body, where it is in space. */
-  readonly #turned = (p: Vector3): Vector3 => p.clone().applyQuaternion(this.body.quaternion);
+  readonly #turned = (p: Vector3): Vector3 => p.clone().applyQuaternion(this.body.quaternion).add(this.body.position);
 
   /** `before`: what was shown until now, of which switches are kept, and scales and frames: whatever they are if `isHeld`, else if they fit. */
   constructor(page: PageData, motion: Motion, trail: Group, palette: Palette, before: MotionScene | null, isHeld = false) {
@@ -90,6 +95,7 @@ export class MotionScene {
     this.pictures = this.#free ? ["body", "poinsot", "cones", "sphere"] : ["body"];
     this.#axes = new Axes(this.principal, AXES, 0.92 * LONGEST, palette);
     this.#heavy = HeavyBody.of(page, motion, this.model.radius, AXES, palette);
+    this.#contact = motion.contact && new ContactScene(motion.contact, motion, this.model.radius, palette);
     this.#wheels = motion.wheels.length > 0 ? new Wheels(motion, this.scales.momentum, palette) : null;
     this.omega = new Arrow("omega", THICK, palette);
     this.#momentum = new Arrow("ink", THICK, palette);
@@ -138,9 +144,15 @@ export class MotionScene {
     const now = this.#motion.at(time);
     if (held) now.attitude = held;
     this.#turn(now, time, picture);
+    this.#contact?.pose(now, time);
     if (picture === "body") this.#drawTrail(time, now, trailed, trails);
     if (picture === "cones") this.cones?.draw(time);
     if (picture === "sphere") this.sphere?.draw(rotate(inverse(now.attitude), now.momentum));
+  }
+
+  /** Where the body is. */
+  get middle(): Vector3 {
+    return this.body.position;
   }
 
   /** The frame in which the camera's place is measured. In Poinsot's picture and the cones' the invariable plane is level: up is L. */
@@ -161,7 +173,11 @@ export class MotionScene {
   }
 
   #seen(shown: ReadonlySet<string>, picture: Picture, rides: "space" | "body"): Seen {
-    const seen = (id: string): boolean => shown.has(id);
+    const moves = this.#contact !== null;
+    // With the body the camera goes along, and sees no more of the ground than is behind it.
+    const [goesAlong, origin] = [moves && rides === "body", new Vector3()];
+    const seen = (id: string): boolean => shown.has(id) && !(goesAlong && id === "space-axes");
+    const outline = this.#outline(seen, picture);
     const back = new Quaternion();
     const isSphere = picture === "sphere";
     return {
@@ -174,10 +190,12 @@ export class MotionScene {
           // Those of curves are many.
           return isWhole || along.length <= FEW ? along : [];
         });
-        // Tips of arrows are other places at other times.
-        return [...named, ...(this.#heavy?.floor(seen) ?? [])].map((p) => p.clone().applyQuaternion(back));
+        // Tips of arrows are other places at other times, as is all of a body that moves.
+        const moved = moves && isWhole ? outline.map(this.#turned) : [];
+        if (goesAlong) origin.copy(this.middle);
+        return [...named, ...moved, ...(this.#heavy?.floor(seen) ?? [])].map((p) => p.clone().sub(origin).applyQuaternion(back));
       },
-      rigid: isSphere ? directions(100) : this.#outline(seen, picture),
+      rigid: isSphere ? directions(100) : moves ? [] : outline,
       turn: () => (isSphere ? back.clone() : back.clone().multiply(this.body.quaternion)),
     };
   }
@@ -191,6 +209,8 @@ export class MotionScene {
   #turn(now: Moment, time: number, picture: Picture): void {
     const [w, x, y, z] = now.attitude;
     this.body.quaternion.set(x, y, z, w);
+    this.body.position.set(...now.center).divideScalar(this.model.radius);
+    this.#carried.position.copy(this.body.position);
     const rolling = picture === "poinsot" ? this.poinsot : picture === "cones" ? this.cones : null;
     const omegaScale = rolling?.scale ?? this.scales.omega;
     const omega = rotate(now.attitude, now.omega).map((c) => c * omegaScale) as Vector;
@@ -220,9 +240,10 @@ export class MotionScene {
   #names(on: (id: string) => boolean, picture: Picture, time: number, eye: Vector3 | null): Label[] {
     const turned = this.#turned;
     const labels: Label[] = [];
-    if (on("omega") && this.omega.drawn) labels.push({ text: "𝛚", ink: "omega", tip: this.omega.tip });
-    if (on("momentum") && this.#momentum.drawn) labels.push({ text: "𝐋", ink: "ink", tip: this.#momentum.tip });
-    if (on("torque") && this.#torque.drawn) labels.push({ text: "𝐍", ink: "torque", tip: this.#torque.tip });
+    const from = (arrow: Arrow): Vector3 => arrow.tip.clone().add(this.middle);
+    if (on("omega") && this.omega.drawn) labels.push({ text: "𝛚", ink: "omega", tip: from(this.omega) });
+    if (on("momentum") && this.#momentum.drawn) labels.push({ text: "𝐋", ink: "ink", tip: from(this.#momentum) });
+    if (on("torque") && this.#torque.drawn) labels.push({ text: "𝐍", ink: "torque", tip: from(this.#torque) });
     labels.push(...this.#axes.labels(on, turned));
     if (picture === "body") labels.push(...(this.#wheels?.labels(on, time, turned) ?? []), ...(this.#heavy?.labels(on) ?? []));
     if (picture === "poinsot") labels.push(...(this.poinsot?.labels(on, turned) ?? []));
@@ -254,7 +275,8 @@ export class MotionScene {
     const box = equivalentBox(this.#page.body, this.model.radius, this.#palette);
     for (const { objects } of box) this.body.add(...objects);
     this.layers.push(...box);
-    this.space.add(this.omega.object, this.#momentum.object, this.#torque.object);
+    this.#carried.add(this.omega.object, this.#momentum.object, this.#torque.object);
+    this.space.add(this.#carried);
     const all = { body: true, poinsot: true, cones: true };
     this.#put("omega", "ω", "omega", "arrow", { ...all }, this.omega.object);
     this.#put("momentum", "L", "ink", "arrow", { ...all, sphere: true }, this.#momentum.object);
@@ -263,7 +285,16 @@ export class MotionScene {
     this.space.add(this.#axes.space);
     this.body.add(this.#axes.body, this.#axes.principal);
     this.layers.push(...this.#axes.layers);
-    this.#put("trail", "Trail", null, "line", { body: true }, this.#trailGroup);
+    if (this.#contact) {
+      this.space.add(this.#contact.space);
+      this.body.add(this.#contact.body);
+      this.layers.push(...this.#contact.layers);
+      // About the origin of a bowl there is nothing else.
+      const spaceAxes = this.layers.find(({ id }) => id === "space-axes");
+      if (spaceAxes && this.#motion.contact?.ground.form !== "plane") spaceAxes.on.body = false;
+    }
+    // On the ground the point of contact leaves its own.
+    this.#put("trail", "Trail", null, "line", { body: this.#contact === null }, this.#trailGroup);
     if (this.#page.body.about === "pivot") {
       const { object } = new Marker("ink", 0.03, false, this.#palette);
       this.space.add(object);
@@ -310,10 +341,10 @@ export class MotionScene {
 
   #drawTrail(time: number, now: Moment, what: Trailed, curves: TrailCurves): void {
     if (!this.#trailGroup.visible) return;
-    const trail = this.#trails.get(what) ?? new Trail(this.#motion, what, this.scales.omega, AXES);
+    const trail = this.#trails.get(what) ?? new Trail(this.#motion, what, this.scales.omega, AXES, this.model.radius);
     this.#trails.set(what, trail);
     const [v, long] = what === "omega" ? [now.omega, this.scales.omega] : [axis(what), AXES];
-    curves.draw(trail, time, rotate(now.attitude, v).map((c) => c * long) as Vector);
+    curves.draw(trail, time, rotate(now.attitude, v).map((c, k) => c * long + now.center[k] / this.model.radius) as Vector);
   }
 }
 

@@ -78,11 +78,11 @@ export class View {
     return this.#shown.pictures;
   }
 
-  /** Of the arrow of ω, in the picture's space: where its tip is, and how long 1 rad/s is. Null if it is not shown. */
-  get omega(): { tip: Vector3; scale: number } | null {
+  /** Of the arrow of ω, in the picture's space: where it begins, its tip from there, and how long 1 rad/s is. Null if it is not shown. */
+  get omega(): { foot: Vector3; tip: Vector3; scale: number } | null {
     const isOn = this.layers.find(({ id }) => id === "omega")?.on[this.picture] === true;
-    const { omega, scales } = this.#shown;
-    return this.picture === "body" && isOn ? { tip: omega.tip, scale: scales.omega } : null;
+    const { middle, omega, scales } = this.#shown;
+    return this.picture === "body" && isOn ? { foot: middle, tip: omega.tip, scale: scales.omega } : null;
   }
 
   /** (w, x, y, z) of the body as it is shown now. */
@@ -218,11 +218,14 @@ export class View {
     orbit.content = shown.content(picture, this.rides);
     this.#pose(time, held);
     shown.aim(picture, this.rides, orbit.frame);
+    if (this.rides === "body") orbit.origin.copy(shown.middle);
+    else orbit.origin.set(0, 0, 0);
     orbit.place(width, height);
     const { camera } = orbit;
     this.#light.follow(orbit);
     renderer.render(this.#scene, camera);
-    labels.draw(shown.labels(picture, time, camera.position, this.#allowed), shown.outline(picture, camera.position), camera, width, height);
+    const names = shown.labels(picture, time, camera.position, this.#allowed);
+    labels.draw(names, shown.outline(picture, camera.position), shown.middle, camera, width, height);
   }
 
   /** (w, x, y, z) of the body as the scene has it at `time`. */

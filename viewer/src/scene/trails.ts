@@ -64,14 +64,16 @@ export class Trail {
   readonly #fine: number;
   readonly #count: number;
   readonly #size: number;
+  readonly #unit: number;
   /** s of the motion: a trail of some turns, however slow the point is. */
   readonly #seconds: number;
   readonly #points: Float32Array;
   readonly #known: Uint8Array;
   readonly #times: Float64Array;
 
-  /** `scale` is the length of 1 rad/s in the picture; axes are `reach` long. */
-  constructor(motion: Motion, what: Trailed, scale: number, reach: number) {
+  /** `scale` is the length of 1 rad/s in the picture, of `unit` metres; axes are `reach` long. */
+  constructor(motion: Motion, what: Trailed, scale: number, reach: number, unit: number) {
+    this.#unit = unit;
     this.what = what;
     this.#motion = motion;
     this.#size = what === "omega" ? scale : reach;
@@ -118,6 +120,9 @@ export class Trail {
     } else {
       writeRotated(this.#motion.attitudeAt(this.#times[k]), 0, axis(this.what), 0, this.#points, 3 * k, this.#size);
     }
+    if (!this.#motion.contact) return;
+    const { center } = this.#motion.at(this.#times[k]);
+    for (let c = 0; c < 3; c += 1) this.#points[3 * k + c] += center[c] / this.#unit;
   }
 
   // How far the point goes: the length of the way through the samples, and of an axis the arc by its speed |ω × e|.

@@ -6,7 +6,7 @@ use super::motion::Shown;
 use super::rows::Rows;
 use super::shapes::{self, Budget};
 use super::turning::Turning;
-use super::{PageInput, PageSubject, body, explanation, facts, free, motion, scene, top};
+use super::{PageInput, PageSubject, body, contact, explanation, facts, free, motion, scene, top};
 use crate::motion::findings as motion_findings;
 
 /// What a page of many triangles may have, bytes.
@@ -20,7 +20,8 @@ pub(super) fn json(input: &PageInput<'_>, frame: usize, rows: &mut Rows) -> Valu
     let turning = Turning::of(&input.subject);
     let shown = Shown::of(input.trajectory, &input.subject);
     let free_facts = free::facts(input);
-    let motion = motion::json(&shown, rows);
+    let contact = contact::json(input.trajectory, &input.subject, &shown, rows);
+    let motion = motion::json(&shown, contact, rows);
     let free = free_facts.as_ref().map_or(Value::Null, |free| free::json(free, &shown, input.whole, rows));
     let explanation = input.explanation.map_or_else(|| json!([]), explanation::json);
     let mut left = LEAST_MESH;

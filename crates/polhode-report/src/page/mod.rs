@@ -7,6 +7,7 @@ mod atoms;
 mod body;
 mod caption;
 mod cones;
+mod contact;
 mod data;
 mod decimate;
 mod explanation;
@@ -18,6 +19,7 @@ mod rows;
 mod scene;
 mod shapes;
 mod sizes;
+mod surface;
 mod top;
 mod turning;
 

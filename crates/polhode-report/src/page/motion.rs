@@ -20,7 +20,7 @@ const MOST: usize = 2_001;
 pub(super) struct Shown<'a> {
     pub(super) samples: Vec<&'a Sample>,
     /// What they are on the ground; none of any other body.
-    contact: Vec<&'a ContactSample>,
+    pub(super) contact: Vec<&'a ContactSample>,
     /// How many there are.
     pub(super) of: usize,
     driven: Driven,
@@ -28,7 +28,7 @@ pub(super) struct Shown<'a> {
     pub(super) method: &'static str,
     wheels: Vec<(String, Wheel)>,
     pointings: Vec<Pointing>,
-    events: &'a [Crossing],
+    events: Vec<(f64, String)>,
     is_complete: bool,
 }
 
@@ -63,7 +63,7 @@ impl<'a> Shown<'a> {
             method: trajectory.solution().name(),
             wheels,
             pointings,
-            events: trajectory.events(),
+            events: events(trajectory),
             is_complete: trajectory.ending().is_complete(),
         }
     }
@@ -131,8 +131,7 @@ impl<'a> Shown<'a> {
     /// The first of the events that happened: more would hide the curves.
     fn events(&self) -> Value {
         const MOST: usize = 40;
-        let one =
-            |crossing: &Crossing| json!({ "time": crossing.state.time, "name": printable(&crossing.name) });
+        let one = |(time, name): &(f64, String)| json!({ "time": time, "name": name });
         self.events.iter().take(MOST).map(one).collect()
     }
 
@@ -140,6 +139,16 @@ impl<'a> Shown<'a> {
     fn is_turned(&self) -> bool {
         self.samples.iter().any(|s| s.torque.norm() > 0.0)
     }
+}
+
+/// When something happened, and what, in the order of time: the events, and the changes of a contact.
+fn events(trajectory: &Trajectory) -> Vec<(f64, String)> {
+    let one = |crossing: &Crossing| (crossing.state.time, printable(&crossing.name));
+    let mut all: Vec<_> = trajectory.events().iter().map(one).collect();
+    let changes = trajectory.contact().map_or(&[][..], |motion| motion.changes());
+    all.extend(changes.iter().map(|event| (event.time, event.change.name().to_owned())));
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all
 }
 
 /// Which of so many samples are shown.
@@ -150,7 +159,8 @@ fn chosen(count: usize) -> Vec<usize> {
     (0..MOST).map(|k| k * (count - 1) / (MOST - 1)).collect()
 }
 
-pub(super) fn json(shown: &Shown<'_>, rows: &mut Rows) -> Value {
+/// `contact`: of a body on the ground what else there is to show.
+pub(super) fn json(shown: &Shown<'_>, contact: Value, rows: &mut Rows) -> Value {
     let has_potential = has_potential(shown.samples.iter().copied());
     json!({
         "count": shown.samples.len(),
@@ -168,6 +178,7 @@ pub(super) fn json(shown: &Shown<'_>, rows: &mut Rows) -> Value {
         "pointings": shown.pointings(rows),
         "events": shown.events(),
         "eventCount": shown.events.len(),
+        "contact": contact,
         "complete": shown.is_complete,
     })
 }

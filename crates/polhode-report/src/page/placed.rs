@@ -4,6 +4,9 @@ use serde_json::{Value, json};
 
 use crate::json::{finite, numbers};
 
+/// What is thin is shown with a thickness, so that it can be seen: this part of its smallest size.
+pub(super) const THIN: f64 = 1.0 / 40.0;
+
 /// A shape, and where it is.
 pub(super) fn at(own: Value, name: &str, position: [f64; 3], quaternion: [f64; 4]) -> Value {
     let mut shape = json!({

@@ -7,14 +7,12 @@ use serde_json::{Value, json};
 
 use super::atoms;
 use super::decimate::decimated;
-use super::placed::at;
+use super::placed::{THIN, at};
+use super::surface;
 use super::turning::{Turning, ellipsoid};
 use crate::base64::{f32s, u32s};
 use crate::json::numbers;
 use crate::number::{count, number};
-
-/// What is thin is shown with a thickness, so that it can be seen: this part of its smallest size.
-const THIN: f64 = 1.0 / 40.0;
 
 /// Particles of a part that are shown; more would be a cloud.
 const MOST_BALLS: usize = 2_000;
@@ -50,12 +48,13 @@ impl Budget {
     }
 }
 
-/// The shapes of all parts; none if nothing is known of them.
+/// The shapes of all parts; where nothing is known of them the surface that touches the ground, if there is one.
 pub(super) fn json(turning: &Turning<'_>, budget: &mut Budget) -> Value {
     let triangles = turning.parts.iter().map(triangles).sum();
-    let known = turning.parts.iter().any(|part| part.form.is_some() || !part.particles.is_empty());
-    let parts = if known { turning.parts } else { &[] };
-    parts.iter().filter_map(|part| shape(part, turning, triangles, budget)).collect()
+    if !surface::has_forms(turning.parts) {
+        return turning.surface.iter().filter_map(|own| surface::shape(own, turning.point)).collect();
+    }
+    turning.parts.iter().filter_map(|part| shape(part, turning, triangles, budget)).collect()
 }
 
 /// True of a body that a page may have to show coarser than it is.

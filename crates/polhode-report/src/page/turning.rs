@@ -2,6 +2,7 @@
 
 use polhode::body::{BodyPart, PrincipalFrame};
 use polhode::math::{Body, Direction, Position};
+use polhode::motion::contact::BodySurface;
 
 use super::PageSubject;
 use crate::json::finite;
@@ -19,6 +20,8 @@ pub(super) struct Turning<'a> {
     pub(super) lever: Position<Body>,
     /// The point.
     pub(super) point: Position<Body>,
+    /// With which it touches the ground, if it does.
+    pub(super) surface: Option<&'a BodySurface>,
     pub(super) parts: &'a [BodyPart],
     /// About the centre of mass.
     pub(super) central: PrincipalFrame<Body>,
@@ -38,6 +41,7 @@ impl<'a> Turning<'a> {
                     is_pivoted: rotor.is_pivoted(),
                     lever: rotor.lever(),
                     point: scenario.pivot().unwrap_or(body.center_of_mass()),
+                    surface: scenario.ground().map(|ground| &ground.contact.surface),
                     parts: scenario.parts(),
                     central: PrincipalFrame::of(body.inertia()),
                     is_changing: scenario.history().is_some(),
@@ -50,6 +54,7 @@ impl<'a> Turning<'a> {
                 is_pivoted: false,
                 lever: Position::ZERO,
                 point: Position::ZERO,
+                surface: None,
                 parts: &[],
                 central: *principal,
                 is_changing: false,

@@ -8,6 +8,7 @@ mod export;
 mod golden;
 mod json;
 mod page;
+mod page_contact;
 mod page_contract;
 mod page_scene;
 mod sweep;

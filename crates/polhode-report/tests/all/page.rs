@@ -9,15 +9,16 @@ use serde_json::Value;
 const OPEN: &str = "<script id=\"polhode-data\" type=\"application/json\">";
 
 pub(crate) fn html_of(scenario: &Scenario, trajectory: &Trajectory, text: &str) -> String {
-    let explanation = explain_motion(scenario, trajectory).unwrap();
-    page(&input(scenario, trajectory, text, &explanation))
+    // A motion on the ground has no worked solution.
+    let explanation = scenario.ground().is_none().then(|| explain_motion(scenario, trajectory).unwrap());
+    page(&input(scenario, trajectory, text, explanation.as_ref()))
 }
 
 fn input<'a>(
     scenario: &'a Scenario,
     trajectory: &'a Trajectory,
     text: &'a str,
-    explanation: &'a Document,
+    explanation: Option<&'a Document>,
 ) -> PageInput<'a> {
     PageInput {
         title: scenario.title().unwrap(),
@@ -25,7 +26,7 @@ fn input<'a>(
         scenario_text: Some(text),
         subject: PageSubject::Scenario(scenario),
         trajectory,
-        explanation: Some(explanation),
+        explanation,
         whole: true,
     }
 }
@@ -43,7 +44,7 @@ pub(crate) fn page_of(scenario: &Scenario) -> (Value, Trajectory) {
 }
 
 /// Base64 by the definition: six bits a digit, most significant first.
-fn bytes(text: &Value) -> Vec<u8> {
+pub(crate) fn bytes(text: &Value) -> Vec<u8> {
     let mut bits: Vec<bool> = Vec::new();
     for c in text.as_str().unwrap().bytes().filter(|c| *c != b'=') {
         let digit = match c {
@@ -93,7 +94,7 @@ fn rows_beside_are_those_inside(scenario: &Scenario, trajectory: &Trajectory, in
         }
     }
     let explanation = explain_motion(scenario, trajectory).unwrap();
-    let (beside, rows) = page_rows(&input(scenario, trajectory, "title = \"x\"", &explanation));
+    let (beside, rows) = page_rows(&input(scenario, trajectory, "title = \"x\"", Some(&explanation)));
     let mut seen = Vec::new();
     compare(inside, &beside, &rows, &mut seen);
     seen.sort_unstable();

@@ -87,7 +87,7 @@ fn keys_are_those_of_the_contract() {
     );
     let every = crate::common::spinning(every, AngularVelocity::new(0.1, 0.2, 0.3));
     all.push(every.sampled(crate::common::run(1.0, 3)));
-    all.extend([crate::common::gyrostat(), crate::page_scene::top(7.0)]);
+    all.extend([crate::common::gyrostat(), crate::page_scene::top(7.0), crate::page_contact::egg()]);
     for scenario in all {
         let Some(Ok(trajectory)) = scenario.simulate() else { continue };
         let data = data(&html_of(&scenario, &trajectory, ""));
@@ -111,6 +111,12 @@ fn keys_are_those_of_the_contract() {
         }
         for line in data["motion"]["pointings"].as_array().unwrap() {
             agree("pointings", line, &[]);
+        }
+        let contact = &data["motion"]["contact"];
+        if !contact.is_null() {
+            agree("ContactData", contact, &[]);
+            agree("GroundData", &contact["ground"], &[]);
+            contact["phases"].as_array().unwrap().iter().for_each(|phase| agree("phases", phase, &[]));
         }
         if !data["top"].is_null() {
             agree("TopData", &data["top"], &[]);

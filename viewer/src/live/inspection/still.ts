@@ -1,5 +1,5 @@
 /** Things that stand still, in three dimensions: what was found in a file. A frame is drawn only if something changed. */
-import { type Group, Raycaster, Scene, Vector2, type Vector3, WebGLRenderer } from "three";
+import { type Group, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { element } from "../../dom";
 import { compose } from "../../save/frame";
 import { OrbitCamera } from "../../scene/camera";
@@ -130,7 +130,7 @@ export class StillView {
     this.orbit.place(width, height);
     this.#light.follow(this.orbit);
     this.#renderer.render(this.#scene, this.orbit.camera);
-    this.#labels.draw(still?.labels() ?? [], still?.outline ?? [], this.orbit.camera, width, height);
+    this.#labels.draw(still?.labels() ?? [], still?.outline ?? [], new Vector3(), this.orbit.camera, width, height);
   }
 
   #key(event: KeyboardEvent): void {

@@ -1,11 +1,9 @@
 //! What the equations need, in numbers: along the axes of the body's surface and those of the ground.
 
-use super::equations::Kinetics;
 use super::ground::{Ground, GroundShape};
 use super::law::ContactLaw;
 use super::surface::{BodySurface, SurfaceShape};
 use crate::body::mass_properties::MassProperties;
-use crate::math::algebra::Components;
 use crate::math::frame::{Body, Part, Space};
 use crate::math::rotation::Rotation;
 use crate::math::vector::Acceleration;
@@ -128,15 +126,6 @@ impl Model {
             in_body,
             in_space,
         }
-    }
-}
-
-impl Model {
-    /// True of a rim whose axis is along the normal: where it touches the ground, rounding decides.
-    pub(super) fn lies_flat(&self, at: &Kinetics<f64>) -> bool {
-        const LEAST: f64 = 1e-8;
-        let Components([x, y, _]) = at.normal;
-        matches!(self.surface, SurfaceForm::Rim { radius, .. } if radius != 0.0) && x.hypot(y) <= LEAST
     }
 }
 

@@ -155,6 +155,13 @@ impl Model {
         }
     }
 
+    /// True of a rim whose axis is along the normal: where it touches the ground, rounding decides.
+    pub(super) fn lies_flat(&self, at: &Kinetics<f64>) -> bool {
+        const LEAST: f64 = 1e-8;
+        let Components([x, y, _]) = at.normal;
+        matches!(self.surface, SurfaceForm::Rim { radius, .. } if radius != 0.0) && x.hypot(y) <= LEAST
+    }
+
     /// The torque about z × n that keeps the axis of a cylinder level, beside that of a force in its middle.
     fn leveling<S: Field>(&self, one: S, at: &Kinetics<S>) -> S {
         let image = |Components([x, y, z]): Components<S>| {

@@ -1,6 +1,6 @@
 //! The motion as rows of numbers.
 
-use polhode::motion::contact::ContactSample;
+use polhode::motion::contact::{ContactSample, ContactTrajectory};
 use polhode::motion::{Crossing, Pointing, Sample, Trajectory, Wheel};
 use serde_json::{Value, json};
 
@@ -44,7 +44,7 @@ impl<'a> Shown<'a> {
         };
         let mut drift = balances(trajectory, driven);
         let mut samples = vec![trajectory.start()];
-        let mut contact: Vec<_> = trajectory.contact().map(|motion| motion.start()).into_iter().collect();
+        let mut contact: Vec<_> = trajectory.contact().map(ContactTrajectory::start).into_iter().collect();
         if !all.is_empty() {
             let chosen = chosen(all.len());
             samples = chosen.iter().filter_map(|&k| all.get(k)).collect();

@@ -115,7 +115,7 @@ test("a picture fills its frame, and nothing is cut off at any time, from wherev
       const spans = (width, height) => {
         const span = [1, 1, -1, -1];
         const names = {
-          draw: (labels, outline, camera) => {
+          draw: (labels, outline, _, camera) => {
             for (const p of [...outline, ...labels.flatMap(({ tip, along }) => along ?? [tip])]) {
               const { x, y } = p.clone().project(camera);
               [x, y].forEach((at, k) => {

@@ -21,7 +21,7 @@ pub(super) fn json(input: &PageInput<'_>, frame: usize, rows: &mut Rows) -> Valu
     let shown = Shown::of(input.trajectory, &input.subject);
     let free_facts = free::facts(input);
     let contact = contact::json(input.trajectory, &input.subject, &shown, rows);
-    let motion = motion::json(&shown, contact, rows);
+    let motion = motion::json(&shown, &contact, rows);
     let free = free_facts.as_ref().map_or(Value::Null, |free| free::json(free, &shown, input.whole, rows));
     let explanation = input.explanation.map_or_else(|| json!([]), explanation::json);
     let mut left = LEAST_MESH;

@@ -48,7 +48,7 @@ impl<'a> Shown<'a> {
         if !all.is_empty() {
             let chosen = chosen(all.len());
             samples = chosen.iter().filter_map(|&k| all.get(k)).collect();
-            let on_ground = trajectory.contact().map_or(&[][..], |motion| motion.samples());
+            let on_ground = trajectory.contact().map_or(&[][..], ContactTrajectory::samples);
             contact = chosen.iter().filter_map(|&k| on_ground.get(k)).collect();
             for balance in &mut drift {
                 balance.values = chosen.iter().filter_map(|&k| balance.values.get(k)).copied().collect();
@@ -145,7 +145,7 @@ impl<'a> Shown<'a> {
 fn events(trajectory: &Trajectory) -> Vec<(f64, String)> {
     let one = |crossing: &Crossing| (crossing.state.time, printable(&crossing.name));
     let mut all: Vec<_> = trajectory.events().iter().map(one).collect();
-    let changes = trajectory.contact().map_or(&[][..], |motion| motion.changes());
+    let changes = trajectory.contact().map_or(&[][..], ContactTrajectory::changes);
     all.extend(changes.iter().map(|event| (event.time, event.change.name().to_owned())));
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
     all
@@ -160,7 +160,7 @@ fn chosen(count: usize) -> Vec<usize> {
 }
 
 /// `contact`: of a body on the ground what else there is to show.
-pub(super) fn json(shown: &Shown<'_>, contact: Value, rows: &mut Rows) -> Value {
+pub(super) fn json(shown: &Shown<'_>, contact: &Value, rows: &mut Rows) -> Value {
     let has_potential = has_potential(shown.samples.iter().copied());
     json!({
         "count": shown.samples.len(),

@@ -2,7 +2,7 @@
 
 use polhode::math::{Direction, Rotation};
 use polhode::motion::contact::{Contact, ContactLaw, Friction, StartVelocity, SurfaceShape};
-use polhode::motion::{ErrorEffort, GroundContact, Run, Trajectory};
+use polhode::motion::{Ending, ErrorEffort, GroundContact, Run, Trajectory};
 use polhode::prelude::*;
 
 use super::{generic_body, state, surface};
@@ -45,4 +45,15 @@ fn an_estimate_is_not_below_half_of_the_error() {
         let end = reference.error().unwrap().end().attitude;
         assert!(end > 1e-16 && end < 1e-6, "{end:e}");
     }
+}
+
+/// Where a change of the contact ends a motion, the end moves with the error: it is still an end.
+#[test]
+fn an_end_by_a_change_of_the_contact_has_an_error() {
+    let shape = SurfaceShape::Rim { radius: 0.25, tube: 0.0, thickness: 0.02 };
+    let contact = Contact::rolling(surface(shape, [0.0; 3]));
+    let trajectory = motion(contact, 1e-13, 20.0);
+    assert!(matches!(trajectory.ending(), Ending::Contact { .. }), "{:?}", trajectory.ending());
+    let end = trajectory.error().unwrap().end().attitude;
+    assert!(end > 1e-16 && end < 1e-9, "{end:e}");
 }

@@ -7,13 +7,16 @@ use super::perturbed::Distance;
 use super::{ErrorEffort, GlobalError, NONE, ROUNDING};
 use crate::body::inertia::InertiaTensor;
 use crate::body::mass_properties::MassProperties;
-use crate::motion::contact::{ContactSimulation, ContactStart, StepNoise};
+use crate::motion::contact::{ContactEnding, ContactSimulation, ContactStart, StepNoise};
 use crate::motion::model::state::State;
 use crate::motion::model::state::StateError;
 use crate::motion::run::trajectory::Trajectory;
 
 /// Up to so many steps and samples an estimate is thorough without being asked for: each step takes some twenty times as long as without a contact.
 const FEW: u64 = 500;
+
+/// How much later or earlier an end may be and still be the same one, relative.
+const SHIFT: f64 = 1e-6;
 
 /// How much longer steps are in a thorough run and in a cheap one; what a cheap one shows of the truncation error; and its noise, as it is a single
 /// sample. As of Taylor's method without a contact.
@@ -78,6 +81,11 @@ fn states(
         .with_noise(noise)
         .run_watched(progress);
     let Ok(motion) = run else { return Vec::new() };
-    let got_there = motion.samples().iter().zip(times).take_while(|(s, time)| s.state.time == **time);
-    got_there.map(|(sample, _)| sample.state).collect()
+    // Where a change of the contact ends the motion, it ends a little earlier or later.
+    let ended = matches!(motion.ending(), ContactEnding::Changed { .. });
+    let is_at = |k: usize, there: f64, time: f64| {
+        there == time || ended && k + 1 == times.len() && (there - time).abs() <= SHIFT * time.abs()
+    };
+    let both = motion.samples().iter().zip(times).enumerate();
+    both.take_while(|(k, (s, time))| is_at(*k, s.state.time, **time)).map(|(_, (s, _))| s.state).collect()
 }

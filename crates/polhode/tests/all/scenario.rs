@@ -1,9 +1,11 @@
 //! Scenarios: what excludes what, in either order, and what a scenario says before it runs.
 
+use polhode::math::Rotation;
+use polhode::motion::contact::{BodySurface, Contact, StartVelocity, SurfaceShape};
 use polhode::motion::torque::EnergySink;
 use polhode::motion::{
-    ActingTorque, Anomaly, EventAction, MU_EARTH, MassHistory, MassRow, Measure, Motor, MountedShaft, Orbit,
-    OrbitalElements, Outflow, Prescribed, Run, Sense, Shaft, Suspension, Task,
+    ActingTorque, Anomaly, EventAction, GroundContact, MU_EARTH, MassHistory, MassRow, Measure, Motor,
+    MountedShaft, Orbit, OrbitalElements, Outflow, Prescribed, Run, Sense, Shaft, Suspension, Task,
 };
 use polhode::prelude::*;
 
@@ -50,6 +52,12 @@ fn with(part: &str, scenario: Scenario) -> Result<Scenario, MotionError> {
         "mass_history" => {
             let row = |time| MassRow { time, body: body(), rates: None };
             scenario.changing(MassHistory::new(&[row(1.0), row(2.0)], Outflow::None).unwrap())
+        }
+        "contact" => {
+            let shape = SurfaceShape::Sphere { radius: 10.0 };
+            let surface = BodySurface::new(shape, Position::ZERO, Rotation::identity()).unwrap();
+            let (contact, velocity) = (Contact::rolling(surface), StartVelocity::Rolling);
+            scenario.on_ground(GroundContact { contact, at: Position::ZERO, velocity })
         }
         other => panic!("{other}"),
     }

@@ -30,8 +30,8 @@ impl ContactSimulation<'_> {
     /// Computes the motion.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for times out of order, a tolerance out of range and a start that is not finite;
-    /// [`MotionError::Contact`] for a start that violates the contact.
+    /// A parameter's error ([`MotionError::is_parameter`]) for times out of order, a tolerance out of range, a start that is not finite and one that
+    /// violates the contact; [`MotionError::Painleve`] and [`MotionError::Undecided`] where it is not known how it begins.
     pub fn run(&self) -> Result<ContactTrajectory, MotionError> {
         self.run_watched(&mut |_| true)
     }

@@ -5,8 +5,9 @@ use crate::motion::model::state::{State, StateError};
 use crate::motion::run::global_error::ErrorEffort;
 use crate::motion::run::simulation::Simulation;
 use crate::motion::solve::method::Method;
+use crate::motion::task::asked::Task;
 use crate::motion::task::run::Run;
-use crate::motion::task::scenario::{Scenario, Task};
+use crate::motion::task::scenario::Scenario;
 
 /// The states of a scenario at given times, with what they may be wrong by.
 ///

@@ -1,7 +1,9 @@
 //! Tasks: a scenario with its motion, a pendulum, a shaft in its bearings.
 
+pub(crate) mod asked;
 mod check;
 mod history_check;
+pub(crate) mod mounted_shaft;
 pub(crate) mod pendulum;
 pub(crate) mod run;
 pub(crate) mod scenario;

@@ -1,15 +1,16 @@
 //! A scenario: one body, one motion.
 
+use super::asked::{ActingTorque, Forward, GroundContact, Suspension, Task};
+use super::mounted_shaft::MountedShaft;
 use super::run::Run;
-use super::shaft::{CorrectionMass, Reactions, Shaft};
 use crate::body::assembly::BodyPart;
 use crate::body::finding::Finding;
 use crate::body::mass_properties::MassProperties;
 use crate::body::particles::Particle;
 use crate::math::frame::{Body, Space};
-use crate::math::rotation::{Attitude, Rotation};
-use crate::math::vector::{Acceleration, AngularVelocity, Direction, Position, Velocity};
-use crate::motion::contact::{Contact, ContactSimulation, ContactStart, StartVelocity};
+use crate::math::rotation::Rotation;
+use crate::math::vector::{AngularVelocity, Position, Velocity};
+use crate::motion::contact::{ContactSimulation, ContactStart};
 use crate::motion::error::MotionError;
 use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::model::event::Event;
@@ -59,107 +60,6 @@ pub struct Scenario {
     task: Task,
     run: Option<Run>,
     findings: Vec<Finding>,
-}
-
-/// What is asked of the body.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Task {
-    /// Forward dynamics: from torques to the motion.
-    Forward(Forward),
-    /// Inverse dynamics: from a motion to the torque that it needs.
-    Inverse(Prescribed),
-    /// A shaft that turns as prescribed: what its bearings hold.
-    Shaft(Box<MountedShaft>, Prescribed),
-}
-
-/// The torques on a body, and the events to detect.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Forward {
-    torques: Vec<TorqueModel>,
-    names: Vec<Option<String>>,
-    switched_off: Vec<usize>,
-    events: Vec<Event>,
-    hanging: Option<Suspension>,
-}
-
-/// A torque of a scenario.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ActingTorque {
-    /// What turns the body.
-    pub model: TorqueModel,
-    /// By which events switch it.
-    pub name: Option<String>,
-    /// Whether it acts from the start, or once an event has switched it on.
-    pub is_on: bool,
-}
-
-impl From<TorqueModel> for ActingTorque {
-    fn from(model: TorqueModel) -> Self {
-        Self { model, name: None, is_on: true }
-    }
-}
-
-/// How a body is on the ground.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GroundContact {
-    /// What touches what, and how.
-    pub contact: Contact,
-    /// The point of the ground that is touched at the start.
-    pub at: Position<Space>,
-    /// The velocity of the centre of mass at the start.
-    pub velocity: StartVelocity,
-}
-
-/// The fixed axis of a pendulum.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Suspension {
-    /// The axis through the pivot.
-    pub axis: Direction<Body>,
-    /// The amplitude of its swing, rad; that of the start if `None`.
-    pub amplitude: Option<f64>,
-}
-
-/// A shaft that turns.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MountedShaft {
-    /// The body on its line, with its bearings.
-    pub shaft: Shaft,
-    /// ω at t = 0, rad/s.
-    pub rate: f64,
-    /// dω/dt, rad/s².
-    pub acceleration: f64,
-    /// g in space axes, m/s²; zero where weight does not count.
-    pub gravity: Acceleration<Space>,
-    /// Planes and radii for correction masses, m: none, one or two.
-    pub balance: Vec<[f64; 2]>,
-}
-
-impl MountedShaft {
-    /// The masses that balance it in its planes; none without a plane.
-    ///
-    /// # Errors
-    /// As [`Shaft::balance_in_planes`].
-    pub fn correction_masses(&self) -> Result<Vec<CorrectionMass>, MotionError> {
-        Self::corrections(&self.shaft, &self.balance)
-    }
-
-    /// The masses that balance a shaft in one plane, or in two, each with its radius, m.
-    ///
-    /// # Errors
-    /// As [`Shaft::balance_in_planes`].
-    pub fn corrections(shaft: &Shaft, planes: &[[f64; 2]]) -> Result<Vec<CorrectionMass>, MotionError> {
-        match *planes {
-            [] => Ok(Vec::new()),
-            [[plane, radius]] => Ok(vec![shaft.balance_in_plane(plane, radius)?]),
-            [[a, at_a], [b, at_b], ..] => Ok(shaft.balance_in_planes([a, b], [at_a, at_b])?.to_vec()),
-        }
-    }
-
-    /// What the bearings and the drive do at a rate, with the body's axes standing in space so.
-    pub fn reactions(&self, rate: f64, attitude: Attitude) -> Reactions {
-        self.shaft.reactions(rate, self.acceleration, attitude.inverse() * self.gravity)
-    }
 }
 
 impl Scenario {

@@ -1,22 +1,24 @@
 //! The equations of a rigid body that touches a surface, stated once over numbers of which only the operations are known.
 //!
-//! All vectors are along the axes of the body's surface, which turn with the body: n the normal of the ground where it is touched, out of the ground; r from
-//! the centre of mass to the point of contact, a function of n, as the body is convex; v the velocity of the centre of mass; w that of the
-//! ground at the contact. The slip is u = v + ω × r − w. With s the velocity at which the point of contact moves in space, and K the
-//! curvature of the ground,
+//! All vectors are along the axes of the body's surface, which turn with the body, and a dot is the rate of their components: n the normal of the ground where
+//! it is touched, towards the body; r from the centre of mass to the point of contact, a function of n, as the surface is convex; v the velocity of the
+//! centre of mass; w that of the ground at the contact. The slip is u = v + ω × r − w. With s the velocity at which the point of contact moves over space, and K
+//! the curvature of the ground,
 //!
-//! ṅ = −K s − ω × n + …,  s = u + w + ṙ,  ṙ = r′(ṅ + n × ω)
+//! ṅ = n × ω − K s,  ṙ = r′ṅ,  s = u + w + ṙ,
 //!
 //! so that (1 + r′K) s = u + w + r′(n × ω). With F the force at the contact and τ the torque of rolling and pivoting friction,
 //!
-//! m v̇ = F + m g,  I ω̇ + ω × I ω = r × F + τ.
+//! m (v̇ + ω × v) = F + m g,  I ω̇ + ω × I ω = r × F + τ.
 //!
-//! Rolling: u = 0 is v = w − ω × r, which gives F = m (v̇ − g) and with it
-//! (I + m (r² 1 − r rᵀ)) ω̇ = −ω × I ω + m r × k + τ,  k = ẇ − ω × (ω × r + ṙ) − g.
-//! Gliding: F = N (n − µ u/|u|) − c u, and N follows from (v + ω × r) · n = 0 for all time.
+//! Rolling: u = 0 is v = w − ω × r, which gives F = m (k − ω̇ × r), k = Ω × s − ω × (ω × r + ṙ) − g, Ω the rate at which the ground turns, and with it
+//! (I + m (r² 1 − r rᵀ)) ω̇ = −ω × I ω + m r × k + τ.
 //!
-//! Source: H. Goldstein, Classical Mechanics, ch. 1.3 and 5; A. V. Borisov, I. S. Mamaev, Regul. Chaotic Dyn. 7 (2002) 177, eqs. 1–3; for the
-//! kinematics of the contact D. J. Montana, Int. J. Robot. Res. 7 (1988) 17.
+//! Sliding: F = N (n − µ u/|u|) − c u, and N follows from (v + ω × r) · n = 0 for all time.
+//!
+//! Source: the laws of Newton and Euler, with the constraint put in; the same equations of what rolls on a plane or a sphere are in A. V. Borisov, I. S. Mamaev, Regul.
+//! Chaotic Dyn. 7 (2002) 177, the kinematics of a contact in D. J. Montana, Int. J. Robot. Res. 7 (1988) 17. Held against another formulation:
+//! `fixtures/contact.toml`.
 
 use super::model::{GroundForm, Model, SurfaceForm};
 use crate::math::algebra::{Components, Field};

@@ -89,17 +89,20 @@ impl Scenario {
         let motion = simulation.run_watched(progress);
         let trajectory =
             motion.and_then(|motion| Trajectory::of_contact(self.rotor(), motion, simulation.bound()));
-        let (Some(effort), Ok(trajectory)) = (effort, &trajectory) else { return Some(trajectory) };
+        let (effort, trajectory) = match (effort, trajectory) {
+            (Some(effort), Ok(trajectory)) => (effort, trajectory),
+            (_, trajectory) => return Some(trajectory),
+        };
         let end = run.times.last().copied().unwrap_or(start.state.time);
         let mut goes_on = true;
-        let error = on_ground::of_contact(&simulation, trajectory, effort, &mut |_| {
+        let error = on_ground::of_contact(&simulation, &trajectory, effort, &mut |_| {
             goes_on = progress(end);
             goes_on
         });
         if !goes_on {
             return Some(Err(MotionError::Stopped { time: end }));
         }
-        Some(Ok(trajectory.clone().with_error(Some(error))))
+        Some(Ok(trajectory.with_error(Some(error))))
     }
 
     fn trajectory(

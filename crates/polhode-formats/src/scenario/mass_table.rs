@@ -14,32 +14,8 @@ use super::reader::{Table, Value};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::FormatError;
 
-const NAMES: [&str; 11] = [
-    "time_s",
-    "mass_kg",
-    "center_x_m",
-    "center_y_m",
-    "center_z_m",
-    "inertia_xx_kg_m2",
-    "inertia_yy_kg_m2",
-    "inertia_zz_kg_m2",
-    "inertia_xy_kg_m2",
-    "inertia_xz_kg_m2",
-    "inertia_yz_kg_m2",
-];
-
-const RATES: [&str; 10] = [
-    "mass_rate_kg_s",
-    "center_rate_x_m_s",
-    "center_rate_y_m_s",
-    "center_rate_z_m_s",
-    "inertia_rate_xx_kg_m2_s",
-    "inertia_rate_yy_kg_m2_s",
-    "inertia_rate_zz_kg_m2_s",
-    "inertia_rate_xy_kg_m2_s",
-    "inertia_rate_xz_kg_m2_s",
-    "inertia_rate_yz_kg_m2_s",
-];
+const NAMES: [&str; 11] = MassRow::COLUMNS;
+const RATES: [&str; 10] = MassRow::RATE_COLUMNS;
 
 /// How near the body at the start is to be to the `[body]`.
 const SAME: f64 = 1e-6;

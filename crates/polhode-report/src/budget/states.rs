@@ -1,5 +1,6 @@
 //! A body over time, and by what is in its tanks, as tables: a row each, of all digits.
 
+use polhode::motion::MassRow;
 use polhode_budget::SequenceRow;
 
 use super::BudgetReport;
@@ -7,31 +8,6 @@ use super::changing::Changing;
 use super::numbers::{rates, ten};
 use super::table::{Cell, to_csv};
 
-/// Columns of the ten numbers, as tables of `[mass_history]` have them, and of their rates.
-const NUMBERS: [&str; 10] = [
-    "mass_kg",
-    "center_x_m",
-    "center_y_m",
-    "center_z_m",
-    "inertia_xx_kg_m2",
-    "inertia_yy_kg_m2",
-    "inertia_zz_kg_m2",
-    "inertia_xy_kg_m2",
-    "inertia_xz_kg_m2",
-    "inertia_yz_kg_m2",
-];
-const RATES: [&str; 10] = [
-    "mass_rate_kg_s",
-    "center_rate_x_m_s",
-    "center_rate_y_m_s",
-    "center_rate_z_m_s",
-    "inertia_rate_xx_kg_m2_s",
-    "inertia_rate_yy_kg_m2_s",
-    "inertia_rate_zz_kg_m2_s",
-    "inertia_rate_xy_kg_m2_s",
-    "inertia_rate_xz_kg_m2_s",
-    "inertia_rate_yz_kg_m2_s",
-];
 /// What a kilogram more in the tank makes of all but the mass.
 const PER_KG: [&str; 9] = [
     "center_x_m_per_kg",
@@ -47,7 +23,7 @@ const PER_KG: [&str; 9] = [
 
 /// Times, the ten numbers and their rates, with headings.
 pub(super) fn history(rows: &[SequenceRow]) -> Vec<Vec<Cell>> {
-    let headings = ["time_s"].iter().chain(&NUMBERS).chain(&RATES).map(|name| Cell::of(name));
+    let headings = MassRow::COLUMNS.iter().chain(&MassRow::RATE_COLUMNS).map(|name| Cell::of(name));
     let row = |row: &SequenceRow| {
         let numbers = [row.time].into_iter().chain(ten(&row.properties)).chain(rates(row));
         numbers.map(Cell::Number).collect()
@@ -87,8 +63,9 @@ impl BudgetReport {
 
     pub(super) fn by_fill(&self) -> Option<Vec<Vec<Cell>>> {
         let columns = ["configuration", "tank", "fill", "liquid_kg", "level_m"];
-        let mut table =
-            vec![columns.iter().chain(&NUMBERS).chain(&PER_KG).map(|name| Cell::of(name)).collect()];
+        let mut table = vec![
+            columns.iter().chain(&MassRow::COLUMNS[1..]).chain(&PER_KG).map(|name| Cell::of(name)).collect(),
+        ];
         for case in &self.cases {
             let tanks = case.changing.iter().flat_map(Changing::by_fill);
             table.extend(tanks.map(|(tank, fill, liquid, level, row)| {

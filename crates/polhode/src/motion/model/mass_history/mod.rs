@@ -52,6 +52,37 @@ pub struct MassRow {
     pub rates: Option<MassRates>,
 }
 
+impl MassRow {
+    /// What its numbers are called in tables, with their units: the tensor about the centre of mass; which sign products have is said beside a table.
+    pub const COLUMNS: [&'static str; 11] = [
+        "time_s",
+        "mass_kg",
+        "center_x_m",
+        "center_y_m",
+        "center_z_m",
+        "inertia_xx_kg_m2",
+        "inertia_yy_kg_m2",
+        "inertia_zz_kg_m2",
+        "inertia_xy_kg_m2",
+        "inertia_xz_kg_m2",
+        "inertia_yz_kg_m2",
+    ];
+
+    /// What its rates are called.
+    pub const RATE_COLUMNS: [&'static str; 10] = [
+        "mass_rate_kg_s",
+        "center_rate_x_m_s",
+        "center_rate_y_m_s",
+        "center_rate_z_m_s",
+        "inertia_rate_xx_kg_m2_s",
+        "inertia_rate_yy_kg_m2_s",
+        "inertia_rate_zz_kg_m2_s",
+        "inertia_rate_xy_kg_m2_s",
+        "inertia_rate_xz_kg_m2_s",
+        "inertia_rate_yz_kg_m2_s",
+    ];
+}
+
 /// How fast mass properties change, along body axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassRates {

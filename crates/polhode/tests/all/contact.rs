@@ -2,6 +2,7 @@
 
 mod closed_form;
 mod constants;
+mod endings;
 mod error;
 mod refusals;
 mod truth;

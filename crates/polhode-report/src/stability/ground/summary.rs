@@ -47,6 +47,7 @@ pub(super) fn of(report: &GroundStabilityReport) -> Value {
             "rattleback": vertex.and_then(|vertex| vertex.rattleback()).map(|rattle| json!({
                 "stable_sense": rattle.stable_sense,
                 "threshold": rattle.threshold,
+                "until": rattle.until,
                 "modes": rattle.modes.iter().map(swing).collect::<Value>(),
             })),
             "tippe_top": steady.tippe_top.as_ref().zip(steady.jellett).map(|(top, jellett)| tippe_top(top, jellett)),

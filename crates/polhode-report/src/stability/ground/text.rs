@@ -190,10 +190,11 @@ fn rattleback(rattle: &Rattleback) -> String {
     let (stable, other) = (sense(rattle.stable_sense), sense(-rattle.stable_sense));
     let line = match rattle.threshold {
         Some(threshold) => {
-            let beyond = rate(threshold);
-            format!(
-                "a rattleback: spin {stable}, seen from above, is stable beyond {beyond}; spin {other} never is"
-            )
+            let from = rate(threshold);
+            let range = rattle
+                .until
+                .map_or_else(|| format!("beyond {from}"), |until| format!("from {from} to {}", rate(until)));
+            format!("a rattleback: spin {stable}, seen from above, is stable {range}; spin {other} never is")
         }
         None => "a rattleback, seen from above: spin is stable in neither sense".to_owned(),
     };

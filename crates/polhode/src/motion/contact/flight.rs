@@ -13,7 +13,8 @@ impl Model {
     /// True if it is known how far the body is from the ground while it flies.
     pub(super) fn may_fly(&self) -> bool {
         let is_ball = matches!(self.surface, SurfaceForm::Rim { radius: 0.0, .. });
-        self.axis_inertia.is_none() && (self.ground == GroundForm::Plane || is_ball)
+        let is_thick = matches!(self.surface, SurfaceForm::Rim { height, .. } if height != 0.0);
+        self.axis_inertia.is_none() && !is_thick && (self.ground == GroundForm::Plane || is_ball)
     }
 
     /// The rates of the variables, and the distance from the ground.

@@ -55,7 +55,7 @@ impl ContactLaw {
     ///
     /// # Errors
     /// A parameter's error ([`MotionError::is_parameter`]) for what is negative or not finite, and where friction of what slips is larger than that of
-    /// what does not.
+    /// what does not, or is zero and that of what does not is not.
     pub fn with_friction(friction: Friction) -> Result<Self, MotionError> {
         require::not_negative("the coefficient of friction", friction.kinetic)?;
         require::not_negative("the coefficient of static friction", friction.sticking)?;
@@ -63,6 +63,9 @@ impl ContactLaw {
         let rule = "not below that of sliding: a body that slips would be held better than one that does not";
         let holds = friction.sticking >= friction.kinetic;
         require::that("the coefficient of static friction", friction.sticking, holds, rule)?;
+        let holds = friction.kinetic > 0.0 || friction.sticking == 0.0;
+        let rule = "positive where there is static friction: what slips without friction never comes to rest";
+        require::that("the coefficient of friction", friction.kinetic, holds, rule)?;
         Ok(Self { grip: Grip::Friction(friction), resistance: Resistance::default() })
     }
 

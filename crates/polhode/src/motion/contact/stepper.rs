@@ -94,6 +94,7 @@ impl Stepper {
         self.high = variables;
         self.begun = self.time;
         self.step = 0.0;
+        self.imposed = None;
     }
 
     /// Begins to slip from where it rolled until now, slowly at first; false if it is not known how.
@@ -192,8 +193,9 @@ impl Stepper {
             return known;
         }
         let sizes = self.sizes_of(&self.high);
+        let watched = self.sizes_of_watched();
         let phase = &mut self.phases[self.current];
-        self.longest = self.stretch * phase.expansion.about(&self.high, &sizes);
+        self.longest = self.stretch * phase.expansion.about(&self.high, [&sizes, &watched]);
         self.longest
     }
 
@@ -241,6 +243,22 @@ impl Stepper {
             Kind::Touching(regime, pivot) => Some(self.model.kinetics(1.0, y, regime, pivot)),
             Kind::Flying => None,
         }
+    }
+
+    /// What each function that is watched is measured with.
+    fn sizes_of_watched(&self) -> Vec<f64> {
+        let (rate, speed) = (self.rate(&self.high), self.speed(&self.high));
+        let force = self.model.mass * rate * speed;
+        let size = |watch: &Watch| match watch {
+            Watch::NormalForce => force,
+            Watch::Grip => force * force,
+            Watch::SlipSpeed => speed,
+            Watch::Turning | Watch::RollingRate => rate,
+            Watch::Holding | Watch::Ends => force * force * self.size * self.size,
+            Watch::Inertance | Watch::OtherRim | Watch::Slope | Watch::Fit => 1.0,
+            Watch::Gap => self.size,
+        };
+        self.watches().iter().map(size).collect()
     }
 
     /// What each variable is measured with.

@@ -78,7 +78,13 @@ impl Run<'_> {
             (Watch::Slope, _) => return Ok(self.end(ContactChange::LiesFlat)),
             (Watch::Ends, _) => return Ok(self.end(ContactChange::TipsOver)),
             (Watch::Fit, _) => return Ok(self.end(ContactChange::Osculates)),
-            (Watch::Gap, _) => return Ok(self.end(ContactChange::Lands)),
+            (Watch::Gap, _) => {
+                let (_, gap) = self.stepper.model.flight(1.0, &y);
+                if gap.abs() > 1e-9 * self.stepper.size() {
+                    return Err(MotionError::Undecided { time });
+                }
+                return Ok(self.end(ContactChange::Lands));
+            }
             (Watch::Grip, _) => self.slip(&y, ContactChange::Slips)?,
             (Watch::SlipSpeed, _) => {
                 self.enter_rolling(&y);
@@ -197,7 +203,7 @@ impl Stepper {
         let step = core::f64::consts::TAU / f64::from(DIRECTIONS);
         let mut best: Option<(f64, f64)> = None;
         for k in 0..DIRECTIONS {
-            // From the likeliest outwards, to both sides.
+            // Once round.
             let from = (f64::from(k) - 0.5) * step;
             let [a, b] = [growth(from)[1], growth(from + step)[1]];
             if a != 0.0 && (a > 0.0) == (b > 0.0) {

@@ -21,6 +21,8 @@ pub struct Rattleback {
     pub stable_sense: f64,
     /// The spin beyond which the stable sense is stable, rad/s; `None` if no spin is.
     pub threshold: Option<f64>,
+    /// The spin up to which it is stable then, rad/s; `None` if there is no bound.
+    pub until: Option<f64>,
     /// The swings at rest, the slower one first; empty of a body that falls over.
     pub modes: Vec<RattleMode>,
 }
@@ -48,9 +50,10 @@ impl Rattleback {
         let intervals = spin.stable_spins().map_or_else(Vec::new, |stable| stable.intervals);
         let outermost = if stable_sense > 0.0 { intervals.last() } else { intervals.first() };
         let threshold = outermost.map(|[from, to]| from.abs().min(to.abs()));
+        let until = outermost.map(|[from, to]| from.abs().max(to.abs())).filter(|until| until.is_finite());
         let mut modes = modes(spin);
         modes.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
-        Self { stable_sense, threshold, modes }
+        Self { stable_sense, threshold, until, modes }
     }
 }
 

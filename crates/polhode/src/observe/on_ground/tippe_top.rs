@@ -10,7 +10,7 @@ use crate::math::root::root;
 /// W(u) = J²/(2 R² D(u)) + m g R (1 − α u),  D = A (1 − u²) + C (u − α)²,  u = cos θ = e · n
 ///
 /// with the axis e from the middle away from the centre of mass, so that u = 1 has the centre of mass lowest. Its minima are where friction leads:
-/// with R² D³ W′ ∝ P(u) = J² ((A − C) u + C α) − m g R³ α D², the bottom is one where P(1) < 0, inverted where P(−1) > 0, and a tilt where P rises
+/// with R² D² W′ = P(u) = J² ((A − C) u + C α) − m g R³ α D², the bottom is one where P(1) < 0, inverted where P(−1) > 0, and a tilt where P rises
 /// through zero. With the spin ω = J/(R C (1 ∓ α)):
 ///
 /// bottom: (A − C (1 − α)) ω² < m g R α (1 − α)²,  inverted: (C (1 + α) − A) ω² > m g R α (1 + α)².

@@ -67,11 +67,13 @@ fn bodies_and_grounds_that_cannot_be_are_refused() {
     let stands = ContactStart::rolling(state(exact, [0.0, 0.0, 3.0]));
     assert!(refused(&generic_body(), Contact::rolling(thick), stands).contains("both of its rims"));
     let lying = surface(SurfaceShape::Cylinder { radius: 0.2, length: None }, [0.0; 3]);
+    let round = InertiaTensor::diagonal([0.06, 0.06, 0.09]).unwrap();
+    let round = MassProperties::new(2.0, Position::ZERO, round).unwrap();
     let across = ContactStart::rolling(state(upright, [0.0, 0.5, 3.0]));
-    assert!(refused(&generic_body(), Contact::rolling(lying), across).contains("its own axis alone"));
+    assert!(refused(&round, Contact::rolling(lying), across).contains("its own axis alone"));
     let tilted = Rotation::about(Direction::new(1.0, 0.0, 0.0), 1.2).unwrap();
     let tilted = ContactStart::rolling(state(tilted, [0.0, 0.0, 3.0]));
-    assert!(refused(&generic_body(), Contact::rolling(lying), tilted).contains("tilt of a cylinder"));
+    assert!(refused(&round, Contact::rolling(lying), tilted).contains("tilt of a cylinder"));
     let needle = InertiaTensor::diagonal([0.1, 0.1, 0.0]).unwrap();
     let needle = MassProperties::new(1.0, Position::ZERO, needle).unwrap();
     assert!(refused(&needle, Contact::rolling(surface(sphere(), [0.0; 3])), start).contains("needle"));
@@ -103,7 +105,7 @@ fn numbers_that_cannot_be_are_refused() {
     assert!(ContactLaw::ROLLING.resisted_by(Resistance { rolling: -1.0, pivoting: 0.0 }).is_err());
 }
 
-/// A rod that is pushed along the ground with its upper end ahead: no normal force is large enough (Painlevé 1895).
+/// A rod that is pushed along the ground with its lower end ahead: no normal force is large enough (Painlevé 1895).
 #[test]
 fn painleves_paradox_is_named() {
     let inertia = InertiaTensor::diagonal([0.0005, 0.084, 0.084]).unwrap();
@@ -117,10 +119,10 @@ fn painleves_paradox_is_named() {
         velocity: StartVelocity::Along(Velocity::new(v, 0.0, 0.0)),
         ..ContactStart::rolling(state(attitude, [0.0; 3]))
     };
-    // One of the two directions has the paradox, the other has not.
+    // Drawn behind its upper end it slides.
     let found = [1.0, -1.0].map(|v| ContactSimulation::new(&body, &contact, start(v), &[0.01]).run());
     let paradox = |r: &Result<_, _>| matches!(r, Err(MotionError::Painleve { .. }));
-    assert_eq!(found.iter().filter(|r| paradox(r)).count(), 1, "{found:?}");
+    assert_eq!(found.each_ref().map(|r| paradox(r)), [false, true], "{found:?}");
 }
 
 #[test]

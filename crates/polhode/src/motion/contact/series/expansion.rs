@@ -79,8 +79,8 @@ impl Expansion {
         }
     }
 
-    /// About a state; how long a step from it may be, its variables measured with `sizes`.
-    pub(in crate::motion::contact) fn about(&mut self, state: &[f64], sizes: &[f64]) -> f64 {
+    /// About a state; how long a step from it may be, its variables and the further functions measured with `sizes`.
+    pub(in crate::motion::contact) fn about(&mut self, state: &[f64], sizes: [&[f64]; 2]) -> f64 {
         for (series, &x) in self.variables.iter_mut().zip(state) {
             series[0] = x;
         }
@@ -119,7 +119,7 @@ impl Expansion {
     }
 
     /// The longest step at which the terms that are left out are as small as they should be: by the last two coefficients that are finite.
-    fn length(&mut self, sizes: &[f64]) -> f64 {
+    fn length(&mut self, [sizes, of_outputs]: [&[f64]; 2]) -> f64 {
         let log_radius = |n: usize| {
             let largest = |size: f64, (series, scale): (&[f64; ROOM], &f64)| {
                 let x = series[n].abs() / scale;
@@ -127,6 +127,7 @@ impl Expansion {
                 if size.is_nan() || x <= size { size } else { x }
             };
             let size = self.variables.iter().zip(sizes).fold(0.0, largest);
+            let size = self.outputs.iter().zip(of_outputs).fold(size, largest);
             if size.is_finite() { -rough_log2(size) / n as f64 } else { f64::NAN }
         };
         let pairs = (2..=self.order).rev().map(|n| (n, [log_radius(n), log_radius(n - 1)]));

@@ -12,7 +12,7 @@ use crate::motion::model::state::State;
 use crate::motion::model::state::StateError;
 use crate::motion::run::trajectory::Trajectory;
 
-/// Up to so many steps and samples an estimate is thorough without being asked for: each step takes some twenty times as long as without a contact.
+/// Up to so many steps and samples an estimate is thorough without being asked for: steps of a contact cost more than others.
 const FEW: u64 = 500;
 
 /// How much later or earlier an end may be and still be the same one, relative.

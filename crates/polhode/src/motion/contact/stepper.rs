@@ -245,19 +245,10 @@ impl Stepper {
         }
     }
 
-    /// What each function that is watched is measured with.
+    /// What each function that is watched is measured with. The gap below a body that flies has singularities of its own, as the lowest point of its surface
+    /// has; others have those of the variables, or end a step where they are zero.
     fn sizes_of_watched(&self) -> Vec<f64> {
-        let (rate, speed) = (self.rate(&self.high), self.speed(&self.high));
-        let force = self.model.mass * rate * speed;
-        let size = |watch: &Watch| match watch {
-            Watch::NormalForce => force,
-            Watch::Grip => force * force,
-            Watch::SlipSpeed => speed,
-            Watch::Turning | Watch::RollingRate => rate,
-            Watch::Holding | Watch::Ends => force * force * self.size * self.size,
-            Watch::Inertance | Watch::OtherRim | Watch::Slope | Watch::Fit => 1.0,
-            Watch::Gap => self.size,
-        };
+        let size = |watch: &Watch| if matches!(watch, Watch::Gap) { self.size } else { f64::INFINITY };
         self.watches().iter().map(size).collect()
     }
 

@@ -24,6 +24,7 @@ mod mesh;
 mod motion;
 mod pickle;
 mod robot;
+mod scenario;
 mod shape;
 mod substance;
 mod sweep;
@@ -66,6 +67,8 @@ mod _native {
     use crate::motion::{PyMotion, motion_page, simulate};
     #[pymodule_export]
     use crate::robot::{is_robot, robot_file, robot_groups, robot_links, robot_table};
+    #[pymodule_export]
+    use crate::scenario::{check_scenario, scenario_keys, scenario_tables};
     #[pymodule_export]
     use crate::shape::shape;
     #[pymodule_export]

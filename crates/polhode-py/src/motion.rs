@@ -1,12 +1,12 @@
 //! The motion of a scenario.
 
 use std::path::PathBuf;
+use std::sync::PoisonError;
 
 use numpy::{PyArray1, PyReadonlyArray1};
 use polhode::motion::{
     Ending, ErrorEffort, GlobalError, Method, Run, Scenario, StateError, Trajectory, TrajectoryDerivatives,
 };
-use polhode_formats::scenario::ScenarioFile;
 use polhode_formats::table::{Column, columns};
 use polhode_report::{
     MotionReport, PageInput, PageSubject, SourceInfo, VERSION, explain_motion, page_data, page_of,
@@ -18,6 +18,7 @@ use crate::derivatives::{Derived, derived_run, parameters};
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
 use crate::interrupt::watched;
+use crate::scenario::{self, PythonTorque, Raised, with_functions};
 
 /// What the page of a scenario without a title is called.
 const UNTITLED: &str = "motion";
@@ -38,7 +39,7 @@ pub(crate) struct PyMotion {
 type Happened = (String, f64, bool, [f64; 3], [f64; 4]);
 
 /// Computes the motion of a scenario: of a file, or of a text, whose files are found beside `path`. `times` take the place of its run's. Its derivatives
-/// by the start, the inertia and numbers of torques by their keys, if these are given.
+/// by the start, the inertia and numbers of torques by their keys, if these are given. `functions` take the place of some of its torques.
 ///
 /// # Errors
 /// `PolhodeError` if there is no such motion, `KeyboardInterrupt`.
@@ -50,24 +51,27 @@ pub(crate) fn simulate(
     times: Option<PyReadonlyArray1<'_, f64>>,
     error: &str,
     derivatives: Option<Vec<String>>,
+    functions: Vec<PythonTorque>,
 ) -> PyResult<PyMotion> {
     let effort = match error {
         "thorough" => ErrorEffort::Thorough,
         "cheap" => ErrorEffort::Cheap,
         _ => ErrorEffort::Auto,
     };
-    let read = || match text {
-        None => ScenarioFile::read(&path),
-        Some(text) => ScenarioFile::parse(text, &path),
-    };
-    let mut file = py.detach(read).map_err(Raise::raise)?;
+    let mut file = py.detach(|| scenario::read(path.clone(), text)).map_err(Raise::raise)?;
+    let raised = Raised::default();
+    file.scenario = with_functions(file.scenario, functions, &raised)?;
     if let Some(times) = times {
         let times = numbers(&times)?.to_vec();
         let run = file.scenario.run().cloned().unwrap_or_else(|| Run::evenly(0.0, 0, Method::Auto, 1e-13));
         file.scenario = file.scenario.sampled(Run { times, ..run });
     }
     let by = derivatives.as_ref().map(|keys| parameters(keys, file.scenario.torques())).transpose()?;
-    let Some(motion) = watched(py, |look| file.scenario.simulate_with_error(effort, look))? else {
+    let motion = watched(py, |look| file.scenario.simulate_with_error(effort, look))?;
+    if let Some(error) = raised.lock().unwrap_or_else(PoisonError::into_inner).take() {
+        return Err(error);
+    }
+    let Some(motion) = motion else {
         return Err(refused(
             format!("{} has no [run] section, so there is no time to simulate", path.display()),
             Some("give times, or write [run] with duration = \"10 s\" and samples = 1001"),

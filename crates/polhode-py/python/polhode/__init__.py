@@ -5,7 +5,7 @@
 - :func:`budget`: what a parts list comes to, and how well that is known
 - :class:`FreeMotion`: a free motion at any time, in closed form
 - :func:`identify`, :func:`identify_tumbles`, :func:`identify_swings`, :func:`identify_payload`: from measured motion to mass properties
-- :func:`simulate`: the motion of a scenario; :func:`judge`: is the one that another program computed right?
+- :class:`Scenario`, :mod:`scenario`: one body and one motion, with torques of your own; :func:`simulate`: its motion; :func:`judge`: is the one that another program computed right?
 - :class:`Ensemble`: many bodies at once; :mod:`polhode.batch` and :mod:`polhode.sweep`: plans of many motions, here and on clusters
 - :func:`check`: are the inertias of a robot right? :func:`link_table`, :func:`fixed_groups`: its links as bodies
 - :mod:`plot`: figures, for those who have Matplotlib
@@ -19,7 +19,7 @@ from __future__ import annotations
 
 from types import FunctionType as _Function
 
-from . import plot, shapes
+from . import plot, scenario, shapes
 from ._body import Body
 from ._budget import Budget, BudgetCase, BudgetLimit, BudgetRow, ErrorShare, budget
 from ._check import CheckReport, ModelFinding, check
@@ -54,6 +54,7 @@ from ._mass_derivatives import (
 from ._mass_properties import Finding, MassProperties, particles
 from ._motion import Ending, Event, Motion, simulate
 from ._native import VERSION as __version__
+from ._scenario import Scenario
 from ._robot import LinkRow, LinkTable, fixed_groups, link_table
 
 __all__ = [
@@ -99,6 +100,7 @@ __all__ = [
     "PrincipalEstimate",
     "Reading",
     "ResidualTest",
+    "Scenario",
     "States",
     "SwingFit",
     "SwingResult",
@@ -122,6 +124,7 @@ __all__ = [
     "particle_derivatives",
     "particles",
     "plot",
+    "scenario",
     "shapes",
     "simulate",
 ]
@@ -170,6 +173,7 @@ for _public in (
     PrincipalEstimate,
     Reading,
     ResidualTest,
+    Scenario,
     States,
     SwingFit,
     SwingResult,

@@ -13,9 +13,10 @@ import numpy.typing as npt
 from . import _arrays, _html, _native
 from ._arrays import Floats
 from ._derivatives import Derivatives, derivatives_of
-from ._error import warn
+from ._error import PolhodeError, warn
 from ._free_motion import MotionError, rotations
 from ._mass_properties import Finding, findings_of, warn_of
+from ._scenario import Scenario
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
@@ -212,13 +213,13 @@ _VALUES = tuple(name for name, value in vars(Motion).items() if isinstance(value
 
 
 def simulate(
-    scenario: str | os.PathLike[str],
+    scenario: Scenario | str | os.PathLike[str],
     *,
     times: npt.ArrayLike | None = None,
     error: str = "auto",
     derivatives: Sequence[str] | None = None,
 ) -> Motion:
-    """Computes the motion of a scenario: of a file, or of its text.
+    """Computes the motion of a :class:`Scenario`, of a scenario's file, or of its text.
 
     A ``str`` of more than one line is a text; the files that it names are found from the current folder. ``times`` (n,), ascending, s,
     take the place of the times of its ``[run]``. A motion that cannot be computed to its end is returned as far as it is good, with a
@@ -281,13 +282,21 @@ def simulate(
     >>> motion.derivatives.events[0].time_by_parameters.round(12)
     array([-6.])
     """
-    if isinstance(scenario, str) and "\n" in scenario:
+    functions = []
+    if isinstance(scenario, Scenario):
+        path, text, functions = scenario._path, scenario._text(), scenario._functions()
+    elif isinstance(scenario, str) and "\n" in scenario:
         path, text = "scenario.toml", _arrays.text("scenario", scenario)
     else:
         path, text = _arrays.path("scenario", scenario), None
     error = _arrays.choice("error", error, ["auto", "cheap", "thorough"])
     sampled = None if times is None else _arrays.numbers("times", times, ("n",))
-    motion = Motion(_native.simulate(path, text, sampled, error, _keys(derivatives)))
+    try:
+        motion = Motion(_native.simulate(path, text, sampled, error, _keys(derivatives), functions))
+    except PolhodeError as refused:
+        if isinstance(scenario, Scenario) and refused.line is not None:
+            raise scenario._placed(refused) from None
+        raise
     warn_of_scenario(motion.findings)
     if motion.ending.kind == "failed":
         warn(f"the motion ends at t = {motion.ending.time} s: {motion.ending.cause}")

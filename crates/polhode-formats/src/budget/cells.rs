@@ -321,9 +321,14 @@ impl Deviation<'_, '_> {
         }
         let rule = format!("with a standard deviation of {most:e} at most, in SI: it is {sd:e}");
         let error = reader.invalid(self.cell, rule);
-        Err(match reader.coverage_factor {
-            1.0 => error.with_hint("check its exponent"),
-            k => error.with_hint(format!("what stands after ± is divided by the coverage_factor, {k:e}")),
-        })
+        Err(too_uncertain(error, reader.coverage_factor))
+    }
+}
+
+/// An error about a standard deviation that is too large.
+pub(super) fn too_uncertain(error: FormatError, coverage_factor: f64) -> FormatError {
+    match coverage_factor {
+        1.0 => error.with_hint("check its exponent"),
+        k => error.with_hint(format!("what stands after ± is divided by the coverage_factor, {k:e}")),
     }
 }

@@ -4,9 +4,9 @@ use core::fmt::{self, Write as _};
 
 use polhode::body::MassProperties;
 use polhode::math::{AngularVelocity, Body};
-use polhode_budget::Estimate;
+use polhode_budget::{Correlated, Estimate};
 
-use super::case::Case;
+use super::case::{Case, ten};
 use super::{BudgetReport, basis_name};
 use crate::body_part::BodyPart;
 use crate::layout::printable;
@@ -67,7 +67,7 @@ impl BudgetReport {
         Ok(part.to_toml())
     }
 
-    /// A plan of a sweep whose members have the body's ten numbers with their covariance to first order.
+    /// A plan of a sweep whose members have the body's ten numbers with their covariance to first order; of a tensor that is no body's the nearest that is.
     ///
     /// # Errors
     /// [`NoPlan`] where [`BudgetReport::body`] gives none, and of a body that is known exactly.
@@ -88,11 +88,18 @@ impl BudgetReport {
             toml,
             "[start]\nspin = {{ body = [{x:?}, {y:?}, {z:?}] }}\n\n[run]\nduration = {duration:?}\nsamples = 61\n"
         );
+        let law = Correlated::mass_first(ten(&estimate.properties).to_vec(), &covariance_rows(estimate));
+        let moved = law.map_or(0, |law| law.impossible(*seed, TRIED));
         let _ = write!(
             toml,
             "\n[sweep]\nmembers = {members}\nsampling = \"monte carlo\"\nseed = {seed}\n\n\
-             # Mass, centre of mass x, y, z, inertia xx, yy, zz, xy, xz, yz: in kg, m, kg m^2\n\
-             [[sweep.vary]]\nkey = \"body\"\ncorrelated.covariance = [\n"
+             # Mass, centre of mass x, y, z, inertia xx, yy, zz, xy, xz, yz: in kg, m, kg m^2\n{}\
+             [[sweep.vary]]\nkey = \"body\"\ncorrelated.impossible = \"nearest\"\ncorrelated.covariance = [\n",
+            if moved > 0 {
+                format!("# By it {moved} of {TRIED} draws have a tensor that is no body's, and become the nearest that is\n")
+            } else {
+                String::new()
+            }
         );
         for row in estimate.covariance {
             let elements = row.map(|x| format!("{x:?}"));
@@ -121,6 +128,13 @@ impl BudgetReport {
             names: self.cases.iter().filter_map(|case| case.name.clone()).collect(),
         })
     }
+}
+
+/// Draws that are tried, so that a plan says how many are moved.
+const TRIED: usize = 1000;
+
+fn covariance_rows(estimate: &Estimate<Body>) -> Vec<Vec<f64>> {
+    estimate.covariance.iter().map(|row| row.to_vec()).collect()
 }
 
 fn is_uncertain(estimate: &Estimate<Body>) -> bool {

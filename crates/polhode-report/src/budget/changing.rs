@@ -39,6 +39,8 @@ struct FilledTank {
 struct OverTime {
     until: f64,
     tanks: Vec<String>,
+    /// The configuration that it is, by how many changes have happened.
+    configurations: Vec<Option<String>>,
     /// When something begins, ends or happens.
     happenings: Vec<(f64, String)>,
     shown: Vec<SequenceRow>,
@@ -46,10 +48,15 @@ struct OverTime {
 }
 
 impl Changing {
-    pub(super) fn new(sequence: &Sequence<'_>, until: Option<f64>) -> Result<Self, SequenceError> {
+    /// Of a configuration, as which the sequence begins.
+    pub(super) fn new(
+        configuration: Option<&str>,
+        sequence: &Sequence<'_>,
+        until: Option<f64>,
+    ) -> Result<Self, SequenceError> {
         let tanks =
             (0..sequence.tanks.len()).map(|k| FilledTank::new(sequence, k)).collect::<Result<_, _>>()?;
-        let over_time = until.map(|until| OverTime::new(sequence, until)).transpose()?;
+        let over_time = until.map(|until| OverTime::new(configuration, sequence, until)).transpose()?;
         Ok(Self { tanks, over_time })
     }
 
@@ -69,9 +76,10 @@ impl Changing {
         sections
     }
 
-    /// The tanks, and the body at all times.
-    pub(super) fn over_time(&self) -> Option<(&[String], &[SequenceRow])> {
-        self.over_time.as_ref().map(|over_time| (&over_time.tanks[..], &over_time.all[..]))
+    /// The tanks, and the body at all times, with the configuration that it is then.
+    pub(super) fn over_time(&self) -> Option<(&[String], Vec<(Option<&str>, &SequenceRow)>)> {
+        let all = self.over_time.as_ref()?;
+        Some((&all.tanks, all.all.iter().map(|row| (all.configuration(row), row)).collect()))
     }
 
     /// Each tank with the part that it is full to, kg in it, its level, and the body, of which the rates are those of a kilogram more.
@@ -109,6 +117,7 @@ impl Changing {
         let over_time = self.over_time.as_ref().map(|over_time| {
             let row = |row: &SequenceRow| {
                 let mut data = row_to_json(row);
+                data["configuration"] = json!(over_time.configuration(row));
                 data["time"] = json!(row.time);
                 data["liquid"] = json!(row.liquid);
                 data["rates"] = json!({
@@ -254,7 +263,11 @@ fn curve(
 }
 
 impl OverTime {
-    fn new(sequence: &Sequence<'_>, until: f64) -> Result<Self, SequenceError> {
+    fn new(
+        configuration: Option<&str>,
+        sequence: &Sequence<'_>,
+        until: f64,
+    ) -> Result<Self, SequenceError> {
         let [shown, all] = [SHOWN_PIECES, PIECES].map(|pieces| sequence.rows([0.0, until], pieces));
         let quoted = |name: &str| printable(name);
         let mut happenings: Vec<(f64, String)> = Vec::new();
@@ -268,14 +281,27 @@ impl OverTime {
                 Change::Drop { rows, .. } => {
                     format!("{} dropped", rows.iter().map(|row| quoted(row)).collect::<Vec<_>>().join(", "))
                 }
-                Change::Become { .. } => "another configuration".to_owned(),
+                Change::Become { name, .. } => format!("becomes {}", quoted(name)),
             };
             happenings.push((change.time(), what));
         }
         happenings.retain(|(time, _)| *time <= until);
         happenings.sort_by(|a, b| a.0.total_cmp(&b.0));
         let tanks = sequence.tanks.iter().map(|(tank, _)| tank.name.clone()).collect();
-        Ok(Self { until, tanks, happenings, shown: shown?, all: all? })
+        let mut changes: Vec<&Change<'_>> = sequence.changes.iter().collect();
+        changes.sort_by(|a, b| a.time().total_cmp(&b.time()));
+        let mut configurations = vec![configuration.map(str::to_owned)];
+        for change in changes {
+            configurations.push(match change {
+                Change::Drop { .. } => configurations.last().cloned().flatten(),
+                Change::Become { name, .. } => Some(name.clone()),
+            });
+        }
+        Ok(Self { until, tanks, configurations, happenings, shown: shown?, all: all? })
+    }
+
+    fn configuration(&self, row: &SequenceRow) -> Option<&str> {
+        self.configurations.get(row.changes).and_then(Option::as_deref)
     }
 
     fn section(&self) -> Section {

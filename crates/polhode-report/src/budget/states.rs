@@ -22,18 +22,18 @@ const PER_KG: [&str; 9] = [
 ];
 
 /// Times, the ten numbers and their rates, with headings.
-pub(super) fn history(rows: &[SequenceRow]) -> Vec<Vec<Cell>> {
+pub(super) fn history<'a>(rows: impl Iterator<Item = &'a SequenceRow>) -> Vec<Vec<Cell>> {
     let headings = MassRow::COLUMNS.iter().chain(&MassRow::RATE_COLUMNS).map(|name| Cell::of(name));
     let row = |row: &SequenceRow| {
         let numbers = [row.time].into_iter().chain(ten(&row.properties)).chain(rates(row));
         numbers.map(Cell::Number).collect()
     };
-    [headings.collect()].into_iter().chain(rows.iter().map(row)).collect()
+    [headings.collect()].into_iter().chain(rows.map(row)).collect()
 }
 
 impl BudgetReport {
     /// CSV of the body over time, as far as that is known ([`BudgetReport::with_sequence`]): mass, centre, the tensor about it and their rates, along the axes of the body, and what
-    /// is left in each tank. Two rows of one time are before and after.
+    /// is left in each tank, each row with the configuration that it is then. Two rows of one time are before and after.
     pub fn to_time_csv(&self) -> Option<String> {
         self.over_time().map(|rows| to_csv(&rows))
     }
@@ -44,17 +44,17 @@ impl BudgetReport {
     }
 
     pub(super) fn over_time(&self) -> Option<Vec<Vec<Cell>>> {
-        // A file has one sequence, of the configuration that it begins with.
+        // A file has one sequence, of the configuration that it begins as.
         let mut cases = self.cases.iter();
-        let (name, (tanks, rows)) =
-            cases.find_map(|case| Some((&case.name, case.changing.as_ref()?.over_time()?)))?;
-        let mut table = history(rows);
+        let (tanks, rows) = cases.find_map(|case| case.changing.as_ref()?.over_time())?;
+        let mut table = history(rows.iter().map(|(_, row)| *row));
         for (k, line) in table.iter_mut().enumerate() {
             let before = k.checked_sub(1).and_then(|k| rows.get(k));
-            let configuration = || Cell::of_option(name.as_deref());
-            line.insert(0, before.map_or_else(|| Cell::of("configuration"), |_| configuration()));
+            let configuration =
+                before.map_or_else(|| Cell::of("configuration"), |(name, _)| Cell::of_option(*name));
+            line.insert(0, configuration);
             line.extend(tanks.iter().enumerate().map(|(j, tank)| match before {
-                Some(row) => row.liquid.get(j).map_or(Cell::Empty, |mass| Cell::Number(*mass)),
+                Some((_, row)) => row.liquid.get(j).map_or(Cell::Empty, |mass| Cell::Number(*mass)),
                 None => Cell::Text(format!("liquid_kg {tank}")),
             }));
         }

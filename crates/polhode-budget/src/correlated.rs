@@ -146,6 +146,31 @@ mod tests {
         }
     }
 
+    /// A lamina across z: errors of xz and yz, by which it is tilted, are possible only with a little of zz, of second order.
+    #[test]
+    fn what_is_no_tensor_becomes_the_nearest() {
+        let mean = vec![2.0, 0.1, 0.2, 0.3, 0.03, 0.05, 0.08, 0.004, 0.0, 0.0];
+        let mut c = vec![vec![0.0; 10]; 10];
+        (c[8][8], c[9][9]) = (4e-10, 9e-10);
+        let law = Correlated::mass_first(mean, &c).unwrap();
+        assert_eq!((law.variables(), law.impossible(3, 200)), (2, 200));
+        let z = [0.7, -1.3];
+        let (raw, moved) = (law.draw(z), law.clone().possible().draw(z));
+        assert_eq!(raw[..4], moved[..4]);
+        for (k, (a, b)) in raw.iter().zip(&moved).enumerate().skip(4) {
+            // (δxz)²/i of the moments
+            assert!((a - b).abs() < 1e-7, "{k}: {a} {b}");
+        }
+        let [xx, yy, zz, xy, xz, yz] = *moved.last_chunk().unwrap();
+        let half = 0.5 * (xx + yy + zz);
+        let (values, _) = polhode::math::symmetric_eigen([half - xx, half - yy, half - zz, -xy, -xz, -yz]);
+        assert!(values[0].abs() < 1e-17 && raw != moved, "{values:?}");
+        // What is possible stays.
+        let mean = vec![2.0, 0.1, 0.2, 0.3, 0.05, 0.06, 0.08, 0.004, 0.0, 0.0];
+        let law = Correlated::mass_first(mean, &c).unwrap();
+        assert_eq!((law.impossible(3, 200), law.draw(z)), (0, law.clone().possible().draw(z)));
+    }
+
     #[test]
     fn a_matrix_that_is_none_is_refused() {
         let wrong = |c: &[Vec<f64>]| Correlated::normal(vec![0.0; 2], c).unwrap_err().element;

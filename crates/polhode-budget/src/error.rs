@@ -221,9 +221,9 @@ impl BudgetError {
             Self::Subtotal { .. } => {
                 Some("look for a row that is missing, counted twice, or has another quantity or unit")
             }
-            Self::Copies { .. } => Some(
-                "say that the copies are alike, or give their sum as one part with the error of the sum",
-            ),
+            Self::Copies { .. } => {
+                Some("say that the copies are alike, or give their sum as one part with the error of the sum")
+            }
             Self::Empty => Some("give a part a mass"),
             Self::Nameless { .. } => Some("give it a name"),
             Self::Duplicate { .. } => Some("give one of them another name, or count copies by the quantity"),

@@ -42,6 +42,9 @@ const CHANGES: (&str, &str) = (
     "--scenario writes what happens to the body as it is listed; without these sections the plan is of the body at first",
 );
 
+/// What stands above the body of a list to which something happens.
+const AT_FIRST: &str = "# As it is at first: polhode budget --scenario writes what happens to it\n";
+
 /// What a parts list comes to: mass, centre of mass and inertia with their uncertainties.
 ///
 /// A row a part, as CSV or XLSX, or a plan in TOML that names the table: the reference of the format is in the book. Basic, predicted and allowable mass of everything in the tree;
@@ -170,7 +173,9 @@ impl BudgetCommand {
             partial::write(target, self.force, |out| out.write_all(plan.as_bytes()))?;
         } else if self.body {
             let body = report.to_scenario(self.configuration.as_deref());
-            print(&body.map_err(|why| Failure::usage(why.to_string(), why.hint()).about(&self.file))?)?;
+            let body = body.map_err(|why| Failure::usage(why.to_string(), why.hint()).about(&self.file))?;
+            let at_first = if changes { AT_FIRST } else { "" };
+            print(&format!("{at_first}{body}"))?;
         } else {
             print(&self.printed(|| report.to_json(), || report.to_document()))?;
         }

@@ -48,7 +48,8 @@ impl Vessel {
             return Err(SequenceError::Value { what, value, rule: "positive and finite" });
         }
         let mut vessel = Self { shape, density, down, bands: Vec::new(), nodes: gauss() };
-        vessel.bands = shape.bands(down).into_iter().map(|band| (band, vessel.volume_of(down, band, PI))).collect();
+        vessel.bands =
+            shape.bands(down).into_iter().map(|band| (band, vessel.volume_of(down, band, PI))).collect();
         Ok(vessel)
     }
 

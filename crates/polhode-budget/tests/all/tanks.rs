@@ -193,7 +193,11 @@ fn levels_are_exact_at_both_ends_and_of_full_digits_between() {
                 TankShape::Cylinder { length, ends: [a, b], .. } if down == Down::MinusZ => a + length + b,
                 TankShape::Cylinder { length, ends: [a, b], .. } => b + length + a,
             };
-            assert_eq!([level(&here, 0.0), level(&here, here.capacity())], [0.0, whole], "{shape:?} {down:?}");
+            assert_eq!(
+                [level(&here, 0.0), level(&here, here.capacity())],
+                [0.0, whole],
+                "{shape:?} {down:?}"
+            );
             for part in [1e-9, 1e-4, 0.013, 0.31, 0.5, 0.77, 0.9999] {
                 // What is empty beside it is the same number.
                 let mass = here.capacity() - (here.capacity() - part * here.capacity());

@@ -232,6 +232,26 @@ fn a_liquid_has_errors() {
     assert!((0.55..0.75).contains(&probability), "{probability}");
 }
 
+/// What hints say may be done is not what was done already.
+#[test]
+fn a_history_that_is_none_has_a_hint_that_helps() {
+    let scratch = Scratch::new("budget-history-hints");
+    let tank = "# [[tank]]\n# name = \"gas\"\n# mass = 3\n# table = [{ mass = 1, center = [0.1, 0.2, 0] }, { mass = 3, center = [0.3, 0.1, 0] }]\n";
+    let burn = "# [[burn]]\n# tank = \"gas\"\n# until = 9\n# flow = 0.1\n";
+    let drop = "# [[drop]]\n# time = 10\n# rows = [\"d\"]\n";
+    let rows = "name,mass [kg],x [mm],y [mm]\na,2,100,7\nb,1,-50,20\nd,1,5,120\n";
+    for (place, parts, expected) in [
+        ("", format!("{tank}{burn}{rows}"), "[[exit]] with position, or in_place = true"),
+        ("# in_place = true\n", format!("{tank}{burn}{rows}"), "[[exit]] with position, and no in_place"),
+        ("", format!("{drop}{rows}"), "without inertia about some axis"),
+    ] {
+        scratch.write("list.csv", &format!("# [sequence]\n# until = 20\n{place}{parts}"));
+        let error = refused(&scratch.run(&["budget", "list.csv", "--scenario", "out.toml"]), 2);
+        assert!(error.contains(expected), "{expected}: {error}");
+        assert_eq!(error.contains("[[exit]]"), expected.contains("[[exit]]"), "{error}");
+    }
+}
+
 /// Each row has the configuration that the body is then, and that of a tank the one that it is in.
 #[test]
 fn rows_have_their_own_configurations() {

@@ -67,6 +67,9 @@ fn the_plan_is_run() {
         error.contains("no part has an uncertainty") && error.contains("write errors into the list"),
         "{error}"
     );
+    scratch.write("point.csv", "name,mass [kg],x [mm]\na,2 ± 0.1,100 ± 1\n");
+    let error = refused(&scratch.run(&["budget", "point.csv", "--sweep", "out.toml"]), 2);
+    assert!(error.contains("all mass is at one point"), "{error}");
     let error = refused(&scratch.run(&["budget", "list.csv", "--sweep", "out.toml", "--draws", "0"]), 2);
     assert!(error.contains("--draws is 0"), "{error}");
     let error = refused(&scratch.run(&["budget", "list.csv", "--sweep", "out.toml", "--about", "0,0,1"]), 2);
@@ -83,14 +86,16 @@ fn members_of_a_flat_body_are_possible() {
     let head = "name,mass [kg],x [mm],y [mm],z [mm]\n";
     let flat = "a,2 ± 0.1,100,0,5 ± 1\nb,1 ± 0.1,-50 ± 2,20,30\nc,1 ± 0.1,-50 ± 2,120,31 ± 1\n";
     let thick = "d,1,10,30,160\ne,1,20,30,-160\nf,1,0,190,40\n";
-    for (name, rows, is_flat) in [("flat", flat.to_owned(), true), ("thick", format!("{flat}{thick}"), false)] {
+    for (name, rows, is_flat) in [("flat", flat.to_owned(), true), ("thick", format!("{flat}{thick}"), false)]
+    {
         scratch.write("list.csv", &format!("{head}{rows}"));
         let report = json(&scratch.run(&["budget", "list.csv", "--json", "--draws", "20000"]));
         let drawn = &report["configurations"][0]["estimate"];
         let covariance: Vec<Vec<f64>> = drawn["covariance"].as_array().unwrap().iter().map(numbers).collect();
         stdout(&scratch.run(&["budget", "list.csv", "--sweep", "plan.toml", "--draws", "500", "--force"]));
         let plan = Plan::read(&scratch.0.join("plan.toml")).unwrap();
-        let said = plan.text().lines().any(|line| line.starts_with("# By it ") && line.contains(" of 1000 draws"));
+        let said =
+            plan.text().lines().any(|line| line.starts_with("# By it ") && line.contains(" of 1000 draws"));
         assert_eq!(said, is_flat, "{name}: {}", plan.text());
         let bodies = (0..MEMBERS).map(|member| *plan.scenario(&plan.values(member)).unwrap().body());
         let bodies: Vec<_> = bodies.collect();
@@ -113,7 +118,8 @@ fn members_of_a_flat_body_are_possible() {
         let summary = json(&scratch.run(&["sweep", "plan.toml", "-o", name, "--json"]));
         assert_eq!(summary["status"]["complete"]["count"], MEMBERS, "{name}");
         let without = Plan::read(&scratch.0.join("without.toml")).unwrap();
-        let failed = (0..MEMBERS).filter(|member| without.scenario(&without.values(*member)).is_err()).count();
+        let failed =
+            (0..MEMBERS).filter(|member| without.scenario(&without.values(*member)).is_err()).count();
         assert_eq!(failed > 0, is_flat, "{name}: {failed}");
     }
 }
@@ -136,7 +142,11 @@ fn a_list_whose_body_changes_is_no_plan() {
         let error = refused(&scratch.run(&[&written[..], &["a"]].concat()), 2);
         assert!(error.contains("bodies that do not change") && error.contains("--scenario"), "{error}");
         assert!(!scratch.0.join("plan.toml").exists());
+        let body = stdout(&scratch.run(&["budget", "list.csv", "--body", "--configuration", "a"]));
+        assert!(body.starts_with("# As it is at first"), "{body}");
         // What the sequence does not begin as stays as it is.
+        let body = stdout(&scratch.run(&["budget", "list.csv", "--body", "--configuration", "b"]));
+        assert!(!body.contains("at first"), "{body}");
         stdout(&scratch.run(&[&written[..], &["b"]].concat()));
         std::fs::remove_file(scratch.0.join("plan.toml")).unwrap();
     }

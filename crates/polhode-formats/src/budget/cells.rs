@@ -270,6 +270,12 @@ impl<'s, 'a> Reader<'s, 'a> {
         }))
     }
 
+    /// Whether a number is in percent, by its cell or by its heading.
+    pub(super) fn is_percent(&self, cell: &Cell<'_>) -> bool {
+        let column = self.columns.get(cell.column);
+        cell.text.contains('%') || column.is_some_and(|column| matches!(column.unit, ColumnUnit::Percent))
+    }
+
     /// Whether the heading of a key has a unit.
     fn has_unit(&self, key: usize) -> bool {
         let place = self.columns.places.get(key).copied().flatten();

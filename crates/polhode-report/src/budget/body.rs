@@ -40,6 +40,8 @@ pub enum NoPlan {
     Configuration(NoConfiguration),
     /// No number of the body has an error.
     Exact,
+    /// Of a point, which has no attitude.
+    Point,
 }
 
 impl BudgetReport {
@@ -70,12 +72,16 @@ impl BudgetReport {
     /// A plan of a sweep whose members have the body's ten numbers with their covariance to first order; of a tensor that is no body's the nearest that is.
     ///
     /// # Errors
-    /// [`NoPlan`] where [`BudgetReport::body`] gives none, and of a body that is known exactly.
+    /// [`NoPlan`] where [`BudgetReport::body`] gives none, of a body that is known exactly, and of a point.
     pub fn to_plan(&self, configuration: Option<&str>, options: &PlanOptions) -> Result<String, NoPlan> {
         let case = self.case(configuration).map_err(NoPlan::Configuration)?;
         let estimate = case.estimate(self.options.basis);
         if !is_uncertain(estimate) {
             return Err(NoPlan::Exact);
+        }
+        let has_extent = estimate.properties.inertia().matrix() != [[0.0; 3]; 3];
+        if !has_extent && (4..10).all(|k| estimate.sd(k) == 0.0) {
+            return Err(NoPlan::Point);
         }
         let mut toml = self.part(case, estimate).to_toml();
         let PlanOptions { members, seed, spin, duration } = options;
@@ -96,7 +102,9 @@ impl BudgetReport {
              # Mass, centre of mass x, y, z, inertia xx, yy, zz, xy, xz, yz: in kg, m, kg m^2\n{}\
              [[sweep.vary]]\nkey = \"body\"\ncorrelated.impossible = \"nearest\"\ncorrelated.covariance = [\n",
             if moved > 0 {
-                format!("# By it {moved} of {TRIED} draws have a tensor that is no body's, and become the nearest that is\n")
+                format!(
+                    "# By it {moved} of {TRIED} draws have a tensor that is no body's, and become the nearest that is\n"
+                )
             } else {
                 String::new()
             }
@@ -172,6 +180,7 @@ impl NoPlan {
             Self::Exact => {
                 "write errors into the list, such as 1.2 ± 0.1 kg; --body has the body as it is".to_owned()
             }
+            Self::Point => "give a part its extent, or its place beside another".to_owned(),
         }
     }
 }
@@ -181,6 +190,9 @@ impl fmt::Display for NoPlan {
         match self {
             Self::Configuration(why) => why.fmt(f),
             Self::Exact => f.write_str("no part has an uncertainty: there is nothing to draw"),
+            Self::Point => {
+                f.write_str("all mass is at one point, which has no attitude: no member could turn")
+            }
         }
     }
 }

@@ -3,9 +3,9 @@
 use polhode::body::MassPropertiesGradient;
 use polhode::math::{Body, Direction};
 use polhode_budget::{
-    Basis, Budget, BudgetError, ComparedNumber, Comparison, Draws, Estimate, Evidence, Growth, Limit, LimitAnswers,
-    LimitError, MassStatement, Measure, NUMBERS, PrincipalUncertainty, Sensitivity, Subtotal, Tilt,
-    Uncertainty,
+    Basis, Budget, BudgetError, ComparedNumber, Comparison, Draws, Estimate, Evidence, Growth, Limit,
+    LimitAnswers, LimitError, MassStatement, Measure, NUMBERS, PrincipalUncertainty, Sensitivity, Subtotal,
+    Tilt, Uncertainty,
 };
 
 use super::BudgetOptions;

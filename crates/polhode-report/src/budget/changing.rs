@@ -263,11 +263,7 @@ fn curve(
 }
 
 impl OverTime {
-    fn new(
-        configuration: Option<&str>,
-        sequence: &Sequence<'_>,
-        until: f64,
-    ) -> Result<Self, SequenceError> {
+    fn new(configuration: Option<&str>, sequence: &Sequence<'_>, until: f64) -> Result<Self, SequenceError> {
         let [shown, all] = [SHOWN_PIECES, PIECES].map(|pieces| sequence.rows([0.0, until], pieces));
         let quoted = |name: &str| printable(name);
         let mut happenings: Vec<(f64, String)> = Vec::new();

@@ -136,12 +136,7 @@ pub(super) const CASES: &[Case] = &[
     ),
     ("[ballast]", "most", &[("\"0.7 kg\"", "\"0.8 kg\"")], &["ballast, most 0.7 kg 0.8 kg"]),
     ("[ballast]", "deviations", &[("deviations = 1.5", "deviations = 2")], &["ballast, deviations 1.5 2"]),
-    (
-        "[[tank]]",
-        "name",
-        &[("\"fuel\"", "\"oil\"")],
-        &["tank oil none", "tank fuel", "burn of the tank oil"],
-    ),
+    ("[[tank]]", "name", &[("\"fuel\"", "\"oil\"")], &["tank oil none", "tank fuel", "burn of the tank oil"]),
     (
         "[[tank]]",
         "frame",
@@ -180,12 +175,7 @@ pub(super) const CASES: &[Case] = &[
         &[("mass = \"0.75 kg\"", "fill = 0.25")],
         &["by a table; its mass is known", "by a table; its fill is known"],
     ),
-    (
-        "[[tank]]",
-        "fill_sd",
-        &[("fill_sd = \"2 %\"", "fill_sd = \"3 %\"")],
-        &["fuel sd of fill 2 to 3 %"],
-    ),
+    ("[[tank]]", "fill_sd", &[("fill_sd = \"2 %\"", "fill_sd = \"3 %\"")], &["fuel sd of fill 2 to 3 %"]),
     (
         "[[tank]]",
         "density_sd",
@@ -210,12 +200,7 @@ pub(super) const CASES: &[Case] = &[
         &[("mass = \"1.5 kg\"", "mass = \"1.5 ± 0.2 kg\"")],
         &["gas sd of mass 0 to 0.1 kg"],
     ),
-    (
-        "[[tank]]",
-        "group",
-        &[("group = \"arms\"\n", "")],
-        &["fuel group arms to none"],
-    ),
+    ("[[tank]]", "group", &[("group = \"arms\"\n", "")], &["fuel group arms to none"]),
     ("[[tank]]", "mass", &[("mass = \"1.5 kg\"", "mass = \"1.6 kg\"")], &["gas heavier: 1.5 to 1.6 kg"]),
     (
         "[[tank]]",

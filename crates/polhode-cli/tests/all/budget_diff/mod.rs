@@ -124,7 +124,8 @@ fn a_change_of_what_is_in_a_tank_shows_once() {
         assert_eq!(said["stated"], json!([]), "{from}");
         for configuration in said["configurations"].as_array().unwrap() {
             let changes = configuration["changes"].as_array().unwrap();
-            let found: Vec<_> = changes.iter().map(|one| (one["row"].as_str(), one["what"].as_str())).collect();
+            let found: Vec<_> =
+                changes.iter().map(|one| (one["row"].as_str(), one["what"].as_str())).collect();
             let all: Vec<_> = kinds.iter().map(|kind| (Some(row), Some(*kind))).collect();
             let is_there = row == "ball" || configuration["name"] != "stored";
             assert_eq!(found, if is_there { all } else { Vec::new() }, "{from}");
@@ -158,7 +159,8 @@ fn what_is_said_of_an_empty_tank_is_compared() {
 #[test]
 fn a_list_without_configurations_is_compared_with_each() {
     let scratch = Scratch::new("budget-diff-unnamed");
-    let head = "name,configuration,mass [kg],x [mm],y [mm],z [mm]\nbus,,5,0,1,2\nbox,,2,9,-7,4\nrod,,1,2,30,-9\n";
+    let head =
+        "name,configuration,mass [kg],x [mm],y [mm],z [mm]\nbus,,5,0,1,2\nbox,,2,9,-7,4\nrod,,1,2,30,-9\n";
     scratch.write("one.csv", &format!("{head}arm,,1,100,0,3\n"));
     scratch.write("two.csv", &format!("{head}arm,a,1,100,0,3\narm,b,1,200,0,3\n"));
     for (after, before) in [("one.csv", "two.csv"), ("two.csv", "one.csv")] {

@@ -51,8 +51,7 @@ impl<'a> BudgetDiff<'a> {
     /// From `before` to `after`: configurations of the same name, or those of lists that have only one. A list without configurations is the same in each.
     pub fn new(before: &'a BudgetReport, after: &'a BudgetReport) -> Self {
         let only = before.cases.len() == 1 && after.cases.len() == 1;
-        let is_pair =
-            |a: &Case, b: &Case| only || a.name == b.name || a.name.is_none() || b.name.is_none();
+        let is_pair = |a: &Case, b: &Case| only || a.name == b.name || a.name.is_none() || b.name.is_none();
         let mut pairs = Vec::new();
         for case in &after.cases {
             for cases in before.cases.iter().filter(|other| is_pair(other, case)).map(|other| [other, case]) {

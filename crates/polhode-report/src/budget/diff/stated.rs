@@ -90,12 +90,13 @@ pub(super) fn of_cases(cases: [&Case; 2]) -> Vec<Stated> {
 
 fn of_case(case: &Case, digits: usize) -> Vec<Item> {
     let list = case.budget.list();
-    let mut all: Vec<Item> =
-        case.name.iter().map(|name| Item::new("configuration", name)).collect();
+    let mut all: Vec<Item> = case.name.iter().map(|name| Item::new("configuration", name)).collect();
     let groups = list.groups.iter();
     all.extend(groups.map(|group| Item::new(format!("group {}", group.name), group_in_words(group, digits))));
     let percent = |x: f64| format!("{} %", number(100.0 * x, digits));
-    all.extend(list.growth.codes().map(|(code, growth)| Item::new(format!("growth {code}"), percent(growth))));
+    all.extend(
+        list.growth.codes().map(|(code, growth)| Item::new(format!("growth {code}"), percent(growth))),
+    );
     all
 }
 

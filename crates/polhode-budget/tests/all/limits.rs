@@ -378,18 +378,8 @@ fn limits_that_say_nothing_are_refused() {
         ),
         limit(Measure::CenterFromPoint(Position::new(0.0, f64::NAN, 0.0)), None, Some(PI), Basis::Basic),
         // The number overflows, or only its standard deviation does.
-        limit(
-            Measure::Moment { axis: U, about: About::Point(Position::new(1e160, -2e160, 3e160)) },
-            None,
-            Some(PI),
-            Basis::Basic,
-        ),
-        limit(
-            Measure::StaticUnbalance { point: Position::new(1e200, -2e200, 3e200), along: U },
-            None,
-            Some(PI),
-            Basis::Basic,
-        ),
+        limit(Measure::Moment { axis: U, about: About::Point(P * 1e160) }, None, Some(PI), Basis::Basic),
+        limit(Measure::StaticUnbalance { point: P * 1e200, along: U }, None, Some(PI), Basis::Basic),
     ] {
         let error = refused(limit);
         assert!(matches!(&error, LimitError::Value { limit, .. } if limit == "limit"), "{error:?}");

@@ -35,16 +35,17 @@ struct FilledTank {
     rows: Vec<(f64, Option<f64>, SequenceRow)>,
 }
 
+/// The body from 0 on.
 #[derive(Clone, Debug)]
-struct OverTime {
+pub(super) struct OverTime {
     until: f64,
-    tanks: Vec<String>,
+    pub(super) tanks: Vec<String>,
     /// The configuration that it is, by how many changes have happened.
     configurations: Vec<Option<String>>,
     /// When something begins, ends or happens.
     happenings: Vec<(f64, String)>,
     shown: Vec<SequenceRow>,
-    all: Vec<SequenceRow>,
+    pub(super) all: Vec<SequenceRow>,
 }
 
 impl Changing {
@@ -76,10 +77,8 @@ impl Changing {
         sections
     }
 
-    /// The tanks, and the body at all times, with the configuration that it is then.
-    pub(super) fn over_time(&self) -> Option<(&[String], Vec<(Option<&str>, &SequenceRow)>)> {
-        let all = self.over_time.as_ref()?;
-        Some((&all.tanks, all.all.iter().map(|row| (all.configuration(row), row)).collect()))
+    pub(super) const fn over_time(&self) -> Option<&OverTime> {
+        self.over_time.as_ref()
     }
 
     /// Each tank with the part that it is full to, kg in it, its level, and the body, of which the rates are those of a kilogram more.
@@ -296,7 +295,8 @@ impl OverTime {
         Ok(Self { until, tanks, configurations, happenings, shown: shown?, all: all? })
     }
 
-    fn configuration(&self, row: &SequenceRow) -> Option<&str> {
+    /// The configuration that it is in a row.
+    pub(super) fn configuration(&self, row: &SequenceRow) -> Option<&str> {
         self.configurations.get(row.changes).and_then(Option::as_deref)
     }
 

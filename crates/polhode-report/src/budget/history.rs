@@ -56,7 +56,7 @@ pub fn history_files(
     }
     let (until, every) = (options.until, options.until / SAMPLES);
     let _ = write!(toml, "\n[run]\nduration = {until:?}\nevery = {every:?}\n");
-    Ok([toml, to_csv(&history(rows.iter()))])
+    Ok([toml, to_csv(&history(&rows))])
 }
 
 fn of_exit(exit: &Exit) -> String {

@@ -22,13 +22,13 @@ const PER_KG: [&str; 9] = [
 ];
 
 /// Times, the ten numbers and their rates, with headings.
-pub(super) fn history<'a>(rows: impl Iterator<Item = &'a SequenceRow>) -> Vec<Vec<Cell>> {
+pub(super) fn history(rows: &[SequenceRow]) -> Vec<Vec<Cell>> {
     let headings = MassRow::COLUMNS.iter().chain(&MassRow::RATE_COLUMNS).map(|name| Cell::of(name));
     let row = |row: &SequenceRow| {
         let numbers = [row.time].into_iter().chain(ten(&row.properties)).chain(rates(row));
         numbers.map(Cell::Number).collect()
     };
-    [headings.collect()].into_iter().chain(rows.map(row)).collect()
+    [headings.collect()].into_iter().chain(rows.iter().map(row)).collect()
 }
 
 impl BudgetReport {
@@ -46,15 +46,15 @@ impl BudgetReport {
     pub(super) fn over_time(&self) -> Option<Vec<Vec<Cell>>> {
         // A file has one sequence, of the configuration that it begins as.
         let mut cases = self.cases.iter();
-        let (tanks, rows) = cases.find_map(|case| case.changing.as_ref()?.over_time())?;
-        let mut table = history(rows.iter().map(|(_, row)| *row));
+        let all = cases.find_map(|case| case.changing.as_ref()?.over_time())?;
+        let mut table = history(&all.all);
         for (k, line) in table.iter_mut().enumerate() {
-            let before = k.checked_sub(1).and_then(|k| rows.get(k));
+            let row = k.checked_sub(1).and_then(|k| all.all.get(k));
             let configuration =
-                before.map_or_else(|| Cell::of("configuration"), |(name, _)| Cell::of_option(*name));
+                row.map_or_else(|| Cell::of("configuration"), |row| Cell::of_option(all.configuration(row)));
             line.insert(0, configuration);
-            line.extend(tanks.iter().enumerate().map(|(j, tank)| match before {
-                Some((_, row)) => row.liquid.get(j).map_or(Cell::Empty, |mass| Cell::Number(*mass)),
+            line.extend(all.tanks.iter().enumerate().map(|(j, tank)| match row {
+                Some(row) => row.liquid.get(j).map_or(Cell::Empty, |mass| Cell::Number(*mass)),
                 None => Cell::Text(format!("liquid_kg {tank}")),
             }));
         }

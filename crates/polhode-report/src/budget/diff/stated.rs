@@ -136,14 +136,17 @@ fn differences([name, of]: &[String; 2], sides: [&[[String; 2]]; 2], all: &mut V
     let is_one = sides.iter().all(|side| side.len() < 2);
     let [before, after] = unequal(sides);
     for n in 0..before.len().max(after.len()) {
-        let places = [before.get(n), after.get(n)].map(|place| place.copied());
+        let places = [before.get(n).copied(), after.get(n).copied()];
         let number = places[1].or(places[0]).filter(|_| !is_one);
         let number = number.map_or_else(String::new, |k| format!(" {}", k + 1));
         let of_digits = |k: usize| [0, 1].map(|side| places[side].map(|place| &sides[side][place][k]));
         let [short, long] = [0, 1].map(of_digits);
         // Digits by which they differ are shown.
         let shown = if short[0] == short[1] { long } else { short };
-        all.push(Stated { what: format!("{name}{number}{of}"), values: shown.map(|value| value.cloned()) });
+        all.push(Stated {
+            what: format!("{name}{number}{of}"),
+            values: shown.map(Option::<&String>::cloned),
+        });
     }
 }
 

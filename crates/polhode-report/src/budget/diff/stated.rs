@@ -21,7 +21,7 @@ pub(super) struct Stated {
 }
 
 /// Something that is stated, in words.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Item {
     /// What it is called; where several are called alike their number stands between.
     name: [String; 2],
@@ -58,7 +58,7 @@ pub(super) fn of_reports(reports: [&BudgetReport; 2]) -> Vec<Stated> {
 
 fn of_report(report: &BudgetReport, digits: usize) -> Vec<Item> {
     let stated = &report.stated;
-    let mut all: Vec<Item> = Vec::new();
+    let mut all = of_lists(&report.cases, digits);
     let limits = report.limits.iter();
     all.extend(limits.map(|one| Item::new(format!("limit {}", one.name), limit::in_words(one, digits))));
     if let Some(ballast) = stated.ballast.as_ref().or(report.ballast.as_ref()) {
@@ -83,20 +83,25 @@ fn of_report(report: &BudgetReport, digits: usize) -> Vec<Item> {
     all
 }
 
-/// What is stated differently of a configuration.
+/// The name of a configuration, if it is another.
 pub(super) fn of_cases(cases: [&Case; 2]) -> Vec<Stated> {
-    compared(cases.map(|case| in_digits(|digits| of_case(case, digits))))
+    let name = |case: &Case| case.name.iter().map(|name| Item::new("configuration", name)).collect();
+    compared(cases.map(|case| in_digits(|_| name(case))))
 }
 
-fn of_case(case: &Case, digits: usize) -> Vec<Item> {
-    let list = case.budget.list();
-    let mut all: Vec<Item> = case.name.iter().map(|name| Item::new("configuration", name)).collect();
-    let groups = list.groups.iter();
-    all.extend(groups.map(|group| Item::new(format!("group {}", group.name), group_in_words(group, digits))));
+/// Groups and growth allowances, which all configurations of a file have alike.
+fn of_lists(cases: &[Case], digits: usize) -> Vec<Item> {
     let percent = |x: f64| format!("{} %", number(100.0 * x, digits));
-    all.extend(
-        list.growth.codes().map(|(code, growth)| Item::new(format!("growth {code}"), percent(growth))),
-    );
+    let mut all: Vec<Item> = Vec::new();
+    for list in cases.iter().map(|case| case.budget.list()) {
+        let groups = list.groups.iter();
+        let groups =
+            groups.map(|group| Item::new(format!("group {}", group.name), group_in_words(group, digits)));
+        let growth = list.growth.codes();
+        let growth = growth.map(|(code, growth)| Item::new(format!("growth {code}"), percent(growth)));
+        let items: Vec<Item> = groups.chain(growth).filter(|item| !all.contains(item)).collect();
+        all.extend(items);
+    }
     all
 }
 

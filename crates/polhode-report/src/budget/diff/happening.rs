@@ -2,7 +2,7 @@
 
 use polhode::motion::{Exit, Outflow};
 
-use super::stated::Item;
+use super::item::Item;
 use super::words::{direction, names, point};
 use crate::budget::statements::{StatedChange, StatedSequence};
 use crate::number::{number, vector};

@@ -3,6 +3,7 @@
 mod change;
 mod errors;
 mod happening;
+mod item;
 mod limit;
 mod rows;
 mod site;

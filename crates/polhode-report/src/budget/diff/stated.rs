@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use polhode_budget::Group;
 use serde_json::{Value, json};
 
+use super::item::Item;
 use super::words::point;
 use super::{happening, limit, site, tank};
 use crate::budget::case::Case;
@@ -18,25 +19,6 @@ use crate::number::number;
 pub(super) struct Stated {
     what: String,
     values: [Option<String>; 2],
-}
-
-/// Something that is stated, in words.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Item {
-    /// What it is called; where several are called alike their number stands between.
-    name: [String; 2],
-    value: String,
-}
-
-impl Item {
-    pub(super) fn new(name: impl Into<String>, value: impl Into<String>) -> Self {
-        Self { name: [name.into(), String::new()], value: value.into() }
-    }
-
-    /// One of perhaps several: `burn`, ` of the tank fuel`.
-    pub(super) fn of_several(name: &str, of: impl Into<String>, value: impl Into<String>) -> Self {
-        Self { name: [name.to_owned(), of.into()], value: value.into() }
-    }
 }
 
 /// With so many digits numbers are shown, and with so many they are compared: rounding of other units is less.

@@ -4,7 +4,7 @@ use polhode::body::MassProperties;
 use polhode::math::Part;
 use polhode_budget::{Down, Liquid, LiquidTable, Measured, TankShape, Vessel};
 
-use super::stated::Item;
+use super::item::Item;
 use super::words::{names, point};
 use crate::budget::statements::StatedTank;
 use crate::number::{number, vector};

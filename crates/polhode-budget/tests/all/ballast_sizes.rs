@@ -3,7 +3,7 @@
 use polhode::body::MassProperties;
 use polhode::math::{Body, Direction, Position};
 use polhode_budget::{
-    About, BallastPlace, Basis, Budget, LeastBallast, Limit, Measure, ProductSign, Round, Site,
+    About, BallastPlace, Basis, Budget, FoundBallast, Limit, Measure, ProductSign, Round, Site,
 };
 
 use crate::ballast::{Random, at, body, center, least, limit, product, sites};
@@ -135,11 +135,11 @@ fn pieces_on_lines_and_rounds_are_those_of_grids() {
     assert!(found >= 1 && same >= 1 && none >= 6, "{found} {same} {none}");
 }
 
-fn check_pieces(found: &LeastBallast, all: &[Site]) {
+fn check_pieces(found: &FoundBallast, all: &[Site]) {
     for (k, site) in all.iter().enumerate().filter(|(_, site)| !site.sizes.is_empty()) {
         let own = found.pieces.iter().filter(|piece| piece.site == k);
         assert!(own.clone().all(|piece| site.sizes.contains(&piece.mass)), "{found:?}");
-        let sum: f64 = own.map(|piece| piece.mass).sum();
+        let sum: f64 = own.map(|piece| piece.count as f64 * piece.mass).sum();
         assert!(sum <= site.most.unwrap_or(f64::INFINITY) + 1e-12, "{found:?}");
     }
 }
@@ -162,7 +162,7 @@ fn a_center_is_put_on_a_line_by_as_many_pieces_as_it_takes() {
             let number = (5.0 * (out - most) / (0.7 + most) / size).ceil();
             let found = found.unwrap();
             assert!((found.mass - number * size).abs() < 1e-12, "{size} {most}: {} {number}", found.mass);
-            assert_eq!(found.pieces.len() as f64, number);
+            assert_eq!(found.pieces.iter().map(|piece| piece.count).sum::<u64>() as f64, number);
         }
     }
 }

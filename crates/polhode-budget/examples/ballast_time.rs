@@ -88,6 +88,10 @@ fn cases() -> Vec<(String, Vec<Site>, Vec<Limit>)> {
             add(&format!("products {label}"), vec![of(place.clone(), &[size], most)], both(0.006, 0.02));
         }
     }
+    let ring = Round { center: Position::new(0.0, 0.0, 0.3), normal: Z, radius: 0.7 };
+    for (name, place) in [("circle", BallastPlace::Circle(ring)), ("disc", BallastPlace::Disc(ring))] {
+        add(&format!("exact {name} of 0.011"), vec![of(place, &[0.011], None)], vec![axis(0.0)]);
+    }
     add(
         "two products rim+disc",
         vec![of(rim.clone(), &[], None), of(disc.clone(), &[], None)],

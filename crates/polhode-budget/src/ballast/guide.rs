@@ -76,7 +76,10 @@ impl Search<'_> {
         if !(0..problem.charts.len()).any(|site| problem.has_free_pieces(site)) {
             return;
         }
-        let Some(none) = self.with_room(0.0) else { return };
+        let total = |pieces: &[(Column, f64)]| pieces.iter().map(|(_, mass)| mass).sum::<f64>();
+        let Some(least) = self.with_room(0.0) else { return };
+        let none = total(&least);
+        self.round(&least, 1.0);
         let (mut room, mut wider) = (FIRST, None);
         for _ in 0..TRIES {
             wider = self.with_room(room);
@@ -85,39 +88,48 @@ impl Search<'_> {
             }
             room *= 0.5;
         }
-        let per_room = wider.map_or(f64::INFINITY, |wider| (wider - none) / room);
+        if let Some(wider) = &wider {
+            self.round(wider, 1.0);
+        }
+        let per_room = wider.map_or(f64::INFINITY, |wider| (total(&wider) - none) / room);
         // As much room as there is at the least masses that pieces can have.
         let sizes = problem.sizes.iter().flatten().copied();
         let mut step = sizes.fold(f64::INFINITY, f64::min);
         let mut mass = problem.attainable(none);
         for _ in 0..TRIES {
-            if mass >= self.limit() || !(per_room > 0.0) || self.work.left < self.effort / 4 * 3 {
+            if mass >= self.limit() || self.work.left < self.effort / 4 * 3 {
                 break;
             }
-            let _ = self.with_room((mass - none) / per_room);
+            let room = if per_room > 0.0 { (mass - none) / per_room } else { 0.0 };
+            let found = if room > 0.0 { self.with_room(room) } else { Some(least.clone()) };
+            if let Some(found) = found {
+                self.round(&found, mass / total(&found));
+            }
             mass = problem.attainable(mass + step);
             step *= 2.0;
         }
     }
 
-    /// Looks for pieces near the least with so much room, and says what this is.
-    fn with_room(&mut self, room: f64) -> Option<f64> {
+    /// The least with so much room, of any masses.
+    fn with_room(&mut self, room: f64) -> Option<Vec<(Column, f64)>> {
         let problem = self.problem.without_sizes(room);
         let outcome = Search::new(&problem, ROUGH, self.work.left.min(self.effort / SHARE)).run();
         self.work.left -= outcome.effort;
         self.tried += outcome.effort;
-        let found = outcome.found?;
-        let placed: Vec<Placed> = found
-            .iter()
-            .map(|(column, mass)| Placed { cell: column.site, column: *column, mass: *mass })
-            .collect();
-        let region = self.problem.root(self.problem.cap);
+        outcome.found
+    }
+
+    /// Looks for pieces near ballast of any masses, of so much more.
+    fn round(&mut self, found: &[(Column, f64)], more: f64) {
         let before = self.work.left;
+        let placed =
+            |(column, mass): &(Column, f64)| Placed { cell: column.site, column: *column, mass: more * mass };
+        let placed: Vec<Placed> = found.iter().map(placed).collect();
+        let region = self.problem.root(self.problem.cap);
         for many in [false, true] {
-            let pieces: Vec<(Column, f64)> = self.problem.in_pieces(&region, &placed, many);
+            let pieces = self.problem.in_pieces(&region, &placed, many);
             self.offer_near(&pieces, None);
         }
         self.tried += before - self.work.left;
-        Some(found.iter().map(|(_, mass)| mass).sum())
     }
 }

@@ -13,6 +13,9 @@ const REACHES: [(f64, Until); 4] =
 /// A piece farther from where it is best, as a part of its site, is not moved there.
 const SETTLED: f64 = 0.1;
 
+/// How far pieces at one place are moved apart, as a part of their site.
+const SPREAD: f64 = 0.4;
+
 /// So many pieces of a part of a site have places of their own; of more, those of one place are one,
 const FEW: u64 = 12;
 
@@ -101,6 +104,21 @@ impl Problem {
             }
         }
         is_solved.then_some(pieces)
+    }
+
+    /// Pieces at one place moved apart, to either side: what they have in common does not say to which each is to go.
+    pub(super) fn spread(&self, pieces: &[(Column, f64)]) -> Vec<(Column, f64)> {
+        let mut spread = pieces.to_vec();
+        for (k, (column, _)) in pieces.iter().enumerate().filter(|(_, (of, _))| self.has_free_pieces(of.site))
+        {
+            let chart = &self.charts[column.site];
+            let before = pieces[..k].iter().filter(|(other, _)| other == column).count();
+            if let (1.., Some(along)) = (before, chart.freedoms(column.at).first()) {
+                let by = if before % 2 == 1 { SPREAD } else { -SPREAD };
+                spread[k].0.at = chart.nearest(core::array::from_fn(|k| column.at[k] + by * along[k]));
+            }
+        }
+        spread
     }
 
     /// Pieces on lines, discs and circles, each where a price is least about it.

@@ -63,7 +63,6 @@ impl Problem {
         let few = self.merged(&pieces, FEW * total);
         let settled = price.map(|price| self.settled(&few, price));
         let moves = few.iter().any(|(column, _)| self.has_free_pieces(column.site));
-        let moved = || if moves { self.moved(&few, work).and_then(|few| self.corrected(few)) } else { None };
         // The fewest that are as light as any.
         let mut best = self.corrected(pieces);
         let more = [Some(few.clone()), settled].into_iter().flatten().map(|few| self.corrected(few));
@@ -73,7 +72,14 @@ impl Problem {
                 best = Some(few);
             }
         }
-        best.or_else(moved)
+        if best.is_none() && moves {
+            let spread = self.spread(&few);
+            best = self.corrected(spread.clone());
+            for pieces in [few, spread] {
+                best = best.or_else(|| self.moved(&pieces, work).and_then(|few| self.corrected(few)));
+            }
+        }
+        best
     }
 
     fn corrected(&self, mut pieces: Vec<(Column, f64)>) -> Option<Vec<(Column, f64)>> {

@@ -16,7 +16,7 @@ const FIRST: f64 = 0.5;
 const TRIES: usize = 6;
 
 /// No more than this part of the effort.
-const SHARE: usize = 16;
+const SHARE: usize = 12;
 
 /// No more than this part of what is between two limits is left as room.
 const WIDE: f64 = 0.45;
@@ -97,7 +97,7 @@ impl Search<'_> {
         let mut step = sizes.fold(f64::INFINITY, f64::min);
         let mut mass = problem.attainable(none);
         for _ in 0..TRIES {
-            if mass >= self.limit() || self.work.left < self.effort / 4 * 3 {
+            if mass >= self.limit() || self.work.left < self.effort / 2 {
                 break;
             }
             let room = if per_room > 0.0 { (mass - none) / per_room } else { 0.0 };

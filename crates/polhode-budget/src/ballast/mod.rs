@@ -129,7 +129,7 @@ const GAP_OF_PRODUCTS: f64 = 1e-6;
 
 impl Ballast {
     /// The effort where it is not said: some seconds.
-    pub const EFFORT: usize = 50_000;
+    pub const EFFORT: usize = 100_000;
 }
 
 impl Budget {

@@ -115,13 +115,11 @@ impl Search<'_> {
         let problem = self.problem.without_sizes(room);
         let outcome = Search::new(&problem, ROUGH, self.work.left.min(self.effort / SHARE)).run();
         self.work.left -= outcome.effort;
-        self.tried += outcome.effort;
         outcome.found
     }
 
     /// Looks for pieces near ballast of any masses, of so much more.
     fn round(&mut self, found: &[(Column, f64)], more: f64) {
-        let before = self.work.left;
         let placed =
             |(column, mass): &(Column, f64)| Placed { cell: column.site, column: *column, mass: more * mass };
         let placed: Vec<Placed> = found.iter().map(placed).collect();
@@ -130,6 +128,5 @@ impl Search<'_> {
             let pieces = self.problem.in_pieces(&region, &placed, many);
             self.offer_near(&pieces, None);
         }
-        self.tried += before - self.work.left;
     }
 }

@@ -82,7 +82,7 @@ impl Problem {
         best
     }
 
-    fn corrected(&self, mut pieces: Vec<(Column, f64)>) -> Option<Vec<(Column, f64)>> {
+    pub(super) fn corrected(&self, mut pieces: Vec<(Column, f64)>) -> Option<Vec<(Column, f64)>> {
         for (column, mass) in &mut pieces {
             if self.charts[column.site].is_point()
                 && let Some(sums) = &self.sums[column.site]

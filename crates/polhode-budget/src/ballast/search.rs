@@ -74,7 +74,7 @@ pub(super) struct Search<'a> {
     pub(super) effort: usize,
     looked_at: usize,
     /// What ballast that was tried took of the effort, and how often.
-    pub(super) tried: usize,
+    tried: usize,
     times: usize,
     pub(super) nodes: Vec<Node>,
     open: BinaryHeap<Open>,
@@ -190,6 +190,9 @@ impl<'a> Search<'a> {
                 self.try_near(&region, &pieces, &price);
                 self.tried += before - self.work.left;
                 self.times += 1;
+            } else {
+                let near = self.problem.in_pieces(&region, &pieces, false);
+                self.offer(self.problem.corrected(near));
             }
             let bound = self.problem.bound(&prices, &region, self.limit());
             if !self.is_closed(bound) {
@@ -242,7 +245,7 @@ impl<'a> Search<'a> {
     }
 
     /// Whether there is effort for more ballast to be tried.
-    pub(super) fn tries(&self) -> bool {
+    fn tries(&self) -> bool {
         self.tried * TRIED <= self.effort - self.work.left
     }
 

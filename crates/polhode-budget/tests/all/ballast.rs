@@ -66,7 +66,13 @@ pub(crate) fn sites(sites: Vec<Site>) -> Ballast {
 /// The least ballast, with all that has to hold of any.
 pub(crate) fn least(budget: &Budget, ballast: &Ballast, limits: &[Limit], gap: f64) -> Option<FoundBallast> {
     match budget.ballast(ballast, limits).unwrap() {
-        BallastAnswer::Undecided(undecided) => panic!("{undecided:?}"),
+        BallastAnswer::Undecided(undecided) => panic!(
+            "{} {:?} {} {:?}",
+            undecided.bound,
+            undecided.found.map(|found| found.mass),
+            undecided.regions,
+            undecided.effort
+        ),
         BallastAnswer::None(none) => {
             assert!(none.is_proved() && none.up_to > 0.0);
             None

@@ -231,16 +231,25 @@ fn a_piece_beside_any_masses_is_where_it_makes_them_least() {
         let mut hidden = vec![(0.15, at_place(&line, [random.uniform(); 2]))];
         hidden.extend(points.iter().map(|at| (random.within(0.02, 0.2), *at)));
         let (budget, most) = met_with(&hidden, &mut random);
-        let limits = &limits(most)[..4];
+        let whole = of_body(&budget.mass_properties(Basis::Basic).unwrap());
+        let all = hidden.iter().fold(whole, |all, (mass, at)| plus(&all, &sums(*mass, *at)));
+        // ∫ (x − p) (z − q) dm of the body with what is hidden, and a little to either side.
+        let (p, q) = (0.1, -0.1);
+        let value = all[5] - p * all[3] - q * all[1] + p * q * all[0];
+        let about = About::Point(Position::new(p, 0.2, q));
+        let beside = product([X, Z], about, 0.0);
+        let beside =
+            Limit { least: Some(value - 0.3 * most[2]), most: Some(value + 0.6 * most[2]), ..beside };
+        let limits = [center(X, most[0]), center(Y, most[1]), beside];
         // One piece, as two are too many.
         let with = |place: BallastPlace| {
             sites([vec![sized(place, &[0.08, 0.15], Some(0.155))], at(&points)].concat())
         };
-        let got = least(&budget, &with(line.clone()), limits, 1e-6).unwrap();
+        let got = least(&budget, &with(line.clone()), &limits, 1e-6).unwrap();
         // At each point of a grid, that becomes finer about the best.
         let of = |s: f64| {
             let place = BallastPlace::Point(at_place(&line, [s.clamp(0.0, 1.0), 0.0]));
-            least(&budget, &with(place), limits, 1e-6).map_or(f64::INFINITY, |one| one.mass)
+            least(&budget, &with(place), &limits, 1e-6).map_or(f64::INFINITY, |one| one.mass)
         };
         let (mut best, mut half) = ((f64::INFINITY, 0.5), 0.5);
         for fine in [24, 8, 8, 8, 8, 8, 8] {
@@ -252,11 +261,11 @@ fn a_piece_beside_any_masses_is_where_it_makes_them_least() {
             }
             half *= 2.0 / f64::from(fine);
         }
-        assert!((got.mass / best.0 - 1.0).abs() < 4e-6, "{case}: {} {}", got.mass, best.0);
+        assert!((got.mass - best.0).abs() <= 4e-6 * best.0, "{case}: {} {}", got.mass, best.0);
         found += usize::from(got.mass > 0.0);
         with_piece += usize::from(got.pieces.iter().any(|piece| piece.site == 0));
     }
-    assert!(found >= 11 && with_piece >= 3, "{found} {with_piece}");
+    assert!(found >= 10 && with_piece >= 3, "{found} {with_piece}");
 }
 
 #[test]

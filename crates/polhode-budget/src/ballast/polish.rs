@@ -90,11 +90,16 @@ impl Problem {
                 *mass = sums.near(*mass, [0, sums.len() - 1]);
             }
         }
-        for _ in 0..6 {
-            self.correct(&mut pieces)?;
-        }
-        pieces.retain(|(_, mass)| *mass > 0.0);
-        self.is_met(&pieces).then_some(pieces)
+        let with = |active: f64| {
+            let mut pieces = pieces.clone();
+            for _ in 0..6 {
+                self.correct(&mut pieces, active)?;
+            }
+            pieces.retain(|(_, mass)| *mass > 0.0);
+            self.is_met(&pieces).then_some(pieces)
+        };
+        // Of limits that are near, more may be kept exactly than can be: then those that are broken.
+        with(ACTIVE).or_else(|| with(0.0))
     }
 
     /// Pieces that are near each other become one at their centre of mass; those of less than a mass are left out.
@@ -186,12 +191,12 @@ impl Problem {
     }
 
     /// Changes masses and places, in proportion, so that what is at its limit is just inside.
-    fn correct(&self, pieces: &mut [(Column, f64)]) -> Option<()> {
+    fn correct(&self, pieces: &mut [(Column, f64)], near: f64) -> Option<()> {
         let states = self.states(pieces);
         let inside = |state: &State| INSIDE.0 * state.size.0 + INSIDE.1 * state.size.1;
         let active: Vec<&State> = states
             .iter()
-            .filter(|state| state.is_zero || state.value < ACTIVE * state.size.0 + INSIDE.1 * state.size.1)
+            .filter(|state| state.is_zero || state.value < near * state.size.0 + inside(state))
             .collect();
         let mut free = Vec::new();
         for (piece, (column, _)) in pieces.iter().enumerate() {

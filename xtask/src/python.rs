@@ -86,7 +86,9 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
         "-p",
         "polhode_command",
     ]))?;
-    run_beside(here(&["-W", "error::UserWarning"]).arg(book.join("notebooks/execute.py")).env_remove("MPLBACKEND"))?;
+    run_beside(
+        here(&["-W", "error::UserWarning"]).arg(book.join("notebooks/execute.py")).env_remove("MPLBACKEND"),
+    )?;
     for example in files(&root().join("examples/python"), "py")? {
         println!("   {}", crate::short(&example));
         output(here(&["-W", "error"]).arg(&example))?;

@@ -44,13 +44,6 @@ pub enum BallastError {
     NotLimit(LimitError),
     /// The list has no such estimate.
     Budget(BudgetError),
-    /// The search ended before its end: nothing lighter than `bound` will do, and `found` will, if that was found.
-    Undecided {
-        /// kg
-        bound: f64,
-        /// kg
-        found: Option<f64>,
-    },
 }
 
 impl fmt::Display for BallastError {
@@ -69,18 +62,6 @@ impl fmt::Display for BallastError {
             }
             Self::NotLimit(error) => error.fmt(f),
             Self::Budget(error) => error.fmt(f),
-            Self::Undecided { bound, found: None } => {
-                write!(
-                    f,
-                    "no ballast was found, and none below {bound} kg will do; whether more would is not decided"
-                )
-            }
-            Self::Undecided { bound, found: Some(found) } => {
-                write!(
-                    f,
-                    "{found} kg of ballast will do, and nothing below {bound} kg; what is between is not decided"
-                )
-            }
         }
     }
 }

@@ -2,14 +2,45 @@
 
 use super::problem::{Column, Problem};
 use super::region::{Cell, Region};
-use super::relaxation::{Placed, Until};
+use super::relaxation::{Placed, Until, Work};
 use super::row::{Functional, weights};
+use super::sums::Pieces;
 
 /// How far pieces may move in each step, as a part of their site: moments of places in between are wrong by the square.
-const REACHES: [f64; 4] = [0.3, 0.1, 0.03, 0.01];
+const REACHES: [(f64, Until); 4] =
+    [(0.3, Until::Roughly), (0.1, Until::Roughly), (0.03, Until::Roughly), (0.01, Until::Solved)];
 
 /// A piece farther from where it is best, as a part of its site, is not moved there.
 const SETTLED: f64 = 0.1;
+
+/// How far pieces at one place are moved apart, as a part of their site.
+const SPREAD: f64 = 0.4;
+
+/// So many pieces of a part of a site have places of their own; of more, those of one place are one,
+const FEW: u64 = 12;
+
+/// but so many.
+const SINGLES: u64 = 2;
+
+/// How many pieces of a size each place gets, by what is left of its mass: whole ones, then one by one where most is left.
+fn dealt(size: f64, count: u64, left: &mut [f64]) -> Vec<u64> {
+    let mut counts = vec![0; left.len()];
+    let mut rest = count;
+    for (own, left) in counts.iter_mut().zip(left.iter_mut()) {
+        *own = ((*left / size).max(0.0).floor() as u64).min(rest);
+        *left -= *own as f64 * size;
+        rest -= *own;
+    }
+    while rest > 0 {
+        let Some(at) = (0..left.len()).max_by(|i, j| left[*i].total_cmp(&left[*j])) else { break };
+        // Where pieces are more than their mass, all that are over are at one place.
+        let over = if left[at] > 0.0 { 1 } else { rest };
+        counts[at] += over;
+        left[at] -= over as f64 * size;
+        rest -= over;
+    }
+    counts
+}
 
 impl Problem {
     /// Pieces of the sizes that sites have, few or many, in place of what a region has.
@@ -22,24 +53,30 @@ impl Problem {
                 all.extend(own.iter().map(|piece| (piece.column, piece.mass)));
                 continue;
             };
-            // Each where most is left, the heaviest first.
+            let Some(pieces) = sums.pieces(sums.near(total, cell.sums), many) else { continue };
+            let is_few = pieces.iter().map(|one| one.count).sum::<u64>() <= FEW;
             let mut left: Vec<f64> = own.iter().map(|piece| piece.mass).collect();
-            for size in sums.pieces(sums.nearest(total, cell.sums), many) {
-                let Some(at) = (0..left.len()).max_by(|i, j| left[*i].total_cmp(&left[*j])) else { break };
-                left[at] -= size;
-                let on_site = self.charts[cell.site].nearest(own[at].column.at);
-                all.push((Column { at: on_site, ..own[at].column }, size));
+            for Pieces { size, count } in pieces {
+                for (count, piece) in dealt(size, count, &mut left).into_iter().zip(&own) {
+                    let at = self.charts[cell.site].nearest(piece.column.at);
+                    let singles = if is_few { count } else { count.min(SINGLES) };
+                    let stack = (count > singles).then_some((count - singles) as f64 * size);
+                    let all_of_it = stack.into_iter().chain((0..singles).map(|_| size));
+                    all.extend(all_of_it.map(|mass| (Column { at, ..piece.column }, mass)));
+                }
             }
         }
         all
     }
 
     /// Pieces moved near their places, and weighed anew where any mass will do, such that limits are met with the least mass.
-    pub(super) fn moved(&self, pieces: &[(Column, f64)]) -> Option<Vec<(Column, f64)>> {
+    pub(super) fn moved(&self, pieces: &[(Column, f64)], work: &mut Work) -> Option<Vec<(Column, f64)>> {
         let (mut pieces, mut is_solved) = (pieces.to_vec(), false);
-        for reach in REACHES {
+        for (reach, until) in REACHES {
             let region = self.around(&pieces, reach);
-            let relaxed = self.relaxed(&region, &mut Vec::new(), Until::Solved);
+            let mut own = Work::new(work.left);
+            let relaxed = self.relaxed(&region, &mut own, until);
+            (work.left, work.is_spent) = (own.left, own.is_spent);
             let Some(placed) = relaxed.and_then(|relaxed| relaxed.pieces) else {
                 is_solved = false;
                 continue;
@@ -50,7 +87,11 @@ impl Problem {
             let owners = region.owners();
             let is_of = |k: usize, piece: &&Placed| piece.cell == k || owners[piece.cell] == Some(k);
             for (k, cell) in region.cells.iter().enumerate() {
-                if !cell.chart.is_point() && owners[k].is_none_or(|owner| owners[owner].is_some()) {
+                let is_piece = match owners[k] {
+                    None => cell.chart.is_point(),
+                    Some(owner) => owners[owner].is_none(),
+                };
+                if !is_piece {
                     continue;
                 }
                 let own = placed.iter().filter(|piece| is_of(k, piece));
@@ -63,6 +104,21 @@ impl Problem {
             }
         }
         is_solved.then_some(pieces)
+    }
+
+    /// Pieces at one place moved apart, to either side: what they have in common does not say to which each is to go.
+    pub(super) fn spread(&self, pieces: &[(Column, f64)]) -> Vec<(Column, f64)> {
+        let mut spread = pieces.to_vec();
+        for (k, (column, _)) in pieces.iter().enumerate().filter(|(_, (of, _))| self.has_free_pieces(of.site))
+        {
+            let chart = &self.charts[column.site];
+            let before = pieces[..k].iter().filter(|(other, _)| other == column).count();
+            if let (1.., Some(along)) = (before, chart.freedoms(column.at).first()) {
+                let by = if before % 2 == 1 { SPREAD } else { -SPREAD };
+                spread[k].0.at = chart.nearest(core::array::from_fn(|k| column.at[k] + by * along[k]));
+            }
+        }
+        spread
     }
 
     /// Pieces on lines, discs and circles, each where a price is least about it.

@@ -3,7 +3,9 @@
 use super::interval::Interval;
 use super::linear::{inner, null_vector, solved};
 use super::problem::{Column, Problem};
+use super::relaxation::Work;
 use super::row::{Coordinate, Functional, Kind, Moments, Product, weights};
+use super::sums::Pieces;
 use crate::growth::Basis;
 
 /// Masses below this part of all ballast are none.
@@ -53,6 +55,7 @@ impl Problem {
         &self,
         pieces: &[(Column, f64)],
         price: Option<&Functional>,
+        work: &mut Work,
     ) -> Option<Vec<(Column, f64)>> {
         let total: f64 = pieces.iter().map(|(_, mass)| mass).sum();
         let mut pieces: Vec<_> = pieces.iter().copied().filter(|(_, mass)| *mass > NOTHING * total).collect();
@@ -60,7 +63,6 @@ impl Problem {
         let few = self.merged(&pieces, FEW * total);
         let settled = price.map(|price| self.settled(&few, price));
         let moves = few.iter().any(|(column, _)| self.has_free_pieces(column.site));
-        let moved = || if moves { self.moved(&few).and_then(|few| self.corrected(few)) } else { None };
         // The fewest that are as light as any.
         let mut best = self.corrected(pieces);
         let more = [Some(few.clone()), settled].into_iter().flatten().map(|few| self.corrected(few));
@@ -70,27 +72,34 @@ impl Problem {
                 best = Some(few);
             }
         }
-        best.or_else(moved)
-    }
-
-    fn corrected(&self, mut pieces: Vec<(Column, f64)>) -> Option<Vec<(Column, f64)>> {
-        for (column, mass) in &mut pieces {
-            if let Some(size) = self.nearest_size(column.site, *mass) {
-                *mass = size;
+        if best.is_none() && moves {
+            let spread = self.spread(&few);
+            best = self.corrected(spread.clone());
+            for pieces in [few, spread] {
+                best = best.or_else(|| self.moved(&pieces, work).and_then(|few| self.corrected(few)));
             }
         }
-        for _ in 0..6 {
-            self.correct(&mut pieces)?;
-        }
-        pieces.retain(|(_, mass)| *mass > 0.0);
-        self.is_met(&pieces).then_some(pieces)
+        best
     }
 
-    /// The size of a site that is nearest to a mass, if it has sizes.
-    pub(super) fn nearest_size(&self, site: usize, mass: f64) -> Option<f64> {
-        let beside = |size: &f64| (size - mass).abs();
-        let none = self.charts[site].is_point().then_some(&0.0).filter(|_| !self.sizes[site].is_empty());
-        self.sizes[site].iter().chain(none).copied().min_by(|a, b| beside(a).total_cmp(&beside(b)))
+    pub(super) fn corrected(&self, mut pieces: Vec<(Column, f64)>) -> Option<Vec<(Column, f64)>> {
+        for (column, mass) in &mut pieces {
+            if self.charts[column.site].is_point()
+                && let Some(sums) = &self.sums[column.site]
+            {
+                *mass = sums.near(*mass, [0, sums.len() - 1]);
+            }
+        }
+        let with = |active: f64| {
+            let mut pieces = pieces.clone();
+            for _ in 0..6 {
+                self.correct(&mut pieces, active)?;
+            }
+            pieces.retain(|(_, mass)| *mass > 0.0);
+            self.is_met(&pieces).then_some(pieces)
+        };
+        // Of limits that are near, more may be kept exactly than can be: then those that are broken.
+        with(ACTIVE).or_else(|| with(0.0))
     }
 
     /// Pieces that are near each other become one at their centre of mass; those of less than a mass are left out.
@@ -162,17 +171,32 @@ impl Problem {
         }
     }
 
+    /// The pieces that a mass at one place of a site is made of: of one size or none at a point, of any mass where there are no sizes; `None` if it cannot be there.
+    pub(super) fn pieces_of(&self, site: usize, mass: f64) -> Option<Vec<Pieces>> {
+        match &self.sums[site] {
+            None => Some(vec![Pieces { size: mass, count: 1 }]),
+            Some(sums) => sums.pieces(mass, false),
+        }
+    }
+
+    /// The mass of all as the sum of their pieces.
+    pub(super) fn mass(&self, pieces: &[(Column, f64)]) -> Option<f64> {
+        let all: Option<Vec<_>> =
+            pieces.iter().map(|(column, mass)| self.pieces_of(column.site, *mass)).collect();
+        Some(all?.into_iter().flatten().map(|one| one.mass()).sum())
+    }
+
     fn is_free(&self, site: usize) -> bool {
         self.sizes[site].is_empty() && self.most[site].is_infinite()
     }
 
     /// Changes masses and places, in proportion, so that what is at its limit is just inside.
-    fn correct(&self, pieces: &mut [(Column, f64)]) -> Option<()> {
+    fn correct(&self, pieces: &mut [(Column, f64)], near: f64) -> Option<()> {
         let states = self.states(pieces);
         let inside = |state: &State| INSIDE.0 * state.size.0 + INSIDE.1 * state.size.1;
         let active: Vec<&State> = states
             .iter()
-            .filter(|state| state.is_zero || state.value < ACTIVE * state.size.0 + INSIDE.1 * state.size.1)
+            .filter(|state| state.is_zero || state.value < near * state.size.0 + inside(state))
             .collect();
         let mut free = Vec::new();
         for (piece, (column, _)) in pieces.iter().enumerate() {
@@ -221,7 +245,7 @@ impl Problem {
     pub(super) fn is_met(&self, pieces: &[(Column, f64)]) -> bool {
         let at_sites = pieces.iter().all(|(column, mass)| {
             let reach = column.at.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-            let size_holds = self.sizes[column.site].is_empty() || self.sizes[column.site].contains(mass);
+            let size_holds = self.pieces_of(column.site, *mass).is_some();
             let chart = &self.charts[column.site];
             let near = chart.nearest(column.at).into_iter().zip(column.at).map(|(a, b)| (a - b).abs());
             let near = near.fold(0.0, f64::max) <= AT * reach.max(chart.size());

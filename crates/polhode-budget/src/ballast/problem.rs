@@ -24,7 +24,7 @@ pub(super) struct Problem {
     /// What pieces at a site come to, if it has sizes.
     pub(super) sums: Vec<Option<Sums>>,
     /// What all ballast comes to, if all sites have sizes.
-    totals: Option<Sums>,
+    pub(super) totals: Option<Sums>,
     pub(super) blocks: Vec<Block>,
     pub(super) products: Vec<Product>,
     pub(super) coordinates: Vec<Coordinate>,
@@ -71,7 +71,8 @@ impl Problem {
         };
         problem.sums = (0..problem.charts.len()).map(|k| sums(site(k))).collect();
         if problem.sums.iter().all(Option::is_some) {
-            problem.totals = Some(Sums::totals(problem.sums.iter().flatten()));
+            problem.totals =
+                Some(Sums::totals(problem.sums.iter().flatten(), problem.sizes.iter().flatten().copied()));
         }
         let largest =
             problem.sums.iter().zip(&problem.most).map(|(sums, most)| {

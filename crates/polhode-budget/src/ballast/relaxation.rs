@@ -26,17 +26,39 @@ pub(super) struct Placed {
     pub(super) mass: f64,
 }
 
+/// What is left of the work, and what other regions leave for it.
+#[derive(Clone, Debug)]
+pub(super) struct Work {
+    /// Pieces that were good in other regions.
+    pool: Vec<Column>,
+    /// How many variables the programs may have that are solved.
+    pub(super) left: usize,
+    /// Whether one would have had more.
+    pub(super) is_spent: bool,
+}
+
+impl Work {
+    pub(super) const fn new(left: usize) -> Self {
+        Self { pool: Vec::new(), left, is_spent: false }
+    }
+}
+
 /// How well a region is solved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Until {
     /// Until no more pieces would make ballast lighter.
     Solved,
+    /// Until the least is roughly known; that there is none need not be proved.
+    Roughly,
     /// Until nothing in it is lighter than this, or it is known that more pieces cannot show that.
     Above(f64),
 }
 
 /// Pieces are added until none would make ballast lighter by more than this part of its own mass: in all, and in a region of centres.
 const PRICE: [f64; 2] = [1e-11, 1e-8];
+
+/// The same where pieces do not meet the limits, as a part of what is missing: to prove that none do, and roughly.
+const MISSING: [f64; 2] = [1e-6, 0.1];
 
 /// How near the least in a region has to be known before it is split, as a part of it.
 const ROUGH: f64 = 0.01;
@@ -54,8 +76,8 @@ const SAME: f64 = 1e-11;
 const ROUNDS: usize = 80;
 
 impl Problem {
-    /// The least ballast in a region, of pieces that cells begin with, that were added elsewhere, or are added; `None` if the solver gives up.
-    pub(super) fn relaxed(&self, region: &Region, pool: &mut Vec<Column>, until: Until) -> Option<Relaxed> {
+    /// The least ballast in a region, of pieces that cells begin with, that were added elsewhere, or are added; `None` if the solver gives up, or may not solve more.
+    pub(super) fn relaxed(&self, region: &Region, work: &mut Work, until: Until) -> Option<Relaxed> {
         let (rows, mut last) = (self.rows(region), None);
         // What takes nothing has no pieces, but if nothing takes any.
         let none = region.leaves().all(|(_, cell)| cell.masses[1] == 0.0);
@@ -64,15 +86,22 @@ impl Problem {
         for (k, cell) in region.leaves().filter(|(_, cell)| takes_some(cell)) {
             let site = cell.site;
             columns.extend(cell.chart.seeds().into_iter().map(|at| (k, Column { site, at })));
-            let others = pool.iter().filter(|column| column.site == site && cell.chart.holds(column.at));
+            let others = work.pool.iter().filter(|column| column.site == site && cell.chart.holds(column.at));
             columns.extend(others.map(|column| (k, *column)));
         }
+        let missing = MISSING[usize::from(until == Until::Roughly)];
         for _ in 0..ROUNDS {
-            let Master { prices, masses, full } = self.master(&rows, region, &columns)?;
+            let Master { prices, masses, full } = {
+                let left = work.left.checked_sub(columns.len());
+                work.is_spent |= left.is_none();
+                work.left = left?;
+                self.master(&rows, region, &columns)?
+            };
             let sum = weighed(&rows, &prices.of);
             let price = price(&sum, &prices);
             let price_of_mass = PRICE[usize::from(!self.products.is_empty())];
-            let tolerance = if prices.of_mass { price_of_mass } else { 0.1 * sum.constant.size() / self.cap };
+            let tolerance =
+                if prices.of_mass { price_of_mass } else { missing * sum.constant.size() / self.cap };
             let mut added = false;
             for (k, cell) in region.leaves().filter(|(_, cell)| takes_some(cell) && !cell.chart.is_point()) {
                 let (at, least) = cell.chart.least(&price, self.origin);
@@ -81,7 +110,7 @@ impl Problem {
                     |(other, old): &(usize, Column)| *other == k && cell.chart.are_near(old.at, at, NEAR);
                 if least + full[k] < -tolerance && !columns.iter().any(is_old) {
                     columns.push((k, new));
-                    pool.push(new);
+                    work.pool.push(new);
                     added = true;
                 }
             }
@@ -95,6 +124,7 @@ impl Problem {
             let enough = match (total, until) {
                 (None, _) => bound() == f64::INFINITY,
                 (Some(_), Until::Solved) => false,
+                (Some(total), Until::Roughly) => total - bound() < ROUGH * total,
                 (Some(total), Until::Above(closing)) => {
                     let bound = bound();
                     bound >= closing || (total < closing && total - bound < ROUGH * total)
@@ -108,10 +138,10 @@ impl Problem {
         let used = last.iter().filter_map(|relaxed| relaxed.pieces.as_ref()).flatten();
         let heaviest = used.clone().fold(0.0, |most: f64, piece| most.max(piece.mass));
         let used = used.filter(|piece| piece.mass > 1e-6 * heaviest).map(|piece| piece.column);
-        let used: Vec<Column> = used.filter(|column| pool.contains(column)).collect();
-        pool.retain(|column| !used.contains(column));
-        pool.drain(..pool.len().saturating_sub(KEPT));
-        pool.extend(used);
+        let used: Vec<Column> = used.filter(|column| work.pool.contains(column)).collect();
+        work.pool.retain(|column| !used.contains(column));
+        work.pool.drain(..work.pool.len().saturating_sub(KEPT));
+        work.pool.extend(used);
         last
     }
 

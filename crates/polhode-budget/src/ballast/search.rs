@@ -4,10 +4,11 @@ use core::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::problem::{Column, Problem};
-use super::proof::{Branch, Prices, Tree};
+use super::proof::{Prices, Tree};
 use super::region::{Cell, Region};
-use super::relaxation::{Placed, Relaxed, Until};
+use super::relaxation::{Placed, Relaxed, Until, Work};
 use super::row::Functional;
+use super::step::Step;
 
 /// What was found, and what is proved.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,22 +19,24 @@ pub(super) struct Outcome {
     pub(super) tree: Tree,
     /// Of ballast up to this, kg.
     pub(super) cap: f64,
+    /// How many regions were looked at, and how many variables the programs had.
+    pub(super) looked_at: usize,
+    pub(super) effort: usize,
+    /// Whether more of these would have been needed.
+    pub(super) is_spent: bool,
 }
 
-/// Regions that are looked at.
-const REGIONS: usize = 20_000;
+/// The search begins anew, with what is lighter than ballast that was found, where this is a part of 1/64 lighter for each region that is lost.
+const WORTH: f64 = 64.0;
 
-/// In so many regions some ballast is tried to be found,
-const FIRST: usize = 4;
+/// No more than this part of the effort goes into ballast that is tried, and the rest into what is proved.
+const TRIED: usize = 3;
 
-/// and then in one of so many lighter one.
-const TRIES: usize = 4;
+/// In one of so many regions sums are chosen each after what the others then are.
+const ONE_BY_ONE: usize = 4;
 
-/// A region of centres narrower than this part of the first is not split.
-const NARROW: f64 = 1e-9;
-
-struct Node {
-    region: Region,
+pub(super) struct Node {
+    pub(super) region: Region,
     prices: Prices,
     /// What nothing in it is below.
     bound: f64,
@@ -41,15 +44,6 @@ struct Node {
     step: Option<Step>,
     /// What it was split into.
     parts: Vec<usize>,
-}
-
-/// How a region is split.
-#[derive(Clone, Copy)]
-enum Step {
-    /// Into two.
-    Split(Branch),
-    /// A part of a site in it into two.
-    Part { cell: usize, axis: usize, at: f64 },
 }
 
 /// A region that may have lighter ballast; those of the least bound are the greatest.
@@ -74,10 +68,15 @@ impl PartialOrd for Open {
 }
 
 pub(super) struct Search<'a> {
-    problem: &'a Problem,
-    /// Pieces that were good in other regions.
-    pool: Vec<Column>,
-    nodes: Vec<Node>,
+    pub(super) problem: &'a Problem,
+    pub(super) work: Work,
+    /// What `work` had.
+    pub(super) effort: usize,
+    looked_at: usize,
+    /// What ballast that was tried took of the effort, and how often.
+    tried: usize,
+    times: usize,
+    pub(super) nodes: Vec<Node>,
     open: BinaryHeap<Open>,
     found: Option<(f64, Vec<(Column, f64)>)>,
     cap: f64,
@@ -85,11 +84,15 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    /// Until what is found is proved but for a part of its mass.
-    pub(super) fn new(problem: &'a Problem, gap: f64) -> Self {
+    /// Until what is found is proved but for a part of its mass, or programs of so many variables are solved.
+    pub(super) fn new(problem: &'a Problem, gap: f64, effort: usize) -> Self {
         Self {
             problem,
-            pool: Vec::new(),
+            work: Work::new(effort),
+            effort,
+            looked_at: 0,
+            tried: 0,
+            times: 0,
             nodes: Vec::new(),
             open: BinaryHeap::new(),
             found: None,
@@ -102,22 +105,30 @@ impl<'a> Search<'a> {
         self.offer(Some(Vec::new()));
         if self.found.is_some() {
             let nothing = Prices { of: Vec::new(), of_cells: Vec::new(), of_mass: true };
-            return Outcome { found: Some(Vec::new()), tree: Tree::Leaf(nothing), cap: self.cap };
+            return self.outcome(Tree::Leaf(nothing));
         }
-        let mut root = self.problem.root(self.cap);
-        self.look(root.clone(), None);
-        // Light ballast moves the centre little: the region becomes smaller once some is found.
-        while let Some((mass, _)) = self.found.as_ref().filter(|(mass, _)| *mass < 0.5 * self.cap) {
-            self.cap = *mass;
-            self.nodes.clear();
-            self.open.clear();
-            root = self.problem.root(self.cap);
-            self.look(root.clone(), None);
-        }
-        while self.nodes.len() < REGIONS {
+        self.guide();
+        self.cap = self.limit();
+        self.look(self.problem.root(self.cap), None);
+        while !self.work.is_spent {
+            // Light ballast moves the centre little, and needs few sizes: the region becomes smaller once some is found, if little is lost.
+            if let Some((mass, _)) = self.found
+                && (self.cap / mass - 1.0) * WORTH > self.nodes.len() as f64
+            {
+                self.cap = mass;
+                self.nodes.clear();
+                self.open.clear();
+                self.look(self.problem.root(self.cap), None);
+            }
             // The least bound first: when that is closed, all are.
             let Some(Open { bound, place }) = self.open.pop() else { break };
-            let Some(step) = self.nodes[place].step.filter(|_| !self.is_closed(bound)) else { break };
+            if self.is_closed(bound) {
+                break;
+            }
+            let Some(step) = self.nodes[place].step else {
+                // What cannot be split stays open; elsewhere there may be some ballast.
+                if self.found.is_some() { break } else { continue }
+            };
             let region = &self.nodes[place].region;
             let parts = match step {
                 Step::Split(branch) => self.problem.split(region, branch).to_vec(),
@@ -126,7 +137,19 @@ impl<'a> Search<'a> {
             self.nodes[place].parts =
                 parts.into_iter().map(|region| self.look(region, Some(place))).collect();
         }
-        Outcome { tree: self.tree(0), cap: self.cap, found: self.found.map(|(_, pieces)| pieces) }
+        let tree = self.tree(0);
+        self.outcome(tree)
+    }
+
+    fn outcome(self, tree: Tree) -> Outcome {
+        Outcome {
+            found: self.found.map(|(_, pieces)| pieces),
+            tree,
+            cap: self.cap,
+            looked_at: self.looked_at,
+            effort: self.effort - self.work.left,
+            is_spent: self.work.is_spent,
+        }
     }
 
     fn is_closed(&self, bound: f64) -> bool {
@@ -136,7 +159,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn limit(&self) -> f64 {
+    pub(super) fn limit(&self) -> f64 {
         self.found.as_ref().map_or(self.cap, |(mass, _)| mass.min(self.cap))
     }
 
@@ -153,7 +176,7 @@ impl<'a> Search<'a> {
             });
         }
         let until = self.until();
-        let relaxed = self.problem.relaxed(&region, &mut self.pool, until);
+        let relaxed = self.problem.relaxed(&region, &mut self.work, until);
         let Some(Relaxed { prices, price, pieces }) = relaxed else {
             let prices = within.map_or_else(none, |within| self.nodes[within].prices.clone());
             let bound = self.problem.bound(&prices, &region, self.limit());
@@ -162,8 +185,14 @@ impl<'a> Search<'a> {
         };
         let mut step = None;
         if let Some(pieces) = pieces {
-            if self.nodes.len() < FIRST || self.nodes.len().is_multiple_of(TRIES) {
+            if self.tries() {
+                let before = self.work.left;
                 self.try_near(&region, &pieces, &price);
+                self.tried += before - self.work.left;
+                self.times += 1;
+            } else {
+                let near = self.problem.in_pieces(&region, &pieces, false);
+                self.offer(self.problem.corrected(near));
             }
             let bound = self.problem.bound(&prices, &region, self.limit());
             if !self.is_closed(bound) {
@@ -195,6 +224,7 @@ impl<'a> Search<'a> {
     }
 
     fn push(&mut self, node: Node) -> usize {
+        self.looked_at += 1;
         let place = self.nodes.len();
         if !self.is_closed(node.bound) {
             self.open.push(Open { bound: node.bound, place });
@@ -207,21 +237,33 @@ impl<'a> Search<'a> {
     fn offer(&mut self, pieces: Option<Vec<(Column, f64)>>) {
         let Some(mut pieces) = pieces else { return };
         pieces.sort_by_key(|(column, _)| column.site);
-        let mass = pieces.iter().map(|(_, mass)| mass).sum::<f64>();
+        let Some(mass) = self.problem.mass(&pieces) else { return };
         let lighter = self.found.as_ref().is_none_or(|(found, _)| mass < *found);
         if lighter && self.problem.is_met(&pieces) {
             self.found = Some((mass, pieces));
         }
     }
 
+    /// Whether there is effort for more ballast to be tried.
+    fn tries(&self) -> bool {
+        self.tried * TRIED <= self.effort - self.work.left
+    }
+
+    /// Takes pieces near these.
+    pub(super) fn offer_near(&mut self, pieces: &[(Column, f64)], price: Option<&Functional>) {
+        let polished = self.problem.polished(pieces, price, &mut self.work);
+        self.offer(polished);
+    }
+
     /// Ballast near that of a region: as it is, with the nearest sizes, and with the centre where it is but along one coordinate, so that products about it are linear.
     fn try_near(&mut self, region: &Region, placed: &[Placed], price: &Functional) {
         let problem = self.problem;
         if !problem.is_split() {
-            self.offer(problem.polished(&problem.in_pieces(region, placed, false), Some(price)));
+            let pieces = problem.in_pieces(region, placed, false);
+            self.offer_near(&pieces, Some(price));
             return;
         }
-        let one_by_one = self.nodes.len() < FIRST || self.nodes.len().is_multiple_of(TRIES * TRIES);
+        let one_by_one = self.times.is_multiple_of(ONE_BY_ONE);
         let Some((fixed, placed)) = self.with_sums(region, placed, one_by_one) else { return };
         let center = problem.center(&problem.in_pieces(&fixed, &placed, false));
         for free in 0..center.len().max(1) {
@@ -231,14 +273,14 @@ impl<'a> Search<'a> {
                     fixed.boxes[k] = [at.clamp(*low, *high); 2];
                 }
             }
-            let relaxed = problem.relaxed(&fixed, &mut self.pool, Until::Solved);
+            let relaxed = problem.relaxed(&fixed, &mut self.work, Until::Solved);
             let price = relaxed.as_ref().map(|relaxed| relaxed.price);
             let placed = relaxed.and_then(|relaxed| relaxed.pieces).unwrap_or_else(|| placed.clone());
             let few = problem.in_pieces(&fixed, &placed, false);
             let many = problem.in_pieces(&fixed, &placed, true);
-            self.offer(problem.polished(&few, price.as_ref()));
+            self.offer_near(&few, price.as_ref());
             if many.len() > few.len() {
-                self.offer(problem.polished(&many, price.as_ref()));
+                self.offer_near(&many, price.as_ref());
             }
         }
     }
@@ -273,88 +315,7 @@ impl<'a> Search<'a> {
                 return None;
             }
             let until = self.until();
-            placed = self.problem.relaxed(&region, &mut self.pool, until)?.pieces?;
-        }
-    }
-
-    /// Where a region is to be split: at a sum between two that there are; in a part of a site, whose moments are farthest from those of pieces in it; or across the centre by which a broken product is bounded least well.
-    fn step(&self, region: &Region, placed: &[Placed]) -> Option<Step> {
-        let problem = self.problem;
-        let totals = region.summed(placed.iter().map(|piece| (piece.cell, piece.mass)));
-        let between = region.cells.iter().enumerate().filter_map(|(k, cell)| {
-            let (sums, [least, most]) = (problem.sums[cell.site].as_ref()?, cell.sums);
-            let above = sums.first_from(totals[k]).clamp(least.min(most) + 1, most.max(least + 1));
-            let (low, high) = (sums.at(above - 1)[1], sums.at(above)[0]);
-            let beside = (totals[k] - low).abs().min((high - totals[k]).abs());
-            let is_between = totals[k] > low && totals[k] < high && beside > 1e-7 * high;
-            (least < most && is_between).then_some((beside, Branch::Sum { cell: k, index: above - 1 }))
-        });
-        if let Some((_, branch)) = between.max_by(|a, b| a.0.total_cmp(&b.0)) {
-            return Some(Step::Split(branch));
-        }
-        let free = region.leaves().filter(|(_, cell)| problem.has_free_pieces(cell.site));
-        let apart = free.map(|(k, cell)| (problem.apart(region, placed, k), k, cell));
-        let apart = apart.filter(|(by, ..)| *by > 1e-9).max_by(|a, b| a.0.total_cmp(&b.0));
-        let broken = problem.broken_products(&problem.in_pieces(region, placed, false));
-        let worst = problem.products.iter().zip(&broken).filter(|(_, by)| **by > 0.0);
-        let worst = worst.max_by(|a, b| a.1.total_cmp(b.1));
-        let center = worst.and_then(|(product, by)| {
-            let [i, j] = product.coordinates;
-            let coordinate = if self.wide(region, i) >= self.wide(region, j) { i } else { j };
-            let [low, high] = region.boxes[coordinate];
-            let width = high - low;
-            let at = problem.center(&problem.in_pieces(region, placed, false))[coordinate];
-            let at = at.clamp(low + 0.2 * width, high - 0.2 * width);
-            let size = Functional::second(product.axes[0], product.axes[1]);
-            let size = size.added_to(problem.whole(product.basis)).size;
-            (self.wide(region, coordinate) > NARROW).then_some((
-                *by / size.max(f64::MIN_POSITIVE),
-                Step::Split(Branch::Center { coordinate, at }),
-            ))
-        });
-        match (apart, center) {
-            (Some((by, k, cell)), center) if center.is_none_or(|(broken, _)| by > broken) => {
-                let own = placed.iter().filter(|piece| piece.cell == k);
-                let own: Vec<_> = own.map(|piece| (piece.column.at, piece.mass)).collect();
-                let parting = problem.parting(cell, &own);
-                parting.map(|(axis, at)| Step::Part { cell: k, axis, at }).or(center.map(|(_, step)| step))
-            }
-            (_, center) => center.map(|(_, step)| step),
-        }
-    }
-
-    /// How wide a coordinate of the centre is, as a part of what it is in all.
-    fn wide(&self, region: &Region, k: usize) -> f64 {
-        let root = self.nodes.first().map_or(region, |node| &node.region);
-        let whole = root.boxes[k][1] - root.boxes[k][0];
-        if whole > 0.0 { (region.boxes[k][1] - region.boxes[k][0]) / whole } else { 0.0 }
-    }
-
-    /// Where a region of which nothing is known is split.
-    fn middle(&self, region: &Region) -> Option<Step> {
-        let sums = region.leaves().filter(|(_, cell)| cell.sums[0] < cell.sums[1]);
-        if let Some((cell, of)) = sums.max_by_key(|(_, cell)| cell.sums[1] - cell.sums[0]) {
-            let [least, most] = of.sums;
-            return Some(Step::Split(Branch::Sum { cell, index: (least + most - 1) / 2 }));
-        }
-        let center = (0..region.boxes.len()).map(|k| (self.wide(region, k), k));
-        let center = center.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(wide, _)| *wide > NARROW);
-        let free = region
-            .leaves()
-            .filter(|(_, cell)| self.problem.has_free_pieces(cell.site) && cell.masses[1] > 0.0);
-        let parting = |(k, cell): (usize, &Cell)| {
-            let (axis, at) = self.problem.parting(cell, &[])?;
-            let part = cell.chart.size() / self.problem.charts[cell.site].size();
-            Some((part, Step::Part { cell: k, axis, at }))
-        };
-        let part = free.filter_map(parting).max_by(|a, b| a.0.total_cmp(&b.0));
-        match (center, part) {
-            (Some((wide, _)), Some((part, step))) if part > wide => Some(step),
-            (Some((_, coordinate)), _) => {
-                let [low, high] = region.boxes[coordinate];
-                Some(Step::Split(Branch::Center { coordinate, at: 0.5 * low + 0.5 * high }))
-            }
-            (None, part) => part.map(|(_, step)| step),
+            placed = self.problem.relaxed(&region, &mut self.work, until)?.pieces?;
         }
     }
 

@@ -2,7 +2,7 @@
 
 use polhode::math::{Body, Direction, Position};
 use polhode_budget::{
-    About, Ballast, BallastAnswer, BallastPlace, Basis, Budget, GivenPart, GivenTensor, LeastBallast, Limit,
+    About, Ballast, BallastAnswer, BallastPlace, Basis, Budget, FoundBallast, GivenPart, GivenTensor, Limit,
     Measure, PartsList, ProductSign, Round, Row, Site,
 };
 
@@ -64,14 +64,21 @@ pub(crate) fn sites(sites: Vec<Site>) -> Ballast {
 }
 
 /// The least ballast, with all that has to hold of any.
-pub(crate) fn least(budget: &Budget, ballast: &Ballast, limits: &[Limit], gap: f64) -> Option<LeastBallast> {
+pub(crate) fn least(budget: &Budget, ballast: &Ballast, limits: &[Limit], gap: f64) -> Option<FoundBallast> {
     match budget.ballast(ballast, limits).unwrap() {
+        BallastAnswer::Undecided(undecided) => panic!(
+            "{} {:?} {} {:?}",
+            undecided.bound,
+            undecided.found.map(|found| found.mass),
+            undecided.regions,
+            undecided.effort
+        ),
         BallastAnswer::None(none) => {
             assert!(none.is_proved() && none.up_to > 0.0);
             None
         }
         BallastAnswer::Least(found) => {
-            assert!(found.is_proved() && found.gap() <= gap && found.bound <= found.mass, "{found:?}");
+            assert!(found.is_least() && found.gap() <= gap && found.bound <= found.mass, "{found:?}");
             for limit in limits {
                 let with = found.with(&budget.mass_properties(limit.basis).unwrap()).unwrap();
                 let value = limit.of.value(&with).unwrap();
@@ -190,11 +197,11 @@ fn what_is_changed_is_not_proved() {
     else {
         panic!()
     };
-    assert!(good.is_proved());
-    let changed = |by: &dyn Fn(&mut LeastBallast)| {
+    assert!(good.is_least());
+    let changed = |by: &dyn Fn(&mut FoundBallast)| {
         let mut bad = good.clone();
         by(&mut bad);
-        assert!(!bad.is_proved(), "{bad:?}");
+        assert!(!bad.is_least(), "{bad:?}");
     };
     changed(&|bad| bad.bound = bad.mass * (1.0 + 1e-9));
     changed(&|bad| bad.bound *= 1.0 - 1e-8);
@@ -203,8 +210,9 @@ fn what_is_changed_is_not_proved() {
     changed(&|bad| bad.pieces[0].position = bad.pieces[0].position * 1.000_1);
     changed(&|bad| bad.pieces[0].position.z = 0.1);
     changed(&|bad| bad.pieces[0].site = 1);
+    changed(&|bad| bad.pieces[0].count = 2);
     changed(&|bad| bad.pieces.clear());
-    let heavier = |bad: &mut LeastBallast| {
+    let heavier = |bad: &mut FoundBallast| {
         bad.pieces[0].mass *= 1.01;
         bad.mass = bad.pieces.iter().map(|piece| piece.mass).sum();
     };

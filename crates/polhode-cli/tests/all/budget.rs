@@ -209,6 +209,17 @@ fn ballast_meets_the_limits_or_there_is_none() {
         text.contains("No ballast at these sites, up to 0.1 kg, meets center distance along z."),
         "{text}"
     );
+    // What is not decided is said, and how more may be.
+    scratch.write("spent.csv", &plan("1 kg\"\n# effort = 1 # "));
+    let text = stdout(&scratch.run(&["budget", "spent.csv"]));
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    for said in ["→ No ballast was found that meets center distance along z", "`effort` in [ballast] was 1"]
+    {
+        assert!(text.contains(said), "{text}");
+    }
+    let said = json(&scratch.run(&["budget", "spent.csv", "--json"]));
+    let spent = &said["configurations"][0]["ballast"];
+    assert!(spent["mass"].is_null() && spent["proved"] == false && ballast["proved"] == true, "{spent}");
 }
 
 #[test]

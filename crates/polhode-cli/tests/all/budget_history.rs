@@ -142,24 +142,46 @@ fn states_are_tables() {
     scratch.write("rocket.csv", &text);
     stdout(&scratch.run(&["simulate", "rocket.toml", "--output", "run"]));
 
-    // By fill, with what a kilogram more makes: differences of neighbours, of moments that are straight between the rows of the tank's table.
+    // By fill, with what a kilogram more makes: between two rows the moments about the origin are straight in the mass of the liquid, so that differences of them are slopes.
     let fill = stdout(&scratch.run(&["budget", &rocket, "--csv=fill"]));
     let (headings, rows) = table(&fill);
     let cell = |row: &[String], name: &str| -> f64 {
         row[headings.iter().position(|heading| heading == name).unwrap()].parse().unwrap()
     };
     assert_eq!(rows.len(), 21);
-    let [low, row, high] = [5, 6, 7].map(|k| &rows[k]);
-    let across = cell(high, "liquid_kg") - cell(low, "liquid_kg");
-    for (name, slope) in [
-        ("center_z_m", "center_z_m_per_kg"),
-        ("inertia_xx_kg_m2", "inertia_xx_kg_m2_per_kg"),
-        ("inertia_zz_kg_m2", "inertia_zz_kg_m2_per_kg"),
-    ] {
-        let difference = (cell(high, name) - cell(low, name)) / across;
-        let found = cell(row, slope);
-        assert!(found != 0.0 && (found / difference - 1.0).abs() < 0.02, "{slope}: {found} {difference}");
+    // M, S and the tensor about the origin.
+    let moments = |row: &[String]| {
+        let [m, x, y, z, xx, zz] =
+            ["mass_kg", "center_x_m", "center_y_m", "center_z_m", "inertia_xx_kg_m2", "inertia_zz_kg_m2"]
+                .map(|name| cell(row, name));
+        [m, m * x, m * y, m * z, xx + m * (y * y + z * z), zz + m * (x * x + y * y)]
+    };
+    let slopes = |from: &[String], to: &[String]| {
+        let (from, to) = (moments(from), moments(to));
+        [1, 2, 3, 4, 5].map(|k| (to[k] - from[k]) / (to[0] - from[0]))
+    };
+    let mut straight = 0;
+    for three in rows.windows(3) {
+        let [low, row, high] = [0, 1, 2].map(|k| &three[k]);
+        let [before, after] = [slopes(low, row), slopes(row, high)];
+        if before.iter().zip(after).any(|(a, b)| (a - b).abs() > 1e-9) {
+            continue;
+        }
+        straight += 1;
+        let [m, sx, sy, sz, ..] = moments(row);
+        let [x, y, z] = [sx, sy, sz].map(|s| s / m);
+        let [dx, dy, dz] = [before[0] - x, before[1] - y, before[2] - z].map(|d| d / m);
+        for (name, want) in [
+            ("center_x_m_per_kg", dx),
+            ("center_z_m_per_kg", dz),
+            ("inertia_xx_kg_m2_per_kg", before[3] - (y * y + z * z) - 2.0 * m * (y * dy + z * dz)),
+            ("inertia_zz_kg_m2_per_kg", before[4] - (x * x + y * y) - 2.0 * m * (x * dx + y * dy)),
+        ] {
+            let found = cell(row, name);
+            assert!(found != 0.0 && (found - want).abs() < 1e-11, "{name}: {found} {want}");
+        }
     }
+    assert!(straight >= 5, "{straight}");
 
     stdout(&scratch.run(&["budget", &rocket, "--xlsx", "out.xlsx"]));
     let error = refused(&scratch.run(&["budget", "out.xlsx"]), 2);

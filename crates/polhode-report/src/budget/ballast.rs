@@ -1,6 +1,6 @@
 //! The least ballast by which limits are met.
 
-use polhode_budget::{Ballast, BallastAnswer, LeastBallast, Limit};
+use polhode_budget::{Ballast, BallastAnswer, FoundBallast, Limit, UndecidedBallast};
 use serde_json::{Value, json};
 
 use super::case::Case;
@@ -20,7 +20,7 @@ pub(super) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Optio
         section.say(format!("Not sought for {}: {reason}.", names.collect::<Vec<_>>().join(", ")));
     }
     let sought = sought(left_out, limits);
-    let least = match answer {
+    let found = match answer {
         BallastAnswer::Least(least) => least,
         BallastAnswer::None(none) => {
             section.say(format!(
@@ -30,29 +30,53 @@ pub(super) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Optio
             ));
             return Some(section);
         }
+        BallastAnswer::Undecided(UndecidedBallast { found: Some(found), .. }) => found,
+        BallastAnswer::Undecided(undecided) => {
+            section.say(format!(
+                "No ballast was found that meets {sought}, and none below {} kg does; whether more would is not decided{}.",
+                number(undecided.bound, 9),
+                ended(undecided)
+            ));
+            return Some(section);
+        }
     };
-    if least.pieces.is_empty() {
+    if found.pieces.is_empty() {
         section.say(format!(
             "Without ballast the list meets {sought}{}.",
-            others(case, least, left_out, limits, "without")
+            others(case, found, left_out, limits, "without")
         ));
         return Some(section);
     }
+    let counts = found.pieces.iter().any(|piece| piece.count > 1);
     let row = |piece: &polhode_budget::Piece| {
         let [x, y, z] = tidy(piece.position.to_array()).map(|x| number(1e3 * x, 5));
         let site = ballast.sites.get(piece.site).map_or_else(String::new, |site| printable(&site.name));
-        vec![site, x, y, z, number(1e3 * piece.mass, 6)]
+        let count = counts.then(|| count(piece.count));
+        [site, x, y, z].into_iter().chain(count).chain([number(1e3 * piece.mass, 6)]).collect()
     };
-    section
-        .table(&["site", "x (mm)", "y (mm)", "z (mm)", "mass (g)"], least.pieces.iter().map(row).collect());
-    section.say(format!(
-        "{} kg is the least: none below {} kg meets {sought} (gap {}), as the prices of the limits prove, checked in intervals, in {}{}.",
-        number(least.mass, 9),
-        number(least.bound, 9),
-        number(least.gap(), 2),
-        regions(least.regions),
-        others(case, least, left_out, limits, "with it")
-    ));
+    let head: &[&str] = if counts {
+        &["site", "x (mm)", "y (mm)", "z (mm)", "pieces", "each (g)"]
+    } else {
+        &["site", "x (mm)", "y (mm)", "z (mm)", "mass (g)"]
+    };
+    section.table(head, found.pieces.iter().map(row).collect());
+    let others = others(case, found, left_out, limits, "with it");
+    section.say(match answer {
+        BallastAnswer::Undecided(undecided) => format!(
+            "{} kg is the lightest that was found, and none below {} kg meets {sought} (gap {}), as the prices of the limits prove, checked in intervals; what is between is not decided{}{others}.",
+            number(found.mass, 9),
+            number(found.bound, 9),
+            number(found.gap(), 2),
+            ended(undecided)
+        ),
+        _ => format!(
+            "{} kg is the least: none below {} kg meets {sought} (gap {}), as the prices of the limits prove, checked in intervals, in {}{others}.",
+            number(found.mass, 9),
+            number(found.bound, 9),
+            number(found.gap(), 2),
+            regions(found.regions),
+        ),
+    });
     if ballast.deviations > 0.0 {
         section.say(format!(
             "The whole is kept {} standard deviations inside the limits.",
@@ -63,7 +87,7 @@ pub(super) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Optio
         let (unit, scale) = shown_unit(limit.of.unit());
         let without = case.estimate(limit.basis).properties;
         let value = |body| limit.of.value(&body).map_or_else(|why| why.to_string(), |x| number(scale * x, 5));
-        let with = least.with(&without).map_or_else(|error| error.to_string(), value);
+        let with = found.with(&without).map_or_else(|error| error.to_string(), value);
         vec![printable(&limit.name), allowed(limit, scale), value(without), with, unit.to_owned()]
     };
     section.table(&["limit", "allowed", "without", "with", "unit"], limits.iter().map(row).collect());
@@ -83,16 +107,24 @@ pub(super) fn in_words(case: &Case, limits: &[Limit]) -> Option<String> {
             format!("No ballast is needed: {sought} {is} met without{others}")
         }
         BallastAnswer::Least(least) => {
-            let LeastBallast { pieces, mass, .. } = least;
-            let plural = if pieces.len() == 1 { "" } else { "s" };
+            let of = if left_out.is_empty() { String::new() } else { format!(" for {sought}") };
+            let others = others(case, least, left_out, limits, "with it");
+            format!("Least ballast {} kg, in {}{of}: proved{others}", number(least.mass, 4), pieces(least))
+        }
+        BallastAnswer::Undecided(UndecidedBallast { found: Some(found), .. }) => {
             let of = if left_out.is_empty() { String::new() } else { format!(" for {sought}") };
             format!(
-                "Least ballast {} kg, in {} piece{plural}{of}: proved{}",
-                number(*mass, 4),
-                count(pieces.len() as u64),
-                others(case, least, left_out, limits, "with it")
+                "Ballast of {} kg, in {}{of}: not proved to be the least, which is {} kg or more{}",
+                number(found.mass, 4),
+                pieces(found),
+                number(found.bound, 4),
+                others(case, found, left_out, limits, "with it")
             )
         }
+        BallastAnswer::Undecided(undecided) => format!(
+            "No ballast was found that meets {sought}; whether there is some of {} kg or more is not decided",
+            number(undecided.bound, 4)
+        ),
     })
 }
 
@@ -109,7 +141,7 @@ fn sought(left_out: &[(String, &str)], limits: &[Limit]) -> String {
 /// `; spin ratio along z, left out, is not met with it`
 fn others(
     case: &Case,
-    least: &LeastBallast,
+    least: &FoundBallast,
     left_out: &[(String, &str)],
     limits: &[Limit],
     ballast: &str,
@@ -126,9 +158,27 @@ fn is_left_out(left_out: &[(String, &str)], limit: &Limit) -> bool {
 }
 
 /// Whether the whole with this ballast meets a limit; not if its number is undefined.
-fn is_met(case: &Case, least: &LeastBallast, limit: &Limit) -> bool {
+fn is_met(case: &Case, least: &FoundBallast, limit: &Limit) -> bool {
     let body = least.with(&case.estimate(limit.basis).properties);
     body.is_ok_and(|body| limit.of.value(&body).is_ok_and(|value| limit.is_met(value)))
+}
+
+/// `3 pieces`
+fn pieces(found: &FoundBallast) -> String {
+    let all: u64 = found.pieces.iter().map(|piece| piece.count).sum();
+    format!("{} piece{}", count(all), if all == 1 { "" } else { "s" })
+}
+
+/// Why the search ended.
+fn ended(undecided: &UndecidedBallast) -> String {
+    let regions = regions(undecided.regions);
+    match undecided.effort {
+        Some(effort) => format!(
+            ", as the search ended after {regions}, with all its effort: `effort` in [ballast] was {}",
+            count(effort as u64)
+        ),
+        None => format!(", as {regions} were looked at, and what is left cannot be split further"),
+    }
 }
 
 fn regions(n: usize) -> String {
@@ -136,33 +186,43 @@ fn regions(n: usize) -> String {
 }
 
 pub(super) fn to_json(case: &Case, ballast: Option<&Ballast>, limits: &[Limit]) -> Value {
-    let left_out = case.ballast.iter().flat_map(|found| &found.left_out);
-    let left_out: Vec<&str> = left_out.map(|(name, _)| name.as_str()).collect();
-    match (case.ballast.as_ref().map(|found| &found.answer), ballast) {
-        (Some(BallastAnswer::Least(least)), Some(ballast)) => {
-            let piece = |piece: &polhode_budget::Piece| {
-                json!({
-                    "site": ballast.sites.get(piece.site).map(|site| &site.name),
-                    "position": piece.position.to_array(),
-                    "mass": piece.mass,
-                })
-            };
-            let met = limits.iter().filter(|limit| left_out.contains(&limit.name.as_str()));
-            let met: Vec<&str> =
-                met.filter(|limit| is_met(case, least, limit)).map(|limit| limit.name.as_str()).collect();
+    let (Some(Found { answer, left_out }), Some(ballast)) = (case.ballast.as_ref(), ballast) else {
+        return Value::Null;
+    };
+    let left_out: Vec<&str> = left_out.iter().map(|(name, _)| name.as_str()).collect();
+    let of_found = |found: &FoundBallast, regions: usize, is_proved: bool| {
+        let piece = |piece: &polhode_budget::Piece| {
             json!({
-                "mass": least.mass,
-                "bound": least.bound,
-                "gap": least.gap(),
-                "regions": least.regions,
-                "pieces": least.pieces.iter().map(piece).collect::<Value>(),
-                "not_sought_for": left_out,
-                "not_sought_for_but_met": met,
+                "site": ballast.sites.get(piece.site).map(|site| &site.name),
+                "position": piece.position.to_array(),
+                "mass": piece.mass,
+                "count": piece.count,
             })
+        };
+        let met = limits.iter().filter(|limit| left_out.contains(&limit.name.as_str()));
+        let met: Vec<&str> =
+            met.filter(|limit| is_met(case, found, limit)).map(|limit| limit.name.as_str()).collect();
+        json!({
+            "mass": found.mass,
+            "bound": found.bound,
+            "gap": found.gap(),
+            "proved": is_proved,
+            "regions": regions,
+            "pieces": found.pieces.iter().map(piece).collect::<Value>(),
+            "not_sought_for": left_out,
+            "not_sought_for_but_met": met,
+        })
+    };
+    match answer {
+        BallastAnswer::Least(least) => of_found(least, least.regions, true),
+        BallastAnswer::None(none) => json!({
+            "mass": null, "none_up_to": none.up_to, "proved": true, "regions": none.regions, "not_sought_for": left_out,
+        }),
+        BallastAnswer::Undecided(UndecidedBallast { found: Some(found), regions, .. }) => {
+            of_found(found, *regions, false)
         }
-        (Some(BallastAnswer::None(none)), _) => {
-            json!({ "mass": null, "none_up_to": none.up_to, "regions": none.regions, "not_sought_for": left_out })
-        }
-        _ => Value::Null,
+        BallastAnswer::Undecided(undecided) => json!({
+            "mass": null, "bound": undecided.bound, "proved": false, "regions": undecided.regions, "not_sought_for": left_out,
+        }),
     }
 }

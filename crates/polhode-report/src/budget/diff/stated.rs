@@ -12,7 +12,7 @@ use crate::budget::case::Case;
 use crate::budget::{BudgetReport, basis_name};
 use crate::explain::document::Section;
 use crate::layout::printable;
-use crate::number::number;
+use crate::number::{count, number};
 
 /// Something that is stated differently, in words; `None` where it is not stated.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -49,6 +49,8 @@ fn of_report(report: &BudgetReport, digits: usize) -> Vec<Item> {
         let most = ballast.most.map(|most| format!("{} kg", number(most, digits)));
         all.extend(most.map(|most| Item::new("ballast, most", most)));
         all.push(Item::new("ballast, deviations", number(ballast.deviations, digits)));
+        let effort = ballast.effort.map(|effort| count(effort as u64));
+        all.extend(effort.map(|effort| Item::new("ballast, effort", effort)));
     }
     all.extend(stated.tanks.iter().flat_map(|one| tank::items(one, digits)));
     all.extend(stated.sequence.iter().flat_map(|one| happening::items(one, digits)));

@@ -105,7 +105,7 @@ pub(crate) fn ends(motion: &ContactTrajectory) -> String {
 }
 
 /// `ellipsoid, semi-axes (200, 30, 20) mm, centred at (0, 0, 10) mm`
-fn surface(surface: &BodySurface) -> String {
+pub(crate) fn surface(surface: &BodySurface) -> String {
     let center = surface.center().to_array();
     let shape = match *surface.shape() {
         SurfaceShape::Sphere { radius } => format!("sphere, radius {}", length(radius)),
@@ -136,7 +136,7 @@ fn place_of(ground: &Ground) -> String {
 }
 
 /// `a level plane that turns at 3 rad/s`
-fn form(ground: &Ground) -> String {
+pub(crate) fn form(ground: &Ground) -> String {
     let axis = triple(ground.axis().to_array(), 6);
     let inside = |side: GroundSide| if side == GroundSide::Inside { "the inside" } else { "the outside" };
     let shape = match *ground.shape() {

@@ -75,8 +75,7 @@ fn what_does_not_know_the_ground_says_so() {
     let disk = example("hoop.toml");
     scratch.write("run.csv", "time_s,qw,qx,qy,qz\n0,1,0,0,0\n1,0.6,0.8,0,0\n");
     for (arguments, why) in [
-        (&["explain", &disk][..], "the body is on the ground: the steps of a worked solution"),
-        (&["stability", &disk], "the ground is not level"),
+        (&["stability", &disk][..], "the ground is not level"),
         (&["spin", &disk], "is not a free motion: the body is on the ground"),
         (&["judge", &disk, "run.csv"], "the scenario's body is on the ground"),
         (&["torque", &disk], "its motion is computed, not given"),

@@ -16,10 +16,10 @@ use polhode_live::{Live, LiveOptions, lessons};
 use serde_json::Value;
 
 /// A lesson as the server gives it.
-struct Lesson(Value);
+pub(crate) struct Lesson(Value);
 
 impl Lesson {
-    fn open(id: &str) -> Self {
+    pub(crate) fn open(id: &str) -> Self {
         let live =
             Live::bind(&LiveOptions { lesson: Some(id.to_owned()), ..LiveOptions::default() }).unwrap();
         let address = live.address();
@@ -30,7 +30,7 @@ impl Lesson {
         Self(get(base, &format!("lesson/{id}")))
     }
 
-    fn step(&self, k: usize) -> Step<'_> {
+    pub(crate) fn step(&self, k: usize) -> Step<'_> {
         Step(&self.0["steps"][k - 1])
     }
 }
@@ -47,16 +47,21 @@ pub(crate) fn get(base: &str, path: &str) -> Value {
     serde_json::from_str(body).unwrap()
 }
 
-struct Step<'a>(&'a Value);
+pub(crate) struct Step<'a>(&'a Value);
 
 impl Step<'_> {
-    fn scenario(&self) -> Scenario {
-        scenario::parse(self.0["scenario"].as_str().unwrap(), Path::new("lesson.toml")).unwrap()
+    pub(crate) fn scenario(&self) -> Scenario {
+        scenario::parse(self.text(), Path::new("lesson.toml")).unwrap()
+    }
+
+    /// The text of its scenario.
+    pub(crate) fn text(&self) -> &str {
+        self.0["scenario"].as_str().unwrap()
     }
 
     /// Some part of the step says it, with these digits: a number of this many decimals, and what stands behind it.
     #[track_caller]
-    fn says(&self, words: &str, value: f64) {
+    pub(crate) fn says(&self, words: &str, value: f64) {
         let question = &self.0["question"];
         let right =
             question["answers"][usize::try_from(question["right"].as_u64().unwrap()).unwrap()].as_str();
@@ -67,13 +72,13 @@ impl Step<'_> {
 
     /// The right answer says it.
     #[track_caller]
-    fn right(&self, words: &str, value: f64) {
+    pub(crate) fn right(&self, words: &str, value: f64) {
         self.right_is(words);
         agrees(words, value);
     }
 
     #[track_caller]
-    fn right_is(&self, words: &str) {
+    pub(crate) fn right_is(&self, words: &str) {
         let question = &self.0["question"];
         let right = usize::try_from(question["right"].as_u64().unwrap()).unwrap();
         let answer = question["answers"][right].as_str().unwrap();

@@ -38,7 +38,7 @@ pub(super) fn lines(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Vec<Str
     lines
 }
 
-fn body(w: &Working<'_>) -> String {
+pub(super) fn body(w: &Working<'_>) -> String {
     let principal = w.rotor.principal();
     let mass = n(w.body().mass());
     if principal.symmetry() == Symmetry::Point {

@@ -128,7 +128,7 @@ fn asymmetric_angles(w: &Working<'_>, motion: &FreeMotion, circled: usize, s: &m
     );
 }
 
-fn attitude(state: &State, when: &str, s: &mut Section) {
+pub(super) fn attitude(state: &State, when: &str, s: &mut Section) {
     s.matrix(format!("R({when})"), state.attitude.matrix(), "");
     let q = state.attitude.canonical_quaternion().map(n).join(", ");
     let [phi, theta, psi] = state.attitude.euler313();

@@ -7,6 +7,7 @@ mod answer;
 mod attitude;
 mod axes;
 mod body;
+mod contact;
 pub(crate) mod document;
 pub(crate) mod drawing;
 mod driven;
@@ -37,7 +38,8 @@ use inside::Inside;
 use working::Working;
 
 /// The worked solution of a scenario, in the order of the lecture notes: 0 the body; 1 the axes; 2 ω and N; 3 the
-/// inertia tensor and its principal axes; 4 Euler's equations; 5 their solution; 6 the attitude.
+/// inertia tensor and its principal axes; 4 Euler's equations; 5 their solution; 6 the attitude. Of a body on the ground: 2 with the constraint and the
+/// forces; 4 the equations with them; 6 what the run shows.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -81,12 +83,15 @@ pub fn explain_motion(scenario: &Scenario, trajectory: &Trajectory) -> Result<Do
 }
 
 fn solved(w: &Working<'_>) -> Document {
+    if let Some(document) = contact::document(w) {
+        return document;
+    }
     let inside = Inside::of(w);
     let equations = inside.as_ref().map_or_else(|| euler::section(w), Inside::equations);
     let solution = inside.as_ref().map_or_else(|| solution(w), Inside::solution);
     Document {
         findings: w.findings(),
-        title: w.scenario.title().map(str::to_owned).unwrap_or_else(|| "A rigid body".to_owned()),
+        title: w.title(),
         answer: answer::lines(w, inside.as_ref()),
         sections: vec![
             body::section(w),

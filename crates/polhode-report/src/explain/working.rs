@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use polhode::body::{Finding, MassProperties, Particle};
 use polhode::math::{AngularAcceleration, Body, Position, Space, Torque, Velocity};
+use polhode::motion::contact::{ContactSample, ContactSimulation, ContactStart};
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{
     Ending, ErrorEffort, MotionError, MovingParticle, Pendulum, Required, Rotor, Sample, Scenario, State,
@@ -28,6 +29,8 @@ pub(super) struct Working<'a> {
     pub(super) pendulum: Option<Pendulum>,
     /// The free motion that the start would have without torque.
     pub(super) at_start: Option<FreeFacts>,
+    /// At t0, of a body on the ground.
+    pub(super) contact: Option<ContactSample>,
     /// `None` without a run.
     pub(super) trajectory: Option<Cow<'a, Trajectory>>,
 }
@@ -42,16 +45,15 @@ impl<'a> Working<'a> {
     }
 
     pub(super) fn of(scenario: &'a Scenario) -> Result<Self, MotionError> {
-        if scenario.ground().is_some() {
-            return Self::with(scenario, None);
-        }
         let trajectory = match scenario.simulate_with_error(ErrorEffort::Auto, &mut |_| true) {
             // A point has no rotation to compute; all else about it can be told.
             None | Some(Err(MotionError::NotSpinnable)) => None,
             Some(result) => Some(Cow::Owned(result?)),
         };
-        // Half a solution is none: `explain_motion` is for those who have it already.
-        if let Some(Ending::Failed { cause, .. }) = trajectory.as_deref().map(Trajectory::ending) {
+        // Half a solution is none: `explain_motion` is for those who have it already. What is on the ground has its formulas at any rate.
+        if scenario.ground().is_none()
+            && let Some(Ending::Failed { cause, .. }) = trajectory.as_deref().map(Trajectory::ending)
+        {
             return Err(cause.clone());
         }
         Self::with(scenario, trajectory)
@@ -69,10 +71,6 @@ impl<'a> Working<'a> {
             );
             return Err(MotionError::MassHistory { time, why });
         }
-        if scenario.ground().is_some() {
-            let why = "the steps of a worked solution are those of a body that is free or held at a point";
-            return Err(MotionError::OnGround { why });
-        }
         let rotor = scenario.rotor();
         let pendulum = scenario.pendulum().transpose()?;
         let needed = scenario
@@ -80,12 +78,29 @@ impl<'a> Working<'a> {
             .map(|motion| Required::by(rotor, motion, scenario.start().time))
             .transpose()?;
         let start = needed.map_or(scenario.start(), |needed| needed.state);
+        let contact = touching(scenario, trajectory.as_deref())?;
         let given = || acting(scenario).fold(Torque::ZERO, |sum, model| sum + model.torque(rotor, &start));
         let torque = needed.map_or_else(given, |needed| needed.torque);
+        let torque = contact.map_or(torque, |contact| contact.torque);
         let acceleration =
             needed.map_or_else(|| rotor.acceleration(start.omega, torque), |needed| needed.acceleration);
         let at_start = FreeFacts::from_start(rotor, start);
-        Ok(Self { scenario, rotor, start, torque, acceleration, needed, pendulum, at_start, trajectory })
+        Ok(Self {
+            scenario,
+            rotor,
+            start,
+            torque,
+            acceleration,
+            needed,
+            pendulum,
+            at_start,
+            contact,
+            trajectory,
+        })
+    }
+
+    pub(super) fn title(&self) -> String {
+        self.scenario.title().map_or_else(|| "A rigid body".to_owned(), str::to_owned)
     }
 
     pub(super) const fn body(&self) -> &MassProperties<Body> {
@@ -155,6 +170,20 @@ impl<'a> Working<'a> {
         }
         (0..FEW).map(|k| samples[k * (samples.len() - 1) / (FEW - 1)]).collect()
     }
+}
+
+/// What a body on the ground does at t0.
+fn touching(
+    scenario: &Scenario,
+    trajectory: Option<&Trajectory>,
+) -> Result<Option<ContactSample>, MotionError> {
+    let Some(ground) = scenario.ground() else { return Ok(None) };
+    if let Some(motion) = trajectory.and_then(Trajectory::contact) {
+        return Ok(Some(*motion.start()));
+    }
+    let start = ContactStart { state: scenario.start(), at: ground.at, velocity: ground.velocity };
+    let motion = ContactSimulation::new(scenario.body(), &ground.contact, start, &[]).run()?;
+    Ok(Some(*motion.start()))
 }
 
 /// Significant digits of a worked solution.

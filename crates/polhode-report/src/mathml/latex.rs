@@ -29,7 +29,7 @@ enum Scripts {
 /// em
 const THIN: f64 = 0.17;
 
-const SYMBOLS: [(&str, &str); 15] = [
+const SYMBOLS: [(&str, &str); 18] = [
     ("alpha", "α"),
     ("delta", "δ"),
     ("eta", "η"),
@@ -45,9 +45,12 @@ const SYMBOLS: [(&str, &str); 15] = [
     ("beta", "β"),
     ("gamma", "γ"),
     ("tau", "τ"),
+    ("mu", "µ"),
+    ("kappa", "κ"),
+    ("varpi", "ϖ"),
 ];
 
-const OPERATORS: [(&str, &str); 9] = [
+const OPERATORS: [(&str, &str); 11] = [
     ("times", "×"),
     ("cdot", "·"),
     ("Rightarrow", "⇒"),
@@ -57,9 +60,11 @@ const OPERATORS: [(&str, &str); 9] = [
     ("rbrace", "}"),
     ("approx", "≈"),
     ("partial", "∂"),
+    ("le", "≤"),
+    ("ne", "≠"),
 ];
 
-const FUNCTIONS: [&str; 6] = ["sin", "cos", "tan", "tanh", "ln", "max"];
+const FUNCTIONS: [&str; 7] = ["sin", "cos", "tan", "tanh", "ln", "max", "det"];
 
 impl<'a> Reader<'a> {
     /// Elements up to the end of a group, of a cell or of the formula.

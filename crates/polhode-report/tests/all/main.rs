@@ -13,3 +13,4 @@ mod page_contract;
 mod page_scene;
 mod sweep;
 mod worked;
+mod worked_ground;

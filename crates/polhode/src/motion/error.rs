@@ -50,11 +50,6 @@ pub enum MotionError {
         /// What the history does then.
         why: &'static str,
     },
-    /// Something that is not known of a body on the ground.
-    OnGround {
-        /// What, and why.
-        why: &'static str,
-    },
     /// Two parts of a scenario that exclude each other.
     Exclusive {
         /// Both, as a scenario file names them.
@@ -289,7 +284,6 @@ impl MotionError {
             | Self::NoDirection { .. }
             | Self::ParameterOutOfRange { .. }
             | Self::MassHistory { .. }
-            | Self::OnGround { .. }
             | Self::NoMotionDerivatives { .. }
             | Self::Exclusive { .. }
             | Self::Stopped { .. }
@@ -315,7 +309,6 @@ impl fmt::Display for MotionError {
             Self::MassHistory { time, why } => {
                 write!(f, "at t = {time} s the body's history of mass properties {why}", time = plain(*time))
             }
-            Self::OnGround { why } => write!(f, "the body is on the ground: {why}"),
             Self::Exclusive { parts: [a, b], why } => write!(f, "{a} and {b} exclude each other: {why}"),
             Self::NotSpinnable => {
                 write!(

@@ -41,8 +41,8 @@ pub use least_energy::LeastEnergySpin;
 pub use libration::Libration;
 pub use momentum_trace::MomentumTrace;
 pub use on_ground::{
-    EndState, Place, RattleMode, Rattleback, SpinInterval, StableSpins, SteadyMode, SteadyOnGround,
-    SteadyPath, TippeTop, UprightWheel, VertexSpin,
+    BallInBowl, BallOnPlane, CirclingDisk, EndState, Place, RattleMode, Rattleback, SlipEnd, SpinInterval,
+    SpinningEgg, StableSpins, SteadyMode, SteadyOnGround, SteadyPath, TippeTop, UprightWheel, VertexSpin,
 };
 pub use polhode::Polhode;
 pub use regime::FreeRegime;

@@ -1,13 +1,21 @@
 //! Steady motions of a body on level ground, and whether they last.
 
+mod ball_in_bowl;
+mod ball_on_plane;
+mod circling_disk;
 mod rattleback;
 mod search;
+mod spinning_egg;
 mod stable_spins;
 mod tippe_top;
 mod upright;
 mod vertex;
 
+pub use ball_in_bowl::BallInBowl;
+pub use ball_on_plane::{BallOnPlane, SlipEnd};
+pub use circling_disk::CirclingDisk;
 pub use rattleback::{RattleMode, Rattleback};
+pub use spinning_egg::SpinningEgg;
 pub use stable_spins::{SpinInterval, StableSpins};
 pub use tippe_top::{EndState, Place, TippeTop};
 pub use upright::UprightWheel;
@@ -16,10 +24,10 @@ pub use vertex::VertexSpin;
 use crate::body::mass_properties::MassProperties;
 use crate::math::complex::Complex;
 use crate::math::eigenvalues::{Matrix, eigenvalues};
-use crate::math::frame::Body;
+use crate::math::frame::{Body, Space};
 use crate::math::vector::{AngularVelocity, Direction};
 use crate::motion::contact::reduced::{MOST, Reading, Reduced};
-use crate::motion::contact::{Contact, ContactStart, Footing};
+use crate::motion::contact::{Contact, ContactStart, Footing, GroundShape, SurfaceShape};
 use crate::motion::error::MotionError;
 
 /// Which steady motion.
@@ -120,6 +128,46 @@ const NEUTRAL: f64 = 1e-6;
 
 /// A growth smaller than this is rounding.
 const ROUNDING: f64 = 1e-12;
+
+/// A part of a size that is rounding.
+const ROUNDING_OF_SIZE: f64 = 1e-9;
+
+/// a · I b about the centre of mass.
+fn moment(body: &MassProperties<Body>, a: Direction<Body>, b: Direction<Body>) -> f64 {
+    let (rows, a, b) = (body.inertia().matrix(), a.to_array(), b.to_array());
+    (0..3).map(|i| (0..3).map(|j| a[i] * rows[i][j] * b[j]).sum::<f64>()).sum()
+}
+
+/// The moments across the axis and about it of a symmetric body.
+fn moments(body: &MassProperties<Body>, axis: Direction<Body>) -> [f64; 2] {
+    let about = moment(body, axis, axis);
+    let trace: f64 = (0..3).map(|k| body.inertia().matrix()[k][k]).sum();
+    [0.5 * (trace - about), about]
+}
+
+/// The radius and the moment of a sphere about the centre of mass with three equal moments.
+fn even_ball(body: &MassProperties<Body>, contact: &Contact) -> Option<(f64, f64)> {
+    let SurfaceShape::Sphere { radius } = *contact.surface.shape() else { return None };
+    let rows = body.inertia().matrix();
+    let middle = rows[0][0];
+    let off = (contact.surface.center() - body.center_of_mass()).norm();
+    let is_even = (0..3).all(|i| {
+        (0..3).all(|j| {
+            let want = if i == j { middle } else { 0.0 };
+            (rows[i][j] - want).abs() <= ROUNDING_OF_SIZE * middle
+        })
+    });
+    (is_even && off <= ROUNDING_OF_SIZE * radius).then_some((radius, middle))
+}
+
+/// The size of gravity on level ground at rest, along which it points down.
+fn level(contact: &Contact) -> Option<f64> {
+    let (g, up): (Direction<Space>, _) =
+        (Direction::from_array(contact.gravity.to_array()), contact.ground.axis());
+    let is_level = (g + up * g.norm()).norm() <= ROUNDING_OF_SIZE * g.norm();
+    let is_plane = matches!(contact.ground.shape(), GroundShape::Plane) && contact.ground.turning() == 0.0;
+    (is_plane && is_level && g.norm() > 0.0).then(|| g.norm())
+}
 
 impl SteadyOnGround {
     /// The steady motion that a start is near to.

@@ -1,5 +1,6 @@
 //! Steady motions of bodies on level ground: closed forms against eigenvalues of the linear equations, and both against motions.
 
+mod closed_form;
 mod departures;
 mod tippe_top;
 

@@ -1,6 +1,8 @@
 //! Scenarios that the tests report on.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses some of them")]
 
+pub mod ground;
+
 use polhode::body::{BodyPart, Finding, PlacedForm, Severity};
 use polhode::motion::torque::Schedule;
 use polhode::motion::{Motor, Prescribed, Run, Suspension};
@@ -230,6 +232,11 @@ pub fn many_particles() -> Scenario {
 }
 
 /// Everything above, and cases at the edges.
+/// All of which there is a worked solution.
+pub fn solved() -> Vec<Scenario> {
+    all().into_iter().chain(ground::all()).collect()
+}
+
 pub fn all() -> Vec<Scenario> {
     let over_the_top =
         Suspension { axis: Direction::new(0.0, 0.0, 2.0), amplitude: Some(std::f64::consts::PI) };

@@ -301,7 +301,7 @@ pub(crate) fn tangents(n: [f64; 3], axis: Option<[f64; 3]>) -> [[f64; 3]; 2] {
 }
 
 /// The axis about which body and surface are symmetric.
-fn symmetry_axis(model: &Model) -> Option<[f64; 3]> {
+pub(super) fn symmetry_axis(model: &Model) -> Option<[f64; 3]> {
     let unit = |k: usize| core::array::from_fn::<f64, 3, _>(|i| if i == k { 1.0 } else { 0.0 });
     let length = dot(model.offset, model.offset).sqrt();
     let candidates: Vec<[f64; 3]> = match model.surface {

@@ -1,6 +1,11 @@
 //! Symmetric balls with their centre of mass beside the middle, and where sliding friction leads them.
 
+use super::{ROUNDING_OF_SIZE, level, moments};
+use crate::body::mass_properties::MassProperties;
+use crate::math::frame::Body;
 use crate::math::root::root;
+use crate::math::vector::Direction;
+use crate::motion::contact::{Contact, SurfaceShape};
 
 /// A symmetric ball whose centre of mass is on its axis, α R from its middle.
 ///
@@ -79,6 +84,16 @@ pub struct EndState {
 }
 
 impl TippeTop {
+    /// The top that a symmetric ball with its centre of mass beside its middle is on level ground, and its axis e.
+    pub fn of(body: &MassProperties<Body>, contact: &Contact) -> Option<(Self, Direction<Body>)> {
+        let SurfaceShape::Sphere { radius } = *contact.surface.shape() else { return None };
+        let (gravity, axis) = (level(contact)?, contact.symmetry_axis(body)?);
+        let eccentricity = (contact.surface.center() - body.center_of_mass()).norm() / radius;
+        let [across, along] = moments(body, axis);
+        let top = Self { mass: body.mass(), gravity, radius, eccentricity, across, along };
+        (eccentricity > ROUNDING_OF_SIZE && eccentricity < 1.0).then_some((top, axis))
+    }
+
     /// 1 if the bottom is stable at any spin, as A < C (1 − α): it never tips over; 3 if A > C (1 + α), and it never stands inverted; 2 between, where it turns over
     /// if it spins fast enough.
     pub fn group(&self) -> u8 {
@@ -115,13 +130,20 @@ impl TippeTop {
         self.radius * self.along * (1.0 + self.eccentricity) * spin
     }
 
+    /// W, the least energy with this J where the axis is at the cosine u, J.
+    pub fn least_energy(&self, jellett: f64, cosine: f64) -> f64 {
+        let lambda = jellett / self.radius;
+        0.5 * lambda * lambda / self.moment(cosine)
+            + self.mass * self.gravity * self.radius * (1.0 - self.eccentricity * cosine)
+    }
+
     /// The motions without slip that have this J, whose energy is least or greatest for it: from the bottom to the inverted position.
     pub fn all(&self, jellett: f64) -> Vec<EndState> {
         let slope = |u: f64| self.slope(jellett, u);
         let state = |place, cosine, is_minimum| EndState {
             place,
             cosine,
-            energy: self.energy(jellett, cosine),
+            energy: self.least_energy(jellett, cosine),
             is_minimum,
         };
         let mut all = vec![state(Place::Bottom, 1.0, slope(1.0) < 0.0)];
@@ -142,6 +164,17 @@ impl TippeTop {
         self.all(jellett).into_iter().filter(|state| state.is_minimum).collect()
     }
 
+    /// The spin about the vertical with this J and without slip, where the axis is at the cosine u, rad/s.
+    pub fn spin(&self, jellett: f64, cosine: f64) -> f64 {
+        jellett * (1.0 - self.eccentricity * cosine) / (self.radius * self.moment(cosine))
+    }
+
+    /// Routh's constant of what rolls, ω_e √(A C + m r · I r), kg·m²·rad/s, with the rate about its axis and the cosine of its tilt.
+    pub fn routh(&self, spin: f64, cosine: f64) -> f64 {
+        let square = self.mass * self.radius * self.radius * self.moment(cosine);
+        spin * (self.across * self.along + square).sqrt()
+    }
+
     /// ω at a tilt, as its components along e and, across it, in the plane of e and n: J ζ/(R D).
     pub(super) fn omega(&self, jellett: f64, u: f64) -> [f64; 2] {
         let rate = jellett / (self.radius * self.moment(u));
@@ -157,12 +190,6 @@ impl TippeTop {
     fn moment(&self, u: f64) -> f64 {
         let from = u - self.eccentricity;
         self.across * (1.0 - u) * (1.0 + u) + self.along * from * from
-    }
-
-    fn energy(&self, jellett: f64, u: f64) -> f64 {
-        let lambda = jellett / self.radius;
-        0.5 * lambda * lambda / self.moment(u)
-            + self.mass * self.gravity * self.radius * (1.0 - self.eccentricity * u)
     }
 
     /// P/R²

@@ -117,15 +117,23 @@ impl VertexSpin {
         if self.footing == Footing::Rolling { self.mass } else { 0.0 }
     }
 
-    /// M
-    pub(super) fn inertia(&self) -> [[f64; 2]; 2] {
+    /// The angle from the longer radius of the surface to the axis of the lesser moment across, rad, between −π/2 and π/2: zero of a body that does not rattle.
+    pub fn skew(&self) -> f64 {
+        let direction = |[[a, b], [_, d]]: [[f64; 2]; 2]| 0.5 * libm::atan2(2.0 * b, a - d);
+        let [[a, b], [_, d]] = self.across;
+        let angle = direction([[-a, -b], [-b, -d]]) - direction(self.radii);
+        angle - core::f64::consts::PI * (angle / core::f64::consts::PI).round()
+    }
+
+    /// M, kg·m²
+    pub fn inertia(&self) -> [[f64; 2]; 2] {
         let [[p, q], [_, s]] = self.across;
         let more = self.moved() * self.height * self.height;
         [[s + more, -q], [-q, p + more]]
     }
 
-    /// G
-    pub(super) fn lever(&self) -> [[f64; 2]; 2] {
+    /// G, m
+    pub fn lever(&self) -> [[f64; 2]; 2] {
         let [[p, q], [_, s]] = self.radii;
         [[p - self.height, q], [q, s - self.height]]
     }

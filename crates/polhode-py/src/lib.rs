@@ -24,9 +24,11 @@ mod mesh;
 mod motion;
 mod pickle;
 mod robot;
+mod rotation;
 mod shape;
 mod substance;
 mod sweep;
+mod threads;
 mod unit;
 
 use pyo3::prelude::*;
@@ -67,9 +69,13 @@ mod _native {
     #[pymodule_export]
     use crate::robot::{is_robot, robot_file, robot_groups, robot_links, robot_table};
     #[pymodule_export]
+    use crate::rotation::quaternions_of_matrices;
+    #[pymodule_export]
     use crate::shape::shape;
     #[pymodule_export]
     use crate::sweep::{PyDataset, PyPlan};
+    #[pymodule_export]
+    use crate::threads::available_threads;
     #[pymodule_export]
     use crate::unit::unit;
 

@@ -1,6 +1,6 @@
 //! The motion of a scenario.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use numpy::{PyArray1, PyReadonlyArray1};
 use polhode::motion::{
@@ -13,10 +13,11 @@ use polhode_report::{
 };
 use pyo3::prelude::*;
 
-use crate::arrays::numbers;
+use crate::arrays::{numbers, table};
 use crate::derivatives::{Derived, derived_run, parameters};
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
+use crate::free_motion::States;
 use crate::interrupt::watched;
 
 /// What the page of a scenario without a title is called.
@@ -52,9 +53,10 @@ pub(crate) fn simulate(
     derivatives: Option<Vec<String>>,
 ) -> PyResult<PyMotion> {
     let effort = match error {
-        "thorough" => ErrorEffort::Thorough,
-        "cheap" => ErrorEffort::Cheap,
-        _ => ErrorEffort::Auto,
+        "none" => None,
+        "thorough" => Some(ErrorEffort::Thorough),
+        "cheap" => Some(ErrorEffort::Cheap),
+        _ => Some(ErrorEffort::Auto),
     };
     let read = || match text {
         None => ScenarioFile::read(&path),
@@ -67,7 +69,11 @@ pub(crate) fn simulate(
         file.scenario = file.scenario.sampled(Run { times, ..run });
     }
     let by = derivatives.as_ref().map(|keys| parameters(keys, file.scenario.torques())).transpose()?;
-    let Some(motion) = watched(py, |look| file.scenario.simulate_with_error(effort, look))? else {
+    let computed = watched(py, |look| match effort {
+        Some(effort) => file.scenario.simulate_with_error(effort, look),
+        None => file.scenario.simulate_watched(look),
+    })?;
+    let Some(motion) = computed else {
         return Err(refused(
             format!("{} has no [run] section, so there is no time to simulate", path.display()),
             Some("give times, or write [run] with duration = \"10 s\" and samples = 1001"),
@@ -85,25 +91,53 @@ pub(crate) fn simulate(
 
 #[pymethods]
 impl PyMotion {
-    /// The columns of the trajectory's table, by name.
-    fn columns<'py>(&self, py: Python<'py>) -> Vec<(String, Bound<'py, PyArray1<f64>>)> {
+    /// The columns of the trajectory's table, and the work: name, unit, description, values.
+    fn columns<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> Vec<(String, &'static str, &'static str, Bound<'py, PyArray1<f64>>)> {
         let rows = self.trajectory.samples().len();
         let of = |column: &Column| (0..rows).map(|row| column.value(&self.trajectory, row)).collect();
         let columns = || {
             let columns = columns(&self.trajectory, &(&self.scenario).into());
-            columns.iter().map(|column| (column.name.to_string(), of(column))).collect()
+            let each = columns.iter().map(|c| (c.name.to_string(), c.unit, c.description, of(c)));
+            let work = ("work_j".to_owned(), "J", "work of the torque since the start", self.work());
+            each.chain([work]).collect()
         };
-        let columns: Vec<(String, Vec<f64>)> = py.detach(columns);
-        columns.into_iter().map(|(name, values)| (name, PyArray1::from_vec(py, values))).collect()
+        let columns: Vec<(String, &str, &str, Vec<f64>)> = py.detach(columns);
+        let given = columns.into_iter();
+        given
+            .map(|(name, unit, description, values)| (name, unit, description, PyArray1::from_vec(py, values)))
+            .collect()
     }
 
+    /// ω and the attitude at further times, in any order, from the start up to the last sample: the motion is computed once more, with these among its
+    /// samples.
+    fn at<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<States<'py>> {
+        let asked = numbers(&times)?;
+        let run = self.scenario.run().ok_or_else(|| refused("there is no run", None))?;
+        let mut all: Vec<f64> = run.times.iter().chain(asked).copied().collect();
+        all.sort_by(f64::total_cmp);
+        all.dedup();
+        let scenario = self.scenario.clone().sampled(Run { times: all, ..run.clone() });
+        let again = watched(py, |look| scenario.simulate_watched(look))?;
+        let again = again.ok_or_else(|| refused("there is no run", None))?.map_err(Raise::raise)?;
+        let samples = again.samples();
+        let (mut omega, mut attitude) = (Vec::new(), Vec::new());
+        for &time in asked {
+            let place = samples.partition_point(|sample| sample.state.time < time);
+            let sample = samples.get(place).filter(|sample| sample.state.time == time);
+            let state = sample.ok_or_else(|| refused(format!("the motion has no state at t = {time} s"), None))?.state;
+            omega.extend(state.omega.to_array());
+            attitude.extend(state.attitude.quaternion());
+        }
+        Ok((table(py, omega, 3)?, table(py, attitude, 4)?))
+    }
+
+    /// The path and the text of the scenario.
     #[getter]
-    fn work<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        let work = match self.trajectory.contact() {
-            Some(contact) => contact.samples().iter().map(|s| s.friction_work + s.ground_work).collect(),
-            None => self.trajectory.samples().iter().map(|sample| sample.work).collect(),
-        };
-        PyArray1::from_vec(py, work)
+    fn source(&self) -> (&Path, &str) {
+        (&self.path, &self.text)
     }
 
     #[getter]
@@ -192,6 +226,14 @@ pub(crate) fn motion_page(title: Option<&str>, data: &str) -> String {
 }
 
 impl PyMotion {
+    /// Of the torque since the start, at each sample, J.
+    fn work(&self) -> Vec<f64> {
+        match self.trajectory.contact() {
+            Some(contact) => contact.samples().iter().map(|s| s.friction_work + s.ground_work).collect(),
+            None => self.trajectory.samples().iter().map(|sample| sample.work).collect(),
+        }
+    }
+
     fn report(&self) -> MotionReport<'_> {
         let title = self.scenario.title().unwrap_or("scenario");
         let source = SourceInfo::new(self.path.display().to_string(), "scenario").described(title);

@@ -8,7 +8,7 @@ import multiprocessing
 import pickle
 import struct
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, ItemsView, KeysView, ValuesView
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +23,9 @@ from test_derivatives import PUSHED
 
 TURN = [0.4, -0.7, 1.1, 0.3]
 EXAMPLES = ROOT / "examples"
+
+#: Tables of other libraries, of what ``columns`` says.
+TABLES = ("to_arrow", "to_pandas", "to_polars", "to_xarray")
 
 #: What methods that need arguments are asked; ``export`` has all its formats.
 ASKED: dict[str, list[dict[str, Any]]] = {
@@ -256,6 +259,8 @@ def plain(value: Any) -> Any:
         return value
     if type(value) in public_classes():
         return (type(value).__name__, said(value, deep=False))
+    if isinstance(value, (KeysView, ValuesView, ItemsView)):
+        return plain(list(value))
     raise AssertionError(f"{type(value)} is not compared")
 
 
@@ -268,7 +273,7 @@ def said(thing: object, deep: bool = True) -> dict[str, Any]:
         value = getattr(thing, name)
         if not callable(value):
             found[name] = plain(value)
-        elif deep and name not in ("add_note", "count", "index"):
+        elif deep and name not in ("add_note", "count", "index", *TABLES):
             for given in ASKED.get(name, [{}]):
                 try:
                     needed = inspect.signature(value).bind(**given)

@@ -28,7 +28,7 @@ from ._ensemble import Ensemble, Failure, EnsembleStates
 from ._error import PolhodeError, PolhodeWarning
 from ._estimate import Estimate, Number, PrincipalEstimate, ResidualTest
 from ._flight import Flight, find_flights
-from ._free_motion import FreeMotion, MotionError, States
+from ._free_motion import FreeMotion
 from ._identified import (
     Edge,
     FlightFit,
@@ -55,6 +55,7 @@ from ._mass_properties import Finding, MassProperties, particles
 from ._motion import Ending, Event, Motion, simulate
 from ._native import VERSION as __version__
 from ._robot import LinkRow, LinkTable, fixed_groups, link_table
+from ._states import MotionError, States
 
 __all__ = [
     "Body",

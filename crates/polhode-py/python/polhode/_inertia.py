@@ -8,7 +8,7 @@ from typing import Any, Mapping
 
 import numpy.typing as npt
 
-from . import _arrays, _native, _step
+from . import _arrays, _native, _source, _step
 from ._error import PolhodeError
 from ._mass_properties import MassProperties
 from ._robot import positions
@@ -42,7 +42,7 @@ _OPTIONS = {
 
 
 def inertia(
-    source: str | os.PathLike[str] | tuple[npt.ArrayLike, npt.ArrayLike],
+    source: str | os.PathLike[str] | tuple[npt.ArrayLike, npt.ArrayLike] | npt.ArrayLike | Any,
     *,
     density: float | None = None,
     mass: float | None = None,
@@ -65,10 +65,13 @@ def inertia(
     subtree: str | None = None,
     joints: Mapping[str, float | str] | None = None,
     kind: str | None = None,
+    format: str | None = None,
 ) -> MassProperties:
-    """Mass, centre of mass and inertia tensor of a file, or of a mesh ``(vertices, triangles)``.
+    """Mass, centre of mass and inertia tensor of a file, or of a mesh: ``(vertices, triangles)``, an object that has ``vertices`` and ``faces``, such
+    as a ``trimesh.Trimesh`` (in its ``units``, if it has some), or triangles (n, 3, 3) by their corners.
 
-    What a file is, its ending says, or ``kind``:
+    A file is a path or an open one, of which ``format`` says how its name would end where it has none. What it is, its ending says, or
+    ``kind``:
 
     ``mesh`` (.stl .obj .ply .off .gltf .glb .3mf .dae)
         ``density`` (kg/m³), ``mass`` (kg) or ``material``, at most one; ``unit`` of length, as ``"mm"`` or in m; ``hull=True`` for its
@@ -104,6 +107,13 @@ def inertia(
     >>> round(1e3 * wedge.mass, 6)
     2.7
 
+    Its triangles by their corners are the same mesh:
+
+    >>> import numpy as np
+    >>> corners = np.array(vertices)[np.array(triangles)]
+    >>> polhode.inertia(corners, unit="mm", material="aluminium").mass == wedge.mass
+    True
+
     A mesh with a hole is refused, and mended only if that is asked for:
 
     >>> import warnings
@@ -135,17 +145,25 @@ def inertia(
         "subtree": subtree,
         "joints": joints,
     }
-    if isinstance(source, tuple) and len(source) != 2:
-        raise PolhodeError(f"source is a tuple of {len(source)}: a mesh is (vertices, triangles)")
-    if not isinstance(source, (tuple, str, os.PathLike)):
-        raise TypeError(f"source must be a path, or a mesh as the tuple (vertices, triangles), not {type(source).__name__}")
-    path = None if isinstance(source, tuple) else _arrays.path("source", source)
+    mesh = _source.mesh_of(source)
     kind = None if kind is None else _arrays.choice("kind", kind, list(_OPTIONS))
-    if path is None and kind not in (None, "mesh"):
-        raise PolhodeError(f"kind = {kind!r} means nothing for arrays, which are a mesh")
-    kind = "mesh" if path is None else _kind(path, kind)
-    _refuse_options(kind, path or "the source", options)
-    return _read(kind, path, source, options)._heard()
+    if format is not None and not hasattr(source, "read"):
+        raise PolhodeError("format is for open files: a path has its ending, and arrays are a mesh")
+    if mesh is not None:
+        if kind not in (None, "mesh"):
+            raise PolhodeError(f"kind = {kind!r} means nothing for arrays, which are a mesh")
+        _refuse_options("mesh", "the source", options)
+        options["unit"] = _source.unit_of(source) if unit is None else unit
+        return _read("mesh", None, mesh, options)._heard()
+
+    def of_file(path: str) -> MassProperties:
+        found = _kind(path, kind)
+        _refuse_options(found, path, options)
+        return _read(found, path, None, options)
+
+    if hasattr(source, "read"):
+        return _source.read(source, format, of_file)._heard()
+    return of_file(_arrays.path("source", source))._heard()
 
 
 def _kind(path: str, kind: str | None) -> str:

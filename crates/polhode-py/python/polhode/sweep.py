@@ -17,7 +17,7 @@ import sys
 import warnings
 from typing import Any, Callable, Iterator, NamedTuple, Sequence
 
-from . import _arrays, _cluster, _native, _threads, batch
+from . import _arrays, _cluster, _native, batch
 from ._error import PolhodeError, PolhodeWarning
 from .batch import Plan
 
@@ -64,7 +64,7 @@ def run(
     plan = plan if isinstance(plan, Plan) else Plan(_arrays.path("plan", plan))
     if all([_arrays.truth("resume", resume), _arrays.truth("force", force)]):
         raise PolhodeError("resume and force are both given: one goes on with what is there, the other throws it away")
-    count = _threads.available() if workers is None else _arrays.count("workers", workers)
+    count = _native.available_threads() if workers is None else _arrays.count("workers", workers)
     timeout = None if worker_timeout is None else _arrays.positive("worker_timeout", worker_timeout)
     if not callable(progress):
         raise TypeError(f"progress must be a function of two numbers, not {type(progress).__name__}")
@@ -83,7 +83,7 @@ def run(
                 dataset.write(part, batch._columns(rows))
                 done += rows.num_rows
                 progress(done, plan.members)
-        summary, text = dataset.finish(plan._native, _threads.available())
+        summary, text = dataset.finish(plan._native, _native.available_threads())
     finally:
         # Else what an error remembers would keep the folder locked.
         del dataset

@@ -111,7 +111,7 @@ def functions() -> dict[Callable[..., object], dict[str, Any]]:
         polhode.batch.inputs: {"plan": plan, "members": range(3)},
         polhode.batch.simulate: {"rows": rows, "plan": plan},
         polhode.batch.trajectories: {"rows": rows, "plan": plan},
-        polhode.sweep.run: {"plan": plan, "output": "x", "on": None, "workers": 1, "resume": False, "force": True, "progress": max, "worker_timeout": 3.0},
+        polhode.sweep.run: {"plan": plan, "output": "x", "on": None, "threads": 1, "workers": None, "resume": False, "force": True, "progress": max, "worker_timeout": 3.0},
     }
     values = {"size": [1, 2, 3], "semi_axes": [1, 2, 3], "vertices": VERTICES, "mass": 1.0, "ends": False, "tube_radius": 0.1, "top_radius": 0.1}
     unset = {"density", "material", "area_density", "line_density"}

@@ -18,8 +18,9 @@ const FIRST: [Step; 6] = [
     ("licences", dependencies::check),
     ("packages", packages::check),
     ("lints", || {
-        let clippy = ["clippy", "--workspace", "--all-targets", "--locked", "--features", FEATURES];
-        process::run(cargo(&clippy).args(["--", "-D", "warnings"]))
+        // What the next step runs, and benches, which nothing runs.
+        let all = ["test", "--workspace", "--all-targets", "--no-run", "--locked", "--features", FEATURES];
+        process::run(&mut cargo(&all))
     }),
     ("tests", || process::run(&mut cargo(&["test", "--workspace", "--locked", "--features", FEATURES]))),
 ];
@@ -37,6 +38,7 @@ const THEN: [Step; 5] = [
 /// what Python's need.
 pub(crate) fn run() -> Outcome {
     let start = Instant::now();
+    process::lint();
     std::thread::scope(|scope| {
         let viewer = scope.spawn(|| run_step(&("viewer", viewer::check)));
         let environment = scope.spawn(python::environment);

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::{Outcome, root, short};
 
@@ -9,7 +10,25 @@ use crate::{Outcome, root, short};
 pub(crate) fn cargo(arguments: &[&str]) -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.args(arguments).current_dir(root());
+    linted(&mut command);
     command
+}
+
+/// Set where the whole gate runs.
+static IS_LINTED: AtomicBool = AtomicBool::new(false);
+
+/// From now on Clippy compiles the workspace, and a warning is an error: so that what is linted and what is run are compiled once.
+pub(crate) fn lint() {
+    IS_LINTED.store(true, Ordering::Relaxed);
+}
+
+/// The same for a command that calls cargo.
+pub(crate) fn linted(command: &mut Command) {
+    if IS_LINTED.load(Ordering::Relaxed) {
+        // As `cargo clippy -- -D warnings` sets them.
+        command.env("RUSTC_WORKSPACE_WRAPPER", "clippy-driver");
+        command.env("CLIPPY_ARGS", ["-D", "warnings", ""].join("__CLIPPY_HACKERY__"));
+    }
 }
 
 /// Runs a command with the terminal as it is.

@@ -5,7 +5,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::process::{FEATURES, empty_folder, output, polhode, run, run_beside};
+use crate::process::{FEATURES, empty_folder, linted, output, polhode, run, run_beside};
 use crate::{Outcome, files, root};
 
 /// The oldest Python that the tests run with; the package is for 3.10 too.
@@ -44,10 +44,10 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     let package = root().join("crates/polhode-py");
     let wheels = folder.join("wheels");
     // Compiled as the tests are, from the same libraries: a release build would compile all of them once more.
-    run(Command::new(&python)
-        .args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"])
-        .args([&wheels, &package])
-        .env("MATURIN_PEP517_ARGS", format!("--profile dev --features {FEATURES} {OPTIMISED}")))?;
+    let mut wheel = Command::new(&python);
+    wheel.args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"]).args([&wheels, &package]);
+    linted(&mut wheel);
+    run(wheel.env("MATURIN_PEP517_ARGS", format!("--profile dev --features {FEATURES} {OPTIMISED}")))?;
     let wheel = files(&wheels, "whl")?.pop().ok_or("pip made no wheel")?;
     run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).arg(&wheel))?;
 

@@ -1,12 +1,12 @@
 //! The motion of a scenario.
 
 use std::path::{Path, PathBuf};
+use std::sync::PoisonError;
 
 use numpy::{PyArray1, PyReadonlyArray1};
 use polhode::motion::{
-    Ending, ErrorEffort, GlobalError, Method, Run, Scenario, StateError, Trajectory, TrajectoryDerivatives,
+    Ending, ErrorEffort, GlobalError, Run, Scenario, StateError, Trajectory, TrajectoryDerivatives,
 };
-use polhode_formats::scenario::ScenarioFile;
 use polhode_formats::table::{Column, columns};
 use polhode_report::{
     MotionReport, PageInput, PageSubject, SourceInfo, VERSION, explain_motion, page_data, page_of,
@@ -19,6 +19,7 @@ use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
 use crate::free_motion::States;
 use crate::interrupt::watched;
+use crate::scenario::{self, PythonTorque, Raised, with_functions};
 
 /// What the page of a scenario without a title is called.
 const UNTITLED: &str = "motion";
@@ -33,13 +34,15 @@ pub(crate) struct PyMotion {
     trajectory: Trajectory,
     /// With the keys of the parameters.
     derivatives: Option<(TrajectoryDerivatives, Vec<String>)>,
+    /// By its torques that Python computes.
+    raised: Raised,
 }
 
 /// An event: its name, when (s), whether what it watches was rising, ω and attitude there.
 type Happened = (String, f64, bool, [f64; 3], [f64; 4]);
 
 /// Computes the motion of a scenario: of a file, or of a text, whose files are found beside `path`. `times` take the place of its run's. Its derivatives
-/// by the start, the inertia and numbers of torques by their keys, if these are given.
+/// by the start, the inertia and numbers of torques by their keys, if these are given. `functions` take the place of some of its torques.
 ///
 /// # Errors
 /// `PolhodeError` if there is no such motion, `KeyboardInterrupt`.
@@ -51,6 +54,7 @@ pub(crate) fn simulate(
     times: Option<PyReadonlyArray1<'_, f64>>,
     error: &str,
     derivatives: Option<Vec<String>>,
+    functions: Vec<PythonTorque>,
 ) -> PyResult<PyMotion> {
     let effort = match error {
         "none" => None,
@@ -58,21 +62,18 @@ pub(crate) fn simulate(
         "cheap" => Some(ErrorEffort::Cheap),
         _ => Some(ErrorEffort::Auto),
     };
-    let read = || match text {
-        None => ScenarioFile::read(&path),
-        Some(text) => ScenarioFile::parse(text, &path),
-    };
-    let mut file = py.detach(read).map_err(Raise::raise)?;
+    let mut file = py.detach(|| scenario::read(path.clone(), text)).map_err(Raise::raise)?;
+    let raised = Raised::default();
+    file.scenario = with_functions(file.scenario, functions, &raised)?;
     if let Some(times) = times {
-        let times = numbers(&times)?.to_vec();
-        let run = file.scenario.run().cloned().unwrap_or_else(|| Run::evenly(0.0, 0, Method::Auto, 1e-13));
-        file.scenario = file.scenario.sampled(Run { times, ..run });
+        file.scenario = scenario::sampled(file.scenario, numbers(&times)?);
     }
     let by = derivatives.as_ref().map(|keys| parameters(keys, file.scenario.torques())).transpose()?;
     let computed = watched(py, |look| match effort {
         Some(effort) => file.scenario.simulate_with_error(effort, look),
         None => file.scenario.simulate_watched(look),
     })?;
+    heard(&raised)?;
     let Some(motion) = computed else {
         return Err(refused(
             format!("{} has no [run] section, so there is no time to simulate", path.display()),
@@ -86,7 +87,12 @@ pub(crate) fn simulate(
         None => None,
     };
     let derivatives = derived.transpose().map_err(placed)?.zip(derivatives);
-    Ok(PyMotion { path, text: file.text, trajectory, scenario: file.scenario, derivatives })
+    Ok(PyMotion { path, text: file.text, trajectory, scenario: file.scenario, derivatives, raised })
+}
+
+/// Raises what a function of Python's has raised.
+fn heard(raised: &Raised) -> PyResult<()> {
+    raised.lock().unwrap_or_else(PoisonError::into_inner).take().map_or(Ok(()), Err)
 }
 
 #[pymethods]
@@ -121,6 +127,7 @@ impl PyMotion {
         all.dedup();
         let scenario = self.scenario.clone().sampled(Run { times: all, ..run.clone() });
         let again = watched(py, |look| scenario.simulate_watched(look))?;
+        heard(&self.raised)?;
         let again = again.ok_or_else(|| refused("there is no run", None))?.map_err(Raise::raise)?;
         let samples = again.samples();
         let (mut omega, mut attitude) = (Vec::new(), Vec::new());

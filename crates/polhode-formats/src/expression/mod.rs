@@ -27,7 +27,7 @@ use polhode::math::formula::Formula;
 use crate::unit::Dimension;
 
 pub use error::{ExpressionError, ExpressionErrorKind};
-pub use state::{formula_of_state, formula_of_time};
+pub use state::{formula_of_state, formula_of_state_in_si, formula_of_time};
 
 /// A formula of named variables, ready to be evaluated; numbers have no units, and dimensions are not checked.
 ///

@@ -28,11 +28,13 @@ const PRODUCT: u8 = 5;
 const SIGN: u8 = 6;
 const POWER: u8 = 7;
 
-/// The most characters of a formula whose dimensions are checked: one that stands in a scenario.
+/// The most characters of a formula that stands in a scenario; one whose numbers are in SI may have been made by a program.
 const LONGEST: usize = 4096;
+const LONGEST_IN_SI: usize = 65_536;
 
 /// The formula in a text, all numbers in SI.
 pub(super) fn compile(text: &str, variables: &[&str]) -> Result<Formula, ExpressionError> {
+    require_length(text, LONGEST_IN_SI)?;
     Parser::new(text, variables, false).read().map(|(formula, _)| formula)
 }
 
@@ -42,10 +44,7 @@ pub(super) fn compile_measured(
     variables: &[(&str, Dimension)],
     expected: Option<Dimension>,
 ) -> Result<(Formula, Dimension), ExpressionError> {
-    if text.chars().nth(LONGEST).is_some() {
-        let kind = ExpressionErrorKind::TooLong { most: LONGEST };
-        return Err(ExpressionError { kind, column: LONGEST + 1 });
-    }
+    require_length(text, LONGEST)?;
     let names: Vec<&str> = variables.iter().map(|&(name, _)| name).collect();
     let dimensions: Vec<Dimension> = variables.iter().map(|(_, d)| *d).collect();
     let mut parser = Parser::new(text, &names, true);
@@ -59,6 +58,13 @@ pub(super) fn compile_measured(
             let kind = ExpressionErrorKind::Value { found: found.with_angle(), expected };
             Err(ExpressionError { kind, column: parser.start() })
         }
+    }
+}
+
+fn require_length(text: &str, most: usize) -> Result<(), ExpressionError> {
+    match text.chars().nth(most) {
+        Some(_) => Err(ExpressionError { kind: ExpressionErrorKind::TooLong { most }, column: most + 1 }),
+        None => Ok(()),
     }
 }
 

@@ -3,7 +3,7 @@
 use polhode::math::formula::Formula;
 use polhode::motion::StateVariables;
 
-use super::{ExpressionError, measured};
+use super::{ExpressionError, measured, parse};
 use crate::unit::Dimension;
 
 /// The formula in a text of time, angular velocity, angular momentum and attitude, and what its value measures.
@@ -26,6 +26,14 @@ pub fn formula_of_state(
     expected: Option<Dimension>,
 ) -> Result<(Formula, Dimension), ExpressionError> {
     measured(text, &StateVariables::NAMES.map(|name| (name, dimension_of(name))), expected)
+}
+
+/// The formula in a text of the same variables, all numbers in SI; dimensions are not checked.
+///
+/// # Errors
+/// As [`formula_of_state`].
+pub fn formula_of_state_in_si(text: &str) -> Result<Formula, ExpressionError> {
+    parse::compile(text, &StateVariables::NAMES)
 }
 
 /// The formula in a text of time, `t`, alone, whose value is of a dimension.

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::{Path, PathBuf};
 
-use super::asked::Asked;
+use super::asked::{Asked, Question, What};
 use super::completion::{self, Completion};
 use super::known_mesh::KnownMesh;
 use super::number::{self, WrittenNumber};
@@ -129,16 +129,29 @@ impl Draft {
 
     /// What may stand at a place of a text, in bytes: keys, names and units that the reader asks for there.
     pub fn complete(&self, text: &str, at: usize) -> Option<Completion> {
-        completion::complete(text, at, |text| {
-            let asked = Asked::default();
-            let nothing = BTreeSet::new();
-            let source =
-                Source { files: Some(&nothing), asked: Some(&asked), ..Source::new(&self.path, text) };
-            let mut entries = tree::parse(text).ok()?;
-            tree::adopt(&mut entries, &self.last);
-            // Where it ends is beyond what was asked for.
-            let _ = file_of_root(source, &entries);
-            Some(asked.all())
-        })
+        completion::complete(text, at, |text| self.asked(text))
+    }
+
+    /// The tables of a text as messages call them, each with the keys that the reader takes in it, in the order in which they are read; those before the
+    /// first error, if there is one.
+    pub fn keys(&self, text: &str) -> Vec<(String, Vec<&'static str>)> {
+        let asked = self.asked(text).unwrap_or_default().into_iter();
+        let keys = |question: Question| match question.what {
+            What::Keys(table, keys) => Some((table, keys)),
+            What::Choice(_) | What::Quantity(_) => None,
+        };
+        asked.filter_map(keys).collect()
+    }
+
+    /// What the reader asks a text for; nothing if it is no TOML.
+    fn asked(&self, text: &str) -> Option<Vec<Question>> {
+        let asked = Asked::default();
+        let nothing = BTreeSet::new();
+        let source = Source { files: Some(&nothing), asked: Some(&asked), ..Source::new(&self.path, text) };
+        let mut entries = tree::parse(text).ok()?;
+        tree::adopt(&mut entries, &self.last);
+        // Where it ends is beyond what was asked for.
+        let _ = file_of_root(source, &entries);
+        Some(asked.all())
     }
 }

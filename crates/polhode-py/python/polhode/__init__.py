@@ -5,7 +5,9 @@
 - :func:`budget`: what a parts list comes to, and how well that is known
 - :class:`FreeMotion`: a free motion at any time, in closed form
 - :func:`identify`, :func:`identify_tumbles`, :func:`identify_swings`, :func:`identify_payload`: from measured motion to mass properties
-- :func:`simulate`: the motion of a scenario; :func:`judge`: is the one that another program computed right?
+- :class:`Scenario`, :mod:`scenario`: one body and one motion, with torques of your own; :func:`simulate`: its motion; :func:`judge`: is the one that another program computed right?
+- :func:`stability`: which steady motions last; :func:`torque`: what a given motion needs; :func:`spin`: what two periods say; :func:`explain`: the
+  worked solution
 - :class:`Ensemble`: many bodies at once; :mod:`polhode.batch` and :mod:`polhode.sweep`: plans of many motions, here and on clusters
 - :func:`check`: are the inertias of a robot right? :func:`link_table`, :func:`fixed_groups`: its links as bodies
 - :mod:`plot`: figures, for those who have Matplotlib
@@ -19,7 +21,7 @@ from __future__ import annotations
 
 from types import FunctionType as _Function
 
-from . import plot, shapes
+from . import plot, scenario, shapes
 from ._body import Body
 from ._budget import Budget, BudgetCase, BudgetLimit, BudgetRow, ErrorShare, budget
 from ._check import CheckReport, ModelFinding, check
@@ -27,6 +29,7 @@ from ._derivatives import Derivatives, EventDerivatives
 from ._ensemble import Ensemble, Failure, EnsembleStates
 from ._error import PolhodeError, PolhodeWarning
 from ._estimate import Estimate, Number, PrincipalEstimate, ResidualTest
+from ._explain import Explanation, explain
 from ._flight import Flight, find_flights
 from ._free_motion import FreeMotion
 from ._identified import (
@@ -54,8 +57,21 @@ from ._mass_derivatives import (
 from ._mass_properties import Finding, MassProperties, particles
 from ._motion import Ending, Event, Motion, simulate
 from ._native import VERSION as __version__
+from ._scenario import Scenario
 from ._robot import LinkRow, LinkTable, fixed_groups, link_table
+from ._spin import Tumbling, TumblingSpin, spin
+from ._stability import (
+    Equilibrium,
+    Oscillation,
+    Stability,
+    SteadyMotions,
+    SteadyOnGround,
+    SteadyRotation,
+    stability,
+)
 from ._states import MotionError, States
+from ._substance import materials
+from ._torque import RequiredTorque, torque
 
 __all__ = [
     "Body",
@@ -71,6 +87,7 @@ __all__ = [
     "Ending",
     "Ensemble",
     "EnsembleStates",
+    "Equilibrium",
     "ErrorGrowth",
     "ErrorPart",
     "ErrorShare",
@@ -78,6 +95,7 @@ __all__ = [
     "Estimate",
     "Event",
     "EventDerivatives",
+    "Explanation",
     "Failure",
     "Finding",
     "Flight",
@@ -93,23 +111,33 @@ __all__ = [
     "Motion",
     "MotionError",
     "Number",
+    "Oscillation",
     "ParticleDerivatives",
     "PayloadResult",
     "PolhodeError",
     "PolhodeWarning",
     "PrincipalEstimate",
     "Reading",
+    "RequiredTorque",
     "ResidualTest",
+    "Scenario",
+    "Stability",
     "States",
+    "SteadyMotions",
+    "SteadyOnGround",
+    "SteadyRotation",
     "SwingFit",
     "SwingResult",
     "Thin",
     "TriedReading",
     "TumbleResult",
+    "Tumbling",
+    "TumblingSpin",
     "Unconstrained",
     "__version__",
     "budget",
     "check",
+    "explain",
     "find_flights",
     "fixed_groups",
     "identify",
@@ -119,12 +147,17 @@ __all__ = [
     "inertia",
     "judge",
     "link_table",
+    "materials",
     "mesh_derivatives",
     "particle_derivatives",
     "particles",
     "plot",
+    "scenario",
     "shapes",
     "simulate",
+    "spin",
+    "stability",
+    "torque",
 ]
 
 # Messages and copies in other processes name them as users do, and doctest finds the examples of their methods.
@@ -142,6 +175,7 @@ for _public in (
     Ending,
     Ensemble,
     EnsembleStates,
+    Equilibrium,
     ErrorGrowth,
     ErrorPart,
     ErrorShare,
@@ -149,6 +183,7 @@ for _public in (
     Estimate,
     Event,
     EventDerivatives,
+    Explanation,
     Failure,
     Finding,
     Flight,
@@ -164,19 +199,28 @@ for _public in (
     Motion,
     MotionError,
     Number,
+    Oscillation,
     ParticleDerivatives,
     PayloadResult,
     PolhodeError,
     PolhodeWarning,
     PrincipalEstimate,
     Reading,
+    RequiredTorque,
     ResidualTest,
+    Scenario,
+    Stability,
     States,
+    SteadyMotions,
+    SteadyOnGround,
+    SteadyRotation,
     SwingFit,
     SwingResult,
     Thin,
     TriedReading,
     TumbleResult,
+    Tumbling,
+    TumblingSpin,
     Unconstrained,
 ):
     _public.__module__ = __name__

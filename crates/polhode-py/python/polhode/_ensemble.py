@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Iterator, NamedTuple
+from typing import TYPE_CHECKING, Any, Iterator, NamedTuple, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -14,6 +14,8 @@ from ._record import same
 from ._states import ATTITUDE, OMEGA, States, ends, rotations
 from ._table import Column, Table, Variable, vector
 from ._mass_properties import findings_of, warn_of
+from ._scenario import text_of_torques
+from .scenario import Torque
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
@@ -122,7 +124,8 @@ class Ensemble:
 
     Bodies by ``moments`` (n, 3) about their axes x, y and z, or by ``inertia`` (n, 3, 3) about their centres of mass; ``omega`` (n, 3) at t = 0
     along body axes, rad/s; ``attitude`` (n, 4), quaternions w, x, y, z, matrices (n, 3, 3) that take body components to space components, or a
-    ``scipy.spatial.transform.Rotation`` of n. What all share may be given once: (3,), (3, 3), (4,). ``torques`` is a text of ``[[torque]]`` tables, as scenarios have them.
+    ``scipy.spatial.transform.Rotation`` of n. What all share may be given once: (3,), (3, 3), (4,). ``torques`` are torques of
+    :mod:`polhode.scenario`, or a text of ``[[torque]]`` tables, as scenarios have them.
 
     The bits do not depend on the number of threads, nor on which members there are beside one.
 
@@ -144,7 +147,7 @@ class Ensemble:
         moments: npt.ArrayLike | None = None,
         inertia: npt.ArrayLike | None = None,
         attitude: object = (1.0, 0.0, 0.0, 0.0),
-        torques: str = "",
+        torques: str | Sequence[Torque] = "",
     ) -> None:
         if (moments is None) == (inertia is None):
             raise PolhodeError("bodies are given by moments or by inertia, exactly one of them")
@@ -162,7 +165,7 @@ class Ensemble:
             raise PolhodeError(f"{said}: there must be as many of each as members, or one for all")
         # For copies; of its own, as what was given may change.
         self._arguments = {name: rows.copy() for name, rows in given.items()}
-        self._torques = _arrays.text("torques", torques)
+        self._torques = torques if isinstance(torques, str) else text_of_torques(torques)
         self._native = _of(self._arguments, self._torques)
         warn_of(findings_of(self._native.findings))
 

@@ -18,6 +18,7 @@ from ._record import same
 from ._states import MotionError, States, rotations
 from ._table import Column, Table, Variable
 from ._mass_properties import Finding, findings_of, warn_of
+from ._scenario import Scenario
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
@@ -56,8 +57,10 @@ class Motion(Table):
     several. Copies, in other processes too, hold all of the motion by value.
     """
 
-    def __init__(self, native: _native.Motion, sampled: Floats | None = None) -> None:
+    def __init__(self, native: _native.Motion, sampled: Floats | None = None, has_functions: bool = False) -> None:
         self._native = native
+        #: Whether functions of Python are among its torques, which copies do not have.
+        self._has_functions = has_functions
         #: Times that took the place of those of the scenario.
         self._sampled = None if sampled is None else sampled.copy()
 
@@ -228,7 +231,9 @@ class Motion(Table):
     def _computed(self) -> _native.Motion:
         """What Rust computed; of a copy once more."""
         if "_native" not in vars(self):
-            again = _native.simulate(*self._source, self._sampled, "none", None)
+            if self._has_functions:
+                raise PolhodeError("this copy of a motion has no functions of Python, of which its torques were", "ask the motion itself")
+            again = _native.simulate(*self._source, self._sampled, "none", None, [])
             there = {name: values for name, _, _, values in again.columns()}
             # Errors of it are not estimated again.
             if not all(same(there.get(name), self._columns[name].values) for name in _STATE):
@@ -317,13 +322,13 @@ _VALUES = tuple(name for name, value in vars(Motion).items() if isinstance(value
 
 
 def simulate(
-    scenario: str | os.PathLike[str],
+    scenario: Scenario | str | os.PathLike[str],
     *,
     times: npt.ArrayLike | None = None,
     error: str = "auto",
     derivatives: Sequence[str] | None = None,
 ) -> Motion:
-    """Computes the motion of a scenario: of a file, or of its text.
+    """Computes the motion of a :class:`Scenario`, of a scenario's file, or of its text.
 
     A ``str`` of more than one line is a text; the files that it names are found from the current folder. ``times`` (n,), ascending, s,
     take the place of the times of its ``[run]``. A motion that cannot be computed to its end is returned as far as it is good, with a
@@ -386,13 +391,21 @@ def simulate(
     >>> motion.derivatives.events[0].time_by_parameters.round(12)
     array([-6.])
     """
-    if isinstance(scenario, str) and "\n" in scenario:
+    functions = []
+    if isinstance(scenario, Scenario):
+        path, text, functions = scenario._path, scenario._text(), scenario._functions()
+    elif isinstance(scenario, str) and "\n" in scenario:
         path, text = "scenario.toml", _arrays.text("scenario", scenario)
     else:
         path, text = _arrays.path("scenario", scenario), None
     error = _arrays.choice("error", error, ["auto", "cheap", "thorough"])
     sampled = None if times is None else _arrays.numbers("times", times, ("n",))
-    motion = Motion(_native.simulate(path, text, sampled, error, _keys(derivatives)), sampled)
+    try:
+        motion = Motion(_native.simulate(path, text, sampled, error, _keys(derivatives), functions), sampled, bool(functions))
+    except PolhodeError as refused:
+        if isinstance(scenario, Scenario) and refused.line is not None:
+            raise scenario._placed(refused) from None
+        raise
     warn_of_scenario(motion.findings)
     if motion.ending.kind == "failed":
         warn(f"the motion ends at t = {motion.ending.time} s: {motion.ending.cause}")

@@ -32,6 +32,9 @@ class MeshOptions(TypedDict):
     weld: str | None
     fill: str | None
     union: bool
+    parts: list[tuple[str, Given]]
+    field: str | None
+    tolerance: float | None
 
 class Solid(TypedDict):
     name: str
@@ -53,6 +56,19 @@ class Said(TypedDict):
     time_origin: float | None
     step: float | None
     engine: str | None
+
+class Explained(TypedDict):
+    json: str
+    text: str
+    markdown: str
+    html: str
+    latex: str
+
+class RequiredTorque(TypedDict):
+    json: str
+    text: str
+    columns: list[tuple[str, str, str, Floats]]
+    findings: list[Remark]
 
 class Judged(TypedDict):
     times: Floats
@@ -317,8 +333,16 @@ class Dataset:
     def finish(self, plan: Plan, threads: int) -> tuple[str, str]: ...
 
 def simulate(
-    path: str, text: str | None, times: Floats | None, error: str, derivatives: list[str] | None
+    path: str,
+    text: str | None,
+    times: Floats | None,
+    error: str,
+    derivatives: list[str] | None,
+    functions: list[tuple[int, bool, Callable[..., tuple[float, ...]]]],
 ) -> Motion: ...
+def scenario_tables(path: str, text: str | None) -> str: ...
+def scenario_keys(text: str) -> list[tuple[str, list[str]]]: ...
+def check_scenario(path: str, text: str) -> list[Remark]: ...
 def particle_derivatives(masses: Floats, positions: Floats) -> ByParticles: ...
 def body_derivatives(parts: list[MassProperties], about: list[list[float]]) -> ByParts: ...
 def carried_covariance(by_start: Floats, by_inertia: Floats, by_parameters: Floats, joint: Floats) -> Floats: ...
@@ -357,4 +381,9 @@ def robot_table(path: str, joints: list[tuple[str, float | str]]) -> tuple[str, 
 def robot_links(path: str) -> list[str]: ...
 def is_robot(path: str) -> bool: ...
 def available_threads() -> int: ...
+def materials() -> list[tuple[str, float]]: ...
+def explain_scenario(path: str, text: str | None) -> Explained: ...
+def scenario_stability(path: str, text: str | None) -> tuple[str, str]: ...
+def required_torque(path: str, text: str | None, times: Floats | None, points: Floats) -> RequiredTorque: ...
+def tumbling_spins(tensor: list[list[float]], periods: list[float], is_long: bool) -> tuple[str, str]: ...
 def unit(name: str, of_mass: bool) -> float: ...

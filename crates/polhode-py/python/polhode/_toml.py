@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from typing import Mapping
 
 import numpy as np
@@ -15,10 +16,16 @@ def text_of(plan: Mapping[str, object]) -> str:
     """TOML, a line for each key; arrays of NumPy are lists, paths are texts.
 
     >>> print(text_of({"title": "a \\"body\\"", "swing": {"mass": 3.2, "center": np.zeros(3)}}), end="")
-    "title" = "a \\"body\\""
-    "swing" = {"mass" = 3.2, "center" = [0.0, 0.0, 0.0]}
+    title = "a \\"body\\""
+    swing = { mass = 3.2, center = [0.0, 0.0, 0.0] }
     """
-    return "".join(f"{pair}\n" for pair in _pairs("plan", plan))
+    return "".join(f"{line}\n" for line in _pairs("plan", plan))
+
+
+def pair(place: str, key: str, value: object) -> str:
+    """A key and its value, on a line."""
+    bare = re.fullmatch("[A-Za-z0-9_-]+", key, re.ASCII)
+    return f"{key if bare else _quoted(place, key)} = {_value(place, value)}"
 
 
 def _pairs(place: str, table: Mapping[str, object]) -> list[str]:
@@ -26,13 +33,13 @@ def _pairs(place: str, table: Mapping[str, object]) -> list[str]:
     for key, value in table.items():
         if not isinstance(key, str):
             raise TypeError(f"{place} has the key {key!r}, which must be text")
-        pairs.append(f"{_quoted(place, key)} = {_value(f'{place}[{key!r}]', value)}")
+        pairs.append(pair(f"{place}[{key!r}]", key, value))
     return pairs
 
 
 def _value(place: str, value: object) -> str:
     if isinstance(value, Mapping):
-        return f"{{{', '.join(_pairs(place, value))}}}"
+        return f"{{ {', '.join(_pairs(place, value))} }}" if value else "{}"
     if isinstance(value, (np.ndarray, np.generic)):
         value = value.tolist()
     if isinstance(value, bool):

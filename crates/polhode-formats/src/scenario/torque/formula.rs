@@ -5,13 +5,15 @@ use polhode::motion::torque::{FormulaTorque, TorqueModel};
 
 use super::allow;
 use crate::error::FormatError;
-use crate::expression::formula_of_state;
+use crate::expression::{formula_of_state, formula_of_state_in_si};
 use crate::scenario::reader::{Table, Value};
 use crate::unit::Dimension;
 
-/// `axes = "body" | "space"`, `torque = [3]` of formulas.
+/// `axes = "body" | "space"`, `torque = [3]` of formulas, `units = "checked" | "SI"`.
 pub(super) fn formula(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
-    allow(table, &["axes", "torque"])?;
+    allow(table, &["axes", "torque", "units"])?;
+    let units = table.get("units").map(|units| units.choice(&["checked", "SI"])).transpose()?;
+    let component = if units == Some("SI") { component_in_si } else { component };
     let axes = table.require("axes", "axes = \"body\"")?.choice(&["body", "space"])?;
     let torque =
         table.require("torque", "torque = [\"-0.3[N m s]*wx\", \"0\", \"2[mN m]*sin(1[rad/s]*t)\"]")?;
@@ -21,6 +23,14 @@ pub(super) fn formula(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
         "body" => FormulaTorque::Body(components),
         _ => FormulaTorque::Space(components),
     })))
+}
+
+/// A formula whose numbers are all in SI.
+fn component_in_si(value: &Value<'_>) -> Result<Formula, FormatError> {
+    match value.string() {
+        Ok(text) => formula_of_state_in_si(text).map_err(|error| value.formula(error)),
+        Err(_) => value.quantity(Dimension::TORQUE).map(Formula::constant),
+    }
 }
 
 /// A formula whose value is a torque; a number is one too, in SI as everywhere.

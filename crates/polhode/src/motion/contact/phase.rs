@@ -44,6 +44,9 @@ pub(super) enum Watch {
     Gap,
 }
 
+/// The slope of a disk, and the room between curvatures, that counts as none.
+const LEAST: f64 = 1e-8;
+
 /// A phase, with room for its series.
 #[derive(Clone, Debug)]
 pub(super) struct Phase {
@@ -157,9 +160,13 @@ impl Model {
 
     /// True of a rim whose axis is along the normal: where it touches the ground, rounding decides.
     pub(super) fn lies_flat(&self, at: &Kinetics<f64>) -> bool {
-        const LEAST: f64 = 1e-8;
         let Components([x, y, _]) = at.normal;
         matches!(self.surface, SurfaceForm::Rim { radius, .. } if radius != 0.0) && x.hypot(y) <= LEAST
+    }
+
+    /// True where the ground is as curved as the body: rounding decides here too.
+    pub(super) fn osculates(&self, at: &Kinetics<f64>) -> bool {
+        self.ground != GroundForm::Plane && at.fit <= LEAST
     }
 
     /// The torque about z × n that keeps the axis of a cylinder level, beside that of a force in its middle.

@@ -63,6 +63,9 @@ impl Stepper {
         if self.model.lies_flat(&at) {
             return Some(Watch::Slope);
         }
+        if self.model.osculates(&at) {
+            return Some(Watch::Fit);
+        }
         let across = at.relative - at.normal.scaled(at.relative.dot(at.normal));
         let is_still = across.dot(across).sqrt() <= 1e-13 * self.rate(y);
         (watches.contains(&Watch::RollingRate) && is_still).then_some(Watch::RollingRate)

@@ -132,6 +132,63 @@ fn a_ball_leaves_the_ball_that_it_rolls_down() {
     }
 }
 
+/// Across the axis of a cylinder it leaves it as it leaves a ball.
+#[test]
+fn a_ball_leaves_the_cylinder_that_it_rolls_down() {
+    let big = 1.1;
+    let axis = Direction::new(0.8, -0.6, 0.0);
+    let ground = Ground::new(GroundShape::Cylinder { radius: big, side: GroundSide::Outside }, axis).unwrap();
+    let top = 0.1_f64;
+    let at = Position::new(big * top.sin() * 0.6 + 0.24, big * top.sin() * 0.8 - 0.18, big * top.cos());
+    for (law, share) in [(ContactLaw::ROLLING, 10.0 / 17.0), (ContactLaw::FRICTIONLESS, 2.0 / 3.0)] {
+        let contact = Contact { ground, law, ..Contact::rolling(surface(sphere(), [0.0; 3])) };
+        let velocity = StartVelocity::Along(Velocity::ZERO);
+        let start = ContactStart { at, velocity, state: state(Attitude::identity(), [0.0; 3]) };
+        let motion = run(&ball(RADIUS), &contact, start, &[3.0]);
+        let [change, ..] = motion.changes() else { panic!("it leaves") };
+        assert_eq!(change.change, ContactChange::LiftsOff);
+        let there = run(&ball(RADIUS), &contact, start, &[change.time]).samples()[0];
+        near(there.normal.z, share * top.cos(), 1e-14);
+        near(there.normal_force, 0.0, 1e-13);
+        near(axis.dot(there.center), 0.3, 1e-14);
+    }
+}
+
+/// Near the bottom of a bowl of radius ρ that turns about the vertical at Ω, a ball that turns with it has, with x = ξ + i η of its middle,
+/// ẍ = (2/7) i Ω ẋ − (5/7) g/(ρ − a) x.
+#[test]
+fn a_ball_in_a_bowl_that_turns_has_two_circles() {
+    let (bowl, rate) = (0.9, 3.0);
+    let ground = Ground::new(
+        GroundShape::Sphere { radius: bowl, side: GroundSide::Inside },
+        Direction::new(0.0, 0.0, 1.0),
+    );
+    let ground = ground.unwrap().turning_at(rate).unwrap();
+    let contact = Contact { ground, ..Contact::rolling(surface(sphere(), [0.0; 3])) };
+    let small = 1e-6;
+    let angle: f64 = small / (bowl - RADIUS);
+    let at = Position::new(bowl * angle.sin(), 0.0, -bowl * angle.cos());
+    // It stands on the ground that carries it along: v = Ω × c, and ω is along the vertical.
+    let start = ContactStart { at, ..ContactStart::rolling(state(Attitude::identity(), [0.0, 0.0, rate])) };
+    let motion = run(&ball(RADIUS), &contact, start, &[0.0, 0.7, 1.9, 4.0]);
+    assert!(motion.energy_drift() < 1e-14, "{:e}", motion.energy_drift());
+    // x = A exp(i λ₁ t) + B exp(i λ₂ t) with λ² − (2/7) Ω λ − (5/7) g/(ρ − a) = 0; at the start x is real and ẋ = i v.
+    let half = rate / 7.0;
+    let root = (half * half + 5.0 / 7.0 * G / (bowl - RADIUS)).sqrt();
+    let (first, second) = (half + root, half - root);
+    let [x, v] = [motion.samples()[0].center.x, motion.samples()[0].velocity.y];
+    near(motion.samples()[0].velocity.x, 0.0, 1e-20);
+    let b = (v - first * x) / (second - first);
+    let a = x - b;
+    for sample in motion.samples() {
+        let t = sample.state.time;
+        let want =
+            [a * (first * t).cos() + b * (second * t).cos(), a * (first * t).sin() + b * (second * t).sin()];
+        near(sample.center.x / small, want[0] / small, 1e-8);
+        near(sample.center.y / small, want[1] / small, 1e-8);
+    }
+}
+
 /// In a bowl a ball swings as a pendulum of length 7/5 (ρ − a).
 #[test]
 fn a_ball_in_a_bowl_swings_as_a_pendulum() {

@@ -103,3 +103,56 @@ fn energy_and_work_are_in_balance() {
         }
     }
 }
+
+/// A disk that rolls on a plane has two constants besides its energy (Appell, Korteweg 1899; Chaplygin 1897). With x = cos θ of its axis and the vertical,
+/// y = Ω sin² θ of the rate Ω of its precession and ω₃ about its axis:
+///
+/// dy/dx = −(C/A) ω₃,  dω₃/dx = −(m R²/(C + m R²)) y/(1 − x²),  so that (1 − x²) y″ = κ y,  κ = C m R²/(A (C + m R²)):
+///
+/// y = c₁ y₁ + c₂ y₂, with the solutions that are even and odd in x.
+#[test]
+fn a_rolling_disk_keeps_the_two_constants_of_its_tilt() {
+    let (radius, mass, [a, c]) = (0.3, 1.9, [0.021, 0.033]);
+    let body =
+        MassProperties::new(mass, Position::ZERO, InertiaTensor::diagonal([a, a, c]).unwrap()).unwrap();
+    let contact =
+        Contact::rolling(surface(SurfaceShape::Rim { radius, tube: 0.0, thickness: 0.0 }, [0.0; 3]));
+    let tilted = Rotation::about(Direction::new(0.48, 0.6, 0.0), 1.1).unwrap();
+    let start = ContactStart::rolling(state(tilted, [1.9, -1.4, 3.5]));
+    let times: Vec<f64> = (0..=100).map(f64::from).collect();
+    let motion = run(&body, &contact, start, &times);
+    let kappa = c * mass * radius * radius / (a * (c + mass * radius * radius));
+    let constants = |k: usize| {
+        let State { attitude, omega, .. } = motion.samples()[k].state;
+        let axis: Direction<Space> = attitude * Direction::new(0.0, 0.0, 1.0);
+        let x = axis.z;
+        // ω · z = Ω sin² θ + ω₃ cos θ.
+        let y = (attitude * omega).z - omega.z * x;
+        let [[y1, d1], [y2, d2]] = [0, 1].map(|first| solution(kappa, first, x));
+        let dy = -c / a * omega.z;
+        ([y * d2 - dy * y2, dy * y1 - y * d1], x)
+    };
+    let (first, at_start) = constants(0);
+    let mut range: f64 = 0.0;
+    for k in 1..times.len() {
+        let (later, x) = constants(k);
+        range = range.max((x - at_start).abs());
+        for (got, want) in later.into_iter().zip(first) {
+            near(got / want, 1.0, 1e-12);
+        }
+    }
+    assert!(range > 0.2, "{range}");
+}
+
+/// The even (`first` 0) or odd (1) solution of (1 − x²) y″ = κ y, and its derivative: (n + 2)(n + 1) aₙ₊₂ = (n (n − 1) + κ) aₙ.
+fn solution(kappa: f64, first: i32, x: f64) -> [f64; 2] {
+    let mut term = 1.0;
+    let [mut y, mut slope] = [0.0; 2];
+    for n in (first..2000).step_by(2) {
+        y += term * x.powi(n);
+        slope += f64::from(n) * term * x.powi((n - 1).max(0));
+        let n = f64::from(n);
+        term *= (n * (n - 1.0) + kappa) / ((n + 2.0) * (n + 1.0));
+    }
+    [y, slope]
+}

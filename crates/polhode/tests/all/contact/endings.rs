@@ -1,14 +1,22 @@
 //! What ends a motion or one of its phases, against what is known of it.
 
-use polhode::math::{Direction, Rotation};
+use polhode::math::{Direction, Rotation, Space, Torque};
 use polhode::motion::MotionError;
 use polhode::motion::contact::{
-    Contact, ContactChange, ContactEnding, ContactLaw, ContactSimulation, ContactStart, Friction, Ground,
-    Resistance, SurfaceShape,
+    Contact, ContactChange, ContactEnding, ContactLaw, ContactSimulation, ContactStart, ContactTrajectory,
+    Friction, Ground, GroundShape, GroundSide, Resistance, SurfaceShape,
 };
 use polhode::prelude::*;
 
 use super::{G, ball, generic_body, near, run, state, surface};
+
+/// What ended a motion, if a change of its contact did.
+fn ended_by(motion: &ContactTrajectory) -> Option<ContactChange> {
+    match motion.ending() {
+        ContactEnding::Changed { change, .. } => Some(*change),
+        _ => None,
+    }
+}
 
 /// What leaves level ground comes back to it, and touches it then: of surfaces whose lowest point has a root in it too.
 #[test]
@@ -27,9 +35,9 @@ fn what_lands_touches_the_ground() {
             let contact = Contact { law: ContactLaw::FRICTIONLESS, ..Contact::rolling(surface) };
             let start = ContactStart::rolling(state(attitude, omega));
             let motion = run(&generic_body(), &contact, start, &[20.0]);
-            let ContactEnding::Changed { change: ContactChange::Lands, .. } = motion.ending() else {
+            if ended_by(&motion) != Some(ContactChange::Lands) {
                 continue;
-            };
+            }
             landed += 1;
             let end = motion.samples().last().unwrap();
             near(end.contact.z, 0.0, 1e-10);
@@ -83,4 +91,123 @@ fn a_cylinder_that_would_not_keep_its_axis_is_refused() {
     assert!(refused(&symmetric, Contact { law, ..rolling }).contains("does not pivot"));
     // What slips without friction never grips.
     assert!(ContactLaw::with_friction(Friction { sticking: 0.3, kinetic: 0.0, viscous: 0.1 }).is_err());
+}
+
+/// A disk that falls over without spinning, about the point where it stands or with its middle straight down: its energy says with which rate it lies flat, to
+/// the tilt of 1e-8 that counts as none.
+#[test]
+fn a_disk_that_falls_over_lies_flat() {
+    let (radius, mass, a) = (0.2, 1.7, 0.0313);
+    let body =
+        MassProperties::new(mass, Position::ZERO, InertiaTensor::diagonal([a, a, 0.0507]).unwrap()).unwrap();
+    let tilt = 1.2_f64;
+    let attitude = Rotation::about(Direction::new(0.6, 0.8, 0.0), tilt).unwrap();
+    let start = ContactStart::rolling(state(attitude, [0.0; 3]));
+    let rim = surface(SurfaceShape::Rim { radius, tube: 0.0, thickness: 0.0 }, [0.0; 3]);
+    for law in [ContactLaw::ROLLING, ContactLaw::FRICTIONLESS] {
+        let motion = run(&body, &Contact { law, ..Contact::rolling(rim) }, start, &[10.0]);
+        assert_eq!(ended_by(&motion), Some(ContactChange::LiesFlat));
+        let end = motion.samples().last().unwrap();
+        // In both cases the middle falls straight down in the last moment, at R ω.
+        let moment = a + mass * radius * radius;
+        near(end.state.omega.norm().powi(2), 2.0 * mass * G * radius * tilt.sin() / moment, 1e-6);
+        near(end.center.z, 0.0, 2e-9);
+    }
+}
+
+/// A thick disk that leans within its base falls back onto its other rim, turning about the point where it stands.
+#[test]
+fn a_thick_disk_falls_back_onto_its_other_rim() {
+    let (radius, half, mass, a) = (0.2, 0.05, 1.7, 0.0413);
+    let body =
+        MassProperties::new(mass, Position::ZERO, InertiaTensor::diagonal([a, a, 0.0507]).unwrap()).unwrap();
+    let lean = 0.15_f64;
+    let attitude =
+        Rotation::about(Direction::new(0.6, 0.8, 0.0), core::f64::consts::FRAC_PI_2 - lean).unwrap();
+    let start = ContactStart::rolling(state(attitude, [0.0; 3]));
+    let rim = surface(SurfaceShape::Rim { radius, tube: 0.0, thickness: 2.0 * half }, [0.0; 3]);
+    let motion = run(&body, &Contact::rolling(rim), start, &[10.0]);
+    assert_eq!(ended_by(&motion), Some(ContactChange::OtherRim));
+    let fallen = radius * lean.cos() + half * lean.sin() - radius;
+    let moment = a + mass * (radius * radius + half * half);
+    let end = motion.samples().last().unwrap();
+    near(end.state.omega.norm().powi(2), 2.0 * mass * G * fallen / moment, 1e-10);
+    near(end.center.z, radius, 1e-12);
+    // Leaning farther than its base, it lies flat on its face.
+    let attitude = Rotation::about(Direction::new(0.6, 0.8, 0.0), 1.2).unwrap();
+    let motion =
+        run(&body, &Contact::rolling(rim), ContactStart::rolling(state(attitude, [0.0; 3])), &[10.0]);
+    assert_eq!(ended_by(&motion), Some(ContactChange::LiesFlat));
+    let fallen = radius * 1.2_f64.sin() + half * 1.2_f64.cos() - half;
+    let end = motion.samples().last().unwrap();
+    near(end.state.omega.norm().powi(2), 2.0 * mass * G * fallen / moment, 1e-6);
+}
+
+/// A disk that falls over in a bowl touches it with all of its rim where the sine of its tilt is r/ρ.
+#[test]
+fn a_disk_that_falls_over_in_a_bowl_osculates() {
+    let (bowl, radius, mass, a) = (0.9, 0.2, 1.7, 0.0313);
+    let body =
+        MassProperties::new(mass, Position::ZERO, InertiaTensor::diagonal([a, a, 0.0507]).unwrap()).unwrap();
+    let ground = GroundShape::Sphere { radius: bowl, side: GroundSide::Inside };
+    let ground = Ground::new(ground, Direction::new(0.0, 0.0, 1.0)).unwrap();
+    let rim = surface(SurfaceShape::Rim { radius, tube: 0.0, thickness: 0.0 }, [0.0; 3]);
+    let tilt = 1.2_f64;
+    let attitude = Rotation::about(Direction::new(0.6, 0.8, 0.0), tilt).unwrap();
+    let start = ContactStart {
+        at: Position::new(0.0, 0.0, -bowl),
+        ..ContactStart::rolling(state(attitude, [0.0; 3]))
+    };
+    let motion = run(&body, &Contact { ground, ..Contact::rolling(rim) }, start, &[10.0]);
+    assert_eq!(
+        ended_by(&motion),
+        Some(ContactChange::Osculates),
+        "{:?} {:?}",
+        motion.ending(),
+        motion.changes()
+    );
+    let end = motion.samples().last().unwrap();
+    let axis: Direction<Space> = end.state.attitude * Direction::new(0.0, 0.0, 1.0);
+    near(axis.cross(end.normal).norm(), radius / bowl, 1e-8);
+    let moment = a + mass * radius * radius;
+    let fallen = radius * (tilt.sin() - radius / bowl);
+    near(end.state.omega.norm().powi(2), 2.0 * mass * G * fallen / moment, 1e-6);
+}
+
+/// A ball with three moments that is held from pivoting until friction is too small for it.
+#[test]
+fn a_ball_is_held_from_pivoting_and_pivots_anew() {
+    let levers = Resistance { rolling: 0.0, pivoting: 0.002 };
+    let law = ContactLaw::ROLLING.resisted_by(levers).unwrap();
+    let contact =
+        Contact { law, ..Contact::rolling(surface(SurfaceShape::Sphere { radius: 0.2 }, [0.0; 3])) };
+    let attitude = Rotation::about(Direction::new(0.48, 0.6, 0.64), 0.8).unwrap();
+    let start = ContactStart::rolling(state(attitude, [5.0, -3.0, 1.0]));
+    let times: Vec<f64> = (0..=400).map(|k| 0.01 * f64::from(k)).collect();
+    let motion = run(&generic_body(), &contact, start, &times);
+    let [stops, anew, ..] = motion.changes() else { panic!("{:?}", motion.changes()) };
+    assert_eq!([stops.change, anew.change], [ContactChange::PivotingStops, ContactChange::Pivots]);
+    assert!(motion.energy_drift() < 1e-12, "{:e}", motion.energy_drift());
+    let mut held = 0;
+    for sample in motion.samples() {
+        let time = sample.state.time;
+        let pivoting = (sample.state.attitude * sample.state.omega).z;
+        let torque: Torque<Space> = sample.state.attitude * sample.torque;
+        // Of the forces at a ball's lowest point only friction against pivoting has a torque about the vertical.
+        if stops.time < time && time < anew.time {
+            held += 1;
+            near(pivoting, 0.0, 1e-12);
+            assert!(torque.z.abs() < levers.pivoting * sample.normal_force, "{time}");
+        } else if time < stops.time {
+            near(torque.z, -pivoting.signum() * levers.pivoting * sample.normal_force, 1e-12);
+        }
+    }
+    assert!(held > 0);
+    let times = [anew.time - 1e-7, anew.time + 1e-3];
+    let motion = run(&generic_body(), &contact, start, &times);
+    let [before, after] = motion.samples() else { panic!("two times") };
+    let torque: Torque<Space> = before.state.attitude * before.torque;
+    near(torque.z.abs() / (levers.pivoting * before.normal_force), 1.0, 1e-5);
+    let pivoting = (after.state.attitude * after.state.omega).z;
+    assert!(pivoting * torque.z < 0.0 && pivoting.abs() > 1e-9, "{pivoting:e}");
 }

@@ -1,0 +1,388 @@
+"""Torques that are Python functions, traced with symbols into formulas."""
+
+from __future__ import annotations
+
+import inspect
+import math
+from functools import reduce
+from typing import Any, Callable, NamedTuple, NoReturn
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arrays
+from ._arrays import Floats
+from ._error import PolhodeError
+
+#: How tightly an expression holds together: a choice and a comparison least, a name most.
+_COMPARISON, _SUM, _PRODUCT, _SIGN, _POWER, _NAME = range(6)
+
+#: The most characters of a formula, as the reader has it.
+LONGEST = 65536
+
+
+class Symbol:
+    """An expression of symbols: operators and NumPy's functions make others of it."""
+
+    __slots__ = ("text", "_holds")
+
+    def __init__(self, text: str, holds: int = _NAME) -> None:
+        if len(text) > LONGEST:
+            rule = f"at most {LONGEST} characters: what is used several times is written as often"
+            raise PolhodeError(f"the formula of this function is too long, which must have {rule}")
+        self.text = text
+        self._holds = holds
+
+    def _as(self, holds: int) -> str:
+        """The text where something holds as tightly."""
+        return self.text if self._holds >= holds else f"({self.text})"
+
+    def _join(self, other: object, sign: str, holds: int, *, turned: bool = False) -> Any:
+        one = _symbol(other)
+        if one is None:
+            return NotImplemented
+        left, right = (one, self) if turned else (self, one)
+        # From the left: what stands right of the sign holds more tightly, and begins with no sign of its own.
+        return Symbol(f"{left._as(holds)}{sign}{right._as(_POWER if right._holds == _SIGN else holds + 1)}", holds)
+
+    def __add__(self, other: object) -> Any:
+        return self._join(other, "+", _SUM)
+
+    def __radd__(self, other: object) -> Any:
+        return self._join(other, "+", _SUM, turned=True)
+
+    def __sub__(self, other: object) -> Any:
+        return self._join(other, "-", _SUM)
+
+    def __rsub__(self, other: object) -> Any:
+        return self._join(other, "-", _SUM, turned=True)
+
+    def __mul__(self, other: object) -> Any:
+        return self._join(other, "*", _PRODUCT)
+
+    def __rmul__(self, other: object) -> Any:
+        return self._join(other, "*", _PRODUCT, turned=True)
+
+    def __truediv__(self, other: object) -> Any:
+        return self._join(other, "/", _PRODUCT)
+
+    def __rtruediv__(self, other: object) -> Any:
+        return self._join(other, "/", _PRODUCT, turned=True)
+
+    def __pow__(self, other: object) -> Any:
+        one = _symbol(other)
+        # From the right, and below a sign: each side stands for itself.
+        return NotImplemented if one is None else Symbol(f"{self._as(_NAME)}^{one._as(_NAME)}", _POWER)
+
+    def __rpow__(self, other: object) -> Any:
+        one = _symbol(other)
+        return NotImplemented if one is None else one**self
+
+    def __neg__(self) -> Symbol:
+        return Symbol(f"-{self._as(_POWER)}", _SIGN)
+
+    def __pos__(self) -> Symbol:
+        return self
+
+    def __abs__(self) -> Symbol:
+        return _call("abs", self)
+
+    def __lt__(self, other: object) -> Any:
+        return self._join(other, "<", _COMPARISON)
+
+    def __le__(self, other: object) -> Any:
+        return self._join(other, "<=", _COMPARISON)
+
+    def __gt__(self, other: object) -> Any:
+        return self._join(other, ">", _COMPARISON)
+
+    def __ge__(self, other: object) -> Any:
+        return self._join(other, ">=", _COMPARISON)
+
+    def __eq__(self, other: object) -> NoReturn:
+        raise TypeError("a law compares a symbol for equality, which is never known: compare with < or >")
+
+    def __ne__(self, other: object) -> NoReturn:
+        raise TypeError("a law compares a symbol for equality, which is never known: compare with < or >")
+
+    __hash__ = object.__hash__
+
+    def __bool__(self) -> NoReturn:
+        raise TypeError(
+            "a law branches on a symbol, whose value is not known when it is traced: choose by polhode.scenario.where(condition, then, otherwise)"
+        )
+
+    def __float__(self) -> NoReturn:
+        raise TypeError("a law makes a number of a symbol, whose value is not known when it is traced: use NumPy's functions, not those of math")
+
+    __int__ = __index__ = __complex__ = __float__
+
+    def __iter__(self) -> NoReturn:
+        raise TypeError("a symbol is one number, and has no elements")
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
+        return _applied(ufunc, method, inputs, options)
+
+    def __repr__(self) -> str:
+        return f"Symbol({self.text})"
+
+
+class Symbols(np.ndarray):
+    """An array of symbols, to which NumPy's functions apply element by element."""
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
+        return _applied(ufunc, method, inputs, options)
+
+    def __array_function__(self, function: Any, types: Any, given: Any, options: Any) -> Any:
+        if function is np.where:
+            return where(*given, **options)
+        return super().__array_function__(function, types, given, options)
+
+
+def array(values: Any) -> Symbols:
+    """An array of symbols of an array of objects."""
+    return np.asarray(values, dtype=object).view(Symbols)
+
+
+def _symbol(value: object) -> Symbol | None:
+    """A symbol or a number; ``None`` of anything else."""
+    if isinstance(value, Symbol):
+        return value
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value.item()
+    if isinstance(value, (bool, np.bool_)):
+        return Symbol(str(int(value)))
+    if not isinstance(value, (int, float, np.integer, np.floating)):
+        return None
+    number = _arrays.number("a number of a law", value)
+    text = repr(abs(number)).removesuffix(".0")
+    return Symbol(f"-{text}", _SIGN) if math.copysign(1.0, number) < 0.0 else Symbol(text)
+
+
+def _call(name: str, *given: Symbol) -> Symbol:
+    return Symbol(f"{name}({','.join(one.text for one in given)})")
+
+
+def _named(name: str) -> Callable[..., Symbol]:
+    return lambda *given: _call(name, *given)
+
+
+#: What NumPy's functions make of symbols.
+_FUNCTIONS: dict[np.ufunc, Callable[..., Any]] = {
+    np.add: lambda a, b: a + b,
+    np.subtract: lambda a, b: a - b,
+    np.multiply: lambda a, b: a * b,
+    np.divide: lambda a, b: a / b,
+    np.power: lambda a, b: a**b,
+    np.float_power: lambda a, b: a**b,
+    np.negative: lambda a: -a,
+    np.positive: lambda a: a,
+    np.square: lambda a: a**2,
+    np.reciprocal: lambda a: 1 / a,
+    np.absolute: _named("abs"),
+    np.fabs: _named("abs"),
+    np.sign: lambda a: where(a > 0, 1, where(a < 0, -1, 0)),
+    np.less: lambda a, b: a < b,
+    np.less_equal: lambda a, b: a <= b,
+    np.greater: lambda a, b: a > b,
+    np.greater_equal: lambda a, b: a >= b,
+    np.logical_and: lambda a, b: Symbol(f"({a.text} and {b.text})"),
+    np.logical_or: lambda a, b: Symbol(f"({a.text} or {b.text})"),
+    np.bitwise_and: lambda a, b: Symbol(f"({a.text} and {b.text})"),
+    np.bitwise_or: lambda a, b: Symbol(f"({a.text} or {b.text})"),
+    np.minimum: _named("min"),
+    np.fmin: _named("min"),
+    np.maximum: _named("max"),
+    np.fmax: _named("max"),
+    np.sqrt: _named("sqrt"),
+    np.exp: _named("exp"),
+    np.log: _named("log"),
+    np.sin: _named("sin"),
+    np.cos: _named("cos"),
+    np.tan: _named("tan"),
+    np.arcsin: _named("asin"),
+    np.arccos: _named("acos"),
+    np.arctan: _named("atan"),
+    np.arctan2: _named("atan2"),
+    np.hypot: _named("hypot"),
+    np.radians: lambda a: a * (math.pi / 180.0),
+    np.deg2rad: lambda a: a * (math.pi / 180.0),
+    np.degrees: lambda a: a * (180.0 / math.pi),
+    np.rad2deg: lambda a: a * (180.0 / math.pi),
+}
+
+
+def _applied(ufunc: np.ufunc, method: str, inputs: tuple[Any, ...], options: dict[str, Any]) -> Any:
+    """A function of NumPy's on symbols, or on arrays of them."""
+    if ufunc is np.matmul and method == "__call__" and not options:
+        return _unwrapped(np.matmul(*(np.asarray(one, dtype=object) for one in inputs)))
+    function = _FUNCTIONS.get(ufunc)
+    if function is None or set(options) - {"axis", "keepdims"}:
+        raise TypeError(f"a law cannot have np.{ufunc.__name__} of a symbol: formulas have no such function")
+
+    def of(*values: Any) -> Symbol:
+        given = [_symbol(value) for value in values]
+        for value, one in zip(values, given):
+            if one is None:
+                raise TypeError(f"a law has {type(value).__name__} among its numbers")
+        return function(*given)  # type: ignore[no-any-return]
+
+    if method == "__call__":
+        given = [np.asarray(one, dtype=object) for one in inputs]
+        return _unwrapped(np.frompyfunc(of, len(inputs), 1)(*given))
+    if method == "reduce" and ufunc.nin == 2:
+        rows = np.asarray(inputs[0], dtype=object)
+        axis = options.get("axis", 0)
+        rows = rows.reshape(-1) if axis is None else np.moveaxis(rows, axis, 0)
+        return _unwrapped(reduce(np.frompyfunc(of, 2, 1), rows))
+    raise TypeError(f"a law cannot have np.{ufunc.__name__}.{method} of symbols")
+
+
+def _unwrapped(found: Any) -> Any:
+    return array(found) if isinstance(found, np.ndarray) and found.ndim else found.item() if isinstance(found, np.ndarray) else found
+
+
+def where(condition: Any, then: Any, otherwise: Any) -> Any:
+    """``then`` where the condition holds, else ``otherwise``: as :func:`numpy.where`, of symbols too.
+
+    >>> from polhode.scenario import torque, where
+    >>> torque(lambda t, omega: where(t < 2.0, 0.3, 0.0) * omega).torque[0]
+    'if(t<2,0.3,0)*wx'
+    """
+
+    def of(*values: Any) -> Symbol:
+        given = [_symbol(value) for value in values]
+        if any(one is None for one in given):
+            raise TypeError("where takes a condition and two values, numbers or symbols")
+        return _call("if", *given)  # type: ignore[arg-type]
+
+    return _unwrapped(np.frompyfunc(of, 3, 1)(*(np.asarray(one, dtype=object) for one in (condition, then, otherwise))))
+
+
+class Attitude:
+    """The attitude as symbols: it takes body components to space components."""
+
+    def as_matrix(self) -> Symbols:
+        """R_space_body (3, 3)."""
+        return array([[Symbol(f"r{row}{column}") for column in (1, 2, 3)] for row in (1, 2, 3)])
+
+    def as_quat(self, *, scalar_first: bool = False) -> Symbols:
+        """The quaternion (4,): x, y, z, w, as SciPy has it, or w first."""
+        return array([Symbol(f"q{name}") for name in ("wxyz" if scalar_first else "xyzw")])
+
+    def apply(self, vector: npt.ArrayLike, inverse: bool = False) -> Any:
+        """Space components of a vector of body components (3,); ``inverse``: the other way."""
+        matrix = self.as_matrix()
+        return (matrix.T if inverse else matrix) @ np.asarray(vector)
+
+
+#: What a law may ask for, by the names of its parameters.
+_STATE: dict[str, Callable[[], Any]] = {
+    "t": lambda: Symbol("t"),
+    "omega": lambda: array([Symbol(f"w{axis}") for axis in "xyz"]),
+    "omega_space": lambda: array([Symbol(f"w{axis}") for axis in "XYZ"]),
+    "momentum": lambda: array([Symbol(f"L{axis}") for axis in "xyz"]),
+    "momentum_space": lambda: array([Symbol(f"L{axis}") for axis in "XYZ"]),
+    "kinetic_energy": lambda: Symbol("T_rot"),
+    "attitude": Attitude,
+}
+
+
+def asked(law: Any) -> list[str]:
+    """What of the state a law asks for: the names of its parameters that have no default."""
+    if not callable(law):
+        raise TypeError(f"law must be a function, not {type(law).__name__}")
+    needed = [
+        one.name
+        for one in inspect.signature(law).parameters.values()
+        if one.default is one.empty and one.kind in (one.POSITIONAL_ONLY, one.POSITIONAL_OR_KEYWORD, one.KEYWORD_ONLY)
+    ]
+    unknown = [name for name in needed if name not in _STATE]
+    if unknown:
+        hint = f"its parameters are among {', '.join(_STATE)}; what else it depends on gets a default"
+        raise PolhodeError(f"a law has the parameter {unknown[0]}, which is nothing of the state", hint)
+    return needed
+
+
+def formula_torque(law: Any) -> tuple[str, ...]:
+    """The formulas of the three components of a law."""
+    given = {name: _STATE[name]() for name in asked(law)}
+    found = np.asarray(_with(law, given), dtype=object)
+    if found.shape != (3,):
+        raise PolhodeError(f"a law must give three components, of shape (3,), not {found.shape}")
+    components = [_symbol(component) for component in found]
+    for component, one in zip(found, components):
+        if one is None:
+            raise TypeError(f"a law must give numbers or symbols, not {type(component).__name__}")
+    return tuple(one.text for one in components if one is not None)
+
+
+def computed(law: Any) -> Callable[..., tuple[float, ...]]:
+    """A law of numbers: of time, ω, the attitude's quaternion and L, along body axes."""
+    needed = asked(law)
+
+    def of(t: float, omega: list[float], quaternion: list[float], momentum: list[float]) -> tuple[float, ...]:
+        state = _State(t, np.array(omega), np.array(quaternion), np.array(momentum))
+        torque = _arrays.real("the torque of a law", _with(law, {name: getattr(state, name) for name in needed}))
+        if torque.shape != (3,):
+            raise PolhodeError(f"a law must give three components, of shape (3,), not {torque.shape}")
+        return tuple(torque.tolist())
+
+    return of
+
+
+class _State(NamedTuple):
+    """A state, as laws ask for it."""
+
+    t: float
+    omega: Floats
+    quaternion: Floats
+    momentum: Floats
+
+    @property
+    def attitude(self) -> Turned:
+        return Turned(self.quaternion)
+
+    @property
+    def omega_space(self) -> Floats:
+        return self.attitude.apply(self.omega)
+
+    @property
+    def momentum_space(self) -> Floats:
+        return self.attitude.apply(self.momentum)
+
+
+class Turned:
+    """The attitude as numbers: it takes body components to space components."""
+
+    def __init__(self, quaternion: Floats) -> None:
+        self._quaternion = quaternion
+
+    def as_quat(self, *, scalar_first: bool = False) -> Floats:
+        """The quaternion (4,): x, y, z, w, as SciPy has it, or w first."""
+        return self._quaternion.copy() if scalar_first else np.roll(self._quaternion, -1)
+
+    def as_matrix(self) -> Floats:
+        """R_space_body (3, 3)."""
+        w, (x, y, z) = self._quaternion[0], self._quaternion[1:]
+        # R = (w² − q²) 1 + 2 q qᵀ + 2 w [q]×
+        return np.array(
+            [
+                [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+            ]
+        )
+
+    def apply(self, vector: npt.ArrayLike, inverse: bool = False) -> Floats:
+        """Space components of a vector of body components (3,); ``inverse``: the other way."""
+        matrix = self.as_matrix()
+        found: Floats = (matrix.T if inverse else matrix) @ np.asarray(vector)
+        return found
+
+
+def _with(law: Any, given: dict[str, Any]) -> Any:
+    """Calls a law with what it asks for; parameters before a ``/`` have no names."""
+    kinds = inspect.signature(law).parameters
+    first = [value for name, value in given.items() if kinds[name].kind is inspect.Parameter.POSITIONAL_ONLY]
+    return law(*first, **{name: value for name, value in given.items() if kinds[name].kind is not inspect.Parameter.POSITIONAL_ONLY})

@@ -1,0 +1,380 @@
+"""A scenario: one body and one motion, as an object."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence
+
+from . import _arrays, _native, _section
+from ._body import Body
+from ._error import PolhodeError
+from ._law import computed
+from ._mass_properties import Finding, MassProperties, findings_of
+from ._section import Section
+from .scenario import (
+    Contact,
+    Event,
+    FunctionTorque,
+    MassHistory,
+    Orbit,
+    Part,
+    Pendulum,
+    Pointing,
+    Prescribed,
+    Run,
+    Shaft,
+    Start,
+    Torque,
+    Wheel,
+)
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+#: The tables of which there is one, and those of which there may be several, by the keyword that they have here.
+_ONE: dict[str, tuple[str, type[Section]]] = {
+    "start": ("start", Start),
+    "orbit": ("orbit", Orbit),
+    "contact": ("contact", Contact),
+    "mass_history": ("mass_history", MassHistory),
+    "prescribed": ("prescribed", Prescribed),
+    "shaft": ("shaft", Shaft),
+    "pendulum": ("pendulum", Pendulum),
+    "run": ("run", Run),
+}
+_SEVERAL: dict[str, tuple[str, type[Section]]] = {
+    "torques": ("torque", Torque),
+    "wheels": ("wheel", Wheel),
+    "events": ("event", Event),
+    "pointings": ("pointing", Pointing),
+}
+
+
+class Scenario:
+    """One body and one motion: what exists can be computed, and what cannot be is refused when it is made.
+
+    Parameters
+    ----------
+    body
+        Mass properties, a body of named parts, or parts of shapes: a :class:`polhode.scenario.Part`, or a list of these.
+    pivot
+        The point of the body that is held (3,), body axes, m.
+    start, orbit, contact, mass_history, prescribed, shaft, pendulum, run
+        Tables of :mod:`polhode.scenario`.
+    torques, wheels, events, pointings
+        Lists of such tables.
+    title
+        What it is about.
+    folder
+        Where the files are that it names; the current folder unless said.
+
+    Raises
+    ------
+    PolhodeError
+        Where there is no such body or no such motion; the message names the argument.
+
+    Examples
+    --------
+    >>> import polhode
+    >>> from polhode import shapes
+    >>> from polhode.scenario import Event, Gravity, Run, Start
+    >>> scenario = polhode.Scenario(
+    ...     shapes.cylinder(radius=0.032, length=0.009, material="brass").placed(position=[0, 0, 0.038]),
+    ...     start=Start(attitude={"euler313": [0, "30 deg", 0]}, omega=[0, 0, "2300 rpm"]),
+    ...     torques=[Gravity(pivot=[0, 0, 0])],
+    ...     events=[Event(name="upright", measure="nutation", value="29 deg")],
+    ...     run=Run(duration=0.2, samples=201),
+    ... )
+    >>> polhode.simulate(scenario).events[0].name
+    'upright'
+    >>> polhode.Scenario.from_toml(scenario.to_toml()) == scenario
+    True
+    """
+
+    def __init__(
+        self,
+        body: MassProperties | Body | Part | Sequence[Part],
+        *,
+        pivot: npt.ArrayLike | Sequence[float | str] | None = None,
+        start: Start | None = None,
+        torques: Sequence[Torque] = (),
+        wheels: Sequence[Wheel] = (),
+        events: Sequence[Event] = (),
+        pointings: Sequence[Pointing] = (),
+        orbit: Orbit | None = None,
+        contact: Contact | None = None,
+        mass_history: MassHistory | None = None,
+        prescribed: Prescribed | None = None,
+        shaft: Shaft | None = None,
+        pendulum: Pendulum | None = None,
+        run: Run | None = None,
+        title: str | None = None,
+        folder: str | os.PathLike[str] = ".",
+    ) -> None:
+        one = {
+            "start": start,
+            "orbit": orbit,
+            "contact": contact,
+            "mass_history": mass_history,
+            "prescribed": prescribed,
+            "shaft": shaft,
+            "pendulum": pendulum,
+            "run": run,
+        }
+        several = {"torques": torques, "wheels": wheels, "events": events, "pointings": pointings}
+        self._title = None if title is None else _arrays.text("title", title)
+        self._parts = _parts_of(body)
+        self._pivot = None if pivot is None else _section.plain("pivot", pivot)
+        self._one = {name: _section.section(name, value, _ONE[name][1]) for name, value in one.items() if value is not None}
+        self._several = {name: _section.sections(name, value, _SEVERAL[name][1]) for name, value in several.items()}
+        self._folder = _arrays.path("folder", folder)
+        self._findings = self._checked()
+
+    @classmethod
+    def from_toml(cls, scenario: str | os.PathLike[str], *, folder: str | os.PathLike[str] | None = None) -> Scenario:
+        """The scenario of a file, or of its text: a ``str`` of more than one line is a text, whose files are found from ``folder``.
+
+        Its numbers and their units stay as they are written; its comments are lost.
+        """
+        if isinstance(scenario, str) and "\n" in scenario:
+            text, path = _arrays.text("scenario", scenario), None
+            where = "." if folder is None else _arrays.path("folder", folder)
+        else:
+            text, path = None, _arrays.path("scenario", scenario)
+            where = os.path.dirname(path) or "."
+            if folder is not None:
+                raise PolhodeError("folder is where the files of a text are: those of a file are beside it")
+        tables = json.loads(_native.scenario_tables(path or os.path.join(where, "scenario.toml"), text))
+        return cls._of(tables, where)
+
+    @classmethod
+    def _of(cls, tables: Mapping[str, Any], folder: str) -> Scenario:
+        """The scenario of a file's tables."""
+        known = {"title", "body", *(key for key, _ in (*_ONE.values(), *_SEVERAL.values()))}
+        other = [key for key in tables if key not in known]
+        if other:
+            hint = "polhode.batch.Plan reads plans" if other == ["sweep"] else None
+            raise PolhodeError(f"the file has [{other[0]}], which is nothing of one scenario", hint)
+        given: dict[str, Any] = {}
+        for name, (key, kind) in _ONE.items():
+            if key in tables:
+                given[name] = kind.from_dict(tables[key])
+        for name, (key, kind) in _SEVERAL.items():
+            given[name] = [kind.from_dict(table) for table in tables.get(key, ())]
+        body = tables["body"]
+        parts = [Part.from_dict(part) for part in body["part"]]
+        return cls(parts, pivot=body.get("pivot"), title=tables.get("title"), folder=folder, **given)
+
+    def to_toml(self, path: str | os.PathLike[str] | None = None) -> str:
+        """The text of the scenario's file, which is written to ``path`` if that is given.
+
+        The files that it names are found from :attr:`folder`, so that is where a copy belongs.
+        """
+        if self._functions():
+            raise PolhodeError("a FunctionTorque is a function of this program, which no file can hold", "polhode.scenario.torque makes a formula of it")
+        text = self._text()
+        if path is not None:
+            with open(_arrays.path("path", path), "w", encoding="utf-8", newline="\n") as file:
+                file.write(text)
+        return text
+
+    @property
+    def title(self) -> str | None:
+        """What it is about."""
+        return self._title
+
+    @property
+    def folder(self) -> str:
+        """Where the files are that it names."""
+        return self._folder
+
+    @property
+    def body(self) -> tuple[Part, ...]:
+        """The parts of the body."""
+        return self._parts
+
+    @property
+    def pivot(self) -> Any:
+        """The point of the body that is held, as it was given."""
+        return self._pivot
+
+    @property
+    def start(self) -> Start | None:
+        """What it starts with."""
+        return self._one.get("start")  # type: ignore[return-value]
+
+    @property
+    def run(self) -> Run | None:
+        """For how long, at which times, and how."""
+        return self._one.get("run")  # type: ignore[return-value]
+
+    @property
+    def torques(self) -> tuple[Torque, ...]:
+        """What turns the body."""
+        return self._several["torques"]  # type: ignore[return-value]
+
+    @property
+    def wheels(self) -> tuple[Wheel, ...]:
+        """What spins inside it."""
+        return self._several["wheels"]  # type: ignore[return-value]
+
+    @property
+    def events(self) -> tuple[Event, ...]:
+        """What to look out for."""
+        return self._several["events"]  # type: ignore[return-value]
+
+    @property
+    def pointings(self) -> tuple[Pointing, ...]:
+        """Angles that are of interest."""
+        return self._several["pointings"]  # type: ignore[return-value]
+
+    @property
+    def orbit(self) -> Orbit | None:
+        """The orbit of the centre of mass."""
+        return self._one.get("orbit")  # type: ignore[return-value]
+
+    @property
+    def contact(self) -> Contact | None:
+        """The ground."""
+        return self._one.get("contact")  # type: ignore[return-value]
+
+    @property
+    def mass_history(self) -> MassHistory | None:
+        """How the mass properties change."""
+        return self._one.get("mass_history")  # type: ignore[return-value]
+
+    @property
+    def prescribed(self) -> Prescribed | None:
+        """The motion that is given."""
+        return self._one.get("prescribed")  # type: ignore[return-value]
+
+    @property
+    def shaft(self) -> Shaft | None:
+        """Two bearings."""
+        return self._one.get("shaft")  # type: ignore[return-value]
+
+    @property
+    def pendulum(self) -> Pendulum | None:
+        """The axis from which the body hangs."""
+        return self._one.get("pendulum")  # type: ignore[return-value]
+
+    @property
+    def findings(self) -> list[Finding]:
+        """What was noticed: what had to be assumed of the body, a torque that nothing switches on."""
+        return list(self._findings)
+
+    def replace(self, **changes: Any) -> Scenario:
+        """The same with other arguments: ``scenario.replace(run=Run(duration=20))``."""
+        given: dict[str, Any] = {**self._one, **self._several, "pivot": self._pivot, "title": self._title, "folder": self._folder}
+        return Scenario(changes.pop("body", list(self._parts)), **{**given, **changes})
+
+    def _tables(self) -> dict[str, Any]:
+        """What a file has, in its order."""
+        tables: dict[str, Any] = {}
+        if self._title is not None:
+            tables["title"] = self._title
+        pivot = {} if self._pivot is None else {"pivot": _section.written(self._pivot)}
+        tables["body"] = {**pivot, "part": [part.to_dict() for part in self._parts]}
+        for name in ("orbit", "start"):
+            if name in self._one:
+                tables[name] = self._one[name].to_dict()
+        for name, (key, _) in _SEVERAL.items():
+            if self._several[name]:
+                tables[key] = [one.to_dict() for one in self._several[name]]
+        for name, (key, _) in _ONE.items():
+            if name in self._one and key not in tables:
+                tables[key] = self._one[name].to_dict()
+        return tables
+
+    def _text(self) -> str:
+        """The text of its file, in which nothing stands for functions."""
+        return "".join(f"{line}\n" for _, line in _section.lines(self._tables())).lstrip("\n")
+
+    def _functions(self) -> list[tuple[int, bool, Callable[..., tuple[float, ...]]]]:
+        """Which torques Python computes: their places, whether they are along space axes, and how."""
+        torques = enumerate(self.torques)
+        return [(k, one.axes == "space", computed(one.law)) for k, one in torques if isinstance(one, FunctionTorque)]
+
+    @property
+    def _path(self) -> str:
+        """Where its text would stand."""
+        return os.path.join(self._folder, "scenario.toml")
+
+    def _checked(self) -> tuple[Finding, ...]:
+        """Asks the reader of files, and says what it refuses in the words of the arguments."""
+        try:
+            return tuple(findings_of(_native.check_scenario(self._path, self._text())))
+        except PolhodeError as error:
+            raise self._placed(error) from None
+
+    def _placed(self, error: PolhodeError) -> PolhodeError:
+        """An error of the scenario's text, at the argument that has it."""
+        if error.path != self._path or error.line is None:
+            return error
+        lines = list(_section.lines(self._tables()))
+        while lines and not lines[0][1]:
+            del lines[0]
+        place = lines[error.line - 1][0] if 0 < error.line <= len(lines) else "scenario"
+        message = re.sub(rf"^{re.escape(self._path)}:\d+:\d+: ", "", error.args[0])
+        names = {key: name for name, (key, _) in _SEVERAL.items()}
+        first, *rest = re.split(r"(?=[.\[])", place.removeprefix("body."), maxsplit=1)
+        name = {**names, "part": "body"}.get(first, first)
+        return PolhodeError(f"{name}{''.join(rest)}: {message}", error.args[1])
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Scenario):
+            return NotImplemented
+        laws = [[one.law for one in each.torques if isinstance(one, FunctionTorque)] for each in (self, other)]
+        same = self._tables() == other._tables() and laws[0] == laws[1]
+        return same and os.path.abspath(self._folder) == os.path.abspath(other._folder)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        words = [self._title or f"a body of {len(self._parts)} part{'s' if len(self._parts) > 1 else ''}"]
+        words += [f"{len(tables)} {name[:-1] if len(tables) == 1 else name}" for name, tables in self._several.items() if tables]
+        words += [name for name in self._one if name not in ("start", "run")]
+        if self.run is not None:
+            words.append(f"{self.run.duration}{'' if isinstance(self.run.duration, str) else ' s'}")
+        return f"Scenario({'; '.join(words)})"
+
+    def __str__(self) -> str:
+        return self._text()
+
+
+def _parts_of(body: object) -> tuple[Part, ...]:
+    """A body as parts of a file."""
+    if isinstance(body, MassProperties):
+        return (_tensor(None, body),)
+    if isinstance(body, Body):
+        return tuple(_tensor(name, part) for name, part in body.parts.items())
+    if isinstance(body, (str, os.PathLike)):
+        raise TypeError("body must be mass properties or parts: Scenario.from_toml(path) reads a scenario, polhode.inertia(path) a body")
+    parts = _section.sections("body", body, Part)
+    if not parts:
+        raise PolhodeError("body must have at least one part")
+    return parts
+
+
+def _tensor(name: str | None, body: MassProperties) -> Part:
+    return Part(name=name, shape="tensor", mass=body.mass, center_of_mass=body.center_of_mass, inertia=body.inertia)
+
+
+def formula_source(scenario: str | os.PathLike[str] | Scenario) -> tuple[str, str | None]:
+    """The path and the text, if there is one, of a scenario whose torques have formulas; a ``str`` of more than one line is a text."""
+    if isinstance(scenario, Scenario):
+        return scenario._path, scenario.to_toml()
+    if isinstance(scenario, str) and "\n" in scenario:
+        return "scenario.toml", _arrays.text("scenario", scenario)
+    return _arrays.path("scenario", scenario), None
+
+
+def text_of_torques(torques: Sequence[Torque]) -> str:
+    """The text of torques alone, for many bodies that are under them."""
+    given = _section.sections("torques", torques, Torque)
+    for k, torque in enumerate(given):
+        if isinstance(torque, FunctionTorque):
+            raise PolhodeError(f"torques[{k}] is a FunctionTorque, which an ensemble cannot call", "polhode.scenario.torque makes a formula of it")
+    return "".join(f"{line}\n" for _, line in _section.lines({"torque": [torque.to_dict() for torque in given]}))

@@ -1,0 +1,143 @@
+"""What the tables of a scenario have in common: values as they are written, and the text of a file."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import Field, dataclass, fields
+from typing import Any, ClassVar, Iterator, Mapping, TypeVar
+
+import numpy as np
+
+from . import _arrays
+from ._error import PolhodeError
+from ._toml import pair
+
+#: A number in SI, or a text of a number and a unit, such as ``"12 mm"``.
+Quantity = float | str
+
+_Section = TypeVar("_Section", bound="Section")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Section:
+    """A table of a scenario. Fields that are ``None`` are not written; a field whose name is a word of Python's ends in ``_``."""
+
+    #: What reports and errors call it.
+    table: ClassVar[str]
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            object.__setattr__(self, field.name, plain(f"{self.table}.{field.name}", getattr(self, field.name)))
+
+    def to_dict(self) -> dict[str, Any]:
+        """The keys of the table and their values, as files have them."""
+        return {key_of(field): written(value) for field in fields(self) if (value := getattr(self, field.name)) is not None}
+
+    @classmethod
+    def from_dict(cls: type[_Section], table: Mapping[str, Any]) -> _Section:
+        """A table of these keys and values."""
+        names = {key_of(field): field.name for field in fields(cls)}
+        return cls(**{names[key]: value for key, value in table.items()})
+
+    def __repr__(self) -> str:
+        given = ((field, getattr(self, field.name)) for field in fields(self))
+        return f"{type(self).__name__}({', '.join(f'{f.name}={value!r}' for f, value in given if value is not f.default)})"
+
+
+def key_of(field: Field[Any]) -> str:
+    """What files call a field."""
+    return field.name.rstrip("_")
+
+
+def plain(name: str, value: object) -> Any:
+    """A value as it is kept: numbers, text, truth values, tuples, dictionaries and tables; arrays are tuples, rotations dictionaries."""
+    if value is None or isinstance(value, (bool, str, Section)):
+        return value
+    if hasattr(value, "as_quat"):
+        return {"quaternion": plain(name, _arrays.quaternions(name, value, (4,)))}
+    if isinstance(value, os.PathLike):
+        return _arrays.path(name, value)
+    if isinstance(value, Mapping):
+        return {_arrays.text(f"a key of {name}", key): plain(f"{name}.{key}", inner) for key, inner in value.items()}
+    if isinstance(value, (int, float)):
+        return value if isinstance(value, int) and abs(value) <= _arrays.EXACT else _arrays.number(name, value)
+    if isinstance(value, (list, tuple)):
+        return tuple(plain(f"{name}[{k}]", element) for k, element in enumerate(value))
+    if isinstance(value, np.bool_):
+        return bool(value)
+    if isinstance(value, np.integer):
+        return int(value)
+    array = _arrays.real(name, value)
+    _arrays.refuse(name, array, ~np.isfinite(array), "finite")
+    return _tuples(array.tolist())
+
+
+def _tuples(value: Any) -> Any:
+    return tuple(map(_tuples, value)) if isinstance(value, list) else value
+
+
+def written(value: Any) -> Any:
+    """A value that is kept, as a file has it."""
+    if isinstance(value, Section):
+        return value.to_dict()
+    if isinstance(value, tuple):
+        return [written(element) for element in value]
+    if isinstance(value, dict):
+        return {key: written(inner) for key, inner in value.items()}
+    return value
+
+
+def sections(name: str, value: object, kind: type[_Section]) -> tuple[_Section, ...]:
+    """Tables of a kind, of which there may be several."""
+    given = (value,) if isinstance(value, kind) else value
+    if isinstance(given, (str, Mapping)) or not hasattr(given, "__iter__"):
+        raise TypeError(f"{name} must be a list of {kind.__name__}, not {type(value).__name__}")
+    found = tuple(given)
+    for k, one in enumerate(found):
+        section(f"{name}[{k}]", one, kind)
+    return found
+
+
+def section(name: str, value: object, kind: type[_Section]) -> _Section:
+    """A table of a kind."""
+    if not isinstance(value, kind):
+        raise TypeError(f"{name} must be a polhode.scenario.{kind.__name__}, not {type(value).__name__}")
+    return value
+
+
+def exactly_one(what: str, given: Mapping[str, object]) -> None:
+    """Refuses several and none."""
+    found = [name for name, value in given.items() if value is not None]
+    if len(found) != 1:
+        names = f"{', '.join(list(given)[:-1])} and {list(given)[-1]}"
+        raise PolhodeError(f"{what} takes exactly one of {names}, not {' and '.join(found) if found else 'none'}")
+
+
+def lines(tables: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """The lines of a file, each with the place in Python that it comes from."""
+    simple = {key: value for key, value in tables.items() if not isinstance(value, dict) and not _is_tables(value)}
+    for key, value in simple.items():
+        yield key, pair(key, key, value)
+    for key, value in tables.items():
+        if isinstance(value, dict):
+            yield from _table(key, f"[{key}]", key, value)
+        elif _is_tables(value):
+            for k, one in enumerate(value):
+                yield from _table(key, f"[[{key}]]", f"{key}[{k}]", one)
+
+
+def _table(key: str, header: str, place: str, table: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    nested = {name: value for name, value in table.items() if key == "body" and _is_tables(value)}
+    if not nested or table.keys() != nested.keys():
+        yield place, ""
+        yield place, header
+    for name, value in table.items():
+        if name not in nested:
+            yield f"{place}.{name}", pair(f"{place}.{name}", name, value)
+    for name, rows in nested.items():
+        for k, one in enumerate(rows):
+            yield from _table(name, f"[[{key}.{name}]]", f"{place}.{name}[{k}]", one)
+
+
+def _is_tables(value: object) -> bool:
+    return isinstance(value, list) and bool(value) and all(isinstance(one, dict) for one in value)

@@ -1,0 +1,97 @@
+//! Scenarios as texts: their tables, what is noticed of them, and torques that Python computes.
+
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use polhode::math::{Body, Space, Torque};
+use polhode::motion::torque::TorqueModel;
+use polhode::motion::{ActingTorque, Method, Rotor, Run, Scenario, State};
+use polhode_formats::scenario::{Draft, ScenarioFile};
+use pyo3::prelude::*;
+
+use crate::error::{Raise, refused};
+use crate::finding::{Remark, remarks};
+
+/// The tables of a scenario's file, or of its text, as JSON; what it says is checked.
+#[pyfunction]
+pub(crate) fn scenario_tables(py: Python<'_>, path: PathBuf, text: Option<String>) -> PyResult<String> {
+    let file = py.detach(|| read(path, text)).map_err(Raise::raise)?;
+    let no_json = |error: &dyn std::fmt::Display| refused(format!("{}: {error}", file.path.display()), None);
+    let tables: toml::Table = toml::from_str(&file.text).map_err(|error| no_json(&error.message()))?;
+    serde_json::to_string(&tables).map_err(|error| no_json(&error))
+}
+
+/// What is noticed of the scenario of a text, whose files are found beside `path`.
+#[pyfunction]
+pub(crate) fn check_scenario(py: Python<'_>, path: PathBuf, text: String) -> PyResult<Vec<Remark>> {
+    let file = py.detach(|| read(path, Some(text))).map_err(Raise::raise)?;
+    Ok(remarks(file.scenario.findings()))
+}
+
+/// The tables of a text as messages call them, each with the keys that it may have.
+#[pyfunction]
+pub(crate) fn scenario_keys(text: &str) -> Vec<(String, Vec<&'static str>)> {
+    Draft::new("scenario.toml".as_ref(), []).keys(text)
+}
+
+/// A scenario's file, or its text.
+pub(crate) fn read(path: PathBuf, text: Option<String>) -> Result<ScenarioFile, polhode_formats::FormatError> {
+    match text {
+        None => ScenarioFile::read(&path),
+        Some(text) => ScenarioFile::parse(text, &path),
+    }
+}
+
+/// The scenario with other times.
+pub(crate) fn sampled(scenario: Scenario, times: &[f64]) -> Scenario {
+    let run = scenario.run().cloned().unwrap_or_else(|| Run::evenly(0.0, 0, Method::Auto, 1e-13));
+    scenario.sampled(Run { times: times.to_vec(), ..run })
+}
+
+/// A torque that Python computes: which of the scenario's it is, whether it is along space axes, and a function of time, ω, the attitude's quaternion and L
+/// that gives three components.
+pub(crate) type PythonTorque = (usize, bool, Py<PyAny>);
+
+/// What a function of Python's has raised.
+pub(crate) type Raised = Arc<Mutex<Option<PyErr>>>;
+
+/// The scenario with torques that Python computes in the place of some of its own.
+///
+/// # Errors
+/// `PolhodeError` where the scenario has no such torque.
+pub(crate) fn with_functions(
+    scenario: Scenario,
+    functions: Vec<PythonTorque>,
+    raised: &Raised,
+) -> PyResult<Scenario> {
+    if functions.is_empty() {
+        return Ok(scenario);
+    }
+    let mut models = scenario.torques().to_vec();
+    for (place, in_space, law) in functions {
+        let model = models.get_mut(place).ok_or_else(|| refused(format!("there is no torque {place}"), None))?;
+        *model = function(in_space, law, Arc::clone(raised));
+    }
+    let (names, off) = (scenario.torque_names().to_vec(), scenario.switched_off().to_vec());
+    let acting = models.into_iter().zip(names).enumerate();
+    let acting = acting.map(|(k, (model, name))| ActingTorque { model, name, is_on: !off.contains(&k) });
+    let acting: Vec<ActingTorque> = acting.collect();
+    scenario.under(acting).map_err(Raise::raise)
+}
+
+fn function(in_space: bool, law: Py<PyAny>, raised: Raised) -> TorqueModel {
+    TorqueModel::function("function", move |rotor: &Rotor, state: &State| {
+        let momentum = (state.attitude.inverse() * rotor.angular_momentum_space(state)).to_array();
+        let given = (state.time, state.omega.to_array(), state.attitude.quaternion(), momentum);
+        let found = Python::attach(|py| law.call1(py, given)?.extract::<[f64; 3]>(py));
+        match found {
+            Ok(torque) if in_space => state.attitude.inverse() * Torque::<Space>::from_array(torque),
+            Ok(torque) => Torque::<Body>::from_array(torque),
+            Err(error) => {
+                raised.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+                // It ends the integration.
+                Torque::new(f64::NAN, f64::NAN, f64::NAN)
+            }
+        }
+    })
+}

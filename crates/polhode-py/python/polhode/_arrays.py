@@ -22,7 +22,6 @@ Floats = npt.NDArray[np.float64]
 EXACT = 2**53
 
 #: What needs no look.
-PLAIN = {float, int}
 FLOAT64 = np.dtype(np.float64)
 
 #: The rule for them.
@@ -154,6 +153,8 @@ def triple(name: str, value: object) -> list[float]:
 
 def quaternion(name: str, value: object) -> list[float]:
     """A rotation as the list of its quaternion."""
+    if (plain := _few(value, 4)) is not None and any(plain):
+        return plain
     found: list[float] = quaternions(name, value, (4,)).tolist()
     return found
 
@@ -162,16 +163,26 @@ def _few(value: Any, count: int) -> list[float] | None:
     """Numbers of a short list, tuple or array as a list, if they are plainly right: what is not is looked at, and refused, with care."""
     if type(value) is np.ndarray and value.dtype is FLOAT64 and value.shape == (count,):
         value = value.tolist()
-    if type(value) in (list, tuple) and len(value) == count and set(map(type, value)) <= PLAIN and sum(map(abs, value)) <= EXACT:
-        return list(map(float, value))
+    if (type(value) is list or type(value) is tuple) and len(value) == count:
+        total = 0.0
+        for number in value:
+            if type(number) is not float and type(number) is not int:
+                return None
+            total += abs(number)
+        if total <= EXACT:  # not so NaN, nor whole numbers beyond it
+            return [*map(float, value)]
     return None
 
 
 def tensor(name: str, value: object) -> list[list[float]]:
     """An inertia tensor: (3, 3), or three moments about the body's own axes."""
-    if type(value) is np.ndarray and value.dtype is FLOAT64 and value.shape == (3, 3) and math.isfinite(value.sum()):
+    if (moments := _few(value, 3)) is not None:
+        a, b, c = moments
+        return [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]]
+    if type(value) is np.ndarray and value.dtype is FLOAT64 and value.shape == (3, 3):
         plain: list[list[float]] = value.tolist()
-        return plain
+        if math.isfinite(sum(map(sum, plain))):
+            return plain
     given = real(name, value)
     if given.shape not in ((3, 3), (3,)):
         raise PolhodeError(f"{name} must have the shape (3, 3), or (3,) for moments about the body's axes, not {given.shape}")
@@ -182,6 +193,8 @@ def tensor(name: str, value: object) -> list[list[float]]:
 
 def number(name: str, value: object) -> float:
     """One number."""
+    if type(value) is float and math.isfinite(value):
+        return value
     return float(numbers(name, value, ()))
 
 

@@ -55,7 +55,7 @@ class FreeMotion:
     ) -> None:
         start = _arrays.triple("omega", omega)
         wxyz = IDENTITY if attitude is IDENTITY or attitude is None else _arrays.quaternion("attitude", attitude)
-        unphysical = _arrays.truth("allow_unphysical", allow_unphysical)
+        unphysical = allow_unphysical is not False and _arrays.truth("allow_unphysical", allow_unphysical)
         if (moments is None) == (inertia is None):
             raise PolhodeError("a body is given by moments or by inertia, exactly one of them")
         if unphysical and moments is None:
@@ -148,8 +148,8 @@ class FreeMotion:
         >>> states.omega is omega, states.attitude is attitude
         (True, True)
         """
-        if type(times) is float and out is None and math.isfinite(times):
-            return States(np.array(times), *self._native.at_time(times))
+        if type(times) in (float, int) and out is None and -_arrays.EXACT <= times <= _arrays.EXACT:  # type: ignore[operator]
+            return States(np.array(times, np.float64), *self._native.at_time(times))  # type: ignore[arg-type]
         given = _arrays.real("times", times)
         if given.ndim > 1:
             raise PolhodeError(f"times must have the shape (n,) or be a number, not {given.shape}")
@@ -158,9 +158,9 @@ class FreeMotion:
                 raise PolhodeError("out is for several times: a single one has no arrays to fill")
             return States(given.copy(), *self._native.at_time(_arrays.number("times", given)))
         if out is None:
-            out = np.empty((len(given), 3)), np.empty((len(given), 4))
+            out = np.empty((given.size, 3)), np.empty((given.size, 4))
         else:
-            _filled(out, len(given))
+            _filled(out, given.size)
         try:
             self._native.fill(given, *out)
         except PolhodeError:

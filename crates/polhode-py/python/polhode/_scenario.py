@@ -84,11 +84,11 @@ class Scenario:
     ...     shapes.cylinder(radius=0.032, length=0.009, material="brass").placed(position=[0, 0, 0.038]),
     ...     start=Start(attitude={"euler313": [0, "30 deg", 0]}, omega=[0, 0, "2300 rpm"]),
     ...     torques=[Gravity(pivot=[0, 0, 0])],
-    ...     events=[Event(name="upright", measure="nutation", value="29 deg")],
+    ...     events=[Event(name="lower", measure="nutation", value="31 deg")],
     ...     run=Run(duration=0.2, samples=201),
     ... )
     >>> polhode.simulate(scenario).events[0].name
-    'upright'
+    'lower'
     >>> polhode.Scenario.from_toml(scenario.to_toml()) == scenario
     True
     """

@@ -138,9 +138,9 @@ def torque(
     ... axis = [0, 3, 4]
     ... rate = "2 rad/s"
     ... ''', times=[0.0, 1.0])
-    >>> needed.torque.round(12)
-    array([[ 0.96,  0.  ,  0.  ],
-           [ 0.96, -0.  , -0.  ]])
+    >>> needed.torque.round(12) + 0.0
+    array([[0.96, 0.  , 0.  ],
+           [0.96, 0.  , 0.  ]])
     """
     if (masses is None) != (positions is None):
         raise PolhodeError("masses and positions belong together: a mass for each point")

@@ -12,9 +12,10 @@ import numpy as np
 import pandas as pd
 import polars as pl
 import polhode
+import polhode.batch
 import pyarrow as pa
 import pytest
-from conftest import ROOT
+from conftest import PLAN, ROOT
 from polhode import shapes
 
 TENSOR = [[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]]
@@ -47,13 +48,28 @@ def test_what_is_equal_is_equal() -> None:
         (ensemble(), ensemble(), ensemble(0.5)),
         (ensemble().at([0.0, 3.0]), ensemble().at([0.0, 3.0]), ensemble(0.5).at([0.0, 3.0])),
         (top(), copy.deepcopy(top()), polhode.simulate(ROOT / "examples" / "heavy-top.toml", times=[0.0, 0.25], error="cheap")),
-        *((table, again, other) for table, again, other in [links()]),
+        links(),
+        judged(),
+        plans(),
     ]
     for one, same, other in pairs:
         assert one == same and not one != same, type(one)
         assert one != other and other != same and one != 3 and one != None, type(one)  # noqa: E711
     for value in (body, free(), ensemble(), top()):
         assert hash(value) == hash(pickle.loads(pickle.dumps(value)))
+
+
+def judged() -> tuple[polhode.Judgement, ...]:
+    scenario = '[[body.part]]\nshape = "tensor"\nmass = 1\nmoments = [1, 2, 2.5]\n[start]\nspin = { body = [0.3, -1.2, 0.4] }\n'
+    times = np.linspace(0.0, 2.0, 21)
+    omega, attitude = polhode.FreeMotion(moments=[1, 2, 2.5], omega=[0.3, -1.2, 0.4]).at(times)
+    late = polhode.FreeMotion(moments=[1, 2, 2.5], omega=[0.3, -1.2, 0.4]).at(times - 0.01).attitude
+    one, same, other = (polhode.judge(scenario, times=times, attitude=given, quaternion="wxyz", sense="body_to_space", time_origin=0.0) for given in (attitude, attitude, late))
+    return one, same, other
+
+
+def plans() -> tuple[polhode.batch.Plan, ...]:
+    return polhode.batch.Plan(PLAN.format(members=4)), polhode.batch.Plan(PLAN.format(members=4)), polhode.batch.Plan(PLAN.format(members=5))
 
 
 def links() -> tuple[polhode.LinkTable, ...]:

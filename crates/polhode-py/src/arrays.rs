@@ -4,7 +4,9 @@
 //! goes out gives its memory away, and is not copied.
 
 use numpy::ndarray::{Array2, Array3};
-use numpy::{IntoPyArray as _, PyArray1, PyArray2, PyArray3, PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray2};
+use numpy::{
+    IntoPyArray as _, PyArray1, PyArray2, PyArray3, PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray2,
+};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 

@@ -86,9 +86,8 @@ impl PyEnsemble {
         let computed: Result<_, MotionError> = py.detach(|| {
             let mut rows = vec![[0.0; 8]; self.ensemble.len() * times.len()];
             let failures =
-                self.ensemble.fill(times, (Method::Auto, tolerance), threads, &mut rows, &mut |_| {
-                    watch.goes_on()
-                })?;
+                self.ensemble
+                    .fill(times, (Method::Auto, tolerance), threads, &mut rows, &mut |_| watch.goes_on())?;
             rows.chunks_mut(times.len().max(1)).for_each(continuous);
             Ok((rows, failures))
         });

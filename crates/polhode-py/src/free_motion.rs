@@ -94,7 +94,11 @@ impl PyFreeMotion {
             }
         };
         // What is done sooner than the lock is given away and taken again keeps it.
-        if times.len() < DETACHED { write() } else { py.detach(write) }
+        if times.len() < DETACHED {
+            write()
+        } else {
+            py.detach(write)
+        }
         watch.ended()
     }
 

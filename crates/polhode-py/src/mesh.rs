@@ -247,7 +247,8 @@ fn weighed(
         }
         if called > 1 && matches!(substance, Substance::Mass(_)) {
             let message = format!("{called} parts of the mesh are named {name:?}: is the mass that of each?");
-            let hint = "give a density or a material, which counts for each, or name the parts apart in the file";
+            let hint =
+                "give a density or a material, which counts for each, or name the parts apart in the file";
             return Err(refused(message, Some(hint)));
         }
     }
@@ -275,7 +276,13 @@ fn weighed(
     };
     let rows = pieces.iter().map(row).collect::<Result<Vec<_>, polhode::body::BodyError>>();
     let area = pieces.iter().map(|(_, shape)| shape.surface_area()).sum();
-    together(source, rows.map_err(Raise::raise)?, (area, Vec::new()), findings, in_metres.then_some(mass_given))
+    together(
+        source,
+        rows.map_err(Raise::raise)?,
+        (area, Vec::new()),
+        findings,
+        in_metres.then_some(mass_given),
+    )
 }
 
 /// The parts with a density that varies, and how far the result may be off.
@@ -294,7 +301,8 @@ fn by_formula(
     let mut rows = Vec::new();
     for part in parts {
         let body = mass_properties_of_field(Solid::Mesh(&part.mesh), &expression, cubature);
-        let body = body.map_err(|error| refused(&error, error.hint().or(Some("check field and tolerance"))))?;
+        let body =
+            body.map_err(|error| refused(&error, error.hint().or(Some("check field and tolerance"))))?;
         let FieldError { mass, center_of_mass, inertia } = body.error_estimate;
         // Masses add; of the others the worst part's stands for all.
         total.mass += mass;

@@ -113,7 +113,9 @@ impl PyMotion {
         let columns: Vec<(String, &str, &str, Vec<f64>)> = py.detach(columns);
         let given = columns.into_iter();
         given
-            .map(|(name, unit, description, values)| (name, unit, description, PyArray1::from_vec(py, values)))
+            .map(|(name, unit, description, values)| {
+                (name, unit, description, PyArray1::from_vec(py, values))
+            })
             .collect()
     }
 
@@ -134,7 +136,9 @@ impl PyMotion {
         for &time in asked {
             let place = samples.partition_point(|sample| sample.state.time < time);
             let sample = samples.get(place).filter(|sample| sample.state.time == time);
-            let state = sample.ok_or_else(|| refused(format!("the motion has no state at t = {time} s"), None))?.state;
+            let state = sample
+                .ok_or_else(|| refused(format!("the motion has no state at t = {time} s"), None))?
+                .state;
             omega.extend(state.omega.to_array());
             attitude.extend(state.attitude.quaternion());
         }

@@ -35,7 +35,10 @@ pub(crate) fn scenario_keys(text: &str) -> Vec<(String, Vec<&'static str>)> {
 }
 
 /// A scenario's file, or its text.
-pub(crate) fn read(path: PathBuf, text: Option<String>) -> Result<ScenarioFile, polhode_formats::FormatError> {
+pub(crate) fn read(
+    path: PathBuf,
+    text: Option<String>,
+) -> Result<ScenarioFile, polhode_formats::FormatError> {
     match text {
         None => ScenarioFile::read(&path),
         Some(text) => ScenarioFile::parse(text, &path),
@@ -69,7 +72,8 @@ pub(crate) fn with_functions(
     }
     let mut models = scenario.torques().to_vec();
     for (place, in_space, law) in functions {
-        let model = models.get_mut(place).ok_or_else(|| refused(format!("there is no torque {place}"), None))?;
+        let model =
+            models.get_mut(place).ok_or_else(|| refused(format!("there is no torque {place}"), None))?;
         *model = function(in_space, law, Arc::clone(raised));
     }
     let (names, off) = (scenario.torque_names().to_vec(), scenario.switched_off().to_vec());

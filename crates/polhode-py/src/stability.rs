@@ -26,7 +26,8 @@ pub(crate) fn scenario_stability(
             return Err(refused("the motion is prescribed: nothing can depart from it", Some(hint)));
         }
         if file.scenario.history().is_some() {
-            let hint = "simulate computes its motion; leave out [mass_history] for the body as it is at the start";
+            let hint =
+                "simulate computes its motion; leave out [mass_history] for the body as it is at the start";
             return Err(refused("the mass properties change: no motion is steady", Some(hint)));
         }
         let source = source(&path, &file);

@@ -55,10 +55,11 @@ from ._mass_derivatives import (
     particle_derivatives,
 )
 from ._mass_properties import Finding, MassProperties, particles
-from ._motion import Ending, Event, Motion, simulate
+from ._motion import Ending, Event, Motion
 from ._native import VERSION as __version__
-from ._scenario import Scenario
 from ._robot import LinkRow, LinkTable, fixed_groups, link_table
+from ._scenario import Scenario
+from ._simulate import simulate
 from ._spin import Tumbling, TumblingSpin, spin
 from ._stability import (
     Equilibrium,

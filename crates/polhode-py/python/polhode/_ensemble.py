@@ -10,11 +10,11 @@ import numpy.typing as npt
 from . import _arrays, _native
 from ._arrays import Floats
 from ._error import PolhodeError, warn
+from ._mass_properties import findings_of, warn_of
 from ._record import same
+from ._scenario import text_of_torques
 from ._states import ATTITUDE, OMEGA, States, ends, rotations
 from ._table import Column, Table, Variable, vector
-from ._mass_properties import findings_of, warn_of
-from ._scenario import text_of_torques
 from .scenario import Torque
 
 if TYPE_CHECKING:

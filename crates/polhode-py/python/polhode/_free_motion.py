@@ -12,9 +12,9 @@ import numpy.typing as npt
 
 from . import _arrays, _html, _native
 from ._arrays import Floats
+from ._body import Body
 from ._derivatives import Derivatives, derivatives_of
 from ._error import PolhodeError
-from ._body import Body
 from ._mass_properties import IDENTITY, MassProperties
 from ._states import MotionError, States, rotations
 

@@ -94,8 +94,8 @@ class States(Table):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class MotionError(Table, Record):
-    """How far each state may be from the true one: estimates, arrays (n,) in the order of the times. Where nothing is known, π of an attitude, and
-    ``inf`` of ω."""
+    """How far each state may be from the true one: estimates, arrays (n,) in the order of the times; it unpacks as these four. Where nothing is known, π
+    of an attitude, and ``inf`` of ω."""
 
     #: Of the computation: the angle between the attitudes, rad. It grows along the way.
     attitude: Floats
@@ -116,6 +116,9 @@ class MotionError(Table, Record):
 
     def _variables(self) -> list[Variable]:
         return [Variable(name, ("row",), unit, description, values) for name, unit, description, values in self._table()]
+
+    def __iter__(self) -> Iterator[Floats]:
+        return iter((self.attitude, self.omega, self.inputs_attitude, self.inputs_omega))
 
     def __len__(self) -> int:
         return len(self.attitude)

@@ -16,7 +16,7 @@ pub(crate) const EXECUTABLE: &str = if cfg!(windows) { "Scripts/python.exe" } el
 
 /// What the tests need besides the package: what it uses where it is there, Dask for the cluster, pandoc for worked solutions, and what
 /// reads the workflows.
-const NEEDED: [&str; 11] = [
+const NEEDED: [&str; 13] = [
     "pytest",
     "scipy",
     "matplotlib",
@@ -24,6 +24,8 @@ const NEEDED: [&str; 11] = [
     "pyarrow",
     "pandas",
     "polars",
+    "xarray",
+    "trimesh",
     "distributed",
     "pypandoc_binary",
     "check-jsonschema==0.39.0",

@@ -105,6 +105,7 @@ def test_a_cluster_that_dies_is_an_error_and_what_is_done_is_kept(tmp_path: Path
     assert digest(tmp_path / "cluster") == digest(tmp_path / "alone")
 
 
+@pytest.mark.filterwarnings("default")
 def test_ray_takes_tables_as_the_book_says() -> None:
     import polhode
     import pyarrow as pa

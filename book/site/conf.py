@@ -16,7 +16,7 @@ sys.path[:0] = [str(HERE), str(ROOT / "crates/polhode-py/python")]
 
 project = "polhode"
 root_doc = "book/README"
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "navigation", "repository", "mathematics", "search"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "navigation", "notebooks", "repository", "mathematics", "search"]
 
 # The book, and what it links to at the root.
 PAGES = {"book", "ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "CONVENTIONS.md", "SECURITY.md"}

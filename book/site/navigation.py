@@ -4,7 +4,7 @@ them fails the build."""
 import re
 
 HEADING = re.compile(r"^## (.+)$")
-ENTRY = re.compile(r"^- \[([^\]]+)\]\(([^)#:]+)\.(?:md|rst)\)")
+ENTRY = re.compile(r"^- \[([^\]]+)\]\(([^)#:]+)\.(?:md|rst|ipynb)\)")
 
 
 def setup(app):

@@ -14,9 +14,9 @@ const PYTHON: (u32, u32) = (3, 11);
 /// Where a virtual environment has it.
 pub(crate) const EXECUTABLE: &str = if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" };
 
-/// What the tests need besides the package: what it uses where it is there, Dask for the cluster, pandoc for worked solutions, and what
-/// reads the workflows.
-const NEEDED: [&str; 13] = [
+/// What the tests need besides the package: what it uses where it is there, Dask for the cluster, pandoc for worked solutions, what runs
+/// notebooks, and what reads the workflows.
+const NEEDED: [&str; 15] = [
     "pytest",
     "scipy",
     "matplotlib",
@@ -28,6 +28,8 @@ const NEEDED: [&str; 13] = [
     "trimesh",
     "distributed",
     "pypandoc_binary",
+    "nbclient",
+    "ipykernel",
     "check-jsonschema==0.39.0",
     "zizmor==1.32.0",
 ];
@@ -86,6 +88,7 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
         "-p",
         "polhode_command",
     ]))?;
+    run_beside(here(&["-W", "error::UserWarning"]).arg(book.join("notebooks/execute.py")).env_remove("MPLBACKEND"))?;
     for example in files(&root().join("examples/python"), "py")? {
         println!("   {}", crate::short(&example));
         output(here(&["-W", "error"]).arg(&example))?;

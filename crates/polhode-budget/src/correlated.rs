@@ -1,7 +1,8 @@
 //! Numbers that are drawn together.
 
 use crate::covariance::{NotCovariance, factor};
-use crate::random::log_normal;
+use crate::draw::possible;
+use crate::random::{Random, log_normal};
 
 /// Numbers with means and a covariance, as functions of independent standard normal ones.
 ///
@@ -12,6 +13,7 @@ pub struct Correlated {
     mean: Vec<f64>,
     columns: Vec<(usize, Vec<f64>)>,
     is_mass_first: bool,
+    is_possible: bool,
 }
 
 impl Correlated {
@@ -23,7 +25,7 @@ impl Correlated {
         if mean.len() != covariance.len() {
             return Err(NotCovariance { element: [mean.len(), covariance.len()] });
         }
-        Ok(Self { mean, columns: factor(covariance)?, is_mass_first: false })
+        Ok(Self { mean, columns: factor(covariance)?, is_mass_first: false, is_possible: false })
     }
 
     /// The same, but for the first number, which is a mass: log-normal, and never zero or negative. Its mean has to be positive.
@@ -34,6 +36,23 @@ impl Correlated {
         Ok(Self { is_mass_first: true, ..Self::normal(mean, covariance)? })
     }
 
+    /// The same, but where the last six numbers, xx, yy, zz, xy, xz, yz of a tensor about the centre of mass, are those of no body: they become the nearest that is, as in
+    /// [`Budget::draws`](crate::Budget::draws). Mean and covariance are then not quite those that are given.
+    #[must_use]
+    pub fn possible(self) -> Self {
+        Self { is_possible: true, ..self }
+    }
+
+    /// Of so many draws those of which the tensor is no body's.
+    pub fn impossible(&self, seed: u64, draws: usize) -> usize {
+        let is_none = |draw: &usize| {
+            let mut random = Random::new(seed, *draw, 0);
+            let drawn = self.linear(core::iter::repeat_with(|| random.normal()));
+            drawn.last_chunk().is_some_and(|tensor| possible(*tensor).1)
+        };
+        (0..draws).filter(is_none).count()
+    }
+
     /// Of how many independent normal numbers they are made: fewer where some combination has no error.
     pub const fn variables(&self) -> usize {
         self.columns.len()
@@ -41,6 +60,14 @@ impl Correlated {
 
     /// Those that belong to so many standard normal numbers; what is missing of these is zero.
     pub fn draw(&self, normal: impl IntoIterator<Item = f64>) -> Vec<f64> {
+        let mut values = self.linear(normal);
+        if let Some(tensor) = values.last_chunk_mut().filter(|_| self.is_possible) {
+            *tensor = possible(*tensor).0;
+        }
+        values
+    }
+
+    fn linear(&self, normal: impl IntoIterator<Item = f64>) -> Vec<f64> {
         let mut values = self.mean.clone();
         let mut mass = None;
         for ((number, column), z) in self.columns.iter().zip(normal) {
@@ -117,6 +144,31 @@ mod tests {
                 "{drawn:?}"
             );
         }
+    }
+
+    /// A lamina across z: errors of xz and yz, by which it is tilted, are possible only with a little of zz, of second order.
+    #[test]
+    fn what_is_no_tensor_becomes_the_nearest() {
+        let mean = vec![2.0, 0.1, 0.2, 0.3, 0.03, 0.05, 0.08, 0.004, 0.0, 0.0];
+        let mut c = vec![vec![0.0; 10]; 10];
+        (c[8][8], c[9][9]) = (4e-10, 9e-10);
+        let law = Correlated::mass_first(mean, &c).unwrap();
+        assert_eq!((law.variables(), law.impossible(3, 200)), (2, 200));
+        let z = [0.7, -1.3];
+        let (raw, moved) = (law.draw(z), law.clone().possible().draw(z));
+        assert_eq!(raw[..4], moved[..4]);
+        for (k, (a, b)) in raw.iter().zip(&moved).enumerate().skip(4) {
+            // (δxz)²/i of the moments
+            assert!((a - b).abs() < 1e-7, "{k}: {a} {b}");
+        }
+        let [xx, yy, zz, xy, xz, yz] = *moved.last_chunk().unwrap();
+        let half = 0.5 * (xx + yy + zz);
+        let (values, _) = polhode::math::symmetric_eigen([half - xx, half - yy, half - zz, -xy, -xz, -yz]);
+        assert!(values[0].abs() < 1e-17 && raw != moved, "{values:?}");
+        // What is possible stays.
+        let mean = vec![2.0, 0.1, 0.2, 0.3, 0.05, 0.06, 0.08, 0.004, 0.0, 0.0];
+        let law = Correlated::mass_first(mean, &c).unwrap();
+        assert_eq!((law.impossible(3, 200), law.draw(z)), (0, law.clone().possible().draw(z)));
     }
 
     #[test]

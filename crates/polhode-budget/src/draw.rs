@@ -60,7 +60,7 @@ pub(crate) fn mass_sd(factors: &[Factor]) -> f64 {
 }
 
 /// The nearest tensor that a body can have, and whether it is another one.
-fn possible(i: [f64; 6]) -> ([f64; 6], bool) {
+pub(crate) fn possible(i: [f64; 6]) -> ([f64; 6], bool) {
     let half = 0.5 * (i[0] + i[1] + i[2]);
     let (values, vectors) = symmetric_eigen([half - i[0], half - i[1], half - i[2], -i[3], -i[4], -i[5]]);
     let largest = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));

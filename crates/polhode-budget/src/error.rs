@@ -156,6 +156,11 @@ pub enum BudgetError {
     },
     /// The sum is no body: it overflows.
     Sum(BodyError),
+    /// A variance of the whole that no double holds.
+    Variance {
+        /// Of which number of the whole.
+        of: &'static str,
+    },
     /// Fewer draws than it takes.
     Draws {
         /// How many were asked for.
@@ -164,6 +169,8 @@ pub enum BudgetError {
         needed: usize,
     },
 }
+
+const SIZES: &str = "check the units and the exponents of masses, places and errors: a number has to be possible, and of a size that a double holds";
 
 impl BudgetError {
     /// The row that it is about, by its place in [`PartsList::rows`](crate::PartsList::rows); of several, the last.
@@ -187,6 +194,7 @@ impl BudgetError {
             | Self::Table { .. }
             | Self::DuplicateGroup { .. }
             | Self::Sum(_)
+            | Self::Variance { .. }
             | Self::Draws { .. } => None,
         }
     }
@@ -200,9 +208,8 @@ impl BudgetError {
             Self::MissingFrame { .. } => {
                 Some("a frame is a row: add one with this name, without mass if it has none")
             }
-            Self::Part { error, .. } | Self::Sum(error) => Some(error.hint().unwrap_or(
-                "check the units and the exponents of masses, places and errors: a number has to be possible, and of a size that a double holds",
-            )),
+            Self::Part { error, .. } | Self::Sum(error) => Some(error.hint().unwrap_or(SIZES)),
+            Self::Variance { .. } => Some(SIZES),
             Self::Covariance { .. } => {
                 Some("a covariance is symmetric, and its correlations are such that they can all hold")
             }
@@ -214,9 +221,9 @@ impl BudgetError {
             Self::Subtotal { .. } => {
                 Some("look for a row that is missing, counted twice, or has another quantity or unit")
             }
-            Self::Copies { .. } => Some(
-                "say that the copies are alike, or give their sum as one part with the error of the sum",
-            ),
+            Self::Copies { .. } => {
+                Some("say that the copies are alike, or give their sum as one part with the error of the sum")
+            }
             Self::Empty => Some("give a part a mass"),
             Self::Nameless { .. } => Some("give it a name"),
             Self::Duplicate { .. } => Some("give one of them another name, or count copies by the quantity"),
@@ -287,6 +294,7 @@ impl fmt::Display for BudgetError {
                 "{row} states {stated} kg, but its rows come to {sum} kg, which differs by more than {tolerance} kg"
             ),
             Self::Sum(error) => write!(f, "the sum of all parts is no body: {error}"),
+            Self::Variance { of } => write!(f, "the variance of {of} of the whole is no number"),
             Self::Draws { given, needed } => write!(f, "{given} draws, where {needed} at least are needed"),
         }
     }

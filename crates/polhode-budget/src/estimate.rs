@@ -46,7 +46,7 @@ impl Budget {
     /// Mass properties of the whole, and their covariance to first order in the errors of all rows.
     ///
     /// # Errors
-    /// As [`Budget::mass_properties`].
+    /// As [`Budget::mass_properties`]; [`BudgetError::Variance`] where errors, or numbers that they are of, are so large.
     pub fn estimate(&self, basis: Basis) -> Result<Estimate<Body>, BudgetError> {
         let subtrees = self.subtrees(basis)?;
         let properties = self.whole(&subtrees)?;
@@ -60,7 +60,11 @@ impl Budget {
             }
         })?;
         shared.iter().flatten().for_each(|sum| add_square(&mut covariance, sum));
-        Ok(Estimate { properties, covariance: mirrored(&covariance) })
+        let covariance = mirrored(&covariance);
+        match covariance.iter().position(|row| !row.iter().all(|x| x.is_finite())) {
+            Some(k) => Err(BudgetError::Variance { of: NUMBERS[k].0 }),
+            None => Ok(Estimate { properties, covariance }),
+        }
     }
 }
 
@@ -73,14 +77,18 @@ impl<F: Frame> Estimate<F> {
         self.covariance[number][number].sqrt()
     }
 
-    /// Standard deviation of what has this gradient; zero where no more than rounding is left of its terms.
+    /// Standard deviation of what has this gradient; zero where no more than rounding is left of its terms, infinite where they overflow.
     pub fn sd_of(&self, gradient: &MassPropertiesGradient<F>) -> f64 {
         const ROUNDING: f64 = 1e-14;
         let by = ten_of_gradient(gradient);
         let sizes = self.covariance.map(|row| row.map(f64::abs));
         let variance = form(&by, &self.covariance, &by);
         let size = by.map(f64::abs);
-        if variance > ROUNDING * form(&size, &sizes, &size) { variance.sqrt() } else { 0.0 }
+        let of_terms = form(&size, &sizes, &size);
+        if !of_terms.is_finite() {
+            return f64::INFINITY;
+        }
+        if variance > ROUNDING * of_terms { variance.sqrt() } else { 0.0 }
     }
 
     /// Covariance of two numbers that have these gradients.

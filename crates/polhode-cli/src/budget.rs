@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use polhode::math::{Body, Part, Position, Rotation};
 use polhode_budget::{Basis, LimitError};
-use polhode_formats::budget::{self, BudgetFile, Questions};
+use polhode_formats::budget::{self, BudgetFile, OverTime, Questions};
 use polhode_formats::table::workbook;
+use polhode_report::plain::printable;
 use polhode_report::{
     BudgetCell, BudgetDiff, BudgetOptions, BudgetReport, BudgetSheet, Document, NoConfiguration, PlanOptions,
     pretty,
@@ -34,6 +35,15 @@ const TABLES: [&str; 4] = ["csv", "xlsx", "body", "scenario"];
 
 /// The same where draws may be asked for: the members of a plan are some.
 const GIVEN: [&str; 5] = ["csv", "xlsx", "body", "scenario", "sweep"];
+
+/// What is said of a plan of a list to which something happens, and what its reader may do.
+const CHANGES: (&str, &str) = (
+    "the list has [[burn]], [[drop]] or [[deploy]], and the members of a plan have bodies that do not change",
+    "--scenario writes what happens to the body as it is listed; without these sections the plan is of the body at first",
+);
+
+/// What stands above the body of a list to which something happens.
+const AT_FIRST: &str = "# As it is at first: polhode budget --scenario writes what happens to it\n";
 
 /// What a parts list comes to: mass, centre of mass and inertia with their uncertainties.
 ///
@@ -140,6 +150,9 @@ impl BudgetCommand {
         }
         let file = budget::read(&self.file)?;
         let plan = self.plan_options(&file)?;
+        let changes = self.over_time(&file).is_some_and(OverTime::has_changes);
+        let over_time = file.prescribed.as_ref().and_then(|all| all.over_time.as_ref());
+        let begins = over_time.and_then(|all| all.configuration.clone());
         let report = self.report(&self.file, file, false)?;
         if let Some(other) = &self.diff {
             let before = self.report(other, budget::read(other)?, true)?;
@@ -149,14 +162,20 @@ impl BudgetCommand {
         if let Some(target) = &self.xlsx {
             self.write_workbook(target, &report)?;
         } else if let Some(table) = self.csv {
-            print_exact(&self.table(table, &report)?)?;
+            print_exact(&self.table(table, &report, begins.as_deref())?)?;
         } else if let Some(target) = &self.sweep {
             let plan = report.to_plan(self.configuration.as_deref(), &plan);
             let plan = plan.map_err(|why| Failure::usage(why.to_string(), why.hint()).about(&self.file))?;
+            if changes {
+                let (message, hint) = CHANGES;
+                return Err(Failure::usage(message, hint).about(&self.file));
+            }
             partial::write(target, self.force, |out| out.write_all(plan.as_bytes()))?;
         } else if self.body {
             let body = report.to_scenario(self.configuration.as_deref());
-            print(&body.map_err(|why| Failure::usage(why.to_string(), why.hint()).about(&self.file))?)?;
+            let body = body.map_err(|why| Failure::usage(why.to_string(), why.hint()).about(&self.file))?;
+            let at_first = if changes { AT_FIRST } else { "" };
+            print(&format!("{at_first}{body}"))?;
         } else {
             print(&self.printed(|| report.to_json(), || report.to_document()))?;
         }
@@ -176,11 +195,20 @@ impl BudgetCommand {
         }
     }
 
-    fn table(&self, table: Table, report: &BudgetReport) -> Result<String, Failure> {
+    fn table(&self, table: Table, report: &BudgetReport, begins: Option<&str>) -> Result<String, Failure> {
         let nothing = |(message, hint): (&str, &str)| Failure::usage(message, hint).about(&self.file);
         match table {
             Table::Parts => report.to_csv().map_err(|error| self.refused(&error.into())),
-            Table::Time => report.to_time_csv().ok_or_else(|| nothing(budget_history::NOTHING)),
+            Table::Time => report.to_time_csv().ok_or_else(|| match begins {
+                None => nothing(budget_history::NOTHING),
+                Some(name) => {
+                    let message = format!(
+                        "nothing happens in this configuration: the sequence begins as \"{}\"",
+                        printable(name)
+                    );
+                    Failure::usage(message, "leave --configuration out").about(&self.file)
+                }
+            }),
             Table::Fill => {
                 let none = ("there is no tank in it", "add [[tank]] with what is in it");
                 report.to_fill_csv().ok_or_else(|| nothing(none))
@@ -258,10 +286,7 @@ impl BudgetCommand {
         if self.sweep.is_some() && members == 0 {
             return Err(Failure::usage("a plan has members, and --draws is 0", "leave --draws out"));
         }
-        let over_time = file.prescribed.as_ref().and_then(|all| all.over_time.as_ref());
-        // What it has at first is of the configuration that it begins as.
-        let is_first = |name: &Option<String>| self.configuration.is_none() || self.configuration == *name;
-        let over_time = over_time.filter(|all| is_first(&all.configuration));
+        let over_time = self.over_time(file);
         /// s
         const DURATION: f64 = 60.0;
         Ok(PlanOptions {
@@ -270,6 +295,12 @@ impl BudgetCommand {
             spin: over_time.and_then(|all| all.spin),
             duration: over_time.map_or(DURATION, |all| all.until),
         })
+    }
+
+    /// What happens to the configuration that is asked for, if it is the one that the sequence begins as.
+    fn over_time<'a>(&self, file: &'a BudgetFile) -> Option<&'a OverTime> {
+        let is_first = |name: &Option<String>| self.configuration.is_none() || self.configuration == *name;
+        file.prescribed.as_ref()?.over_time.as_ref().filter(|all| is_first(&all.configuration))
     }
 
     /// Tables of the body over time, and by what is in its tanks, are asked for.

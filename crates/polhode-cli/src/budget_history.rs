@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
+use polhode::motion::Outflow;
 use polhode_budget::{Basis, SequenceError};
-use polhode_formats::budget::BudgetFile;
+use polhode_formats::budget::{BudgetFile, OverTime};
 use polhode_report::{HistoryOptions, history_files};
 
 use crate::failure::Failure;
@@ -44,18 +45,26 @@ pub(crate) fn write(
         outflow: &over_time.outflow,
         table: &table,
     };
-    let files = history_files(&sequence, &options).map_err(|error| refused(&error, list))?;
+    let files = history_files(&sequence, &options).map_err(|error| no_history(&error, over_time, list))?;
     let [scenario, rows] = files;
     partial::write_pair([(&beside, rows.as_bytes()), (target, scenario.as_bytes())], force)
 }
 
 /// What cannot be, with what its reader may do.
 pub(crate) fn refused(error: &SequenceError, list: &Path) -> Failure {
-    let hint = match error {
-        SequenceError::Motion(_) => {
+    Failure::usage(error.to_string(), error.hint().unwrap_or_default()).about(list)
+}
+
+/// The same of a motion: most often nothing says where mass leaves.
+fn no_history(error: &SequenceError, over_time: &OverTime, list: &Path) -> Failure {
+    let hint = match (error, &over_time.outflow) {
+        (SequenceError::Motion(_), Outflow::None) if !over_time.burns().is_empty() => {
             "say where what leaves goes: [[exit]] with position, or in_place = true under [sequence]"
         }
-        error => error.hint().unwrap_or_default(),
+        (SequenceError::Motion(_), Outflow::InPlace) => {
+            "say where what leaves goes: [[exit]] with position, and no in_place"
+        }
+        _ => return refused(error, list),
     };
     Failure::usage(error.to_string(), hint).about(list)
 }

@@ -136,7 +136,16 @@ impl LimitAnswers {
                 *all &= holds;
                 met += usize::from(holds);
             }
-            answers.push(limit.answer(evidence.estimate, share(met)?));
+            let answer = limit.answer(evidence.estimate, share(met)?);
+            for (what, value) in [("the value", answer.value), ("the standard deviation", answer.sd)] {
+                if let Ok(value) = value
+                    && !value.is_finite()
+                {
+                    let rule = "finite: a point or an error is too far";
+                    return Err(LimitError::Value { limit: limit.name.clone(), what, value, rule });
+                }
+            }
+            answers.push(answer);
         }
         let least = answers.iter().map(|answer| answer.first_order.ok()).collect::<Option<Vec<f64>>>();
         let all = AllMet {

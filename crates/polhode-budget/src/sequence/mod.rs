@@ -85,6 +85,8 @@ pub enum Change<'a> {
     Become {
         /// When, s.
         time: f64,
+        /// What that form is called.
+        name: String,
         /// Its parts from then on; rows that have gone before do not come back.
         budget: &'a Budget,
     },
@@ -104,6 +106,8 @@ impl Change<'_> {
 pub struct SequenceRow {
     /// s
     pub time: f64,
+    /// How many changes have happened.
+    pub changes: usize,
     /// All that is there.
     pub properties: MassProperties<Body>,
     /// How fast that changes.

@@ -126,8 +126,9 @@ impl<'a> Timeline<'a> {
             Side::Before => stage.from < time,
             Side::After => stage.from <= time,
         });
-        let stage = begun.checked_sub(1).and_then(|k| self.stages.get(k));
-        let Some(stage) = stage else { return Err(SequenceError::Nothing { time }) };
+        // The first is there from the beginning of time.
+        let changes = begun.saturating_sub(1);
+        let Some(stage) = self.stages.get(changes) else { return Err(SequenceError::Nothing { time }) };
         let loads: Vec<[f64; 2]> =
             self.sequence.tanks.iter().map(|(tank, mass)| self.load(&tank.name, *mass, time, side)).collect();
         for ((load, place), (tank, _)) in loads.iter().zip(&stage.tanks).zip(&self.sequence.tanks) {
@@ -135,7 +136,7 @@ impl<'a> Timeline<'a> {
                 return Err(SequenceError::Gone { what: tank.name.clone(), time });
             }
         }
-        stage.loaded(time, &loads)
+        Ok(SequenceRow { changes, ..stage.loaded(time, &loads)? })
     }
 
     /// What is in a tank, and how fast it becomes more.
@@ -196,7 +197,7 @@ impl<'a> Stage<'a> {
             slices.push((rate, tank.slice(&fill.next)));
         }
         let properties = combined(&parts).map_err(of_sum)?.ok_or(SequenceError::Nothing { time })?;
-        Ok(SequenceRow { time, properties, rates: rates(&properties, &slices), liquid })
+        Ok(SequenceRow { time, changes: 0, properties, rates: rates(&properties, &slices), liquid })
     }
 }
 

@@ -33,6 +33,18 @@ pub enum Down {
 }
 
 impl Down {
+    /// The direction upwards.
+    pub(super) const fn opposite(self) -> Self {
+        match self {
+            Self::MinusX => Self::PlusX,
+            Self::MinusY => Self::PlusY,
+            Self::MinusZ => Self::PlusZ,
+            Self::PlusX => Self::MinusX,
+            Self::PlusY => Self::MinusY,
+            Self::PlusZ => Self::MinusZ,
+        }
+    }
+
     /// The axis, and the sign of the direction upwards.
     pub(super) const fn axis(self) -> (usize, f64) {
         match self {

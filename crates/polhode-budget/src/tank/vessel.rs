@@ -48,7 +48,8 @@ impl Vessel {
             return Err(SequenceError::Value { what, value, rule: "positive and finite" });
         }
         let mut vessel = Self { shape, density, down, bands: Vec::new(), nodes: gauss() };
-        vessel.bands = shape.bands(down).into_iter().map(|band| (band, vessel.volume_of(band, PI))).collect();
+        vessel.bands =
+            shape.bands(down).into_iter().map(|band| (band, vessel.volume_of(down, band, PI))).collect();
         Ok(vessel)
     }
 
@@ -73,32 +74,45 @@ impl Vessel {
     }
 
     /// How high so many kilograms stand above the bottom, m.
+    ///
+    /// In each band from its nearer end, of which that of the upper half is the lower one of the tank upside down: near the other end the volume hardly depends on the level.
     fn level(&self, mass: f64) -> f64 {
-        let mut rest = mass / self.density;
-        let Some((last, bands)) = self.bands.split_last() else { return 0.0 };
-        let below = bands.iter().find(|(_, volume)| {
-            let is_here = rest <= *volume;
-            if !is_here {
-                rest -= volume;
+        let mut below = mass / self.density;
+        let above = (self.capacity() - mass) / self.density;
+        let Some(([_, top], _)) = self.bands.last() else { return 0.0 };
+        if above <= 0.0 {
+            return *top;
+        }
+        let upside_down = self.down.opposite();
+        for (&(band, volume), turned) in self.bands.iter().zip(self.shape.bands(upside_down).iter().rev()) {
+            if below <= 0.5 * volume {
+                return band[0] + height(band, self.phase(self.down, band, below.max(0.0)));
             }
-            is_here
-        });
-        let (band, _) = below.unwrap_or(last);
-        band[0] + height(*band, self.phase(*band, rest))
+            let higher = self.bands.iter().filter(|(other, _)| other[0] >= band[1]);
+            let empty = above - higher.map(|(_, volume)| volume).sum::<f64>();
+            if empty >= 0.0 {
+                return band[1] - height(*turned, self.phase(upside_down, *turned, empty.min(0.5 * volume)));
+            }
+            below -= volume;
+        }
+        *top
     }
 
-    /// Where in a band its volume is reached: Newton's steps between bounds that close in.
-    fn phase(&self, band: [f64; 2], volume: f64) -> f64 {
+    /// Where in a band, from its lower end on, its volume is reached: Newton's steps between bounds that close in.
+    fn phase(&self, down: Down, band: [f64; 2], volume: f64) -> f64 {
+        if volume == 0.0 {
+            return 0.0;
+        }
         let [mut low, mut high] = [0.0, PI];
         let mut phi = 0.5 * PI;
         loop {
-            let over = self.volume_of(band, phi) - volume;
+            let over = self.volume_of(down, band, phi) - volume;
             if over > 0.0 {
                 high = phi;
             } else {
                 low = phi;
             }
-            let slope = self.shape.section(self.down, band[0] + height(band, phi)).area
+            let slope = self.shape.section(down, band[0] + height(band, phi)).area
                 * 0.5
                 * (band[1] - band[0])
                 * libm::sin(phi);
@@ -115,9 +129,9 @@ impl Vessel {
         }
     }
 
-    fn volume_of(&self, band: [f64; 2], until: f64) -> f64 {
+    fn volume_of(&self, down: Down, band: [f64; 2], until: f64) -> f64 {
         let mut sum = 0.0;
-        self.sections([(band, until)], |_, section, weight| sum += weight * section.area);
+        self.sections(down, [(band, until)], |_, section, weight| sum += weight * section.area);
         sum
     }
 
@@ -132,6 +146,7 @@ impl Vessel {
     /// Gauss's rule over sections: heights, sections, weights.
     fn sections(
         &self,
+        down: Down,
         parts: impl IntoIterator<Item = ([f64; 2], f64)>,
         mut take: impl FnMut(f64, super::section::Section, f64),
     ) {
@@ -140,7 +155,7 @@ impl Vessel {
                 let phi = until * place;
                 let above = band[0] + height(band, phi);
                 let weight = weight * until * 0.5 * (band[1] - band[0]) * libm::sin(phi);
-                take(above, self.shape.section(self.down, above), weight);
+                take(above, self.shape.section(down, above), weight);
             }
         }
     }
@@ -152,7 +167,7 @@ impl Vessel {
             return Some(Fill { properties: None, level: Some(0.0), next });
         }
         let (mut volume, mut first) = (0.0, [0.0; 3]);
-        self.sections(self.filled(level), |above, section, weight| {
+        self.sections(self.down, self.filled(level), |above, section, weight| {
             volume += weight * section.area;
             first[0] += weight * above * section.area;
             first[1] += weight * section.first[0];
@@ -160,7 +175,7 @@ impl Vessel {
         });
         let center = first.map(|x| x / volume);
         let mut second = [0.0; 6];
-        self.sections(self.filled(level), |above, section, weight| {
+        self.sections(self.down, self.filled(level), |above, section, weight| {
             for (sum, x) in second.iter_mut().zip(moments(above, section, center)) {
                 *sum += weight * x;
             }

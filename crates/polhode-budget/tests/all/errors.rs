@@ -133,6 +133,34 @@ fn uncertainties_that_are_none() {
     );
 }
 
+/// What overflows is refused, and no standard deviation is zero or missing for it.
+#[test]
+fn variances_that_are_none() {
+    let of = |mass: f64, place: f64, sd: f64| {
+        let at = Position::new(place, 0.3, -0.2);
+        let part = PartUncertainty::Separate {
+            mass: sd,
+            tensor_follows_mass: true,
+            center: Spread::Exact,
+            tensor: Spread::Exact,
+        };
+        let row = Row::part("a", GivenPart::point(mass, at));
+        let row = Row { uncertainty: Uncertainty { part, ..Uncertainty::default() }, ..row };
+        PartsList {
+            rows: vec![Row::frame("all"), within("all", row), within("all", point("b"))],
+            ..PartsList::default()
+        }
+        .budget()
+        .unwrap()
+    };
+    assert!(of(2.0, 1e30, 0.1).estimate(Basis::Basic).is_ok());
+    for budget in [of(2.0, 1e90, 0.1), of(1e200, 0.1, 1e160)] {
+        let error = budget.estimate(Basis::Basic).unwrap_err();
+        assert!(matches!(error, BudgetError::Variance { .. }), "{error}");
+        assert!(error.to_string().ends_with("of the whole is no number") && error.hint().is_some());
+    }
+}
+
 #[test]
 fn numbers_and_names_that_are_none() {
     let none = Quantity { count: 0, errors: CopyErrors::Alike };

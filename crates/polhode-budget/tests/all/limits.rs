@@ -377,6 +377,9 @@ fn limits_that_say_nothing_are_refused() {
             Basis::Basic,
         ),
         limit(Measure::CenterFromPoint(Position::new(0.0, f64::NAN, 0.0)), None, Some(PI), Basis::Basic),
+        // The number overflows, or only its standard deviation does.
+        limit(Measure::Moment { axis: U, about: About::Point(P * 1e160) }, None, Some(PI), Basis::Basic),
+        limit(Measure::StaticUnbalance { point: P * 1e200, along: U }, None, Some(PI), Basis::Basic),
     ] {
         let error = refused(limit);
         assert!(matches!(&error, LimitError::Value { limit, .. } if limit == "limit"), "{error:?}");

@@ -80,7 +80,7 @@ fn sequence<'a>(first: &'a Budget, unfolded: &'a Budget) -> Sequence<'a> {
             burn("fuel", 20.0, 25.0, 0.2),
         ],
         changes: vec![
-            Change::Become { time: 14.0, budget: unfolded },
+            Change::Become { time: 14.0, name: "unfolded".to_owned(), budget: unfolded },
             drop(12.0, "craft/booster"),
             drop(16.0, "craft/ballast"),
         ],
@@ -209,12 +209,12 @@ fn what_cannot_happen_is_refused() {
     let late = with(vec![burn("booster", 0.0, 3.0, 0.1)], vec![drop(1.0, "craft/booster")]);
     assert!(late.at(0.5).is_ok() && matches!(at(&late, 2.0), SequenceError::Gone { .. }));
     assert!(matches!(at(&with(vec![], vec![drop(1.0, "craft")]), 1.0), SequenceError::Nothing { .. }));
-    let change = Change::Become { time: 2.0, budget: &heavier };
+    let change = Change::Become { time: 2.0, name: "heavier".to_owned(), budget: &heavier };
     assert!(with(vec![], vec![change.clone()]).at(3.0).is_ok());
     let mut list = heavier.list().clone();
     list.rows[1].part = Some(part(21.0, [0.0; 3]));
     let heavier = list.budget().unwrap();
-    let change = Change::Become { time: 2.0, budget: &heavier };
+    let change = Change::Become { time: 2.0, name: "heavier".to_owned(), budget: &heavier };
     assert!(matches!(at(&with(vec![], vec![change]), 0.0), SequenceError::MassChanges { .. }));
     let in_copies = tank("extra", "craft/ballast", TankShape::Box([0.1; 3]), Down::MinusZ);
     let copies = Sequence::of(&first, Basis::Basic, [(in_copies, 0.1)]);

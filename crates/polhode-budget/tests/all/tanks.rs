@@ -177,6 +177,50 @@ fn a_segment_of_a_lying_cylinder_has_a_closed_form() {
 
 /// What a kilogram more adds is the derivative of the moments.
 #[test]
+fn levels_are_exact_at_both_ends_and_of_full_digits_between() {
+    for shape in shapes() {
+        for down in ALL {
+            let opposite = ALL[(ALL.iter().position(|other| *other == down).unwrap() + 3) % 6];
+            let [here, turned] = [down, opposite].map(|down| vessel(shape, down));
+            let level = |vessel: &Vessel, mass: f64| {
+                Liquid::Vessel(Box::new(vessel.clone())).at(mass).unwrap().level.unwrap()
+            };
+            let (axis, _) = upwards(down);
+            let whole = match shape {
+                TankShape::Box(size) => size[axis],
+                TankShape::Ellipsoid(axes) => 2.0 * axes[axis],
+                TankShape::Cylinder { radius, .. } if axis != 2 => 2.0 * radius,
+                TankShape::Cylinder { length, ends: [a, b], .. } if down == Down::MinusZ => a + length + b,
+                TankShape::Cylinder { length, ends: [a, b], .. } => b + length + a,
+            };
+            assert_eq!(
+                [level(&here, 0.0), level(&here, here.capacity())],
+                [0.0, whole],
+                "{shape:?} {down:?}"
+            );
+            for part in [1e-9, 1e-4, 0.013, 0.31, 0.5, 0.77, 0.9999] {
+                // What is empty beside it is the same number.
+                let mass = here.capacity() - (here.capacity() - part * here.capacity());
+                let sum = level(&here, mass) + level(&turned, turned.capacity() - mass);
+                assert!((sum - whole).abs() < 5e-15 * whole, "{shape:?} {down:?} {part}: {sum} {whole}");
+            }
+        }
+    }
+    // Nearly full, of which the empty cap is π h² (r − h/3).
+    let sphere = vessel(TankShape::Ellipsoid([0.2; 3]), Down::PlusX);
+    for h in [1e-7, 1e-5, 1e-3, 0.05] {
+        let mass = sphere.capacity() - 1234.5 * PI * h * h * (0.2 - h / 3.0);
+        let volume = (sphere.capacity() - mass) / 1234.5;
+        let level = Liquid::Vessel(Box::new(sphere.clone())).at(mass).unwrap().level.unwrap();
+        let depth = 0.4 - level;
+        let found = PI * depth * depth * (0.2 - depth / 3.0);
+        // The level itself is rounded: by 1e-16 of 0.4.
+        let rounding = 1e-12 * volume + 2.0 * PI * h * 0.2 * 1e-16;
+        assert!((found - volume).abs() < rounding, "{h}: {found} {volume}");
+    }
+}
+
+#[test]
 fn slices_are_derivatives() {
     let of_slice = |fill: &Fill| {
         let ([x, y, z], t) = (fill.next.center, fill.next.tensor);

@@ -231,3 +231,63 @@ fn a_liquid_has_errors() {
     let probability = number(&one["limits"]["each"][0]["draws"]["probability"]);
     assert!((0.55..0.75).contains(&probability), "{probability}");
 }
+
+/// What hints say may be done is not what was done already.
+#[test]
+fn a_history_that_is_none_has_a_hint_that_helps() {
+    let scratch = Scratch::new("budget-history-hints");
+    let tank = "# [[tank]]\n# name = \"gas\"\n# mass = 3\n# table = [{ mass = 1, center = [0.1, 0.2, 0] }, { mass = 3, center = [0.3, 0.1, 0] }]\n";
+    let burn = "# [[burn]]\n# tank = \"gas\"\n# until = 9\n# flow = 0.1\n";
+    let drop = "# [[drop]]\n# time = 10\n# rows = [\"d\"]\n";
+    let rows = "name,mass [kg],x [mm],y [mm]\na,2,100,7\nb,1,-50,20\nd,1,5,120\n";
+    for (place, parts, expected) in [
+        ("", format!("{tank}{burn}{rows}"), "[[exit]] with position, or in_place = true"),
+        ("# in_place = true\n", format!("{tank}{burn}{rows}"), "[[exit]] with position, and no in_place"),
+        ("", format!("{drop}{rows}"), "without inertia about some axis"),
+    ] {
+        scratch.write("list.csv", &format!("# [sequence]\n# until = 20\n{place}{parts}"));
+        let error = refused(&scratch.run(&["budget", "list.csv", "--scenario", "out.toml"]), 2);
+        assert!(error.contains(expected), "{expected}: {error}");
+        assert_eq!(error.contains("[[exit]]"), expected.contains("[[exit]]"), "{error}");
+    }
+}
+
+/// Each row has the configuration that the body is then, and that of a tank the one that it is in.
+#[test]
+fn rows_have_their_own_configurations() {
+    let scratch = Scratch::new("budget-states-configurations");
+    let change = |time: f64, to: &str| format!("# [[deploy]]\n# time = {time}\n# configuration = \"{to}\"\n");
+    let changes = [(30.0, "b"), (10.0, "b"), (20.0, "a")].map(|(time, to)| change(time, to)).concat();
+    let list = format!(
+        "# configurations = [\"b\", \"a\"]\n# [sequence]\n# configuration = \"a\"\n# until = 40\n{changes}# [[drop]]\n# time = 35\n# rows = [\"lid\"]\n\
+         # [[tank]]\n# name = \"fuel\"\n# shape = \"sphere\"\n# radius = \"10 cm\"\n# density = 900\n# settles = \"-z\"\n# mass = \"1 kg\"\n\
+         name,configuration,mass [kg],x [mm],y [mm],z [mm]\nbus,,5,0,1,2\nbox,,2,9,-7,4\nlid,,0.5,1,7,40\narm,a,1,100,0,3\narm,b,1,200,0,3\n"
+    );
+    scratch.write("list.csv", &list);
+    let (headings, rows) = table(&stdout(&scratch.run(&["budget", "list.csv", "--csv=time"])));
+    let center = headings.iter().position(|name| name == "center_x_m").unwrap();
+    let of = |row: &[String]| (row[0].clone(), row[1].parse::<f64>().unwrap(), row[center].clone());
+    let all: Vec<(String, f64, String)> = rows.iter().map(|row| of(row)).collect();
+    let mut stretches: Vec<(&str, f64)> = Vec::new();
+    for (name, time, _) in &all {
+        if stretches.last().is_none_or(|(last, _)| last != name) {
+            stretches.push((name, *time));
+        }
+    }
+    assert_eq!(stretches, [("a", 0.0), ("b", 10.0), ("a", 20.0), ("b", 30.0)]);
+    // The same name has the same body, before anything is dropped.
+    let centers = |wanted: &str| {
+        let some = all.iter().filter(|(name, time, _)| name == wanted && *time < 35.0);
+        some.map(|(_, _, center)| center).collect::<std::collections::BTreeSet<_>>()
+    };
+    assert!(centers("a").len() == 1 && centers("b").len() == 1 && centers("a") != centers("b"));
+    let (_, rows) = table(&stdout(&scratch.run(&["budget", "list.csv", "--csv=fill"])));
+    let names: Vec<&str> = rows.iter().map(|row| row[0].as_str()).collect();
+    assert_eq!(names, [["b"; 21], ["a"; 21]].concat());
+    let report = json(&scratch.run(&["budget", "list.csv", "--json", "--draws", "0"]));
+    let changing = &report["configurations"][1]["changing"]["over_time"];
+    assert_eq!(changing["rows"].as_array().unwrap().last().unwrap()["configuration"], "b", "{report}");
+    // One that does not begin it has no rows, and the error says which does.
+    let error = refused(&scratch.run(&["budget", "list.csv", "--csv=time", "--configuration", "b"]), 2);
+    assert!(error.contains("the sequence begins as \"a\""), "{error}");
+}

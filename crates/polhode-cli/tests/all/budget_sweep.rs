@@ -67,10 +67,91 @@ fn the_plan_is_run() {
         error.contains("no part has an uncertainty") && error.contains("write errors into the list"),
         "{error}"
     );
+    scratch.write("point.csv", "name,mass [kg],x [mm]\na,2 ± 0.1,100 ± 1\n");
+    let error = refused(&scratch.run(&["budget", "point.csv", "--sweep", "out.toml"]), 2);
+    assert!(error.contains("all mass is at one point"), "{error}");
     let error = refused(&scratch.run(&["budget", "list.csv", "--sweep", "out.toml", "--draws", "0"]), 2);
     assert!(error.contains("--draws is 0"), "{error}");
     let error = refused(&scratch.run(&["budget", "list.csv", "--sweep", "out.toml", "--about", "0,0,1"]), 2);
     assert!(error.contains("--about"), "{error}");
     let error = refused(&scratch.run(&["budget", "list.csv", "--force", "--draws", "20"]), 2);
     assert!(error.contains("--force") || error.contains("--xlsx"), "{error}");
+}
+
+/// Three points are a plane, and six are none: errors across a plane are of second order in its thickness, so that most draws by the covariance are no bodies.
+#[test]
+fn members_of_a_flat_body_are_possible() {
+    const MEMBERS: u64 = 500;
+    let scratch = Scratch::new("budget-sweep-flat");
+    let head = "name,mass [kg],x [mm],y [mm],z [mm]\n";
+    let flat = "a,2 ± 0.1,100,0,5 ± 1\nb,1 ± 0.1,-50 ± 2,20,30\nc,1 ± 0.1,-50 ± 2,120,31 ± 1\n";
+    let thick = "d,1,10,30,160\ne,1,20,30,-160\nf,1,0,190,40\n";
+    for (name, rows, is_flat) in [("flat", flat.to_owned(), true), ("thick", format!("{flat}{thick}"), false)]
+    {
+        scratch.write("list.csv", &format!("{head}{rows}"));
+        let report = json(&scratch.run(&["budget", "list.csv", "--json", "--draws", "20000"]));
+        let drawn = &report["configurations"][0]["estimate"];
+        let covariance: Vec<Vec<f64>> = drawn["covariance"].as_array().unwrap().iter().map(numbers).collect();
+        stdout(&scratch.run(&["budget", "list.csv", "--sweep", "plan.toml", "--draws", "500", "--force"]));
+        let plan = Plan::read(&scratch.0.join("plan.toml")).unwrap();
+        let said =
+            plan.text().lines().any(|line| line.starts_with("# By it ") && line.contains(" of 1000 draws"));
+        assert_eq!(said, is_flat, "{name}: {}", plan.text());
+        let bodies = (0..MEMBERS).map(|member| *plan.scenario(&plan.values(member)).unwrap().body());
+        let bodies: Vec<_> = bodies.collect();
+        let mut square = [0.0; 3];
+        for body in &bodies {
+            let [i1, i2, i3] = body.principal().moments();
+            assert_eq!((i1 + i2 - i3).abs() < 1e-9 * i3, is_flat, "{name}: {i1} {i2} {i3}");
+            let nominal = plan.nominal().body();
+            let [[xx, ..], [_, yy, _], [.., zz]] = nominal.inertia().matrix();
+            let [[a, ..], [_, b, _], [.., c]] = body.inertia().matrix();
+            [a - xx, b - yy, c - zz].iter().zip(&mut square).for_each(|(d, sum)| *sum += d * d);
+        }
+        for (k, sum) in square.into_iter().enumerate() {
+            let ratio = (sum / MEMBERS as f64 / covariance[4 + k][4 + k]).sqrt();
+            // Five standard deviations of one of so many draws
+            assert!((ratio - 1.0).abs() < 5.0 / (2.0 * MEMBERS as f64).sqrt(), "{name} {k}: {ratio}");
+        }
+        let without = plan.text().replace("correlated.impossible = \"nearest\"\n", "");
+        scratch.write("without.toml", &without);
+        let summary = json(&scratch.run(&["sweep", "plan.toml", "-o", name, "--json"]));
+        assert_eq!(summary["status"]["complete"]["count"], MEMBERS, "{name}");
+        let without = Plan::read(&scratch.0.join("without.toml")).unwrap();
+        let failed =
+            (0..MEMBERS).filter(|member| without.scenario(&without.values(*member)).is_err()).count();
+        assert_eq!(failed > 0, is_flat, "{name}: {failed}");
+    }
+}
+
+/// Members have bodies that stay as they are.
+#[test]
+fn a_list_whose_body_changes_is_no_plan() {
+    let scratch = Scratch::new("budget-sweep-changes");
+    let tank = "# [[tank]]\n# name = \"fuel\"\n# shape = \"sphere\"\n# radius = \"10 cm\"\n# density = 900\n# settles = \"-z\"\n# mass = \"1 kg\"\n";
+    let begin = "# configurations = [\"a\", \"b\"]\n# [sequence]\n# configuration = \"a\"\n# until = \"10 s\"\n# spin = [0, 0, 3]\n";
+    let rows = "name,configuration,mass [kg],x [mm],y [mm],z [mm]\nbus,,2 ± 0.1,100,0,5\nend,,1 ± 0.1,-50 ± 2,20,300\nlid,,0.3,3,-80,11\n\
+                arm,a,0.5,0,100,7\narm,b,0.5,0,200,7\n";
+    let written = ["budget", "list.csv", "--sweep", "plan.toml", "--force", "--configuration"];
+    for what in [
+        "# [[burn]]\n# tank = \"fuel\"\n# until = \"4 s\"\n# flow = 0.1\n",
+        "# [[drop]]\n# time = 5\n# rows = [\"lid\"]\n",
+        "# [[deploy]]\n# time = 5\n# configuration = \"b\"\n",
+    ] {
+        scratch.write("list.csv", &format!("{begin}{tank}{what}{rows}"));
+        let error = refused(&scratch.run(&[&written[..], &["a"]].concat()), 2);
+        assert!(error.contains("bodies that do not change") && error.contains("--scenario"), "{error}");
+        assert!(!scratch.0.join("plan.toml").exists());
+        let body = stdout(&scratch.run(&["budget", "list.csv", "--body", "--configuration", "a"]));
+        assert!(body.starts_with("# As it is at first"), "{body}");
+        // What the sequence does not begin as stays as it is.
+        let body = stdout(&scratch.run(&["budget", "list.csv", "--body", "--configuration", "b"]));
+        assert!(!body.contains("at first"), "{body}");
+        stdout(&scratch.run(&[&written[..], &["b"]].concat()));
+        std::fs::remove_file(scratch.0.join("plan.toml")).unwrap();
+    }
+    scratch.write("list.csv", &format!("{begin}{tank}{rows}"));
+    stdout(&scratch.run(&[&written[..], &["a"]].concat()));
+    let plan = Plan::read(&scratch.0.join("plan.toml")).unwrap();
+    assert_eq!(plan.nominal().start().omega.z, 3.0);
 }

@@ -270,6 +270,12 @@ impl<'s, 'a> Reader<'s, 'a> {
         }))
     }
 
+    /// Whether a number is in percent, by its cell or by its heading.
+    pub(super) fn is_percent(&self, cell: &Cell<'_>) -> bool {
+        let column = self.columns.get(cell.column);
+        cell.text.contains('%') || column.is_some_and(|column| matches!(column.unit, ColumnUnit::Percent))
+    }
+
     /// Whether the heading of a key has a unit.
     fn has_unit(&self, key: usize) -> bool {
         let place = self.columns.places.get(key).copied().flatten();
@@ -321,9 +327,14 @@ impl Deviation<'_, '_> {
         }
         let rule = format!("with a standard deviation of {most:e} at most, in SI: it is {sd:e}");
         let error = reader.invalid(self.cell, rule);
-        Err(match reader.coverage_factor {
-            1.0 => error.with_hint("check its exponent"),
-            k => error.with_hint(format!("what stands after ± is divided by the coverage_factor, {k:e}")),
-        })
+        Err(too_uncertain(error, reader.coverage_factor))
+    }
+}
+
+/// An error about a standard deviation that is too large.
+pub(super) fn too_uncertain(error: FormatError, coverage_factor: f64) -> FormatError {
+    match coverage_factor {
+        1.0 => error.with_hint("check its exponent"),
+        k => error.with_hint(format!("what stands after ± is divided by the coverage_factor, {k:e}")),
     }
 }

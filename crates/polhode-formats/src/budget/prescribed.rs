@@ -68,7 +68,7 @@ impl Prescribed {
                 PlannedChange::Drop { time, rows } => Some(Change::Drop { time: *time, rows: rows.clone() }),
                 PlannedChange::Deploy { time, configuration } => {
                     let budget = &self.stage(Some(configuration))?.budget;
-                    Some(Change::Become { time: *time, budget })
+                    Some(Change::Become { time: *time, name: configuration.clone(), budget })
                 }
             };
             sequence.changes = over_time.changes.iter().map(change).collect::<Option<_>>()?;
@@ -87,6 +87,11 @@ impl Prescribed {
 }
 
 impl OverTime {
+    /// Whether the body is another at the end.
+    pub const fn has_changes(&self) -> bool {
+        !self.burns.is_empty() || !self.changes.is_empty()
+    }
+
     /// What leaves tanks.
     pub fn burns(&self) -> &[Burn] {
         &self.burns

@@ -13,6 +13,7 @@ use super::key::{
 };
 use super::measured::Amount;
 use super::plan::Plan;
+use super::plan::growth::{BARE_GROWTH, BARE_GROWTH_HINT};
 use super::sheet::Sheet;
 use super::taken::Taken;
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
@@ -120,6 +121,9 @@ impl<'s, 'a> Rows<'s, 'a> {
             ));
         }
         let name = self.reader.label_of(cell)?;
+        if name.split('/').any(|name| name.trim().is_empty()) {
+            return Err(self.reader.invalid(cell, "a name, or names with a / between each two"));
+        }
         // Total (all): what is in brackets is a remark.
         let plain = name.split(['(', '[', ':']).next().unwrap_or_default().trim().to_lowercase();
         if TOTALS.contains(&plain.as_str()) && cells.cell(MASS).is_some() {
@@ -169,6 +173,10 @@ impl<'s, 'a> Rows<'s, 'a> {
         }
         if let Some(given) = fraction.filter(|given| !(given.value >= 0.0)) {
             return Err(self.reader.invalid(given.cell, "zero or positive"));
+        }
+        if let Some(given) = fraction.filter(|given| given.value > 1.0 && !self.reader.is_percent(given.cell))
+        {
+            return Err(self.reader.invalid(given.cell, BARE_GROWTH).with_hint(BARE_GROWTH_HINT));
         }
         let of_code = code.as_deref().and_then(|code| self.plan.growth.get(code));
         if let (Some(given), Some(allowance)) = (fraction, of_code)

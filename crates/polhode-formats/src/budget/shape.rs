@@ -253,6 +253,11 @@ impl<'s, 'a> Reader<'s, 'a> {
             pieces = one.split(',').map(str::trim).collect();
         }
         let own = pieces.last().map_or("", |last| unit::unit_of(last));
+        let mut units = pieces.iter().map(|piece| unit::unit_of(piece));
+        if units.clone().any(str::is_empty) && units.any(|other| !other.is_empty() && other != own) {
+            let error = self.invalid(cell, "lengths with one unit at the end, or each with its own");
+            return Err(error.with_hint("write 100 × 50 × 20 mm, or 10 cm × 50 mm × 20 mm"));
+        }
         let of_column = match self.columns.get(cell.column).map(|column| &column.unit) {
             Some(ColumnUnit::Unit(unit)) => unit.name.as_str(),
             _ => "",

@@ -42,6 +42,9 @@ class Symbol:
         if one is None:
             return NotImplemented
         left, right = (one, self) if turned else (self, one)
+        simple = _simple(left.text, sign, right.text)
+        if simple is not None:
+            return (Symbol("0"), left, right, -right)[simple]
         # From the left: what stands right of the sign holds more tightly, and begins with no sign of its own.
         return Symbol(f"{left._as(holds)}{sign}{right._as(_POWER if right._holds == _SIGN else holds + 1)}", holds)
 
@@ -157,6 +160,15 @@ def _symbol(value: object) -> Symbol | None:
     number = _arrays.number("a number of a law", value)
     text = repr(abs(number)).removesuffix(".0")
     return Symbol(f"-{text}", _SIGN) if math.copysign(1.0, number) < 0.0 else Symbol(text)
+
+
+def _simple(left: str, sign: str, right: str) -> int | None:
+    """What a sum or a product with 0 or 1 comes to, of which vectors and matrices have many: 0, the left, the right, or minus the right."""
+    if sign == "*":
+        return 0 if "0" in (left, right) else 1 if right == "1" else 2 if left == "1" else None
+    if sign in ("+", "-") and right == "0":
+        return 1
+    return {"+": 2, "-": 3}.get(sign) if left == "0" else None
 
 
 def _call(name: str, *given: Symbol) -> Symbol:

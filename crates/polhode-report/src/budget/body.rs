@@ -4,9 +4,9 @@ use core::fmt::{self, Write as _};
 
 use polhode::body::MassProperties;
 use polhode::math::{AngularVelocity, Body};
-use polhode_budget::Estimate;
+use polhode_budget::{Correlated, Estimate};
 
-use super::case::Case;
+use super::case::{Case, ten};
 use super::{BudgetReport, basis_name};
 use crate::body_part::BodyPart;
 use crate::layout::printable;
@@ -40,6 +40,8 @@ pub enum NoPlan {
     Configuration(NoConfiguration),
     /// No number of the body has an error.
     Exact,
+    /// Of a point, which has no attitude.
+    Point,
 }
 
 impl BudgetReport {
@@ -67,15 +69,19 @@ impl BudgetReport {
         Ok(part.to_toml())
     }
 
-    /// A plan of a sweep whose members have the body's ten numbers with their covariance to first order.
+    /// A plan of a sweep whose members have the body's ten numbers with their covariance to first order; of a tensor that is no body's the nearest that is.
     ///
     /// # Errors
-    /// [`NoPlan`] where [`BudgetReport::body`] gives none, and of a body that is known exactly.
+    /// [`NoPlan`] where [`BudgetReport::body`] gives none, of a body that is known exactly, and of a point.
     pub fn to_plan(&self, configuration: Option<&str>, options: &PlanOptions) -> Result<String, NoPlan> {
         let case = self.case(configuration).map_err(NoPlan::Configuration)?;
         let estimate = case.estimate(self.options.basis);
         if !is_uncertain(estimate) {
             return Err(NoPlan::Exact);
+        }
+        let has_extent = estimate.properties.inertia().matrix() != [[0.0; 3]; 3];
+        if !has_extent && (4..10).all(|k| estimate.sd(k) == 0.0) {
+            return Err(NoPlan::Point);
         }
         let mut toml = self.part(case, estimate).to_toml();
         let PlanOptions { members, seed, spin, duration } = options;
@@ -88,11 +94,20 @@ impl BudgetReport {
             toml,
             "[start]\nspin = {{ body = [{x:?}, {y:?}, {z:?}] }}\n\n[run]\nduration = {duration:?}\nsamples = 61\n"
         );
+        let law = Correlated::mass_first(ten(&estimate.properties).to_vec(), &covariance_rows(estimate));
+        let moved = law.map_or(0, |law| law.impossible(*seed, TRIED));
         let _ = write!(
             toml,
             "\n[sweep]\nmembers = {members}\nsampling = \"monte carlo\"\nseed = {seed}\n\n\
-             # Mass, centre of mass x, y, z, inertia xx, yy, zz, xy, xz, yz: in kg, m, kg m^2\n\
-             [[sweep.vary]]\nkey = \"body\"\ncorrelated.covariance = [\n"
+             # Mass, centre of mass x, y, z, inertia xx, yy, zz, xy, xz, yz: in kg, m, kg m^2\n{}\
+             [[sweep.vary]]\nkey = \"body\"\ncorrelated.impossible = \"nearest\"\ncorrelated.covariance = [\n",
+            if moved > 0 {
+                format!(
+                    "# By it {moved} of {TRIED} draws have a tensor that is no body's, and become the nearest that is\n"
+                )
+            } else {
+                String::new()
+            }
         );
         for row in estimate.covariance {
             let elements = row.map(|x| format!("{x:?}"));
@@ -121,6 +136,13 @@ impl BudgetReport {
             names: self.cases.iter().filter_map(|case| case.name.clone()).collect(),
         })
     }
+}
+
+/// Draws that are tried, so that a plan says how many are moved.
+const TRIED: usize = 1000;
+
+fn covariance_rows(estimate: &Estimate<Body>) -> Vec<Vec<f64>> {
+    estimate.covariance.iter().map(|row| row.to_vec()).collect()
 }
 
 fn is_uncertain(estimate: &Estimate<Body>) -> bool {
@@ -158,6 +180,7 @@ impl NoPlan {
             Self::Exact => {
                 "write errors into the list, such as 1.2 ± 0.1 kg; --body has the body as it is".to_owned()
             }
+            Self::Point => "give a part its extent, or its place beside another".to_owned(),
         }
     }
 }
@@ -167,6 +190,9 @@ impl fmt::Display for NoPlan {
         match self {
             Self::Configuration(why) => why.fmt(f),
             Self::Exact => f.write_str("no part has an uncertainty: there is nothing to draw"),
+            Self::Point => {
+                f.write_str("all mass is at one point, which has no attitude: no member could turn")
+            }
         }
     }
 }

@@ -3,9 +3,9 @@
 use polhode::body::MassPropertiesGradient;
 use polhode::math::{Body, Direction};
 use polhode_budget::{
-    Basis, Budget, BudgetError, Comparison, Draws, Estimate, Evidence, Growth, Limit, LimitAnswers,
-    LimitError, MassStatement, Measure, NUMBERS, PrincipalUncertainty, Sensitivity, Subtotal, Tilt,
-    Uncertainty,
+    Basis, Budget, BudgetError, ComparedNumber, Comparison, Draws, Estimate, Evidence, Growth, Limit,
+    LimitAnswers, LimitError, MassStatement, Measure, NUMBERS, PrincipalUncertainty, Sensitivity, Subtotal,
+    Tilt, Uncertainty,
 };
 
 use super::BudgetOptions;
@@ -98,6 +98,10 @@ impl Case {
         let drawn = if options.draws > 0 {
             let draws = budget.draws(options.basis, options.seed, options.draws)?;
             let comparison = draws.compare(estimate);
+            let is_finite = |one: &&ComparedNumber| one.sd.is_finite() && one.sd_error.is_finite();
+            if let Some(one) = comparison.numbers.iter().find(|one| !is_finite(one)) {
+                return Err(BudgetError::Variance { of: one.name }.into());
+            }
             let quantiles = |k: usize| {
                 let mut all = draws.tilts(k, tilts[k].direction)?;
                 all.sort_by(f64::total_cmp);

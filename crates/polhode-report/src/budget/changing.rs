@@ -35,21 +35,29 @@ struct FilledTank {
     rows: Vec<(f64, Option<f64>, SequenceRow)>,
 }
 
+/// The body from 0 on.
 #[derive(Clone, Debug)]
-struct OverTime {
+pub(super) struct OverTime {
     until: f64,
-    tanks: Vec<String>,
+    pub(super) tanks: Vec<String>,
+    /// The configuration that it is, by how many changes have happened.
+    configurations: Vec<Option<String>>,
     /// When something begins, ends or happens.
     happenings: Vec<(f64, String)>,
     shown: Vec<SequenceRow>,
-    all: Vec<SequenceRow>,
+    pub(super) all: Vec<SequenceRow>,
 }
 
 impl Changing {
-    pub(super) fn new(sequence: &Sequence<'_>, until: Option<f64>) -> Result<Self, SequenceError> {
+    /// Of a configuration, as which the sequence begins.
+    pub(super) fn new(
+        configuration: Option<&str>,
+        sequence: &Sequence<'_>,
+        until: Option<f64>,
+    ) -> Result<Self, SequenceError> {
         let tanks =
             (0..sequence.tanks.len()).map(|k| FilledTank::new(sequence, k)).collect::<Result<_, _>>()?;
-        let over_time = until.map(|until| OverTime::new(sequence, until)).transpose()?;
+        let over_time = until.map(|until| OverTime::new(configuration, sequence, until)).transpose()?;
         Ok(Self { tanks, over_time })
     }
 
@@ -69,9 +77,8 @@ impl Changing {
         sections
     }
 
-    /// The tanks, and the body at all times.
-    pub(super) fn over_time(&self) -> Option<(&[String], &[SequenceRow])> {
-        self.over_time.as_ref().map(|over_time| (&over_time.tanks[..], &over_time.all[..]))
+    pub(super) const fn over_time(&self) -> Option<&OverTime> {
+        self.over_time.as_ref()
     }
 
     /// Each tank with the part that it is full to, kg in it, its level, and the body, of which the rates are those of a kilogram more.
@@ -109,6 +116,7 @@ impl Changing {
         let over_time = self.over_time.as_ref().map(|over_time| {
             let row = |row: &SequenceRow| {
                 let mut data = row_to_json(row);
+                data["configuration"] = json!(over_time.configuration(row));
                 data["time"] = json!(row.time);
                 data["liquid"] = json!(row.liquid);
                 data["rates"] = json!({
@@ -254,7 +262,7 @@ fn curve(
 }
 
 impl OverTime {
-    fn new(sequence: &Sequence<'_>, until: f64) -> Result<Self, SequenceError> {
+    fn new(configuration: Option<&str>, sequence: &Sequence<'_>, until: f64) -> Result<Self, SequenceError> {
         let [shown, all] = [SHOWN_PIECES, PIECES].map(|pieces| sequence.rows([0.0, until], pieces));
         let quoted = |name: &str| printable(name);
         let mut happenings: Vec<(f64, String)> = Vec::new();
@@ -268,14 +276,28 @@ impl OverTime {
                 Change::Drop { rows, .. } => {
                     format!("{} dropped", rows.iter().map(|row| quoted(row)).collect::<Vec<_>>().join(", "))
                 }
-                Change::Become { .. } => "another configuration".to_owned(),
+                Change::Become { name, .. } => format!("becomes {}", quoted(name)),
             };
             happenings.push((change.time(), what));
         }
         happenings.retain(|(time, _)| *time <= until);
         happenings.sort_by(|a, b| a.0.total_cmp(&b.0));
         let tanks = sequence.tanks.iter().map(|(tank, _)| tank.name.clone()).collect();
-        Ok(Self { until, tanks, happenings, shown: shown?, all: all? })
+        let mut changes: Vec<&Change<'_>> = sequence.changes.iter().collect();
+        changes.sort_by(|a, b| a.time().total_cmp(&b.time()));
+        let mut configurations = vec![configuration.map(str::to_owned)];
+        for change in changes {
+            configurations.push(match change {
+                Change::Drop { .. } => configurations.last().cloned().flatten(),
+                Change::Become { name, .. } => Some(name.clone()),
+            });
+        }
+        Ok(Self { until, tanks, configurations, happenings, shown: shown?, all: all? })
+    }
+
+    /// The configuration that it is in a row.
+    pub(super) fn configuration(&self, row: &SequenceRow) -> Option<&str> {
+        self.configurations.get(row.changes).and_then(Option::as_deref)
     }
 
     fn section(&self) -> Section {

@@ -143,7 +143,7 @@ impl BudgetReport {
         until: Option<f64>,
     ) -> Result<Self, SequenceError> {
         for case in self.cases.iter_mut().filter(|case| case.name.as_deref() == configuration) {
-            case.changing = Some(Changing::new(sequence, until)?);
+            case.changing = Some(Changing::new(configuration, sequence, until)?);
         }
         Ok(self)
     }

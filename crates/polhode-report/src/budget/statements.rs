@@ -69,3 +69,12 @@ pub enum StatedChange {
         configuration: String,
     },
 }
+
+impl StatedChange {
+    /// When, s.
+    pub(super) const fn time(&self) -> f64 {
+        match self {
+            Self::Drop { time, .. } | Self::Deploy { time, .. } => *time,
+        }
+    }
+}

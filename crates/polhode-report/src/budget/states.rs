@@ -33,7 +33,7 @@ pub(super) fn history(rows: &[SequenceRow]) -> Vec<Vec<Cell>> {
 
 impl BudgetReport {
     /// CSV of the body over time, as far as that is known ([`BudgetReport::with_sequence`]): mass, centre, the tensor about it and their rates, along the axes of the body, and what
-    /// is left in each tank. Two rows of one time are before and after.
+    /// is left in each tank, each row with the configuration that it is then. Two rows of one time are before and after.
     pub fn to_time_csv(&self) -> Option<String> {
         self.over_time().map(|rows| to_csv(&rows))
     }
@@ -44,16 +44,16 @@ impl BudgetReport {
     }
 
     pub(super) fn over_time(&self) -> Option<Vec<Vec<Cell>>> {
-        // A file has one sequence, of the configuration that it begins with.
+        // A file has one sequence, of the configuration that it begins as.
         let mut cases = self.cases.iter();
-        let (name, (tanks, rows)) =
-            cases.find_map(|case| Some((&case.name, case.changing.as_ref()?.over_time()?)))?;
-        let mut table = history(rows);
+        let all = cases.find_map(|case| case.changing.as_ref()?.over_time())?;
+        let mut table = history(&all.all);
         for (k, line) in table.iter_mut().enumerate() {
-            let before = k.checked_sub(1).and_then(|k| rows.get(k));
-            let configuration = || Cell::of_option(name.as_deref());
-            line.insert(0, before.map_or_else(|| Cell::of("configuration"), |_| configuration()));
-            line.extend(tanks.iter().enumerate().map(|(j, tank)| match before {
+            let row = k.checked_sub(1).and_then(|k| all.all.get(k));
+            let configuration =
+                row.map_or_else(|| Cell::of("configuration"), |row| Cell::of_option(all.configuration(row)));
+            line.insert(0, configuration);
+            line.extend(all.tanks.iter().enumerate().map(|(j, tank)| match row {
                 Some(row) => row.liquid.get(j).map_or(Cell::Empty, |mass| Cell::Number(*mass)),
                 None => Cell::Text(format!("liquid_kg {tank}")),
             }));

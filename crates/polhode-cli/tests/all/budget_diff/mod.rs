@@ -8,7 +8,9 @@ use std::collections::BTreeSet;
 use polhode_formats::FormatErrorKind;
 use polhode_formats::budget::from_text;
 
-use crate::common::{Scratch, stdout};
+use serde_json::{Value, json};
+
+use crate::common::{Scratch, json, stdout};
 use cases::CASES;
 use rich::{GRAINS, PARTS, RICH};
 
@@ -47,6 +49,126 @@ fn every_key_and_column_is_compared() {
         for words in *expected {
             assert!(said.contains(words), "{section} {key}: {words}: {said}");
         }
+    }
+}
+
+/// What happens several times is paired by what it is, and not by its place in the file; names that hold commas are told apart.
+#[test]
+fn what_is_called_alike_is_told_apart() {
+    let scratch = Scratch::new("budget-diff-alike");
+    let list = |sections: &str, rows: &str| {
+        let head: String = sections.lines().map(|line| format!("# {line}\n")).collect();
+        let parts = "bus,,5,0,1,2\nbox,,2,9,-7,4\narm,a,1,100,0,3\narm,b,1,200,0,3\n";
+        format!(
+            "# configurations = [\"a\", \"b\"]\n# [sequence]\n# configuration = \"a\"\n# until = \"90 s\"\n\
+             {head}name,configuration,mass [kg],x [mm],y [mm],z [mm]\n{parts}{rows}"
+        )
+    };
+    let deploys = |all: &[(f64, &str)]| -> String {
+        let one = |(time, to): &(f64, &str)| format!("[[deploy]]\ntime = {time}\nconfiguration = \"{to}\"\n");
+        all.iter().map(one).collect()
+    };
+    let diff = |before: &str, after: &str| {
+        scratch.write("before.csv", before);
+        scratch.write("after.csv", after);
+        let said = json(&scratch.run(&["budget", "after.csv", "--diff", "before.csv", "--json"]));
+        assert!(said["configurations"][0]["changes"].as_array().unwrap().is_empty());
+        let one = |one: &Value| {
+            let value = |key| one[key].as_str().unwrap_or("none").to_owned();
+            [value("what"), value("before"), value("after")].join("|")
+        };
+        said["stated"].as_array().unwrap().iter().map(one).collect::<Vec<_>>()
+    };
+    let of = |all: &[(f64, &str)]| list(&deploys(all), "");
+    let before = of(&[(10.0, "b"), (20.0, "a"), (30.0, "b")]);
+    assert!(diff(&before, &before).is_empty());
+    assert!(diff(&before, &of(&[(30.0, "b"), (20.0, "a"), (10.0, "b")])).is_empty());
+    assert_eq!(
+        diff(&before, &of(&[(10.0, "b"), (20.0, "a"), (41.5, "b")])),
+        ["deployment 2 to b|30 s|41.5 s"]
+    );
+    assert_eq!(
+        diff(&before, &of(&[(20.0, "a"), (30.0, "b")])),
+        ["deployment 1 to b|10 s|none"],
+        "the first is gone, and the second is as it was"
+    );
+    assert_eq!(
+        diff(&of(&[(10.0, "b")]), &of(&[(10.0, "b"), (20.0, "a"), (30.0, "b")])),
+        ["deployment 2 to b|none|30 s", "deployment to a|none|20 s"]
+    );
+    // The drop of one row is not that of two.
+    let rows = "\"u, v\",,0.1,1,2,3\nu,,0.1,3,2,1\nv,,0.1,3,1,2\n";
+    let drop = |rows_of: &str| list(&format!("[[drop]]\ntime = 7\nrows = {rows_of}\n"), rows);
+    assert!(diff(&drop("[\"u\", \"v\"]"), &drop("[\"v\", \"u\"]")).is_empty());
+    assert_eq!(
+        diff(&drop("[\"u\", \"v\"]"), &drop("[\"u, v\"]")),
+        ["drop of \"u, v\"|none|7 s", "drop of u, v|7 s|none"]
+    );
+}
+
+/// What is in a tank has a row, in which it shows once.
+#[test]
+fn a_change_of_what_is_in_a_tank_shows_once() {
+    let scratch = Scratch::new("budget-diff-tank");
+    GRAINS.iter().for_each(|(name, table)| scratch.write(name, table));
+    let rich = format!("{RICH}{PARTS}");
+    scratch.write("before.csv", &list(&rich));
+    for (from, to, row, kinds) in [
+        ("fill_sd = \"2 %\"", "fill_sd = \"3 %\"", "fuel", &["uncertainty"][..]),
+        ("fill = \"75 %\"", "fill = \"74 %\"", "fuel", &["mass", "tensor", "moved"]),
+        ("mass_sd = \"20 g\"", "mass_sd = \"25 g\"", "ball", &["uncertainty"]),
+        ("group = \"arms\"\n", "", "fuel", &["group"]),
+    ] {
+        scratch.write("after.csv", &list(&rich.replace(from, to)));
+        let said = json(&scratch.run(&["budget", "after.csv", "--diff", "before.csv", "--json"]));
+        assert_eq!(said["stated"], json!([]), "{from}");
+        for configuration in said["configurations"].as_array().unwrap() {
+            let changes = configuration["changes"].as_array().unwrap();
+            let found: Vec<_> =
+                changes.iter().map(|one| (one["row"].as_str(), one["what"].as_str())).collect();
+            let all: Vec<_> = kinds.iter().map(|kind| (Some(row), Some(*kind))).collect();
+            let is_there = row == "ball" || configuration["name"] != "stored";
+            assert_eq!(found, if is_there { all } else { Vec::new() }, "{from}");
+            assert_eq!(configuration["stated"], json!([]), "{from}");
+        }
+    }
+}
+
+/// An empty tank has no row: what is said of it shows with the tank.
+#[test]
+fn what_is_said_of_an_empty_tank_is_compared() {
+    let scratch = Scratch::new("budget-diff-empty");
+    let list = |density: &str| {
+        format!(
+            "# [[tank]]\n# name = \"fuel\"\n# shape = \"sphere\"\n# radius = \"10 cm\"\n# density = \"{density}\"\n# settles = \"-z\"\n# mass = 0\n\
+             name,mass [kg],x [mm],y [mm],z [mm]\nbus,5,0,1,2\nbox,2,9,-7,4\nrod,1,2,30,-9\n"
+        )
+    };
+    scratch.write("before.csv", &list("900 ± 9 kg/m^3"));
+    scratch.write("after.csv", &list("900 ± 18 kg/m^3"));
+    let said = json(&scratch.run(&["budget", "after.csv", "--diff", "before.csv", "--json"]));
+    let all = said["stated"].as_array().unwrap();
+    assert_eq!(all.len(), 1, "{said}");
+    assert_eq!(all[0]["what"], "tank fuel");
+    for (key, expected) in [("before", "density_sd 1 %"), ("after", "density_sd 2 %")] {
+        assert!(all[0][key].as_str().unwrap().ends_with(expected), "{said}");
+    }
+}
+
+/// A list without configurations is the same in each of another.
+#[test]
+fn a_list_without_configurations_is_compared_with_each() {
+    let scratch = Scratch::new("budget-diff-unnamed");
+    let head =
+        "name,configuration,mass [kg],x [mm],y [mm],z [mm]\nbus,,5,0,1,2\nbox,,2,9,-7,4\nrod,,1,2,30,-9\n";
+    scratch.write("one.csv", &format!("{head}arm,,1,100,0,3\n"));
+    scratch.write("two.csv", &format!("{head}arm,a,1,100,0,3\narm,b,1,200,0,3\n"));
+    for (after, before) in [("one.csv", "two.csv"), ("two.csv", "one.csv")] {
+        let said = json(&scratch.run(&["budget", after, "--diff", before, "--json"]));
+        let all = said["configurations"].as_array().unwrap();
+        let of = |one: &Value| (one["name"].clone(), one["changes"].as_array().unwrap().len());
+        assert_eq!(all.iter().map(of).collect::<Vec<_>>(), [(json!("a"), 0), (json!("b"), 1)], "{after}");
+        assert_eq!((&said["only_before"], &said["only_after"]), (&json!([]), &json!([])));
     }
 }
 

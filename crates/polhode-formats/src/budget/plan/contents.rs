@@ -3,6 +3,7 @@
 use polhode_budget::{LiquidErrors, Measured};
 
 use super::fraction;
+use crate::budget::cells::{MOST_DEVIATION, too_uncertain};
 use crate::budget::measured::{Amount, MARKS, measured, percent};
 use crate::budget::number::{Unit, Wrong};
 use crate::error::FormatError;
@@ -146,10 +147,16 @@ fn known(
         (None, Some((at, sd))) => (at, sd),
         (None, None) => (value, 0.0),
     };
-    if sd >= 0.0 && sd.is_finite() {
-        return Ok(Known { value: number, sd, is_after_mark: own.is_some() });
+    if !(sd >= 0.0) {
+        return Err(at.invalid("with an error that is zero or positive").with_hint("an error has no sign"));
     }
-    Err(at.invalid("with an error that is zero or positive").with_hint("an error has no sign"))
+    // Of the number too: a liquid is drawn by what its error is of it.
+    let most = MOST_DEVIATION * number.abs().min(1.0);
+    if sd > most && number != 0.0 {
+        let error = at.invalid(format!("with a standard deviation of {most:e} at most, in SI: it is {sd:e}"));
+        return Err(too_uncertain(error, coverage_factor));
+    }
+    Ok(Known { value: number, sd, is_after_mark: own.is_some() })
 }
 
 /// A text that has an error after its number.

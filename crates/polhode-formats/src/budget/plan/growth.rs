@@ -5,6 +5,10 @@ use polhode_budget::GrowthTable;
 use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::reader::Value;
 
+/// What is said of a number above 1 without %, which may be either.
+pub(in crate::budget) const BARE_GROWTH: &str = "in percent, as it is above 1";
+pub(in crate::budget) const BARE_GROWTH_HINT: &str = "15 % is 0.15, and 15 is 1500 %";
+
 /// `E = "25 %"`, `C = 0.15`: the table, and its codes.
 pub(super) fn table(value: &Value<'_>) -> Result<(GrowthTable, Vec<String>), FormatError> {
     let mut codes = Vec::new();
@@ -13,6 +17,9 @@ pub(super) fn table(value: &Value<'_>) -> Result<(GrowthTable, Vec<String>), For
         if !(fraction >= 0.0) {
             let error = allowance.invalid("zero or positive");
             return Err(error.with_hint("it is by how much parts of this code become heavier until they fly"));
+        }
+        if fraction > 1.0 && !allowance.string().is_ok_and(|text| text.contains('%')) {
+            return Err(allowance.invalid(BARE_GROWTH).with_hint(BARE_GROWTH_HINT));
         }
         codes.push((code.to_owned(), fraction));
     }

@@ -3,7 +3,7 @@
 mod cad;
 mod contents;
 mod group;
-mod growth;
+pub(super) mod growth;
 mod limit;
 mod result;
 pub(super) mod sequence;

@@ -58,10 +58,10 @@ impl Numbers {
         Ok((all, Self { names, nominal, is_body: false }))
     }
 
-    /// `correlated = { covariance = [[…], …] }`, or `{ sd = […], correlation = [[…], …] }`; of numbers perhaps with their `mean`.
+    /// `correlated = { covariance = [[…], …] }`, or `{ sd = […], correlation = [[…], …] }`; of numbers perhaps with their `mean`, of mass properties with what becomes of `impossible` ones.
     pub(super) fn law(&self, form: &Value<'_>) -> Result<Correlated, FormatError> {
         let table = form.table()?;
-        table.allow(&["mean", "covariance", "sd", "correlation"])?;
+        table.allow(&["mean", "covariance", "sd", "correlation", "impossible"])?;
         let rule = "sd goes with correlation, and covariance says both";
         table.at_most_one(&["covariance", "sd"], rule)?;
         table.at_most_one(&["covariance", "correlation"], rule)?;
@@ -72,6 +72,13 @@ impl Numbers {
             }
             Some(value) => self.list(&value)?.into_iter().map(|(_, x)| x).collect(),
             None => self.nominal.clone(),
+        };
+        let is_moved = match table.get("impossible") {
+            Some(value) if !self.is_body => {
+                return Err(value.invalid("left out of numbers: mass properties may be impossible"));
+            }
+            Some(value) => value.choice(&["failed", "nearest"])? == "nearest",
+            None => false,
         };
         let elements = match table.get("covariance") {
             Some(value) => self.covariance(&value)?,
@@ -92,7 +99,7 @@ impl Numbers {
         if law.variables() == 0 {
             return Err(form.invalid("of numbers of which one at least has an error"));
         }
-        Ok(law)
+        Ok(if is_moved { law.possible() } else { law })
     }
 
     /// A number for each, in its own unit.

@@ -128,6 +128,26 @@ fn errors_that_are_none_are_refused_where_they_are() {
             "# mass = 12\n# group = \"fuels\"",
             "group = \"fuels\" must be left out of a tank of which nothing has an error",
         ),
+        (
+            known,
+            "# mass = \"12 ± 1e101 kg\"",
+            "mass = \"12 ± 1e101 kg\" must be with a standard deviation of 1e100 at most, in SI: it is 5e100 | what stands after ± is divided by the coverage_factor, 2e0",
+        ),
+        (
+            known,
+            "# mass = \"0.5 kg\"\n# mass_sd = 7e99",
+            "mass_sd = 7e99 must be with a standard deviation of 5e99 at most, in SI: it is 7e99",
+        ),
+        (
+            known,
+            "# fill = 0.5\n# fill_sd = 1e101",
+            "fill_sd = 1e101 must be with a standard deviation of 5e99",
+        ),
+        (
+            "# density = \"0.9 g/cm^3 ± 1e105 %\"",
+            "# mass = 12",
+            "density = \"0.9 g/cm^3 ± 1e105 %\" must be with a standard deviation of 1e100 at most",
+        ),
         ("# density = \"0.9 ± 0.1 kg\"", "# mass = 12", "\"kg\" is a mass where a density belongs"),
         (
             "# density = \"-0.9 g/cm^3 ± 5 %\"",

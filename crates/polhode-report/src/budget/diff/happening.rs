@@ -2,45 +2,51 @@
 
 use polhode::motion::{Exit, Outflow};
 
-use super::words::{direction, point};
+use super::item::Item;
+use super::words::{direction, names, point};
 use crate::budget::statements::{StatedChange, StatedSequence};
 use crate::number::{number, vector};
 
 /// What is said of a sequence, item by item.
-pub(super) fn items(sequence: &StatedSequence, digits: usize) -> Vec<(String, String)> {
+pub(super) fn items(sequence: &StatedSequence, digits: usize) -> Vec<Item> {
     let seconds = |time: f64| format!("{} s", number(time, digits));
-    let mut all = vec![("sequence, until".to_owned(), seconds(sequence.until))];
-    let configuration = sequence.configuration.iter().cloned();
-    all.extend(configuration.map(|name| ("sequence, configuration".to_owned(), name)));
+    let mut all = vec![Item::new("sequence, until", seconds(sequence.until))];
+    let configuration = sequence.configuration.iter();
+    all.extend(configuration.map(|name| Item::new("sequence, configuration", name)));
     let spin = sequence.spin.map(|spin| format!("{} rad/s", vector(spin.to_array(), digits)));
-    all.extend(spin.map(|spin| ("sequence, spin".to_owned(), spin)));
-    for (k, burn) in sequence.burns.iter().enumerate() {
-        let before = sequence.burns.iter().take(k).filter(|other| other.tank == burn.tank).count();
+    all.extend(spin.map(|spin| Item::new("sequence, spin", spin)));
+    all.extend(in_time(&sequence.burns, |burn| burn.from).map(|burn| {
         let words = format!(
             "{} kg/s from {} until {}",
             number(burn.flow, digits),
             seconds(burn.from),
             seconds(burn.until)
         );
-        all.push((format!("burn {} of the tank {}", before + 1, burn.tank), words));
-    }
-    for change in &sequence.changes {
-        all.push(match change {
-            StatedChange::Drop { time, rows } => (format!("drop of {}", rows.join(", ")), seconds(*time)),
-            StatedChange::Deploy { time, configuration } => {
-                (format!("deployment to {configuration}"), seconds(*time))
-            }
-        });
-    }
+        Item::of_several("burn", format!(" of the tank {}", burn.tank), words)
+    }));
+    all.extend(in_time(&sequence.changes, StatedChange::time).map(|change| match change {
+        StatedChange::Drop { time, rows } => {
+            Item::of_several("drop", format!(" of {}", names(rows)), seconds(*time))
+        }
+        StatedChange::Deploy { time, configuration } => {
+            Item::of_several("deployment", format!(" to {configuration}"), seconds(*time))
+        }
+    }));
     match &sequence.outflow {
         Outflow::None => {}
-        Outflow::InPlace => all.push(("sequence, in_place".to_owned(), "true".to_owned())),
+        Outflow::InPlace => all.push(Item::new("sequence, in_place", "true")),
         Outflow::Exits(exits) => {
-            let exits = exits.iter().enumerate();
-            all.extend(exits.map(|(k, exit)| (format!("exit {}", k + 1), of_exit(exit, digits))));
+            all.extend(exits.iter().map(|exit| Item::of_several("exit", "", of_exit(exit, digits))));
         }
     }
     all
+}
+
+/// The earliest first.
+fn in_time<T>(all: &[T], time: impl Fn(&T) -> f64) -> impl Iterator<Item = &T> {
+    let mut all: Vec<&T> = all.iter().collect();
+    all.sort_by(|a, b| time(a).total_cmp(&time(b)));
+    all.into_iter()
 }
 
 fn of_exit(exit: &Exit, digits: usize) -> String {

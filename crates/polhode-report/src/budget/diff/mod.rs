@@ -3,6 +3,7 @@
 mod change;
 mod errors;
 mod happening;
+mod item;
 mod limit;
 mod rows;
 mod site;
@@ -48,27 +49,21 @@ struct Pair<'a> {
 const SHOWN: usize = 100;
 
 impl<'a> BudgetDiff<'a> {
-    /// From `before` to `after`: configurations of the same name, or those of lists that have only one.
+    /// From `before` to `after`: configurations of the same name, or those of lists that have only one. A list without configurations is the same in each.
     pub fn new(before: &'a BudgetReport, after: &'a BudgetReport) -> Self {
-        let mut pairs = Vec::new();
-        let mut alone = [Vec::new(), Vec::new()];
         let only = before.cases.len() == 1 && after.cases.len() == 1;
+        let is_pair = |a: &Case, b: &Case| only || a.name == b.name || a.name.is_none() || b.name.is_none();
+        let mut pairs = Vec::new();
         for case in &after.cases {
-            let same = before.cases.iter().find(|other| only || other.name == case.name);
-            match same {
-                Some(other) => {
-                    let cases = [other, case];
-                    pairs.push(Pair {
-                        cases,
-                        changes: rows::changes(cases),
-                        stated: stated::of_cases(cases),
-                    });
-                }
-                None => alone[1].extend(case.name.as_deref()),
+            for cases in before.cases.iter().filter(|other| is_pair(other, case)).map(|other| [other, case]) {
+                pairs.push(Pair { cases, changes: rows::changes(cases), stated: stated::of_cases(cases) });
             }
         }
-        let is_alone = |case: &&Case| !only && after.cases.iter().all(|other| other.name != case.name);
-        alone[0].extend(before.cases.iter().filter(is_alone).filter_map(|case| case.name.as_deref()));
+        let alone = |all: &'a [Case], others: &[Case]| {
+            let is_alone = |case: &&Case| !others.iter().any(|other| is_pair(case, other));
+            all.iter().filter(is_alone).filter_map(|case| case.name.as_deref()).collect()
+        };
+        let alone = [alone(&before.cases, &after.cases), alone(&after.cases, &before.cases)];
         let stated = stated::of_reports([before, after]);
         Self { titles: [&before.title, &after.title], basis: after.options.basis, pairs, alone, stated }
     }
@@ -93,7 +88,7 @@ impl<'a> BudgetDiff<'a> {
         }
         let mut sections = Vec::new();
         for pair in &self.pairs {
-            let name = pair.cases[1].name.as_deref().filter(|_| self.pairs.len() > 1);
+            let name = pair.name().filter(|_| self.pairs.len() > 1);
             let of = |words: &str| match name {
                 Some(name) => format!("{}: {words}", printable(name)),
                 None => words.to_owned(),
@@ -192,7 +187,7 @@ impl<'a> BudgetDiff<'a> {
             });
             let [before, after] = whole;
             json!({
-                "name": pair.cases[1].name,
+                "name": pair.name(),
                 "changes": pair.changes.iter().map(change).collect::<Value>(),
                 "stated": stated::to_json(&pair.stated),
                 "numbers": NUMBERS.map(|(name, _)| name),
@@ -214,6 +209,11 @@ impl<'a> BudgetDiff<'a> {
 }
 
 impl Pair<'_> {
+    fn name(&self) -> Option<&str> {
+        let [before, after] = self.cases;
+        after.name.as_deref().or(before.name.as_deref())
+    }
+
     fn table(&self, section: &mut Section) {
         if self.changes.is_empty() {
             section.say("No row changed.");

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use polhode::body::MassProperties;
 use polhode::math::Part;
-use polhode_budget::{Growth, Row};
+use polhode_budget::{GivenTensor, Growth, Row};
 
 use super::change::{Change, What};
 use super::errors;
@@ -80,10 +80,7 @@ fn differences(cases: [&Case; 2], rows: [usize; 2]) -> Vec<What> {
                 (is_moved, distance) = (true, (is - was).norm());
             }
             // What is only heavier has the tensor that goes with it.
-            let part = tensor_change(was, is);
-            if part > ROUNDING.max(1e-9) {
-                all.push(What::Tensor(part));
-            }
+            all.extend(tensor_change([before, after], [was, is]).map(What::Tensor));
         }
         [None, Some(is)] => all.push(What::Mass([0.0, is.mass()])),
         [Some(was), None] => all.push(What::Mass([was.mass(), 0.0])),
@@ -93,7 +90,7 @@ fn differences(cases: [&Case; 2], rows: [usize; 2]) -> Vec<What> {
         all.push(What::Moved(distance));
     }
     let angle = (after.place.rotation * before.place.rotation.inverse()).angle();
-    if angle > 1e-9 {
+    if angle > ROUNDING {
         all.push(What::Turned(angle));
     }
     let growths = [0, 1].map(|side| cases[side].budget.growth(rows[side]));
@@ -122,15 +119,31 @@ fn near(a: f64, b: f64) -> bool {
     (a - b).abs() <= ROUNDING * a.abs().max(b.abs())
 }
 
-/// By how much the tensor of a mass of 1 kg changed, over its greatest element.
-fn tensor_change(was: &MassProperties<Part>, is: &MassProperties<Part>) -> f64 {
-    let each = |body: &MassProperties<Part>| {
-        let mass = body.mass();
-        body.inertia().matrix().map(|row| row.map(|x| x / mass))
+/// By how much the tensor of a mass of 1 kg changed, about the centre of mass or as it is given, over its greatest element; `None` where that is rounding.
+fn tensor_change(rows: [&Row; 2], parts: [&MassProperties<Part>; 2]) -> Option<f64> {
+    /// The way from another point to the centre of mass costs digits.
+    const OF_CENTER: f64 = 1e-9;
+    let own = parts.map(|part| {
+        let [[xx, xy, xz], [_, yy, yz], [.., zz]] = part.inertia().matrix();
+        [xx, yy, zz, xy, xz, yz].map(|x| x / part.mass())
+    });
+    let of_center = change(own, OF_CENTER);
+    let [Some(was), Some(is)] = rows.map(|row| row.part.as_ref().map(|part| &part.tensor)) else {
+        return of_center;
     };
-    let (was, is) = (each(was), each(is));
-    let greatest = was.iter().chain(&is).flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
-    let by =
-        was.iter().flatten().zip(is.iter().flatten()).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
-    if greatest > 0.0 { by / greatest } else { 0.0 }
+    if was.about != is.about || was.sign != is.sign {
+        return of_center;
+    }
+    let of = |tensor: &GivenTensor, mass: f64| {
+        let ([xx, yy, zz], [xy, xz, yz]) = (tensor.moments, tensor.products);
+        [xx, yy, zz, xy, xz, yz].map(|x| x / mass)
+    };
+    of_center.or(change([of(was, parts[0].mass()), of(is, parts[1].mass())], ROUNDING))
+}
+
+/// The greatest difference over the greatest number, if it is more than rounding.
+fn change([was, is]: [[f64; 6]; 2], rounding: f64) -> Option<f64> {
+    let greatest = was.iter().chain(&is).fold(0.0_f64, |most, x| most.max(x.abs()));
+    let by = was.iter().zip(&is).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+    (by > rounding * greatest).then(|| by / greatest)
 }

@@ -1,8 +1,11 @@
 //! What two parts lists state besides their rows: groups, growth allowances, limits, sites, tanks, questions, and what is to happen.
 
+use std::collections::HashMap;
+
 use polhode_budget::Group;
 use serde_json::{Value, json};
 
+use super::item::Item;
 use super::words::point;
 use super::{happening, limit, site, tank};
 use crate::budget::case::Case;
@@ -18,15 +21,12 @@ pub(super) struct Stated {
     values: [Option<String>; 2],
 }
 
-/// What something is called, and what is stated of it.
-type Item = (String, String);
-
 /// With so many digits numbers are shown, and with so many they are compared: rounding of other units is less.
 const DIGITS: [usize; 2] = [6, 12];
 
 /// What is stated differently of all configurations.
 pub(super) fn of_reports(reports: [&BudgetReport; 2]) -> Vec<Stated> {
-    let mut all = compared(reports.map(|report| DIGITS.map(|digits| of_report(report, digits))));
+    let mut all = compared(reports.map(|report| in_digits(|digits| of_report(report, digits))));
     let names = reports.map(|report| report.names().into_iter().flatten().collect::<Vec<_>>());
     let [mut before, mut after] = names.clone();
     before.sort();
@@ -40,71 +40,116 @@ pub(super) fn of_reports(reports: [&BudgetReport; 2]) -> Vec<Stated> {
 
 fn of_report(report: &BudgetReport, digits: usize) -> Vec<Item> {
     let stated = &report.stated;
-    let mut all: Vec<Item> = Vec::new();
+    let mut all = of_lists(&report.cases, digits);
     let limits = report.limits.iter();
-    all.extend(limits.map(|one| (format!("limit {}", one.name), limit::in_words(one, digits))));
+    all.extend(limits.map(|one| Item::new(format!("limit {}", one.name), limit::in_words(one, digits))));
     if let Some(ballast) = stated.ballast.as_ref().or(report.ballast.as_ref()) {
         let sites = ballast.sites.iter();
-        all.extend(sites.map(|one| (format!("site {}", one.name), site::in_words(one, digits))));
+        all.extend(sites.map(|one| Item::new(format!("site {}", one.name), site::in_words(one, digits))));
         let most = ballast.most.map(|most| format!("{} kg", number(most, digits)));
-        all.extend(most.map(|most| ("ballast, most".to_owned(), most)));
-        all.push(("ballast, deviations".to_owned(), number(ballast.deviations, digits)));
+        all.extend(most.map(|most| Item::new("ballast, most", most)));
+        all.push(Item::new("ballast, deviations", number(ballast.deviations, digits)));
     }
     all.extend(stated.tanks.iter().flat_map(|one| tank::items(one, digits)));
     all.extend(stated.sequence.iter().flat_map(|one| happening::items(one, digits)));
     let options = &report.options;
-    all.extend(options.about.map(|at| ("result, about".to_owned(), point(at.to_array(), digits))));
+    all.extend(options.about.map(|at| Item::new("result, about", point(at.to_array(), digits))));
     all.extend(options.along.map(|axes| {
         let [w, x, y, z] = axes.canonical_quaternion().map(|x| number(x, digits));
-        ("result, axes".to_owned(), format!("quaternion ({w}, {x}, {y}, {z})"))
+        Item::new("result, axes", format!("quaternion ({w}, {x}, {y}, {z})"))
     }));
     let draws = stated.draws.unwrap_or(options.draws);
-    all.push(("result, draws".to_owned(), draws.to_string()));
-    all.push(("result, seed".to_owned(), options.seed.to_string()));
-    all.push(("result, basis".to_owned(), basis_name(options.basis).to_owned()));
+    all.push(Item::new("result, draws", draws.to_string()));
+    all.push(Item::new("result, seed", options.seed.to_string()));
+    all.push(Item::new("result, basis", basis_name(options.basis)));
     all
 }
 
-/// What is stated differently of a configuration.
+/// The name of a configuration, if it is another.
 pub(super) fn of_cases(cases: [&Case; 2]) -> Vec<Stated> {
-    compared(cases.map(|case| DIGITS.map(|digits| of_case(case, digits))))
+    let name = |case: &Case| case.name.iter().map(|name| Item::new("configuration", name)).collect();
+    compared(cases.map(|case| in_digits(|_| name(case))))
 }
 
-fn of_case(case: &Case, digits: usize) -> Vec<Item> {
-    let list = case.budget.list();
-    let mut all: Vec<Item> =
-        case.name.iter().map(|name| ("configuration".to_owned(), name.clone())).collect();
-    let groups = list.groups.iter();
-    all.extend(groups.map(|group| (format!("group {}", group.name), group_in_words(group, digits))));
+/// Groups and growth allowances, which all configurations of a file have alike.
+fn of_lists(cases: &[Case], digits: usize) -> Vec<Item> {
     let percent = |x: f64| format!("{} %", number(100.0 * x, digits));
-    all.extend(list.growth.codes().map(|(code, growth)| (format!("growth {code}"), percent(growth))));
+    let mut all: Vec<Item> = Vec::new();
+    for list in cases.iter().map(|case| case.budget.list()) {
+        let groups = list.groups.iter();
+        let groups =
+            groups.map(|group| Item::new(format!("group {}", group.name), group_in_words(group, digits)));
+        let growth = list.growth.codes();
+        let growth = growth.map(|(code, growth)| Item::new(format!("growth {code}"), percent(growth)));
+        let items: Vec<Item> = groups.chain(growth).filter(|item| !all.contains(item)).collect();
+        all.extend(items);
+    }
     all
 }
 
-/// Items that only one has, or that differ; each in words with few digits and with many.
-fn compared([before, after]: [[Vec<Item>; 2]; 2]) -> Vec<Stated> {
-    let find = |all: &[Item], wanted: &str| all.iter().position(|(what, _)| what == wanted);
-    let mut all = Vec::new();
-    for (k, (what, value)) in after[0].iter().enumerate() {
-        let was = find(&before[0], what);
-        let long = |side: &[Vec<Item>; 2], k: usize| side[1].get(k).map(|(_, value)| value.clone());
-        let values = match was {
-            None => [None, Some(value.clone())],
-            Some(j) => {
-                let short = [before[0].get(j).map(|(_, value)| value.clone()), Some(value.clone())];
-                let long = [long(&before, j), long(&after, k)];
-                if long[0] == long[1] {
-                    continue;
-                }
-                // Digits by which they differ are shown.
-                if short[0] == short[1] { long } else { short }
-            }
-        };
-        all.push(Stated { what: what.clone(), values });
+/// Items of one name, each with its value in few digits and in many.
+type Alike = Vec<[String; 2]>;
+
+/// All items by their names, in their order.
+fn in_digits(of: impl Fn(usize) -> Vec<Item>) -> Vec<([String; 2], Alike)> {
+    let [short, long] = DIGITS.map(of);
+    let mut all: Vec<([String; 2], Alike)> = Vec::new();
+    let mut places = HashMap::new();
+    for (Item { name, value }, long) in short.into_iter().zip(long) {
+        let place = *places.entry(name.clone()).or_insert_with(|| {
+            all.push((name, Vec::new()));
+            all.len() - 1
+        });
+        all[place].1.push([value, long.value]);
     }
-    let gone = before[0].iter().filter(|(what, _)| find(&after[0], what).is_none());
-    all.extend(gone.map(|(what, value)| Stated { what: what.clone(), values: [Some(value.clone()), None] }));
     all
+}
+
+/// Items that only one has, or that differ. Of those that are called alike equal ones belong together, wherever they stand, and the others in their order.
+fn compared([before, after]: [Vec<([String; 2], Alike)>; 2]) -> Vec<Stated> {
+    let mut old: HashMap<_, _> = before.iter().map(|(name, all)| (name, all)).collect();
+    let mut all = Vec::new();
+    for (name, is) in &after {
+        let was = old.remove(name).map_or(&[][..], Vec::as_slice);
+        differences(name, [was, is], &mut all);
+    }
+    for (name, was) in before.iter().filter(|(name, _)| old.contains_key(name)) {
+        differences(name, [was, &[]], &mut all);
+    }
+    all
+}
+
+fn differences([name, of]: &[String; 2], sides: [&[[String; 2]]; 2], all: &mut Vec<Stated>) {
+    let is_one = sides.iter().all(|side| side.len() < 2);
+    let [before, after] = unequal(sides);
+    for n in 0..before.len().max(after.len()) {
+        let places = [before.get(n).copied(), after.get(n).copied()];
+        let number = places[1].or(places[0]).filter(|_| !is_one);
+        let number = number.map_or_else(String::new, |k| format!(" {}", k + 1));
+        let of_digits = |k: usize| [0, 1].map(|side| places[side].map(|place| &sides[side][place][k]));
+        let [short, long] = [0, 1].map(of_digits);
+        // Digits by which they differ are shown.
+        let shown = if short[0] == short[1] { long } else { short };
+        all.push(Stated {
+            what: format!("{name}{number}{of}"),
+            values: shown.map(Option::<&String>::cloned),
+        });
+    }
+}
+
+/// The places of those that have no equal on the other side.
+fn unequal([before, after]: [&[[String; 2]]; 2]) -> [Vec<usize>; 2] {
+    let mut old: HashMap<&str, Vec<usize>> = HashMap::new();
+    // The last first, so that the first is taken first.
+    before.iter().enumerate().rev().for_each(|(k, [_, long])| old.entry(long).or_default().push(k));
+    let is_new = |(k, [_, long]): (usize, &[String; 2])| {
+        let equal = old.get_mut(long.as_str()).and_then(Vec::pop);
+        equal.is_none().then_some(k)
+    };
+    let new = after.iter().enumerate().filter_map(is_new).collect();
+    let mut rest: Vec<usize> = old.into_values().flatten().collect();
+    rest.sort_unstable();
+    [rest, new]
 }
 
 /// `mass 0.9, position 0.5`

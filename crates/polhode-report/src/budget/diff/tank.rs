@@ -2,18 +2,19 @@
 
 use polhode::body::MassProperties;
 use polhode::math::Part;
-use polhode_budget::{Down, Liquid, LiquidErrors, LiquidTable, Measured, TankShape, Vessel};
+use polhode_budget::{Down, Liquid, LiquidTable, Measured, TankShape, Vessel};
 
-use super::words::point;
+use super::item::Item;
+use super::words::{names, point};
 use crate::budget::statements::StatedTank;
 use crate::number::{number, vector};
 
-/// What is said of a tank, item by item: what it is, and each row of its table.
-pub(super) fn items(tank: &StatedTank, digits: usize) -> Vec<(String, String)> {
+/// What is said of a tank, item by item: what it is, and each row of its table. How much is in it, and how well that is known, shows in its row of the list.
+pub(super) fn items(tank: &StatedTank, digits: usize) -> Vec<Item> {
     let name = &tank.tank.name;
     let mut words = vec![format!("frame {}", tank.tank.frame)];
     if !tank.configurations.is_empty() {
-        words.push(format!("configuration {}", tank.configurations.join(", ")));
+        words.push(format!("configuration {}", names(&tank.configurations)));
     }
     let mut rows = Vec::new();
     match &tank.tank.liquid {
@@ -23,30 +24,21 @@ pub(super) fn items(tank: &StatedTank, digits: usize) -> Vec<(String, String)> {
             rows = of_table(table, digits);
         }
     }
-    words.push(format!("{} kg at first", number(tank.mass, digits)));
-    words.extend(of_errors(tank, digits));
-    words.extend(tank.group.iter().map(|group| format!("group {group}")));
-    let rows = rows.into_iter().enumerate();
-    let rows = rows.map(|(k, row)| (format!("row {} of the table of the tank {name}", k + 1), row));
-    [(format!("tank {name}"), words.join("; "))].into_iter().chain(rows).collect()
-}
-
-/// Standard deviations, as parts where the file has parts.
-fn of_errors(tank: &StatedTank, digits: usize) -> Vec<String> {
-    let LiquidErrors { measured, amount, density } = tank.errors;
-    let percent = |x: f64| format!("{} %", number(100.0 * x, digits));
-    let mut words = Vec::new();
-    // Also where it is none: what the density makes of it depends on what was measured.
-    if amount > 0.0 || density > 0.0 {
-        words.push(match measured {
-            Measured::Mass => format!("mass_sd {} kg", number(amount, digits)),
-            Measured::Fill => format!("fill_sd {}", percent(amount / tank.tank.liquid.capacity())),
+    // What an error of the density makes of it depends on this, which no deviation shows that is zero.
+    if tank.errors.density > 0.0 {
+        words.push(match tank.errors.measured {
+            Measured::Mass => "its mass is known".to_owned(),
+            Measured::Fill => "its fill is known".to_owned(),
         });
     }
-    if density > 0.0 {
-        words.push(format!("density_sd {}", percent(density)));
+    // An empty one has no row.
+    if tank.mass == 0.0 && tank.errors.density > 0.0 {
+        words.push(format!("density_sd {} %", number(100.0 * tank.errors.density, digits)));
+        words.extend(tank.group.iter().map(|group| format!("group {group}")));
     }
-    words
+    let of = format!(" of the table of the tank {name}");
+    let rows = rows.into_iter().map(|row| Item::of_several("row", of.clone(), row));
+    [Item::new(format!("tank {name}"), words.join("; "))].into_iter().chain(rows).collect()
 }
 
 fn of_vessel(vessel: &Vessel, digits: usize) -> [String; 3] {

@@ -23,3 +23,11 @@ pub(super) fn direction(along: Direction<Body>, digits: usize) -> String {
     let named = NAMES.iter().find(|(_, unit)| *unit == all);
     named.map_or_else(|| vector(all, digits), |(name, _)| (*name).to_owned())
 }
+
+/// Names in no order, with commas between; one that has a comma itself in quotes.
+pub(super) fn names(all: &[String]) -> String {
+    let quoted = |name: &String| if name.contains(',') { format!("\"{name}\"") } else { name.clone() };
+    let mut all: Vec<String> = all.iter().map(quoted).collect();
+    all.sort();
+    all.join(", ")
+}

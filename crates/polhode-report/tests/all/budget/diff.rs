@@ -70,7 +70,9 @@ fn a_difference_has_what_is_stated_besides_the_rows() {
     other.groups[0].rotation = 0.25;
     let of = |list: &PartsList, limits: Vec<Limit>| {
         let budget = list.clone().budget().unwrap();
-        BudgetReport::new(None, Vec::new(), vec![(None, budget)], limits, options(0)).unwrap()
+        // What is said of both configurations shows once.
+        let configurations = ["a", "b"].map(|name| (Some(name.to_owned()), budget.clone()));
+        BudgetReport::new(None, Vec::new(), configurations.to_vec(), limits, options(0)).unwrap()
     };
     let mut changed = limits();
     changed[0].most = changed[0].most.map_or(Some(9.0), |most| Some(1.5 * most));
@@ -80,12 +82,16 @@ fn a_difference_has_what_is_stated_besides_the_rows() {
     assert!(!diff.is_empty());
     let json = diff.to_json();
     assert_eq!(json["configurations"][0]["changes"].as_array().unwrap().len(), 0);
-    let group = &json["configurations"][0]["stated"];
-    assert_eq!(group[0]["what"], "group wings");
-    assert_eq!(group[0]["after"], "mass 0.35, position 0.5, rotation 0.25");
-    assert_eq!(json["stated"][0]["what"], format!("limit {}", limits()[0].name));
-    assert_eq!(json["stated"][1]["what"], format!("limit {gone}"));
-    assert_eq!(json["stated"][1]["after"], Value::Null);
+    assert!(
+        json["configurations"].as_array().unwrap().iter().all(|one| one["stated"] == Value::Array(vec![]))
+    );
+    let stated = json["stated"].as_array().unwrap();
+    assert_eq!(stated.len(), 3, "{json}");
+    assert_eq!(stated[0]["what"], "group wings");
+    assert_eq!(stated[0]["after"], "mass 0.35, position 0.5, rotation 0.25");
+    assert_eq!(stated[1]["what"], format!("limit {}", limits()[0].name));
+    assert_eq!(stated[2]["what"], format!("limit {gone}"));
+    assert_eq!(stated[2]["after"], Value::Null);
     let text = diff.to_document().to_text(100);
     assert!(text.contains("changed besides the rows: group wings"), "{text}");
 }

@@ -124,7 +124,7 @@ fn draws_are_those_of_the_members_number() {
     assert_ne!(few.values(3), vary(10, "monte carlo", 4, SPIN).values(3));
 }
 
-/// Nothing is moved to where a body is possible: what is none is a member that fails, and is counted.
+/// Unless it is asked for, nothing is moved to where a body is possible: what is none is a member that fails, and is counted.
 #[test]
 fn what_is_no_body_fails() {
     let tensor = "[[sweep.vary]]\nkey = 'body.inertia'\ncorrelated = { sd = ['0.4 kg m^2', 0, 0, 0, 0, 0], correlation = [[1,0,0,0,0,0],[0,1,0,0,0,0],[0,0,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,0,1]] }\n";
@@ -135,6 +135,15 @@ fn what_is_no_body_fails() {
     let failed = (0..4000).filter(|member| !is_possible(member)).count();
     // Ixx is 1.1 ± 0.4, and without products would have to be above 0.6: 10.6 %; with them a little more.
     assert!((0.09..0.2).contains(&(failed as f64 / 4000.0)), "{failed}");
+    // Those that fail become laminas, and the others stay.
+    let nearest = vary(4000, "monte carlo", 1, &tensor.replace("{ sd", "{ impossible = 'nearest', sd"));
+    assert!(nearest.findings().iter().all(|finding| finding.code != "sweep.members"));
+    for member in 0..4000 {
+        let (given, moved) = (plan.values(member), nearest.values(member));
+        assert_eq!(is_possible(&member), given == moved, "{member}");
+        let [i1, i2, i3] = nearest.scenario(&moved).unwrap().body().principal().moments();
+        assert!(given == moved || (i1 + i2 - i3).abs() < 1e-12 * i3, "{member}: {i1} {i2} {i3}");
+    }
 }
 
 #[test]
@@ -151,6 +160,11 @@ fn mistakes_are_named_where_they_stand() {
             "{ covariance = [[0.1, 0.02], [«0.03», 0.1]] }",
             "covariance = 0.03 must be equal to that across the diagonal",
             "both are of start.spin.body[1] and start.spin.body[0]",
+        ),
+        (
+            "{ covariance = [[0.1, 0], [0, 0.1]], impossible = «'nearest'» }",
+            "impossible = \"nearest\" must be left out of numbers: mass properties may be impossible",
+            "",
         ),
         (
             "{ covariance = [[0.1, 0], [0, «-0.1»]] }",

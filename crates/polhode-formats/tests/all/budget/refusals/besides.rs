@@ -50,6 +50,14 @@ pub(super) const BESIDES: &[(&str, &str)] = &[
         "list.csv:3:5: \"a\" has the maturity code \"C2\", for which there is no growth allowance | add the code",
     ),
     (
+        "name,mass,growth\na,1,15\n",
+        "list.csv:2:5: growth = 15 must be in percent, as it is above 1 | 15 % is 0.15",
+    ),
+    ("name,mass,growth\na,1,150 %\n", ""),
+    ("name,mass,growth [%]\na,1,150\n", ""),
+    ("# growth = { E = 25 }\nname,mass,maturity\na,1,E\n", "list.csv:1:18: growth = 25 must be in percent"),
+    ("# growth = { E = \"125 %\" }\nname,mass,maturity\na,1,E\n", ""),
+    (
         "# growth = { C = \"-1 %\" }\nname,mass\na,1\n",
         "list.csv:1:18: growth = \"-1 %\" must be zero or positive",
     ),

@@ -154,6 +154,22 @@ pub(super) const ROWS: &[(&str, &str)] = &[
         "list.csv:2:4: at y = 2 must be given with at x, which is empty in this row",
     ),
     ("name,mass,x\na,,2\n", "list.csv:2:4: x = 2 must be left out of a row without mass, or given with it"),
+    (
+        "name,mass\nbus,1\nbus/,2\n",
+        "list.csv:3:1: name = bus/ must be a name, or names with a / between each two",
+    ),
+    ("name,mass\nbus,1\nbus//a,2\n", "list.csv:3:1: name = bus//a must be a name, or names"),
+    ("name,mass\n/bus,1\n", "list.csv:2:1: name = /bus must be a name, or names"),
+    (
+        "name,mass,shape,size\na,1,box,10 mm × 20 × 3 cm\n",
+        "list.csv:2:9: size = 10 mm × 20 × 3 cm must be lengths with one unit at the end, or each with its own",
+    ),
+    (
+        "name,mass,shape,size [mm]\na,1,box,10 cm × 20 × 3\n",
+        "list.csv:2:9: size [mm] = 10 cm × 20 × 3 must be lengths with one unit at the end",
+    ),
+    ("name,mass,shape,size\na,1,box,10 mm × 20 cm × 3 m\n", ""),
+    ("name,mass,shape,size [mm]\na,1,box,10 × 20 × 3 cm\n", ""),
     // Errors
     (
         "name,mass\na,1 ± -0.1\n",

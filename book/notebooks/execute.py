@@ -1,0 +1,59 @@
+"""Runs the notebooks beside it, each in a kernel and a folder of its own.
+
+python book/notebooks/execute.py [NAME …]            says where one fails, or gives another text than it has
+python book/notebooks/execute.py --write [NAME …]    writes what it gives into it
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+import tempfile
+from pathlib import Path
+
+import nbformat
+from nbclient import NotebookClient
+from nbclient.exceptions import CellExecutionError
+
+HERE = Path(__file__).resolve().parent
+
+
+def texts(cell: nbformat.NotebookNode) -> list[str]:
+    """What a cell has said, without figures."""
+    outputs = cell.get("outputs", ())
+    return [output.get("text") or output["data"]["text/plain"] for output in outputs if "image/png" not in output.get("data", {})]
+
+
+def execute(path: Path, write: bool) -> list[str]:
+    """What is wrong with a notebook."""
+    stored = nbformat.read(path, 4)
+    notebook = nbformat.from_dict(stored.copy())
+    notebook.cells = [nbformat.from_dict(dict(cell)) for cell in stored.cells]
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            NotebookClient(notebook, timeout=300, kernel_name="python3").execute(cwd=folder)
+        except CellExecutionError as error:
+            return [f"{path.name}: {re.sub(chr(27) + '[^m]*m', '', str(error))}"]
+    if write:
+        for cell in notebook.cells:
+            cell.metadata = {}
+        nbformat.write(notebook, path)
+        return []
+    wrong = []
+    for before, after in zip(stored.cells, notebook.cells, strict=True):
+        if texts(before) != texts(after):
+            wrong.append(f"{path.name}: {before.source.splitlines()[-1]}\n  has   {texts(before)}\n  gives {texts(after)}")
+    return wrong
+
+
+def main(arguments: list[str]) -> int:
+    write = "--write" in arguments
+    names = [argument for argument in arguments if argument != "--write"]
+    paths = [HERE / f"{name}.ipynb" for name in names] or sorted(HERE.glob("*.ipynb"))
+    wrong = [line for path in paths for line in execute(path, write)]
+    print("\n".join(wrong) or f"{len(paths)} notebooks")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -16,7 +16,7 @@ pub(crate) const EXECUTABLE: &str = if cfg!(windows) { "Scripts/python.exe" } el
 
 /// What the tests need besides the package: what it uses where it is there, Dask for the cluster, pandoc for worked solutions, what runs
 /// notebooks, and what reads the workflows.
-const NEEDED: [&str; 13] = [
+const NEEDED: [&str; 15] = [
     "pytest",
     "scipy",
     "matplotlib",
@@ -24,6 +24,8 @@ const NEEDED: [&str; 13] = [
     "pyarrow",
     "pandas",
     "polars",
+    "xarray",
+    "trimesh",
     "distributed",
     "pypandoc_binary",
     "nbclient",

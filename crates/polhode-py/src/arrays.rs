@@ -3,8 +3,10 @@
 //! What comes in is checked in Python (`_arrays.py`): here an array has its shape, its numbers are finite and lie in order. What
 //! goes out gives its memory away, and is not copied.
 
-use numpy::ndarray::{Array1, Array2, Array3};
-use numpy::{IntoPyArray as _, PyArray1, PyArray2, PyArray3, PyReadonlyArray1, PyReadonlyArray2};
+use numpy::ndarray::{Array2, Array3};
+use numpy::{
+    IntoPyArray as _, PyArray1, PyArray2, PyArray3, PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray2,
+};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 
@@ -23,7 +25,7 @@ pub(crate) fn room<T>(what: &str, count: Option<usize>) -> PyResult<()> {
 
 /// A vector, or a quaternion.
 pub(crate) fn row<'py, const N: usize>(py: Python<'py>, row: [f64; N]) -> Bound<'py, PyArray1<f64>> {
-    Array1::from_vec(row.to_vec()).into_pyarray(py)
+    PyArray1::from_slice(py, &row)
 }
 
 /// A matrix.
@@ -79,6 +81,17 @@ pub(crate) fn numbers<'a>(array: &'a PyReadonlyArray1<'_, f64>) -> PyResult<&'a 
 pub(crate) fn rows<'a, const N: usize>(array: &'a PyReadonlyArray2<'_, f64>) -> PyResult<&'a [[f64; N]]> {
     let numbers = array.as_slice().map_err(|error| refused(error.to_string(), None))?;
     match numbers.as_chunks() {
+        (rows, []) => Ok(rows),
+        _ => Err(refused(format!("rows of {N} numbers belong here"), None)),
+    }
+}
+
+/// The rows of an array that is to be filled, where they lie.
+pub(crate) fn rows_mut<'a, const N: usize>(
+    array: &'a mut PyReadwriteArray2<'_, f64>,
+) -> PyResult<&'a mut [[f64; N]]> {
+    let numbers = array.as_slice_mut().map_err(|error| refused(error.to_string(), None))?;
+    match numbers.as_chunks_mut() {
         (rows, []) => Ok(rows),
         _ => Err(refused(format!("rows of {N} numbers belong here"), None)),
     }

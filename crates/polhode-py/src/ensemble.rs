@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 use crate::arrays::{numbers, room, rows, signed};
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
-use crate::interrupt::signal;
+use crate::interrupt::Watch;
 
 /// A row for each member and time, t, w, x, y, z, ω1, ω2, ω3 (n, t, 8), and those that could go no further: the member, when it was
 /// last good (s), and why.
@@ -78,7 +78,7 @@ impl PyEnsemble {
     ) -> PyResult<States<'py>> {
         let times = numbers(&times)?;
         let threads = NonZero::new(threads).unwrap_or(NonZero::<usize>::MIN);
-        let (mut heard, shape) = (None, [self.ensemble.len(), times.len(), 8]);
+        let (mut watch, shape) = (Watch::new(), [self.ensemble.len(), times.len(), 8]);
         room::<[f64; 8]>(
             &format!("the states of {} members at {} times", shape[0], shape[1]),
             shape[0].checked_mul(shape[1]),
@@ -86,16 +86,12 @@ impl PyEnsemble {
         let computed: Result<_, MotionError> = py.detach(|| {
             let mut rows = vec![[0.0; 8]; self.ensemble.len() * times.len()];
             let failures =
-                self.ensemble.fill(times, (Method::Auto, tolerance), threads, &mut rows, &mut |_| {
-                    heard = signal();
-                    heard.is_none()
-                })?;
+                self.ensemble
+                    .fill(times, (Method::Auto, tolerance), threads, &mut rows, &mut |_| watch.goes_on())?;
             rows.chunks_mut(times.len().max(1)).for_each(continuous);
             Ok((rows, failures))
         });
-        if let Some(signal) = heard {
-            return Err(signal);
-        }
+        watch.ended()?;
         let (rows, failures) = computed.map_err(Raise::raise)?;
         let last_good = |member: usize| {
             let last = ((member + 1) * times.len()).checked_sub(1).and_then(|last| rows.get(last));

@@ -1,12 +1,14 @@
 //! What Rust refuses, as Python's exceptions.
 
+use std::io::ErrorKind;
+
 use polhode::body::BodyError;
 use polhode::math::RotationError;
 use polhode::motion::MotionError;
 use polhode_formats::{FormatError, FormatErrorKind, Place};
 use polhode_identify::IdentifyError;
 use pyo3::PyErr;
-use pyo3::exceptions::PyFileNotFoundError;
+use pyo3::exceptions::PyOSError;
 
 pyo3::import_exception!(polhode._error, PolhodeError);
 
@@ -45,11 +47,25 @@ impl Raise for RotationError {
     }
 }
 
+/// The number of an error of the system of which Python has a class of its own: it is the same everywhere.
+pub(crate) const fn system_number(kind: ErrorKind) -> Option<i32> {
+    match kind {
+        ErrorKind::NotFound => Some(2),          // ENOENT
+        ErrorKind::PermissionDenied => Some(13), // EACCES
+        ErrorKind::IsADirectory => Some(21),     // EISDIR
+        _ => None,
+    }
+}
+
 impl Raise for FormatError {
-    /// A file that is not there is Python's own `FileNotFoundError`.
+    /// A file that is not there, may not be read, or is a folder, is Python's own `FileNotFoundError`, `PermissionError` or `IsADirectoryError`.
     fn raise(self) -> PyErr {
-        if let FormatErrorKind::Io { kind: std::io::ErrorKind::NotFound, .. } = self.kind() {
-            return PyFileNotFoundError::new_err(self.to_string());
+        if let FormatErrorKind::Io { file, kind, why } = self.kind()
+            && let Some(number) = system_number(*kind)
+        {
+            // A file that another one names is said with its place there.
+            let words = if self.place().is_some() { self.to_string() } else { why.clone() };
+            return PyOSError::new_err((number, words, file.clone()));
         }
         let Place { line, column, .. } = match self.place() {
             Some(place) => place,

@@ -1,6 +1,6 @@
 //! Free motion in closed form.
 
-use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
+use numpy::{PyArray1, PyArray2, PyArrayMethods as _, PyReadonlyArray1};
 use polhode::body::{BodyError, InertiaTensor, MassProperties};
 use polhode::math::{AngularVelocity, Attitude, Body, Position};
 use polhode::motion::{FreeMotion, FreeMotionDerivatives, Method, Rotor, Run, State, Trajectory};
@@ -8,17 +8,24 @@ use polhode::observe::FreeRegime;
 use polhode_report::{PageInput, PageSubject, SpinReport, VERSION, page};
 use pyo3::prelude::*;
 
-use crate::arrays::{numbers, row, signed, table};
+use crate::arrays::{numbers, row, rows_mut, signed};
 use crate::derivatives::{Derived, derived_states};
 use crate::error::{Raise, refused};
+use crate::interrupt::Watch;
 use crate::mass_properties::principal_axes;
 use crate::motion::{ErrorColumns, error_columns};
 
-/// Times between two looks for Ctrl-C: some milliseconds.
-const PIECE: usize = 1 << 16;
+/// Times of states that are computed at once.
+const PIECE: usize = 256;
+
+/// From so many times on other threads of Python may run: it is some 10 µs of work.
+const DETACHED: usize = 512;
 
 /// Angular velocities, a row each, and attitudes.
 pub(crate) type States<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>);
+
+/// An angular velocity and an attitude.
+type State1<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
 /// The torque-free motion of a body.
 #[pyclass(frozen, name = "FreeMotion", module = "polhode._native")]
@@ -50,25 +57,49 @@ impl PyFreeMotion {
         Self::in_range(motion, Some(rotor))
     }
 
-    /// ω (n, 3) and the attitude (n, 4) at times.
-    fn at<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<States<'py>> {
+    /// ω (3,) and the attitude (4,) at a time.
+    fn at_time<'py>(&self, py: Python<'py>, time: f64) -> PyResult<State1<'py>> {
+        self.motion.require(&[time]).map_err(Raise::raise)?;
+        let state = self.motion.at(time);
+        Ok((row(py, state.omega.to_array()), row(py, signed(state.attitude.quaternion(), &mut None))))
+    }
+
+    /// ω (n, 3) and the attitude (n, 4) at times, into arrays of these shapes.
+    fn fill<'py>(
+        &self,
+        py: Python<'py>,
+        times: PyReadonlyArray1<'py, f64>,
+        omega: Bound<'py, PyArray2<f64>>,
+        attitude: Bound<'py, PyArray2<f64>>,
+    ) -> PyResult<()> {
         let times = numbers(&times)?;
         self.motion.require(times).map_err(Raise::raise)?;
-        let (mut omega, mut attitude) =
-            (Vec::with_capacity(3 * times.len()), Vec::with_capacity(4 * times.len()));
-        let mut before = None;
-        let mut states = vec![self.motion.start(); times.len().min(PIECE)];
-        for piece in times.chunks(PIECE) {
-            py.check_signals()?;
-            py.detach(|| {
+        let (mut omega, mut attitude) = (omega.try_readwrite()?, attitude.try_readwrite()?);
+        let (omega, attitude) = (rows_mut::<3>(&mut omega)?, rows_mut::<4>(&mut attitude)?);
+        let mut watch = Watch::new();
+        let mut write = || {
+            let mut before = None;
+            // So few that they are still near when they are put into the arrays.
+            let mut states = vec![self.motion.start(); times.len().min(PIECE)];
+            let places = omega.chunks_mut(PIECE).zip(attitude.chunks_mut(PIECE));
+            for (piece, (omega, attitude)) in times.chunks(PIECE).zip(places) {
                 self.motion.fill(piece, &mut states);
-                for (state, _) in states.iter().zip(piece) {
-                    omega.extend(state.omega.to_array());
-                    attitude.extend(signed(state.attitude.quaternion(), &mut before));
+                for ((state, omega), attitude) in states.iter().zip(omega).zip(attitude) {
+                    *omega = state.omega.to_array();
+                    *attitude = signed(state.attitude.quaternion(), &mut before);
                 }
-            });
+                if !watch.goes_on() {
+                    return;
+                }
+            }
+        };
+        // What is done sooner than the lock is given away and taken again keeps it.
+        if times.len() < DETACHED {
+            write()
+        } else {
+            py.detach(write)
         }
-        Ok((table(py, omega, 3)?, table(py, attitude, 4)?))
+        watch.ended()
     }
 
     /// Estimates of the error of the states at the times.
@@ -90,10 +121,16 @@ impl PyFreeMotion {
         };
         let motion = FreeMotionDerivatives::of(rotor, self.motion.start()).map_err(Raise::raise)?;
         let mut states = Vec::with_capacity(times.len());
-        for piece in times.chunks(PIECE / 16) {
-            py.check_signals()?;
-            py.detach(|| states.extend(motion.at_times(piece)));
-        }
+        let mut watch = Watch::new();
+        py.detach(|| {
+            for piece in times.chunks(PIECE) {
+                states.extend(motion.at_times(piece));
+                if !watch.goes_on() {
+                    break;
+                }
+            }
+        });
+        watch.ended()?;
         if let Some(unknown) = states.iter().find(|of| of.by_start[0][0].is_nan()) {
             return Err(refused(
                 format!("at t = {} s the derivatives are beyond the range of numbers", unknown.state.time),

@@ -1,15 +1,53 @@
 //! Ctrl-C in the middle of a long computation.
 //!
-//! Work runs detached from Python, which is asked for signals between its pieces.
+//! Work runs detached from Python, which is asked for signals as time passes. It has its lock while another thread of Python computes, and lets it
+//! go after some milliseconds: to ask costs that much then, whatever the piece of work is.
+
+use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
 
-/// Calls between two looks at the clock of Python: so many steps take some milliseconds.
-const STRIDE: u32 = 1024;
+/// Time between two looks for signals.
+const PAUSE: Duration = Duration::from_millis(20);
+
+/// How many times as long as a look itself takes the next one waits: a thread of Python that has the lock slows work down by a twentieth.
+const PATIENCE: u32 = 20;
 
 /// What a signal that has come raises, if one has: on any thread, but only the main one hears of signals.
-pub(crate) fn signal() -> Option<PyErr> {
+fn signal() -> Option<PyErr> {
     Python::attach(|py| py.check_signals().err())
+}
+
+/// When to look for signals again, and what one has raised.
+#[derive(Debug)]
+pub(crate) struct Watch {
+    next: Instant,
+    raised: Option<PyErr>,
+}
+
+impl Watch {
+    /// From now on.
+    pub(crate) fn new() -> Self {
+        Self { next: Instant::now() + PAUSE, raised: None }
+    }
+
+    /// Whether to go on; to be asked as often as may be.
+    pub(crate) fn goes_on(&mut self) -> bool {
+        let now = Instant::now();
+        if self.raised.is_none() && now >= self.next {
+            self.raised = signal();
+            self.next = Instant::now() + PAUSE.max(PATIENCE * now.elapsed());
+        }
+        self.raised.is_none()
+    }
+
+    /// The end of the work.
+    ///
+    /// # Errors
+    /// `KeyboardInterrupt`, or what the handler of the signal raises.
+    pub(crate) fn ended(self) -> PyResult<()> {
+        self.raised.map_or(Ok(()), Err)
+    }
 }
 
 /// Runs `work` detached, and gives it something to ask at every step whether to go on: it ends when Python has a signal to handle.
@@ -20,16 +58,7 @@ pub(crate) fn watched<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(&mut dyn FnMut(f64) -> bool) -> T + Send,
 ) -> PyResult<T> {
-    let (outcome, raised) = py.detach(|| {
-        let (mut steps, mut raised) = (0_u32, None);
-        let outcome = work(&mut |_time| {
-            steps = steps.wrapping_add(1);
-            if raised.is_none() && steps.is_multiple_of(STRIDE) {
-                raised = signal();
-            }
-            raised.is_none()
-        });
-        (outcome, raised)
-    });
-    raised.map_or(Ok(outcome), Err)
+    let mut watch = Watch::new();
+    let outcome = py.detach(|| work(&mut |_time| watch.goes_on()));
+    watch.ended().map(|()| outcome)
 }

@@ -12,6 +12,7 @@ mod command;
 mod derivatives;
 mod ensemble;
 mod error;
+mod explain;
 mod files;
 mod finding;
 mod free_motion;
@@ -23,11 +24,16 @@ mod mass_properties;
 mod mesh;
 mod motion;
 mod pickle;
+mod required;
 mod robot;
+mod rotation;
 mod scenario;
 mod shape;
+mod stability;
 mod substance;
 mod sweep;
+mod threads;
+mod tumbler;
 mod unit;
 
 use pyo3::prelude::*;
@@ -50,6 +56,8 @@ mod _native {
     #[pymodule_export]
     use crate::ensemble::PyEnsemble;
     #[pymodule_export]
+    use crate::explain::explain_scenario;
+    #[pymodule_export]
     use crate::files::{cad_file, molecule_file, particle_file, scenario_file, voxel_file};
     #[pymodule_export]
     use crate::free_motion::PyFreeMotion;
@@ -66,13 +74,25 @@ mod _native {
     #[pymodule_export]
     use crate::motion::{PyMotion, motion_page, simulate};
     #[pymodule_export]
+    use crate::required::required_torque;
+    #[pymodule_export]
     use crate::robot::{is_robot, robot_file, robot_groups, robot_links, robot_table};
+    #[pymodule_export]
+    use crate::rotation::quaternions_of_matrices;
     #[pymodule_export]
     use crate::scenario::{check_scenario, scenario_keys, scenario_tables};
     #[pymodule_export]
     use crate::shape::shape;
     #[pymodule_export]
+    use crate::stability::scenario_stability;
+    #[pymodule_export]
+    use crate::substance::materials;
+    #[pymodule_export]
     use crate::sweep::{PyDataset, PyPlan};
+    #[pymodule_export]
+    use crate::threads::available_threads;
+    #[pymodule_export]
+    use crate::tumbler::tumbling_spins;
     #[pymodule_export]
     use crate::unit::unit;
 

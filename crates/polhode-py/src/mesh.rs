@@ -3,14 +3,16 @@
 use std::path::{Path, PathBuf};
 
 use numpy::PyReadonlyArray2;
+use polhode::body::density::{Cubature, FieldError, Solid, mass_properties_of_field};
 use polhode::body::mesh::{ConvexHull, MeshShell, TriangleMesh};
 use polhode::body::shape::{Extent, Shape, Substance};
 use polhode::body::{Finding, MassProperties, Severity};
+use polhode_formats::expression::Expression;
 use polhode_formats::mesh::{
     AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshPart, MeshRepair, MeshSolid, RepairBound,
-    UnitedMesh,
+    SolidPart, UnitedMesh,
 };
-use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
+use polhode_report::{Extra, InertiaReport, PartRow, SourceInfo, error_estimate, parts};
 use pyo3::prelude::*;
 
 use crate::arrays::rows;
@@ -35,6 +37,12 @@ pub(crate) struct MeshOptions {
     fill: Option<String>,
     /// What lies in several parts once.
     union: bool,
+    /// What parts of these names are made of.
+    parts: Vec<(String, Given)>,
+    /// The density as a formula of x, y and z, m, in kg/m³.
+    field: Option<String>,
+    /// The relative error that is good enough for it.
+    tolerance: Option<f64>,
 }
 
 /// A length beside the mesh, of an option of this name.
@@ -60,7 +68,7 @@ pub(crate) fn mesh_file(
         .copied()
         .find(|known| known.name() == format)
         .ok_or_else(|| refused(format!("no mesh format is called {format:?}"), None))?;
-    let substance = given.substance()?;
+    let substance = (given.substance()?, own(&options.parts)?);
     py.detach(|| {
         let contents = MeshContents::read(&path, format).map_err(Raise::raise)?;
         let title = format!("{} {}", format.title(), contents.encoding).trim_end().to_owned();
@@ -81,7 +89,7 @@ pub(crate) fn mesh_arrays(
     options: MeshOptions,
     given: Given,
 ) -> PyResult<PyMassProperties> {
-    let substance = given.substance()?;
+    let substance = (given.substance()?, own(&options.parts)?);
     let points = rows::<3>(&vertices)?.to_vec();
     let corners = triangles.as_slice().map_err(|error| refused(error.to_string(), None))?;
     let corners = corners.as_chunks().0.to_vec();
@@ -101,12 +109,19 @@ pub(crate) fn mesh_arrays(
     })
 }
 
+/// What all is made of, and what parts of these names are.
+type Made = (Option<Substance>, Vec<(String, Substance)>);
+
+fn own(parts: &[(String, Given)]) -> PyResult<Vec<(String, Substance)>> {
+    parts.iter().map(|(name, given)| Ok((name.clone(), given.required()?))).collect()
+}
+
 fn of_contents(
     mut contents: MeshContents,
     path: &Path,
     format: MeshFormat,
     options: &MeshOptions,
-    substance: Option<Substance>,
+    substance: Made,
     (source, title): (SourceInfo, &str),
 ) -> PyResult<PyMassProperties> {
     let (given, count, encoding) = (contents.triangles(), contents.parts.len(), contents.encoding);
@@ -181,6 +196,9 @@ fn of_contents(
     let source = described(what, triangles, solid.parts.len(), solid.unit);
     let source = source.with("vertices", vertices).with("taken_as", taken_as);
     let source = with_repairs(source, &repairs);
+    if let Some(formula) = &options.field {
+        return by_formula(source, &solid.parts, (formula, options.tolerance), findings, in_metres);
+    }
     let pieces = solid.parts.into_iter().map(|part| (part.name, boxed(part.mesh)));
     weighed(source, pieces.collect(), substance, findings, in_metres)
 }
@@ -213,41 +231,115 @@ pub(crate) fn assumed() -> Finding {
 fn weighed(
     source: SourceInfo,
     pieces: Vec<(String, Box<dyn Shape>)>,
-    substance: Option<Substance>,
+    (common, own): Made,
     mut findings: Vec<Finding>,
     in_metres: bool,
 ) -> PyResult<PyMassProperties> {
     let volume = |shape: &dyn Shape| shape.spread().extent().measure();
-    let whole: f64 = pieces.iter().map(|(_, shape)| volume(shape.as_ref())).sum();
-    let mass_given = matches!(substance, Some(Substance::Mass(_)));
-    let substance = match substance {
-        Some(Substance::Mass(mass)) if pieces.len() > 1 => Substance::Density(mass / whole),
+    let mass_given = matches!(common, Some(Substance::Mass(_)));
+    let of = |name: &str| own.iter().find(|(known, _)| known == name).map(|(_, substance)| *substance);
+    for (name, substance) in &own {
+        let called = pieces.iter().filter(|(piece, _)| piece == name).count();
+        if called == 0 {
+            let names: Vec<_> = pieces.iter().map(|(name, _)| format!("{name:?}")).collect();
+            let hint = format!("its parts are {}", names.join(", "));
+            return Err(refused(format!("the mesh has no part named {name:?}"), Some(&hint)));
+        }
+        if called > 1 && matches!(substance, Substance::Mass(_)) {
+            let message = format!("{called} parts of the mesh are named {name:?}: is the mass that of each?");
+            let hint =
+                "give a density or a material, which counts for each, or name the parts apart in the file";
+            return Err(refused(message, Some(hint)));
+        }
+    }
+    let rest: Vec<_> = pieces.iter().filter(|(name, _)| of(name).is_none()).collect();
+    if rest.is_empty() && common.is_some() {
+        let message = "density, mass or material is for what parts does not name, and it names every part";
+        return Err(refused(message, Some("leave it out, or leave a part out of parts")));
+    }
+    let common = match common {
+        Some(Substance::Mass(mass)) if rest.len() > 1 => {
+            // The mass of all of them, at one density.
+            let of_rest: f64 = rest.iter().map(|(_, shape)| volume(shape.as_ref())).sum();
+            Substance::Density(mass / of_rest)
+        }
         Some(substance) => substance,
+        None if rest.is_empty() => Substance::Density(1.0),
         None => {
             findings.push(assumed());
             Substance::Density(1.0)
         }
     };
     let row = |(name, shape): &(String, Box<dyn Shape>)| {
-        let properties = in_body(shape.mass_properties(substance)?)?;
+        let properties = in_body(shape.mass_properties(of(name).unwrap_or(common))?)?;
         Ok(PartRow { name: name.clone(), properties, volume: Some(volume(shape.as_ref())) })
     };
     let rows = pieces.iter().map(row).collect::<Result<Vec<_>, polhode::body::BodyError>>();
-    let rows = rows.map_err(Raise::raise)?;
+    let area = pieces.iter().map(|(_, shape)| shape.surface_area()).sum();
+    together(
+        source,
+        rows.map_err(Raise::raise)?,
+        (area, Vec::new()),
+        findings,
+        in_metres.then_some(mass_given),
+    )
+}
+
+/// The parts with a density that varies, and how far the result may be off.
+fn by_formula(
+    source: SourceInfo,
+    parts: &[SolidPart],
+    (formula, tolerance): (&str, Option<f64>),
+    findings: Vec<Finding>,
+    in_metres: bool,
+) -> PyResult<PyMassProperties> {
+    let expression = Expression::parse(formula, &["x", "y", "z"])
+        .map_err(|error| refused(format!("field: {error}"), error.hint().as_deref()))?;
+    let default = Cubature::default();
+    let cubature = Cubature { tolerance: tolerance.unwrap_or(default.tolerance), ..default };
+    let mut total = FieldError { mass: 0.0, center_of_mass: 0.0, inertia: 0.0 };
+    let mut rows = Vec::new();
+    for part in parts {
+        let body = mass_properties_of_field(Solid::Mesh(&part.mesh), &expression, cubature);
+        let body =
+            body.map_err(|error| refused(&error, error.hint().or(Some("check field and tolerance"))))?;
+        let FieldError { mass, center_of_mass, inertia } = body.error_estimate;
+        // Masses add; of the others the worst part's stands for all.
+        total.mass += mass;
+        total.center_of_mass = total.center_of_mass.max(center_of_mass);
+        total.inertia = total.inertia.max(inertia);
+        let properties = in_body(body.properties).map_err(Raise::raise)?;
+        rows.push(PartRow { name: part.name.clone(), properties, volume: Some(body.volume) });
+    }
+    let area = parts.iter().map(|part| part.mesh.surface_area()).sum();
+    let error = error_estimate(&total, "by cubature of the formula");
+    together(source, rows, (area, vec![error]), findings, in_metres.then_some(false))
+}
+
+/// One body of parts; where metres were assumed, whether its mass was given.
+fn together(
+    source: SourceInfo,
+    rows: Vec<PartRow>,
+    (area, more): (f64, Vec<Extra>),
+    mut findings: Vec<Finding>,
+    in_metres: Option<bool>,
+) -> PyResult<PyMassProperties> {
+    let whole: f64 = rows.iter().filter_map(|row| row.volume).sum();
     let bodies: Vec<_> = rows.iter().map(|row| row.properties).collect();
     let properties = match bodies.as_slice() {
         [only] => *only,
         _ => MassProperties::combined(&bodies).map_err(Raise::raise)?,
     };
-    if in_metres {
+    if let Some(mass_given) = in_metres {
         let extent = Some(Extent::Volume(whole));
         let remedy = "give unit=\"mm\", or unit=\"m\" if it is so";
         let assumed = AssumedMetres { properties: &properties, extent, mass_given, others: None, remedy };
         findings.extend(assumed.finding(None));
     }
+    let of_parts = if rows.len() > 1 { Some(parts(&rows)) } else { None };
     Ok(PyMassProperties::of(InertiaReport {
-        surface_area: Some(pieces.iter().map(|(_, shape)| shape.surface_area()).sum()),
-        extras: if rows.len() > 1 { vec![parts(&rows)] } else { Vec::new() },
+        surface_area: Some(area),
+        extras: of_parts.into_iter().chain(more).collect(),
         findings,
         ..InertiaReport::new(source, properties).with_volume(Some(whole))
     }))

@@ -1,11 +1,11 @@
 //! The motion of a scenario.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::PoisonError;
 
 use numpy::{PyArray1, PyReadonlyArray1};
 use polhode::motion::{
-    Ending, ErrorEffort, GlobalError, Method, Run, Scenario, StateError, Trajectory, TrajectoryDerivatives,
+    Ending, ErrorEffort, GlobalError, Run, Scenario, StateError, Trajectory, TrajectoryDerivatives,
 };
 use polhode_formats::table::{Column, columns};
 use polhode_report::{
@@ -13,10 +13,11 @@ use polhode_report::{
 };
 use pyo3::prelude::*;
 
-use crate::arrays::numbers;
+use crate::arrays::{numbers, table};
 use crate::derivatives::{Derived, derived_run, parameters};
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
+use crate::free_motion::States;
 use crate::interrupt::watched;
 use crate::scenario::{self, PythonTorque, Raised, with_functions};
 
@@ -33,6 +34,8 @@ pub(crate) struct PyMotion {
     trajectory: Trajectory,
     /// With the keys of the parameters.
     derivatives: Option<(TrajectoryDerivatives, Vec<String>)>,
+    /// By its torques that Python computes.
+    raised: Raised,
 }
 
 /// An event: its name, when (s), whether what it watches was rising, ω and attitude there.
@@ -54,24 +57,24 @@ pub(crate) fn simulate(
     functions: Vec<PythonTorque>,
 ) -> PyResult<PyMotion> {
     let effort = match error {
-        "thorough" => ErrorEffort::Thorough,
-        "cheap" => ErrorEffort::Cheap,
-        _ => ErrorEffort::Auto,
+        "none" => None,
+        "thorough" => Some(ErrorEffort::Thorough),
+        "cheap" => Some(ErrorEffort::Cheap),
+        _ => Some(ErrorEffort::Auto),
     };
     let mut file = py.detach(|| scenario::read(path.clone(), text)).map_err(Raise::raise)?;
     let raised = Raised::default();
     file.scenario = with_functions(file.scenario, functions, &raised)?;
     if let Some(times) = times {
-        let times = numbers(&times)?.to_vec();
-        let run = file.scenario.run().cloned().unwrap_or_else(|| Run::evenly(0.0, 0, Method::Auto, 1e-13));
-        file.scenario = file.scenario.sampled(Run { times, ..run });
+        file.scenario = scenario::sampled(file.scenario, numbers(&times)?);
     }
     let by = derivatives.as_ref().map(|keys| parameters(keys, file.scenario.torques())).transpose()?;
-    let motion = watched(py, |look| file.scenario.simulate_with_error(effort, look))?;
-    if let Some(error) = raised.lock().unwrap_or_else(PoisonError::into_inner).take() {
-        return Err(error);
-    }
-    let Some(motion) = motion else {
+    let computed = watched(py, |look| match effort {
+        Some(effort) => file.scenario.simulate_with_error(effort, look),
+        None => file.scenario.simulate_watched(look),
+    })?;
+    heard(&raised)?;
+    let Some(motion) = computed else {
         return Err(refused(
             format!("{} has no [run] section, so there is no time to simulate", path.display()),
             Some("give times, or write [run] with duration = \"10 s\" and samples = 1001"),
@@ -84,30 +87,68 @@ pub(crate) fn simulate(
         None => None,
     };
     let derivatives = derived.transpose().map_err(placed)?.zip(derivatives);
-    Ok(PyMotion { path, text: file.text, trajectory, scenario: file.scenario, derivatives })
+    Ok(PyMotion { path, text: file.text, trajectory, scenario: file.scenario, derivatives, raised })
+}
+
+/// Raises what a function of Python's has raised.
+fn heard(raised: &Raised) -> PyResult<()> {
+    raised.lock().unwrap_or_else(PoisonError::into_inner).take().map_or(Ok(()), Err)
 }
 
 #[pymethods]
 impl PyMotion {
-    /// The columns of the trajectory's table, by name.
-    fn columns<'py>(&self, py: Python<'py>) -> Vec<(String, Bound<'py, PyArray1<f64>>)> {
+    /// The columns of the trajectory's table, and the work: name, unit, description, values.
+    fn columns<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> Vec<(String, &'static str, &'static str, Bound<'py, PyArray1<f64>>)> {
         let rows = self.trajectory.samples().len();
         let of = |column: &Column| (0..rows).map(|row| column.value(&self.trajectory, row)).collect();
         let columns = || {
             let columns = columns(&self.trajectory, &(&self.scenario).into());
-            columns.iter().map(|column| (column.name.to_string(), of(column))).collect()
+            let each = columns.iter().map(|c| (c.name.to_string(), c.unit, c.description, of(c)));
+            let work = ("work_j".to_owned(), "J", "work of the torque since the start", self.work());
+            each.chain([work]).collect()
         };
-        let columns: Vec<(String, Vec<f64>)> = py.detach(columns);
-        columns.into_iter().map(|(name, values)| (name, PyArray1::from_vec(py, values))).collect()
+        let columns: Vec<(String, &str, &str, Vec<f64>)> = py.detach(columns);
+        let given = columns.into_iter();
+        given
+            .map(|(name, unit, description, values)| {
+                (name, unit, description, PyArray1::from_vec(py, values))
+            })
+            .collect()
     }
 
+    /// ω and the attitude at further times, in any order, from the start up to the last sample: the motion is computed once more, with these among its
+    /// samples.
+    fn at<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<States<'py>> {
+        let asked = numbers(&times)?;
+        let run = self.scenario.run().ok_or_else(|| refused("there is no run", None))?;
+        let mut all: Vec<f64> = run.times.iter().chain(asked).copied().collect();
+        all.sort_by(f64::total_cmp);
+        all.dedup();
+        let scenario = self.scenario.clone().sampled(Run { times: all, ..run.clone() });
+        let again = watched(py, |look| scenario.simulate_watched(look))?;
+        heard(&self.raised)?;
+        let again = again.ok_or_else(|| refused("there is no run", None))?.map_err(Raise::raise)?;
+        let samples = again.samples();
+        let (mut omega, mut attitude) = (Vec::new(), Vec::new());
+        for &time in asked {
+            let place = samples.partition_point(|sample| sample.state.time < time);
+            let sample = samples.get(place).filter(|sample| sample.state.time == time);
+            let state = sample
+                .ok_or_else(|| refused(format!("the motion has no state at t = {time} s"), None))?
+                .state;
+            omega.extend(state.omega.to_array());
+            attitude.extend(state.attitude.quaternion());
+        }
+        Ok((table(py, omega, 3)?, table(py, attitude, 4)?))
+    }
+
+    /// The path and the text of the scenario.
     #[getter]
-    fn work<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        let work = match self.trajectory.contact() {
-            Some(contact) => contact.samples().iter().map(|s| s.friction_work + s.ground_work).collect(),
-            None => self.trajectory.samples().iter().map(|sample| sample.work).collect(),
-        };
-        PyArray1::from_vec(py, work)
+    fn source(&self) -> (&Path, &str) {
+        (&self.path, &self.text)
     }
 
     #[getter]
@@ -196,6 +237,14 @@ pub(crate) fn motion_page(title: Option<&str>, data: &str) -> String {
 }
 
 impl PyMotion {
+    /// Of the torque since the start, at each sample, J.
+    fn work(&self) -> Vec<f64> {
+        match self.trajectory.contact() {
+            Some(contact) => contact.samples().iter().map(|s| s.friction_work + s.ground_work).collect(),
+            None => self.trajectory.samples().iter().map(|sample| sample.work).collect(),
+        }
+    }
+
     fn report(&self) -> MotionReport<'_> {
         let title = self.scenario.title().unwrap_or("scenario");
         let source = SourceInfo::new(self.path.display().to_string(), "scenario").described(title);

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use polhode::math::{Body, Space, Torque};
 use polhode::motion::torque::TorqueModel;
-use polhode::motion::{ActingTorque, Rotor, Scenario, State};
+use polhode::motion::{ActingTorque, Method, Rotor, Run, Scenario, State};
 use polhode_formats::scenario::{Draft, ScenarioFile};
 use pyo3::prelude::*;
 
@@ -43,6 +43,12 @@ pub(crate) fn read(
         None => ScenarioFile::read(&path),
         Some(text) => ScenarioFile::parse(text, &path),
     }
+}
+
+/// The scenario with other times.
+pub(crate) fn sampled(scenario: Scenario, times: &[f64]) -> Scenario {
+    let run = scenario.run().cloned().unwrap_or_else(|| Run::evenly(0.0, 0, Method::Auto, 1e-13));
+    scenario.sampled(Run { times: times.to_vec(), ..run })
 }
 
 /// A torque that Python computes: which of the scenario's it is, whether it is along space axes, and a function of time, ω, the attitude's quaternion and L

@@ -1,10 +1,17 @@
 //! What a body is made of, as keyword arguments say it.
 
+use polhode::body::Material;
 use polhode::body::shape::Substance;
 use polhode_formats::material::{self, UnknownMaterial};
 use pyo3::prelude::*;
 
 use crate::error::refused;
+
+/// The materials that have names, with their densities, kg/m³.
+#[pyfunction]
+pub(crate) fn materials() -> Vec<(&'static str, f64)> {
+    Material::ALL.iter().map(|material| (material.name, material.density)).collect()
+}
 
 /// `density=`, `mass=`, `material=`, `area_density=` and `line_density=`: at most one.
 #[derive(Clone, Debug, FromPyObject)]

@@ -10,7 +10,7 @@ use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 
 use crate::arrays::{numbers, room};
-use crate::error::{Raise, refused};
+use crate::error::{Raise, refused, system_number};
 use crate::finding::{Remark, remarks};
 
 /// A column for Python: its name, unit and description, its values, and where these are there, unless all are.
@@ -209,7 +209,14 @@ impl Raise for SweepError {
     /// What the system refuses is Python's own `OSError`.
     fn raise(self) -> PyErr {
         match &self {
-            Self::Read { .. } | Self::Write { .. } => PyOSError::new_err(self.to_string()),
+            Self::Read { path, error } | Self::Write { path, error } => match system_number(error.kind()) {
+                Some(number) => {
+                    let words = error.to_string();
+                    let words = words.split(" (os error").next().unwrap_or_default().to_owned();
+                    PyOSError::new_err((number, words, path.display().to_string()))
+                }
+                None => PyOSError::new_err(self.to_string()),
+            },
             _ => refused(&self, self.hint()),
         }
     }

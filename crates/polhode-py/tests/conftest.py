@@ -101,3 +101,10 @@ normal = {{ mean = "2 rad/s", sd = "10 deg/s" }}
 key = "body.part[0].mass"
 normal = {{ mean = "3 kg", sd = "0.8 kg" }}
 """
+
+
+def engines_for_tables() -> list[str]:
+    """The lines of `book/clusters.md` that hand tables to Ray and to Dask."""
+    page = (ROOT / "book" / "clusters.md").read_text()
+    (block,) = (block for block in page.split("```") if block.startswith("python\nsimulated"))
+    return block.splitlines()[1:]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import decimal
+import errno
 import fractions
 import inspect
 import io
@@ -22,6 +23,7 @@ import pytest
 from conftest import PLAN, ROOT
 from polhode import plot, shapes
 from polhode._error import in_python
+from scipy.spatial.transform import Rotation
 
 VERTICES = [[0, 0, 0], [30, 0, 0], [0, 20, 0], [0, 0, 10]]
 TRIANGLES = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
@@ -109,7 +111,7 @@ def functions() -> dict[Callable[..., object], dict[str, Any]]:
         polhode.batch.inputs: {"plan": plan, "members": range(3)},
         polhode.batch.simulate: {"rows": rows, "plan": plan},
         polhode.batch.trajectories: {"rows": rows, "plan": plan},
-        polhode.sweep.run: {"plan": plan, "output": "x", "on": None, "workers": 1, "resume": False, "force": True, "progress": max, "worker_timeout": 3.0},
+        polhode.sweep.run: {"plan": plan, "output": "x", "on": None, "threads": 1, "workers": None, "resume": False, "force": True, "progress": max, "worker_timeout": 3.0},
     }
     values = {"size": [1, 2, 3], "semi_axes": [1, 2, 3], "vertices": VERTICES, "mass": 1.0, "ends": False, "tube_radius": 0.1, "top_radius": 0.1}
     unset = {"density", "material", "area_density", "line_density"}
@@ -134,7 +136,8 @@ def test_every_argument_is_refused_by_its_name(tmp_path: Path, monkeypatch: pyte
             with pytest.raises((polhode.PolhodeError, TypeError)) as error:
                 function(**right | {name: wrong})
                 pytest.fail(f"{what} is taken")
-            assert str(error.value).startswith((name, f"the {name}")), f"{what}: {error.value}"
+            known = (name, f"the {name}", *(("vertices", "triangles") if name == "source" else ()))
+            assert str(error.value).startswith(known), f"{what}: {error.value}"
             assert not re.search(r"NoneType(?! among)|'.*' object|argument '|-- ?[a-z]", str(error.value)), f"{what}: {error.value}"
     assert count > 2500
 
@@ -247,8 +250,12 @@ def test_paths_of_any_bytes_are_read(tmp_path: Path) -> None:
         lambda: polhode.inertia(tmp_path / "nowhere.xml"),
         lambda: polhode.inertia(tmp_path / "nowhere.world"),
     ):
-        with pytest.raises(FileNotFoundError):
+        with pytest.raises(FileNotFoundError) as missing:
             call()
+        assert missing.value.errno == errno.ENOENT and missing.value.strerror and missing.value.filename in str(missing.value)
+    with pytest.raises(IsADirectoryError) as folder:
+        polhode.inertia(tmp_path, kind="scenario")
+    assert folder.value.filename == str(tmp_path)
     for call in (
         lambda: polhode.simulate("title = '\udce9'\n"),
         lambda: polhode.batch.Plan("title = '\udce9'\n"),
@@ -262,3 +269,33 @@ def test_a_kind_of_many_formats_needs_an_ending(tmp_path: Path) -> None:
     for kind, known in (("mesh", ".stl .obj .ply"), ("molecule", ".xyz .extxyz .mol")):
         with pytest.raises(polhode.PolhodeError, match=f"does not say by its ending which format of a {kind} it is\nhint: known are {known}"):
             polhode.inertia(tmp_path / "body.dat", kind=kind)
+
+
+def test_matrices_are_attitudes() -> None:
+    """The same turns as quaternions, as SciPy's, and as matrices: one for all, or one for each."""
+    turns = Rotation.from_rotvec([[0.4, -1.2, 0.7], [3.1, 0.2, -0.1], [0.0, 0.0, 0.0]])
+    matrices, wxyz = turns.as_matrix(), turns.as_quat()[:, [3, 0, 1, 2]]
+    body = polhode.MassProperties(mass=2.0, inertia=[[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]])
+    for matrix, quaternion in zip(matrices, wxyz):
+        states = [polhode.FreeMotion(inertia=body, omega=[1, 2, 3], attitude=given).at(0.3) for given in (matrix, matrix.tolist(), quaternion)]
+        assert np.abs(states[0].attitude - states[2].attitude).max() < 1e-14 and states[0] == states[1]
+        assert np.allclose(body.along(matrix), body.along(quaternion), rtol=0, atol=1e-14)
+        assert np.allclose(body.placed(rotation=matrix).inertia, body.placed(rotation=quaternion).inertia, rtol=0, atol=1e-14)
+    for matrix, quaternion in ((matrices, wxyz), (matrices[0], wxyz[0])):
+        one, two = (polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=np.eye(3), attitude=given).at([0.3]) for given in (matrix, quaternion))
+        assert np.abs(one.attitude - two.attitude).max() < 1e-14
+    flight = polhode.Flight(attitude_times=[0, 1, 2], attitude=matrices)
+    assert np.abs(np.abs((flight.attitude * wxyz).sum(axis=1)) - 1.0).max() < 1e-15
+    with pytest.raises(polhode.PolhodeError, match=r"attitude\[1\]: "):
+        polhode.Flight(attitude_times=[0, 1], attitude=[np.eye(3), -np.eye(3)])
+    with pytest.raises(polhode.PolhodeError, match="attitude: "):
+        polhode.FreeMotion(inertia=body, omega=[1, 2, 3], attitude=[[1, 0, 0], [0, 1, 1e-3], [0, 0, 1]])
+
+
+def test_counts_are_whole_numbers_of_any_kind() -> None:
+    ensemble = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=np.eye(3))
+    for threads in (2, np.int64(2), np.uint8(2)):
+        assert ensemble.at([0.0, 1.0], threads=threads) == ensemble.at([0.0, 1.0])
+    for threads in (0, -1, 2.0, True, "2"):
+        with pytest.raises((TypeError, polhode.PolhodeError), match="threads"):
+            ensemble.at([0.0, 1.0], threads=threads)

@@ -101,7 +101,7 @@ def test_a_plan_travels_as_its_text(plan: batch.Plan, tmp_path: Path, examples: 
 
 def test_a_sweep_is_a_folder_of_parts(plan: batch.Plan, tmp_path: Path) -> None:
     told: list[tuple[int, int]] = []
-    found = sweep.run(plan, tmp_path / "one", workers=2, progress=lambda *reached: told.append(reached))
+    found = sweep.run(plan, tmp_path / "one", threads=2, progress=lambda *reached: told.append(reached))
     assert told[-1][1] == 2000 and max(done for done, _ in told) == 2000
     assert found.summary["members"]["asked"] == 2000 if isinstance(found.summary.get("members"), dict) else True
     assert json.loads((tmp_path / "one" / "summary.json").read_text()) == found.summary and str(found) == found.text
@@ -113,7 +113,7 @@ def test_a_sweep_is_a_folder_of_parts(plan: batch.Plan, tmp_path: Path) -> None:
     first = min((tmp_path / "one" / "members").iterdir())
     bytes_before = hashlib.sha256(first.read_bytes()).hexdigest()
     first.unlink()
-    sweep.run(plan, tmp_path / "one", workers=1, resume=True)
+    sweep.run(plan, tmp_path / "one", threads=1, resume=True)
     assert hashlib.sha256(first.read_bytes()).hexdigest() == bytes_before and digest(tmp_path / "one") == before
 
 
@@ -135,7 +135,7 @@ def test_an_interrupt_keeps_what_is_done(plan: batch.Plan, tmp_path: Path) -> No
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        sweep.run(plan, tmp_path / "one", workers=1, progress=stop)
+        sweep.run(plan, tmp_path / "one", threads=1, progress=stop)
     kept = list((tmp_path / "one" / "members").glob("part-*.parquet"))
     assert kept and not (tmp_path / "one" / "summary.json").exists()
     sweep.run(plan, tmp_path / "one", resume=True)
@@ -202,3 +202,12 @@ def test_ctrl_c_ends_rows_that_take_long(examples: Path) -> None:
         batch._mapped(rows, long, batch._names(long), lambda columns: (done.append(len(columns[0][1])), long._native.simulate(columns))[1])
     timer.join()
     assert sum(done) < 40
+
+
+def test_threads_are_of_this_process_and_workers_of_a_cluster(tmp_path: Path) -> None:
+    plan = batch.Plan(PLAN.format(members=10))
+    with pytest.raises(polhode.PolhodeError, match="workers mean nothing without a cluster"):
+        sweep.run(plan, tmp_path / "one", workers=2)
+    with pytest.raises(polhode.PolhodeError, match="threads mean nothing on a cluster"):
+        sweep.run(plan, tmp_path / "one", threads=2, on="dask://local")
+    assert not (tmp_path / "one").exists()

@@ -8,7 +8,7 @@ import multiprocessing
 import pickle
 import struct
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, ItemsView, KeysView, ValuesView
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +23,9 @@ from test_derivatives import PUSHED
 
 TURN = [0.4, -0.7, 1.1, 0.3]
 EXAMPLES = ROOT / "examples"
+
+#: Tables of other libraries, of what ``columns`` says.
+TABLES = ("to_arrow", "to_pandas", "to_polars", "to_xarray")
 
 #: What methods that need arguments are asked; ``export`` has all its formats.
 ASKED: dict[str, list[dict[str, Any]]] = {
@@ -142,6 +145,27 @@ def plate() -> polhode.PayloadResult:
         )
 
 
+def asked() -> list[object]:
+    """Answers about scenarios."""
+    wheel, orbit, stone = (polhode.stability(EXAMPLES / f"{name}.toml") for name in ("gyrostat", "gravity-gradient", "rattleback"))
+    assert orbit.equilibrium is not None
+    tumbling = polhode.spin(inertia=[[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]], periods=[2.1, 9.3], convention="short")
+    return [
+        polhode.Scenario.from_toml(EXAMPLES / "heavy-top.toml"),
+        polhode.explain(EXAMPLES / "t-handle.toml"),
+        polhode.torque(EXAMPLES / "shaft.toml"),
+        wheel,
+        wheel.motions[0],
+        wheel.rotations[0],
+        orbit,
+        orbit.equilibrium,
+        orbit.equilibrium.modes[0],
+        stone.ground,
+        tumbling,
+        tumbling[0],
+    ]
+
+
 def everything(tmp_path: Path) -> list[object]:
     """Objects of every public class, filled as generically as can be."""
     made = bodies(tmp_path)
@@ -222,6 +246,7 @@ def everything(tmp_path: Path) -> list[object]:
         listed.only.rows[1],
         listed.only.errors["mass"][0],
         polhode.Flight(times=[0, 0.1, 0.3], gyro=omega[:3], attitude=attitude[:3], added=[1e-3, 2e-3, 2.5e-3], wheels=[([0, 0, 1], 0.2)]),
+        *asked(),
         error,
         heard[0].message,
         plan,
@@ -256,6 +281,10 @@ def plain(value: Any) -> Any:
         return value
     if type(value) in public_classes():
         return (type(value).__name__, said(value, deep=False))
+    if isinstance(value, polhode.scenario.Section):
+        return (type(value).__name__, plain(value.to_dict()))
+    if isinstance(value, (KeysView, ValuesView, ItemsView)):
+        return plain(list(value))
     raise AssertionError(f"{type(value)} is not compared")
 
 
@@ -268,7 +297,7 @@ def said(thing: object, deep: bool = True) -> dict[str, Any]:
         value = getattr(thing, name)
         if not callable(value):
             found[name] = plain(value)
-        elif deep and name not in ("add_note", "count", "index"):
+        elif deep and name not in ("add_note", "count", "index", *TABLES):
             for given in ASKED.get(name, [{}]):
                 try:
                     needed = inspect.signature(value).bind(**given)

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from conftest import PLAN, digest
+from conftest import PLAN, digest, engines_for_tables
 from polhode import PolhodeError, _cluster, batch, sweep
 
 MEMBERS = 100_000
@@ -151,3 +151,23 @@ def test_a_mistake_in_progress_is_the_users(tmp_path: Path) -> None:
 
     with pytest.raises(ZeroDivisionError):
         sweep.run(batch.Plan(PLAN.format(members=40)), tmp_path / "out", progress=progress)
+
+
+@pytest.mark.filterwarnings("default")
+def test_dask_takes_tables_as_the_book_says() -> None:
+    import dask.dataframe
+    import polhode
+    import pyarrow as pa
+
+    plan = batch.Plan(PLAN.format(members=40))
+    *before, last = [line for line in engines_for_tables() if not line.startswith("ray.")]
+    names = {"dask": dask, "pa": pa, "plan": plan, "polhode": polhode}
+    exec("\n".join(before), names)
+    assert "dask.dataframe" in last
+    with dask.config.set(scheduler="synchronous"):
+        found = eval(last, names).compute()
+    wanted = batch.simulate(batch.inputs(plan), plan).to_pandas()
+    assert list(found.columns) == list(wanted.columns) and len(found) == 40
+    for name in wanted.columns:
+        one, other = found[name].tolist(), wanted[name].tolist()
+        assert all(a == b or (a != a and b != b) or (a is None and b != b) for a, b in zip(one, other)), name

@@ -34,8 +34,9 @@ def changed(column: int, by: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]
 
 def between(before: States, after: States) -> np.ndarray:
     """θ and ω from one state to another (n, 6)."""
-    first, second = (Rotation.from_quat(wxyz[:, [1, 2, 3, 0]]) for wxyz in (before[1], after[1]))
-    return np.hstack([(first.inv() * second).as_rotvec(), after[0] - before[0]])
+    (omega, attitude), (omega_after, attitude_after) = before, after
+    first, second = (Rotation.from_quat(wxyz[:, [1, 2, 3, 0]]) for wxyz in (attitude, attitude_after))
+    return np.hstack([(first.inv() * second).as_rotvec(), omega_after - omega])
 
 
 def differenced(states: Callable[[float], States], h: float = 5e-4) -> np.ndarray:

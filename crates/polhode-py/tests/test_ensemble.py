@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import _thread
+import os
+import sys
 import threading
+import time
 
 import numpy as np
 import polhode
 import pytest
+from polhode import _native
 from scipy.spatial.transform import Rotation
 
 RNG = np.random.default_rng(20)
@@ -112,3 +116,44 @@ def test_ctrl_c_ends_an_ensemble() -> None:
     with pytest.raises(KeyboardInterrupt):
         ensemble.at([1e4], threads=1)
     timer.join()
+
+
+def test_threads_are_those_that_the_process_may_use() -> None:
+    if not hasattr(os, "sched_setaffinity"):
+        pytest.skip("this system has no affinity that can be set")
+    allowed = os.sched_getaffinity(0)
+    assert 1 <= _native.available_threads() <= len(allowed)
+    try:
+        os.sched_setaffinity(0, {min(allowed)})
+        assert _native.available_threads() == 1
+    finally:
+        os.sched_setaffinity(0, allowed)
+
+
+def test_work_goes_on_beside_a_thread_of_python() -> None:
+    """To look for Ctrl-C costs a switch of threads where another one computes, here half a second: at every few members it would be minutes."""
+    ensemble = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=RNG.normal(size=(20_000, 3)))
+    free = polhode.FreeMotion(moments=[1.0, 2.0, 2.5], omega=[0.3, 0.5, 0.9])
+    times, interval, stop = np.linspace(0.0, 1e3, 200_000), sys.getswitchinterval(), threading.Event()
+
+    def work() -> float:
+        began = time.perf_counter()
+        ensemble.at([1.0])
+        free.at(times)
+        return time.perf_counter() - began
+
+    def busy() -> None:
+        while not stop.is_set():
+            sum(range(1000))
+
+    alone = work()
+    thread = threading.Thread(target=busy)
+    sys.setswitchinterval(0.5)
+    thread.start()
+    try:
+        beside = work()
+    finally:
+        stop.set()
+        thread.join()
+        sys.setswitchinterval(interval)
+    assert beside < 6.0 * alone + 8.0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import errno
 import json
 import pickle
 import subprocess
@@ -325,10 +326,12 @@ def test_errors_are_those_of_the_command(tmp_path: Path, examples: Path) -> None
         if error.value.hint is not None:
             assert error.value.hint in said, name
     (tmp_path / "gone.toml").write_text('[tumble]\nlog = "gone.csv"\n')
-    for path in (tmp_path / "gone.toml", tmp_path / "there is none.toml"):
+    for path, named in ((tmp_path / "gone.toml", "gone.csv"), (tmp_path / "there is none.toml", str(tmp_path / "there is none.toml"))):
         with pytest.raises(FileNotFoundError) as missing:
             polhode.identify(path)
-        assert command(path, status=2).splitlines()[0].removeprefix("error: ") in str(missing.value)
+        assert missing.value.errno == errno.ENOENT and missing.value.filename == named
+        said = command(path, status=2).splitlines()[0].removeprefix("error: ")
+        assert said in str(missing.value) if named == "gone.csv" else missing.value.strerror in said
 
 
 def test_a_dictionary_has_no_lines(tmp_path: Path) -> None:

@@ -215,7 +215,7 @@ def test_far_from_the_origin_nothing_is_lost() -> None:
     near(away_mesh.by_vertices, near_by_mesh.by_vertices, 1e-13)
 
 
-def motion_of(ten: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def motion_of(ten: np.ndarray) -> polhode.States:
     return polhode.FreeMotion(inertia=body_of(ten), omega=OMEGA, attitude=ATTITUDE).at([2.0, 5.0])
 
 

@@ -73,6 +73,29 @@ def test_figures_show_the_numbers(examples: Path, tmp_path: Path) -> None:
         assert (tmp_path / "figure.png").stat().st_size > 5000
 
 
+def test_axes_may_be_given() -> None:
+    from matplotlib.figure import Figure
+
+    free, figure = polhode.FreeMotion(moments=[1, 2, 3], omega=[0.01, 1, 0.01]), Figure()
+    flat, solid = figure.add_subplot(1, 2, 1), figure.add_subplot(1, 2, 2, projection="3d")
+    assert plot.omega(free, ax=flat) is figure and plot.polhode(free, ax=solid) is figure
+    assert len(flat.lines) == 3 and len(solid.lines) == 1 and len(figure.axes) == 2
+    for wrong in (lambda: plot.omega(free, ax=solid), lambda: plot.polhode(free, ax=flat)):
+        with pytest.raises(polhode.PolhodeError, match="projection"):
+            wrong()
+    with pytest.raises(TypeError, match="axes of Matplotlib, not str"):
+        plot.omega(free, ax="left")  # type: ignore[arg-type]
+
+
+def test_a_fresh_notebook_shows_figures() -> None:
+    """Nobody asked for ``%matplotlib``: what IPython asks of an object it shows."""
+    figure = plot.omega(polhode.FreeMotion(moments=[1, 2, 3], omega=[0.01, 1, 0.01]))
+    assert figure._repr_png_().startswith(b"\x89PNG")
+    formatters = pytest.importorskip("IPython.core.formatters")
+    data, _ = formatters.DisplayFormatter().format(figure)
+    assert data["image/png"].startswith(b"\x89PNG")
+
+
 def test_a_polhode_lies_on_its_ellipsoid(generic: polhode.MassProperties) -> None:
     motion = polhode.FreeMotion(inertia=generic, omega=[0.9, -1.3, 0.7])
     (axes,) = plot.polhode(motion).axes

@@ -15,7 +15,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from conftest import PLAN, digest
+from conftest import PLAN, digest, engines_for_tables
 from polhode import PolhodeError, PolhodeWarning, batch, sweep
 
 MEMBERS = 20_000
@@ -103,3 +103,24 @@ def test_a_cluster_that_dies_is_an_error_and_what_is_done_is_kept(tmp_path: Path
     sweep.run(plan, tmp_path / "cluster", resume=True)
     sweep.run(plan, tmp_path / "alone")
     assert digest(tmp_path / "cluster") == digest(tmp_path / "alone")
+
+
+@pytest.mark.filterwarnings("default")
+def test_ray_takes_tables_as_the_book_says() -> None:
+    import polhode
+    import pyarrow as pa
+    import ray
+
+    plan = batch.Plan(PLAN.format(members=40))
+    lines = engines_for_tables()
+    last = next(k for k, line in enumerate(lines) if line.startswith("ray."))
+    names = {"ray": ray, "pa": pa, "plan": plan, "polhode": polhode}
+    exec("\n".join(lines[:last]), names)
+    ray.init(num_cpus=2, include_dashboard=False, log_to_driver=False, _node_ip_address="127.0.0.1")
+    try:
+        found = eval(lines[last], names).to_pandas()
+    finally:
+        ray.shutdown()
+    wanted = batch.simulate(batch.inputs(plan), plan).to_pandas()
+    assert list(found.columns) == list(wanted.columns)
+    assert found.sort_values("member")["status"].tolist() == wanted["status"].tolist()

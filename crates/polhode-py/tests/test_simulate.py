@@ -29,7 +29,8 @@ def test_arrays_agree_with_each_other(examples: Path) -> None:
     assert np.ptp(total) < 1e-12 * abs(total[0])
     columns = motion.columns()
     assert list(columns)[:6] == ["time_s", "attitude_w", "attitude_x", "attitude_y", "attitude_z", "omega_body_x_rad_s"]
-    assert np.array_equal(columns["momentum_space_z_kg_m2_s"], motion.momentum[:, 2]) and len(columns) == 21
+    assert np.array_equal(columns["momentum_space_z_kg_m2_s"], motion.momentum[:, 2]) and len(columns) == 22
+    assert np.array_equal(columns["work_j"], motion.work)
     assert np.array_equal(columns["attitude_error_rad"], motion.error.attitude)
     assert np.array_equal(columns["omega_error"], motion.error.omega)
 

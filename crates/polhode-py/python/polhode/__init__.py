@@ -6,6 +6,8 @@
 - :class:`FreeMotion`: a free motion at any time, in closed form
 - :func:`identify`, :func:`identify_tumbles`, :func:`identify_swings`, :func:`identify_payload`: from measured motion to mass properties
 - :class:`Scenario`, :mod:`scenario`: one body and one motion, with torques of your own; :func:`simulate`: its motion; :func:`judge`: is the one that another program computed right?
+- :func:`stability`: which steady motions last; :func:`torque`: what a given motion needs; :func:`spin`: what two periods say; :func:`explain`: the
+  worked solution
 - :class:`Ensemble`: many bodies at once; :mod:`polhode.batch` and :mod:`polhode.sweep`: plans of many motions, here and on clusters
 - :func:`check`: are the inertias of a robot right? :func:`link_table`, :func:`fixed_groups`: its links as bodies
 - :mod:`plot`: figures, for those who have Matplotlib
@@ -27,8 +29,9 @@ from ._derivatives import Derivatives, EventDerivatives
 from ._ensemble import Ensemble, Failure, EnsembleStates
 from ._error import PolhodeError, PolhodeWarning
 from ._estimate import Estimate, Number, PrincipalEstimate, ResidualTest
+from ._explain import Explanation, explain
 from ._flight import Flight, find_flights
-from ._free_motion import FreeMotion, MotionError, States
+from ._free_motion import FreeMotion
 from ._identified import (
     Edge,
     FlightFit,
@@ -52,10 +55,24 @@ from ._mass_derivatives import (
     particle_derivatives,
 )
 from ._mass_properties import Finding, MassProperties, particles
-from ._motion import Ending, Event, Motion, simulate
+from ._motion import Ending, Event, Motion
 from ._native import VERSION as __version__
-from ._scenario import Scenario
 from ._robot import LinkRow, LinkTable, fixed_groups, link_table
+from ._scenario import Scenario
+from ._simulate import simulate
+from ._spin import Tumbling, TumblingSpin, spin
+from ._stability import (
+    Equilibrium,
+    Oscillation,
+    Stability,
+    SteadyMotions,
+    SteadyOnGround,
+    SteadyRotation,
+    stability,
+)
+from ._states import MotionError, States
+from ._substance import materials
+from ._torque import RequiredTorque, torque
 
 __all__ = [
     "Body",
@@ -71,6 +88,7 @@ __all__ = [
     "Ending",
     "Ensemble",
     "EnsembleStates",
+    "Equilibrium",
     "ErrorGrowth",
     "ErrorPart",
     "ErrorShare",
@@ -78,6 +96,7 @@ __all__ = [
     "Estimate",
     "Event",
     "EventDerivatives",
+    "Explanation",
     "Failure",
     "Finding",
     "Flight",
@@ -93,24 +112,33 @@ __all__ = [
     "Motion",
     "MotionError",
     "Number",
+    "Oscillation",
     "ParticleDerivatives",
     "PayloadResult",
     "PolhodeError",
     "PolhodeWarning",
     "PrincipalEstimate",
     "Reading",
+    "RequiredTorque",
     "ResidualTest",
     "Scenario",
+    "Stability",
     "States",
+    "SteadyMotions",
+    "SteadyOnGround",
+    "SteadyRotation",
     "SwingFit",
     "SwingResult",
     "Thin",
     "TriedReading",
     "TumbleResult",
+    "Tumbling",
+    "TumblingSpin",
     "Unconstrained",
     "__version__",
     "budget",
     "check",
+    "explain",
     "find_flights",
     "fixed_groups",
     "identify",
@@ -120,6 +148,7 @@ __all__ = [
     "inertia",
     "judge",
     "link_table",
+    "materials",
     "mesh_derivatives",
     "particle_derivatives",
     "particles",
@@ -127,6 +156,9 @@ __all__ = [
     "scenario",
     "shapes",
     "simulate",
+    "spin",
+    "stability",
+    "torque",
 ]
 
 # Messages and copies in other processes name them as users do, and doctest finds the examples of their methods.
@@ -144,6 +176,7 @@ for _public in (
     Ending,
     Ensemble,
     EnsembleStates,
+    Equilibrium,
     ErrorGrowth,
     ErrorPart,
     ErrorShare,
@@ -151,6 +184,7 @@ for _public in (
     Estimate,
     Event,
     EventDerivatives,
+    Explanation,
     Failure,
     Finding,
     Flight,
@@ -166,20 +200,28 @@ for _public in (
     Motion,
     MotionError,
     Number,
+    Oscillation,
     ParticleDerivatives,
     PayloadResult,
     PolhodeError,
     PolhodeWarning,
     PrincipalEstimate,
     Reading,
+    RequiredTorque,
     ResidualTest,
     Scenario,
+    Stability,
     States,
+    SteadyMotions,
+    SteadyOnGround,
+    SteadyRotation,
     SwingFit,
     SwingResult,
     Thin,
     TriedReading,
     TumbleResult,
+    Tumbling,
+    TumblingSpin,
     Unconstrained,
 ):
     _public.__module__ = __name__

@@ -6,18 +6,23 @@ either byte order, any strides, lists of lists. Everything else is refused, with
 
 from __future__ import annotations
 
+import math
 import os
 from typing import Any, Iterable, Sequence
 
 import numpy as np
 import numpy.typing as npt
 
+from . import _native
 from ._error import PolhodeError
 
 Floats = npt.NDArray[np.float64]
 
 #: Integers beyond it are not all float64.
 EXACT = 2**53
+
+#: What needs no look.
+FLOAT64 = np.dtype(np.float64)
 
 #: The rule for them.
 INEXACT = "a float64 exactly: give a float, or an integer up to 2**53"
@@ -47,6 +52,8 @@ def _having(shape: tuple[int | str, ...]) -> str:
 
 def real(name: str, value: object, what: str = "real numbers") -> Floats:
     """Any real numbers as float64, exactly."""
+    if type(value) is np.ndarray and value.dtype is FLOAT64 and value.flags.carray:
+        return value
     array = _array(name, value, what)
     kind, size = array.dtype.kind, array.dtype.itemsize
     if kind == "f" and size <= 8 or kind in "iu":
@@ -92,6 +99,11 @@ def _look(name: str, value: Iterable[Any], place: tuple[int, ...], rule: str = I
             raise PolhodeError(f"{here} = {shown(element)} must be {rule}")
 
 
+def kind_of(value: object) -> str:
+    """What something is, for a message."""
+    return f"an array of {value.dtype}" if isinstance(value, np.ndarray) else type(value).__name__
+
+
 def shown(number: Any) -> str:
     """A number as it is; an integer of hundreds of digits by how many these are."""
     if isinstance(number, int) and number.bit_length() > 128:
@@ -120,23 +132,57 @@ def refuse(name: str, array: npt.NDArray[Any], wrong: npt.NDArray[np.bool_], rul
 
 
 def quaternions(name: str, value: object, shape: tuple[int | str, ...]) -> Floats:
-    """Rotations as quaternions, scalar first; a ``scipy.spatial.transform.Rotation``, which is scalar-last, is turned round."""
+    """Rotations as quaternions, scalar first; a ``scipy.spatial.transform.Rotation``, which is scalar-last, is turned round, and of matrices (…, 3, 3)
+    the quaternions are found."""
     if hasattr(value, "as_quat"):
         # Before SciPy 1.14 there is no scalar_first: the last goes first by hand.
         value = np.asarray(value.as_quat())[..., [3, 0, 1, 2]]
-    array = numbers(name, value, shape)
+    given = real(name, value)
+    if given.ndim == len(shape) + 1 and given.shape[-2:] == (3, 3):
+        matrices = numbers(name, given, (*shape[:-1], 3, 3))
+        return _native.quaternions_of_matrices(name, matrices.reshape(-1, 9)).reshape(*matrices.shape[:-2], 4)
+    array = numbers(name, given, shape)
     refuse(name, array, np.broadcast_to(~array.any(axis=-1, keepdims=True), array.shape), "part of a quaternion that is not zero")
     return array
 
 
 def triple(name: str, value: object) -> list[float]:
     """A vector as a list."""
-    found: list[float] = numbers(name, value, (3,)).tolist()
+    return _few(value, 3) or numbers(name, value, (3,)).tolist()
+
+
+def quaternion(name: str, value: object) -> list[float]:
+    """A rotation as the list of its quaternion."""
+    if (plain := _few(value, 4)) is not None and any(plain):
+        return plain
+    found: list[float] = quaternions(name, value, (4,)).tolist()
     return found
+
+
+def _few(value: Any, count: int) -> list[float] | None:
+    """Numbers of a short list, tuple or array as a list, if they are plainly right: what is not is looked at, and refused, with care."""
+    if type(value) is np.ndarray and value.dtype is FLOAT64 and value.shape == (count,):
+        value = value.tolist()
+    if (type(value) is list or type(value) is tuple) and len(value) == count:
+        total = 0.0
+        for number in value:
+            if type(number) is not float and type(number) is not int:
+                return None
+            total += abs(number)
+        if total <= EXACT:  # not so NaN, nor whole numbers beyond it
+            return [*map(float, value)]
+    return None
 
 
 def tensor(name: str, value: object) -> list[list[float]]:
     """An inertia tensor: (3, 3), or three moments about the body's own axes."""
+    if (moments := _few(value, 3)) is not None:
+        a, b, c = moments
+        return [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]]
+    if type(value) is np.ndarray and value.dtype is FLOAT64 and value.shape == (3, 3):
+        plain: list[list[float]] = value.tolist()
+        if math.isfinite(sum(map(sum, plain))):
+            return plain
     given = real(name, value)
     if given.shape not in ((3, 3), (3,)):
         raise PolhodeError(f"{name} must have the shape (3, 3), or (3,) for moments about the body's axes, not {given.shape}")
@@ -147,6 +193,8 @@ def tensor(name: str, value: object) -> list[list[float]]:
 
 def number(name: str, value: object) -> float:
     """One number."""
+    if type(value) is float and math.isfinite(value):
+        return value
     return float(numbers(name, value, ()))
 
 

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Iterator, Mapping
+from collections.abc import Iterator, Mapping
 
 import numpy.typing as npt
 
 from . import _arrays, _html
 from ._error import PolhodeError
 from ._mass_derivatives import BodyDerivatives, body_derivatives
-from ._mass_properties import MassProperties, joined
+from ._mass_properties import IDENTITY, MassProperties, joined
 
 
-class Body:
-    """Parts with names, rigidly joined.
+class Body(Mapping[str, MassProperties]):
+    """Parts with names, rigidly joined: a mapping from the names to the parts, where they are placed.
 
     >>> import polhode
     >>> from polhode import shapes
@@ -25,6 +25,8 @@ class Body:
     0.8083
     >>> hammer["head"].mass > hammer["handle"].mass
     True
+    >>> list(hammer), "claw" in hammer
+    (['head', 'handle'], False)
     """
 
     def __init__(self, parts: Mapping[str, MassProperties]) -> None:
@@ -48,6 +50,10 @@ class Body:
     def mass_properties(self) -> MassProperties:
         """All parts together."""
         return self._whole
+
+    def placed(self, *, position: npt.ArrayLike = (0.0, 0.0, 0.0), rotation: object = IDENTITY) -> Body:
+        """The same with all parts moved: see :meth:`MassProperties.placed`."""
+        return Body({name: part.placed(position=position, rotation=rotation) for name, part in self._parts.items()})
 
     def derivatives(self, *, about: Mapping[str, npt.ArrayLike] | None = None) -> BodyDerivatives:
         """How the mass properties of all parts together depend on each of them, in closed form.
@@ -90,9 +96,6 @@ class Body:
     def __getitem__(self, name: str) -> MassProperties:
         """The part of a name."""
         return self._parts[name]
-
-    def __contains__(self, name: object) -> bool:
-        return name in self._parts
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._parts)

@@ -7,7 +7,7 @@ import json
 import os
 from typing import Any, Iterable, Iterator, Mapping, NamedTuple, Sequence
 
-from . import _arrays, _native
+from . import _arrays, _html, _native
 from ._error import in_python
 
 
@@ -64,6 +64,18 @@ class CheckReport:
         """A line for each link: mass, centre, principal moments, equivalent box, density, verdict."""
         return self._table
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, CheckReport):
+            return NotImplemented
+        return (self.path, self._report) == (other.path, other._report)
+
+    #: What may be changed in it is not hashed.
+    __hash__ = None  # type: ignore[assignment]
+
+    def __getitem__(self, which: Any) -> Any:
+        """A finding by its place, or several by a slice."""
+        return self.findings[which]
+
     def __iter__(self) -> Iterator[ModelFinding]:
         return iter(self.findings)
 
@@ -76,6 +88,10 @@ class CheckReport:
 
     def __str__(self) -> str:
         return self._text
+
+    def _repr_html_(self) -> str:
+        lines = ((finding.severity, [finding.link, finding.code, finding.message]) for finding in self.findings)
+        return f"<div>{_html.rows(['link', 'rule', 'what'], lines)}</div>"
 
 
 def check(path: str | os.PathLike[str], *, roots: Sequence[str | os.PathLike[str]] = ()) -> CheckReport:

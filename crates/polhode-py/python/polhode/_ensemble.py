@@ -7,16 +7,22 @@ from typing import TYPE_CHECKING, Any, Iterator, NamedTuple, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _native, _threads
+from . import _arrays, _native
 from ._arrays import Floats
 from ._error import PolhodeError, warn
-from ._free_motion import rotations
 from ._mass_properties import findings_of, warn_of
+from ._record import same
 from ._scenario import text_of_torques
+from ._states import ATTITUDE, OMEGA, States, ends, rotations
+from ._table import Column, Table, Variable, vector
 from .scenario import Torque
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
+
+
+#: The time of a state.
+REACHED = "time, or the last good one of a member that could go no further"
 
 
 class Failure(NamedTuple):
@@ -30,15 +36,26 @@ class Failure(NamedTuple):
     cause: str
 
 
-class EnsembleStates:
+class EnsembleStates(Table):
     """Where the members of an ensemble were: it unpacks as ``omega, attitude``.
 
-    Both are views of one array, in which each state lies together.
+    Its length is the number of members, and ``states[417]`` are the :class:`States` of one, at the times that it reached. All arrays are views of one, in
+    which each state lies together, and read-only.
     """
 
-    def __init__(self, rows: Floats, failures: list[Failure]) -> None:
-        self._rows = rows
+    #: Nothing with arrays in it is hashed.
+    __hash__ = None  # type: ignore[assignment]
+
+    def __init__(self, times: Floats, rows: Floats, failures: list[Failure]) -> None:
+        #: The times that were asked for (t,), s.
+        self.times = times
+        #: The members that could go no further.
         self.failures = failures
+        self._rows = rows
+        self._lock()
+
+    def _lock(self) -> None:
+        self.times.flags.writeable = self._rows.flags.writeable = False
 
     @property
     def omega(self) -> Floats:
@@ -59,20 +76,56 @@ class EnsembleStates:
         """The attitudes of a member as a ``scipy.spatial.transform.Rotation``."""
         return rotations(self.attitude[member])
 
+    def _table(self) -> list[Column]:
+        members, times, _ = self._rows.shape
+        return [
+            Column("member", "1", "the member, from 0", np.repeat(np.arange(members), times)),
+            Column("time_s", "s", REACHED, self.reached.ravel()),
+            *vector("attitude_{}", "1", ATTITUDE, self.attitude, "wxyz"),
+            *vector("omega_body_{}_rad_s", "rad/s", OMEGA, self.omega),
+        ]
+
+    def _variables(self) -> list[Variable]:
+        along = ("member", "time")
+        return [
+            Variable("member", ("member",), "1", "the member, from 0", np.arange(len(self))),
+            Variable("time", ("time",), "s", "the time that was asked for", self.times.copy()),
+            Variable("reached", along, "s", REACHED, self.reached.copy()),
+            Variable("omega", (*along, "axis"), "rad/s", OMEGA, self.omega.copy()),
+            Variable("attitude", (*along, "component"), "1", ATTITUDE, self.attitude.copy()),
+        ]
+
     def __iter__(self) -> Iterator[Floats]:
         return iter((self.omega, self.attitude))
 
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def __getitem__(self, member: int) -> States:
+        return States(self.reached[member].copy(), self.omega[member].copy(), self.attitude[member].copy())
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, EnsembleStates):
+            return NotImplemented
+        return same(self._rows, other._rows) and same(self.times, other.times) and self.failures == other.failures
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        vars(self).update(state)
+        self._lock()
+
     def __repr__(self) -> str:
         members, times, _ = self._rows.shape
-        return f"EnsembleStates({members} members, {times} times, {len(self.failures)} failures)"
+        failures = f", {len(self.failures)} failures" if self.failures else ""
+        return f"EnsembleStates({members} members, {times} times{ends(self.times)}{failures})"
 
 
 class Ensemble:
     """Many bodies that move independently of each other: free, or each under the same ``torques``.
 
     Bodies by ``moments`` (n, 3) about their axes x, y and z, or by ``inertia`` (n, 3, 3) about their centres of mass; ``omega`` (n, 3) at t = 0
-    along body axes, rad/s; ``attitude`` (n, 4), quaternions w, x, y, z, or a ``scipy.spatial.transform.Rotation`` of n. What all share may be
-    given once: (3,), (3, 3), (4,). ``torques`` are torques of :mod:`polhode.scenario`, or a text of ``[[torque]]`` tables, as scenarios have them.
+    along body axes, rad/s; ``attitude`` (n, 4), quaternions w, x, y, z, matrices (n, 3, 3) that take body components to space components, or a
+    ``scipy.spatial.transform.Rotation`` of n. What all share may be given once: (3,), (3, 3), (4,). ``torques`` are torques of
+    :mod:`polhode.scenario`, or a text of ``[[torque]]`` tables, as scenarios have them.
 
     The bits do not depend on the number of threads, nor on which members there are beside one.
 
@@ -127,12 +180,13 @@ class Ensemble:
 
         A member that cannot go on stays where it was last good; it is among ``failures``, and there is a :class:`PolhodeWarning`.
         """
+        asked = _arrays.numbers("times", times, ("t",))
         rows, failures = self._native.at(
-            _arrays.numbers("times", times, ("t",)),
-            _threads.available() if threads is None else _arrays.count("threads", threads),
+            asked,
+            _native.available_threads() if threads is None else _arrays.count("threads", threads),
             _arrays.positive("tolerance", tolerance),
         )
-        states = EnsembleStates(rows, [Failure(*failure) for failure in failures])
+        states = EnsembleStates(asked.copy(), rows, [Failure(*failure) for failure in failures])
         if states.failures:
             first = states.failures[0]
             message = f"{len(failures)} of {len(self)} members cannot go on, the first is {first.member}: {first.cause}"
@@ -150,15 +204,28 @@ class Ensemble:
     def __len__(self) -> int:
         return len(self._native)
 
+    def __eq__(self, other: object) -> bool:
+        """Equal are ensembles of the same bodies, given alike, with the same starts and torques."""
+        if not isinstance(other, Ensemble):
+            return NotImplemented
+        one, two = self._arguments, other._arguments
+        return self._torques == other._torques and one.keys() == two.keys() and all(same(one[name], two[name]) for name in one)
+
+    def __hash__(self) -> int:
+        return hash((len(self), self._torques))
+
     def __repr__(self) -> str:
         return f"Ensemble({len(self)} members)"
 
 
 def _each(name: str, value: object, shape: tuple[int, ...]) -> Floats:
     """A row for each member, or one for all."""
-    check = _arrays.quaternions if name == "attitude" else _arrays.numbers
+    check, ndim = _arrays.numbers, len(shape)
     given = np.asarray(value.as_quat()) if hasattr(value, "as_quat") else _arrays.real(name, value)
-    if given.ndim == len(shape):
+    if name == "attitude":
+        # Of matrices (3, 3) there is an axis more.
+        check, ndim = _arrays.quaternions, 2 if given.ndim > 1 and given.shape[-2:] == (3, 3) else 1
+    if given.ndim == ndim:
         return check(name, value, shape)[None]
     return check(name, value, ("n", *shape))
 

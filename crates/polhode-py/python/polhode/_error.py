@@ -9,9 +9,9 @@ import warnings
 
 #: Options of the command that are switches, those that have another name here, and those of the same name.
 _SWITCHES = {"hull", "resume", "force"}
-_RENAMED = {"root": "roots", "joint": "joints", "threads": "workers", "omega": "omega_axes"}
-_SAME = {"unit", "mass-unit", "products", "decimal", "shell", "density", "mass", "material", "isotopes", "molecule"}
-_SAME |= {"spacing", "origin", "per-value", "link", "subtree", "workers", "worker-timeout"}
+_RENAMED = {"root": "roots", "joint": "joints", "part": "parts", "omega": "omega_axes"}
+_SAME = {"unit", "mass-unit", "products", "decimal", "shell", "density", "mass", "material", "isotopes", "molecule", "field", "tolerance"}
+_SAME |= {"spacing", "origin", "per-value", "link", "subtree", "threads", "workers", "worker-timeout"}
 _SAME |= {"quaternion", "sense", "axes", "time-origin", "step", "columns"}
 
 #: A flag, and a value that stands beside it as an example or a placeholder.

@@ -29,7 +29,7 @@ class Flight(Record):
     gyro: npt.ArrayLike = ()
     #: Times of the attitudes (m,), s, ascending; ``times`` unless it is said.
     attitude_times: npt.ArrayLike | None = None
-    #: Attitudes of axes fixed in the body: quaternions (m, 4), w, x, y, z, from the body to space, or a ``scipy.spatial.transform.Rotation``.
+    #: Attitudes of axes fixed in the body: quaternions (m, 4), w, x, y, z, or matrices (m, 3, 3), from the body to space, or a ``scipy.spatial.transform.Rotation``.
     attitude: object = None
     #: What reports call it.
     name: str = "flight"

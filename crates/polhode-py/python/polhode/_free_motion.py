@@ -5,49 +5,30 @@ from __future__ import annotations
 import json
 import math
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _arrays, _html, _native
 from ._arrays import Floats
+from ._body import Body
 from ._derivatives import Derivatives, derivatives_of
 from ._error import PolhodeError
 from ._mass_properties import IDENTITY, MassProperties
+from ._states import MotionError, States, rotations
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
-
-
-class States(NamedTuple):
-    """Angular velocities and attitudes, in the order of the times."""
-
-    #: ω along body axes (n, 3), rad/s.
-    omega: Floats
-    #: R_space_body as unit quaternions (n, 4): w, x, y, z; each of the sign nearest to the one before it.
-    attitude: Floats
-
-
-class MotionError(NamedTuple):
-    """How far each state may be from the true one: arrays (n,), estimates. Where nothing is known, π of an attitude, and ``inf`` of ω."""
-
-    #: Of the computation: the angle between the attitudes, rad. It grows along the way.
-    attitude: Floats
-    #: Of the computation: |δω| / |ω|.
-    omega: Floats
-    #: What half a unit in the last place of the moments and the start is worth: the angle between the attitudes, rad.
-    inputs_attitude: Floats
-    #: The same of ω, relative.
-    inputs_omega: Floats
 
 
 class FreeMotion:
     """The torque-free motion of a body: ω and attitude at any time, past or future, in constant time.
 
     The body is given by ``moments`` (3,) about its axes x, y and z, or by ``inertia``: a tensor (3, 3) about the centre of mass, or
-    :class:`MassProperties`. It starts at t = 0 with ``omega`` (3,) along body axes, rad/s, and ``attitude``: a quaternion (w, x, y, z)
-    that takes body components to space components, or a ``scipy.spatial.transform.Rotation``; without it, the axes of both coincide.
+    :class:`MassProperties`, or a :class:`Body`. It starts at t = 0 with ``omega`` (3,) along body axes, rad/s, and ``attitude``: a quaternion (w, x, y, z)
+    or a matrix (3, 3) that takes body components to space components, or a ``scipy.spatial.transform.Rotation``; without it, the axes of both
+    coincide.
 
     >>> import polhode
     >>> motion = polhode.FreeMotion(moments=[1, 2, 3], omega=[0.01, 1, 0.01])
@@ -68,29 +49,25 @@ class FreeMotion:
         *,
         omega: npt.ArrayLike,
         moments: npt.ArrayLike | None = None,
-        inertia: npt.ArrayLike | MassProperties | None = None,
+        inertia: npt.ArrayLike | MassProperties | Body | None = None,
         attitude: object = IDENTITY,
         allow_unphysical: bool = False,
     ) -> None:
         start = _arrays.triple("omega", omega)
-        wxyz = _arrays.quaternions("attitude", IDENTITY if attitude is None else attitude, (4,)).tolist()
-        unphysical = _arrays.truth("allow_unphysical", allow_unphysical)
+        wxyz = IDENTITY if attitude is IDENTITY or attitude is None else _arrays.quaternion("attitude", attitude)
+        unphysical = allow_unphysical is not False and _arrays.truth("allow_unphysical", allow_unphysical)
         if (moments is None) == (inertia is None):
             raise PolhodeError("a body is given by moments or by inertia, exactly one of them")
         if unphysical and moments is None:
             raise PolhodeError("allow_unphysical = True means nothing for inertia: it is for moments")
+        along, tensor = None, None
         if moments is not None:
-            self._native = _native.FreeMotion.of_moments(_arrays.triple("moments", moments), start, wxyz, unphysical)
+            along = _arrays.triple("moments", moments)
+            self._native = _native.FreeMotion.of_moments(along, start, wxyz, unphysical)
         else:
-            tensor = inertia.inertia if isinstance(inertia, MassProperties) else inertia
-            self._native = _native.FreeMotion.of_tensor(_arrays.tensor("inertia", tensor), start, wxyz)
-        self._arguments = {
-            "omega": start,
-            "moments": None if moments is None else _arrays.triple("moments", moments),
-            "inertia": None if moments is not None else _arrays.tensor("inertia", tensor),
-            "attitude": wxyz,
-            "allow_unphysical": unphysical,
-        }
+            tensor = _arrays.tensor("inertia", tensor_of(inertia))
+            self._native = _native.FreeMotion.of_tensor(tensor, start, wxyz)
+        self._arguments: dict[str, Any] = {"omega": start, "moments": along, "inertia": tensor, "attitude": wxyz, "allow_unphysical": unphysical}
 
     @property
     def regime(self) -> str:
@@ -157,17 +134,39 @@ class FreeMotion:
     def _json(self) -> str:
         return self._native.json()
 
-    def at(self, times: npt.ArrayLike) -> States:
+    def at(self, times: npt.ArrayLike, *, out: tuple[Floats, Floats] | None = None) -> States:
         """ω and the attitude at times, s: any, in any order, before the start too.
 
         Of a single time ω is (3,) and the attitude (4,). The first quaternion has w ≥ 0. A :exc:`PolhodeError` names the first time that is
-        too far away for any to be known.
+        too far away for any to be known. ``out`` are two arrays, (n, 3) and (n, 4), C-contiguous float64, that are filled and given back, so that
+        their memory serves again.
+
+        >>> import numpy as np, polhode
+        >>> motion = polhode.FreeMotion(moments=[1, 2, 3], omega=[0.01, 1, 0.01])
+        >>> omega, attitude = np.empty((1000, 3)), np.empty((1000, 4))
+        >>> states = motion.at(np.linspace(0.0, 60.0, 1000), out=(omega, attitude))
+        >>> states.omega is omega, states.attitude is attitude
+        (True, True)
         """
+        if type(times) in (float, int) and out is None and -_arrays.EXACT <= times <= _arrays.EXACT:  # type: ignore[operator]
+            return States(np.array(times, np.float64), *self._native.at_time(times))  # type: ignore[arg-type]
         given = _arrays.real("times", times)
         if given.ndim > 1:
             raise PolhodeError(f"times must have the shape (n,) or be a number, not {given.shape}")
-        states = States(*self._native.at(_arrays.numbers("times", np.atleast_1d(given), ("n",))))
-        return States(states.omega[0], states.attitude[0]) if given.ndim == 0 else states
+        if given.ndim == 0:
+            if out is not None:
+                raise PolhodeError("out is for several times: a single one has no arrays to fill")
+            return States(given.copy(), *self._native.at_time(_arrays.number("times", given)))
+        if out is None:
+            out = np.empty((given.size, 3)), np.empty((given.size, 4))
+        else:
+            _filled(out, given.size)
+        try:
+            self._native.fill(given, *out)
+        except PolhodeError:
+            _arrays.numbers("times", given, ("n",))  # says which is not finite
+            raise
+        return States(given.copy(), *out)
 
     def derivatives(self, times: npt.ArrayLike) -> Derivatives:
         """The states at times with their derivatives by the start and by the inertia tensor, in closed form.
@@ -239,6 +238,19 @@ class FreeMotion:
         value: float | None = self.summary["motion"][key]
         return value
 
+    def __eq__(self, other: object) -> bool:
+        """Equal are motions of the same body, given alike, with the same start."""
+        return self._key == other._key if isinstance(other, FreeMotion) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._key)
+
+    @property
+    def _key(self) -> tuple[object, ...]:
+        given, (_, attitude) = self._arguments, self.at(0.0)
+        body = given["moments"] or [element for row in given["inertia"] for element in row]
+        return given["moments"] is None, *body, *given["omega"], *attitude.tolist()
+
     def __repr__(self) -> str:
         period = "none" if self.period is None else f"{self.period:.6g} s"
         return f"FreeMotion(regime={self.regime!r}, period={period})"
@@ -258,10 +270,23 @@ class FreeMotion:
         vars(self).update(state)
 
 
-def rotations(attitude: Floats) -> Rotation:
-    """Quaternions, scalar first, as SciPy has them, scalar last."""
-    try:
-        from scipy.spatial.transform import Rotation
-    except ImportError as error:
-        raise ImportError("rotations need SciPy: pip install scipy") from error
-    return Rotation.from_quat(attitude[..., [1, 2, 3, 0]])
+def tensor_of(inertia: object) -> object:
+    """The tensor of a body, or what is given."""
+    if isinstance(inertia, Body):
+        inertia = inertia.mass_properties
+    return inertia.inertia if isinstance(inertia, MassProperties) else inertia
+
+
+def _filled(out: object, count: int) -> None:
+    """Refuses what states cannot be put into."""
+    if not isinstance(out, tuple) or len(out) != 2:
+        raise TypeError("out must be a tuple of two arrays, for ω and the attitudes")
+    for name, array, columns in (("out[0]", out[0], 3), ("out[1]", out[1], 4)):
+        if not isinstance(array, np.ndarray) or array.dtype != np.float64:
+            raise TypeError(f"{name} must be an array of float64, not {_arrays.kind_of(array)}")
+        if array.shape != (count, columns):
+            raise PolhodeError(f"{name} must have the shape ({count}, {columns}), not {array.shape}")
+        if not (array.flags.c_contiguous and array.flags.aligned and array.flags.writeable):
+            raise PolhodeError(f"{name} must be C-contiguous, aligned and writeable")
+    if np.shares_memory(out[0], out[1]):
+        raise PolhodeError("out[0] and out[1] must not share memory")

@@ -249,7 +249,7 @@ def identify_payload(
     gravity
         Of free fall, pointing down (n, 3), m/s²; or with ``attitude`` (3,) along axes of space; or (3,) zeros.
     attitude
-        With ``gravity`` (3,): the sensor's attitudes (n, 4), as quaternions w, x, y, z from the sensor to space, or a ``Rotation`` of n.
+        With ``gravity`` (3,): the sensor's attitudes (n, 4), as quaternions w, x, y, z, or matrices (n, 3, 3), from the sensor to space, or a ``Rotation`` of n.
     force, torque
         The wrench (n, 3), N and N·m.
     wrench

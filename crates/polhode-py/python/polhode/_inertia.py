@@ -8,11 +8,11 @@ from typing import Any, Mapping
 
 import numpy.typing as npt
 
-from . import _arrays, _native, _step
+from . import _arrays, _native, _source, _step
 from ._error import PolhodeError
 from ._mass_properties import MassProperties
 from ._robot import positions
-from ._substance import given
+from ._substance import given, of_parts
 
 #: What files are, by how their names end.
 _KINDS = {
@@ -31,7 +31,10 @@ _KINDS = {
 #: What each kind may be told, and what it is called.
 _OPTIONS = {
     "scenario": ("a scenario", set[str]()),
-    "mesh": ("a mesh", {"density", "mass", "material", "unit", "hull", "shell", "weld", "fill", "union"}),
+    "mesh": (
+        "a mesh",
+        {"density", "mass", "material", "parts", "field", "tolerance", "unit", "hull", "shell", "weld", "fill", "union"},
+    ),
     "step": ("a STEP file", {"density", "mass", "material"}),
     "particles": ("a table of particles", {"mass", "unit", "mass_unit"}),
     "cad": ("a CAD report", {"unit", "mass_unit", "products", "decimal"}),
@@ -42,11 +45,14 @@ _OPTIONS = {
 
 
 def inertia(
-    source: str | os.PathLike[str] | tuple[npt.ArrayLike, npt.ArrayLike],
+    source: str | os.PathLike[str] | tuple[npt.ArrayLike, npt.ArrayLike] | npt.ArrayLike | Any,
     *,
     density: float | None = None,
     mass: float | None = None,
     material: str | None = None,
+    parts: Mapping[str, str | Mapping[str, Any]] | None = None,
+    field: str | None = None,
+    tolerance: float | None = None,
     unit: str | float | None = None,
     hull: bool = False,
     shell: float | None = None,
@@ -65,13 +71,18 @@ def inertia(
     subtree: str | None = None,
     joints: Mapping[str, float | str] | None = None,
     kind: str | None = None,
+    format: str | None = None,
 ) -> MassProperties:
-    """Mass, centre of mass and inertia tensor of a file, or of a mesh ``(vertices, triangles)``.
+    """Mass, centre of mass and inertia tensor of a file, or of a mesh: ``(vertices, triangles)``, an object that has ``vertices`` and ``faces``, such
+    as a ``trimesh.Trimesh`` (in its ``units``, if it has some), or triangles (n, 3, 3) by their corners.
 
-    What a file is, its ending says, or ``kind``:
+    A file is a path or an open one, of which ``format`` says how its name would end where it has none. What it is, its ending says, or
+    ``kind``:
 
     ``mesh`` (.stl .obj .ply .off .gltf .glb .3mf .dae)
-        ``density`` (kg/m³), ``mass`` (kg) or ``material``, at most one; ``unit`` of length, as ``"mm"`` or in m; ``hull=True`` for its
+        ``density`` (kg/m³), ``mass`` (kg) or ``material``, at most one; ``parts`` for parts that are made of something else, by their names:
+        ``{"wheel": "steel", "hub": {"mass": 0.25}}``; or ``field``, the density as a formula of x, y and z in m, in kg/m³, such as
+        ``"2700 - 300*hypot(x, y)"``, integrated until the estimated relative error is below ``tolerance`` (1e-10); ``unit`` of length, as ``"mm"`` or in m; ``hull=True`` for its
         convex hull; ``shell`` for a sheet of that thickness, m. Arrays: vertices (n, 3), m unless ``unit`` says otherwise, and the
         numbers of three of them for each triangle (m, 3), from 0, counter-clockwise as seen from outside. ``weld`` joins vertices of open
         edges that are at most so far apart, and ``fill`` then closes holes that are at most so large across: lengths such as ``"0.01 mm"``, or
@@ -104,6 +115,13 @@ def inertia(
     >>> round(1e3 * wedge.mass, 6)
     2.7
 
+    Its triangles by their corners are the same mesh:
+
+    >>> import numpy as np
+    >>> corners = np.array(vertices)[np.array(triangles)]
+    >>> polhode.inertia(corners, unit="mm", material="aluminium").mass == wedge.mass
+    True
+
     A mesh with a hole is refused, and mended only if that is asked for:
 
     >>> import warnings
@@ -117,6 +135,9 @@ def inertia(
         "density": density,
         "mass": mass,
         "material": material,
+        "parts": parts,
+        "field": field,
+        "tolerance": tolerance,
         "unit": unit,
         "hull": _arrays.truth("hull", hull) or None,
         "shell": shell,
@@ -135,17 +156,25 @@ def inertia(
         "subtree": subtree,
         "joints": joints,
     }
-    if isinstance(source, tuple) and len(source) != 2:
-        raise PolhodeError(f"source is a tuple of {len(source)}: a mesh is (vertices, triangles)")
-    if not isinstance(source, (tuple, str, os.PathLike)):
-        raise TypeError(f"source must be a path, or a mesh as the tuple (vertices, triangles), not {type(source).__name__}")
-    path = None if isinstance(source, tuple) else _arrays.path("source", source)
+    mesh = _source.mesh_of(source)
     kind = None if kind is None else _arrays.choice("kind", kind, list(_OPTIONS))
-    if path is None and kind not in (None, "mesh"):
-        raise PolhodeError(f"kind = {kind!r} means nothing for arrays, which are a mesh")
-    kind = "mesh" if path is None else _kind(path, kind)
-    _refuse_options(kind, path or "the source", options)
-    return _read(kind, path, source, options)._heard()
+    if format is not None and not hasattr(source, "read"):
+        raise PolhodeError("format is for open files: a path has its ending, and arrays are a mesh")
+    if mesh is not None:
+        if kind not in (None, "mesh"):
+            raise PolhodeError(f"kind = {kind!r} means nothing for arrays, which are a mesh")
+        _refuse_options("mesh", "the source", options)
+        options["unit"] = _source.unit_of(source) if unit is None else unit
+        return _read("mesh", None, mesh, options)._heard()
+
+    def of_file(path: str) -> MassProperties:
+        found = _kind(path, kind)
+        _refuse_options(found, path, options)
+        return _read(found, path, None, options)
+
+    if hasattr(source, "read"):
+        return _source.read(source, format, of_file)._heard()
+    return of_file(_arrays.path("source", source))._heard()
 
 
 def _kind(path: str, kind: str | None) -> str:
@@ -176,6 +205,14 @@ def _refuse_options(kind: str, path: str, options: Mapping[str, object]) -> None
         if value is not None and name not in known:
             hint = f"it may have {', '.join(sorted(known))}" if known else "it says all of it itself"
             raise PolhodeError(f"{name} means nothing for {path}, which is {words}", hint)
+    if options["field"] is not None:
+        for other in ("density", "mass", "material", "parts", "shell", "union"):
+            if options[other] is not None:
+                raise PolhodeError(f"field and {other} are both given: the formula is the density of the solid, all of it")
+    elif options["tolerance"] is not None:
+        raise PolhodeError("tolerance means nothing without field")
+    if options["parts"] is not None and options["union"]:
+        raise PolhodeError("parts and union are both given: where parts overlap, the body would be made of two things")
     for whole in ("hull", "shell"):
         for mend in ("weld", "fill"):
             if options[whole] is not None and options[mend] is not None:
@@ -206,6 +243,9 @@ def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) 
             "weld": _beside_mesh("weld", options["weld"]),
             "fill": _beside_mesh("fill", options["fill"]),
             "union": bool(options["union"]),
+            "parts": of_parts(options["parts"]),
+            "field": None if options["field"] is None else _arrays.text("field", options["field"]),
+            "tolerance": number("tolerance"),
         }
         if path is None:
             return MassProperties._of(_native.mesh_arrays(*_arrays.mesh(*source), how, substance))

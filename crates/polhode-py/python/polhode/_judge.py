@@ -11,7 +11,7 @@ from ._arrays import Floats
 from ._error import PolhodeError
 from ._judgement import Judgement
 from ._mass_properties import findings_of
-from ._motion import warn_of_scenario
+from ._simulate import warn_of_scenario
 
 
 def judge(

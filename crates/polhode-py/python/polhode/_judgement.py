@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from . import _html, _native
 from ._arrays import Floats
 from ._error import in_python
+from ._record import same
 
 
 class TriedReading(NamedTuple):
@@ -113,6 +114,16 @@ class Judgement:
     def __init__(self, judged: _native.Judged) -> None:
         self._judged = judged
         self._report: dict[str, Any] = json.loads(judged["json"])
+
+    #: Nothing with arrays in it is hashed.
+    __hash__ = None  # type: ignore[assignment]
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Judgement):
+            return NotImplemented
+        one: Any = self._judged
+        two: Any = other._judged
+        return all(same(value, two[name]) for name, value in one.items())
 
     @property
     def times(self) -> Floats:

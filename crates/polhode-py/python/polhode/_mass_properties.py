@@ -159,7 +159,7 @@ class MassProperties:
     def along(self, rotation: object) -> Floats:
         """The inertia tensor about the centre of mass along turned axes (3, 3), kg·m².
 
-        ``rotation`` takes components along those axes to body components: a quaternion (w, x, y, z) or a
+        ``rotation`` takes components along those axes to body components: a quaternion (w, x, y, z), a matrix (3, 3) or a
         ``scipy.spatial.transform.Rotation``.
         """
         return self._native.along(_arrays.quaternions("rotation", rotation, (4,)).tolist())
@@ -167,7 +167,7 @@ class MassProperties:
     def placed(self, *, position: npt.ArrayLike = (0.0, 0.0, 0.0), rotation: object = IDENTITY) -> MassProperties:
         """The body described in a frame in which its origin is at ``position`` and its axes are turned by ``rotation``.
 
-        ``rotation`` takes the body's present components to the new ones: a quaternion (w, x, y, z) or a
+        ``rotation`` takes the body's present components to the new ones: a quaternion (w, x, y, z), a matrix (3, 3) or a
         ``scipy.spatial.transform.Rotation``.
         """
         turn = _arrays.quaternions("rotation", rotation, (4,)).tolist()
@@ -182,6 +182,17 @@ class MassProperties:
     def __radd__(self, other: object) -> MassProperties:
         """``sum(parts)`` begins with 0."""
         return self if isinstance(other, int) and other == 0 else NotImplemented
+
+    def __eq__(self, other: object) -> bool:
+        """Equal are bodies of the same mass, centre of mass and tensor, wherever they came from."""
+        return self._key == other._key if isinstance(other, MassProperties) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._key)
+
+    @property
+    def _key(self) -> tuple[float, ...]:
+        return self.mass, *self.center_of_mass.tolist(), *self.inertia.ravel().tolist()
 
     def to_dict(self) -> dict[str, Any]:
         """The object that ``polhode inertia --json`` prints: its keys are stable."""
@@ -218,10 +229,11 @@ class MassProperties:
 
     def __reduce__(self) -> tuple[Any, ...]:
         # By value, bit for bit, with all that is known of where the body came from; and what a subclass has added.
-        return _rebuilt, (type(self), self._native.state()), getattr(self, "__dict__", None)
+        return rebuilt, (type(self), self._native.state()), getattr(self, "__dict__", None)
 
 
-def _rebuilt(kind: type[MassProperties], state: _native.MassState) -> MassProperties:
+def rebuilt(kind: type[MassProperties], state: _native.MassState) -> MassProperties:
+    """A body by value."""
     made = object.__new__(kind)
     made._native = _native.MassProperties.of_state(state)
     return made

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Iterable, Mapping, NamedTuple, Sequence
+from typing import TYPE_CHECKING, Any, Iterator, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -13,10 +13,11 @@ import numpy.typing as npt
 from . import _arrays, _html, _native
 from ._arrays import Floats
 from ._derivatives import Derivatives, derivatives_of
-from ._error import PolhodeError, warn
-from ._free_motion import MotionError, rotations
-from ._mass_properties import Finding, findings_of, warn_of
-from ._scenario import Scenario
+from ._error import PolhodeError
+from ._mass_properties import Finding, findings_of
+from ._record import same
+from ._states import MotionError, States, rotations
+from ._table import Column, Table, Variable
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
@@ -48,19 +49,24 @@ class Ending(NamedTuple):
     time: float | None
 
 
-class Motion:
+class Motion(Table):
     """A computed motion: arrays with a row for each of ``times``. :func:`simulate` makes one.
 
-    Each access gives an array of its own. Copies, in other processes too, hold all of the motion by value.
+    Each access gives an array of its own. Its length is the number of times, and ``motion[k]`` the :class:`States` at the kth, ``motion[2:5]`` those at
+    several. Copies, in other processes too, hold all of the motion by value.
     """
 
-    def __init__(self, native: _native.Motion) -> None:
+    def __init__(self, native: _native.Motion, sampled: Floats | None = None, has_functions: bool = False) -> None:
         self._native = native
+        #: Whether functions of Python are among its torques, which copies do not have.
+        self._has_functions = has_functions
+        #: Times that took the place of those of the scenario.
+        self._sampled = None if sampled is None else sampled.copy()
 
     @property
     def times(self) -> Floats:
         """Times (n,), s."""
-        return self._columns["time_s"].copy()
+        return self._column("time_s")
 
     @property
     def attitude(self) -> Floats:
@@ -90,18 +96,17 @@ class Motion:
     @property
     def kinetic_energy(self) -> Floats:
         """Kinetic energy of rotation about that point (n,), J."""
-        return self._columns["kinetic_energy_j"].copy()
+        return self._column("kinetic_energy_j")
 
     @property
     def potential_energy(self) -> Floats | None:
         """Potential energy of the torques (n,), J; ``None`` if one has no potential."""
-        potential = self._columns.get("potential_energy_j")
-        return None if potential is None else potential.copy()
+        return self._column("potential_energy_j") if "potential_energy_j" in self._columns else None
 
     @property
     def work(self) -> Floats:
         """Work of the torque since the start (n,), J."""
-        return self._work.copy()
+        return self._column("work_j")
 
     @property
     def events(self) -> list[Event]:
@@ -111,7 +116,7 @@ class Motion:
     @property
     def error(self) -> MotionError | None:
         """Estimates of its error at each time; ``None`` of a prescribed motion."""
-        return None if self._error is None else MotionError(*(errors.copy() for errors in self._error))
+        return self._error
 
     @cached_property
     def derivatives(self) -> Derivatives | None:
@@ -139,9 +144,48 @@ class Motion:
         """The object that is ``summary.json``: mass properties, the kind of motion, the error of the numbers; its keys are stable."""
         return dict(json.loads(self._json))
 
-    def columns(self) -> dict[str, Floats]:
-        """The trajectory by columns, as the tables of the command name them: what a ``DataFrame`` takes."""
-        return {name: values.copy() for name, values in self._columns.items()}
+    @property
+    def states(self) -> States:
+        """Its times, ω and attitudes."""
+        return States(self.times, self.omega, self.attitude)
+
+    def at(self, times: npt.ArrayLike) -> States:
+        """ω and the attitude at further times, in any order, from the start up to the last of :attr:`times`: to full accuracy, as the motion is computed
+        once more.
+
+        Of a single time ω is (3,) and the attitude (4,). A copy, as in another process, reads the scenario again for that, with the files that it
+        names, and is refused if they are not what they were.
+
+        >>> import numpy as np, polhode
+        >>> motion = polhode.simulate('''
+        ... [[body.part]]
+        ... shape = "tensor"
+        ... mass = "1 kg"
+        ... moments = ["1 kg m^2", "2 kg m^2", "2.5 kg m^2"]
+        ...
+        ... [start]
+        ... spin = { body = [0, 0, 3] }
+        ...
+        ... [[torque]]
+        ... model = "drag"
+        ... law = "linear"
+        ... coefficient = "0.5 N m s"
+        ...
+        ... [run]
+        ... duration = "10 s"
+        ... samples = 2
+        ... ''')
+        >>> bool(abs(motion.at(5.0).omega[2] - 3 * np.exp(-0.5 * 5.0 / 2.5)) < 1e-12)
+        True
+        """
+        given = _arrays.real("times", times)
+        if given.ndim > 1:
+            raise PolhodeError(f"times must have the shape (n,) or be a number, not {given.shape}")
+        asked = _arrays.numbers("times", np.atleast_1d(given), ("n",))
+        last = float(self._columns["time_s"].values[-1])
+        _arrays.refuse("times", asked, asked > last, f"at most {last}, the motion's last time: simulate has times for more")
+        states = States(asked.copy(), *self._computed().at(asked))
+        return states[0] if given.ndim == 0 else states
 
     def rotations(self) -> Rotation:
         """The attitudes as a ``scipy.spatial.transform.Rotation``: it takes body components to space components."""
@@ -152,16 +196,50 @@ class Motion:
         return _native.motion_page(self.title, self._page_data)
 
     @cached_property
-    def _columns(self) -> dict[str, Floats]:
+    def _columns(self) -> dict[str, Column]:
         # Nobody else has these: what is written into an array that was handed out changes no other answer.
-        return dict(self._native.columns())
+        return {column[0]: Column(*column) for column in self._native.columns()}
 
-    @cached_property
-    def _work(self) -> Floats:
-        return self._native.work
+    def _column(self, name: str) -> Floats:
+        return self._columns[name].values.copy()
 
     def _stacked(self, name: str, axes: str) -> Floats:
-        return np.column_stack([self._columns[name.format(axis)] for axis in axes])
+        return np.column_stack([self._columns[name.format(axis)].values for axis in axes])
+
+    def _table(self) -> list[Column]:
+        return [column._replace(values=column.values.copy()) for column in self._columns.values()]
+
+    def _variables(self) -> list[Variable]:
+        rest, found = dict(self._columns), []
+        for name, columns, axes, dimension in _VECTORS:
+            parts = [rest.pop(columns.format(axis)) for axis in axes]
+            values = np.column_stack([part.values for part in parts])
+            found.append(Variable(name, ("time", dimension), parts[0].unit, parts[0].description, values))
+        time = rest.pop("time_s")
+        return [
+            Variable("time", ("time",), time.unit, time.description, time.values.copy()),
+            *found,
+            *(Variable(name, ("time",), column.unit, column.description, column.values.copy()) for name, column in rest.items()),
+        ]
+
+    @cached_property
+    def _source(self) -> tuple[str, str]:
+        path, text = self._native.source
+        return os.path.abspath(path), text
+
+    def _computed(self) -> _native.Motion:
+        """What Rust computed; of a copy once more."""
+        if "_native" not in vars(self):
+            if self._has_functions:
+                raise PolhodeError("this copy of a motion has no functions of Python, of which its torques were", "ask the motion itself")
+            again = _native.simulate(*self._source, self._sampled, "none", None, [])
+            there = {name: values for name, _, _, values in again.columns()}
+            # Errors of it are not estimated again.
+            if not all(same(there.get(name), self._columns[name].values) for name in _STATE):
+                message = "the motion is another one when its scenario is read again: a file that it names has changed"
+                raise PolhodeError(message, "simulate it again")
+            self._native = again
+        return self._native
 
     @cached_property
     def _error(self) -> MotionError | None:
@@ -189,6 +267,24 @@ class Motion:
     def _page_data(self) -> str:
         return self._native.page_data()
 
+    def __getitem__(self, which: Any) -> States:
+        return self.states[which]
+
+    def __iter__(self) -> Iterator[States]:
+        states = self.states
+        return (states[k] for k in range(len(states)))
+
+    def __eq__(self, other: object) -> bool:
+        """Equal are motions with the same numbers at the same times, the same events, and the same ending."""
+        if not isinstance(other, Motion):
+            return NotImplemented
+        if (self.ending, self._events, self._columns.keys()) != (other.ending, other._events, other._columns.keys()):
+            return False
+        return all(same(column.values, other._columns[name].values) for name, column in self._columns.items())
+
+    def __hash__(self) -> int:
+        return hash((len(self), self.ending, self._events))
+
     def __getstate__(self) -> dict[str, Any]:
         # By value: where it arrives, neither the scenario's files nor its computation are needed again.
         for name in _VALUES:
@@ -196,7 +292,7 @@ class Motion:
         return {name: value for name, value in vars(self).items() if name != "_native"}
 
     def __len__(self) -> int:
-        return len(self._columns["time_s"])
+        return len(self._columns["time_s"].values)
 
     def __repr__(self) -> str:
         return f"Motion({self.title or 'a scenario'}: {len(self)} times, {self.ending.kind})"
@@ -208,113 +304,17 @@ class Motion:
         return _html.frame(self.page())
 
 
+#: Vectors among the columns: what an array is called, its columns, their axes, and what these are called.
+_VECTORS = (
+    ("attitude", "attitude_{}", "wxyz", "component"),
+    ("omega", "omega_body_{}_rad_s", "xyz", "axis"),
+    ("omega_space", "omega_space_{}_rad_s", "xyz", "axis"),
+    ("momentum", "momentum_space_{}_kg_m2_s", "xyz", "axis"),
+    ("torque", "torque_body_{}_n_m", "xyz", "axis"),
+)
+
+#: What tells one motion from another.
+_STATE = ("time_s", *(columns.format(axis) for _, columns, axes, _ in _VECTORS[:2] for axis in axes))
+
 #: All that a motion is: what its copies have.
 _VALUES = tuple(name for name, value in vars(Motion).items() if isinstance(value, cached_property))
-
-
-def simulate(
-    scenario: Scenario | str | os.PathLike[str],
-    *,
-    times: npt.ArrayLike | None = None,
-    error: str = "auto",
-    derivatives: Sequence[str] | None = None,
-) -> Motion:
-    """Computes the motion of a :class:`Scenario`, of a scenario's file, or of its text.
-
-    A ``str`` of more than one line is a text; the files that it names are found from the current folder. ``times`` (n,), ascending, s,
-    take the place of the times of its ``[run]``. A motion that cannot be computed to its end is returned as far as it is good, with a
-    :class:`PolhodeWarning`; what had to be assumed, and a ``[sweep]``, which is not simulated, are warned of too. Ctrl-C ends the
-    computation.
-
-    ``error`` says how much work :attr:`Motion.error` is worth: ``"thorough"`` takes twelve times as long as the motion, ``"cheap"`` as
-    long as the motion, ``"auto"`` is thorough where that takes a moment.
-
-    ``derivatives`` asks for :attr:`Motion.derivatives`, by the start, by the inertia tensor, and by these numbers of torques:
-    ``"torque[0].factor"`` is what the first torque is multiplied by, which is 1; ``"torque[0].stiffness"`` a number of its own. An empty list
-    has start and tensor alone.
-
-    >>> import polhode
-    >>> motion = polhode.simulate('''
-    ... [[body.part]]
-    ... shape = "box"
-    ... size = ["20 cm", "13 cm", "3 cm"]
-    ... mass = "0.6 kg"
-    ...
-    ... [start]
-    ... spin = { body = ["0.01 rad/s", "5 rad/s", "0.02 rad/s"] }
-    ...
-    ... [run]
-    ... duration = "4 s"
-    ... samples = 401
-    ... ''')
-    >>> motion.omega.shape, motion.attitude.shape
-    ((401, 3), (401, 4))
-    >>> bool(abs(motion.momentum - motion.momentum[0]).max() < 1e-16)
-    True
-
-    Spun up by a torque about a principal axis, with its derivatives by the torque and when a rate is reached:
-
-    >>> motion = polhode.simulate('''
-    ... [[body.part]]
-    ... shape = "tensor"
-    ... mass = "1 kg"
-    ... moments = ["1 kg m^2", "2 kg m^2", "2.5 kg m^2"]
-    ...
-    ... [start]
-    ... spin = { body = [0, 0, 0] }
-    ...
-    ... [[torque]]
-    ... model = "constant"
-    ... axes = "body"
-    ... torque = [0, 0, "0.5 N m"]
-    ...
-    ... [[event]]
-    ... name = "fast"
-    ... measure = "omega_body_z"
-    ... value = "0.6 rad/s"
-    ...
-    ... [run]
-    ... duration = "4 s"
-    ... samples = 2
-    ... ''', derivatives=["torque[0].z"])
-    >>> motion.derivatives.by_parameters[1, 5, 0].round(12)  # ω = N t/I
-    np.float64(1.6)
-    >>> motion.derivatives.events[0].time_by_parameters.round(12)
-    array([-6.])
-    """
-    functions = []
-    if isinstance(scenario, Scenario):
-        path, text, functions = scenario._path, scenario._text(), scenario._functions()
-    elif isinstance(scenario, str) and "\n" in scenario:
-        path, text = "scenario.toml", _arrays.text("scenario", scenario)
-    else:
-        path, text = _arrays.path("scenario", scenario), None
-    error = _arrays.choice("error", error, ["auto", "cheap", "thorough"])
-    sampled = None if times is None else _arrays.numbers("times", times, ("n",))
-    try:
-        motion = Motion(_native.simulate(path, text, sampled, error, _keys(derivatives), functions))
-    except PolhodeError as refused:
-        if isinstance(scenario, Scenario) and refused.line is not None:
-            raise scenario._placed(refused) from None
-        raise
-    warn_of_scenario(motion.findings)
-    if motion.ending.kind == "failed":
-        warn(f"the motion ends at t = {motion.ending.time} s: {motion.ending.cause}")
-    return motion
-
-
-def _keys(derivatives: Sequence[str] | None) -> list[str] | None:
-    """Names of numbers."""
-    if derivatives is None:
-        return None
-    if isinstance(derivatives, (str, Mapping)) or not isinstance(derivatives, Iterable):
-        raise TypeError(f"derivatives must be a list of numbers' names, not {type(derivatives).__name__}")
-    return [_arrays.text(f"derivatives[{k}]", key) for k, key in enumerate(derivatives)]
-
-
-def warn_of_scenario(findings: list[Finding]) -> None:
-    """What is worth a warning, and that a ``[sweep]`` is not simulated."""
-    warn_of(findings)
-    for finding in findings:
-        if finding.code == "sweep.nominal":
-            warn(f"{finding.message} [{finding.code}]")

@@ -5,13 +5,15 @@ from __future__ import annotations
 import copy
 import json
 import os
-from typing import Any, Iterator, Mapping, NamedTuple
+from dataclasses import dataclass
+from typing import Any, Iterator, Mapping
 
 import numpy as np
 
-from . import _arrays, _native
+from . import _arrays, _html, _native
 from ._arrays import Floats
 from ._mass_properties import Finding, MassProperties, findings_of, warn_of
+from ._record import Record
 
 
 def positions(joints: object) -> list[tuple[str, float | str]]:
@@ -46,7 +48,8 @@ def fixed_groups(path: str | os.PathLike[str]) -> dict[str, MassProperties]:
     return bodies
 
 
-class LinkRow(NamedTuple):
+@dataclass(frozen=True, eq=False, repr=False)
+class LinkRow(Record):
     """A link in a table, in its own frame."""
 
     #: Its name.
@@ -61,6 +64,9 @@ class LinkRow(NamedTuple):
     inertia: Floats | None
     #: Principal moments (3,), ascending, kg·m².
     moments: Floats | None
+
+    def __repr__(self) -> str:
+        return f"LinkRow({self.link!r}, {self.mass:.6g} kg)"
 
 
 class LinkTable:
@@ -96,6 +102,23 @@ class LinkTable:
         """The table that ``polhode inertia --table --csv`` prints, units in the heads of its columns."""
         return self._csv
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, LinkTable):
+            return NotImplemented
+        return (self.path, self._table, self._findings) == (other.path, other._table, other._findings)
+
+    #: What may be changed in it is not hashed.
+    __hash__ = None  # type: ignore[assignment]
+
+    def __getitem__(self, which: Any) -> Any:
+        """A link by its place or its name, or several by a slice."""
+        if isinstance(which, str):
+            for row in self:
+                if row.link == which:
+                    return row
+            raise KeyError(f"{which!r} is none of {', '.join(row.link for row in self)}")
+        return self.rows[which]
+
     def __iter__(self) -> Iterator[LinkRow]:
         return iter(self.rows)
 
@@ -107,6 +130,15 @@ class LinkTable:
 
     def __str__(self) -> str:
         return self._text
+
+    def _repr_html_(self) -> str:
+        def numbers(row: LinkRow) -> list[str]:
+            known = () if row.center_of_mass is None or row.moments is None else (*row.center_of_mass, *row.moments)
+            return [_html.number(row.mass), *map(_html.number, known)] + [""] * (6 - len(known))
+
+        lines = [*((row.link, numbers(row)) for row in self), ("together", numbers(self.whole))]
+        head = ["mass, kg", "x, m", "y, m", "z, m", "i1, kg·m²", "i2", "i3"]
+        return f"<div>{_html.rows(head, lines)}</div>"
 
 
 def link_table(path: str | os.PathLike[str], *, joints: Mapping[str, float | str] | None = None) -> LinkTable:

@@ -84,11 +84,11 @@ class Scenario:
     ...     shapes.cylinder(radius=0.032, length=0.009, material="brass").placed(position=[0, 0, 0.038]),
     ...     start=Start(attitude={"euler313": [0, "30 deg", 0]}, omega=[0, 0, "2300 rpm"]),
     ...     torques=[Gravity(pivot=[0, 0, 0])],
-    ...     events=[Event(name="upright", measure="nutation", value="29 deg")],
+    ...     events=[Event(name="lower", measure="nutation", value="31 deg")],
     ...     run=Run(duration=0.2, samples=201),
     ... )
     >>> polhode.simulate(scenario).events[0].name
-    'upright'
+    'lower'
     >>> polhode.Scenario.from_toml(scenario.to_toml()) == scenario
     True
     """
@@ -360,6 +360,15 @@ def _parts_of(body: object) -> tuple[Part, ...]:
 
 def _tensor(name: str | None, body: MassProperties) -> Part:
     return Part(name=name, shape="tensor", mass=body.mass, center_of_mass=body.center_of_mass, inertia=body.inertia)
+
+
+def formula_source(scenario: str | os.PathLike[str] | Scenario) -> tuple[str, str | None]:
+    """The path and the text, if there is one, of a scenario whose torques have formulas; a ``str`` of more than one line is a text."""
+    if isinstance(scenario, Scenario):
+        return scenario._path, scenario.to_toml()
+    if isinstance(scenario, str) and "\n" in scenario:
+        return "scenario.toml", _arrays.text("scenario", scenario)
+    return _arrays.path("scenario", scenario), None
 
 
 def text_of_torques(torques: Sequence[Torque]) -> str:

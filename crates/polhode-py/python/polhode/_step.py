@@ -28,11 +28,8 @@ def solids(path: str) -> tuple[list[_native.Solid], _native.Step]:
     except ImportError as error:
         raise ImportError("STEP files need OpenCASCADE: pip install cadquery-ocp") from error
 
-    try:
-        with open(path, "rb") as file:
-            is_empty = not file.read(1)
-    except OSError as error:
-        raise PolhodeError(f"cannot read {path}: {error.strerror}") from error
+    with open(path, "rb") as file:
+        is_empty = not file.read(1)
     if is_empty:
         raise PolhodeError(f"{path} is empty", "export it again")
     reader = STEPControl_Reader()

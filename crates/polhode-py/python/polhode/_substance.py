@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TypedDict
 
-from . import _arrays
+from . import _arrays, _native
+from ._error import PolhodeError
 
 
 class Given(TypedDict):
@@ -15,6 +17,40 @@ class Given(TypedDict):
     material: str | None
     area_density: float | None
     line_density: float | None
+
+
+def materials() -> dict[str, float]:
+    """The materials that ``material=`` knows, with their densities, kg/m³: rounded values in common use.
+
+    >>> import polhode
+    >>> polhode.materials()["steel"]
+    7850.0
+    """
+    return dict(_native.materials())
+
+
+def of_parts(parts: object) -> list[tuple[str, Given]]:
+    """What parts of a mesh are made of by their names: a material, or a dictionary with a density, a mass or a material."""
+    if not isinstance(parts, (Mapping, type(None))):
+        raise TypeError(f"parts must be a dict of what parts are made of by their names, not {type(parts).__name__}")
+    made: list[tuple[str, Given]] = []
+    for name, what in (parts or {}).items():
+        place = f"parts[{_arrays.text('the name of a part', name)!r}]"
+        if isinstance(what, str):
+            what = {"material": what}
+        if not isinstance(what, Mapping):
+            raise TypeError(f"{place} must be a material or a dict, not {type(what).__name__}")
+        if len(what) != 1 or not set(what) <= {"density", "mass", "material"}:
+            raise PolhodeError(f"{place} must have one of density, mass and material")
+        ((key, value),) = what.items()
+        named = f"{place}[{key!r}]"
+        if key == "material":
+            made.append((name, given(material=_arrays.text(named, value))))
+        elif key == "mass":
+            made.append((name, given(mass=_arrays.positive(named, value))))
+        else:
+            made.append((name, given(density=_arrays.positive(named, value))))
+    return made
 
 
 def given(

@@ -120,6 +120,13 @@ class Plan:
         """What was noticed, about members that are not possible too."""
         return findings_of(self._native.findings)
 
+    def __eq__(self, other: object) -> bool:
+        """Equal are plans with the same results, whatever they are called."""
+        return self.digest == other.digest if isinstance(other, Plan) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self.digest)
+
     def __repr__(self) -> str:
         return f"Plan({self.members} members, {', '.join(variable.name for variable in self.variables) or 'nothing'} varied)"
 

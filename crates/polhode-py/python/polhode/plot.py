@@ -1,11 +1,12 @@
 """Figures of motions, for those who have Matplotlib: each function returns a ``matplotlib.figure.Figure``.
 
-They do not touch ``pyplot``: a figure is shown where a notebook returns it, or written by ``figure.savefig("omega.png")``.
+They do not touch ``pyplot``: a figure is shown where a notebook returns it, or written by ``figure.savefig("omega.png")``. With ``ax=``, axes that there
+are already, it is these that are drawn into, and their figure that is returned.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Sequence
+from typing import TYPE_CHECKING, Any, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 SAMPLES = 2001
 
 
-def omega(motion: FreeMotion | Motion, *, times: npt.ArrayLike | None = None) -> Figure:
+def omega(motion: FreeMotion | Motion, *, times: npt.ArrayLike | None = None, ax: Axes | None = None) -> Figure:
     """ω along body axes over time. ``times`` are for a free motion, which has none of its own; else it is drawn for some periods.
 
     >>> import polhode
@@ -35,31 +36,31 @@ def omega(motion: FreeMotion | Motion, *, times: npt.ArrayLike | None = None) ->
     'ω in the body (rad/s)'
     """
     at, rates, _ = _sampled(motion, times)
-    figure, axes = _axes()
+    figure, axes = _axes(ax)
     _lines(axes, at, rates, ["$ω_x$", "$ω_y$", "$ω_z$"], "ω in the body (rad/s)")
     return figure
 
 
-def attitude(motion: FreeMotion | Motion, *, times: npt.ArrayLike | None = None) -> Figure:
+def attitude(motion: FreeMotion | Motion, *, times: npt.ArrayLike | None = None, ax: Axes | None = None) -> Figure:
     """The attitude's quaternion over time."""
     at, _, quaternions = _sampled(motion, times)
-    figure, axes = _axes()
+    figure, axes = _axes(ax)
     _lines(axes, at, quaternions, ["w", "x", "y", "z"], "attitude (R_space_body)")
     return figure
 
 
-def momentum(motion: Motion) -> Figure:
+def momentum(motion: Motion, *, ax: Axes | None = None) -> Figure:
     """L along space axes over time: constant where no torque acts."""
     _computed(motion)
-    figure, axes = _axes()
+    figure, axes = _axes(ax)
     _lines(axes, motion.times, motion.momentum, ["$L_x$", "$L_y$", "$L_z$"], "L in space (kg·m²/s)")
     return figure
 
 
-def energy(motion: Motion) -> Figure:
+def energy(motion: Motion, *, ax: Axes | None = None) -> Figure:
     """Kinetic energy over time, and where every torque has a potential, potential and total energy."""
     _computed(motion)
-    figure, axes = _axes()
+    figure, axes = _axes(ax)
     columns, names = [motion.kinetic_energy], ["T"]
     if motion.potential_energy is not None:
         columns += [motion.potential_energy, motion.kinetic_energy + motion.potential_energy]
@@ -68,16 +69,15 @@ def energy(motion: Motion) -> Figure:
     return figure
 
 
-def polhode(motion: FreeMotion) -> Figure:
-    """The path of ω along the principal axes, on the ellipsoid of all ω with the motion's kinetic energy."""
+def polhode(motion: FreeMotion, *, ax: Axes | None = None) -> Figure:
+    """The path of ω along the principal axes, on the ellipsoid of all ω with the motion's kinetic energy; ``ax`` have ``projection="3d"``."""
     if not isinstance(motion, FreeMotion):
         raise TypeError(f"motion must be a FreeMotion, whose ω stays on an ellipsoid, not {type(motion).__name__}")
     at, rates, _ = _sampled(motion, None)
-    figure = _figure(6.0, 6.0)
-    axes = figure.add_subplot(projection="3d")
     moments = motion.moments
     if not (moments > 0.0).all() or motion.kinetic_energy == 0.0:
         raise PolhodeError("a body at rest, or without inertia about an axis, has no inertia ellipsoid")
+    figure, axes = _axes(ax, solid=True)
     radii = np.sqrt(2.0 * motion.kinetic_energy / moments)
     around, down = np.meshgrid(np.linspace(0.0, 2.0 * np.pi, 49), np.linspace(0.0, np.pi, 25))
     sphere = np.stack([np.cos(around) * np.sin(down), np.sin(around) * np.sin(down), np.cos(down)])
@@ -109,17 +109,24 @@ def _sampled(motion: FreeMotion | Motion, times: npt.ArrayLike | None) -> tuple[
     return at, states.omega, states.attitude
 
 
-def _figure(width: float, height: float) -> Figure:
+def _axes(ax: Axes | None, solid: bool = False) -> tuple[Figure, Any]:
+    """Those that are given, or a figure with new ones."""
     try:
-        from matplotlib.figure import Figure
+        from matplotlib.axes import Axes
+
+        from ._figure import ShownFigure
     except ImportError as error:
         raise ImportError("plots need Matplotlib: pip install matplotlib") from error
-    return Figure(figsize=(width, height), layout="constrained")
-
-
-def _axes() -> tuple[Figure, Axes]:
-    figure = _figure(8.0, 4.0)
-    return figure, figure.add_subplot()
+    if ax is None:
+        made = ShownFigure(figsize=(6.0, 6.0) if solid else (8.0, 4.0), layout="constrained")
+        return made, made.add_subplot(projection="3d" if solid else None)
+    if not isinstance(ax, Axes):
+        raise TypeError(f"ax must be axes of Matplotlib, not {type(ax).__name__}")
+    if (ax.name == "3d") != solid:
+        raise PolhodeError(f"ax are axes of the projection {ax.name!r}, which this figure is not", 'subplot_kw={"projection": "3d"} is for the polhode')
+    figure = ax.get_figure(root=True)
+    assert figure is not None  # axes that were removed have none, and cannot be drawn into
+    return figure, ax
 
 
 def _lines(axes: Axes, times: Floats, rows: Floats, names: Sequence[str], label: str) -> None:

@@ -17,7 +17,7 @@ import sys
 import warnings
 from typing import Any, Callable, Iterator, NamedTuple, Sequence
 
-from . import _arrays, _cluster, _native, _threads, batch
+from . import _arrays, _cluster, _native, batch
 from ._error import PolhodeError, PolhodeWarning
 from .batch import Plan
 
@@ -45,6 +45,7 @@ def run(
     output: str | os.PathLike[str],
     *,
     on: str | None = None,
+    threads: int | None = None,
     workers: int | None = None,
     resume: bool = False,
     force: bool = False,
@@ -54,8 +55,8 @@ def run(
     """Computes a plan into the folder ``output``.
 
     ``on`` is where: ``None`` for threads of this process, ``"dask://HOST:PORT"`` or ``"ray://HOST:PORT"`` for a cluster, ``"dask://local"`` or
-    ``"ray://local"`` for one that is started here and ends with the sweep. ``workers``: how many threads, or processes of a local cluster;
-    all processors that this process may use unless you say otherwise. ``resume`` goes on with what is there, ``force`` throws it away.
+    ``"ray://local"`` for one that is started here and ends with the sweep. ``threads``, of this process, and ``workers``, processes of a local
+    cluster, are as many as this process may use processors unless you say otherwise. ``resume`` goes on with what is there, ``force`` throws it away.
     ``progress`` is told how many members are done, and of how many.
 
     A cluster that is lost is a ``ConnectionError``; one that has no worker is warned of, and after ``worker_timeout`` seconds (``None``: never)
@@ -64,7 +65,12 @@ def run(
     plan = plan if isinstance(plan, Plan) else Plan(_arrays.path("plan", plan))
     if all([_arrays.truth("resume", resume), _arrays.truth("force", force)]):
         raise PolhodeError("resume and force are both given: one goes on with what is there, the other throws it away")
-    count = _threads.available() if workers is None else _arrays.count("workers", workers)
+    if threads is not None and on is not None:
+        raise PolhodeError("threads mean nothing on a cluster: each of its workers has one", "say how many processes by workers")
+    if workers is not None and on is None:
+        raise PolhodeError("workers mean nothing without a cluster: here there are threads", "say how many by threads, or where by on")
+    name, given = ("threads", threads) if on is None else ("workers", workers)
+    count = _native.available_threads() if given is None else _arrays.count(name, given)
     timeout = None if worker_timeout is None else _arrays.positive("worker_timeout", worker_timeout)
     if not callable(progress):
         raise TypeError(f"progress must be a function of two numbers, not {type(progress).__name__}")
@@ -83,7 +89,7 @@ def run(
                 dataset.write(part, batch._columns(rows))
                 done += rows.num_rows
                 progress(done, plan.members)
-        summary, text = dataset.finish(plan._native, _threads.available())
+        summary, text = dataset.finish(plan._native, _native.available_threads())
     finally:
         # Else what an error remembers would keep the folder locked.
         del dataset
@@ -138,7 +144,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 given.plan,
                 output,
                 on=given.on,
-                workers=given.workers,
+                **{"workers" if given.on else "threads": given.workers},
                 resume=given.resume,
                 force=given.force,
                 progress=show,

@@ -1,0 +1,90 @@
+"""Worked solutions."""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import dataclass
+from typing import Any
+
+from . import _native
+from ._error import in_python
+from ._record import Record
+from ._scenario import Scenario, formula_source
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Explanation(Record):
+    """A worked solution: the body, its axes, the inertia tensor, Euler's equations, ω and the attitude, with every formula and number."""
+
+    #: What it is about.
+    title: str
+    #: Plain text for lines of 100 characters.
+    text: str
+    #: Markdown with typeset formulas, for notebooks, GitHub and pandoc.
+    markdown: str
+    #: A page of HTML with typeset formulas and graphs, which needs nothing else.
+    html: str
+    #: An article of LaTeX.
+    latex: str
+    #: JSON, as the command prints it.
+    _json: str
+
+    def to_dict(self) -> dict[str, Any]:
+        """The object that ``polhode explain --json`` prints: sections, formulas and tables as data."""
+        return dict(json.loads(self._json))
+
+    def __repr__(self) -> str:
+        return f"Explanation({self.title!r}: {len(self.to_dict()['sections'])} sections)"
+
+    def __str__(self) -> str:
+        return self.text
+
+    def _repr_markdown_(self) -> str:
+        return self.markdown
+
+
+def explain(scenario: str | os.PathLike[str] | Scenario) -> Explanation:
+    """Works a scenario through, step by step, with every formula and number: what ``polhode explain`` does.
+
+    Parameters
+    ----------
+    scenario
+        A path, or a text of more than one line, as of :func:`simulate`, or a :class:`Scenario`.
+
+    Returns
+    -------
+    Explanation
+        Which a notebook shows with its formulas.
+
+    Raises
+    ------
+    PolhodeError
+        If the scenario cannot be read or computed, or has torques that are functions of Python, of which no formula is known.
+
+    Examples
+    --------
+    >>> import polhode
+    >>> solution = polhode.explain('''
+    ... title = "A spinning box"
+    ...
+    ... [[body.part]]
+    ... shape = "box"
+    ... size = ["20 cm", "13 cm", "3 cm"]
+    ... mass = "0.6 kg"
+    ...
+    ... [start]
+    ... spin = { body = ["0.01 rad/s", "5 rad/s", "0.02 rad/s"] }
+    ... ''')
+    >>> solution.title, solution.latex.startswith(r"\\documentclass")
+    ('A spinning box', True)
+    """
+    found = _native.explain_scenario(*formula_source(scenario))
+    return Explanation(
+        title=str(json.loads(found["json"])["title"]),
+        text=in_python(found["text"]),
+        markdown=found["markdown"],
+        html=found["html"],
+        latex=found["latex"],
+        _json=found["json"],
+    )

@@ -1,0 +1,92 @@
+"""What bodies are read from besides paths: meshes of other libraries, triangles, open files."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from . import _arrays
+from ._arrays import Floats
+from ._error import PolhodeError
+from ._mass_properties import MassProperties, rebuilt
+
+#: What may be given.
+KNOWN = (
+    "a path, an open file, a mesh as the tuple (vertices, triangles), an object that has vertices and faces, as trimesh's have, "
+    "or triangles (n, 3, 3)"
+)
+
+
+def mesh_of(source: Any) -> tuple[object, object] | None:
+    """Vertices and triangles, if that is what is given; ``None`` of a path or of an open file."""
+    if isinstance(source, (str, os.PathLike)) or hasattr(source, "read"):
+        return None
+    if hasattr(source, "vertices"):
+        for name in ("faces", "triangles"):
+            if hasattr(source, name):
+                return np.asarray(source.vertices), np.asarray(getattr(source, name))
+    # A closed mesh has more than two triangles: two things are vertices and the numbers of them.
+    if isinstance(source, (tuple, list)) and len(source) == 2:
+        return source[0], source[1]
+    if isinstance(source, tuple):
+        raise PolhodeError(f"source is a tuple of {len(source)}: a mesh is (vertices, triangles)")
+    if isinstance(source, (list, np.ndarray)):
+        return _joined(_arrays.numbers("source", source, ("n", 3, 3)))
+    more = ": give the mesh of all of it, scene.to_mesh()" if type(source).__name__ == "Scene" else ""
+    raise TypeError(f"source must be {KNOWN}, not {type(source).__name__}{more}")
+
+
+def _joined(corners: Floats) -> tuple[object, object]:
+    """Corners of triangles that are at the same place, to the bit, are one vertex."""
+    if not len(corners):
+        raise PolhodeError("source has no triangles")
+    points = corners.reshape(-1, 3) + 0.0  # no zero has a sign
+    order = np.lexsort(points.T)
+    ascending = points[order]
+    is_new = np.concatenate([[True], (ascending[1:] != ascending[:-1]).any(axis=1)])
+    numbers = np.empty(len(points), np.int64)
+    numbers[order] = np.cumsum(is_new) - 1
+    return ascending[is_new], numbers.reshape(-1, 3)
+
+
+def unit_of(source: Any) -> str | None:
+    """The unit of length that a mesh says."""
+    unit = getattr(source, "units", None)
+    return unit if isinstance(unit, str) else None
+
+
+def read(source: Any, format: str | None, function: Callable[[str], MassProperties]) -> MassProperties:
+    """A body of an open file, through a file that is there for as long as that takes; nobody hears of it."""
+    given = getattr(source, "name", None)
+    name = Path(given).name if isinstance(given, str) and given else "file"
+    ending = Path(name).suffix if format is None else f".{_arrays.text('format', format).lstrip('.')}"
+    if not ending:
+        raise PolhodeError("the open file has no name that says what it is", 'say how its name would end: format="stl"')
+    data = source.read()
+    if isinstance(data, str):
+        data = data.encode()
+    if not isinstance(data, (bytes, bytearray, memoryview)):
+        raise TypeError(f"source.read() must give bytes or text, not {type(data).__name__}")
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"{Path(name).stem}{ending}"
+        path.write_bytes(data)
+        hidden = f"{folder}{os.sep}"
+        try:
+            body = function(str(path))
+        except PolhodeError as error:
+            raise PolhodeError(*_without(hidden, error.args)) from None
+        except FileNotFoundError as error:  # one that it names
+            raise FileNotFoundError(error.errno, *_without(hidden, (error.strerror, error.filename))) from None
+        return rebuilt(MassProperties, _without(hidden, body._native.state()))
+
+
+def _without(folder: str, value: Any) -> Any:
+    """The same without the folder in any text."""
+    if isinstance(value, (tuple, list)):
+        return type(value)(_without(folder, element) for element in value)
+    return value.replace(folder, "") if isinstance(value, str) else value

@@ -1,0 +1,134 @@
+"""The spins of a body that tumbles with two periods."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy.typing as npt
+
+from . import _arrays, _native
+from ._arrays import Floats
+from ._body import Body
+from ._error import PolhodeError, in_python
+from ._estimate import floats
+from ._free_motion import FreeMotion, tensor_of
+from ._mass_properties import MassProperties
+from ._record import Record
+
+
+@dataclass(frozen=True, eq=False)
+class TumblingSpin(Record):
+    """A spin that has the two periods; its mirror images have them too."""
+
+    #: ``long_axis`` or ``short_axis``: which axis L circles.
+    regime: str
+    #: ω along body axes (3,), rad/s, at one moment of it.
+    omega: Floats
+    #: |L|, kg·m²/s.
+    momentum: float
+    #: Kinetic energy by the least with this L.
+    energy_ratio: float
+    #: The inertia tensor (3, 3), kg·m².
+    inertia: Floats
+
+    @property
+    def motion(self) -> FreeMotion:
+        """The free motion that begins so."""
+        return FreeMotion(inertia=self.inertia, omega=self.omega)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Tumbling(Record):
+    """All spins of a body that have two periods; it has the length and the elements of ``spins``. :func:`spin` makes one."""
+
+    #: Of precession and of rotation, s.
+    periods: tuple[float, float]
+    #: The axis that they are of: ``long``, that of least moment, or ``short``, that of greatest.
+    convention: str
+    #: The spins.
+    spins: tuple[TumblingSpin, ...]
+    #: JSON and text, as the command prints them.
+    _said: tuple[str, str]
+
+    def to_dict(self) -> dict[str, Any]:
+        """The object that ``polhode spin --periods --json`` prints: its keys are stable."""
+        return dict(json.loads(self._said[0]))
+
+    def __iter__(self) -> Iterator[TumblingSpin]:
+        return iter(self.spins)
+
+    def __len__(self) -> int:
+        return len(self.spins)
+
+    def __getitem__(self, which: int) -> TumblingSpin:
+        return self.spins[which]
+
+    def __repr__(self) -> str:
+        return f"Tumbling({', '.join(spin.regime for spin in self.spins)})"
+
+    def __str__(self) -> str:
+        return in_python(self._said[1])
+
+
+def spin(
+    *,
+    periods: npt.ArrayLike,
+    convention: str,
+    moments: npt.ArrayLike | None = None,
+    inertia: npt.ArrayLike | MassProperties | Body | None = None,
+) -> Tumbling:
+    """All spins with these two periods of a tumbling body, such as an asteroid's light curve shows: what ``polhode spin --periods`` does.
+
+    Parameters
+    ----------
+    periods
+        Of precession P_φ and of rotation P_ψ (2,), s.
+    convention
+        The axis that they are of: ``"long"``, that of least moment (Samarasinha & A'Hearn 1991), or ``"short"``, that of greatest
+        (Kaasalainen 2001).
+    moments
+        Moments (3,) about the body's axes, kg·m², or any multiple of them; or
+    inertia
+        the tensor (3, 3), mass properties or a body.
+
+    Returns
+    -------
+    Tumbling
+
+    Raises
+    ------
+    PolhodeError
+        If no spin of this body has these periods.
+
+    Examples
+    --------
+    (4179) Toutatis, whose long axis precesses in 7.40 days and about which it turns in 5.38:
+
+    >>> import polhode
+    >>> day = 86_400.0
+    >>> found = polhode.spin(moments=[3.0836, 3.235, 1.0], periods=[7.40 * day, 5.38 * day], convention="long")
+    >>> [one.regime for one in found], round(found[0].motion.precession_period / day, 9)
+    (['long_axis'], 7.4)
+    """
+    if (moments is None) == (inertia is None):
+        raise PolhodeError("a body is given by moments or by inertia, exactly one of them")
+    given = ("moments", _arrays.triple("moments", moments)) if moments is not None else ("inertia", tensor_of(inertia))
+    tensor = _arrays.tensor(*given)
+    both = _arrays.numbers("periods", periods, (2,))
+    _arrays.refuse("periods", both, both <= 0.0, "positive")
+    axis = _arrays.choice("convention", convention, ["long", "short"])
+    printed = _native.tumbling_spins(tensor, both.tolist(), axis == "long")
+    spins = tuple(
+        TumblingSpin(
+            regime=said["regime"],
+            omega=floats(said["omega_body"]),
+            momentum=said["momentum_kg_m2_s"],
+            energy_ratio=said["energy_ratio"],
+            inertia=floats(tensor),
+        )
+        for said in json.loads(printed[0])["spins"]
+    )
+    return Tumbling(periods=(float(both[0]), float(both[1])), convention=axis, spins=spins, _said=printed)

@@ -1,0 +1,118 @@
+"""Results as tables, for the libraries that users have."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _html
+
+if TYPE_CHECKING:
+    import pandas
+    import polars
+    import pyarrow
+    import xarray
+
+
+class Column(NamedTuple):
+    """A column of a table."""
+
+    #: The name, with its unit as suffix.
+    name: str
+    #: The unit in SI symbols; ``1`` for a pure number.
+    unit: str
+    #: What it is.
+    description: str
+    #: A number for each row.
+    values: npt.NDArray[Any]
+
+
+class Variable(NamedTuple):
+    """Numbers along axes that have names."""
+
+    name: str
+    dimensions: tuple[str, ...]
+    unit: str
+    description: str
+    values: npt.NDArray[Any]
+
+
+#: Rows at either end of a long table that a notebook shows.
+SHOWN = 4
+
+
+class Table:
+    """What has columns. Tables of other libraries are copies; fields of Arrow and variables of xarray have their units and descriptions."""
+
+    __slots__ = ()
+
+    def _table(self) -> list[Column]:
+        """The columns, of numbers that nobody else has."""
+        raise NotImplementedError
+
+    def _variables(self) -> list[Variable]:
+        """The same along times, and along axes of vectors; those called as a dimension are its coordinates."""
+        raise NotImplementedError
+
+    def columns(self) -> dict[str, npt.NDArray[Any]]:
+        """Arrays by name, units in the names: what a ``DataFrame`` takes."""
+        return {column.name: column.values for column in self._table()}
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The columns as a pandas ``DataFrame``."""
+        return _needed("pandas", "to_pandas").DataFrame(self.columns())
+
+    def to_polars(self) -> polars.DataFrame:
+        """The columns as a Polars ``DataFrame``."""
+        return _needed("polars", "to_polars").DataFrame(self.columns())
+
+    def to_arrow(self) -> pyarrow.Table:
+        """The columns as a PyArrow ``Table``; units and descriptions are the metadata of its fields."""
+        pa = _needed("pyarrow", "to_arrow")
+        columns = self._table()
+        arrays = [pa.array(column.values) for column in columns]
+        fields = [
+            pa.field(column.name, array.type, False, {"unit": column.unit, "description": column.description})
+            for column, array in zip(columns, arrays)
+        ]
+        return pa.Table.from_arrays(arrays, schema=pa.schema(fields))
+
+    def to_xarray(self) -> xarray.Dataset:
+        """An xarray ``Dataset`` along ``time`` (s), with vectors along ``axis`` (x, y, z) and quaternions along ``component`` (w, x, y, z)."""
+        xr = _needed("xarray", "to_xarray")
+        variables = self._variables()
+        of = {
+            variable.name: (variable.dimensions, variable.values, {"units": variable.unit, "long_name": variable.description})
+            for variable in variables
+        }
+        named = {dimension for variable in variables for dimension in variable.dimensions}
+        axes = {name: list(labels) for name, labels in (("axis", "xyz"), ("component", "wxyz")) if name in named}
+        coordinates = {name: value for name, value in of.items() if name in named}
+        return xr.Dataset({name: value for name, value in of.items() if name not in named}, coords={**coordinates, **axes})
+
+    def __arrow_c_stream__(self, requested_schema: object = None) -> object:
+        """What libraries of tables take without a copy: ``polars.DataFrame(motion)``, ``duckdb``; it needs PyArrow."""
+        return self.to_arrow().__arrow_c_stream__(requested_schema)
+
+    def _repr_html_(self) -> str:
+        table = self._table()
+        count = len(table[0].values)
+        shown = range(count) if count <= 2 * SHOWN + 1 else [*range(SHOWN), -1, *range(count - SHOWN, count)]
+        lines = ((str(k), [_html.number(column.values[k]) for column in table]) if k >= 0 else ("⋮", ["⋮"] * len(table)) for k in shown)
+        return f"<div>{_html.rows([column.name for column in table], lines)}<p>{count} rows</p></div>"
+
+
+def _needed(name: str, method: str) -> Any:
+    try:
+        return import_module(name)
+    except ImportError as error:
+        raise ImportError(f"{method} needs {name}: pip install {name}") from error
+
+
+def vector(name: str, unit: str, description: str, values: npt.NDArray[Any], axes: str = "xyz") -> list[Column]:
+    """A column for each component of vectors (…, 3), or of quaternions (…, 4): {} in the name is the component."""
+    rows = values.reshape(-1, len(axes))
+    return [Column(name.format(axis), unit, description, rows[:, k].copy()) for k, axis in enumerate(axes)]

@@ -1,0 +1,71 @@
+//! What a prescribed motion needs.
+
+use std::path::PathBuf;
+
+use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
+use polhode::body::Particle;
+use polhode::math::{Body, Position};
+use polhode_formats::table::required::RequiredTable;
+use polhode_report::RequiredReport;
+use pyo3::prelude::*;
+
+use crate::arrays::{numbers, rows};
+use crate::error::{Raise, refused};
+use crate::finding::{Remark, remarks};
+use crate::scenario;
+use crate::stability::source;
+
+/// Name, unit, description, values.
+type Column<'py> = (String, &'static str, &'static str, Bound<'py, PyArray1<f64>>);
+
+/// The torque of a motion, the forces on points, and what a shaft's bearings bear.
+#[derive(Debug, IntoPyObject)]
+pub(crate) struct RequiredTorque<'py> {
+    json: String,
+    text: String,
+    columns: Vec<Column<'py>>,
+    findings: Vec<Remark>,
+}
+
+/// What the prescribed motion of a scenario needs, of a file, or of a text, whose files are found beside `path`: at the times of its run, or at these; on
+/// points (n, 4), masses and places.
+///
+/// # Errors
+/// `PolhodeError` if it cannot be read, or prescribes no motion.
+#[pyfunction]
+pub(crate) fn required_torque<'py>(
+    py: Python<'py>,
+    path: PathBuf,
+    text: Option<String>,
+    times: Option<PyReadonlyArray1<'py, f64>>,
+    points: PyReadonlyArray2<'py, f64>,
+) -> PyResult<RequiredTorque<'py>> {
+    let mut file = py.detach(|| scenario::read(path.clone(), text)).map_err(Raise::raise)?;
+    if file.scenario.prescribed().is_none() {
+        let hint = "write [prescribed] with axis = [0, 0, 1] and rate = \"3 rad/s\", or [shaft]; simulate computes other motions";
+        return Err(refused("the scenario prescribes no motion, so no torque is asked for", Some(hint)));
+    }
+    if let Some(times) = &times {
+        file.scenario = scenario::sampled(file.scenario, numbers(times)?);
+    }
+    let point = |&[mass, x, y, z]: &[f64; 4]| Particle::new(mass, Position::<Body>::new(x, y, z));
+    let points: Vec<_> = rows(&points)?.iter().map(point).collect::<Result<_, _>>().map_err(Raise::raise)?;
+    let placed = |error| file.placed(&error).map_or_else(|| Raise::raise(error), Raise::raise);
+    let (report, table) = py
+        .detach(|| {
+            let report = RequiredReport::new(source(&path, &file), &file.scenario, &[], &points)?;
+            let table =
+                RequiredTable::new(report.samples(), report.rotor(), report.points(), file.scenario.shaft());
+            Ok((report, table))
+        })
+        .map_err(placed)?;
+    let column = |column: &polhode_formats::table::required::RequiredColumn| {
+        (column.name.clone(), column.unit, column.description, PyArray1::from_slice(py, &column.values))
+    };
+    Ok(RequiredTorque {
+        json: report.to_json().to_string(),
+        text: report.to_text(),
+        columns: table.columns().iter().map(column).collect(),
+        findings: remarks(file.scenario.findings()),
+    })
+}

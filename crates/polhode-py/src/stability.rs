@@ -1,0 +1,52 @@
+//! Which steady motions last.
+
+use std::path::{Path, PathBuf};
+
+use polhode_formats::scenario::ScenarioFile;
+use polhode_report::{GroundStabilityReport, SourceInfo, StabilityReport};
+use pyo3::prelude::*;
+
+use crate::error::{Raise, refused};
+use crate::scenario;
+
+/// What is said of a scenario's body, as JSON and as text: of a file, or of a text, whose files are found beside `path`.
+///
+/// # Errors
+/// `PolhodeError` if it cannot be read, or no motion of it is steady.
+#[pyfunction]
+pub(crate) fn scenario_stability(
+    py: Python<'_>,
+    path: PathBuf,
+    text: Option<String>,
+) -> PyResult<(String, String)> {
+    py.detach(|| {
+        let file = scenario::read(path.clone(), text).map_err(Raise::raise)?;
+        if file.scenario.prescribed().is_some() {
+            let hint = "leave out [prescribed], or ask polhode.explain for the torque that the motion needs";
+            return Err(refused("the motion is prescribed: nothing can depart from it", Some(hint)));
+        }
+        if file.scenario.history().is_some() {
+            let hint =
+                "simulate computes its motion; leave out [mass_history] for the body as it is at the start";
+            return Err(refused("the mass properties change: no motion is steady", Some(hint)));
+        }
+        let source = source(&path, &file);
+        match file.scenario.ground() {
+            Some(ground) => {
+                let report = GroundStabilityReport::of_scenario(source, &file.scenario, ground);
+                let report = report.map_err(Raise::raise)?;
+                Ok((report.to_json().to_string(), report.to_text()))
+            }
+            None => {
+                let report = StabilityReport::of_scenario(source, &file.scenario);
+                Ok((report.to_json().to_string(), report.to_text()))
+            }
+        }
+    })
+}
+
+/// Where a scenario came from.
+pub(crate) fn source(path: &Path, file: &ScenarioFile) -> SourceInfo {
+    let title = file.scenario.title().unwrap_or("scenario");
+    SourceInfo::new(path.display().to_string(), "scenario").described(title)
+}

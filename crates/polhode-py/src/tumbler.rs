@@ -1,0 +1,34 @@
+//! Which spins have two periods.
+
+use polhode::body::{InertiaTensor, PrincipalFrame};
+use polhode::observe::{AxisConvention, TumblingPeriods};
+use polhode_report::TumblerReport;
+use pyo3::prelude::*;
+
+use crate::error::{Raise, refused};
+
+/// All spins of a body with these periods of precession and rotation, s, as JSON and as text.
+///
+/// # Errors
+/// `PolhodeError` if there is no such body, or no such spin.
+#[pyfunction]
+pub(crate) fn tumbling_spins(
+    py: Python<'_>,
+    tensor: [[f64; 3]; 3],
+    periods: [f64; 2],
+    is_long: bool,
+) -> PyResult<(String, String)> {
+    let inertia = InertiaTensor::from_matrix(tensor).map_err(Raise::raise)?;
+    let [precession, rotation] = periods;
+    let periods = TumblingPeriods { precession, rotation };
+    let convention = if is_long { AxisConvention::LongAxis } else { AxisConvention::ShortAxis };
+    py.detach(|| {
+        let report = TumblerReport::new(None, PrincipalFrame::of(&inertia), periods, convention);
+        let report = report.map_err(|error| {
+            let hint =
+                "try the other convention, or a period twice or half as long: a light curve may show either";
+            refused(error, Some(hint))
+        })?;
+        Ok((report.to_json().to_string(), report.to_text()))
+    })
+}

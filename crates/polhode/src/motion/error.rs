@@ -172,6 +172,13 @@ pub enum MotionError {
         /// When, s.
         time: f64,
     },
+    /// Gimbals without inertia lock: the rotor's axis has come to lie along the outer one, and what both turn by is not known apart.
+    GimbalLock {
+        /// When, s.
+        time: f64,
+        /// The angle of the inner gimbal, rad.
+        angle: f64,
+    },
     /// The body turns faster and faster, beyond all that its start and the torques of each beginning explain: |ω| becomes 10⁹ times as
     /// large, or grows towards infinity within a time.
     RunAway {
@@ -223,6 +230,7 @@ impl MotionError {
                 | Self::TooManyEvents { .. }
                 | Self::Painleve { .. }
                 | Self::Undecided { .. }
+                | Self::GimbalLock { .. }
                 | Self::RunAway { .. }
                 | Self::HalfTurn { .. }
                 | Self::NotFinite { .. }
@@ -283,6 +291,9 @@ impl MotionError {
             Self::NoParameter { .. } => Some("`TorqueModel::parameters` lists the names that a torque has"),
             Self::Painleve { .. } => Some("give a smaller coefficient of friction"),
             Self::Undecided { .. } => Some("give another start, or another coefficient of friction"),
+            Self::GimbalLock { .. } => {
+                Some("give the outer gimbal an inertia about its axis: then this is a motion like others")
+            }
             Self::NonFiniteParameter { .. }
             | Self::NonPositiveParameter { .. }
             | Self::NegativeParameter { .. }
@@ -395,6 +406,13 @@ impl fmt::Display for MotionError {
                     "at t = {time} s it cannot be decided whether, or in which direction, the body slips"
                 )
             }
+            Self::GimbalLock { time, angle } => write!(
+                f,
+                "at t = {time} s the gimbals lock: with the inner one at {angle} rad the rotor's axis lies along the outer one, and gimbals without inertia are not \
+                 held apart",
+                time = plain(*time),
+                angle = plain(*angle)
+            ),
             Self::TooManyEvents { time, most } => {
                 write!(f, "at t = {time} s there are already {most} events", time = plain(*time))
             }

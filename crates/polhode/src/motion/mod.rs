@@ -22,6 +22,7 @@
 
 pub mod contact;
 pub(crate) mod error;
+pub mod gimbal;
 pub(crate) mod inverse;
 pub(crate) mod model;
 pub(crate) mod run;

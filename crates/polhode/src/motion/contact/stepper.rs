@@ -5,11 +5,10 @@ use super::flight::{CENTER, CENTER_RATE};
 use super::law::ContactLaw;
 use super::model::{GroundForm, Model};
 use super::phase::{self, Kind, Phase, Watch};
-use super::simulation::StepNoise;
 use crate::math::algebra::Components;
 use crate::math::root::{dip, root};
 use crate::math::sum::two_sum;
-use crate::motion::solve::propagate::noise::Random;
+use crate::motion::solve::propagate::noise::{Random, StepNoise};
 
 /// Places of a step at which what is watched is looked at.
 const LOOKS: usize = 8;

@@ -12,6 +12,7 @@ use crate::math::rotation::Rotation;
 use crate::math::vector::{AngularVelocity, Position, Velocity};
 use crate::motion::contact::{ContactSimulation, ContactStart};
 use crate::motion::error::MotionError;
+use crate::motion::gimbal::{GimbalSimulation, Gimbals};
 use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::model::event::Event;
 use crate::motion::model::mass_history::MassHistory;
@@ -57,6 +58,7 @@ pub struct Scenario {
     wheel_names: Vec<Option<String>>,
     history: Option<MassHistory>,
     contact: Option<Box<GroundContact>>,
+    gimbals: Option<Box<Gimbals>>,
     task: Task,
     run: Option<Run>,
     findings: Vec<Finding>,
@@ -64,7 +66,7 @@ pub struct Scenario {
 
 impl Scenario {
     /// The parts of a scenario, as a file names them, that exclude each other, and why.
-    pub const EXCLUSIVE: [(&'static str, &'static str, &'static str); 22] = [
+    pub const EXCLUSIVE: [(&'static str, &'static str, &'static str); 31] = [
         ("contact", "orbit", "a body on the ground is on no orbit"),
         ("contact", "shaft", SHAFT),
         (
@@ -80,6 +82,27 @@ impl Scenario {
         ("contact", "pendulum", "a pendulum hangs, and touches no ground"),
         ("contact", "wheel", "what rolls is one rigid body"),
         ("contact", "mass_history", "what rolls is one rigid body, whose mass stays as it is"),
+        ("gimbals", "contact", "a rotor hangs in its gimbals, and touches no ground"),
+        ("gimbals", "orbit", "what carries the gimbals is their base, at rest or turning"),
+        ("gimbals", "shaft", SHAFT),
+        (
+            "gimbals",
+            "prescribed",
+            "the torque that a prescribed motion needs is that of a body that is free or held at a point",
+        ),
+        (
+            "gimbals",
+            "torque",
+            "gravity and what acts about the three axes are all that turns a rotor in gimbals",
+        ),
+        ("gimbals", "pendulum", "a pendulum hangs from one axis"),
+        ("gimbals", "wheel", "the rotor is one rigid body"),
+        ("gimbals", "mass_history", "the rotor is one rigid body, whose mass stays as it is"),
+        (
+            "gimbals",
+            "event",
+            "events are looked for in the motion of bodies that are free, held at a point or on the ground",
+        ),
         ("orbit", "shaft", ORBIT),
         ("prescribed", "torque", "a prescribed motion is given, and the torque that it needs is the answer"),
         ("prescribed", "event", "a prescribed motion is given, and nothing on its way changes it"),
@@ -116,6 +139,7 @@ impl Scenario {
             wheel_names: Vec::new(),
             history: None,
             contact: None,
+            gimbals: None,
             task: Task::Forward(Forward::default()),
             run: None,
             findings: Vec::new(),
@@ -160,6 +184,9 @@ impl Scenario {
     pub fn held_at(self, pivot: Position<Body>) -> Result<Self, MotionError> {
         if self.velocity != Velocity::ZERO {
             return Err(exclusive("pivot", "velocity", "a point of the body is held: it only turns"));
+        }
+        if self.gimbals.is_some() {
+            return Err(exclusive("gimbals", "pivot", HUNG));
         }
         if matches!(self.task, Task::Shaft(..)) {
             return Err(exclusive("shaft", "pivot", "the bearings hold the body"));
@@ -233,11 +260,33 @@ impl Scenario {
         Ok(Self { velocity, contact: Some(Box::new(ground)), ..self })
     }
 
+    /// Hung in gimbals, whose axes say where it starts.
+    ///
+    /// # Errors
+    /// [`MotionError::Exclusive`] of a body that is held at a pivot or moves, and of all that a rotor in gimbals does not have; as
+    /// [`GimbalSimulation::run`].
+    pub fn in_gimbals(self, gimbals: Gimbals) -> Result<Self, MotionError> {
+        self.require_compatible("gimbals", true)?;
+        if self.pivot.is_some() && self.gimbals.is_none() {
+            return Err(exclusive("gimbals", "pivot", HUNG));
+        }
+        if self.velocity != Velocity::ZERO {
+            return Err(exclusive("gimbals", "velocity", "the crossing of the axes does not move"));
+        }
+        let motion = GimbalSimulation::new(&self.body, &gimbals, self.start.time, &[]).run()?;
+        let (start, point) = (motion.start().state, gimbals.crossing());
+        let rotor = Rotor::pivoted(&self.body, point);
+        Ok(Self { start, rotor, pivot: Some(point), gimbals: Some(Box::new(gimbals)), ..self })
+    }
+
     /// From this attitude and ω; of a prescribed motion they are its own.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for numbers that are not finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) for numbers that are not finite; [`MotionError::Exclusive`] of a rotor in gimbals.
     pub fn starting(self, start: State) -> Result<Self, MotionError> {
+        if self.gimbals.is_some() {
+            return Err(exclusive("gimbals", "start", "the angles of the axes say how the rotor starts"));
+        }
         for (what, value) in [
             ("the start's time", start.time),
             ("the start's attitude", start.attitude.quaternion().iter().sum()),
@@ -365,6 +414,7 @@ impl Scenario {
             "pendulum" => self.suspension().is_some(),
             "mass_history" => self.history.is_some(),
             "contact" => self.contact.is_some(),
+            "gimbals" => self.gimbals.is_some(),
             _ => !self.wheels().is_empty(),
         };
         let excluded = Self::EXCLUSIVE
@@ -468,10 +518,16 @@ impl Scenario {
         self.contact.as_deref()
     }
 
+    /// The gimbals that it hangs in, if it does.
+    pub fn gimbals(&self) -> Option<&Gimbals> {
+        self.gimbals.as_deref()
+    }
+
     /// True if nothing but its inertia, which stays as it is, decides its motion.
     pub fn is_free(&self) -> bool {
         let alone = self.torques().is_empty() && self.wheels().is_empty();
-        alone && self.prescribed().is_none() && self.history.is_none() && self.contact.is_none()
+        let is_held = self.contact.is_some() || self.gimbals.is_some();
+        alone && self.prescribed().is_none() && self.history.is_none() && !is_held
     }
 
     /// The name of a wheel, from 0, if it has one.
@@ -522,6 +578,8 @@ impl Scenario {
 }
 
 const SHAFT: &str = "a shaft turns at its rate, and what drives and holds it is the answer";
+
+const HUNG: &str = "the body is held at the crossing of the gimbals' axes alone";
 
 const ORBIT: &str = "a body on an orbit falls freely: no weight is on its bearings";
 

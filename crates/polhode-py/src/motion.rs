@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use numpy::{PyArray1, PyReadonlyArray1};
+use polhode::motion::gimbal::GimbalSample;
 use polhode::motion::{
     Ending, ErrorEffort, GlobalError, Method, Run, Scenario, StateError, Trajectory, TrajectoryDerivatives,
 };
@@ -99,9 +100,10 @@ impl PyMotion {
 
     #[getter]
     fn work<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        let work = match self.trajectory.contact() {
-            Some(contact) => contact.samples().iter().map(|s| s.friction_work + s.ground_work).collect(),
-            None => self.trajectory.samples().iter().map(|sample| sample.work).collect(),
+        let work = match (self.trajectory.contact(), self.trajectory.gimbals()) {
+            (Some(contact), _) => contact.samples().iter().map(|s| s.friction_work + s.ground_work).collect(),
+            (None, Some(gimbals)) => gimbals.samples().iter().map(GimbalSample::work).collect(),
+            (None, None) => self.trajectory.samples().iter().map(|sample| sample.work).collect(),
         };
         PyArray1::from_vec(py, work)
     }

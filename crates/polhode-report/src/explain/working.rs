@@ -42,7 +42,7 @@ impl<'a> Working<'a> {
     }
 
     pub(super) fn of(scenario: &'a Scenario) -> Result<Self, MotionError> {
-        if scenario.ground().is_some() {
+        if scenario.ground().is_some() || scenario.gimbals().is_some() {
             return Self::with(scenario, None);
         }
         let trajectory = match scenario.simulate_with_error(ErrorEffort::Auto, &mut |_| true) {
@@ -72,6 +72,10 @@ impl<'a> Working<'a> {
         if scenario.ground().is_some() {
             let why = "the steps of a worked solution are those of a body that is free or held at a point";
             return Err(MotionError::OnGround { why });
+        }
+        if scenario.gimbals().is_some() {
+            let why = "the steps of a worked solution are those of a body that is free or held at a point";
+            return Err(MotionError::InGimbals { why });
         }
         let rotor = scenario.rotor();
         let pendulum = scenario.pendulum().transpose()?;

@@ -55,6 +55,11 @@ pub enum MotionError {
         /// What, and why.
         why: &'static str,
     },
+    /// Something that is not known of a rotor in gimbals.
+    InGimbals {
+        /// What, and why.
+        why: &'static str,
+    },
     /// Two parts of a scenario that exclude each other.
     Exclusive {
         /// Both, as a scenario file names them.
@@ -301,6 +306,7 @@ impl MotionError {
             | Self::ParameterOutOfRange { .. }
             | Self::MassHistory { .. }
             | Self::OnGround { .. }
+            | Self::InGimbals { .. }
             | Self::NoMotionDerivatives { .. }
             | Self::Exclusive { .. }
             | Self::Stopped { .. }
@@ -326,6 +332,7 @@ impl fmt::Display for MotionError {
             Self::MassHistory { time, why } => {
                 write!(f, "at t = {time} s the body's history of mass properties {why}", time = plain(*time))
             }
+            Self::InGimbals { why } => write!(f, "the body hangs in gimbals: {why}"),
             Self::OnGround { why } => write!(f, "the body is on the ground: {why}"),
             Self::Exclusive { parts: [a, b], why } => write!(f, "{a} and {b} exclude each other: {why}"),
             Self::NotSpinnable => {

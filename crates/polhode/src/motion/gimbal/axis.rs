@@ -35,6 +35,10 @@ pub struct Axis {
 }
 
 impl Axis {
+    /// One that is free, and at rest at zero.
+    pub const FREE: Self =
+        Self { hold: Hold::Free, angle: 0.0, rate: 0.0, damping: 0.0, spring: None, torque: 0.0 };
+
     /// One that turns as it must, from an angle, rad, and a rate, rad/s.
     ///
     /// # Errors
@@ -62,7 +66,7 @@ impl Axis {
     fn held(hold: Hold, angle: f64, rate: f64) -> Result<Self, MotionError> {
         require::finite("the angle of an axis", angle)?;
         require::finite("the rate of an axis", rate)?;
-        Ok(Self { hold, angle, rate, damping: 0.0, spring: None, torque: 0.0 })
+        Ok(Self { hold, angle, rate, ..Self::FREE })
     }
 
     /// With viscous damping d, N·m·s/rad.

@@ -36,9 +36,13 @@ pub struct GimbalSample {
 }
 
 impl GimbalSample {
+    /// All works since the start: of damping, motors, constant torques and the base, J.
+    pub fn work(&self) -> f64 {
+        self.damping_work + self.motor_work + self.torque_work + self.base_work
+    }
+
     /// T + U and the energy of springs, less all works, J: as it was at the start.
     pub fn balance(&self) -> f64 {
-        let energy = self.kinetic_energy + self.potential_energy + self.spring_energy;
-        energy - (self.damping_work + self.motor_work + self.torque_work + self.base_work)
+        self.kinetic_energy + self.potential_energy + self.spring_energy - self.work()
     }
 }

@@ -38,7 +38,7 @@ fn gimbals_are_what_their_keys_say() {
          base = { rate = ['0.1 rad/s', 0, '6 deg/s'] }\n\
          outer = { angle = '10 deg', rate = '2 deg/s', damping = '0.1 N m s/rad', spring = '2 N m/rad', rest = '5 deg', torque = '3 N m', moments = [0.01, 0.02, 0.015] }\n\
          inner = { angle = '-0.3 rad', locked = true, mass = '0.5 kg', center_of_mass = [0, '2 cm', 0], moments = [0.01, 0.02, 0.015] }\n\
-         rotor = { rate = '600 rpm', driven = true, damping = '1e-3 N m s' }",
+         rotor = { rate = '600 rpm', driven = true, damping = '1e-3 N m s/rad' }",
     );
     let [outer, inner, rotor] = *given.axes();
     assert_eq!(outer.hold(), Hold::Free);
@@ -74,7 +74,8 @@ fn what_is_not_said_is_usual() {
     assert_eq!((*given.base(), given.rotor_axis()), (Base::FIXED, Direction::new(0.0, 0.0, 1.0)));
     assert!(given.gimbals().iter().all(|gimbal| gimbal.inertia() == [[0.0; 3]; 3]));
     let earth = gimbals("base = { latitude = '-30 deg' }").base().angular_velocity();
-    assert_eq!(earth, Base::on_earth((-30_f64).to_radians()).unwrap().angular_velocity());
+    let south = Base::on_earth((-30_f64).to_radians()).unwrap().angular_velocity();
+    assert!((earth - south).norm() < 1e-19, "{earth:?}");
     assert!(earth.y > 0.0 && earth.z < 0.0);
     assert_eq!(gimbals("rotor = { locked = false, rate = 3 }").axes()[2].hold(), Hold::Free);
 }
@@ -110,7 +111,7 @@ fn each_mistake_has_its_place() {
     refused(&bare("outer_axis = [0, 0, 0]\ninner_axis = [1, 0, 0]"), "a direction");
     // At the angle itself.
     let error = parse(&text("inner = { angle = '90 deg' }")).unwrap_err();
-    assert!(error.to_string().starts_with("test.toml:10:19:"), "{error}");
+    assert!(error.to_string().starts_with("test.toml:9:19:"), "{error}");
 }
 
 #[test]

@@ -9,7 +9,7 @@
 //! equations are e₃ · N₃ = Q₃, e₂ · (N₂ + N₃) = Q₂, e₁ · (N₁ + N₂ + N₃) = Q₁: the left sides for q̈ = 0 are c, and M comes of the tensors of what each
 //! axis carries. Q = −d q̇ − k (q − q₀) + τ, and what a lock or a motor adds so that q̈ = 0.
 //!
-//! Source: H. Goldstein, Classical Mechanics (1980), §1-4 (d'Alembert) and §5-7; K. Magnus, Kreisel (1971), §12 (Kardanisch gelagerter Kreisel).
+//! Source: H. Goldstein, Classical Mechanics (1980), §1-4 (d'Alembert) and §5-7; K. Magnus, Kreisel (1971), on gyroscopes in gimbals.
 
 use super::axis::{Axis, Hold, Spring};
 use super::model::{Form, Model, dot};
@@ -301,7 +301,8 @@ impl Model {
             torque: into_rotor(torque),
             momentum: out_of_outer(outer, self.outer.image(at.outer) + within).0,
             kinetic_energy: 0.5 * (at.outer.dot(l1) + at.inner.dot(l2) + at.rotor.dot(l3)),
-            potential_energy: -weight,
+            // Not −0.
+            potential_energy: 0.0 - weight,
         }
     }
 }

@@ -127,7 +127,7 @@ fn a_heavy_gyroscope_in_gimbals_with_mass_precesses_steadily() {
 /// Magnus' drift: a nutation of amplitude a about β₀ turns the outer gimbal at −½ H a² (A₁ + C₂) sin β₀/Φ², Φ = A₁ + (A + A₂) cos² β₀ + C₂ sin² β₀; massless
 /// gimbals do not drift.
 ///
-/// From T of the gimbals with p_α = Φ(β) α̇ + H sin β and H constant, to second order in a. Source: K. Magnus, Kreisel (1971), §12.
+/// From T of the gimbals with p_α = Φ(β) α̇ + H sin β and H constant, to second order in a. Source: K. Magnus, Kreisel (1971).
 #[test]
 fn nutation_makes_gimbals_with_mass_drift() {
     let (a, c, spin, tilt, amplitude) = (0.012, 0.02, 300.0, 0.5_f64, 1e-3);

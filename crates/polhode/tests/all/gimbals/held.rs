@@ -40,10 +40,8 @@ fn locks_hold_what_turns_with_the_base() {
     assert!((start.state.attitude * w - Vector::from_array(omega.to_array())).norm() < 1e-14);
     // In the base nothing changes.
     let end = &motion.samples()[1];
-    for k in 0..3 {
-        near(end.holding[k], start.holding[k], 1e-15);
-        assert_eq!(end.angles[k], angles[k]);
-    }
+    assert_eq!(end.angles, angles);
+    end.holding.iter().zip(start.holding).for_each(|(end, start)| near(*end, start, 1e-15));
     let turned = Rotation::<Space, Space>::about(Direction::from_array(omega.to_array()), 2.0 * omega.norm());
     assert!((turned.unwrap() * start.state.attitude).angle_to(end.state.attitude) < 1e-15);
 }

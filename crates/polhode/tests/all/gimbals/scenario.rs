@@ -5,7 +5,7 @@ use polhode::motion::{Ending, ErrorEffort, MethodReason, MotionError, Run};
 use polhode::observe::Drift;
 use polhode::prelude::*;
 
-use super::{GRAVITY, balanced, free, generic_rotor, upright};
+use super::{GRAVITY, balanced, free, generic_rotor, symmetric_rotor, upright};
 
 fn gimbals() -> Gimbals {
     let base = Base::turning(AngularVelocity::new(0.3, -0.2, 0.5)).unwrap();
@@ -58,6 +58,19 @@ fn an_estimate_is_not_below_half_of_the_error() {
     }
     let end = reference.error().unwrap().end().attitude;
     assert!(end > 1e-16 && end < 1e-9, "{end:e}");
+}
+
+/// Massless gimbals that lock end the motion, perturbed ones a little earlier or later.
+#[test]
+fn an_end_by_locking_has_an_error() {
+    let rotor = symmetric_rotor(0.012, 0.02, 1.0, 0.0);
+    let scenario = Scenario::new(rotor).in_gimbals(upright(free([0.2, 0.3, 0.0], [0.0, 0.8, 0.0]))).unwrap();
+    let scenario = scenario.sampled(Run::evenly(2.0, 11, Method::Auto, 1e-13));
+    let trajectory = scenario.simulate_with_error(ErrorEffort::Thorough, &mut |_| true).unwrap().unwrap();
+    let ending = trajectory.ending();
+    assert!(matches!(ending, Ending::Failed { cause: MotionError::GimbalLock { .. }, .. }), "{ending:?}");
+    let end = trajectory.error().unwrap().end().attitude;
+    assert!(end > 1e-17 && end < 1e-9, "{end:e}");
 }
 
 #[test]

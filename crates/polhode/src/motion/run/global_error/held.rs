@@ -8,6 +8,9 @@ use crate::motion::model::state::{State, StateError};
 use crate::motion::run::trajectory::Trajectory;
 use crate::motion::solve::propagate::noise::StepNoise;
 
+/// How much later or earlier an end may be and still be the same one, relative.
+const SHIFT: f64 = 1e-6;
+
 /// Up to so many steps and samples an estimate is thorough without being asked for: these steps cost more than others.
 const FEW: u64 = 500;
 
@@ -16,12 +19,15 @@ const FEW: u64 = 500;
 const THOROUGH: [f64; 3] = [0.8, 1.0, 1.0];
 const CHEAP: [f64; 3] = [0.9, 0.25, 4.0];
 
-/// Estimates of the error of a trajectory of so many steps; `states` are those at given times from other inputs (seed and amplitude) and with noise.
+/// The states at given times from other inputs (seed and amplitude), with noise.
+type StatesFrom<'a> = dyn FnMut((u64, f64), Option<StepNoise>, &[f64]) -> Vec<State> + 'a;
+
+/// Estimates of the error of a trajectory of so many steps.
 pub(super) fn of_held(
     trajectory: &Trajectory,
     steps: u64,
     effort: ErrorEffort,
-    states: &mut dyn FnMut((u64, f64), Option<StepNoise>, &[f64]) -> Vec<State>,
+    states: &mut StatesFrom<'_>,
 ) -> GlobalError {
     let watched = ComparedSamples::of_trajectory(trajectory);
     let is_thorough = effort.is_thorough(steps + trajectory.samples().len() as u64, FEW);
@@ -49,4 +55,13 @@ pub(super) fn of_held(
         computation.iter().map(part).collect()
     };
     GlobalError { is_thorough, computation, inputs }
+}
+
+/// The states that are at the times, as far as a motion gets; one that ended by itself ends a little earlier or later.
+pub(super) fn reached(states: impl Iterator<Item = State>, times: &[f64], ended: bool) -> Vec<State> {
+    let is_at = |k: usize, there: f64, time: f64| {
+        there == time || ended && k + 1 == times.len() && (there - time).abs() <= SHIFT * time.abs()
+    };
+    let both = states.zip(times).enumerate();
+    both.take_while(|(k, (state, time))| is_at(*k, state.time, **time)).map(|(_, (state, _))| state).collect()
 }

@@ -1,6 +1,6 @@
 //! The error of a motion in gimbals: other runs of it, with larger rounding and from other inputs.
 
-use super::held::of_held;
+use super::held::{of_held, reached};
 use super::inputs::Change;
 use super::{ErrorEffort, GlobalError};
 use crate::body::inertia::InertiaTensor;
@@ -48,6 +48,5 @@ fn states(
         .with_noise(noise)
         .run_watched(progress);
     let Ok(motion) = run else { return Vec::new() };
-    let both = motion.samples().iter().zip(times);
-    both.take_while(|(s, time)| s.state.time == **time).map(|(s, _)| s.state).collect()
+    reached(motion.samples().iter().map(|s| s.state), times, motion.failure().is_some())
 }

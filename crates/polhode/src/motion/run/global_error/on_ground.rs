@@ -1,6 +1,6 @@
 //! The error of a motion on the ground: other runs of it, with larger rounding and from other inputs.
 
-use super::held::of_held;
+use super::held::{of_held, reached};
 use super::inputs::Change;
 use super::{ErrorEffort, GlobalError};
 use crate::body::inertia::InertiaTensor;
@@ -9,9 +9,6 @@ use crate::motion::contact::{ContactEnding, ContactSimulation, ContactStart};
 use crate::motion::model::state::State;
 use crate::motion::run::trajectory::Trajectory;
 use crate::motion::solve::propagate::noise::StepNoise;
-
-/// How much later or earlier an end may be and still be the same one, relative.
-const SHIFT: f64 = 1e-6;
 
 /// Estimates of the error of a trajectory that a simulation has computed.
 pub(crate) fn of_contact(
@@ -48,11 +45,6 @@ fn states(
         .with_noise(noise)
         .run_watched(progress);
     let Ok(motion) = run else { return Vec::new() };
-    // Where a change of the contact ends the motion, it ends a little earlier or later.
     let ended = matches!(motion.ending(), ContactEnding::Changed { .. });
-    let is_at = |k: usize, there: f64, time: f64| {
-        there == time || ended && k + 1 == times.len() && (there - time).abs() <= SHIFT * time.abs()
-    };
-    let both = motion.samples().iter().zip(times).enumerate();
-    both.take_while(|(k, (s, time))| is_at(*k, s.state.time, **time)).map(|(_, (s, _))| s.state).collect()
+    reached(motion.samples().iter().map(|s| s.state), times, ended)
 }

@@ -12,7 +12,7 @@
 //! Source: H. Goldstein, Classical Mechanics (1980), §1-4 (d'Alembert) and §5-7; K. Magnus, Kreisel (1971), on gyroscopes in gimbals.
 
 use super::axis::{Axis, Hold, Spring};
-use super::model::{Form, Model, dot};
+use super::model::{Form, Model};
 use crate::math::algebra::{Components, Field};
 
 /// The variables: α, β, γ; their rates; cos and sin of each; the work of damping and of motors.
@@ -111,11 +111,12 @@ pub(super) struct Dynamics<S> {
     pub(super) pivots: Vec<S>,
 }
 
-/// ω of the outer gimbal and of the inner one; of the rotor along the axes of the latter.
-struct Rates<S> {
-    outer: Components<S>,
-    inner: Components<S>,
-    rotor: Components<S>,
+/// Of the outer gimbal, the inner one and the rotor, the last along the axes of the inner one, as their own turn.
+struct Motion<S> {
+    omega: [Components<S>; 3],
+    omega_rate: [Components<S>; 3],
+    /// g along the axes of each.
+    gravity: [Components<S>; 3],
 }
 
 impl Form {
@@ -151,33 +152,27 @@ impl Model {
     pub(super) fn dynamics<S: Field>(&self, one: S, y: &[S]) -> Dynamics<S> {
         let constant = |v: [f64; 3]| Components(v.map(|x| one.times(x)));
         let zero = one.times(0.0);
-        let [outer, inner, own] = self.turns(one, y);
+        let [_, inner, own] = self.turns(one, y);
         let rotor = Rotor::turned(one, &self.rotor, own);
         let rate = |k| self.rate(one, y, k);
-        let along = |k: usize, x: S| Components(core::array::from_fn(|i| if i == k { x } else { zero }));
-        let at = self.angular_velocities(one, y);
 
-        // What is left of ω̇ without q̈, and what it needs.
-        let outer_rate = at.outer.cross(along(0, rate(0)));
-        let inner_rate = into_inner(inner, outer_rate) + at.inner.cross(along(1, rate(1)));
-        let rotor_rate = inner_rate + at.inner.cross(along(2, rate(2)));
-        let outer_gravity = into_outer(outer, constant(self.gravity));
-        let inner_gravity = into_inner(inner, outer_gravity);
-        let needed = |form: &Form, omega: Components<S>, omega_rate: Components<S>, gravity| {
-            form.image(omega_rate) + omega.cross(form.image(omega)) - constant(form.moment).cross(gravity)
+        // What is needed without q̈.
+        let at = self.motion(one, y, [zero; 3]);
+        let needed = |k: usize, image: &dyn Fn(Components<S>) -> Components<S>, moment: Components<S>| {
+            let (omega, gravity) = (at.omega[k], at.gravity[k]);
+            image(at.omega_rate[k]) + omega.cross(image(omega)) - moment.cross(gravity)
         };
-        let on_rotor = rotor.image(rotor_rate) + at.rotor.cross(rotor.image(at.rotor))
-            - rotor.moment.cross(inner_gravity);
-        let on_inner = on_rotor + needed(&self.inner, at.inner, inner_rate, inner_gravity);
-        let on_outer =
-            out_of_inner(inner, on_inner) + needed(&self.outer, at.outer, outer_rate, outer_gravity);
+        let on_rotor = needed(2, &|v| rotor.image(v), rotor.moment);
+        let on_inner = on_rotor + needed(1, &|v| self.inner.image(v), constant(self.inner.moment));
+        let of_outer = needed(0, &|v| self.outer.image(v), constant(self.outer.moment));
+        let on_outer = out_of_inner(inner, on_inner) + of_outer;
         let bias = [on_outer.0[0], on_inner.0[1], on_rotor.0[2]];
 
         // The tensors of what the axes carry, along the inner gimbal's; e₁ there.
         let carried: [[S; 3]; 3] = core::array::from_fn(|i| {
             core::array::from_fn(|j| rotor.rows[i][j] + one.times(self.inner.inertia[i][j]))
         });
-        let first = into_inner(inner, along(0, one));
+        let first = into_inner(inner, Components([one, zero, zero]));
         let of_first = Components(carried.map(|row| Components(row).dot(first)));
         let of_rotor = first.dot(Components(rotor.rows[2]));
         let around = first.dot(of_first) + one.times(self.outer.inertia[0][0]);
@@ -214,16 +209,25 @@ impl Model {
         })
     }
 
-    fn angular_velocities<S: Field>(&self, one: S, y: &[S]) -> Rates<S> {
+    /// ω, its rate for a q̈, and g.
+    fn motion<S: Field>(&self, one: S, y: &[S], accelerations: [S; 3]) -> Motion<S> {
         let [first, second, _] = self.turns(one, y);
+        let constant = |v: [f64; 3]| Components(v.map(|x| one.times(x)));
         let zero = one.times(0.0);
-        let along = |k: usize| {
-            let rate = self.rate(one, y, k);
-            Components(core::array::from_fn(|i| if i == k { rate } else { zero }))
-        };
-        let outer = into_outer(first, Components(self.turning.map(|x| one.times(x)))) + along(0);
-        let inner = into_inner(second, outer) + along(1);
-        Rates { outer, inner, rotor: inner + along(2) }
+        let along = |k: usize, x: S| Components(core::array::from_fn(|i| if i == k { x } else { zero }));
+        let [a, b, c] = core::array::from_fn(|k| along(k, self.rate(one, y, k)));
+        let [more_a, more_b, more_c] = core::array::from_fn(|k| along(k, accelerations[k]));
+        let outer = into_outer(first, constant(self.turning)) + a;
+        let inner = into_inner(second, outer) + b;
+        let outer_rate = outer.cross(a) + more_a;
+        let inner_rate = into_inner(second, outer_rate) + inner.cross(b) + more_b;
+        let outer_gravity = into_outer(first, constant(self.gravity));
+        let inner_gravity = into_inner(second, outer_gravity);
+        Motion {
+            omega: [outer, inner, inner + c],
+            omega_rate: [outer_rate, inner_rate, inner_rate + inner.cross(c) + more_c],
+            gravity: [outer_gravity, inner_gravity, inner_gravity],
+        }
     }
 
     /// q̈ of the axes that are free, and the pivots beyond the first: M is eliminated from the rotor outwards, so that what gimbals that lock lose is the last.
@@ -275,32 +279,21 @@ impl Model {
     pub(super) fn reading(&self, y: &[f64]) -> Reading {
         let [outer, inner, own] = self.turns(1.0, y);
         let rotor = Rotor::turned(1.0, &self.rotor, own);
-        let at = self.angular_velocities(1.0, y);
-        let dynamics = self.dynamics(1.0, y);
-        let [l1, l2, l3] = [self.outer.image(at.outer), self.inner.image(at.inner), rotor.image(at.rotor)];
-        let within = out_of_inner(inner, l2 + l3);
-        let outer_gravity = into_outer(outer, Components(self.gravity));
-        let inner_gravity = into_inner(inner, outer_gravity);
-        let weight = dot(self.outer.moment, outer_gravity.0)
-            + dot(self.inner.moment, inner_gravity.0)
-            + rotor.moment.dot(inner_gravity);
-        // ω̇ of the rotor along the axes of the inner gimbal, which turn with that.
-        let along = |k: usize, x: f64| Components(core::array::from_fn(|i| if i == k { x } else { 0.0 }));
-        let rate = |k| self.rate(1.0, y, k);
-        let [a, b, c] = dynamics.accelerations;
-        let outer_rate = at.outer.cross(along(0, rate(0))) + along(0, a);
-        let inner_rate = into_inner(inner, outer_rate) + at.inner.cross(along(1, rate(1))) + along(1, b);
-        let rotor_rate = inner_rate + at.inner.cross(along(2, rate(2))) + along(2, c);
-        let torque = rotor.image(rotor_rate) + at.rotor.cross(l3);
+        let at = self.motion(1.0, y, self.dynamics(1.0, y).accelerations);
+        let [w1, w2, w3] = at.omega;
+        let [l1, l2, l3] = [self.outer.image(w1), self.inner.image(w2), rotor.image(w3)];
+        let moments = [Components(self.outer.moment), Components(self.inner.moment), rotor.moment];
+        let weight: f64 = moments.iter().zip(at.gravity).map(|(moment, g)| moment.dot(g)).sum();
+        let torque = rotor.image(at.omega_rate[2]) + w3.cross(l3);
         let into_rotor = |Components([x, y, z]): Components<f64>| {
             let [x, y] = own.back(x, y);
             [x, y, z]
         };
         Reading {
-            omega: into_rotor(at.rotor),
+            omega: into_rotor(w3),
             torque: into_rotor(torque),
-            momentum: out_of_outer(outer, self.outer.image(at.outer) + within).0,
-            kinetic_energy: 0.5 * (at.outer.dot(l1) + at.inner.dot(l2) + at.rotor.dot(l3)),
+            momentum: out_of_outer(outer, l1 + out_of_inner(inner, l2 + l3)).0,
+            kinetic_energy: 0.5 * (w1.dot(l1) + w2.dot(l2) + w3.dot(l3)),
             // Not −0.
             potential_energy: 0.0 - weight,
         }

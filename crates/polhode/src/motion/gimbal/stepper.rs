@@ -4,13 +4,10 @@ use super::axis::Hold;
 use super::equations::{ANGLES, COUNT, RATES, TURNS, WORKS};
 use super::model::Model;
 use crate::math::number::sin_cos;
-use crate::math::root::{dip, root};
+use crate::math::root::vanishing;
 use crate::math::sum::two_sum;
 use crate::motion::solve::propagate::noise::{Random, StepNoise};
 use crate::motion::solve::series::{Expansion, System};
-
-/// Places of a step at which pivots are looked at.
-const LOOKS: usize = 8;
 
 /// The smallest rate that rates are measured with, relative to that of the motion.
 const SLOWEST: f64 = 1e-10;
@@ -156,28 +153,4 @@ fn with_turns(high: &mut [f64; COUNT], low: &[f64; COUNT]) {
         high[TURNS + 2 * k] = cosine - rest * sine;
         high[TURNS + 2 * k + 1] = sine + rest * cosine;
     }
-}
-
-/// Where a function that is positive at the start passes zero within h, first.
-fn vanishing(f: impl Fn(f64) -> f64, h: f64) -> Option<f64> {
-    let looks: [[f64; 2]; LOOKS + 1] = core::array::from_fn(|k| {
-        let t = h * k as f64 / LOOKS as f64;
-        [t, f(t)]
-    });
-    for (k, pair) in looks.windows(2).enumerate() {
-        let &[[from, before], [to, now]] = pair else { continue };
-        if now < 0.0 {
-            return Some(root(&f, [from, to], [before, now]));
-        }
-        // It may have been below zero between two places where it is not.
-        if let Some(&[end, next]) = looks.get(k + 2)
-            && now < before
-            && now < next
-            && now < 0.25 * before.max(next)
-            && let Some(there) = dip(&f, [from, end])
-        {
-            return Some(root(&f, [from, there], [before, f(there)]));
-        }
-    }
-    None
 }

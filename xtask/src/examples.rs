@@ -54,11 +54,11 @@ pub(crate) fn check() -> Outcome {
     outside()
 }
 
-/// Whether a scenario has a body whose mass changes: it has no worked solution, and says so.
+/// Whether a scenario has a body whose mass changes, or that is in gimbals: it has no worked solution, and says so.
 pub(crate) fn has_no_solution(scenario: &Path) -> Result<bool, String> {
     let is_section = |line: &str| {
         let name = line.trim_start_matches('[');
-        name.len() < line.len() && name.starts_with("mass_history")
+        name.len() < line.len() && ["mass_history", "gimbals]"].iter().any(|start| name.starts_with(start))
     };
     Ok(read(scenario)?.lines().any(is_section))
 }

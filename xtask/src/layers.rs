@@ -8,13 +8,14 @@ use std::path::{Path, PathBuf};
 use crate::{Outcome, files, read, root, short};
 
 /// The modules of the core crate, in order: each may import itself and those before it.
-const MODULES: [&str; 12] = [
+const MODULES: [&str; 13] = [
     "math",
     "body",
     "motion/error",
     "motion/model",
     "motion/solve",
     "motion/contact",
+    "motion/gimbal",
     "motion/inverse",
     "motion/run",
     "motion/task",

@@ -198,7 +198,7 @@ fn refused(file: &ScenarioFile, path: &Path, error: JudgeError) -> Failure {
             Some(placed) => placed.into(),
             None => Failure::Motion { path: shown(&file.path), error },
         },
-        JudgeError::NoMotion | JudgeError::Changing | JudgeError::OnGround => {
+        JudgeError::NoMotion | JudgeError::Changing | JudgeError::OnGround | JudgeError::InGimbals => {
             Failure::usage(error.to_string(), judge_hint(&error).unwrap_or_default()).about(&file.path)
         }
         error => Failure::usage(error.to_string(), judge_hint(&error).unwrap_or_default()).about(path),

@@ -51,6 +51,14 @@ impl Stability {
                 hint,
             ));
         }
+        if scenario.gimbals().is_some() {
+            return Err(Failure::usage(
+                format!(
+                    "{path} hangs its body in gimbals: which of its steady motions last is not known here"
+                ),
+                "polhode simulate computes its motion: start a little off the steady one",
+            ));
+        }
         let title = scenario.title().unwrap_or("scenario");
         let source = SourceInfo::new(self.file.display().to_string(), "scenario").described(title);
         if let Some(ground) = scenario.ground() {

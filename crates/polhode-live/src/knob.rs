@@ -59,6 +59,8 @@ fn is_positive(number: &WrittenNumber) -> bool {
         "height",
         "semi_axes",
         "tube",
+        "damping",
+        "spring",
         "friction",
         "static_friction",
         "viscous",
@@ -117,7 +119,7 @@ fn interest(number: &WrittenNumber) -> u32 {
         "body" if rest.contains("rotate.axis") => 38,
         "body" => 26 + is_zero * 10,
         "run" if rest == "duration" => 30,
-        "contact" => 16 + is_zero * 20,
+        "contact" | "gimbals" => 16 + is_zero * 20,
         "pendulum" | "shaft" | "prescribed" => 18,
         _ => 40,
     }

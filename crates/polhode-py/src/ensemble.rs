@@ -151,6 +151,6 @@ fn only_torques(scenario: &Scenario) -> bool {
         scenario.pivot().is_none() && scenario.prescribed().is_none() && scenario.suspension().is_none();
     let acts = scenario.switched_off().is_empty() && scenario.events().is_empty();
     let no_more = scenario.wheels().is_empty() && scenario.history().is_none() && scenario.run().is_none();
-    let no_more = no_more && scenario.ground().is_none();
+    let no_more = no_more && scenario.ground().is_none() && scenario.gimbals().is_none();
     is_plain && is_at_rest && is_free && acts && no_more
 }

@@ -162,7 +162,9 @@ fn unjudged(scenario: &ScenarioFile, run: Option<&Path>, error: &JudgeError) -> 
         return scenario.placed(error).map_or_else(|| error.clone().raise(), Raise::raise);
     }
     let path = match error {
-        JudgeError::NoMotion | JudgeError::Changing | JudgeError::OnGround => Some(scenario.path.as_path()),
+        JudgeError::NoMotion | JudgeError::Changing | JudgeError::OnGround | JudgeError::InGimbals => {
+            Some(scenario.path.as_path())
+        }
         _ => run,
     };
     let path = path.map(|path| path.display().to_string());

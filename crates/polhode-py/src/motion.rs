@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::PoisonError;
 
 use numpy::{PyArray1, PyReadonlyArray1};
+use polhode::motion::gimbal::GimbalSample;
 use polhode::motion::{
     Ending, ErrorEffort, GlobalError, Run, Scenario, StateError, Trajectory, TrajectoryDerivatives,
 };
@@ -239,9 +240,10 @@ pub(crate) fn motion_page(title: Option<&str>, data: &str) -> String {
 impl PyMotion {
     /// Of the torque since the start, at each sample, J.
     fn work(&self) -> Vec<f64> {
-        match self.trajectory.contact() {
-            Some(contact) => contact.samples().iter().map(|s| s.friction_work + s.ground_work).collect(),
-            None => self.trajectory.samples().iter().map(|sample| sample.work).collect(),
+        match (self.trajectory.contact(), self.trajectory.gimbals()) {
+            (Some(contact), _) => contact.samples().iter().map(|s| s.friction_work + s.ground_work).collect(),
+            (None, Some(gimbals)) => gimbals.samples().iter().map(GimbalSample::work).collect(),
+            (None, None) => self.trajectory.samples().iter().map(|sample| sample.work).collect(),
         }
     }
 

@@ -6,7 +6,7 @@ use polhode::observe::Drift;
 /// What turns a body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Driven {
-    /// A torque acts, or would have to, or the forces of the ground do.
+    /// A torque acts, or would have to, or the ground or gimbals do.
     pub(crate) by_torques: bool,
     /// Wheels spin inside.
     pub(crate) by_wheels: bool,
@@ -19,7 +19,8 @@ impl Driven {
         Self {
             by_torques: scenario.prescribed().is_some()
                 || !scenario.torques().is_empty()
-                || scenario.ground().is_some(),
+                || scenario.ground().is_some()
+                || scenario.gimbals().is_some(),
             by_wheels: !scenario.wheels().is_empty(),
             by_mass: scenario.history().is_some(),
         }
@@ -61,6 +62,12 @@ pub(crate) fn balances(trajectory: &Trajectory, driven: Driven) -> Vec<Balance> 
 fn kept(trajectory: &Trajectory, driven: Driven) -> Vec<Balance> {
     if let Some(contact) = trajectory.contact() {
         return vec![Balance { name: "T + U − works of the contact", values: contact.energy_departures() }];
+    }
+    if let Some(motion) = trajectory.gimbals() {
+        return vec![Balance {
+            name: "T + U − works of the axes and the base",
+            values: motion.energy_departures(),
+        }];
     }
     let Some(drift) = Drift::along(trajectory) else { return Vec::new() };
     let one = |name: &'static str, value: fn(&Drift) -> f64| Balance {

@@ -32,6 +32,7 @@ mod extra;
 mod finding;
 mod forces;
 mod free_facts;
+mod gimbals;
 mod global_error;
 mod heavy_top;
 mod history;

@@ -45,6 +45,8 @@ impl Subject {
             "the mass properties change"
         } else if scenario.ground().is_some() {
             "the body is on the ground"
+        } else if scenario.gimbals().is_some() {
+            "the body hangs in gimbals"
         } else if scenario.pivot().is_some() {
             "the body is held at a pivot"
         } else if scenario.prescribed().is_some() {

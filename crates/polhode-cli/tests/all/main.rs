@@ -18,6 +18,7 @@ mod digits;
 mod example_files;
 mod explain;
 mod fix;
+mod gimbals;
 mod identify;
 mod identify_body;
 mod identify_next;

@@ -171,9 +171,12 @@ pub(super) fn element(key: &str, text: &str, elements: usize) -> String {
 }
 
 /// Keys, and a table that may stand there.
-const TABLES: [(&str, &str); 18] = [
+const TABLES: [(&str, &str); 21] = [
     ("surface", "{ shape = \"sphere\", radius = \"20 mm\" }"),
     ("ground", "{ shape = \"plane\", slope = \"10 deg\" }"),
+    ("outer inner", "{ angle = \"10 deg\" }"),
+    ("rotor", "{ rate = \"6000 rpm\" }"),
+    ("base", "{ latitude = \"52 deg\" }"),
     ("to", "\"nadir\", or { space = [1, 0, 0] }"),
     ("then", "\"stop\", or { switch = \"thruster\", on = false }"),
     ("spin", "{ body = [0, 0, \"12 rad/s\"] }"),

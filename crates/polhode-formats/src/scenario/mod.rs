@@ -30,6 +30,7 @@ pub(crate) mod csv;
 mod draft;
 mod event;
 mod formula;
+mod gimbals;
 mod key;
 mod known_mesh;
 pub(crate) mod list_units;
@@ -258,6 +259,11 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
         &["contact", "sweep"],
         "what becomes of a body on the ground is no column of a dataset",
     )?;
+    root.at_most_one(&["gimbals", "sweep"], "what becomes of a rotor in gimbals is no column of a dataset")?;
+    root.at_most_one(
+        &["gimbals", "start"],
+        "the angles and rates of the axes say how a rotor in gimbals starts",
+    )?;
 
     let mut findings = Vec::new();
     let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
@@ -320,8 +326,9 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
         scenario = scenario.sampled(run);
     }
     if let Some(ground) = ground {
-        scenario = ground.under(scenario, pivot.map(|pivot| pivot.value))?;
+        scenario = ground.under(scenario, pivot.as_ref().map(|pivot| pivot.value))?;
     }
+    scenario = gimbals::gimbals(&root, scenario, pivot.as_ref().map(|pivot| pivot.value))?;
     scenario = shaft::shaft(&root, &start, scenario)?;
     scenario = pendulum::pendulum(&root, scenario.noting(findings))?;
     let noticed = scenario.check();

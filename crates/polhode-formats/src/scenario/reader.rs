@@ -16,7 +16,7 @@ use polhode::math::RotationError;
 use polhode::motion::MotionError;
 
 /// The keys of the file itself.
-pub(crate) const TOP: [&str; 15] = [
+pub(crate) const TOP: [&str; 16] = [
     "title",
     "body",
     "orbit",
@@ -30,6 +30,7 @@ pub(crate) const TOP: [&str; 15] = [
     "shaft",
     "pendulum",
     "contact",
+    "gimbals",
     "run",
     "sweep",
 ];

@@ -19,6 +19,24 @@ pub(crate) fn mass_properties(table: &Table<'_>) -> Result<MassProperties<Part>,
         Some(center) => Position::from_array(center.quantities(Dimension::LENGTH)?),
         None => Position::ZERO,
     };
+    let (given, matrix) = matrix(table)?;
+    let tensor = match about(table)? {
+        None => matrix.tensor(InertiaTensor::from_matrix)?,
+        Some(point) => {
+            let about = matrix.tensor(|rows| InertiaAbout::from_matrix(point, rows))?;
+            return MassProperties::from_inertia_about(mass, center, &about).map_err(|e| given.body(e));
+        }
+    };
+    MassProperties::new(mass, center, tensor).map_err(|e| mass_value.body(e))
+}
+
+/// The tensor alone, about the centre of mass of what it is of.
+pub(super) fn tensor(table: &Table<'_>) -> Result<InertiaTensor<Part>, FormatError> {
+    matrix(table)?.1.tensor(InertiaTensor::from_matrix)
+}
+
+/// `inertia` or `moments`.
+fn matrix<'a>(table: &Table<'a>) -> Result<(Value<'a>, Matrix<'a>), FormatError> {
     let given = table.at_most_one(&["inertia", "moments"], "each of them alone is the whole tensor")?;
     let Some(given) = given else {
         return Err(
@@ -28,15 +46,7 @@ pub(crate) fn mass_properties(table: &Table<'_>) -> Result<MassProperties<Part>,
     if given.key() == "moments" {
         table.at_most_one(&["moments", "products"], "principal moments have no products")?;
     }
-    let matrix = Matrix::read(table, &given)?;
-    let tensor = match about(table)? {
-        None => matrix.tensor(InertiaTensor::from_matrix)?,
-        Some(point) => {
-            let about = matrix.tensor(|rows| InertiaAbout::from_matrix(point, rows))?;
-            return MassProperties::from_inertia_about(mass, center, &about).map_err(|e| given.body(e));
-        }
-    };
-    MassProperties::new(mass, center, tensor).map_err(|e| mass_value.body(e))
+    Ok((given, Matrix::read(table, &given)?))
 }
 
 /// The point that the tensor is about, if it is not the centre of mass.

@@ -6,6 +6,7 @@
 mod contact;
 pub mod csv;
 pub mod curve;
+mod gimbals;
 pub mod parquet;
 pub mod required;
 pub mod workbook;
@@ -13,6 +14,7 @@ pub mod workbook;
 use std::borrow::Cow;
 
 use polhode::motion::contact::ContactSample;
+use polhode::motion::gimbal::GimbalSample;
 use polhode::motion::{Orbit, Pointing, Sample, Scenario, State, StateError, Trajectory, Wheel};
 
 /// What a table has to know beside the trajectory: wheels inside the body, its orbit, and the angles that are of interest.
@@ -53,6 +55,7 @@ pub struct Column {
 enum Source {
     Sample(fn(&Sample) -> f64),
     Contact(fn(&ContactSample) -> f64),
+    Gimbals(fn(&GimbalSample) -> f64),
     Error(fn(&StateError) -> f64),
     WheelMomentum(Wheel),
     WheelSpeed(Wheel),
@@ -70,6 +73,9 @@ impl Column {
             Source::Contact(value) => {
                 trajectory.contact().and_then(|contact| contact.samples().get(row)).map_or(f64::NAN, value)
             }
+            Source::Gimbals(value) => {
+                trajectory.gimbals().and_then(|motion| motion.samples().get(row)).map_or(f64::NAN, value)
+            }
             Source::Error(value) => {
                 trajectory.error().and_then(|error| error.computation().get(row)).map_or(f64::NAN, value)
             }
@@ -82,7 +88,7 @@ impl Column {
 }
 
 /// The columns of a trajectory, in order: after those of every motion the potential energy where every torque has a potential; of a body on
-/// the ground what it does there, with energies and works; the estimates of the error where there are any; what each of the body's wheels does, numbered from 1, of one whose speed is held only its
+/// the ground or in gimbals what it does there, with energies and works; the estimates of the error where there are any; what each of the body's wheels does, numbered from 1, of one whose speed is held only its
 /// momentum, for its inertia is not known; on an orbit the attitude relative to it, and where the body is; and the angles that are of
 /// interest.
 pub fn columns(trajectory: &Trajectory, surroundings: &Surroundings) -> Vec<Column> {
@@ -99,6 +105,14 @@ pub fn columns(trajectory: &Trajectory, surroundings: &Surroundings) -> Vec<Colu
             unit,
             description,
             source: Source::Contact(value),
+        }));
+    }
+    if trajectory.gimbals().is_some() {
+        columns.extend(gimbals::COLUMNS.map(|(name, unit, description, value)| Column {
+            name: Cow::Borrowed(name),
+            unit,
+            description,
+            source: Source::Gimbals(value),
         }));
     }
     if trajectory.error().is_some() {

@@ -163,6 +163,17 @@ fn the_book_has_every_key_and_no_other() {
             "### Ground",
             "[contact]\nsurface = { shape = 'sphere', radius = 1 }\nground = { zzz = 1 }",
         ),
+        ("gimbals", "## Gimbals", "[gimbals]\nzzz = 1"),
+        (
+            "gimbals",
+            "### Axes",
+            "[gimbals]\nouter_axis = [0, 0, 1]\ninner_axis = [1, 0, 0]\nouter = { zzz = 1 }",
+        ),
+        (
+            "gimbals",
+            "### Base",
+            "[gimbals]\nouter_axis = [0, 0, 1]\ninner_axis = [1, 0, 0]\nbase = { zzz = 1 }",
+        ),
         ("prescribed", "## Prescribed", "[prescribed]\nzzz = 1"),
         ("prescribed", "### Angular velocity", "[prescribed]\nomega = { zzz = 1 }"),
         ("shaft", "## Shaft", "[shaft]\nzzz = 1"),
@@ -322,12 +333,23 @@ fn the_book_has_every_unit_under_its_dimension() {
 
 #[test]
 fn the_book_has_every_column_of_a_body_on_the_ground() {
-    let page = read("book/results.md");
     let contact = "[contact]\nsurface = { shape = 'sphere', radius = 1 }\nlaw = 'rolling'\n";
-    let text = format!("{BALL}{contact}[run]\nduration = 1\nsamples = 2");
+    assert_further_columns("### On the ground", contact);
+}
+
+#[test]
+fn the_book_has_every_column_of_a_rotor_in_gimbals() {
+    assert_further_columns("### In gimbals", "[gimbals]\nouter_axis = [0, 0, 1]\ninner_axis = [1, 0, 0]\n");
+}
+
+/// The columns that a section of a scenario adds are those that the book has under a heading.
+#[track_caller]
+fn assert_further_columns(heading: &str, section_of_file: &str) {
+    let page = read("book/results.md");
+    let text = format!("{BALL}{section_of_file}[run]\nduration = 1\nsamples = 2");
     let scenario = scenario::parse(&text, Path::new("probe.toml")).unwrap();
     let motion = scenario.simulate().unwrap().unwrap();
-    let rows = rows(section(&page, "### On the ground"));
+    let rows = rows(section(&page, heading));
     let in_book: Vec<_> =
         rows.iter().flat_map(|row| names(row[0]).map(|name| (name.to_owned(), row[1]))).collect();
     let columns = columns(&motion, &(&scenario).into()).into_iter();

@@ -11,6 +11,8 @@ mod examples;
 mod expression;
 mod files;
 mod formula;
+mod gimbal_examples;
+mod gimbals;
 mod gltf;
 mod identify;
 mod identify_swing;

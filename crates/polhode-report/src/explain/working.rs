@@ -45,6 +45,9 @@ impl<'a> Working<'a> {
     }
 
     pub(super) fn of(scenario: &'a Scenario) -> Result<Self, MotionError> {
+        if scenario.gimbals().is_some() {
+            return Self::with(scenario, None);
+        }
         let trajectory = match scenario.simulate_with_error(ErrorEffort::Auto, &mut |_| true) {
             // A point has no rotation to compute; all else about it can be told.
             None | Some(Err(MotionError::NotSpinnable)) => None,
@@ -70,6 +73,10 @@ impl<'a> Working<'a> {
                 "has no worked solution: the steps are those of a body that stays as it is",
             );
             return Err(MotionError::MassHistory { time, why });
+        }
+        if scenario.gimbals().is_some() {
+            let why = "the steps of a worked solution are those of a body that is free or held at a point";
+            return Err(MotionError::InGimbals { why });
         }
         let rotor = scenario.rotor();
         let pendulum = scenario.pendulum().transpose()?;

@@ -12,7 +12,7 @@ pub fn judge_hint(error: &JudgeError) -> Option<&'static str> {
         JudgeError::Changing => {
             "leave out [mass_history] if the run is of the body as it is at the start; `polhode simulate` computes the motion of one that changes"
         }
-        JudgeError::OnGround => "`polhode simulate` computes its motion",
+        JudgeError::OnGround | JudgeError::InGimbals => "`polhode simulate` computes its motion",
         JudgeError::BeforeStart { .. } => "--time-origin says the run's time at the scenario's time 0",
         JudgeError::Ends { .. } => "leave the event that stops the scenario out, or judge the rows before it",
         // One order was tried: it is known.

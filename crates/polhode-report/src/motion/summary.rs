@@ -1,5 +1,6 @@
 //! `summary.json`.
 
+use polhode::motion::gimbal::GimbalSample;
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{
     Method, ParticleForce, Pendulum, Sample, Scenario, Solution, State, Swing, Trajectory, Wheel,
@@ -13,7 +14,9 @@ use crate::block::{self, Geometry};
 use crate::free_facts::FreeFacts;
 use crate::json::{numbers, vector};
 use crate::torque::Description;
-use crate::{VERSION, contact, event, finding, global_error, heavy_top, history, orbit, symmetric_top};
+use crate::{
+    VERSION, contact, event, finding, gimbals, global_error, heavy_top, history, orbit, symmetric_top,
+};
 
 pub(super) fn of(report: &MotionReport<'_>) -> Value {
     let (scenario, samples) = (report.scenario, report.trajectory.samples());
@@ -46,6 +49,7 @@ pub(super) fn of(report: &MotionReport<'_>) -> Value {
     let end = samples.last().map_or(scenario.start().time, |sample| sample.state.time);
     put("mass_history", scenario.history().map_or(Value::Null, |history| history::to_json(history, end)));
     put("contact", contact::to_json(scenario, report.trajectory));
+    put("gimbals", gimbals::to_json(scenario, report.trajectory));
     put("events", event::json(report.trajectory, scenario));
     put("findings", finding::to_json(&report.findings()));
     Value::Object(object)
@@ -119,7 +123,10 @@ fn motion(facts: &Facts<'_>, scenario: &Scenario) -> Value {
     let momentum = facts.rotor.angular_momentum_space(&facts.start);
     let of_free = |number: fn(&FreeFacts) -> Option<f64>| free.and_then(number);
     let name = |facts: &FreeFacts| facts.regime.regime.name();
-    let has_regime = facts.needed.is_none() && facts.rotor.wheels().is_empty() && scenario.ground().is_none();
+    let has_regime = facts.needed.is_none()
+        && facts.rotor.wheels().is_empty()
+        && scenario.ground().is_none()
+        && scenario.gimbals().is_none();
     json!({
         "regime": free.map(name),
         "regime_at_start": facts.at_start.as_ref().filter(|_| has_regime).map(name),
@@ -141,7 +148,7 @@ fn symmetric_top(top: &Top) -> Value {
     Value::Object(object)
 }
 
-/// Of a body on the ground with that of its centre of mass, and the work of friction and of the ground.
+/// Of a body on the ground with that of its centre of mass, and the work of friction and of the ground; of a rotor in gimbals with them.
 fn energy(trajectory: &Trajectory) -> Value {
     if let Some(motion) = trajectory.contact() {
         let (first, last) = (motion.samples().first(), motion.samples().last());
@@ -151,6 +158,17 @@ fn energy(trajectory: &Trajectory) -> Value {
             "potential_start_j": first.map(|s| s.potential_energy),
             "potential_end_j": last.map(|s| s.potential_energy),
             "work_j": last.map(|s| s.friction_work + s.ground_work),
+        });
+    }
+    if let Some(motion) = trajectory.gimbals() {
+        let (first, last) = (motion.samples().first(), motion.samples().last());
+        let potential = |s: &GimbalSample| s.potential_energy + s.spring_energy;
+        return json!({
+            "kinetic_start_j": first.map(|s| s.kinetic_energy),
+            "kinetic_end_j": last.map(|s| s.kinetic_energy),
+            "potential_start_j": first.map(potential),
+            "potential_end_j": last.map(potential),
+            "work_j": last.map(GimbalSample::work),
         });
     }
     let samples = trajectory.samples();

@@ -11,7 +11,7 @@ use crate::periods::in_both_conventions;
 use crate::sparkline::Sparkline;
 use crate::torque::{Description, off_at_start, wheel_name};
 use crate::unit::{self, CLOSED, DIGITS, cone, duration, rate};
-use crate::{contact, event, finding, global_error, heavy_top, history, intermediate, omega, orbit};
+use crate::{contact, event, finding, gimbals, global_error, heavy_top, history, intermediate, omega, orbit};
 
 /// Forces on more particles than this fill the screen: JSON has them all.
 const MOST_PARTICLES: usize = 8;
@@ -38,6 +38,7 @@ pub(super) fn write(report: &MotionReport<'_>, picture: usize) -> String {
     }
     text.push_str(&what_acts(report.scenario));
     text.push_str(&contact::to_text(report.scenario, report.trajectory));
+    text.push_str(&gimbals::to_text(report.scenario, report.trajectory));
     text.push_str(&orbit::to_text(report.scenario, samples, global_error::of_attitude(report.trajectory)));
     text.push_str(&event::table(report.trajectory, report.scenario));
     text.push_str(&evidence(report, &facts));
@@ -278,6 +279,8 @@ fn ends(report: &MotionReport<'_>, facts: &Facts<'_>) -> String {
         ));
         if let Some(motion) = report.trajectory.contact() {
             text.push_str(&contact::ends(motion));
+        } else if let Some(motion) = report.trajectory.gimbals() {
+            text.push_str(&gimbals::ends(motion));
         } else if !facts.is_free {
             // T goes with the square of ω.
             let omega_error = report.trajectory.error().map_or(0.0, |estimate| estimate.end().omega);

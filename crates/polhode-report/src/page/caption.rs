@@ -8,6 +8,7 @@ use super::cones::{ConeAngles, Precession, is_moving};
 use super::top::time_round;
 use crate::contact;
 use crate::free_facts::FreeFacts;
+use crate::gimbals;
 use crate::layout::printable;
 use crate::number::{number, typeset};
 use crate::torque::{Description, wheel_name};
@@ -91,6 +92,12 @@ fn driven(scenario: &Scenario, trajectory: &Trajectory) -> String {
         return format!(
             "{}. N: torque of the forces at the point of contact.",
             capitalised(&contact::how(ground))
+        );
+    }
+    if let Some(gimbals) = scenario.gimbals() {
+        return format!(
+            "{}. N: torque about the crossing of the axes, of gimbals and weight.",
+            capitalised(&gimbals::how(gimbals))
         );
     }
     // What takes energy inside the body leaves L as it is.

@@ -13,6 +13,7 @@ use crate::block::Geometry;
 use crate::contact;
 use crate::event;
 use crate::free_facts::FreeFacts;
+use crate::gimbals;
 use crate::history;
 use crate::layout::printable;
 use crate::number::{count, error, number, tidy, tidy_matrix, typeset, vector};
@@ -85,7 +86,11 @@ pub(super) fn json(
             "Ground",
             scenario
                 .and_then(|scenario| contact::facts(scenario, input.trajectory))
-                .map_or_else(Vec::new, on_ground),
+                .map_or_else(Vec::new, given),
+        ),
+        (
+            "Gimbals",
+            scenario.and_then(Scenario::gimbals).map_or_else(Vec::new, |of| given(gimbals::facts(of))),
         ),
         ("Events", events(input)),
         ("Cones", free.and_then(|free| free.top.as_ref()).map_or_else(Vec::new, cones)),
@@ -146,7 +151,7 @@ fn inertia(turning: &Turning<'_>) -> Vec<Row> {
     ]
 }
 
-fn on_ground(facts: Vec<(&'static str, String)>) -> Vec<Row> {
+fn given(facts: Vec<(&'static str, String)>) -> Vec<Row> {
     facts.into_iter().map(|(label, text)| Row::new(label, text, "")).collect()
 }
 
@@ -166,7 +171,13 @@ fn motion(input: &PageInput<'_>, free: Option<&FreeFacts>, shown: &Shown<'_>) ->
         rows.push(Row::with("ω at the start", sizes::rates(tidy(omega.to_array()))).note("body axes"));
         rows.push(Row::with("|ω| at the start", sizes::rate(omega.norm())));
         rows.push(Row::of("|L| at the start", first.momentum.norm(), "kg·m²/s"));
-        let of = if input.trajectory.contact().is_some() { "of the rotation alone" } else { "" };
+        let of = if input.trajectory.contact().is_some() {
+            "of the rotation alone"
+        } else if input.trajectory.gimbals().is_some() {
+            "of the rotor alone"
+        } else {
+            ""
+        };
         rows.push(Row::with("T at the start", sizes::energy(first.kinetic_energy)).note(of));
     }
     match (free, input.subject) {
@@ -349,6 +360,9 @@ fn balance(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
     let row = |label, value: f64| Row::new(label, error(value), "").note("relative, worst sample");
     if let Some(contact) = input.trajectory.contact() {
         return vec![row("T + U − works of the contact", contact.energy_drift())];
+    }
+    if let Some(motion) = input.trajectory.gimbals() {
+        return vec![row("T + U − works of the axes and the base", motion.energy_drift())];
     }
     let Some(drift) = Drift::of(input.trajectory) else { return Vec::new() };
     let mut rows = if is_free {

@@ -254,6 +254,9 @@ impl<'a> MotionFigures<'a> {
             (Figure::Polhodes | Figure::Herpolhode, None) if self.motion.trajectory.contact().is_some() => {
                 Some("the ground holds the body: it has no polhode")
             }
+            (Figure::Polhodes | Figure::Herpolhode, None) if self.motion.trajectory.gimbals().is_some() => {
+                Some("gimbals hold the body: it has no polhode")
+            }
             (Figure::Polhodes | Figure::Herpolhode, None) => {
                 Some("a torque acts on the body: it has no polhode")
             }

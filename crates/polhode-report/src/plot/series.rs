@@ -3,6 +3,7 @@
 use polhode::body::Symmetry;
 use polhode::math::{Direction, Principal, Vector};
 use polhode::motion::contact::ContactSample;
+use polhode::motion::gimbal::GimbalSample;
 use polhode::motion::{Pointing, Reference, Sample, Scenario};
 
 use super::chart::Quantity;
@@ -104,6 +105,17 @@ fn energy(motion: &PlottedMotion<'_>) -> Vec<Curve> {
             of(bold(1), "T", |s| s.kinetic_energy),
             of(bold(0), "U", |s| s.potential_energy),
             of(thin, "T + U", |s| s.kinetic_energy + s.potential_energy),
+        ];
+    }
+    if let Some(gimbals) = motion.trajectory.gimbals() {
+        let of = |pen, name: &str, value: fn(&GimbalSample) -> f64| {
+            let points = gimbals.samples().iter().map(|s| [s.state.time, value(s)]).collect();
+            Curve { pen, name: name.to_owned(), symbol: name.to_owned(), pieces: vec![points] }
+        };
+        return vec![
+            of(bold(1), "T", |s| s.kinetic_energy),
+            of(bold(0), "U", |s| s.potential_energy + s.spring_energy),
+            of(thin, "T + U", |s| s.kinetic_energy + s.potential_energy + s.spring_energy),
         ];
     }
     if has_potential(motion.samples()) {

@@ -10,6 +10,7 @@ mod json;
 mod page;
 mod page_contact;
 mod page_contract;
+mod page_gimbals;
 mod page_scene;
 mod sweep;
 mod worked;

@@ -9,8 +9,9 @@ use serde_json::Value;
 const OPEN: &str = "<script id=\"polhode-data\" type=\"application/json\">";
 
 pub(crate) fn html_of(scenario: &Scenario, trajectory: &Trajectory, text: &str) -> String {
-    // A motion on the ground has no worked solution.
-    let explanation = scenario.ground().is_none().then(|| explain_motion(scenario, trajectory).unwrap());
+    // A motion on the ground or in gimbals has no worked solution.
+    let is_held = scenario.ground().is_some() || scenario.gimbals().is_some();
+    let explanation = (!is_held).then(|| explain_motion(scenario, trajectory).unwrap());
     page(&input(scenario, trajectory, text, explanation.as_ref()))
 }
 

@@ -88,6 +88,7 @@ fn keys_are_those_of_the_contract() {
     let every = crate::common::spinning(every, AngularVelocity::new(0.1, 0.2, 0.3));
     all.push(every.sampled(crate::common::run(1.0, 3)));
     all.extend([crate::common::gyrostat(), crate::page_scene::top(7.0), crate::page_contact::egg()]);
+    all.push(crate::page_gimbals::gyroscope());
     for scenario in all {
         let Some(Ok(trajectory)) = scenario.simulate() else { continue };
         let data = data(&html_of(&scenario, &trajectory, ""));

@@ -109,8 +109,10 @@ impl Outcome {
     /// With what a trajectory says. One that failed keeps its start, and when which events happened.
     fn with(self, scenario: &Scenario, rotor: &Rotor, trajectory: &Trajectory) -> Self {
         let (first, last) = (trajectory.start(), trajectory.samples().last());
-        let can_be_free =
-            scenario.prescribed().is_none() && scenario.wheels().is_empty() && scenario.ground().is_none();
+        let can_be_free = scenario.prescribed().is_none()
+            && scenario.wheels().is_empty()
+            && scenario.ground().is_none()
+            && scenario.gimbals().is_none();
         let free = |state: &State| if can_be_free { FreeMotion::of(rotor, *state).ok() } else { None };
         let at_start = free(&first.state);
         let start = Self {

@@ -80,6 +80,35 @@ pub(crate) fn dip(mut f: impl FnMut(f64) -> f64, [mut a, mut b]: [f64; 2]) -> Op
     None
 }
 
+/// Where a function that is positive passes zero within h, first, looked at in a few places; what is not positive at the start has to become so before.
+pub(crate) fn vanishing(f: impl Fn(f64) -> f64, h: f64) -> Option<f64> {
+    /// Places that are looked at.
+    const LOOKS: usize = 8;
+    let looks: [[f64; 2]; LOOKS + 1] = core::array::from_fn(|k| {
+        let t = h * k as f64 / LOOKS as f64;
+        [t, f(t)]
+    });
+    for (k, pair) in looks.windows(2).enumerate() {
+        let &[[from, before], [to, now]] = pair else { continue };
+        if !(before > 0.0) {
+            continue;
+        }
+        if now < 0.0 {
+            return Some(root(&f, [from, to], [before, now]));
+        }
+        // It may have been below zero between two places where it is not, if it turns back at one of them.
+        if let Some(&[end, next]) = looks.get(k + 2)
+            && now < before
+            && now < next
+            && now < 0.25 * before.max(next)
+            && let Some(there) = dip(&f, [from, end])
+        {
+            return Some(root(&f, [from, there], [before, f(there)]));
+        }
+    }
+    None
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -50,6 +50,11 @@ pub enum MotionError {
         /// What the history does then.
         why: &'static str,
     },
+    /// Something that is not known of a rotor in gimbals.
+    InGimbals {
+        /// What, and why.
+        why: &'static str,
+    },
     /// Two parts of a scenario that exclude each other.
     Exclusive {
         /// Both, as a scenario file names them.
@@ -167,6 +172,13 @@ pub enum MotionError {
         /// When, s.
         time: f64,
     },
+    /// Gimbals without inertia lock: the rotor's axis has come to lie along the outer one, and what both turn by is not known apart.
+    GimbalLock {
+        /// When, s.
+        time: f64,
+        /// The angle of the inner gimbal, rad.
+        angle: f64,
+    },
     /// The body turns faster and faster, beyond all that its start and the torques of each beginning explain: |ω| becomes 10⁹ times as
     /// large, or grows towards infinity within a time.
     RunAway {
@@ -218,6 +230,7 @@ impl MotionError {
                 | Self::TooManyEvents { .. }
                 | Self::Painleve { .. }
                 | Self::Undecided { .. }
+                | Self::GimbalLock { .. }
                 | Self::RunAway { .. }
                 | Self::HalfTurn { .. }
                 | Self::NotFinite { .. }
@@ -278,12 +291,16 @@ impl MotionError {
             Self::NoParameter { .. } => Some("`TorqueModel::parameters` lists the names that a torque has"),
             Self::Painleve { .. } => Some("give a smaller coefficient of friction"),
             Self::Undecided { .. } => Some("give another start, or another coefficient of friction"),
+            Self::GimbalLock { .. } => {
+                Some("give the outer gimbal an inertia about its axis: then this is a motion like others")
+            }
             Self::NonFiniteParameter { .. }
             | Self::NonPositiveParameter { .. }
             | Self::NegativeParameter { .. }
             | Self::NoDirection { .. }
             | Self::ParameterOutOfRange { .. }
             | Self::MassHistory { .. }
+            | Self::InGimbals { .. }
             | Self::NoMotionDerivatives { .. }
             | Self::Exclusive { .. }
             | Self::Stopped { .. }
@@ -309,6 +326,7 @@ impl fmt::Display for MotionError {
             Self::MassHistory { time, why } => {
                 write!(f, "at t = {time} s the body's history of mass properties {why}", time = plain(*time))
             }
+            Self::InGimbals { why } => write!(f, "the body hangs in gimbals: {why}"),
             Self::Exclusive { parts: [a, b], why } => write!(f, "{a} and {b} exclude each other: {why}"),
             Self::NotSpinnable => {
                 write!(
@@ -388,6 +406,13 @@ impl fmt::Display for MotionError {
                     "at t = {time} s it cannot be decided whether, or in which direction, the body slips"
                 )
             }
+            Self::GimbalLock { time, angle } => write!(
+                f,
+                "at t = {time} s the gimbals lock: with the inner one at {angle} rad the rotor's axis lies along the outer one, and gimbals without inertia are not \
+                 held apart",
+                time = plain(*time),
+                angle = plain(*angle)
+            ),
             Self::TooManyEvents { time, most } => {
                 write!(f, "at t = {time} s there are already {most} events", time = plain(*time))
             }

@@ -17,11 +17,15 @@
 //! [`Prescribed`] motions have the torque N = L̇ − L × ω that they need ([`Required`]), and the force that each particle needs
 //! ([`ParticleForce`]). A [`Shaft`] is a motion about a fixed axis with the reactions of its bearings; a [`Pendulum`] swings about one.
 //!
+//! # Bodies that something holds
+//! [`contact`] has bodies that roll and slide on the ground, [`gimbal`] rotors in a Cardan suspension.
+//!
 //! # A body and its motion in one value
 //! A [`Scenario`] is what a scenario file describes.
 
 pub mod contact;
 pub(crate) mod error;
+pub mod gimbal;
 pub(crate) mod inverse;
 pub(crate) mod model;
 pub(crate) mod run;

@@ -29,8 +29,9 @@ pub struct Drift {
 
 impl Drift {
     /// The drift of a trajectory since its start; `None` if it has no samples, or was prescribed and so cannot drift, or is that of a body on the
-    /// ground, whose energy is in balance with what its contact does
-    /// ([`ContactTrajectory::energy_drift`](crate::motion::contact::ContactTrajectory::energy_drift)).
+    /// ground or in gimbals, whose energy is in balance with what these do
+    /// ([`ContactTrajectory::energy_drift`](crate::motion::contact::ContactTrajectory::energy_drift),
+    /// [`GimbalTrajectory::energy_drift`](crate::motion::gimbal::GimbalTrajectory::energy_drift)).
     pub fn of(trajectory: &Trajectory) -> Option<Self> {
         let scale = Scale::of(trajectory)?;
         trajectory.samples().iter().map(|sample| scale.departure(sample)).reduce(Self::worse)
@@ -68,7 +69,8 @@ impl<'a> Scale<'a> {
     fn of(trajectory: &'a Trajectory) -> Option<Self> {
         let (first, samples) = (trajectory.start(), trajectory.samples());
         let is_given = matches!(trajectory.solution(), Solution::Prescribed(_));
-        if samples.is_empty() || is_given || trajectory.contact().is_some() {
+        let is_held = trajectory.contact().is_some() || trajectory.gimbals().is_some();
+        if samples.is_empty() || is_given || is_held {
             return None;
         }
         let max = |f: &dyn Fn(&Sample) -> f64| samples.iter().chain([first]).map(f).fold(0.0, f64::max);

@@ -18,6 +18,7 @@ mod equilibria;
 mod event;
 mod free_derivatives;
 mod free_motion;
+mod gimbals;
 mod heavy_top;
 mod inverse;
 mod jacobi_form;

@@ -2,6 +2,7 @@
 
 use polhode::math::Rotation;
 use polhode::motion::contact::{BodySurface, Contact, StartVelocity, SurfaceShape};
+use polhode::motion::gimbal::{Axis, Gimbals};
 use polhode::motion::torque::EnergySink;
 use polhode::motion::{
     ActingTorque, Anomaly, EventAction, GroundContact, MU_EARTH, MassHistory, MassRow, Measure, Motor,
@@ -58,6 +59,11 @@ fn with(part: &str, scenario: Scenario) -> Result<Scenario, MotionError> {
             let surface = BodySurface::new(shape, Position::ZERO, Rotation::identity()).unwrap();
             let (contact, velocity) = (Contact::rolling(surface), StartVelocity::Rolling);
             scenario.on_ground(GroundContact { contact, at: Position::ZERO, velocity })
+        }
+        "gimbals" => {
+            let axes = [0.3, 0.4, 0.5].map(|angle| Axis::free(angle, 0.2).unwrap());
+            let [up, east] = [Direction::new(0.0, 0.0, 1.0), Direction::new(1.0, 0.0, 0.0)];
+            scenario.in_gimbals(Gimbals::new(up, east, axes).unwrap())
         }
         other => panic!("{other}"),
     }

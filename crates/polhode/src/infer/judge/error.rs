@@ -15,6 +15,8 @@ pub enum JudgeError {
     Changing,
     /// The scenario's body is on the ground: the causes of errors are known of bodies that are free or held at a point.
     OnGround,
+    /// The scenario's body hangs in gimbals: the causes of errors are known of bodies that are free or held at a point.
+    InGimbals,
     /// A time before the scenario's start.
     BeforeStart {
         /// The time, s.
@@ -63,6 +65,9 @@ impl fmt::Display for JudgeError {
             ),
             Self::OnGround => f.write_str(
                 "the scenario's body is on the ground, and what makes motions wrong is known of bodies that are free or held at a point",
+            ),
+            Self::InGimbals => f.write_str(
+                "the scenario's body hangs in gimbals, and what makes motions wrong is known of bodies that are free or held at a point",
             ),
             Self::BeforeStart { time, start } => {
                 write!(f, "the run has a row at {time} s, before the scenario's start at {start} s")

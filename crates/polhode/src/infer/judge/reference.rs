@@ -30,7 +30,7 @@ impl Reference {
     ///
     /// # Errors
     /// [`JudgeError::NoMotion`] of a scenario whose motion is prescribed, [`JudgeError::Changing`] and
-    /// [`JudgeError::OnGround`] of one whose body changes or is on the ground; [`JudgeError::BeforeStart`] and [`JudgeError::Ends`] of times at
+    /// [`JudgeError::OnGround`] and [`JudgeError::InGimbals`] of one whose body changes, is on the ground or hangs in gimbals; [`JudgeError::BeforeStart`] and [`JudgeError::Ends`] of times at
     /// which it has none; [`JudgeError::Motion`] of a motion that cannot be computed.
     pub fn of(scenario: &Scenario, times: &[f64]) -> Result<Self, JudgeError> {
         let states = states(scenario, times)?;
@@ -73,6 +73,9 @@ pub(super) fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<State>, J
     }
     if scenario.ground().is_some() {
         return Err(JudgeError::OnGround);
+    }
+    if scenario.gimbals().is_some() {
+        return Err(JudgeError::InGimbals);
     }
     if !matches!(scenario.task(), Task::Forward(_)) {
         return Err(JudgeError::NoMotion);

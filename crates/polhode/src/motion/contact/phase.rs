@@ -4,9 +4,9 @@ use super::equations::{Kinetics, Pivot, Regime};
 use super::flight;
 use super::law::{ContactLaw, Grip};
 use super::model::{GroundForm, Model, SurfaceForm};
-use super::series::{Expansion, System};
 use crate::math::algebra::{Components, Field};
 use crate::motion::solve::propagate::stepper::TIGHTEST_TOLERANCE;
+use crate::motion::solve::series::{Expansion, System};
 
 /// Which equations hold.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -10,6 +10,7 @@ use crate::body::mass_properties::MassProperties;
 use crate::math::frame::{Body, Part, Space};
 use crate::math::vector::{Acceleration, Direction};
 use crate::motion::model::event::Event;
+use crate::motion::solve::propagate::noise::StepNoise;
 
 /// What touches what, and how.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,14 +64,6 @@ pub struct ContactSimulation<'a> {
     pub(super) events: &'a [Event],
     pub(super) tolerance: f64,
     pub(super) noise: Option<StepNoise>,
-}
-
-/// What a perturbed run adds to its variables after each step, so many times what rounding does; and how many times as long its steps are.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::motion) struct StepNoise {
-    pub(in crate::motion) seed: u64,
-    pub(in crate::motion) amplitude: f64,
-    pub(in crate::motion) stretch: f64,
 }
 
 impl<'a> ContactSimulation<'a> {

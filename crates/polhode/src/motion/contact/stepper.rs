@@ -5,14 +5,10 @@ use super::flight::{CENTER, CENTER_RATE};
 use super::law::ContactLaw;
 use super::model::{GroundForm, Model};
 use super::phase::{self, Kind, Phase, Watch};
-use super::simulation::StepNoise;
 use crate::math::algebra::Components;
-use crate::math::root::{dip, root};
+use crate::math::root::vanishing;
 use crate::math::sum::two_sum;
-use crate::motion::solve::propagate::noise::Random;
-
-/// Places of a step at which what is watched is looked at.
-const LOOKS: usize = 8;
+use crate::motion::solve::propagate::noise::{Random, StepNoise};
 
 /// A body on its way.
 #[derive(Clone, Debug)]
@@ -322,31 +318,4 @@ impl Stepper {
             }
         }
     }
-}
-
-/// Where a function that is positive passes zero within h, first; what is not positive at the start has to become so before.
-fn vanishing(f: impl Fn(f64) -> f64, h: f64) -> Option<f64> {
-    let looks: [[f64; 2]; LOOKS + 1] = core::array::from_fn(|k| {
-        let t = h * k as f64 / LOOKS as f64;
-        [t, f(t)]
-    });
-    for (k, pair) in looks.windows(2).enumerate() {
-        let &[[from, before], [to, now]] = pair else { continue };
-        if !(before > 0.0) {
-            continue;
-        }
-        if now < 0.0 {
-            return Some(root(&f, [from, to], [before, now]));
-        }
-        // It may have been below zero between two places where it is not, if it turns back at one of them.
-        if let Some(&[end, next]) = looks.get(k + 2)
-            && now < before
-            && now < next
-            && now < 0.25 * before.max(next)
-            && let Some(there) = dip(&f, [from, end])
-        {
-            return Some(root(&f, [from, there], [before, f(there)]));
-        }
-    }
-    None
 }

@@ -69,6 +69,8 @@ pub enum MethodReason {
     Given,
     /// A body on the ground has series for each phase of its motion.
     Contact,
+    /// The equations of a rotor in gimbals have series.
+    Gimbals,
     /// A closed form is known.
     ClosedForm {
         /// Which.
@@ -95,6 +97,7 @@ impl fmt::Display for MethodReason {
         match self {
             Self::Asked => f.write_str("it was asked for"),
             Self::Given => f.write_str("the motion is given"),
+            Self::Gimbals => f.write_str("the equations of a rotor in gimbals have Taylor series"),
             Self::Contact => {
                 f.write_str("a body on the ground has a Taylor series for each phase of its motion")
             }

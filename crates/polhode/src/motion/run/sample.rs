@@ -2,7 +2,6 @@
 
 use crate::math::frame::{Body, Space};
 use crate::math::vector::{AngularMomentum, Torque};
-use crate::motion::contact::ContactSample;
 use crate::motion::error::MotionError;
 use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::inverse::required::Required;
@@ -66,19 +65,22 @@ impl Sample {
         Self { torque: needed.torque, ..sample }.finite()
     }
 
+    /// Of a body that something else holds, whose torque on it is known.
+    ///
     /// # Errors
     /// As [`Sample::of`].
-    pub(crate) fn of_contact(
+    pub(crate) fn held(
         rotor: &Rotor,
-        at: &ContactSample,
+        state: State,
+        torque: Torque<Body>,
         first: Option<&Self>,
     ) -> Result<Self, MotionError> {
-        let balanced = Balanced { state: at.state, work: 0.0, impulse: AngularMomentum::ZERO };
+        let balanced = Balanced { state, work: 0.0, impulse: AngularMomentum::ZERO };
         let sample = Self::of(rotor, core::iter::empty(), None, balanced)?;
         let first = first.copied().unwrap_or(sample);
         let work = sample.kinetic_energy - first.kinetic_energy;
         let impulse = sample.momentum - first.momentum;
-        Self { torque: at.torque, work, impulse, ..sample }.finite()
+        Self { torque, work, impulse, ..sample }.finite()
     }
 
     fn finite(self) -> Result<Self, MotionError> {

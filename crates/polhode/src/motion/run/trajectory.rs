@@ -4,8 +4,9 @@ use super::ending::{Ending, MethodReason};
 use super::global_error::GlobalError;
 use super::sample::{Sample, continuous};
 use super::solution::Solution;
-use crate::motion::contact::ContactTrajectory;
+use crate::motion::contact::{ContactSample, ContactTrajectory};
 use crate::motion::error::MotionError;
+use crate::motion::gimbal::{GimbalSample, GimbalTrajectory};
 use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::model::event::Crossing;
 use crate::motion::model::rotor::Rotor;
@@ -28,6 +29,7 @@ pub struct Trajectory {
     ending: Ending,
     error: Option<GlobalError>,
     contact: Option<Box<ContactTrajectory>>,
+    gimbals: Option<Box<GimbalTrajectory>>,
 }
 
 impl Trajectory {
@@ -41,8 +43,9 @@ impl Trajectory {
         motion: ContactTrajectory,
         tolerance: f64,
     ) -> Result<Self, MotionError> {
-        let first = Sample::of_contact(rotor, motion.start(), None)?;
-        let samples = motion.samples().iter().map(|sample| Sample::of_contact(rotor, sample, Some(&first)));
+        let of = |s: &ContactSample, first| Sample::held(rotor, s.state, s.torque, first);
+        let first = of(motion.start(), None)?;
+        let samples = motion.samples().iter().map(|sample| of(sample, Some(&first)));
         let samples = samples.collect::<Result<_, _>>()?;
         let statistics = motion.statistics();
         let solution =
@@ -55,6 +58,34 @@ impl Trajectory {
     /// The contact with the ground at each sample, of a body that has one.
     pub fn contact(&self) -> Option<&ContactTrajectory> {
         self.contact.as_deref()
+    }
+
+    /// A motion in gimbals, of the rotor about the crossing of their axes. Of each sample the work and the impulse are by the theorems themselves: what is
+    /// integrated is in [`Trajectory::gimbals`].
+    ///
+    /// # Errors
+    /// [`MotionError::NotFinite`] where energy or momentum leave the range of f64.
+    pub(crate) fn of_gimbals(
+        rotor: &Rotor,
+        motion: GimbalTrajectory,
+        tolerance: f64,
+    ) -> Result<Self, MotionError> {
+        let of = |s: &GimbalSample, first| Sample::held(rotor, s.state, s.torque, first);
+        let first = of(motion.start(), None)?;
+        let samples = motion.samples().iter().map(|sample| of(sample, Some(&first)));
+        let samples = samples.collect::<Result<_, _>>()?;
+        let statistics = motion.statistics();
+        let solution =
+            Solution::Integrated { method: Method::Taylor, tolerance: Some(tolerance), statistics };
+        let failed = |(time, cause): (f64, &MotionError)| Ending::Failed { time, cause: cause.clone() };
+        let ending = motion.failure().map_or(Ending::Complete, failed);
+        let trajectory = Self::assembled(first, samples, solution).because(MethodReason::Gimbals);
+        Ok(Self { gimbals: Some(Box::new(motion)), ending, ..trajectory })
+    }
+
+    /// The gimbals at each sample, of a rotor that hangs in them.
+    pub fn gimbals(&self) -> Option<&GimbalTrajectory> {
+        self.gimbals.as_deref()
     }
 
     /// A prescribed motion at each of `times` (ascending, s), with the torque that it needs.
@@ -163,6 +194,7 @@ impl Trajectory {
             ending: Ending::Complete,
             error: None,
             contact: None,
+            gimbals: None,
         }
     }
 

@@ -9,6 +9,7 @@ pub(crate) mod pendulum_motion;
 mod phase;
 pub(crate) mod propagate;
 pub(crate) mod reach;
+pub(in crate::motion) mod series;
 pub(crate) mod start;
 pub(crate) mod swinging_body;
 mod theta;

@@ -26,6 +26,7 @@ impl Scenario {
         let is_still = self.start().omega.norm() == 0.0
             && self.torques().is_empty()
             && self.ground().is_none()
+            && self.gimbals().is_none()
             && self.prescribed().is_none()
             && !self.wheels().iter().any(Wheel::is_driven);
         if is_still && self.run().is_some() {

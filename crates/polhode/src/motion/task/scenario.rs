@@ -12,6 +12,7 @@ use crate::math::rotation::Rotation;
 use crate::math::vector::{AngularVelocity, Position, Velocity};
 use crate::motion::contact::{ContactSimulation, ContactStart};
 use crate::motion::error::MotionError;
+use crate::motion::gimbal::{GimbalSimulation, Gimbals};
 use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::model::event::Event;
 use crate::motion::model::mass_history::MassHistory;
@@ -57,50 +58,13 @@ pub struct Scenario {
     wheel_names: Vec<Option<String>>,
     history: Option<MassHistory>,
     contact: Option<Box<GroundContact>>,
+    gimbals: Option<Box<Gimbals>>,
     task: Task,
     run: Option<Run>,
     findings: Vec<Finding>,
 }
 
 impl Scenario {
-    /// The parts of a scenario, as a file names them, that exclude each other, and why.
-    pub const EXCLUSIVE: [(&'static str, &'static str, &'static str); 22] = [
-        ("contact", "orbit", "a body on the ground is on no orbit"),
-        ("contact", "shaft", SHAFT),
-        (
-            "contact",
-            "prescribed",
-            "the torque that a prescribed motion needs is that of a body that is free or held at a point",
-        ),
-        (
-            "contact",
-            "torque",
-            "the forces at the point of contact and gravity are all that acts on a body on the ground",
-        ),
-        ("contact", "pendulum", "a pendulum hangs, and touches no ground"),
-        ("contact", "wheel", "what rolls is one rigid body"),
-        ("contact", "mass_history", "what rolls is one rigid body, whose mass stays as it is"),
-        ("orbit", "shaft", ORBIT),
-        ("prescribed", "torque", "a prescribed motion is given, and the torque that it needs is the answer"),
-        ("prescribed", "event", "a prescribed motion is given, and nothing on its way changes it"),
-        ("prescribed", "pendulum", "a pendulum swings as gravity moves it"),
-        ("prescribed", "wheel", "the torque that a prescribed motion needs is that of a body without wheels"),
-        ("pendulum", "wheel", "a pendulum swings as a body without wheels"),
-        ("shaft", "prescribed", SHAFT),
-        ("shaft", "torque", SHAFT),
-        ("shaft", "wheel", SHAFT),
-        ("shaft", "event", SHAFT),
-        ("shaft", "pendulum", SHAFT),
-        ("mass_history", "shaft", SHAFT),
-        (
-            "mass_history",
-            "prescribed",
-            "the torque that a prescribed motion needs is that of a body that stays as it is",
-        ),
-        ("mass_history", "pendulum", "a pendulum swings as a body that stays as it is"),
-        ("mass_history", "wheel", "what is left of a changing body beside its wheels is not known"),
-    ];
-
     /// A free body at rest, its axes along those of space.
     pub fn new(body: MassProperties<Body>) -> Self {
         Self {
@@ -116,6 +80,7 @@ impl Scenario {
             wheel_names: Vec::new(),
             history: None,
             contact: None,
+            gimbals: None,
             task: Task::Forward(Forward::default()),
             run: None,
             findings: Vec::new(),
@@ -160,6 +125,9 @@ impl Scenario {
     pub fn held_at(self, pivot: Position<Body>) -> Result<Self, MotionError> {
         if self.velocity != Velocity::ZERO {
             return Err(exclusive("pivot", "velocity", "a point of the body is held: it only turns"));
+        }
+        if self.gimbals.is_some() {
+            return Err(exclusive("gimbals", "pivot", HUNG));
         }
         if matches!(self.task, Task::Shaft(..)) {
             return Err(exclusive("shaft", "pivot", "the bearings hold the body"));
@@ -233,11 +201,33 @@ impl Scenario {
         Ok(Self { velocity, contact: Some(Box::new(ground)), ..self })
     }
 
+    /// Hung in gimbals, whose axes say where it starts.
+    ///
+    /// # Errors
+    /// [`MotionError::Exclusive`] of a body that is held at a pivot or moves, and of all that a rotor in gimbals does not have; as
+    /// [`GimbalSimulation::run`].
+    pub fn in_gimbals(self, gimbals: Gimbals) -> Result<Self, MotionError> {
+        self.require_compatible("gimbals", true)?;
+        if self.pivot.is_some() && self.gimbals.is_none() {
+            return Err(exclusive("gimbals", "pivot", HUNG));
+        }
+        if self.velocity != Velocity::ZERO {
+            return Err(exclusive("gimbals", "velocity", "the crossing of the axes does not move"));
+        }
+        let motion = GimbalSimulation::new(&self.body, &gimbals, self.start.time, &[]).run()?;
+        let (start, point) = (motion.start().state, gimbals.crossing());
+        let rotor = Rotor::pivoted(&self.body, point);
+        Ok(Self { start, rotor, pivot: Some(point), gimbals: Some(Box::new(gimbals)), ..self })
+    }
+
     /// From this attitude and ω; of a prescribed motion they are its own.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for numbers that are not finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) for numbers that are not finite; [`MotionError::Exclusive`] of a rotor in gimbals.
     pub fn starting(self, start: State) -> Result<Self, MotionError> {
+        if self.gimbals.is_some() {
+            return Err(exclusive("gimbals", "start", "the angles of the axes say how the rotor starts"));
+        }
         for (what, value) in [
             ("the start's time", start.time),
             ("the start's attitude", start.attitude.quaternion().iter().sum()),
@@ -365,6 +355,7 @@ impl Scenario {
             "pendulum" => self.suspension().is_some(),
             "mass_history" => self.history.is_some(),
             "contact" => self.contact.is_some(),
+            "gimbals" => self.gimbals.is_some(),
             _ => !self.wheels().is_empty(),
         };
         let excluded = Self::EXCLUSIVE
@@ -468,10 +459,16 @@ impl Scenario {
         self.contact.as_deref()
     }
 
+    /// The gimbals that it hangs in, if it does.
+    pub fn gimbals(&self) -> Option<&Gimbals> {
+        self.gimbals.as_deref()
+    }
+
     /// True if nothing but its inertia, which stays as it is, decides its motion.
     pub fn is_free(&self) -> bool {
         let alone = self.torques().is_empty() && self.wheels().is_empty();
-        alone && self.prescribed().is_none() && self.history.is_none() && self.contact.is_none()
+        let is_held = self.contact.is_some() || self.gimbals.is_some();
+        alone && self.prescribed().is_none() && self.history.is_none() && !is_held
     }
 
     /// The name of a wheel, from 0, if it has one.
@@ -521,9 +518,7 @@ impl Scenario {
     }
 }
 
-const SHAFT: &str = "a shaft turns at its rate, and what drives and holds it is the answer";
-
-const ORBIT: &str = "a body on an orbit falls freely: no weight is on its bearings";
+const HUNG: &str = "the body is held at the crossing of the gimbals' axes alone";
 
 const fn exclusive(a: &'static str, b: &'static str, why: &'static str) -> MotionError {
     MotionError::Exclusive { parts: [a, b], why }

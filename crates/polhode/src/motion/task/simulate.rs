@@ -5,12 +5,16 @@ use super::run::Run;
 use super::scenario::Scenario;
 use crate::motion::contact::{ContactSimulation, ContactStart};
 use crate::motion::error::MotionError;
+use crate::motion::gimbal::GimbalSimulation;
 use crate::motion::model::torque::{TorqueModel, TorqueParameter};
 use crate::motion::run::derivatives::TrajectoryDerivatives;
-use crate::motion::run::global_error::{ErrorEffort, on_ground};
+use crate::motion::run::global_error::{ErrorEffort, GlobalError, in_gimbals, on_ground};
 use crate::motion::run::simulation::Simulation;
 use crate::motion::run::trajectory::Trajectory;
 use crate::motion::solve::method::Method;
+
+/// What estimates the error of a trajectory.
+type EstimateBy<'a> = dyn Fn(ErrorEffort, &Trajectory, &mut dyn FnMut(f64) -> bool) -> GlobalError + 'a;
 
 impl Scenario {
     /// The motion at the times of the run; `None` without a run.
@@ -29,7 +33,7 @@ impl Scenario {
         &self,
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Option<Result<Trajectory, MotionError>> {
-        if let Some(motion) = self.on_ground_watched(None, progress) {
+        if let Some(motion) = self.held_watched(None, progress) {
             return Some(motion);
         }
         self.trajectory(|simulation| simulation.run_watched(progress))
@@ -44,7 +48,7 @@ impl Scenario {
         effort: ErrorEffort,
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Option<Result<Trajectory, MotionError>> {
-        if let Some(motion) = self.on_ground_watched(Some(effort), progress) {
+        if let Some(motion) = self.held_watched(Some(effort), progress) {
             return Some(motion);
         }
         self.trajectory(|simulation| simulation.run_with_error(effort, progress))
@@ -68,16 +72,31 @@ impl Scenario {
             let why = "it is that of a body on the ground";
             return Some(Err(MotionError::NoMotionDerivatives { why, time: self.start().time }));
         }
+        if self.gimbals().is_some() {
+            let why = "it is that of a rotor in gimbals";
+            return Some(Err(MotionError::NoMotionDerivatives { why, time: self.start().time }));
+        }
         Some(self.simulation(run).run_with_derivatives_watched(parameters, progress))
     }
 
-    /// The motion of a body on the ground, with the estimate of its error if one is wanted.
-    fn on_ground_watched(
+    /// The motion of a body on the ground or in gimbals, with the estimate of its error if one is wanted; `None` of any other.
+    fn held_watched(
         &self,
         effort: Option<ErrorEffort>,
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Option<Result<Trajectory, MotionError>> {
-        let (run, ground) = (self.run()?, self.ground()?);
+        let run = self.run()?;
+        let motion = self.on_ground_watched(run, effort, progress);
+        motion.or_else(|| self.in_gimbals_watched(run, effort, progress))
+    }
+
+    fn on_ground_watched(
+        &self,
+        run: &Run,
+        effort: Option<ErrorEffort>,
+        progress: &mut dyn FnMut(f64) -> bool,
+    ) -> Option<Result<Trajectory, MotionError>> {
+        let ground = self.ground()?;
         if !matches!(run.method, Method::Auto | Method::Taylor) {
             let why = "a body on the ground is computed by Taylor series, method \"auto\" or \"taylor\"";
             return Some(Err(MotionError::Exclusive { parts: ["contact", "method"], why }));
@@ -89,20 +108,50 @@ impl Scenario {
         let motion = simulation.run_watched(progress);
         let trajectory =
             motion.and_then(|motion| Trajectory::of_contact(self.rotor(), motion, simulation.bound()));
-        let (effort, trajectory) = match (effort, trajectory) {
-            (Some(effort), Ok(trajectory)) => (effort, trajectory),
-            (_, trajectory) => return Some(trajectory),
+        let error = |effort: ErrorEffort, trajectory: &Trajectory, progress: &mut dyn FnMut(f64) -> bool| {
+            on_ground::of_contact(&simulation, trajectory, effort, progress)
         };
-        let end = run.times.last().copied().unwrap_or(start.state.time);
+        Some(trajectory.and_then(|trajectory| self.estimated(trajectory, effort, &error, progress)))
+    }
+
+    fn in_gimbals_watched(
+        &self,
+        run: &Run,
+        effort: Option<ErrorEffort>,
+        progress: &mut dyn FnMut(f64) -> bool,
+    ) -> Option<Result<Trajectory, MotionError>> {
+        let gimbals = self.gimbals()?;
+        if !matches!(run.method, Method::Auto | Method::Taylor) {
+            let why = "a rotor in gimbals is computed by Taylor series, method \"auto\" or \"taylor\"";
+            return Some(Err(MotionError::Exclusive { parts: ["gimbals", "method"], why }));
+        }
+        let simulation = GimbalSimulation::new(self.body(), gimbals, self.start().time, &run.times)
+            .tolerance(run.tolerance);
+        let motion = simulation.run_watched(progress);
+        let trajectory =
+            motion.and_then(|motion| Trajectory::of_gimbals(self.rotor(), motion, simulation.bound()));
+        let error = |effort: ErrorEffort, trajectory: &Trajectory, progress: &mut dyn FnMut(f64) -> bool| {
+            in_gimbals::of_gimbals(&simulation, trajectory, effort, progress)
+        };
+        Some(trajectory.and_then(|trajectory| self.estimated(trajectory, effort, &error, progress)))
+    }
+
+    /// A trajectory with the estimate of its error, if one is wanted.
+    fn estimated(
+        &self,
+        trajectory: Trajectory,
+        effort: Option<ErrorEffort>,
+        estimate: &EstimateBy<'_>,
+        progress: &mut dyn FnMut(f64) -> bool,
+    ) -> Result<Trajectory, MotionError> {
+        let Some(effort) = effort else { return Ok(trajectory) };
+        let end = self.run().and_then(|run| run.times.last().copied()).unwrap_or(self.start().time);
         let mut goes_on = true;
-        let error = on_ground::of_contact(&simulation, &trajectory, effort, &mut |_| {
+        let error = estimate(effort, &trajectory, &mut |_| {
             goes_on = progress(end);
             goes_on
         });
-        if !goes_on {
-            return Some(Err(MotionError::Stopped { time: end }));
-        }
-        Some(Ok(trajectory.with_error(Some(error))))
+        if goes_on { Ok(trajectory.with_error(Some(error))) } else { Err(MotionError::Stopped { time: end }) }
     }
 
     fn trajectory(

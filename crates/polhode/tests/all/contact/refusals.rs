@@ -122,7 +122,7 @@ fn painleves_paradox_is_named() {
     // Drawn behind its upper end it slides.
     let found = [1.0, -1.0].map(|v| ContactSimulation::new(&body, &contact, start(v), &[0.01]).run());
     let paradox = |r: &Result<_, _>| matches!(r, Err(MotionError::Painleve { .. }));
-    assert_eq!(found.each_ref().map(|r| paradox(r)), [false, true], "{found:?}");
+    assert_eq!(found.each_ref().map(paradox), [false, true], "{found:?}");
 }
 
 #[test]

@@ -52,7 +52,7 @@ impl Change {
         if self.random.next() < 0.0 { 1.0 - self.delta } else { 1.0 + self.delta }
     }
 
-    fn each<const N: usize>(&mut self, numbers: [f64; N]) -> [f64; N] {
+    pub(super) fn each<const N: usize>(&mut self, numbers: [f64; N]) -> [f64; N] {
         numbers.map(|x| x * self.factor())
     }
 

@@ -22,6 +22,8 @@ mod compared_samples;
 mod estimation;
 mod finding;
 mod free;
+mod held;
+pub(crate) mod in_gimbals;
 mod inputs;
 pub(crate) mod on_ground;
 mod perturbed;

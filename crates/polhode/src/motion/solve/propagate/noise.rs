@@ -20,6 +20,14 @@ impl Random {
     }
 }
 
+/// What a perturbed run adds to its variables after each step, so many times what rounding does; and how many times as long its steps are.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct StepNoise {
+    pub(crate) seed: u64,
+    pub(crate) amplitude: f64,
+    pub(crate) stretch: f64,
+}
+
 /// What rounding does to a step, times an amplitude.
 ///
 /// Each component is perturbed in proportion to its own size: what is exactly zero, because a symmetry keeps it so, stays zero in the

@@ -55,7 +55,7 @@ impl Recording {
 
 /// A value of a graph, or a constant.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::motion::contact) struct Node<'g> {
+pub(in crate::motion) struct Node<'g> {
     recording: &'g RefCell<Recording>,
     value: Value,
 }
@@ -203,7 +203,7 @@ pub(super) enum Step {
 
 /// An autonomous system ẏ = f(y), with further functions of y.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::motion::contact) struct System {
+pub(in crate::motion) struct System {
     /// In an order in which each follows what it is of.
     pub(super) steps: Vec<Step>,
     /// The rates of the variables.
@@ -214,7 +214,7 @@ pub(in crate::motion::contact) struct System {
 
 impl System {
     /// Records the rates of `count` variables, and further functions of them. `record` is given a constant 1 and the variables.
-    pub(in crate::motion::contact) fn record(
+    pub(in crate::motion) fn record(
         count: usize,
         record: impl for<'g> FnOnce(Node<'g>, &[Node<'g>]) -> [Vec<Node<'g>>; 2],
     ) -> Self {

@@ -50,7 +50,7 @@ fn total<S: Machine>(s: S, sums: S::Four) -> f64 {
 
 /// A system with its series about a state.
 #[derive(Clone, Debug)]
-pub(in crate::motion::contact) struct Expansion {
+pub(in crate::motion) struct Expansion {
     system: System,
     order: usize,
     /// The last coefficient that is a number.
@@ -64,7 +64,7 @@ pub(in crate::motion::contact) struct Expansion {
 
 impl Expansion {
     /// Without a state yet. `tolerance` is of each step, relative to the sizes of the variables.
-    pub(in crate::motion::contact) fn new(system: System, tolerance: f64) -> Self {
+    pub(in crate::motion) fn new(system: System, tolerance: f64) -> Self {
         let order = order(tolerance).min(MOST);
         let [variables, outputs] = [&system.rates, &system.outputs].map(|all| vec![[0.0; ROOM]; all.len()]);
         let steps = vec![Coefficients::ZERO; system.steps.len()];
@@ -80,7 +80,7 @@ impl Expansion {
     }
 
     /// About a state; how long a step from it may be, its variables and the further functions measured with `sizes`.
-    pub(in crate::motion::contact) fn about(&mut self, state: &[f64], sizes: [&[f64]; 2]) -> f64 {
+    pub(in crate::motion) fn about(&mut self, state: &[f64], sizes: [&[f64]; 2]) -> f64 {
         for (series, &x) in self.variables.iter_mut().zip(state) {
             series[0] = x;
         }
@@ -138,7 +138,7 @@ impl Expansion {
     }
 
     /// A motion that is known otherwise, by the coefficients of the variables and of the further functions.
-    pub(in crate::motion::contact) fn impose(&mut self, variables: &[Vec<f64>], outputs: &[Vec<f64>]) {
+    pub(in crate::motion) fn impose(&mut self, variables: &[Vec<f64>], outputs: &[Vec<f64>]) {
         let fill = |series: &mut Vec<[f64; ROOM]>, given: &[Vec<f64>]| {
             for (series, given) in series.iter_mut().zip(given) {
                 *series = [0.0; ROOM];
@@ -151,23 +151,23 @@ impl Expansion {
     }
 
     /// How many coefficients a step takes.
-    pub(in crate::motion::contact) const fn terms(&self) -> u64 {
+    pub(in crate::motion) const fn terms(&self) -> u64 {
         self.order as u64 + 1
     }
 
     /// The change of a variable after h.
-    pub(in crate::motion::contact) fn change(&self, h: f64, k: usize) -> f64 {
+    pub(in crate::motion) fn change(&self, h: f64, k: usize) -> f64 {
         let [_, series @ ..] = &self.variables[k];
         series[..self.last].iter().rev().fold(0.0, |sum, c| sum * h + c) * h
     }
 
     /// A variable after h.
-    pub(in crate::motion::contact) fn variable(&self, h: f64, k: usize) -> f64 {
+    pub(in crate::motion) fn variable(&self, h: f64, k: usize) -> f64 {
         self.variables[k][0] + self.change(h, k)
     }
 
     /// One of the further functions after h.
-    pub(in crate::motion::contact) fn output(&self, h: f64, k: usize) -> f64 {
+    pub(in crate::motion) fn output(&self, h: f64, k: usize) -> f64 {
         self.outputs[k][..self.last].iter().rev().fold(0.0, |sum, c| sum * h + c)
     }
 }

@@ -3,5 +3,5 @@
 mod expansion;
 mod graph;
 
-pub(super) use expansion::Expansion;
-pub(super) use graph::System;
+pub(in crate::motion) use expansion::Expansion;
+pub(in crate::motion) use graph::System;

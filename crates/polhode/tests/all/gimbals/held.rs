@@ -1,0 +1,117 @@
+//! Axes that are locked, driven, damped, sprung; gimbals that lock.
+
+use core::f64::consts::FRAC_PI_2;
+
+use polhode::math::{Direction, Part};
+use polhode::motion::MotionError;
+use polhode::motion::gimbal::{Axis, Base, Gimbal, Gimbals, Spring};
+use polhode::prelude::*;
+
+use super::{GRAVITY, balanced, free, generic_rotor, near, run, symmetric_rotor, upright};
+
+/// With all axes locked the whole is one body that turns with the base: what holds the axes is ω × I ω less the weight, along each of them.
+#[test]
+fn locks_hold_what_turns_with_the_base() {
+    let rotor = generic_rotor();
+    let angles = [0.7, -0.4, 1.3];
+    let axes = angles.map(|angle| Axis::locked(angle).unwrap());
+    let inner_mass = MassProperties::<Part>::new(
+        0.8,
+        Position::new(0.02, 0.01, -0.04),
+        InertiaTensor::with_negative_products([0.004, 0.005, 0.006], [0.0005, -0.0004, 0.0003]).unwrap(),
+    );
+    let omega = AngularVelocity::<Space>::new(1.1, -0.7, 2.3);
+    let gimbals = upright(axes)
+        .holding(Position::ZERO, Direction::new(0.2, -0.1, 1.0))
+        .and_then(|gimbals| gimbals.on(Base::turning(omega)?).under(GRAVITY))
+        .unwrap()
+        .with_mass(Gimbal::MASSLESS, Gimbal::pendulous(&inner_mass.unwrap()));
+    let motion = run(&rotor, &gimbals, &[0.0, 2.0]);
+    let start = &motion.samples()[0];
+    // The rotor alone, about its own axis: e₃ · (ω × I ω − m c × g), in its own axes.
+    let about = rotor.inertia_about(Position::ZERO).matrix();
+    let w = start.state.omega;
+    let image = about.map(|row| row[0] * w.x + row[1] * w.y + row[2] * w.z);
+    let gyroscopic = Direction::<Body>::from_array(w.to_array()).cross(Direction::from_array(image));
+    let g = start.state.attitude.inverse() * GRAVITY;
+    let arm = Direction::<Body>::from_array(rotor.center_of_mass().to_array());
+    let weight = arm.cross(Direction::from_array(g.to_array())) * rotor.mass();
+    near(start.holding[2], gimbals.rotor_axis().dot(gyroscopic - weight), 1e-15);
+    assert!((start.state.attitude * w - Vector::from_array(omega.to_array())).norm() < 1e-14);
+    // In the base nothing changes.
+    let end = &motion.samples()[1];
+    assert_eq!(end.angles, angles);
+    end.holding.iter().zip(start.holding).for_each(|(end, start)| near(*end, start, 1e-15));
+    let turned = Rotation::<Space, Space>::about(Direction::from_array(omega.to_array()), 2.0 * omega.norm());
+    assert!((turned.unwrap() * start.state.attitude).angle_to(end.state.attitude) < 1e-15);
+}
+
+/// One axis free is a pendulum with damping and a spring: θ̈ = −(k + …) θ − d θ̇ + τ, without gravity in closed form.
+#[test]
+fn a_single_axis_swings_as_its_spring_and_its_damping_say() {
+    let rotor = symmetric_rotor(0.03, 0.05, 1.0, 0.0);
+    let spring = Spring { stiffness: 1.7, rest: 0.2 };
+    let axis = Axis::free(0.9, -0.3).and_then(|a| a.damped(0.08)?.sprung(spring)?.turned_by(0.11)).unwrap();
+    let axes = [Axis::locked(0.4).unwrap(), axis, Axis::locked(0.1).unwrap()];
+    let motion = run(&rotor, &upright(axes), &[0.7, 3.0]);
+    let (decay, middle) = (0.08 / 0.06, 0.2 + 0.11 / 1.7);
+    let rate = (1.7 / 0.03 - decay * decay).sqrt();
+    let (a, b) = (0.9 - middle, (-0.3 + decay * (0.9 - middle)) / rate);
+    for sample in motion.samples() {
+        let t = sample.state.time;
+        let (s, c) = (rate * t).sin_cos();
+        near(sample.angles[1], middle + (-decay * t).exp() * (a * c + b * s), 1e-14);
+    }
+    assert!(motion.energy_drift() < 1e-14);
+}
+
+/// A driven rotor keeps its rate, and the motor's work is the energy that comes in.
+#[test]
+fn a_motor_keeps_the_rate_of_an_asymmetric_rotor() {
+    let rotor = generic_rotor();
+    let axes = [Axis::free(0.3, 0.4), Axis::free(-0.5, 0.7), Axis::driven(0.2, 20.0)].map(Result::unwrap);
+    let gimbals = upright(axes)
+        .with_mass(balanced([0.004, 0.005, 0.006], [0.0005, -0.0004, 0.0003]), Gimbal::MASSLESS)
+        .under(GRAVITY)
+        .unwrap();
+    let times: Vec<f64> = (1..=20).map(|k| 0.1 * f64::from(k)).collect();
+    let motion = run(&rotor, &gimbals, &times);
+    for sample in motion.samples() {
+        near(sample.rates[2], 20.0, 0.0);
+        near(sample.angles[2], 0.2 + 20.0 * sample.state.time, 1e-13);
+    }
+    let works = motion.samples().iter().map(|sample| sample.motor_work.abs());
+    assert!(works.fold(0.0, f64::max) > 0.01);
+    assert!(motion.energy_drift() < 1e-14, "{:.1e}", motion.energy_drift());
+}
+
+/// A rotor that does not spin tips straight to where massless gimbals lock; with a gimbal that has mass it goes on.
+#[test]
+fn massless_gimbals_lock_and_end_the_motion() {
+    let rotor = symmetric_rotor(0.012, 0.02, 1.0, 0.0);
+    let gimbals = upright(free([0.2, 0.3, 0.0], [0.0, 0.8, 0.0]));
+    let motion = run(&rotor, &gimbals, &[1.0, 2.0]);
+    let (time, cause) = motion.failure().unwrap();
+    near(time, (FRAC_PI_2 - 0.3) / 0.8, 1e-4);
+    assert!(matches!(cause, MotionError::GimbalLock { angle, .. } if (angle - FRAC_PI_2).abs() < 1e-4));
+    assert!(cause.is_numerical() && cause.to_string().contains("the gimbals lock"), "{cause}");
+    assert_eq!(motion.samples().last().unwrap().state.time, time);
+    assert_eq!(motion.samples().len(), 2);
+    let heavy = gimbals.with_mass(balanced([0.001, 0.001, 0.001], [0.0; 3]), Gimbal::MASSLESS);
+    let motion = run(&rotor, &heavy, &[1.0, 2.0]);
+    near(motion.samples()[1].angles[1], 1.9, 1e-13);
+}
+
+/// Nothing but the angles themselves depends on where a gimbal's axes were when they were zero.
+#[test]
+fn turned_zeros_of_the_angles_are_the_same_motion() {
+    let rotor = generic_rotor();
+    let first = upright(free([0.3, -0.5, 1.1], [0.4, 0.7, 5.0])).under(GRAVITY).unwrap();
+    let (s, c) = 0.3_f64.sin_cos();
+    let axes = free([0.0, -0.5, 1.1], [0.4, 0.7, 5.0]);
+    let second = Gimbals::new(Direction::new(0.0, 0.0, 2.0), Direction::new(c, s, 0.0), axes).unwrap();
+    let second = second.under(GRAVITY).unwrap();
+    let [a, b] = [first, second].map(|gimbals| run(&rotor, &gimbals, &[1.5]).samples()[0]);
+    assert!(a.state.attitude.angle_to(b.state.attitude) < 1e-13);
+    near(a.angles[0], b.angles[0] + 0.3, 1e-13);
+}

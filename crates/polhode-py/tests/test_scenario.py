@@ -52,6 +52,7 @@ TEXTS = [
         BALL + f'[contact]\nlaw = "rolling"\nsurface = {{ shape = "sphere", radius = 0.02 }}\nground = {{ shape = "{shape}" }}\n'
         for shape in ("plane", "sphere", "cylinder")
     ),
+    BALL + "[gimbals]\nouter_axis = [0, 0, 1]\ninner_axis = [1, 0, 0]\nouter = { moments = [1, 1, 1] }\nrotor = { rate = 1 }\nbase = { latitude = 1 }\n",
     BALL + '[[mass_history.burn]]\npart = "ball"\nuntil = 1\nleft = 0.4\n[[mass_history.exit]]\nposition = [0, 0, 0]\n',
     BALL + '[[mass_history.drop]]\npart = "ball"\ntime = 1\n',
     *(BALL + f"[prescribed]\n{form}\n" + RUN for form in ("axis = [0, 0, 1]", "euler313 = [0, 1, 0]", "angles = [0, 1, 0]", "quaternion = [1, 0, 0, 0]", "omega = {}", 'table = "a"')),
@@ -71,6 +72,9 @@ NAMES: dict[type[Section], tuple[str, ...]] = {
     Contact: ("[contact]",),
     Surface: tuple(f'a surface of shape "{shape}"' for shape in ("sphere", "ellipsoid", "rim", "cylinder")),
     scenario.Ground: tuple(f'a ground of shape "{shape}"' for shape in ("plane", "sphere", "cylinder")),
+    scenario.Gimbals: ("[gimbals]",),
+    scenario.GimbalAxis: ("outer",),
+    scenario.GimbalBase: ("base",),
     scenario.MassHistory: ("mass_history",),
     scenario.Burn: ("[[mass_history.burn]]",),
     scenario.Drop: ("[[mass_history.drop]]",),

@@ -193,6 +193,7 @@ fn each_mistake_has_its_place() {
             "{ shape = 'sphere', radius = 1, side = 'outside' }",
             "a plane or a cylinder",
         ),
+        (lying, laid, "{ shape = 'cylinder', radius = 0.2 }", "a principal axis"),
     ];
     for (contact, start, place, message) in cases {
         let text = text(contact, start);

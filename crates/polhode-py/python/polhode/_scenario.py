@@ -17,6 +17,7 @@ from .scenario import (
     Contact,
     Event,
     FunctionTorque,
+    Gimbals,
     MassHistory,
     Orbit,
     Part,
@@ -38,6 +39,7 @@ _ONE: dict[str, tuple[str, type[Section]]] = {
     "start": ("start", Start),
     "orbit": ("orbit", Orbit),
     "contact": ("contact", Contact),
+    "gimbals": ("gimbals", Gimbals),
     "mass_history": ("mass_history", MassHistory),
     "prescribed": ("prescribed", Prescribed),
     "shaft": ("shaft", Shaft),
@@ -61,7 +63,7 @@ class Scenario:
         Mass properties, a body of named parts, or parts of shapes: a :class:`polhode.scenario.Part`, or a list of these.
     pivot
         The point of the body that is held (3,), body axes, m.
-    start, orbit, contact, mass_history, prescribed, shaft, pendulum, run
+    start, orbit, contact, gimbals, mass_history, prescribed, shaft, pendulum, run
         Tables of :mod:`polhode.scenario`.
     torques, wheels, events, pointings
         Lists of such tables.
@@ -105,6 +107,7 @@ class Scenario:
         pointings: Sequence[Pointing] = (),
         orbit: Orbit | None = None,
         contact: Contact | None = None,
+        gimbals: Gimbals | None = None,
         mass_history: MassHistory | None = None,
         prescribed: Prescribed | None = None,
         shaft: Shaft | None = None,
@@ -117,6 +120,7 @@ class Scenario:
             "start": start,
             "orbit": orbit,
             "contact": contact,
+            "gimbals": gimbals,
             "mass_history": mass_history,
             "prescribed": prescribed,
             "shaft": shaft,
@@ -239,6 +243,11 @@ class Scenario:
     def contact(self) -> Contact | None:
         """The ground."""
         return self._one.get("contact")  # type: ignore[return-value]
+
+    @property
+    def gimbals(self) -> Gimbals | None:
+        """The gimbals in which it hangs."""
+        return self._one.get("gimbals")  # type: ignore[return-value]
 
     @property
     def mass_history(self) -> MassHistory | None:

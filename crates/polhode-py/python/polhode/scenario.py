@@ -40,6 +40,9 @@ __all__ = [
     "Exit",
     "FormulaTorque",
     "FunctionTorque",
+    "GimbalAxis",
+    "GimbalBase",
+    "Gimbals",
     "Gravity",
     "GravityGradient",
     "Ground",
@@ -711,6 +714,93 @@ class Contact(Section):
         """A table of these keys and values."""
         inner = {key: kind.from_dict(table[key]) for key, kind in (("surface", Surface), ("ground", Ground)) if key in table}
         return super().from_dict({**table, **inner})
+
+
+@dataclass(frozen=True, kw_only=True, repr=False)
+class GimbalAxis(Section):
+    """An axis of a rotor in gimbals: how it starts, what holds it, and, of ``outer`` and ``inner``, the gimbal that turns about it.
+
+    Parameters
+    ----------
+    angle, rate
+        At t = 0, rad and rad/s; of a locked axis the angle, of a driven one the rate, always.
+    locked, driven
+        A lock keeps the angle, a motor the rate.
+    damping, spring, rest, torque
+        N·m·s/rad, N·m/rad, the angle where the spring is at rest, rad, and a constant torque, N·m.
+    moments, inertia, products
+        Of the gimbal, kg·m²: three moments, or a tensor (3, 3) and the sign of its products.
+    mass, center_of_mass, about
+        Of a gimbal that hangs: kg, m (3,), and the point that its tensor is about.
+    """
+
+    table = "axis"
+    angle: Quantity | None = None
+    rate: Quantity | None = None
+    locked: bool | None = None
+    driven: bool | None = None
+    damping: Quantity | None = None
+    spring: Quantity | None = None
+    rest: Quantity | None = None
+    torque: Quantity | None = None
+    moments: Vector | None = None
+    inertia: Any | None = None
+    products: str | None = None
+    mass: Quantity | None = None
+    center_of_mass: Vector | None = None
+    about: str | Vector | None = None
+
+
+@dataclass(frozen=True, kw_only=True, repr=False)
+class GimbalBase(Section):
+    """What carries gimbals: on the Earth at a ``latitude``, rad, or turning at a constant ``rate`` (3,), rad/s."""
+
+    table = "base"
+    latitude: Quantity | None = None
+    rate: Vector | None = None
+
+
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Gimbals(Section):
+    """Two gimbals in which the body hangs as a rotor; their axes say how it starts.
+
+    Parameters
+    ----------
+    outer_axis, inner_axis
+        Directions (3,) in the base with all angles zero, perpendicular to each other.
+    rotor_axis
+        Direction (3,) in the body; +z unless said.
+    crossing
+        Where the axes cross (3,), body axes, m; the centre of mass unless said.
+    outer, inner, rotor
+        The axes.
+    base
+        What carries them; at rest unless said.
+    gravity
+        Along the axes of the base (3,), m/s²; 9.806 65 along −z unless said.
+    """
+
+    table = "gimbals"
+    outer_axis: npt.ArrayLike
+    inner_axis: npt.ArrayLike
+    rotor_axis: npt.ArrayLike | None = None
+    crossing: Vector | None = None
+    outer: GimbalAxis | None = None
+    inner: GimbalAxis | None = None
+    rotor: GimbalAxis | None = None
+    base: GimbalBase | None = None
+    gravity: Vector | None = None
+
+    @classmethod
+    def from_dict(cls, table: Mapping[str, Any]) -> Gimbals:
+        """A table of these keys and values."""
+        axes: tuple[tuple[str, type[Section]], ...] = (
+            ("outer", GimbalAxis),
+            ("inner", GimbalAxis),
+            ("rotor", GimbalAxis),
+            ("base", GimbalBase),
+        )
+        return super().from_dict({**table, **{key: kind.from_dict(table[key]) for key, kind in axes if key in table}})
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)

@@ -7,7 +7,7 @@ use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
 
 /// What the core calls a number that it refuses, the table and the key where that stands, and what helps.
-const PLACES: [(&str, &str, &str, &str); 13] = [
+const PLACES: [(&str, &str, &str, &str); 17] = [
     (
         "the height of the point of contact above the ground",
         "contact",
@@ -51,6 +51,20 @@ const PLACES: [(&str, &str, &str, &str); 13] = [
         "the z axis of the surface is the cylinder's: attitude = { axis = [1, 0, 0], angle = \"90 deg\" } lays it along y",
     ),
     ("the angle between two cylinders that touch", "start", "attitude", ""),
+    ("the ground of a cylinder that lies", "contact", "ground", ""),
+    (
+        "the products of inertia with the axis of a cylinder",
+        "contact",
+        "surface",
+        "rotate the surface onto a principal axis",
+    ),
+    (
+        "the rate of the ground below a cylinder that lies",
+        "contact",
+        "ground",
+        "a sphere may lie on ground that turns",
+    ),
+    ("the lever of pivoting friction", "contact", "pivoting_friction", ""),
 ];
 
 impl OnGround<'_> {

@@ -144,7 +144,6 @@ fn variables(of: &ContactSimulation<'_>, stepper: &Stepper) -> Result<(Kind, Vec
     let rolling = model.kinetics(1.0, &y, Regime::Rolling, Pivot::Turning(0.0));
     let y_of_start = y.clone();
     if model.axis_inertia.is_some() {
-        require_cylinder(of, stepper)?;
         let Components([x, y, _]) = rolling.omega;
         let rule = "zero: a cylinder that lies turns about its own axis alone";
         let holds = x.hypot(y) <= 1e-9 * stepper.rate(&y_of_start);
@@ -160,6 +159,7 @@ fn variables(of: &ContactSimulation<'_>, stepper: &Stepper) -> Result<(Kind, Vec
         let rule = "a plane or a cylinder";
         let holds = !matches!(model.ground, GroundForm::Sphere { .. });
         require::that("the ground of a cylinder that lies", f64::NAN, holds, rule)?;
+        require_cylinder(of, stepper)?;
     }
     let rolls = (Kind::Touching(Regime::Rolling, Pivot::Turning(0.0)), y.clone());
     let slides = |slip| (Kind::Touching(Regime::Sliding, Pivot::Turning(0.0)), rolling.sliding(&y, slip));

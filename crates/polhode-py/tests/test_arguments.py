@@ -71,8 +71,8 @@ NEVER: list[Any] = [
     Ellipsis,
 ]
 
-#: Arguments that take such a thing all the same: folders may come from a generator, and a class is a function.
-TAKEN = {("check", "roots")}
+#: Arguments that take such a thing all the same: folders and torques may come from a generator, and a class is a function.
+TAKEN = {("check", "roots"), ("Ensemble", "torques")}
 
 
 def functions() -> dict[Callable[..., object], dict[str, Any]]:

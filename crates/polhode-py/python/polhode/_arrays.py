@@ -164,13 +164,10 @@ def _few(value: Any, count: int) -> list[float] | None:
     if type(value) is np.ndarray and value.dtype is FLOAT64 and value.shape == (count,):
         value = value.tolist()
     if (type(value) is list or type(value) is tuple) and len(value) == count:
-        total = 0.0
         for number in value:
-            if type(number) is not float and type(number) is not int:
+            if type(number) is not float and type(number) is not int or not -EXACT <= number <= EXACT:  # not so NaN
                 return None
-            total += abs(number)
-        if total <= EXACT:  # not so NaN, nor whole numbers beyond it
-            return [*map(float, value)]
+        return [*map(float, value)]
     return None
 
 

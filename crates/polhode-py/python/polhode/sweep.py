@@ -65,16 +65,16 @@ def run(
     plan = plan if isinstance(plan, Plan) else Plan(_arrays.path("plan", plan))
     if all([_arrays.truth("resume", resume), _arrays.truth("force", force)]):
         raise PolhodeError("resume and force are both given: one goes on with what is there, the other throws it away")
+    timeout = None if worker_timeout is None else _arrays.positive("worker_timeout", worker_timeout)
+    engine = None if on is None else _engine(on, timeout)
     if threads is not None and on is not None:
         raise PolhodeError("threads mean nothing on a cluster: each of its workers has one", "say how many processes by workers")
     if workers is not None and on is None:
         raise PolhodeError("workers mean nothing without a cluster: here there are threads", "say how many by threads, or where by on")
     name, given = ("threads", threads) if on is None else ("workers", workers)
     count = _native.available_threads() if given is None else _arrays.count(name, given)
-    timeout = None if worker_timeout is None else _arrays.positive("worker_timeout", worker_timeout)
     if not callable(progress):
         raise TypeError(f"progress must be a function of two numbers, not {type(progress).__name__}")
-    engine = None if on is None else _engine(on, timeout)
     folder = _arrays.path("output", output)
     dataset = _native.Dataset.open(folder, plan._native, "resume" if resume else "replace" if force else "create")
     try:

@@ -7,6 +7,7 @@ use numpy::ndarray::{Array2, Array3};
 use numpy::{
     IntoPyArray as _, PyArray1, PyArray2, PyArray3, PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray2,
 };
+use polhode::motion::{GlobalError, StateError};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 
@@ -107,4 +108,18 @@ pub(crate) fn signed(wxyz: [f64; 4], before: &mut Option<[f64; 4]>) -> [f64; 4] 
     let signed = if along < 0.0 { wxyz.map(|c| 0.0 - c) } else { wxyz };
     *before = Some(signed);
     signed
+}
+
+/// Angular velocities, a row each, and attitudes.
+pub(crate) type States<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>);
+
+/// Of the computation and of the last bit of the inputs: the attitude's error, rad, and ω's, relative.
+pub(crate) type ErrorColumns<'py> = [[Bound<'py, PyArray1<f64>>; 2]; 2];
+
+pub(crate) fn error_columns<'py>(py: Python<'py>, estimate: &GlobalError) -> ErrorColumns<'py> {
+    [estimate.computation(), estimate.inputs()].map(|errors| {
+        let column =
+            |value: fn(&StateError) -> f64| PyArray1::from_vec(py, errors.iter().map(value).collect());
+        [column(|e| e.attitude), column(|e| e.omega)]
+    })
 }

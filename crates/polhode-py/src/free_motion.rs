@@ -8,21 +8,17 @@ use polhode::observe::FreeRegime;
 use polhode_report::{PageInput, PageSubject, SpinReport, VERSION, page};
 use pyo3::prelude::*;
 
-use crate::arrays::{numbers, row, rows_mut, signed};
+use crate::arrays::{ErrorColumns, error_columns, numbers, row, rows_mut, signed};
 use crate::derivatives::{Derived, derived_states};
 use crate::error::{Raise, refused};
 use crate::interrupt::Watch;
 use crate::mass_properties::principal_axes;
-use crate::motion::{ErrorColumns, error_columns};
 
 /// Times of states that are computed at once.
 const PIECE: usize = 256;
 
 /// From so many times on other threads of Python may run: it is some 10 µs of work.
 const DETACHED: usize = 512;
-
-/// Angular velocities, a row each, and attitudes.
-pub(crate) type States<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>);
 
 /// An angular velocity and an attitude.
 type State1<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
@@ -95,9 +91,9 @@ impl PyFreeMotion {
         };
         // What is done sooner than the lock is given away and taken again keeps it.
         if times.len() < DETACHED {
-            write()
+            write();
         } else {
-            py.detach(write)
+            py.detach(write);
         }
         watch.ended()
     }

@@ -5,20 +5,17 @@ use std::sync::PoisonError;
 
 use numpy::{PyArray1, PyReadonlyArray1};
 use polhode::motion::gimbal::GimbalSample;
-use polhode::motion::{
-    Ending, ErrorEffort, GlobalError, Run, Scenario, StateError, Trajectory, TrajectoryDerivatives,
-};
+use polhode::motion::{Ending, ErrorEffort, Run, Scenario, Trajectory, TrajectoryDerivatives};
 use polhode_formats::table::{Column, columns};
 use polhode_report::{
     MotionReport, PageInput, PageSubject, SourceInfo, VERSION, explain_motion, page_data, page_of,
 };
 use pyo3::prelude::*;
 
-use crate::arrays::{numbers, table};
+use crate::arrays::{ErrorColumns, States, error_columns, numbers, table};
 use crate::derivatives::{Derived, derived_run, parameters};
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
-use crate::free_motion::States;
 use crate::interrupt::watched;
 use crate::scenario::{self, PythonTorque, Raised, with_functions};
 
@@ -252,15 +249,4 @@ impl PyMotion {
         let source = SourceInfo::new(self.path.display().to_string(), "scenario").described(title);
         MotionReport::new(source, &self.scenario, &self.trajectory)
     }
-}
-
-/// Of the computation and of the last bit of the inputs: the attitude's error, rad, and ω's, relative.
-pub(crate) type ErrorColumns<'py> = [[Bound<'py, PyArray1<f64>>; 2]; 2];
-
-pub(crate) fn error_columns<'py>(py: Python<'py>, estimate: &GlobalError) -> ErrorColumns<'py> {
-    [estimate.computation(), estimate.inputs()].map(|errors| {
-        let column =
-            |value: fn(&StateError) -> f64| PyArray1::from_vec(py, errors.iter().map(value).collect());
-        [column(|e| e.attitude), column(|e| e.omega)]
-    })
 }

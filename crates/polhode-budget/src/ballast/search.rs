@@ -8,7 +8,7 @@ use super::proof::{Prices, Tree};
 use super::region::{Cell, Region};
 use super::relaxation::{Placed, Relaxed, Until, Work};
 use super::row::Functional;
-use super::step::Step;
+use super::step::{Splitting, Step};
 
 /// What was found, and what is proved.
 #[derive(Clone, Debug, PartialEq)]
@@ -180,7 +180,7 @@ impl<'a> Search<'a> {
         let Some(Relaxed { prices, price, pieces }) = relaxed else {
             let prices = within.map_or_else(none, |within| self.nodes[within].prices.clone());
             let bound = self.problem.bound(&prices, &region, self.limit());
-            let step = self.middle(&region);
+            let step = self.splitting(&region).middle(&region);
             return self.push(Node { region, prices, bound, step, parts: Vec::new() });
         };
         let mut step = None;
@@ -196,7 +196,7 @@ impl<'a> Search<'a> {
             }
             let bound = self.problem.bound(&prices, &region, self.limit());
             if !self.is_closed(bound) {
-                step = self.step(&region, &pieces);
+                step = self.splitting(&region).step(&region, &pieces);
             }
         }
         let mut prices = prices;
@@ -209,9 +209,14 @@ impl<'a> Search<'a> {
             (prices, bound) = (others, by_others);
         }
         if step.is_none() && !self.is_closed(bound) {
-            step = self.middle(&region);
+            step = self.splitting(&region).middle(&region);
         }
         self.push(Node { region, prices, bound, step, parts: Vec::new() })
+    }
+
+    /// How regions are split: as parts of the first of all, which this is if there is none yet.
+    fn splitting<'b>(&'b self, region: &'b Region) -> Splitting<'b> {
+        Splitting { problem: self.problem, first: self.nodes.first().map_or(region, |node| &node.region) }
     }
 
     fn until(&self) -> Until {

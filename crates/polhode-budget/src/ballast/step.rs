@@ -1,10 +1,10 @@
 //! How a region is split.
 
+use super::problem::Problem;
 use super::proof::Branch;
 use super::region::{Cell, Region};
 use super::relaxation::Placed;
 use super::row::Functional;
-use super::search::Search;
 
 /// A region of centres narrower than this part of the first is not split.
 const NARROW: f64 = 1e-9;
@@ -18,7 +18,14 @@ pub(super) enum Step {
     Part { cell: usize, axis: usize, at: f64 },
 }
 
-impl Search<'_> {
+/// What splits regions: of what question, and the first of them.
+#[derive(Clone, Copy)]
+pub(super) struct Splitting<'a> {
+    pub(super) problem: &'a Problem,
+    pub(super) first: &'a Region,
+}
+
+impl Splitting<'_> {
     /// Where a region is to be split: at a sum between two that there are; in a part of a site, whose moments are farthest from those of pieces in it; or across the centre by which a broken product is bounded least well.
     pub(super) fn step(&self, region: &Region, placed: &[Placed]) -> Option<Step> {
         let problem = self.problem;
@@ -75,8 +82,7 @@ impl Search<'_> {
 
     /// How wide a coordinate of the centre is, as a part of what it is in all.
     fn wide(&self, region: &Region, k: usize) -> f64 {
-        let root = self.nodes.first().map_or(region, |node| &node.region);
-        let whole = root.boxes[k][1] - root.boxes[k][0];
+        let whole = self.first.boxes[k][1] - self.first.boxes[k][0];
         if whole > 0.0 { (region.boxes[k][1] - region.boxes[k][0]) / whole } else { 0.0 }
     }
 

@@ -28,13 +28,11 @@ const PRODUCT: u8 = 5;
 const SIGN: u8 = 6;
 const POWER: u8 = 7;
 
-/// The most characters of a formula that stands in a scenario; one whose numbers are in SI may have been made by a program.
+/// The most characters of a formula whose dimensions are checked: one that stands in a scenario.
 const LONGEST: usize = 4096;
-const LONGEST_IN_SI: usize = 65_536;
 
 /// The formula in a text, all numbers in SI.
 pub(super) fn compile(text: &str, variables: &[&str]) -> Result<Formula, ExpressionError> {
-    require_length(text, LONGEST_IN_SI)?;
     Parser::new(text, variables, false).read().map(|(formula, _)| formula)
 }
 
@@ -61,7 +59,9 @@ pub(super) fn compile_measured(
     }
 }
 
-fn require_length(text: &str, most: usize) -> Result<(), ExpressionError> {
+/// # Errors
+/// An [`ExpressionError`] where a text has more characters than it may have.
+pub(super) fn require_length(text: &str, most: usize) -> Result<(), ExpressionError> {
     match text.chars().nth(most) {
         Some(_) => Err(ExpressionError { kind: ExpressionErrorKind::TooLong { most }, column: most + 1 }),
         None => Ok(()),

@@ -33,6 +33,9 @@ pub fn formula_of_state(
 /// # Errors
 /// As [`formula_of_state`].
 pub fn formula_of_state_in_si(text: &str) -> Result<Formula, ExpressionError> {
+    /// It may have been made by a program.
+    const LONGEST: usize = 65_536;
+    parse::require_length(text, LONGEST)?;
     parse::compile(text, &StateVariables::NAMES)
 }
 

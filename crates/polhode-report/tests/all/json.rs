@@ -142,6 +142,7 @@ fn the_summary_has_the_same_keys_for_every_motion() {
         "wheels",
         "mass_history",
         "contact",
+        "gimbals",
         "events",
         "findings",
     ];

@@ -6,7 +6,7 @@ use polhode::observe::TippeTop;
 
 use super::super::document::Section;
 use super::super::working::{exactly, n};
-use super::{OnGround, bowl, equations};
+use super::{OnGround, bowl};
 use crate::number::tidy_beside;
 
 /// A constant: what it is, its value and unit, and why it stays.
@@ -109,9 +109,17 @@ fn of_spheres(g: &OnGround<'_, '_>, is_level: bool) -> Vec<Constant> {
         if (contact.surface.center() - body.center_of_mass()).norm() <= 1e-9 * radius);
     let rolls = is_level && contact.ground.turning() == 0.0 && g.is_rolling();
     if is_centred && rolls && !bowl::is_even_ball(g) {
-        let about = g.start.state.attitude * equations::about_contact(g);
+        let about = g.start.state.attitude * about_contact(g);
         let value = format!("{} kg·m²/s", exactly(tidy_beside(about.to_array(), about.norm())));
         all.push(Constant { formula: "L_P in space", value, why: "s = v, r × g = 0" });
     }
     all
+}
+
+/// L about the point of contact, body axes.
+pub(super) fn about_contact(g: &OnGround<'_, '_>) -> Direction<Body> {
+    let own = Direction::<Body>::from_array(g.w.rotor.angular_momentum(g.start.state.omega).to_array());
+    let velocity = g.start.state.attitude.inverse() * Direction::from_array(g.start.velocity.to_array());
+    let arm = Direction::<Body>::from_array(g.arm.to_array());
+    own - arm.cross(velocity) * g.w.body().mass()
 }

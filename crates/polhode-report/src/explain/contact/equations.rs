@@ -19,7 +19,7 @@ pub(super) fn inertia(g: &OnGround<'_, '_>) -> Section {
     let place = g.w.body().center_of_mass() + g.arm;
     s.matrix("{J}", g.w.body().inertia_about(place).matrix(), "kg·m²");
     if g.w.is_turning() || g.start.velocity.norm() > 0.0 {
-        let about = about_contact(g);
+        let about = constants::about_contact(g);
         let how = if g.is_rolling() && g.contact().ground.turning() == 0.0 { " = {J} ω" } else { "" };
         s.line(format!(
             "L_P = {{I}} ω − r × m v{how} = {} kg·m²/s in body axes, |L_P| = {}",
@@ -28,14 +28,6 @@ pub(super) fn inertia(g: &OnGround<'_, '_>) -> Section {
         ));
     }
     s
-}
-
-/// L about the point of contact, body axes.
-pub(super) fn about_contact(g: &OnGround<'_, '_>) -> Direction<Body> {
-    let own = Direction::<Body>::from_array(g.w.rotor.angular_momentum(g.start.state.omega).to_array());
-    let velocity = g.start.state.attitude.inverse() * Direction::from_array(g.start.velocity.to_array());
-    let arm = Direction::<Body>::from_array(g.arm.to_array());
-    own - arm.cross(velocity) * g.w.body().mass()
 }
 
 /// Step 4.

@@ -9,6 +9,7 @@ mod constants;
 mod cylinder;
 mod disk;
 mod egg;
+mod ellipsoid;
 mod equations;
 mod rattleback;
 mod run;
@@ -79,7 +80,7 @@ fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     }
     match contact.surface.shape() {
         SurfaceShape::Cylinder { .. } => cylinder::solve(g, s),
-        SurfaceShape::Ellipsoid { .. } => vertex::solve(g, s),
+        SurfaceShape::Ellipsoid { .. } => ellipsoid::solve(g, s),
         _ => bowl::solve(g, s).or_else(|| {
             unsolved(g, s);
             None

@@ -1,36 +1,13 @@
-//! Step 5 of an ellipsoid: a rattleback, an egg, or whatever spins on a point below its centre of mass.
+//! What spins on a point below its centre of mass.
 
 use polhode::motion::contact::Footing;
-use polhode::observe::{SpinningEgg, StableSpins, SteadyOnGround, SteadyPath, VertexSpin};
+use polhode::observe::{StableSpins, SteadyOnGround, VertexSpin};
 
 use super::super::document::Section;
 use super::super::working::n;
-use super::{OnGround, disk, egg, rattleback, unsolved};
+use super::{OnGround, disk};
 use crate::number::tidy_beside;
 use crate::unit::rate;
-
-pub(super) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
-    let steady = g.steady(&g.rolling_start());
-    let vertex = steady.as_ref().and_then(|steady| match steady.path {
-        SteadyPath::OnVertex(vertex) => Some(vertex),
-        _ => None,
-    });
-    if let (Some(steady), Some(vertex)) = (&steady, &vertex)
-        && let Some(rattle) = vertex.rattleback()
-    {
-        return Some(rattleback::solve(g, steady, vertex, &rattle, s));
-    }
-    if let Some((egg, axis)) = SpinningEgg::of(g.w.body(), g.contact()) {
-        return egg::solve(g, &egg, axis, s);
-    }
-    match (&steady, &vertex) {
-        (Some(steady), Some(vertex)) => Some(stands(g, steady, vertex, s)),
-        _ => {
-            unsolved(g, s);
-            None
-        }
-    }
-}
 
 /// Its height, its radii, and at which spins it stays.
 pub(super) fn stands(

@@ -163,7 +163,7 @@ fn mistakes_are_named_where_they_stand() {
         ),
         (
             "{ covariance = [[0.1, 0], [0, 0.1]], impossible = «'nearest'» }",
-            "impossible = \"nearest\" must be left out of numbers: mass properties may be impossible",
+            "impossible = 'nearest' must be left out of numbers: mass properties may be impossible",
             "",
         ),
         (

@@ -300,8 +300,17 @@ pub(crate) fn tangents(n: [f64; 3], axis: Option<[f64; 3]>) -> [[f64; 3]; 2] {
     [first, cross(n, first)]
 }
 
+impl Contact {
+    /// The axis about which a body and its surface are symmetric: of a ball from the centre of mass to its middle, if they are not one.
+    pub fn symmetry_axis(&self, body: &MassProperties<Body>) -> Option<Direction<Body>> {
+        let model = Model::of(body, &self.surface, &self.ground, &self.law, self.gravity, 0.0);
+        let axis = symmetry_axis(&model)?;
+        Some(model.in_body * Direction::<Part>::from_array(axis))
+    }
+}
+
 /// The axis about which body and surface are symmetric.
-pub(super) fn symmetry_axis(model: &Model) -> Option<[f64; 3]> {
+fn symmetry_axis(model: &Model) -> Option<[f64; 3]> {
     let unit = |k: usize| core::array::from_fn::<f64, 3, _>(|i| if i == k { 1.0 } else { 0.0 });
     let length = dot(model.offset, model.offset).sqrt();
     let candidates: Vec<[f64; 3]> = match model.surface {

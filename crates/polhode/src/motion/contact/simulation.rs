@@ -2,13 +2,11 @@
 
 use super::ground::Ground;
 use super::law::ContactLaw;
-use super::model::Model;
-use super::reduced;
 use super::start::ContactStart;
 use super::surface::BodySurface;
 use crate::body::mass_properties::MassProperties;
-use crate::math::frame::{Body, Part, Space};
-use crate::math::vector::{Acceleration, Direction};
+use crate::math::frame::{Body, Space};
+use crate::math::vector::Acceleration;
 use crate::motion::model::event::Event;
 use crate::motion::solve::propagate::noise::StepNoise;
 
@@ -30,13 +28,6 @@ impl Contact {
     pub const fn rolling(surface: BodySurface) -> Self {
         let gravity = Acceleration::new(0.0, 0.0, -9.80665);
         Self { surface, ground: Ground::LEVEL, law: ContactLaw::ROLLING, gravity }
-    }
-
-    /// The axis about which a body and its surface are symmetric: of a ball from the centre of mass to its middle, if they are not one.
-    pub fn symmetry_axis(&self, body: &MassProperties<Body>) -> Option<Direction<Body>> {
-        let model = Model::of(body, &self.surface, &self.ground, &self.law, self.gravity, 0.0);
-        let axis = reduced::symmetry_axis(&model)?;
-        Some(model.in_body * Direction::<Part>::from_array(axis))
     }
 }
 

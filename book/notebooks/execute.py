@@ -34,6 +34,10 @@ def execute(path: Path, write: bool) -> list[str]:
             NotebookClient(notebook, timeout=300, kernel_name="python3").execute(cwd=folder)
         except CellExecutionError as error:
             return [f"{path.name}: {re.sub(chr(27) + '[^m]*m', '', str(error))}"]
+    for output in (output for cell in notebook.cells for output in cell.get("outputs", ())):
+        if "text" in output:
+            # A warning says in which file of the kernel's its line is.
+            output["text"] = re.sub(r"(?m)^\S*ipykernel_\d+\S*:\d+: ", "", output["text"])
     if write:
         for cell in notebook.cells:
             cell.metadata = {}

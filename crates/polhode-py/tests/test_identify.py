@@ -329,7 +329,7 @@ def test_errors_are_those_of_the_command(tmp_path: Path, examples: Path) -> None
     for path, named in ((tmp_path / "gone.toml", "gone.csv"), (tmp_path / "there is none.toml", str(tmp_path / "there is none.toml"))):
         with pytest.raises(FileNotFoundError) as missing:
             polhode.identify(path)
-        assert missing.value.errno == errno.ENOENT and missing.value.filename == named
+        assert missing.value.errno == errno.ENOENT and missing.value.filename.endswith(named)
         said = command(path, status=2).splitlines()[0].removeprefix("error: ")
         assert said in str(missing.value) if named == "gone.csv" else missing.value.strerror in said
 

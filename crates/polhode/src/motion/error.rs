@@ -167,7 +167,7 @@ pub enum MotionError {
         /// When, s.
         time: f64,
     },
-    /// A contact at which it cannot be decided whether, or whither, the body slips.
+    /// A contact at which it cannot be decided whether the body lifts off, or whether, or whither, it slips.
     Undecided {
         /// When, s.
         time: f64,
@@ -290,7 +290,9 @@ impl MotionError {
             Self::NotFinite { .. } => Some("check the units of the torque, the spin and the inertia"),
             Self::NoParameter { .. } => Some("`TorqueModel::parameters` lists the names that a torque has"),
             Self::Painleve { .. } => Some("give a smaller coefficient of friction"),
-            Self::Undecided { .. } => Some("give another start, or another coefficient of friction"),
+            Self::Undecided { .. } => Some(
+                "give another start or another law: rolling alone takes a friction that nothing has where the normal force is small",
+            ),
             Self::GimbalLock { .. } => {
                 Some("give the outer gimbal an inertia about its axis: then this is a motion like others")
             }
@@ -403,7 +405,7 @@ impl fmt::Display for MotionError {
             Self::Undecided { time } => {
                 write!(
                     f,
-                    "at t = {time} s it cannot be decided whether, or in which direction, the body slips"
+                    "at t = {time} s it cannot be decided how the body goes on: whether it lifts off, or whether, and in which direction, it slips"
                 )
             }
             Self::GimbalLock { time, angle } => write!(

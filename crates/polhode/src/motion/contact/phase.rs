@@ -34,7 +34,7 @@ pub(super) enum Watch {
     RollingRate,
     /// How much the rim that is touched is lower than the other one.
     OtherRim,
-    /// How much the axis of a rim is off the normal.
+    /// How much the axis of a rim is off the normal, less what counts as nothing.
     Slope,
     /// (½ N l)² less the square of the torque that keeps the axis level.
     Ends,
@@ -107,6 +107,9 @@ pub(super) fn watches(model: &Model, law: &ContactLaw, length: Option<f64>, kind
     if model.axis_inertia.is_some() && length.is_some() {
         watches.push(Watch::Ends);
     }
+    if matches!(model.surface, SurfaceForm::Rim { radius, .. } if radius != 0.0) {
+        watches.push(Watch::Slope);
+    }
     if model.ground != GroundForm::Plane {
         watches.push(Watch::Fit);
     }
@@ -147,7 +150,8 @@ impl Model {
                 SurfaceForm::Rim { height, .. } => n.0[2].times(-height),
                 SurfaceForm::Ellipsoid { .. } => one,
             },
-            Watch::Slope => n.0[0] * n.0[0] + n.0[1] * n.0[1],
+            // Of a disk that falls straight over the root goes on through zero.
+            Watch::Slope => (n.0[0] * n.0[0] + n.0[1] * n.0[1]).root() - one.times(LEAST),
             Watch::Ends => {
                 let half = 0.5 * length.unwrap_or(f64::INFINITY);
                 let level = self.leveling(one, at);

@@ -139,6 +139,12 @@ impl Run<'_> {
         flying.extend_from_slice(&y[y.len() - 2..]);
         debug_assert_eq!(flying.len(), flight::COUNT);
         self.stepper.enter(Kind::Flying, flying);
+        let time = self.stepper.time();
+        // Where a law of rolling took friction for which N is too small, what is left without that may press the body into the ground.
+        let soon = time + 0.1 * self.stepper.expand();
+        if self.stepper.sinks(soon) {
+            return Err(MotionError::Undecided { time });
+        }
         self.note(ContactChange::LiftsOff);
         Ok(ContactEnding::Complete)
     }

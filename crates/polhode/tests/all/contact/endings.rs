@@ -101,17 +101,20 @@ fn a_disk_that_falls_over_lies_flat() {
     let body =
         MassProperties::new(mass, Position::ZERO, InertiaTensor::diagonal([a, a, 0.0507]).unwrap()).unwrap();
     let tilt = 1.2_f64;
-    let attitude = Rotation::about(Direction::new(0.6, 0.8, 0.0), tilt).unwrap();
-    let start = ContactStart::rolling(state(attitude, [0.0; 3]));
     let rim = surface(SurfaceShape::Rim { radius, tube: 0.0, thickness: 0.0 }, [0.0; 3]);
-    for law in [ContactLaw::ROLLING, ContactLaw::FRICTIONLESS] {
+    // Along a coordinate axis the components across stay exactly zero.
+    let axes = [Direction::new(0.6, 0.8, 0.0), Direction::new(1.0, 0.0, 0.0), Direction::new(0.0, 1.0, 0.0)];
+    let laws = [ContactLaw::ROLLING, ContactLaw::FRICTIONLESS];
+    for (axis, law) in axes.into_iter().flat_map(|axis| laws.map(|law| (axis, law))) {
+        let attitude = Rotation::about(axis, tilt).unwrap();
+        let start = ContactStart::rolling(state(attitude, [0.0; 3]));
         let motion = run(&body, &Contact { law, ..Contact::rolling(rim) }, start, &[10.0]);
         assert_eq!(ended_by(&motion), Some(ContactChange::LiesFlat));
         let end = motion.samples().last().unwrap();
         // In both cases the middle falls straight down in the last moment, at R ω.
         let moment = a + mass * radius * radius;
         near(end.state.omega.norm().powi(2), 2.0 * mass * G * radius * tilt.sin() / moment, 1e-6);
-        near(end.center.z, 0.0, 2e-9);
+        near(end.center.z, 0.0, 3e-9);
     }
 }
 
@@ -210,4 +213,20 @@ fn a_ball_is_held_from_pivoting_and_pivots_anew() {
     near(torque.z.abs() / (levers.pivoting * before.normal_force), 1.0, 1e-5);
     let pivoting = (after.state.attitude * after.state.omega).z;
     assert!(pivoting * torque.z < 0.0 && pivoting.abs() > 1e-9, "{pivoting:e}");
+}
+
+/// At N = 0 a body that rolls may need friction that nothing has: without it, it would enter the ground, and it does not fly.
+#[test]
+fn what_friction_held_down_does_not_lift_off() {
+    let inertia = InertiaTensor::diagonal([0.004, 0.006, 0.005]).unwrap();
+    let body = MassProperties::new(1.0, Position::ZERO, inertia).unwrap();
+    let sphere = surface(SurfaceShape::Sphere { radius: 0.1 }, [0.03, 0.02, 0.04]);
+    let start = ContactStart::rolling(state(Rotation::identity(), [3.0, 30.0, 5.0]));
+    let motion = run(&body, &Contact::rolling(sphere), start, &[0.0, 0.04, 1.0]);
+    assert!(
+        matches!(motion.ending(), ContactEnding::Failed { cause: MotionError::Undecided { .. }, .. }),
+        "{:?}",
+        motion.ending()
+    );
+    assert_eq!(motion.changes(), []);
 }

@@ -60,8 +60,8 @@ fn motion(report: &GroundStabilityReport) -> String {
     let steady = &report.steady;
     let spin = rate(steady.spin);
     let what = match steady.path {
-        SteadyPath::RollingUpright(_) => format!("upright, rolling straight at {spin} about its axis"),
-        SteadyPath::SpinningUpright(_) => format!("upright, spinning about the vertical at {spin}"),
+        SteadyPath::RollingUpright(_) => format!("with its axis level, rolling straight at {spin} about it"),
+        SteadyPath::SpinningUpright(_) => format!("with its axis level, spinning about the vertical at {spin}"),
         SteadyPath::OnVertex(_) => match place(report) {
             Some(Place::Bottom) => {
                 format!("spinning about the vertical at {spin}, with its centre of mass lowest")

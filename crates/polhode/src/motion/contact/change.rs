@@ -32,7 +32,7 @@ pub enum ContactChange {
     PivotingStops,
     /// Friction is too small to hold the body from pivoting.
     Pivots,
-    /// Rolling friction has stopped the rolling: the motion ends here.
+    /// The rolling has come to rest, where rolling friction has no direction: the motion ends here.
     RollingStops,
     /// A thick disk stands on both of its rims: its motion ends, as the impact of the other one is not known.
     OtherRim,
@@ -98,7 +98,7 @@ impl fmt::Display for ContactChange {
             Self::Lands => "the body comes back to the ground; what an impact does is not known here",
             Self::PivotingStops => "friction has stopped the pivoting about the normal",
             Self::Pivots => "friction is too small to hold the body from pivoting",
-            Self::RollingStops => "rolling friction has stopped the rolling",
+            Self::RollingStops => "the rolling has come to rest; whether rolling friction holds it, or it rolls back, is not known here",
             Self::OtherRim => {
                 "the disk stands on both of its rims; what the impact of the other one does is not known here"
             }

@@ -87,7 +87,10 @@ impl Reduced {
                 "the ground turns, and the steady motions of bodies on ground at rest are known here",
             );
         }
-        if x.hypot(y) > SYMMETRIC * down.abs() || down >= 0.0 {
+        if down >= 0.0 {
+            return refused("gravity does not press the body onto the ground");
+        }
+        if x.hypot(y) > SYMMETRIC * down.abs() {
             return refused(
                 "the ground is not level, and the steady motions of bodies on level ground are known here",
             );

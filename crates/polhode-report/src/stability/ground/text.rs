@@ -60,7 +60,7 @@ fn motion(report: &GroundStabilityReport) -> String {
     let steady = &report.steady;
     let spin = rate(steady.spin);
     let what = match steady.path {
-        SteadyPath::RollingUpright(_) => format!("with its axis level, rolling straight at {spin} about it"),
+        SteadyPath::RollingUpright(_) => format!("upright, rolling straight at {spin} about its axis"),
         SteadyPath::SpinningUpright(_) => format!("with its axis level, spinning about the vertical at {spin}"),
         SteadyPath::OnVertex(_) => match place(report) {
             Some(Place::Bottom) => {

@@ -58,7 +58,8 @@ fn goes(ball: &BallInBowl, top: &HeavyTop, s: &mut Section) -> String {
     if ball.side == GroundSide::Outside {
         s.say("So it rolls down, or stays near the top as a sleeping top does if it spins fast. It leaves the sphere where N = 0, unless it slips before: the centre of mass needs m v²/l towards the middle, and gravity has no more than that:");
         s.formula("N = −m g · n − m v²/l", r"N = -m \mathbf g \cdot \mathbf n - \frac{m v^2}{l}");
-        return "It rolls as the axis of a heavy top moves, as long as N > 0 and friction holds it.".to_owned();
+        return "It rolls as the axis of a heavy top moves, as long as N > 0 and friction holds it."
+            .to_owned();
     }
     // θ of a top is from upright, the ball's angle from the lowest point.
     let from_below = top.nutation_bounds().map(|angle| std::f64::consts::PI - angle);

@@ -61,7 +61,9 @@ fn motion(report: &GroundStabilityReport) -> String {
     let spin = rate(steady.spin);
     let what = match steady.path {
         SteadyPath::RollingUpright(_) => format!("upright, rolling straight at {spin} about its axis"),
-        SteadyPath::SpinningUpright(_) => format!("with its axis level, spinning about the vertical at {spin}"),
+        SteadyPath::SpinningUpright(_) => {
+            format!("with its axis level, spinning about the vertical at {spin}")
+        }
         SteadyPath::OnVertex(_) => match place(report) {
             Some(Place::Bottom) => {
                 format!("spinning about the vertical at {spin}, with its centre of mass lowest")

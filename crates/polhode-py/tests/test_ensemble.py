@@ -118,9 +118,8 @@ def test_ctrl_c_ends_an_ensemble() -> None:
     timer.join()
 
 
+@pytest.mark.skipif(not hasattr(os, "sched_setaffinity"), reason="macOS and Windows have no affinity that a process can set so")
 def test_threads_are_those_that_the_process_may_use() -> None:
-    if not hasattr(os, "sched_setaffinity"):
-        pytest.skip("this system has no affinity that can be set")
     allowed = os.sched_getaffinity(0)
     assert 1 <= _native.available_threads() <= len(allowed)
     try:

@@ -141,7 +141,8 @@ def test_tables_of_pandas_and_polars_and_arrow_are_the_columns() -> None:
 
 
 def test_a_dataset_of_xarray_has_axes() -> None:
-    xr = pytest.importorskip("xarray")
+    import xarray as xr
+
     motion = top()
     found = motion.to_xarray()
     assert isinstance(found, xr.Dataset) and found.omega.dims == ("time", "axis") and found.attitude.dims == ("time", "component")

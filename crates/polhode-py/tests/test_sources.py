@@ -39,7 +39,8 @@ def test_a_mesh_may_be_given_in_many_ways() -> None:
 
 
 def test_a_mesh_of_trimesh() -> None:
-    trimesh = pytest.importorskip("trimesh")
+    import trimesh
+
     mesh = trimesh.load(BRACKET)
     wanted = polhode.inertia(BRACKET, unit="mm", density=1.0)
     assert tensors_agree(polhode.inertia(mesh, unit="mm", density=1.0), wanted)

@@ -5,6 +5,7 @@ use std::sync::PoisonError;
 
 use numpy::{PyArray1, PyReadonlyArray1};
 use polhode::motion::gimbal::GimbalSample;
+use polhode::motion::torque::TorqueModel;
 use polhode::motion::{Ending, ErrorEffort, Run, Scenario, Trajectory, TrajectoryDerivatives};
 use polhode_formats::table::{Column, columns};
 use polhode_report::{
@@ -218,7 +219,8 @@ impl PyMotion {
             page_data(&PageInput {
                 title: self.scenario.title().unwrap_or(UNTITLED),
                 source: &format!("polhode {VERSION} in Python"),
-                scenario_text: Some(&self.text),
+                // No text has a function of Python's.
+                scenario_text: (!self.has_functions()).then_some(&*self.text),
                 subject: PageSubject::Scenario(&self.scenario),
                 trajectory: &self.trajectory,
                 explanation: explanation.as_ref(),
@@ -235,6 +237,10 @@ pub(crate) fn motion_page(title: Option<&str>, data: &str) -> String {
 }
 
 impl PyMotion {
+    fn has_functions(&self) -> bool {
+        self.scenario.torques().iter().any(|torque| matches!(torque, TorqueModel::Own(_)))
+    }
+
     /// Of the torque since the start, at each sample, J.
     fn work(&self) -> Vec<f64> {
         match (self.trajectory.contact(), self.trajectory.gimbals()) {

@@ -26,7 +26,7 @@ import numpy.typing as npt
 from . import _arrays
 from ._error import PolhodeError
 from ._law import asked, formula_torque, where
-from ._section import Quantity, Section, exactly_one
+from ._section import Quantity, Section, exactly_one, plain, written
 
 __all__ = [
     "Balance",
@@ -86,14 +86,10 @@ class Part(Section):
     table = "part"
 
     def __init__(self, **keys: Any) -> None:
-        from ._section import plain
-
         object.__setattr__(self, "_keys", {key: plain(f"part.{key}", value) for key, value in keys.items() if value is not None})
 
     def to_dict(self) -> dict[str, Any]:
         """The keys of the table and their values, as files have them."""
-        from ._section import written
-
         return {key: written(value) for key, value in self._keys.items()}  # type: ignore[attr-defined]
 
     @classmethod
@@ -419,7 +415,7 @@ class FunctionTorque(Torque):
     Parameters
     ----------
     law
-        A function as that of :func:`torque`; it is called with numbers and arrays, some twelve times a step. What it raises is raised by
+        A function as that of :func:`torque`; it is called with numbers and arrays, at each stage of each step. What it raises is raised by
         :func:`polhode.simulate`.
     axes
         ``"body"`` or ``"space"``: along which axes its components are.

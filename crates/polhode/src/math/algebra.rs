@@ -6,6 +6,7 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::formula::{Binary, Unary};
+use super::number::Number;
 use super::vector::{Direction, Vector};
 
 /// A number, or what stands for one: an expression, a polynomial.
@@ -66,15 +67,106 @@ pub(crate) trait Field:
 
     /// √self
     fn root(self) -> Self;
+
+    /// self + by · x
+    #[inline(always)]
+    fn plus_multiple(self, x: Self, by: f64) -> Self {
+        self + x.times(by)
+    }
+
+    /// Σ aₖ bₖ
+    #[inline(always)]
+    fn sum_of_products([ax, ay, az]: [Self; 3], [bx, by, bz]: [Self; 3]) -> Self {
+        ax * bx + ay * by + az * bz
+    }
+
+    /// a b − c d
+    #[inline(always)]
+    fn difference_of_products([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        a * b - c * d
+    }
 }
 
 impl<S: Scalar> Field for S {
+    #[inline(always)]
     fn times(self, constant: f64) -> Self {
         self.scaled(constant)
     }
 
+    #[inline(always)]
     fn root(self) -> Self {
         self.sqrt()
+    }
+}
+
+/// Numbers side by side as a [`Field`]: in a vector register of the machine.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Side<N>(pub(crate) N);
+
+impl<N: Number> Neg for Side<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl<N: Number> Add for Side<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, b: Self) -> Self {
+        Self(self.0 + b.0)
+    }
+}
+
+impl<N: Number> Sub for Side<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, b: Self) -> Self {
+        Self(self.0 - b.0)
+    }
+}
+
+impl<N: Number> Mul for Side<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, b: Self) -> Self {
+        Self(self.0 * b.0)
+    }
+}
+
+impl<N: Number> Div for Side<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, b: Self) -> Self {
+        Self(self.0 / b.0)
+    }
+}
+
+impl<N: Number> Field for Side<N> {
+    #[inline(always)]
+    fn times(self, constant: f64) -> Self {
+        Self(self.0 * self.0.like(constant))
+    }
+
+    #[inline(always)]
+    fn root(self) -> Self {
+        Self(self.0.sqrt())
+    }
+
+    #[inline(always)]
+    fn plus_multiple(self, x: Self, by: f64) -> Self {
+        Self(x.0.mul_add(x.0.like(by), self.0))
+    }
+
+    #[inline(always)]
+    fn sum_of_products([ax, ay, az]: [Self; 3], [bx, by, bz]: [Self; 3]) -> Self {
+        Self(az.0.mul_add(bz.0, ay.0.mul_add(by.0, ax.0 * bx.0)))
+    }
+
+    #[inline(always)]
+    fn difference_of_products([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        Self(a.0.mul_add(b.0, -(c.0 * d.0)))
     }
 }
 
@@ -134,40 +226,62 @@ impl Scalar for f64 {
     }
 }
 
-/// A vector as three numbers of any kind.
+/// A vector as three numbers of any kind. Its components are written one by one, as closures of arrays would not be compiled for the vectors of a machine.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Components<S>(pub(crate) [S; 3]);
 
 impl<S: Field> Components<S> {
+    #[inline(always)]
     fn each(self, b: Self, f: impl Fn(S, S) -> S) -> Self {
         let ([ax, ay, az], [bx, by, bz]) = (self.0, b.0);
         Self([f(ax, bx), f(ay, by), f(az, bz)])
     }
 
+    #[inline(always)]
     pub(crate) fn scaled(self, by: f64) -> Self {
-        Self(self.0.map(|a| a.times(by)))
+        let [x, y, z] = self.0;
+        Self([x.times(by), y.times(by), z.times(by)])
     }
 
+    /// M self, of a constant matrix by its rows.
+    #[inline(always)]
+    pub(crate) fn image(self, rows: &[[f64; 3]; 3]) -> Self {
+        let ([x, y, z], [a, b, c]) = (self.0, rows);
+        Self([
+            x.times(a[0]).plus_multiple(y, a[1]).plus_multiple(z, a[2]),
+            x.times(b[0]).plus_multiple(y, b[1]).plus_multiple(z, b[2]),
+            x.times(c[0]).plus_multiple(y, c[1]).plus_multiple(z, c[2]),
+        ])
+    }
+
+    #[inline(always)]
     pub(crate) fn dot(self, b: Self) -> S {
-        let [x, y, z] = self.each(b, |a, b| a * b).0;
-        x + y + z
+        S::sum_of_products(self.0, b.0)
     }
 
+    #[inline(always)]
     pub(crate) fn cross(self, b: Self) -> Self {
         let ([ax, ay, az], [bx, by, bz]) = (self.0, b.0);
-        Self([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx])
+        Self([
+            S::difference_of_products([ay, bz], [az, by]),
+            S::difference_of_products([az, bx], [ax, bz]),
+            S::difference_of_products([ax, by], [ay, bx]),
+        ])
     }
 }
 
 impl<S: Field> Neg for Components<S> {
     type Output = Self;
+    #[inline(always)]
     fn neg(self) -> Self {
-        Self(self.0.map(|a| -a))
+        let [x, y, z] = self.0;
+        Self([-x, -y, -z])
     }
 }
 
 impl<S: Field> Add for Components<S> {
     type Output = Self;
+    #[inline(always)]
     fn add(self, b: Self) -> Self {
         self.each(b, |a, b| a + b)
     }
@@ -175,6 +289,7 @@ impl<S: Field> Add for Components<S> {
 
 impl<S: Field> Sub for Components<S> {
     type Output = Self;
+    #[inline(always)]
     fn sub(self, b: Self) -> Self {
         self.each(b, |a, b| a - b)
     }
@@ -182,8 +297,10 @@ impl<S: Field> Sub for Components<S> {
 
 impl<S: Field> Mul<S> for Components<S> {
     type Output = Self;
+    #[inline(always)]
     fn mul(self, b: S) -> Self {
-        Self(self.0.map(|a| a * b))
+        let [x, y, z] = self.0;
+        Self([x * b, y * b, z * b])
     }
 }
 

@@ -11,8 +11,10 @@
 //!
 //! m (v̇ + ω × v) = F + m g,  I ω̇ + ω × I ω = r × F + τ.
 //!
-//! Rolling: u = 0 is v = w − ω × r, which gives F = m (k − ω̇ × r), k = Ω × s − ω × (ω × r + ṙ) − g, Ω the rate at which the ground turns, and with it
-//! (I + m (r² 1 − r rᵀ)) ω̇ = −ω × I ω + m r × k + τ.
+//! Rolling: u = 0 is v = w − ω × r, which gives F = m (k − ω × (ω × r) − ω̇ × r), k = Ω × s − ω × ṙ − g, Ω the rate at which the ground turns. With it, and
+//! as r × (ω × (ω × r)) = ω × (r × (ω × r)), these are Euler's equations about the point of contact,
+//!
+//! J ω̇ = −ω × J ω + m r × k + τ,  J = I + m (r² 1 − r rᵀ).
 //!
 //! Sliding: F = N (n − µ u/|u|) − c u, and N follows from (v + ω × r) · n = 0 for all time.
 //!
@@ -80,7 +82,7 @@ pub(super) struct Kinetics<S> {
     /// What the normal force is divided by, 1 for a point: of what slides it must be positive.
     pub(super) inertance: S,
     pub(super) omega_rate: Components<S>,
-    velocity_rate: Components<S>,
+    pub(super) velocity_rate: Components<S>,
 }
 
 impl Model {
@@ -92,6 +94,19 @@ impl Model {
         }
     }
 
+    /// True if the rates depend on the place of the contact.
+    pub(super) fn depends_on_place(&self) -> bool {
+        self.ground != GroundForm::Plane || self.turns()
+    }
+
+    fn turns(&self) -> bool {
+        self.turning != 0.0
+    }
+
+    fn resists(&self) -> bool {
+        self.rolling != 0.0 || self.pivoting != 0.0
+    }
+
     /// The rates of the variables, and what is read off them.
     pub(super) fn rates<S: Field>(
         &self,
@@ -101,132 +116,158 @@ impl Model {
         pivot: Pivot,
     ) -> (Vec<S>, Kinetics<S>) {
         let at = self.kinetics(one, y, regime, pivot);
-        let Kinetics { axes: [e1, e2, e3], omega, trace, .. } = at;
-        // ė = e × ω of what is fixed in space
-        let mut rates: Vec<S> =
-            [e1.cross(omega), e3.cross(omega), at.omega_rate].iter().flat_map(|v| v.0).collect();
-        let in_space = [e1.dot(trace), e2.dot(trace), e3.dot(trace)];
-        let [a, b, c] = in_space;
-        let zero = one.times(0.0);
-        rates.extend(match self.ground {
-            GroundForm::Plane => [a, b, zero],
-            // x = −ρ n
-            GroundForm::Sphere { radius } => in_space.map(|x| x.times(-1.0 / radius)),
-            GroundForm::Cylinder { radius } => [a.times(-1.0 / radius), b.times(-1.0 / radius), c],
-        });
+        let mut rates = axes_rates(y).concat();
+        rates.extend(at.omega_rate.0);
+        rates.extend(self.place_rate(one, &at));
         if regime == Regime::Sliding {
             rates.extend(at.velocity_rate.0);
         }
-        let force = at.tangential;
-        let friction = force.dot(at.slip) + at.resistance.dot(at.relative);
-        let ground = force.dot(at.carried) + at.resistance.dot(omega - at.relative);
-        rates.extend([friction, ground]);
+        rates.extend(at.powers());
         (rates, at)
+    }
+
+    /// The rates of the place of the contact.
+    #[inline(always)]
+    pub(super) fn place_rate<S: Field>(&self, one: S, at: &Kinetics<S>) -> [S; 3] {
+        let [e1, e2, e3] = at.axes;
+        let [a, b, c] = [e1.dot(at.trace), e2.dot(at.trace), e3.dot(at.trace)];
+        match self.ground {
+            GroundForm::Plane => [a, b, one.times(0.0)],
+            // x = −ρ n
+            GroundForm::Sphere { radius } => Components([a, b, c]).scaled(-1.0 / radius).0,
+            GroundForm::Cylinder { radius } => [a.times(-1.0 / radius), b.times(-1.0 / radius), c],
+        }
     }
 
     /// Reads the contact off the variables.
     pub(super) fn kinetics<S: Field>(&self, one: S, y: &[S], regime: Regime, pivot: Pivot) -> Kinetics<S> {
+        self.kinetics_of::<S, false>(one, y, regime, pivot)
+    }
+
+    /// True of what rolls on a plane at rest, without resistance.
+    pub(super) fn is_plain(&self, regime: Regime) -> bool {
+        regime == Regime::Rolling && self.ground == GroundForm::Plane && !self.turns() && !self.resists()
+    }
+
+    /// [`Model::kinetics`]; `PLAIN` where it is known to the compiler that it [is](Model::is_plain).
+    #[inline(always)]
+    pub(super) fn kinetics_of<S: Field, const PLAIN: bool>(
+        &self,
+        one: S,
+        y: &[S],
+        regime: Regime,
+        pivot: Pivot,
+    ) -> Kinetics<S> {
+        let (ground, regime) = if PLAIN { (GroundForm::Plane, Regime::Rolling) } else { (self.ground, regime) };
+        let (turns, resists) = (!PLAIN && self.turns(), !PLAIN && self.resists());
         let vector = |k: usize| Components([y[k], y[k + 1], y[k + 2]]);
-        let constant = |v: [f64; 3]| Components(v.map(|x| one.times(x)));
+        let constant = |[x, y, z]: [f64; 3]| Components([one.times(x), one.times(y), one.times(z)]);
         let (e1, e3, omega) = (vector(AXES), vector(AXES + 3), vector(OMEGA));
         let e2 = e3.cross(e1);
         let in_body = |[a, b, c]: [S; 3]| e1 * a + e2 * b + e3 * c;
-        let fixed = |[a, b, c]: [f64; 3]| e1.scaled(a) + e2.scaled(b) + e3.scaled(c);
 
         let Components(place) = vector(PLACE);
-        let (n, position) = self.ground.normal_and_position(one, place);
-        let n = in_body(n);
+        let (n, position) = ground.normal_and_position(one, place);
+        let n = if ground == GroundForm::Plane { e3 } else { in_body(n) };
         let form = self.surface.at(one, n);
         let r = constant(self.offset) + form.from_center;
-        let turning = fixed(self.turning);
-        let carried = turning.cross(in_body(position));
-        let gravity = fixed(self.gravity);
+        let zero = constant([0.0; 3]);
+        let turning = if turns { e3.scaled(self.turning) } else { zero };
+        let carried = if turns { turning.cross(in_body(position)) } else { zero };
+        let [gx, gy, gz] = self.gravity;
+        let mut gravity = e3.scaled(gz);
+        if gx != 0.0 || gy != 0.0 {
+            gravity = e1.scaled(gx) + e2.scaled(gy) + gravity;
+        }
         let across = n.cross(omega);
         let velocity = match regime {
             Regime::Rolling => carried - omega.cross(r),
             Regime::Sliding => vector(VELOCITY),
         };
         let slip = match regime {
-            Regime::Rolling => constant([0.0; 3]),
+            Regime::Rolling => zero,
             Regime::Sliding => velocity + omega.cross(r) - carried,
         };
 
         // (1 + r′K) s = u + w + r′(n × ω)
         let moved = slip + carried;
-        let wanted = moved + form.change(across);
-        let (trace, fit) = match self.ground {
-            GroundForm::Plane => (wanted, one),
+        let (trace, arm_rate, fit) = match ground {
+            GroundForm::Plane => {
+                let arm_rate = form.change(across);
+                (moved + arm_rate, arm_rate, one)
+            }
             GroundForm::Sphere { .. } | GroundForm::Cylinder { .. } => {
-                let column = |k: usize| {
-                    let e = constant([0, 1, 2].map(|i| if i == k { 1.0 } else { 0.0 }));
-                    e + form.change(self.ground.curved(e, e3))
+                let column = |e: [f64; 3]| {
+                    let e = constant(e);
+                    e + form.change(ground.curved(e, e3))
                 };
-                solved([column(0), column(1), column(2)], wanted)
+                let columns = [column([1.0, 0.0, 0.0]), column([0.0, 1.0, 0.0]), column([0.0, 0.0, 1.0])];
+                let (trace, fit) = solved(columns, moved + form.change(across));
+                (trace, trace - moved, fit)
             }
         };
-        let tilting = -self.ground.curved(trace, e3);
-        let arm_rate = trace - moved;
+        let tilting = -ground.curved(trace, e3);
 
         // The torque of rolling and pivoting friction is N (−µᵣ ω_t/|ω_t| − µₚ ω_n/|ω_n|), and that which holds the body τₚ n.
         let relative = omega - turning;
-        let mut resisting = constant([0.0; 3]);
-        if let (true, Pivot::Turning(sense)) = (self.pivoting != 0.0, pivot) {
+        let mut resisting = zero;
+        if let (true, Pivot::Turning(sense)) = (resists && self.pivoting != 0.0, pivot) {
             resisting = resisting - n.scaled(self.pivoting * sense);
         }
-        if self.rolling != 0.0 {
+        if resists && self.rolling != 0.0 {
             let along = relative - n * relative.dot(n);
             resisting = resisting - along * (one.times(self.rolling) / along.dot(along).root());
         }
 
-        let image = |rows: &[[f64; 3]; 3], v: Components<S>| {
-            let Components([x, y, z]) = v;
-            Components(rows.map(|[a, b, c]| x.times(a) + y.times(b) + z.times(c)))
-        };
-        let gyroscopic = -omega.cross(image(&self.inertia, omega));
-        let turned = omega.cross(omega.cross(r) + arm_rate);
         let mass = self.mass;
+        let centripetal = omega.cross(omega.cross(r));
         // ω̇ = a + N b + τₚ c, and N = (N₀ − m n · (ω̇ × r)): of what rolls with the inertia about the contact, of what slides with that about the centre.
-        let (k, viscous, mut direction) = match regime {
+        let (inertia, k, viscous, free) = match regime {
             Regime::Rolling => {
-                (turning.cross(trace) - turned - gravity, constant([0.0; 3]), constant([0.0; 3]))
+                let mut k = -(omega.cross(arm_rate) + gravity);
+                if turns {
+                    k = k + turning.cross(trace);
+                }
+                let about_contact = self.inertia_about_contact(one, r);
+                let gyroscopic = about_contact.image(omega).cross(omega);
+                let inertia = Inverse::of(one, about_contact, self.axis_inertia.is_some());
+                let free = inertia.of_vector(gyroscopic + r.cross(k).scaled(mass));
+                (inertia, k - centripetal, zero, free)
             }
             Regime::Sliding => {
-                // What the velocity of the point of contact would be changed by, without a force and a torque.
                 let viscous = slip.scaled(-self.viscous);
-                (-(turned + gravity + viscous.scaled(1.0 / mass)), viscous, n)
+                // What the velocity of the point of contact would be changed by, without a force and a torque.
+                let k = -(centripetal + omega.cross(arm_rate) + gravity + viscous.scaled(1.0 / mass));
+                let gyroscopic = omega.image(&self.inertia).cross(omega);
+                let inertia = Inverse::known(one, self);
+                let free = inertia.of_vector(gyroscopic + r.cross(viscous));
+                (inertia, k, viscous, free)
             }
         };
+        let mut direction = if regime == Regime::Sliding { n } else { zero };
         if regime == Regime::Sliding && self.kinetic != 0.0 {
             direction = direction - slip * (one.times(self.kinetic) / slip.dot(slip).root());
         }
-        let solve: &dyn Fn(Components<S>) -> Components<S> = match regime {
-            Regime::Rolling => {
-                let about_contact = self.inertia_about_contact(one, r);
-                &move |b| self.along_axis(one, &about_contact, b)
+        let (mut omega_rate, mut inertance, mut holding) = (free, one, one.times(0.0));
+        let mut normal_force = n.dot(k - free.cross(r)).times(mass);
+        // What rolls without resistance does not depend on N.
+        if regime == Regime::Sliding || resists {
+            let by_normal = inertia.of_vector(r.cross(direction) + resisting);
+            inertance = one + n.dot(by_normal.cross(r)).times(mass);
+            if regime == Regime::Sliding {
+                normal_force = normal_force - moved.dot(tilting).times(mass);
             }
-            Regime::Sliding => &|b: Components<S>| match self.axis_inertia {
-                Some(about) => Components([one.times(0.0), one.times(0.0), b.0[2].times(1.0 / about)]),
-                None => image(&self.inverse_inertia, b),
-            },
-        };
-        let (free, by_normal) = match regime {
-            Regime::Rolling => (solve(gyroscopic + r.cross(k).scaled(mass)), solve(resisting)),
-            Regime::Sliding => (solve(gyroscopic + r.cross(viscous)), solve(r.cross(direction) + resisting)),
-        };
-        let inertance = one + n.dot(by_normal.cross(r)).times(mass);
-        let without = n.dot(k - free.cross(r))
-            - if regime == Regime::Sliding { moved.dot(tilting) } else { one.times(0.0) };
-        let mut normal_force = without.times(mass) / inertance;
-        let mut omega_rate = free + by_normal * normal_force;
-        let mut holding = one.times(0.0);
-        if pivot == Pivot::Held {
-            // (ω − Ω) · n stays zero.
-            let by_torque = solve(n);
-            let normal_by_torque = -(n.dot(by_torque.cross(r)).times(mass) / inertance);
-            let by_torque = by_torque + by_normal * normal_by_torque;
-            holding = -(n.dot(omega_rate) + relative.dot(tilting)) / n.dot(by_torque);
-            normal_force = normal_force + normal_by_torque * holding;
-            omega_rate = omega_rate + by_torque * holding;
+            normal_force = normal_force / inertance;
+            omega_rate = free + by_normal * normal_force;
+            if pivot == Pivot::Held {
+                // (ω − Ω) · n stays zero.
+                let by_torque = inertia.of_vector(n);
+                let normal_by_torque = -(n.dot(by_torque.cross(r)).times(mass) / inertance);
+                let by_torque = by_torque + by_normal * normal_by_torque;
+                holding = -(n.dot(omega_rate) + relative.dot(tilting)) / n.dot(by_torque);
+                normal_force = normal_force + normal_by_torque * holding;
+                omega_rate = omega_rate + by_torque * holding;
+            }
         }
         let force = match regime {
             Regime::Rolling => (k - omega_rate.cross(r)).scaled(mass),
@@ -255,27 +296,37 @@ impl Model {
     }
 
     /// I + m (r² 1 − r rᵀ)
+    #[inline(always)]
     fn inertia_about_contact<S: Field>(&self, one: S, r: Components<S>) -> Symmetric<S> {
-        let (square, Components(arm)) = (r.dot(r), r);
-        let element = |i: usize, j: usize| {
-            let steiner = if i == j { square - arm[i] * arm[j] } else { -(arm[i] * arm[j]) };
-            steiner.times(self.mass) + one.times(self.inertia[i][j])
-        };
+        let (square, Components([x, y, z])) = (r.dot(r), r);
+        let element = |[i, j]: [usize; 2], steiner: S| one.times(self.inertia[i][j]).plus_multiple(steiner, self.mass);
         Symmetric {
-            diagonal: [element(0, 0), element(1, 1), element(2, 2)],
-            beside: [element(1, 2), element(0, 2), element(0, 1)],
+            diagonal: [
+                element([0, 0], square - x * x),
+                element([1, 1], square - y * y),
+                element([2, 2], square - z * z),
+            ],
+            beside: [element([1, 2], -(y * z)), element([0, 2], -(x * z)), element([0, 1], -(x * y))],
         }
     }
+}
 
-    /// J⁻¹ b; of a body whose axis keeps its direction, z (z · b)/(z · J z).
-    fn along_axis<S: Field>(&self, one: S, j: &Symmetric<S>, b: Components<S>) -> Components<S> {
-        match self.axis_inertia {
-            Some(_) => {
-                let zero = one.times(0.0);
-                Components([zero, zero, b.0[2] / j.diagonal[2]])
-            }
-            None => j.solved(b),
-        }
+/// ė₁ and ė₃: ė = e × ω of what is fixed in space.
+#[inline(always)]
+pub(super) fn axes_rates<S: Field>(y: &[S]) -> [[S; 3]; 2] {
+    let vector = |k: usize| Components([y[k], y[k + 1], y[k + 2]]);
+    [vector(AXES).cross(vector(OMEGA)).0, vector(AXES + 3).cross(vector(OMEGA)).0]
+}
+
+impl<S: Field> Kinetics<S> {
+    /// The power of friction, and that of the ground.
+    #[inline(always)]
+    pub(super) fn powers(&self) -> [S; 2] {
+        let (force, torque) = (self.tangential, self.resistance);
+        [
+            force.dot(self.slip) + torque.dot(self.relative),
+            force.dot(self.carried) + torque.dot(self.omega - self.relative),
+        ]
     }
 }
 
@@ -290,8 +341,8 @@ impl Kinetics<f64> {
 
     /// u̇ in space, along the axes of the surface.
     pub(super) fn slip_rate(&self, model: &Model) -> Components<f64> {
-        let [e1, e2, e3] = self.axes;
-        let turning = e1.scaled(model.turning[0]) + e2.scaled(model.turning[1]) + e3.scaled(model.turning[2]);
+        let [_, _, e3] = self.axes;
+        let turning = e3.scaled(model.turning);
         let moved = self.slip + self.carried;
         let arm_rate = self.trace - moved;
         self.velocity_rate
@@ -304,16 +355,18 @@ impl Kinetics<f64> {
 
 impl GroundForm {
     /// The normal and the point of contact, along the axes of the ground.
+    #[inline(always)]
     fn normal_and_position<S: Field>(self, one: S, [a, b, c]: [S; 3]) -> ([S; 3], [S; 3]) {
         let zero = one.times(0.0);
         match self {
             Self::Plane => ([zero, zero, one], [a, b, zero]),
-            Self::Sphere { radius } => ([a, b, c], [a, b, c].map(|x| x.times(-radius))),
+            Self::Sphere { radius } => ([a, b, c], Components([a, b, c]).scaled(-radius).0),
             Self::Cylinder { radius } => ([a, b, zero], [a.times(-radius), b.times(-radius), c]),
         }
     }
 
     /// K t; `axis` is the third of the ground.
+    #[inline(always)]
     fn curved<S: Field>(self, t: Components<S>, axis: Components<S>) -> Components<S> {
         match self {
             Self::Plane => t.scaled(0.0),
@@ -323,32 +376,28 @@ impl GroundForm {
     }
 }
 
-/// The point of a convex surface whose outer normal is −n, from its centre, and how it changes with n.
+/// The point of a convex surface whose outer normal is −n, from its centre, and what tells how it changes with n.
 struct SurfacePoint<S> {
     from_center: Components<S>,
-    change: Change<S>,
-}
-
-/// r′, a symmetric operator.
-enum Change<S> {
-    /// r′t = −ρ t − R/s h (h · t), with the unit vector h along the rim and s = |n × z|.
-    Rim { tube: f64, along: Option<(Components<S>, S)> },
-    /// r′t = −A t/d + A n (A n · t)/d³, d² = n · A n.
-    Ellipsoid { squares: [f64; 3], image: Components<S>, inverse: S },
+    form: SurfaceForm,
+    /// A n of an ellipsoid, the unit vector along a rim.
+    along: Components<S>,
+    /// 1/d of an ellipsoid, d² = n · A n; R/|n × z| of a rim.
+    scale: S,
 }
 
 impl<S: Field> SurfacePoint<S> {
+    /// r′t, r′ a symmetric operator: −ρ t − R/|n × z| h (h · t) of a rim with the tube ρ, −A t/d + A n (A n · t)/d³ of an ellipsoid.
+    #[inline(always)]
     fn change(&self, t: Components<S>) -> Components<S> {
-        match &self.change {
-            Change::Rim { tube, along } => {
-                let round = t.scaled(-tube);
-                along.map_or(round, |(h, radius)| round - h * (h.dot(t) * radius))
-            }
-            Change::Ellipsoid { squares, image, inverse } => {
-                let [a, b, c] = *squares;
+        let (along, scale) = (self.along, self.scale);
+        match self.form {
+            SurfaceForm::Rim { radius: 0.0, tube, .. } => t.scaled(-tube),
+            SurfaceForm::Rim { tube, .. } => t.scaled(-tube) - along * (along.dot(t) * scale),
+            SurfaceForm::Ellipsoid { squares: [a, b, c] } => {
                 let Components([x, y, z]) = t;
-                let own = Components([x.times(a), y.times(b), z.times(c)]);
-                (*image * (image.dot(t) * *inverse * *inverse) - own) * *inverse
+                let Components([p, q, r]) = along * (along.dot(t) * scale * scale);
+                Components([p.plus_multiple(x, -a), q.plus_multiple(y, -b), r.plus_multiple(z, -c)]) * scale
             }
         }
     }
@@ -360,55 +409,94 @@ impl SurfaceForm {
         self.at(one, n).from_center
     }
 
-    fn at<S: Field>(&self, one: S, n: Components<S>) -> SurfacePoint<S> {
-        let Components([x, y, z]) = n;
-        match *self {
-            Self::Rim { radius, tube, height } => {
-                let mut from_center = n.scaled(-tube);
-                let zero = one.times(0.0);
-                let along = (radius != 0.0).then(|| {
-                    let inverse = one / (x * x + y * y).root();
-                    let (c, s) = (x * inverse, y * inverse);
-                    from_center =
-                        from_center - Components([c.times(radius), s.times(radius), one.times(-height)]);
-                    (Components([-s, c, zero]), inverse.times(radius))
-                });
-                SurfacePoint { from_center, change: Change::Rim { tube, along } }
+    #[inline(always)]
+    fn at<S: Field>(self, one: S, n: Components<S>) -> SurfacePoint<S> {
+        let (Components([x, y, z]), zero) = (n, one.times(0.0));
+        match self {
+            Self::Rim { radius: 0.0, tube, .. } => {
+                SurfacePoint { from_center: n.scaled(-tube), form: self, along: n, scale: zero }
             }
-            Self::Ellipsoid { squares } => {
-                let [a, b, c] = squares;
+            Self::Rim { radius, tube, height } => {
+                let inverse = one / (x * x + y * y).root();
+                let (c, s) = (x * inverse, y * inverse);
+                let edge = Components([c.times(radius), s.times(radius), one.times(-height)]);
+                SurfacePoint {
+                    from_center: n.scaled(-tube) - edge,
+                    form: self,
+                    along: Components([-s, c, zero]),
+                    scale: inverse.times(radius),
+                }
+            }
+            Self::Ellipsoid { squares: [a, b, c] } => {
                 let image = Components([x.times(a), y.times(b), z.times(c)]);
                 let inverse = one / n.dot(image).root();
-                let from_center = -(image * inverse);
-                SurfacePoint { from_center, change: Change::Ellipsoid { squares, image, inverse } }
+                SurfacePoint { from_center: -(image * inverse), form: self, along: image, scale: inverse }
             }
         }
     }
 }
 
 /// A symmetric matrix: its diagonal, and what is beside it, each opposite to its row.
+#[derive(Clone, Copy)]
 struct Symmetric<S> {
     diagonal: [S; 3],
     beside: [S; 3],
 }
 
 impl<S: Field> Symmetric<S> {
-    /// By cofactors.
-    fn solved(&self, b: Components<S>) -> Components<S> {
+    #[inline(always)]
+    fn image(&self, v: Components<S>) -> Components<S> {
         let ([xx, yy, zz], [yz, xz, xy]) = (self.diagonal, self.beside);
-        let rows = [
-            Components([yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy]),
-            Components([xz * yz - xy * zz, xx * zz - xz * xz, xy * xz - xx * yz]),
-            Components([xy * yz - xz * yy, xy * xz - xx * yz, xx * yy - xy * xy]),
-        ];
-        let determinant = Components([xx, xy, xz]).dot(rows[0]);
-        Components(rows.map(|row| row.dot(b) / determinant))
+        let row = |row: [S; 3]| S::sum_of_products(row, v.0);
+        Components([row([xx, xy, xz]), row([xy, yy, yz]), row([xz, yz, zz])])
+    }
+}
+
+/// J⁻¹ as a factor and rows; of a body whose axis z keeps its direction, z zᵀ/(z · J z).
+struct Inverse<S> {
+    factor: S,
+    rows: [Components<S>; 3],
+}
+
+impl<S: Field> Inverse<S> {
+    /// By cofactors.
+    #[inline(always)]
+    fn of(one: S, j: Symmetric<S>, is_about_axis: bool) -> Self {
+        let ([xx, yy, zz], [yz, xz, xy]) = (j.diagonal, j.beside);
+        if is_about_axis {
+            let zero = one.times(0.0);
+            let none = Components([zero; 3]);
+            return Self { factor: one / zz, rows: [none, none, Components([zero, zero, one])] };
+        }
+        let minor = S::difference_of_products;
+        let [a, b, c] = [minor([yy, zz], [yz, yz]), minor([xz, yz], [xy, zz]), minor([xy, yz], [xz, yy])];
+        let [d, e, f] = [minor([xx, zz], [xz, xz]), minor([xy, xz], [xx, yz]), minor([xx, yy], [xy, xy])];
+        let factor = one / S::sum_of_products([xx, xy, xz], [a, b, c]);
+        Self { factor, rows: [Components([a, b, c]), Components([b, d, e]), Components([c, e, f])] }
+    }
+
+    /// Of the inertia about the centre of mass.
+    #[inline(always)]
+    fn known(one: S, model: &Model) -> Self {
+        let rows = match model.axis_inertia {
+            Some(about) => [[0.0; 3], [0.0; 3], [0.0, 0.0, 1.0 / about]],
+            None => model.inverse_inertia,
+        };
+        let row = |[a, b, c]: [f64; 3]| Components([one.times(a), one.times(b), one.times(c)]);
+        Self { factor: one, rows: [row(rows[0]), row(rows[1]), row(rows[2])] }
+    }
+
+    #[inline(always)]
+    fn of_vector(&self, b: Components<S>) -> Components<S> {
+        let [x, y, z] = self.rows;
+        Components([x.dot(b), y.dot(b), z.dot(b)]) * self.factor
     }
 }
 
 /// x with x₁ a + x₂ b + x₃ c = d, by Cramer's rule; and the determinant.
+#[inline(always)]
 fn solved<S: Field>([a, b, c]: [Components<S>; 3], d: Components<S>) -> (Components<S>, S) {
     let (bc, ca, ab) = (b.cross(c), c.cross(a), a.cross(b));
     let determinant = a.dot(bc);
-    (Components([d.dot(bc), d.dot(ca), d.dot(ab)].map(|x| x / determinant)), determinant)
+    (Components([d.dot(bc) / determinant, d.dot(ca) / determinant, d.dot(ab) / determinant]), determinant)
 }

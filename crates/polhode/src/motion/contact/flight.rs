@@ -21,10 +21,7 @@ impl Model {
     pub(super) fn flight<S: Field>(&self, one: S, y: &[S]) -> (Vec<S>, S) {
         let vector = |k: usize| Components([y[k], y[k + 1], y[k + 2]]);
         let (e1, e3, omega) = (vector(AXES), vector(AXES + 3), vector(OMEGA));
-        let image = |rows: &[[f64; 3]; 3], Components([x, y, z]): Components<S>| {
-            Components(rows.map(|[a, b, c]| x.times(a) + y.times(b) + z.times(c)))
-        };
-        let turned = image(&self.inverse_inertia, -omega.cross(image(&self.inertia, omega)));
+        let turned = (-omega.cross(omega.image(&self.inertia))).image(&self.inverse_inertia);
         let zero = one.times(0.0);
         let falling = self.gravity.map(|g| one.times(g));
         let mut rates: Vec<S> = [e1.cross(omega), e3.cross(omega), turned].iter().flat_map(|v| v.0).collect();

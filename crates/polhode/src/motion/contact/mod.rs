@@ -20,6 +20,7 @@ mod run;
 mod sample;
 mod setup;
 mod simulation;
+mod smooth;
 mod start;
 mod stepper;
 mod surface;

@@ -23,8 +23,8 @@ pub(super) struct Model {
     pub(super) ground: GroundForm,
     /// Along the axes of the ground.
     pub(super) gravity: [f64; 3],
-    /// The rate at which the ground turns, along its own axes.
-    pub(super) turning: [f64; 3],
+    /// The rate at which the ground turns about its third axis.
+    pub(super) turning: f64,
     pub(super) kinetic: f64,
     pub(super) viscous: f64,
     /// Of rolling and pivoting friction, as lengths.
@@ -118,7 +118,7 @@ impl Model {
                 }
             },
             gravity,
-            turning: [0.0, 0.0, ground.turning()],
+            turning: ground.turning(),
             kinetic: friction.kinetic,
             viscous: friction.viscous,
             rolling: law.resistance().rolling,

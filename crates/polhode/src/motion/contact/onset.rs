@@ -9,6 +9,7 @@ use super::equations::{Kinetics, Pivot, Regime};
 use super::phase::Watch;
 use super::stepper::Stepper;
 use crate::math::algebra::Components;
+use crate::motion::solve::collocation::{Nodes, monomials};
 
 /// Nodes in the step.
 const STAGES: usize = 9;
@@ -23,13 +24,6 @@ pub(super) struct Onset {
     pub(super) duration: f64,
     pub(super) variables: Vec<Vec<f64>>,
     pub(super) outputs: Vec<Vec<f64>>,
-}
-
-/// Gauss's nodes in (0, 1), their weights, and ∫ of each Lagrange polynomial to each node.
-struct Nodes {
-    at: [f64; STAGES],
-    weights: [f64; STAGES],
-    integrals: [[f64; STAGES]; STAGES],
 }
 
 impl Stepper {
@@ -52,7 +46,7 @@ impl Stepper {
         rolling: &dyn Fn(f64) -> Vec<f64>,
         pivot: Pivot,
         h: f64,
-        nodes: &Nodes,
+        nodes: &Nodes<STAGES>,
         watches: &[Watch],
     ) -> Option<Onset> {
         let read = |y: &[f64]| self.model.kinetics(1.0, y, Regime::Rolling, pivot);
@@ -143,7 +137,7 @@ impl Stepper {
         &self,
         (beginning, stages): (&[f64], &[Vec<f64>]),
         pivot: Pivot,
-        (h, nodes): (f64, &Nodes),
+        (h, nodes): (f64, &Nodes<STAGES>),
         watches: &[Watch],
     ) -> Option<Onset> {
         let sizes = self.sizes_of(beginning);
@@ -151,7 +145,7 @@ impl Stepper {
             stages.iter().map(|y| self.model.rates(1.0, y, Regime::Sliding, pivot).0).collect();
         let mut variables = Vec::new();
         for (k, &y) in beginning.iter().enumerate() {
-            let values: Vec<f64> = slopes.iter().map(|f| h * f[k]).collect();
+            let values = core::array::from_fn(|stage| h * slopes[stage][k]);
             let legendre = nodes.legendre(&values);
             let [.., before, last] = legendre;
             if before.abs().max(last.abs()) > SMALL * sizes[k] {
@@ -170,7 +164,7 @@ impl Stepper {
             .collect();
         let count = watched.first().map_or(0, Vec::len);
         let outputs = (0..count).map(|k| {
-            let values: Vec<f64> = watched.iter().map(|all| all[k]).collect();
+            let values = core::array::from_fn(|stage| watched[stage][k]);
             let in_time = monomials(&nodes.legendre(&values)).into_iter().enumerate();
             in_time.map(|(n, c)| c * h.powi(-(n as i32))).collect()
         });
@@ -182,80 +176,6 @@ impl Stepper {
 fn against(at: &Kinetics<f64>) -> Option<Components<f64>> {
     let size = at.tangential.dot(at.tangential).sqrt();
     (size > 0.0).then(|| at.tangential.scaled(-1.0 / size))
-}
-
-impl Nodes {
-    fn new() -> Self {
-        let (mut at, mut weights) = ([0.0; STAGES], [0.0; STAGES]);
-        for (k, (node, weight)) in at.iter_mut().zip(&mut weights).enumerate() {
-            // Newton's method from Tricomi's approximation.
-            let mut x = -libm::cos(core::f64::consts::PI * (k as f64 + 0.75) / (STAGES as f64 + 0.5));
-            let slope = |x: f64| {
-                let p = legendre_values(x);
-                STAGES as f64 * (p[STAGES - 1] - x * p[STAGES]) / (1.0 - x * x)
-            };
-            for _ in 0..8 {
-                x -= legendre_values(x)[STAGES] / slope(x);
-            }
-            *node = 0.5 * (1.0 + x);
-            *weight = 1.0 / ((1.0 - x * x) * slope(x) * slope(x));
-        }
-        let mut integrals = [[0.0; STAGES]; STAGES];
-        for (row, c) in integrals.iter_mut().zip(at) {
-            let here = legendre_values(2.0 * c - 1.0);
-            for ((place, x), w) in row.iter_mut().zip(at).zip(weights) {
-                let there = legendre_values(2.0 * x - 1.0);
-                // ∫₀ᶜ of Pₙ(2x − 1) is ½ (Pₙ₊₁ − Pₙ₋₁)/(2n + 1).
-                let of = |n: usize| match n {
-                    0 => c,
-                    n => 0.5 * (here[n + 1] - here[n - 1]) / (2 * n + 1) as f64,
-                };
-                *place = w * (0..STAGES).map(|n| (2 * n + 1) as f64 * there[n] * of(n)).sum::<f64>();
-            }
-        }
-        Self { at, weights, integrals }
-    }
-
-    /// The coefficients of Pₙ(2x − 1) in the polynomial with these values at the nodes.
-    fn legendre(&self, values: &[f64]) -> [f64; STAGES] {
-        let mut sums = [0.0; STAGES];
-        for ((x, w), value) in self.at.iter().zip(self.weights).zip(values) {
-            let p = legendre_values(2.0 * x - 1.0);
-            for (n, sum) in sums.iter_mut().enumerate() {
-                *sum += (2 * n + 1) as f64 * w * p[n] * value;
-            }
-        }
-        sums
-    }
-}
-
-/// P₀ … P of order [`STAGES`].
-fn legendre_values(x: f64) -> [f64; STAGES + 1] {
-    let mut p = [1.0; STAGES + 1];
-    p[1] = x;
-    for n in 1..STAGES {
-        let m = n as f64;
-        p[n + 1] = ((2.0 * m + 1.0) * x * p[n] - m * p[n - 1]) / (m + 1.0);
-    }
-    p
-}
-
-/// Σ cₙ Pₙ(2x − 1) by powers of x.
-fn monomials(legendre: &[f64; STAGES]) -> [f64; STAGES] {
-    let mut sum = [0.0; STAGES];
-    let (mut before, mut now) = ([0.0; STAGES], [0.0; STAGES]);
-    now[0] = 1.0;
-    for (n, c) in legendre.iter().enumerate() {
-        sum.iter_mut().zip(now).for_each(|(sum, p)| *sum += c * p);
-        let m = n as f64;
-        let mut next = [0.0; STAGES];
-        for k in 0..STAGES {
-            let shifted = if k > 0 { now[k - 1] } else { 0.0 };
-            next[k] = ((2.0 * m + 1.0) * (2.0 * shifted - now[k]) - m * before[k]) / (m + 1.0);
-        }
-        (before, now) = (now, next);
-    }
-    sum
 }
 
 /// By elimination with partial pivoting; `None` of a matrix that is singular.
@@ -287,27 +207,6 @@ fn solved(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_nodes_integrate_polynomials() {
-        let nodes = Nodes::new();
-        let power = |n: i32| nodes.at.map(|x| x.powi(n));
-        for n in 0..2 * STAGES as i32 {
-            let sum: f64 = power(n).iter().zip(nodes.weights).map(|(x, w)| x * w).sum();
-            assert!((sum - 1.0 / f64::from(n + 1)).abs() < 1e-15, "{n}: {sum}");
-        }
-        for n in 0..STAGES as i32 {
-            for (c, row) in nodes.at.iter().zip(nodes.integrals) {
-                let sum: f64 = power(n).iter().zip(row).map(|(x, a)| x * a).sum();
-                assert!((sum - c.powi(n + 1) / f64::from(n + 1)).abs() < 1e-15, "{n} {c}");
-            }
-            let coefficients = monomials(&nodes.legendre(&power(n)));
-            for (k, c) in coefficients.iter().enumerate() {
-                let want = if k as i32 == n { 1.0 } else { 0.0 };
-                assert!((c - want).abs() < 1e-8, "{n} {k} {c}");
-            }
-        }
-    }
 
     #[test]
     fn linear_systems_are_solved() {

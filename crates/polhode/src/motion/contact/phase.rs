@@ -4,7 +4,10 @@ use super::equations::{Kinetics, Pivot, Regime};
 use super::flight;
 use super::law::{ContactLaw, Grip};
 use super::model::{GroundForm, Model, SurfaceForm};
+use super::smooth::Smooth;
 use crate::math::algebra::{Components, Field};
+use crate::math::root::vanishing;
+use crate::motion::solve::collocation::{Collocation, ROOM};
 use crate::motion::solve::propagate::stepper::TIGHTEST_TOLERANCE;
 use crate::motion::solve::series::{Expansion, System};
 
@@ -47,42 +50,138 @@ pub(super) enum Watch {
 /// The slope of a disk, and the room between curvatures, that counts as none.
 const LEAST: f64 = 1e-8;
 
-/// A phase, with room for its series.
+/// The first step of a phase, times a rate of its motion.
+const FIRST_STEP: f64 = 0.1;
+
+/// How a phase is worked out: where it is smooth by collocation, and else by Taylor series, which go on analytically where a root has its zero.
+#[derive(Clone, Debug)]
+enum Solution {
+    Collocation(Box<Collocation>),
+    Series(Expansion),
+}
+
+/// A phase, with room for its solution.
 #[derive(Clone, Debug)]
 pub(super) struct Phase {
     pub(super) kind: Kind,
     pub(super) watches: Vec<Watch>,
-    pub(super) expansion: Expansion,
+    solution: Solution,
+    count: usize,
+}
+
+/// What a phase is a phase of.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PhaseModel<'a> {
+    pub(super) model: &'a Model,
+    pub(super) law: &'a ContactLaw,
+    /// Of a cylinder that lies, if it has ends.
+    pub(super) length: Option<f64>,
 }
 
 impl Phase {
-    pub(super) fn new(
-        model: &Model,
-        law: &ContactLaw,
-        length: Option<f64>,
-        kind: Kind,
-        tolerance: f64,
-    ) -> Self {
-        let watches = watches(model, law, length, kind);
+    pub(super) fn new(of: PhaseModel<'_>, kind: Kind, tolerance: f64) -> Self {
+        let PhaseModel { model, law, length } = of;
+        let watches = watches(of, kind);
         // The direction of a slip has all the digits of the slip, however small that is.
         let tolerance = if watches.contains(&Watch::SlipSpeed) { TIGHTEST_TOLERANCE } else { tolerance };
-        let system = match kind {
-            Kind::Flying => System::record(flight::COUNT, |one, y| {
-                let (rates, gap) = model.flight(one, y);
-                [rates, vec![gap]]
-            }),
-            Kind::Touching(regime, pivot) => System::record(Model::count(regime), |one, y| {
-                let (rates, at) = model.rates(one, y, regime, pivot);
-                let value = |watch: &Watch| model.watched(one, &at, *watch, law, length, pivot);
-                [rates, watches.iter().map(value).collect()]
-            }),
+        let series = |system| Solution::Series(Expansion::new(system, tolerance));
+        let (count, solution) = match kind {
+            Kind::Flying => {
+                let system = System::record(flight::COUNT, |one, y| {
+                    let (rates, gap) = model.flight(one, y);
+                    [rates, vec![gap]]
+                });
+                (flight::COUNT, series(system))
+            }
+            Kind::Touching(regime, pivot) if model.is_smooth(regime) => {
+                let system = Smooth { of, regime, pivot, watches: &watches };
+                (Model::count(regime), Solution::Collocation(Box::new(Collocation::new(&system, tolerance))))
+            }
+            Kind::Touching(regime, pivot) => {
+                let system = System::record(Model::count(regime), |one, y| {
+                    let (rates, at) = model.rates(one, y, regime, pivot);
+                    let value = |watch: &Watch| model.watched(one, &at, *watch, law, length, pivot);
+                    [rates, watches.iter().map(value).collect()]
+                });
+                (Model::count(regime), series(system))
+            }
         };
-        Self { kind, watches, expansion: Expansion::new(system, tolerance) }
+        Self { kind, watches, solution, count }
+    }
+
+    /// Begins anew; `rate` is one of the motion.
+    pub(super) fn begin(&mut self, rate: f64) {
+        if let Solution::Collocation(collocation) = &mut self.solution {
+            collocation.begin(FIRST_STEP / rate);
+        }
+    }
+
+    /// From a state at a time, `since` the start of the step before: the length of the step, `stretch` times as long as it would be. The variables and what is watched are
+    /// measured with `sizes`.
+    pub(super) fn about(
+        &mut self,
+        of: PhaseModel<'_>,
+        state: &[f64],
+        sizes: [&[f64]; 2],
+        [time, since, stretch]: [f64; 3],
+    ) -> f64 {
+        match (&mut self.solution, self.kind) {
+            (Solution::Collocation(collocation), Kind::Touching(regime, pivot)) => {
+                let system = Smooth { of, regime, pivot, watches: &self.watches };
+                collocation.about(&system, state, sizes[0], [time, since, stretch])
+            }
+            (Solution::Series(expansion), _) => stretch * expansion.about(state, sizes),
+            (Solution::Collocation(_), Kind::Flying) => f64::NAN,
+        }
+    }
+
+    /// A motion that is known otherwise, by the coefficients of the variables and of what is watched.
+    pub(super) fn impose(&mut self, variables: &[Vec<f64>], outputs: &[Vec<f64>]) {
+        if let Solution::Series(expansion) = &mut self.solution {
+            expansion.impose(variables, outputs);
+        }
+    }
+
+    /// The changes of the variables since the start of the step.
+    pub(super) fn changes(&self, t: f64) -> [f64; ROOM] {
+        match &self.solution {
+            Solution::Collocation(collocation) => collocation.changes(t),
+            Solution::Series(expansion) => {
+                core::array::from_fn(|k| if k < self.count { expansion.change(t, k) } else { 0.0 })
+            }
+        }
+    }
+
+    /// The variables t after the start of the step.
+    pub(super) fn variables(&self, t: f64) -> Vec<f64> {
+        let changes = self.changes(t);
+        let start = |k: usize| match &self.solution {
+            Solution::Collocation(collocation) => collocation.start(k),
+            Solution::Series(expansion) => expansion.variable(0.0, k),
+        };
+        (0..self.count).map(|k| start(k) + changes[k]).collect()
+    }
+
+    /// When in a step of length h what is watched vanishes, if it does.
+    pub(super) fn vanishing(&self, k: usize, h: f64) -> Option<f64> {
+        match &self.solution {
+            Solution::Collocation(collocation) if collocation.keeps_its_sign(k) => None,
+            Solution::Collocation(collocation) => vanishing(|t| collocation.output(t, k), h),
+            Solution::Series(expansion) => vanishing(|t| expansion.output(t, k), h),
+        }
+    }
+
+    /// How many evaluations or coefficients the last step took.
+    pub(super) fn work(&self) -> u64 {
+        match &self.solution {
+            Solution::Collocation(collocation) => collocation.evaluations(),
+            Solution::Series(expansion) => expansion.terms(),
+        }
     }
 }
 
 /// What may end a phase.
-pub(super) fn watches(model: &Model, law: &ContactLaw, length: Option<f64>, kind: Kind) -> Vec<Watch> {
+pub(super) fn watches(PhaseModel { model, law, length }: PhaseModel<'_>, kind: Kind) -> Vec<Watch> {
     let Kind::Touching(regime, pivot) = kind else { return vec![Watch::Gap] };
     let mut watches = vec![Watch::NormalForce];
     match regime {
@@ -118,6 +217,7 @@ pub(super) fn watches(model: &Model, law: &ContactLaw, length: Option<f64>, kind
 
 impl Model {
     /// The value of what is watched.
+    #[inline(always)]
     pub(super) fn watched<S: Field>(
         &self,
         one: S,
@@ -174,12 +274,11 @@ impl Model {
     }
 
     /// The torque about z × n that keeps the axis of a cylinder level, beside that of a force in its middle.
+    #[inline(always)]
     fn leveling<S: Field>(&self, one: S, at: &Kinetics<S>) -> S {
-        let image = |Components([x, y, z]): Components<S>| {
-            Components(self.inertia.map(|[a, b, c]| x.times(a) + y.times(b) + z.times(c)))
-        };
         let force = at.tangential + at.normal * at.normal_force;
-        let needed = image(at.omega_rate) + at.omega.cross(image(at.omega)) - at.arm.cross(force);
+        let needed = at.omega_rate.image(&self.inertia) + at.omega.cross(at.omega.image(&self.inertia))
+            - at.arm.cross(force);
         let zero = one.times(0.0);
         Components([zero, zero, one]).cross(at.normal).dot(needed)
     }

@@ -56,6 +56,10 @@ impl Stepper {
     pub(super) fn exhausted(&self) -> Option<Watch> {
         let y = self.variables();
         let watches = self.watches();
+        let singular = [Watch::SlipSpeed, Watch::Slope, Watch::Fit, Watch::RollingRate];
+        if !watches.iter().any(|watch| singular.contains(watch)) {
+            return None;
+        }
         let at = self.kinetics(y)?;
         if watches.contains(&Watch::SlipSpeed) && at.slip.dot(at.slip).sqrt() <= self.least_slip(y) {
             return Some(Watch::SlipSpeed);

@@ -171,7 +171,7 @@ impl<'a> Run<'a> {
         }
         self.stepper.advance(to - from, to);
         self.statistics.accepted += 1;
-        self.statistics.evaluations += self.stepper.terms();
+        self.statistics.evaluations += self.stepper.work();
         if let Some(event) = stop {
             return Ok(ContactEnding::Stopped { event, time: to });
         }

@@ -4,9 +4,8 @@ use super::equations::{AXES, Kinetics, OMEGA, PLACE, Pivot, Regime, VELOCITY};
 use super::flight::{CENTER, CENTER_RATE};
 use super::law::ContactLaw;
 use super::model::{GroundForm, Model};
-use super::phase::{self, Kind, Phase, Watch};
+use super::phase::{self, Kind, Phase, PhaseModel, Watch};
 use crate::math::algebra::Components;
-use crate::math::root::vanishing;
 use crate::math::sum::two_sum;
 use crate::motion::solve::propagate::noise::{Random, StepNoise};
 
@@ -83,9 +82,11 @@ impl Stepper {
     pub(super) fn enter(&mut self, kind: Kind, variables: Vec<f64>) {
         let known = self.phases.iter().position(|phase| phase.kind == kind);
         self.current = known.unwrap_or_else(|| {
-            self.phases.push(Phase::new(&self.model, &self.law, self.length, kind, self.tolerance));
+            self.phases.push(Phase::new(self.of(), kind, self.tolerance));
             self.phases.len() - 1
         });
+        let rate = self.rate(&variables);
+        self.phases[self.current].begin(rate);
         self.low = vec![0.0; variables.len()];
         self.high = variables;
         self.begun = self.time;
@@ -100,16 +101,13 @@ impl Stepper {
         }
         let kind = Kind::Touching(Regime::Sliding, pivot);
         let (since, now) = (self.time - self.begun, self.high.clone());
-        let expansion = &self.phases[self.current].expansion;
-        let rolling = |t: f64| {
-            let on = |(k, y): (usize, &f64)| if t == 0.0 { *y } else { expansion.variable(since + t, k) };
-            now.iter().enumerate().map(on).collect()
-        };
-        let watches = phase::watches(&self.model, &self.law, self.length, kind);
+        let phase = &self.phases[self.current];
+        let rolling = |t: f64| if t == 0.0 { now.clone() } else { phase.variables(since + t) };
+        let watches = phase::watches(self.of(), kind);
         let Some(onset) = self.onset(&rolling, pivot, self.longest, &watches) else { return false };
         let beginning = onset.variables.iter().map(|series| series[0]).collect();
         self.enter(kind, beginning);
-        self.phases[self.current].expansion.impose(&onset.variables, &onset.outputs);
+        self.phases[self.current].impose(&onset.variables, &onset.outputs);
         self.imposed = Some(onset.duration);
         true
     }
@@ -136,9 +134,13 @@ impl Stepper {
         &self.phases[self.current].watches
     }
 
-    /// How many coefficients a step takes.
-    pub(super) fn terms(&self) -> u64 {
-        self.phases[self.current].expansion.terms()
+    /// How many evaluations or coefficients the last step took.
+    pub(super) fn work(&self) -> u64 {
+        self.phases[self.current].work()
+    }
+
+    const fn of(&self) -> PhaseModel<'_> {
+        PhaseModel { model: &self.model, law: &self.law, length: self.length }
     }
 
     pub(super) const fn time(&self) -> f64 {
@@ -155,9 +157,7 @@ impl Stepper {
         if time == self.time {
             return self.high.clone();
         }
-        let expansion = &self.phases[self.current].expansion;
-        let mut y: Vec<f64> =
-            (0..self.high.len()).map(|k| expansion.variable(time - self.begun, k)).collect();
+        let mut y = self.phases[self.current].variables(time - self.begun);
         self.normalise(&mut y);
         y
     }
@@ -177,12 +177,13 @@ impl Stepper {
         let [gx, gy, gz] = self.model.gravity;
         let falling = (gx.hypot(gy).hypot(gz) / self.size).sqrt();
         let omega = y[OMEGA].hypot(y[OMEGA + 1]).hypot(y[OMEGA + 2]);
-        let rate = omega + falling + self.model.turning[2].abs();
+        let rate = omega + falling + self.model.turning.abs();
         if rate > 0.0 { rate } else { 1.0 }
     }
 
     /// The step that may be taken from here; its series. No number if there is none.
     pub(super) fn expand(&mut self) -> f64 {
+        let since = self.step;
         self.begun = self.time;
         self.step = 0.0;
         if let Some(known) = self.imposed.take() {
@@ -190,8 +191,9 @@ impl Stepper {
         }
         let sizes = self.sizes_of(&self.high);
         let watched = self.sizes_of_watched();
+        let of = PhaseModel { model: &self.model, law: &self.law, length: self.length };
         let phase = &mut self.phases[self.current];
-        self.longest = self.stretch * phase.expansion.about(&self.high, [&sizes, &watched]);
+        self.longest = phase.about(of, &self.high, [&sizes, &watched], [self.time, since, self.stretch]);
         self.longest
     }
 
@@ -199,18 +201,17 @@ impl Stepper {
     pub(super) fn passing(&self, h: f64) -> Option<Passing> {
         let phase = &self.phases[self.current];
         let all = phase.watches.iter().enumerate().filter_map(|(k, &watch)| {
-            let after = vanishing(|t| phase.expansion.output(t, k), h)?;
-            Some(Passing { after, watch })
+            Some(Passing { after: phase.vanishing(k, h)?, watch })
         });
         all.reduce(|first, next| if next.after < first.after { next } else { first })
     }
 
     /// Takes the step, or as much of it as is good.
     pub(super) fn advance(&mut self, h: f64, to: f64) {
-        let expansion = &self.phases[self.current].expansion;
-        for (k, (high, low)) in self.high.iter_mut().zip(&mut self.low).enumerate() {
+        let changes = self.phases[self.current].changes(h);
+        for ((high, low), change) in self.high.iter_mut().zip(&mut self.low).zip(changes) {
             let before = high.abs();
-            (*high, *low) = two_sum(*high, *low + expansion.change(h, k));
+            (*high, *low) = two_sum(*high, *low + change);
             if let Some((random, amplitude)) = &mut self.noise {
                 *low += 0.5 * *amplitude * (before + high.abs()) * random.next();
             }
@@ -250,7 +251,8 @@ impl Stepper {
 
     /// What each variable is measured with.
     pub(super) fn sizes_of(&self, y: &[f64]) -> Vec<f64> {
-        let (rate, speed) = (self.rate(y), self.speed(y));
+        let rate = self.rate(y);
+        let speed = rate * self.size;
         let mut sizes = vec![1.0; AXES + 6];
         sizes.extend([rate; 3]);
         let largest = |k: usize, least: f64| {

@@ -2,6 +2,7 @@
 
 mod at_times;
 pub(crate) mod closed_form;
+pub(in crate::motion) mod collocation;
 pub(crate) mod free;
 pub(crate) mod heavy_top;
 pub(crate) mod method;

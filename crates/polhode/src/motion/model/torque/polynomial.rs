@@ -240,14 +240,6 @@ impl PolynomialVector {
     fn constant(v: Direction<Principal>) -> Self {
         Self(v.to_array().map(Polynomial::constant))
     }
-
-    /// M v
-    fn image(self, rows: [[f64; 3]; 3]) -> Self {
-        let [Some(x), Some(y), Some(z)] = self.0.map(|component| component.0) else { return Self::NONE };
-        Self(rows.map(|[a, b, c]| {
-            Polynomial(Some(x.map(|x| a * x).zip(&y, |sum, y| sum + b * y).zip(&z, |sum, z| sum + c * z)))
-        }))
-    }
 }
 
 impl<'a> Unknowns<'a> {
@@ -350,15 +342,15 @@ impl LawInput for Unknowns<'_> {
     }
 
     fn symmetric(&self, elements: [f64; 6], v: PolynomialVector) -> PolynomialVector {
-        v.image(Symmetric3::from_elements(elements).rotated(&self.to_principal.matrix()).rows())
+        v.image(&Symmetric3::from_elements(elements).rotated(&self.to_principal.matrix()).rows())
     }
 
     fn components(&self, v: PolynomialVector) -> [Polynomial; 3] {
-        v.image(self.to_principal.inverse().matrix()).0
+        v.image(&self.to_principal.inverse().matrix()).0
     }
 
     fn vector(&self, components: [Polynomial; 3]) -> PolynomialVector {
-        Components(components).image(self.to_principal.matrix())
+        Components(components).image(&self.to_principal.matrix())
     }
 }
 

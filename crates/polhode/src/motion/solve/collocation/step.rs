@@ -1,0 +1,499 @@
+//! A step: its polynomials, by iteration from those of the step before.
+//!
+//! y = y₀ + ∫ f is worked out again and again at the nodes (Picard's iteration). In each round the dynamic variables come first and the kinematic ones follow
+//! from them, as ω and then the axes: of an oscillation with frequency Ω round k leaves an error times (Ωh)²/2k(2k − 1), and not Ωh/k.
+//!
+//! Source: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, II.7; B. L. Jones, D. L. Richardson's sweeps of Picard and Chebyshev
+//! are the same iteration: X. Bai, J. L. Junkins, J. Astronaut. Sci. 58 (2011) 583.
+
+use std::sync::OnceLock;
+
+use super::nodes::{Nodes, legendre_integrals, legendre_values};
+use super::system::{OUTPUTS, Places, ROOM, System, Variables};
+use crate::math::algebra::Side;
+use crate::math::machine::{Machine, Work, in_vectors};
+use crate::math::number::Number as _;
+use crate::motion::solve::propagate::taylor::length::{rough_exp2, rough_log2};
+
+/// Nodes of a step.
+const NODES: usize = 16;
+const HALF: usize = NODES / 2;
+
+/// The most rounds of a step; what needs more is too long.
+const MOST_ROUNDS: u64 = 40;
+/// The most lengths that are tried.
+const MOST_TRIES: usize = 60;
+/// The last change of an iteration that has converged, relative to sizes.
+const CONVERGED: f64 = 2e-15;
+
+/// Values at the nodes: at those of the second half of the step, from the middle on, and at their mirror images.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+struct Values([[f64; HALF]; 2]);
+
+impl Values {
+    const NONE: Self = Self([[0.0; HALF]; 2]);
+
+    /// By the numbers of the nodes.
+    fn mirrored(values: &[f64; NODES]) -> Self {
+        Self([core::array::from_fn(|k| values[HALF + k]), core::array::from_fn(|k| values[HALF - 1 - k])])
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+struct Column([f64; HALF]);
+
+/// What integrates and analyses values. A function is even about the middle of the step, or odd, and so are its integrals and polynomials: half of
+/// each matrix is zero.
+#[derive(Debug)]
+struct Matrices {
+    at: Values,
+    /// ∫ from the start of what is even to the nodes after the middle and to those before it, by the sums of mirrored values.
+    even: [[Column; HALF]; 2],
+    /// ∫ from the start of what is odd, by differences: it is the same to mirrored nodes.
+    odd: [Column; HALF],
+    /// Coefficients 0, 2, 4 … by sums, and 1, 3, 5 … by differences.
+    analysis: [[Column; HALF]; 2],
+}
+
+impl Matrices {
+    fn get() -> &'static Self {
+        static MATRICES: OnceLock<Matrices> = OnceLock::new();
+        MATRICES.get_or_init(Self::new)
+    }
+
+    fn new() -> Self {
+        let nodes = Nodes::<NODES>::new();
+        let integral = |node: usize, j: usize, sign: f64| {
+            0.5 * (nodes.integrals[node][HALF + j] + sign * nodes.integrals[node][HALF - 1 - j])
+        };
+        let columns = |element: &dyn Fn(usize, usize) -> f64| {
+            core::array::from_fn(|j| Column(core::array::from_fn(|i| element(i, j))))
+        };
+        Self {
+            at: Values::mirrored(&nodes.at),
+            even: [
+                columns(&|i, j| integral(HALF + i, j, 1.0)),
+                columns(&|i, j| integral(HALF - 1 - i, j, 1.0)),
+            ],
+            odd: columns(&|i, j| integral(HALF + i, j, -1.0)),
+            analysis: [0, 1].map(|parity| columns(&|n, j| nodes.analysis(2 * n + parity)[HALF + j])),
+        }
+    }
+}
+
+/// The sums of mirrored values, and their differences. Numbers that are read from memory are spread over a vector where they are multiplied.
+#[inline(always)]
+fn by_parity<S: Machine>(s: S, f: &Values) -> Values {
+    let (after, before) = (s.load_eight(&f.0[0]), s.load_eight(&f.0[1]));
+    Values([s.eight_numbers(after + before), s.eight_numbers(after - before)])
+}
+
+/// y = start + h ∫ f of some variables.
+#[inline(always)]
+fn integrate<S: Machine>(
+    s: S,
+    f: &[Values; ROOM],
+    [y, parities]: [&mut [Values; ROOM]; 2],
+    start: &[f64; ROOM],
+    places: &[usize],
+    h: f64,
+) {
+    for &k in places {
+        parities[k] = by_parity(s, &f[k]);
+    }
+    let Matrices { even, odd, .. } = Matrices::get();
+    let zero = s.eight(0.0);
+    let mut columns = [[zero; HALF]; 3];
+    for (registers, columns) in columns.iter_mut().zip([&even[0], &even[1], odd]) {
+        for (register, column) in registers.iter_mut().zip(columns) {
+            *register = s.load_eight(&column.0);
+        }
+    }
+    let h = s.eight(h);
+    for &k in places {
+        let [sums, differences] = &parities[k].0;
+        let (mut after, mut before, mut of_odd) = (zero, zero, zero);
+        for j in 0..HALF {
+            after = s.eight(sums[j]).mul_add(columns[0][j], after);
+            before = s.eight(sums[j]).mul_add(columns[1][j], before);
+            of_odd = s.eight(differences[j]).mul_add(columns[2][j], of_odd);
+        }
+        let start = s.eight(start[k]);
+        let (after, before) = ((after + of_odd).mul_add(h, start), (before + of_odd).mul_add(h, start));
+        y[k] = Values([s.eight_numbers(after), s.eight_numbers(before)]);
+    }
+}
+
+/// The coefficients of Pₙ(2x − 1) of a function, by the sums and differences of its mirrored values.
+#[inline(always)]
+fn coefficients<S: Machine>(s: S, parities: &Values) -> [f64; NODES] {
+    let [by_sum, by_difference] = &Matrices::get().analysis;
+    let [sums, differences] = &parities.0;
+    let (mut even, mut odd) = (s.eight(0.0), s.eight(0.0));
+    for j in 0..HALF {
+        even = s.eight(sums[j]).mul_add(s.load_eight(&by_sum[j].0), even);
+        odd = s.eight(differences[j]).mul_add(s.load_eight(&by_difference[j].0), odd);
+    }
+    let (even, odd) = (s.eight_numbers(even), s.eight_numbers(odd));
+    let mut coefficients = [0.0; NODES];
+    for (pair, (even, odd)) in coefficients.as_chunks_mut().0.iter_mut().zip(even.iter().zip(odd)) {
+        *pair = [*even, odd];
+    }
+    coefficients
+}
+
+/// The motion in a step, and the length of the next one.
+#[derive(Clone, Debug)]
+pub(in crate::motion) struct Collocation {
+    tolerance: f64,
+    variables: Variables,
+    /// The places of the kinematic and of the dynamic ones.
+    kinematic: Vec<usize>,
+    dynamic: Vec<usize>,
+    /// How long the next step may be.
+    next: f64,
+    /// False before the first step.
+    is_known: bool,
+    now: Box<Polynomials>,
+    /// Room for those of a step that is tried, and for its values.
+    trial: Box<Polynomials>,
+    values: Box<NodeValues>,
+}
+
+/// The variables of a step at its nodes, their rates, and sums and differences of these.
+#[derive(Clone, Debug)]
+struct NodeValues {
+    y: [Values; ROOM],
+    f: [Values; ROOM],
+    parities: [Values; ROOM],
+}
+
+impl NodeValues {
+    const NONE: Self =
+        Self { y: [Values::NONE; ROOM], f: [Values::NONE; ROOM], parities: [Values::NONE; ROOM] };
+}
+
+/// The motion in a step.
+#[derive(Clone, Debug)]
+struct Polynomials {
+    start: [f64; ROOM],
+    length: f64,
+    /// Of the rates of the variables, by Legendre polynomials.
+    rates: [[f64; NODES]; ROOM],
+    /// The further functions.
+    outputs: [[f64; NODES]; OUTPUTS],
+    rounds: u64,
+}
+
+impl Polynomials {
+    const NONE: Self = Self {
+        start: [0.0; ROOM],
+        length: 0.0,
+        rates: [[0.0; NODES]; ROOM],
+        outputs: [[0.0; NODES]; OUTPUTS],
+        rounds: 0,
+    };
+}
+
+impl Collocation {
+    /// Without a state yet. `tolerance` is of each step, relative to the sizes of the variables.
+    pub(in crate::motion) fn new(system: &impl System, tolerance: f64) -> Self {
+        let variables = system.variables();
+        Self {
+            tolerance,
+            variables,
+            kinematic: variables.kinematic.into_iter().flatten().collect(),
+            dynamic: variables.dynamic.into_iter().flatten().collect(),
+            next: f64::NAN,
+            is_known: false,
+            now: Box::new(Polynomials::NONE),
+            trial: Box::new(Polynomials::NONE),
+            values: Box::new(NodeValues::NONE),
+        }
+    }
+
+    /// Begins anew, with a step of about this length.
+    pub(in crate::motion) fn begin(&mut self, length: f64) {
+        self.next = length;
+        self.is_known = false;
+    }
+
+    /// From a state at a time, `since` the start of the step before: the length of the step, `stretch` times as long as it would be; 0 if there is none.
+    pub(in crate::motion) fn about(
+        &mut self,
+        system: &impl System,
+        state: &[f64],
+        sizes: &[f64],
+        [time, since, stretch]: [f64; 3],
+    ) -> f64 {
+        self.trial.start.iter_mut().zip(state).for_each(|(place, y)| *place = *y);
+        let mut weights = [0.0; ROOM];
+        weights.iter_mut().zip(sizes).for_each(|(place, size)| *place = 1.0 / size);
+        in_vectors(Advance { of: self, system, weights, time, since, stretch })
+    }
+
+    /// A variable at the start of the step.
+    pub(in crate::motion) fn start(&self, k: usize) -> f64 {
+        self.now.start[k]
+    }
+
+    /// How many evaluations the last step took.
+    pub(in crate::motion) fn evaluations(&self) -> u64 {
+        self.now.rounds * NODES as u64
+    }
+
+    /// The changes of the variables after t.
+    pub(in crate::motion) fn changes(&self, t: f64) -> [f64; ROOM] {
+        let Polynomials { length, rates, .. } = &*self.now;
+        let mut changes = [0.0; ROOM];
+        if t == *length {
+            for (place, series) in changes.iter_mut().zip(rates).take(self.variables.count) {
+                *place = t * series[0];
+            }
+            return changes;
+        }
+        let basis = legendre_integrals(t / length);
+        for (place, series) in changes.iter_mut().zip(rates).take(self.variables.count) {
+            *place = length * series.iter().zip(basis).map(|(c, p)| c * p).sum::<f64>();
+        }
+        changes
+    }
+
+    /// True if a further function does not vanish in the step: |Pₙ| ≤ 1.
+    pub(in crate::motion) fn keeps_its_sign(&self, k: usize) -> bool {
+        let [mean, others @ ..] = &self.now.outputs[k];
+        others.iter().map(|c| c.abs()).sum::<f64>() < mean.abs()
+    }
+
+    /// A further function after t.
+    pub(in crate::motion) fn output(&self, t: f64, k: usize) -> f64 {
+        let basis = legendre_values(2.0 * t / self.now.length - 1.0);
+        self.now.outputs[k].iter().zip(basis).map(|(c, p)| c * p).sum()
+    }
+}
+
+/// A step from a state.
+struct Advance<'a, F> {
+    of: &'a mut Collocation,
+    system: &'a F,
+    /// One over the sizes of the variables.
+    weights: [f64; ROOM],
+    time: f64,
+    since: f64,
+    stretch: f64,
+}
+
+impl<F: System> Work for Advance<'_, F> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<S: Machine>(self, s: S) -> f64 {
+        let Self { of, system, weights, time, since, stretch } = self;
+        let mut h = of.next * stretch;
+        for _ in 0..MOST_TRIES {
+            // From one time to another.
+            h = (time + h) - time;
+            let before = of.is_known.then_some(&*of.now);
+            let parts = [&of.kinematic[..], &of.dynamic];
+            let trial = Trial { before, system, variables: &of.variables, parts, weights: &weights };
+            let Some(error) = trial.solved(s, [since, h], &mut of.values, &mut of.trial) else {
+                h *= 0.5;
+                continue;
+            };
+            // The error is of order NODES + 1; it should be well below what is accepted, as a step that is not costs all of its rounds.
+            let factor = rough_exp2(rough_log2(of.tolerance / (200.0 * error.max(1e-40))) / (NODES + 1) as f64);
+            if error > 30.0 * of.tolerance {
+                h *= factor.clamp(0.25, 0.9);
+                continue;
+            }
+            of.next = h * factor.clamp(0.25, 1.5) / stretch;
+            core::mem::swap(&mut of.now, &mut of.trial);
+            of.is_known = true;
+            return h;
+        }
+        0.0
+    }
+}
+
+/// A step of some length.
+struct Trial<'a, F> {
+    before: Option<&'a Polynomials>,
+    system: &'a F,
+    variables: &'a Variables,
+    /// The places of the kinematic and of the dynamic variables.
+    parts: [&'a [usize]; 2],
+    /// One over the sizes of the variables.
+    weights: &'a [f64; ROOM],
+}
+
+impl<F: System> Trial<'_, F> {
+    /// Works out its polynomials, and returns its error; nothing if the iteration does not converge.
+    #[inline(always)]
+    fn solved<S: Machine>(
+        &self,
+        s: S,
+        [since, h]: [f64; 2],
+        values: &mut NodeValues,
+        to: &mut Polynomials,
+    ) -> Option<f64> {
+        let Variables { count, kinematic, dynamic, quadratures, outputs } = self.variables;
+        let [kinematic_places, dynamic_places] = self.parts;
+        let NodeValues { y, f, parities } = values;
+        // The nodes before the middle converge before those after it.
+        let mut goes_on = [true; 2];
+        for (values, start) in y.iter_mut().zip(to.start) {
+            *values = Values([[start; HALF]; 2]);
+        }
+        match self.before {
+            Some(before) => extrapolate(s, before, f, self.parts, [since, h]),
+            None => f.fill(Values::NONE),
+        }
+        integrate(s, f, [y, parities], &to.start, kinematic_places, h);
+        let (mut last, mut rounds) = ([f64::INFINITY; 2], 0_u64);
+        loop {
+            rounds += 1;
+            integrate(s, f, [y, parities], &to.start, dynamic_places, h);
+            let of_kinematic = self.evaluate(
+                s,
+                y,
+                f,
+                goes_on,
+                kinematic,
+                #[inline(always)]
+                |system, _, y| system.kinematic(y),
+            );
+            integrate(s, f, [y, parities], &to.start, kinematic_places, h);
+            let of_dynamic = self.evaluate(
+                s,
+                y,
+                f,
+                goes_on,
+                dynamic,
+                #[inline(always)]
+                |system, one, y| system.dynamic(one, y),
+            );
+            let mut change = [0.0; 2];
+            for half in 0..2 {
+                if goes_on[half] {
+                    let [a, b, c, d, e, f, g, i] = s.eight_numbers(of_kinematic[half] + of_dynamic[half]);
+                    let (now, last) = (h * (((a + b) + (c + d)) + ((e + f) + (g + i))).sqrt(), last[half]);
+                    // The next change would be less by the same factor, at least.
+                    let next = if rounds > 1 { now * (now / last).min(1.0) } else { now };
+                    goes_on[half] = !(next < CONVERGED || now < 1e-13 && now > 0.3 * last);
+                    change[half] = now;
+                }
+            }
+            if goes_on == [false; 2] {
+                break;
+            }
+            let [after, before] = change;
+            if !(after + before).is_finite() || rounds == MOST_ROUNDS || rounds > 8 && after > last[0] {
+                return None;
+            }
+            last = change;
+        }
+        let mut further = [Values::NONE; OUTPUTS];
+        for half in 0..2 {
+            let (one, variables) = loaded(s, y, half);
+            let (rates, all) = self.system.quadratures(one, &variables);
+            for (rate, place) in rates.iter().zip(quadratures) {
+                if let Some(k) = *place {
+                    f[k].0[half] = s.eight_numbers(rate.0);
+                }
+            }
+            for (values, one) in further.iter_mut().zip(all) {
+                values.0[half] = s.eight_numbers(one.0);
+            }
+        }
+        for (series, values) in to.outputs.iter_mut().zip(&further).take(*outputs) {
+            *series = coefficients(s, &by_parity(s, values));
+        }
+        (to.length, to.rounds) = (h, rounds);
+        let (mut last, mut before) = (0.0_f64, 0.0_f64);
+        for (parities, f) in parities.iter_mut().zip(f.iter()).take(*count) {
+            *parities = by_parity(s, f);
+        }
+        for k in 0..(*count).min(ROOM) {
+            to.rates[k] = coefficients(s, &parities[k]);
+            let [.., a, b, c, d] = to.rates[k];
+            let weight = h * self.weights[k];
+            before = before.max(weight * a.abs()).max(weight * b.abs());
+            last = last.max(weight * c.abs()).max(weight * d.abs());
+        }
+        // The first term that is left out, integrated.
+        let ratio = if last < before { (last / before).sqrt() } else { 1.0 };
+        let error = last * ratio / (2 * NODES + 2) as f64;
+        error.is_finite().then_some(error)
+    }
+
+    /// Works out the rates of a part at the nodes of some halves, and returns squares of their changes.
+    #[inline(always)]
+    fn evaluate<S: Machine, const N: usize>(
+        &self,
+        s: S,
+        y: &[Values; ROOM],
+        f: &mut [Values; ROOM],
+        halves: [bool; 2],
+        part: &Places<N>,
+        rates_of: impl Fn(&F, Side<S::Eight>, &[Side<S::Eight>; ROOM]) -> [Side<S::Eight>; N],
+    ) -> [S::Eight; 2] {
+        let mut squares = [s.eight(0.0); 2];
+        for half in 0..2 {
+            if !halves[half] {
+                continue;
+            }
+            let (one, variables) = loaded(s, y, half);
+            let rates = rates_of(self.system, one, &variables);
+            for (rate, place) in rates.iter().zip(part) {
+                if let Some(k) = *place {
+                    let change = (rate.0 - s.load_eight(&f[k].0[half])) * s.eight(self.weights[k]);
+                    squares[half] = change.mul_add(change, squares[half]);
+                    f[k].0[half] = s.eight_numbers(rate.0);
+                }
+            }
+        }
+        squares
+    }
+}
+
+/// One, and the variables at the nodes of a half.
+#[inline(always)]
+fn loaded<S: Machine>(s: S, y: &[Values; ROOM], half: usize) -> (Side<S::Eight>, [Side<S::Eight>; ROOM]) {
+    let one = Side(s.eight(1.0));
+    let mut variables = [one; ROOM];
+    for (variable, values) in variables.iter_mut().zip(y) {
+        *variable = Side(s.load_eight(&values.0[half]));
+    }
+    (one, variables)
+}
+
+/// The rates of a step of length h, `since` the start of the one before, by the polynomials of that.
+#[inline(always)]
+fn extrapolate<S: Machine>(
+    s: S,
+    before: &Polynomials,
+    f: &mut [Values; ROOM],
+    parts: [&[usize]; 2],
+    [since, h]: [f64; 2],
+) {
+    for half in 0..2 {
+        let nodes = s.load_eight(&Matrices::get().at.0[half]);
+        let x = nodes.mul_add(s.eight(2.0 * h / before.length), s.eight(2.0 * since / before.length - 1.0));
+        let mut p = [s.eight(1.0); NODES];
+        p[1] = x;
+        for n in 1..NODES - 1 {
+            let m = n as f64;
+            let (ahead, back) = (s.eight((2.0 * m + 1.0) / (m + 1.0)), s.eight(-m / (m + 1.0)));
+            p[n + 1] = (x * ahead).mul_add(p[n], p[n - 1] * back);
+        }
+        for &k in parts.into_iter().flatten() {
+            let mut sum = s.eight(0.0);
+            for (c, p) in before.rates[k].iter().zip(&p) {
+                sum = s.eight(*c).mul_add(*p, sum);
+            }
+            f[k].0[half] = s.eight_numbers(sum);
+        }
+    }
+}

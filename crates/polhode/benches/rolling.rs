@@ -35,10 +35,17 @@ fn main() -> Result<(), Box<dyn Error>> {
         let times: Vec<f64> = (1..=samples).map(|k| 20.0 * f64::from(k) / f64::from(samples)).collect();
         let simulation = ContactSimulation::new(&body, &contact, start, &times).tolerance(tolerance);
         let run = simulation.run()?;
-        let energy = |sample: &polhode::motion::contact::ContactSample| sample.kinetic_energy + sample.potential_energy;
+        let energy = |sample: &polhode::motion::contact::ContactSample| {
+            sample.kinetic_energy + sample.potential_energy
+        };
         let drift = run.samples().last().map_or(f64::NAN, |last| energy(last) / energy(run.start()) - 1.0);
         let time = least(|| drop(black_box(simulation.run().ok())));
-        println!("{samples} samples, {tolerance:.0e}\t{:.2}\t{}\t{}\t{drift:.1e}", time * 1e3, run.statistics().accepted, run.statistics().evaluations / 16);
+        println!(
+            "{samples} samples, {tolerance:.0e}\t{:.2}\t{}\t{}\t{drift:.1e}",
+            time * 1e3,
+            run.statistics().accepted,
+            run.statistics().evaluations / 16
+        );
     }
     Ok(())
 }

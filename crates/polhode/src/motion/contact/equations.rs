@@ -158,7 +158,8 @@ impl Model {
         regime: Regime,
         pivot: Pivot,
     ) -> Kinetics<S> {
-        let (ground, regime) = if PLAIN { (GroundForm::Plane, Regime::Rolling) } else { (self.ground, regime) };
+        let (ground, regime) =
+            if PLAIN { (GroundForm::Plane, Regime::Rolling) } else { (self.ground, regime) };
         let (turns, resists) = (!PLAIN && self.turns(), !PLAIN && self.resists());
         let vector = |k: usize| Components([y[k], y[k + 1], y[k + 2]]);
         let constant = |[x, y, z]: [f64; 3]| Components([one.times(x), one.times(y), one.times(z)]);
@@ -299,7 +300,8 @@ impl Model {
     #[inline(always)]
     fn inertia_about_contact<S: Field>(&self, one: S, r: Components<S>) -> Symmetric<S> {
         let (square, Components([x, y, z])) = (r.dot(r), r);
-        let element = |[i, j]: [usize; 2], steiner: S| one.times(self.inertia[i][j]).plus_multiple(steiner, self.mass);
+        let element =
+            |[i, j]: [usize; 2], steiner: S| one.times(self.inertia[i][j]).plus_multiple(steiner, self.mass);
         Symmetric {
             diagonal: [
                 element([0, 0], square - x * x),

@@ -26,6 +26,7 @@ mod stepper;
 mod surface;
 mod trajectory;
 mod transition;
+mod watch;
 
 pub use change::{ContactChange, ContactEvent, ContactPhase};
 pub use ground::{Ground, GroundShape, GroundSide};

@@ -6,8 +6,8 @@
 //! Source: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.5 and IV.8; for the onset D. E. Stewart, SIAM Rev. 42 (2000) 3.
 
 use super::equations::{Kinetics, Pivot, Regime};
-use super::phase::Watch;
 use super::stepper::Stepper;
+use super::watch::Watch;
 use crate::math::algebra::Components;
 use crate::motion::solve::collocation::{Nodes, monomials};
 

@@ -3,8 +3,8 @@
 use super::equations::{AXES, PLACE, Regime};
 use super::flight::{CENTER, CENTER_RATE};
 use super::model::{GroundForm, Model};
-use super::phase::{Kind, Watch};
 use super::stepper::Stepper;
+use super::watch::{Kind, Watch};
 use crate::math::algebra::Components;
 
 /// What is read off the variables for a sample: lengths and forces along the axes of the surface, the centre of mass along those of the ground.

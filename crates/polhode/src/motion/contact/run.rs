@@ -3,12 +3,12 @@
 use super::change::{ContactEvent, ContactPhase};
 use super::equations::Regime;
 use super::model::Model;
-use super::phase::Kind;
 use super::sample::ContactSample;
 use super::setup;
 use super::simulation::ContactSimulation;
 use super::stepper::Stepper;
 use super::trajectory::{ContactEnding, ContactTrajectory};
+use super::watch::Kind;
 use crate::math::frame::{Body, Part, Space};
 use crate::math::rotation::Rotation;
 use crate::math::vector::{Direction, Position, Vector, Velocity};
@@ -129,7 +129,9 @@ impl<'a> Run<'a> {
     /// One step, and what ends at it.
     fn step(&mut self, end: f64, watch: &mut EventDetector<'_>) -> Result<ContactEnding, MotionError> {
         let from = self.stepper.time();
-        let longest = self.stepper.expand();
+        // Events of the user are looked for within each step.
+        let first_look = if self.of.events.is_empty() { self.next_wanted().unwrap_or(end) } else { from };
+        let longest = self.stepper.expand(end, first_look);
         if self.statistics.accepted == MOST_STEPS {
             return Err(MotionError::TooManySteps { time: from, step: longest, most: MOST_STEPS });
         }
@@ -140,9 +142,11 @@ impl<'a> Run<'a> {
             return Err(MotionError::StepTooSmall { time: from, step: longest });
         }
         let mut to = if from + longest < end { from + longest } else { end };
-        let passing = self.stepper.passing(to - from);
-        if let Some(passing) = passing {
-            to = from + passing.after;
+        let mut passing = self.stepper.passing(to - from);
+        if let Some(found) = passing {
+            let wanted = from + found.after;
+            to = self.stepper.shorten(wanted, first_look);
+            passing = passing.filter(|_| to >= wanted);
         }
         let mut stop = None;
         let found = {

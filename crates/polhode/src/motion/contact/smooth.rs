@@ -2,13 +2,13 @@
 
 use super::equations::{OMEGA, PLACE, Pivot, Regime, VELOCITY, axes_rates};
 use super::model::{Model, SurfaceForm};
-use super::phase::{PhaseModel, Watch};
+use super::watch::{Sides, Watch};
 use crate::math::algebra::Field;
 use crate::motion::solve::collocation::{OUTPUTS, ROOM, System, Variables};
 
 /// A phase of such a contact, and what is watched.
 pub(super) struct Smooth<'a> {
-    pub(super) of: PhaseModel<'a>,
+    pub(super) of: Sides<'a>,
     pub(super) regime: Regime,
     pub(super) pivot: Pivot,
     pub(super) watches: &'a [Watch],

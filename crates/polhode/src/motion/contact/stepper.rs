@@ -4,9 +4,11 @@ use super::equations::{AXES, Kinetics, OMEGA, PLACE, Pivot, Regime, VELOCITY};
 use super::flight::{CENTER, CENTER_RATE};
 use super::law::ContactLaw;
 use super::model::{GroundForm, Model};
-use super::phase::{self, Kind, Phase, PhaseModel, Watch};
+use super::phase::Phase;
+use super::watch::{Kind, Sides, Watch, watches};
 use crate::math::algebra::Components;
 use crate::math::sum::two_sum;
+use crate::motion::solve::collocation::Wanted;
 use crate::motion::solve::propagate::noise::{Random, StepNoise};
 
 /// A body on its way.
@@ -34,6 +36,8 @@ pub(super) struct Stepper {
     /// The longest step from where the last one began; and how long a motion is known that no series has.
     longest: f64,
     imposed: Option<f64>,
+    /// The phase with the step that was shortened.
+    whole: Option<Phase>,
 }
 
 /// The end of a phase, found in a step.
@@ -69,6 +73,7 @@ impl Stepper {
             stretch: 1.0,
             longest: 0.0,
             imposed: None,
+            whole: None,
         }
     }
 
@@ -101,9 +106,9 @@ impl Stepper {
         }
         let kind = Kind::Touching(Regime::Sliding, pivot);
         let (since, now) = (self.time - self.begun, self.high.clone());
-        let phase = &self.phases[self.current];
+        let phase = self.whole.as_ref().unwrap_or(&self.phases[self.current]);
         let rolling = |t: f64| if t == 0.0 { now.clone() } else { phase.variables(since + t) };
-        let watches = phase::watches(self.of(), kind);
+        let watches = watches(self.of(), kind);
         let Some(onset) = self.onset(&rolling, pivot, self.longest, &watches) else { return false };
         let beginning = onset.variables.iter().map(|series| series[0]).collect();
         self.enter(kind, beginning);
@@ -139,8 +144,8 @@ impl Stepper {
         self.phases[self.current].work()
     }
 
-    const fn of(&self) -> PhaseModel<'_> {
-        PhaseModel { model: &self.model, law: &self.law, length: self.length }
+    const fn of(&self) -> Sides<'_> {
+        Sides { model: &self.model, law: &self.law, length: self.length }
     }
 
     pub(super) const fn time(&self) -> f64 {
@@ -181,9 +186,10 @@ impl Stepper {
         if rate > 0.0 { rate } else { 1.0 }
     }
 
-    /// The step that may be taken from here; its series. No number if there is none.
-    pub(super) fn expand(&mut self) -> f64 {
+    /// The step that may be taken from here, until `end`; its series. No number if there is none. Before `first_look` it is not asked for but at its end.
+    pub(super) fn expand(&mut self, end: f64, first_look: f64) -> f64 {
         let since = self.step;
+        self.whole = None;
         self.begun = self.time;
         self.step = 0.0;
         if let Some(known) = self.imposed.take() {
@@ -191,18 +197,33 @@ impl Stepper {
         }
         let sizes = self.sizes_of(&self.high);
         let watched = self.sizes_of_watched();
-        let of = PhaseModel { model: &self.model, law: &self.law, length: self.length };
+        let of = Sides { model: &self.model, law: &self.law, length: self.length };
+        let most = if end > self.time { end - self.time } else { f64::INFINITY };
+        let wanted = Wanted { time: self.time, since, stretch: self.stretch, most, first_look };
         let phase = &mut self.phases[self.current];
-        self.longest = phase.about(of, &self.high, [&sizes, &watched], [self.time, since, self.stretch]);
+        self.longest = phase.about(of, &self.high, [&sizes, &watched], wanted);
         self.longest
+    }
+
+    /// Ends the step earlier, and returns when, as a step is as good as it can be at its end: then, or before if that takes more than one step.
+    pub(super) fn shorten(&mut self, to: f64, first_look: f64) -> f64 {
+        if !self.phases[self.current].is_best_at_its_end() || !(to > self.time) {
+            return to;
+        }
+        let (longest, whole) = (self.longest, self.phases[self.current].clone());
+        let reached = self.time + self.expand(to, first_look);
+        (self.longest, self.whole) = (longest, Some(whole));
+        if (to - reached).abs() <= 4.0 * f64::EPSILON * to.abs() { to } else { reached }
     }
 
     /// What ends the phase within h of the start of the step, first.
     pub(super) fn passing(&self, h: f64) -> Option<Passing> {
         let phase = &self.phases[self.current];
-        let all = phase.watches.iter().enumerate().filter_map(|(k, &watch)| {
-            Some(Passing { after: phase.vanishing(k, h)?, watch })
-        });
+        let all = phase
+            .watches
+            .iter()
+            .enumerate()
+            .filter_map(|(k, &watch)| Some(Passing { after: phase.vanishing(k, h)?, watch }));
         all.reduce(|first, next| if next.after < first.after { next } else { first })
     }
 

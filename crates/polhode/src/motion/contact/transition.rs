@@ -3,10 +3,10 @@
 use super::change::{ContactChange, ContactEvent};
 use super::equations::{AXES, Kinetics, OMEGA, PLACE, Pivot, Regime, VELOCITY};
 use super::flight;
-use super::phase::{Kind, Watch};
 use super::run::Run;
 use super::stepper::Stepper;
 use super::trajectory::ContactEnding;
+use super::watch::{Kind, Watch};
 use crate::math::algebra::Components;
 use crate::math::root::root;
 use crate::motion::error::MotionError;
@@ -141,7 +141,7 @@ impl Run<'_> {
         self.stepper.enter(Kind::Flying, flying);
         let time = self.stepper.time();
         // Where a law of rolling took friction for which N is too small, what is left without that may press the body into the ground.
-        let soon = time + 0.1 * self.stepper.expand();
+        let soon = time + 0.1 * self.stepper.expand(f64::INFINITY, time);
         if self.stepper.sinks(soon) {
             return Err(MotionError::Undecided { time });
         }

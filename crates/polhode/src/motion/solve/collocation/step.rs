@@ -24,7 +24,7 @@ const MOST_ROUNDS: u64 = 40;
 /// The most lengths that are tried.
 const MOST_TRIES: usize = 60;
 /// The last change of an iteration that has converged, relative to sizes.
-const CONVERGED: f64 = 2e-15;
+const CONVERGED: f64 = 5e-16;
 
 /// Values at the nodes: at those of the second half of the step, from the middle on, and at their mirror images.
 #[derive(Clone, Copy, Debug)]
@@ -220,18 +220,18 @@ impl Collocation {
         self.is_known = false;
     }
 
-    /// From a state at a time, `since` the start of the step before: the length of the step, `stretch` times as long as it would be; 0 if there is none.
+    /// From a state: the length of the step; 0 if there is none.
     pub(in crate::motion) fn about(
         &mut self,
         system: &impl System,
         state: &[f64],
         sizes: &[f64],
-        [time, since, stretch]: [f64; 3],
+        wanted: Wanted,
     ) -> f64 {
         self.trial.start.iter_mut().zip(state).for_each(|(place, y)| *place = *y);
         let mut weights = [0.0; ROOM];
         weights.iter_mut().zip(sizes).for_each(|(place, size)| *place = 1.0 / size);
-        in_vectors(Advance { of: self, system, weights, time, since, stretch })
+        in_vectors(Advance { of: self, system, weights, wanted })
     }
 
     /// A variable at the start of the step.
@@ -274,15 +274,27 @@ impl Collocation {
     }
 }
 
+/// What is wanted of a step.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::motion) struct Wanted {
+    pub(in crate::motion) time: f64,
+    /// How long ago the step before began.
+    pub(in crate::motion) since: f64,
+    /// How many times as long it is as it would be.
+    pub(in crate::motion) stretch: f64,
+    /// How long it is at the most.
+    pub(in crate::motion) most: f64,
+    /// The first time of which the state is asked for; before it that at the end of the step matters alone.
+    pub(in crate::motion) first_look: f64,
+}
+
 /// A step from a state.
 struct Advance<'a, F> {
     of: &'a mut Collocation,
     system: &'a F,
     /// One over the sizes of the variables.
     weights: [f64; ROOM],
-    time: f64,
-    since: f64,
-    stretch: f64,
+    wanted: Wanted,
 }
 
 impl<F: System> Work for Advance<'_, F> {
@@ -290,11 +302,12 @@ impl<F: System> Work for Advance<'_, F> {
 
     #[inline(always)]
     fn run<S: Machine>(self, s: S) -> f64 {
-        let Self { of, system, weights, time, since, stretch } = self;
+        let Self { of, system, weights, wanted } = self;
+        let Wanted { time, since, stretch, most, first_look } = wanted;
         let mut h = of.next * stretch;
         for _ in 0..MOST_TRIES {
             // From one time to another.
-            h = (time + h) - time;
+            h = (time + h.min(most)) - time;
             let before = of.is_known.then_some(&*of.now);
             let parts = [&of.kinematic[..], &of.dynamic];
             let trial = Trial { before, system, variables: &of.variables, parts, weights: &weights };
@@ -302,13 +315,19 @@ impl<F: System> Work for Advance<'_, F> {
                 h *= 0.5;
                 continue;
             };
-            // The error is of order NODES + 1; it should be well below what is accepted, as a step that is not costs all of its rounds.
-            let factor = rough_exp2(rough_log2(of.tolerance / (200.0 * error.max(1e-40))) / (NODES + 1) as f64);
-            if error > 30.0 * of.tolerance {
+            // The error within the step is of order NODES + 1. It should be well below what is accepted, as a step that is not costs all of its rounds.
+            let best = of.tolerance / 200.0;
+            let factor = rough_exp2(rough_log2(best / error.max(1e-40)) / (NODES + 1) as f64);
+            // That at the end is of order 2 NODES: the square of what a polynomial leaves out.
+            let is_looked_into = first_look < time + h;
+            let accepted = if is_looked_into { 3.0 * of.tolerance } else { 1e3 * of.tolerance };
+            if error > accepted {
                 h *= factor.clamp(0.25, 0.9);
                 continue;
             }
-            of.next = h * factor.clamp(0.25, 1.5) / stretch;
+            if h < most || factor < 1.0 {
+                of.next = h * factor.clamp(0.25, 1.5) / stretch;
+            }
             core::mem::swap(&mut of.now, &mut of.trial);
             of.is_known = true;
             return h;

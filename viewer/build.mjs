@@ -1,6 +1,7 @@
 // Builds the pages: the one that polhode writes, one HTML file with its style and script inside and a placeholder for the data, and that of
-// `polhode live`, whose style and script are files of their own. Writes crates/polhode-report/assets/viewer.html and
-// crates/polhode-live/assets/; with --check it only compares, and fails if those files are not this build.
+// `polhode live`, whose style and script are files of their own; and what notebooks have around the first. Writes
+// crates/polhode-report/assets/viewer.html, crates/polhode-live/assets/ and crates/polhode-py/python/polhode/; with --check it only compares, and
+// fails if those files are not this build.
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -68,11 +69,17 @@ live = put(live, "<!--style-->", '<link rel="icon" href="data:,">\n<link rel="st
 live = put(live, "<!--polhode-data-->\n", "");
 live = put(live, "<!--script-->", '<script src="live.js"></script>');
 
+const wheel = resolve(assets("polhode-py"), "../python/polhode");
+const display = await bundle("src/notebook/display.ts", { format: "iife", target: "es2022" });
+inside("script", display);
 const built = {
   [`${assets("polhode-report")}/viewer.html`]: replay,
   [`${assets("polhode-live")}/live.html`]: live,
   [`${assets("polhode-live")}/live.css`]: await style("src/live/live.css"),
   [`${assets("polhode-live")}/live.js`]: await script("src/live/main.ts", version("@codemirror/view")),
+  [`${wheel}/_display.js`]: display,
+  [`${wheel}/_widget.js`]: await bundle("src/notebook/widget.ts", { format: "esm", target: "es2022" }),
+  [`${wheel}/_widget.css`]: await style("src/notebook/widget.css"),
 };
 for (const [path, text] of Object.entries(built)) {
   const name = relative(resolve(here, ".."), path);

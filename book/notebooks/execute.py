@@ -24,6 +24,14 @@ def texts(cell: nbformat.NotebookNode) -> list[str]:
     return [output.get("text") or output["data"]["text/plain"] for output in outputs if "image/png" not in output.get("data", {})]
 
 
+def keep(output: nbformat.NotebookNode) -> None:
+    """Takes out what is not stored: motions in three dimensions, which are large, and widgets, which are nothing without their kernel."""
+    data = output.get("data", {})
+    data.pop("application/vnd.jupyter.widget-view+json", None)
+    if "polhode-motion" in data.get("text/html", ""):
+        del data["text/html"]
+
+
 def execute(path: Path, write: bool) -> list[str]:
     """What is wrong with a notebook."""
     stored = nbformat.read(path, 4)
@@ -31,10 +39,11 @@ def execute(path: Path, write: bool) -> list[str]:
     notebook.cells = [nbformat.from_dict(dict(cell)) for cell in stored.cells]
     with tempfile.TemporaryDirectory() as folder:
         try:
-            NotebookClient(notebook, timeout=300, kernel_name="python3").execute(cwd=folder)
+            NotebookClient(notebook, timeout=300, kernel_name="python3", store_widget_state=False).execute(cwd=folder)
         except CellExecutionError as error:
             return [f"{path.name}: {re.sub(chr(27) + '[^m]*m', '', str(error))}"]
     for output in (output for cell in notebook.cells for output in cell.get("outputs", ())):
+        keep(output)
         if "text" in output:
             # A warning says in which file of the kernel's its line is.
             output["text"] = re.sub(r"(?m)^\S*ipykernel_\d+\S*:\d+: ", "", output["text"])

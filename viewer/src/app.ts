@@ -217,7 +217,12 @@ export function orSay(start: () => void): void {
   try {
     start();
   } catch (problem) {
-    byId("problem").hidden = false;
-    byId("problem").textContent = problem instanceof Error ? problem.message : String(problem);
+    say(problem);
   }
+}
+
+/** Says on the page what went wrong; null takes it back. */
+export function say(problem: unknown): void {
+  byId("problem").hidden = problem === null;
+  byId("problem").textContent = problem instanceof Error ? problem.message : String(problem ?? "");
 }

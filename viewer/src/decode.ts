@@ -16,7 +16,11 @@ export class BadData extends Error {
 export function readPage(from: Document): PageData {
   const text = from.getElementById("polhode-data")?.textContent;
   if (!text) throw new BadData("this page holds no motion; polhode writes it into a page of its own");
-  const page = JSON.parse(text) as PageData;
+  return checked(JSON.parse(text) as PageData);
+}
+
+/** Data of the version that this page reads. */
+export function checked(page: PageData): PageData {
   if (page.version !== 1) throw new BadData(`data of version ${String(page.version)}; this page reads version 1`);
   return page;
 }

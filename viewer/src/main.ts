@@ -1,11 +1,20 @@
-/** The page that `polhode` writes: it shows the data that it holds, and plays. */
+/** The page that `polhode` writes: it shows the data that it holds, and plays. In a notebook it holds them packed, and shows others that come. */
 import { App, orSay } from "./app";
+import type { PageData } from "./data";
 import { readPage } from "./decode";
+import { follow } from "./notebook/follow";
+import { PACKED } from "./notebook/message";
 
 orSay(() => {
-  const page = readPage(document);
-  const app = new App(page, ({ plots, numbers, working, scenario, about }) => {
-    return [plots, numbers, ...(page.explanation.length > 0 ? [working] : []), scenario, about];
+  const held = document.getElementById("polhode-data");
+  if (held instanceof HTMLScriptElement && held.type === PACKED) follow(held.text, begin);
+  else begin(readPage(document));
+});
+
+function begin(first: PageData): App {
+  const app = new App(first, ({ plots, numbers, working, scenario, about }) => {
+    return [plots, numbers, ...(first.explanation.length > 0 ? [working] : []), scenario, about];
   });
   if (!matchMedia("(prefers-reduced-motion: reduce)").matches) app.clock.play();
-});
+  return app;
+}

@@ -11,6 +11,16 @@ export function ink(name: string): string {
   return value;
 }
 
+/** Told that the colours are to be those of the document around. */
+const TOLD = "polhode-theme";
+
+/** Takes the colours of the document around. */
+export function setTheme(theme: "light" | "dark"): void {
+  const root = document.documentElement;
+  root.dataset.theme = theme;
+  root.dispatchEvent(new Event(TOLD));
+}
+
 /** Calls back when the colours have changed. */
 export function onTheme(then: () => void): void {
   const changed = (): void => {
@@ -22,11 +32,11 @@ export function onTheme(then: () => void): void {
   const dark = (): boolean => (root.dataset.theme ?? (system.matches ? "dark" : "light")) === "dark";
   const button = byId<HTMLButtonElement>("theme");
   const name = (): void => button.setAttribute("aria-label", dark() ? "Light colours" : "Dark colours");
-  button.addEventListener("click", () => {
-    root.dataset.theme = dark() ? "light" : "dark";
+  root.addEventListener(TOLD, () => {
     name();
     changed();
   });
+  button.addEventListener("click", () => setTheme(dark() ? "light" : "dark"));
   system.addEventListener("change", changed);
   name();
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::process::{FEATURES, empty_folder, linted, output, polhode, run, run_beside};
-use crate::{Outcome, files, root};
+use crate::{Outcome, files, root, viewer};
 
 /// The oldest Python that the tests run with; the package is for 3.10 too.
 const PYTHON: (u32, u32) = (3, 11);
@@ -15,8 +15,8 @@ const PYTHON: (u32, u32) = (3, 11);
 pub(crate) const EXECUTABLE: &str = if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" };
 
 /// What the tests need besides the package: what it uses where it is there, Dask for the cluster, pandoc for worked solutions, what runs
-/// notebooks, and what reads the workflows.
-const NEEDED: [&str; 15] = [
+/// notebooks and shows them in a browser, and what reads the workflows.
+const NEEDED: [&str; 18] = [
     "pytest",
     "scipy",
     "matplotlib",
@@ -30,6 +30,9 @@ const NEEDED: [&str; 15] = [
     "pypandoc_binary",
     "nbclient",
     "ipykernel",
+    "anywidget",
+    "jupyterlab",
+    "playwright",
     "check-jsonschema==0.39.0",
     "zizmor==1.32.0",
 ];
@@ -72,7 +75,11 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     let tests = package.join("tests");
     let ray = format!("--ignore={}", tests.join("test_ray.py").display());
     let program = polhode()?;
-    run_beside(here(&["-m", "pytest", "-q", &ray, "-c"]).args([&settings, &tests]).env("POLHODE", program))?;
+    let mut tested = here(&["-m", "pytest", "-q", &ray, "-c"]);
+    // JupyterLab is looked at in the browser of the page's tests.
+    run_beside(
+        tested.args([&settings, &tests]).env("POLHODE", program).env("CHROMIUM", viewer::chromium()?),
+    )?;
     // The module that needs Ray has no examples, and cannot be imported here.
     let without = format!("--ignore={}", Path::new(where_from.trim()).with_file_name("_ray.py").display());
     let documented = ["--doctest-modules", &without, "--pyargs", "polhode"];

@@ -52,7 +52,7 @@ fn major(version: &str) -> Option<u32> {
 }
 
 /// Chromium, installed if it is not there and this machine lets us.
-fn chromium() -> Result<PathBuf, String> {
+pub(crate) fn chromium() -> Result<PathBuf, String> {
     if let Some(found) = std::env::var_os("CHROMIUM").map(PathBuf::from).or_else(on_path) {
         return Ok(found);
     }

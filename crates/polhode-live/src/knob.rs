@@ -9,8 +9,8 @@ use crate::protocol::{Knob, Switch};
 /// The groups of knobs, by the table that a key begins with, in the order of their interest among equals.
 const GROUPS: [&str; 5] = ["start", "body", "torque", "wheel", "run"];
 
-/// A knob for each number, the most telling first.
-pub(crate) fn knobs(numbers: &[WrittenNumber]) -> Vec<Knob> {
+/// A knob for each number of a scenario, the most telling first.
+pub fn knobs(numbers: &[WrittenNumber]) -> Vec<Knob> {
     let mut order: Vec<(u32, &WrittenNumber)> =
         numbers.iter().map(|number| (interest(number), number)).collect();
     // Those that are as telling stay in the order of the text.

@@ -41,6 +41,7 @@ mod utf16;
 mod watch;
 
 pub use error::LiveError;
+pub use knob::knobs;
 pub use lesson::{LessonError, lessons};
-pub use protocol::LessonInfo;
+pub use protocol::{Knob, LessonInfo};
 pub use server::{Live, LiveOptions};

@@ -82,19 +82,31 @@ pub(crate) struct TextError {
     pub(crate) column: Option<usize>,
 }
 
+/// A number of a scenario that can be turned: `Knob` of `viewer/src/live/protocol.ts`.
 #[derive(Debug, Serialize)]
-pub(crate) struct Knob {
-    pub(crate) key: String,
-    pub(crate) label: String,
-    pub(crate) group: &'static str,
-    pub(crate) value: f64,
-    pub(crate) unit: String,
-    pub(crate) si: String,
-    pub(crate) what: String,
-    pub(crate) low: f64,
-    pub(crate) high: f64,
-    pub(crate) scale: &'static str,
-    pub(crate) rank: usize,
+pub struct Knob {
+    /// `body.part[0].radius`
+    pub key: String,
+    /// `crossbar: radius`
+    pub label: String,
+    /// The table that it belongs to.
+    pub group: &'static str,
+    /// As it is written: 4 of `4 mm`.
+    pub value: f64,
+    /// As it is written; empty of a plain number in SI.
+    pub unit: String,
+    /// The unit of a plain number.
+    pub si: String,
+    /// What it is: `a length`.
+    pub what: String,
+    /// From here on, as the value is written.
+    pub low: f64,
+    /// Up to here.
+    pub high: f64,
+    /// `linear` or `log`.
+    pub scale: &'static str,
+    /// Its place among all, the most telling first.
+    pub rank: usize,
 }
 
 #[derive(Debug, Serialize)]

@@ -9,7 +9,8 @@ use polhode::motion::torque::TorqueModel;
 use polhode::motion::{Ending, ErrorEffort, Run, Scenario, Trajectory, TrajectoryDerivatives};
 use polhode_formats::table::{Column, columns};
 use polhode_report::{
-    MotionReport, PageInput, PageSubject, SourceInfo, VERSION, explain_motion, page_data, page_of,
+    MotionReport, PageInput, PageSubject, SourceInfo, VERSION, explain_motion, has_triangles, page_data,
+    page_data_within, page_of,
 };
 use pyo3::prelude::*;
 
@@ -211,12 +212,18 @@ impl PyMotion {
         py.detach(|| self.report().to_text())
     }
 
-    /// What the page that `polhode simulate` writes holds besides the viewer.
-    fn page_data(&self, py: Python<'_>) -> String {
+    /// Whether the body has triangles, which `page_data` may have to show coarser than they are.
+    #[getter]
+    fn has_triangles(&self) -> bool {
+        has_triangles(&PageSubject::Scenario(&self.scenario))
+    }
+
+    /// What the page that `polhode simulate` writes holds besides the viewer; with triangles of so many bytes at most, if that is given.
+    fn page_data(&self, py: Python<'_>, triangles: Option<usize>) -> String {
         py.detach(|| {
             // What cannot be explained, as a pendulum whose axis cannot hold it, can still be shown.
             let explanation = explain_motion(&self.scenario, &self.trajectory).ok();
-            page_data(&PageInput {
+            let input = PageInput {
                 title: self.scenario.title().unwrap_or(UNTITLED),
                 source: &format!("polhode {VERSION} in Python"),
                 // No text has a function of Python's.
@@ -225,7 +232,8 @@ impl PyMotion {
                 trajectory: &self.trajectory,
                 explanation: explanation.as_ref(),
                 whole: true,
-            })
+            };
+            triangles.map_or_else(|| page_data(&input), |bytes| page_data_within(&input, bytes))
         })
     }
 }

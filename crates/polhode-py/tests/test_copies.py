@@ -152,6 +152,7 @@ def asked() -> list[object]:
     tumbling = polhode.spin(inertia=[[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]], periods=[2.1, 9.3], convention="short")
     return [
         polhode.Scenario.from_toml(EXAMPLES / "heavy-top.toml"),
+        polhode.Knob(low=0.1, high=2.5, label="spin"),
         polhode.explain(EXAMPLES / "t-handle.toml"),
         polhode.torque(EXAMPLES / "shaft.toml"),
         wheel,

@@ -12,18 +12,15 @@ from polhode import plot, shapes
 
 
 class Reader(HTMLParser):
-    """Tags that close as they open, and the attributes of frames."""
+    """Tags that close as they open."""
 
     def __init__(self) -> None:
         super().__init__()
         self.open: list[str] = []
-        self.frames: list[dict[str, str | None]] = []
         self.text = ""
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         self.open.append(tag)
-        if tag == "iframe":
-            self.frames.append(dict(attrs))
 
     def handle_endtag(self, tag: str) -> None:
         assert self.open.pop() == tag
@@ -46,16 +43,6 @@ def test_a_body_is_a_table(generic: polhode.MassProperties) -> None:
         assert f"{number:.6g}" in shown
     body = polhode.Body({"<script>": generic, "ball": shapes.sphere(radius=0.1, mass=1.0)})
     assert "<script>" in read(body._repr_html_()).text
-
-
-def test_a_motion_is_a_page_in_a_frame(examples: Path) -> None:
-    for motion in (
-        polhode.FreeMotion(moments=[1, 2, 3], omega=[0.01, 1, 0.01]),
-        polhode.simulate(examples / "t-handle.toml"),
-    ):
-        (frame,) = read(motion._repr_html_()).frames
-        assert frame["sandbox"] == "allow-scripts"
-        assert frame["srcdoc"] == motion.page() and "polhode-data" in motion.page()
 
 
 def test_figures_show_the_numbers(examples: Path, tmp_path: Path) -> None:

@@ -86,7 +86,9 @@ pub use json::pretty;
 pub use judge::{Card, CardCase, CardRun, JudgeReport, JudgedRun, judge_hint};
 pub use molecule::MoleculeReport;
 pub use motion::MotionReport;
-pub use page::{PageInput, PageSubject, page, page_data, page_of, page_rows};
+pub use page::{
+    PageInput, PageSubject, has_triangles, page, page_data, page_data_within, page_of, page_rows,
+};
 pub use parts::{PartRow, parts};
 pub use periods::Periods;
 pub use plot::{Figure, MotionFigures, Picture, PlotError, SweepFigures};

@@ -10,7 +10,7 @@
   worked solution
 - :class:`Ensemble`: many bodies at once; :mod:`polhode.batch` and :mod:`polhode.sweep`: plans of many motions, here and on clusters
 - :func:`check`: are the inertias of a robot right? :func:`link_table`, :func:`fixed_groups`: its links as bodies
-- :mod:`plot`: figures, for those who have Matplotlib
+- :mod:`plot`: figures, for those who have Matplotlib; :func:`widget`: a motion in a notebook with knobs
 
 SI units: m, kg, s, rad, N·m, J. Quaternions are scalar first (w, x, y, z), Hamilton, and take body components to space components. ω is
 along body axes. Off-diagonal elements of an inertia tensor are minus the integrals, so that L = I ω. Arguments are by keyword, and arrays of
@@ -47,6 +47,8 @@ from ._identify import identify, identify_payload, identify_swings, identify_tum
 from ._inertia import inertia
 from ._judge import judge
 from ._judgement import Cause, ErrorGrowth, ErrorPart, ErrorSplit, Judgement, Reading, TriedReading
+from ._knob import Knob
+from ._live import widget
 from ._mass_derivatives import (
     BodyDerivatives,
     MeshDerivatives,
@@ -103,6 +105,7 @@ __all__ = [
     "FlightFit",
     "FreeMotion",
     "Judgement",
+    "Knob",
     "LeftOut",
     "LinkRow",
     "LinkTable",
@@ -159,6 +162,7 @@ __all__ = [
     "spin",
     "stability",
     "torque",
+    "widget",
 ]
 
 # Messages and copies in other processes name them as users do, and doctest finds the examples of their methods.
@@ -191,6 +195,7 @@ for _public in (
     FlightFit,
     FreeMotion,
     Judgement,
+    Knob,
     LeftOut,
     LinkRow,
     LinkTable,

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _html, _native
+from . import _arrays, _display, _native
 from ._arrays import Floats
 from ._body import Body
 from ._derivatives import Derivatives, derivatives_of
@@ -259,7 +259,7 @@ class FreeMotion:
         return self._native.text()
 
     def _repr_html_(self) -> str:
-        return _html.frame(self.page())
+        return _display.html("Free motion", _display.data_of(self.page()))
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in vars(self).items() if name != "_native"}

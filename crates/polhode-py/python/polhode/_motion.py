@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Iterator, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _html, _native
+from . import _arrays, _display, _native
 from ._arrays import Floats
 from ._derivatives import Derivatives, derivatives_of
 from ._error import PolhodeError
@@ -265,7 +265,16 @@ class Motion(Table):
 
     @cached_property
     def _page_data(self) -> str:
-        return self._native.page_data()
+        return self._native.page_data(None)
+
+    @cached_property
+    def _coarser_data(self) -> str | None:
+        """What is shown of a body that may have too many triangles for an output of a notebook."""
+        return self._native.page_data(_TRIANGLES) if self._native.has_triangles else None
+
+    @property
+    def _output_data(self) -> str:
+        return self._coarser_data or self._page_data
 
     def __getitem__(self, which: Any) -> States:
         return self.states[which]
@@ -301,7 +310,7 @@ class Motion(Table):
         return self._text
 
     def _repr_html_(self) -> str:
-        return _html.frame(self.page())
+        return _display.html(self.title or "motion", self._output_data)
 
 
 #: Vectors among the columns: what an array is called, its columns, their axes, and what these are called.
@@ -312,6 +321,9 @@ _VECTORS = (
     ("momentum", "momentum_space_{}_kg_m2_s", "xyz", "axis"),
     ("torque", "torque_body_{}_n_m", "xyz", "axis"),
 )
+
+#: Bytes of the triangles in an output of a notebook, before they are packed: some ten thousand.
+_TRIANGLES = 240_000
 
 #: What tells one motion from another.
 _STATE = ("time_s", *(columns.format(axis) for _, columns, axes, _ in _VECTORS[:2] for axis in axes))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence
 
 from . import _arrays, _native, _section
@@ -154,8 +155,8 @@ class Scenario:
         return cls._of(tables, where)
 
     @classmethod
-    def _of(cls, tables: Mapping[str, Any], folder: str) -> Scenario:
-        """The scenario of a file's tables."""
+    def _of(cls, tables: Mapping[str, Any], folder: str, functions: Mapping[int, Torque] = MappingProxyType({})) -> Scenario:
+        """The scenario of a file's tables; of torques that no file can hold by their places."""
         known = {"title", "body", *(key for key, _ in (*_ONE.values(), *_SEVERAL.values()))}
         other = [key for key in tables if key not in known]
         if other:
@@ -166,7 +167,8 @@ class Scenario:
             if key in tables:
                 given[name] = kind.from_dict(tables[key])
         for name, (key, kind) in _SEVERAL.items():
-            given[name] = [kind.from_dict(table) for table in tables.get(key, ())]
+            own = functions if key == "torque" else {}
+            given[name] = [own[k] if k in own else kind.from_dict(table) for k, table in enumerate(tables.get(key, ()))]
         body = tables["body"]
         parts = [Part.from_dict(part) for part in body["part"]]
         return cls(parts, pivot=body.get("pivot"), title=tables.get("title"), folder=folder, **given)

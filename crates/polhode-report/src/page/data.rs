@@ -15,8 +15,17 @@ const PAGE: usize = 2_000_000;
 /// What triangles get all the same.
 const LEAST_MESH: usize = 240_000;
 
-/// The data of a page whose frame has so many bytes without them.
-pub(super) fn json(input: &PageInput<'_>, frame: usize, rows: &mut Rows) -> Value {
+/// What triangles may have of a page, bytes.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Room {
+    /// What is left of a page whose frame has so many bytes without its data.
+    Beside(usize),
+    /// So many.
+    Of(usize),
+}
+
+/// The data of a page.
+pub(super) fn json(input: &PageInput<'_>, room: Room, rows: &mut Rows) -> Value {
     let turning = Turning::of(&input.subject);
     let shown = Shown::of(input.trajectory, &input.subject);
     let free_facts = free::facts(input);
@@ -24,8 +33,11 @@ pub(super) fn json(input: &PageInput<'_>, frame: usize, rows: &mut Rows) -> Valu
     let motion = motion::json(&shown, &contact, rows);
     let free = free_facts.as_ref().map_or(Value::Null, |free| free::json(free, &shown, input.whole, rows));
     let explanation = input.explanation.map_or_else(|| json!([]), explanation::json);
-    let mut left = LEAST_MESH;
-    if input.whole && shapes::has_triangles(&turning) {
+    let mut left = match room {
+        Room::Beside(_) => LEAST_MESH,
+        Room::Of(bytes) => bytes,
+    };
+    if let (true, Room::Beside(frame)) = (input.whole && shapes::has_triangles(&turning), room) {
         let others =
             [&motion, &free, &explanation].map(|value| value.to_string().len()).iter().sum::<usize>()
                 + input.scenario_text.map_or(0, str::len)

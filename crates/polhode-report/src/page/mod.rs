@@ -31,7 +31,9 @@ use serde_json::Value;
 pub use shapes::shape_of;
 pub use turning::equivalent_box;
 
+use self::data::Room;
 use self::rows::Rows;
+use self::turning::Turning;
 use crate::explain::document::Document;
 use crate::mathml::escaped;
 
@@ -104,14 +106,25 @@ pub fn page(input: &PageInput<'_>) -> String {
 
 /// What a page holds besides the viewer, as JSON: [`page_of`] makes the page of it, here or elsewhere.
 pub fn page_data(input: &PageInput<'_>) -> String {
-    inert(&data::json(input, TEMPLATE.len(), &mut Rows::Inside).to_string())
+    inert(&data::json(input, Room::Beside(TEMPLATE.len()), &mut Rows::Inside).to_string())
+}
+
+/// The same with triangles of so many bytes at most, for who has less room than a page of its own: [`has_triangles`] says whether it may
+/// differ.
+pub fn page_data_within(input: &PageInput<'_>, triangles: usize) -> String {
+    inert(&data::json(input, Room::Of(triangles), &mut Rows::Inside).to_string())
+}
+
+/// Whether the body has triangles, which a page may have to show coarser than they are.
+pub fn has_triangles(subject: &PageSubject<'_>) -> bool {
+    shapes::has_triangles(&Turning::of(subject))
 }
 
 /// What a page holds besides the viewer, for who does not write it into a page: JSON, and its rows of numbers as little-endian f64, one after
 /// the other. In their places the JSON has `{"f64": [at, count]}`, counted in numbers.
 pub fn page_rows(input: &PageInput<'_>) -> (Value, Vec<u8>) {
     let mut rows = Rows::Beside(Vec::new());
-    let value = data::json(input, TEMPLATE.len(), &mut rows);
+    let value = data::json(input, Room::Beside(TEMPLATE.len()), &mut rows);
     (value, rows.bytes())
 }
 

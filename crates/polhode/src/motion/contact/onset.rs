@@ -37,8 +37,10 @@ impl Stepper {
         watches: &[Watch],
     ) -> Option<Onset> {
         let nodes = Nodes::new();
-        // Half, a quarter, …: where it begins to slip very slowly, or soon to do something else.
-        (1..24).find_map(|k| self.collocated(rolling, pivot, longest * 0.5_f64.powi(k), &nodes, watches))
+        // Shorter and shorter, where it begins to slip very slowly, or soon to do something else: too long a polynomial does not converge, and in too short a time
+        // the slip has no digits.
+        let factor = |k: i32| libm::exp2(-f64::from(k) / 3.0);
+        (1..36).find_map(|k| self.collocated(rolling, pivot, longest * factor(k), &nodes, watches))
     }
 
     fn collocated(

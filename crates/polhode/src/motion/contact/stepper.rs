@@ -33,11 +33,8 @@ pub(super) struct Stepper {
     /// What is added to the variables after each step, and how many times as long steps are.
     noise: Option<(Random, f64)>,
     stretch: f64,
-    /// The longest step from where the last one began; and how long a motion is known that no series has.
-    longest: f64,
+    /// How long a motion is known that no series has.
     imposed: Option<f64>,
-    /// The phase with the step that was shortened.
-    whole: Option<Phase>,
 }
 
 /// The end of a phase, found in a step.
@@ -71,9 +68,7 @@ impl Stepper {
             time,
             noise: None,
             stretch: 1.0,
-            longest: 0.0,
             imposed: None,
-            whole: None,
         }
     }
 
@@ -105,11 +100,14 @@ impl Stepper {
             return false;
         }
         let kind = Kind::Touching(Regime::Sliding, pivot);
-        let (since, now) = (self.time - self.begun, self.high.clone());
-        let phase = self.whole.as_ref().unwrap_or(&self.phases[self.current]);
-        let rolling = |t: f64| if t == 0.0 { now.clone() } else { phase.variables(since + t) };
+        // As if it rolled on.
+        let mut phase = self.phases[self.current].clone();
+        let (sizes, watched) = (self.sizes_of(&self.high), self.sizes_of_watched());
+        let wanted = self.wanted(self.step, f64::INFINITY, self.time);
+        let longest = phase.about(self.of(), &self.high, [&sizes, &watched], wanted);
+        let rolling = |t: f64| phase.variables(t);
         let watches = watches(self.of(), kind);
-        let Some(onset) = self.onset(&rolling, pivot, self.longest, &watches) else { return false };
+        let Some(onset) = self.onset(&rolling, pivot, longest, &watches) else { return false };
         let beginning = onset.variables.iter().map(|series| series[0]).collect();
         self.enter(kind, beginning);
         self.phases[self.current].impose(&onset.variables, &onset.outputs);
@@ -189,7 +187,6 @@ impl Stepper {
     /// The step that may be taken from here, until `end`; its series. No number if there is none. Before `first_look` it is not asked for but at its end.
     pub(super) fn expand(&mut self, end: f64, first_look: f64) -> f64 {
         let since = self.step;
-        self.whole = None;
         self.begun = self.time;
         self.step = 0.0;
         if let Some(known) = self.imposed.take() {
@@ -198,11 +195,14 @@ impl Stepper {
         let sizes = self.sizes_of(&self.high);
         let watched = self.sizes_of_watched();
         let of = Sides { model: &self.model, law: &self.law, length: self.length };
-        let most = if end > self.time { end - self.time } else { f64::INFINITY };
-        let wanted = Wanted { time: self.time, since, stretch: self.stretch, most, first_look };
+        let wanted = self.wanted(since, end, first_look);
         let phase = &mut self.phases[self.current];
-        self.longest = phase.about(of, &self.high, [&sizes, &watched], wanted);
-        self.longest
+        phase.about(of, &self.high, [&sizes, &watched], wanted)
+    }
+
+    const fn wanted(&self, since: f64, end: f64, first_look: f64) -> Wanted {
+        let most = if end > self.time { end - self.time } else { f64::INFINITY };
+        Wanted { time: self.time, since, stretch: self.stretch, most, first_look }
     }
 
     /// Ends the step earlier, and returns when, as a step is as good as it can be at its end: then, or before if that takes more than one step.
@@ -210,9 +210,7 @@ impl Stepper {
         if !self.phases[self.current].is_best_at_its_end() || !(to > self.time) {
             return to;
         }
-        let (longest, whole) = (self.longest, self.phases[self.current].clone());
         let reached = self.time + self.expand(to, first_look);
-        (self.longest, self.whole) = (longest, Some(whole));
         if (to - reached).abs() <= 4.0 * f64::EPSILON * to.abs() { to } else { reached }
     }
 

@@ -1,0 +1,146 @@
+"""Numbers of a scenario by their keys: which can be turned, and the scenario with other values of them."""
+
+from __future__ import annotations
+
+import copy
+import difflib
+import json
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from . import _arrays, _native
+from ._error import PolhodeError
+from ._scenario import _SEVERAL, Scenario
+from .scenario import FunctionTorque, Start
+
+#: As many knobs as there are unless it is said which.
+FEW = 4
+
+#: What arguments of :class:`polhode.Scenario` are called in files.
+_ALIASES = [
+    *((rf"^start\.{name}(?=\[)", f"start.spin.{key}") for name, key in Start._SPIN.items()),
+    *((rf"^{name}(?=\[)", key) for name, (key, _) in _SEVERAL.items()),
+    (r"^body(?=\[)", "body.part"),
+]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Knob:
+    """How far a number of a scenario can be turned, and what it is called.
+
+    Parameters
+    ----------
+    low, high
+        The ends of its slider, in the unit that the number has in the scenario; SI where it has none. Without them, ends that suit the number.
+    label
+        What stands beside it; without one, its name in the scenario. The unit is added.
+
+    Examples
+    --------
+    >>> import polhode
+    >>> polhode.Knob(low=0, high=3000, label="spin")
+    Knob(low=0.0, high=3000.0, label='spin')
+    """
+
+    low: float | None = None
+    high: float | None = None
+    label: str | None = None
+
+    def __post_init__(self) -> None:
+        for name in ("low", "high"):
+            if getattr(self, name) is not None:
+                object.__setattr__(self, name, _arrays.number(name, getattr(self, name)))
+        if self.label is not None:
+            _arrays.text("label", self.label)
+
+
+Knobs = Sequence[str] | Mapping[str, Knob | tuple[float, float] | None]
+
+
+def knobs_of(scenario: Scenario, asked: Knobs | None) -> list[dict[str, Any]]:
+    """The knobs that are asked for, or the most telling ones: objects with key, label, unit, what, value, low, high and scale."""
+    there = {knob["key"]: knob for knob in json.loads(_native.scenario_knobs(scenario._path, scenario._text()))}
+    functions = [f"torque[{k}]." for k, torque in enumerate(scenario.torques) if isinstance(torque, FunctionTorque)]
+    there = {key: knob for key, knob in there.items() if not key.startswith(tuple(functions))}
+    if asked is None:
+        return [_knob(knob, Knob()) for knob in list(there.values())[:FEW]]
+    if isinstance(asked, str) or not isinstance(asked, Iterable):
+        raise TypeError(f"knobs must be keys, or a mapping from keys to Knob or (low, high), not {type(asked).__name__}")
+    ranges = dict(asked) if isinstance(asked, Mapping) else dict.fromkeys(asked)
+    found = {}
+    for name, ends in ranges.items():
+        key = _key(scenario, _arrays.text("a key of knobs", name))
+        if key not in there:
+            raise PolhodeError(f"knobs: the scenario has no number {name}", _near(key, list(there)))
+        if key in found:
+            raise PolhodeError(f"knobs: {name} is there twice")
+        found[key] = _knob(there[key], _given(name, ends))
+    if not found:
+        raise PolhodeError("knobs must have at least one key")
+    return list(found.values())
+
+
+def _given(name: str, ends: object) -> Knob:
+    if ends is None:
+        return Knob()
+    if isinstance(ends, Knob):
+        return ends
+    if isinstance(ends, (tuple, list)) and len(ends) == 2:
+        return Knob(low=ends[0], high=ends[1])
+    raise TypeError(f"knobs[{name!r}] must be a Knob, (low, high) or None, not {type(ends).__name__}")
+
+
+def _knob(knob: Mapping[str, Any], given: Knob) -> dict[str, Any]:
+    value = knob["value"]
+    unit = knob["unit"] or knob["si"]
+    low = knob["low"] if given.low is None else given.low
+    high = knob["high"] if given.high is None else given.high
+    if not low < high:
+        raise PolhodeError(f"knobs: low = {low:g} of {knob['key']} must be less than high = {high:g}")
+    if not low <= value <= high:
+        raise PolhodeError(f"knobs: {knob['key']} is {value:g} {unit}".rstrip() + f", which is not from {low:g} to {high:g}", "the ends are in the number's own unit")
+    return {
+        "key": knob["key"],
+        "label": given.label or knob["label"],
+        "unit": unit,
+        "what": knob["what"],
+        "value": value,
+        "written": knob["unit"],
+        "low": low,
+        "high": high,
+        "scale": knob["scale"] if low > 0 else "linear",
+    }
+
+
+def _key(scenario: Scenario, name: str) -> str:
+    """A key as files have it: of an argument's name, and of an element by its ``name``."""
+    for pattern, key in _ALIASES:
+        name = re.sub(pattern, key, name)
+    for table, rows in (("body.part", scenario.body), *((key, scenario._several[several]) for several, (key, _) in _SEVERAL.items())):
+        for k, row in enumerate(rows):
+            called = row.to_dict().get("name", "")
+            name = name.replace(f'{table}["{called}"]', f"{table}[{k}]")
+    return name
+
+
+def _near(key: str, there: list[str]) -> str:
+    near = difflib.get_close_matches(key, there, 3, 0.5)
+    if near:
+        return f"did you mean {' or '.join(near)}?"
+    return f"it has {', '.join(there[:12])}{', …' if len(there) > 12 else ''}"
+
+
+def with_values(scenario: Scenario, knobs: Sequence[Mapping[str, Any]], values: Mapping[str, float]) -> Scenario:
+    """The scenario with these numbers, in the units that they are written in."""
+    tables = copy.deepcopy(scenario._tables())
+    for knob in knobs:
+        value = values[knob["key"]]
+        *way, last = [int(k) if k else name for name, k in re.findall(r"([\w-]+)|\[(\d+)\]", knob["key"])]
+        place: Any = tables
+        for step in way:
+            place = place[step]
+        place[last] = f"{value!r} {knob['written']}" if knob["written"] else value
+    kept = {k: torque for k, torque in enumerate(scenario.torques) if isinstance(torque, FunctionTorque)}
+    return Scenario._of(tables, scenario.folder, kept)

@@ -1,0 +1,142 @@
+"""The widget: knobs in a notebook, and the motion of their values, which the kernel computes."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import anywidget
+import traitlets
+
+from . import _display, _packed
+from ._arrays import number
+from ._error import PolhodeError, PolhodeWarning
+from ._knob import with_values
+from ._motion import Motion
+from ._scenario import Scenario
+from ._simulate import simulate
+
+_HERE = Path(__file__).parent
+
+
+class MotionWidget(anywidget.AnyWidget):
+    """A motion in a notebook with knobs: :func:`polhode.widget` makes one.
+
+    Attributes
+    ----------
+    values
+        What the knobs are at, by their keys in the scenario, each in the unit that it is written in. Setting it computes the motion and moves the knobs; what is left out stays.
+        A value that is refused raises :exc:`PolhodeError`, and changes nothing.
+    motion
+        The :class:`Motion` that is shown.
+    scenario
+        The :class:`Scenario` that it is of.
+    """
+
+    _esm = (_HERE / "_widget.js").read_text("utf-8")
+    _css = (_HERE / "_widget.css").read_text("utf-8")
+
+    # What the page's script has: `viewer/src/notebook/widget.ts`.
+    viewer_key = traitlets.Unicode().tag(sync=True)
+    knobs = traitlets.List(traitlets.Dict()).tag(sync=True)
+    #: What the knobs are turned to: a number that grows, and values.
+    asked = traitlets.Dict().tag(sync=True)
+    #: What came of it: the number, the values of the motion that is shown, what was refused, and what is to be said.
+    answer = traitlets.Dict().tag(sync=True)
+    packed = traitlets.Bytes().tag(sync=True)
+
+    def __init__(self, scenario: Scenario, knobs: list[dict[str, Any]], error: str) -> None:
+        self._error = error
+        self._first = scenario
+        values = {knob["key"]: knob["value"] for knob in knobs}
+        # What is refused at the start is the caller's to know.
+        motion, notes = self._simulated(scenario)
+        self._shown = scenario, motion
+        super().__init__(
+            viewer_key=_display.viewer()[0],
+            knobs=knobs,
+            asked={"turn": 0, "values": values},
+            answer={"turn": 0, "values": values, "refusal": None, "notes": notes},
+            packed=_packed.pack(motion._output_data),
+        )
+        self.on_msg(self._bring)
+        self.observe(self._turned, "asked")
+
+    @property
+    def motion(self) -> Motion:
+        """The motion that is shown."""
+        return self._shown[1]
+
+    @property
+    def scenario(self) -> Scenario:
+        """The scenario of the motion that is shown."""
+        return self._shown[0]
+
+    @property
+    def values(self) -> dict[str, float]:
+        """What the knobs of the motion that is shown are at, by their keys, each in the unit that it is written in."""
+        return dict(self.answer["values"])
+
+    @values.setter
+    def values(self, values: Mapping[str, float]) -> None:
+        if not isinstance(values, Mapping):
+            raise TypeError(f"values must be a mapping from keys to numbers, not {type(values).__name__}")
+        unknown = [key for key in values if key not in self.answer["values"]]
+        if unknown:
+            raise PolhodeError(f"values: there is no knob {unknown[0]}", f"the knobs are {', '.join(self.answer['values'])}")
+        new = {**self.answer["values"], **{key: number(key, value) for key, value in values.items()}}
+        self._show(self.answer["turn"], new)
+
+    def _show(self, turn: int, values: dict[str, float]) -> None:
+        """Computes the motion of values, and shows it; or raises, and changes nothing."""
+        scenario = with_values(self._first, self.knobs, values)
+        motion, notes = self._simulated(scenario)
+        packed = _packed.pack(motion._output_data)
+        self._shown = scenario, motion
+        with self.hold_sync():
+            self.packed = packed
+            self.answer = {"turn": turn, "values": values, "refusal": None, "notes": notes}
+
+    def _turned(self, change: Mapping[str, Any]) -> None:
+        """Answers the page: with a motion, or with what was refused."""
+        turn, values = change["new"]["turn"], change["new"]["values"]
+        try:
+            self._show(turn, {knob["key"]: number(knob["key"], values[knob["key"]]) for knob in self.knobs})
+        except PolhodeError as error:
+            self._refuse(turn, values, error.message, error.hint)
+        except KeyboardInterrupt:
+            self._refuse(turn, values, "The computation was interrupted.", None)
+        except Exception as error:  # of a torque that Python computes
+            self._refuse(turn, values, f"{type(error).__name__}: {error}", None)
+
+    def _refuse(self, turn: int, values: Mapping[str, float], message: str, hint: str | None) -> None:
+        shown = self.answer["values"]
+        changed = [key for key, value in values.items() if value != shown.get(key)]
+        key = changed[0] if len(changed) == 1 else None
+        self.answer = {"turn": turn, "values": shown, "refusal": {"message": message, "hint": hint, "key": key}, "notes": []}
+
+    def _simulated(self, scenario: Scenario) -> tuple[Motion, list[str]]:
+        """The motion, and what was warned of."""
+        with warnings.catch_warnings(record=True) as heard:
+            warnings.simplefilter("always", PolhodeWarning)
+            motion = simulate(scenario, error=self._error)
+        return motion, [str(one.message) for one in heard]
+
+    def _bring(self, _: object, message: object, __: object) -> None:
+        """The page has no viewer yet."""
+        key, viewer = _display.viewer()
+        if isinstance(message, dict) and message.get("viewer") == key:
+            self.send({"viewer": key}, [viewer])
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
+        """The widget; where there is none, as on a page that nbconvert makes, the motion as an output shows it."""
+        shown = super()._repr_mimebundle_(**kwargs)
+        if shown is not None:
+            shown[0]["text/html"] = _display.html(self.motion.title or "motion", self.motion._output_data, in_widget=True)
+        return shown
+
+    def __repr__(self) -> str:
+        at = ", ".join(f"{knob['label']} = {self.answer['values'][knob['key']]:g} {knob['unit']}".rstrip() for knob in self.knobs)
+        return f"MotionWidget({self.motion.title or 'a scenario'}: {at})"

@@ -1,0 +1,31 @@
+/**
+ * The script of an output that shows a motion. The motion's data are in it, packed; the viewer is in one of the notebook's outputs, the first. Where
+ * no script runs, a sentence stands in the output.
+ */
+import { frame } from "./frame";
+import { known, wait } from "./shared";
+
+const ABSENT =
+  "The viewer of this motion is in another output of this notebook, which has not been shown yet or is gone. " +
+  "Scroll to the first motion of the notebook; or restart the kernel, and run the cell again.";
+
+for (const output of document.querySelectorAll<HTMLElement>(".polhode-motion:not([data-shown])")) {
+  output.dataset.shown = "";
+  const key = output.dataset.viewer ?? "";
+  const show = (viewer: Promise<string>): void => {
+    viewer.then(
+      (page) => output.replaceChildren(frame(page, output.querySelector<HTMLScriptElement>("script.polhode-packed")?.text ?? "")),
+      (problem: unknown) => say(`The viewer is damaged: ${String(problem)}`),
+    );
+  };
+  const say = (words: string): void => {
+    const said = output.querySelector("p");
+    if (said) said.textContent = words;
+  };
+  const viewer = known(key);
+  if (viewer) show(viewer);
+  else {
+    say(ABSENT);
+    wait(key, show);
+  }
+}

@@ -16,7 +16,7 @@ pub(crate) const EXECUTABLE: &str = if cfg!(windows) { "Scripts/python.exe" } el
 
 /// What the tests need besides the package: what it uses where it is there, Dask for the cluster, pandoc for worked solutions, what runs
 /// notebooks, and what reads the workflows.
-const NEEDED: [&str; 15] = [
+const NEEDED: [&str; 18] = [
     "pytest",
     "scipy",
     "matplotlib",
@@ -26,6 +26,9 @@ const NEEDED: [&str; 15] = [
     "polars",
     "xarray",
     "trimesh",
+    "jax",
+    "pint",
+    "astropy",
     "distributed",
     "pypandoc_binary",
     "nbclient",
@@ -73,9 +76,10 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     let ray = format!("--ignore={}", tests.join("test_ray.py").display());
     let program = polhode()?;
     run_beside(here(&["-m", "pytest", "-q", &ray, "-c"]).args([&settings, &tests]).env("POLHODE", program))?;
-    // The module that needs Ray has no examples, and cannot be imported here.
-    let without = format!("--ignore={}", Path::new(where_from.trim()).with_file_name("_ray.py").display());
-    let documented = ["--doctest-modules", &without, "--pyargs", "polhode"];
+    // The modules that need Ray and PyTorch cannot be imported here: the tests of the latter run its examples.
+    let without = ["_ray.py", "torch.py"]
+        .map(|name| format!("--ignore={}", Path::new(where_from.trim()).with_file_name(name).display()));
+    let documented = ["--doctest-modules", &without[0], &without[1], "--pyargs", "polhode"];
     run_beside(here(&["-m", "pytest", "-q", "-c"]).arg(&settings).args(documented))?;
     let book = root().join("book");
     let pages = ["python.md", "clusters.md"].map(|page| book.join(page));

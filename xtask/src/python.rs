@@ -82,7 +82,7 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     let documented = ["--doctest-modules", &without[0], &without[1], "--pyargs", "polhode"];
     run_beside(here(&["-m", "pytest", "-q", "-c"]).arg(&settings).args(documented))?;
     let book = root().join("book");
-    let pages = ["python.md", "clusters.md"].map(|page| book.join(page));
+    let pages = ["python.md", "differentiable.md", "clusters.md"].map(|page| book.join(page));
     let followed = [files(&book.join("cookbook"), "md")?, files(&book.join("tutorials"), "md")?];
     let pages = pages.into_iter().chain(followed.concat());
     run_beside(here(&["-m", "pytest", "-q", "--doctest-glob=*.md", "-c"]).arg(&settings).args(pages))?;

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import polhode
 import pytest
+from conftest import ROOT
 from test_differentiable import ATTITUDE, INERTIA, MASSES, OMEGA, POINTS, POSITIONS, TIMES, TRIANGLES, VERTICES
 
 torch = pytest.importorskip("torch", reason="PyTorch is large: no part of the gate")
@@ -24,7 +25,13 @@ FUNCTIONS = {"free_motion": polhode_torch.free_motion, "particles": polhode_torc
 
 
 def test_its_examples() -> None:
+    """Those of the module, and that of the book."""
     assert doctest.testmod(polhode_torch).failed == 0
+    page = (ROOT / "book" / "differentiable.md").read_text()
+    (block,) = (block for block in page.split("```") if block.startswith("python\nimport torch"))
+    names: dict[str, Any] = {}
+    exec(block.removeprefix("python"), names)
+    assert np.abs(names["omega"].detach().numpy() - [0.72, -1.05, 0.38]).max() < 1e-7
 
 
 def leaf(value: Any) -> Any:

@@ -406,7 +406,7 @@ class FormulaTorque(Torque):
     units: str | None = None
 
 
-@dataclass(frozen=True, kw_only=True, repr=False, eq=False)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class FunctionTorque(Torque):
     """A torque that Python computes, at each step, from numbers: for what :func:`torque` cannot make a formula of.
 

@@ -62,7 +62,10 @@ impl GivenTorque {
 /// What it is given by.
 #[derive(Clone)]
 enum OwnLaw {
-    Law { law: Arc<dyn AnyLaw + Send + Sync>, is_smooth: bool },
+    Law {
+        law: Arc<dyn AnyLaw + Send + Sync>,
+        is_smooth: bool,
+    },
     Function(Arc<Function>),
     /// With the torque, where somebody else computes it for many bodies at once.
     Vectorized(Arc<VectorizedFunction>, Option<Arc<GivenTorque>>),

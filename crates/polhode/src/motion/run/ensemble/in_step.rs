@@ -13,7 +13,7 @@ use crate::motion::model::torque::own::{GivenTorque, MemberState, NOT_KNOWN, Vec
 use crate::motion::run::simulation::Simulation;
 use crate::motion::solve::method::Method;
 use crate::motion::solve::propagate::stepper::resumable::Resumable;
-use crate::motion::solve::start::{require_finite, require_few_pulses};
+use crate::motion::solve::start::{require_few_pulses, require_finite};
 
 /// Members that are in step: each takes some kilobytes.
 const TOGETHER: usize = 1 << 14;
@@ -29,7 +29,9 @@ impl Shared {
     fn compute(&self, first: usize, members: &[Member], state: &dyn Fn(usize) -> Option<State>) {
         let known = self.members.iter().filter_map(|(k, given)| Some((*k, given, state(*k)?)));
         let (places, asked): (Vec<_>, Vec<_>) = known
-            .map(|(k, given, state)| (given, MemberState { member: first + k, rotor: &members[k].rotor, state }))
+            .map(|(k, given, state)| {
+                (given, MemberState { member: first + k, rotor: &members[k].rotor, state })
+            })
             .unzip();
         if asked.is_empty() {
             return;
@@ -256,9 +258,8 @@ mod tests {
                 .collect(),
         )
         .unwrap();
-        let states = |ensemble: &Ensemble| {
-            ensemble.at(&TIMES, Method::Auto, 1e-10, NonZero::<usize>::MIN).unwrap()
-        };
+        let states =
+            |ensemble: &Ensemble| ensemble.at(&TIMES, Method::Auto, 1e-10, NonZero::<usize>::MIN).unwrap();
         let (found, expected) = (states(&together), states(&one_by_one));
         assert!(found.failures.is_empty() && expected.failures.is_empty());
         for (a, b) in found.states.iter().zip(&expected.states) {

@@ -111,7 +111,8 @@ impl Ensemble {
         }
         for (member, Member { rotor, torques, start }) in members.iter().enumerate() {
             if !is_in_step {
-                require_finite(rotor, torques, &[], start).map_err(|cause| MemberFailure { member, cause })?;
+                require_finite(rotor, torques, &[], start)
+                    .map_err(|cause| MemberFailure { member, cause })?;
             }
             if !rotor.is_spinnable() {
                 return Err(MemberFailure { member, cause: MotionError::NotSpinnable });

@@ -17,6 +17,8 @@ import polhode
 import polhode.batch
 import polhode.sweep
 import pytest
+from astropy.table import Table
+from astropy.utils.masked import Masked
 from conftest import ROOT
 from polhode import plot, scenario, shapes
 from polhode._units import DIMENSIONS, NUMBER, Dimension, dimension_of
@@ -257,10 +259,23 @@ def test_what_has_no_one_meaning_is_refused() -> None:
         (omega * astropy.ct / astropy.s, "omega has the unit ct / s, which is no product of kg, m, s, A and rad"),
         (omega * PINT.delta_degC / PINT.second, "omega has the unit"),
         (np.array([1.0, np.nan, 3.0]) * astropy.rad / astropy.s, r"omega\[1\] = nan must be finite"),
+        (Masked(omega * astropy.rad / astropy.s, mask=[False, True, False]), "omega has masked elements"),
+        (PINT.Quantity(np.ma.masked_equal(omega, 2.0), "rad/s"), "omega has masked elements"),
+        (omega * 1j * astropy.rad / astropy.s, "omega must be real numbers, not complex numbers"),
+        (np.array([True, False, True]) * astropy.rad / astropy.s, "omega must be real numbers, not truth values"),
+        (astropy.Quantity([1, 2, 2**53 + 1], "rad/s", dtype=int), r"omega\[2\] = 9007199254740993 must be a float64 exactly"),
+        ([PINT.meter] * 3, "omega must be real numbers, not Unit"),
         (omega[:2] * astropy.rad / astropy.s, r"omega must have the shape \(3,\), not \(2,\)"),
     ):
         with pytest.raises((polhode.PolhodeError, TypeError), match=says):
             polhode.FreeMotion(moments=[1, 2, 2.5], omega=wrong)
+    # The factor is float64's, whatever the numbers were; a column has a unit or none.
+    table = Table({"rate": omega})
+    assert np.array_equal(polhode.FreeMotion(moments=[1, 2, 2.5], omega=table["rate"]).at(0.0).omega, omega)
+    table["rate"].unit = "deg/s"
+    exact = polhode.FreeMotion(moments=[1, 2, 2.5], omega=np.deg2rad(omega))
+    for few in (table["rate"], np.float32(omega) * astropy.deg / astropy.s, PINT.Quantity(np.float32(omega), "deg/s")):
+        assert np.allclose(polhode.FreeMotion(moments=[1, 2, 2.5], omega=few).momentum, exact.momentum, rtol=1e-15, atol=0)
     # In SI a radian is 1: so 1/s is an angular velocity, as L/I has it.
     same = [polhode.FreeMotion(moments=[1, 2, 2.5], omega=given) for given in (omega, omega / PINT.second, omega / astropy.s)]
     assert same[0] == same[1] == same[2]

@@ -46,13 +46,13 @@ def many(t: Any, omega: Any, omega_space: Any, momentum: Any, momentum_space: An
 def test_one_call_is_what_many_are(axes: str) -> None:
     """With a built-in torque beside it that begins and ends on the way."""
     push = ConstantTorque(axes="body", torque=[0.1, -0.2, 0.05], from_=0.5, until=2.5)
-    alone = ensemble(push, FunctionTorque(law=one, axes=axes)).at(TIMES, tolerance=1e-10)
-    together = ensemble(push, FunctionTorque(law=many, axes=axes, vectorized=True)).at(TIMES, tolerance=1e-10)
+    alone = ensemble(push, FunctionTorque(law=one, axes=axes)).at(TIMES, tolerance=1e-8)
+    together = ensemble(push, FunctionTorque(law=many, axes=axes, vectorized=True)).at(TIMES, tolerance=1e-8)
     assert not alone.failures and not together.failures
     assert np.abs(together.omega - alone.omega).max() < 1e-12 and np.abs(together.attitude - alone.attitude).max() < 1e-12
     # What they are: one of them by the formula, which Taylor's method integrates.
     traced = ensemble(push, polhode.scenario.torque(one, axes=axes), count=5).at(TIMES, tolerance=1e-12)
-    assert np.abs(traced.omega - together.omega[:5]).max() < 1e-8 and np.abs(together.omega[:, -1] - OMEGA).max() > 0.1
+    assert np.abs(traced.omega - together.omega[:5]).max() < 1e-6 and np.abs(together.omega[:, -1] - OMEGA).max() > 0.1
 
 
 def test_calls_are_few_and_members_known() -> None:

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from . import _arrays
 from ._error import PolhodeError
 
 
@@ -71,8 +72,8 @@ def _library(value: object) -> str | None:
     """Whose quantity it is."""
     for kind in type(value).__mro__:
         name = kind.__module__.partition(".")[0]
-        if name in ("pint", "astropy") and name in sys.modules and hasattr(value, "unit" if name == "astropy" else "units"):
-            return name
+        if name in ("pint", "astropy") and name in sys.modules:
+            return None if getattr(value, "unit" if name == "astropy" else "units", None) is None else name
     return None
 
 
@@ -149,6 +150,7 @@ def _numbers(name: str, value: Any, dimension: Dimension) -> Any:
 def _si(name: str, value: Any) -> tuple[Any, dict[str, int]]:
     """The numbers of a quantity in SI, and the powers of its base units."""
     library = _library(value)
+    _arrays.refuse_masked(name, value)
     try:
         given, powers = _of_pint(value) if library == "pint" else _of_astropy(value)
     except Exception as error:  # whatever the library says of units that it cannot convert
@@ -162,16 +164,16 @@ def _si(name: str, value: Any) -> tuple[Any, dict[str, int]]:
             raise PolhodeError(f"{name} has the unit {given}, which is no product of kg, m, s, A and rad")
         bases[symbol] = int(power)
     if library == "pint":
-        number = value.to("*".join(f"{_PINT[symbol]}**{power}" for symbol, power in bases.items()) or "dimensionless").magnitude
+        product = "*".join(f"{_PINT[symbol]}**{power}" for symbol, power in bases.items()) or "dimensionless"
+        number, factor = value.magnitude, (1.0 * value.units).to(product).magnitude
     else:
-        number = value.to_value(_product(bases))
-    if np.ma.is_masked(number) or np.any(getattr(number, "mask", False)):
-        raise PolhodeError(f"{name} has masked elements: give all of them, or leave their rows out")
-    return number, bases
+        number, factor = value.value, float(value.unit.to(_product(bases)))
+    # What numbers are refused does not depend on units; in float64, whatever they were, so that the factor is not rounded to fewer bits.
+    return _arrays.real(name, number) * factor, bases
 
 
 def _of_pint(value: Any) -> tuple[str, dict[str, Any]]:
-    return f"{value.units:P}", dict(value.to_root_units().unit_items())
+    return f"{value.units:P}", dict((1.0 * value.units).to_root_units().unit_items())
 
 
 def _of_astropy(value: Any) -> tuple[str, dict[str, Any]]:

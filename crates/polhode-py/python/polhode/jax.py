@@ -187,7 +187,8 @@ def _given(function: Function, *given: Any) -> list[Any]:
 def _array(name: str, value: Any) -> Any:
     """An argument as an array: of JAX's floats in float64, of other numbers as elsewhere in the package."""
     if not any(isinstance(leaf, jax.Array) for leaf in jax.tree.leaves(value)):
-        array = jnp.asarray(value if name == "triangles" else _arrays.real(name, value))
+        # A copy, as what was given may change before the derivatives are wanted.
+        array = jnp.array(value if name == "triangles" else _arrays.real(name, value))
     else:
         array = jnp.asarray(value)
     if jnp.issubdtype(array.dtype, jnp.floating):

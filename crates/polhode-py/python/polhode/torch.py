@@ -143,7 +143,8 @@ def _properties(numbers: Any) -> Properties:
 def _tensor(name: str, value: Any) -> Any:
     """An argument as a tensor of float64, or of whole numbers."""
     if not isinstance(value, torch.Tensor):
-        value = torch.as_tensor(value) if name == "triangles" else torch.as_tensor(_arrays.real(name, value))
+        # A copy, as what was given may change before the derivatives are wanted.
+        value = torch.tensor(value if name == "triangles" else _arrays.real(name, value))
     if value.dtype == torch.bool or value.is_complex() or value.is_quantized:
         raise TypeError(f"{name} must be real numbers, not {value.dtype}")
     return value.to(torch.float64) if value.is_floating_point() else value

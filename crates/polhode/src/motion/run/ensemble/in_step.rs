@@ -18,6 +18,9 @@ use crate::motion::solve::start::{require_few_pulses, require_finite};
 /// Members that are in step: each takes some kilobytes.
 const TOGETHER: usize = 1 << 14;
 
+/// Puts down the states of a member, as far as it came, and why it came no further.
+type Put<'a> = dyn FnMut(usize, &[State], Option<MotionError>) + 'a;
+
 /// A function, and the members whose torque it computes, with the places for that.
 struct Shared {
     function: Arc<VectorizedFunction>,
@@ -131,7 +134,7 @@ fn compute(
     members: &[Member],
     times: &[f64],
     (method, tolerance): (Method, f64),
-    put: &mut dyn FnMut(usize, &[State], Option<MotionError>),
+    put: &mut Put<'_>,
     progress: &mut dyn FnMut(usize) -> bool,
 ) -> Result<(), MotionError> {
     let (torques, mut shared) = with_places(members);

@@ -177,7 +177,7 @@ class Ensemble:
         """All members at times (t,), ascending, s, none before the start.
 
         Each member is computed by the best method there is: a closed form, else Taylor's method, else DOP853, within ``tolerance`` a step.
-        ``threads``: all processors that this process may use unless you say otherwise. There is no estimate of the error: :func:`simulate`
+        ``threads``: all processors that this process may use unless you say otherwise; under functions of Python it is one. There is no estimate of the error: :func:`simulate`
         has one for each of its motions.
 
         A member that cannot go on stays where it was last good; it is among ``failures``, and there is a :class:`PolhodeWarning`.

@@ -10,6 +10,7 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 import numpy as np
+import pint
 import polhode
 import polhode.jax
 import pytest
@@ -58,6 +59,17 @@ def test_values_are_those_of_the_classes() -> None:
     body = polhode.particles(masses=MASSES, positions=POSITIONS)
     numbers = polhode.jax.particles(MASSES, POSITIONS)
     assert numbers.mass == body.mass and np.array_equal(numbers.center_of_mass, body.center_of_mass) and np.array_equal(numbers.inertia, body.inertia)
+
+
+def test_quantities_are_converted() -> None:
+    units = pint.UnitRegistry()
+    body, spin = INERTIA * 1e4 * units.kilogram * units.centimeter**2, np.rad2deg(OMEGA) * units.degree / units.second
+    for times in (TIMES / 60.0 * units.minute, 7.0 / 60.0 * units.minute):
+        found = polhode.jax.free_motion(body, ATTITUDE, spin, times)
+        expected = polhode.jax.free_motion(INERTIA, ATTITUDE, OMEGA, times.to("s").magnitude)
+        assert np.abs(found.omega - expected.omega).max() < 1e-13
+    with pytest.raises(polhode.PolhodeError, match="omega is in degree, rad in SI, where an angular velocity belongs"):
+        polhode.jax.free_motion(INERTIA, ATTITUDE, np.rad2deg(OMEGA) * units.degree, TIMES)
 
 
 def test_a_chain_from_vertices_to_a_motion() -> None:

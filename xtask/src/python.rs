@@ -16,7 +16,7 @@ pub(crate) const EXECUTABLE: &str = if cfg!(windows) { "Scripts/python.exe" } el
 
 /// What the tests need besides the package: what it uses where it is there, Dask for the cluster, pandoc for worked solutions, what runs
 /// notebooks and shows them in a browser, and what reads the workflows.
-const NEEDED: [&str; 18] = [
+const NEEDED: [&str; 21] = [
     "pytest",
     "scipy",
     "matplotlib",
@@ -26,6 +26,9 @@ const NEEDED: [&str; 18] = [
     "polars",
     "xarray",
     "trimesh",
+    "jax",
+    "pint",
+    "astropy",
     "distributed",
     "pypandoc_binary",
     "nbclient",
@@ -80,12 +83,13 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     run_beside(
         tested.args([&settings, &tests]).env("POLHODE", program).env("CHROMIUM", viewer::chromium()?),
     )?;
-    // The module that needs Ray has no examples, and cannot be imported here.
-    let without = format!("--ignore={}", Path::new(where_from.trim()).with_file_name("_ray.py").display());
-    let documented = ["--doctest-modules", &without, "--pyargs", "polhode"];
+    // The modules that need Ray and PyTorch cannot be imported here: the tests of the latter run its examples.
+    let without = ["_ray.py", "torch.py"]
+        .map(|name| format!("--ignore={}", Path::new(where_from.trim()).with_file_name(name).display()));
+    let documented = ["--doctest-modules", &without[0], &without[1], "--pyargs", "polhode"];
     run_beside(here(&["-m", "pytest", "-q", "-c"]).arg(&settings).args(documented))?;
     let book = root().join("book");
-    let pages = ["python.md", "clusters.md"].map(|page| book.join(page));
+    let pages = ["python.md", "differentiable.md", "clusters.md"].map(|page| book.join(page));
     let followed = [files(&book.join("cookbook"), "md")?, files(&book.join("tutorials"), "md")?];
     let pages = pages.into_iter().chain(followed.concat());
     run_beside(here(&["-m", "pytest", "-q", "--doctest-glob=*.md", "-c"]).arg(&settings).args(pages))?;

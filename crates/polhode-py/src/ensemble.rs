@@ -16,6 +16,7 @@ use crate::arrays::{numbers, room, rows, signed};
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
 use crate::interrupt::Watch;
+use crate::scenario::{Raised, function, has_raised, heard, vectorized};
 
 /// A row for each member and time, t, w, x, y, z, ω1, ω2, ω3 (n, t, 8), and those that could go no further: the member, when it was
 /// last good (s), and why.
@@ -27,12 +28,19 @@ type States<'py> = (Bound<'py, PyArray3<f64>>, Vec<(usize, f64, String)>);
 pub(crate) struct PyEnsemble {
     ensemble: Ensemble,
     findings: Vec<Finding>,
+    /// By its torques that Python computes.
+    raised: Raised,
+    /// Whether Python computes a torque for one member at a time: it does so for no two of them at once.
+    is_called: bool,
 }
+
+/// A torque that Python computes: which of the torques it is, whether it is along space axes, a function, and whether that is of many members at once.
+type PythonTorque = (usize, bool, Py<PyAny>, bool);
 
 #[pymethods]
 impl PyEnsemble {
     /// Free bodies with these tensors (n, 9) about their centres of mass, ω (n, 3) and attitudes (n, 4), and `[[torque]]`s as a
-    /// scenario has them.
+    /// scenario has them, some of which `functions` take the place of.
     #[staticmethod]
     fn of(
         py: Python<'_>,
@@ -40,10 +48,18 @@ impl PyEnsemble {
         omega: PyReadonlyArray2<'_, f64>,
         attitude: PyReadonlyArray2<'_, f64>,
         torques: &str,
+        functions: Vec<PythonTorque>,
     ) -> PyResult<Self> {
         let (tensors, omega, attitude) = (rows::<9>(&tensors)?, rows::<3>(&omega)?, rows::<4>(&attitude)?);
-        let (torques, findings) = read_torques(torques)?;
-        py.detach(|| {
+        let (mut torques, findings) = read_torques(torques)?;
+        let (raised, is_called) = (Raised::default(), functions.iter().any(|(_, _, _, many)| !many));
+        for (place, in_space, law, many) in functions {
+            let torque = torques.get_mut(place);
+            let torque = torque.ok_or_else(|| refused(format!("there is no torque {place}"), None))?;
+            let made = if many { vectorized } else { function };
+            *torque = made(in_space, law, Raised::clone(&raised));
+        }
+        let made = py.detach(|| {
             let each = tensors.iter().zip(omega).zip(attitude).enumerate();
             let members = each.map(|(k, ((tensor, omega), wxyz))| {
                 let attitude =
@@ -54,8 +70,10 @@ impl PyEnsemble {
             let members = members.collect::<PyResult<_>>()?;
             let ensemble = Ensemble::new(members)
                 .map_err(|failure| of_member(failure.member, &failure.cause, failure.cause.hint()))?;
-            Ok(Self { ensemble, findings })
-        })
+            Ok(Self { ensemble, findings, raised: Raised::clone(&raised), is_called })
+        });
+        heard(&raised)?;
+        made
     }
 
     fn __len__(&self) -> usize {
@@ -77,7 +95,7 @@ impl PyEnsemble {
         tolerance: f64,
     ) -> PyResult<States<'py>> {
         let times = numbers(&times)?;
-        let threads = NonZero::new(threads).unwrap_or(NonZero::<usize>::MIN);
+        let threads = NonZero::new(if self.is_called { 1 } else { threads }).unwrap_or(NonZero::<usize>::MIN);
         let (mut watch, shape) = (Watch::new(), [self.ensemble.len(), times.len(), 8]);
         room::<[f64; 8]>(
             &format!("the states of {} members at {} times", shape[0], shape[1]),
@@ -85,13 +103,14 @@ impl PyEnsemble {
         )?;
         let computed: Result<_, MotionError> = py.detach(|| {
             let mut rows = vec![[0.0; 8]; self.ensemble.len() * times.len()];
+            let goes_on = &mut |_| watch.goes_on() && !has_raised(&self.raised);
             let failures =
-                self.ensemble
-                    .fill(times, (Method::Auto, tolerance), threads, &mut rows, &mut |_| watch.goes_on())?;
+                self.ensemble.fill(times, (Method::Auto, tolerance), threads, &mut rows, goes_on)?;
             rows.chunks_mut(times.len().max(1)).for_each(continuous);
             Ok((rows, failures))
         });
         watch.ended()?;
+        heard(&self.raised)?;
         let (rows, failures) = computed.map_err(Raise::raise)?;
         let last_good = |member: usize| {
             let last = ((member + 1) * times.len()).checked_sub(1).and_then(|last| rows.get(last));

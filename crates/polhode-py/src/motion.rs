@@ -1,7 +1,6 @@
 //! The motion of a scenario.
 
 use std::path::{Path, PathBuf};
-use std::sync::PoisonError;
 
 use numpy::{PyArray1, PyReadonlyArray1};
 use polhode::motion::gimbal::GimbalSample;
@@ -19,7 +18,7 @@ use crate::derivatives::{Derived, derived_run, parameters};
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
 use crate::interrupt::watched;
-use crate::scenario::{self, PythonTorque, Raised, with_functions};
+use crate::scenario::{self, PythonTorque, Raised, heard, with_functions};
 
 /// What the page of a scenario without a title is called.
 const UNTITLED: &str = "motion";
@@ -88,11 +87,6 @@ pub(crate) fn simulate(
     };
     let derivatives = derived.transpose().map_err(placed)?.zip(derivatives);
     Ok(PyMotion { path, text: file.text, trajectory, scenario: file.scenario, derivatives, raised })
-}
-
-/// Raises what a function of Python's has raised.
-fn heard(raised: &Raised) -> PyResult<()> {
-    raised.lock().unwrap_or_else(PoisonError::into_inner).take().map_or(Ok(()), Err)
 }
 
 #[pymethods]

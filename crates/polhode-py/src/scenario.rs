@@ -3,12 +3,14 @@
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use numpy::{PyArray1, PyReadonlyArray2};
 use polhode::math::{Body, Space, Torque};
-use polhode::motion::torque::TorqueModel;
+use polhode::motion::torque::{MemberState, TorqueModel};
 use polhode::motion::{ActingTorque, Method, Rotor, Run, Scenario, State};
 use polhode_formats::scenario::{Draft, ScenarioFile};
 use pyo3::prelude::*;
 
+use crate::arrays::{rows, table};
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
 
@@ -67,6 +69,16 @@ pub(crate) fn sampled(scenario: Scenario, times: &[f64]) -> Scenario {
 /// that gives three components.
 pub(crate) type PythonTorque = (usize, bool, Py<PyAny>);
 
+/// Raises what a function of Python's has raised.
+pub(crate) fn heard(raised: &Raised) -> PyResult<()> {
+    raised.lock().unwrap_or_else(PoisonError::into_inner).take().map_or(Ok(()), Err)
+}
+
+/// Whether one has raised something.
+pub(crate) fn has_raised(raised: &Raised) -> bool {
+    raised.lock().unwrap_or_else(PoisonError::into_inner).is_some()
+}
+
 /// What a function of Python's has raised.
 pub(crate) type Raised = Arc<Mutex<Option<PyErr>>>;
 
@@ -95,7 +107,8 @@ pub(crate) fn with_functions(
     scenario.under(acting).map_err(Raise::raise)
 }
 
-fn function(in_space: bool, law: Py<PyAny>, raised: Raised) -> TorqueModel {
+/// A torque that a function of Python's computes for one body.
+pub(crate) fn function(in_space: bool, law: Py<PyAny>, raised: Raised) -> TorqueModel {
     TorqueModel::function("function", move |rotor: &Rotor, state: &State| {
         let momentum = (state.attitude.inverse() * rotor.angular_momentum_space(state)).to_array();
         let given = (state.time, state.omega.to_array(), state.attitude.quaternion(), momentum);
@@ -107,6 +120,39 @@ fn function(in_space: bool, law: Py<PyAny>, raised: Raised) -> TorqueModel {
                 raised.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
                 // It ends the integration.
                 Torque::new(f64::NAN, f64::NAN, f64::NAN)
+            }
+        }
+    })
+}
+
+/// A torque that a function of Python's computes for many members at once: of times (n,), ω (n, 3), quaternions (n, 4), L along body axes (n, 3) and the
+/// numbers of the members (n,) it gives (n, 3).
+pub(crate) fn vectorized(in_space: bool, law: Py<PyAny>, raised: Raised) -> TorqueModel {
+    TorqueModel::vectorized_function("function", move |asked: &[MemberState<'_>]| {
+        let found = Python::attach(|py| -> PyResult<Vec<[f64; 3]>> {
+            let time = PyArray1::from_iter(py, asked.iter().map(|one| one.state.time));
+            let member = PyArray1::from_iter(py, asked.iter().map(|one| one.member));
+            let omega = asked.iter().flat_map(|one| one.state.omega.to_array()).collect();
+            let attitude = asked.iter().flat_map(|one| one.state.attitude.quaternion()).collect();
+            let momentum = asked.iter().flat_map(|MemberState { rotor, state, .. }| {
+                (state.attitude.inverse() * rotor.angular_momentum_space(state)).to_array()
+            });
+            let (omega, attitude) = (table(py, omega, 3)?, table(py, attitude, 4)?);
+            let momentum = table(py, momentum.collect(), 3)?;
+            let found = law.call1(py, (time, omega, attitude, momentum, member))?;
+            let found = found.extract::<PyReadonlyArray2<'_, f64>>(py)?;
+            Ok(rows::<3>(&found)?.to_vec())
+        });
+        let turned = |(one, torque): (&MemberState<'_>, [f64; 3])| match in_space {
+            true => one.state.attitude.inverse() * Torque::<Space>::from_array(torque),
+            false => Torque::<Body>::from_array(torque),
+        };
+        match found {
+            Ok(torques) => asked.iter().zip(torques).map(turned).collect(),
+            Err(error) => {
+                raised.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+                // None is none of theirs: it ends the integration.
+                Vec::new()
             }
         }
     })

@@ -148,7 +148,7 @@ def test_every_argument_is_refused_by_its_name(tmp_path: Path, monkeypatch: pyte
         ([1, 2, 10**20], polhode.PolhodeError, r"^omega\[2\] = 100000000000000000000 must be a float64 exactly: give a float, or an integer up to 2"),
         (np.array([1, 2, 3], object), TypeError, r"^omega must be real numbers, not objects \(dtype object\): convert them"),
         ([1.0, True, 3.0], TypeError, r"^omega\[1\] = True must be a number, not a truth value$"),
-        ([np.array(1.0).view(Quantity)] * 3, TypeError, r"^omega\[0\] has a unit of its own, which would be lost"),
+        ([np.array(1.0).view(Quantity)] * 3, TypeError, r"^omega\[0\] has a unit of its own, .* would be lost"),
         ([[1.0], [2.0, 3.0]], polhode.PolhodeError, r"^omega must have rows of one length"),
         (None, TypeError, "^omega must be real numbers, not NoneType$"),
         ([1, 2, -(10**5000)], polhode.PolhodeError, r"^omega\[2\] = an integer of some 5000 digits must be a float64 exactly"),

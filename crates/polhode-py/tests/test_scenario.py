@@ -277,8 +277,9 @@ def test_ensembles_have_torques_as_objects() -> None:
     text = '[[torque]]\nmodel = "drag"\nlaw = "linear"\ncoefficient = 0.15\n'
     one, other = (polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=omega, torques=torques).at([0.0, 3.0]) for torques in (given, text))
     assert np.abs(one.omega - other.omega).max() < 1e-13
-    with pytest.raises(polhode.PolhodeError, match=r"torques\[0\] is a FunctionTorque"):
-        polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=omega, torques=[FunctionTorque(law=lambda t: [0, 0, t])])
+    law = FunctionTorque(law=lambda omega: -0.15 * omega)
+    called = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=omega, torques=[law]).at([0.0, 3.0])
+    assert np.abs(one.omega - called.omega).max() < 1e-12
 
 
 def test_formulas_in_si_are_not_checked() -> None:

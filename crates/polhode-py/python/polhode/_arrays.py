@@ -13,7 +13,7 @@ from typing import Any, Iterable, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from . import _native
+from . import _native, _units
 from ._error import PolhodeError
 
 Floats = npt.NDArray[np.float64]
@@ -67,11 +67,11 @@ def real(name: str, value: object, what: str = "real numbers") -> Floats:
 
 def _array(name: str, value: object, what: str, rule: str = INEXACT) -> npt.NDArray[Any]:
     """An array of what is given, which need not be numbers; nothing is rounded or dropped on the way."""
+    value = _units.in_si(name, value)
     # A table has a unit among its columns if it likes.
-    if not hasattr(value, "iloc") and any(hasattr(value, word) for word in ("unit", "units")):
-        raise TypeError(f"{name} has a unit of its own, which would be lost: give plain numbers in SI units")
-    if isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value):
-        raise PolhodeError(f"{name} has masked elements: give all of them, or leave their rows out")
+    if not hasattr(value, "iloc") and any(getattr(value, word, None) is not None for word in ("unit", "units")):
+        raise TypeError(f"{name} has a unit of its own, which is neither Pint's nor Astropy's and would be lost: give plain numbers in SI units")
+    refuse_masked(name, value)
     if isinstance(value, (list, tuple)):
         _look(name, value, (), rule)
     try:
@@ -80,6 +80,13 @@ def _array(name: str, value: object, what: str, rule: str = INEXACT) -> npt.NDAr
         raise TypeError(f"{name} must be {what} ({error})") from None
     except ValueError as error:
         raise PolhodeError(f"{name} must have rows of one length ({error})") from None
+
+
+def refuse_masked(name: str, value: object) -> None:
+    """Refuses masked elements, NumPy's and Astropy's, which would lose their mask."""
+    mask = getattr(value, "mask", False)
+    if not callable(mask) and np.any(mask):
+        raise PolhodeError(f"{name} has masked elements: give all of them, or leave their rows out")
 
 
 def _look(name: str, value: Iterable[Any], place: tuple[int, ...], rule: str = INEXACT) -> None:

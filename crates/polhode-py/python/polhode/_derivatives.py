@@ -8,7 +8,7 @@ from typing import ClassVar
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _native
+from . import _arrays, _native, _units
 from ._arrays import Floats
 from ._error import PolhodeError
 from ._mass_derivatives import ROWS
@@ -171,6 +171,7 @@ class Derivatives(Record):
 
 def symmetric(name: str, value: npt.ArrayLike, size: int) -> Floats:
     """A covariance: symmetric, nothing negative on its diagonal, no correlation beyond 1."""
+    _units.without(name, value)
     matrix = _arrays.numbers(name, value, (size, size))
     diagonal = np.diag(matrix)
     _arrays.refuse(f"the diagonal of {name}", diagonal, diagonal < 0.0, "zero or positive: it has variances")

@@ -12,10 +12,10 @@ from ._arrays import Floats
 from ._error import PolhodeError, warn
 from ._mass_properties import findings_of, warn_of
 from ._record import same
-from ._scenario import text_of_torques
+from ._scenario import functions_of, text_of_torques
 from ._states import ATTITUDE, OMEGA, States, ends, rotations
 from ._table import Column, Table, Variable, vector
-from .scenario import Torque
+from .scenario import FunctionTorque, Torque
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
@@ -125,7 +125,9 @@ class Ensemble:
     Bodies by ``moments`` (n, 3) about their axes x, y and z, or by ``inertia`` (n, 3, 3) about their centres of mass; ``omega`` (n, 3) at t = 0
     along body axes, rad/s; ``attitude`` (n, 4), quaternions w, x, y, z, matrices (n, 3, 3) that take body components to space components, or a
     ``scipy.spatial.transform.Rotation`` of n. What all share may be given once: (3,), (3, 3), (4,). ``torques`` are torques of
-    :mod:`polhode.scenario`, or a text of ``[[torque]]`` tables, as scenarios have them.
+    :mod:`polhode.scenario`, or a text of ``[[torque]]`` tables, as scenarios have them. A :class:`polhode.scenario.FunctionTorque` is called for one member
+    at a time, or, if it is ``vectorized``, once for all of them at each stage of their steps. What it raises is raised here, as it is called once at the start,
+    or by :meth:`at`.
 
     The bits do not depend on the number of threads, nor on which members there are beside one.
 
@@ -165,8 +167,8 @@ class Ensemble:
             raise PolhodeError(f"{said}: there must be as many of each as members, or one for all")
         # For copies; of its own, as what was given may change.
         self._arguments = {name: rows.copy() for name, rows in given.items()}
-        self._torques = torques if isinstance(torques, str) else text_of_torques(torques)
-        self._native = _of(self._arguments, self._torques)
+        self._torques, self._functions = (torques, []) if isinstance(torques, str) else text_of_torques(torques)
+        self._native = _of(self._arguments, self._torques, self._functions)
         warn_of(findings_of(self._native.findings))
 
     def at(
@@ -175,7 +177,7 @@ class Ensemble:
         """All members at times (t,), ascending, s, none before the start.
 
         Each member is computed by the best method there is: a closed form, else Taylor's method, else DOP853, within ``tolerance`` a step.
-        ``threads``: all processors that this process may use unless you say otherwise. There is no estimate of the error: :func:`simulate`
+        ``threads``: all processors that this process may use unless you say otherwise; under functions of Python it is one. There is no estimate of the error: :func:`simulate`
         has one for each of its motions.
 
         A member that cannot go on stays where it was last good; it is among ``failures``, and there is a :class:`PolhodeWarning`.
@@ -199,7 +201,7 @@ class Ensemble:
     def __setstate__(self, state: dict[str, Any]) -> None:
         vars(self).update(state)
         # The same arguments are the same bodies, bit for bit.
-        self._native = _of(self._arguments, self._torques)
+        self._native = _of(self._arguments, self._torques, self._functions)
 
     def __len__(self) -> int:
         return len(self._native)
@@ -209,7 +211,8 @@ class Ensemble:
         if not isinstance(other, Ensemble):
             return NotImplemented
         one, two = self._arguments, other._arguments
-        return self._torques == other._torques and one.keys() == two.keys() and all(same(one[name], two[name]) for name in one)
+        same_torques = self._torques == other._torques and self._functions == other._functions
+        return same_torques and one.keys() == two.keys() and all(same(one[name], two[name]) for name in one)
 
     def __hash__(self) -> int:
         return hash((len(self), self._torques))
@@ -230,7 +233,7 @@ def _each(name: str, value: object, shape: tuple[int, ...]) -> Floats:
     return check(name, value, ("n", *shape))
 
 
-def _of(given: dict[str, Floats], torques: str) -> _native.Ensemble:
+def _of(given: dict[str, Floats], torques: str, functions: list[FunctionTorque | None]) -> _native.Ensemble:
     """Of rows for each member, or of one for all."""
     count = next((len(rows) for rows in given.values() if len(rows) != 1), 1)
     tensors = given["moments"][:, :, None] * np.eye(3) if "moments" in given else given["inertia"]
@@ -238,4 +241,4 @@ def _of(given: dict[str, Floats], torques: str) -> _native.Ensemble:
     def each(rows: Floats) -> Floats:
         return rows if len(rows) == count else np.repeat(rows, count, axis=0)
 
-    return _native.Ensemble.of(each(tensors.reshape(-1, 9)), each(given["omega"]), each(given["attitude"]), torques)
+    return _native.Ensemble.of(each(tensors.reshape(-1, 9)), each(given["omega"]), each(given["attitude"]), torques, functions_of(functions))

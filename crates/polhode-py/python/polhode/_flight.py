@@ -8,7 +8,7 @@ from typing import Any, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _native
+from . import _arrays, _native, _units
 from ._arrays import Floats
 from ._error import PolhodeError
 from ._record import Record
@@ -127,6 +127,7 @@ def find_flights(
     """
     when, omega = _arrays.numbers("times", times, ("n",)), _arrays.numbers("gyro", gyro, ("n", 3))
     as_long("times", when, "gyro", omega)
+    _units.without("torque", torque)
     limits = _arrays.positive("slowest", slowest), _arrays.positive("shortest", shortest), _arrays.positive("torque", torque)
     flights = []
     for k, (start, end) in enumerate(_native.find_flights(when, omega, *limits)):

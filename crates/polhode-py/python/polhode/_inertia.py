@@ -13,6 +13,7 @@ from ._error import PolhodeError
 from ._mass_properties import MassProperties
 from ._robot import positions
 from ._substance import given, of_parts
+from ._units import has_units
 
 #: What files are, by how their names end.
 _KINDS = {
@@ -156,6 +157,8 @@ def inertia(
         "subtree": subtree,
         "joints": joints,
     }
+    if (unit is not None or _source.unit_of(source) is not None) and _source.has_units_of_length(source):
+        raise PolhodeError("a unit is given twice: the vertices have one of their own, by which they are converted")
     mesh = _source.mesh_of(source)
     kind = None if kind is None else _arrays.choice("kind", kind, list(_OPTIONS))
     if format is not None and not hasattr(source, "read"):
@@ -292,7 +295,9 @@ def _beside_mesh(name: str, length: str | float | None) -> str | None:
     """A length with its unit, or a part of a mesh's size, as text."""
     if length is None or isinstance(length, str):
         return length
-    return repr(_arrays.positive(name, length))
+    of_size = not has_units(length)
+    found = repr(_arrays.positive(name, length))
+    return found if of_size else f"{found} m"
 
 
 def _unit(unit: str | float | None, name: str, of_mass: bool) -> float | None:

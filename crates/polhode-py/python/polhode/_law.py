@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 import math
 from functools import reduce
-from typing import Any, Callable, NamedTuple, NoReturn
+from typing import Any, Callable, NoReturn
 
 import numpy as np
 import numpy.typing as npt
@@ -300,18 +300,19 @@ _STATE: dict[str, Callable[[], Any]] = {
 }
 
 
-def asked(law: Any) -> list[str]:
+def asked(law: Any, *, vectorized: bool = False) -> list[str]:
     """What of the state a law asks for: the names of its parameters that have no default."""
     if not callable(law):
         raise TypeError(f"law must be a function, not {type(law).__name__}")
+    known = [*_STATE, "member"] if vectorized else [*_STATE]
     needed = [
         one.name
         for one in inspect.signature(law).parameters.values()
         if one.default is one.empty and one.kind in (one.POSITIONAL_ONLY, one.POSITIONAL_OR_KEYWORD, one.KEYWORD_ONLY)
     ]
-    unknown = [name for name in needed if name not in _STATE]
+    unknown = [name for name in needed if name not in known]
     if unknown:
-        hint = f"its parameters are among {', '.join(_STATE)}; what else it depends on gets a default"
+        hint = f"its parameters are among {', '.join(known)}; what else it depends on gets a default"
         raise PolhodeError(f"a law has the parameter {unknown[0]}, which is nothing of the state", hint)
     return needed
 
@@ -319,7 +320,7 @@ def asked(law: Any) -> list[str]:
 def formula_torque(law: Any) -> tuple[str, ...]:
     """The formulas of the three components of a law."""
     given = {name: _STATE[name]() for name in asked(law)}
-    found = np.asarray(_with(law, given), dtype=object)
+    found = np.asarray(called_with(law, given), dtype=object)
     if found.shape != (3,):
         raise PolhodeError(f"a law must give three components, of shape (3,), not {found.shape}")
     components = [_symbol(component) for component in found]
@@ -329,71 +330,7 @@ def formula_torque(law: Any) -> tuple[str, ...]:
     return tuple(one.text for one in components if one is not None)
 
 
-def computed(law: Any) -> Callable[..., tuple[float, ...]]:
-    """A law of numbers: of time, ω, the attitude's quaternion and L, along body axes."""
-    needed = asked(law)
-
-    def of(t: float, omega: list[float], quaternion: list[float], momentum: list[float]) -> tuple[float, ...]:
-        state = _State(t, np.array(omega), np.array(quaternion), np.array(momentum))
-        torque = _arrays.real("the torque of a law", _with(law, {name: getattr(state, name) for name in needed}))
-        if torque.shape != (3,):
-            raise PolhodeError(f"a law must give three components, of shape (3,), not {torque.shape}")
-        return tuple(torque.tolist())
-
-    return of
-
-
-class _State(NamedTuple):
-    """A state, as laws ask for it."""
-
-    t: float
-    omega: Floats
-    quaternion: Floats
-    momentum: Floats
-
-    @property
-    def attitude(self) -> Turned:
-        return Turned(self.quaternion)
-
-    @property
-    def omega_space(self) -> Floats:
-        return self.attitude.apply(self.omega)
-
-    @property
-    def momentum_space(self) -> Floats:
-        return self.attitude.apply(self.momentum)
-
-
-class Turned:
-    """The attitude as numbers: it takes body components to space components."""
-
-    def __init__(self, quaternion: Floats) -> None:
-        self._quaternion = quaternion
-
-    def as_quat(self, *, scalar_first: bool = False) -> Floats:
-        """The quaternion (4,): x, y, z, w, as SciPy has it, or w first."""
-        return self._quaternion.copy() if scalar_first else np.roll(self._quaternion, -1)
-
-    def as_matrix(self) -> Floats:
-        """R_space_body (3, 3)."""
-        w, (x, y, z) = self._quaternion[0], self._quaternion[1:]
-        # R = (w² − q²) 1 + 2 q qᵀ + 2 w [q]×
-        return np.array(
-            [
-                [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-                [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-                [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-            ]
-        )
-
-    def apply(self, vector: npt.ArrayLike, inverse: bool = False) -> Floats:
-        """Space components of a vector of body components (3,); ``inverse``: the other way."""
-        matrix = self.as_matrix()
-        found: Floats = (matrix.T if inverse else matrix) @ np.asarray(vector)
-        return found
-
-
-def _with(law: Any, given: dict[str, Any]) -> Any:
+def called_with(law: Any, given: dict[str, Any]) -> Any:
     """Calls a law with what it asks for; parameters before a ``/`` have no names."""
     kinds = inspect.signature(law).parameters
     first = [value for name, value in given.items() if kinds[name].kind is inspect.Parameter.POSITIONAL_ONLY]

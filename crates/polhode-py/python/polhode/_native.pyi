@@ -293,7 +293,13 @@ class Motion:
 
 class Ensemble:
     @staticmethod
-    def of(tensors: Floats, omega: Floats, attitude: Floats, torques: str) -> Ensemble: ...
+    def of(
+        tensors: Floats,
+        omega: Floats,
+        attitude: Floats,
+        torques: str,
+        functions: list[tuple[int, bool, Callable[..., Any], bool]],
+    ) -> Ensemble: ...
     @property
     def findings(self) -> list[Remark]: ...
     def __len__(self) -> int: ...

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence
 
 from . import _arrays, _native, _section
 from ._body import Body
+from ._computed_law import computed, computed_of_many, computed_of_one
 from ._error import PolhodeError
-from ._law import computed
 from ._mass_properties import Finding, MassProperties, findings_of
 from ._section import Section
 from .scenario import (
@@ -306,7 +306,8 @@ class Scenario:
     def _functions(self) -> list[tuple[int, bool, Callable[..., tuple[float, ...]]]]:
         """Which torques Python computes: their places, whether they are along space axes, and how."""
         torques = enumerate(self.torques)
-        return [(k, one.axes == "space", computed(one.law)) for k, one in torques if isinstance(one, FunctionTorque)]
+        functions = [(k, one) for k, one in torques if isinstance(one, FunctionTorque)]
+        return [(k, one.axes == "space", computed_of_one(one.law) if one.vectorized else computed(one.law)) for k, one in functions]
 
     @property
     def _path(self) -> str:
@@ -382,10 +383,21 @@ def formula_source(scenario: str | os.PathLike[str] | Scenario) -> tuple[str, st
     return _arrays.path("scenario", scenario), None
 
 
-def text_of_torques(torques: Sequence[Torque]) -> str:
-    """The text of torques alone, for many bodies that are under them."""
+#: A torque that Python computes for members of an ensemble: which it is, whether it is along space axes, how, and whether for many at once.
+EnsembleFunction = tuple[int, bool, Callable[..., Any], bool]
+
+
+def text_of_torques(torques: Sequence[Torque]) -> tuple[str, list[FunctionTorque | None]]:
+    """The text of torques alone, for many bodies that are under them, and those of them that Python computes."""
     given = _section.sections("torques", torques, Torque)
-    for k, torque in enumerate(given):
-        if isinstance(torque, FunctionTorque):
-            raise PolhodeError(f"torques[{k}] is a FunctionTorque, which an ensemble cannot call", "polhode.scenario.torque makes a formula of it")
-    return "".join(f"{line}\n" for _, line in _section.lines({"torque": [torque.to_dict() for torque in given]}))
+    text = "".join(f"{line}\n" for _, line in _section.lines({"torque": [torque.to_dict() for torque in given]}))
+    return text, [torque if isinstance(torque, FunctionTorque) else None for torque in given]
+
+
+def functions_of(torques: Sequence[FunctionTorque | None]) -> list[EnsembleFunction]:
+    """How Python computes them."""
+    given = [(k, one) for k, one in enumerate(torques) if one is not None]
+    return [
+        (k, one.axes == "space", computed_of_many(one.law) if one.vectorized else computed(one.law), one.vectorized)
+        for k, one in given
+    ]

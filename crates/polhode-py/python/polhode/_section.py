@@ -11,6 +11,7 @@ import numpy as np
 from . import _arrays
 from ._error import PolhodeError
 from ._toml import pair
+from ._units import as_text, has_units
 
 #: A number in SI, or a text of a number and a unit, such as ``"12 mm"``.
 Quantity = float | str
@@ -67,6 +68,8 @@ def plain(name: str, value: object) -> Any:
         return bool(value)
     if isinstance(value, np.integer):
         return int(value)
+    if has_units(value):
+        return plain(name, as_text(name, value))
     array = _arrays.real(name, value)
     _arrays.refuse(name, array, ~np.isfinite(array), "finite")
     return _tuples(array.tolist())

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from . import _arrays
+from . import _arrays, _units
 from ._arrays import Floats
 from ._error import PolhodeError
 from ._mass_properties import MassProperties, rebuilt
@@ -29,7 +29,10 @@ def mesh_of(source: Any) -> tuple[object, object] | None:
     if hasattr(source, "vertices"):
         for name in ("faces", "triangles"):
             if hasattr(source, name):
-                return np.asarray(source.vertices), np.asarray(getattr(source, name))
+                vertices = source.vertices if _units.has_units(source.vertices) else np.asarray(source.vertices)
+                return vertices, np.asarray(getattr(source, name))
+    if _units.has_units(source) and not (isinstance(source, (tuple, list)) and len(source) == 2):
+        source = _arrays.real("source", source)
     # A closed mesh has more than two triangles: two things are vertices and the numbers of them.
     if isinstance(source, (tuple, list)) and len(source) == 2:
         return source[0], source[1]
@@ -52,6 +55,11 @@ def _joined(corners: Floats) -> tuple[object, object]:
     numbers = np.empty(len(points), np.int64)
     numbers[order] = np.cumsum(is_new) - 1
     return ascending[is_new], numbers.reshape(-1, 3)
+
+
+def has_units_of_length(source: Any) -> bool:
+    """Whether vertices or corners have a unit in themselves."""
+    return _units.has_units(source) or _units.has_units(getattr(source, "vertices", None))
 
 
 def unit_of(source: Any) -> str | None:

@@ -406,7 +406,7 @@ class FormulaTorque(Torque):
     units: str | None = None
 
 
-@dataclass(frozen=True, kw_only=True, repr=False, eq=False)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class FunctionTorque(Torque):
     """A torque that Python computes, at each step, from numbers: for what :func:`torque` cannot make a formula of.
 
@@ -419,6 +419,10 @@ class FunctionTorque(Torque):
         :func:`polhode.simulate`.
     axes
         ``"body"`` or ``"space"``: along which axes its components are.
+    vectorized
+        Whether one call is for many members of a :class:`polhode.Ensemble`, n of them: t (n,), ω, L and the torque that it gives (n, 3), the attitude n
+        turns, and ``member`` (n,), their numbers from 0, which it may ask for besides. They are at times of their own, those that have come to the end are
+        left out, and the torque of one must not depend on the others.
 
     Examples
     --------
@@ -432,14 +436,26 @@ class FunctionTorque(Torque):
     ... )
     >>> float(polhode.simulate(pushed).omega[-1, 2].round(12))
     0.4
+
+    Of a thousand bodies, each with a drag of its own, in some hundred calls:
+
+    >>> import numpy as np
+    >>> rng = np.random.default_rng(1)
+    >>> drags, omega = rng.uniform(0.1, 0.3, 1000), rng.normal(size=(1000, 3))
+    >>> drag = FunctionTorque(law=lambda omega, member: -drags[member, None] * omega, vectorized=True)
+    >>> states = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=omega, torques=[drag]).at([0.0, 2.0])
+    >>> states.omega.shape
+    (1000, 2, 3)
     """
 
     model = "function"
     law: Any
     axes: str = "body"
+    vectorized: bool = False
 
     def __post_init__(self) -> None:
-        asked(self.law)
+        if "kinetic_energy" in asked(self.law, vectorized=_arrays.truth("FunctionTorque.vectorized", self.vectorized)):
+            raise PolhodeError("a FunctionTorque is not told kinetic_energy: it is half the product of omega and momentum of a body without wheels")
         _arrays.choice("FunctionTorque.axes", self.axes, ["body", "space"])
         if (self.from_, self.until, self.pulses) != (None, None, None):
             raise PolhodeError("a FunctionTorque has no from_, until or pulses: its function knows the time")

@@ -47,7 +47,7 @@ pub use gravity_gradient::{Attracted, GravityGradient};
 pub use jacobian::TorqueJacobian;
 pub use law::{Law, LawInput, OrbitPosition};
 pub use magnetic::{Magnetic, MagneticField};
-pub use own::OwnTorque;
+pub use own::{MemberState, OwnTorque};
 pub use parameter::TorqueParameter;
 pub use scheduled::Scheduled;
 pub use tabulated::{Interpolation, Tabulated};
@@ -119,6 +119,15 @@ impl TorqueModel {
         torque: impl Fn(&Rotor, &State) -> Torque<Body> + Send + Sync + 'static,
     ) -> Self {
         Self::Own(OwnTorque::function(name, torque))
+    }
+
+    /// As [`TorqueModel::function`], of many bodies in their states at once: it gives a torque for each of them, in their order, which must not depend on what
+    /// others there are beside one. An [`Ensemble`](crate::motion::Ensemble) calls it once for each stage of the steps of all of its members.
+    pub fn vectorized_function(
+        name: &'static str,
+        torques: impl Fn(&[MemberState<'_>]) -> Vec<Torque<Body>> + Send + Sync + 'static,
+    ) -> Self {
+        Self::Own(OwnTorque::vectorized(name, torques))
     }
 
     /// The torque on the body in a state, body axes, N·m. What acts inside the body only is none.

@@ -1,6 +1,7 @@
 //! Torques of the user of this crate.
 
 use core::fmt;
+use core::sync::atomic::{AtomicU64, Ordering};
 use std::sync::Arc;
 
 use super::graph::Graph;
@@ -27,11 +28,47 @@ pub struct OwnTorque {
 
 type Function = dyn Fn(&Rotor, &State) -> Torque<Body> + Send + Sync;
 
+/// A function of several bodies in their states at once.
+pub(in crate::motion) type VectorizedFunction =
+    dyn for<'a> Fn(&[MemberState<'a>]) -> Vec<Torque<Body>> + Send + Sync;
+
+/// A body in a state, of which the torque is wanted.
+#[derive(Clone, Copy, Debug)]
+pub struct MemberState<'a> {
+    /// Which member of an [`Ensemble`](crate::motion::Ensemble) it is, from 0; 0 of a body alone.
+    pub member: usize,
+    /// The body.
+    pub rotor: &'a Rotor,
+    /// Where it is.
+    pub state: State,
+}
+
+/// A torque that was computed elsewhere, for the state in which it is asked for next.
+#[derive(Debug, Default)]
+pub(in crate::motion) struct GivenTorque([AtomicU64; 3]);
+
+impl GivenTorque {
+    pub(in crate::motion) fn set(&self, torque: Torque<Body>) {
+        for (place, component) in self.0.iter().zip(torque.to_array()) {
+            place.store(component.to_bits(), Ordering::Relaxed);
+        }
+    }
+
+    fn get(&self) -> Torque<Body> {
+        Torque::from_array([0, 1, 2].map(|k| f64::from_bits(self.0[k].load(Ordering::Relaxed))))
+    }
+}
+
 /// What it is given by.
 #[derive(Clone)]
 enum OwnLaw {
-    Law { law: Arc<dyn AnyLaw + Send + Sync>, is_smooth: bool },
+    Law {
+        law: Arc<dyn AnyLaw + Send + Sync>,
+        is_smooth: bool,
+    },
     Function(Arc<Function>),
+    /// With the torque, where somebody else computes it for many bodies at once.
+    Vectorized(Arc<VectorizedFunction>, Option<Arc<GivenTorque>>),
 }
 
 impl OwnTorque {
@@ -53,11 +90,40 @@ impl OwnTorque {
         Self { name, kind: OwnLaw::Function(Arc::new(torque)) }
     }
 
+    pub(super) fn vectorized(
+        name: &'static str,
+        torques: impl Fn(&[MemberState<'_>]) -> Vec<Torque<Body>> + Send + Sync + 'static,
+    ) -> Self {
+        Self { name, kind: OwnLaw::Vectorized(Arc::new(torques), None) }
+    }
+
+    /// The function of many bodies that it is, if it is one.
+    pub(in crate::motion) fn vectorized_function(&self) -> Option<&Arc<VectorizedFunction>> {
+        match &self.kind {
+            OwnLaw::Vectorized(torques, _) => Some(torques),
+            OwnLaw::Law { .. } | OwnLaw::Function(_) => None,
+        }
+    }
+
+    /// The same with its torque from somebody else.
+    pub(in crate::motion) fn given(&self, torque: &Arc<GivenTorque>) -> Self {
+        let kind = match &self.kind {
+            OwnLaw::Vectorized(torques, _) => {
+                OwnLaw::Vectorized(Arc::clone(torques), Some(Arc::clone(torque)))
+            }
+            other => other.clone(),
+        };
+        Self { name: self.name, kind }
+    }
+
     /// What the user calls it.
     pub const fn name(&self) -> &'static str {
         self.name
     }
 }
+
+/// What a function does not say.
+pub(in crate::motion) const NOT_KNOWN: Torque<Body> = Torque::new(f64::NAN, f64::NAN, f64::NAN);
 
 /// A user's function is known in states only: nothing is made of it.
 impl AnyLaw for OwnTorque {
@@ -65,41 +131,46 @@ impl AnyLaw for OwnTorque {
         match &self.kind {
             OwnLaw::Law { law, .. } => law.value(rotor, state),
             OwnLaw::Function(torque) => torque(rotor, state),
+            OwnLaw::Vectorized(_, Some(given)) => given.get(),
+            OwnLaw::Vectorized(torques, None) => {
+                let alone = torques(&[MemberState { member: 0, rotor, state: *state }]);
+                alone.first().copied().unwrap_or(NOT_KNOWN)
+            }
         }
     }
 
     fn polynomial(&self, unknowns: &Unknowns<'_>) -> PolynomialVector {
         match &self.kind {
             OwnLaw::Law { law, .. } => law.polynomial(unknowns),
-            OwnLaw::Function(_) => PolynomialVector::NONE,
+            OwnLaw::Function(_) | OwnLaw::Vectorized(..) => PolynomialVector::NONE,
         }
     }
 
     fn record<'r>(&self, recorder: &Recorder<'r>) -> VectorNode<'r> {
         match &self.kind {
             OwnLaw::Law { law, .. } => law.record(recorder),
-            OwnLaw::Function(_) => recorder.rough(),
+            OwnLaw::Function(_) | OwnLaw::Vectorized(..) => recorder.rough(),
         }
     }
 
     fn derivative(&self, along: &Tangent<'_>) -> Torque<Body> {
         match &self.kind {
             OwnLaw::Law { law, .. } => law.derivative(along),
-            OwnLaw::Function(_) => Torque::new(f64::NAN, f64::NAN, f64::NAN),
+            OwnLaw::Function(_) | OwnLaw::Vectorized(..) => NOT_KNOWN,
         }
     }
 
     fn variation<'r>(&self, at: &Variation<'_, 'r>) -> VariedVector<'r> {
         match &self.kind {
             OwnLaw::Law { law, .. } => law.variation(at),
-            OwnLaw::Function(_) => at.rough(),
+            OwnLaw::Function(_) | OwnLaw::Vectorized(..) => at.rough(),
         }
     }
 
     fn parameters(&self) -> &'static [&'static str] {
         match &self.kind {
             OwnLaw::Law { law, .. } => law.parameters(),
-            OwnLaw::Function(_) => &[],
+            OwnLaw::Function(_) | OwnLaw::Vectorized(..) => &[],
         }
     }
 }
@@ -113,7 +184,7 @@ impl Model for OwnTorque {
         match self.kind {
             OwnLaw::Law { is_smooth: true, .. } => None,
             OwnLaw::Law { is_smooth: false, .. } => Some("a function with a corner or a jump"),
-            OwnLaw::Function(_) => Some("a function that is not written as a law"),
+            OwnLaw::Function(_) | OwnLaw::Vectorized(..) => Some("a function that is not written as a law"),
         }
     }
 
@@ -139,7 +210,7 @@ impl fmt::Debug for OwnTorque {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.kind {
             OwnLaw::Law { law, .. } => write!(f, "{}: {law:?}", self.name),
-            OwnLaw::Function(_) => write!(f, "{}: a function", self.name),
+            OwnLaw::Function(_) | OwnLaw::Vectorized(..) => write!(f, "{}: a function", self.name),
         }
     }
 }
@@ -150,6 +221,7 @@ impl PartialEq for OwnTorque {
         match (&self.kind, &other.kind) {
             (OwnLaw::Law { law: a, .. }, OwnLaw::Law { law: b, .. }) => Arc::ptr_eq(a, b),
             (OwnLaw::Function(a), OwnLaw::Function(b)) => Arc::ptr_eq(a, b),
+            (OwnLaw::Vectorized(a, _), OwnLaw::Vectorized(b, _)) => Arc::ptr_eq(a, b),
             _ => false,
         }
     }

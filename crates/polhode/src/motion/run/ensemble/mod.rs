@@ -1,10 +1,11 @@
 //! Many bodies, each with its own start and its own torques, at the same times.
 //!
 //! `workers` hands portions of the members to threads; `advance` computes a portion: closed forms, Taylor's method for several bodies at a
-//! time, and one body after the other by what is left.
+//! time, and one body after the other by what is left. `in_step` computes all members side by side whose torque one call has for all.
 
 mod advance;
 mod closed;
+mod in_step;
 mod workers;
 
 use core::fmt;
@@ -61,7 +62,8 @@ impl core::error::Error for MemberFailure {}
 
 /// Many bodies that move independently of each other, side by side in the lanes of vectors and on several threads.
 ///
-/// Every state has the same bits on any number of threads, with any vectors, and whichever members there are beside it.
+/// Every state has the same bits on any number of threads, with any vectors, and whichever members there are beside it. Members under a
+/// [`TorqueModel::vectorized_function`] are computed on the thread that calls, one call of it for all of them.
 ///
 /// A closed form takes microseconds to prepare. The first call with [`Method::Auto`] does not keep it; the second does, about 1 kB of
 /// each member that has one, so that an ensemble that is asked again and again gives its states at once, and one that is asked once
@@ -86,6 +88,8 @@ impl core::error::Error for MemberFailure {}
 #[derive(Clone, Debug)]
 pub struct Ensemble {
     members: Vec<Member>,
+    /// Whether a torque is computed for many members at once.
+    is_in_step: bool,
     /// One for each, used from the second call on.
     closed: Vec<closed::Closed>,
     /// Whether closed forms were asked for.
@@ -101,15 +105,22 @@ impl Ensemble {
     /// The first member that cannot start: a parameter's error ([`MotionError::is_parameter`]) for a start or a torque that is not finite,
     /// [`MotionError::NotSpinnable`] for a body without inertia.
     pub fn new(members: Vec<Member>) -> Result<Self, MemberFailure> {
+        let is_in_step = members.iter().any(|member| member.torques.iter().any(in_step::is_shared));
+        if is_in_step {
+            in_step::require_starts(&members)?;
+        }
         for (member, Member { rotor, torques, start }) in members.iter().enumerate() {
-            require_finite(rotor, torques, &[], start).map_err(|cause| MemberFailure { member, cause })?;
+            if !is_in_step {
+                require_finite(rotor, torques, &[], start)
+                    .map_err(|cause| MemberFailure { member, cause })?;
+            }
             if !rotor.is_spinnable() {
                 return Err(MemberFailure { member, cause: MotionError::NotSpinnable });
             }
         }
         let latest = members.iter().map(|member| member.start.time).fold(f64::NEG_INFINITY, f64::max);
         let closed = vec![closed::Closed::default(); members.len()];
-        Ok(Self { members, closed, asked: OnceLock::new(), latest })
+        Ok(Self { members, is_in_step, closed, asked: OnceLock::new(), latest })
     }
 
     /// The bodies and their starts, as they were given.
@@ -181,6 +192,9 @@ impl Ensemble {
         require::that("the number of states to fill", states.len() as f64, holds, rule)?;
         if states.is_empty() {
             return Ok(Vec::new());
+        }
+        if self.is_in_step && matches!(method, Method::Auto | Method::Dop853) {
+            return in_step::fill(&self.members, times, (method, tolerance), states, progress);
         }
         let again = method == Method::Auto && self.asked.set(()).is_err();
         let closed = if again { self.closed.as_slice() } else { &[] };

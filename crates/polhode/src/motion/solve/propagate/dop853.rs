@@ -5,9 +5,12 @@
 //! polynomial of order 7 from three more stages, is not used: a shorter [`step`] from the same start has order 8 (see
 //! `stepper`).
 
-use super::tableau::{A, B, C, E3, E5, STAGES};
+use super::tableau::{A, B, C, E3, E5};
+
+pub(super) use super::tableau::STAGES;
 
 /// The derivatives at the stages of a step.
+#[derive(Debug)]
 pub(super) struct Stages<const N: usize> {
     h: f64,
     k: [[f64; N]; STAGES],
@@ -21,16 +24,33 @@ pub(super) fn step<const N: usize>(
     k0: &[f64; N],
     h: f64,
 ) -> Stages<N> {
-    let mut stages = Stages { h, k: [[0.0; N]; STAGES] };
-    stages.k[0] = *k0;
+    let mut stages = Stages::begin(k0, h);
     for s in 1..STAGES {
-        let dy = stages.weighted(A[s]);
-        stages.k[s] = f(t + C[s] * h, &core::array::from_fn(|i| y[i] + dy[i]));
+        let (t, y) = stages.place(s, t, y);
+        stages.k[s] = f(t, &y);
     }
     stages
 }
 
 impl<const N: usize> Stages<N> {
+    /// Those of a step by h of which only the first is known.
+    pub(super) fn begin(k0: &[f64; N], h: f64) -> Self {
+        let mut stages = Self { h, k: [[0.0; N]; STAGES] };
+        stages.k[0] = *k0;
+        stages
+    }
+
+    /// Where the derivative of stage s is to be known, from those before it, of a step from y at t.
+    pub(super) fn place(&self, s: usize, t: f64, y: &[f64; N]) -> (f64, [f64; N]) {
+        let dy = self.weighted(A[s]);
+        (t + C[s] * self.h, core::array::from_fn(|i| y[i] + dy[i]))
+    }
+
+    /// The derivative of stage s.
+    pub(super) fn set(&mut self, s: usize, k: [f64; N]) {
+        self.k[s] = k;
+    }
+
     /// y(t + h) − y(t).
     pub(super) fn increment(&self) -> [f64; N] {
         self.weighted(&B)

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use super::balanced::Balanced;
 use super::chart::{self, Chart, N, Y};
-use super::dop853::{self, Stages};
+use super::dop853::{self, STAGES, Stages};
 use super::noise::Noise;
 use super::orientation::Orientation;
 use super::piece::Piece;
@@ -50,6 +50,54 @@ struct Step<'a> {
     y: Y,
     carry: Y,
     k0: Y,
+}
+
+/// A step that is tried: its stages follow each other, so that what acts may be computed elsewhere.
+#[derive(Debug)]
+pub(super) struct Attempt<'a> {
+    chart: Chart<'a>,
+    start: f64,
+    y: Y,
+    stages: Stages<N>,
+    h: f64,
+    end_time: f64,
+    /// The step that the tolerance allows, and that to the time which no step crosses.
+    wanted: f64,
+    rest: f64,
+    pub(super) was_rejected: bool,
+}
+
+/// Where a step leads.
+#[derive(Debug)]
+pub(super) struct End {
+    increment: Y,
+    y: Y,
+    /// How many times as long the next step may be.
+    factor: f64,
+}
+
+impl Attempt<'_> {
+    /// The state of stage s.
+    pub(super) fn place(&self, s: usize) -> State {
+        let (t, y) = self.stages.place(s, self.start, &self.y);
+        self.chart.state(t, &y)
+    }
+
+    /// Finds the derivative of stage s.
+    pub(super) fn evaluate(&mut self, s: usize) {
+        let (t, y) = self.stages.place(s, self.start, &self.y);
+        self.stages.set(s, self.chart.derivative(t, &y));
+    }
+
+    /// The state where it leads.
+    pub(super) fn end(&self, end: &End) -> State {
+        self.chart.state(self.end_time, &end.y)
+    }
+
+    /// The same, after its stages.
+    pub(super) fn reached(&self) -> State {
+        self.chart.state(self.end_time, &sum(&self.y, &self.stages.increment()))
+    }
 }
 
 impl<'a> RungeKutta<'a> {
@@ -125,54 +173,109 @@ impl<'a> RungeKutta<'a> {
     /// [`MotionError::StepTooSmall`], [`MotionError::NotFinite`] or [`MotionError::TorqueWithoutInertia`]; the stepper
     /// stays at the last good state.
     pub(super) fn step(&mut self, until: f64) -> Result<(), MotionError> {
-        let mut was_rejected = false;
+        let mut attempt = self.attempt(until)?;
         loop {
-            let wanted = self.next_step();
-            let rest = until - self.time;
-            let h = if wanted >= rest { rest } else { wanted };
-            if !(self.time + h > self.time) {
-                return Err(MotionError::StepTooSmall { time: self.time, step: h });
+            for s in 1..STAGES {
+                attempt.evaluate(s);
             }
-            // What rounding makes of the time is part of the step.
-            let end_time = if wanted >= rest { until } else { self.time + h };
-            let h = end_time - self.time;
-            let chart = self.chart.clone();
-            let f = |t: f64, y: &Y| chart.derivative(t, y);
-            let stages = dop853::step(&f, self.time, &self.y, &self.k0, h);
-            self.statistics.evaluations += 11;
-            let increment = stages.increment();
-            let end = sum(&self.y, &increment);
-            let error = self.error(&stages, &end);
-            if error.is_nan() || end.iter().any(|c| !c.is_finite()) {
-                if h <= 1e-12 * self.time.abs().max(1e-300) {
-                    return Err(MotionError::NotFinite { time: self.time });
-                }
-                self.h = 0.1 * h;
-                self.statistics.rejected += 1;
-                was_rejected = true;
+            let Some(end) = self.judge(&attempt)? else {
+                attempt = Attempt { was_rejected: true, ..self.attempt(until)? };
                 continue;
-            }
-            // Hairer's constants: safety 0.9, change between 1/3 and 6, exponent 1/8.
-            let factor = (0.9 / error.sqrt().sqrt().sqrt()).clamp(1.0 / 3.0, 6.0);
-            if error > 1.0 {
-                self.h = h * factor.min(1.0);
-                self.statistics.rejected += 1;
-                was_rejected = true;
-                continue;
-            }
-            chart.require_determined(end_time, &end)?;
-            let k_end = f(end_time, &end);
-            let (orientation, carry) = (self.orientation, self.carry);
-            let step = Step { chart, orientation, start: self.time, y: self.y, carry, k0: self.k0 };
-            self.accept(&increment, end_time, &k_end);
-            self.statistics.evaluations += 1;
-            self.statistics.accepted += 1;
-            // A step shortened by `until` says nothing about the next one.
-            let grown = h * if was_rejected { factor.min(1.0) } else { factor };
-            self.h = if wanted >= rest { grown.max(wanted) } else { grown };
-            self.last = Some(step);
-            return Ok(());
+            };
+            return self.finish(&attempt, &end);
         }
+    }
+
+    /// A step that may be taken, as long as the tolerance allows.
+    ///
+    /// # Errors
+    /// [`MotionError::StepTooSmall`].
+    pub(super) fn attempt(&self, until: f64) -> Result<Attempt<'a>, MotionError> {
+        let wanted = self.next_step();
+        let rest = until - self.time;
+        let h = if wanted >= rest { rest } else { wanted };
+        if !(self.time + h > self.time) {
+            return Err(MotionError::StepTooSmall { time: self.time, step: h });
+        }
+        // What rounding makes of the time is part of the step.
+        let end_time = if wanted >= rest { until } else { self.time + h };
+        Ok(Attempt {
+            chart: self.chart.clone(),
+            start: self.time,
+            y: self.y,
+            stages: Stages::begin(&self.k0, end_time - self.time),
+            h: end_time - self.time,
+            end_time,
+            wanted,
+            rest,
+            was_rejected: false,
+        })
+    }
+
+    /// Where a step leads, and what the next one may be; `None` if its error is too large.
+    ///
+    /// # Errors
+    /// [`MotionError::NotFinite`].
+    pub(super) fn judge(&mut self, attempt: &Attempt<'a>) -> Result<Option<End>, MotionError> {
+        let (stages, h) = (&attempt.stages, attempt.h);
+        self.statistics.evaluations += 11;
+        let increment = stages.increment();
+        let y = sum(&self.y, &increment);
+        let error = self.error(stages, &y);
+        if error.is_nan() || y.iter().any(|c| !c.is_finite()) {
+            if h <= 1e-12 * self.time.abs().max(1e-300) {
+                return Err(MotionError::NotFinite { time: self.time });
+            }
+            self.h = 0.1 * h;
+            self.statistics.rejected += 1;
+            return Ok(None);
+        }
+        // Hairer's constants: safety 0.9, change between 1/3 and 6, exponent 1/8.
+        let factor = (0.9 / error.sqrt().sqrt().sqrt()).clamp(1.0 / 3.0, 6.0);
+        if error > 1.0 {
+            self.h = h * factor.min(1.0);
+            self.statistics.rejected += 1;
+            return Ok(None);
+        }
+        Ok(Some(End { increment, y, factor }))
+    }
+
+    /// Takes a step whose error is small enough; the torque at its end is to be known.
+    ///
+    /// # Errors
+    /// [`MotionError::TorqueWithoutInertia`].
+    pub(super) fn finish(&mut self, attempt: &Attempt<'a>, end: &End) -> Result<(), MotionError> {
+        let Attempt { chart, h, end_time, wanted, rest, was_rejected, .. } = attempt;
+        chart.require_determined(*end_time, &end.y)?;
+        let k_end = chart.derivative(*end_time, &end.y);
+        let (orientation, carry) = (self.orientation, self.carry);
+        let step =
+            Step { chart: chart.clone(), orientation, start: self.time, y: self.y, carry, k0: self.k0 };
+        self.accept(&end.increment, *end_time, &k_end);
+        self.statistics.evaluations += 1;
+        self.statistics.accepted += 1;
+        // A step shortened by `until` says nothing about the next one.
+        let grown = h * if *was_rejected { end.factor.min(1.0) } else { end.factor };
+        self.h = if wanted >= rest { grown.max(*wanted) } else { grown };
+        self.last = Some(step);
+        Ok(())
+    }
+
+    /// A shorter step from where the last one began, to a time within it: dense output, as [`RungeKutta::at`].
+    pub(super) fn shorter(&self, time: f64) -> Option<Attempt<'a>> {
+        let Step { chart, start, y, k0, .. } = self.last.as_ref()?;
+        let h = time - start;
+        Some(Attempt {
+            chart: chart.clone(),
+            start: *start,
+            y: *y,
+            stages: Stages::begin(k0, h),
+            h,
+            end_time: time,
+            wanted: h,
+            rest: h,
+            was_rejected: false,
+        })
     }
 
     /// The state within the last step: dense output, by a shorter step from the same start.

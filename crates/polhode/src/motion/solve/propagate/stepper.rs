@@ -1,6 +1,7 @@
 //! What steps from one time to the next, whichever method it is.
 
 mod changing;
+pub(in crate::motion) mod resumable;
 
 use std::rc::Rc;
 

@@ -1,0 +1,130 @@
+"""Torques that are Python functions, called with numbers: for one body, or for many at once."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arrays
+from ._arrays import Floats
+from ._error import PolhodeError
+from ._law import asked, called_with
+
+#: By how much of the greatest torque that of a member may differ when it is computed alone: sums of other lengths are rounded otherwise.
+ALONE = 1e-9
+
+
+def computed(law: Any) -> Callable[..., tuple[float, ...]]:
+    """A law of numbers: of time, ω, the attitude's quaternion and L, along body axes."""
+    needed = asked(law)
+
+    def of(t: float, omega: list[float], quaternion: list[float], momentum: list[float]) -> tuple[float, ...]:
+        state = State(t, np.array(omega), np.array(quaternion), np.array(momentum), 0)
+        torque = _arrays.real("the torque of a law", called_with(law, {name: getattr(state, name) for name in needed}))
+        if torque.shape != (3,):
+            raise PolhodeError(f"a law must give three components, of shape (3,), not {torque.shape}")
+        return tuple(torque.tolist())
+
+    return of
+
+
+def computed_of_many(law: Any) -> Callable[..., Floats]:
+    """A vectorised law of numbers: of times (n,), ω (n, 3), quaternions (n, 4), L (n, 3) and members (n,), along body axes."""
+    needed = asked(law, vectorized=True)
+
+    def rows(state: State) -> Floats:
+        torque = _arrays.real("the torque of a law", called_with(law, {name: getattr(state, name) for name in needed}))
+        if torque.shape != (len(state.t), 3):
+            rule = f"a vectorised law must give a row for each member, of shape ({len(state.t)}, 3)"
+            raise PolhodeError(f"{rule}, not {torque.shape}")
+        return torque
+
+    is_known = False
+
+    def of(*given: Any) -> Floats:
+        nonlocal is_known
+        state = State(*given)
+        # A law may write into what it is given.
+        last = None if is_known or len(state.t) < 2 else State(*(array[-1:].copy() for array in given))
+        found = rows(state)
+        if last is not None:
+            # A law that was written for one body may take a row for a component, and give something of the right shape.
+            alone = rows(last)
+            if np.isfinite(found).all() and not np.abs(alone - found[-1:]).max() <= ALONE * np.abs(found).max():
+                rule = "members do not know of each other, so it is a function of each row"
+                raise PolhodeError(f"the torque of member {state.member[-1]} is {alone[0]} alone and {found[-1]} beside others: {rule}")
+            is_known = True
+        return found
+
+    return of
+
+
+def computed_of_one(law: Any) -> Callable[..., tuple[float, ...]]:
+    """A vectorised law, for a body that is alone."""
+    many = computed_of_many(law)
+
+    def of(t: float, omega: list[float], quaternion: list[float], momentum: list[float]) -> tuple[float, ...]:
+        alone = (np.array([t]), np.array([omega]), np.array([quaternion]), np.array([momentum]), np.array([0]))
+        return tuple(many(*alone)[0].tolist())
+
+    return of
+
+
+class State(NamedTuple):
+    """A state, or a row for each of many, as laws ask for it."""
+
+    t: Any
+    omega: Floats
+    quaternion: Floats
+    momentum: Floats
+    member: Any
+
+    @property
+    def attitude(self) -> Turned:
+        return Turned(self.quaternion)
+
+    @property
+    def omega_space(self) -> Floats:
+        return self.attitude.apply(self.omega)
+
+    @property
+    def momentum_space(self) -> Floats:
+        return self.attitude.apply(self.momentum)
+
+
+class Turned:
+    """The attitude as numbers, or a row for each of many: it takes body components to space components."""
+
+    def __init__(self, quaternion: Floats) -> None:
+        self._quaternion = quaternion
+
+    def as_quat(self, *, scalar_first: bool = False) -> Floats:
+        """The quaternion (…, 4): x, y, z, w, as SciPy has it, or w first."""
+        return self._quaternion.copy() if scalar_first else np.roll(self._quaternion, -1, axis=-1)
+
+    def as_matrix(self) -> Floats:
+        """R_space_body (…, 3, 3)."""
+        w, x, y, z = np.moveaxis(self._quaternion, -1, 0)
+        # R = (w² − q²) 1 + 2 q qᵀ + 2 w [q]×
+        rows = (
+            (1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
+            (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
+            (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
+        )
+        return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+
+    def apply(self, vector: npt.ArrayLike, inverse: bool = False) -> Floats:
+        """Space components of a vector of body components (3,), or of one for each of many (n, 3); ``inverse``: the other way."""
+        matrix = self.as_matrix()
+        if inverse:
+            matrix = np.swapaxes(matrix, -1, -2)
+        if matrix.ndim == 2:
+            one: Floats = matrix @ np.asarray(vector)
+            return one
+        given = np.asarray(vector)
+        if given.shape not in ((3,), (len(matrix), 3)):
+            raise PolhodeError(f"a vector must have the shape (3,), or ({len(matrix)}, 3) with a row for each member, not {given.shape}")
+        many: Floats = (matrix @ given[..., None])[..., 0]
+        return many

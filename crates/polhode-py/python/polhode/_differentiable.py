@@ -1,0 +1,273 @@
+"""Functions of arrays with their partial derivatives, as :mod:`polhode.jax` and :mod:`polhode.torch` wrap them.
+
+Each takes and gives plain arrays, whose leading axes are a batch, and says by letters, as :func:`numpy.einsum` has them, which axes its arguments, its
+value and its partial derivatives have. What those libraries add is only the product of partial derivatives with tangents or cotangents, which is linear.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Callable, Mapping, NamedTuple, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arrays
+from ._arrays import Floats
+from ._error import PolhodeError
+from ._free_motion import FreeMotion
+from ._mass_derivatives import body_derivatives, mesh_derivatives, particle_derivatives, ten
+from ._mass_properties import MassProperties, joined, particles
+
+#: Letters of axes that have a length of their own: components, and those of a quaternion.
+_LENGTHS = {"i": 3, "j": 3, "k": 3, "q": 4}
+
+#: Where the elements of a tensor (3, 3) are among xx yy zz xy xz yz, and how much of a change of both elements that are one number is that of one of them.
+_ELEMENTS = np.array([[0, 3, 4], [3, 1, 5], [4, 5, 2]])
+_SHARES = np.where(np.eye(3, dtype=bool), 1.0, 0.5)
+
+#: Where the elements of the tensor (3, 3) are among the ten numbers of mass properties.
+TENSOR = (4 + _ELEMENTS).tolist()
+
+
+class Motion(NamedTuple):
+    """States of a free motion, as arrays of the library that computes with them."""
+
+    #: ω along body axes (…, n, 3), rad/s.
+    omega: Any
+    #: R_space_body as unit quaternions (…, n, 4): w, x, y, z.
+    attitude: Any
+
+
+class Properties(NamedTuple):
+    """Mass properties, as arrays of the library that computes with them."""
+
+    #: Mass (…), kg.
+    mass: Any
+    #: Centre of mass (…, 3), m.
+    center_of_mass: Any
+    #: Inertia tensor about the centre of mass (…, 3, 3), kg·m².
+    inertia: Any
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function of arrays, and its partial derivatives."""
+
+    #: What users call it.
+    name: str
+    #: The letters of the axes of each argument, but for those of the batch.
+    arguments: Mapping[str, str]
+    #: Those of the value.
+    output: str
+    #: The lengths of the axes of the value that no argument has.
+    lengths: Mapping[str, int]
+    #: Those of the partial derivatives, by the arguments that it has them by.
+    partials: Mapping[str, str]
+    _value: Callable[..., Floats]
+    _partials: Callable[..., tuple[Floats, Mapping[str, Callable[[], Floats]]]]
+
+    def sizes(self, shapes: Sequence[tuple[int, ...]]) -> tuple[tuple[int, ...], dict[str, int]]:
+        """The shape of the batch, and the length of each axis, of arguments of these shapes."""
+        lengths: dict[str, int] = {**_LENGTHS, **self.lengths}
+        batches = []
+        for (name, letters), shape in zip(self.arguments.items(), shapes):
+            first = len(shape) - len(letters)
+            wrong = first < 0
+            for letter, length in zip(letters, shape[max(first, 0) :]):
+                wrong = wrong or lengths.setdefault(letter, length) != length
+            if wrong:
+                axes = ", ".join(str(lengths[letter]) if letter in lengths else letter for letter in letters)
+                raise PolhodeError(f"{name} must have the shape ({', '.join(filter(None, ['…', axes]))}), not {shape}")
+            batches.append(shape[:first])
+        try:
+            return np.broadcast_shapes(*batches), lengths
+        except ValueError:
+            said = ", ".join(f"{name} has {batch}" for name, batch in zip(self.arguments, batches))
+            raise PolhodeError(f"{said}: leading axes must be the same, or 1") from None
+
+    def output_shape(self, shapes: Sequence[tuple[int, ...]]) -> tuple[int, ...]:
+        """The shape of the value."""
+        batch, lengths = self.sizes(shapes)
+        return batch + tuple(lengths[letter] for letter in self.output)
+
+    def partial_shape(self, by: str, shapes: Sequence[tuple[int, ...]]) -> tuple[int, ...]:
+        """The shape of the partial derivatives by an argument."""
+        batch, lengths = self.sizes(shapes)
+        return batch + tuple(lengths[letter] for letter in self.partials[by])
+
+    def tangent(self, by: str) -> str:
+        """The product of the partial derivatives by an argument with its tangent, for ``einsum``."""
+        return f"...{self.partials[by]},...{self.arguments[by]}->...{self.output}"
+
+    def cotangent(self, by: str) -> str:
+        """The product of the partial derivatives by an argument with the cotangent of the value, for ``einsum``."""
+        return f"...{self.partials[by]},...{self.output}->...{self.arguments[by]}"
+
+    def value(self, *given: Any) -> Floats:
+        """The value, of each of a batch."""
+        return self._each(given, ())[0]
+
+    def with_partials(self, by: Sequence[str], *given: Any) -> tuple[Floats, ...]:
+        """The value, and its partial derivatives by some of its arguments."""
+        return tuple(self._each(given, by))
+
+    def _each(self, given: Sequence[Any], by: Sequence[str]) -> list[Floats]:
+        arrays = [np.asarray(array) for array in given]
+        shapes = [array.shape for array in arrays]
+        batch, _ = self.sizes(shapes)
+        found = [np.empty(self.output_shape(shapes)), *(np.empty(self.partial_shape(name, shapes)) for name in by)]
+        own = [array.shape[array.ndim - len(letters) :] for array, letters in zip(arrays, self.arguments.values())]
+        each = [np.broadcast_to(array, batch + shape) for array, shape in zip(arrays, own)]
+        for index in np.ndindex(batch):
+            one = [array[index] for array in each]
+            try:
+                if by:
+                    value, partials = self._partials(*one)
+                    parts = [value, *(partials[name]() for name in by)]
+                else:
+                    parts = [self._value(*one)]
+            except PolhodeError as error:
+                if not batch:
+                    raise
+                raise PolhodeError(f"of the batch, [{', '.join(map(str, index))}]: {error.message}", error.hint) from None
+            for array, part in zip(found, parts):
+                array[index] = part
+        return found
+
+
+def no_second_derivatives(name: str) -> PolhodeError:
+    """What is said where derivatives of derivatives are wanted."""
+    hint = "an optimiser that needs a Hessian may have J^T J of residuals (Gauss-Newton), or differences of gradients"
+    return PolhodeError(f"{name} has first derivatives only: second ones are not known, and would not be zero", hint)
+
+
+def half_turn(quaternion: Floats) -> Floats:
+    """E (…, 4, 3) of quaternions q (…, 4), with q ⊗ (0, θ) = E θ: a small turn θ along body axes changes q by E θ/2."""
+    w, x, y, z = np.moveaxis(quaternion, -1, 0)
+    return np.stack([np.stack(row, -1) for row in ([-x, -y, -z], [w, -z, y], [z, w, -x], [-y, x, w])], -2)
+
+
+def _states(motion: FreeMotion, times: Floats) -> Floats:
+    omega, attitude = motion.at(times)
+    return np.hstack([attitude, omega])
+
+
+def _motion(inertia: Floats, attitude: Floats, omega: Floats) -> FreeMotion:
+    # Checked here, as a matrix (3, 3) is an attitude elsewhere, and three moments a tensor.
+    return FreeMotion(inertia=_arrays.numbers("inertia", inertia, (3, 3)), attitude=_arrays.quaternions("attitude", attitude, (4,)), omega=omega)
+
+
+def _motion_partials(
+    inertia: Floats, attitude: Floats, omega: Floats, times: Floats
+) -> tuple[Floats, Mapping[str, Callable[[], Floats]]]:
+    motion = _motion(inertia, attitude, omega)
+    value = _states(motion, times)
+    derivatives = motion.derivatives(times)
+    quaternions, rates = value[:, :4], value[:, 4:]
+    # From θ and ω to q and ω; and from q(0) to θ(0), of which a longer or shorter quaternion has none.
+    outward = np.zeros((len(value), 7, 6))
+    outward[:, :4, :3] = 0.5 * half_turn(quaternions)
+    outward[:, 4:, 3:] = np.eye(3)
+    start = np.asarray(attitude, np.float64)
+    inward = 2.0 * half_turn(start / np.linalg.norm(start)).T / np.linalg.norm(start)
+    by_start = outward @ derivatives.by_start
+
+    def by_times() -> Floats:
+        # θ̇ = ω and I ω̇ = I ω × ω.
+        tensor = np.asarray(inertia, np.float64)
+        acceleration = np.linalg.solve(tensor, np.cross(rates @ tensor.T, rates).T).T
+        return np.asarray(np.einsum("nos,ns->no", outward, np.hstack([rates, acceleration])))
+
+    return value, {
+        "inertia": lambda: (outward @ derivatives.by_inertia)[..., _ELEMENTS] * _SHARES,
+        "attitude": lambda: by_start[..., :3] @ inward,
+        "omega": lambda: by_start[..., 3:],
+        "times": by_times,
+    }
+
+
+def _particle_partials(masses: Floats, positions: Floats) -> tuple[Floats, Mapping[str, Callable[[], Floats]]]:
+    found = particle_derivatives(masses=masses, positions=positions)
+    return found.values, {"masses": lambda: found.by_masses, "positions": lambda: found.by_positions}
+
+
+def _mesh_partials(
+    vertices: Floats, triangles: npt.NDArray[Any], density: Floats
+) -> tuple[Floats, Mapping[str, Callable[[], Floats]]]:
+    found = mesh_derivatives((vertices, triangles), density=_arrays.positive("density", density))
+    return found.values, {"vertices": lambda: found.by_vertices, "density": lambda: found.by_density}
+
+
+def _parts(masses: Floats, centers_of_mass: Floats, inertias: Floats) -> list[MassProperties]:
+    if not len(masses):
+        raise PolhodeError("masses is empty: a body has at least one part")
+    parts = []
+    for k, (mass, center, inertia) in enumerate(zip(masses, centers_of_mass, inertias)):
+        given = (
+            _arrays.positive(f"masses[{k}]", mass),
+            _arrays.numbers(f"centers_of_mass[{k}]", center, (3,)),
+            _arrays.numbers(f"inertias[{k}]", inertia, (3, 3)),
+        )
+        try:
+            parts.append(MassProperties(mass=given[0], center_of_mass=given[1], inertia=given[2]))
+        except PolhodeError as error:
+            raise PolhodeError(f"part {k}: {error.message}", error.hint) from None
+    return parts
+
+
+def _body_partials(
+    masses: Floats, centers_of_mass: Floats, inertias: Floats
+) -> tuple[Floats, Mapping[str, Callable[[], Floats]]]:
+    parts = {str(k): part for k, part in enumerate(_parts(masses, centers_of_mass, inertias))}
+    found = body_derivatives(parts, joined(list(parts.values())), {})
+    return found.values, {
+        "masses": lambda: found.by_parts[..., 0],
+        "centers_of_mass": lambda: found.by_parts[..., 1:4],
+        "inertias": lambda: found.by_parts[..., 4:][..., _ELEMENTS] * _SHARES,
+    }
+
+
+#: Rows (n, 7) of w, x, y, z and ω.
+FREE_MOTION = Function(
+    name="free_motion",
+    arguments={"inertia": "ij", "attitude": "q", "omega": "i", "times": "n"},
+    output="no",
+    lengths={"o": 7},
+    partials={"inertia": "noij", "attitude": "noq", "omega": "noi", "times": "no"},
+    _value=lambda inertia, attitude, omega, times: _states(_motion(inertia, attitude, omega), times),
+    _partials=_motion_partials,
+)
+
+#: The ten numbers of mass properties.
+PARTICLES = Function(
+    name="particles",
+    arguments={"masses": "n", "positions": "ni"},
+    output="o",
+    lengths={"o": 10},
+    partials={"masses": "on", "positions": "oni"},
+    _value=lambda masses, positions: ten(particles(masses=masses, positions=positions)),
+    _partials=_particle_partials,
+)
+
+#: The same.
+MESH = Function(
+    name="mesh",
+    arguments={"vertices": "ni", "triangles": "mk", "density": ""},
+    output="o",
+    lengths={"o": 10},
+    partials={"vertices": "oni", "density": "o"},
+    _value=lambda vertices, triangles, density: _mesh_partials(vertices, triangles, density)[0],
+    _partials=_mesh_partials,
+)
+
+#: The same.
+BODY = Function(
+    name="body",
+    arguments={"masses": "p", "centers_of_mass": "pi", "inertias": "pij"},
+    output="o",
+    lengths={"o": 10},
+    partials={"masses": "op", "centers_of_mass": "opi", "inertias": "opij"},
+    _value=lambda masses, centers_of_mass, inertias: ten(joined(_parts(masses, centers_of_mass, inertias))),
+    _partials=_body_partials,
+)

@@ -1,0 +1,189 @@
+"""Quantities of Pint and of Astropy, as numbers in SI; neither is imported unless it is there already."""
+
+from __future__ import annotations
+
+import re
+import sys
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from . import _arrays
+from ._error import PolhodeError
+
+
+class Dimension(NamedTuple):
+    """A kind of quantity."""
+
+    #: What messages call it.
+    words: str
+    #: Its unit in SI.
+    unit: str
+    #: The powers of kg, m and s; a radian is 1.
+    powers: tuple[int, int, int]
+
+
+NUMBER = Dimension("a plain number", "1", (0, 0, 0))
+ANGLE = Dimension("an angle", "rad", (0, 0, 0))
+TIME = Dimension("a time", "s", (0, 0, 1))
+LENGTH = Dimension("a length", "m", (0, 1, 0))
+MASS = Dimension("a mass", "kg", (1, 0, 0))
+DENSITY = Dimension("a density", "kg/m³", (1, -3, 0))
+AREA_DENSITY = Dimension("a mass per area", "kg/m²", (1, -2, 0))
+LINE_DENSITY = Dimension("a mass per length", "kg/m", (1, -1, 0))
+INERTIA = Dimension("a moment of inertia", "kg·m²", (1, 2, 0))
+ANGULAR_VELOCITY = Dimension("an angular velocity", "rad/s", (0, 0, -1))
+ANGULAR_ACCELERATION = Dimension("an angular acceleration", "rad/s²", (0, 0, -2))
+ANGULAR_MOMENTUM = Dimension("an angular momentum", "kg·m²/s", (1, 2, -1))
+ACCELERATION = Dimension("an acceleration", "m/s²", (0, 1, -2))
+FORCE = Dimension("a force", "N", (1, 1, -2))
+TORQUE = Dimension("a torque", "N·m", (1, 2, -2))
+
+#: What arguments are, by their names; those that are not here are no physical quantities.
+DIMENSIONS: dict[str, Dimension] = {
+    **dict.fromkeys(["times", "attitude_times", "duration", "periods", "shortest", "time_origin", "step", "worker_timeout"], TIME),
+    **dict.fromkeys(["center_of_mass", "centers_of_mass", "about", "point", "position", "positions", "vertices", "source"], LENGTH),
+    **dict.fromkeys(["size", "radius", "length", "base_radius", "top_radius", "height", "semi_axes", "ring_radius", "tube_radius"], LENGTH),
+    **dict.fromkeys(["shell", "spacing", "origin", "weld", "fill", "unit"], LENGTH),
+    **dict.fromkeys(["mass", "masses", "mass_unit"], MASS),
+    **dict.fromkeys(["density", "per_value"], DENSITY),
+    "area_density": AREA_DENSITY,
+    "line_density": LINE_DENSITY,
+    **dict.fromkeys(["inertia", "inertias", "moments", "added"], INERTIA),
+    **dict.fromkeys(["omega", "gyro", "gyro_noise", "slowest", "omega_noise"], ANGULAR_VELOCITY),
+    **dict.fromkeys(["alpha", "alpha_noise"], ANGULAR_ACCELERATION),
+    **dict.fromkeys(["acceleration", "acceleration_noise", "gravity"], ACCELERATION),
+    **dict.fromkeys(["force", "force_noise"], FORCE),
+    **dict.fromkeys(["torque", "torque_noise", "the torque of a law"], TORQUE),
+    "attitude_noise": ANGLE,
+    "a wheel's momentum": ANGULAR_MOMENTUM,
+    **dict.fromkeys(["attitude", "rotation", "axes", "a wheel's axis", "tolerance", "outlier"], NUMBER),
+}
+
+#: What the two call units of SI, and what polhode calls them.
+_BASE = {
+    **{"kilogram": "kg", "gram": "kg", "meter": "m", "metre": "m", "second": "s", "radian": "rad", "ampere": "A"},
+    **{"kg": "kg", "m": "m", "s": "s", "rad": "rad", "A": "A"},
+}
+_PINT = {"kg": "kilogram", "m": "meter", "s": "second", "rad": "radian", "A": "ampere"}
+
+
+def _library(value: object) -> str | None:
+    """Whose quantity it is."""
+    for kind in type(value).__mro__:
+        name = kind.__module__.partition(".")[0]
+        if name in ("pint", "astropy") and name in sys.modules:
+            return None if getattr(value, "unit" if name == "astropy" else "units", None) is None else name
+    return None
+
+
+def has_units(value: object) -> bool:
+    """Whether it is a quantity, or a list with one in it."""
+    if isinstance(value, (list, tuple)):
+        return not set(map(type, value)) <= {float, int, np.float64} and any(map(has_units, value))
+    return _library(value) is not None
+
+
+def in_si(name: str, value: Any) -> Any:
+    """A quantity as numbers in the SI unit that an argument has; what has no unit as it is.
+
+    >>> in_si("omega", [1.0, 2.0, 3.0])
+    [1.0, 2.0, 3.0]
+    """
+    if type(value).__module__.startswith("xarray") and has_units(value.data):
+        value = value.data
+    if not has_units(value):
+        return value
+    dimension = dimension_of(name)
+    if dimension is None:
+        raise TypeError(f"{name} has a unit of its own, and is no physical quantity of one kind: give plain numbers")
+    return _numbers(name, value, dimension)
+
+
+def without(name: str, value: object) -> None:
+    """Refuses a quantity where a plain number belongs, whatever arguments of that name are elsewhere."""
+    if has_units(value):
+        raise PolhodeError(f"{name} must be {NUMBER.words}, and has a unit")
+
+
+def as_text(name: str, value: Any) -> Any:
+    """A quantity as texts of a number and its SI unit, which whoever reads them checks; lists and arrays as lists of these; what has no unit as it is."""
+    if isinstance(value, (list, tuple)):
+        return type(value)(as_text(f"{name}[{k}]", element) for k, element in enumerate(value)) if has_units(value) else value
+    if _library(value) is None:
+        return value
+    magnitude, powers = _si(name, value)
+    unit = " ".join(symbol if power == 1 else f"{symbol}^{power}" for symbol, power in powers.items())
+
+    def texts(number: Any) -> Any:
+        return [*map(texts, number)] if isinstance(number, list) else f"{number!r} {unit}" if unit else number
+
+    return texts(np.asarray(magnitude).tolist())
+
+
+def dimension_of(name: str) -> Dimension | None:
+    """That of an argument, or of what is in one: ``masses[3]``, ``parts['hub']['mass']``."""
+    if wheel := re.match(r"wheels\[\d+\]\[([01])\]", name):
+        return DIMENSIONS[("a wheel's axis", "a wheel's momentum")[int(wheel[1])]]
+    if within := re.match(r"parts\[.*\]\['(\w+)'\]$", name):
+        return DIMENSIONS.get(within[1])
+    return DIMENSIONS.get(name.partition("[")[0])
+
+
+def _numbers(name: str, value: Any, dimension: Dimension) -> Any:
+    if isinstance(value, (list, tuple)):
+        bare = next((k for k, element in enumerate(value) if not has_units(element)), None)
+        if bare is not None:
+            raise PolhodeError(f"{name}[{bare}] has no unit, and others beside it have one: give all of them, or none")
+        return [_numbers(f"{name}[{k}]", element, dimension) for k, element in enumerate(value)]
+    magnitude, powers = _si(name, value)
+    found = {symbol: power for symbol, power in powers.items() if symbol != "rad"}
+    if found != {symbol: power for symbol, power in zip(("kg", "m", "s"), dimension.powers) if power}:
+        said = " ".join(symbol if power == 1 else f"{symbol}^{power}" for symbol, power in powers.items())
+        given = str(value.unit if _library(value) == "astropy" else value.units) or "no unit"
+        raise PolhodeError(f"{name} is in {given}, {said or 'a plain number'} in SI, where {dimension.words} belongs", f"give {dimension.unit}")
+    if dimension is NUMBER and powers:
+        raise PolhodeError(f"{name} is an angle, where {dimension.words} belongs")
+    return magnitude
+
+
+def _si(name: str, value: Any) -> tuple[Any, dict[str, int]]:
+    """The numbers of a quantity in SI, and the powers of its base units."""
+    library = _library(value)
+    _arrays.refuse_masked(name, value)
+    try:
+        given, powers = _of_pint(value) if library == "pint" else _of_astropy(value)
+    except Exception as error:  # whatever the library says of units that it cannot convert
+        raise TypeError(f"{name} has a unit that is none of SI's ({type(error).__name__}: {error})") from None
+    if "Hz" in given or "hertz" in given:
+        raise PolhodeError(f"{name} is in {given}, which may be turns or radians in a second", "give rad/s, or turns in a second")
+    bases: dict[str, int] = {}
+    for base, power in powers.items():
+        symbol = _BASE.get(base)
+        if symbol is None or power != int(power):
+            raise PolhodeError(f"{name} has the unit {given}, which is no product of kg, m, s, A and rad")
+        bases[symbol] = int(power)
+    if library == "pint":
+        product = "*".join(f"{_PINT[symbol]}**{power}" for symbol, power in bases.items()) or "dimensionless"
+        number, factor = value.magnitude, (1.0 * value.units).to(product).magnitude
+    else:
+        number, factor = value.value, float(value.unit.to(_product(bases)))
+    # What numbers are refused does not depend on units; in float64, whatever they were, so that the factor is not rounded to fewer bits.
+    return _arrays.real(name, number) * factor, bases
+
+
+def _of_pint(value: Any) -> tuple[str, dict[str, Any]]:
+    return f"{value.units:P}", dict((1.0 * value.units).to_root_units().unit_items())
+
+
+def _of_astropy(value: Any) -> tuple[str, dict[str, Any]]:
+    base = value.unit.decompose()
+    return str(value.unit), {str(one): power for one, power in zip(base.bases, base.powers)}
+
+
+def _product(bases: dict[str, int]) -> Any:
+    units = sys.modules["astropy.units"]
+    product = units.dimensionless_unscaled
+    for symbol, power in bases.items():
+        product = product * getattr(units, symbol) ** power
+    return product

@@ -1,0 +1,250 @@
+"""Free motion and mass properties as functions of JAX arrays, with their exact derivatives.
+
+They work under ``jax.jit``, ``grad``, ``jacfwd``, ``jacrev``, ``jvp``, ``vjp`` and ``vmap``. Values and partial derivatives are those of
+:class:`polhode.FreeMotion`, :func:`polhode.particle_derivatives`, :func:`polhode.mesh_derivatives` and :meth:`polhode.Body.derivatives`, in closed form: no
+integrator is differentiated through. They are computed on the host, also where arrays are on another device.
+
+Numbers are float64, so JAX has to have them: ``jax.config.update("jax_enable_x64", True)``. Derivatives of derivatives are refused.
+
+An error is a :exc:`polhode.PolhodeError`; where JAX has compiled the call, under ``jit`` or ``vmap``, JAX raises its own ``JaxRuntimeError``, which ends with
+the message.
+"""
+
+from __future__ import annotations
+
+import functools
+from typing import Any, Callable
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+from jax.custom_derivatives import SymbolicZero
+
+from . import _arrays
+from ._differentiable import BODY, FREE_MOTION, MESH, PARTICLES, TENSOR, Function, Motion, Properties, no_second_derivatives
+from ._error import PolhodeError
+
+__all__ = ["Motion", "Properties", "body", "free_motion", "mesh", "particles"]
+
+
+def free_motion(inertia: Any, attitude: Any, omega: Any, times: Any) -> Motion:
+    """The torque-free motion of a body, as :class:`polhode.FreeMotion` has it.
+
+    Parameters
+    ----------
+    inertia
+        The inertia tensor (3, 3) about the centre of mass, along body axes, kg·m², symmetric.
+    attitude
+        R_space_body at t = 0 as a quaternion (4,): w, x, y, z, of any length but zero.
+    omega
+        ω (3,) at t = 0 along body axes, rad/s.
+    times
+        Times (n,), s: any, in any order, before the start too; or a single one.
+
+    Returns
+    -------
+    Motion
+        ``omega`` (n, 3), along body axes, rad/s, and ``attitude`` (n, 4), unit quaternions: the first has w ≥ 0, each of the others the sign nearest to
+        the one before it. Of a single time (3,) and (4,). Leading axes of the arguments are a batch, and are broadcast.
+
+    Notes
+    -----
+    Derivatives are by all four arguments.
+
+    - A tangent q̇ of an attitude is that of a unit quaternion, q · q̇ = 0, so that it turns the body by θ = 2 vec(q* ⊗ q̇), rad, along body axes: R exp(θ). Of
+      the tangent that is given at the start the part along q has no effect, as the length of q has none; a gradient by it has no such part.
+    - A tensor is symmetric. Of a tangent its symmetric part counts, and a gradient is symmetric: moved along it, the tensor stays one, and the sum of
+      products with any symmetric change is the change. I_xy and I_yx, which :attr:`polhode.Derivatives.by_inertia` has as one number, have half of its
+      derivative each.
+    - q and −q are one attitude. Where the first quaternion passes w = 0 the sign of all of them jumps: a number that is to be
+      minimised must not depend on it, as R and (q · q₀)² do not.
+
+    Examples
+    --------
+    The gradient of the angle between where a body points after 7 s and where it should:
+
+    >>> import jax, jax.numpy as jnp
+    >>> import polhode.jax
+    >>> jax.config.update("jax_enable_x64", True)
+    >>> inertia = jnp.array([[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]])
+    >>> target = jnp.array([0.5, 0.5, 0.5, 0.5])
+    >>> def miss(omega):
+    ...     motion = polhode.jax.free_motion(inertia, jnp.array([1.0, 0.0, 0.0, 0.0]), omega, 7.0)
+    ...     return 2.0 * jnp.arccos(jnp.abs(motion.attitude @ target))
+    >>> gradient = jax.jit(jax.grad(miss))(jnp.array([0.7, -1.1, 0.4]))
+    >>> gradient.shape, str(gradient.dtype)
+    ((3,), 'float64')
+    """
+    single = jnp.ndim(times) == 0
+    rows = _free_motion(*_given(FREE_MOTION, inertia, attitude, omega, [times] if single else times))
+    rows = rows[..., 0, :] if single else rows
+    return Motion(omega=rows[..., 4:], attitude=rows[..., :4])
+
+
+def particles(masses: Any, positions: Any) -> Properties:
+    """The mass properties of points: ``masses`` (n,), kg, positive, at ``positions`` (n, 3), m.
+
+    Mass, centre of mass (3,), and the inertia tensor (3, 3) about it, along the axes of the positions. Leading axes are a batch.
+
+    The distance of two points by which the least moment of four grows:
+
+    >>> import jax, jax.numpy as jnp
+    >>> import polhode.jax
+    >>> jax.config.update("jax_enable_x64", True)
+    >>> masses = jnp.array([1.2, 0.7, 0.9, 1.1])
+    >>> positions = jnp.array([[0.3, -0.1, 0.2], [-0.5, 0.4, 0.1], [0.2, 0.6, -0.7], [-0.1, -0.5, 0.4]])
+    >>> least = lambda positions: jnp.linalg.eigvalsh(polhode.jax.particles(masses, positions).inertia)[0]
+    >>> gradient = jax.grad(least)(positions)
+    >>> bool(jnp.isclose(jnp.sum(gradient * positions), 2.0 * least(positions)))  # a moment is of the second degree in lengths
+    True
+    """
+    return _properties(_particles(*_given(PARTICLES, masses, positions)))
+
+
+def mesh(vertices: Any, triangles: Any, density: Any) -> Properties:
+    """The mass properties of the solid that triangles bound, as :func:`polhode.mesh_derivatives` has them.
+
+    Parameters
+    ----------
+    vertices
+        Vertices (n, 3), m.
+    triangles
+        The numbers of three of them for each triangle (m, 3), from 0: integers, by which there are no derivatives.
+    density
+        kg/m³.
+
+    Returns
+    -------
+    Properties
+        Mass, centre of mass (3,), and the inertia tensor (3, 3) about it. Leading axes are a batch.
+
+    Notes
+    -----
+    The partial derivatives by the vertices are an array (10, n, 3). Vertices of equal coordinates are one vertex of the solid: each has an equal share of its
+    derivatives, which is right as long as they move together.
+
+    Examples
+    --------
+    >>> import jax, jax.numpy as jnp
+    >>> import polhode.jax
+    >>> jax.config.update("jax_enable_x64", True)
+    >>> vertices = jnp.array([[0.0, 0, 0], [3, 0, 0], [0, 2, 0], [0, 0, 1]])
+    >>> triangles = jnp.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    >>> jax.grad(lambda vertices: polhode.jax.mesh(vertices, triangles, 1.0).mass)(vertices)[3].round(12)  # by the tip: a third of the ground's area
+    Array([0., 0., 1.], dtype=float64)
+    """
+    return _properties(_mesh(*_given(MESH, vertices, triangles, density)))
+
+
+def body(masses: Any, centers_of_mass: Any, inertias: Any) -> Properties:
+    """The mass properties of parts that are rigidly joined.
+
+    Parameters
+    ----------
+    masses
+        Of each part (p,), kg.
+    centers_of_mass
+        Their centres of mass (p, 3), m.
+    inertias
+        Their inertia tensors (p, 3, 3), each about the part's own centre of mass, along the axes that all share, kg·m². A gradient by them is symmetric, as
+        of :func:`free_motion`.
+
+    Returns
+    -------
+    Properties
+        Mass, centre of mass (3,), and the inertia tensor (3, 3) about it. Leading axes are a batch.
+
+    Examples
+    --------
+    A part that is further out by 1 m takes the centre of mass with it by its share of the mass:
+
+    >>> import jax, jax.numpy as jnp
+    >>> import polhode.jax
+    >>> jax.config.update("jax_enable_x64", True)
+    >>> masses, inertias = jnp.array([0.7, 0.1]), jnp.array([jnp.diag(jnp.array([1e-3, 1e-3, 1e-4]))] * 2)
+    >>> center = lambda z: polhode.jax.body(masses, jnp.array([[0.0, 0.0, z], [0.0, 0.0, 0.15]]), inertias).center_of_mass[2]
+    >>> jax.grad(center)(0.3).round(12)
+    Array(0.875, dtype=float64, weak_type=True)
+    """
+    return _properties(_body(*_given(BODY, masses, centers_of_mass, inertias)))
+
+
+def _properties(numbers: Any) -> Properties:
+    return Properties(mass=numbers[..., 0], center_of_mass=numbers[..., 1:4], inertia=numbers[..., np.array(TENSOR)])
+
+
+def _given(function: Function, *given: Any) -> list[Any]:
+    """The arguments as arrays of one batch."""
+    if not jax.config.jax_enable_x64:
+        hint = 'jax.config.update("jax_enable_x64", True) before the first array is made'
+        raise PolhodeError(f"{function.name} needs float64, and JAX has 32-bit numbers, which would lose half of the digits", hint)
+    arrays = [_array(name, value) for name, value in zip(function.arguments, given)]
+    batch, _ = function.sizes([array.shape for array in arrays])
+    own = [array.shape[array.ndim - len(letters) :] for array, letters in zip(arrays, function.arguments.values())]
+    return [jnp.broadcast_to(array, batch + shape) for array, shape in zip(arrays, own)]
+
+
+def _array(name: str, value: Any) -> Any:
+    """An argument as an array: of JAX's floats in float64, of other numbers as elsewhere in the package."""
+    if not any(isinstance(leaf, jax.Array) for leaf in jax.tree.leaves(value)):
+        # A copy, as what was given may change before the derivatives are wanted.
+        array = jnp.array(value if name == "triangles" else _arrays.real(name, value))
+    else:
+        array = jnp.asarray(value)
+    if jnp.issubdtype(array.dtype, jnp.floating):
+        return array.astype(jnp.float64)
+    if not jnp.issubdtype(array.dtype, jnp.integer):
+        raise TypeError(f"{name} must be real numbers, not {array.dtype}")
+    # Whole numbers go as they are, so that none is rounded on the way.
+    return array
+
+
+def _differentiable(function: Function) -> Callable[..., Any]:
+    """The function with its derivatives: forward by the product of partial derivatives and tangents, which JAX transposes."""
+
+    @functools.cache
+    def on_host(by: tuple[str, ...]) -> Callable[..., tuple[Any, ...]]:
+        return lambda *arrays: function.with_partials(by, *map(np.asarray, arrays))
+
+    def called(by: tuple[str, ...], given: tuple[Any, ...]) -> tuple[Any, ...]:
+        if not any(isinstance(array, jax.core.Tracer) for array in given):
+            # Nothing is compiled: what is refused is raised as it is.
+            return tuple(map(jnp.asarray, on_host(by)(*given)))
+        shapes = [array.shape for array in given]
+        found = [function.output_shape(shapes), *(function.partial_shape(name, shapes) for name in by)]
+        kinds = tuple(jax.ShapeDtypeStruct(shape, jnp.float64) for shape in found)
+        return tuple(jax.pure_callback(on_host(by), kinds, *given, vmap_method="expand_dims"))
+
+    def value(*given: Any) -> Any:
+        return called((), given)[0]
+
+    @functools.cache
+    def with_partials(by: tuple[str, ...]) -> Callable[..., Any]:
+        def second(primals: Any, tangents: Any) -> Any:
+            raise no_second_derivatives(function.name)
+
+        partials = jax.custom_jvp(lambda *given: called(by, given))
+        partials.defjvp(second)
+        return partials  # type: ignore[no-any-return]
+
+    def along(primals: tuple[Any, ...], tangents: tuple[Any, ...]) -> tuple[Any, Any]:
+        moving = {
+            name: tangent
+            for name, tangent in zip(function.arguments, tangents)
+            if name in function.partials and not isinstance(tangent, SymbolicZero) and tangent.dtype != jax.dtypes.float0
+        }
+        found, *partials = with_partials(tuple(moving))(*primals)
+        change = jnp.zeros_like(found)
+        for (name, tangent), partial in zip(moving.items(), partials):
+            change = change + jnp.einsum(function.tangent(name), partial, tangent, precision="highest")
+        return found, change
+
+    made = jax.custom_jvp(value)
+    made.defjvp(along, symbolic_zeros=True)
+    return made  # type: ignore[no-any-return]
+
+
+_free_motion = _differentiable(FREE_MOTION)
+_particles = _differentiable(PARTICLES)
+_mesh = _differentiable(MESH)
+_body = _differentiable(BODY)

@@ -1,0 +1,299 @@
+//! Members under a torque that one call computes for all of them: each takes its own steps, and all of them ask for the torque at the same moment.
+//!
+//! A common step would be that of the member that needs the shortest, and its error control none of theirs. So each has its own, with the bits that it has
+//! alone, and what is in step are the evaluations: a call is one of each member, whatever stage of whatever step it is at.
+
+use std::sync::Arc;
+
+use super::{Member, MemberFailure};
+use crate::motion::error::MotionError;
+use crate::motion::model::state::State;
+use crate::motion::model::torque::TorqueModel;
+use crate::motion::model::torque::own::{GivenTorque, MemberState, NOT_KNOWN, VectorizedFunction};
+use crate::motion::run::simulation::Simulation;
+use crate::motion::solve::method::Method;
+use crate::motion::solve::propagate::stepper::resumable::Resumable;
+use crate::motion::solve::start::{require_few_pulses, require_finite};
+
+/// Members that are in step: each takes some kilobytes.
+const TOGETHER: usize = 1 << 14;
+
+/// Puts down the states of a member, as far as it came, and why it came no further.
+type Put<'a> = dyn FnMut(usize, &[State], Option<MotionError>) + 'a;
+
+/// A function, and the members whose torque it computes, with the places for that.
+struct Shared {
+    function: Arc<VectorizedFunction>,
+    members: Vec<(usize, Arc<GivenTorque>)>,
+}
+
+impl Shared {
+    /// Computes the torque of each member that has a state.
+    fn compute(&self, first: usize, members: &[Member], state: &dyn Fn(usize) -> Option<State>) {
+        let known = self.members.iter().filter_map(|(k, given)| Some((*k, given, state(*k)?)));
+        let (places, asked): (Vec<_>, Vec<_>) = known
+            .map(|(k, given, state)| {
+                (given, MemberState { member: first + k, rotor: &members[k].rotor, state })
+            })
+            .unzip();
+        if asked.is_empty() {
+            return;
+        }
+        let found = (self.function)(&asked);
+        // One too few is as bad as none: it is not known whose is missing.
+        let is_whole = found.len() == places.len();
+        for (k, place) in places.into_iter().enumerate() {
+            place.set(found.get(k).copied().filter(|_| is_whole).unwrap_or(NOT_KNOWN));
+        }
+    }
+}
+
+/// Is there a torque that is computed for many at once?
+pub(super) fn is_shared(torque: &TorqueModel) -> bool {
+    function_of(torque).is_some()
+}
+
+fn function_of(torque: &TorqueModel) -> Option<&Arc<VectorizedFunction>> {
+    match torque {
+        TorqueModel::Own(own) => own.vectorized_function(),
+        _ => None,
+    }
+}
+
+/// The torques of each member with places for what is computed for many, and who computes it.
+fn with_places(members: &[Member]) -> (Vec<Vec<TorqueModel>>, Vec<Shared>) {
+    let mut shared: Vec<Shared> = Vec::new();
+    let torques = members.iter().enumerate().map(|(k, member)| {
+        let torques = member.torques.iter().map(|torque| {
+            let (TorqueModel::Own(own), Some(function)) = (torque, function_of(torque)) else {
+                return torque.clone();
+            };
+            let given = Arc::new(GivenTorque::default());
+            let place = (k, Arc::clone(&given));
+            match shared.iter_mut().find(|other| Arc::ptr_eq(&other.function, function)) {
+                Some(other) => other.members.push(place),
+                None => shared.push(Shared { function: Arc::clone(function), members: vec![place] }),
+            }
+            TorqueModel::Own(own.given(&given))
+        });
+        torques.collect()
+    });
+    (torques.collect(), shared)
+}
+
+/// # Errors
+/// As [`super::Ensemble::new`], of the first member whose start, or whose torque there, is not finite.
+pub(super) fn require_starts(members: &[Member]) -> Result<(), MemberFailure> {
+    for (block, members) in members.chunks(TOGETHER).enumerate() {
+        let first = block * TOGETHER;
+        let (torques, shared) = with_places(members);
+        for function in &shared {
+            function.compute(first, members, &|k| Some(members[k].start));
+        }
+        for (k, (member, torques)) in members.iter().zip(&torques).enumerate() {
+            require_finite(&member.rotor, torques, &[], &member.start)
+                .map_err(|cause| MemberFailure { member: first + k, cause })?;
+        }
+    }
+    Ok(())
+}
+
+/// All members at the times, into states in their order; gives those that could go no further, ascending.
+///
+/// # Errors
+/// [`MotionError::Cancelled`] if `progress` gave false.
+pub(super) fn fill<S: From<State>>(
+    members: &[Member],
+    times: &[f64],
+    (method, tolerance): (Method, f64),
+    states: &mut [S],
+    progress: &mut dyn FnMut(usize) -> bool,
+) -> Result<Vec<MemberFailure>, MotionError> {
+    let mut failures = Vec::new();
+    let blocks = members.chunks(TOGETHER).zip(states.chunks_mut(TOGETHER.saturating_mul(times.len())));
+    for (block, (members, states)) in blocks.enumerate() {
+        let first = block * TOGETHER;
+        let mut put = |k: usize, reached: &[State], failed: Option<MotionError>| {
+            // It stays where it was.
+            let last = reached.last().copied().unwrap_or(members[k].start);
+            let places = states.iter_mut().skip(k * times.len()).take(times.len());
+            for (n, place) in places.enumerate() {
+                *place = S::from(reached.get(n).copied().unwrap_or(last));
+            }
+            failures.extend(failed.map(|cause| MemberFailure { member: first + k, cause }));
+        };
+        compute(first, members, times, (method, tolerance), &mut put, progress)?;
+    }
+    failures.sort_by_key(|failure| failure.member);
+    Ok(failures)
+}
+
+/// Some members, in step.
+fn compute(
+    first: usize,
+    members: &[Member],
+    times: &[f64],
+    (method, tolerance): (Method, f64),
+    put: &mut Put<'_>,
+    progress: &mut dyn FnMut(usize) -> bool,
+) -> Result<(), MotionError> {
+    let (torques, mut shared) = with_places(members);
+    for function in &shared {
+        function.compute(first, members, &|k| Some(members[k].start));
+    }
+    let mut done = first;
+    let mut motions: Vec<(usize, Resumable<'_>)> = Vec::with_capacity(members.len());
+    for (k, (member, torques)) in members.iter().zip(&torques).enumerate() {
+        let Member { rotor, start, .. } = member;
+        if !torques.iter().any(is_shared) {
+            let simulation = Simulation::new(rotor, torques, *start, times).tolerance(tolerance);
+            let mut states = Vec::with_capacity(times.len());
+            let failed = simulation.method(method).fill(&mut states).err();
+            put(k, &states, failed);
+            done += 1;
+            continue;
+        }
+        let span = [start.time, times.last().copied().unwrap_or(start.time)];
+        let made = require_few_pulses(rotor, torques, &|_| false, span)
+            .map_err(|cause| (Vec::new(), cause))
+            .and_then(|()| Resumable::new(rotor, torques, *start, times, tolerance));
+        match made {
+            Ok(motion) => motions.push((k, motion)),
+            Err((states, cause)) => {
+                put(k, &states, Some(cause));
+                done += 1;
+            }
+        }
+    }
+    let mut wanted: Vec<Option<State>> = vec![None; members.len()];
+    loop {
+        let before = motions.len();
+        motions.retain_mut(|(k, motion)| {
+            wanted[*k] = motion.wanted();
+            if wanted[*k].is_none() {
+                put(*k, &motion.states, None);
+            }
+            wanted[*k].is_some()
+        });
+        done += before - motions.len();
+        if !progress(done) {
+            return Err(MotionError::Cancelled { done });
+        }
+        if motions.is_empty() {
+            return Ok(());
+        }
+        for function in &mut shared {
+            function.members.retain(|(k, _)| wanted[*k].is_some());
+            function.compute(first, members, &|k| wanted[k]);
+        }
+        let before = motions.len();
+        motions.retain_mut(|(k, motion)| {
+            let failed = motion.resume().err();
+            let goes_on = failed.is_none();
+            if let Some(cause) = failed {
+                wanted[*k] = None;
+                put(*k, &motion.states, Some(cause));
+            }
+            goes_on
+        });
+        done += before - motions.len();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::num::NonZero;
+    use std::sync::Mutex;
+
+    use super::*;
+    use crate::body::inertia::InertiaTensor;
+    use crate::body::mass_properties::MassProperties;
+    use crate::math::frame::Body;
+    use crate::math::rotation::Attitude;
+    use crate::math::vector::{AngularVelocity, Position, Torque};
+    use crate::motion::model::rotor::Rotor;
+    use crate::motion::model::schedule::Schedule;
+    use crate::motion::model::torque::{ConstantTorque, Scheduled};
+    use crate::motion::run::ensemble::Ensemble;
+
+    const TIMES: [f64; 4] = [0.0, 0.7, 1.9, 6.0];
+
+    /// Drag that grows with the attitude's first component, and a push that differs from member to member.
+    fn law(state: &State, push: f64) -> Torque<Body> {
+        let [w, ..] = state.attitude.quaternion();
+        let drag: Torque<Body> = state.omega.as_quantity() * (-0.1 * (1.0 + w * w));
+        drag + Torque::new(0.0, push * state.time.cos(), 0.05)
+    }
+
+    fn member(k: usize, torques: Vec<TorqueModel>) -> Member {
+        let tensor = [[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]];
+        let body = InertiaTensor::from_matrix(tensor).unwrap();
+        let rotor = Rotor::free(&MassProperties::new(2.3, Position::ZERO, body).unwrap());
+        let omega = AngularVelocity::new(0.3 + 0.37 * k as f64, -1.1, 0.4);
+        let attitude = Attitude::from_quaternion([0.5, -0.1, 0.7, 0.3]).unwrap();
+        Member { rotor, torques, start: State { time: 0.0, attitude, omega } }
+    }
+
+    /// A torque that acts for a while, with a function beside it.
+    fn beside(function: TorqueModel) -> Vec<TorqueModel> {
+        let push = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.2, 0.0, -0.1)));
+        let schedule = Schedule::window(0.5, 2.5).unwrap();
+        vec![TorqueModel::Scheduled(Box::new(Scheduled { schedule, torque: push })), function]
+    }
+
+    /// Members in step have the bits of each alone, and one call serves all of them.
+    #[test]
+    fn bits_are_those_of_the_function_alone() {
+        let calls = Arc::new(Mutex::new(Vec::new()));
+        let heard = Arc::clone(&calls);
+        let many = TorqueModel::vectorized_function("many", move |asked| {
+            heard.lock().unwrap().push(asked.len());
+            asked.iter().map(|one| law(&one.state, 0.01 * one.member as f64)).collect()
+        });
+        let members = (0..40).map(|k| member(k, beside(many.clone())));
+        let together = Ensemble::new(members.collect()).unwrap();
+        let one_by_one = Ensemble::new(
+            (0..40)
+                .map(|k| {
+                    let one = TorqueModel::function("one", move |_, state| law(state, 0.01 * k as f64));
+                    member(k, beside(one))
+                })
+                .collect(),
+        )
+        .unwrap();
+        let states =
+            |ensemble: &Ensemble| ensemble.at(&TIMES, Method::Auto, 1e-10, NonZero::<usize>::MIN).unwrap();
+        let (found, expected) = (states(&together), states(&one_by_one));
+        assert!(found.failures.is_empty() && expected.failures.is_empty());
+        for (a, b) in found.states.iter().zip(&expected.states) {
+            assert!(a.attitude.angle_to(b.attitude) < 1e-12 && (a.omega - b.omega).norm() < 1e-12);
+        }
+        let calls = calls.lock().unwrap();
+        assert_eq!(calls[0], 40);
+        let steps: usize = calls.iter().sum();
+        assert!(calls.len() < steps / 20, "{} calls for {steps} evaluations", calls.len());
+    }
+
+    /// One that cannot go on stays where it was, and the others go on; too few torques are none.
+    #[test]
+    fn failures_are_of_members() {
+        let partial = TorqueModel::vectorized_function("partial", |asked| {
+            let torque = |one: &MemberState<'_>| match one.member == 1 && one.state.time > 1.0 {
+                true => NOT_KNOWN,
+                false => law(&one.state, 0.0),
+            };
+            asked.iter().map(torque).collect()
+        });
+        let members: Vec<_> = (0..3).map(|k| member(k, vec![partial.clone()])).collect();
+        let found = Ensemble::new(members).unwrap();
+        let found = found.at(&TIMES, Method::Auto, 1e-10, NonZero::<usize>::MIN).unwrap();
+        assert_eq!(found.failures.iter().map(|failure| failure.member).collect::<Vec<_>>(), [1]);
+        let reached: Vec<f64> = found.states.iter().map(|state| state.time).collect();
+        assert_eq!(reached[..4], TIMES);
+        assert_eq!(reached[4..8], [0.0, 0.7, 0.7, 0.7]);
+        assert_eq!(reached[8..], TIMES);
+        let short = TorqueModel::vectorized_function("short", |_| Vec::new());
+        let refused = Ensemble::new(vec![member(0, vec![short])]).unwrap_err();
+        assert!(matches!(refused.cause, MotionError::TorqueNotFinite { torque: 0, .. }), "{refused}");
+    }
+}

@@ -53,6 +53,7 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     linted(&mut wheel);
     run(wheel.env("MATURIN_PEP517_ARGS", format!("--profile dev --features {FEATURES} {OPTIMISED}")))?;
     let wheel = files(&wheels, "whl")?.pop().ok_or("pip made no wheel")?;
+    run(Command::new(&python).arg(package.join("wheel.py")).arg(&wheel))?;
     run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).arg(&wheel))?;
 
     let empty = folder.join("empty");

@@ -16,11 +16,12 @@ pub(crate) const EXECUTABLE: &str = if cfg!(windows) { "Scripts/python.exe" } el
 
 /// What the tests need besides the package: what it uses where it is there, Dask for the cluster, pandoc for worked solutions, what runs
 /// notebooks, and what reads the workflows.
-const NEEDED: [&str; 15] = [
+const NEEDED: [&str; 16] = [
     "pytest",
     "scipy",
     "matplotlib",
     "mypy",
+    "pyright==1.1.414",
     "pyarrow",
     "pandas",
     "polars",
@@ -42,7 +43,7 @@ pub(crate) fn check() -> Outcome {
     environment().and_then(check_in)
 }
 
-/// Builds the wheel, installs it into an environment, and runs the tests, the documentation's examples, the book's, a check of
+/// Builds the wheel, installs it into an environment, and runs the tests, the documentation's examples, the book's, checks of
 /// types, and `examples/python/` from an empty folder: what is imported there is the wheel's, not the tree's.
 pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     let package = root().join("crates/polhode-py");
@@ -78,6 +79,8 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     let without = format!("--ignore={}", Path::new(where_from.trim()).with_file_name("_ray.py").display());
     let documented = ["--doctest-modules", &without, "--pyargs", "polhode"];
     run_beside(here(&["-m", "pytest", "-q", "-c"]).arg(&settings).args(documented))?;
+    // The tables of that page are what was measured of the programs as they are.
+    run(here(&[]).arg(root().join("benches/python/measure.py")).arg("--check"))?;
     let book = root().join("book");
     let pages = ["python.md", "clusters.md"].map(|page| book.join(page));
     let followed = [files(&book.join("cookbook"), "md")?, files(&book.join("tutorials"), "md")?];
@@ -89,6 +92,7 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
         "-p",
         "polhode_command",
     ]))?;
+    run_beside(here(&["-m", "pyright", "--pythonpath"]).arg(&python).arg("--project").arg(&package))?;
     run_beside(
         here(&["-W", "error::UserWarning"]).arg(book.join("notebooks/execute.py")).env_remove("MPLBACKEND"),
     )?;

@@ -218,7 +218,7 @@ class Ensemble:
         return f"Ensemble({len(self)} members)"
 
 
-def _each(name: str, value: object, shape: tuple[int, ...]) -> Floats:
+def _each(name: str, value: Any, shape: tuple[int, ...]) -> Floats:
     """A row for each member, or one for all."""
     check, ndim = _arrays.numbers, len(shape)
     given = np.asarray(value.as_quat()) if hasattr(value, "as_quat") else _arrays.real(name, value)

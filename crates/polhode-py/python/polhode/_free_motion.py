@@ -148,25 +148,27 @@ class FreeMotion:
         >>> states.omega is omega, states.attitude is attitude
         (True, True)
         """
-        if type(times) in (float, int) and out is None and -_arrays.EXACT <= times <= _arrays.EXACT:  # type: ignore[operator]
+        if type(times) in (float, np.float64, int) and out is None and -_arrays.EXACT <= times <= _arrays.EXACT:  # type: ignore[operator]
             return States(np.array(times, np.float64), *self._native.at_time(times))  # type: ignore[arg-type]
         given = _arrays.real("times", times)
-        if given.ndim > 1:
+        dimensions = given.ndim
+        if dimensions > 1:
             raise PolhodeError(f"times must have the shape (n,) or be a number, not {given.shape}")
-        if given.ndim == 0:
+        if dimensions == 0:
             if out is not None:
                 raise PolhodeError("out is for several times: a single one has no arrays to fill")
             return States(given.copy(), *self._native.at_time(_arrays.number("times", given)))
         if out is None:
-            out = np.empty((given.size, 3)), np.empty((given.size, 4))
+            out, kept = _room(given)
         else:
             _filled(out, given.size)
+            kept = given.copy()
         try:
             self._native.fill(given, *out)
         except PolhodeError:
             _arrays.numbers("times", given, ("n",))  # says which is not finite
             raise
-        return States(given.copy(), *out)
+        return States(kept, *out)
 
     def derivatives(self, times: npt.ArrayLike) -> Derivatives:
         """The states at times with their derivatives by the start and by the inertia tensor, in closed form.
@@ -277,6 +279,21 @@ def tensor_of(inertia: object) -> object:
     return inertia.inertia if isinstance(inertia, MassProperties) else inertia
 
 
+def _room(times: Floats) -> tuple[tuple[Floats, Floats], Floats]:
+    """Arrays for ω and the attitudes, and a copy of the times.
+
+    Of many times, the copy lies behind the attitudes in one array. The C library gives freed memory back to the system if it is twice the largest array
+    that was ever freed, and three arrays for 8, 24 and 32 bytes of each state are just that: every call would get its memory anew, page by page, which
+    takes twice as long as the states.
+    """
+    count = times.size
+    if count < 2048:
+        return (np.empty((count, 3)), np.empty((count, 4))), times.copy()
+    both = np.empty(5 * count)
+    both[4 * count :] = times
+    return (np.empty((count, 3)), both[: 4 * count].reshape(count, 4)), both[4 * count :]
+
+
 def _filled(out: object, count: int) -> None:
     """Refuses what states cannot be put into."""
     if not isinstance(out, tuple) or len(out) != 2:
@@ -288,5 +305,6 @@ def _filled(out: object, count: int) -> None:
             raise PolhodeError(f"{name} must have the shape ({count}, {columns}), not {array.shape}")
         if not (array.flags.c_contiguous and array.flags.aligned and array.flags.writeable):
             raise PolhodeError(f"{name} must be C-contiguous, aligned and writeable")
-    if np.shares_memory(out[0], out[1]):
+    # Of contiguous arrays the bounds say it.
+    if np.may_share_memory(out[0], out[1]):
         raise PolhodeError("out[0] and out[1] must not share memory")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from typing import Any
 
 import numpy.typing as npt
 
@@ -100,7 +101,7 @@ def judge(
     return Judgement(judged)
 
 
-def _attitudes(attitude: object, said: _native.Said) -> Floats:
+def _attitudes(attitude: Any, said: _native.Said) -> Floats:
     """Quaternions (n, 4), or matrices as rows (n, 9); what they are without doubt is said."""
     if hasattr(attitude, "as_quat"):
         if said["quaternion"] is not None:

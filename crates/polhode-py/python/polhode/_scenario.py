@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence
 
 from . import _arrays, _native, _section
@@ -299,6 +300,11 @@ class Scenario:
 
     def _text(self) -> str:
         """The text of its file, in which nothing stands for functions."""
+        return self._written
+
+    @cached_property
+    def _written(self) -> str:
+        # Nothing of it changes once it is made.
         return "".join(f"{line}\n" for _, line in _section.lines(self._tables())).lstrip("\n")
 
     def _functions(self) -> list[tuple[int, bool, Callable[..., tuple[float, ...]]]]:

@@ -139,9 +139,26 @@ class Scenario:
 
     @classmethod
     def from_toml(cls, scenario: str | os.PathLike[str], *, folder: str | os.PathLike[str] | None = None) -> Scenario:
-        """The scenario of a file, or of its text: a ``str`` of more than one line is a text, whose files are found from ``folder``.
+        """The scenario of a file, or of its text.
 
         Its numbers and their units stay as they are written; its comments are lost.
+
+        Parameters
+        ----------
+        scenario
+            A path, or a text of more than one line.
+        folder
+            Where the files of a text are; the current folder unless given.
+
+        Returns
+        -------
+        Scenario
+            The same scenario.
+
+        Raises
+        ------
+        PolhodeError
+            Where the text is no scenario; it has ``line`` and ``column``.
         """
         if isinstance(scenario, str) and "\n" in scenario:
             text, path = _arrays.text("scenario", scenario), None
@@ -173,9 +190,24 @@ class Scenario:
         return cls(parts, pivot=body.get("pivot"), title=tables.get("title"), folder=folder, **given)
 
     def to_toml(self, path: str | os.PathLike[str] | None = None) -> str:
-        """The text of the scenario's file, which is written to ``path`` if that is given.
+        """The text of the scenario's file.
 
         The files that it names are found from :attr:`folder`, so that is where a copy belongs.
+
+        Parameters
+        ----------
+        path
+            Where it is written, if anywhere.
+
+        Returns
+        -------
+        str
+            The text.
+
+        Raises
+        ------
+        PolhodeError
+            Where a torque is a :class:`polhode.scenario.FunctionTorque`, which no file can hold.
         """
         if self._functions():
             raise PolhodeError("a FunctionTorque is a function of this program, which no file can hold", "polhode.scenario.torque makes a formula of it")
@@ -276,7 +308,23 @@ class Scenario:
         return list(self._findings)
 
     def replace(self, **changes: Any) -> Scenario:
-        """The same with other arguments: ``scenario.replace(run=Run(duration=20))``."""
+        """The same with other arguments: ``scenario.replace(run=Run(duration=20))``.
+
+        Parameters
+        ----------
+        **changes
+            Arguments of :class:`Scenario`, by name.
+
+        Returns
+        -------
+        Scenario
+            Another one; this one stays.
+
+        Raises
+        ------
+        PolhodeError
+            Where there is no such motion.
+        """
         given: dict[str, Any] = {**self._one, **self._several, "pivot": self._pivot, "title": self._title, "folder": self._folder}
         return Scenario(changes.pop("body", list(self._parts)), **{**given, **changes})
 

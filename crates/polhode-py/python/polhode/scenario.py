@@ -376,7 +376,7 @@ class Magnetic(Torque):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class EnergySink(Torque):
-    """What rubs inside the body: L stays what it is, and T falls at the rate α |L × ω|².
+    """What rubs inside the body: L stays what it is, and T falls at the rate α ‖L × ω‖².
 
     Parameters
     ----------

@@ -368,9 +368,9 @@ def tensor_of(inertia: object) -> object:
 def _room(times: Floats) -> tuple[tuple[Floats, Floats], Floats]:
     """Arrays for ω and the attitudes, and a copy of the times.
 
-    Of many times, the copy lies behind the attitudes in one array. The C library gives freed memory back to the system if it is twice the largest array
-    that was ever freed, and three arrays for 8, 24 and 32 bytes of each state are just that: every call would get its memory anew, page by page, which
-    takes twice as long as the states.
+    Of many times, the copy lies behind the attitudes in one array. glibc gives memory back to the system where twice the largest piece that was ever
+    freed is free, and three arrays of 8, 24 and 32 bytes a state are just that: every call would get its memory anew, page by page, which takes longer
+    than the states.
     """
     count = times.size
     if count < 2048:

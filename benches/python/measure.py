@@ -131,6 +131,10 @@ def idle() -> None:
 
 def peak() -> int:
     """The most memory that this process has had, bytes."""
+    status = Path("/proc/self/status")
+    if status.exists():
+        # What the system counts for a process begins with what its parent had.
+        return 1024 * next(int(line.split()[1]) for line in status.read_text().splitlines() if line.startswith("VmHWM:"))
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * (1 if sys.platform == "darwin" else 1024)
 
 

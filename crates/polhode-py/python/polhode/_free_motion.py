@@ -21,6 +21,11 @@ from ._states import MotionError, States, rotations
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
 
+#: So many states lie in memory that the C library keeps.
+FEW = 2048
+
+_empty = np.empty
+
 
 class FreeMotion:
     """The torque-free motion of a body: ω and attitude at any time, past or future, in constant time.
@@ -182,18 +187,20 @@ class FreeMotion:
         if type(times) in (float, np.float64, int) and out is None and -_arrays.EXACT <= times <= _arrays.EXACT:  # type: ignore[operator]
             return States(np.array(times, np.float64), *self._native.at_time(times))  # type: ignore[arg-type]
         given = _arrays.real("times", times)
-        dimensions = given.ndim
-        if dimensions > 1:
-            raise PolhodeError(f"times must have the shape (n,) or be a number, not {given.shape}")
-        if dimensions == 0:
+        shape = given.shape
+        if len(shape) > 1:
+            raise PolhodeError(f"times must have the shape (n,) or be a number, not {shape}")
+        if not shape:
             if out is not None:
                 raise PolhodeError("out is for several times: a single one has no arrays to fill")
             return States(given.copy(), *self._native.at_time(_arrays.number("times", given)))
-        if out is None:
-            out, kept = _room(given)
-        else:
-            _filled(out, given.size)
+        if out is not None:
+            _filled(out, shape[0])
             kept = given.copy()
+        elif shape[0] < FEW:
+            out, kept = (_empty((shape[0], 3)), _empty((shape[0], 4))), given.copy()
+        else:
+            out, kept = _room(given)
         try:
             self._native.fill(given, *out)
         except PolhodeError:
@@ -366,15 +373,13 @@ def tensor_of(inertia: object) -> object:
 
 
 def _room(times: Floats) -> tuple[tuple[Floats, Floats], Floats]:
-    """Arrays for ω and the attitudes, and a copy of the times.
+    """Arrays for ω and the attitudes of many times, and a copy of these.
 
-    Of many times, the copy lies behind the attitudes in one array. glibc gives memory back to the system where twice the largest piece that was ever
+    The copy lies behind the attitudes in one array. glibc gives memory back to the system where twice the largest piece that was ever
     freed is free, and three arrays of 8, 24 and 32 bytes a state are just that: every call would get its memory anew, page by page, which takes longer
     than the states.
     """
     count = times.size
-    if count < 2048:
-        return (np.empty((count, 3)), np.empty((count, 4))), times.copy()
     both = np.empty(5 * count)
     both[4 * count :] = times
     return (np.empty((count, 3)), both[: 4 * count].reshape(count, 4)), both[4 * count :]

@@ -26,7 +26,8 @@ source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 myst_enable_extensions = ["dollarmath"]
 # Anchors of headings are those of code hosts.
 myst_heading_anchors = 6
-suppress_warnings = ["myst.header"]
+# Two classes are called Event: that of a scenario's table, and what happened in a motion.
+suppress_warnings = ["myst.header", "ref.python"]
 
 # The compiled module and other packages are not needed to read what the classes say of themselves.
 autodoc_mock_imports = ["polhode._native", "numpy", "pyarrow", "distributed", "ray", "scipy", "matplotlib"]

@@ -39,7 +39,7 @@ usage: cargo xtask TASK
   packages   every crate as a package, with licences and nothing from outside
   api        the public names of the core crate, compared with crates/polhode/api.txt; --write takes them over
   book       the book as a site in target/book, its links checked; --open shows it
-  speed      measures anew what book/speed.md, work-precision.md and mass-properties.md say; needs python3 and what it compares with
+  speed      measures anew what book/speed.md, work-precision.md, ensembles.md, mass-properties.md and peers.md say; needs python3 and what it compares with
   corpus     what the check finds in FOLDER…, work trees of public models, on book/corpus.md; needs git
   engines    what engines make of the suite, FOLDER… of their runs, on book/judge-engines.md
   viewer     the page's viewer: its bundle is the build of its source, and its tests pass in a browser

@@ -16,11 +16,12 @@ pub(crate) const EXECUTABLE: &str = if cfg!(windows) { "Scripts/python.exe" } el
 
 /// What the tests need besides the package: what it uses where it is there, Dask for the cluster, pandoc for worked solutions, what runs
 /// notebooks and shows them in a browser, and what reads the workflows.
-const NEEDED: [&str; 21] = [
+const NEEDED: [&str; 22] = [
     "pytest",
     "scipy",
     "matplotlib",
     "mypy",
+    "pyright==1.1.414",
     "pyarrow",
     "pandas",
     "polars",
@@ -48,7 +49,7 @@ pub(crate) fn check() -> Outcome {
     environment().and_then(check_in)
 }
 
-/// Builds the wheel, installs it into an environment, and runs the tests, the documentation's examples, the book's, a check of
+/// Builds the wheel, installs it into an environment, and runs the tests, the documentation's examples, the book's, checks of
 /// types, and `examples/python/` from an empty folder: what is imported there is the wheel's, not the tree's.
 pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     let package = root().join("crates/polhode-py");
@@ -59,6 +60,7 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     linted(&mut wheel);
     run(wheel.env("MATURIN_PEP517_ARGS", format!("--profile dev --features {FEATURES} {OPTIMISED}")))?;
     let wheel = files(&wheels, "whl")?.pop().ok_or("pip made no wheel")?;
+    run(Command::new(&python).arg(package.join("wheel.py")).arg(&wheel))?;
     run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).arg(&wheel))?;
 
     let empty = folder.join("empty");
@@ -88,6 +90,8 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
         .map(|name| format!("--ignore={}", Path::new(where_from.trim()).with_file_name(name).display()));
     let documented = ["--doctest-modules", &without[0], &without[1], "--pyargs", "polhode"];
     run_beside(here(&["-m", "pytest", "-q", "-c"]).arg(&settings).args(documented))?;
+    // The tables of that page are what was measured of the programs as they are.
+    run(here(&[]).arg(root().join("benches/python/measure.py")).arg("--check"))?;
     let book = root().join("book");
     let pages = ["python.md", "differentiable.md", "clusters.md"].map(|page| book.join(page));
     let followed = [files(&book.join("cookbook"), "md")?, files(&book.join("tutorials"), "md")?];
@@ -99,6 +103,7 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
         "-p",
         "polhode_command",
     ]))?;
+    run_beside(here(&["-m", "pyright", "--pythonpath"]).arg(&python).arg("--project").arg(&package))?;
     run_beside(
         here(&["-W", "error::UserWarning"]).arg(book.join("notebooks/execute.py")).env_remove("MPLBACKEND"),
     )?;

@@ -13,7 +13,7 @@ struct Script {
     packages: &'static [(&'static str, &'static str)],
 }
 
-const SCRIPTS: [Script; 4] = [
+const SCRIPTS: [Script; 5] = [
     Script {
         path: "crates/polhode/benches/speed.py",
         page: "book/speed.md",
@@ -39,6 +39,18 @@ const SCRIPTS: [Script; 4] = [
         path: "benches/mass.py",
         page: "book/mass-properties.md",
         packages: &[("numpy", "numpy"), ("trimesh", "trimesh"), ("scipy", "scipy"), ("OCP", "cadquery-ocp")],
+    },
+    Script {
+        path: "benches/python/measure.py",
+        page: "book/peers.md",
+        packages: &[
+            ("heyoka", "heyoka"),
+            ("scipy", "scipy"),
+            ("mujoco", "mujoco"),
+            ("trimesh", "trimesh"),
+            ("numpy", "numpy"),
+            ("polhode", "./crates/polhode-py"),
+        ],
     },
 ];
 

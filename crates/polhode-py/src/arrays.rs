@@ -98,16 +98,28 @@ pub(crate) fn rows_mut<'a, const N: usize>(
     }
 }
 
-/// q and −q are one attitude: the first has w ≥ 0, each of the others the sign nearest to the one before it.
-pub(crate) fn signed(wxyz: [f64; 4], before: &mut Option<[f64; 4]>) -> [f64; 4] {
-    let along = match before {
-        // The first component that is not zero decides.
-        None => wxyz.into_iter().find(|c| *c != 0.0).unwrap_or_default(),
-        Some(last) => last.iter().zip(wxyz).map(|(a, b)| a * b).sum(),
-    };
-    let signed = if along < 0.0 { wxyz.map(|c| 0.0 - c) } else { wxyz };
-    *before = Some(signed);
-    signed
+/// q and −q are one attitude: of a row of quaternions the first has w ≥ 0, each of the others the sign nearest to the one before it.
+///
+/// What a quaternion is compared with is the one before as it came, so that only a bit of each is waited for by the next.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Signs {
+    before: Option<[f64; 4]>,
+    is_turned: bool,
+}
+
+impl Signs {
+    /// The next quaternion, or its negative.
+    #[inline]
+    pub(crate) fn signed(&mut self, wxyz: [f64; 4]) -> [f64; 4] {
+        let along: f64 = match self.before {
+            // The first component that is not zero decides.
+            None => wxyz.into_iter().find(|c| *c != 0.0).unwrap_or_default(),
+            Some(before) => before.iter().zip(wxyz).map(|(a, b)| a * b).sum(),
+        };
+        self.is_turned = if self.is_turned { along > 0.0 } else { along < 0.0 };
+        self.before = Some(wxyz);
+        if self.is_turned { wxyz.map(|c| 0.0 - c) } else { wxyz }
+    }
 }
 
 /// Angular velocities, a row each, and attitudes.

@@ -7,7 +7,7 @@ use polhode::motion::torque::{TorqueModel, TorqueParameter};
 use polhode::motion::{CrossingDerivatives, Event, Rotor, State, StateDerivatives, TrajectoryDerivatives};
 use pyo3::prelude::*;
 
-use crate::arrays::{cube, matrix, row, signed, table};
+use crate::arrays::{Signs, cube, matrix, row, table};
 use crate::error::refused;
 use crate::mass_derivatives::gradient_row;
 
@@ -86,9 +86,8 @@ fn derived<'py>(
     events: Vec<DerivedEvent<'py>>,
 ) -> PyResult<Derived<'py>> {
     let n = states.len();
-    let mut before = None;
-    let attitude: Vec<_> =
-        states.iter().map(|of| signed(of.state.attitude.quaternion(), &mut before)).collect();
+    let mut signs = Signs::default();
+    let attitude: Vec<_> = states.iter().map(|of| signs.signed(of.state.attitude.quaternion())).collect();
     let omega: Vec<_> = states.iter().map(|of| of.state.omega.to_array()).collect();
     let of = |what: fn(&StateDerivatives) -> &[[f64; 6]; 6]| {
         cube(py, states.iter().flat_map(|of| what(of).as_flattened()).copied().collect(), [n, 6, 6])

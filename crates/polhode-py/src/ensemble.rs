@@ -12,7 +12,7 @@ use polhode::motion::{Ensemble, Member, MemberFailure, Method, MotionError, Roto
 use polhode_formats::scenario;
 use pyo3::prelude::*;
 
-use crate::arrays::{numbers, room, rows, signed};
+use crate::arrays::{Signs, numbers, room, rows};
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
 use crate::interrupt::Watch;
@@ -125,9 +125,9 @@ impl PyEnsemble {
 
 /// q and −q are one attitude: the first has w ≥ 0, each of the others the sign nearest to the one before it.
 fn continuous(rows: &mut [[f64; 8]]) {
-    let mut before = None;
+    let mut signs = Signs::default();
     for [_, w, x, y, z, ..] in rows {
-        [*w, *x, *y, *z] = signed([*w, *x, *y, *z], &mut before);
+        [*w, *x, *y, *z] = signs.signed([*w, *x, *y, *z]);
     }
 }
 

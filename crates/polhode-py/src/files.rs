@@ -51,6 +51,7 @@ pub(crate) fn particle_file(
 /// A CAD program's report.
 #[pyfunction]
 pub(crate) fn cad_file(
+    py: Python<'_>,
     path: PathBuf,
     products: Option<&str>,
     decimal: Option<&str>,
@@ -73,7 +74,7 @@ pub(crate) fn cad_file(
         length_unit,
     };
     let CadReport { product, properties, volume, surface_area, density, proof, findings } =
-        read_text_file(&path, |text| cad::read(text, &options)).map_err(Raise::raise)?;
+        py.detach(|| read_text_file(&path, |text| cad::read(text, &options))).map_err(Raise::raise)?;
     let source = of_file(&path, "cad")
         .described(format!("mass properties by {}", product.name()))
         .with("product", product.name());
@@ -96,7 +97,7 @@ pub(crate) fn cad_file(
 
 /// The molecules of a file.
 #[pyfunction]
-pub(crate) fn molecule_file(path: PathBuf, average: bool) -> PyResult<Vec<PyMassProperties>> {
+pub(crate) fn molecule_file(py: Python<'_>, path: PathBuf, average: bool) -> PyResult<Vec<PyMassProperties>> {
     let isotopes = if average { Isotopes::Average } else { Isotopes::Abundant };
     let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
     let format = match ending.to_ascii_lowercase().as_str() {
@@ -105,7 +106,7 @@ pub(crate) fn molecule_file(path: PathBuf, average: bool) -> PyResult<Vec<PyMass
         "mol" => MoleculeFormat::Mol,
         _ => MoleculeFormat::Sdf,
     };
-    let molecules = molecule::read(&path, format).map_err(Raise::raise)?;
+    let molecules = py.detach(|| molecule::read(&path, format)).map_err(Raise::raise)?;
     let report = |(number, molecule): (usize, &molecule::Molecule)| {
         let block = MoleculeReport {
             formula: molecule.formula(),
@@ -127,8 +128,8 @@ pub(crate) fn molecule_file(path: PathBuf, average: bool) -> PyResult<Vec<PyMass
         let findings = molecule.findings_with(isotopes);
         Ok(PyMassProperties::of(InertiaReport { extras: vec![extra], findings, ..report }))
     };
-    let reports: Result<Vec<_>, BodyError> = molecules.iter().enumerate().map(report).collect();
-    reports.map_err(Raise::raise)
+    let reports = || molecules.iter().enumerate().map(report).collect::<Result<Vec<_>, BodyError>>();
+    py.detach(reports).map_err(Raise::raise)
 }
 
 /// A voxel grid; `per_value` is the density that a value of 1 stands for, kg/m³.

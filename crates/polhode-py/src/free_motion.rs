@@ -1,14 +1,14 @@
 //! Free motion in closed form.
 
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _, PyReadonlyArray1};
-use polhode::body::{BodyError, InertiaTensor, MassProperties};
+use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{AngularVelocity, Attitude, Body, Position};
 use polhode::motion::{FreeMotion, FreeMotionDerivatives, Method, Rotor, Run, State, Trajectory};
 use polhode::observe::FreeRegime;
 use polhode_report::{PageInput, PageSubject, SpinReport, VERSION, page};
 use pyo3::prelude::*;
 
-use crate::arrays::{ErrorColumns, error_columns, numbers, row, rows_mut, signed};
+use crate::arrays::{ErrorColumns, Signs, error_columns, numbers, row, rows_mut};
 use crate::derivatives::{Derived, derived_states};
 use crate::error::{Raise, refused};
 use crate::interrupt::Watch;
@@ -29,7 +29,7 @@ type State1<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 pub(crate) struct PyFreeMotion {
     motion: FreeMotion,
     /// `None` of moments that are no body's.
-    rotor: Option<Rotor>,
+    inertia: Option<InertiaTensor<Body>>,
 }
 
 #[pymethods]
@@ -37,27 +37,27 @@ impl PyFreeMotion {
     /// Of moments along the body's axes; those of no body only if `unphysical`.
     #[staticmethod]
     fn of_moments(moments: [f64; 3], omega: [f64; 3], wxyz: [f64; 4], unphysical: bool) -> PyResult<Self> {
-        let rotor = InertiaTensor::diagonal(moments).and_then(rotor);
-        if !unphysical {
-            rotor.clone().map_err(Raise::raise)?;
-        }
+        let inertia = match InertiaTensor::diagonal(moments) {
+            Err(error) if !unphysical => return Err(error.raise()),
+            inertia => inertia.ok(),
+        };
         let motion = FreeMotion::of_moments(moments, start(omega, wxyz)?).map_err(Raise::raise)?;
-        Self::in_range(motion, rotor.ok())
+        Self::in_range(motion, inertia)
     }
 
     /// Of a tensor about the centre of mass.
     #[staticmethod]
     fn of_tensor(tensor: [[f64; 3]; 3], omega: [f64; 3], wxyz: [f64; 4]) -> PyResult<Self> {
-        let rotor = InertiaTensor::from_matrix(tensor).and_then(rotor).map_err(Raise::raise)?;
-        let motion = FreeMotion::of(&rotor, start(omega, wxyz)?).map_err(Raise::raise)?;
-        Self::in_range(motion, Some(rotor))
+        let inertia = InertiaTensor::from_matrix(tensor).map_err(Raise::raise)?;
+        let motion = FreeMotion::of(&rotor(inertia)?, start(omega, wxyz)?).map_err(Raise::raise)?;
+        Self::in_range(motion, Some(inertia))
     }
 
     /// ω (3,) and the attitude (4,) at a time.
     fn at_time<'py>(&self, py: Python<'py>, time: f64) -> PyResult<State1<'py>> {
         self.motion.require(&[time]).map_err(Raise::raise)?;
         let state = self.motion.at(time);
-        Ok((row(py, state.omega.to_array()), row(py, signed(state.attitude.quaternion(), &mut None))))
+        Ok((row(py, state.omega.to_array()), row(py, Signs::default().signed(state.attitude.quaternion()))))
     }
 
     /// ω (n, 3) and the attitude (n, 4) at times, into arrays of these shapes.
@@ -72,29 +72,26 @@ impl PyFreeMotion {
         self.motion.require(times).map_err(Raise::raise)?;
         let (mut omega, mut attitude) = (omega.try_readwrite()?, attitude.try_readwrite()?);
         let (omega, attitude) = (rows_mut::<3>(&mut omega)?, rows_mut::<4>(&mut attitude)?);
-        let mut watch = Watch::new();
-        let mut write = || {
-            let mut before = None;
-            // So few that they are still near when they are put into the arrays.
-            let mut states = vec![self.motion.start(); times.len().min(PIECE)];
-            let places = omega.chunks_mut(PIECE).zip(attitude.chunks_mut(PIECE));
-            for (piece, (omega, attitude)) in times.chunks(PIECE).zip(places) {
-                self.motion.fill(piece, &mut states);
-                for ((state, omega), attitude) in states.iter().zip(omega).zip(attitude) {
-                    *omega = state.omega.to_array();
-                    *attitude = signed(state.attitude.quaternion(), &mut before);
-                }
-                if !watch.goes_on() {
-                    return;
-                }
+        let mut signs = Signs::default();
+        // So few that they are still near when they are put into the arrays.
+        let mut states = vec![self.motion.start(); times.len().min(PIECE)];
+        let places = omega.chunks_mut(PIECE).zip(attitude.chunks_mut(PIECE));
+        let mut pieces = times.chunks(PIECE).zip(places).map(|(piece, (omega, attitude))| {
+            self.motion.fill(piece, &mut states);
+            let mut signed = signs;
+            for ((state, omega), attitude) in states.iter().zip(omega).zip(attitude) {
+                *omega = state.omega.to_array();
+                *attitude = signed.signed(state.attitude.quaternion());
             }
-        };
+            signs = signed;
+        });
         // What is done sooner than the lock is given away and taken again keeps it.
         if times.len() < DETACHED {
-            write();
-        } else {
-            py.detach(write);
+            pieces.for_each(drop);
+            return Ok(());
         }
+        let mut watch = Watch::new();
+        py.detach(|| pieces.all(|()| watch.goes_on()));
         watch.ended()
     }
 
@@ -109,13 +106,14 @@ impl PyFreeMotion {
     fn derivatives<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Derived<'py>> {
         let times = numbers(&times)?;
         self.motion.require(times).map_err(Raise::raise)?;
-        let Some(rotor) = &self.rotor else {
+        let Some(inertia) = self.inertia else {
             return Err(refused(
                 "moments that are no body's have no derivatives by an inertia tensor",
                 Some("leave allow_unphysical out to see what is wrong with them"),
             ));
         };
-        let motion = FreeMotionDerivatives::of(rotor, self.motion.start()).map_err(Raise::raise)?;
+        let rotor = rotor(inertia)?;
+        let motion = FreeMotionDerivatives::of(&rotor, self.motion.start()).map_err(Raise::raise)?;
         let mut states = Vec::with_capacity(times.len());
         let mut watch = Watch::new();
         py.detach(|| {
@@ -135,7 +133,7 @@ impl PyFreeMotion {
                 ),
             ));
         }
-        derived_states(py, rotor, &states)
+        derived_states(py, &rotor, &states)
     }
 
     #[getter]
@@ -211,17 +209,18 @@ impl PyFreeMotion {
 
 impl PyFreeMotion {
     /// A motion whose constants are numbers.
-    fn in_range(motion: FreeMotion, rotor: Option<Rotor>) -> PyResult<Self> {
+    fn in_range(motion: FreeMotion, inertia: Option<InertiaTensor<Body>>) -> PyResult<Self> {
         if motion.kinetic_energy().is_finite() && motion.momentum().norm().is_finite() {
-            return Ok(Self { motion, rotor });
+            return Ok(Self { motion, inertia });
         }
         let message = "the energy or |L| of this motion is beyond the range of numbers, 1.8e308";
         Err(refused(message, Some("check the units and the exponents")))
     }
 }
 
-fn rotor(inertia: InertiaTensor<Body>) -> Result<Rotor, BodyError> {
-    Ok(Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia)?))
+/// Of a free body the mass does not matter.
+fn rotor(inertia: InertiaTensor<Body>) -> PyResult<Rotor> {
+    MassProperties::new(1.0, Position::ZERO, inertia).map(|body| Rotor::free(&body)).map_err(Raise::raise)
 }
 
 fn start(omega: [f64; 3], wxyz: [f64; 4]) -> PyResult<State> {

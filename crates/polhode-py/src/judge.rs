@@ -12,7 +12,7 @@ use polhode_formats::scenario::ScenarioFile;
 use polhode_report::{JudgeReport, JudgedRun, judge_hint};
 use pyo3::prelude::*;
 
-use crate::arrays::{matrix, numbers, rows, signed};
+use crate::arrays::{Signs, matrix, numbers, rows};
 use crate::error::{PolhodeError, Raise, refused};
 use crate::finding::{Remark, remarks};
 
@@ -192,10 +192,10 @@ fn judged<'py>(py: Python<'py>, file: &ScenarioFile, run: JudgedRun) -> PyResult
         let document = report.to_document();
         (report, document)
     });
-    let (mut before, mut exact_before) = (None, None);
-    let attitude: Vec<_> = motion.attitude.iter().map(|&wxyz| signed(wxyz, &mut before)).collect();
+    let (mut signs, mut exact_signs) = (Signs::default(), Signs::default());
+    let attitude: Vec<_> = motion.attitude.iter().map(|&wxyz| signs.signed(wxyz)).collect();
     let exact_attitude: Vec<_> =
-        exact.iter().map(|state| signed(state.attitude.quaternion(), &mut exact_before)).collect();
+        exact.iter().map(|state| exact_signs.signed(state.attitude.quaternion())).collect();
     let omega: Option<Vec<_>> =
         motion.omega.map(|omega| omega.into_iter().map(polhode::math::AngularVelocity::to_array).collect());
     let exact_omega: Vec<_> = exact.iter().map(|state| state.omega.to_array()).collect();

@@ -27,24 +27,29 @@ pub(crate) enum JointValue {
 /// A link of a robot, a link with all that hangs from it, or all links, at some values of the joints.
 #[pyfunction]
 pub(crate) fn robot_file(
+    py: Python<'_>,
     path: PathBuf,
     link: Option<&str>,
     subtree: Option<&str>,
     joints: Vec<(String, JointValue)>,
 ) -> PyResult<PyMassProperties> {
-    let model = read(&path)?;
-    let report = match (link, subtree) {
-        (Some(link), _) => of_link(&model, link).map_err(|error| raised(&model, &error))?,
-        (None, subtree) => one(&model, subtree.map_or(Lumping::All, Lumping::Subtree), &joints)?,
-    };
-    Ok(PyMassProperties::of(report))
+    py.detach(|| {
+        let model = read(&path)?;
+        let report = match (link, subtree) {
+            (Some(link), _) => of_link(&model, link).map_err(|error| raised(&model, &error))?,
+            (None, subtree) => one(&model, subtree.map_or(Lumping::All, Lumping::Subtree), &joints)?,
+        };
+        Ok(PyMassProperties::of(report))
+    })
 }
 
 /// What fixed joints hold together: a body for each group, and the link whose frame it is in.
 #[pyfunction]
-pub(crate) fn robot_groups(path: PathBuf) -> PyResult<Vec<(String, PyMassProperties)>> {
-    let model = read(&path)?;
-    let reports = of_lumps(&model, Lumping::Fixed, &[]).map_err(|error| raised(&model, &error))?;
+pub(crate) fn robot_groups(py: Python<'_>, path: PathBuf) -> PyResult<Vec<(String, PyMassProperties)>> {
+    let reports = py.detach(|| {
+        let model = read(&path)?;
+        of_lumps(&model, Lumping::Fixed, &[]).map_err(|error| raised(&model, &error))
+    })?;
     let frame = |report: &InertiaReport| {
         report.source.fields.get("link").and_then(|link| link.as_str()).unwrap_or_default().to_owned()
     };
@@ -54,14 +59,17 @@ pub(crate) fn robot_groups(path: PathBuf) -> PyResult<Vec<(String, PyMassPropert
 /// All links of a robot: as JSON, as text, as CSV, and what was noticed.
 #[pyfunction]
 pub(crate) fn robot_table(
+    py: Python<'_>,
     path: PathBuf,
     joints: Vec<(String, JointValue)>,
 ) -> PyResult<(String, String, String, Vec<Remark>)> {
-    let model = read(&path)?;
-    let positions = positions(&model, &joints)?;
-    let table = LinkTable::of(&model, &positions).map_err(|error| raised(&model, &error))?;
-    let csv = LinkTable::csv_head() + &table.to_csv();
-    Ok((table.to_json().to_string(), table.to_text(), csv, remarks(table.findings())))
+    py.detach(|| {
+        let model = read(&path)?;
+        let positions = positions(&model, &joints)?;
+        let table = LinkTable::of(&model, &positions).map_err(|error| raised(&model, &error))?;
+        let csv = LinkTable::csv_head() + &table.to_csv();
+        Ok((table.to_json().to_string(), table.to_text(), csv, remarks(table.findings())))
+    })
 }
 
 fn read(path: &Path) -> PyResult<RobotModel> {
@@ -110,18 +118,18 @@ fn raised(model: &RobotModel, error: &InertiaError) -> PyErr {
 
 /// The links of a robot, in the file's order.
 #[pyfunction]
-pub(crate) fn robot_links(path: PathBuf) -> PyResult<Vec<String>> {
-    let model = read_model(&path, &ReadOptions::default()).map_err(Raise::raise)?;
+pub(crate) fn robot_links(py: Python<'_>, path: PathBuf) -> PyResult<Vec<String>> {
+    let model = py.detach(|| read(&path))?;
     Ok(model.links.iter().map(|link| link.name.text.clone()).collect())
 }
 
 /// True if the file's root element or first word is that of a robot model.
 #[pyfunction]
-pub(crate) fn is_robot(path: PathBuf) -> PyResult<bool> {
+pub(crate) fn is_robot(py: Python<'_>, path: PathBuf) -> PyResult<bool> {
     let is_robot = |bytes: &[u8]| {
         let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
         let is_text = start.first() == Some(&b'<') || start.starts_with(b"#usda");
         Ok(is_text && format_of(&String::from_utf8_lossy(bytes)).is_some())
     };
-    read_file(&path, is_robot).map_err(Raise::raise)
+    py.detach(|| read_file(&path, is_robot)).map_err(Raise::raise)
 }

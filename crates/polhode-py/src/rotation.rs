@@ -15,12 +15,17 @@ pub(crate) fn quaternions_of_matrices<'py>(
     matrices: PyReadonlyArray2<'py, f64>,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let matrices = rows::<9>(&matrices)?;
-    let mut quaternions = Vec::with_capacity(4 * matrices.len());
-    for (k, &[xx, xy, xz, yx, yy, yz, zx, zy, zz]) in matrices.iter().enumerate() {
-        let turn = Attitude::from_matrix([[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]]);
-        let place = if matrices.len() > 1 { format!("{name}[{k}]") } else { name.to_owned() };
-        let turn = turn.map_err(|error| refused(format!("{place}: {error}"), None))?;
-        quaternions.extend(turn.quaternion());
-    }
+    let quaternions = py.detach(|| {
+        let mut quaternions = Vec::with_capacity(4 * matrices.len());
+        for (k, &[xx, xy, xz, yx, yy, yz, zx, zy, zz]) in matrices.iter().enumerate() {
+            let turn = Attitude::from_matrix([[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]]);
+            let turn = turn.map_err(|error| {
+                let place = if matrices.len() > 1 { format!("{name}[{k}]") } else { name.to_owned() };
+                refused(format!("{place}: {error}"), None)
+            })?;
+            quaternions.extend(turn.quaternion());
+        }
+        Ok::<_, PyErr>(quaternions)
+    })?;
     table(py, quaternions, 4)
 }

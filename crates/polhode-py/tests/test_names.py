@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import ast
 import inspect
+import re
 from pathlib import Path
 
 import polhode
+from conftest import ROOT
 from polhode import _native
 
 HERE = Path(polhode.__file__).parent
@@ -22,6 +24,11 @@ def test_every_public_name_is_documented() -> None:
             members = {k: v for k, v in vars(value).items() if not k.startswith("_") and (callable(v) or isinstance(v, property))}
             for member, what in members.items():
                 assert inspect.getdoc(what), f"{name}.{member}"
+
+
+def test_every_public_name_is_in_the_reference() -> None:
+    listed = re.findall(r"(?m)^\.\. auto\w+:: polhode\.(\w+)$", (ROOT / "book/site/python-api.rst").read_text())
+    assert sorted(listed) == sorted({*polhode.__all__, "batch", "sweep"} - {"__version__"})
 
 
 def test_types_are_announced() -> None:

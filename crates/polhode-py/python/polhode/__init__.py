@@ -165,7 +165,15 @@ __all__ = [
     "widget",
 ]
 
-# Messages and copies in other processes name them as users do, and doctest finds the examples of their methods.
+
+def _named(public: type) -> None:
+    """Messages and copies in other processes name it as users do, and doctest finds the examples of its methods."""
+    public.__module__ = __name__
+    for name, member in vars(public).items():
+        if isinstance(member, _Function) and not name.startswith("_"):
+            member.__module__ = __name__
+
+
 for _public in (
     Body,
     BodyDerivatives,
@@ -229,8 +237,5 @@ for _public in (
     TumblingSpin,
     Unconstrained,
 ):
-    _public.__module__ = __name__
-    for _name, _member in vars(_public).items():
-        if isinstance(_member, _Function) and not _name.startswith("_"):
-            _member.__module__ = __name__
-del _public, _name, _member
+    _named(_public)
+del _public, _named

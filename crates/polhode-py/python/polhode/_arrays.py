@@ -138,7 +138,7 @@ def refuse(name: str, array: npt.NDArray[Any], wrong: npt.NDArray[np.bool_], rul
         raise PolhodeError(f"{name}{place} = {array[index]} must be {rule}")
 
 
-def quaternions(name: str, value: object, shape: tuple[int | str, ...]) -> Floats:
+def quaternions(name: str, value: Any, shape: tuple[int | str, ...]) -> Floats:
     """Rotations as quaternions, scalar first; a ``scipy.spatial.transform.Rotation``, which is scalar-last, is turned round, and of matrices (…, 3, 3)
     the quaternions are found."""
     if hasattr(value, "as_quat"):

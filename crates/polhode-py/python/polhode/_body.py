@@ -15,6 +15,20 @@ from ._mass_properties import IDENTITY, MassProperties, joined
 class Body(Mapping[str, MassProperties]):
     """Parts with names, rigidly joined: a mapping from the names to the parts, where they are placed.
 
+    Parameters
+    ----------
+    parts
+        Mass properties by name, placed where they belong.
+
+    Raises
+    ------
+    PolhodeError
+        Where there is no part.
+    TypeError
+        Where a part is not :class:`MassProperties`, or a name no text.
+
+    Examples
+    --------
     >>> import polhode
     >>> from polhode import shapes
     >>> hammer = polhode.Body({
@@ -52,7 +66,25 @@ class Body(Mapping[str, MassProperties]):
         return self._whole
 
     def placed(self, *, position: npt.ArrayLike = (0.0, 0.0, 0.0), rotation: object = IDENTITY) -> Body:
-        """The same with all parts moved: see :meth:`MassProperties.placed`."""
+        """The same with all parts moved: see :meth:`MassProperties.placed`.
+
+        Parameters
+        ----------
+        position
+            Where the body's origin is (3,), m.
+        rotation
+            What takes present components to new ones: a quaternion (w, x, y, z), a matrix (3, 3), or a ``scipy.spatial.transform.Rotation``.
+
+        Returns
+        -------
+        Body
+            The parts by the same names.
+
+        Raises
+        ------
+        PolhodeError
+            Where an argument is refused: its name, the element and the rule are in the message.
+        """
         return Body({name: part.placed(position=position, rotation=rotation) for name, part in self._parts.items()})
 
     def derivatives(self, *, about: Mapping[str, npt.ArrayLike] | None = None) -> BodyDerivatives:
@@ -67,6 +99,11 @@ class Body(Mapping[str, MassProperties]):
         -------
         BodyDerivatives
             Arrays (10, n, …) by masses, densities, positions, rotations, and by the parts' own mass properties.
+
+        Raises
+        ------
+        PolhodeError
+            Where an argument is refused: its name, the element and the rule are in the message.
 
         Examples
         --------

@@ -223,7 +223,7 @@ def budget(
     seed: int | None = None,
     configuration: str | None = None,
 ) -> Budget:
-    """Says what a parts list comes to: what ``polhode budget`` does.
+    """Says what a parts list comes to: what ``polhode budget`` does. What no argument says is as the list has it.
 
     Parameters
     ----------
@@ -246,11 +246,10 @@ def budget(
     configuration
         Only this one.
 
-    What is not said is as the list has it.
-
     Returns
     -------
     Budget
+        The mass properties with their covariance, limits, and whose errors matter, of each configuration.
 
     Raises
     ------

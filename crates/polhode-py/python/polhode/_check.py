@@ -95,8 +95,27 @@ class CheckReport:
 
 
 def check(path: str | os.PathLike[str], *, roots: Sequence[str | os.PathLike[str]] = ()) -> CheckReport:
-    """Checks the inertias of a URDF, SDF, MJCF, USD or OpenSim file; ``roots`` are folders that hold its packages.
+    """Checks the inertias of a URDF, SDF, MJCF, USD or OpenSim file.
 
+    Parameters
+    ----------
+    path
+        The model's file.
+    roots
+        Folders that hold the packages that it names.
+
+    Returns
+    -------
+    CheckReport
+        Its findings, each with its link, its rule and its place.
+
+    Raises
+    ------
+    PolhodeError
+        Where the file is no robot model.
+
+    Examples
+    --------
     >>> import pathlib, tempfile, polhode
     >>> path = pathlib.Path(tempfile.mkdtemp()) / "arm.urdf"
     >>> _ = path.write_text('''<robot name="arm"><link name="hand"><inertial><mass value="2"/>

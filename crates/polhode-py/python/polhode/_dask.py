@@ -6,7 +6,7 @@ import logging
 import time
 from contextlib import contextmanager
 from functools import partial
-from typing import TYPE_CHECKING, Iterator
+from typing import TYPE_CHECKING, Any, Iterator
 
 from distributed import Client, LocalCluster, as_completed
 
@@ -48,7 +48,8 @@ def _part(plan: Plan, part: tuple[int, tuple[int, int]]) -> Done:
 
 def _workers(client: Client, on: str) -> int:
     try:
-        return len(client.nthreads())
+        threads: Any = client.nthreads()  # of a client that does not wait it would be a coroutine
+        return len(threads)
     except OSError as error:
         raise lost(on, "its scheduler does not answer") from error
 

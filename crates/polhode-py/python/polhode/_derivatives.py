@@ -135,6 +135,16 @@ class Derivatives(Record):
         joint
             Instead of these three, which do not depend on each other, the covariance (12 + p, 12 + p) of all: start, inertia, parameters.
 
+        Returns
+        -------
+        array (n, 6, 6)
+            The covariances of θ and ω; of a single time (6, 6).
+
+        Raises
+        ------
+        PolhodeError
+            Where an argument is refused: its name, the element and the rule are in the message.
+
         Examples
         --------
         A spin about an axis that is known to 0.01 rad/s turns by an angle that is known to 0.07 rad after 7 s:

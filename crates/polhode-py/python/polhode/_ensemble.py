@@ -73,7 +73,23 @@ class EnsembleStates(Table):
         return self._rows[:, :, 0]
 
     def rotations(self, member: int) -> Rotation:
-        """The attitudes of a member as a ``scipy.spatial.transform.Rotation``."""
+        """The attitudes of a member as a ``scipy.spatial.transform.Rotation``.
+
+        Parameters
+        ----------
+        member
+            Which one, from 0.
+
+        Returns
+        -------
+        scipy.spatial.transform.Rotation
+            One for each time; it takes body components to space components.
+
+        Raises
+        ------
+        ImportError
+            Without SciPy.
+        """
         return rotations(self.attitude[member])
 
     def _table(self) -> list[Column]:
@@ -122,15 +138,31 @@ class EnsembleStates(Table):
 class Ensemble:
     """Many bodies that move independently of each other: free, or each under the same ``torques``.
 
-    Bodies by ``moments`` (n, 3) about their axes x, y and z, or by ``inertia`` (n, 3, 3) about their centres of mass; ``omega`` (n, 3) at t = 0
-    along body axes, rad/s; ``attitude`` (n, 4), quaternions w, x, y, z, matrices (n, 3, 3) that take body components to space components, or a
-    ``scipy.spatial.transform.Rotation`` of n. What all share may be given once: (3,), (3, 3), (4,). ``torques`` are torques of
-    :mod:`polhode.scenario`, or a text of ``[[torque]]`` tables, as scenarios have them. A :class:`polhode.scenario.FunctionTorque` is called for one member
-    at a time, or, if it is ``vectorized``, once for all of them at each stage of their steps. What it raises is raised here, as it is called once at the start,
-    or by :meth:`at`.
-
     The bits do not depend on the number of threads, nor on which members there are beside one.
 
+    Parameters
+    ----------
+    omega
+        Angular velocities at t = 0 (n, 3), along body axes, rad/s. What all members share, here and below, may be given once.
+    moments
+        Moments (n, 3) about the axes x, y and z, kg·m².
+    inertia
+        Instead of ``moments``: tensors (n, 3, 3) about the centres of mass, kg·m².
+    attitude
+        What takes body components to space components at t = 0: quaternions (n, 4), matrices (n, 3, 3), or a
+        ``scipy.spatial.transform.Rotation`` of n.
+    torques
+        Torques of :mod:`polhode.scenario`, or a text of ``[[torque]]`` tables, as scenarios have them; all members are under them. A
+        :class:`polhode.scenario.FunctionTorque` is called for one member at a time, or, if it is ``vectorized``, once for all of them at each stage of their
+        steps. What it raises is raised here, as it is called once at the start, or by :meth:`at`.
+
+    Raises
+    ------
+    PolhodeError
+        Where there is no such body; the message names the member.
+
+    Examples
+    --------
     >>> import numpy as np, polhode
     >>> omega = np.random.default_rng(1).normal(size=(1000, 3))
     >>> ensemble = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=omega)
@@ -176,11 +208,29 @@ class Ensemble:
     ) -> EnsembleStates:
         """All members at times (t,), ascending, s, none before the start.
 
-        Each member is computed by the best method there is: a closed form, else Taylor's method, else DOP853, within ``tolerance`` a step.
-        ``threads``: all processors that this process may use unless you say otherwise; under functions of Python it is one. There is no estimate of the error: :func:`simulate`
+        Each member is computed by the best method there is: a closed form, else Taylor's method, else DOP853, within ``tolerance`` a step. Under functions of Python it is one thread. There is no estimate of the error: :func:`simulate`
         has one for each of its motions.
 
         A member that cannot go on stays where it was last good; it is among ``failures``, and there is a :class:`PolhodeWarning`.
+
+        Parameters
+        ----------
+        times
+            Times (t,), ascending, s, none before the start.
+        threads
+            How many; all processors that this process may use unless given.
+        tolerance
+            Relative error of a step, where a member is integrated.
+
+        Returns
+        -------
+        EnsembleStates
+            ω (n, t, 3) and attitudes (n, t, 4).
+
+        Raises
+        ------
+        PolhodeError
+            Where an argument is refused: its name, the element and the rule are in the message.
         """
         asked = _arrays.numbers("times", times, ("t",))
         rows, failures = self._native.at(
@@ -221,7 +271,7 @@ class Ensemble:
         return f"Ensemble({len(self)} members)"
 
 
-def _each(name: str, value: object, shape: tuple[int, ...]) -> Floats:
+def _each(name: str, value: Any, shape: tuple[int, ...]) -> Floats:
     """A row for each member, or one for all."""
     check, ndim = _arrays.numbers, len(shape)
     given = np.asarray(value.as_quat()) if hasattr(value, "as_quat") else _arrays.real(name, value)

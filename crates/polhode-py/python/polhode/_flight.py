@@ -117,6 +117,11 @@ def find_flights(
     list of Flight
         In the order of time; they are called by their number and their first time.
 
+    Raises
+    ------
+    PolhodeError
+        Where an argument is refused: its name, the element and the rule are in the message.
+
     Examples
     --------
     A log at rest has none:

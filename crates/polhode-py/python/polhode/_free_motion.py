@@ -21,15 +21,36 @@ from ._states import MotionError, States, rotations
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
 
+#: So many states lie in memory that the C library keeps.
+FEW = 2048
+
+_empty = np.empty
+
 
 class FreeMotion:
     """The torque-free motion of a body: ω and attitude at any time, past or future, in constant time.
 
-    The body is given by ``moments`` (3,) about its axes x, y and z, or by ``inertia``: a tensor (3, 3) about the centre of mass, or
-    :class:`MassProperties`, or a :class:`Body`. It starts at t = 0 with ``omega`` (3,) along body axes, rad/s, and ``attitude``: a quaternion (w, x, y, z)
-    or a matrix (3, 3) that takes body components to space components, or a ``scipy.spatial.transform.Rotation``; without it, the axes of both
-    coincide.
+    Parameters
+    ----------
+    omega
+        Angular velocity at t = 0 (3,), along body axes, rad/s.
+    moments
+        Moments (3,) about the body's axes x, y and z, kg·m².
+    inertia
+        Instead of ``moments``: a tensor (3, 3) about the centre of mass, kg·m², :class:`MassProperties`, or a :class:`Body`.
+    attitude
+        What takes body components to space components at t = 0: a quaternion (w, x, y, z), a matrix (3, 3), or a
+        ``scipy.spatial.transform.Rotation``. Without it the axes of both coincide.
+    allow_unphysical
+        Takes moments that are no body's, which Euler's equations do not mind.
 
+    Raises
+    ------
+    PolhodeError
+        Where there is no such body, or the energy or L is beyond the range of numbers.
+
+    Examples
+    --------
     >>> import polhode
     >>> motion = polhode.FreeMotion(moments=[1, 2, 3], omega=[0.01, 1, 0.01])
     >>> motion.regime
@@ -137,10 +158,25 @@ class FreeMotion:
     def at(self, times: npt.ArrayLike, *, out: tuple[Floats, Floats] | None = None) -> States:
         """ω and the attitude at times, s: any, in any order, before the start too.
 
-        Of a single time ω is (3,) and the attitude (4,). The first quaternion has w ≥ 0. A :exc:`PolhodeError` names the first time that is
-        too far away for any to be known. ``out`` are two arrays, (n, 3) and (n, 4), C-contiguous float64, that are filled and given back, so that
-        their memory serves again.
+        Parameters
+        ----------
+        times
+            Times (n,), s, or a single one.
+        out
+            Two arrays, (n, 3) and (n, 4), C-contiguous float64, that are filled and given back, so that their memory serves again.
 
+        Returns
+        -------
+        States
+            ω (n, 3) and attitudes (n, 4), unit quaternions of which the first has w ≥ 0; of a single time (3,) and (4,).
+
+        Raises
+        ------
+        PolhodeError
+            Where a time is too far away for the attitude to be known: the first such is named.
+
+        Examples
+        --------
         >>> import numpy as np, polhode
         >>> motion = polhode.FreeMotion(moments=[1, 2, 3], omega=[0.01, 1, 0.01])
         >>> omega, attitude = np.empty((1000, 3)), np.empty((1000, 4))
@@ -148,25 +184,29 @@ class FreeMotion:
         >>> states.omega is omega, states.attitude is attitude
         (True, True)
         """
-        if type(times) in (float, int) and out is None and -_arrays.EXACT <= times <= _arrays.EXACT:  # type: ignore[operator]
+        if type(times) in (float, np.float64, int) and out is None and -_arrays.EXACT <= times <= _arrays.EXACT:  # type: ignore[operator]
             return States(np.array(times, np.float64), *self._native.at_time(times))  # type: ignore[arg-type]
         given = _arrays.real("times", times)
-        if given.ndim > 1:
-            raise PolhodeError(f"times must have the shape (n,) or be a number, not {given.shape}")
-        if given.ndim == 0:
+        shape = given.shape
+        if len(shape) > 1:
+            raise PolhodeError(f"times must have the shape (n,) or be a number, not {shape}")
+        if not shape:
             if out is not None:
                 raise PolhodeError("out is for several times: a single one has no arrays to fill")
             return States(given.copy(), *self._native.at_time(_arrays.number("times", given)))
-        if out is None:
-            out = np.empty((given.size, 3)), np.empty((given.size, 4))
+        if out is not None:
+            _filled(out, shape[0])
+            kept = given.copy()
+        elif shape[0] < FEW:
+            out, kept = (_empty((shape[0], 3)), _empty((shape[0], 4))), given.copy()
         else:
-            _filled(out, given.size)
+            out, kept = _room(given)
         try:
             self._native.fill(given, *out)
         except PolhodeError:
             _arrays.numbers("times", given, ("n",))  # says which is not finite
             raise
-        return States(given.copy(), *out)
+        return States(kept, *out)
 
     def derivatives(self, times: npt.ArrayLike) -> Derivatives:
         """The states at times with their derivatives by the start and by the inertia tensor, in closed form.
@@ -181,6 +221,12 @@ class FreeMotion:
         Derivatives
             Arrays (n, 6, 6), whose rows and columns it names, and what carries a covariance along.
 
+        Raises
+        ------
+        PolhodeError
+            Where there are none: of moments that are no body's (``allow_unphysical``), of moments of which one is less than 1e-8 of the greatest, and
+            where they grow beyond the range of numbers, next to the intermediate axis.
+
         Examples
         --------
         What 1 rad/s more about the axis of the spin does in 7 s, to θ about it and to ω:
@@ -189,9 +235,6 @@ class FreeMotion:
         >>> motion = polhode.FreeMotion(moments=[1, 2, 3], omega=[0, 0, 0.5])
         >>> motion.derivatives(7.0).by_start[[2, 5], 5].round(12)
         array([7., 1.])
-
-        Of moments that are no body's (``allow_unphysical``), and of moments of which one is less than 1e-8 of the greatest, there are none; nor where
-        they grow beyond the range of numbers, next to the intermediate axis. Such is refused by a :exc:`PolhodeError`.
         """
         given = _arrays.real("times", times)
         if given.ndim > 1:
@@ -202,6 +245,23 @@ class FreeMotion:
     def error(self, times: npt.ArrayLike) -> MotionError:
         """Estimates of the error of the states at times (n,), s: that of the formulas, and what the last bit of the inputs is worth.
 
+        Parameters
+        ----------
+        times
+            Times (n,), s.
+
+        Returns
+        -------
+        MotionError
+            Four arrays (n,): of attitude and ω, by the computation and by the inputs.
+
+        Raises
+        ------
+        PolhodeError
+            Where an argument is refused: its name, the element and the rule are in the message.
+
+        Examples
+        --------
         >>> import polhode
         >>> error = polhode.FreeMotion(moments=[1, 2, 2.5], omega=[0.3, 0.5, 0.9]).error([1e3, 1e9])
         >>> bool(error.attitude.max() < 1e-15), bool(error.inputs_attitude[1] > 1e-8)
@@ -213,6 +273,25 @@ class FreeMotion:
     def rotations(self, times: npt.ArrayLike) -> Rotation:
         """The attitudes at times as a ``scipy.spatial.transform.Rotation``: it takes body components to space components.
 
+        Parameters
+        ----------
+        times
+            Times (n,), s, or a single one.
+
+        Returns
+        -------
+        scipy.spatial.transform.Rotation
+            One for each time.
+
+        Raises
+        ------
+        PolhodeError
+            As of :meth:`at`.
+        ImportError
+            Without SciPy.
+
+        Examples
+        --------
         >>> import polhode
         >>> motion = polhode.FreeMotion(moments=[1, 2, 2.5], omega=[0.3, 0.5, 0.9])
         >>> omega, _ = motion.at([0.0, 7.0])
@@ -223,7 +302,23 @@ class FreeMotion:
         return rotations(self.at(times).attitude)
 
     def page(self, duration: float | None = None) -> str:
-        """The page that shows the motion in three dimensions, for a browser: for ``duration``, s, or for some periods."""
+        """The page that shows the motion in three dimensions, for a browser.
+
+        Parameters
+        ----------
+        duration
+            How long the motion is shown, s; some periods unless given.
+
+        Returns
+        -------
+        str
+            HTML that loads nothing from elsewhere.
+
+        Raises
+        ------
+        PolhodeError
+            Where an argument is refused: its name, the element and the rule are in the message.
+        """
         return self._native.page(self._sensible() if duration is None else _arrays.positive("duration", duration))
 
     def _sensible(self) -> float:
@@ -277,6 +372,19 @@ def tensor_of(inertia: object) -> object:
     return inertia.inertia if isinstance(inertia, MassProperties) else inertia
 
 
+def _room(times: Floats) -> tuple[tuple[Floats, Floats], Floats]:
+    """Arrays for ω and the attitudes of many times, and a copy of these.
+
+    The copy lies behind the attitudes in one array. glibc gives memory back to the system where twice the largest piece that was ever
+    freed is free, and three arrays of 8, 24 and 32 bytes a state are just that: every call would get its memory anew, page by page, which takes longer
+    than the states.
+    """
+    count = times.size
+    both = np.empty(5 * count)
+    both[4 * count :] = times
+    return (np.empty((count, 3)), both[: 4 * count].reshape(count, 4)), both[4 * count :]
+
+
 def _filled(out: object, count: int) -> None:
     """Refuses what states cannot be put into."""
     if not isinstance(out, tuple) or len(out) != 2:
@@ -288,5 +396,6 @@ def _filled(out: object, count: int) -> None:
             raise PolhodeError(f"{name} must have the shape ({count}, {columns}), not {array.shape}")
         if not (array.flags.c_contiguous and array.flags.aligned and array.flags.writeable):
             raise PolhodeError(f"{name} must be C-contiguous, aligned and writeable")
-    if np.shares_memory(out[0], out[1]):
+    # Of contiguous arrays the bounds say it.
+    if np.may_share_memory(out[0], out[1]):
         raise PolhodeError("out[0] and out[1] must not share memory")

@@ -112,6 +112,16 @@ def identify_tumbles(
     title
         What reports call it.
 
+    Returns
+    -------
+    TumbleResult
+        The body, what is known of it and how well, and the residuals.
+
+    Raises
+    ------
+    PolhodeError
+        Where an argument is refused, or there is no such body; the message says which and why.
+
     Examples
     --------
     Two throws of a body, whose moments are 1 to 2 to 2.5, and which a gyro reads with noise:
@@ -173,6 +183,16 @@ def identify_swings(
         9.80665 m/s², exactly, unless it is said.
     title
         What reports call it.
+
+    Returns
+    -------
+    SwingResult
+        The body, what is known of it and how well, and the residuals.
+
+    Raises
+    ------
+    PolhodeError
+        Where an argument is refused, or there is no such body; the message says which and why.
 
     Examples
     --------
@@ -265,6 +285,16 @@ def identify_payload(
         What the payload is known to be: a ``"plate"`` or a ``"rod"``.
     title
         What reports call it.
+
+    Returns
+    -------
+    PayloadResult
+        The body, what is known of it and how well, and the residuals.
+
+    Raises
+    ------
+    PolhodeError
+        Where an argument is refused, or there is no such body; the message says which and why.
 
     Examples
     --------

@@ -74,12 +74,36 @@ def inertia(
     kind: str | None = None,
     format: str | None = None,
 ) -> MassProperties:
-    """Mass, centre of mass and inertia tensor of a file, or of a mesh: ``(vertices, triangles)``, an object that has ``vertices`` and ``faces``, such
-    as a ``trimesh.Trimesh`` (in its ``units``, if it has some), or triangles (n, 3, 3) by their corners.
+    """Mass, centre of mass and inertia tensor of a file, or of a mesh in memory.
 
-    A file is a path or an open one, of which ``format`` says how its name would end where it has none. What it is, its ending says, or
-    ``kind``:
+    Parameters
+    ----------
+    source
+        A path; an open file; ``(vertices, triangles)``; an object that has ``vertices`` and ``faces``, such as a ``trimesh.Trimesh`` (in its ``units``,
+        if it has some); or triangles (n, 3, 3) by their corners.
+    density, mass, material, parts, field, tolerance, unit, hull, shell, weld, fill, union
+        Of meshes; some of other files too.
+    mass_unit, products, decimal, isotopes, molecule, spacing, origin, per_value, link, subtree, joints
+        Of other files. The notes say which mean something for what; one that means nothing is refused.
+    kind
+        What the file is, where its ending does not say it: a name in the notes.
+    format
+        How the name of an open file would end, where it has none.
 
+    Returns
+    -------
+    MassProperties
+        About the centre of mass, along the axes of the file. What had to be assumed or turned is a :class:`PolhodeWarning`, and in its ``findings``.
+
+    Raises
+    ------
+    PolhodeError
+        Where a file cannot be read (it has ``path``, ``line`` and ``column``), a mesh bounds no solid, or an argument means nothing for it.
+    OSError
+        Where a file is not there, or may not be read.
+
+    Notes
+    -----
     ``mesh`` (.stl .obj .ply .off .gltf .glb .3mf .dae)
         ``density`` (kg/m³), ``mass`` (kg) or ``material``, at most one; ``parts`` for parts that are made of something else, by their names:
         ``{"wheel": "steel", "hub": {"mass": 0.25}}``; or ``field``, the density as a formula of x, y and z in m, in kg/m³, such as
@@ -107,8 +131,8 @@ def inertia(
         as one body. ``joints`` are values by name, in rad or m or as ``"30 deg"``; what follows a joint follows it, and others are at zero.
         :func:`fixed_groups` has what fixed joints hold together, :func:`link_table` all links.
 
-    An option that means nothing for the file is an error. What had to be assumed or turned is a :class:`PolhodeWarning`.
-
+    Examples
+    --------
     >>> import polhode
     >>> vertices = [[0, 0, 0], [30, 0, 0], [0, 20, 0], [0, 0, 10]]
     >>> triangles = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from typing import Any
 
 import numpy.typing as npt
 
@@ -32,18 +33,45 @@ def judge(
 ) -> Judgement:
     """Judges a motion that another program computed by the exact motion of a scenario.
 
-    ``scenario`` is a path, or a text of more than one line, as of :func:`simulate`; its ``[run]`` is not used. The run is a log, ``run``
-    (CSV, Parquet, JSON lines; ``columns`` says which columns are what where their names do not), or arrays: ``times`` (n,), ascending, s;
-    ``attitude``, quaternions (n, 4), matrices (n, 3, 3) or a ``scipy.spatial.transform.Rotation`` of n; perhaps ``omega`` (n, 3), rad/s.
-
-    What the numbers mean is found by the motion that they begin with, or said: ``quaternion``, ``"wxyz"`` or ``"xyzw"``; ``sense``,
-    ``"body_to_space"`` or ``"space_to_body"``, what rotations take components of to which; ``omega_axes``, ``"body"`` or ``"space"``;
-    ``axes``, the run's x, y, z as axes of the scenario, such as ``"x,z,-y"``; ``time_origin``, the run's time at the scenario's time 0, s. A
-    ``Rotation`` takes body components to space components unless ``sense`` is given. ``step``, s, and ``engine`` are the program's own.
-
-    A :exc:`PolhodeError` says which readings fit where the run does not tell, what of the arrays is no motion, and where a log is wrong. What
+    What
     had to be assumed of the body is a :class:`PolhodeWarning`.
 
+    Parameters
+    ----------
+    scenario
+        A path, or a text of more than one line, as of :func:`simulate`; its ``[run]`` is not used.
+    run
+        The motion as a log: CSV, Parquet, JSON lines.
+    times, attitude, omega
+        Or as arrays: times (n,), ascending, s; quaternions (n, 4), matrices (n, 3, 3) or a ``scipy.spatial.transform.Rotation`` of n; perhaps ω
+        (n, 3), rad/s.
+    columns
+        Which columns of a log are what, where their names do not say it.
+    quaternion
+        ``"wxyz"`` or ``"xyzw"``. What this and the following say is found unless given, by the motion that the run begins with.
+    sense
+        ``"body_to_space"`` or ``"space_to_body"``, what rotations take components of to which; of a ``Rotation`` the first.
+    omega_axes
+        ``"body"`` or ``"space"``.
+    axes
+        The run's x, y, z as axes of the scenario, such as ``"x,z,-y"``.
+    time_origin
+        The run's time at the scenario's time 0, s.
+    step, engine
+        The program's own step, s, and its name.
+
+    Returns
+    -------
+    Judgement
+        How large the errors are, what they look like, and the likeliest causes.
+
+    Raises
+    ------
+    PolhodeError
+        Where the run does not tell which of several readings is right, where arrays are no motion, and where a log is wrong.
+
+    Examples
+    --------
     >>> import numpy as np, polhode
     >>> scenario = '''
     ... [[body.part]]
@@ -100,7 +128,7 @@ def judge(
     return Judgement(judged)
 
 
-def _attitudes(attitude: object, said: _native.Said) -> Floats:
+def _attitudes(attitude: Any, said: _native.Said) -> Floats:
     """Quaternions (n, 4), or matrices as rows (n, 9); what they are without doubt is said."""
     if hasattr(attitude, "as_quat"):
         if said["quaternion"] is not None:

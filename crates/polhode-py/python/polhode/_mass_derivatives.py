@@ -64,6 +64,11 @@ def particle_derivatives(*, masses: npt.ArrayLike, positions: npt.ArrayLike) -> 
     ParticleDerivatives
         Arrays (10, n) and (10, n, 3).
 
+    Raises
+    ------
+    PolhodeError
+        Where an argument is refused: its name, the element and the rule are in the message.
+
     Examples
     --------
     A dumbbell of 1 kg and 3 kg, 2 m apart: I_xx = μ l² with the reduced mass μ = 3/4 kg, so that it grows by 2 μ l for each metre.
@@ -191,6 +196,11 @@ class MeshDerivatives(Record):
         ndarray
             (n, 3), or (…, n, 3), per m.
 
+        Raises
+        ------
+        PolhodeError
+            Where an argument is refused: its name, the element and the rule are in the message.
+
         Examples
         --------
         The largest moment of a wedge, whose derivative by the tensor is a aᵀ, a its axis; I_xy = I_yx is one number, so that it counts twice:
@@ -242,6 +252,11 @@ def mesh_derivatives(
     -------
     MeshDerivatives
         Arrays (10, n, 3), or the gradient (n, 3) of any number that depends on the mass properties.
+
+    Raises
+    ------
+    PolhodeError
+        Where the mesh bounds no solid, or an argument is refused.
 
     Examples
     --------

@@ -45,9 +45,25 @@ def warn_of(findings: Iterable[Finding]) -> None:
 class MassProperties:
     """A body's mass, centre of mass and inertia tensor.
 
-    ``inertia`` is the tensor (3, 3), or three moments about the body's axes, in kg·m²: about the centre of mass, or about the point
-    ``about``. Its off-diagonal elements are *minus* the integrals, I_xy = -∫xy dm, so that L = I ω. An unphysical tensor is refused.
+    Parameters
+    ----------
+    mass
+        Mass, kg.
+    inertia
+        The tensor (3, 3), or three moments about the body's axes, kg·m²: about the centre of mass, or about the point ``about``. Its off-diagonal
+        elements are *minus* the integrals, I_xy = -∫xy dm, so that L = I ω.
+    center_of_mass
+        Body axes (3,), m.
+    about
+        The point that the tensor is about (3,), m; the centre of mass unless given.
 
+    Raises
+    ------
+    PolhodeError
+        Where there is no such body: a tensor that violates the triangle inequality, a mass that is not positive.
+
+    Examples
+    --------
     >>> import polhode
     >>> body = polhode.MassProperties(
     ...     mass=12.5,
@@ -149,6 +165,23 @@ class MassProperties:
     def about(self, point: npt.ArrayLike) -> Floats:
         """The inertia tensor about a point, along body axes (3, 3), kg·m²: parallel axes.
 
+        Parameters
+        ----------
+        point
+            Body axes (3,), m.
+
+        Returns
+        -------
+        array (3, 3)
+            I + m (a² 1 − a aᵀ), where a leads from the centre of mass to the point.
+
+        Raises
+        ------
+        PolhodeError
+            Where an argument is refused: its name, the element and the rule are in the message.
+
+        Examples
+        --------
         >>> import polhode
         >>> ball = polhode.shapes.sphere(radius=0.1, mass=2.0)
         >>> ball.about([0.5, 0, 0]).diagonal().round(6)
@@ -159,16 +192,42 @@ class MassProperties:
     def along(self, rotation: object) -> Floats:
         """The inertia tensor about the centre of mass along turned axes (3, 3), kg·m².
 
-        ``rotation`` takes components along those axes to body components: a quaternion (w, x, y, z), a matrix (3, 3) or a
-        ``scipy.spatial.transform.Rotation``.
+        Parameters
+        ----------
+        rotation
+            What takes components along those axes to body components: a quaternion (w, x, y, z), a matrix (3, 3), or a ``scipy.spatial.transform.Rotation``.
+
+        Returns
+        -------
+        array (3, 3)
+            Rᵀ I R.
+
+        Raises
+        ------
+        PolhodeError
+            Where an argument is refused: its name, the element and the rule are in the message.
         """
         return self._native.along(_arrays.quaternions("rotation", rotation, (4,)).tolist())
 
     def placed(self, *, position: npt.ArrayLike = (0.0, 0.0, 0.0), rotation: object = IDENTITY) -> MassProperties:
         """The body described in a frame in which its origin is at ``position`` and its axes are turned by ``rotation``.
 
-        ``rotation`` takes the body's present components to the new ones: a quaternion (w, x, y, z), a matrix (3, 3) or a
-        ``scipy.spatial.transform.Rotation``.
+        Parameters
+        ----------
+        position
+            Where the body's origin is in the new frame (3,), m.
+        rotation
+            What takes the body's present components to the new ones: a quaternion (w, x, y, z), a matrix (3, 3), or a ``scipy.spatial.transform.Rotation``.
+
+        Returns
+        -------
+        MassProperties
+            The same body, described there.
+
+        Raises
+        ------
+        PolhodeError
+            Where an argument is refused: its name, the element and the rule are in the message.
         """
         turn = _arrays.quaternions("rotation", rotation, (4,)).tolist()
         return MassProperties._of(self._native.placed(_arrays.triple("position", position), turn))
@@ -199,8 +258,25 @@ class MassProperties:
         return dict(json.loads(self._native.json()))
 
     def export(self, format: str, *, name: str = "body") -> str:
-        """As another program reads it: ``urdf``, ``sdf``, ``mjcf``, ``mjcf-principal``, ``usd``, ``jsbsim``,
-        ``rocketpy``, ``basilisk``, ``solidworks`` or ``csv``."""
+        """As another program reads it.
+
+        Parameters
+        ----------
+        format
+            ``urdf``, ``sdf``, ``mjcf``, ``mjcf-principal``, ``usd``, ``jsbsim``, ``rocketpy``, ``basilisk``, ``solidworks`` or ``csv``.
+        name
+            What the body is called there.
+
+        Returns
+        -------
+        str
+            The text, in that program's frames, points, signs and units.
+
+        Raises
+        ------
+        PolhodeError
+            Where an argument is refused: its name, the element and the rule are in the message.
+        """
         return self._native.export(_arrays.text("format", format), _arrays.text("name", name))
 
     def __repr__(self) -> str:
@@ -245,8 +321,27 @@ def joined(parts: list[MassProperties]) -> MassProperties:
 
 
 def particles(*, masses: npt.ArrayLike, positions: npt.ArrayLike) -> MassProperties:
-    """The mass properties of points: ``masses`` (n,), kg, at ``positions`` (n, 3), m.
+    """The mass properties of points.
 
+    Parameters
+    ----------
+    masses
+        Masses (n,), kg, positive.
+    positions
+        Where they are (n, 3), m.
+
+    Returns
+    -------
+    MassProperties
+        Of all of them.
+
+    Raises
+    ------
+    PolhodeError
+        Where an argument is refused: its name, the element and the rule are in the message.
+
+    Examples
+    --------
     >>> import polhode
     >>> dumbbell = polhode.particles(masses=[1.0, 3.0], positions=[[0, 0, 0], [0, 0.4, 0]])
     >>> dumbbell.center_of_mass

@@ -153,9 +153,26 @@ class Motion(Table):
         """ω and the attitude at further times, in any order, from the start up to the last of :attr:`times`: to full accuracy, as the motion is computed
         once more.
 
-        Of a single time ω is (3,) and the attitude (4,). A copy, as in another process, reads the scenario again for that, with the files that it
+        A copy, as in another process, reads the scenario again for that, with the files that it
         names, and is refused if they are not what they were.
 
+        Parameters
+        ----------
+        times
+            Times (n,), s, or a single one.
+
+        Returns
+        -------
+        States
+            ω (n, 3) and attitudes (n, 4); of a single time (3,) and (4,).
+
+        Raises
+        ------
+        PolhodeError
+            Where a time is not within the motion, or a copy's files are not what they were.
+
+        Examples
+        --------
         >>> import numpy as np, polhode
         >>> motion = polhode.simulate('''
         ... [[body.part]]

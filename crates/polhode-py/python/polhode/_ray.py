@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Iterator
+from typing import TYPE_CHECKING, Any, Iterator
 
 import pyarrow as pa
 import ray
@@ -25,7 +25,8 @@ def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout
         ray.init(on, log_to_driver=False)
     try:
         listed = [{"part": part, "start": start, "stop": stop} for part, (start, stop) in missing.items()]
-        reader = ray.remote(num_cpus=0)(_Reader).remote(plan, listed)
+        remote: Any = ray.remote(num_cpus=0)(_Reader)
+        reader = remote.remote(plan, listed)
         watch = Watch(on, worker_timeout, lambda: int(ray.cluster_resources().get("CPU", 0)))
         while (rows := _waited(reader.next.remote(), watch)) is not None:
             for row in rows.to_pylist():

@@ -35,6 +35,23 @@ def fixed_groups(path: str | os.PathLike[str]) -> dict[str, MassProperties]:
 
     Each is in the frame of its first link, the one nearest the root, and is found by the name of that.
 
+    Parameters
+    ----------
+    path
+        The model's file.
+
+    Returns
+    -------
+    dict
+        A body for each group, by the name of the link whose frame it is in.
+
+    Raises
+    ------
+    PolhodeError
+        Where the file is no robot model, or a link has an impossible inertia.
+
+    Examples
+    --------
     >>> import pathlib, tempfile, polhode
     >>> path = pathlib.Path(tempfile.mkdtemp()) / "arm.urdf"
     >>> inertial = '<inertial><mass value="2"/><inertia ixx="0.2" iyy="0.3" izz="0.4" ixy="0" ixz="0" iyz="0"/></inertial>'
@@ -147,8 +164,25 @@ class LinkTable:
 def link_table(path: str | os.PathLike[str], *, joints: Mapping[str, float | str] | None = None) -> LinkTable:
     """Mass, centre and inertia of every link of a robot model, and of the whole robot with its joints at these values.
 
-    Values are by name, in rad or m or as ``"30 deg"``; what follows a joint follows it, and others are at zero.
+    Parameters
+    ----------
+    path
+        The model's file.
+    joints
+        Values of joints by name, rad or m, or as ``"30 deg"``; what follows a joint follows it, and others are at zero.
 
+    Returns
+    -------
+    LinkTable
+        A row for each link, in the order of the file.
+
+    Raises
+    ------
+    PolhodeError
+        Where the file is no robot model, or has no such joint.
+
+    Examples
+    --------
     >>> import pathlib, tempfile, polhode
     >>> path = pathlib.Path(tempfile.mkdtemp()) / "arm.urdf"
     >>> inertial = '<inertial><mass value="2"/><inertia ixx="0.2" iyy="0.3" izz="0.4" ixy="0" ixz="0" iyz="0"/></inertial>'

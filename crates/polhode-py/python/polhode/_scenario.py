@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence
 
@@ -139,9 +140,26 @@ class Scenario:
 
     @classmethod
     def from_toml(cls, scenario: str | os.PathLike[str], *, folder: str | os.PathLike[str] | None = None) -> Scenario:
-        """The scenario of a file, or of its text: a ``str`` of more than one line is a text, whose files are found from ``folder``.
+        """The scenario of a file, or of its text.
 
         Its numbers and their units stay as they are written; its comments are lost.
+
+        Parameters
+        ----------
+        scenario
+            A path, or a text of more than one line.
+        folder
+            Where the files of a text are; the current folder unless given.
+
+        Returns
+        -------
+        Scenario
+            The same scenario.
+
+        Raises
+        ------
+        PolhodeError
+            Where the text is no scenario; it has ``line`` and ``column``.
         """
         if isinstance(scenario, str) and "\n" in scenario:
             text, path = _arrays.text("scenario", scenario), None
@@ -174,9 +192,24 @@ class Scenario:
         return cls(parts, pivot=body.get("pivot"), title=tables.get("title"), folder=folder, **given)
 
     def to_toml(self, path: str | os.PathLike[str] | None = None) -> str:
-        """The text of the scenario's file, which is written to ``path`` if that is given.
+        """The text of the scenario's file.
 
         The files that it names are found from :attr:`folder`, so that is where a copy belongs.
+
+        Parameters
+        ----------
+        path
+            Where it is written, if anywhere.
+
+        Returns
+        -------
+        str
+            The text.
+
+        Raises
+        ------
+        PolhodeError
+            Where a torque is a :class:`polhode.scenario.FunctionTorque`, which no file can hold.
         """
         if self._functions():
             raise PolhodeError("a FunctionTorque is a function of this program, which no file can hold", "polhode.scenario.torque makes a formula of it")
@@ -277,7 +310,23 @@ class Scenario:
         return list(self._findings)
 
     def replace(self, **changes: Any) -> Scenario:
-        """The same with other arguments: ``scenario.replace(run=Run(duration=20))``."""
+        """The same with other arguments: ``scenario.replace(run=Run(duration=20))``.
+
+        Parameters
+        ----------
+        **changes
+            Arguments of :class:`Scenario`, by name.
+
+        Returns
+        -------
+        Scenario
+            Another one; this one stays.
+
+        Raises
+        ------
+        PolhodeError
+            Where there is no such motion.
+        """
         given: dict[str, Any] = {**self._one, **self._several, "pivot": self._pivot, "title": self._title, "folder": self._folder}
         return Scenario(changes.pop("body", list(self._parts)), **{**given, **changes})
 
@@ -301,6 +350,11 @@ class Scenario:
 
     def _text(self) -> str:
         """The text of its file, in which nothing stands for functions."""
+        return self._written
+
+    @cached_property
+    def _written(self) -> str:
+        # Nothing of it changes once it is made.
         return "".join(f"{line}\n" for _, line in _section.lines(self._tables())).lstrip("\n")
 
     def _functions(self) -> list[tuple[int, bool, Callable[..., tuple[float, ...]]]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import Field, dataclass, fields
-from typing import Any, ClassVar, Iterator, Mapping, TypeVar
+from typing import Any, ClassVar, Iterable, Iterator, Mapping, TypeVar
 
 import numpy as np
 
@@ -93,9 +93,9 @@ def written(value: Any) -> Any:
 def sections(name: str, value: object, kind: type[_Section]) -> tuple[_Section, ...]:
     """Tables of a kind, of which there may be several."""
     given = (value,) if isinstance(value, kind) else value
-    if isinstance(given, (str, Mapping)) or not hasattr(given, "__iter__"):
+    if isinstance(given, (str, Mapping)) or not isinstance(given, Iterable):
         raise TypeError(f"{name} must be a list of {kind.__name__}, not {type(value).__name__}")
-    found = tuple(given)
+    found: tuple[Any, ...] = tuple(given)
     for k, one in enumerate(found):
         section(f"{name}[{k}]", one, kind)
     return found

@@ -23,18 +23,34 @@ def simulate(
 ) -> Motion:
     """Computes the motion of a :class:`Scenario`, of a scenario's file, or of its text.
 
-    A ``str`` of more than one line is a text; the files that it names are found from the current folder. ``times`` (n,), ascending, s,
-    take the place of the times of its ``[run]``. A motion that cannot be computed to its end is returned as far as it is good, with a
-    :class:`PolhodeWarning`; what had to be assumed, and a ``[sweep]``, which is not simulated, are warned of too. Ctrl-C ends the
-    computation.
+    Parameters
+    ----------
+    scenario
+        A :class:`Scenario`, a path, or a text: a ``str`` of more than one line, whose files are found from the current folder.
+    times
+        Times (n,), ascending, s, in the place of those of its ``[run]``.
+    error
+        How much work :attr:`Motion.error` is worth: ``"thorough"`` takes twelve times as long as the motion, ``"cheap"`` as long as the
+        motion, ``"auto"`` is thorough where that takes a moment.
+    derivatives
+        Asks for :attr:`Motion.derivatives`, by the start, by the inertia tensor, and by these numbers of torques: ``"torque[0].factor"`` is
+        what the first torque is multiplied by, which is 1; ``"torque[0].stiffness"`` a number of its own. An empty list has start and tensor alone.
 
-    ``error`` says how much work :attr:`Motion.error` is worth: ``"thorough"`` takes twelve times as long as the motion, ``"cheap"`` as
-    long as the motion, ``"auto"`` is thorough where that takes a moment.
+    Returns
+    -------
+    Motion
+        As far as it is good: a motion that cannot be computed to its end has an :attr:`Motion.ending` that says why, and there is a
+        :class:`PolhodeWarning`. What had to be assumed, and a ``[sweep]``, which is not simulated, are warned of too.
 
-    ``derivatives`` asks for :attr:`Motion.derivatives`, by the start, by the inertia tensor, and by these numbers of torques:
-    ``"torque[0].factor"`` is what the first torque is multiplied by, which is 1; ``"torque[0].stiffness"`` a number of its own. An empty list
-    has start and tensor alone.
+    Raises
+    ------
+    PolhodeError
+        Where there is no such motion; of a file or a text it has ``line`` and ``column``.
+    KeyboardInterrupt
+        By Ctrl-C, which ends the computation.
 
+    Examples
+    --------
     >>> import polhode
     >>> motion = polhode.simulate('''
     ... [[body.part]]

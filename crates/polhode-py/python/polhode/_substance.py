@@ -22,6 +22,13 @@ class Given(TypedDict):
 def materials() -> dict[str, float]:
     """The materials that ``material=`` knows, with their densities, kg/m³: rounded values in common use.
 
+    Returns
+    -------
+    dict
+        Densities by name, kg/m³.
+
+    Examples
+    --------
     >>> import polhode
     >>> polhode.materials()["steel"]
     7850.0

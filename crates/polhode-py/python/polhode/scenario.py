@@ -243,7 +243,9 @@ class Torque(Section):
         if isinstance(given.get("pulses"), Mapping):
             given["pulses"] = Pulses.from_dict(given["pulses"])
         model = next((kind for kind in cls.__subclasses__() if kind.model == table["model"]), None)
-        return super(Torque, model or cls).from_dict(given)
+        made = super(Torque, model or cls).from_dict(given)
+        assert isinstance(made, Torque)
+        return made
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -374,7 +376,7 @@ class Magnetic(Torque):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class EnergySink(Torque):
-    """What rubs inside the body: L stays what it is, and T falls at the rate α |L × ω|².
+    """What rubs inside the body: L stays what it is, and T falls at the rate α ‖L × ω‖².
 
     Parameters
     ----------

@@ -1,0 +1,156 @@
+#!/usr/bin/env python3
+"""Solves the same problems by polhode and by its peers, each in a process of its own, and writes book/peers.md.
+
+    pip install heyoka scipy mujoco trimesh numpy ./crates/polhode-py
+    python3 benches/python/measure.py           # measures, and writes measured.json and the page
+    python3 benches/python/measure.py --page    # writes the page of what was measured
+    python3 benches/python/measure.py --check   # fails unless the page is that
+
+A program is a file `PROBLEM/with_PEER.py` with `prepare`, which is set-up, and `solve`, whose time counts. Set-up is the first call of
+`prepare`, imports apart; time the least of repeated calls of `solve` after one that is not counted, or that one where it takes long; both are of
+the processors, all together, which other programs on the machine disturb least. Memory is the most that the process has had when
+it has solved the problem once. All are the least of several processes, the programs in turn. Errors are against `reference.py`.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.metadata
+import importlib.util
+import json
+import os
+import pickle
+import platform
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+
+ROUNDS = 2
+#: Seconds for which a problem is solved again and again, and how often at most.
+ENOUGH, OFTEN = 1.0, 2000
+#: A solution that takes so long, s, is not repeated.
+LONG = 5.0
+MEASURED = HERE / "measured.json"
+PACKAGES = ("polhode", "heyoka", "mujoco", "trimesh", "scipy", "numpy")
+
+
+def main() -> int:
+    import page
+
+    match sys.argv[1:]:
+        case ["--one", folder, peer, place]:
+            one(folder, peer, Path(place))
+        case ["--idle"]:
+            idle()
+        case ["--check"]:
+            return page.check(json.loads(MEASURED.read_text()))
+        case ["--page"]:
+            page.write(json.loads(MEASURED.read_text()))
+        case []:
+            MEASURED.write_text(json.dumps(measure(), indent=1, sort_keys=True) + "\n")
+            page.write(json.loads(MEASURED.read_text()))
+        case _:
+            print(__doc__, file=sys.stderr)
+            return 2
+    return 0
+
+
+def measure() -> dict[str, Any]:
+    """What is said of each problem's programs, of the machine, and of the versions."""
+    import page
+    import problem
+
+    found: dict[str, Any] = {}
+    with tempfile.TemporaryDirectory() as folder:
+        for of in problem.PROBLEMS:
+            rows: dict[str, list[dict[str, float]]] = {peer: [] for peer in page.peers(of.folder)}
+            place = Path(folder) / "answer"
+            for round in range(ROUNDS):
+                for peer, runs in rows.items():
+                    runs.append(json.loads(child("--one", of.folder, peer, str(place))))
+                    if not round:
+                        runs[0]["error"] = of.error(pickle.loads(place.read_bytes()))
+                    print(of.folder, peer, runs[-1], file=sys.stderr)
+            found[of.folder] = {peer: {"error": runs[0].pop("error")} | {key: min(run[key] for run in runs) for key in runs[0]} for peer, runs in rows.items()}
+    return {
+        "problems": found,
+        "idle": json.loads(child("--idle"))["memory"],
+        "machine": f"{processor()}, {len(os.sched_getaffinity(0))} processors",
+        "python": platform.python_version(),
+        "versions": {name: version(name) for name in PACKAGES},
+        "month": time.strftime("%B %Y"),
+    }
+
+
+def child(*arguments: str) -> str:
+    done = subprocess.run([sys.executable, __file__, *arguments], check=True, stdout=subprocess.PIPE, text=True)
+    return done.stdout.splitlines()[-1]
+
+
+def one(folder: str, peer: str, place: Path) -> None:
+    """Solves a problem by a program; the answer goes to a file, what was measured to standard output."""
+    import problem
+
+    (of,) = (of for of in problem.PROBLEMS if of.folder == folder)
+    given = of.given()
+    spec = importlib.util.spec_from_file_location("program", HERE / folder / f"with_{peer}.py")
+    assert spec and spec.loader
+    program = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(program)
+    begun = time.process_time()
+    prepared = program.prepare(**given)
+    set_up = time.process_time() - begun
+    begun = time.process_time()
+    answer = program.solve(prepared)
+    least, runs = time.process_time() - begun, 0
+    memory = peak()
+    place.write_bytes(pickle.dumps(list(answer) if isinstance(answer, tuple) or hasattr(answer, "omega") else answer))
+    if least < LONG:
+        least = float("inf")
+        begun = time.perf_counter()
+        while runs < 2 or runs < OFTEN and time.perf_counter() - begun < ENOUGH:
+            once = time.process_time()
+            program.solve(prepared)
+            least, runs = min(least, time.process_time() - once), runs + 1
+    print(json.dumps({"set_up": set_up, "time": least, "memory": memory}))
+
+
+def idle() -> None:
+    """The memory of a process that has NumPy alone."""
+    import numpy  # noqa: F401
+
+    print(json.dumps({"memory": peak()}))
+
+
+def peak() -> int:
+    """The most memory that this process has had, bytes."""
+    status = Path("/proc/self/status")
+    if status.exists():
+        # What the system counts for a process begins with what its parent had.
+        return 1024 * next(int(line.split()[1]) for line in status.read_text().splitlines() if line.startswith("VmHWM:"))
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * (1 if sys.platform == "darwin" else 1024)
+
+
+def version(name: str) -> str:
+    try:
+        return importlib.metadata.version(name)
+    except importlib.metadata.PackageNotFoundError:
+        return str(importlib.import_module(name).__version__)
+
+
+def processor() -> str:
+    for line in Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            return line.split(":", 1)[1].strip()
+    return platform.processor()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,155 @@
+"""The problems that are solved side by side: what is given, and the truth that answers are held against."""
+
+from __future__ import annotations
+
+import functools
+import math
+import sys
+from fractions import Fraction
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent)]
+
+import reference  # noqa: E402
+
+
+class Problem(NamedTuple):
+    """A folder of programs, what they are given, and how far an answer is from the truth."""
+
+    folder: str
+    title: str
+    #: For the page: what is given and asked.
+    text: str
+    #: What an error is of, with its unit.
+    error_of: str
+    #: What cannot do it, and why.
+    without: str
+    given: Any
+    error: Any
+
+
+# Free motion
+
+MOMENTS, OMEGA, TIMES = (1.0, 2.0, 3.0), (0.3, 0.5, 0.9), np.linspace(0.0, 100.0, 1001)
+
+
+def error_of_free_motion(answer: Any) -> float:
+    truth = reference.motion(MOMENTS, np.array([OMEGA]), [1.0, 0.0, 0.0, 0.0], 0.0, TIMES)
+    return reference.largest_angle(np.asarray(answer[1]), truth[:, 0])
+
+
+# A heavy top: its moments are about the centre of mass, 1 m from the pivot, and about the pivot (1, 1, 0.5); M g l = 1 N·m
+
+TOP = {
+    "moments": (0.75, 0.75, 0.5),
+    "mass": 0.25,
+    "gravity": 4.0,
+    "omega": (0.0, 0.0, 5.0),
+    "attitude": (math.cos(math.pi / 6), math.sin(math.pi / 6), 0.0, 0.0),
+    "time": 100.0,
+}
+
+
+def error_of_heavy_top(answer: Any) -> float:
+    truth = reference.motion((1.0, 1.0, 0.5), np.array([TOP["omega"]]), TOP["attitude"], 1.0, [0.0, 100.0])
+    return reference.largest_angle(np.asarray(answer)[None], truth[-1])
+
+
+# Many bodies
+
+BODIES, EVERY = 10_000, 10
+
+
+def bodies() -> dict[str, Any]:
+    return {"moments": (1.0, 2.0, 2.5), "omega": np.random.default_rng(1).normal(size=(BODIES, 3)), "time": 10.0}
+
+
+def error_of_many_bodies(answer: Any) -> float:
+    given = bodies()
+    truth = reference.motion(given["moments"], given["omega"][::EVERY], [1.0, 0.0, 0.0, 0.0], 0.0, [0.0, given["time"]])
+    return reference.largest_angle(np.asarray(answer[1])[::EVERY], truth[-1])
+
+
+# A mesh
+
+DENSITY = 2700.0
+
+
+@functools.cache
+def solid() -> tuple[np.ndarray, np.ndarray]:
+    """A deformed sphere of 100,000 triangles in 201 bands of 250 meridians, without symmetry, its vertices on multiples of 2⁻²⁰."""
+    bands, meridians = 201, 250
+    polar, azimuth = np.pi * np.arange(1, bands) / bands, 2.0 * np.pi * np.arange(meridians) / meridians
+    theta, phi = [a.ravel() for a in np.meshgrid(polar, azimuth, indexing="ij")]
+    points = np.stack([np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)], axis=1)
+    points = np.concatenate([points, [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]]])
+    radius = 1.0 + 0.15 * np.sin(3.0 * points[:, 0] + 1.0) * np.cos(2.0 * points[:, 1]) + 0.1 * points[:, 2] * points[:, 0]
+    vertices = np.rint(points * radius[:, None] * [0.31, 0.47, 0.39] * 2.0**20) / 2.0**20
+    north, south = (bands - 1) * meridians, (bands - 1) * meridians + 1
+    ring = np.arange(meridians)
+    after = (ring + 1) % meridians
+    triangles = [np.stack([np.full(meridians, north), ring, after], axis=1)]
+    for band in range(bands - 2):
+        a, b = band * meridians + ring, band * meridians + after
+        triangles += [np.stack([a, a + meridians, b], axis=1), np.stack([b, a + meridians, b + meridians], axis=1)]
+    last = (bands - 2) * meridians
+    triangles.append(np.stack([np.full(meridians, south), last + after, last + ring], axis=1))
+    return vertices, np.concatenate(triangles)
+
+
+def mesh() -> dict[str, Any]:
+    vertices, triangles = solid()
+    return {"vertices": vertices, "triangles": triangles, "density": DENSITY}
+
+
+def error_of_mesh(answer: Any) -> float:
+    """Of the tensor about the centre of mass: its largest element, in units of half the trace."""
+    mass, _, inertia = answer
+    true_mass, true_inertia = reference.mass_properties(*solid(), DENSITY)
+    half = sum(true_inertia[k][k] for k in range(3)) / 2
+    wrong = [abs(Fraction(float(inertia[i][j])) - true_inertia[i][j]) / half for i in range(3) for j in range(3)]
+    return float(max(*wrong, abs(Fraction(float(mass)) - true_mass) / true_mass))
+
+
+PROBLEMS = [
+    Problem(
+        "free_motion",
+        "Free motion",
+        "A body with moments (1, 2, 3) kg·m² and ω(0) = (0.3, 0.5, 0.9) rad/s: ω and attitude at 1,001 times, 0 to 100 s.",
+        "largest angle between an attitude and the true one, rad",
+        "",
+        lambda: {"moments": MOMENTS, "omega": OMEGA, "times": TIMES},
+        error_of_free_motion,
+    ),
+    Problem(
+        "heavy_top",
+        "A heavy top, to 10⁻¹² rad",
+        "Moments (1, 1, 0.5) kg·m² about the pivot, M g l = 1 N·m, leaning by 60°, ω(0) = (0, 0, 5) rad/s: the attitude after 100 s.",
+        "angle between the attitude and the true one, rad",
+        "",
+        lambda: TOP,
+        error_of_heavy_top,
+    ),
+    Problem(
+        "many_bodies",
+        "10,000 bodies",
+        "Moments (1, 2, 2.5) kg·m², 10,000 spins ω(0), each component normal with 1 rad/s: ω and attitude of all after 10 s.",
+        f"largest angle of every {EVERY}th body's attitude from the true one, rad",
+        "",
+        bodies,
+        error_of_many_bodies,
+    ),
+    Problem(
+        "mesh",
+        "Mass properties of a mesh",
+        "100,000 triangles in memory, a deformed sphere without symmetry: mass, centre of mass and inertia tensor.",
+        "largest of an element of the tensor, in units of half its trace, and of the mass, relative",
+        "SciPy and heyoka have nothing for it.",
+        mesh,
+        error_of_mesh,
+    ),
+]

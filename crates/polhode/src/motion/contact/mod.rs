@@ -2,13 +2,14 @@
 //!
 //! The [`BodySurface`] of a body (a sphere, an ellipsoid, the rim of a disk or a hoop, a cylinder that lies) touches the [`Ground`] (a plane, level or not,
 //! or turning; the inside or the outside of a sphere or a cylinder). A [`ContactLaw`] says what holds the point of contact: it rolls without slipping, or
-//! there is friction, or none. [`ContactSimulation`] computes the motion by Taylor series, with the changes between rolling, sliding and flying
+//! there is friction, or none. [`ContactSimulation`] computes the motion by collocation where it is smooth and by Taylor series where it is not, with the changes between rolling, sliding and flying
 //! ([`ContactChange`]) found on the way. Impacts are not computed: a motion ends where a body comes back to the ground.
 
 mod change;
 mod dual;
 mod equations;
 mod flight;
+mod geometry;
 mod ground;
 mod law;
 mod model;

@@ -1,4 +1,4 @@
-//! Steps along a phase: Taylor series about one state after another, the rounding of the variables carried along.
+//! Steps along a phase, from one state to another, the rounding of the variables carried along.
 
 use super::equations::{AXES, Kinetics, OMEGA, PLACE, Pivot, Regime, VELOCITY};
 use super::flight::{CENTER, CENTER_RATE};

@@ -2,6 +2,7 @@
 //!
 //! Beside Taylor's series it evaluates the equations alone, at eight nodes of a step at once: where they are smooth and a graph of products is long, it is faster.
 
+mod matrices;
 mod nodes;
 mod step;
 mod system;

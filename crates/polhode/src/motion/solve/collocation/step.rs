@@ -6,18 +6,13 @@
 //! Source: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, II.7; B. L. Jones, D. L. Richardson's sweeps of Picard and Chebyshev
 //! are the same iteration: X. Bai, J. L. Junkins, J. Astronaut. Sci. 58 (2011) 583.
 
-use std::sync::OnceLock;
-
-use super::nodes::{Nodes, legendre_integrals, legendre_values};
+use super::matrices::{HALF, NODES, Values, by_parity, coefficients, extrapolate, integrate};
+use super::nodes::{legendre_integrals, legendre_values};
 use super::system::{OUTPUTS, Places, ROOM, System, Variables};
 use crate::math::algebra::Side;
 use crate::math::machine::{Machine, Work, in_vectors};
 use crate::math::number::Number as _;
 use crate::motion::solve::propagate::taylor::length::{rough_exp2, rough_log2};
-
-/// Nodes of a step.
-const NODES: usize = 16;
-const HALF: usize = NODES / 2;
 
 /// The most rounds of a step; what needs more is too long.
 const MOST_ROUNDS: u64 = 40;
@@ -25,124 +20,6 @@ const MOST_ROUNDS: u64 = 40;
 const MOST_TRIES: usize = 60;
 /// The last change of an iteration that has converged, relative to sizes.
 const CONVERGED: f64 = 5e-16;
-
-/// Values at the nodes: at those of the second half of the step, from the middle on, and at their mirror images.
-#[derive(Clone, Copy, Debug)]
-#[repr(align(64))]
-struct Values([[f64; HALF]; 2]);
-
-impl Values {
-    const NONE: Self = Self([[0.0; HALF]; 2]);
-
-    /// By the numbers of the nodes.
-    fn mirrored(values: &[f64; NODES]) -> Self {
-        Self([core::array::from_fn(|k| values[HALF + k]), core::array::from_fn(|k| values[HALF - 1 - k])])
-    }
-}
-
-#[derive(Clone, Copy, Debug)]
-#[repr(align(64))]
-struct Column([f64; HALF]);
-
-/// What integrates and analyses values. A function is even about the middle of the step, or odd, and so are its integrals and polynomials: half of
-/// each matrix is zero.
-#[derive(Debug)]
-struct Matrices {
-    at: Values,
-    /// ∫ from the start of what is even to the nodes after the middle and to those before it, by the sums of mirrored values.
-    even: [[Column; HALF]; 2],
-    /// ∫ from the start of what is odd, by differences: it is the same to mirrored nodes.
-    odd: [Column; HALF],
-    /// Coefficients 0, 2, 4 … by sums, and 1, 3, 5 … by differences.
-    analysis: [[Column; HALF]; 2],
-}
-
-impl Matrices {
-    fn get() -> &'static Self {
-        static MATRICES: OnceLock<Matrices> = OnceLock::new();
-        MATRICES.get_or_init(Self::new)
-    }
-
-    fn new() -> Self {
-        let nodes = Nodes::<NODES>::new();
-        let integral = |node: usize, j: usize, sign: f64| {
-            0.5 * (nodes.integrals[node][HALF + j] + sign * nodes.integrals[node][HALF - 1 - j])
-        };
-        let columns = |element: &dyn Fn(usize, usize) -> f64| {
-            core::array::from_fn(|j| Column(core::array::from_fn(|i| element(i, j))))
-        };
-        Self {
-            at: Values::mirrored(&nodes.at),
-            even: [
-                columns(&|i, j| integral(HALF + i, j, 1.0)),
-                columns(&|i, j| integral(HALF - 1 - i, j, 1.0)),
-            ],
-            odd: columns(&|i, j| integral(HALF + i, j, -1.0)),
-            analysis: [0, 1].map(|parity| columns(&|n, j| nodes.analysis(2 * n + parity)[HALF + j])),
-        }
-    }
-}
-
-/// The sums of mirrored values, and their differences. Numbers that are read from memory are spread over a vector where they are multiplied.
-#[inline(always)]
-fn by_parity<S: Machine>(s: S, f: &Values) -> Values {
-    let (after, before) = (s.load_eight(&f.0[0]), s.load_eight(&f.0[1]));
-    Values([s.eight_numbers(after + before), s.eight_numbers(after - before)])
-}
-
-/// y = start + h ∫ f of some variables.
-#[inline(always)]
-fn integrate<S: Machine>(
-    s: S,
-    f: &[Values; ROOM],
-    [y, parities]: [&mut [Values; ROOM]; 2],
-    start: &[f64; ROOM],
-    places: &[usize],
-    h: f64,
-) {
-    for &k in places {
-        parities[k] = by_parity(s, &f[k]);
-    }
-    let Matrices { even, odd, .. } = Matrices::get();
-    let zero = s.eight(0.0);
-    let mut columns = [[zero; HALF]; 3];
-    for (registers, columns) in columns.iter_mut().zip([&even[0], &even[1], odd]) {
-        for (register, column) in registers.iter_mut().zip(columns) {
-            *register = s.load_eight(&column.0);
-        }
-    }
-    let h = s.eight(h);
-    for &k in places {
-        let [sums, differences] = &parities[k].0;
-        let (mut after, mut before, mut of_odd) = (zero, zero, zero);
-        for j in 0..HALF {
-            after = s.eight(sums[j]).mul_add(columns[0][j], after);
-            before = s.eight(sums[j]).mul_add(columns[1][j], before);
-            of_odd = s.eight(differences[j]).mul_add(columns[2][j], of_odd);
-        }
-        let start = s.eight(start[k]);
-        let (after, before) = ((after + of_odd).mul_add(h, start), (before + of_odd).mul_add(h, start));
-        y[k] = Values([s.eight_numbers(after), s.eight_numbers(before)]);
-    }
-}
-
-/// The coefficients of Pₙ(2x − 1) of a function, by the sums and differences of its mirrored values.
-#[inline(always)]
-fn coefficients<S: Machine>(s: S, parities: &Values) -> [f64; NODES] {
-    let [by_sum, by_difference] = &Matrices::get().analysis;
-    let [sums, differences] = &parities.0;
-    let (mut even, mut odd) = (s.eight(0.0), s.eight(0.0));
-    for j in 0..HALF {
-        even = s.eight(sums[j]).mul_add(s.load_eight(&by_sum[j].0), even);
-        odd = s.eight(differences[j]).mul_add(s.load_eight(&by_difference[j].0), odd);
-    }
-    let (even, odd) = (s.eight_numbers(even), s.eight_numbers(odd));
-    let mut coefficients = [0.0; NODES];
-    for (pair, (even, odd)) in coefficients.as_chunks_mut().0.iter_mut().zip(even.iter().zip(odd)) {
-        *pair = [*even, odd];
-    }
-    coefficients
-}
 
 /// The motion in a step, and the length of the next one.
 #[derive(Clone, Debug)]
@@ -366,7 +243,7 @@ impl<F: System> Trial<'_, F> {
             *values = Values([[start; HALF]; 2]);
         }
         match self.before {
-            Some(before) => extrapolate(s, before, f, self.parts, [since, h]),
+            Some(before) => extrapolate(s, &before.rates, before.length, f, self.parts, [since, h]),
             None => f.fill(Values::NONE),
         }
         integrate(s, f, [y, parities], &to.start, kinematic_places, h);
@@ -384,15 +261,7 @@ impl<F: System> Trial<'_, F> {
                 |system, _, y| system.kinematic(y),
             );
             integrate(s, f, [y, parities], &to.start, kinematic_places, h);
-            let of_dynamic = self.evaluate(
-                s,
-                y,
-                f,
-                goes_on,
-                dynamic,
-                #[inline(always)]
-                |system, one, y| system.dynamic(one, y),
-            );
+            let of_dynamic = self.evaluate(s, y, f, goes_on, dynamic, F::dynamic);
             let mut change = [0.0; 2];
             for half in 0..2 {
                 if goes_on[half] {
@@ -431,13 +300,15 @@ impl<F: System> Trial<'_, F> {
         }
         (to.length, to.rounds) = (h, rounds);
         let (mut last, mut before) = (0.0_f64, 0.0_f64);
+        // First all of them: what is read from memory is spread over vectors.
         for (parities, f) in parities.iter_mut().zip(f.iter()).take(*count) {
             *parities = by_parity(s, f);
         }
-        for k in 0..(*count).min(ROOM) {
-            to.rates[k] = coefficients(s, &parities[k]);
-            let [.., a, b, c, d] = to.rates[k];
-            let weight = h * self.weights[k];
+        let all = to.rates.iter_mut().zip(parities.iter()).zip(self.weights);
+        for ((rates, parities), weight) in all.take(*count) {
+            *rates = coefficients(s, parities);
+            let [.., a, b, c, d] = *rates;
+            let weight = h * weight;
             before = before.max(weight * a.abs()).max(weight * b.abs());
             last = last.max(weight * c.abs()).max(weight * d.abs());
         }
@@ -486,33 +357,4 @@ fn loaded<S: Machine>(s: S, y: &[Values; ROOM], half: usize) -> (Side<S::Eight>,
         *variable = Side(s.load_eight(&values.0[half]));
     }
     (one, variables)
-}
-
-/// The rates of a step of length h, `since` the start of the one before, by the polynomials of that.
-#[inline(always)]
-fn extrapolate<S: Machine>(
-    s: S,
-    before: &Polynomials,
-    f: &mut [Values; ROOM],
-    parts: [&[usize]; 2],
-    [since, h]: [f64; 2],
-) {
-    for half in 0..2 {
-        let nodes = s.load_eight(&Matrices::get().at.0[half]);
-        let x = nodes.mul_add(s.eight(2.0 * h / before.length), s.eight(2.0 * since / before.length - 1.0));
-        let mut p = [s.eight(1.0); NODES];
-        p[1] = x;
-        for n in 1..NODES - 1 {
-            let m = n as f64;
-            let (ahead, back) = (s.eight((2.0 * m + 1.0) / (m + 1.0)), s.eight(-m / (m + 1.0)));
-            p[n + 1] = (x * ahead).mul_add(p[n], p[n - 1] * back);
-        }
-        for &k in parts.into_iter().flatten() {
-            let mut sum = s.eight(0.0);
-            for (c, p) in before.rates[k].iter().zip(&p) {
-                sum = s.eight(*c).mul_add(*p, sum);
-            }
-            f[k].0[half] = s.eight_numbers(sum);
-        }
-    }
 }

@@ -374,14 +374,17 @@ impl<'a> Value<'a> {
         if value > 0.0 {
             return Ok(value);
         }
-        Err(self.invalid("positive").with_hint(match dimension {
-            Dimension::LENGTH => "a size has no sign; position and rotate say where it is",
-            Dimension::TIME => "time runs forward from 0",
-            Dimension::ANGLE => "it is measured to either side",
-            _ => {
-                "a hole is not a part of negative mass: leave it out of the shape, or give the body as a mesh"
-            }
-        }))
+        let error = self.invalid("positive");
+        Err(match dimension {
+            Dimension::LENGTH => error.with_hint("a size has no sign; position and rotate say where it is"),
+            Dimension::TIME => error.with_hint("time runs forward from 0"),
+            Dimension::ANGLE => error.with_hint("it is measured to either side"),
+            Dimension::MASS | Dimension::DENSITY | Dimension::AREA_DENSITY | Dimension::LINE_DENSITY => error
+                .with_hint(
+                    "a hole is not a part of negative mass: leave it out of the shape, or give the body as a mesh",
+                ),
+            _ => error,
+        })
     }
 
     /// N quantities.

@@ -143,6 +143,12 @@ impl<'a> Run<'a> {
         }
         let mut to = if from + longest < end { from + longest } else { end };
         let mut passing = self.stepper.passing(to - from);
+        if passing.is_some()
+            && let Some(longest) = self.stepper.refined(end)
+        {
+            to = if from + longest < end { from + longest } else { end };
+            passing = self.stepper.passing(to - from);
+        }
         if let Some(found) = passing {
             let wanted = from + found.after;
             to = self.stepper.shorten(wanted, first_look);

@@ -205,6 +205,11 @@ impl Stepper {
         Wanted { time: self.time, since, stretch: self.stretch, most, first_look }
     }
 
+    /// How long the step is once it has within it what the tolerance asks for; nothing if it has that.
+    pub(super) fn refined(&mut self, end: f64) -> Option<f64> {
+        self.phases[self.current].is_best_at_its_end().then(|| self.expand(end, self.time))
+    }
+
     /// Ends the step earlier, and returns when, as a step is as good as it can be at its end: then, or before if that takes more than one step.
     pub(super) fn shorten(&mut self, to: f64, first_look: f64) -> f64 {
         if !self.phases[self.current].is_best_at_its_end() || !(to > self.time) {

@@ -195,10 +195,10 @@ impl<F: System> Work for Advance<'_, F> {
             // The error within the step is of order NODES + 1. It should be well below what is accepted, as a step that is not costs all of its rounds.
             let best = of.tolerance / 200.0;
             let factor = rough_exp2(rough_log2(best / error.max(1e-40)) / (NODES + 1) as f64);
-            // That at the end is of order 2 NODES: the square of what a polynomial leaves out.
-            let is_looked_into = first_look < time + h;
-            let accepted = if is_looked_into { 3.0 * of.tolerance } else { 1e3 * of.tolerance };
-            if error > accepted {
+            // That at the end is of order 2 NODES, as the square of what the polynomial leaves out.
+            let within = 3.0 * of.tolerance;
+            let at_end = (1e3 * of.tolerance).min(0.1 * of.tolerance.sqrt()).max(within);
+            if error > if first_look < time + h { within } else { at_end } {
                 h *= factor.clamp(0.25, 0.9);
                 continue;
             }

@@ -72,6 +72,7 @@ fn heading(report: &MotionReport<'_>, samples: &[Sample]) -> String {
     let how = match report.trajectory.solution() {
         Solution::Exact(_) => "closed form",
         Solution::Prescribed(_) => "prescribed motion",
+        Solution::Integrated { .. } if report.trajectory.contact().is_some() => "integrated phase by phase",
         Solution::Integrated { method, .. } => &format!("integrated by {}", method.title()),
     };
     let (Some(first), Some(last)) = (samples.first(), samples.last()) else {

@@ -159,6 +159,7 @@ fn motion(input: &PageInput<'_>, free: Option<&FreeFacts>, shown: &Shown<'_>) ->
     let how = match input.trajectory.solution() {
         Solution::Exact(_) => "in closed form",
         Solution::Prescribed(_) => "prescribed",
+        Solution::Integrated { .. } if input.trajectory.contact().is_some() => "integrated phase by phase",
         Solution::Integrated { method, .. } => &format!("integrated by {}", method.title()),
     };
     let mut rows = Vec::new();

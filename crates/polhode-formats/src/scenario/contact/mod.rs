@@ -114,7 +114,7 @@ impl OnGround<'_> {
         if !matches!(method, Method::Auto | Method::Taylor) {
             let run = self.root.get("run").map(|run| run.table()).transpose()?;
             let value = run.and_then(|run| run.get("method")).unwrap_or(self.value);
-            let rule = "\"auto\" or \"taylor\": a body on the ground has a Taylor series for each phase of its motion";
+            let rule = "\"auto\" or \"taylor\": each phase of a body on the ground has its own, collocation or Taylor series";
             return Err(value.invalid(rule));
         }
         let events = scenario.events().to_vec();

@@ -98,9 +98,9 @@ impl fmt::Display for MethodReason {
             Self::Asked => f.write_str("it was asked for"),
             Self::Given => f.write_str("the motion is given"),
             Self::Gimbals => f.write_str("the equations of a rotor in gimbals have Taylor series"),
-            Self::Contact => {
-                f.write_str("a body on the ground has a Taylor series for each phase of its motion")
-            }
+            Self::Contact => f.write_str(
+                "a body on the ground is computed phase by phase, by collocation where its motion is smooth and else by Taylor series",
+            ),
             Self::ClosedForm { title } => write!(f, "there is a closed form: {title}"),
             Self::Smooth { no_closed_form } => {
                 write!(

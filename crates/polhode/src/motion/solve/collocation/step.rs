@@ -196,9 +196,8 @@ impl<F: System> Work for Advance<'_, F> {
             let best = of.tolerance / 200.0;
             let factor = rough_exp2(rough_log2(best / error.max(1e-40)) / (NODES + 1) as f64);
             // That at the end is of order 2 NODES, as the square of what the polynomial leaves out.
-            let within = 3.0 * of.tolerance;
-            let at_end = (1e3 * of.tolerance).min(0.1 * of.tolerance.sqrt()).max(within);
-            if error > if first_look < time + h { within } else { at_end } {
+            let at_end = (1e3 * of.tolerance).min(0.1 * of.tolerance.sqrt()).max(of.tolerance);
+            if error > if first_look < time + h { of.tolerance } else { at_end } {
                 h *= factor.clamp(0.25, 0.9);
                 continue;
             }

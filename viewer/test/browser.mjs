@@ -43,7 +43,8 @@ export async function open(browser, name, data, options = {}) {
     ...options,
   });
   const page = await context.newPage();
-  page.setDefaultTimeout(60_000);
+  // Beside a compilation the software renderer is slow.
+  page.setDefaultTimeout(180_000);
   const problems = [];
   // The software renderer's own complaint about reading pixels is not the page's.
   page.on("console", (m) => {

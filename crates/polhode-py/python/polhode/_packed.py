@@ -11,7 +11,7 @@ import json
 import math
 import struct
 import zlib
-from typing import Any, NamedTuple
+from typing import Any, Mapping, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -50,9 +50,9 @@ _MOTION = {
     **dict.fromkeys(("omega", "momentum", "torque", "center", "point"), _THREE),
     **dict.fromkeys(("kinetic", "potential", "normalForce", "friction", "slip", "frictionWork", "groundWork"), _ONE),
 }
-_NAMED = dict.fromkeys(("momentum", "speed", "motor", "values"), _ONE)
+_NAMED: dict[str, _Form] = dict.fromkeys(("momentum", "speed", "motor", "values"), _ONE)
 _DRIFT = {"values": _Form("float", 1)}
-_FREE = dict.fromkeys(("polhode", "herpolhode", "separatrix", "family", "trace"), _CURVE)
+_FREE: dict[str, _Form] = dict.fromkeys(("polhode", "herpolhode", "separatrix", "family", "trace"), _CURVE)
 _SHAPE = {
     **dict.fromkeys(("vertices", "centers"), _Form("f32", 3, 16)),
     "radii": _Form("f32", 1, 16),
@@ -123,7 +123,7 @@ class _Rows:
         #: Which samples are kept; all, unless it is said.
         self.chosen: Integers | None = None
 
-    def of(self, table: dict[str, Any], forms: dict[str, _Form]) -> dict[str, Any]:
+    def of(self, table: dict[str, Any], forms: Mapping[str, _Form]) -> dict[str, Any]:
         """A table whose rows are packed."""
         return {name: self._put(value, forms[name]) if name in forms else value for name, value in table.items()}
 

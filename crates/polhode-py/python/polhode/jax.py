@@ -16,6 +16,7 @@ import functools
 from typing import Any, Callable
 
 import jax
+import jax.core
 import jax.numpy as jnp
 import numpy as np
 from jax.custom_derivatives import SymbolicZero
@@ -175,7 +176,7 @@ def _properties(numbers: Any) -> Properties:
 
 def _given(function: Function, *given: Any) -> list[Any]:
     """The arguments as arrays of one batch."""
-    if not jax.config.jax_enable_x64:
+    if not jax.config.read("jax_enable_x64"):
         hint = 'jax.config.update("jax_enable_x64", True) before the first array is made'
         raise PolhodeError(f"{function.name} needs float64, and JAX has 32-bit numbers, which would lose half of the digits", hint)
     arrays = [_array(name, value) for name, value in zip(function.arguments, given)]

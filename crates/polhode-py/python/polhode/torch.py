@@ -6,6 +6,9 @@ integrator is differentiated through. They are computed on the CPU, in float64: 
 back there. What is found is float64. Derivatives of derivatives are refused.
 """
 
+# Where PyTorch is not installed, pyright takes this module for it.
+# pyright: reportAttributeAccessIssue=false
+
 from __future__ import annotations
 
 from collections.abc import Sequence

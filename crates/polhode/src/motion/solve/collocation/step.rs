@@ -226,6 +226,10 @@ struct Trial<'a, F> {
 impl<F: System> Trial<'_, F> {
     /// Works out its polynomials, and returns its error; nothing if the iteration does not converge.
     #[inline(always)]
+    #[allow(
+        clippy::redundant_closure_for_method_calls,
+        reason = "a method that is given by its name is not compiled for the vectors of the machine: three times as slow"
+    )]
     fn solved<S: Machine>(
         &self,
         s: S,
@@ -260,7 +264,15 @@ impl<F: System> Trial<'_, F> {
                 |system, _, y| system.kinematic(y),
             );
             integrate(s, f, [y, parities], &to.start, kinematic_places, h);
-            let of_dynamic = self.evaluate(s, y, f, goes_on, dynamic, F::dynamic);
+            let of_dynamic = self.evaluate(
+                s,
+                y,
+                f,
+                goes_on,
+                dynamic,
+                #[inline(always)]
+                |system, one, y| system.dynamic(one, y),
+            );
             let mut change = [0.0; 2];
             for half in 0..2 {
                 if goes_on[half] {

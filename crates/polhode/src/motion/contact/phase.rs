@@ -5,7 +5,7 @@ use super::model::Model;
 use super::smooth::Smooth;
 use super::watch::{Kind, Sides, Watch, watches};
 use crate::math::root::vanishing;
-use crate::motion::solve::collocation::{Collocation, ROOM, Wanted};
+use crate::motion::solve::collocation::{Collocation, ROOM, StepWork, Wanted};
 use crate::motion::solve::propagate::stepper::TIGHTEST_TOLERANCE;
 use crate::motion::solve::series::{Expansion, System};
 
@@ -119,11 +119,11 @@ impl Phase {
         }
     }
 
-    /// How many evaluations or coefficients the last step took.
-    pub(super) fn work(&self) -> u64 {
-        match &self.solution {
-            Solution::Collocation(collocation) => collocation.evaluations(),
-            Solution::Series(expansion) => expansion.terms(),
+    /// What the step cost: evaluations, or the coefficients of its series.
+    pub(super) fn take_work(&mut self) -> StepWork {
+        match &mut self.solution {
+            Solution::Collocation(collocation) => collocation.take_work(),
+            Solution::Series(expansion) => StepWork { evaluations: expansion.terms(), rejected: 0 },
         }
     }
 }

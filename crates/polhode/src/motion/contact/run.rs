@@ -181,7 +181,9 @@ impl<'a> Run<'a> {
         }
         self.stepper.advance(to - from, to);
         self.statistics.accepted += 1;
-        self.statistics.evaluations += self.stepper.work();
+        let work = self.stepper.take_work();
+        self.statistics.evaluations += work.evaluations;
+        self.statistics.rejected += work.rejected;
         if let Some(event) = stop {
             return Ok(ContactEnding::Stopped { event, time: to });
         }

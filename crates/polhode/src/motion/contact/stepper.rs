@@ -8,7 +8,7 @@ use super::phase::Phase;
 use super::watch::{Kind, Sides, Watch, watches};
 use crate::math::algebra::Components;
 use crate::math::sum::two_sum;
-use crate::motion::solve::collocation::Wanted;
+use crate::motion::solve::collocation::{StepWork, Wanted};
 use crate::motion::solve::propagate::noise::{Random, StepNoise};
 
 /// A body on its way.
@@ -137,9 +137,9 @@ impl Stepper {
         &self.phases[self.current].watches
     }
 
-    /// How many evaluations or coefficients the last step took.
-    pub(super) fn work(&self) -> u64 {
-        self.phases[self.current].work()
+    /// What the last step cost: evaluations, or the coefficients of its series.
+    pub(super) fn take_work(&mut self) -> StepWork {
+        self.phases[self.current].take_work()
     }
 
     const fn of(&self) -> Sides<'_> {

@@ -8,5 +8,5 @@ mod step;
 mod system;
 
 pub(in crate::motion) use nodes::{Nodes, monomials};
-pub(in crate::motion) use step::{Collocation, Wanted};
+pub(in crate::motion) use step::{Collocation, StepWork, Wanted};
 pub(in crate::motion) use system::{OUTPUTS, ROOM, System, Variables};

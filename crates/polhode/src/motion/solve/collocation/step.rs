@@ -37,6 +37,7 @@ pub(in crate::motion) struct Collocation {
     /// Room for those of a step that is tried, and for its values.
     trial: Box<Polynomials>,
     values: Box<NodeValues>,
+    work: StepWork,
 }
 
 /// The variables of a step at its nodes, their rates, and sums and differences of these.
@@ -61,7 +62,6 @@ struct Polynomials {
     rates: [[f64; NODES]; ROOM],
     /// The further functions.
     outputs: [[f64; NODES]; OUTPUTS],
-    rounds: u64,
 }
 
 impl Polynomials {
@@ -70,7 +70,6 @@ impl Polynomials {
         length: 0.0,
         rates: [[0.0; NODES]; ROOM],
         outputs: [[0.0; NODES]; OUTPUTS],
-        rounds: 0,
     };
 }
 
@@ -88,6 +87,7 @@ impl Collocation {
             now: Box::new(Polynomials::NONE),
             trial: Box::new(Polynomials::NONE),
             values: Box::new(NodeValues::NONE),
+            work: StepWork { evaluations: 0, rejected: 0 },
         }
     }
 
@@ -116,9 +116,9 @@ impl Collocation {
         self.now.start[k]
     }
 
-    /// How many evaluations the last step took.
-    pub(in crate::motion) fn evaluations(&self) -> u64 {
-        self.now.rounds * NODES as u64
+    /// The rounds and the rejected trials since this was asked last.
+    pub(in crate::motion) fn take_work(&mut self) -> StepWork {
+        core::mem::take(&mut self.work)
     }
 
     /// The changes of the variables after t.
@@ -149,6 +149,15 @@ impl Collocation {
         let basis = legendre_values(2.0 * t / self.now.length - 1.0);
         self.now.outputs[k].iter().zip(basis).map(|(c, p)| c * p).sum()
     }
+}
+
+/// What steps cost.
+#[derive(Clone, Copy, Debug, Default)]
+pub(in crate::motion) struct StepWork {
+    /// Evaluations of the equations, each at a node.
+    pub(in crate::motion) evaluations: u64,
+    /// Trials that were too long.
+    pub(in crate::motion) rejected: u64,
 }
 
 /// What is wanted of a step.
@@ -188,7 +197,10 @@ impl<F: System> Work for Advance<'_, F> {
             let before = of.is_known.then_some(&*of.now);
             let parts = [&of.kinematic[..], &of.dynamic];
             let trial = Trial { before, system, variables: &of.variables, parts, weights: &weights };
-            let Some(error) = trial.solved(s, [since, h], &mut of.values, &mut of.trial) else {
+            let (rounds, solved) = trial.solved(s, [since, h], &mut of.values, &mut of.trial);
+            of.work.evaluations += rounds * NODES as u64;
+            let Some(error) = solved else {
+                of.work.rejected += 1;
                 h *= 0.5;
                 continue;
             };
@@ -198,6 +210,7 @@ impl<F: System> Work for Advance<'_, F> {
             // That at the end is of order 2 NODES, as the square of what the polynomial leaves out.
             let at_end = (1e3 * of.tolerance).min(0.1 * of.tolerance.sqrt()).max(of.tolerance);
             if error > if first_look < time + h { of.tolerance } else { at_end } {
+                of.work.rejected += 1;
                 h *= factor.clamp(0.25, 0.9);
                 continue;
             }
@@ -224,7 +237,7 @@ struct Trial<'a, F> {
 }
 
 impl<F: System> Trial<'_, F> {
-    /// Works out its polynomials, and returns its error; nothing if the iteration does not converge.
+    /// Works out its polynomials, and returns its rounds and its error; no error if the iteration does not converge.
     #[inline(always)]
     #[allow(
         clippy::redundant_closure_for_method_calls,
@@ -236,7 +249,7 @@ impl<F: System> Trial<'_, F> {
         [since, h]: [f64; 2],
         values: &mut NodeValues,
         to: &mut Polynomials,
-    ) -> Option<f64> {
+    ) -> (u64, Option<f64>) {
         let Variables { count, kinematic, dynamic, quadratures, outputs } = self.variables;
         let [kinematic_places, dynamic_places] = self.parts;
         let NodeValues { y, f, parities } = values;
@@ -289,7 +302,7 @@ impl<F: System> Trial<'_, F> {
             }
             let [after, before] = change;
             if !(after + before).is_finite() || rounds == MOST_ROUNDS || rounds > 8 && after > last[0] {
-                return None;
+                return (rounds, None);
             }
             last = change;
         }
@@ -309,7 +322,7 @@ impl<F: System> Trial<'_, F> {
         for (series, values) in to.outputs.iter_mut().zip(&further).take(*outputs) {
             *series = coefficients(s, &by_parity(s, values));
         }
-        (to.length, to.rounds) = (h, rounds);
+        to.length = h;
         let (mut last, mut before) = (0.0_f64, 0.0_f64);
         // First all of them: what is read from memory is spread over vectors.
         for (parities, f) in parities.iter_mut().zip(f.iter()).take(*count) {
@@ -326,7 +339,7 @@ impl<F: System> Trial<'_, F> {
         // The first term that is left out, integrated.
         let ratio = if last < before { (last / before).sqrt() } else { 1.0 };
         let error = last * ratio / (2 * NODES + 2) as f64;
-        error.is_finite().then_some(error)
+        (rounds, error.is_finite().then_some(error))
     }
 
     /// Works out the rates of a part at the nodes of some halves, and returns squares of their changes.

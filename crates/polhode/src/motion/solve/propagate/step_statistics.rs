@@ -8,6 +8,6 @@ pub struct StepStatistics {
     /// Steps whose error was too large.
     pub rejected: u64,
     /// Evaluations of the equations of motion for the steps, by DOP853, whose samples between steps cost eleven more; coefficients of
-    /// all unknowns, by Taylor's method.
+    /// all unknowns, by Taylor's method; of a body on the ground, where its motion is smooth, evaluations at the nodes of all trials.
     pub evaluations: u64,
 }

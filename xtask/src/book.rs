@@ -38,6 +38,7 @@ pub(crate) fn environment() -> Result<Environment, String> {
             "pip",
             "install",
             "--quiet",
+            "--no-compile",
             "--require-hashes",
             "--only-binary",
             ":all:",

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::process::{FEATURES, empty_folder, linted, output, polhode, run, run_beside};
-use crate::{Outcome, files, root, viewer};
+use crate::{Outcome, files, read, root, viewer};
 
 /// The oldest Python that the tests run with; the package is for 3.10 too.
 const PYTHON: (u32, u32) = (3, 11);
@@ -41,9 +41,6 @@ const NEEDED: [&str; 22] = [
     "zizmor==1.32.0",
 ];
 
-/// What tests optimise, as `profile.test` in `Cargo.toml` has it.
-const OPTIMISED: &str = "--config profile.dev.package.polhode.opt-level=1 --config profile.dev.package.polhode-identify.opt-level=2";
-
 /// An environment of its own, and then all the rest.
 pub(crate) fn check() -> Outcome {
     environment().and_then(check_in)
@@ -58,7 +55,8 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
     let mut wheel = Command::new(&python);
     wheel.args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"]).args([&wheels, &package]);
     linted(&mut wheel);
-    run(wheel.env("MATURIN_PEP517_ARGS", format!("--profile dev --features {FEATURES} {OPTIMISED}")))?;
+    let optimised = optimised(&read(&root().join("Cargo.toml"))?);
+    run(wheel.env("MATURIN_PEP517_ARGS", format!("--profile dev --features {FEATURES}{optimised}")))?;
     let wheel = files(&wheels, "whl")?.pop().ok_or("pip made no wheel")?;
     run(Command::new(&python).arg(package.join("wheel.py")).arg(&wheel))?;
     run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).arg(&wheel))?;
@@ -138,7 +136,8 @@ impl Environment {
 pub(crate) fn environment() -> Result<Environment, String> {
     let folder = empty_folder("python")?;
     let python = make(&folder.join("venv"))?;
-    run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).args(NEEDED))?;
+    // What is imported is compiled then; all of it is ten times as much.
+    run(Command::new(&python).args(["-m", "pip", "install", "--quiet", "--no-compile"]).args(NEEDED))?;
     Ok(Environment { folder, python })
 }
 
@@ -154,6 +153,17 @@ pub(crate) fn make(environment: &Path) -> Result<PathBuf, String> {
     // Debian's Python has no venv until it is asked for.
     make().or_else(|_| install_venv().and_then(|()| make())).map_err(|why| format!("{why}\n{hint}"))?;
     Ok(environment.join(EXECUTABLE))
+}
+
+/// What the tests optimise, by `[profile.test.package.…]` of the workspace's manifest, as arguments of a build for development.
+fn optimised(manifest: &str) -> String {
+    let packages = manifest.split("[profile.test.package.").skip(1);
+    let package = |section: &str| {
+        let (name, rest) = section.split_once(']')?;
+        let level = rest.trim_start().strip_prefix("opt-level = ")?.split_whitespace().next()?;
+        Some(format!(" --config profile.dev.package.{name}.opt-level={level}"))
+    };
+    packages.filter_map(package).collect()
 }
 
 fn install_venv() -> Outcome {
@@ -173,7 +183,14 @@ fn version_of(said: &str) -> Option<(u32, u32)> {
 
 #[cfg(test)]
 mod tests {
-    use super::version_of;
+    use super::{optimised, version_of};
+
+    #[test]
+    fn what_tests_optimise_is_read() {
+        let manifest = "[profile.dev]\ndebug = false\n\n[profile.test.package.one]\nopt-level = 1 # why\n\n[profile.test.package.two-three]\nopt-level = 2\n";
+        let both = " --config profile.dev.package.one.opt-level=1 --config profile.dev.package.two-three.opt-level=2";
+        assert_eq!(optimised(manifest), both);
+    }
 
     #[test]
     fn the_version_of_python_is_read() {

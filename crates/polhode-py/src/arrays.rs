@@ -108,6 +108,15 @@ pub(crate) struct Signs {
 }
 
 impl Signs {
+    /// The next quaternions.
+    pub(crate) fn sign(&mut self, rows: &mut [[f64; 4]]) {
+        let mut signs = *self;
+        for wxyz in rows {
+            *wxyz = signs.signed(*wxyz);
+        }
+        *self = signs;
+    }
+
     /// The next quaternion, or its negative.
     #[inline]
     pub(crate) fn signed(&mut self, wxyz: [f64; 4]) -> [f64; 4] {

@@ -14,7 +14,7 @@ use crate::error::{Raise, refused};
 use crate::interrupt::Watch;
 use crate::mass_properties::principal_axes;
 
-/// Times of states that are computed at once.
+/// Times of states that are computed at once: so few that they are still near when their signs are looked at.
 const PIECE: usize = 256;
 
 /// From so many times on other threads of Python may run: it is some 10 µs of work.
@@ -22,6 +22,9 @@ const DETACHED: usize = 512;
 
 /// An angular velocity and an attitude.
 type State1<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
+
+/// Times, angular velocities and attitudes.
+type Few<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>);
 
 /// The torque-free motion of a body.
 #[pyclass(frozen, name = "FreeMotion", module = "polhode._native")]
@@ -60,6 +63,14 @@ impl PyFreeMotion {
         Ok((row(py, state.omega.to_array()), row(py, Signs::default().signed(state.attitude.quaternion()))))
     }
 
+    /// A few times (n,), ω (n, 3) and the attitude (n, 4), all in new arrays.
+    fn few<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Few<'py>> {
+        let given = PyArray1::from_slice(py, numbers(&times)?);
+        let [omega, attitude] = [3, 4].map(|columns| PyArray2::zeros(py, [given.len(), columns], false));
+        self.fill(py, times, omega.clone(), attitude.clone())?;
+        Ok((given, omega, attitude))
+    }
+
     /// ω (n, 3) and the attitude (n, 4) at times, into arrays of these shapes.
     fn fill<'py>(
         &self,
@@ -73,17 +84,10 @@ impl PyFreeMotion {
         let (mut omega, mut attitude) = (omega.try_readwrite()?, attitude.try_readwrite()?);
         let (omega, attitude) = (rows_mut::<3>(&mut omega)?, rows_mut::<4>(&mut attitude)?);
         let mut signs = Signs::default();
-        // So few that they are still near when they are put into the arrays.
-        let mut states = vec![self.motion.start(); times.len().min(PIECE)];
         let places = omega.chunks_mut(PIECE).zip(attitude.chunks_mut(PIECE));
         let mut pieces = times.chunks(PIECE).zip(places).map(|(piece, (omega, attitude))| {
-            self.motion.fill(piece, &mut states);
-            let mut signed = signs;
-            for ((state, omega), attitude) in states.iter().zip(omega).zip(attitude) {
-                *omega = state.omega.to_array();
-                *attitude = signed.signed(state.attitude.quaternion());
-            }
-            signs = signed;
+            self.motion.fill_rows(piece, omega, attitude);
+            signs.sign(attitude);
         });
         // What is done sooner than the lock is given away and taken again keeps it.
         if times.len() < DETACHED {

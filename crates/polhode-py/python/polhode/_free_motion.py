@@ -24,8 +24,6 @@ if TYPE_CHECKING:
 #: So many states lie in memory that the C library keeps.
 FEW = 2048
 
-_empty = np.empty
-
 
 class FreeMotion:
     """The torque-free motion of a body: ω and attitude at any time, past or future, in constant time.
@@ -194,19 +192,19 @@ class FreeMotion:
             if out is not None:
                 raise PolhodeError("out is for several times: a single one has no arrays to fill")
             return States(given.copy(), *self._native.at_time(_arrays.number("times", given)))
-        if out is not None:
-            _filled(out, shape[0])
-            kept = given.copy()
-        elif shape[0] < FEW:
-            out, kept = (_empty((shape[0], 3)), _empty((shape[0], 4))), given.copy()
-        else:
-            out, kept = _room(given)
         try:
+            if out is not None:
+                _filled(out, shape[0])
+                self._native.fill(given, *out)
+                return States(given.copy(), *out)
+            if shape[0] < FEW:
+                return States(*self._native.few(given))
+            out, kept = _room(given)
             self._native.fill(given, *out)
+            return States(kept, *out)
         except PolhodeError:
             _arrays.numbers("times", given, ("n",))  # says which is not finite
             raise
-        return States(kept, *out)
 
     def derivatives(self, times: npt.ArrayLike) -> Derivatives:
         """The states at times with their derivatives by the start and by the inertia tensor, in closed form.

@@ -1,5 +1,6 @@
 //! The worked solutions: their numbers against formulas computed here, and their form.
 
+use crate::common::Solution;
 use polhode::math::{Direction, Position, Rotation};
 use polhode::motion::Scenario;
 use polhode::motion::Suspension;
@@ -152,20 +153,19 @@ fn a_body_without_start_or_run_is_explained_too() {
 /// Everything that is printed for a scenario.
 fn faces() -> Vec<(String, String)> {
     let mut faces = Vec::new();
-    for scenario in crate::common::solved() {
+    for Solution { scenario, trajectory, document } in crate::common::solutions() {
         let title = scenario.title().map(str::to_owned).unwrap_or_default();
-        let document = explain(&scenario).unwrap();
         let source = SourceInfo::new("a.toml", "scenario");
         let inertia =
-            InertiaReport { show_axes: true, ..InertiaReport::of_scenario(source.clone(), &scenario) };
+            InertiaReport { show_axes: true, ..InertiaReport::of_scenario(source.clone(), scenario) };
         let mut add = |face: String| faces.push((title.clone(), face));
         add(document.to_text(100));
         add(document.to_markdown());
         add(pretty(&document.to_json()));
         add(inertia.to_text());
         add(pretty(&inertia.to_json()));
-        if let Some(trajectory) = scenario.simulate().transpose().unwrap() {
-            let motion = MotionReport::new(source, &scenario, &trajectory);
+        if let Some(trajectory) = trajectory {
+            let motion = MotionReport::new(source, scenario, trajectory);
             add(motion.to_text());
             add(pretty(&motion.summary_json()));
         }
@@ -194,13 +194,12 @@ fn columns(line: &str) -> usize {
 
 #[test]
 fn text_fits_the_width_asked_for() {
-    for scenario in crate::common::solved() {
-        let document = explain(&scenario).unwrap();
+    for Solution { document, .. } in crate::common::solutions() {
         for line in document.to_text(100).lines() {
             assert!(columns(line) <= 100, "{}: {line}", columns(line));
         }
         // Tables, matrices and graphs do not break; everything else does.
-        let mut breakable = document;
+        let mut breakable = document.clone();
         for section in &mut breakable.sections {
             section
                 .blocks
@@ -216,17 +215,17 @@ fn text_fits_the_width_asked_for() {
 
 #[test]
 fn screens_fit_a_hundred_columns() {
-    for scenario in crate::common::all() {
+    for Solution { scenario, trajectory, .. } in crate::common::solutions() {
         let source = SourceInfo::new("a.toml", "scenario");
         let turn = Rotation::about(Direction::new(0.3, -1.0, 0.7), 1.0 / 3.0).unwrap();
         let inertia = InertiaReport {
             axes: Some(turn),
             about: Some(Position::new(1.0 / 3.0, -1.0 / 7.0, 1.0 / 9.0)),
-            ..InertiaReport::of_scenario(source.clone(), &scenario)
+            ..InertiaReport::of_scenario(source.clone(), scenario)
         };
         let mut text = inertia.to_text();
-        if let Some(trajectory) = scenario.simulate().transpose().unwrap() {
-            text.push_str(&MotionReport::new(source, &scenario, &trajectory).to_text());
+        if let Some(trajectory) = trajectory {
+            text.push_str(&MotionReport::new(source, scenario, trajectory).to_text());
         }
         for line in text.lines() {
             assert!(columns(line) <= 100, "{}: {line}", columns(line));
@@ -327,8 +326,7 @@ fn a_swing_over_the_top_is_told_from_one_just_below() {
 
 #[test]
 fn markdown_is_well_formed() {
-    for scenario in crate::common::solved() {
-        let document = explain(&scenario).unwrap();
+    for Solution { document, .. } in crate::common::solutions() {
         let text = document.to_markdown();
         assert!(text.starts_with("# "));
         assert_eq!(text.lines().filter(|l| l.starts_with("## ")).count(), 7);

@@ -3,10 +3,13 @@
 
 pub mod ground;
 
+use std::sync::OnceLock;
+
 use polhode::body::{BodyPart, Finding, PlacedForm, Severity};
 use polhode::motion::torque::Schedule;
 use polhode::motion::{Motor, Prescribed, Run, Suspension};
 use polhode::prelude::*;
+use polhode_report::{Document, explain, explain_motion};
 
 /// A body of particles.
 pub fn particles(list: &[(f64, [f64; 3])]) -> BodyPart {
@@ -231,12 +234,28 @@ pub fn many_particles() -> Scenario {
     s
 }
 
-/// Everything above, and cases at the edges.
-/// All of which there is a worked solution.
-pub fn solved() -> Vec<Scenario> {
-    all().into_iter().chain(ground::all()).collect()
+/// A scenario, its motion if it has a run, and its worked solution.
+pub struct Solution {
+    pub scenario: Scenario,
+    pub trajectory: Option<Trajectory>,
+    pub document: Document,
 }
 
+/// Of everything of which there is one. They take some seconds, once for all tests.
+pub fn solutions() -> &'static [Solution] {
+    static SOLUTIONS: OnceLock<Vec<Solution>> = OnceLock::new();
+    let solve = |scenario: Scenario| {
+        let trajectory = scenario.simulate().transpose().unwrap();
+        let document = match &trajectory {
+            Some(trajectory) => explain_motion(&scenario, trajectory),
+            None => explain(&scenario),
+        };
+        Solution { document: document.unwrap(), scenario, trajectory }
+    };
+    SOLUTIONS.get_or_init(|| all().into_iter().chain(ground::all()).map(solve).collect())
+}
+
+/// Everything above, and cases at the edges.
 pub fn all() -> Vec<Scenario> {
     let over_the_top =
         Suspension { axis: Direction::new(0.0, 0.0, 2.0), amplitude: Some(std::f64::consts::PI) };

@@ -79,12 +79,16 @@ impl<const GROUPS: usize> Block<GROUPS> {
     /// One of the states.
     #[inline(always)]
     pub(super) fn state(&self, group: usize, lane: usize, time: f64) -> State {
+        let (attitude, omega) = self.rows(group, lane);
+        State { time, attitude: Rotation::from_unit(attitude), omega: Vector::from_array(omega) }
+    }
+
+    /// Its quaternion and ω.
+    #[inline(always)]
+    pub(super) fn rows(&self, group: usize, lane: usize) -> ([f64; 4], [f64; 3]) {
         let ([qw, qx, qy, qz], [wx, wy, wz]) = (&self.attitude[group], &self.omega[group]);
-        State {
-            time,
-            attitude: Rotation::from_unit([qw.0[lane], qx.0[lane], qy.0[lane], qz.0[lane]]),
-            omega: Vector::new(wx.0[lane], wy.0[lane], wz.0[lane]),
-        }
+        let attitude = [qw.0[lane], qx.0[lane], qy.0[lane], qz.0[lane]];
+        (attitude, [wx.0[lane], wy.0[lane], wz.0[lane]])
     }
 }
 

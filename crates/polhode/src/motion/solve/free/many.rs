@@ -28,12 +28,66 @@ impl FreeMotion {
 
     /// As [`FreeMotion::at_times`], into states that are there already; as many as there are both times and states.
     pub fn fill(&self, times: &[f64], states: &mut [State]) {
+        self.put(times, &mut Places::States(states));
+    }
+
+    /// As [`FreeMotion::fill`], into rows of ω (body axes, rad/s) and of unit quaternions w, x, y, z, as arrays have them; as many as there are times and
+    /// rows of both.
+    pub fn fill_rows(&self, times: &[f64], omega: &mut [[f64; 3]], attitude: &mut [[f64; 4]]) {
+        self.put(times, &mut Places::Rows { omega, attitude });
+    }
+
+    fn put(&self, times: &[f64], places: &mut Places) {
+        let times = &times[..times.len().min(places.len())];
         match &self.kernel {
             Kernel::Trigonometric(compact, flow) => {
-                fill(self, compact, flow.phase_rates.precession.third, times, states);
+                fill(self, compact, flow.phase_rates.precession.third, times, places);
             }
             Kernel::Hyperbolic(compact, flow) => {
-                fill(self, compact, flow.phase_rates.precession.third, times, states);
+                fill(self, compact, flow.phase_rates.precession.third, times, places);
+            }
+        }
+    }
+}
+
+/// Where the states go.
+enum Places<'a> {
+    States(&'a mut [State]),
+    Rows { omega: &'a mut [[f64; 3]], attitude: &'a mut [[f64; 4]] },
+}
+
+impl Places<'_> {
+    fn len(&self) -> usize {
+        match self {
+            Self::States(states) => states.len(),
+            Self::Rows { omega, attitude } => omega.len().min(attitude.len()),
+        }
+    }
+
+    fn set(&mut self, k: usize, state: State) {
+        match self {
+            Self::States(states) => states[k] = state,
+            Self::Rows { omega, attitude } => {
+                (omega[k], attitude[k]) = (state.omega.to_array(), state.attitude.quaternion());
+            }
+        }
+    }
+
+    /// The states of a block at these times, from the `first` place on.
+    #[inline(always)]
+    fn set_block(&mut self, first: usize, times: &[f64], block: &Block<GROUPS>) {
+        let places = first..first + times.len();
+        match self {
+            Self::States(states) => {
+                for (k, (&time, state)) in times.iter().zip(&mut states[places]).enumerate() {
+                    *state = block.state(k / WIDTH, k % WIDTH, time);
+                }
+            }
+            Self::Rows { omega, attitude } => {
+                let rows = omega[places.clone()].iter_mut().zip(&mut attitude[places]);
+                for (k, (omega, attitude)) in rows.enumerate() {
+                    (*attitude, *omega) = block.rows(k / WIDTH, k % WIDTH);
+                }
             }
         }
     }
@@ -44,7 +98,7 @@ fn fill<N: ScalarThetaParameters>(
     compact: &CompactConstants<f64, N>,
     third: f64,
     times: &[f64],
-    states: &mut [State],
+    places: &mut Places,
 ) {
     in_widest_vectors(
         #[inline(always)]
@@ -56,7 +110,7 @@ fn fill<N: ScalarThetaParameters>(
             // In memory: the compiler is not to make some of it anew for each block.
             let flow = &black_box(compact.flow(Lanes([third; WIDTH])));
             let mut block = Block::<GROUPS>::new();
-            for (times, states) in times.chunks(GROUPS * WIDTH).zip(states.chunks_mut(GROUPS * WIDTH)) {
+            for (k, times) in times.chunks(GROUPS * WIDTH).enumerate() {
                 if motion.start.time == 0.0 {
                     start::<true, _>(&mut block, motion, flow, times);
                 } else {
@@ -67,17 +121,15 @@ fn fill<N: ScalarThetaParameters>(
                     #[inline(always)]
                     |_| flow,
                 );
-                for (k, (&time, state)) in times.iter().zip(states.iter_mut()).enumerate() {
-                    *state = block.state(k / WIDTH, k % WIDTH, time);
-                }
+                places.set_block(k * GROUPS * WIDTH, times, &block);
             }
         },
     );
-    for (state, &time) in states.iter_mut().zip(times) {
+    for (k, &time) in times.iter().enumerate() {
         if time == motion.start.time {
-            *state = motion.start;
+            places.set(k, motion.start);
         } else if !is_within(&motion.start, motion.reach, time) {
-            *state = State::unknown(time);
+            places.set(k, State::unknown(time));
         }
     }
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from typing import Any, Callable, Iterable, Sequence
+from typing import Any, Callable, Iterable, Mapping, Sequence
 
 from . import _arrays, _section
 from ._computed_law import computed, computed_of_many
@@ -109,16 +109,17 @@ class Actions:
         return own + [place for place, _ in self._others(member)]
 
 
-def _checked(name: str, value: object, kind: type[Section]) -> Any:
+def _checked(name: str, value: Any, kind: type[Section]) -> Any:
     """Tables for all members: a tuple, or a text of torques; a list of these with one for each."""
+    several = (list, tuple, str) if name == "torques" else (list, tuple)
     if name == "torques" and isinstance(value, str):
         return _arrays.text(name, value)
-    if isinstance(value, (str, bytes)) or not isinstance(value, (kind, Iterable)):
+    if isinstance(value, (str, Mapping, kind)) or not isinstance(value, Iterable):
         return _section.sections(name, value, kind)
-    given = [value] if isinstance(value, kind) else list(value)  # type: ignore[call-overload]
-    if not any(isinstance(one, (list, tuple, str) if name == "torques" else (list, tuple)) for one in given):
+    given = list(value)
+    if not any(isinstance(one, several) for one in given):
         return _section.sections(name, given, kind)
-    return [_arrays.text(f"{name}[{k}]", one) if name == "torques" and isinstance(one, str) else _section.sections(f"{name}[{k}]", one, kind) for k, one in enumerate(given)]
+    return [_arrays.text(f"{name}[{k}]", one) if isinstance(one, str) else _section.sections(f"{name}[{k}]", one, kind) for k, one in enumerate(given)]
 
 
 def _of(value: Any, member: int) -> Any:

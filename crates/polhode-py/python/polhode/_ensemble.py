@@ -70,16 +70,27 @@ class Ensemble:
     >>> bool((states.omega[417] == one.at([0.0, 10.0, 1e6]).omega).all())
     True
 
-    Tops of three sizes, until they lean by 40°:
+    Tops of three radii, until they lean by 40°:
 
     >>> from polhode import shapes
     >>> from polhode.scenario import Event, Gravity
-    >>> tops = [shapes.cone(base_radius=r, height=0.06, mass=0.1) for r in (0.02, 0.025, 0.03)]
-    >>> lean = Event(name="leans", measure="nutation", value="40 deg", then="stop")
-    >>> turned = [np.cos(0.25), np.sin(0.25), 0.0, 0.0]
-    >>> spinning = polhode.Ensemble(tops, omega=[0.0, 0.0, 150.0], attitude=turned, pivot=[0.0, 0.0, -0.045], torques=[Gravity()], events=[lean])
-    >>> [ending.kind for ending in spinning.at([0.0, 5.0]).endings]
-    ['stopped', 'complete', 'complete']
+    >>> tops = [
+    ...     shapes.cylinder(radius=radius, length=0.009, material="brass").placed(position=[0, 0, 0.038])
+    ...     for radius in (0.02, 0.026, 0.032)
+    ... ]
+    >>> spun = polhode.Ensemble(
+    ...     tops,
+    ...     omega=[0.0, 0.0, 150.0],
+    ...     attitude=[np.cos(0.25), np.sin(0.25), 0.0, 0.0],
+    ...     pivot=[0.0, 0.0, 0.0],
+    ...     torques=[Gravity()],
+    ...     events=[Event(name="leans", measure="nutation", value="40 deg", then="stop")],
+    ... )
+    >>> states = spun.at([0.0, 5.0])
+    >>> [ending.kind for ending in states.endings]
+    ['stopped', 'stopped', 'complete']
+    >>> states.event_times("leans").round(4)
+    array([0.0596, 0.0675,    nan])
     """
 
     def __init__(

@@ -20,7 +20,7 @@ fn events(k: usize) -> Vec<Event> {
     let action = if k % 3 == 0 { EventAction::Stop } else { EventAction::Record };
     let along = Measure::OmegaBody(Direction::new(0.3, -0.5, 0.9));
     vec![
-        event("rate", along, 0.4 + 0.1 * k as f64 / 20.0, action),
+        event("rate", along, 1.08, action),
         event("nutation", Measure::Nutation, 1.1, EventAction::Record),
         event("time", Measure::Time, 0.7, EventAction::Record),
     ]
@@ -123,7 +123,7 @@ fn functions_of_many_members_have_events() {
         asked.iter().map(|one| law(&one.state, one.member)).collect()
     });
     let (_, rotor, _) = every_torque().swap_remove(0);
-    let slow = |k: usize| event("slow", Measure::Rate, 1.2, [EventAction::Stop, EventAction::Record][k % 2]);
+    let slow = |k: usize| event("slow", Measure::Rate, 1.33, [EventAction::Stop, EventAction::Record][k % 2]);
     let member = |k: usize, torque: TorqueModel| {
         let member = Member::new(rotor.clone(), vec![torque], start(k));
         if k == 4 { member } else { member.watching(vec![slow(k)]) }

@@ -42,7 +42,7 @@ pub struct EnsembleStates {
 /// Many bodies that move independently of each other, side by side in the lanes of vectors and on several threads.
 ///
 /// Every state has the same bits on any number of threads, with any vectors, and whichever members there are beside it. Members under a
-/// [`TorqueModel::vectorized_function`] are computed on the thread that calls, one call of it for all of them.
+/// [`TorqueModel::vectorized_function`](crate::motion::torque::TorqueModel::vectorized_function) are computed on the thread that calls, one call of it for all of them.
 ///
 /// A closed form takes microseconds to prepare. The first call with [`Method::Auto`] does not keep it; the second does, about 1 kB of
 /// each member that has one, so that an ensemble that is asked again and again gives its states at once, and one that is asked once

@@ -71,10 +71,11 @@ impl SharedActions {
         Ok(Self { actions, torques })
     }
 
-    pub(crate) fn on(&self, rotor: Rotor, start: State) -> PyResult<Member> {
+    /// The member that they act on.
+    pub(crate) fn on(&self, rotor: Rotor, start: State) -> Member {
         let scenario = self.actions.scenario();
         let member = Member::new(rotor, self.torques.clone(), start);
-        Ok(member.switched_off(scenario.switched_off().to_vec()).watching(scenario.events().to_vec()))
+        member.switched_off(scenario.switched_off().to_vec()).watching(scenario.events().to_vec())
     }
 }
 

@@ -92,7 +92,7 @@ impl PyEnsemble {
                     Attitude::from_quaternion(*wxyz).map_err(|error| refused_member(k, &error, None))?;
                 let start = State { time: 0.0, attitude, omega: AngularVelocity::from_array(*omega) };
                 let rotor = shared.actions.with_wheels(rotor, start.omega);
-                shared.on(rotor.map_err(|error| raised_by(&format!("member {k}: "), error))?, start)
+                Ok(shared.on(rotor.map_err(|error| raised_by(&format!("member {k}: "), error))?, start))
             });
             let members = members.collect::<PyResult<_>>()?;
             Self::new(members, actions.iter().flat_map(|shared| shared.actions.findings()), &functions)

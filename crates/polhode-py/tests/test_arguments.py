@@ -72,7 +72,7 @@ NEVER: list[Any] = [
 ]
 
 #: Arguments that take such a thing all the same: folders and torques may come from a generator, and a class is a function.
-TAKEN = {("check", "roots"), ("Ensemble", "torques"), ("Ensemble", "wheels"), ("Ensemble", "events"), ("Ensemble.of", "scenarios")}
+TAKEN = {("check", "roots"), ("Ensemble", "torques"), ("Ensemble", "wheels"), ("Ensemble", "events"), ("Ensemble", "orbit"), ("Ensemble.of", "scenarios")}
 
 
 def functions() -> dict[Callable[..., object], dict[str, Any]]:
@@ -90,7 +90,7 @@ def functions() -> dict[Callable[..., object], dict[str, Any]]:
         polhode.FreeMotion: {"omega": [1.0, 2, 3], "moments": [1.0, 2, 2.5], "attitude": [1, 0, 0, 0], "allow_unphysical": False},
         polhode.Ensemble: {
             **{"body": body, "omega": [[1.0, 2, 3]] * 2, "pivot": [0.1, 0.3, -0.2], "attitude": [1, 0, 0, 0]},
-            **{"torques": [scenario.Gravity()], "wheels": [], "events": []},
+            **{"torques": [scenario.Gravity()], "wheels": [], "events": [], "orbit": None},
         },
         polhode.Ensemble.of: {"scenarios": [polhode.Scenario(body)]},
         polhode.simulate: {"scenario": ROOT / "examples" / "t-handle.toml", "times": [0.0, 1.0], "error": "cheap"},

@@ -16,6 +16,7 @@ from polhode.scenario import (
     FunctionTorque,
     Gravity,
     GravityGradient,
+    Orbit,
     Run,
     Start,
     Thruster,
@@ -130,6 +131,14 @@ def test_torques_are_of_all_or_of_each() -> None:
     assert made(torques=texts, wheels=WHEELS).at(TIMES) == made(torques=DRAGS, wheels=WHEELS).at(TIMES)
 
 
+def test_orbits_are_of_all_or_of_each() -> None:
+    orbits = [Orbit(altitude=(400.0 + 30.0 * k) * 1e3, inclination=0.3 * k) for k in range(COUNT)]
+    given: dict[str, Any] = {"torques": [GravityGradient(), DRAGS[3][0]]}
+    require_the_bits_of_each(made(**given, orbit=orbits), [{**given, "orbit": orbit} for orbit in orbits])
+    require_the_bits_of_each(made(**given, orbit=orbits[2]), [{**given, "orbit": orbits[2]}] * COUNT)
+    assert made(**given, orbit=orbits) != made(**given, orbit=orbits[::-1])
+
+
 def test_everything_at_once() -> None:
     torques = [[WEIGHT, *drags] for drags in DRAGS]
     given = [{"torques": torques[k], "wheels": WHEELS[k], "pivot": PIVOTS[k]} for k in range(COUNT)]
@@ -181,6 +190,9 @@ def test_copies_and_equality() -> None:
         ({"torques": [Gravity()]}, r"torques\[0\].*: .*pivot"),
         ({"torques": [Gravity(pivot=[0, 0, 0])], "pivot": PIVOTS}, r"torques\[0\].pivot: .*left out, since the pivot is given"),
         ({"torques": [GravityGradient()]}, r"torques\[0\].*: .*orbit"),
+        ({"orbit": Orbit(altitude=-7e6)}, "orbit: the orbit.s radius = -621863 must be positive"),
+        ({"orbit": [Orbit(altitude=5e5), *[Orbit(altitude="2 kg")] * 10]}, r"orbit\[1\].altitude: "),
+        ({"torques": [GravityGradient()], "orbit": Orbit(altitude=5e5), "pivot": PIVOTS}, r"torques\[0\].model: .*left out, since the bodies are held"),
         ({"torques": [Drag(law="linear", coefficient=-1.0)]}, r"torques\[0\].coefficient: "),
         ({"torques": [*DRAGS[:6], [*DRAGS[6], Drag(law="linear", coefficient="1 kg")], *DRAGS[7:]]}, r"torques\[6\]\[1\].coefficient: "),
         ({"wheels": [Wheel(axis=[0, 0, 0], momentum=1.0)]}, r"wheels\[0\].axis: "),

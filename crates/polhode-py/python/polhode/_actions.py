@@ -1,4 +1,4 @@
-"""What acts on the members of an ensemble: torques, wheels and events, for all of them or for each."""
+"""What acts on the members of an ensemble: torques, wheels and events, and the orbit of the former, for all of them or for each."""
 
 from __future__ import annotations
 
@@ -10,13 +10,18 @@ from . import _arrays, _section
 from ._computed_law import computed, computed_of_many
 from ._error import PolhodeError
 from ._section import Section
-from .scenario import Event, FunctionTorque, Torque, Wheel
+from .scenario import Event, FunctionTorque, Orbit, Torque, Wheel
 
 #: Torques as users give them: for all members, or a list for each.
 Torques = str | Sequence[Torque] | Sequence[str | Sequence[Torque]]
 
 #: The tables that act, by the argument that has them: what files call them, and their classes.
-_TABLES: dict[str, tuple[str, type[Section]]] = {"torques": ("torque", Torque), "wheels": ("wheel", Wheel), "events": ("event", Event)}
+_TABLES: dict[str, tuple[str, type[Section]]] = {
+    "torques": ("torque", Torque),
+    "wheels": ("wheel", Wheel),
+    "events": ("event", Event),
+    "orbit": ("orbit", Orbit),
+}
 
 #: A torque that Python computes: whether it is along space axes, how, and whether for many members at once.
 Function = tuple[bool, Callable[..., Any], bool]
@@ -52,6 +57,7 @@ class Actions:
     torques: Any
     wheels: Any
     events: Any
+    orbit: Any
 
     @classmethod
     def of(cls, **given: object) -> Actions:
@@ -87,10 +93,10 @@ class Actions:
         place = own[error.line - 1] if 0 < error.line <= len(own) else None
         if place is None:
             return error
-        first, rest = re.split(r"(?=\[)", place, maxsplit=1)
+        first, *rest = re.split(r"(?=[.\[])", place, maxsplit=1)
         name = next(name for name, (key, _) in _TABLES.items() if key == first)
         each = member if isinstance(getattr(self, name), list) else ""
-        message = re.sub(rf"{re.escape(str(error.path))}:\d+:\d+: ", f"{name}{each}{rest}: ", error.args[0], count=1)
+        message = re.sub(rf"{re.escape(str(error.path))}:\d+:\d+: ", f"{name}{each}{''.join(rest)}: ", error.args[0], count=1)
         return PolhodeError(message, error.args[1])
 
     def _text(self, name: str, member: int, functions: Functions) -> Text:
@@ -100,7 +106,7 @@ class Actions:
         return name, own, others, [] if isinstance(torques, str) else functions.placed(torques)
 
     def _others(self, member: int) -> list[tuple[str, str]]:
-        return [line for name in ("wheels", "events") for line in _rows(name, _of(getattr(self, name), member))]
+        return [line for name in ("wheels", "events", "orbit") for line in _rows(name, _of(getattr(self, name), member))]
 
     def _lines(self, member: int) -> list[str | None]:
         """The place in Python that each line of a member's text comes from; ``None`` of the user's own text."""
@@ -111,6 +117,8 @@ class Actions:
 
 def _checked(name: str, value: Any, kind: type[Section]) -> Any:
     """Tables for all members: a tuple, or a text of torques; a list of these with one for each."""
+    if name == "orbit":
+        return _orbits(value)
     several = (list, tuple, str) if name == "torques" else (list, tuple)
     if name == "torques" and isinstance(value, str):
         return _arrays.text(name, value)
@@ -122,6 +130,13 @@ def _checked(name: str, value: Any, kind: type[Section]) -> Any:
     return [_arrays.text(f"{name}[{k}]", one) if isinstance(one, str) else _section.sections(f"{name}[{k}]", one, kind) for k, one in enumerate(given)]
 
 
+def _orbits(value: Any) -> Any:
+    """The orbit of all members, if there is one, as a tuple; a list of these with one for each."""
+    if value is None or isinstance(value, Orbit):
+        return () if value is None else (value,)
+    return [(one,) for one in _section.sections("orbit", value, Orbit)]
+
+
 def _of(value: Any, member: int) -> Any:
     """What a member has."""
     return value[member if len(value) > 1 else 0] if isinstance(value, list) else value
@@ -129,7 +144,8 @@ def _of(value: Any, member: int) -> Any:
 
 def _rows(name: str, tables: Sequence[Section]) -> Iterable[tuple[str, str]]:
     """The lines of a file with these tables, each with its place."""
-    return _section.lines({_TABLES[name][0]: [table.to_dict() for table in tables]}) if tables else ()
+    given = [table.to_dict() for table in tables]
+    return _section.lines({_TABLES[name][0]: given[0] if name == "orbit" else given}) if given else ()
 
 
 def _ended(text: str) -> str:

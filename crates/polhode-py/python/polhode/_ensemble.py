@@ -18,7 +18,7 @@ from ._motion import Event
 from ._record import same
 from ._scenario import Scenario
 from .scenario import Event as WatchedEvent
-from .scenario import Wheel
+from .scenario import Orbit, Wheel
 
 
 class Ensemble:
@@ -52,6 +52,8 @@ class Ensemble:
     events
         A list of :class:`polhode.scenario.Event` that are looked for in each member, or a list of n such lists. One that stops a member stops no other. A
         member with events is computed alone, as :func:`simulate` has it, and a ``vectorized`` function called for it alone.
+    orbit
+        The :class:`polhode.scenario.Orbit` on which torques depend, of all members, or a list of n.
 
     Raises
     ------
@@ -105,6 +107,7 @@ class Ensemble:
         torques: Torques = "",
         wheels: Sequence[Wheel] | Sequence[Sequence[Wheel]] = (),
         events: Sequence[WatchedEvent] | Sequence[Sequence[WatchedEvent]] = (),
+        orbit: Orbit | Sequence[Orbit] | None = None,
     ) -> None:
         if sum(given is not None for given in (body, moments, inertia)) != 1:
             raise PolhodeError("bodies are given by body, by moments or by inertia, exactly one of them")
@@ -118,7 +121,7 @@ class Ensemble:
             given["inertia"] = _each("inertia", inertia, (3, 3))
         if pivot is not None:
             given["pivot"] = _each("pivot", pivot, (3,))
-        self._actions = Actions.of(torques=torques, wheels=wheels, events=events)
+        self._actions = Actions.of(torques=torques, wheels=wheels, events=events, orbit=orbit)
         rows = {"body" if name == "mass" else name: len(rows) for name, rows in given.items() if name != "center_of_mass" and not ("mass" in given and name == "inertia")}
         counts = {name: count for name, count in (rows | self._actions.counts()).items() if count != 1}
         if len(set(counts.values())) > 1:
@@ -172,7 +175,7 @@ class Ensemble:
         """
         self = cls.__new__(cls)
         self._scenarios = _scenarios_of(scenarios)
-        self._arguments, self._actions, self._count = {}, Actions.of(torques=(), wheels=(), events=()), len(self._scenarios)
+        self._arguments, self._actions, self._count = {}, Actions.of(torques=(), wheels=(), events=(), orbit=None), len(self._scenarios)
         self._native = self._made()
         warn_of(findings_of(self._native.findings))
         return self

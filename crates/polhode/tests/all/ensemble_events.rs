@@ -17,7 +17,7 @@ fn event(name: &str, measure: Measure, value: f64, action: EventAction) -> Event
 
 /// What most members pass sooner or later, some once and some often; those of every third are stopped by it.
 fn events(k: usize) -> Vec<Event> {
-    let action = if k % 3 == 0 { EventAction::Stop } else { EventAction::Record };
+    let action = if k.is_multiple_of(3) { EventAction::Stop } else { EventAction::Record };
     let along = Measure::OmegaBody(Direction::new(0.3, -0.5, 0.9));
     vec![
         event("rate", along, 1.08, action),

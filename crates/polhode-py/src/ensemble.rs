@@ -1,78 +1,138 @@
-//! Many bodies, each with its own start, under the same torques.
+//! Many bodies, each with its own start.
 
 use std::num::NonZero;
-use std::path::Path;
+use std::path::PathBuf;
 
 use numpy::ndarray::Array3;
 use numpy::{IntoPyArray as _, PyArray3, PyReadonlyArray1, PyReadonlyArray2};
 use polhode::body::{Finding, InertiaTensor, MassProperties};
 use polhode::math::{AngularVelocity, Attitude, Body, Position};
-use polhode::motion::torque::TorqueModel;
-use polhode::motion::{Ensemble, Member, MemberFailure, Method, MotionError, Rotor, Scenario, State};
-use polhode_formats::scenario;
+use polhode::motion::{
+    Ensemble, EnsembleOutcome, Member, MemberCrossing, MemberFailure, MemberStop, Method, MotionError, Rotor,
+    State,
+};
 use pyo3::prelude::*;
 
+use crate::actions::{Functions, Placed, PythonActions, PythonTorque, SharedActions};
 use crate::arrays::{Signs, numbers, room, rows};
-use crate::error::{Raise, refused};
+use crate::error::{Raise, raised_by, refused};
 use crate::finding::{Remark, remarks};
 use crate::interrupt::Watch;
-use crate::scenario::{Raised, function, has_raised, heard, vectorized};
+use crate::scenario::{self, has_raised, heard};
 
-/// A row for each member and time, t, w, x, y, z, ω1, ω2, ω3 (n, t, 8), and those that could go no further: the member, when it was
-/// last good (s), and why.
-type States<'py> = (Bound<'py, PyArray3<f64>>, Vec<(usize, f64, String)>);
+/// The tolerance of a run that says none.
+const TOLERANCE: f64 = 1e-13;
 
-/// Many bodies, each with its own start, under the same torques.
+/// A row for each member and time, t, w, x, y, z, ω1, ω2, ω3 (n, t, 8), those that could go no further (the member, when it was last good, s, and why),
+/// those that an event stopped (the member, the event and when), and the events.
+type States<'py> =
+    (Bound<'py, PyArray3<f64>>, Vec<(usize, f64, String)>, Vec<(usize, Option<String>, f64)>, Vec<Happened>);
+
+/// An event: the member, its name, when (s), whether what it watches was rising, ω and attitude there.
+type Happened = (usize, String, f64, bool, [f64; 3], [f64; 4]);
+
+/// Masses (n,) and centres of mass (n, 3), where they are known, and tensors (n, 9).
+type Bodies<'py> =
+    (Option<(PyReadonlyArray1<'py, f64>, PyReadonlyArray2<'py, f64>)>, PyReadonlyArray2<'py, f64>);
+
+/// Many bodies, each with its own start.
 #[pyclass(frozen, name = "Ensemble", module = "polhode._native")]
 #[derive(Clone, Debug)]
 pub(crate) struct PyEnsemble {
     ensemble: Ensemble,
     findings: Vec<Finding>,
-    /// By its torques that Python computes.
-    raised: Raised,
-    /// Whether Python computes a torque for one member at a time: it does so for no two of them at once.
-    is_called: bool,
+    functions: Functions,
 }
-
-/// A torque that Python computes: which of the torques it is, whether it is along space axes, a function, and whether that is of many members at once.
-type PythonTorque = (usize, bool, Py<PyAny>, bool);
 
 #[pymethods]
 impl PyEnsemble {
-    /// Free bodies with these tensors (n, 9) about their centres of mass, ω (n, 3) and attitudes (n, 4), and `[[torque]]`s as a
-    /// scenario has them, some of which `functions` take the place of.
+    /// Bodies with ω (n, 3) and attitudes (n, 4), held at pivots (n, 3) if these are given. `which` (n,) of the actions are each member's; without it the first
+    /// are those of all.
     #[staticmethod]
     fn of(
         py: Python<'_>,
-        tensors: PyReadonlyArray2<'_, f64>,
+        bodies: Bodies<'_>,
+        pivots: Option<PyReadonlyArray2<'_, f64>>,
         omega: PyReadonlyArray2<'_, f64>,
         attitude: PyReadonlyArray2<'_, f64>,
-        torques: &str,
+        actions: (Vec<PythonActions>, Option<Vec<usize>>),
         functions: Vec<PythonTorque>,
     ) -> PyResult<Self> {
-        let (tensors, omega, attitude) = (rows::<9>(&tensors)?, rows::<3>(&omega)?, rows::<4>(&attitude)?);
-        let (mut torques, findings) = read_torques(torques)?;
-        let (raised, is_called) = (Raised::default(), functions.iter().any(|(_, _, _, many)| !many));
-        for (place, in_space, law, many) in functions {
-            let torque = torques.get_mut(place);
-            let torque = torque.ok_or_else(|| refused(format!("there is no torque {place}"), None))?;
-            let made = if many { vectorized } else { function };
-            *torque = made(in_space, law, Raised::clone(&raised));
-        }
+        let (known, tensors) = &bodies;
+        let tensors = rows::<9>(tensors)?;
+        let known =
+            known.as_ref().map(|(masses, centers)| PyResult::Ok((numbers(masses)?, rows::<3>(centers)?)));
+        let known = known.transpose()?;
+        let (omega, attitude) = (rows::<3>(&omega)?, rows::<4>(&attitude)?);
+        let pivots = pivots.as_ref().map(rows::<3>).transpose()?;
+        let ((actions, which), functions) = (actions, Functions::new(functions));
         let made = py.detach(|| {
+            let read = |actions: &PythonActions| SharedActions::read(actions, pivots.is_some(), &functions);
+            let actions = actions.iter().map(read).collect::<PyResult<Vec<_>>>()?;
+            let of_member = |k: usize| {
+                let of_it = which.as_ref().map_or(Some(0), |which| which.get(k).copied());
+                of_it.and_then(|which| actions.get(which)).ok_or_else(|| refused("nothing acts", None))
+            };
+            let body = |k: usize, tensor: &[f64; 9]| {
+                let place = known.and_then(|(masses, centers)| Some((*masses.get(k)?, *centers.get(k)?)));
+                // Of a free body the mass does not matter.
+                let (mass, center) = place.unwrap_or((1.0, [0.0; 3]));
+                body(mass, center, tensor).map_err(|error| refused_member(k, &error, error.hint()))
+            };
             let each = tensors.iter().zip(omega).zip(attitude).enumerate();
             let members = each.map(|(k, ((tensor, omega), wxyz))| {
+                let (body, shared) = (body(k, tensor)?, of_member(k)?);
+                let pivot = pivots.and_then(|pivots| pivots.get(k)).map(|pivot| Position::from_array(*pivot));
+                let rotor = match pivot.or(shared.actions.pivot()) {
+                    None => Rotor::free(&body),
+                    Some(_) if known.is_none() => return Err(massless()),
+                    Some(pivot) => Rotor::pivoted(&body, pivot),
+                };
                 let attitude =
-                    Attitude::from_quaternion(*wxyz).map_err(|error| of_member(k, &error, None))?;
+                    Attitude::from_quaternion(*wxyz).map_err(|error| refused_member(k, &error, None))?;
                 let start = State { time: 0.0, attitude, omega: AngularVelocity::from_array(*omega) };
-                Ok(Member { rotor: rotor(k, tensor)?, torques: torques.clone(), start })
+                let rotor = shared.actions.with_wheels(rotor, start.omega);
+                Ok(shared.on(rotor.map_err(|error| raised_by(&format!("member {k}: "), error))?, start))
             });
             let members = members.collect::<PyResult<_>>()?;
-            let ensemble = Ensemble::new(members)
-                .map_err(|failure| of_member(failure.member, &failure.cause, failure.cause.hint()))?;
-            Ok(Self { ensemble, findings, raised: Raised::clone(&raised), is_called })
+            Self::new(members, actions.iter().flat_map(|shared| shared.actions.findings()), &functions)
         });
-        heard(&raised)?;
+        heard(&functions.raised)?;
+        made
+    }
+
+    /// Members that are scenarios: their paths, texts, and which torques functions take the place of.
+    #[staticmethod]
+    fn of_scenarios(
+        py: Python<'_>,
+        scenarios: Vec<(PathBuf, String, Vec<Placed>)>,
+        functions: Vec<PythonTorque>,
+    ) -> PyResult<Self> {
+        let functions = Functions::new(functions);
+        let made = py.detach(|| {
+            let mut findings = Vec::new();
+            let members = scenarios.into_iter().enumerate().map(|(k, (path, text, placed))| {
+                let read = scenario::read(path, Some(text));
+                let scenario = read.map_err(|error| raised_by(&format!("member {k}: "), error))?.scenario;
+                let own =
+                    scenario.run().filter(|run| run.method != Method::Auto || run.tolerance != TOLERANCE);
+                if own.is_some() {
+                    let hint = Some("Ensemble.at takes a tolerance, and the best method for each member");
+                    return Err(refused(
+                        format!("member {k}: its run has a method or a tolerance of its own"),
+                        hint,
+                    ));
+                }
+                findings.extend_from_slice(scenario.findings());
+                let mut member =
+                    scenario.member().map_err(|error| refused_member(k, &error, error.hint()))?;
+                functions.replace(&mut member.torques, &placed)?;
+                Ok(member)
+            });
+            let members = members.collect::<PyResult<_>>()?;
+            Self::new(members, &findings, &functions)
+        });
+        heard(&functions.raised)?;
         made
     }
 
@@ -80,7 +140,7 @@ impl PyEnsemble {
         self.ensemble.len()
     }
 
-    /// What was noticed about the torques: code, severity, message, place.
+    /// What was noticed, each once: code, severity, message, place.
     #[getter]
     fn findings(&self) -> Vec<Remark> {
         remarks(&self.findings)
@@ -95,7 +155,8 @@ impl PyEnsemble {
         tolerance: f64,
     ) -> PyResult<States<'py>> {
         let times = numbers(&times)?;
-        let threads = NonZero::new(if self.is_called { 1 } else { threads }).unwrap_or(NonZero::<usize>::MIN);
+        let Functions { raised, is_called, .. } = &self.functions;
+        let threads = NonZero::new(if *is_called { 1 } else { threads }).unwrap_or(NonZero::<usize>::MIN);
         let (mut watch, shape) = (Watch::new(), [self.ensemble.len(), times.len(), 8]);
         room::<[f64; 8]>(
             &format!("the states of {} members at {} times", shape[0], shape[1]),
@@ -103,23 +164,54 @@ impl PyEnsemble {
         )?;
         let computed: Result<_, MotionError> = py.detach(|| {
             let mut rows = vec![[0.0; 8]; self.ensemble.len() * times.len()];
-            let goes_on = &mut |_| watch.goes_on() && !has_raised(&self.raised);
-            let failures =
+            let goes_on = &mut |_| watch.goes_on() && !has_raised(raised);
+            let outcome =
                 self.ensemble.fill(times, (Method::Auto, tolerance), threads, &mut rows, goes_on)?;
             rows.chunks_mut(times.len().max(1)).for_each(continuous);
-            Ok((rows, failures))
+            Ok((rows, outcome))
         });
         watch.ended()?;
-        heard(&self.raised)?;
-        let (rows, failures) = computed.map_err(Raise::raise)?;
+        heard(raised)?;
+        let (rows, EnsembleOutcome { failures, stops, crossings }) = computed.map_err(Raise::raise)?;
         let last_good = |member: usize| {
             let last = ((member + 1) * times.len()).checked_sub(1).and_then(|last| rows.get(last));
             last.map_or(0.0, |&[time, ..]| time)
         };
         let failed = |f: &MemberFailure| (f.member, last_good(f.member), f.cause.to_string());
         let failed = failures.iter().map(failed).collect();
+        let stopped = |stop: &MemberStop| {
+            let member = self.ensemble.members().get(stop.member);
+            let event = member.and_then(|member| member.events.get(stop.event));
+            (stop.member, event.map(|event| event.name().to_owned()), stop.time)
+        };
+        let stopped = stops.iter().map(stopped).collect();
+        let happened = |MemberCrossing { member, crossing }: MemberCrossing| {
+            let state = crossing.state;
+            let (omega, attitude) = (state.omega.to_array(), state.attitude.canonical_quaternion());
+            (member, crossing.name, state.time, crossing.rising, omega, attitude)
+        };
+        let happened = crossings.into_iter().map(happened).collect();
         let rows = Array3::from_shape_vec(shape, rows.into_flattened());
-        Ok((rows.map_err(|error| refused(error, None))?.into_pyarray(py), failed))
+        let rows = rows.map_err(|error| refused(error, None))?;
+        Ok((rows.into_pyarray(py), failed, stopped, happened))
+    }
+}
+
+impl PyEnsemble {
+    fn new<'a>(
+        members: Vec<Member>,
+        findings: impl IntoIterator<Item = &'a Finding>,
+        functions: &Functions,
+    ) -> PyResult<Self> {
+        let ensemble = Ensemble::new(members)
+            .map_err(|failure| refused_member(failure.member, &failure.cause, failure.cause.hint()))?;
+        let mut each: Vec<Finding> = Vec::new();
+        for finding in findings {
+            if !each.contains(finding) {
+                each.push(finding.clone());
+            }
+        }
+        Ok(Self { ensemble, findings: each, functions: functions.clone() })
     }
 }
 
@@ -131,45 +223,21 @@ fn continuous(rows: &mut [[f64; 8]]) {
     }
 }
 
-fn rotor(member: usize, tensor: &[f64; 9]) -> PyResult<Rotor> {
+fn body(
+    mass: f64,
+    center: [f64; 3],
+    tensor: &[f64; 9],
+) -> Result<MassProperties<Body>, polhode::body::BodyError> {
     let [xx, xy, xz, yx, yy, yz, zx, zy, zz] = *tensor;
-    let inertia = InertiaTensor::<Body>::from_matrix([[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]]);
-    // Of a free body the mass does not matter.
-    let body = inertia.and_then(|inertia| MassProperties::new(1.0, Position::ZERO, inertia));
-    body.map(|body| Rotor::free(&body)).map_err(|error| of_member(member, &error, error.hint()))
+    let inertia = InertiaTensor::<Body>::from_matrix([[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]])?;
+    MassProperties::new(mass, Position::from_array(center), inertia)
 }
 
-fn of_member(member: usize, error: &dyn std::error::Error, hint: Option<&str>) -> PyErr {
+fn refused_member(member: usize, error: &dyn std::error::Error, hint: Option<&str>) -> PyErr {
     refused(format!("member {member}: {error}"), hint)
 }
 
-/// The torques of a text that holds nothing else, and what was noticed about them.
-pub(crate) fn read_torques(text: &str) -> PyResult<(Vec<TorqueModel>, Vec<Finding>)> {
-    /// A body for them to act on. It comes last, so that lines count as the user's do.
-    const BODY: &str = "\n[[body.part]]\nshape = \"tensor\"\nmass = 1\nmoments = [1, 1, 1]\n";
-    if text.trim().is_empty() {
-        return Ok((Vec::new(), Vec::new()));
-    }
-    let scenario = scenario::parse(&format!("{text}{BODY}"), Path::new("torques")).map_err(Raise::raise)?;
-    let hint = Some("a scenario's other sections say what an ensemble's arguments say");
-    match only_torques(&scenario) {
-        true => Ok((scenario.torques().to_vec(), scenario.findings().to_vec())),
-        false => {
-            Err(refused("torques may hold [[torque]] tables only, of free bodies, all switched on", hint))
-        }
-    }
-}
-
-fn only_torques(scenario: &Scenario) -> bool {
-    let start = scenario.start();
-    // A [sweep] leaves nothing in the scenario but a finding.
-    let is_plan = scenario.findings().iter().any(|finding| finding.code == "sweep.nominal");
-    let is_plain = scenario.parts().len() == 1 && scenario.title().is_none() && !is_plan;
-    let is_at_rest = start.omega == AngularVelocity::ZERO && start.attitude == Attitude::identity();
-    let is_free =
-        scenario.pivot().is_none() && scenario.prescribed().is_none() && scenario.suspension().is_none();
-    let acts = scenario.switched_off().is_empty() && scenario.events().is_empty();
-    let no_more = scenario.wheels().is_empty() && scenario.history().is_none() && scenario.run().is_none();
-    let no_more = no_more && scenario.ground().is_none() && scenario.gimbals().is_none();
-    is_plain && is_at_rest && is_free && acts && no_more
+fn massless() -> PyErr {
+    let hint = Some("give body: mass properties, which have both");
+    refused("a body that is held at a pivot needs its mass and its centre of mass", hint)
 }

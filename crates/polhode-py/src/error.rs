@@ -67,14 +67,15 @@ impl Raise for FormatError {
             let words = if self.place().is_some() { self.to_string() } else { why.clone() };
             return PyOSError::new_err((number, words, file.clone()));
         }
-        let Place { line, column, .. } = match self.place() {
-            Some(place) => place,
-            None => return PolhodeError::new_err((self.to_string(), self.hint(), path(&self))),
-        };
-        PolhodeError::new_err((self.to_string(), self.hint(), path(&self), *line, *column))
+        raised_by("", self)
     }
 }
 
-fn path(error: &FormatError) -> String {
-    error.path().display().to_string()
+/// An error of a text, with what its message begins with.
+pub(crate) fn raised_by(what: &str, error: FormatError) -> PyErr {
+    let (words, hint, path) = (format!("{what}{error}"), error.hint(), error.path().display().to_string());
+    match error.place() {
+        None => PolhodeError::new_err((words, hint, path)),
+        Some(Place { line, column, .. }) => PolhodeError::new_err((words, hint, path, *line, *column)),
+    }
 }

@@ -17,8 +17,8 @@ use polhode_identify::tumble::{
 use polhode_report::{IdentifyReport, plain};
 use pyo3::prelude::*;
 
+use crate::actions::read_torques;
 use crate::arrays::{matrix, numbers, rows};
-use crate::ensemble::read_torques;
 use crate::error::{Raise, refused};
 
 /// Mass, centre of mass, tensor about it.
@@ -177,7 +177,7 @@ fn flight(given: &FlightArrays<'_>) -> PyResult<Flight> {
         Wheel::new(Direction::from_array(*axis), *momentum, Motor::HeldSpeed).map_err(Raise::raise)
     };
     flight = flight.with_wheels(given.wheels.iter().map(wheel).collect::<PyResult<_>>()?);
-    Ok(flight.with_torques(read_torques(&given.torques)?.0))
+    Ok(flight.with_torques(read_torques(&given.torques)?))
 }
 
 fn gyro_readings(

@@ -4,6 +4,7 @@
 //! Here are plain functions on arrays and texts, which compute detached from Python. Nothing is computed here that the library does
 //! not compute.
 
+mod actions;
 mod arrays;
 mod brep;
 mod budget;

@@ -21,7 +21,7 @@ import polhode.sweep
 import pyarrow as pa
 import pytest
 from conftest import PLAN, ROOT
-from polhode import plot, shapes
+from polhode import plot, scenario, shapes
 from polhode._error import in_python
 from scipy.spatial.transform import Rotation
 
@@ -72,7 +72,7 @@ NEVER: list[Any] = [
 ]
 
 #: Arguments that take such a thing all the same: folders and torques may come from a generator, and a class is a function.
-TAKEN = {("check", "roots"), ("Ensemble", "torques")}
+TAKEN = {("check", "roots"), ("Ensemble", "torques"), ("Ensemble", "wheels"), ("Ensemble", "events"), ("Ensemble", "orbit"), ("Ensemble.of", "scenarios")}
 
 
 def functions() -> dict[Callable[..., object], dict[str, Any]]:
@@ -88,7 +88,11 @@ def functions() -> dict[Callable[..., object], dict[str, Any]]:
         polhode.particles: {"masses": [1.0, 2.0], "positions": [[0, 0, 0], [1, 1, 1]]},
         polhode.inertia: {"source": (VERTICES, TRIANGLES), "density": 1.0, "unit": "mm", "hull": False, "shell": None, "kind": None},
         polhode.FreeMotion: {"omega": [1.0, 2, 3], "moments": [1.0, 2, 2.5], "attitude": [1, 0, 0, 0], "allow_unphysical": False},
-        polhode.Ensemble: {"omega": [[1.0, 2, 3]] * 2, "moments": [1.0, 2, 2.5], "attitude": [1, 0, 0, 0], "torques": ""},
+        polhode.Ensemble: {
+            **{"body": body, "omega": [[1.0, 2, 3]] * 2, "pivot": [0.1, 0.3, -0.2], "attitude": [1, 0, 0, 0]},
+            **{"torques": [scenario.Gravity()], "wheels": [], "events": [], "orbit": None},
+        },
+        polhode.Ensemble.of: {"scenarios": [polhode.Scenario(body)]},
         polhode.simulate: {"scenario": ROOT / "examples" / "t-handle.toml", "times": [0.0, 1.0], "error": "cheap"},
         polhode.check: {"path": ROOT / "examples" / "robots" / "arm.urdf", "roots": []},
         polhode.fixed_groups: {"path": ROOT / "examples" / "robots" / "arm.urdf"},

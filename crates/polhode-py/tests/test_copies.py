@@ -18,7 +18,7 @@ import polhode.batch
 import polhode.sweep
 import pytest
 from conftest import PLAN, ROOT
-from polhode import shapes
+from polhode import scenario, shapes
 from test_derivatives import PUSHED
 
 TURN = [0.4, -0.7, 1.1, 0.3]
@@ -43,6 +43,7 @@ ASKED: dict[str, list[dict[str, Any]]] = {
     "error": [{"times": [0.25, 1.5, 40.0]}],
     "rotations": [{}, {"times": [0.25, 1.5]}, {"member": 1}],
     "page": [{}],
+    "event_times": [{"name": "slow"}],
     "gradient": [{"of_number": np.linspace(-1.0, 1.5, 10)}],
 }
 
@@ -179,6 +180,8 @@ def everything(tmp_path: Path) -> list[object]:
     free = polhode.FreeMotion(inertia=made[0], omega=[0.3, -0.5, 0.9], attitude=TURN)
     shared = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=omega, torques='[[torque]]\nmodel = "constant"\ntorque = ["0.1 N m", "0 N m", "0.2 N m"]\naxes = "body"\n')
     own = polhode.Ensemble(inertia=np.stack([made[0].inertia, made[5].inertia, made[6].inertia, made[0].inertia]), omega=omega, attitude=attitude)
+    events = [scenario.Event(name="slow", measure="omega", value=1.0, then="stop"), scenario.Event(measure="nutation", value=1.1)]
+    watched = polhode.Ensemble(made[0], omega=omega, attitude=attitude, wheels=[scenario.Wheel(axis=[1, 2, 3], momentum=0.1)], events=events)
     links = polhode.link_table(EXAMPLES / "robots" / "arm.urdf", joints={"elbow": 0.3})
     error = polhode.PolhodeError("radius is wrong", "repair it", "a.toml", 3, 7)
     judged = [judgement(with_omega) for with_omega in (True, False)]
@@ -206,7 +209,10 @@ def everything(tmp_path: Path) -> list[object]:
         shared,
         own,
         states,
+        watched,
+        watched.at([0.0, 2.5, 4.0]),
         polhode.Failure(3, 1.25, "beyond the range of numbers"),
+        polhode.Stop(3, "lower", 1.25),
         checked,
         *checked.findings[:2],
         links,

@@ -141,7 +141,7 @@ fn formulas() -> Result<FormulaTorque, FormulaError> {
 }
 
 fn ensemble(rotor: &Rotor, torques: &[TorqueModel], count: usize) -> Result<Ensemble, MemberFailure> {
-    let member = |k| Member { rotor: rotor.clone(), torques: torques.to_vec(), start: start(k) };
+    let member = |k| Member::new(rotor.clone(), torques.to_vec(), start(k));
     Ensemble::new((0..count).map(member).collect())
 }
 

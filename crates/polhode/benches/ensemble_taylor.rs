@@ -26,7 +26,7 @@ const TOLERANCES: [f64; 2] = [1e-15, 1e-8];
 fn main() -> Result<(), Box<dyn Error>> {
     let count = std::env::args().find_map(|argument| argument.parse().ok()).unwrap_or(1024);
     for (name, rotor, torques) in problems()? {
-        let member = |k: usize| Member { rotor: rotor.clone(), torques: torques.clone(), start: start(k) };
+        let member = |k: usize| Member::new(rotor.clone(), torques.clone(), start(k));
         let ensemble = Ensemble::new((0..count).map(member).collect())?;
         for tolerance in TOLERANCES {
             let mut steps = 0;

@@ -21,11 +21,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         // A spread of rates, 0.01 rad/s each way: the golden ratio's multiples fill it evenly.
         let spread = |ratio: f64| 0.02 * ((f64::from(k) * ratio).fract() - 0.5);
         let omega = AngularVelocity::new(spread(0.618_034), spread(0.754_878), spread(0.569_840));
-        Member {
-            rotor: body.clone(),
-            torques: vec![TorqueModel::GravityGradient(Box::new(gradient.clone()))],
-            start: State { time: 0.0, attitude: Attitude::identity(), omega },
-        }
+        Member::new(
+            body.clone(),
+            vec![TorqueModel::GravityGradient(Box::new(gradient.clone()))],
+            State { time: 0.0, attitude: Attitude::identity(), omega },
+        )
     };
     let ensemble = Ensemble::new((0..1000).map(member).collect())?;
     let threads = available_parallelism().unwrap_or(NonZero::<usize>::MIN);

@@ -39,11 +39,21 @@ pub(crate) fn events(
     torques: &Torques,
     references: &References<'_>,
 ) -> Result<Vec<Event>, FormatError> {
-    let Some(list) = root.get("event") else { return Ok(Vec::new()) };
-    if root.get("run").is_none() {
+    let list = root.get("event").filter(|_| root.get("run").is_none());
+    if let Some(list) = list {
         let hint = "nothing happens without [run]: add it, or leave out [[event]]";
         return Err(list.invalid("beside a [run]").with_hint(hint));
     }
+    events_of(root, torques, references)
+}
+
+/// The same for bodies whose run is given elsewhere.
+pub(crate) fn events_of(
+    root: &Table<'_>,
+    torques: &Torques,
+    references: &References<'_>,
+) -> Result<Vec<Event>, FormatError> {
+    let Some(list) = root.get("event") else { return Ok(Vec::new()) };
     list.tables("event")?.iter().enumerate().map(|(k, table)| event(k, table, torques, references)).collect()
 }
 

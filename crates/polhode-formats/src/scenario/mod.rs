@@ -22,6 +22,7 @@
 //! A quantity is a string with its unit, or a number in SI. Whatever is unknown, impossible or ambiguous is an
 //! error that points at its place; nothing is ignored.
 
+mod actions;
 mod asked;
 mod body;
 mod completion;
@@ -70,6 +71,7 @@ use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::file;
 use crate::mesh::stl;
 use crate::text::is_utf16;
+pub use actions::Actions;
 pub use completion::{Completion, Suggested};
 pub use draft::Draft;
 use mass_history::PartHistory;

@@ -26,7 +26,8 @@ from ._body import Body
 from ._budget import Budget, BudgetCase, BudgetLimit, BudgetRow, ErrorShare, budget
 from ._check import CheckReport, ModelFinding, check
 from ._derivatives import Derivatives, EventDerivatives
-from ._ensemble import Ensemble, Failure, EnsembleStates
+from ._ensemble import Ensemble
+from ._ensemble_states import EnsembleStates, Failure, Stop
 from ._error import PolhodeError, PolhodeWarning
 from ._estimate import Estimate, Number, PrincipalEstimate, ResidualTest
 from ._explain import Explanation, explain
@@ -130,6 +131,7 @@ __all__ = [
     "SteadyMotions",
     "SteadyOnGround",
     "SteadyRotation",
+    "Stop",
     "SwingFit",
     "SwingResult",
     "Thin",
@@ -228,6 +230,7 @@ for _public in (
     SteadyMotions,
     SteadyOnGround,
     SteadyRotation,
+    Stop,
     SwingFit,
     SwingResult,
     Thin,

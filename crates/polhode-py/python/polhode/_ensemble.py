@@ -2,159 +2,58 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Iterator, NamedTuple, Sequence
+from typing import Any, Iterable, Mapping, Sequence
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _arrays, _native
+from ._actions import Actions, Functions, Torques
 from ._arrays import Floats
+from ._body import Body
+from ._ensemble_states import EnsembleStates, Failure, Stop
 from ._error import PolhodeError, warn
-from ._mass_properties import findings_of, warn_of
+from ._mass_properties import MassProperties, findings_of, warn_of
+from ._motion import Event
 from ._record import same
-from ._scenario import functions_of, text_of_torques
-from ._states import ATTITUDE, OMEGA, States, ends, rotations
-from ._table import Column, Table, Variable, vector
-from .scenario import FunctionTorque, Torque
-
-if TYPE_CHECKING:
-    from scipy.spatial.transform import Rotation
-
-
-#: The time of a state.
-REACHED = "time, or the last good one of a member that could go no further"
-
-
-class Failure(NamedTuple):
-    """A member that could go no further."""
-
-    #: The member, from 0.
-    member: int
-    #: Its last good time among those asked for, s; 0 if there is none.
-    time: float
-    #: Why.
-    cause: str
-
-
-class EnsembleStates(Table):
-    """Where the members of an ensemble were: it unpacks as ``omega, attitude``.
-
-    Its length is the number of members, and ``states[417]`` are the :class:`States` of one, at the times that it reached. All arrays are views of one, in
-    which each state lies together, and read-only.
-    """
-
-    #: Nothing with arrays in it is hashed.
-    __hash__ = None  # type: ignore[assignment]
-
-    def __init__(self, times: Floats, rows: Floats, failures: list[Failure]) -> None:
-        #: The times that were asked for (t,), s.
-        self.times = times
-        #: The members that could go no further.
-        self.failures = failures
-        self._rows = rows
-        self._lock()
-
-    def _lock(self) -> None:
-        self.times.flags.writeable = self._rows.flags.writeable = False
-
-    @property
-    def omega(self) -> Floats:
-        """ω along body axes (n, t, 3), rad/s."""
-        return self._rows[:, :, 5:]
-
-    @property
-    def attitude(self) -> Floats:
-        """R_space_body as unit quaternions (n, t, 4): w, x, y, z; each of the sign nearest to the one before it."""
-        return self._rows[:, :, 1:5]
-
-    @property
-    def reached(self) -> Floats:
-        """The time of each state (n, t), s: that asked for, or the last good one of a member that could go no further."""
-        return self._rows[:, :, 0]
-
-    def rotations(self, member: int) -> Rotation:
-        """The attitudes of a member as a ``scipy.spatial.transform.Rotation``.
-
-        Parameters
-        ----------
-        member
-            Which one, from 0.
-
-        Returns
-        -------
-        scipy.spatial.transform.Rotation
-            One for each time; it takes body components to space components.
-
-        Raises
-        ------
-        ImportError
-            Without SciPy.
-        """
-        return rotations(self.attitude[member])
-
-    def _table(self) -> list[Column]:
-        members, times, _ = self._rows.shape
-        return [
-            Column("member", "1", "the member, from 0", np.repeat(np.arange(members), times)),
-            Column("time_s", "s", REACHED, self.reached.ravel()),
-            *vector("attitude_{}", "1", ATTITUDE, self.attitude, "wxyz"),
-            *vector("omega_body_{}_rad_s", "rad/s", OMEGA, self.omega),
-        ]
-
-    def _variables(self) -> list[Variable]:
-        along = ("member", "time")
-        return [
-            Variable("member", ("member",), "1", "the member, from 0", np.arange(len(self))),
-            Variable("time", ("time",), "s", "the time that was asked for", self.times.copy()),
-            Variable("reached", along, "s", REACHED, self.reached.copy()),
-            Variable("omega", (*along, "axis"), "rad/s", OMEGA, self.omega.copy()),
-            Variable("attitude", (*along, "component"), "1", ATTITUDE, self.attitude.copy()),
-        ]
-
-    def __iter__(self) -> Iterator[Floats]:
-        return iter((self.omega, self.attitude))
-
-    def __len__(self) -> int:
-        return len(self._rows)
-
-    def __getitem__(self, member: int) -> States:
-        return States(self.reached[member].copy(), self.omega[member].copy(), self.attitude[member].copy())
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, EnsembleStates):
-            return NotImplemented
-        return same(self._rows, other._rows) and same(self.times, other.times) and self.failures == other.failures
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        vars(self).update(state)
-        self._lock()
-
-    def __repr__(self) -> str:
-        members, times, _ = self._rows.shape
-        failures = f", {len(self.failures)} failures" if self.failures else ""
-        return f"EnsembleStates({members} members, {times} times{ends(self.times)}{failures})"
+from ._scenario import Scenario
+from .scenario import Event as WatchedEvent
+from .scenario import Orbit, Wheel
 
 
 class Ensemble:
-    """Many bodies that move independently of each other: free, or each under the same ``torques``.
+    """Many bodies that move independently of each other: free, or held at a pivot; with torques, wheels and events that all share, or of their own.
 
     The bits do not depend on the number of threads, nor on which members there are beside one.
 
     Parameters
     ----------
+    body
+        :class:`MassProperties` or :class:`Body` of n members. What all members share, here and below, may be given once.
     omega
-        Angular velocities at t = 0 (n, 3), along body axes, rad/s. What all members share, here and below, may be given once.
+        Angular velocities at t = 0 (n, 3), along body axes, rad/s.
     moments
-        Moments (n, 3) about the axes x, y and z, kg·m².
+        Instead of ``body``, where mass and centre of mass do not matter: moments (n, 3) about the axes x, y and z, kg·m².
     inertia
-        Instead of ``moments``: tensors (n, 3, 3) about the centres of mass, kg·m².
+        Instead of ``body``: tensors (n, 3, 3) about the centres of mass, kg·m²; mass properties are the same here as in ``body``.
+    pivot
+        The points of the bodies that are held (n, 3), body axes, m; the bodies are free unless it is given, here or by
+        :class:`polhode.scenario.Gravity`.
     attitude
         What takes body components to space components at t = 0: quaternions (n, 4), matrices (n, 3, 3), or a
         ``scipy.spatial.transform.Rotation`` of n.
     torques
-        Torques of :mod:`polhode.scenario`, or a text of ``[[torque]]`` tables, as scenarios have them; all members are under them. A
+        Torques of :mod:`polhode.scenario`, all of which act on each member, or a text of ``[[torque]]`` tables, as scenarios have them; or a list of n such
+        lists, one for each member. A
         :class:`polhode.scenario.FunctionTorque` is called for one member at a time, or, if it is ``vectorized``, once for all of them at each stage of their
         steps. What it raises is raised here, as it is called once at the start, or by :meth:`at`.
+    wheels
+        A list of :class:`polhode.scenario.Wheel`, all of which spin in each member, or a list of n such lists.
+    events
+        A list of :class:`polhode.scenario.Event` that are looked for in each member, or a list of n such lists. One that stops a member stops no other. A
+        member with events is computed alone, as :func:`simulate` has it, and a ``vectorized`` function called for it alone.
+    orbit
+        The :class:`polhode.scenario.Orbit` on which torques depend, of all members, or a list of n.
 
     Raises
     ------
@@ -172,36 +71,114 @@ class Ensemble:
     >>> one = polhode.FreeMotion(moments=[1.0, 2.0, 2.5], omega=omega[417])
     >>> bool((states.omega[417] == one.at([0.0, 10.0, 1e6]).omega).all())
     True
+
+    Tops of three radii, until they lean by 40°:
+
+    >>> from polhode import shapes
+    >>> from polhode.scenario import Event, Gravity
+    >>> tops = [
+    ...     shapes.cylinder(radius=radius, length=0.009, material="brass").placed(position=[0, 0, 0.038])
+    ...     for radius in (0.02, 0.026, 0.032)
+    ... ]
+    >>> spun = polhode.Ensemble(
+    ...     tops,
+    ...     omega=[0.0, 0.0, 150.0],
+    ...     attitude=[np.cos(0.25), np.sin(0.25), 0.0, 0.0],
+    ...     pivot=[0.0, 0.0, 0.0],
+    ...     torques=[Gravity()],
+    ...     events=[Event(name="leans", measure="nutation", value="40 deg", then="stop")],
+    ... )
+    >>> states = spun.at([0.0, 5.0])
+    >>> [ending.kind for ending in states.endings]
+    ['stopped', 'stopped', 'complete']
+    >>> states.event_times("leans").round(4)
+    array([0.0596, 0.0675,    nan])
     """
 
     def __init__(
         self,
+        body: MassProperties | Body | Sequence[MassProperties | Body] | None = None,
         *,
         omega: npt.ArrayLike,
         moments: npt.ArrayLike | None = None,
-        inertia: npt.ArrayLike | None = None,
+        inertia: npt.ArrayLike | MassProperties | Body | Sequence[MassProperties | Body] | None = None,
+        pivot: npt.ArrayLike | None = None,
         attitude: object = (1.0, 0.0, 0.0, 0.0),
-        torques: str | Sequence[Torque] = "",
+        torques: Torques = "",
+        wheels: Sequence[Wheel] | Sequence[Sequence[Wheel]] = (),
+        events: Sequence[WatchedEvent] | Sequence[Sequence[WatchedEvent]] = (),
+        orbit: Orbit | Sequence[Orbit] | None = None,
     ) -> None:
-        if (moments is None) == (inertia is None):
-            raise PolhodeError("bodies are given by moments or by inertia, exactly one of them")
-        given = {
-            "omega": _each("omega", omega, (3,)),
-            "attitude": _each("attitude", attitude, (4,)),
-        }
-        if moments is not None:
+        if sum(given is not None for given in (body, moments, inertia)) != 1:
+            raise PolhodeError("bodies are given by body, by moments or by inertia, exactly one of them")
+        given = {"omega": _each("omega", omega, (3,)), "attitude": _each("attitude", attitude, (4,))}
+        if body is not None or _is_of_bodies(inertia):
+            name = "inertia" if body is None else "body"
+            given |= _numbers_of(_bodies(name, inertia if body is None else body))
+        elif moments is not None:
             given["moments"] = _each("moments", moments, (3,))
         else:
             given["inertia"] = _each("inertia", inertia, (3, 3))
-        counts = {name: len(rows) for name, rows in given.items() if len(rows) != 1}
+        if pivot is not None:
+            given["pivot"] = _each("pivot", pivot, (3,))
+        self._actions = Actions.of(torques=torques, wheels=wheels, events=events, orbit=orbit)
+        rows = {"body" if name == "mass" else name: len(rows) for name, rows in given.items() if name != "center_of_mass" and not ("mass" in given and name == "inertia")}
+        counts = {name: count for name, count in (rows | self._actions.counts()).items() if count != 1}
         if len(set(counts.values())) > 1:
             said = ", ".join(f"{name} has {count}" for name, count in counts.items())
             raise PolhodeError(f"{said}: there must be as many of each as members, or one for all")
         # For copies; of its own, as what was given may change.
         self._arguments = {name: rows.copy() for name, rows in given.items()}
-        self._torques, self._functions = (torques, []) if isinstance(torques, str) else text_of_torques(torques)
-        self._native = _of(self._arguments, self._torques, self._functions)
+        self._count = next(iter(counts.values()), 1)
+        self._scenarios: tuple[Scenario, ...] | None = None
+        self._native = self._made()
         warn_of(findings_of(self._native.findings))
+
+    @classmethod
+    def of(cls, scenarios: Iterable[Scenario]) -> Ensemble:
+        """An ensemble of scenarios, each of them a member.
+
+        A member starts, is held, turned and watched as its scenario says. What its ``run`` says is asked of :meth:`at`; its title, its pointings, the axis
+        of its pendulum and the velocity of its centre of mass are nothing that turns it.
+
+        Parameters
+        ----------
+        scenarios
+            The members.
+
+        Returns
+        -------
+        Ensemble
+            Of bodies that are free, or held at a pivot.
+
+        Raises
+        ------
+        PolhodeError
+            Where there is a body on the ground, in gimbals or on a shaft, one whose mass changes, or one whose motion is prescribed, and where a ``run`` has a
+            method or a tolerance of its own; the message names the member.
+
+        Examples
+        --------
+        >>> import numpy as np, polhode
+        >>> from polhode.scenario import Drag, Event, Run, Start
+        >>> body = polhode.MassProperties(mass=2.0, inertia=[1.0, 2.0, 2.5])
+        >>> slow = Event(name="slow", measure="omega", value=1.0, then="stop")
+        >>> braked = [
+        ...     polhode.Scenario(body, start=Start(omega=[0.1, 0.2, 3.0]), torques=[Drag(law="linear", coefficient=c)], events=[slow], run=Run(duration=9.0))
+        ...     for c in (0.2, 0.4, 0.8)
+        ... ]
+        >>> states = polhode.Ensemble.of(braked).at([0.0, 9.0])
+        >>> states.event_times("slow").round(3)
+        array([  nan, 6.978, 3.489])
+        >>> bool(states.event_times("slow")[2] == polhode.simulate(braked[2]).ending.time)
+        True
+        """
+        self = cls.__new__(cls)
+        self._scenarios = _scenarios_of(scenarios)
+        self._arguments, self._actions, self._count = {}, Actions.of(torques=(), wheels=(), events=(), orbit=None), len(self._scenarios)
+        self._native = self._made()
+        warn_of(findings_of(self._native.findings))
+        return self
 
     def at(
         self, times: npt.ArrayLike, *, threads: int | None = None, tolerance: float = 1e-13
@@ -211,7 +188,8 @@ class Ensemble:
         Each member is computed by the best method there is: a closed form, else Taylor's method, else DOP853, within ``tolerance`` a step. Under functions of Python it is one thread. There is no estimate of the error: :func:`simulate`
         has one for each of its motions.
 
-        A member that cannot go on stays where it was last good; it is among ``failures``, and there is a :class:`PolhodeWarning`.
+        Events are found up to the last of the times. A member that one stops stays where it was then, as ``stops`` says. A member that cannot go on stays
+        where it was last good; it is among ``failures``, and there is a :class:`PolhodeWarning`.
 
         Parameters
         ----------
@@ -225,7 +203,7 @@ class Ensemble:
         Returns
         -------
         EnsembleStates
-            ω (n, t, 3) and attitudes (n, t, 4).
+            ω (n, t, 3) and attitudes (n, t, 4), and the events.
 
         Raises
         ------
@@ -233,39 +211,60 @@ class Ensemble:
             Where an argument is refused: its name, the element and the rule are in the message.
         """
         asked = _arrays.numbers("times", times, ("t",))
-        rows, failures = self._native.at(
+        rows, failures, stops, happened = self._native.at(
             asked,
             _native.available_threads() if threads is None else _arrays.count("threads", threads),
             _arrays.positive("tolerance", tolerance),
         )
-        states = EnsembleStates(asked.copy(), rows, [Failure(*failure) for failure in failures])
+        found = [(member, Event(name, time, rising, tuple(omega), tuple(wxyz))) for member, name, time, rising, omega, wxyz in happened]
+        states = EnsembleStates(asked.copy(), rows, [Failure(*failure) for failure in failures], [Stop(*stop) for stop in stops], found)
         if states.failures:
             first = states.failures[0]
             message = f"{len(failures)} of {len(self)} members cannot go on, the first is {first.member}: {first.cause}"
             warn(message)
         return states
 
+    def _made(self) -> _native.Ensemble:
+        """The same arguments are the same bodies, bit for bit."""
+        functions = Functions()
+        if self._scenarios is not None:
+            members = [(one._path, one._text(), functions.placed(one.torques)) for one in self._scenarios]
+            return _native.Ensemble.of_scenarios(members, functions.native)
+        given = self._arguments
+        tensors = given["moments"][:, :, None] * np.eye(3) if "moments" in given else given["inertia"]
+
+        def each(rows: Floats) -> Floats:
+            return rows if len(rows) == self._count else np.repeat(rows, self._count, axis=0)
+
+        known = (each(given["mass"]), each(given["center_of_mass"])) if "mass" in given else None
+        pivots = each(given["pivot"]) if "pivot" in given else None
+        texts = self._actions.texts(functions)
+        bodies = (known, each(tensors.reshape(-1, 9)))
+        try:
+            return _native.Ensemble.of(bodies, pivots, each(given["omega"]), each(given["attitude"]), texts, functions.native)
+        except PolhodeError as error:
+            raise self._actions.placed(error) from None
+
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in vars(self).items() if name != "_native"}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         vars(self).update(state)
-        # The same arguments are the same bodies, bit for bit.
-        self._native = _of(self._arguments, self._torques, self._functions)
+        self._native = self._made()
 
     def __len__(self) -> int:
         return len(self._native)
 
     def __eq__(self, other: object) -> bool:
-        """Equal are ensembles of the same bodies, given alike, with the same starts and torques."""
+        """Equal are ensembles of the same bodies, given alike, with the same starts, torques, wheels and events, or of equal scenarios."""
         if not isinstance(other, Ensemble):
             return NotImplemented
         one, two = self._arguments, other._arguments
-        same_torques = self._torques == other._torques and self._functions == other._functions
-        return same_torques and one.keys() == two.keys() and all(same(one[name], two[name]) for name in one)
+        same_actions = self._actions == other._actions and self._scenarios == other._scenarios
+        return same_actions and one.keys() == two.keys() and all(same(one[name], two[name]) for name in one)
 
     def __hash__(self) -> int:
-        return hash((len(self), self._torques))
+        return hash((Ensemble, len(self)))
 
     def __repr__(self) -> str:
         return f"Ensemble({len(self)} members)"
@@ -283,12 +282,42 @@ def _each(name: str, value: Any, shape: tuple[int, ...]) -> Floats:
     return check(name, value, ("n", *shape))
 
 
-def _of(given: dict[str, Floats], torques: str, functions: list[FunctionTorque | None]) -> _native.Ensemble:
-    """Of rows for each member, or of one for all."""
-    count = next((len(rows) for rows in given.values() if len(rows) != 1), 1)
-    tensors = given["moments"][:, :, None] * np.eye(3) if "moments" in given else given["inertia"]
+def _is_of_bodies(value: object) -> bool:
+    """Whether it is a body, or a list that begins with one."""
+    return isinstance(value, (MassProperties, Body)) or isinstance(value, (list, tuple)) and len(value) > 0 and isinstance(value[0], (MassProperties, Body))
 
-    def each(rows: Floats) -> Floats:
-        return rows if len(rows) == count else np.repeat(rows, count, axis=0)
 
-    return _native.Ensemble.of(each(tensors.reshape(-1, 9)), each(given["omega"]), each(given["attitude"]), torques, functions_of(functions))
+def _bodies(name: str, value: object) -> list[MassProperties]:
+    """The bodies of all members, or one for all."""
+    if isinstance(value, (MassProperties, Body)):
+        value = [value]
+    if isinstance(value, (str, bytes, Mapping, np.ndarray)) or not isinstance(value, Iterable):
+        raise TypeError(f"{name} must be mass properties, or a list of these, not {_arrays.kind_of(value)}")
+    found = []
+    for k, one in enumerate(value):
+        one = one.mass_properties if isinstance(one, Body) else one
+        if not isinstance(one, MassProperties):
+            raise TypeError(f"{name}[{k}] must be mass properties, not {_arrays.kind_of(one)}")
+        found.append(one)
+    if not found:
+        raise PolhodeError(f"{name} is an empty list: there must be a body")
+    return found
+
+
+def _numbers_of(bodies: list[MassProperties]) -> dict[str, Floats]:
+    """Their numbers, a row each."""
+    return {
+        "mass": np.array([body.mass for body in bodies]),
+        "center_of_mass": np.array([body.center_of_mass for body in bodies]),
+        "inertia": np.array([body.inertia for body in bodies]),
+    }
+
+
+def _scenarios_of(scenarios: object) -> tuple[Scenario, ...]:
+    if isinstance(scenarios, (str, bytes, Mapping)) or not isinstance(scenarios, Iterable):
+        raise TypeError(f"scenarios must be a list of polhode.Scenario, not {_arrays.kind_of(scenarios)}")
+    found = tuple(scenarios)
+    for k, one in enumerate(found):
+        if not isinstance(one, Scenario):
+            raise TypeError(f"scenarios[{k}] must be a polhode.Scenario, not {_arrays.kind_of(one)}")
+    return found

@@ -295,16 +295,29 @@ class Motion:
 class Ensemble:
     @staticmethod
     def of(
-        tensors: Floats,
+        bodies: tuple[tuple[Floats, Floats] | None, Floats],
+        pivots: Floats | None,
         omega: Floats,
         attitude: Floats,
-        torques: str,
-        functions: list[tuple[int, bool, Callable[..., Any], bool]],
+        actions: tuple[list[tuple[str, str, str, list[tuple[int, int]]]], list[int] | None],
+        functions: list[tuple[bool, Callable[..., Any], bool]],
+    ) -> Ensemble: ...
+    @staticmethod
+    def of_scenarios(
+        scenarios: list[tuple[str, str, list[tuple[int, int]]]],
+        functions: list[tuple[bool, Callable[..., Any], bool]],
     ) -> Ensemble: ...
     @property
     def findings(self) -> list[Remark]: ...
     def __len__(self) -> int: ...
-    def at(self, times: Floats, threads: int, tolerance: float) -> tuple[Floats, list[tuple[int, float, str]]]: ...
+    def at(
+        self, times: Floats, threads: int, tolerance: float
+    ) -> tuple[
+        Floats,
+        list[tuple[int, float, str]],
+        list[tuple[int, str, float]],
+        list[tuple[int, str, float, bool, list[float], list[float]]],
+    ]: ...
 
 class Plan:
     @staticmethod

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence
 
 from . import _arrays, _native, _section
 from ._body import Body
-from ._computed_law import computed, computed_of_many, computed_of_one
+from ._computed_law import computed, computed_of_one
 from ._error import PolhodeError
 from ._mass_properties import Finding, MassProperties, findings_of
 from ._section import Section
@@ -435,23 +435,3 @@ def formula_source(scenario: str | os.PathLike[str] | Scenario) -> tuple[str, st
     if isinstance(scenario, str) and "\n" in scenario:
         return "scenario.toml", _arrays.text("scenario", scenario)
     return _arrays.path("scenario", scenario), None
-
-
-#: A torque that Python computes for members of an ensemble: which it is, whether it is along space axes, how, and whether for many at once.
-EnsembleFunction = tuple[int, bool, Callable[..., Any], bool]
-
-
-def text_of_torques(torques: Sequence[Torque]) -> tuple[str, list[FunctionTorque | None]]:
-    """The text of torques alone, for many bodies that are under them, and those of them that Python computes."""
-    given = _section.sections("torques", torques, Torque)
-    text = "".join(f"{line}\n" for _, line in _section.lines({"torque": [torque.to_dict() for torque in given]}))
-    return text, [torque if isinstance(torque, FunctionTorque) else None for torque in given]
-
-
-def functions_of(torques: Sequence[FunctionTorque | None]) -> list[EnsembleFunction]:
-    """How Python computes them."""
-    given = [(k, one) for k, one in enumerate(torques) if one is not None]
-    return [
-        (k, one.axes == "space", computed_of_many(one.law) if one.vectorized else computed(one.law), one.vectorized)
-        for k, one in given
-    ]

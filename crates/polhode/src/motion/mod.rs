@@ -52,7 +52,9 @@ pub use model::wheel::{Motor, Wheel};
 pub use run::derivative_log::CrossingDerivatives;
 pub use run::derivatives::TrajectoryDerivatives;
 pub use run::ending::{Ending, MethodReason};
-pub use run::ensemble::{Ensemble, EnsembleStates, Member, MemberFailure};
+pub use run::ensemble::{
+    Ensemble, EnsembleOutcome, EnsembleStates, Member, MemberCrossing, MemberFailure, MemberStop,
+};
 pub use run::global_error::{ErrorEffort, GlobalError};
 pub use run::sample::Sample;
 pub use run::simulation::Simulation;

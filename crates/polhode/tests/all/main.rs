@@ -14,6 +14,7 @@ mod edges_of_bodies;
 mod elliptic;
 mod energy_sink;
 mod ensemble;
+mod ensemble_events;
 mod equilibria;
 mod event;
 mod free_derivatives;

@@ -224,7 +224,7 @@ fn more_pulses_than_steps_are_refused_before_the_first() {
         // One that stays off has none.
         let off = if want == Some(Some(1)) { None } else { want };
         assert_eq!(simulation(&[1]).run().err().map(found), off);
-        let member = Member { rotor: rotor.clone(), torques: torques.clone(), start };
+        let member = Member::new(rotor.clone(), torques.clone(), start);
         let ensemble = Ensemble::new(vec![member.clone(), member]).unwrap();
         for method in [Method::Taylor, Method::Dop853] {
             let found_states = ensemble.at(&times, method, 1e-13, std::num::NonZero::<usize>::MIN).unwrap();
@@ -261,7 +261,7 @@ fn a_torque_that_rises_from_zero_moves_a_body_at_rest() {
         assert!(error < 1e-13, "{method:?}: {error:e}");
         assert!(steps(&motion) < 60, "{method:?}: {} steps", steps(&motion));
     }
-    let member = || Member { rotor: rotor.clone(), torques: vec![torque.clone()], start: start([0.0; 3]) };
+    let member = || Member::new(rotor.clone(), vec![torque.clone()], start([0.0; 3]));
     let ensemble = Ensemble::new((0..9).map(|_| member()).collect()).unwrap();
     let ends = ensemble.at(&[3.0], Method::Taylor, 1e-14, std::num::NonZero::<usize>::MIN).unwrap();
     assert!(ends.failures.is_empty(), "{:?}", ends.failures);

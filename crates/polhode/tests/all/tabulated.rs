@@ -91,7 +91,7 @@ fn a_linear_table_that_rises_from_zero_moves_a_body_at_rest() {
     has_its_impulse(rest, &times, &rows);
     has_its_impulse(rest, &times[1..], &rows[1..]);
     let torque = table(TorqueAxes::Space, Interpolation::Linear, &times, &rows);
-    let member = || Member { rotor: rotor(), torques: vec![torque.clone()], start: rest };
+    let member = || Member::new(rotor(), vec![torque.clone()], rest);
     let ensemble = Ensemble::new((0..9).map(|_| member()).collect()).unwrap();
     let ends = ensemble.at(&[6.0], Method::Taylor, 1e-14, NonZero::<usize>::MIN).unwrap();
     assert!(ends.failures.is_empty(), "{:?}", ends.failures);
@@ -139,7 +139,7 @@ fn a_table_within_a_window_and_in_ensembles_is_the_same() {
     let rotor = rotor();
     let torques = [windowed];
     let one = Trajectory::compute(&rotor, &torques, start(), &times(), Method::Taylor, 1e-13).unwrap();
-    let member = || Member { rotor: rotor.clone(), torques: torques.to_vec(), start: start() };
+    let member = || Member::new(rotor.clone(), torques.to_vec(), start());
     let ensemble = Ensemble::new((0..9).map(|_| member()).collect()).unwrap();
     let ends = ensemble.at(&[6.0], Method::Taylor, 1e-13, NonZero::<usize>::MIN).unwrap();
     let last = one.samples().last().unwrap().state;

@@ -8,6 +8,7 @@ use crate::motion::error::MotionError;
 use crate::motion::gimbal::GimbalSimulation;
 use crate::motion::model::torque::{TorqueModel, TorqueParameter};
 use crate::motion::run::derivatives::TrajectoryDerivatives;
+use crate::motion::run::ensemble::Member;
 use crate::motion::run::global_error::{ErrorEffort, GlobalError, in_gimbals, on_ground};
 use crate::motion::run::simulation::Simulation;
 use crate::motion::run::trajectory::Trajectory;
@@ -172,6 +173,41 @@ impl Scenario {
             .events(self.events())
             .method(run.method)
             .tolerance(run.tolerance)
+    }
+
+    /// The member of an ensemble that moves as it does.
+    ///
+    /// ```
+    /// use polhode::motion::Ensemble;
+    /// use polhode::prelude::*;
+    /// use std::num::NonZero;
+    /// let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2])?;
+    /// let body = MassProperties::new(2.0, Position::new(0.0, 0.1, 0.5), inertia)?;
+    /// let scenario = Scenario::new(body).held_at(Position::ZERO)?.under([TorqueModel::Gravity(UniformGravity::STANDARD)])?;
+    /// let start = |spin| State { omega: AngularVelocity::new(0.3, -0.2, spin), ..scenario.start() };
+    /// let members = [3.0, 4.0, 5.0].map(|spin| scenario.clone().starting(start(spin))?.member());
+    /// let ensemble = Ensemble::new(members.into_iter().collect::<Result<_, _>>()?)?;
+    /// let found = ensemble.at(&[0.5, 1.0], Method::Auto, 1e-13, NonZero::<usize>::MIN)?;
+    /// assert!(found.failures.is_empty() && found.states.len() == 6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`MotionError::Exclusive`] of what no member of an ensemble is: a body on the ground, in gimbals or on a shaft, one whose mass properties change, and
+    /// one whose motion is prescribed.
+    pub fn member(&self) -> Result<Member, MotionError> {
+        let is_there = [
+            ("contact", self.ground().is_some(), "its members are free, or held at a point"),
+            ("gimbals", self.gimbals().is_some(), "its members are free, or held at a point"),
+            ("shaft", self.shaft().is_some(), "its members turn freely"),
+            ("prescribed", self.prescribed().is_some(), "what its members do is computed"),
+            ("mass_history", self.history().is_some(), "the mass properties of its members stay as they are"),
+        ];
+        if let Some((part, _, why)) = is_there.into_iter().find(|(_, is_there, _)| *is_there) {
+            return Err(MotionError::Exclusive { parts: ["an ensemble", part], why });
+        }
+        let member = Member::new(self.rotor().clone(), self.torques().to_vec(), self.start());
+        Ok(member.switched_off(self.switched_off().to_vec()).watching(self.events().to_vec()))
     }
 
     /// The pendulum that hangs from the scenario's axis under its gravity; `None` without an axis or without gravity.

@@ -116,6 +116,21 @@ impl OwnTorque {
         Self { name: self.name, kind }
     }
 
+    /// The same as a function of one body, which is this member of an ensemble.
+    pub(in crate::motion) fn alone(&self, member: usize) -> Self {
+        let kind = match &self.kind {
+            OwnLaw::Vectorized(torques, _) => {
+                let torques = Arc::clone(torques);
+                OwnLaw::Function(Arc::new(move |rotor, state| {
+                    let alone = torques(&[MemberState { member, rotor, state: *state }]);
+                    alone.first().copied().unwrap_or(NOT_KNOWN)
+                }))
+            }
+            other => other.clone(),
+        };
+        Self { name: self.name, kind }
+    }
+
     /// What the user calls it.
     pub const fn name(&self) -> &'static str {
         self.name

@@ -2,9 +2,9 @@
 
 use super::Member;
 use super::closed::Closed;
+use super::motion::MemberMotion;
 use super::workers::Portion;
 use crate::motion::model::state::State;
-use crate::motion::run::simulation::Simulation;
 use crate::motion::solve::closed_form::ClosedForm;
 use crate::motion::solve::method::Method;
 use crate::motion::solve::propagate::taylor;
@@ -27,7 +27,17 @@ pub(super) fn compute(portion: &mut Portion<'_>, times: &[f64], tolerance: f64, 
     let mut states = Vec::new();
     let mut kinds: Vec<(taylor::BatchKind, Vec<(usize, taylor::BatchBody<'_>)>)> = Vec::new();
     for (k, member) in members.iter().enumerate() {
-        let Member { rotor, torques, start } = member;
+        let Member { rotor, torques, start, .. } = member;
+        if member.is_watched() {
+            let goes_on = &mut || portion.done(0);
+            let motion = MemberMotion::watched(member, torques, times, (method, tolerance), goes_on);
+            let Some(motion) = motion else { return };
+            portion.put_motion(k, motion);
+            if !portion.done(1) {
+                return;
+            }
+            continue;
+        }
         let anew = Closed::default();
         let closed = closed.get(k).unwrap_or(&anew);
         let closed = if method == Method::Auto { closed.of(member) } else { None };
@@ -43,7 +53,7 @@ pub(super) fn compute(portion: &mut Portion<'_>, times: &[f64], tolerance: f64, 
             }
             continue;
         } else {
-            integrate(portion, k, times, tolerance, method, &mut states);
+            portion.put_motion(k, MemberMotion::alone(member, torques, times, (method, tolerance)));
         }
         if !portion.done(1) {
             return;
@@ -102,25 +112,4 @@ fn expand(
         }
     }
     states.clear();
-}
-
-/// Alone.
-fn integrate(
-    portion: &mut Portion<'_>,
-    k: usize,
-    times: &[f64],
-    tolerance: f64,
-    method: Method,
-    states: &mut Vec<State>,
-) {
-    let Member { rotor, torques, start } = &portion.members[k];
-    let (switched_off, events, start) = (&[], &[], *start);
-    let simulation =
-        Simulation { history: None, rotor, torques, switched_off, start, events, times, method, tolerance };
-    states.clear();
-    let result = simulation.fill(states);
-    portion.put(k, 0, states);
-    if let Err(cause) = result {
-        portion.fail(k, states.len(), states.last().copied().unwrap_or(start), cause);
-    }
 }

@@ -10,7 +10,7 @@ use crate::motion::solve::closed_form::ClosedForm;
 pub(super) struct Closed(OnceLock<Option<ClosedForm>>);
 
 impl Closed {
-    pub(super) fn of(&self, Member { rotor, torques, start }: &Member) -> Option<&ClosedForm> {
+    pub(super) fn of(&self, Member { rotor, torques, start, .. }: &Member) -> Option<&ClosedForm> {
         self.0.get_or_init(|| ClosedForm::of(rotor, torques, *start).ok()).as_ref()
     }
 }

@@ -3,14 +3,15 @@
 //! A common step would be that of the member that needs the shortest, and its error control none of theirs. So each has its own, with the bits that it has
 //! alone, and what is in step are the evaluations: a call is one of each member, whatever stage of whatever step it is at.
 
+use core::mem;
 use std::sync::Arc;
 
-use super::{Member, MemberFailure};
+use super::motion::MemberMotion;
+use super::{EnsembleOutcome, Member, MemberFailure};
 use crate::motion::error::MotionError;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
 use crate::motion::model::torque::own::{GivenTorque, MemberState, NOT_KNOWN, VectorizedFunction};
-use crate::motion::run::simulation::Simulation;
 use crate::motion::solve::method::Method;
 use crate::motion::solve::propagate::stepper::resumable::Resumable;
 use crate::motion::solve::start::{require_few_pulses, require_finite};
@@ -18,8 +19,8 @@ use crate::motion::solve::start::{require_few_pulses, require_finite};
 /// Members that are in step: each takes some kilobytes.
 const TOGETHER: usize = 1 << 14;
 
-/// Puts down the states of a member, as far as it came, and why it came no further.
-type Put<'a> = dyn FnMut(usize, &[State], Option<MotionError>) + 'a;
+/// Puts down the motion of a member.
+type Put<'a> = dyn FnMut(usize, MemberMotion) + 'a;
 
 /// A function, and the members whose torque it computes, with the places for that.
 struct Shared {
@@ -60,14 +61,18 @@ fn function_of(torque: &TorqueModel) -> Option<&Arc<VectorizedFunction>> {
     }
 }
 
-/// The torques of each member with places for what is computed for many, and who computes it.
-fn with_places(members: &[Member]) -> (Vec<Vec<TorqueModel>>, Vec<Shared>) {
+/// The torques of each member with places for what is computed for many, and who computes it. Those of one whose steps are looked at are computed for it
+/// alone: where an event is sought, no other member is asked about.
+fn with_places(first: usize, members: &[Member]) -> (Vec<Vec<TorqueModel>>, Vec<Shared>) {
     let mut shared: Vec<Shared> = Vec::new();
     let torques = members.iter().enumerate().map(|(k, member)| {
         let torques = member.torques.iter().map(|torque| {
             let (TorqueModel::Own(own), Some(function)) = (torque, function_of(torque)) else {
                 return torque.clone();
             };
+            if member.is_watched() {
+                return TorqueModel::Own(own.alone(first + k));
+            }
             let given = Arc::new(GivenTorque::default());
             let place = (k, Arc::clone(&given));
             match shared.iter_mut().find(|other| Arc::ptr_eq(&other.function, function)) {
@@ -86,46 +91,43 @@ fn with_places(members: &[Member]) -> (Vec<Vec<TorqueModel>>, Vec<Shared>) {
 pub(super) fn require_starts(members: &[Member]) -> Result<(), MemberFailure> {
     for (block, members) in members.chunks(TOGETHER).enumerate() {
         let first = block * TOGETHER;
-        let (torques, shared) = with_places(members);
+        let (torques, shared) = with_places(first, members);
         for function in &shared {
             function.compute(first, members, &|k| Some(members[k].start));
         }
         for (k, (member, torques)) in members.iter().zip(&torques).enumerate() {
-            require_finite(&member.rotor, torques, &[], &member.start)
+            require_finite(&member.rotor, torques, &member.switched_off, &member.start)
                 .map_err(|cause| MemberFailure { member: first + k, cause })?;
         }
     }
     Ok(())
 }
 
-/// All members at the times, into states in their order; gives those that could go no further, ascending.
+/// All members at the times, into states in their order; gives what became of them on their way.
 ///
 /// # Errors
 /// [`MotionError::Cancelled`] if `progress` gave false.
 pub(super) fn fill<S: From<State>>(
     members: &[Member],
     times: &[f64],
-    (method, tolerance): (Method, f64),
+    by: (Method, f64),
     states: &mut [S],
     progress: &mut dyn FnMut(usize) -> bool,
-) -> Result<Vec<MemberFailure>, MotionError> {
-    let mut failures = Vec::new();
+) -> Result<EnsembleOutcome, MotionError> {
+    let mut outcome = EnsembleOutcome::default();
     let blocks = members.chunks(TOGETHER).zip(states.chunks_mut(TOGETHER.saturating_mul(times.len())));
     for (block, (members, states)) in blocks.enumerate() {
         let first = block * TOGETHER;
-        let mut put = |k: usize, reached: &[State], failed: Option<MotionError>| {
-            // It stays where it was.
-            let last = reached.last().copied().unwrap_or(members[k].start);
-            let places = states.iter_mut().skip(k * times.len()).take(times.len());
-            for (n, place) in places.enumerate() {
-                *place = S::from(reached.get(n).copied().unwrap_or(last));
+        let mut put = |k: usize, motion: MemberMotion| {
+            let places = states.iter_mut().skip(k * times.len());
+            for (place, state) in places.zip(motion.at_all(times.len(), members[k].start)) {
+                *place = S::from(state);
             }
-            failures.extend(failed.map(|cause| MemberFailure { member: first + k, cause }));
+            outcome.add(first + k, motion);
         };
-        compute(first, members, times, (method, tolerance), &mut put, progress)?;
+        compute(first, members, times, by, &mut put, progress)?;
     }
-    failures.sort_by_key(|failure| failure.member);
-    Ok(failures)
+    Ok(outcome.sorted())
 }
 
 /// Some members, in step.
@@ -133,11 +135,11 @@ fn compute(
     first: usize,
     members: &[Member],
     times: &[f64],
-    (method, tolerance): (Method, f64),
+    by: (Method, f64),
     put: &mut Put<'_>,
     progress: &mut dyn FnMut(usize) -> bool,
 ) -> Result<(), MotionError> {
-    let (torques, mut shared) = with_places(members);
+    let (torques, mut shared) = with_places(first, members);
     for function in &shared {
         function.compute(first, members, &|k| Some(members[k].start));
     }
@@ -145,22 +147,25 @@ fn compute(
     let mut motions: Vec<(usize, Resumable<'_>)> = Vec::with_capacity(members.len());
     for (k, (member, torques)) in members.iter().zip(&torques).enumerate() {
         let Member { rotor, start, .. } = member;
+        if member.is_watched() {
+            let motion = MemberMotion::watched(member, torques, times, by, &mut || progress(done));
+            put(k, motion.ok_or(MotionError::Cancelled { done })?);
+            done += 1;
+            continue;
+        }
         if !torques.iter().any(is_shared) {
-            let simulation = Simulation::new(rotor, torques, *start, times).tolerance(tolerance);
-            let mut states = Vec::with_capacity(times.len());
-            let failed = simulation.method(method).fill(&mut states).err();
-            put(k, &states, failed);
+            put(k, MemberMotion::alone(member, torques, times, by));
             done += 1;
             continue;
         }
         let span = [start.time, times.last().copied().unwrap_or(start.time)];
         let made = require_few_pulses(rotor, torques, &|_| false, span)
             .map_err(|cause| (Vec::new(), cause))
-            .and_then(|()| Resumable::new(rotor, torques, *start, times, tolerance));
+            .and_then(|()| Resumable::new(rotor, torques, *start, times, by.1));
         match made {
             Ok(motion) => motions.push((k, motion)),
             Err((states, cause)) => {
-                put(k, &states, Some(cause));
+                put(k, MemberMotion::of_states(states, Some(cause)));
                 done += 1;
             }
         }
@@ -171,7 +176,7 @@ fn compute(
         motions.retain_mut(|(k, motion)| {
             wanted[*k] = motion.wanted();
             if wanted[*k].is_none() {
-                put(*k, &motion.states, None);
+                put(*k, MemberMotion::of_states(mem::take(&mut motion.states), None));
             }
             wanted[*k].is_some()
         });
@@ -192,7 +197,7 @@ fn compute(
             let goes_on = failed.is_none();
             if let Some(cause) = failed {
                 wanted[*k] = None;
-                put(*k, &motion.states, Some(cause));
+                put(*k, MemberMotion::of_states(mem::take(&mut motion.states), Some(cause)));
             }
             goes_on
         });
@@ -231,7 +236,7 @@ mod tests {
         let rotor = Rotor::free(&MassProperties::new(2.3, Position::ZERO, body).unwrap());
         let omega = AngularVelocity::new(0.3 + 0.37 * k as f64, -1.1, 0.4);
         let attitude = Attitude::from_quaternion([0.5, -0.1, 0.7, 0.3]).unwrap();
-        Member { rotor, torques, start: State { time: 0.0, attitude, omega } }
+        Member::new(rotor, torques, State { time: 0.0, attitude, omega })
     }
 
     /// A torque that acts for a while, with a function beside it.

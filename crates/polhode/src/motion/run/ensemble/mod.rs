@@ -1,69 +1,48 @@
 //! Many bodies, each with its own start and its own torques, at the same times.
 //!
 //! `workers` hands portions of the members to threads; `advance` computes a portion: closed forms, Taylor's method for several bodies at a
-//! time, and one body after the other by what is left. `in_step` computes all members side by side whose torque one call has for all.
+//! time, and one body after the other by what is left, and where there are events. `in_step` computes all members side by side whose torque one call has
+//! for all.
 
 mod advance;
 mod closed;
 mod in_step;
+mod member;
+mod motion;
+mod outcome;
 mod workers;
 
-use core::fmt;
 use core::num::NonZero;
 use std::sync::OnceLock;
 
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
-use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
-use crate::motion::model::torque::TorqueModel;
 use crate::motion::solve::method::Method;
 use crate::motion::solve::propagate::stepper::require_tolerance;
 use crate::motion::solve::start::{require_ascending, require_finite};
+pub use member::{Member, MemberCrossing, MemberFailure, MemberStop};
+pub use outcome::EnsembleOutcome;
 use workers::Workers;
 
-/// A body of an ensemble, and its motion.
-#[derive(Clone, Debug)]
-pub struct Member {
-    /// The body and the point that it turns about.
-    pub rotor: Rotor,
-    /// What turns it.
-    pub torques: Vec<TorqueModel>,
-    /// Where it starts.
-    pub start: State,
-}
-
 /// Where the members of an ensemble were at some times.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct EnsembleStates {
-    /// Member by member, and time by time within each. A member that could go no further repeats a good state from shortly before: the
-    /// state's own time says when.
+    /// Member by member, and time by time within each. A member that could go no further repeats a good state from shortly before, and one that an
+    /// event stopped its last: the state's own time says when.
     pub states: Vec<State>,
-    /// Those that could go no further, ascending.
+    /// As [`EnsembleOutcome::failures`].
     pub failures: Vec<MemberFailure>,
+    /// As [`EnsembleOutcome::stops`].
+    pub stops: Vec<MemberStop>,
+    /// As [`EnsembleOutcome::crossings`].
+    pub crossings: Vec<MemberCrossing>,
 }
-
-/// Why a member could go no further.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MemberFailure {
-    /// The member, from 0.
-    pub member: usize,
-    /// The cause.
-    pub cause: MotionError,
-}
-
-impl fmt::Display for MemberFailure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "member {}: {}", self.member, self.cause)
-    }
-}
-
-impl core::error::Error for MemberFailure {}
 
 /// Many bodies that move independently of each other, side by side in the lanes of vectors and on several threads.
 ///
 /// Every state has the same bits on any number of threads, with any vectors, and whichever members there are beside it. Members under a
-/// [`TorqueModel::vectorized_function`] are computed on the thread that calls, one call of it for all of them.
+/// [`TorqueModel::vectorized_function`](crate::motion::torque::TorqueModel::vectorized_function) are computed on the thread that calls, one call of it for all of them.
 ///
 /// A closed form takes microseconds to prepare. The first call with [`Method::Auto`] does not keep it; the second does, about 1 kB of
 /// each member that has one, so that an ensemble that is asked again and again gives its states at once, and one that is asked once
@@ -74,15 +53,33 @@ impl core::error::Error for MemberFailure {}
 /// use polhode::motion::{Ensemble, Member};
 /// use std::num::NonZero;
 /// let body = MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal([1.0, 2.0, 2.5])?)?;
-/// let member = |spin: f64| Member {
-///     rotor: Rotor::free(&body),
-///     torques: vec![TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.0, 0.0, 0.5)))],
-///     start: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.0, 0.0, spin) },
-/// };
+/// let torque = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.0, 0.0, 0.5)));
+/// let start = |spin| State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.0, 0.0, spin) };
+/// let member = |spin: f64| Member::new(Rotor::free(&body), vec![torque.clone()], start(spin));
 /// let ensemble = Ensemble::new((0..100).map(|k| member(f64::from(k))).collect())?;
 /// let found = ensemble.at(&[1.0, 2.0], Method::Auto, 1e-12, NonZero::<usize>::MIN)?;
 /// // Two times each: ω of member 41 at t = 2 s is 41 rad/s + N t/i3.
 /// assert!((found.states[2 * 41 + 1].omega.z - (41.0 + 0.5 * 2.0 / 2.5)).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// An event that stops a member stops no other:
+///
+/// ```
+/// use polhode::prelude::*;
+/// use polhode::motion::{Ensemble, Event, EventAction, Measure, Member, Sense};
+/// use std::num::NonZero;
+/// let body = MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal([1.0, 2.0, 2.5])?)?;
+/// let torque = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.0, 0.0, 0.5)));
+/// let rate = Measure::OmegaBody(Direction::new(0.0, 0.0, 1.0));
+/// let fast = Event::new("fast", rate, 3.0, Sense::Rising, EventAction::Stop)?;
+/// let start = |spin| State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.0, 0.0, spin) };
+/// let member = |spin| Member::new(Rotor::free(&body), vec![torque.clone()], start(spin)).watching(vec![fast.clone()]);
+/// let ensemble = Ensemble::new(vec![member(1.0), member(2.0)])?;
+/// let found = ensemble.at(&[6.0, 8.0], Method::Auto, 1e-12, NonZero::<usize>::MIN)?;
+/// let [stop] = found.stops[..] else { return Err("one of them comes so far".into()) };
+/// assert!(stop.member == 1 && (stop.time - 5.0).abs() < 1e-12);
+/// assert_eq!(found.states[3].time, stop.time);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -102,20 +99,23 @@ impl Ensemble {
     /// The bodies and their starts.
     ///
     /// # Errors
-    /// The first member that cannot start: a parameter's error ([`MotionError::is_parameter`]) for a start or a torque that is not finite,
-    /// [`MotionError::NotSpinnable`] for a body without inertia.
+    /// The first member that cannot start: a parameter's error ([`MotionError::is_parameter`]) for a start or a torque that is not finite, and for an event
+    /// that cannot be measured; [`MotionError::NotSpinnable`] for a body without inertia.
     pub fn new(members: Vec<Member>) -> Result<Self, MemberFailure> {
         let is_in_step = members.iter().any(|member| member.torques.iter().any(in_step::is_shared));
         if is_in_step {
             in_step::require_starts(&members)?;
         }
-        for (member, Member { rotor, torques, start }) in members.iter().enumerate() {
+        for (member, Member { rotor, torques, switched_off, start, events }) in members.iter().enumerate() {
+            let of_member = |cause| MemberFailure { member, cause };
             if !is_in_step {
-                require_finite(rotor, torques, &[], start)
-                    .map_err(|cause| MemberFailure { member, cause })?;
+                require_finite(rotor, torques, switched_off, start).map_err(of_member)?;
             }
             if !rotor.is_spinnable() {
-                return Err(MemberFailure { member, cause: MotionError::NotSpinnable });
+                return Err(of_member(MotionError::NotSpinnable));
+            }
+            for event in events {
+                event.require_possible(rotor, torques, events, start).map_err(of_member)?;
             }
         }
         let latest = members.iter().map(|member| member.start.time).fold(f64::NEG_INFINITY, f64::max);
@@ -139,7 +139,8 @@ impl Ensemble {
     }
 
     /// Every member at each of the times (s, ascending, none before a start), on so many threads: the bits of
-    /// [`Simulation::states`](super::simulation::Simulation::states) with this method and tolerance.
+    /// [`Simulation::states`](super::simulation::Simulation::states) with this method and tolerance, and of
+    /// [`Simulation::run`](super::simulation::Simulation::run) where it has events.
     ///
     /// # Errors
     /// A parameter's error ([`MotionError::is_parameter`]) if times are out of order, or the tolerance is out of its range. What goes wrong with one member
@@ -152,15 +153,16 @@ impl Ensemble {
         threads: NonZero<usize>,
     ) -> Result<EnsembleStates, MotionError> {
         let Some(first) = self.members.first() else {
-            return Ok(EnsembleStates { states: Vec::new(), failures: Vec::new() });
+            return Ok(EnsembleStates::default());
         };
         let mut states = vec![first.start; self.members.len() * times.len()];
-        let failures = self.fill(times, (method, tolerance), threads, &mut states, &mut |_| true)?;
-        Ok(EnsembleStates { states, failures })
+        let EnsembleOutcome { failures, stops, crossings } =
+            self.fill(times, (method, tolerance), threads, &mut states, &mut |_| true)?;
+        Ok(EnsembleStates { states, failures, stops, crossings })
     }
 
     /// As [`Ensemble::at`], into states that are there already, in the same order; as rows (t, w, x, y, z, ω1, ω2, ω3) if they are
-    /// `[f64; 8]`. Gives those that could go no further, ascending.
+    /// `[f64; 8]`. Gives what became of the members on their way.
     ///
     /// `progress` is told now and then and at the end, on the thread that called, how many members are done; `false` ends the work.
     ///
@@ -174,7 +176,7 @@ impl Ensemble {
         threads: NonZero<usize>,
         states: &mut [S],
         progress: &mut dyn FnMut(usize) -> bool,
-    ) -> Result<Vec<MemberFailure>, MotionError> {
+    ) -> Result<EnsembleOutcome, MotionError> {
         require_tolerance(tolerance)?;
         require_ascending(f64::NEG_INFINITY, times)?;
         if let Some(&first) = times.first() {
@@ -191,7 +193,7 @@ impl Ensemble {
         );
         require::that("the number of states to fill", states.len() as f64, holds, rule)?;
         if states.is_empty() {
-            return Ok(Vec::new());
+            return Ok(EnsembleOutcome::default());
         }
         if self.is_in_step && matches!(method, Method::Auto | Method::Dop853) {
             return in_step::fill(&self.members, times, (method, tolerance), states, progress);

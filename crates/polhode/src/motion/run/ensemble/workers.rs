@@ -6,7 +6,8 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 
 use super::closed::Closed;
-use super::{Member, MemberFailure};
+use super::motion::MemberMotion;
+use super::{EnsembleOutcome, Member, MemberFailure};
 use crate::motion::error::MotionError;
 use crate::motion::model::state::State;
 
@@ -28,7 +29,7 @@ pub(super) struct Portion<'a> {
     /// Times for each.
     times: usize,
     write: &'a mut dyn FnMut(usize, &[State]),
-    failures: Vec<MemberFailure>,
+    outcome: EnsembleOutcome,
     report: &'a mut dyn FnMut(usize) -> bool,
 }
 
@@ -48,7 +49,16 @@ impl Portion<'_> {
 
     /// Writes down that a member can go no further, whose states say so already.
     pub(super) fn give_up(&mut self, member: usize, cause: MotionError) {
-        self.failures.push(MemberFailure { member: self.first + member, cause });
+        self.outcome.failures.push(MemberFailure { member: self.first + member, cause });
+    }
+
+    /// Puts down the motion of a member that is computed alone.
+    pub(super) fn put_motion(&mut self, member: usize, motion: MemberMotion) {
+        let start = self.members[member].start;
+        for (time, state) in motion.at_all(self.times, start).enumerate() {
+            self.put(member, time, &[state]);
+        }
+        self.outcome.add(self.first + member, motion);
     }
 
     /// Says that so many more members are done; false if the others need not be.
@@ -74,13 +84,13 @@ impl Workers {
         states: &mut [S],
         progress: &mut dyn FnMut(usize) -> bool,
         compute: &(dyn Fn(&mut Portion<'_>) + Sync),
-    ) -> Result<Vec<MemberFailure>, MotionError> {
+    ) -> Result<EnsembleOutcome, MotionError> {
         let done = AtomicUsize::new(0);
         let goes_on = AtomicBool::new(true);
         let portions =
             members.chunks(PORTION).zip(states.chunks_mut(PORTION.saturating_mul(times))).enumerate();
         let portions = Mutex::new(portions);
-        let failures = Mutex::new(Vec::new());
+        let outcome = Mutex::new(EnsembleOutcome::default());
         let work = |report: &mut dyn FnMut(usize) -> bool| {
             while goes_on.load(Ordering::Relaxed) {
                 let next = portions.lock().unwrap_or_else(PoisonError::into_inner).next();
@@ -95,14 +105,11 @@ impl Workers {
                             *place = S::from(*state);
                         }
                     },
-                    failures: Vec::new(),
+                    outcome: EnsembleOutcome::default(),
                     report,
                 };
                 compute(&mut portion);
-                let found = portion.failures;
-                if !found.is_empty() {
-                    failures.lock().unwrap_or_else(PoisonError::into_inner).extend(found);
-                }
+                outcome.lock().unwrap_or_else(PoisonError::into_inner).extend(portion.outcome);
             }
         };
         let mut told = 0;
@@ -132,8 +139,6 @@ impl Workers {
         if !goes_on || told < done && !progress(done) {
             return Err(MotionError::Cancelled { done });
         }
-        let mut failures = failures.into_inner().unwrap_or_else(PoisonError::into_inner);
-        failures.sort_by_key(|failure: &MemberFailure| failure.member);
-        Ok(failures)
+        Ok(outcome.into_inner().unwrap_or_else(PoisonError::into_inner).sorted())
     }
 }

@@ -1,0 +1,203 @@
+"""Where the members of an ensemble were, and what happened to them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Iterator, NamedTuple
+
+import numpy as np
+
+from . import _arrays
+from ._arrays import Floats
+from ._motion import Ending, Event
+from ._record import same
+from ._states import ATTITUDE, OMEGA, States, ends, rotations
+from ._table import Column, Table, Variable, vector
+
+if TYPE_CHECKING:
+    from scipy.spatial.transform import Rotation
+
+
+#: The time of a state.
+REACHED = "time, that of the event that stopped the member, or the last good one of a member that could go no further"
+
+
+class Failure(NamedTuple):
+    """A member that could go no further."""
+
+    #: The member, from 0.
+    member: int
+    #: Its last good time among those asked for, s; 0 if there is none.
+    time: float
+    #: Why.
+    cause: str
+
+
+class Stop(NamedTuple):
+    """A member that an event stopped."""
+
+    #: The member, from 0.
+    member: int
+    #: The event's name.
+    event: str
+    #: When, s.
+    time: float
+
+
+class EnsembleStates(Table):
+    """Where the members of an ensemble were: it unpacks as ``omega, attitude``.
+
+    Its length is the number of members, and ``states[417]`` are the :class:`States` of one, at the times that it reached. All arrays are views of one, in
+    which each state lies together, and read-only. A member that an event stopped stays where it was then, and one that could go no further where it was
+    last good.
+    """
+
+    #: Nothing with arrays in it is hashed.
+    __hash__ = None  # type: ignore[assignment]
+
+    def __init__(self, times: Floats, rows: Floats, failures: list[Failure], stops: list[Stop], happened: list[tuple[int, Event]]) -> None:
+        #: The times that were asked for (t,), s.
+        self.times = times
+        #: The members that could go no further.
+        self.failures = failures
+        #: The members that an event stopped.
+        self.stops = stops
+        self._happened = happened
+        self._rows = rows
+        self._lock()
+
+    def _lock(self) -> None:
+        self.times.flags.writeable = self._rows.flags.writeable = False
+
+    @property
+    def omega(self) -> Floats:
+        """ω along body axes (n, t, 3), rad/s."""
+        return self._rows[:, :, 5:]
+
+    @property
+    def attitude(self) -> Floats:
+        """R_space_body as unit quaternions (n, t, 4): w, x, y, z; each of the sign nearest to the one before it."""
+        return self._rows[:, :, 1:5]
+
+    @property
+    def reached(self) -> Floats:
+        """The time of each state (n, t), s: that asked for, that of the event that stopped the member, or the last good one of a member that could go no
+        further."""
+        return self._rows[:, :, 0]
+
+    @property
+    def events(self) -> list[list[Event]]:
+        """What happened to each member, in the order of time: for each member the :attr:`Motion.events` that it has alone."""
+        each: list[list[Event]] = [[] for _ in range(len(self))]
+        for member, event in self._happened:
+            each[member].append(event)
+        return each
+
+    @property
+    def endings(self) -> list[Ending]:
+        """How each member ended, as :attr:`Motion.ending` says it: ``complete``, ``stopped`` or ``failed``."""
+        each = [Ending("complete", None, None)] * len(self)
+        for stop in self.stops:
+            each[stop.member] = Ending("stopped", stop.event, stop.time)
+        for failure in self.failures:
+            each[failure.member] = Ending("failed", failure.cause, failure.time)
+        return each
+
+    def event_times(self, name: str) -> Floats:
+        """When an event happened first to each member.
+
+        Parameters
+        ----------
+        name
+            That of the event.
+
+        Returns
+        -------
+        array (n,)
+            s; NaN of a member to which it has not happened up to the last of the times.
+
+        Raises
+        ------
+        TypeError
+            Where the name is no text.
+
+        Examples
+        --------
+        >>> import polhode
+        >>> from polhode.scenario import ConstantTorque, Event
+        >>> push = ConstantTorque(axes="body", torque=[0.0, 0.0, 0.5])
+        >>> fast = Event(name="fast", measure="omega_body_z", value=3.0)
+        >>> spun = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=[[0, 0, 0], [0, 0, 2], [0, 0, 4]], torques=[push], events=[fast])
+        >>> spun.at([0.0, 20.0]).event_times("fast").round(9)
+        array([15.,  5., nan])
+        """
+        found = np.full(len(self), np.nan)
+        wanted = _arrays.text("name", name)
+        for member, event in reversed(self._happened):
+            if event.name == wanted:
+                found[member] = event.time
+        return found
+
+    def rotations(self, member: int) -> Rotation:
+        """The attitudes of a member as a ``scipy.spatial.transform.Rotation``.
+
+        Parameters
+        ----------
+        member
+            Which one, from 0.
+
+        Returns
+        -------
+        scipy.spatial.transform.Rotation
+            One for each time; it takes body components to space components.
+
+        Raises
+        ------
+        ImportError
+            Without SciPy.
+        """
+        return rotations(self.attitude[member])
+
+    def _table(self) -> list[Column]:
+        members, times, _ = self._rows.shape
+        return [
+            Column("member", "1", "the member, from 0", np.repeat(np.arange(members), times)),
+            Column("time_s", "s", REACHED, self.reached.ravel()),
+            *vector("attitude_{}", "1", ATTITUDE, self.attitude, "wxyz"),
+            *vector("omega_body_{}_rad_s", "rad/s", OMEGA, self.omega),
+        ]
+
+    def _variables(self) -> list[Variable]:
+        along = ("member", "time")
+        return [
+            Variable("member", ("member",), "1", "the member, from 0", np.arange(len(self))),
+            Variable("time", ("time",), "s", "the time that was asked for", self.times.copy()),
+            Variable("reached", along, "s", REACHED, self.reached.copy()),
+            Variable("omega", (*along, "axis"), "rad/s", OMEGA, self.omega.copy()),
+            Variable("attitude", (*along, "component"), "1", ATTITUDE, self.attitude.copy()),
+        ]
+
+    def __iter__(self) -> Iterator[Floats]:
+        return iter((self.omega, self.attitude))
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def __getitem__(self, member: int) -> States:
+        return States(self.reached[member].copy(), self.omega[member].copy(), self.attitude[member].copy())
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, EnsembleStates):
+            return NotImplemented
+        if (self.failures, self.stops, self._happened) != (other.failures, other.stops, other._happened):
+            return False
+        return same(self._rows, other._rows) and same(self.times, other.times)
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        vars(self).update(state)
+        self._lock()
+
+    def __repr__(self) -> str:
+        members, times, _ = self._rows.shape
+        counts = (("stopped", self.stops), ("events", self._happened), ("failures", self.failures))
+        more = "".join(f", {len(found)} {what}" for what, found in counts if found)
+        return f"EnsembleStates({members} members, {times} times{ends(self.times)}{more})"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import random
 import re
 import signal
 import subprocess
@@ -43,6 +44,51 @@ def test_a_killed_worker_changes_no_byte(tmp_path: Path) -> None:
         sweep.run(plan, tmp_path / "cluster", on=f"dask://{address}", progress=kill)
     assert killed and killed[0] in before
     assert digest(tmp_path / "cluster") == digest(tmp_path / "alone")
+
+
+@contextmanager
+def without_patience() -> Iterator[Any]:
+    """Two workers of a scheduler that gives a part up with the first worker that is lost with it."""
+    import dask
+    from distributed import LocalCluster
+
+    options = {"threads_per_worker": 1, "processes": True, "host": "127.0.0.1", "dashboard_address": None}
+    with dask.config.set({"distributed.scheduler.allowed-failures": 0}), LocalCluster(n_workers=2, **options) as cluster:
+        yield cluster
+
+
+@pytest.mark.filterwarnings("default")
+def test_workers_killed_again_and_again_change_no_byte(tmp_path: Path) -> None:
+    plan = batch.Plan(PLAN.format(members=20_000))
+    sweep.run(plan, tmp_path / "alone")
+    drawn, killed = random.Random(11), list[int]()
+    with without_patience() as cluster:
+
+        def kill(done: int, members: int) -> None:
+            living = {worker.pid for worker in cluster.workers.values()} - {None, *killed}
+            if len(killed) < 5 and done < members and living and drawn.random() < 0.4:
+                killed.append(drawn.choice(sorted(living)))
+                os.kill(killed[-1], signal.SIGKILL)
+
+        address = cluster.scheduler_address.removeprefix("tcp://")
+        sweep.run(plan, tmp_path / "cluster", on=f"dask://{address}", progress=kill)
+    assert len(killed) >= 3
+    assert digest(tmp_path / "cluster") == digest(tmp_path / "alone")
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_part_that_loses_every_worker_is_given_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("polhode._dask.LOST_WORKERS", 0)
+    with without_patience() as cluster:
+
+        def kill(done: int, members: int) -> None:
+            for worker in cluster.workers.values():
+                if worker.pid is not None:
+                    os.kill(worker.pid, signal.SIGKILL)
+
+        address = cluster.scheduler_address.removeprefix("tcp://")
+        with pytest.raises(PolhodeError, match=f"^dask://{address} cannot compute the plan: KilledWorker"):
+            sweep.run(batch.Plan(PLAN.format(members=100_000)), tmp_path / "cluster", on=f"dask://{address}", progress=kill)
 
 
 @contextmanager

@@ -6,11 +6,11 @@ import logging
 import time
 from contextlib import contextmanager
 from functools import partial
-from typing import TYPE_CHECKING, Any, Iterator
+from typing import TYPE_CHECKING, Any, Iterator, NamedTuple
 
-from distributed import Client, LocalCluster, as_completed
+from distributed import Client, Future, KilledWorker, LocalCluster, as_completed
 
-from ._cluster import Watch, lost
+from ._cluster import LOST_WORKERS, Watch, lost
 from .batch import Plan, compute
 
 if TYPE_CHECKING:
@@ -25,20 +25,42 @@ def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout
     on = f"dask://{address}"
     with _client(address, workers) as client:
         watch = Watch(on, worker_timeout, lambda: _workers(client, on))
-        # Nothing but this iterator knows the futures, so that a part's memory is free once it has been written.
-        waiting = as_completed(
-            client.map(partial(_part, plan), list(missing.items()), pure=False),
-            with_results=True,
-        )
+        # Nothing but this iterator knows the futures, so that a part's memory is free once it has been written; the parts are known by their keys.
+        sent: dict[Any, _Sent] = {}
+        waiting = as_completed(_send(client, plan, [_Sent(part, 0) for part in missing.items()], sent), with_results=True, raise_errors=False)
         while not waiting.is_empty():
             while not waiting.has_ready():
                 watch.look()
                 time.sleep(POLL)
-            _, done = next(waiting)
-            # Of a scheduler that is lost, futures are cancelled, and their results are exceptions that are not raised.
+            future, done = next(waiting)
+            part, workers_lost = sent.pop(future.key)
+            if future.status == "error":
+                _, error, where = done
+                # Dask gives a part up after some workers, as few as four: where workers come and go, that may be chance.
+                if not isinstance(error, KilledWorker) or (now_lost := workers_lost + error.allowed_failures + 1) > LOST_WORKERS:
+                    raise error.with_traceback(where)
+                waiting.update(_send(client, plan, [_Sent(part, now_lost)], sent))
+                continue
+            # Of a scheduler that is lost, futures are cancelled, and their results are exceptions.
             if isinstance(done, BaseException):
                 raise lost(on, f"its scheduler gave up a part ({type(done).__name__})") from done
             yield done
+
+
+class _Sent(NamedTuple):
+    """A part that is with the cluster."""
+
+    #: Its number, and its first member and the one after its last.
+    part: tuple[int, tuple[int, int]]
+    #: How many workers have been lost while they had it, as far as Dask has said.
+    workers_lost: int
+
+
+def _send(client: Client, plan: Plan, parts: list[_Sent], sent: dict[Any, _Sent]) -> list[Future]:
+    """Hands parts to the cluster, and remembers them by the keys of their futures."""
+    futures: list[Future] = client.map(partial(_part, plan), [each.part for each in parts], pure=False)
+    sent.update(zip((future.key for future in futures), parts))
+    return futures
 
 
 def _part(plan: Plan, part: tuple[int, tuple[int, int]]) -> Done:

@@ -1,0 +1,90 @@
+"""The pages of the book that say what was measured: their tables stand between markers."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+BOOK = Path(__file__).resolve().parents[2] / "book"
+BEGIN, END = "<!-- begin: measured -->\n", "<!-- end: measured -->\n"
+
+#: Engines, as they are written, and what may not be exceeded.
+NAMES = {"dask": "Dask", "ray": "Ray"}
+PACKAGES = {"polhode": "polhode", "distributed": "distributed", "ray": "Ray", "pyarrow": "PyArrow"}
+BOUND = 0.15
+
+
+def page(engine: str) -> Path:
+    return BOOK / f"clusters-{engine}.md"
+
+
+def overhead(rounds: list[dict[str, Any]], name: str, key: str) -> list[float]:
+    """By how much a run took more than the one in one process of the same round, relatively."""
+    return [of[name][key] / of["alone"][key] - 1.0 for of in rounds]
+
+
+def part(engine: str, measured: dict[str, Any]) -> str:
+    """What stands between the markers."""
+    rounds, killed = measured["rounds"], f"{engine}, killed"
+    if not rounds or any({"alone", engine, killed} - set(of) for of in rounds):
+        raise SystemExit("a round lacks runs: measure.py --more")
+    hashes = {of[name]["folder"] for of in rounds for name in ("alone", engine, killed)}
+    if len(hashes) != 1:
+        raise SystemExit(f"folders differ: {hashes}")
+    workers, versions = measured["workers"], ", ".join(f"{PACKAGES[name]} {version}" for name, version in measured["versions"].items())
+    out = (
+        f"Measured in {measured['month']} on {measured['machine']}, with Python {measured['python']}, {versions}: "
+        f"{measured['members']:,} members of `examples/sweeps/uncertain-satellite.toml`, {workers} threads or {workers} workers.\n\n"
+        "| | time | processors' time | first part after | after the last part | others on the machine |\n|---|---|---|---|---|---|\n"
+    )
+    rows = {"alone": f"one process, {workers} threads", engine: f"{NAMES[engine]}, {workers} workers", killed: "the same, {} workers killed"}
+    for number, of in enumerate(rounds, 1):
+        for name, text in rows.items():
+            run = of[name]
+            said = text.format(len(run["kills"])) + (f" (round {number})" if len(rounds) > 1 else "")
+            out += (
+                f"| {said} | {run['time']:.0f} s | {run['processors']:.0f} s | {run['first']:.1f} s | {run['time'] - run['last']:.1f} s "
+                f"| {run['others']:.2f} processors |\n"
+            )
+    more = {name: median(overhead(rounds, name, "processors")) for name in (engine, killed)}
+    kills = sum(len(of[killed]["kills"]) for of in rounds)
+    each = sum(of[killed]["processors"] - of[engine]["processors"] for of in rounds) / kills
+    verdict = "within" if more[engine] <= BOUND else "beyond"
+    out += (
+        f"\n**Overhead** over one process, of the processors' time: **{percent(more[engine])}**, {verdict} the {100 * BOUND:.0f} % that are aimed at; "
+        f"{percent(more[killed])} with the workers killed, {each:.1f} s for each of the {kills}. "
+        f"Of the time by the clock, which other programs on the machine disturb: {percent(median(overhead(rounds, engine, 'time')))}.\n\n"
+        f"All folders have the same bytes: SHA-256 `{hashes.pop()}`.\n"
+    )
+    return out
+
+
+def percent(ratio: float) -> str:
+    return f"{100 * ratio:.1f} %".replace("-", "−")
+
+
+def between(text: str, engine: str) -> tuple[int, int]:
+    if text.count(BEGIN) != 1 or text.count(END) != 1:
+        raise SystemExit(f"{page(engine).name} has no part between its markers")
+    return text.index(BEGIN) + len(BEGIN), text.index(END)
+
+
+def write(measured: dict[str, Any]) -> None:
+    for engine in NAMES:
+        text = page(engine).read_text()
+        first, last = between(text, engine)
+        page(engine).write_text(text[:first] + part(engine, measured) + text[last:])
+
+
+def check(measured: dict[str, Any]) -> int:
+    """Whether the pages are what would be written."""
+    wrong = []
+    for engine in NAMES:
+        text = page(engine).read_text()
+        first, last = between(text, engine)
+        if text[first:last] != part(engine, measured):
+            wrong.append(f"{page(engine).name} does not say what was measured: measure.py --page")
+    print("\n".join(wrong), file=sys.stderr, end="\n" if wrong else "")
+    return 1 if wrong else 0

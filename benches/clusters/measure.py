@@ -151,7 +151,7 @@ def run(engine: str, members: int, mean: float | None, drawn: random.Random) -> 
         if mean is not None and len(killed) < KILLS_AT_LEAST:
             raise SystemExit(f"only {len(killed)} workers were killed: too few members")
         others = busy() - busy_before - processes.taken - (time.process_time() - own_before)
-        found = json.loads(child.stdout.read().splitlines()[-1])
+        found: dict[str, Any] = json.loads(child.stdout.read().splitlines()[-1])
         found |= {"processors": processes.taken, "others": max(0.0, others / lasted), "folder": digest(folder / "out"), "kills": killed}
         print(engine, {key: value if isinstance(value, (str, list)) else round(value, 2) for key, value in found.items()}, file=sys.stderr, flush=True)
         return found

@@ -10,7 +10,7 @@ from typing import Any
 BOOK = Path(__file__).resolve().parents[2] / "book"
 BEGIN, END = "<!-- begin: measured -->\n", "<!-- end: measured -->\n"
 
-#: Engines, as they are written, and what may not be exceeded.
+#: Engines and packages, as they are written, and the overhead that is aimed at.
 NAMES = {"dask": "Dask", "ray": "Ray"}
 PACKAGES = {"polhode": "polhode", "distributed": "distributed", "ray": "Ray", "pyarrow": "PyArrow"}
 BOUND = 0.15
@@ -20,17 +20,20 @@ def page(engine: str) -> Path:
     return BOOK / f"clusters-{engine}.md"
 
 
-def overhead(rounds: list[dict[str, Any]], name: str, key: str) -> list[float]:
-    """By how much a run took more than the one in one process of the same round, relatively."""
-    return [of[name][key] / of["alone"][key] - 1.0 for of in rounds]
+def overhead(rounds: list[dict[str, Any]], name: str, key: str) -> float:
+    """By how much a run took more than the one in one process of the same round, relatively: the median of rounds."""
+    return float(median(of[name][key] / of["alone"][key] - 1.0 for of in rounds))
 
 
 def part(engine: str, measured: dict[str, Any]) -> str:
     """What stands between the markers."""
-    rounds, killed = measured["rounds"], f"{engine}, killed"
-    if not rounds or any({"alone", engine, killed} - set(of) for of in rounds):
-        raise SystemExit("a round lacks runs: measure.py --more")
-    hashes = {of[name]["folder"] for of in rounds for name in ("alone", engine, killed)}
+    killed = f"{engine}, killed"
+    # Of a round that was not ended, what there is.
+    rounds = [of for of in measured["rounds"] if {"alone", killed} <= set(of)]
+    undisturbed = [of for of in rounds if engine in of]
+    if not rounds:
+        raise SystemExit(f"no round has the runs of {engine}: measure.py --more")
+    hashes = {run["folder"] for of in measured["rounds"] for run in of.values()}
     if len(hashes) != 1:
         raise SystemExit(f"folders differ: {hashes}")
     workers, versions = measured["workers"], ", ".join(f"{PACKAGES[name]} {version}" for name, version in measured["versions"].items())
@@ -39,26 +42,30 @@ def part(engine: str, measured: dict[str, Any]) -> str:
         f"{measured['members']:,} members of `examples/sweeps/uncertain-satellite.toml`, {workers} threads or {workers} workers.\n\n"
         "| | time | processors' time | first part after | after the last part | others on the machine |\n|---|---|---|---|---|---|\n"
     )
-    rows = {"alone": f"one process, {workers} threads", engine: f"{NAMES[engine]}, {workers} workers", killed: "the same, {} workers killed"}
+    rows = {"alone": f"one process, {workers} threads", engine: f"{NAMES[engine]}, {workers} workers", killed: NAMES[engine] + ", workers killed: {}"}
     for number, of in enumerate(rounds, 1):
         for name, text in rows.items():
-            run = of[name]
-            said = text.format(len(run["kills"])) + (f" (round {number})" if len(rounds) > 1 else "")
-            out += (
-                f"| {said} | {run['time']:.0f} s | {run['processors']:.0f} s | {run['first']:.1f} s | {run['time'] - run['last']:.1f} s "
-                f"| {run['others']:.2f} processors |\n"
-            )
-    more = {name: median(overhead(rounds, name, "processors")) for name in (engine, killed)}
-    kills = sum(len(of[killed]["kills"]) for of in rounds)
-    each = sum(of[killed]["processors"] - of[engine]["processors"] for of in rounds) / kills
-    verdict = "within" if more[engine] <= BOUND else "beyond"
-    out += (
-        f"\n**Overhead** over one process, of the processors' time: **{percent(more[engine])}**, {verdict} the {100 * BOUND:.0f} % that are aimed at; "
-        f"{percent(more[killed])} with the workers killed, {each:.1f} s for each of the {kills}. "
-        f"Of the time by the clock, which other programs on the machine disturb: {percent(median(overhead(rounds, engine, 'time')))}.\n\n"
-        f"All folders have the same bytes: SHA-256 `{hashes.pop()}`.\n"
-    )
-    return out
+            if name in of:
+                run = of[name]
+                said = text.format(len(run["kills"])) + (f" (round {number})" if len(rounds) > 1 else "")
+                out += (
+                    f"| {said} | {run['time']:.0f} s | {run['processors']:.0f} s | {run['first']:.1f} s | {run['time'] - run['last']:.1f} s "
+                    f"| {run['others']:.2f} processors |\n"
+                )
+    out += "\n**Overhead** over one process, of the processors' time: "
+    if undisturbed:
+        kills = sum(len(of[killed]["kills"]) for of in undisturbed)
+        more = sum(of[killed]["processors"] - of[engine]["processors"] for of in undisturbed)
+        out += f"**{bounded(overhead(undisturbed, engine, 'processors'))}**; with workers killed {percent(overhead(rounds, killed, 'processors'))}, {more / kills:.1f} s for each of the {kills}. "
+        out += f"Of the time by the clock, which other programs on the machine disturb: {percent(overhead(undisturbed, engine, 'time'))}.\n"
+    else:
+        out += f"**{bounded(overhead(rounds, killed, 'processors'))}**, what the lost workers cost included. "
+        out += f"Of the time by the clock, which other programs on the machine disturb: {percent(overhead(rounds, killed, 'time'))}.\n"
+    return out + f"\nAll folders have the same bytes, SHA-256 of names and contents: `{hashes.pop()}`.\n"
+
+
+def bounded(ratio: float) -> str:
+    return f"{percent(ratio)}, {'within' if ratio <= BOUND else 'beyond'} the {100 * BOUND:.0f} % that are aimed at"
 
 
 def percent(ratio: float) -> str:

@@ -17,6 +17,9 @@ CHILD_SUBREAPER = 36
 #: What the command lines of workers begin with or have in them: Dask's are of Python's multiprocessing, Ray's are called by what they do.
 WORKERS = {"dask": b"spawn_main", "ray": b"ray::compute"}
 
+#: What a process has loaded that has been given a part.
+LOADED = "polhode/_native"
+
 
 class Processes:
     """All processes below this one, also those whose parents have ended.
@@ -52,11 +55,11 @@ class Processes:
         return sorted(below)
 
     def workers(self, of: str) -> list[int]:
-        """Those that compute parts, of an engine."""
+        """Those that compute parts, of an engine: not those that are about to start, of which Dask's nannies may lose count."""
         found = []
         for pid in self.look():
             try:
-                if WORKERS[of] in Path(f"/proc/{pid}/cmdline").read_bytes():
+                if WORKERS[of] in Path(f"/proc/{pid}/cmdline").read_bytes() and LOADED in Path(f"/proc/{pid}/maps").read_text():
                     found.append(pid)
             except (FileNotFoundError, ProcessLookupError):
                 continue

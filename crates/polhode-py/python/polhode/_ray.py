@@ -33,7 +33,8 @@ def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout
         remote: Any = ray.remote(num_cpus=1, max_retries=LOST_WORKERS)(compute)
         sent = ray.put(plan)
         watch = Watch(on, worker_timeout, _processors)
-        left, waiting = iter(missing.items()), {}
+        left = iter(missing.items())
+        waiting: dict[Any, int] = {}
         while True:
             # No more than the cluster computes, so that what is not written yet fits into its memory.
             for number, (start, stop) in _some(left, AHEAD * max(1, _processors()) - len(waiting)):

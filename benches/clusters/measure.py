@@ -3,7 +3,7 @@
 
     pip install distributed ray pyarrow ./crates/polhode-py
     python3 benches/clusters/measure.py           # measures, and writes measured.json and the pages
-    python3 benches/clusters/measure.py --more    # adds a round to what was measured
+    python3 benches/clusters/measure.py --more    # adds a round to what was measured, or ends the one that was begun
     python3 benches/clusters/measure.py --page    # writes the pages of what was measured
     python3 benches/clusters/measure.py --check   # fails unless the pages are that
     python3 benches/clusters/measure.py --try 20000 dask ray   # a small sweep, on these; writes nothing

@@ -31,7 +31,7 @@ type Outcome = Result<(), String>;
 const USAGE: &str = "\
 usage: cargo xtask TASK
 
-  test       everything, in order, up to the first failure
+  test       everything, in order, up to the first failure; --ray is a gate of its own: sweeps on Ray and Dask whose workers are killed, Linux alone
   layers     the modules' order: which may import which, what each may do, how long files are, and that no files import each other in a circle
   licences   how many crates are linked, and under which licences
   examples   the built command on every scenario in examples/
@@ -39,7 +39,7 @@ usage: cargo xtask TASK
   packages   every crate as a package, with licences and nothing from outside
   api        the public names of the core crate, compared with crates/polhode/api.txt; --write takes them over
   book       the book as a site in target/book, its links checked; --open shows it
-  speed      measures anew what book/speed.md, work-precision.md, ensembles.md, mass-properties.md and peers.md say; needs python3 and what it compares with
+  speed      measures anew what book/speed.md, work-precision.md, ensembles.md, mass-properties.md, peers.md, clusters-dask.md and clusters-ray.md say; needs python3 and what it compares with
   corpus     what the check finds in FOLDER…, work trees of public models, on book/corpus.md; needs git
   engines    what engines make of the suite, FOLDER… of their runs, on book/judge-engines.md
   viewer     the page's viewer: its bundle is the build of its source, and its tests pass in a browser
@@ -53,6 +53,7 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let outcome = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["test"] => gate::run(),
+        ["test", "--ray"] => python::check_with_ray(),
         ["layers"] => layers::check().and_then(|()| circles::check()),
         ["licences"] => dependencies::check(),
         ["examples"] => examples::check(),

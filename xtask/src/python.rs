@@ -41,26 +41,67 @@ const NEEDED: [&str; 22] = [
     "zizmor==1.32.0",
 ];
 
+/// What the tests on Ray need besides the package.
+const NEEDED_WITH_RAY: [&str; 5] = ["pytest", "pyarrow", "pandas", "distributed", "ray[data,client]==2.60.0"];
+
+/// Members of the sweep whose workers are killed there: enough for several kills.
+const MEMBERS_WITH_RAY: &str = "20000";
+
 /// An environment of its own, and then all the rest.
 pub(crate) fn check() -> Outcome {
     environment().and_then(check_in)
 }
 
-/// Builds the wheel, installs it into an environment, and runs the tests, the documentation's examples, the book's, checks of
-/// types, and `examples/python/` from an empty folder: what is imported there is the wheel's, not the tree's.
-pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
+/// The tests on Ray, and a sweep on Dask and on Ray whose workers are killed at random, by the wheel in an environment of its own. Linux alone.
+pub(crate) fn check_with_ray() -> Outcome {
+    let environment = environment_of("ray", &NEEDED_WITH_RAY)?;
+    install_wheel(&environment)?;
+    let Environment { folder, python } = environment;
+    let package = root().join("crates/polhode-py");
+    let empty = folder.join("empty");
+    std::fs::create_dir(&empty).map_err(|error| format!("{}: {error}", empty.display()))?;
+    let here = |arguments: &[&str]| {
+        let mut command = Command::new(&python);
+        // Ray would take a third of the machine's memory for what its processes share.
+        command
+            .args(arguments)
+            .current_dir(&empty)
+            .env("RAY_DEFAULT_OBJECT_STORE_MAX_MEMORY_BYTES", "500000000");
+        command
+    };
+    run(here(&["-m", "pytest", "-v", "-c"])
+        .arg(package.join("pyproject.toml"))
+        .arg(package.join("tests/test_ray.py")))?;
+    run(here(&[]).arg(root().join("benches/clusters/measure.py")).args([
+        "--try",
+        MEMBERS_WITH_RAY,
+        "dask",
+        "ray",
+    ]))
+}
+
+/// Builds the wheel and installs it into an environment.
+fn install_wheel(Environment { folder, python }: &Environment) -> Result<PathBuf, String> {
     let package = root().join("crates/polhode-py");
     let wheels = folder.join("wheels");
     // Compiled as the tests are, from the same libraries: a release build would compile all of them once more.
-    let mut wheel = Command::new(&python);
+    let mut wheel = Command::new(python);
     wheel.args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"]).args([&wheels, &package]);
     linted(&mut wheel);
     let optimised = optimised(&read(&root().join("Cargo.toml"))?);
     run(wheel.env("MATURIN_PEP517_ARGS", format!("--profile dev --features {FEATURES}{optimised}")))?;
     let wheel = files(&wheels, "whl")?.pop().ok_or("pip made no wheel")?;
-    run(Command::new(&python).arg(package.join("wheel.py")).arg(&wheel))?;
-    run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).arg(&wheel))?;
+    run(Command::new(python).arg(package.join("wheel.py")).arg(&wheel))?;
+    run(Command::new(python).args(["-m", "pip", "install", "--quiet"]).arg(&wheel))?;
+    Ok(wheel)
+}
 
+/// Builds the wheel, installs it into an environment, and runs the tests, the documentation's examples, the book's, checks of
+/// types, and `examples/python/` from an empty folder: what is imported there is the wheel's, not the tree's.
+pub(crate) fn check_in(environment: Environment) -> Outcome {
+    let wheel = install_wheel(&environment)?;
+    let Environment { folder, python } = environment;
+    let package = root().join("crates/polhode-py");
     let empty = folder.join("empty");
     std::fs::create_dir(&empty).map_err(|error| format!("{}: {error}", empty.display()))?;
     let here = |arguments: &[&str]| {
@@ -74,7 +115,7 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
         return Err(format!("{} is imported, not the wheel", where_from.trim()));
     }
     println!("   {}", wheel.file_name().unwrap_or_default().to_string_lossy());
-    // Ray is large, and its test is for those who have it.
+    // Ray is large: its tests are `cargo xtask test --ray`.
     let tests = package.join("tests");
     let ray = format!("--ignore={}", tests.join("test_ray.py").display());
     let program = polhode()?;
@@ -88,8 +129,9 @@ pub(crate) fn check_in(Environment { folder, python }: Environment) -> Outcome {
         .map(|name| format!("--ignore={}", Path::new(where_from.trim()).with_file_name(name).display()));
     let documented = ["--doctest-modules", &without[0], &without[1], "--pyargs", "polhode"];
     run_beside(here(&["-m", "pytest", "-q", "-c"]).arg(&settings).args(documented))?;
-    // The tables of that page are what was measured of the programs as they are.
+    // The tables of these pages are what was measured, of the programs as they are.
     run(here(&[]).arg(root().join("benches/python/measure.py")).arg("--check"))?;
+    run(here(&[]).arg(root().join("benches/clusters/measure.py")).arg("--check"))?;
     let book = root().join("book");
     let pages = ["python.md", "differentiable.md", "clusters.md"].map(|page| book.join(page));
     let followed = [files(&book.join("cookbook"), "md")?, files(&book.join("tutorials"), "md")?];
@@ -132,12 +174,17 @@ impl Environment {
     }
 }
 
-/// Makes one.
+/// Makes the one of the package's tests.
 pub(crate) fn environment() -> Result<Environment, String> {
-    let folder = empty_folder("python")?;
+    environment_of("python", &NEEDED)
+}
+
+/// Makes one with packages.
+fn environment_of(name: &str, packages: &[&str]) -> Result<Environment, String> {
+    let folder = empty_folder(name)?;
     let python = make(&folder.join("venv"))?;
-    // What is imported is compiled then; all of it is ten times as much.
-    run(Command::new(&python).args(["-m", "pip", "install", "--quiet", "--no-compile"]).args(NEEDED))?;
+    // What is imported is compiled then, and no more.
+    run(Command::new(&python).args(["-m", "pip", "install", "--quiet", "--no-compile"]).args(packages))?;
     Ok(Environment { folder, python })
 }
 

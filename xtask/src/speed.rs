@@ -13,7 +13,7 @@ struct Script {
     packages: &'static [(&'static str, &'static str)],
 }
 
-const SCRIPTS: [Script; 5] = [
+const SCRIPTS: [Script; 6] = [
     Script {
         path: "crates/polhode/benches/speed.py",
         page: "book/speed.md",
@@ -49,6 +49,16 @@ const SCRIPTS: [Script; 5] = [
             ("mujoco", "mujoco"),
             ("trimesh", "trimesh"),
             ("numpy", "numpy"),
+            ("polhode", "./crates/polhode-py"),
+        ],
+    },
+    Script {
+        path: "benches/clusters/measure.py",
+        page: "book/clusters-dask.md",
+        packages: &[
+            ("distributed", "distributed"),
+            ("ray", "ray"),
+            ("pyarrow", "pyarrow"),
             ("polhode", "./crates/polhode-py"),
         ],
     },

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import re
 import signal
 from collections.abc import Iterator
 from pathlib import Path
@@ -101,6 +102,14 @@ normal = {{ mean = "2 rad/s", sd = "10 deg/s" }}
 key = "body.part[0].mass"
 normal = {{ mean = "3 kg", sd = "0.8 kg" }}
 """
+
+
+def satellite(members: int) -> str:
+    """A plan of motions in steps, a third of a millisecond each: the example of a satellite, with so many members."""
+    text = (ROOT / "examples" / "sweeps" / "uncertain-satellite.toml").read_text()
+    changed, times = re.subn(r"(?m)^members = \d+$", f"members = {members}", text)
+    assert times == 1
+    return changed
 
 
 def engines_for_tables() -> list[str]:

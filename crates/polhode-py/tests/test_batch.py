@@ -7,7 +7,9 @@ import hashlib
 import json
 import pickle
 import threading
+import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import polhode
@@ -189,6 +191,19 @@ def test_what_there_is_no_memory_for_is_refused(plan: batch.Plan) -> None:
 
 
 @pytest.mark.usefixtures("ctrl_c")
+def test_pieces_do_not_shrink_while_the_processor_is_with_others(plan: batch.Plan) -> None:
+    sizes: list[int] = []
+
+    def simulated(columns: list[Any]) -> Any:
+        sizes.append(len(columns[0][1]))
+        time.sleep(0.6 * batch.LOOK if len(sizes) < 6 else 0.0)
+        return plan._native.simulate(columns)
+
+    rows = batch.inputs(plan, range(63))
+    assert batch._mapped(rows, plan, rows.schema.names, simulated).equals(batch.simulate(rows, plan))
+    assert sizes == [1, 2, 4, 8, 16, 32]
+
+
 def test_ctrl_c_ends_rows_that_take_long(examples: Path) -> None:
     """A table of few rows, each of them a long motion."""
     text = (examples / "formula.toml").read_text().replace('"4 min"', '"2e4 s"').replace("samples = 961", "samples = 2")

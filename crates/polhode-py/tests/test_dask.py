@@ -1,9 +1,10 @@
-"""Sweeps on a Dask cluster: a worker that is killed, a scheduler that is, a cluster without workers; and engines that fail in other ways."""
+"""Sweeps on a Dask cluster: workers that are killed, a scheduler that is, a cluster without workers; and engines that fail in other ways."""
 
 from __future__ import annotations
 
 import json
 import os
+import random
 import re
 import signal
 import subprocess
@@ -18,31 +19,53 @@ import pytest
 from conftest import PLAN, digest, engines_for_tables
 from polhode import PolhodeError, _cluster, batch, sweep
 
-MEMBERS = 100_000
+
+@contextmanager
+def without_patience() -> Iterator[Any]:
+    """Two workers of a scheduler that gives a part up with the first worker that is lost with it; but whose nannies may take their time."""
+    import dask
+    from distributed import LocalCluster
+
+    options = {"threads_per_worker": 1, "processes": True, "host": "127.0.0.1", "dashboard_address": None}
+    settings = {"distributed.scheduler.allowed-failures": 0, "distributed.deploy.lost-worker-timeout": "10 minutes"}
+    with dask.config.set(settings), LocalCluster(n_workers=2, **options) as cluster:
+        yield cluster
 
 
 @pytest.mark.filterwarnings("default")
-def test_a_killed_worker_changes_no_byte(tmp_path: Path) -> None:
-    from distributed import LocalCluster
-
-    plan = batch.Plan(PLAN.format(members=MEMBERS))
+def test_workers_killed_again_and_again_change_no_byte(tmp_path: Path) -> None:
+    plan = batch.Plan(PLAN.format(members=20_000))
     sweep.run(plan, tmp_path / "alone")
-    killed: list[int] = []
-    with LocalCluster(
-        n_workers=2, threads_per_worker=1, processes=True, host="127.0.0.1", dashboard_address=None
-    ) as cluster:
-        before = {worker.pid for worker in cluster.workers.values()}
+    drawn, killed = random.Random(11), list[int]()
+    with without_patience() as cluster:
 
         def kill(done: int, members: int) -> None:
-            if not killed and done >= members // 4:
-                killed.append(next(iter(cluster.workers.values())).pid)
-                os.kill(killed[0], signal.SIGKILL)
-                assert done < members
+            # Of those that have not connected yet, nannies may lose count.
+            there = [worker.pid for worker in cluster.workers.values() if worker.worker_address in cluster.scheduler.workers]
+            living = [pid for pid in there if pid is not None and pid not in killed]
+            if len(killed) < 3 and done < members and living and drawn.random() < 0.7:
+                killed.append(drawn.choice(living))
+                os.kill(killed[-1], signal.SIGKILL)
 
         address = cluster.scheduler_address.removeprefix("tcp://")
         sweep.run(plan, tmp_path / "cluster", on=f"dask://{address}", progress=kill)
-    assert killed and killed[0] in before
+    assert len(killed) == 3
     assert digest(tmp_path / "cluster") == digest(tmp_path / "alone")
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_part_that_loses_every_worker_is_given_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("polhode._dask.LOST_WORKERS", 0)
+    with without_patience() as cluster:
+
+        def kill(done: int, members: int) -> None:
+            for worker in cluster.workers.values():
+                if worker.pid is not None:
+                    os.kill(worker.pid, signal.SIGKILL)
+
+        address = cluster.scheduler_address.removeprefix("tcp://")
+        with pytest.raises(PolhodeError, match=f"^dask://{address} cannot compute the plan: KilledWorker"):
+            sweep.run(batch.Plan(PLAN.format(members=100_000)), tmp_path / "cluster", on=f"dask://{address}", progress=kill)
 
 
 @contextmanager

@@ -1,11 +1,12 @@
-"""The same on Ray: two processes, one of which is killed in the middle; and a cluster that this process is only a client of.
+"""The same on Ray: two processes, which are killed again and again; and a cluster that this process is only a client of.
 
-No part of the gate, as Ray is large: `pip install 'ray[data,client]'`, and `pytest tests/test_ray.py`.
+Ray is large: `cargo xtask test --ray` runs this, and the ordinary gate does not.
 """
 
 from __future__ import annotations
 
 import os
+import random
 import signal
 import socket
 import subprocess
@@ -13,9 +14,10 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import pytest
-from conftest import PLAN, digest, engines_for_tables
+from conftest import PLAN, digest, engines_for_tables, satellite
 from polhode import PolhodeError, PolhodeWarning, batch, sweep
 
 MEMBERS = 20_000
@@ -30,7 +32,7 @@ def workers() -> list[int]:
     found = []
     for folder in Path("/proc").iterdir():
         try:
-            if folder.name.isdigit() and b"ray::MapBatches" in (folder / "cmdline").read_bytes():
+            if folder.name.isdigit() and b"ray::compute" in (folder / "cmdline").read_bytes():
                 if parent(parent(int(folder.name))) == os.getpid():
                     found.append(int(folder.name))
         except (FileNotFoundError, ProcessLookupError):
@@ -39,20 +41,45 @@ def workers() -> list[int]:
 
 
 @pytest.mark.filterwarnings("default")
-def test_a_killed_worker_changes_no_byte(tmp_path: Path) -> None:
-    plan = batch.Plan(PLAN.format(members=MEMBERS))
+def test_workers_killed_again_and_again_change_no_byte(tmp_path: Path) -> None:
+    plan = batch.Plan(satellite(members=10_000))
     sweep.run(plan, tmp_path / "alone")
-    killed: list[int] = []
+    drawn, killed = random.Random(11), list[int]()
 
     def kill(done: int, members: int) -> None:
-        if not killed and members // 5 < done < members:
-            for pid in workers()[:1]:
+        if len(killed) < 6 and done < members and drawn.random() < 0.5:
+            for pid in drawn.sample(found, 1) if (found := workers()) else []:
                 os.kill(pid, signal.SIGKILL)
                 killed.append(pid)
 
     sweep.run(plan, tmp_path / "cluster", on="ray://local", workers=2, progress=kill)
-    assert killed
+    assert len(killed) >= 4
     assert digest(tmp_path / "cluster") == digest(tmp_path / "alone")
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_part_that_loses_every_worker_is_given_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("polhode._ray.LOST_WORKERS", 0)
+
+    def kill(done: int, members: int) -> None:
+        for pid in workers():
+            os.kill(pid, signal.SIGKILL)
+
+    with pytest.raises(PolhodeError, match="^ray://local cannot compute the plan: WorkerCrashedError"):
+        sweep.run(batch.Plan(satellite(members=10_000)), tmp_path / "cluster", on="ray://local", workers=2, progress=kill)
+
+
+@pytest.mark.filterwarnings("default")
+def test_what_a_worker_refuses_is_said_as_it_says_it(tmp_path: Path) -> None:
+    class Impossible(batch.Plan):
+        """Arrives as another plan, as one does whose files differ there."""
+
+        def __reduce__(self) -> tuple[Any, ...]:
+            return batch._arrived, (batch.Plan, self.text, str(self._native.path), "0" * 64)
+
+    plan = Impossible(PLAN.format(members=40))
+    with pytest.raises(PolhodeError, match="is another one on this machine"):
+        sweep.run(plan, tmp_path / "cluster", on="ray://local", workers=1)
 
 
 @contextmanager

@@ -13,6 +13,9 @@ LOOK = 2.0
 #: Seconds between two warnings that there is still no worker.
 REMIND = 60.0
 
+#: Workers that may be lost with the same part before that is given up: it may be the part that ends them, by the memory that it takes.
+LOST_WORKERS = 16
+
 Part = TypeVar("Part")
 
 

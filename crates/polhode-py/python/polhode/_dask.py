@@ -6,11 +6,12 @@ import logging
 import time
 from contextlib import contextmanager
 from functools import partial
-from typing import TYPE_CHECKING, Any, Iterator
+from typing import TYPE_CHECKING, Any, Iterator, NamedTuple
 
-from distributed import Client, LocalCluster, as_completed
+import dask
+from distributed import CancelledError, Client, Future, KilledWorker, LocalCluster, TimeoutError, as_completed
 
-from ._cluster import Watch, lost
+from ._cluster import LOOK, LOST_WORKERS, Watch, lost
 from .batch import Plan, compute
 
 if TYPE_CHECKING:
@@ -25,20 +26,58 @@ def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout
     on = f"dask://{address}"
     with _client(address, workers) as client:
         watch = Watch(on, worker_timeout, lambda: _workers(client, on))
-        # Nothing but this iterator knows the futures, so that a part's memory is free once it has been written.
-        waiting = as_completed(
-            client.map(partial(_part, plan), list(missing.items()), pure=False),
-            with_results=True,
-        )
+        # Nothing but this iterator knows the futures, so that a part's memory is free once it has been written; the parts are known by their keys.
+        sent: dict[Any, _Sent] = {}
+        # Results are asked for one by one: what `as_completed` asks for is never told if the worker that has it is lost just then.
+        waiting = as_completed(_send(client, plan, [_Sent(part, 0) for part in missing.items()], sent))
         while not waiting.is_empty():
             while not waiting.has_ready():
                 watch.look()
                 time.sleep(POLL)
-            _, done = next(waiting)
-            # Of a scheduler that is lost, futures are cancelled, and their results are exceptions that are not raised.
-            if isinstance(done, BaseException):
-                raise lost(on, f"its scheduler gave up a part ({type(done).__name__})") from done
+            future = next(waiting)
+            part, workers_lost = sent.pop(future.key)
+            try:
+                done = _result(future, watch)
+            except KilledWorker as error:
+                # Dask gives a part up after some workers, as few as four: where workers come and go, that may be chance.
+                workers_lost += error.allowed_failures + 1
+                if workers_lost > LOST_WORKERS:
+                    raise
+                waiting.update(_send(client, plan, [_Sent(part, workers_lost)], sent))
+                continue
+            except (CancelledError, OSError) as error:
+                if future.status == "error":
+                    raise
+                # The futures of a scheduler that is lost are cancelled.
+                raise lost(on, f"its scheduler gave up a part ({type(error).__name__})") from error
+            del future
             yield done
+
+
+def _result(future: Future, watch: Watch) -> Done:
+    """The result of a future that is done; it is computed anew if the worker that has it is lost, and there may be no other."""
+    while True:
+        try:
+            done: Done = future.result(timeout=LOOK)
+            return done
+        except TimeoutError:
+            watch.look()
+
+
+class _Sent(NamedTuple):
+    """A part that is with the cluster."""
+
+    #: Its number, and its first member and the one after its last.
+    part: tuple[int, tuple[int, int]]
+    #: How many workers have been lost while they had it, as far as Dask has said.
+    workers_lost: int
+
+
+def _send(client: Client, plan: Plan, parts: list[_Sent], sent: dict[Any, _Sent]) -> list[Future]:
+    """Hands parts to the cluster, and remembers them by the keys of their futures."""
+    futures: list[Future] = client.map(partial(_part, plan), [each.part for each in parts], pure=False)
+    sent.update(zip((future.key for future in futures), parts))
+    return futures
 
 
 def _part(plan: Plan, part: tuple[int, tuple[int, int]]) -> Done:
@@ -66,8 +105,10 @@ def _client(address: str, workers: int) -> Iterator[Client]:
             with Client(f"tcp://{address}") as client:
                 yield client
             return
+        # A worker that its nanny has not brought back within 15 s is dropped for good, unless Dask is told otherwise; a busy machine takes longer.
+        patient = dask.config.set({"distributed.deploy.lost-worker-timeout": "10 minutes"})
         options = {"threads_per_worker": 1, "processes": True, "dashboard_address": None, "host": "127.0.0.1"}
-        with LocalCluster(n_workers=workers, **options) as cluster, Client(cluster) as client:
+        with patient, LocalCluster(n_workers=workers, **options) as cluster, Client(cluster) as client:
             yield client
     finally:
         log.setLevel(before)

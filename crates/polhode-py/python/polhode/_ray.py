@@ -2,82 +2,63 @@
 
 from __future__ import annotations
 
+import logging
 from typing import TYPE_CHECKING, Any, Iterator
 
-import pyarrow as pa
 import ray
-import ray.data
 import ray.exceptions
 
-from ._cluster import LOOK, Watch, lost
+from ._cluster import LOOK, LOST_WORKERS, Watch, lost
 from .batch import Plan, compute
 
 if TYPE_CHECKING:
     from ._parts import Done, Parts
 
+#: Parts that are with the cluster, for each of its processors: one that is computed, and one that is not waited for then.
+AHEAD = 2
+
 
 def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout: float | None) -> Iterator[Done]:
     """The missing parts as they are done. A part that is lost with its worker is computed again: by Ray, which knows how."""
     on = f"ray://{address}"
+    # What goes wrong is said here.
+    quiet: dict[str, Any] = {"log_to_driver": False, "logging_level": logging.ERROR}
     if address == "local":
-        ray.init(num_cpus=workers, include_dashboard=False, log_to_driver=False, _node_ip_address="127.0.0.1")
+        # On a busy machine Ray's own processes take longer to start than it waits for them.
+        patient = {"agent_register_timeout_ms": 120_000}
+        ray.init(num_cpus=workers, include_dashboard=False, _node_ip_address="127.0.0.1", _system_config=patient, **quiet)
     else:
-        ray.init(on, log_to_driver=False)
+        ray.init(on, **quiet)
     try:
-        listed = [{"part": part, "start": start, "stop": stop} for part, (start, stop) in missing.items()]
-        remote: Any = ray.remote(num_cpus=0)(_Reader)
-        reader = remote.remote(plan, listed)
-        watch = Watch(on, worker_timeout, lambda: int(ray.cluster_resources().get("CPU", 0)))
-        while (rows := _waited(reader.next.remote(), watch)) is not None:
-            for row in rows.to_pylist():
-                motions = row["trajectories"]
-                yield row["part"], _unpacked(row["rows"]), None if motions is None else _unpacked(motions)
-    except (ConnectionError, ray.exceptions.ActorDiedError, ray.exceptions.RaySystemError) as error:
+        remote: Any = ray.remote(num_cpus=1, max_retries=LOST_WORKERS)(compute)
+        sent = ray.put(plan)
+        watch = Watch(on, worker_timeout, _processors)
+        left = iter(missing.items())
+        waiting: dict[Any, int] = {}
+        while True:
+            # No more than the cluster computes, so that what is not written yet fits into its memory.
+            for number, (start, stop) in _some(left, AHEAD * max(1, _processors()) - len(waiting)):
+                waiting[remote.remote(sent, start, stop)] = number
+            if not waiting:
+                return
+            done, _ = ray.wait(list(waiting), timeout=LOOK)
+            if not done:
+                watch.look()
+            for answer in done:
+                yield (waiting.pop(answer), *ray.get(answer))
+    except ray.exceptions.RayTaskError as error:
+        # What was raised there, without Ray's words around it.
+        raise getattr(error, "cause", None) or error from error
+    except (ConnectionError, ray.exceptions.RaySystemError) as error:
         raise lost(on, f"it does not answer ({type(error).__name__})") from error
     finally:
         ray.shutdown()
 
 
-def _waited(answer: ray.ObjectRef, watch: Watch) -> pa.Table | None:
-    """An answer of the cluster, with a look at its workers now and then."""
-    while True:
-        try:
-            return ray.get(answer, timeout=LOOK)
-        except ray.exceptions.GetTimeoutError:
-            watch.look()
+def _processors() -> int:
+    return int(ray.cluster_resources().get("CPU", 0))
 
 
-class _Reader:
-    """Lives in the cluster, as Ray Data has no results for a client outside it; hands them out as they are done."""
-
-    def __init__(self, plan: Plan, listed: list[dict[str, int]]) -> None:
-        work = ray.data.from_items(listed, override_num_blocks=len(listed))
-        done = work.map_batches(lambda rows: _parts(plan, rows), batch_size=1, batch_format="pyarrow")
-        self._done = iter(done.iter_batches(batch_size=1, batch_format="pyarrow"))
-
-    def next(self) -> pa.Table | None:
-        return next(self._done, None)
-
-
-def _parts(plan: Plan, rows: pa.Table) -> pa.Table:
-    """Parts by their members; each is packed whole, so that Ray neither cuts it nor forgets what its columns are."""
-    packed = []
-    for row in rows.to_pylist():
-        members, motions = compute(plan, row["start"], row["stop"])
-        packed.append(
-            {"part": row["part"], "rows": _packed(members), "trajectories": None if motions is None else _packed(motions)}
-        )
-    schema = pa.schema([("part", pa.int64()), ("rows", pa.large_binary()), ("trajectories", pa.large_binary())])
-    return pa.Table.from_pylist(packed, schema=schema)
-
-
-def _packed(rows: pa.RecordBatch) -> bytes:
-    sink = pa.BufferOutputStream()
-    with pa.ipc.new_stream(sink, rows.schema) as stream:
-        stream.write_batch(rows)
-    return bytes(sink.getvalue())
-
-
-def _unpacked(packed: bytes) -> pa.RecordBatch:
-    with pa.ipc.open_stream(packed) as stream:
-        return stream.read_next_batch()
+def _some(items: Iterator[Any], count: int) -> Iterator[Any]:
+    """The next so many, if there are."""
+    return (item for _, item in zip(range(count), items))

@@ -4,8 +4,8 @@
 
 The folder is divided into parts by the plan alone. A cluster computes the parts that are missing, each a pure function of the plan and the
 part's members, and this process writes them, durably and through the same code as the program without a cluster: so the files have the
-same bytes, whatever happens to workers on the way. Which worker does what, what waits, and what is done again because a worker was lost, is
-the engine's business: Dask's or Ray's.
+same bytes, whatever happens to workers on the way. Which worker does what, and what is done again because a worker was lost, is
+the engine's business: Dask's or Ray's. A part that Dask gives up with its workers is handed to it again, within ``_cluster.LOST_WORKERS``.
 """
 
 from __future__ import annotations

@@ -30,7 +30,8 @@ from ._ensemble import Ensemble, Failure, EnsembleStates
 from ._error import PolhodeError, PolhodeWarning
 from ._estimate import Estimate, Number, PrincipalEstimate, ResidualTest
 from ._explain import Explanation, explain
-from ._flight import Flight, find_flights
+from ._flight import Flight
+from ._flights import Flights, find_flights
 from ._free_motion import FreeMotion
 from ._identified import (
     Edge,
@@ -103,6 +104,7 @@ __all__ = [
     "Finding",
     "Flight",
     "FlightFit",
+    "Flights",
     "FreeMotion",
     "Judgement",
     "Knob",
@@ -201,6 +203,7 @@ for _public in (
     Finding,
     Flight,
     FlightFit,
+    Flights,
     FreeMotion,
     Judgement,
     Knob,

@@ -114,9 +114,8 @@ fn integrate(
     states: &mut Vec<State>,
 ) {
     let Member { rotor, torques, start } = &portion.members[k];
-    let (switched_off, events, start) = (&[], &[], *start);
-    let simulation =
-        Simulation { history: None, rotor, torques, switched_off, start, events, times, method, tolerance };
+    let start = *start;
+    let simulation = Simulation::new(rotor, torques, start, times).method(method).tolerance(tolerance);
     states.clear();
     let result = simulation.fill(states);
     portion.put(k, 0, states);

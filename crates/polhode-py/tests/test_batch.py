@@ -70,6 +70,7 @@ def test_what_are_no_rows_is_refused(plan: batch.Plan) -> None:
     rows = batch.inputs(plan, range(0, 3))
     for wrong, error, says in (
         (rows.drop_columns(["member"]), polhode.PolhodeError, "there is no column member"),
+        ([1.0, 2.0], TypeError, "rows must be a pyarrow RecordBatch or Table, a dataframe, or a mapping"),
         (rows.set_column(0, "member", pa.array([0.0, 1.0, 2.0])), TypeError, "member must hold whole numbers, not double"),
         (rows.set_column(0, "member", pa.array([0, None, 2])), polhode.PolhodeError, "rows without a value"),
         (rows.set_column(0, "member", pa.array([0, -1, 2])), polhode.PolhodeError, "negative"),
@@ -189,7 +190,8 @@ def test_what_there_is_no_memory_for_is_refused(plan: batch.Plan) -> None:
 
 
 @pytest.mark.usefixtures("ctrl_c")
-def test_ctrl_c_ends_rows_that_take_long(examples: Path) -> None:
+@pytest.mark.parametrize("threads", [1, 2])
+def test_ctrl_c_ends_rows_that_take_long(examples: Path, threads: int) -> None:
     """A table of few rows, each of them a long motion."""
     text = (examples / "formula.toml").read_text().replace('"4 min"', '"2e4 s"').replace("samples = 961", "samples = 2")
     text += '[sweep]\nmembers = 40\nseed = 7\nsampling = "monte carlo"\n[[sweep.vary]]\nkey = "start.spin.body[1]"\nuniform = { from = 1, to = 3 }\n'
@@ -199,7 +201,7 @@ def test_ctrl_c_ends_rows_that_take_long(examples: Path) -> None:
     timer = threading.Timer(0.2, _thread.interrupt_main)
     timer.start()
     with pytest.raises(KeyboardInterrupt):
-        batch._mapped(rows, long, batch._names(long), lambda columns: (done.append(len(columns[0][1])), long._native.simulate(columns))[1])
+        batch._mapped(rows, batch._names(long), lambda columns: (done.append(len(columns[0][1])), long._native.simulate(columns))[1], threads)
     timer.join()
     assert sum(done) < 40
 

@@ -9,7 +9,7 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence
 
-from . import _arrays, _native, _section
+from . import _arrays, _html, _native, _section
 from ._body import Body
 from ._computed_law import computed, computed_of_many, computed_of_one, measured, needs_momentum
 from ._error import PolhodeError
@@ -418,6 +418,9 @@ class Scenario:
 
     def __str__(self) -> str:
         return self._text()
+
+    def _repr_html_(self) -> str:
+        return _html.text(self._text())
 
 
 def _parts_of(body: object) -> tuple[Part, ...]:

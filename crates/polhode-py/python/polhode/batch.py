@@ -45,7 +45,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from . import _arrays, _native, _pieces
+from . import _arrays, _html, _native, _pieces
 from ._error import PolhodeError
 from ._mass_properties import Finding, findings_of, warn_of
 from ._scenario import Scenario
@@ -199,6 +199,10 @@ class Plan:
         names = [variable.name for variable in self.variables]
         shown = names if len(names) <= 4 else [*names[:3], f"and {len(names) - 3} more"]
         return f"Plan({self.members} members, {', '.join(shown) or 'nothing'} varied)"
+
+    def _repr_html_(self) -> str:
+        """What differs."""
+        return f"<div>{_html.rows(['unit', 'what it is'], ((name, [unit, what]) for name, unit, what in self.variables))}<p>{self.members} members</p></div>"
 
     def __reduce__(self) -> tuple[Any, ...]:
         sent = self.text, os.path.abspath(self._native.path), self.digest

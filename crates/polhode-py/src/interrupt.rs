@@ -19,6 +19,9 @@ const PAUSE: Duration = Duration::from_millis(20);
 /// How many times as long as a look itself takes the next one waits: a thread of Python that has the lock slows work down by a twentieth.
 const PATIENCE: u32 = 20;
 
+/// Rows that are copied at once: some milliseconds.
+const PIECE: usize = 1 << 17;
+
 /// The stack of a thread of its own, as large as that of a program, in bytes.
 const STACK: usize = 8 << 20;
 
@@ -111,4 +114,17 @@ pub(crate) fn watched_apart<T: Send + 'static>(
             Ok(()) => Err(refused("the computation has ended without a result", None)),
         },
     }
+}
+
+/// A copy of an array's rows, piece by piece, with a look for signals between them.
+///
+/// # Errors
+/// `KeyboardInterrupt`, or what the handler of the signal raises.
+pub(crate) fn copied<T: Copy>(py: Python<'_>, rows: &[T]) -> PyResult<Vec<T>> {
+    let mut all = Vec::with_capacity(rows.len());
+    for piece in rows.chunks(PIECE) {
+        all.extend_from_slice(piece);
+        py.check_signals()?;
+    }
+    Ok(all)
 }

@@ -17,7 +17,7 @@ use pyo3::prelude::*;
 
 use crate::arrays::rows;
 use crate::error::{Raise, refused};
-use crate::interrupt::watched_apart;
+use crate::interrupt::{copied, watched_apart};
 use crate::mass_properties::PyMassProperties;
 use crate::shape::in_body;
 use crate::substance::Given;
@@ -91,9 +91,9 @@ pub(crate) fn mesh_arrays(
     given: Given,
 ) -> PyResult<PyMassProperties> {
     let substance = (given.substance()?, own(&options.parts)?);
-    let points = rows::<3>(&vertices)?.to_vec();
+    let points = copied(py, rows::<3>(&vertices)?)?;
     let corners = triangles.as_slice().map_err(|error| refused(error.to_string(), None))?;
-    let corners = corners.as_chunks().0.to_vec();
+    let corners = copied(py, corners.as_chunks().0)?;
     of_arrays(py, move || TriangleMesh::new(points, corners), options, substance)
 }
 
@@ -109,7 +109,7 @@ pub(crate) fn mesh_corners(
     given: Given,
 ) -> PyResult<PyMassProperties> {
     let substance = (given.substance()?, own(&options.parts)?);
-    let triangles = rows::<9>(&corners)?.to_vec();
+    let triangles = copied(py, rows::<9>(&corners)?)?;
     let mesh = move || {
         let corner = |[a, b, c, d, e, f, g, h, i]: [f64; 9]| [[a, b, c], [d, e, f], [g, h, i]];
         TriangleMesh::of_soup(triangles.into_iter().map(corner).collect())

@@ -47,7 +47,7 @@ pub(crate) struct PyMotion {
 type Happened = (String, f64, bool, [f64; 3], [f64; 4]);
 
 /// Computes the motion of a scenario: of a file, or of a text, whose files are found beside `path`. `times` take the place of its run's. Its derivatives
-/// by the start, the inertia and numbers of torques by their keys, if these are given. `functions` take the place of some of its torques, `measures` that of
+/// by the start, the inertia and numbers of torques by their keys, if these are given. What Python computes takes the place of some of its torques, and of
 /// what some of its events measure.
 ///
 /// # Errors
@@ -60,8 +60,7 @@ pub(crate) fn simulate(
     times: Option<PyReadonlyArray1<'_, f64>>,
     error: &str,
     derivatives: Option<Vec<String>>,
-    functions: Vec<PythonTorque>,
-    measures: Vec<PythonMeasure>,
+    (functions, measures): (Vec<PythonTorque>, Vec<PythonMeasure>),
 ) -> PyResult<PyMotion> {
     let mut file = py.detach(|| scenario::read(path.clone(), text)).map_err(Raise::raise)?;
     let raised = Raised::default();

@@ -313,7 +313,7 @@ class Motion(Table):
         if "_native" not in vars(self):
             if self._has_functions:
                 raise PolhodeError("this copy of a motion has no functions of Python, of which its torques or events were", "ask the motion itself")
-            again = _native.simulate(*self._source, self._sampled, "none", None, [], [])
+            again = _native.simulate(*self._source, self._sampled, "none", None, ([], []))
             for times in self._continued:
                 again = again.after(times, "none")
             there = {name: values for name, _, _, values in again.columns()}

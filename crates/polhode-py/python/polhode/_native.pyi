@@ -347,8 +347,7 @@ def simulate(
     times: Floats | None,
     error: str,
     derivatives: list[str] | None,
-    functions: list[tuple[int, bool, Callable[..., tuple[float, ...]]]],
-    measures: list[tuple[int, bool, Callable[..., float]]],
+    own: tuple[list[tuple[int, bool, Callable[..., tuple[float, ...]]]], list[tuple[int, bool, Callable[..., float]]]],
 ) -> Motion: ...
 def scenario_tables(path: str, text: str | None) -> str: ...
 def scenario_keys(text: str) -> list[tuple[str, list[str]]]: ...

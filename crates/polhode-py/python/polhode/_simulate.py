@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import numpy.typing as npt
 
@@ -100,7 +100,8 @@ def simulate(
     >>> motion.derivatives.events[0].time_by_parameters.round(12)
     array([-6.])
     """
-    functions, measures = [], []
+    functions: list[tuple[int, bool, Callable[..., tuple[float, ...]]]] = []
+    measures: list[tuple[int, bool, Callable[..., float]]] = []
     if isinstance(scenario, Scenario):
         path, text, functions, measures = scenario._path, scenario._text(), scenario._functions(), scenario._measures()
     elif isinstance(scenario, str) and "\n" in scenario:
@@ -110,7 +111,7 @@ def simulate(
     error = _arrays.choice("error", error, ["auto", "cheap", "thorough"])
     sampled = None if times is None else _arrays.numbers("times", times, ("n",))
     try:
-        native = _native.simulate(path, text, sampled, error, _keys(derivatives), functions, measures)
+        native = _native.simulate(path, text, sampled, error, _keys(derivatives), (functions, measures))
     except PolhodeError as refused:
         if isinstance(scenario, Scenario) and refused.line is not None:
             raise scenario._placed(refused) from None

@@ -6,6 +6,7 @@ import asyncio
 import secrets
 import warnings
 from collections.abc import Mapping
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -152,8 +153,7 @@ class MotionWidget(anywidget.AnyWidget):
 
         JupyterLab takes the widget of an output that has both, and has nothing in its place if the kernel is gone.
         """
-        from IPython.display import display
-
+        display: Any = import_module("IPython.display").display
         if not _display.is_notebook():
             data, metadata = self._repr_mimebundle_(**kwargs) or ({"text/plain": repr(self)}, {})
             display(data, metadata=metadata, raw=True)
@@ -185,8 +185,7 @@ class MotionWidget(anywidget.AnyWidget):
         self._storing = loop.call_later(RESTS, self._store)
 
     def _store(self) -> None:
-        from IPython.display import update_display
-
+        update_display: Any = import_module("IPython.display").update_display
         update_display({"text/html": self._html(), "text/plain": ""}, raw=True, display_id=self._stored)
 
     def __repr__(self) -> str:

@@ -6,12 +6,14 @@ use std::sync::Arc;
 use super::rotor::Rotor;
 use super::state::State;
 
+type Function = dyn Fn(&Rotor, &State) -> f64 + Send + Sync;
+
 /// A function of the state that an [`Event`](crate::motion::Event) measures; two are equal only if they are the same function.
 ///
 /// It should be continuous along a motion: a jump over the value counts as passing it. Where it is NaN it passes nothing.
 #[derive(Clone)]
 pub struct EventFunction {
-    function: Arc<dyn Fn(&Rotor, &State) -> f64 + Send + Sync>,
+    function: Arc<Function>,
     needs_inertia: bool,
 }
 

@@ -3,7 +3,7 @@
 use super::run::Run;
 use super::scenario::Scenario;
 use crate::motion::error::MotionError;
-use crate::motion::model::event::EventAction;
+use crate::motion::model::event::{Event, EventAction};
 use crate::motion::run::ending::Ending;
 use crate::motion::run::trajectory::Trajectory;
 
@@ -47,7 +47,7 @@ impl Scenario {
         let mut switched_off = self.switched_off().to_vec();
         for crossing in motion.events() {
             if let Some(EventAction::Switch { torque, on }) =
-                self.events().get(crossing.event).map(|e| e.action())
+                self.events().get(crossing.event).map(Event::action)
             {
                 switched_off.retain(|&k| k != torque);
                 if !on {

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
-from concurrent.futures import FIRST_EXCEPTION, ThreadPoolExecutor, wait
+from concurrent.futures import FIRST_EXCEPTION, Future, ThreadPoolExecutor, wait
 from typing import TypeVar
 
 #: Rows that are computed without a look for Ctrl-C, at most, and for how long that may be, s, where a row does not take longer.
@@ -50,13 +50,14 @@ def of(function: Callable[[int, int], Of], count: int, threads: int) -> list[Of]
         work()
     else:
         with ThreadPoolExecutor(min(threads, count)) as pool:
+            working: list[Future[None]] = []
             try:
-                working = [pool.submit(work) for _ in range(min(threads, count))]
+                working += [pool.submit(work) for _ in range(min(threads, count))]
                 # The thread that hears of Ctrl-C waits, and is woken by it.
                 while wait(working, LOOK, FIRST_EXCEPTION).not_done and not any(one.done() and one.exception() for one in working):
                     pass
             finally:
-                rows.ends = rows.ends or not all(one.done() for one in working)
+                rows.ends = True
         for one in working:
             one.result()
     return [done[start] for start in sorted(done)]

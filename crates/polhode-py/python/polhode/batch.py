@@ -347,7 +347,7 @@ def _rows(rows: Any, names: list[str]) -> Any:
 
 def _of_arrays(columns: Mapping[Any, Any]) -> pa.Table:
     """Of arrays of one length, and of numbers that all rows share."""
-    given = {_arrays.text("a column of rows", name): _of_array(f"column {name}", values) for name, values in columns.items()}
+    given = {_arrays.text("rows: the name of a column", name): _of_array(f"column {name}", values) for name, values in columns.items()}
     counts = {name: len(values) for name, values in given.items() if np.ndim(values)}
     if len(set(counts.values())) > 1:
         said = ", ".join(f"{name} has {count}" for name, count in counts.items())
@@ -373,7 +373,7 @@ def _require(rows: Any, plan: Plan, names: list[str]) -> None:
     for name, unit in zip(names, ["", *(variable.unit for variable in plan.variables)]):
         found = rows.schema.get_all_field_indices(name)
         if not found:
-            raise PolhodeError(f"there is no column {name}", f"a row has {', '.join(names)}")
+            raise PolhodeError(f"rows: there is no column {name}", f"a row has {', '.join(names)}")
         if len(found) > 1:
             raise PolhodeError(f"there are {len(found)} columns {name}")
         said = ((rows.schema.field(found[0]).metadata or {}).get(b"unit") or b"").decode(errors="replace")

@@ -28,8 +28,13 @@ def keep(output: nbformat.NotebookNode) -> None:
     """Takes out what is not stored: motions in three dimensions, which are large, and widgets, which are nothing without their kernel."""
     data = output.get("data", {})
     data.pop("application/vnd.jupyter.widget-view+json", None)
-    if "polhode-motion" in data.get("text/html", ""):
+    if "polhode-motion" in data.get("text/html", "") or not data.get("text/html", " "):
         del data["text/html"]
+
+
+def is_beside(output: nbformat.NotebookNode) -> bool:
+    """Whether it is the motion of a widget, which stands beside it for those who have no kernel."""
+    return "data-beside" in output.get("data", {}).get("text/html", "")
 
 
 def execute(path: Path, write: bool) -> list[str]:
@@ -42,6 +47,9 @@ def execute(path: Path, write: bool) -> list[str]:
             NotebookClient(notebook, timeout=300, kernel_name="python3", store_widget_state=False).execute(cwd=folder)
         except CellExecutionError as error:
             return [f"{path.name}: {re.sub(chr(27) + '[^m]*m', '', str(error))}"]
+    for cell in notebook.cells:
+        if "outputs" in cell:
+            cell.outputs = [output for output in cell.outputs if not is_beside(output)]
     for output in (output for cell in notebook.cells for output in cell.get("outputs", ())):
         keep(output)
         if "text" in output:

@@ -12,13 +12,15 @@ use polhode_report::{Extra, InertiaReport, MoleculeReport, SourceInfo, error_est
 use pyo3::prelude::*;
 
 use crate::error::{Raise, refused};
+use crate::interrupt::watched_apart;
 use crate::mass_properties::PyMassProperties;
 use crate::shape::in_body;
 
 /// The body of a scenario.
 #[pyfunction]
 pub(crate) fn scenario_file(py: Python<'_>, path: PathBuf) -> PyResult<PyMassProperties> {
-    let scenario = py.detach(|| scenario::read(&path)).map_err(Raise::raise)?;
+    let (scenario, path) = watched_apart(py, move |_| (scenario::read(&path), path))?;
+    let scenario = scenario.map_err(Raise::raise)?;
     let title = scenario.title().unwrap_or("scenario");
     let source = of_file(&path, "scenario")
         .described(title)
@@ -37,9 +39,12 @@ pub(crate) fn particle_file(
     mass_unit: Option<f64>,
 ) -> PyResult<PyMassProperties> {
     let options = ParticleOptions { mass_unit, length_unit, total_mass: mass };
-    let read = py.detach(|| read_file(&path, |bytes| particles::read(bytes, &options)));
-    let table = read.map_err(Raise::raise)?;
-    let properties = table.mass_properties().map_err(Raise::raise)?;
+    let (read, path) = watched_apart(py, move |_| {
+        let table = read_file(&path, |bytes| particles::read(bytes, &options));
+        (table.map(|table| (table.mass_properties(), table)), path)
+    })?;
+    let (properties, table) = read.map_err(Raise::raise)?;
+    let properties = properties.map_err(Raise::raise)?;
     let source = of_file(&path, "particles")
         .described(table.described())
         .with("particles", table.particles.len())
@@ -106,7 +111,8 @@ pub(crate) fn molecule_file(py: Python<'_>, path: PathBuf, average: bool) -> PyR
         "mol" => MoleculeFormat::Mol,
         _ => MoleculeFormat::Sdf,
     };
-    let molecules = py.detach(|| molecule::read(&path, format)).map_err(Raise::raise)?;
+    let (molecules, path) = watched_apart(py, move |_| (molecule::read(&path, format), path))?;
+    let molecules = molecules.map_err(Raise::raise)?;
     let report = |(number, molecule): (usize, &molecule::Molecule)| {
         let block = MoleculeReport {
             formula: molecule.formula(),
@@ -143,9 +149,10 @@ pub(crate) fn voxel_file(
     per_value: f64,
 ) -> PyResult<PyMassProperties> {
     let options = VoxelOptions { spacing, unit, origin };
-    let read = py.detach(|| {
-        let misread = |error| FormatError::of_content(&path, &[], error);
-        let mut voxels = voxel::open(&path)?;
+    let of_file_at = path.clone();
+    let read = watched_apart(py, move |_| {
+        let misread = |error| FormatError::of_content(&of_file_at, &[], error);
+        let mut voxels = voxel::open(&of_file_at)?;
         let grid = voxels.grid(&options).map_err(misread)?;
         let kind = voxels.type_name();
         Ok::<_, FormatError>((
@@ -153,7 +160,7 @@ pub(crate) fn voxel_file(
             kind,
             voxels.mass_properties(&grid, per_value).map_err(misread)?,
         ))
-    });
+    })?;
     let (counts, kind, body) = read.map_err(Raise::raise)?;
     let body = body.map_err(Raise::raise)?;
     let properties = in_body(body.properties).map_err(Raise::raise)?;

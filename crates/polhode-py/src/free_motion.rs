@@ -65,8 +65,9 @@ impl PyFreeMotion {
 
     /// A few times (n,), ω (n, 3) and the attitude (n, 4), all in new arrays.
     fn few<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Few<'py>> {
-        let given = PyArray1::from_slice(py, numbers(&times)?);
+        let given = numbers(&times)?;
         let [omega, attitude] = [3, 4].map(|columns| PyArray2::zeros(py, [given.len(), columns], false));
+        let given = PyArray1::from_slice(py, given);
         self.fill(py, times, omega.clone(), attitude.clone())?;
         Ok((given, omega, attitude))
     }

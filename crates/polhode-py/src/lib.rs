@@ -71,7 +71,7 @@ mod _native {
     #[pymodule_export]
     use crate::mass_properties::PyMassProperties;
     #[pymodule_export]
-    use crate::mesh::{mesh_arrays, mesh_file};
+    use crate::mesh::{mesh_arrays, mesh_corners, mesh_file};
     #[pymodule_export]
     use crate::motion::{PyMotion, motion_page, simulate};
     #[pymodule_export]

@@ -13,6 +13,7 @@ use pyo3::prelude::*;
 
 use crate::arrays::{cube, numbers, room, rows, table};
 use crate::error::{Raise, refused};
+use crate::interrupt::{copied, watched_apart};
 use crate::mass_properties::PyMassProperties;
 use crate::substance::Given;
 
@@ -121,16 +122,16 @@ impl PyMeshDerivatives {
         given: Given,
     ) -> PyResult<Self> {
         let substance = given.required()?;
-        let points = rows::<3>(&vertices)?;
+        let points = copied(py, rows::<3>(&vertices)?)?;
         let corners = triangles.as_slice().map_err(|error| refused(error.to_string(), None))?;
-        let corners = corners.as_chunks().0;
-        py.detach(|| {
-            let mesh = TriangleMesh::new(points.to_vec(), corners.to_vec()).map_err(Raise::raise)?;
-            let solid = ClosedMesh::of(&mesh).map_err(Raise::raise)?;
+        let corners = copied(py, corners.as_chunks().0)?;
+        watched_apart(py, move |goes_on| {
+            let mesh = TriangleMesh::new(points, corners).map_err(Raise::raise)?;
+            let solid = ClosedMesh::watched(&mesh, goes_on).map_err(Raise::raise)?;
             solid.mass_properties(substance).map_err(Raise::raise)?;
-            let vertices = found(&solid, points, corners)?;
+            let vertices = found(&solid, mesh.coordinates(), mesh.triangles())?;
             Ok(Self { solid, substance, vertices })
-        })
+        })?
     }
 
     #[getter]

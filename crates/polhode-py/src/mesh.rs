@@ -6,7 +6,7 @@ use numpy::PyReadonlyArray2;
 use polhode::body::density::{Cubature, FieldError, Solid, mass_properties_of_field};
 use polhode::body::mesh::{ConvexHull, MeshShell, TriangleMesh};
 use polhode::body::shape::{Extent, Shape, Substance};
-use polhode::body::{Finding, MassProperties, Severity};
+use polhode::body::{BodyError, Finding, MassProperties, Severity};
 use polhode_formats::expression::Expression;
 use polhode_formats::mesh::{
     AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshPart, MeshRepair, MeshSolid, RepairBound,
@@ -17,6 +17,7 @@ use pyo3::prelude::*;
 
 use crate::arrays::rows;
 use crate::error::{Raise, refused};
+use crate::interrupt::{copied, watched_apart};
 use crate::mass_properties::PyMassProperties;
 use crate::shape::in_body;
 use crate::substance::Given;
@@ -69,12 +70,12 @@ pub(crate) fn mesh_file(
         .find(|known| known.name() == format)
         .ok_or_else(|| refused(format!("no mesh format is called {format:?}"), None))?;
     let substance = (given.substance()?, own(&options.parts)?);
-    py.detach(|| {
+    watched_apart(py, move |goes_on| {
         let contents = MeshContents::read(&path, format).map_err(Raise::raise)?;
         let title = format!("{} {}", format.title(), contents.encoding).trim_end().to_owned();
         let source = SourceInfo::new(path.display().to_string(), format.name());
-        of_contents(contents, &path, format, &options, substance, (source, &title))
-    })
+        of_contents(contents, (&path, format), &options, substance, (source, &title), goes_on)
+    })?
 }
 
 /// The mass properties of triangles: vertices (n, 3), m, and the numbers of three of them for each triangle (m, 3).
@@ -90,23 +91,52 @@ pub(crate) fn mesh_arrays(
     given: Given,
 ) -> PyResult<PyMassProperties> {
     let substance = (given.substance()?, own(&options.parts)?);
-    let points = rows::<3>(&vertices)?.to_vec();
+    let points = copied(py, rows::<3>(&vertices)?)?;
     let corners = triangles.as_slice().map_err(|error| refused(error.to_string(), None))?;
-    let corners = corners.as_chunks().0.to_vec();
-    py.detach(|| {
-        let mesh = TriangleMesh::new(points, corners).map_err(Raise::raise)?;
+    let corners = copied(py, corners.as_chunks().0)?;
+    of_arrays(py, move || TriangleMesh::new(points, corners), options, substance)
+}
+
+/// The mass properties of triangles by their corners (n, 9), m.
+///
+/// # Errors
+/// `PolhodeError` if they bound no solid.
+#[pyfunction]
+pub(crate) fn mesh_corners(
+    py: Python<'_>,
+    corners: PyReadonlyArray2<'_, f64>,
+    options: MeshOptions,
+    given: Given,
+) -> PyResult<PyMassProperties> {
+    let substance = (given.substance()?, own(&options.parts)?);
+    let triangles = copied(py, rows::<9>(&corners)?)?;
+    let mesh = move || {
+        let corner = |[a, b, c, d, e, f, g, h, i]: [f64; 9]| [[a, b, c], [d, e, f], [g, h, i]];
+        TriangleMesh::of_soup(triangles.into_iter().map(corner).collect())
+    };
+    of_arrays(py, mesh, options, substance)
+}
+
+/// Of a mesh that is made where it is measured.
+fn of_arrays(
+    py: Python<'_>,
+    mesh: impl FnOnce() -> Result<TriangleMesh, BodyError> + Send + 'static,
+    options: MeshOptions,
+    substance: Made,
+) -> PyResult<PyMassProperties> {
+    watched_apart(py, move |goes_on| {
         let contents = MeshContents {
             encoding: "",
             name: String::new(),
             unit: None,
-            parts: vec![MeshPart { name: String::new(), mesh }],
+            parts: vec![MeshPart { name: String::new(), mesh: mesh().map_err(Raise::raise)? }],
             findings: Vec::new(),
         };
         let source = SourceInfo::new("arrays", "python");
         // The format only names the file that there is not.
-        let path = Path::new("the arrays");
-        of_contents(contents, path, MeshFormat::Off, &options, substance, (source, "arrays"))
-    })
+        let file = (Path::new("the arrays"), MeshFormat::Off);
+        of_contents(contents, file, &options, substance, (source, "arrays"), goes_on)
+    })?
 }
 
 /// What all is made of, and what parts of these names are.
@@ -118,12 +148,16 @@ fn own(parts: &[(String, Given)]) -> PyResult<Vec<(String, Substance)>> {
 
 fn of_contents(
     mut contents: MeshContents,
-    path: &Path,
-    format: MeshFormat,
+    (path, format): (&Path, MeshFormat),
     options: &MeshOptions,
     substance: Made,
     (source, title): (SourceInfo, &str),
+    goes_on: &(dyn Fn() -> bool + Sync),
 ) -> PyResult<PyMassProperties> {
+    // Nobody hears of it, as the signal is raised instead.
+    let ended = || refused("the computation is interrupted", None);
+    let require_wanted = || if goes_on() { Ok(()) } else { Err(ended()) };
+    require_wanted()?;
     let (given, count, encoding) = (contents.triangles(), contents.parts.len(), contents.encoding);
     let in_metres = options.unit.is_none() && contents.unit.is_none();
     let described = |what: &str, triangles: usize, parts: usize, unit: f64| {
@@ -140,7 +174,7 @@ fn of_contents(
     if let Some(thickness) = options.shell {
         let contents = contents.in_metres(options.unit);
         let shell = |part: &MeshPart| Ok((part.name.clone(), boxed(MeshShell::new(&part.mesh, thickness)?)));
-        let pieces: Result<Vec<_>, polhode::body::BodyError> = contents.parts.iter().map(shell).collect();
+        let pieces: Result<Vec<_>, BodyError> = contents.parts.iter().map(shell).collect();
         let pieces = pieces.map_err(Raise::raise)?;
         let unit = contents.unit.unwrap_or(1.0);
         return weighed(
@@ -162,6 +196,7 @@ fn of_contents(
     let file = path.display().to_string();
     let raised = |error| MeshRepair::explained(&repairs, error).raise();
     if options.union {
+        require_wanted()?;
         let united = UnitedMesh::of(contents, path, options.unit).map_err(raised)?;
         let mut findings = united.findings_of(&repairs, &file);
         findings.extend(united.findings_in(&file));
@@ -179,7 +214,9 @@ fn of_contents(
         let source = with_repairs(source.with("taken_as", "union").with(name, numbers), &repairs);
         return weighed(source, vec![(String::new(), boxed(united.union))], substance, findings, in_metres);
     }
-    let solid = MeshSolid::of(contents, path, format, options.unit).map_err(raised)?;
+    require_wanted()?;
+    let solid = MeshSolid::watched(contents, path, format, options.unit, goes_on).map_err(raised)?;
+    require_wanted()?;
     let mut findings = MeshRepair::findings(&repairs, &solid, &file);
     findings.extend(solid.findings_in(&file));
     let turned = solid.parts.iter().any(|part| part.mesh.inverted());
@@ -274,7 +311,7 @@ fn weighed(
         let properties = in_body(shape.mass_properties(of(name).unwrap_or(common))?)?;
         Ok(PartRow { name: name.clone(), properties, volume: Some(volume(shape.as_ref())) })
     };
-    let rows = pieces.iter().map(row).collect::<Result<Vec<_>, polhode::body::BodyError>>();
+    let rows = pieces.iter().map(row).collect::<Result<Vec<_>, BodyError>>();
     let area = pieces.iter().map(|(_, shape)| shape.surface_area()).sum();
     together(
         source,

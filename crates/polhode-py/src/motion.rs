@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 use numpy::{PyArray1, PyReadonlyArray1};
 use polhode::motion::gimbal::GimbalSample;
 use polhode::motion::torque::TorqueModel;
-use polhode::motion::{Ending, ErrorEffort, Run, Scenario, Trajectory, TrajectoryDerivatives};
+use polhode::motion::{
+    Ending, ErrorEffort, Event, Measure, MotionError, Run, Scenario, Trajectory, TrajectoryDerivatives,
+};
 use polhode_formats::table::{Column, columns};
 use polhode_report::{
     MotionReport, PageInput, PageSubject, SourceInfo, VERSION, explain_motion, has_triangles, page_data,
@@ -18,7 +20,9 @@ use crate::derivatives::{Derived, derived_run, parameters};
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
 use crate::interrupt::watched;
-use crate::scenario::{self, PythonTorque, Raised, heard, with_functions};
+use crate::scenario::{
+    self, PythonMeasure, PythonTorque, Raised, has_raised, heard, with_functions, with_measures,
+};
 
 /// What the page of a scenario without a title is called.
 const UNTITLED: &str = "motion";
@@ -33,15 +37,18 @@ pub(crate) struct PyMotion {
     trajectory: Trajectory,
     /// With the keys of the parameters.
     derivatives: Option<(TrajectoryDerivatives, Vec<String>)>,
-    /// By its torques that Python computes.
+    /// By its torques and events that Python computes.
     raised: Raised,
+    /// Whether it goes on from another one.
+    is_continued: bool,
 }
 
 /// An event: its name, when (s), whether what it watches was rising, ω and attitude there.
 type Happened = (String, f64, bool, [f64; 3], [f64; 4]);
 
 /// Computes the motion of a scenario: of a file, or of a text, whose files are found beside `path`. `times` take the place of its run's. Its derivatives
-/// by the start, the inertia and numbers of torques by their keys, if these are given. `functions` take the place of some of its torques.
+/// by the start, the inertia and numbers of torques by their keys, if these are given. What Python computes takes the place of some of its torques, and of
+/// what some of its events measure.
 ///
 /// # Errors
 /// `PolhodeError` if there is no such motion, `KeyboardInterrupt`.
@@ -53,27 +60,17 @@ pub(crate) fn simulate(
     times: Option<PyReadonlyArray1<'_, f64>>,
     error: &str,
     derivatives: Option<Vec<String>>,
-    functions: Vec<PythonTorque>,
+    (functions, measures): (Vec<PythonTorque>, Vec<PythonMeasure>),
 ) -> PyResult<PyMotion> {
-    let effort = match error {
-        "none" => None,
-        "thorough" => Some(ErrorEffort::Thorough),
-        "cheap" => Some(ErrorEffort::Cheap),
-        _ => Some(ErrorEffort::Auto),
-    };
     let mut file = py.detach(|| scenario::read(path.clone(), text)).map_err(Raise::raise)?;
     let raised = Raised::default();
     file.scenario = with_functions(file.scenario, functions, &raised)?;
+    file.scenario = with_measures(file.scenario, measures, &raised)?;
     if let Some(times) = times {
         file.scenario = scenario::sampled(file.scenario, numbers(&times)?);
     }
     let by = derivatives.as_ref().map(|keys| parameters(keys, file.scenario.torques())).transpose()?;
-    let computed = watched(py, |look| match effort {
-        Some(effort) => file.scenario.simulate_with_error(effort, look),
-        None => file.scenario.simulate_watched(look),
-    })?;
-    heard(&raised)?;
-    let Some(motion) = computed else {
+    let Some(motion) = computed(py, &file.scenario, error, &raised)? else {
         return Err(refused(
             format!("{} has no [run] section, so there is no time to simulate", path.display()),
             Some("give times, or write [run] with duration = \"10 s\" and samples = 1001"),
@@ -86,7 +83,34 @@ pub(crate) fn simulate(
         None => None,
     };
     let derivatives = derived.transpose().map_err(placed)?.zip(derivatives);
-    Ok(PyMotion { path, text: file.text, trajectory, scenario: file.scenario, derivatives, raised })
+    let scenario = file.scenario;
+    Ok(PyMotion { path, text: file.text, trajectory, scenario, derivatives, raised, is_continued: false })
+}
+
+/// The motion of a scenario, with as much of an estimate of its error as `error` says; `None` without a run.
+///
+/// # Errors
+/// What a function of Python's has raised, `KeyboardInterrupt`.
+fn computed(
+    py: Python<'_>,
+    scenario: &Scenario,
+    error: &str,
+    raised: &Raised,
+) -> PyResult<Option<Result<Trajectory, MotionError>>> {
+    let effort = match error {
+        "none" => None,
+        "thorough" => Some(ErrorEffort::Thorough),
+        "cheap" => Some(ErrorEffort::Cheap),
+        _ => Some(ErrorEffort::Auto),
+    };
+    let motion = watched(py, |look| {
+        let look = &mut |time: f64| look(time) && !has_raised(raised);
+        match effort {
+            Some(effort) => scenario.simulate_with_error(effort, look),
+            None => scenario.simulate_watched(look),
+        }
+    })?;
+    heard(raised).map(|()| motion)
 }
 
 #[pymethods]
@@ -122,8 +146,7 @@ impl PyMotion {
         all.sort_by(f64::total_cmp);
         all.dedup();
         let scenario = self.scenario.clone().sampled(Run { times: all, ..run.clone() });
-        let again = watched(py, |look| scenario.simulate_watched(look))?;
-        heard(&self.raised)?;
+        let again = computed(py, &scenario, "none", &self.raised)?;
         let again = again.ok_or_else(|| refused("there is no run", None))?.map_err(Raise::raise)?;
         let samples = again.samples();
         let (mut omega, mut attitude) = (Vec::new(), Vec::new());
@@ -137,6 +160,23 @@ impl PyMotion {
             attitude.extend(state.attitude.quaternion());
         }
         Ok((table(py, omega, 3)?, table(py, attitude, 4)?))
+    }
+
+    /// The motion of the same scenario from its end on, at these times.
+    fn after(&self, py: Python<'_>, times: PyReadonlyArray1<'_, f64>, error: &str) -> PyResult<Self> {
+        let times = numbers(&times)?.to_vec();
+        let scenario = self.scenario.after(&self.trajectory, times).map_err(Raise::raise)?;
+        let motion = computed(py, &scenario, error, &self.raised)?;
+        let motion = motion.ok_or_else(|| refused("there is no run", None))?;
+        Ok(Self {
+            path: self.path.clone(),
+            text: self.text.clone(),
+            trajectory: motion.map_err(Raise::raise)?,
+            scenario,
+            derivatives: None,
+            raised: Raised::clone(&self.raised),
+            is_continued: true,
+        })
     }
 
     /// The path and the text of the scenario.
@@ -216,12 +256,14 @@ impl PyMotion {
     fn page_data(&self, py: Python<'_>, triangles: Option<usize>) -> String {
         py.detach(|| {
             // What cannot be explained, as a pendulum whose axis cannot hold it, can still be shown.
+            // One that goes on from another is explained there, from the start on.
             let explanation = explain_motion(&self.scenario, &self.trajectory).ok();
+            let explanation = explanation.filter(|_| !self.is_continued);
             let input = PageInput {
                 title: self.scenario.title().unwrap_or(UNTITLED),
                 source: &format!("polhode {VERSION} in Python"),
-                // No text has a function of Python's.
-                scenario_text: (!self.has_functions()).then_some(&*self.text),
+                // No text has a function of Python's, or starts where another motion ends.
+                scenario_text: (!self.has_functions() && !self.is_continued).then_some(&*self.text),
                 subject: PageSubject::Scenario(&self.scenario),
                 trajectory: &self.trajectory,
                 explanation: explanation.as_ref(),
@@ -240,7 +282,9 @@ pub(crate) fn motion_page(title: Option<&str>, data: &str) -> String {
 
 impl PyMotion {
     fn has_functions(&self) -> bool {
+        let of_event = |event: &Event| matches!(event.measure(), Measure::Function(_));
         self.scenario.torques().iter().any(|torque| matches!(torque, TorqueModel::Own(_)))
+            || self.scenario.events().iter().any(of_event)
     }
 
     /// Of the torque since the start, at each sample, J.

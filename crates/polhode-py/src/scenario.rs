@@ -1,4 +1,4 @@
-//! Scenarios as texts: their tables, what is noticed of them, and torques that Python computes.
+//! Scenarios as texts: their tables, what is noticed of them, and torques and events that Python computes.
 
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use numpy::{PyArray1, PyReadonlyArray2};
 use polhode::math::{Body, Space, Torque};
 use polhode::motion::torque::{MemberState, TorqueModel};
-use polhode::motion::{ActingTorque, Method, Rotor, Run, Scenario, State};
+use polhode::motion::{ActingTorque, Event, EventFunction, Measure, Method, Rotor, Run, Scenario, State};
 use polhode_formats::scenario::{Draft, ScenarioFile};
 use pyo3::prelude::*;
 
@@ -69,6 +69,10 @@ pub(crate) fn sampled(scenario: Scenario, times: &[f64]) -> Scenario {
 /// that gives three components.
 pub(crate) type PythonTorque = (usize, bool, Py<PyAny>);
 
+/// What an event measures, computed by Python: which of the scenario's it is, whether it depends on the body's mass, and a function of time, ω, the
+/// attitude's quaternion and L that gives a number.
+pub(crate) type PythonMeasure = (usize, bool, Py<PyAny>);
+
 /// Raises what a function of Python's has raised.
 pub(crate) fn heard(raised: &Raised) -> PyResult<()> {
     raised.lock().unwrap_or_else(PoisonError::into_inner).take().map_or(Ok(()), Err)
@@ -107,10 +111,58 @@ pub(crate) fn with_functions(
     scenario.under(acting).map_err(Raise::raise)
 }
 
+/// The scenario with events that measure what Python computes, in the place of some of its own.
+///
+/// # Errors
+/// `PolhodeError` where the scenario has no such event.
+pub(crate) fn with_measures(
+    scenario: Scenario,
+    measures: Vec<PythonMeasure>,
+    raised: &Raised,
+) -> PyResult<Scenario> {
+    if measures.is_empty() {
+        return Ok(scenario);
+    }
+    let mut events = scenario.events().to_vec();
+    for (place, needs_body, measure) in measures {
+        let event =
+            events.get_mut(place).ok_or_else(|| refused(format!("there is no event {place}"), None))?;
+        let measure = Measure::Function(measured(needs_body, measure, Arc::clone(raised)));
+        *event = Event::new(event.name(), measure, event.value(), event.sense(), event.action())
+            .map_err(Raise::raise)?;
+    }
+    scenario.watching(events).map_err(Raise::raise)
+}
+
+/// What a function of Python's measures.
+fn measured(needs_body: bool, measure: Py<PyAny>, raised: Raised) -> EventFunction {
+    let value = move |state: &State, momentum: [f64; 3]| {
+        // What ends the run may come a few calls later.
+        if has_raised(&raised) {
+            return f64::NAN;
+        }
+        let given = (state.time, state.omega.to_array(), state.attitude.quaternion(), momentum);
+        let found = Python::attach(|py| measure.call1(py, given)?.extract::<f64>(py));
+        found.unwrap_or_else(|error| {
+            raised.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+            f64::NAN
+        })
+    };
+    match needs_body {
+        true => EventFunction::of_body(move |rotor, state| value(state, in_body_axes(rotor, state))),
+        false => EventFunction::new(move |state| value(state, [f64::NAN; 3])),
+    }
+}
+
+/// L along body axes.
+fn in_body_axes(rotor: &Rotor, state: &State) -> [f64; 3] {
+    (state.attitude.inverse() * rotor.angular_momentum_space(state)).to_array()
+}
+
 /// A torque that a function of Python's computes for one body.
 pub(crate) fn function(in_space: bool, law: Py<PyAny>, raised: Raised) -> TorqueModel {
     TorqueModel::function("function", move |rotor: &Rotor, state: &State| {
-        let momentum = (state.attitude.inverse() * rotor.angular_momentum_space(state)).to_array();
+        let momentum = in_body_axes(rotor, state);
         let given = (state.time, state.omega.to_array(), state.attitude.quaternion(), momentum);
         let found = Python::attach(|py| law.call1(py, given)?.extract::<[f64; 3]>(py));
         match found {
@@ -134,9 +186,8 @@ pub(crate) fn vectorized(in_space: bool, law: Py<PyAny>, raised: Raised) -> Torq
             let member = PyArray1::from_iter(py, asked.iter().map(|one| one.member));
             let omega = asked.iter().flat_map(|one| one.state.omega.to_array()).collect();
             let attitude = asked.iter().flat_map(|one| one.state.attitude.quaternion()).collect();
-            let momentum = asked.iter().flat_map(|MemberState { rotor, state, .. }| {
-                (state.attitude.inverse() * rotor.angular_momentum_space(state)).to_array()
-            });
+            let momentum =
+                asked.iter().flat_map(|MemberState { rotor, state, .. }| in_body_axes(rotor, state));
             let (omega, attitude) = (table(py, omega, 3)?, table(py, attitude, 4)?);
             let momentum = table(py, momentum.collect(), 3)?;
             let found = law.call1(py, (time, omega, attitude, momentum, member))?;

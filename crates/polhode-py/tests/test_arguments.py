@@ -106,6 +106,7 @@ def functions() -> dict[Callable[..., object], dict[str, Any]]:
         free.error: {"times": [1.0, 2.0]},
         free.page: {"duration": 3.0},
         ensemble.at: {"times": [0.0, 1.0], "threads": 1, "tolerance": 1e-9},
+        motion.extend: {"duration": 1.0, "samples": 3, "error": "cheap"},
         plot.omega: {"motion": free, "times": [0.0, 1.0]},
         plot.attitude: {"motion": free, "times": [0.0, 1.0]},
         plot.momentum: {"motion": motion},
@@ -113,8 +114,8 @@ def functions() -> dict[Callable[..., object], dict[str, Any]]:
         plot.polhode: {"motion": free},
         polhode.batch.Plan: {"source": PLAN.format(members=10)},
         polhode.batch.inputs: {"plan": plan, "members": range(3)},
-        polhode.batch.simulate: {"rows": rows, "plan": plan},
-        polhode.batch.trajectories: {"rows": rows, "plan": plan},
+        polhode.batch.simulate: {"rows": rows, "plan": plan, "threads": 1},
+        polhode.batch.trajectories: {"rows": rows, "plan": plan, "threads": 1},
         polhode.sweep.run: {"plan": plan, "output": "x", "on": None, "threads": 1, "workers": None, "resume": False, "force": True, "progress": max, "worker_timeout": 3.0},
     }
     values = {"size": [1, 2, 3], "semi_axes": [1, 2, 3], "vertices": VERTICES, "mass": 1.0, "ends": False, "tube_radius": 0.1, "top_radius": 0.1}
@@ -194,7 +195,7 @@ def test_batches_say_what_they_are_given() -> None:
     assert polhode.batch.simulate(whole, plan).equals(polhode.batch.simulate(floats, plan))
     huge = rows.set_column(1, rows.schema.names[1], pa.array([1, 0, -1, 2**60]))
     for call, says in (
-        (lambda: polhode.batch.simulate(rows.to_pydict(), plan), "rows must be a pyarrow RecordBatch or Table, not builtins.dict"),
+        (lambda: polhode.batch.simulate(rows.schema.names, plan), "rows must be a pyarrow RecordBatch or Table, a dataframe, or a mapping from columns to arrays, not builtins.list"),
         (lambda: polhode.batch.simulate(huge, plan), r"column start_spin_body_x_rad_s\[3\] = 1152921504606846976 must be a float64 exactly"),
         (lambda: polhode.batch.inputs(plan, [1, 2]), "members must be a range, not list"),
     ):

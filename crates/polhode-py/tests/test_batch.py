@@ -17,7 +17,7 @@ import pyarrow as pa
 import pyarrow.parquet
 import pytest
 from conftest import PLAN, digest
-from polhode import batch, sweep
+from polhode import _pieces, batch, sweep
 
 
 @pytest.fixture
@@ -72,6 +72,7 @@ def test_what_are_no_rows_is_refused(plan: batch.Plan) -> None:
     rows = batch.inputs(plan, range(0, 3))
     for wrong, error, says in (
         (rows.drop_columns(["member"]), polhode.PolhodeError, "there is no column member"),
+        ([1.0, 2.0], TypeError, "rows must be a pyarrow RecordBatch or Table, a dataframe, or a mapping"),
         (rows.set_column(0, "member", pa.array([0.0, 1.0, 2.0])), TypeError, "member must hold whole numbers, not double"),
         (rows.set_column(0, "member", pa.array([0, None, 2])), polhode.PolhodeError, "rows without a value"),
         (rows.set_column(0, "member", pa.array([0, -1, 2])), polhode.PolhodeError, "negative"),
@@ -190,21 +191,22 @@ def test_what_there_is_no_memory_for_is_refused(plan: batch.Plan) -> None:
         bodies.at(np.zeros(10_000_000))
 
 
-@pytest.mark.usefixtures("ctrl_c")
-def test_pieces_do_not_shrink_while_the_processor_is_with_others(plan: batch.Plan) -> None:
+def test_pieces_do_not_shrink_while_the_processor_is_with_others() -> None:
     sizes: list[int] = []
 
-    def simulated(columns: list[Any]) -> Any:
-        sizes.append(len(columns[0][1]))
-        time.sleep(0.6 * batch.LOOK if len(sizes) < 6 else 0.0)
-        return plan._native.simulate(columns)
+    def piece(start: int, stop: int) -> tuple[int, int]:
+        sizes.append(stop - start)
+        time.sleep(0.6 * _pieces.LOOK if len(sizes) < 6 else 0.0)
+        return start, stop
 
-    rows = batch.inputs(plan, range(63))
-    assert batch._mapped(rows, plan, rows.schema.names, simulated).equals(batch.simulate(rows, plan))
-    assert sizes == [1, 2, 4, 8, 16, 32]
+    found = _pieces.of(piece, 63, 1)
+    assert [stop - start for start, stop in found] == sizes == [1, 2, 4, 8, 16, 32]
+    assert [start for start, _ in found] == [0, 1, 3, 7, 15, 31]
 
 
-def test_ctrl_c_ends_rows_that_take_long(examples: Path) -> None:
+@pytest.mark.usefixtures("ctrl_c")
+@pytest.mark.parametrize("threads", [1, 2])
+def test_ctrl_c_ends_rows_that_take_long(examples: Path, threads: int) -> None:
     """A table of few rows, each of them a long motion."""
     text = (examples / "formula.toml").read_text().replace('"4 min"', '"2e4 s"').replace("samples = 961", "samples = 2")
     text += '[sweep]\nmembers = 40\nseed = 7\nsampling = "monte carlo"\n[[sweep.vary]]\nkey = "start.spin.body[1]"\nuniform = { from = 1, to = 3 }\n'
@@ -214,7 +216,7 @@ def test_ctrl_c_ends_rows_that_take_long(examples: Path) -> None:
     timer = threading.Timer(0.2, _thread.interrupt_main)
     timer.start()
     with pytest.raises(KeyboardInterrupt):
-        batch._mapped(rows, long, batch._names(long), lambda columns: (done.append(len(columns[0][1])), long._native.simulate(columns))[1])
+        batch._mapped(rows, batch._names(long), lambda columns: (done.append(len(columns[0][1])), long._native.simulate(columns))[1], threads)
     timer.join()
     assert sum(done) < 40
 

@@ -10,7 +10,7 @@ import polhode
 import pytest
 
 #: Classes that users make; the others come back from functions, and say what they have by attribute.
-MADE = {"Body", "Ensemble", "FreeMotion", "MassProperties", "Scenario"}
+MADE = {"Body", "Ensemble", "Flights", "FreeMotion", "MassProperties", "Scenario"}
 
 
 def called() -> Iterator[tuple[str, Any]]:

@@ -228,6 +228,8 @@ def test_a_widget_in_jupyterlab(browser: Browser, lab: Lab) -> None:
     page.evaluate("window.jupyterapp.commands.execute('apputils:change-theme', { theme: 'JupyterLab Dark' })")
     widget.locator("html[data-theme=dark]").wait_for(state="attached")
     picture(page, "dark")
+    # What the notebook stores follows the knobs once they rest.
+    page.wait_for_timeout(1500)
     page.evaluate("window.jupyterapp.commands.execute('docmanager:save')")
     page.wait_for_function("!window.jupyterapp.shell.currentWidget.context.model.dirty")
     assert problems == []
@@ -256,6 +258,13 @@ def test_a_notebook_without_its_kernel(browser: Browser, lab: Lab, tmp_path: Pat
     page, problems = opened(browser, lab, "again.ipynb")
     shown = viewer(page, ".jp-Cell:nth-of-type(1) .polhode-motion")
     assert is_drawn(shown) and of_kernel(page, "'polhode' in globals()") is False and problems == []
+    # In the widget's place is the motion that it showed last.
+    cell = page.locator(".jp-Cell").nth(1)
+    cell.scroll_into_view_if_needed()
+    last = viewer(page, ".jp-Cell:nth-of-type(2) .polhode-motion")
+    assert is_drawn(last) and (shown_omega(last)[0, 1]).round(2) == 3.0
+    assert cell.locator(".polhode-widget").count() == 0 and not page.get_by_text("Error displaying widget").is_visible()
+    picture(page, "again")
     page.close()
 
     # A page of nbconvert's has all three, the widget's as an output.

@@ -244,3 +244,33 @@ def test_a_motion_that_stopped_is_known_up_to_there(tmp_path: Path) -> None:
     (tmp_path / "part.stl").write_bytes(mesh)
     path.write_text("")  # its text is in the copy
     assert pickle.loads(sent).at(0.9 * last) == before
+
+
+def test_errors_have_parts() -> None:
+    error = top().error
+    assert error is not None
+    part = error[1:3]
+    assert isinstance(part, polhode.MotionError) and len(part) == 2 and (part.omega == error.omega[1:3]).all() and part != error
+    assert error[-1].attitude == error.attitude[-1] and repr(error[-1]).startswith("MotionError(attitude ") and error[:] == error
+    with pytest.raises(IndexError):
+        error[len(error)]
+
+
+def test_every_result_is_shown_in_a_notebook(examples: Path) -> None:
+    path = examples / "t-handle.toml"
+    scenario = polhode.Scenario.from_toml(path)
+    shown = {
+        "stability": (polhode.stability(path), "<pre>"),
+        "spin": (polhode.spin(moments=[3.0836, 3.235, 1.0], periods=[7.40, 5.38], convention="long"), "<pre>"),
+        "scenario": (scenario, "<pre>title = &quot;T-handle"),
+        "derivatives": (polhode.FreeMotion(moments=[1, 2, 3], omega=[0.1, 1, 0.2]).derivatives([0.0, 1.0]), "array (2, 6, 6)"),
+        "particles": (polhode.particle_derivatives(masses=[1.0, 2.0, 3.0], positions=[[0, 0, 1], [1, 0, 0], [0, 2, 0]]), "array (10, 3, 3)"),
+        "flight": (polhode.Flight(times=[0.0, 0.1], gyro=[[1.5, 2, 3], [1, 2, 3]]), "1.5, 2, 3, 1, 2, 3"),
+        "plan": (polhode.batch.Plan(examples / "sweeps" / "uncertain-satellite.toml"), "500 members"),
+        "error": (top().error, "<table>"),
+    }
+    for name, (result, words) in shown.items():
+        assert words in result._repr_html_(), name
+    # Formulas are Markdown's.
+    explained = polhode.explain(path)
+    assert explained._repr_html_ is None and explained._repr_markdown_()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -121,3 +122,10 @@ def test_a_body_is_a_mapping_and_a_subject() -> None:
     moved = body.placed(position=[1, 2, 3], rotation=turn)
     whole = body.mass_properties.placed(position=[1, 2, 3], rotation=turn)
     assert np.allclose(moved.mass_properties.inertia, whole.inertia, rtol=1e-12, atol=1e-15) and list(moved) == ["a", "b"]
+
+
+def test_a_step_file_that_is_not_there_is_that_first(tmp_path: Path) -> None:
+    """Whether there is an OpenCASCADE or not."""
+    with pytest.raises(FileNotFoundError) as error:
+        polhode.inertia(tmp_path / "part.step")
+    assert error.value.errno == 2 and str(error.value.filename).endswith("part.step")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import subprocess
 import sys
 from pathlib import Path
@@ -10,7 +11,7 @@ from typing import Any
 import numpy as np
 import polhode
 import pytest
-from polhode import Knob, PolhodeError, _display, _packed
+from polhode import Knob, PolhodeError, _display, _packed, _widget
 from polhode.scenario import Drag, FormulaTorque, FunctionTorque, Part, Run, Start
 
 
@@ -157,6 +158,43 @@ def test_where_there_are_no_widgets_the_motion_is_an_output(racket: polhode.Scen
     data, _ = widget._repr_mimebundle_()
     assert data["text/plain"] == "MotionWidget(a scenario: ωy = 5 rad/s)" and "application/vnd.jupyter.widget-view+json" in data
     assert _packed.pack_text(widget.motion._output_data) in data["text/html"]
+
+
+def test_a_notebook_has_the_motion_that_was_shown_last_beside_the_widget(racket: polhode.Scenario, monkeypatch: pytest.MonkeyPatch) -> None:
+    shown: list[tuple[str, dict[str, str]]] = []
+    for name in ("display", "update_display"):
+        monkeypatch.setattr(f"IPython.display.{name}", lambda data, *_, display_id=None, **__: shown.append((display_id, data)))
+    widget = polhode.widget(racket, ["start.omega[1]"])
+    widget._ipython_display_()
+    assert [display_id for display_id, _ in shown] == [None] and "widget-view" in str(shown[0][1].keys())
+    shown.clear()
+    monkeypatch.setattr(_display, "is_notebook", lambda: True)
+    monkeypatch.setattr(_display, "brings_viewer", lambda: True)
+    widget.values = {"start.spin.body[1]": 6.0}
+    assert shown == [], "it is not displayed yet"
+    widget._ipython_display_()
+    (name, stored), (none, live) = shown
+    assert name is not None and none is None and live["text/html"] == "" and "application/vnd.jupyter.widget-view+json" in live
+    assert "data-beside" in stored["text/html"] and 'class="polhode-viewer"' in stored["text/html"] and stored["text/plain"] == ""
+    assert _packed.pack_text(widget.motion._output_data) in stored["text/html"]
+    # Without a loop at once, with the viewer that it has brought.
+    widget.values = {"start.spin.body[1]": 7.0}
+    again, last = shown[-1]
+    assert again == name and last["text/html"] != stored["text/html"] and 'class="polhode-viewer"' in last["text/html"]
+    assert _packed.pack_text(widget.motion._output_data) in last["text/html"]
+    with pytest.raises(PolhodeError):
+        widget.values = {"start.spin.body[1]": float("nan")}
+    assert len(shown) == 3
+
+    async def turns() -> None:
+        for k in range(5):
+            widget.values = {"start.spin.body[1]": 8.0 + k}
+        assert len(shown) == 3
+        await asyncio.sleep(_widget.RESTS + 0.2)
+
+    # In a kernel once, after the last of several turns.
+    asyncio.run(turns())
+    assert len(shown) == 4 and _packed.pack_text(widget.motion._output_data) in shown[-1][1]["text/html"]
 
 
 def test_anywidget_is_imported_only_for_a_widget(tmp_path: Path) -> None:

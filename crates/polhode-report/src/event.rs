@@ -152,6 +152,7 @@ fn measure(measure: &Measure) -> Value {
         Measure::Precession => "precession".into(),
         Measure::Spin => "spin".into(),
         Measure::Formula(_) => "formula".into(),
+        Measure::Function(_) => "function".into(),
         _ => Value::Null,
     }
 }

@@ -172,6 +172,7 @@ fn taylor(rotor: &Rotor, torques: &[TorqueModel]) -> Result<[f64; 2], Box<dyn Er
                 switched_off,
                 start,
                 events,
+                event_sides: &[],
                 times,
                 method,
                 tolerance,

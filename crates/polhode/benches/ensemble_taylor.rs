@@ -94,6 +94,7 @@ fn alone(member: &Member, tolerance: f64) -> Simulation<'_> {
         switched_off: &[],
         start: member.start,
         events: &[],
+        event_sides: &[],
         times: &[END],
         method: Method::Taylor,
         tolerance,

@@ -122,6 +122,7 @@ fn run(problem: &Problem, name: &str, size: f64, method: Method) -> Result<(), M
         switched_off: &[],
         start: *start,
         events: &[],
+        event_sides: &[],
         times: &[*end],
         method,
         tolerance,

@@ -2,6 +2,7 @@
  * The script of an output that shows a motion. The motion's data are in it, packed; the viewer is in one of the notebook's outputs, the first. Where
  * no script runs, a sentence stands in the output.
  */
+import { beside } from "./beside";
 import { frame } from "./frame";
 import { known, wait } from "./shared";
 
@@ -22,10 +23,14 @@ for (const output of document.querySelectorAll<HTMLElement>(".polhode-motion:not
     const said = output.querySelector("p");
     if (said) said.textContent = words;
   };
-  const viewer = known(key);
-  if (viewer) show(viewer);
-  else {
-    say(ABSENT);
-    wait(key, show);
-  }
+  const start = (): void => {
+    const viewer = known(key);
+    if (viewer) show(viewer);
+    else {
+      say(ABSENT);
+      wait(key, show);
+    }
+  };
+  if (output.dataset.beside === undefined) start();
+  else beside(output, start);
 }

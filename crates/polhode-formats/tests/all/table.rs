@@ -80,6 +80,7 @@ fn estimated_errors_are_columns_of_their_own() {
             omega: AngularVelocity::new(0.4, 1.1, -0.7),
         },
         events: &[],
+        event_sides: &[],
         times: &[0.0, 5.0, 9.0],
         method: Method::Taylor,
         tolerance: 1e-9,

@@ -31,7 +31,8 @@ from ._ensemble_states import EnsembleStates, Failure, Stop
 from ._error import PolhodeError, PolhodeWarning
 from ._estimate import Estimate, Number, PrincipalEstimate, ResidualTest
 from ._explain import Explanation, explain
-from ._flight import Flight, find_flights
+from ._flight import Flight
+from ._flights import Flights, find_flights
 from ._free_motion import FreeMotion
 from ._identified import (
     Edge,
@@ -104,6 +105,7 @@ __all__ = [
     "Finding",
     "Flight",
     "FlightFit",
+    "Flights",
     "FreeMotion",
     "Judgement",
     "Knob",
@@ -203,6 +205,7 @@ for _public in (
     Finding,
     Flight,
     FlightFit,
+    Flights,
     FreeMotion,
     Judgement,
     Knob,

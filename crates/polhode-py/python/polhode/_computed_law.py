@@ -1,4 +1,4 @@
-"""Torques that are Python functions, called with numbers: for one body, or for many at once."""
+"""Torques and events that are Python functions, called with numbers: for one body, or for many at once."""
 
 from __future__ import annotations
 
@@ -28,6 +28,23 @@ def computed(law: Any) -> Callable[..., tuple[float, ...]]:
         return tuple(torque.tolist())
 
     return of
+
+
+def measured(law: Any) -> Callable[..., float]:
+    """What an event measures, of numbers: of time, ω, the attitude's quaternion and L along body axes."""
+    needed = asked(law)
+
+    def of(t: float, omega: list[float], quaternion: list[float], momentum: list[float]) -> float:
+        state = State(t, np.array(omega), np.array(quaternion), np.array(momentum), 0)
+        value = called_with(law, {name: getattr(state, name) for name in needed})
+        return _arrays.number(f"what an event measures at t = {t} s", value)
+
+    return of
+
+
+def needs_momentum(law: Any) -> bool:
+    """Whether it asks for L, which depends on the body."""
+    return any(name.startswith("momentum") for name in asked(law))
 
 
 def computed_of_many(law: Any) -> Callable[..., Floats]:

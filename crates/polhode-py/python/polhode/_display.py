@@ -27,14 +27,14 @@ def viewer() -> tuple[str, bytes]:
     return hashlib.sha256(packed).hexdigest()[:16], packed
 
 
-def html(title: str, data: str, *, in_widget: bool = False) -> str:
-    """An output that shows a motion, whose page has these data. That of a widget is shown only where there are no widgets."""
+def html(title: str, data: str, *, beside_widget: bool = False, brings_viewer: bool | None = None) -> str:
+    """An output that shows a motion, whose page has these data; one beside a widget is seen where the widget is not. Whether it brings the viewer is known of an output that is there already."""
     key, packed = viewer()
     brought = ""
-    if (_widgets if in_widget else _outputs).brings_viewer():
+    if _outputs.brings_viewer() if brings_viewer is None else brings_viewer:
         brought = f'<script type="text/plain" class="polhode-viewer" data-key="{key}">{base64.b64encode(packed).decode("ascii")}</script>'
     return (
-        f'<div class="polhode-motion" data-viewer="{key}" style="min-height: 40px"><p>{escape(title)}: {_FALLBACK}</p>{brought}'
+        f'<div class="polhode-motion" data-viewer="{key}"{" data-beside" if beside_widget else ""} style="min-height: 40px"><p>{escape(title)}: {_FALLBACK}</p>{brought}'
         f'<script type="text/plain" class="polhode-packed">{_packed.pack_text(data)}</script><script>{_script()}</script></div>'
     )
 
@@ -47,6 +47,16 @@ def data_of(page: str) -> str:
 @cache
 def _script() -> str:
     return Path(__file__).with_name("_display.js").read_text("utf-8")
+
+
+def is_notebook() -> bool:
+    """Whether outputs are in one document of a kernel's."""
+    return _shell() is not None
+
+
+def brings_viewer() -> bool:
+    """Whether the output that is made now is to bring the viewer."""
+    return _outputs.brings_viewer()
 
 
 class _Cell:
@@ -71,8 +81,7 @@ class _Cell:
         return True
 
 
-#: Outputs do not look for it in those of widgets, which may not be shown.
-_outputs, _widgets = _Cell(), _Cell()
+_outputs = _Cell()
 
 
 def _shell() -> Any:

@@ -40,6 +40,9 @@ class Explanation(Record):
     def __str__(self) -> str:
         return self.text
 
+    #: Markdown has its formulas.
+    _repr_html_ = None  # type: ignore[assignment]
+
     def _repr_markdown_(self) -> str:
         return self.markdown
 

@@ -8,7 +8,7 @@ from typing import Any, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _native, _units
+from . import _arrays, _native
 from ._arrays import Floats
 from ._error import PolhodeError
 from ._record import Record
@@ -53,6 +53,9 @@ class Flight(Record):
             raise PolhodeError("attitude_times mean nothing without attitude")
         if len(gyro) or self.attitude is None:
             as_long("times", times, "gyro", gyro)
+        for what, when in (("times", times), ("attitude_times", at)):
+            later = np.append(True, np.diff(when) > 0.0)[: len(when)]
+            _arrays.refuse(what, when, ~later, "greater than the one before")
         wheels = tuple(
             (tuple(_arrays.triple(f"wheels[{k}][0]", axis)), _arrays.number(f"wheels[{k}][1]", momentum))
             for k, (axis, momentum) in enumerate(self.wheels)
@@ -89,56 +92,6 @@ class Flight(Record):
             "wheels": [(list(axis), momentum) for axis, momentum in given.wheels],
             "torques": self.torques,
         }
-
-
-def find_flights(
-    *,
-    times: npt.ArrayLike,
-    gyro: npt.ArrayLike,
-    slowest: float = 3.0,
-    shortest: float = 0.3,
-    torque: float = 0.2,
-) -> list[Flight]:
-    """Cuts the flights out of a long log: where the body turns fast for a while, and nothing turns it.
-
-    Parameters
-    ----------
-    times, gyro
-        Times (n,), s, and ω along the sensor's axes (n, 3), rad/s.
-    slowest
-        In flight the body turns at least so fast, rad/s.
-    shortest
-        A flight lasts at least so long, s.
-    torque
-        In flight the torque is at most this part of \\|I ω²\\|: a hand makes it as large as that.
-
-    Returns
-    -------
-    list of Flight
-        In the order of time; they are called by their number and their first time.
-
-    Raises
-    ------
-    PolhodeError
-        Where an argument is refused: its name, the element and the rule are in the message.
-
-    Examples
-    --------
-    A log at rest has none:
-
-    >>> import numpy as np, polhode
-    >>> polhode.find_flights(times=np.arange(100) * 0.01, gyro=np.full((100, 3), 0.001))
-    []
-    """
-    when, omega = _arrays.numbers("times", times, ("n",)), _arrays.numbers("gyro", gyro, ("n", 3))
-    as_long("times", when, "gyro", omega)
-    _units.without("torque", torque)
-    limits = _arrays.positive("slowest", slowest), _arrays.positive("shortest", shortest), _arrays.positive("torque", torque)
-    flights = []
-    for k, (start, end) in enumerate(_native.find_flights(when, omega, *limits)):
-        inside = (when >= start) & (when <= end)
-        flights.append(Flight(name=f"flight {k + 1}, {start:.2f} s", times=when[inside], gyro=omega[inside]))
-    return flights
 
 
 def as_long(name: str, one: Floats, other_name: str, other: Floats) -> None:

@@ -20,6 +20,11 @@ def rows(head: Iterable[str], body: Iterable[tuple[str, Iterable[str]]]) -> str:
     return f"<table><thead><tr><th></th>{heads}</tr></thead><tbody>{lines}</tbody></table>"
 
 
+def text(words: str) -> str:
+    """A text as it is printed."""
+    return f"<pre>{escape(words)}</pre>"
+
+
 def frame(page: str, height: int = 640) -> str:
     """A page in a frame of its own: its scripts reach nothing outside."""
     return (

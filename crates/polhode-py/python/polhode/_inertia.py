@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 from typing import Any, Mapping
 
+import numpy as np
 import numpy.typing as npt
 
 from . import _arrays, _native, _source, _step
@@ -275,6 +276,8 @@ def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) 
             "tolerance": number("tolerance"),
         }
         if path is None:
+            if isinstance(source, np.ndarray):
+                return MassProperties._of(_native.mesh_corners(source.reshape(-1, 9), how, substance))
             return MassProperties._of(_native.mesh_arrays(*_arrays.mesh(*source), how, substance))
         ending = _ending(path)
         return MassProperties._of(_native.mesh_file(path, "gltf" if ending == "glb" else ending, how, substance))

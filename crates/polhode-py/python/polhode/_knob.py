@@ -13,14 +13,14 @@ from typing import Any
 from . import _arrays, _native
 from ._error import PolhodeError
 from ._scenario import _SEVERAL, Scenario
-from .scenario import FunctionTorque, Start
+from .scenario import Start
 
 #: As many knobs as there are unless it is said which.
 FEW = 4
 
 #: What arguments of :class:`polhode.Scenario` are called in files.
 _ALIASES = [
-    *((rf"^start\.{name}(?=\[)", f"start.spin.{key}") for name, key in Start._SPIN.items()),
+    *((rf"^start\.{name}(?=\[|$)", f"start.spin.{key}") for name, key in Start._SPIN.items()),
     *((rf"^{name}(?=\[)", key) for name, (key, _) in _SEVERAL.items()),
     (r"^body(?=\[)", "body.part"),
 ]
@@ -62,8 +62,8 @@ Knobs = Sequence[str] | Mapping[str, Knob | tuple[float, float] | None]
 def knobs_of(scenario: Scenario, asked: Knobs | None) -> list[dict[str, Any]]:
     """The knobs that are asked for, or the most telling ones: objects with key, label, unit, what, value, low, high and scale."""
     there = {knob["key"]: knob for knob in json.loads(_native.scenario_knobs(scenario._path, scenario._text()))}
-    functions = [f"torque[{k}]." for k, torque in enumerate(scenario.torques) if isinstance(torque, FunctionTorque)]
-    there = {key: knob for key, knob in there.items() if not key.startswith(tuple(functions))}
+    own = tuple(f"{table}[{k}]." for table, k in scenario._own())
+    there = {key: knob for key, knob in there.items() if not key.startswith(own)}
     if asked is None:
         return [_knob(knob, Knob()) for knob in list(there.values())[:FEW]]
     if isinstance(asked, str) or not isinstance(asked, Iterable):
@@ -114,10 +114,16 @@ def _knob(knob: Mapping[str, Any], given: Knob) -> dict[str, Any]:
     }
 
 
-def _key(scenario: Scenario, name: str) -> str:
-    """A key as files have it: of an argument's name, and of an element by its ``name``."""
+def key_of_argument(name: str) -> str:
+    """A key as files have it: of an argument's name."""
     for pattern, key in _ALIASES:
         name = re.sub(pattern, key, name)
+    return name
+
+
+def _key(scenario: Scenario, name: str) -> str:
+    """The same, and of an element by its ``name``."""
+    name = key_of_argument(name)
     for table, rows in (("body.part", scenario.body), *((key, scenario._several[several]) for several, (key, _) in _SEVERAL.items())):
         for k, row in enumerate(rows):
             called = row.to_dict().get("name", "")
@@ -142,5 +148,4 @@ def with_values(scenario: Scenario, knobs: Sequence[Mapping[str, Any]], values: 
         for step in way:
             place = place[step]
         place[last] = f"{value!r} {knob['written']}" if knob["written"] else value
-    kept = {k: torque for k, torque in enumerate(scenario.torques) if isinstance(torque, FunctionTorque)}
-    return Scenario._of(tables, scenario.folder, kept)
+    return Scenario._of(tables, scenario.folder, scenario._own())

@@ -13,7 +13,7 @@ import numpy.typing as npt
 from . import _arrays, _display, _native
 from ._arrays import Floats
 from ._derivatives import Derivatives, derivatives_of
-from ._error import PolhodeError
+from ._error import PolhodeError, warn
 from ._mass_properties import Finding, findings_of
 from ._record import same
 from ._states import MotionError, States, rotations
@@ -56,12 +56,16 @@ class Motion(Table):
     several. Copies, in other processes too, hold all of the motion by value.
     """
 
-    def __init__(self, native: _native.Motion, sampled: Floats | None = None, has_functions: bool = False) -> None:
+    def __init__(
+        self, native: _native.Motion, sampled: Floats | None = None, has_functions: bool = False, continued: tuple[Floats, ...] = ()
+    ) -> None:
         self._native = native
-        #: Whether functions of Python are among its torques, which copies do not have.
+        #: Whether functions of Python are among its torques and events, which copies do not have.
         self._has_functions = has_functions
         #: Times that took the place of those of the scenario.
         self._sampled = None if sampled is None else sampled.copy()
+        #: The times of each motion that went on from the one before, up to this one; none of a motion from the scenario's start.
+        self._continued = continued
 
     @property
     def times(self) -> Floats:
@@ -199,10 +203,70 @@ class Motion(Table):
         if given.ndim > 1:
             raise PolhodeError(f"times must have the shape (n,) or be a number, not {given.shape}")
         asked = _arrays.numbers("times", np.atleast_1d(given), ("n",))
-        last = float(self._columns["time_s"].values[-1])
+        first, last = float(self._columns["time_s"].values[0]), float(self._columns["time_s"].values[-1])
+        if self._continued:
+            _arrays.refuse("times", asked, asked < first, f"at least {first}, where this motion goes on from another")
         _arrays.refuse("times", asked, asked > last, f"at most {last}, the motion's last time: simulate has times for more")
         states = States(asked.copy(), *self._computed().at(asked))
         return states[0] if given.ndim == 0 else states
+
+    def extend(self, duration: float, *, samples: int = 1001, error: str = "auto") -> Motion:
+        """The motion that follows, from its end on: under the same torques at their times, with those on that are on at the end, and with the events that come next.
+
+        Both together are the motion that a longer run has, within the tolerance of its steps. Where an event stopped it, it goes on from there. ``work``,
+        ``error`` and ``findings`` are those of what follows, counted from its first time.
+
+        Parameters
+        ----------
+        duration
+            How much longer, s.
+        samples
+            How many times, evenly from the end of this motion to the end of that one, both included.
+        error
+            As :func:`simulate` has it.
+
+        Returns
+        -------
+        Motion
+            Of the further times alone.
+
+        Raises
+        ------
+        PolhodeError
+            Where it cannot go on: it has failed, or is that of a body on the ground or in gimbals, whose state is more than attitude and ω; simulate these for longer.
+        KeyboardInterrupt
+            By Ctrl-C, which ends the computation.
+
+        Examples
+        --------
+        >>> import polhode
+        >>> from polhode.scenario import Event, Run, Start
+        >>> racket = polhode.Scenario(
+        ...     polhode.MassProperties(mass=1.0, inertia=[1.0, 2.0, 2.5]),
+        ...     start=Start(omega=[0.0, 3.0, 0.1]),
+        ...     events=[Event(name="over", measure="omega_body_y", value=0.0, then="stop")],
+        ...     run=Run(duration=100.0, samples=101),
+        ... )
+        >>> first = polhode.simulate(racket)
+        >>> second = first.extend(100.0)
+        >>> first.ending.kind, second.ending.kind, bool(second.times[0] == first.times[-1])
+        ('stopped', 'stopped', True)
+        """
+        further = _arrays.positive("duration", duration)
+        count = _arrays.count("samples", samples, 2)
+        error = _arrays.choice("error", error, ["auto", "cheap", "thorough"])
+        last = float(self._columns["time_s"].values[-1])
+        times = last + further * (np.arange(count) / (count - 1))
+        if not (np.diff(times) > 0.0).all():
+            raise PolhodeError(f"duration = {further} s is too short for {count} samples at t = {last} s")
+        native = self._computed().after(times, error)
+        motion = Motion(native, self._sampled, self._has_functions, (*self._continued, times))
+        motion._warn_of_failure()
+        return motion
+
+    def _warn_of_failure(self) -> None:
+        if self.ending.kind == "failed":
+            warn(f"the motion ends at t = {self.ending.time} s: {self.ending.cause}")
 
     def rotations(self) -> Rotation:
         """The attitudes as a ``scipy.spatial.transform.Rotation``: it takes body components to space components."""
@@ -248,8 +312,10 @@ class Motion(Table):
         """What Rust computed; of a copy once more."""
         if "_native" not in vars(self):
             if self._has_functions:
-                raise PolhodeError("this copy of a motion has no functions of Python, of which its torques were", "ask the motion itself")
-            again = _native.simulate(*self._source, self._sampled, "none", None, [])
+                raise PolhodeError("this copy of a motion has no functions of Python, of which its torques or events were", "ask the motion itself")
+            again = _native.simulate(*self._source, self._sampled, "none", None, ([], []))
+            for times in self._continued:
+                again = again.after(times, "none")
             there = {name: values for name, _, _, values in again.columns()}
             # Errors of it are not estimated again.
             if not all(same(there.get(name), self._columns[name].values) for name in _STATE):

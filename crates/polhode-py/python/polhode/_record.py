@@ -7,6 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from . import _html
+
+#: Numbers of an array that are shown one by one, at most.
+SHOWN = 6
+
 
 class Record:
     """What frozen dataclasses with arrays have in common: equal are those whose numbers are equal, NaN to NaN; arrays are read-only, in copies too."""
@@ -24,9 +29,28 @@ class Record:
             return NotImplemented
         return all(same(getattr(self, field.name), getattr(other, field.name)) for field in fields(self))  # type: ignore[arg-type]
 
+    def _repr_html_(self) -> str:
+        """What is printed, or, of what is printed in a line, its fields."""
+        said = str(self)
+        if "\n" in said:
+            return _html.text(said)
+        named = ((field.name, getattr(self, field.name)) for field in fields(self) if not field.name.startswith("_"))  # type: ignore[arg-type]
+        return _html.rows([type(self).__name__], ((name, [_brief(value)]) for name, value in named))
+
     def __setstate__(self, state: dict[str, Any]) -> None:
         vars(self).update(state)
         Record.__post_init__(self)
+
+
+def _brief(value: object) -> str:
+    """A value of a field in a few words."""
+    if isinstance(value, np.ndarray):
+        shape = f"array ({', '.join(map(str, value.shape))}{',' if value.ndim == 1 else ''})"
+        return ", ".join(map(_html.number, value.ravel())) if value.size <= SHOWN and value.dtype.kind == "f" else shape
+    if isinstance(value, float):
+        return _html.number(value)
+    words = repr(value) if not isinstance(value, str) else value
+    return words if len(words) <= 100 else f"{words[:97]}…"
 
 
 def same(one: object, other: object) -> bool:

@@ -9,9 +9,9 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence
 
-from . import _arrays, _native, _section
+from . import _arrays, _html, _native, _section
 from ._body import Body
-from ._computed_law import computed, computed_of_one
+from ._computed_law import computed, computed_of_one, measured, needs_momentum
 from ._error import PolhodeError
 from ._mass_properties import Finding, MassProperties, findings_of
 from ._section import Section
@@ -173,8 +173,8 @@ class Scenario:
         return cls._of(tables, where)
 
     @classmethod
-    def _of(cls, tables: Mapping[str, Any], folder: str, functions: Mapping[int, Torque] = MappingProxyType({})) -> Scenario:
-        """The scenario of a file's tables; of torques that no file can hold by their places."""
+    def _of(cls, tables: Mapping[str, Any], folder: str, functions: Mapping[tuple[str, int], Section] = MappingProxyType({})) -> Scenario:
+        """The scenario of a file's tables; of torques and events that no file can hold by their places."""
         known = {"title", "body", *(key for key, _ in (*_ONE.values(), *_SEVERAL.values()))}
         other = [key for key in tables if key not in known]
         if other:
@@ -185,8 +185,7 @@ class Scenario:
             if key in tables:
                 given[name] = kind.from_dict(tables[key])
         for name, (key, kind) in _SEVERAL.items():
-            own = functions if key == "torque" else {}
-            given[name] = [own[k] if k in own else kind.from_dict(table) for k, table in enumerate(tables.get(key, ()))]
+            given[name] = [functions.get((key, k)) or kind.from_dict(table) for k, table in enumerate(tables.get(key, ()))]
         body = tables["body"]
         parts = [Part.from_dict(part) for part in body["part"]]
         return cls(parts, pivot=body.get("pivot"), title=tables.get("title"), folder=folder, **given)
@@ -209,10 +208,12 @@ class Scenario:
         Raises
         ------
         PolhodeError
-            Where a torque is a :class:`polhode.scenario.FunctionTorque`, which no file can hold.
+            Where a torque is a :class:`polhode.scenario.FunctionTorque`, or an event measures a function, which no file can hold.
         """
         if self._functions():
             raise PolhodeError("a FunctionTorque is a function of this program, which no file can hold", "polhode.scenario.torque makes a formula of it")
+        if self._measures():
+            raise PolhodeError("an event measures a function of this program, which no file can hold", "a formula of the state can be written")
         text = self._text()
         if path is not None:
             with open(_arrays.path("path", path), "w", encoding="utf-8", newline="\n") as file:
@@ -363,6 +364,16 @@ class Scenario:
         functions = [(k, one) for k, one in torques if isinstance(one, FunctionTorque)]
         return [(k, one.axes == "space", computed_of_one(one.law) if one.vectorized else computed(one.law)) for k, one in functions]
 
+    def _measures(self) -> list[tuple[int, bool, Callable[..., float]]]:
+        """Which events measure what Python computes: their places, whether it depends on the body, and how."""
+        events = ((k, event.measure) for k, event in enumerate(self.events))
+        return [(k, needs_momentum(measure), measured(measure)) for k, measure in events if callable(measure)]
+
+    def _own(self) -> dict[tuple[str, int], Section]:
+        """The torques and events that no file can hold, by their tables and places."""
+        torques = {("torque", k): one for k, one in enumerate(self.torques) if isinstance(one, FunctionTorque)}
+        return {**torques, **{("event", k): one for k, one in enumerate(self.events) if callable(one.measure)}}
+
     @property
     def _path(self) -> str:
         """Where its text would stand."""
@@ -392,8 +403,7 @@ class Scenario:
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Scenario):
             return NotImplemented
-        laws = [[one.law for one in each.torques if isinstance(one, FunctionTorque)] for each in (self, other)]
-        same = self._tables() == other._tables() and laws[0] == laws[1]
+        same = self._tables() == other._tables() and self._own() == other._own()
         return same and os.path.abspath(self._folder) == os.path.abspath(other._folder)
 
     __hash__ = None  # type: ignore[assignment]
@@ -408,6 +418,9 @@ class Scenario:
 
     def __str__(self) -> str:
         return self._text()
+
+    def _repr_html_(self) -> str:
+        return _html.text(self._text())
 
 
 def _parts_of(body: object) -> tuple[Part, ...]:

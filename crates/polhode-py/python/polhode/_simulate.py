@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import numpy.typing as npt
 
@@ -100,9 +100,10 @@ def simulate(
     >>> motion.derivatives.events[0].time_by_parameters.round(12)
     array([-6.])
     """
-    functions = []
+    functions: list[tuple[int, bool, Callable[..., tuple[float, ...]]]] = []
+    measures: list[tuple[int, bool, Callable[..., float]]] = []
     if isinstance(scenario, Scenario):
-        path, text, functions = scenario._path, scenario._text(), scenario._functions()
+        path, text, functions, measures = scenario._path, scenario._text(), scenario._functions(), scenario._measures()
     elif isinstance(scenario, str) and "\n" in scenario:
         path, text = "scenario.toml", _arrays.text("scenario", scenario)
     else:
@@ -110,14 +111,14 @@ def simulate(
     error = _arrays.choice("error", error, ["auto", "cheap", "thorough"])
     sampled = None if times is None else _arrays.numbers("times", times, ("n",))
     try:
-        motion = Motion(_native.simulate(path, text, sampled, error, _keys(derivatives), functions), sampled, bool(functions))
+        native = _native.simulate(path, text, sampled, error, _keys(derivatives), (functions, measures))
     except PolhodeError as refused:
         if isinstance(scenario, Scenario) and refused.line is not None:
             raise scenario._placed(refused) from None
         raise
+    motion = Motion(native, sampled, bool(functions or measures))
     warn_of_scenario(motion.findings)
-    if motion.ending.kind == "failed":
-        warn(f"the motion ends at t = {motion.ending.time} s: {motion.ending.cause}")
+    motion._warn_of_failure()
     return motion
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -22,8 +22,12 @@ KNOWN = (
 )
 
 
-def mesh_of(source: Any) -> tuple[object, object] | None:
-    """Vertices and triangles, if that is what is given; ``None`` of a path or of an open file."""
+#: Bytes that are read or written without a look for Ctrl-C.
+PIECE = 1 << 23
+
+
+def mesh_of(source: Any) -> tuple[object, object] | Floats | None:
+    """Vertices and triangles, or triangles by their corners (n, 3, 3), if that is what is given; ``None`` of a path or of an open file."""
     if isinstance(source, (str, os.PathLike)) or hasattr(source, "read"):
         return None
     if hasattr(source, "vertices"):
@@ -39,22 +43,12 @@ def mesh_of(source: Any) -> tuple[object, object] | None:
     if isinstance(source, tuple):
         raise PolhodeError(f"source is a tuple of {len(source)}: a mesh is (vertices, triangles)")
     if isinstance(source, (list, np.ndarray)):
-        return _joined(_arrays.numbers("source", source, ("n", 3, 3)))
+        corners = _arrays.numbers("source", source, ("n", 3, 3))
+        if not len(corners):
+            raise PolhodeError("source has no triangles")
+        return corners
     more = ": give the mesh of all of it, scene.to_mesh()" if type(source).__name__ == "Scene" else ""
     raise TypeError(f"source must be {KNOWN}, not {type(source).__name__}{more}")
-
-
-def _joined(corners: Floats) -> tuple[object, object]:
-    """Corners of triangles that are at the same place, to the bit, are one vertex."""
-    if not len(corners):
-        raise PolhodeError("source has no triangles")
-    points = corners.reshape(-1, 3) + 0.0  # no zero has a sign
-    order = np.lexsort(points.T)
-    ascending = points[order]
-    is_new = np.concatenate([[True], (ascending[1:] != ascending[:-1]).any(axis=1)])
-    numbers = np.empty(len(points), np.int64)
-    numbers[order] = np.cumsum(is_new) - 1
-    return ascending[is_new], numbers.reshape(-1, 3)
 
 
 def has_units_of_length(source: Any) -> bool:
@@ -75,14 +69,11 @@ def read(source: Any, format: str | None, function: Callable[[str], MassProperti
     ending = Path(name).suffix if format is None else f".{_arrays.text('format', format).lstrip('.')}"
     if not ending:
         raise PolhodeError("the open file has no name that says what it is", 'say how its name would end: format="stl"')
-    data = source.read()
-    if isinstance(data, str):
-        data = data.encode()
-    if not isinstance(data, (bytes, bytearray, memoryview)):
-        raise TypeError(f"source.read() must give bytes or text, not {type(data).__name__}")
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / f"{Path(name).stem}{ending}"
-        path.write_bytes(data)
+        with open(path, "wb") as file:
+            for data in _pieces(source):
+                file.write(data)
         hidden = f"{folder}{os.sep}"
         try:
             body = function(str(path))
@@ -91,6 +82,20 @@ def read(source: Any, format: str | None, function: Callable[[str], MassProperti
         except FileNotFoundError as error:  # one that it names
             raise FileNotFoundError(error.errno, *_without(hidden, (error.strerror, error.filename))) from None
         return rebuilt(MassProperties, _without(hidden, body._native.state()))
+
+
+def _pieces(source: Any) -> Iterator[bytes | bytearray | memoryview]:
+    """What an open file has, piece by piece: Python looks for Ctrl-C between them."""
+    # What only has a read() of its own may know no sizes.
+    pieces = iter(lambda: source.read(PIECE), None) if hasattr(source, "readable") else iter([source.read()])
+    for data in pieces:
+        if isinstance(data, str):
+            data = data.encode()
+        if not isinstance(data, (bytes, bytearray, memoryview)):
+            raise TypeError(f"source.read() must give bytes or text, not {type(data).__name__}")
+        if not len(data):
+            break
+        yield data
 
 
 def _without(folder: str, value: Any) -> Any:

@@ -95,7 +95,7 @@ class States(Table):
 @dataclass(frozen=True, eq=False, repr=False)
 class MotionError(Table, Record):
     """How far each state may be from the true one: estimates, arrays (n,) in the order of the times; it unpacks as these four. Where nothing is known, π
-    of an attitude, and ``inf`` of ω."""
+    of an attitude, and ``inf`` of ω. ``error[k]`` is that of a state, ``error[2:5]`` of several."""
 
     #: Of the computation: the angle between the attitudes, rad. It grows along the way.
     attitude: Floats
@@ -123,7 +123,13 @@ class MotionError(Table, Record):
     def __len__(self) -> int:
         return len(self.attitude)
 
+    def __getitem__(self, which: Any) -> MotionError:
+        # A copy, as those of states are.
+        return MotionError(*(np.array(array[which]) for array in self))
+
     def __repr__(self) -> str:
+        if not self.attitude.ndim:
+            return f"MotionError(attitude {self.attitude:.2g} rad, ω {self.omega:.2g})"
         if not len(self):
             return "MotionError(0 times)"
         return f"MotionError({len(self)} times, attitude up to {self.attitude.max():.2g} rad, ω up to {self.omega.max():.2g})"

@@ -18,6 +18,9 @@ _ERRORS = (1e-9, 1e-12)
 
 def solids(path: str) -> tuple[list[_native.Solid], _native.Step]:
     """The solids in m and at a density of 1 kg/m³, and what is to be said of the file."""
+    # A file that is not there is that first.
+    with open(path, "rb") as file:
+        is_empty = not file.read(1)
     try:
         from OCP.BRep import BRep_Tool
         from OCP.BRepCheck import BRepCheck_Analyzer
@@ -28,8 +31,6 @@ def solids(path: str) -> tuple[list[_native.Solid], _native.Step]:
     except ImportError as error:
         raise ImportError("STEP files need OpenCASCADE: pip install cadquery-ocp") from error
 
-    with open(path, "rb") as file:
-        is_empty = not file.read(1)
     if is_empty:
         raise PolhodeError(f"{path} is empty", "export it again")
     reader = STEPControl_Reader()

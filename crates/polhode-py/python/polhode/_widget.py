@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import asyncio
+import secrets
 import warnings
 from collections.abc import Mapping
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +22,9 @@ from ._scenario import Scenario
 from ._simulate import simulate
 
 _HERE = Path(__file__).parent
+
+#: Knobs rest after so long without a turn, s.
+RESTS = 0.5
 
 
 class MotionWidget(anywidget.AnyWidget):
@@ -50,6 +56,10 @@ class MotionWidget(anywidget.AnyWidget):
     def __init__(self, scenario: Scenario, knobs: list[dict[str, Any]], error: str) -> None:
         self._error = error
         self._first = scenario
+        #: What names the output beside the widget, once it is displayed, and whether the viewer is in it.
+        self._stored: str | None = None
+        self._brings_viewer: bool | None = None
+        self._storing: asyncio.TimerHandle | None = None
         values = {knob["key"]: knob["value"] for knob in knobs}
         # What is refused at the start is the caller's to know.
         motion, notes = self._simulated(scenario)
@@ -98,6 +108,7 @@ class MotionWidget(anywidget.AnyWidget):
         with self.hold_sync():
             self.packed = packed
             self.answer = {"turn": turn, "values": values, "refusal": None, "notes": notes}
+        self._store_later()
 
     def _turned(self, change: Mapping[str, Any]) -> None:
         """Answers the page: with a motion, or with what was refused."""
@@ -131,11 +142,51 @@ class MotionWidget(anywidget.AnyWidget):
             self.send({"viewer": key}, [viewer])
 
     def _repr_mimebundle_(self, **kwargs: Any) -> Any:
-        """The widget; where there is none, as on a page that nbconvert makes, the motion as an output shows it."""
+        """The widget; where there is none, the motion as an output shows it."""
         shown = super()._repr_mimebundle_(**kwargs)
         if shown is not None:
-            shown[0]["text/html"] = _display.html(self.motion.title or "motion", self.motion._output_data, in_widget=True)
+            shown[0]["text/html"] = self._html()
         return shown
+
+    def _ipython_display_(self, **kwargs: Any) -> None:
+        """The motion as an output shows it, for notebooks without their kernel and for pages made of them, and the widget, beside which it is hidden.
+
+        JupyterLab takes the widget of an output that has both, and has nothing in its place if the kernel is gone.
+        """
+        display: Any = import_module("IPython.display").display
+        if not _display.is_notebook():
+            data, metadata = self._repr_mimebundle_(**kwargs) or ({"text/plain": repr(self)}, {})
+            display(data, metadata=metadata, raw=True)
+            return
+        if self._stored is None:
+            self._stored = secrets.token_hex(16)
+            self._brings_viewer = _display.brings_viewer()
+        display({"text/html": self._html(), "text/plain": ""}, raw=True, display_id=self._stored)
+        shown = super()._repr_mimebundle_(**kwargs)
+        if shown is not None:
+            # Where there are no widgets the output before this one is enough.
+            display({**shown[0], "text/html": ""}, metadata=shown[1], raw=True)
+
+    def _html(self) -> str:
+        motion = self.motion
+        return _display.html(motion.title or "motion", motion._output_data, beside_widget=True, brings_viewer=self._brings_viewer)
+
+    def _store_later(self) -> None:
+        """The output beside the widget gets the motion that is shown, once the knobs rest."""
+        if self._stored is None:
+            return
+        try:
+            loop = asyncio.get_running_loop()
+        except RuntimeError:
+            self._store()
+            return
+        if self._storing is not None:
+            self._storing.cancel()
+        self._storing = loop.call_later(RESTS, self._store)
+
+    def _store(self) -> None:
+        update_display: Any = import_module("IPython.display").update_display
+        update_display({"text/html": self._html(), "text/plain": ""}, raw=True, display_id=self._stored)
 
     def __repr__(self) -> str:
         at = ", ".join(f"{knob['label']} = {self.answer['values'][knob['key']]:g} {knob['unit']}".rstrip() for knob in self.knobs)

@@ -1,8 +1,8 @@
 """Plans, and the pure function from a record batch to a record batch that sweeps are made of; it needs PyArrow.
 
 Rows in, a member of a plan each, as :func:`inputs` makes them; rows out, each with what becomes of its member. A row knows of no other row:
-wherever a table is cut, and on whatever machines its pieces are computed, the bits are the same. So an engine for tables is all that a cluster
-needs, and :mod:`polhode.sweep` brings two.
+wherever a table is cut, and on whatever machines and threads its pieces are computed, the bits are the same. So an engine for tables is all that a
+cluster needs, and :mod:`polhode.sweep` brings two. A table of the user's own, arrays or a dataframe, is as good as that of :func:`inputs`.
 
 >>> import polhode.batch
 >>> plan = polhode.batch.Plan('''
@@ -39,28 +39,25 @@ True
 from __future__ import annotations
 
 import os
-import time
+from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
-from typing import Any, Iterable, NamedTuple, TypeVar
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from . import _arrays, _native
+from . import _arrays, _html, _native, _pieces
 from ._error import PolhodeError
 from ._mass_properties import Finding, findings_of, warn_of
+from ._scenario import Scenario
+from ._vary import Vary, placed, plan_lines, sweep_of
 
 try:
     import pyarrow as pa
 except ImportError as error:
     raise ImportError("record batches need PyArrow: pip install pyarrow") from error
 
-#: Rows that are computed without a look for Ctrl-C, at most, and for how long that may be, s of the processor, where a row does not take longer: by
-#: the clock, pieces would shrink to single rows on a busy machine, and rows side by side take less.
-PIECE = 256
-LOOK = 0.1
-
-#: A record batch, or a table of several.
-Rows = TypeVar("Rows", pa.RecordBatch, pa.Table)
+# It is named here, and needs no PyArrow.
+Vary.__module__ = __name__
 
 
 class Variable(NamedTuple):
@@ -75,17 +72,87 @@ class Variable(NamedTuple):
 
 
 class Plan:
-    """A scenario, and what differs from member to member: of a file, or of its text (a ``str`` of more than one line).
+    """A scenario, and what differs from member to member: of a file, of its text (a ``str`` of more than one line), or of a :class:`polhode.Scenario`.
 
     A plan travels to other processes as its text. The files that it names, if there are any, have to be at the same path there, with
     the same contents: a plan that arrives as another is refused. What had to be assumed, and members that are not possible, are a
     :class:`polhode.PolhodeWarning` where a plan is read, and in ``findings``.
+
+    Parameters
+    ----------
+    source
+        A path, a text, or a scenario.
+    vary
+        Of a scenario: what varies, a list of :class:`Vary`.
+    members
+        How many there are; left out of a grid.
+    sampling
+        ``"monte carlo"``, ``"latin hypercube"``, ``"sobol"`` or ``"grid"``.
+    seed, replicates, trajectories, questions
+        As `files <https://github.com/polhode/polhode/blob/main/book/sweep.md#the-plan>`_ have them; ``questions`` are conditions by name.
+
+    Raises
+    ------
+    PolhodeError
+        Where there is no such plan: of a file or a text it has ``line`` and ``column``, of a scenario the message names the argument.
+
+    Examples
+    --------
+    Two numbers that are drawn together, by a covariance matrix, and the tensor of the body by standard deviations and correlations:
+
+    >>> import numpy as np, polhode
+    >>> from polhode.batch import Plan, Vary
+    >>> from polhode.scenario import Run, Start
+    >>> tumbling = polhode.Scenario(
+    ...     polhode.MassProperties(mass=3.0, inertia=[1.0, 2.0, 2.5]),
+    ...     start=Start(omega=[0.1, 2.0, -0.3]),
+    ...     run=Run(duration=60.0),
+    ... )
+    >>> covariance = np.array([[4e-4, 5e-4], [5e-4, 1e-2]])
+    >>> sd = [0.02, 0.03, 0.03, 0.01, 0.01, 0.01]
+    >>> plan = Plan(
+    ...     tumbling,
+    ...     vary=[
+    ...         Vary(key=["start.omega[0]", "start.omega[1]"], correlated=covariance),
+    ...         Vary(key="body.inertia", correlated={"sd": sd, "correlation": np.eye(6)}),
+    ...     ],
+    ...     members=20_000,
+    ... )
+    >>> drawn = polhode.batch.inputs(plan)
+    >>> rates = np.stack([drawn[f"start_spin_body_{axis}_rad_s"] for axis in "xy"])
+    >>> bool(abs(np.cov(rates) - covariance).max() < 3e-4)
+    True
     """
 
     __slots__ = ("_native",)
 
-    def __init__(self, source: str | os.PathLike[str]) -> None:
-        if isinstance(source, str) and "\n" in source:
+    def __init__(
+        self,
+        source: str | os.PathLike[str] | Scenario,
+        *,
+        vary: Sequence[Vary] = (),
+        members: int | None = None,
+        sampling: str | None = None,
+        seed: int | None = None,
+        replicates: int | None = None,
+        trajectories: bool = False,
+        questions: Mapping[str, str] | None = None,
+    ) -> None:
+        sweep = sweep_of(vary, members, sampling, seed, replicates, trajectories, questions)
+        if isinstance(source, Scenario):
+            lines = plan_lines(source, vary, sweep)
+            path = os.path.join(source.folder, "plan.toml")
+            try:
+                self._native = _native.Plan.parse("".join(f"{line}\n" for _, line in lines), path)
+            except PolhodeError as error:
+                raise placed(error, path, lines) from None
+        elif not isinstance(source, (str, os.PathLike)):
+            raise TypeError(f"source must be a path, a text or a Scenario, not {type(source).__name__}")
+        elif len(vary) if isinstance(vary, Sequence) else True:
+            raise PolhodeError("vary is for a Scenario: a file or a text says itself what varies")
+        elif any(value is not None for value in (members, sampling, seed, replicates, questions)) or trajectories:
+            raise PolhodeError("members, sampling, seed, replicates, trajectories and questions are for a Scenario: a file or a text says them itself")
+        elif isinstance(source, str) and "\n" in source:
             self._native = _native.Plan.parse(_arrays.text("source", source), "plan.toml")
         else:
             self._native = _native.Plan.read(_arrays.path("source", source))
@@ -129,7 +196,13 @@ class Plan:
         return hash(self.digest)
 
     def __repr__(self) -> str:
-        return f"Plan({self.members} members, {', '.join(variable.name for variable in self.variables) or 'nothing'} varied)"
+        names = [variable.name for variable in self.variables]
+        shown = names if len(names) <= 4 else [*names[:3], f"and {len(names) - 3} more"]
+        return f"Plan({self.members} members, {', '.join(shown) or 'nothing'} varied)"
+
+    def _repr_html_(self) -> str:
+        """What differs."""
+        return f"<div>{_html.rows(['unit', 'what it is'], ((name, [unit, what]) for name, unit, what in self.variables))}<p>{self.members} members</p></div>"
 
     def __reduce__(self) -> tuple[Any, ...]:
         sent = self.text, os.path.abspath(self._native.path), self.digest
@@ -166,14 +239,53 @@ def inputs(plan: Plan, members: range | None = None) -> pa.RecordBatch:
     return _arrow(plan._native.inputs(chosen.start, chosen.stop))
 
 
-def simulate(rows: Rows, plan: Plan) -> Rows:
+def simulate(rows: Any, plan: Plan, *, threads: int | None = None) -> Any:
     """The rows, each with what becomes of its member: how it ended, periods, final state, extrema, events; further columns go along.
 
     A member without a body or a motion, and one whose computation fails, is a row that says so in ``status`` and ``cause``. A further
     column with the name of one of these is refused.
+
+    Parameters
+    ----------
+    rows
+        A PyArrow record batch or table with ``member`` and a column for each of the plan's variables, in SI, as :func:`inputs` gives them; or a table of your own with a row
+        for each member: a dataframe of pandas or Polars, or a mapping from columns to arrays (n,), a number where all rows have the same. Its rows are numbered from 0 unless it
+        has a column ``member``; its values need not be those that the plan draws.
+    plan
+        The plan.
+    threads
+        How many; all processors that this process may use unless given. The bits do not depend on it.
+
+    Returns
+    -------
+    pyarrow.RecordBatch or pyarrow.Table
+        A table, unless a record batch is given.
+
+    Raises
+    ------
+    PolhodeError
+        Where a column is missing, has rows without a value, or has another unit than the plan's.
+    TypeError
+        Where a column holds something else than numbers.
+
+    Examples
+    --------
+    >>> import numpy as np, polhode
+    >>> from polhode.batch import Plan, Vary, simulate
+    >>> from polhode.scenario import Run, Start
+    >>> tumbling = polhode.Scenario(
+    ...     polhode.MassProperties(mass=3.0, inertia=[1.0, 2.0, 2.5]),
+    ...     start=Start(omega=[0.1, 2.0, -0.3]),
+    ...     run=Run(duration=60.0),
+    ... )
+    >>> plan = Plan(tumbling, vary=[Vary(key="start.omega[1]", relative=0.1), Vary(key="start.omega[2]", relative=0.1)], members=10)
+    >>> found = simulate({"start_spin_body_y_rad_s": np.linspace(1.0, 3.0, 5), "start_spin_body_z_rad_s": -0.3}, plan)
+    >>> found["regime"].to_pylist()
+    ['long_axis', 'long_axis', 'long_axis', 'long_axis', 'long_axis']
     """
     plan = _plan(plan)
     names = _names(plan)
+    rows = _rows(rows, names)
     _require(rows, plan, names)
     none = [(name, np.empty(0, np.float64 if name != "member" else np.uint64)) for name in names]
     results = [name for name, *_ in plan._native.simulate(none)]
@@ -181,24 +293,25 @@ def simulate(rows: Rows, plan: Plan) -> Rows:
         if name in results and name not in names:
             hint = f"rename it, or leave it out: rows.select({names})"
             raise PolhodeError(f"rows have a column {name} already, and it is what becomes of them that is called so", hint)
-    found: Any = _mapped(rows, plan, names, plan._native.simulate)
+    found: Any = _mapped(rows, names, plan._native.simulate, threads)
     for field, column in zip(rows.schema, rows.columns):
         if field.name not in names:
             found = found.append_column(field, column)
     return found
 
 
-def trajectories(rows: Rows, plan: Plan) -> Rows:
-    """The motions of the rows' members: a row for each sample time."""
+def trajectories(rows: Any, plan: Plan, *, threads: int | None = None) -> Any:
+    """The motions of the rows' members: a row for each sample time. Rows and threads are as :func:`simulate` has them."""
     names = _names(_plan(plan))
+    rows = _rows(rows, names)
     _require(rows, plan, names)
-    return _mapped(rows, plan, names, plan._native.trajectories)
+    return _mapped(rows, names, plan._native.trajectories, threads)
 
 
 def compute(plan: Plan, start: int, stop: int) -> tuple[pa.RecordBatch, pa.RecordBatch | None]:
-    """What becomes of the members from ``start`` up to ``stop``, and their trajectories if the plan wants them: a part of a sweep."""
+    """What becomes of the members from ``start`` up to ``stop``, and their trajectories if the plan wants them: a part of a sweep, on one thread."""
     members = inputs(plan, range(start, stop))
-    return simulate(members, plan), trajectories(members, plan) if plan.wants_trajectories else None
+    return simulate(members, plan, threads=1), trajectories(members, plan, threads=1) if plan.wants_trajectories else None
 
 
 def _plan(plan: Plan) -> Plan:
@@ -212,17 +325,55 @@ def _names(plan: Plan) -> list[str]:
     return ["member", *(variable.name for variable in plan.variables)]
 
 
+def _rows(rows: Any, names: list[str]) -> Any:
+    """A table of Arrow's, of what users have."""
+    if isinstance(rows, (pa.RecordBatch, pa.Table)):
+        return rows
+    if isinstance(rows, Mapping):
+        rows = _of_arrays(rows)
+    elif hasattr(rows, "iloc"):
+        # Labels of rows are no column of theirs.
+        rows = pa.Table.from_pandas(rows, preserve_index=False).replace_schema_metadata()
+    elif hasattr(rows, "__arrow_c_stream__"):
+        rows = pa.table(rows)
+    else:
+        raise TypeError(
+            f"rows must be a pyarrow RecordBatch or Table, a dataframe, or a mapping from columns to arrays, not {type(rows).__module__}.{type(rows).__name__}"
+        )
+    if "member" not in rows.schema.names:
+        rows = rows.add_column(0, "member", pa.array(np.arange(rows.num_rows, dtype=np.uint64)))
+    return rows
+
+
+def _of_arrays(columns: Mapping[Any, Any]) -> pa.Table:
+    """Of arrays of one length, and of numbers that all rows share."""
+    given = {_arrays.text("rows: the name of a column", name): _of_array(f"column {name}", values) for name, values in columns.items()}
+    counts = {name: len(values) for name, values in given.items() if np.ndim(values)}
+    if len(set(counts.values())) > 1:
+        said = ", ".join(f"{name} has {count}" for name, count in counts.items())
+        raise PolhodeError(f"{said}: rows must have as many of each, or one for all")
+    count = next(iter(counts.values()), 1)
+    return pa.table({name: values if np.ndim(values) else np.full(count, values) for name, values in given.items()})
+
+
+def _of_array(name: str, values: Any) -> Any:
+    """A column as an array, or the number that all rows share."""
+    array = np.asarray(values)
+    if array.dtype.kind not in "fiu":
+        # Text goes along; truth values, and what is ragged or masked, are looked at with care.
+        array = array if array.dtype.kind == "U" else _arrays.real(name, values)
+    _arrays.refuse_masked(name, values)
+    if array.ndim > 1:
+        raise PolhodeError(f"{name} must have the shape (n,) or be a number, not {array.shape}")
+    return array
+
+
 def _require(rows: Any, plan: Plan, names: list[str]) -> None:
     """Refuses what is no table of a plan's inputs."""
-    if not isinstance(rows, (pa.RecordBatch, pa.Table)):
-        raise TypeError(
-            f"rows must be a pyarrow RecordBatch or Table, not {type(rows).__module__}.{type(rows).__name__}: "
-            "pyarrow.Table.from_pandas and DataFrame.to_arrow make one"
-        )
     for name, unit in zip(names, ["", *(variable.unit for variable in plan.variables)]):
         found = rows.schema.get_all_field_indices(name)
         if not found:
-            raise PolhodeError(f"there is no column {name}", f"a row has {', '.join(names)}")
+            raise PolhodeError(f"rows: there is no column {name}", f"a row has {', '.join(names)}")
         if len(found) > 1:
             raise PolhodeError(f"there are {len(found)} columns {name}")
         said = ((rows.schema.field(found[0]).metadata or {}).get(b"unit") or b"").decode(errors="replace")
@@ -230,18 +381,15 @@ def _require(rows: Any, plan: Plan, names: list[str]) -> None:
             raise PolhodeError(f"column {name} is in {said}, as its field says, and must be in {unit or 'no unit'}")
 
 
-def _mapped(rows: Any, plan: Plan, names: list[str], function: Any) -> Any:
-    """A function of columns, piece by piece: Python looks for signals between them."""
+def _mapped(rows: Any, names: list[str], function: Any, threads: int | None) -> Any:
+    """A function of columns, piece by piece."""
+    count = _native.available_threads() if threads is None else _arrays.count("threads", threads)
     columns = [(name, _numbers(name, rows)) for name in names]
-    start, size = 0, 1
-    done: list[pa.RecordBatch] = []
-    while start < rows.num_rows or not done:
-        began = time.thread_time()
-        done.append(_arrow(function([(name, numbers[start : start + size]) for name, numbers in columns])))
-        start += size
-        size = min(2 * size, PIECE) if time.thread_time() - began < 0.5 * LOOK else max(size // 2, 1)
-    # Where the pieces are cut is a matter of time, and nobody's result.
-    whole = pa.concat_batches(done)
+
+    def piece(start: int, stop: int) -> pa.RecordBatch:
+        return _arrow(function([(name, numbers[start:stop]) for name, numbers in columns]))
+
+    whole = pa.concat_batches(_pieces.of(piece, rows.num_rows, count))
     return pa.Table.from_batches([whole]) if isinstance(rows, pa.Table) else whole
 
 

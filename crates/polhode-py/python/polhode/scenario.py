@@ -19,7 +19,7 @@ any array (3,) or a list. :class:`polhode.Scenario` puts them together.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar, Mapping, Sequence
+from typing import Any, Callable, ClassVar, Mapping, Sequence
 
 import numpy.typing as npt
 
@@ -529,9 +529,11 @@ class Event(Section):
     Parameters
     ----------
     measure
-        ``"omega_body_z"``, ``"kinetic_energy"``, ``"angle"``, ``"nutation"``, ``"formula"`` and so on.
+        ``"omega_body_z"``, ``"kinetic_energy"``, ``"angle"``, ``"nutation"``, ``"formula"`` and so on; or a function of the state, whose parameters are
+        those of a law of :func:`torque` without ``kinetic_energy``, that gives a number. Python calls it with numbers and arrays along the motion; its
+        changes of sign are found as those of other measures. It should be continuous, and no file can hold it. What it raises is raised by :func:`polhode.simulate`.
     value
-        That it passes, in SI or with its unit.
+        That it passes, in SI or with its unit; of a function a number, 0 unless said.
     direction
         ``"rising"``, ``"falling"`` or ``"either"``.
     then
@@ -542,16 +544,54 @@ class Event(Section):
         A formula of the state, of the measure ``"formula"``.
     name
         What results call it.
+
+    Examples
+    --------
+    When the body's z axis is within half a radian of where it began:
+
+    >>> import numpy as np, polhode
+    >>> from polhode.scenario import Event, Run, Start
+    >>> def off(attitude):
+    ...     return np.arccos(attitude.apply([0, 0, 1])[2])
+    >>> racket = polhode.Scenario(
+    ...     polhode.MassProperties(mass=1.0, inertia=[1.0, 2.0, 2.5]),
+    ...     start=Start(omega=[0.0, 3.0, 0.1]),
+    ...     events=[Event(name="away", measure=off, value=0.5, direction="rising", then="stop")],
+    ...     run=Run(duration=10.0, samples=11),
+    ... )
+    >>> motion = polhode.simulate(racket)
+    >>> motion.ending.kind, float(np.round(off(motion.rotations()[-1]), 12))
+    ('stopped', 0.5)
     """
 
     table = "event"
-    measure: str
-    value: Quantity
+    measure: str | Callable[..., Any]
+    value: Quantity | None = None
     direction: str | None = None
     then: str | Mapping[str, Any] | None = None
     between: Sequence[Any] | None = None
     formula: str | None = None
     name: str | None = None
+
+    def __post_init__(self) -> None:
+        if callable(self.measure):
+            measure = self.measure
+            if "kinetic_energy" in asked(measure):
+                raise PolhodeError('a function of an event is not told kinetic_energy: measure = "kinetic_energy" has it')
+            if self.between is not None or self.formula is not None:
+                raise PolhodeError("Event: between and formula mean nothing beside a function")
+            object.__setattr__(self, "value", _arrays.number("event.value", 0.0 if self.value is None else self.value))
+            # What stands for it where values are made plain.
+            object.__setattr__(self, "measure", "formula")
+            super().__post_init__()
+            object.__setattr__(self, "measure", measure)
+            return
+        super().__post_init__()
+
+    def to_dict(self) -> dict[str, Any]:
+        """The keys of the table and their values, as files have them; for a function a formula stands that passes nothing."""
+        table = super().to_dict()
+        return {**table, "measure": "formula", "formula": "0"} if callable(self.measure) else table
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)

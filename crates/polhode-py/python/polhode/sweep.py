@@ -17,7 +17,7 @@ import sys
 import warnings
 from typing import Any, Callable, Iterator, NamedTuple, Sequence
 
-from . import _arrays, _cluster, _native, batch
+from . import _arrays, _cluster, _html, _native, batch
 from ._error import PolhodeError, PolhodeWarning
 from .batch import Plan
 
@@ -38,6 +38,9 @@ class Summary(NamedTuple):
 
     def __str__(self) -> str:
         return self.text
+
+    def _repr_html_(self) -> str:
+        return _html.text(self.text)
 
 
 def run(

@@ -99,6 +99,11 @@ pub enum MotionError {
         /// When, s.
         time: f64,
     },
+    /// A motion does not go on from its end.
+    NotContinued {
+        /// Why.
+        why: &'static str,
+    },
     /// A state is no equilibrium, though one was asked for: the torque there turns the body, or changes on the way.
     NotSteady {
         /// What is left of the torque, N·m.
@@ -304,6 +309,7 @@ impl MotionError {
             | Self::MassHistory { .. }
             | Self::InGimbals { .. }
             | Self::NoMotionDerivatives { .. }
+            | Self::NotContinued { .. }
             | Self::Exclusive { .. }
             | Self::Stopped { .. }
             | Self::Cancelled { .. } => None,
@@ -363,6 +369,7 @@ impl fmt::Display for MotionError {
             Self::NoMotionDerivatives { why, time } => {
                 write!(f, "at t = {time} s the motion has no derivatives: {why}", time = plain(*time))
             }
+            Self::NotContinued { why } => write!(f, "the motion does not go on from its end: {why}"),
             Self::NoSteadyMotion { why } => write!(f, "no steady motion on the ground is near: {why}"),
             Self::NoClosedForm { why } => write!(f, "there is no closed form of this motion: {why}"),
             Self::BeyondReach { time, .. } if !time.is_finite() => {

@@ -36,6 +36,8 @@ pub use error::MotionError;
 pub use inverse::prescribed::{AttitudeTable, Prescribed, RateAxes, Turning, Uncertainty};
 pub use inverse::required::{ParticleForce, Required};
 pub use model::event::{Crossing, Event, EventAction, Measure, Sense};
+pub use model::event_detection::EventSide;
+pub use model::event_function::EventFunction;
 pub use model::kinematics::{
     KineticEnergySplit, MovingParticle, angular_momentum, momentum, rigid_acceleration, rigid_velocity,
 };

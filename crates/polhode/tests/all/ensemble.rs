@@ -311,6 +311,7 @@ fn other_members_have_the_bits_of_a_simulation() {
                 switched_off: &[],
                 start: member.start,
                 events: &[],
+                event_sides: &[],
                 times: &times,
                 method,
                 tolerance: 1e-11,

@@ -22,8 +22,7 @@ fn simulation<'a>(
 ) -> Simulation<'a> {
     let attitude = Attitude::from_quaternion([0.4, -0.7, 1.1, 0.3]).unwrap();
     let start = State { time: times[0], attitude, omega: AngularVelocity::from_array(omega) };
-    let (switched_off, events, method, tolerance) = (&[], &[], Method::Auto, 1e-14);
-    Simulation { rotor, history: None, torques, switched_off, start, events, times, method, tolerance }
+    Simulation::new(rotor, torques, start, times).tolerance(1e-14)
 }
 
 fn run(simulation: Simulation<'_>) -> Trajectory {

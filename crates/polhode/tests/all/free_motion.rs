@@ -111,6 +111,7 @@ fn beyond_reach_nothing_is_said() {
             switched_off: &[],
             start,
             events: &[],
+            event_sides: &[],
             times: &[time.abs()],
             method: Method::Auto,
             tolerance: 1e-13,

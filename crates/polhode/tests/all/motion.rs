@@ -280,6 +280,7 @@ fn an_estimate_of_the_error_tells_that_it_is_made() {
             switched_off: &[],
             start,
             events: &[],
+            event_sides: &[],
             times: &[4.0, 30.0],
             method,
             tolerance: 1e-13,

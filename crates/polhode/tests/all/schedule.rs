@@ -210,6 +210,7 @@ fn more_pulses_than_steps_are_refused_before_the_first() {
             switched_off,
             start,
             events: &[],
+            event_sides: &[],
             times: &times,
             method: Method::Auto,
             tolerance: 1e-13,

@@ -32,9 +32,7 @@ fn gradient() -> TorqueModel {
 fn at_end(rotor: &Rotor, torques: &[TorqueModel], method: Method, tolerance: f64) -> State {
     let attitude = Rotation::from_quaternion([0.4, -0.7, 1.1, 0.3]).unwrap();
     let start = State { time: 0.0, attitude, omega: AngularVelocity::new(0.9, -1.4, 0.6) };
-    let (switched_off, events, times) = (&[], &[], &[3.0]);
-    let simulation =
-        Simulation { rotor, history: None, torques, switched_off, start, events, times, method, tolerance };
+    let simulation = Simulation::new(rotor, torques, start, &[3.0]).method(method).tolerance(tolerance);
     // With evidence and without it: the same motion.
     let (states, run) = (simulation.states().unwrap(), simulation.run().unwrap());
     let sample = run.samples()[0].state;

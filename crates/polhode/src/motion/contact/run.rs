@@ -92,7 +92,7 @@ impl<'a> Run<'a> {
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Result<ContactTrajectory, MotionError> {
         let rotor = Rotor::free(self.of.body);
-        let mut watch = EventDetector::new(&rotor, &[], self.of.events, &self.of.start.state);
+        let mut watch = EventDetector::new(&rotor, &[], (self.of.events, &[]), &self.of.start.state);
         while self.next_wanted().is_some_and(|t| t <= self.start.state.time) {
             self.samples.push(self.start);
         }

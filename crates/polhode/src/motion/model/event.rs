@@ -7,6 +7,7 @@
 //! and of an angle φ that comes round sin(φ − v), where cos(φ − v) > 0: these are smooth where the angles themselves are not, and
 //! they rise where the angle does.
 
+use super::event_function::EventFunction;
 use super::pointing::Reference;
 use super::rotor::Rotor;
 use super::state::State;
@@ -77,6 +78,22 @@ pub enum Measure {
     /// A formula of the variables of [`StateVariables`](crate::motion::StateVariables). It should be continuous: a jump over the value counts
     /// as passing it.
     Formula(Formula),
+    /// A function of the user's own, of which no derivatives are known.
+    ///
+    /// ```
+    /// use polhode::motion::{Ending, Event, EventAction, EventFunction, Measure, Sense, Simulation};
+    /// use polhode::prelude::*;
+    /// let body = MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal([1.0, 2.0, 2.5])?)?;
+    /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.0, 0.0, 2.0) };
+    /// // The x axis has turned by a radian.
+    /// let turned = EventFunction::new(|state| state.attitude.angle());
+    /// let events = [Event::new("turned", Measure::Function(turned), 1.0, Sense::Rising, EventAction::Stop)?];
+    /// let motion = Simulation::new(&Rotor::free(&body), &[], start, &[0.0, 1.0]).events(&events).run()?;
+    /// let Ending::Stopped { time, .. } = *motion.ending() else { return Err("it does not stop".into()) };
+    /// assert!((time - 0.5).abs() < 1e-14);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    Function(EventFunction),
 }
 
 /// In which direction a value is passed.
@@ -173,6 +190,7 @@ impl Event {
             Measure::KineticEnergy | Measure::TotalEnergy | Measure::Momentum | Measure::MomentumAngle(_) => {
                 true
             }
+            Measure::Function(function) => function.needs_inertia(),
             Measure::Formula(formula) => StateVariables::of_inertia().any(|k| formula.depends_on(k)),
             _ => false,
         }
@@ -244,6 +262,10 @@ impl Event {
                 let value = formula.evaluate(&StateVariables::of(rotor, state));
                 plain(value, value.abs())
             }
+            Measure::Function(function) => {
+                let value = function.value(rotor, state);
+                plain(value, value.abs())
+            }
         }
     }
 }
@@ -279,14 +301,14 @@ fn around(angle: f64, v: f64) -> Gap {
 }
 
 impl Measure {
-    /// The unit that its value has; empty for a formula, which may have any.
+    /// The unit that its value has; empty for a formula and a function, which may have any.
     pub const fn unit(&self) -> &'static str {
         match self {
             Self::Time => "s",
             Self::OmegaBody(_) | Self::OmegaSpace(_) | Self::Rate => "rad/s",
             Self::KineticEnergy | Self::TotalEnergy => "J",
             Self::Momentum => "kg·m²/s",
-            Self::Formula(_) => "",
+            Self::Formula(_) | Self::Function(_) => "",
             _ => "rad",
         }
     }

@@ -27,15 +27,17 @@ pub(crate) struct EventDetector<'a> {
     rotor: &'a Rotor,
     torques: &'a [TorqueModel],
     events: &'a [Event],
-    sides: Vec<Side>,
+    sides: Vec<EventSide>,
 }
 
-/// Where a gap was last.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Side {
-    /// At zero, and has not left it: a motion that starts there has not crossed.
+/// On which side of an event's value a motion was last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EventSide {
+    /// At the value, and has not left it: a motion that starts there has not passed it.
     At,
+    /// Above.
     Above,
+    /// Below.
     Below,
 }
 
@@ -48,15 +50,24 @@ pub(crate) struct Found {
 }
 
 impl<'a> EventDetector<'a> {
+    /// From a start, whose sides of the events' values are these if a motion goes on there.
     pub(crate) fn new(
         rotor: &'a Rotor,
         torques: &'a [TorqueModel],
-        events: &'a [Event],
+        (events, sides): (&'a [Event], &[EventSide]),
         start: &State,
     ) -> Self {
-        let mut watch = Self { rotor, torques, events, sides: vec![Side::At; events.len()] };
-        watch.arm(start, &[]);
+        let mut watch = Self { rotor, torques, events, sides: sides.to_vec() };
+        if sides.len() != events.len() {
+            watch.sides = vec![EventSide::At; events.len()];
+            watch.arm(start, &[]);
+        }
         watch
+    }
+
+    /// On which side of each value the motion is.
+    pub(crate) fn sides(&self) -> Vec<EventSide> {
+        self.sides.clone()
     }
 
     /// True if an event happens in this state, but for rounding.
@@ -69,7 +80,7 @@ impl<'a> EventDetector<'a> {
         for (k, (event, side)) in self.events.iter().zip(&mut self.sides).enumerate() {
             let gap = event.gap(self.rotor, self.torques, state);
             let is_at = happened.contains(&k) || gap.may_be_zero();
-            *side = if is_at { Side::At } else { Side::of(gap.gap) };
+            *side = if is_at { EventSide::At } else { EventSide::of(gap.gap) };
         }
     }
 
@@ -125,7 +136,7 @@ impl EventSample {
 }
 
 /// Where a function changes its sign, and whether it rises there; `side` is that of the first node, and becomes that of the last.
-fn crossings(nodes: &[EventSample], side: &mut Side, gap_at: &dyn Fn(f64) -> f64) -> Vec<(f64, bool)> {
+fn crossings(nodes: &[EventSample], side: &mut EventSide, gap_at: &dyn Fn(f64) -> f64) -> Vec<(f64, bool)> {
     let mut found = Vec::new();
     // The last time at which the function was on its side for certain.
     let Some(mut since) = nodes.first().map(|node| node.time) else { return found };
@@ -133,14 +144,14 @@ fn crossings(nodes: &[EventSample], side: &mut Side, gap_at: &dyn Fn(f64) -> f64
         let &[left, right] = pair else { continue };
         let Some(sign) = side.sign() else {
             if !right.is_at {
-                (*side, since) = (Side::of(right.gap), right.time);
+                (*side, since) = (EventSide::of(right.gap), right.time);
             }
             continue;
         };
         let f = |time: f64| sign * gap_at(time);
         if sign * right.gap < 0.0 {
             found.push((zero(&f, [since, right.time]), sign < 0.0));
-            *side = Side::of(right.gap);
+            *side = EventSide::of(right.gap);
         } else if let Some(there) =
             turning(&left, &right, sign).then(|| dip(f, [left.time, right.time])).flatten()
         {
@@ -172,7 +183,7 @@ fn turning(left: &EventSample, right: &EventSample, sign: f64) -> bool {
     !(meet > 0.0 && meet < width && a + slope_a * meet > 0.0)
 }
 
-impl Side {
+impl EventSide {
     const fn of(gap: f64) -> Self {
         if gap > 0.0 { Self::Above } else { Self::Below }
     }

@@ -42,6 +42,7 @@ impl Event {
             Measure::Formula(formula) if formula.rough_function().is_some() => {
                 Some("the formula of an event has a corner or a jump")
             }
+            Measure::Function(_) => Some("an event watches a function, of which only values are known"),
             _ => None,
         }
     }
@@ -84,7 +85,7 @@ fn measured<'a>(measure: &Measure, at: &Tangent<'a>) -> <Tangent<'a> as LawInput
         Measure::OmegaSpace(n) => at.omega().dot(at.in_space(*n)),
         Measure::Rate => at.omega().norm(),
         Measure::KineticEnergy => variable("T_rot"),
-        Measure::TotalEnergy => at.number(f64::NAN),
+        Measure::TotalEnergy | Measure::Function(_) => at.number(f64::NAN),
         Measure::Momentum => momentum().norm(),
         Measure::Tilt { body, space } => {
             let [here, rate] = direction(space, at.time().value);

@@ -3,6 +3,7 @@
 pub(crate) mod euler;
 pub(crate) mod event;
 pub(crate) mod event_detection;
+pub(crate) mod event_function;
 pub(crate) mod event_slope;
 pub(crate) mod kinematics;
 pub(crate) mod mass_history;

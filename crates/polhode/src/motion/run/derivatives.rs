@@ -64,7 +64,8 @@ impl Simulation<'_> {
         parameters: &[TorqueParameter],
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Result<TrajectoryDerivatives, MotionError> {
-        let Self { rotor, torques, switched_off, start, events, times, tolerance, method, history } = *self;
+        let Self { rotor, torques, switched_off, start, events, times, tolerance, method, history, .. } =
+            *self;
         self.require_possible()?;
         let why_not = |why| Err(MotionError::NoMotionDerivatives { why, time: start.time });
         if history.is_some() {
@@ -89,7 +90,8 @@ impl Simulation<'_> {
         let stepper =
             Stepper::new(Rule::Taylor, (rotor, None), torques, switched_off, start, tolerance, false)?;
         let stepper = stepper.differentiated(parameters);
-        let mut integration = Integration::new(stepper, events, start, times).with_derivatives();
+        let mut integration =
+            Integration::new(stepper, self.watched_events(), start, times).with_derivatives();
         let (_, ending) = integration.run(start, progress)?;
         if let Ending::Failed { cause: cause @ MotionError::NoMotionDerivatives { .. }, .. } = ending {
             return Err(cause);

@@ -6,7 +6,7 @@ use super::sample::Sample;
 use crate::math::vector::AngularMomentum;
 use crate::motion::error::MotionError;
 use crate::motion::model::event::{Crossing, Event, EventAction};
-use crate::motion::model::event_detection::{EventDetector, Found};
+use crate::motion::model::event_detection::{EventDetector, EventSide, Found};
 use crate::motion::model::state::State;
 use crate::motion::model::torque::total_potential;
 use crate::motion::solve::propagate::balanced::Balanced;
@@ -32,12 +32,17 @@ pub(super) struct Integration<'a> {
 
 impl<'a> Integration<'a> {
     /// From `start`, to be sampled at the times `wanted`.
-    pub(super) fn new(stepper: Stepper<'a>, events: &'a [Event], start: State, wanted: &'a [f64]) -> Self {
+    pub(super) fn new(
+        stepper: Stepper<'a>,
+        (events, sides): (&'a [Event], &[EventSide]),
+        start: State,
+        wanted: &'a [f64],
+    ) -> Self {
         let (rotor, torques) = stepper.subject();
         // Energy that comes and goes with a switch is no potential.
         let has_potential = !stepper.is_changing() && !events.iter().any(Event::switches);
         Self {
-            watch: EventDetector::new(rotor, torques, events, &start),
+            watch: EventDetector::new(rotor, torques, (events, sides), &start),
             samples: Vec::with_capacity(wanted.len()),
             crossings: Vec::new(),
             derivatives: None,
@@ -52,6 +57,11 @@ impl<'a> Integration<'a> {
     /// With the derivatives that the stepper finds.
     pub(super) fn with_derivatives(self) -> Self {
         Self { derivatives: Some(DerivativeLog::default()), ..self }
+    }
+
+    /// On which side of each event's value it is.
+    pub(super) fn event_sides(&self) -> Vec<EventSide> {
+        self.watch.sides()
     }
 
     pub(super) const fn stepper(&self) -> &Stepper<'a> {

@@ -8,7 +8,7 @@ use crate::math::frame::Body;
 use crate::math::vector::Position;
 use crate::motion::error::MotionError;
 use crate::motion::model::event::{Crossing, Event, EventAction};
-use crate::motion::model::event_detection::EventDetector;
+use crate::motion::model::event_detection::{EventDetector, EventSide};
 use crate::motion::model::mass_history::MassHistory;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
@@ -50,6 +50,8 @@ pub struct Simulation<'a> {
     pub start: State,
     /// The events to detect.
     pub events: &'a [Event],
+    /// On which side of each event's value the start is, of a motion that goes on; empty otherwise, when the start says it.
+    pub event_sides: &'a [EventSide],
     /// When to sample it, s: ascending, none before the start.
     pub times: &'a [f64],
     /// How to compute it.
@@ -61,8 +63,19 @@ pub struct Simulation<'a> {
 impl<'a> Simulation<'a> {
     /// A body under torques, all of which act, from a start to times: by the best method at a tolerance of 1e-13, without events.
     pub const fn new(rotor: &'a Rotor, torques: &'a [TorqueModel], start: State, times: &'a [f64]) -> Self {
-        let (switched_off, events, method, tolerance) = (&[], &[], Method::Auto, 1e-13);
-        Self { rotor, history: None, torques, switched_off, start, events, times, method, tolerance }
+        let (switched_off, events, event_sides, method, tolerance) = (&[], &[], &[], Method::Auto, 1e-13);
+        Self {
+            rotor,
+            history: None,
+            torques,
+            switched_off,
+            start,
+            events,
+            event_sides,
+            times,
+            method,
+            tolerance,
+        }
     }
 
     /// Of a body whose mass properties are these over time.
@@ -204,7 +217,9 @@ impl<'a> Simulation<'a> {
             return why("cannot go with splitting, which needs a body that stays as it is");
         }
         if events.iter().any(Event::needs_inertia) {
-            return why("cannot go with an event that measures energy or angular momentum");
+            return why(
+                "cannot go with an event that measures energy, angular momentum or a function of the body",
+            );
         }
         if torques.iter().any(TorqueModel::needs_constant_mass) {
             return why("cannot go with an energy sink or with gravity on single mass points");
@@ -284,7 +299,7 @@ impl<'a> Simulation<'a> {
             self.tolerance,
             true,
         )?;
-        let mut integration = Integration::new(stepper, self.events, self.start, self.times);
+        let mut integration = Integration::new(stepper, self.watched_events(), self.start, self.times);
         let (start, ending) = integration.run(self.start, progress)?;
         let stepper = integration.stepper();
         let method = match stepper.rule() {
@@ -294,9 +309,16 @@ impl<'a> Simulation<'a> {
         };
         let (tolerance, statistics) = (stepper.tolerance(), stepper.statistics());
         let solution = Solution::Integrated { method, tolerance, statistics };
+        let sides = integration.event_sides();
         Ok(Trajectory::assembled(start, integration.samples, solution)
             .because(reason)
-            .with_events(integration.crossings, ending))
+            .with_events(integration.crossings, ending)
+            .leaving_events(sides))
+    }
+
+    /// The events, and on which side of each value the start is, if that is known.
+    pub(super) const fn watched_events(&self) -> (&'a [Event], &'a [EventSide]) {
+        (self.events, self.event_sides)
     }
 
     /// The closed form, which has no steps: it is looked at turn by turn.
@@ -307,7 +329,7 @@ impl<'a> Simulation<'a> {
         let end = self.end();
         // Only an event that stops the motion can make the end come nearer.
         let stops = self.events.iter().any(|event| event.action() == EventAction::Stop);
-        let mut watch = EventDetector::new(self.rotor, self.torques, self.events, &self.start);
+        let mut watch = EventDetector::new(self.rotor, self.torques, self.watched_events(), &self.start);
         // A body let go at rest is measured by how fast the torque makes it.
         let torque: f64 = self.torques.iter().map(|torque| torque.scale(self.rotor, &self.start)).sum();
         let [_, moment, _] = self.rotor.principal().moments();
@@ -338,6 +360,7 @@ impl<'a> Simulation<'a> {
                     crossings.push(Crossing { event: found.event, name, state, rising: found.rising });
                     if event.action() == EventAction::Stop {
                         ending = Ending::Stopped { event: found.event, time: found.time };
+                        watch.arm(&motion.at(found.time), &[found.event]);
                         break;
                     }
                 }
@@ -353,7 +376,8 @@ impl<'a> Simulation<'a> {
         };
         Ok(Trajectory::of_closed_form(motion, self.rotor, self.torques, &times)?
             .because(reason)
-            .with_events(crossings, ending))
+            .with_events(crossings, ending)
+            .leaving_events(watch.sides()))
     }
 }
 

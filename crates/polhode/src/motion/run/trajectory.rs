@@ -9,6 +9,7 @@ use crate::motion::error::MotionError;
 use crate::motion::gimbal::{GimbalSample, GimbalTrajectory};
 use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::model::event::Crossing;
+use crate::motion::model::event_detection::EventSide;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::{TorqueModel, total_potential};
@@ -27,6 +28,7 @@ pub struct Trajectory {
     reason: MethodReason,
     events: Vec<Crossing>,
     ending: Ending,
+    event_sides: Vec<EventSide>,
     error: Option<GlobalError>,
     contact: Option<Box<ContactTrajectory>>,
     gimbals: Option<Box<GimbalTrajectory>>,
@@ -192,6 +194,7 @@ impl Trajectory {
             reason: MethodReason::Asked,
             events: Vec::new(),
             ending: Ending::Complete,
+            event_sides: Vec::new(),
             error: None,
             contact: None,
             gimbals: None,
@@ -211,5 +214,15 @@ impl Trajectory {
     /// What happened on the way, and how it ended.
     pub(crate) fn with_events(self, events: Vec<Crossing>, ending: Ending) -> Self {
         Self { events, ending, ..self }
+    }
+
+    /// On which side of each event's value it ends.
+    pub(crate) fn leaving_events(self, event_sides: Vec<EventSide>) -> Self {
+        Self { event_sides, ..self }
+    }
+
+    /// On which side of each event's value it ends; empty if it watched none.
+    pub(crate) fn event_sides(&self) -> &[EventSide] {
+        &self.event_sides
     }
 }

@@ -6,6 +6,7 @@ use crate::math::vector::{Direction, Position};
 use crate::motion::contact::{Contact, StartVelocity};
 use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::model::event::Event;
+use crate::motion::model::event_detection::EventSide;
 use crate::motion::model::torque::TorqueModel;
 
 /// What is asked of the body.
@@ -27,6 +28,8 @@ pub struct Forward {
     pub(super) names: Vec<Option<String>>,
     pub(super) switched_off: Vec<usize>,
     pub(super) events: Vec<Event>,
+    /// On which side of each event's value it starts, where another motion goes on.
+    pub(super) event_sides: Vec<EventSide>,
     pub(super) hanging: Option<Suspension>,
 }
 

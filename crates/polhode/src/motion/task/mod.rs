@@ -2,6 +2,7 @@
 
 pub(crate) mod asked;
 mod check;
+mod continuation;
 mod exclusive;
 mod history_check;
 pub(crate) mod mounted_shaft;

@@ -15,6 +15,7 @@ use crate::motion::error::MotionError;
 use crate::motion::gimbal::{GimbalSimulation, Gimbals};
 use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::model::event::Event;
+use crate::motion::model::event_detection::EventSide;
 use crate::motion::model::mass_history::MassHistory;
 use crate::motion::model::orbit::Orbit;
 use crate::motion::model::pointing::Pointing;
@@ -293,7 +294,7 @@ impl Scenario {
     /// [`MotionError::Exclusive`] of a prescribed motion and a shaft.
     pub fn watching(self, events: Vec<Event>) -> Result<Self, MotionError> {
         self.require_compatible("event", !events.is_empty())?;
-        Ok(self.changed(|task| task.events = events))
+        Ok(self.changed(|task| (task.events, task.event_sides) = (events, Vec::new())))
     }
 
     /// Hung from an axis, under the gravity that acts on it.
@@ -336,7 +337,7 @@ impl Scenario {
         Ok(Self { pivot: Some(point), rotor, start, task: Task::Shaft(Box::new(shaft), motion), ..self })
     }
 
-    fn changed(mut self, change: impl FnOnce(&mut Forward)) -> Self {
+    pub(super) fn changed(mut self, change: impl FnOnce(&mut Forward)) -> Self {
         if let Task::Forward(forward) = &mut self.task {
             change(forward);
         }
@@ -437,6 +438,11 @@ impl Scenario {
     /// Which of the torques, from 0, act only once an event has switched them on.
     pub fn switched_off(&self) -> &[usize] {
         self.forward().map_or(&[], |forward| &forward.switched_off)
+    }
+
+    /// On which side of each event's value it starts, where another motion goes on; else empty.
+    pub(super) fn event_sides(&self) -> &[EventSide] {
+        self.forward().map_or(&[], |forward| &forward.event_sides)
     }
 
     /// The events to detect.

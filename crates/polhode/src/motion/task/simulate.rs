@@ -167,7 +167,8 @@ impl Scenario {
     }
 
     fn simulation<'a>(&'a self, run: &'a Run) -> Simulation<'a> {
-        Simulation::new(self.rotor(), self.torques(), self.start(), &run.times)
+        let event_sides = self.event_sides();
+        Simulation { event_sides, ..Simulation::new(self.rotor(), self.torques(), self.start(), &run.times) }
             .changing(self.history())
             .switched_off(self.switched_off())
             .events(self.events())

@@ -68,6 +68,7 @@ pub enum ErrorEffort {
 ///     switched_off: &[],
 ///     start: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.5, 0.9) },
 ///     events: &[],
+///     event_sides: &[],
 ///     times: &[50.0, 100.0],
 ///     method: Method::Auto,
 ///     tolerance: 1e-13,

@@ -5,6 +5,7 @@ use core::f64::consts::PI;
 use super::inputs::Inputs;
 use crate::motion::error::MotionError;
 use crate::motion::model::event::Event;
+use crate::motion::model::event_detection::EventSide;
 use crate::motion::model::state::State;
 use crate::motion::model::state::StateError;
 use crate::motion::run::integration::Integration;
@@ -48,7 +49,7 @@ impl Perturbed<'_> {
         times: &[f64],
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Result<Vec<State>, MotionError> {
-        let Simulation { torques, switched_off, events, .. } = *self.simulation;
+        let Simulation { torques, switched_off, events, event_sides, .. } = *self.simulation;
         let Inputs { rotor, history, start } = &self.inputs;
         let mut stepper = Stepper::new(
             self.rule,
@@ -64,7 +65,9 @@ impl Perturbed<'_> {
         }
         // What stops the motion, or is only written down, does not change it.
         let switches: Vec<Event> = events.iter().filter(|event| event.switches()).cloned().collect();
-        let mut integration = Integration::new(stepper, &switches, *start, times);
+        let sides = events.iter().zip(event_sides).filter(|(event, _)| event.switches());
+        let sides: Vec<EventSide> = sides.map(|(_, side)| *side).collect();
+        let mut integration = Integration::new(stepper, (&switches, &sides), *start, times);
         integration.run(*start, progress)?;
         let got_there = integration.samples.iter().zip(times).take_while(|(s, time)| s.state.time == **time);
         Ok(got_there.map(|(sample, _)| sample.state).collect())

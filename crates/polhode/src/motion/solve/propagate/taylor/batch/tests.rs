@@ -191,6 +191,7 @@ fn compare(members: &[Member], times: &[f64], tolerance: f64) -> [usize; 2] {
                 switched_off,
                 start,
                 events,
+                event_sides: &[],
                 times,
                 method,
                 tolerance,

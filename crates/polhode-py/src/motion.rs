@@ -60,12 +60,12 @@ pub(crate) fn simulate(
     times: Option<PyReadonlyArray1<'_, f64>>,
     error: &str,
     derivatives: Option<Vec<String>>,
-    (functions, measures): (Vec<PythonTorque>, Vec<PythonMeasure>),
+    own: (Vec<PythonTorque>, Vec<PythonMeasure>),
 ) -> PyResult<PyMotion> {
     let mut file = py.detach(|| scenario::read(path.clone(), text)).map_err(Raise::raise)?;
     let raised = Raised::default();
-    file.scenario = with_functions(file.scenario, functions, &raised)?;
-    file.scenario = with_measures(file.scenario, measures, &raised)?;
+    file.scenario = with_functions(file.scenario, own.0, &raised)?;
+    file.scenario = with_measures(file.scenario, own.1, &raised)?;
     if let Some(times) = times {
         file.scenario = scenario::sampled(file.scenario, numbers(&times)?);
     }

@@ -253,6 +253,8 @@ def everything(tmp_path: Path) -> list[object]:
         listed.only.rows[1],
         listed.only.errors["mass"][0],
         polhode.Flight(times=[0, 0.1, 0.3], gyro=omega[:3], attitude=attitude[:3], added=[1e-3, 2e-3, 2.5e-3], wheels=[([0, 0, 1], 0.2)]),
+        polhode.Flights([polhode.Flight(times=[0, 0.1, 0.3], gyro=omega[:3])]),
+        polhode.batch.Vary(key="start.omega[0]", relative=0.1),
         *asked(),
         error,
         heard[0].message,

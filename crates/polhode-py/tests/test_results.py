@@ -273,4 +273,4 @@ def test_every_result_is_shown_in_a_notebook(examples: Path) -> None:
         assert words in result._repr_html_(), name
     # Formulas are Markdown's.
     explained = polhode.explain(path)
-    assert explained._repr_html_ is None and explained._repr_markdown_()
+    assert explained._repr_html_() is None and explained._repr_markdown_()

@@ -40,8 +40,8 @@ class Explanation(Record):
     def __str__(self) -> str:
         return self.text
 
-    #: Markdown has its formulas.
-    _repr_html_ = None  # type: ignore[assignment]
+    def _repr_html_(self) -> None:
+        """None: Markdown has its formulas."""
 
     def _repr_markdown_(self) -> str:
         return self.markdown

@@ -29,7 +29,7 @@ class Record:
             return NotImplemented
         return all(same(getattr(self, field.name), getattr(other, field.name)) for field in fields(self))  # type: ignore[arg-type]
 
-    def _repr_html_(self) -> str:
+    def _repr_html_(self) -> str | None:
         """What is printed, or, of what is printed in a line, its fields."""
         said = str(self)
         if "\n" in said:

@@ -89,7 +89,9 @@ fn install_wheel(Environment { folder, python }: &Environment) -> Result<PathBuf
     wheel.args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"]).args([&wheels, &package]);
     linted(&mut wheel);
     let optimised = optimised(&read(&root().join("Cargo.toml"))?);
-    run(wheel.env("MATURIN_PEP517_ARGS", format!("--profile dev --features {FEATURES}{optimised}")))?;
+    run(
+        wheel.env("MATURIN_PEP517_ARGS", format!("--profile dev --features {FEATURES},as-tested{optimised}"))
+    )?;
     let wheel = files(&wheels, "whl")?.pop().ok_or("pip made no wheel")?;
     run(Command::new(python).arg(package.join("wheel.py")).arg(&wheel))?;
     run(Command::new(python).args(["-m", "pip", "install", "--quiet"]).arg(&wheel))?;

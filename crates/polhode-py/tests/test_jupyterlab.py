@@ -118,7 +118,7 @@ class Opened(NamedTuple):
 
 def opened(browser: Browser, lab: Lab, name: str, dark: bool = False) -> Opened:
     page = browser.new_page(viewport={"width": 1280, "height": 1200}, reduced_motion="reduce")
-    page.set_default_timeout(60_000)
+    page.set_default_timeout(180_000)
     problems: list[str] = []
     page.on("pageerror", lambda error: problems.append(str(error)))
     page.goto(f"{lab.address}/doc/tree/{name}?token={lab.token}")
@@ -163,7 +163,7 @@ def of_kernel(page: Page, expression: str) -> Any:
         let said = "";
         const asked = kernel.requestExecute({ code, store_history: false });
         asked.onIOPub = ({ header, content }) => { said += header.msg_type === "stream" ? content.text : (content.ename ? `${content.ename}: ${content.evalue}` : ""); };
-        await Promise.race([asked.done, new Promise((_, late) => setTimeout(() => late(new Error("no answer of the kernel")), 60_000))]);
+        await Promise.race([asked.done, new Promise((_, late) => setTimeout(() => late(new Error("no answer of the kernel")), 180_000))]);
         return said;
     }"""
     said = page.evaluate(ask, f"import json; print(json.dumps(({expression})))")
@@ -270,7 +270,7 @@ def test_a_notebook_without_its_kernel(browser: Browser, lab: Lab, tmp_path: Pat
     # A page of nbconvert's has all three, the widget's as an output.
     (tmp_path / "live.html").write_text(HTMLExporter().from_filename(str(saved))[0], "utf-8")
     page = browser.new_page(reduced_motion="reduce")
-    page.set_default_timeout(60_000)
+    page.set_default_timeout(180_000)
     page.route("**/*", lambda route: route.continue_() if route.request.url.startswith(("file:", "data:", "blob:")) else route.abort())
     page.goto((tmp_path / "live.html").as_uri())
     frames = page.locator(".polhode-motion iframe")

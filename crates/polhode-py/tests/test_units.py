@@ -32,7 +32,7 @@ NEITHER = set(
     engine error events field findings flights folder format gimbals hull isotopes joint joints kind knobs link material mass_history member members mesh molecule
     motion name numbers of_number omega_axes on orbit out output parameters parts path pendulum plan pointings prescribed products progress quaternion
     resume roots rows run scale scenario scenarios seed sense shaft skew start stop subtree tests threads title torques triangles union wheels workers wrench
-    wrench_covariance force format""".split()
+    wrench_covariance force format questions replicates samples sampling trajectories vary""".split()
 )
 
 #: Of these a reader of texts knows what kind of quantity each place takes.

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from functools import partial
 from typing import TYPE_CHECKING, Any, Iterator, NamedTuple
 
-import dask
+import dask.config
 from distributed import CancelledError, Client, Future, KilledWorker, LocalCluster, TimeoutError, as_completed
 
 from ._cluster import LOOK, LOST_WORKERS, Watch, lost

@@ -393,7 +393,9 @@ fn accelerations_are_those_of_the_run() {
 /// Every formula is one that MathML is made of, so that no page shows it as letters.
 #[test]
 fn every_formula_is_typeset() {
-    for Solution { document, .. } in crate::common::solutions().iter().filter(|one| one.scenario.ground().is_some()) {
+    for Solution { document, .. } in
+        crate::common::solutions().iter().filter(|one| one.scenario.ground().is_some())
+    {
         let formulas = document.sections.iter().flat_map(|section| &section.blocks);
         let count = formulas.filter(|block| matches!(block, Block::Formula { .. })).count();
         let page = document.to_html();

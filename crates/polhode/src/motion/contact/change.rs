@@ -95,7 +95,7 @@ impl fmt::Display for ContactChange {
             Self::Grips => "the point of contact has come to rest, and friction holds it",
             Self::SlipsAnew => "slipping stops, and goes on in another direction",
             Self::LiftsOff => "the normal force has vanished: the body leaves the ground",
-            Self::Lands => "the body comes back to the ground; what an impact does is not known here",
+            Self::Lands => "the body comes back to the ground; what an impact does is not known",
             Self::PivotingStops => "friction has stopped the pivoting about the normal",
             Self::Pivots => "friction is too small to hold the body from pivoting",
             Self::RollingStops => "the rolling has come to rest; whether rolling friction holds it, or it rolls back, is not known here",

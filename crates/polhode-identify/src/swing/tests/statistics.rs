@@ -248,7 +248,7 @@ fn errors_of_pendulums_are_what_they_are_said_to_be() {
 
 #[test]
 fn errors_of_a_platform_are_what_they_are_said_to_be() {
-    let outcome = outcome(&platform(), 30);
+    let outcome = outcome(&platform(), 60);
     assert!(outcome.bias < 0.15, "{outcome:?}");
     assert!((outcome.spread - 1.0).abs() < 0.1 && outcome.sds < 0.1, "{outcome:?}");
     assert!((outcome.nees - 1.0).abs() < 0.1, "{outcome:?}");

@@ -38,7 +38,7 @@ const THEN: [Step; 5] = [
 /// what Python's need.
 pub(crate) fn run() -> Outcome {
     let start = Instant::now();
-    process::lint();
+    process::lint()?;
     std::thread::scope(|scope| {
         let viewer = scope.spawn(|| run_step(&("viewer", viewer::check)));
         let environment = scope.spawn(python::environment);

@@ -12,6 +12,7 @@ mod examples;
 mod gate;
 mod layers;
 mod licence;
+mod lint;
 mod notices;
 mod packages;
 mod process;
@@ -50,6 +51,9 @@ usage: cargo xtask TASK
   solutions  the worked solutions of examples/, read by pandoc and MathJax; after `npm ci` in viewer/";
 
 fn main() -> ExitCode {
+    if lint::is_wrapper() {
+        return lint::run();
+    }
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let outcome = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["test"] => gate::run(),

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::OnceLock;
 
-use crate::{Outcome, root, short};
+use crate::{Outcome, lint, root, short};
 
 /// Cargo, at the root.
 pub(crate) fn cargo(arguments: &[&str]) -> Command {
@@ -14,20 +14,22 @@ pub(crate) fn cargo(arguments: &[&str]) -> Command {
     command
 }
 
-/// Set where the whole gate runs.
-static IS_LINTED: AtomicBool = AtomicBool::new(false);
+/// What lints, set where the whole gate runs: a copy of this program, which itself is compiled anew there.
+static LINTER: OnceLock<PathBuf> = OnceLock::new();
 
-/// From now on Clippy compiles the workspace, and a warning is an error: so that what is linted and what is run are compiled once.
-pub(crate) fn lint() {
-    IS_LINTED.store(true, Ordering::Relaxed);
+/// From now on what is compiled of the workspace is linted, and a warning is an error.
+pub(crate) fn lint() -> Outcome {
+    let this = std::env::current_exe().map_err(|error| format!("where is this program? {error}"))?;
+    let copy = empty_folder("lint")?.join(format!("xtask{}", std::env::consts::EXE_SUFFIX));
+    std::fs::copy(&this, &copy).map_err(|error| format!("{}: {error}", copy.display()))?;
+    LINTER.get_or_init(|| copy);
+    Ok(())
 }
 
 /// The same for a command that calls cargo.
 pub(crate) fn linted(command: &mut Command) {
-    if IS_LINTED.load(Ordering::Relaxed) {
-        // As `cargo clippy -- -D warnings` sets them.
-        command.env("RUSTC_WORKSPACE_WRAPPER", "clippy-driver");
-        command.env("CLIPPY_ARGS", ["-D", "warnings", ""].join("__CLIPPY_HACKERY__"));
+    if let Some(linter) = LINTER.get() {
+        lint::wrap(command, linter);
     }
 }
 

@@ -19,9 +19,20 @@ HERE = Path(__file__).resolve().parent
 
 
 def texts(cell: nbformat.NotebookNode) -> list[str]:
-    """What a cell has said, without figures."""
-    outputs = cell.get("outputs", ())
-    return [output.get("text") or output["data"]["text/plain"] for output in outputs if "image/png" not in output.get("data", {})]
+    """What a cell has said, without figures; what it has printed in a row is one text, in however many pieces it came."""
+    said: list[str] = []
+    was_printed = False
+    for output in cell.get("outputs", ()):
+        if "image/png" in output.get("data", {}):
+            continue
+        is_printed = output["output_type"] == "stream"
+        text = output["text"] if is_printed else output["data"]["text/plain"]
+        if is_printed and was_printed:
+            said[-1] += text
+        else:
+            said.append(text)
+        was_printed = is_printed
+    return said
 
 
 def keep(output: nbformat.NotebookNode) -> None:

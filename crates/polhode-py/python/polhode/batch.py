@@ -281,7 +281,7 @@ def simulate(rows: Any, plan: Plan, *, threads: int | None = None) -> Any:
     >>> plan = Plan(tumbling, vary=[Vary(key="start.omega[1]", relative=0.1), Vary(key="start.omega[2]", relative=0.1)], members=10)
     >>> found = simulate({"start_spin_body_y_rad_s": np.linspace(1.0, 3.0, 5), "start_spin_body_z_rad_s": -0.3}, plan)
     >>> found["regime"].to_pylist()
-    ['long_axis', 'long_axis', 'long_axis', 'long_axis', 'long_axis']
+    ['short_axis', 'short_axis', 'short_axis', 'short_axis', 'short_axis']
     """
     plan = _plan(plan)
     names = _names(plan)

@@ -60,6 +60,11 @@ def test_events_are_those_of_a_motion() -> None:
     first = {k: event.time for k in range(COUNT) for event in reversed(states.events[k]) if event.name == "spun"}
     assert np.array_equal(states.event_times("spun"), [first.get(k, np.nan) for k in range(COUNT)], equal_nan=True)
     assert repr(states).startswith(f"EnsembleStates(9 members, 4 times, 0 … 4 s, {len(stopped)} stopped, ")
+    some = states[7:2:-2]
+    assert (len(some), some.failures) == (3, []) and (some.omega == states.omega[[7, 5, 3]]).all() and (some.times == states.times).all()
+    assert some.events == [states.events[k] for k in (7, 5, 3)] and some.endings == [states.endings[k] for k in (7, 5, 3)]
+    assert [stop.member for stop in some.stops] == [new for new, k in enumerate((7, 5, 3)) if k in stopped]
+    assert states[:] == states and repr(states[:0]).startswith("EnsembleStates(0 members")
     with pytest.raises(TypeError, match="name must be text, not Event"):
         states.event_times(SLOW)  # type: ignore[arg-type]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Iterator, NamedTuple
+from typing import TYPE_CHECKING, Any, Iterator, NamedTuple, overload
 
 import numpy as np
 
@@ -46,9 +46,9 @@ class Stop(NamedTuple):
 class EnsembleStates(Table):
     """Where the members of an ensemble were: it unpacks as ``omega, attitude``.
 
-    Its length is the number of members, and ``states[417]`` are the :class:`States` of one, at the times that it reached. All arrays are views of one, in
-    which each state lies together, and read-only. A member that an event stopped stays where it was then, and one that could go no further where it was
-    last good.
+    Its length is the number of members, and ``states[417]`` are the :class:`States` of one, at the times that it reached; ``states[400:420]`` are those of
+    some members, numbered anew. All arrays are views of one, in which each state lies together, and read-only. A member that an event stopped stays where
+    it was then, and one that could go no further where it was last good.
     """
 
     #: Nothing with arrays in it is hashed.
@@ -182,8 +182,21 @@ class EnsembleStates(Table):
     def __len__(self) -> int:
         return len(self._rows)
 
-    def __getitem__(self, member: int) -> States:
-        return States(self.reached[member].copy(), self.omega[member].copy(), self.attitude[member].copy())
+    @overload
+    def __getitem__(self, which: int) -> States: ...
+
+    @overload
+    def __getitem__(self, which: slice) -> EnsembleStates: ...
+
+    def __getitem__(self, which: int | slice) -> States | EnsembleStates:
+        """The states of a member; or those of some members, which are numbered anew."""
+        if not isinstance(which, slice):
+            return States(self.reached[which].copy(), self.omega[which].copy(), self.attitude[which].copy())
+        new = {member: k for k, member in enumerate(range(len(self))[which])}
+        failures = sorted(one._replace(member=new[one.member]) for one in self.failures if one.member in new)
+        stops = sorted(one._replace(member=new[one.member]) for one in self.stops if one.member in new)
+        happened = sorted(((new[member], event) for member, event in self._happened if member in new), key=lambda one: one[0])
+        return EnsembleStates(self.times.copy(), self._rows[which].copy(), failures, stops, happened)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, EnsembleStates):

@@ -27,7 +27,7 @@ const RADIUS = "body.part[0].radius";
 async function open(options = {}, fragment = "") {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, colorScheme: "light", acceptDownloads: true, ...options });
   const page = await context.newPage();
-  page.setDefaultTimeout(15_000);
+  page.setDefaultTimeout(180_000);
   const problems = [];
   page.on("console", (m) => {
     if (["error", "warning"].includes(m.type()) && !m.text().includes("GPU stall")) problems.push(`${m.type()}: ${m.text()}`);

@@ -151,7 +151,6 @@ def test_beside_a_function_torque_and_on_the_ground(generic: polhode.MassPropert
 
 @pytest.mark.usefixtures("ctrl_c")
 def test_knobs_keep_them(generic: polhode.MassProperties) -> None:
-    pytest.importorskip("anywidget", reason="widgets need anywidget")
     live = polhode.widget(scenario(generic, Event(measure=lean, name="lean")), ["start.omega[2]"])
     live.values = {"start.spin.body[2]": 1.5}
     assert live.scenario.events[0].measure is lean and live.motion.omega[0, 2] == 1.5

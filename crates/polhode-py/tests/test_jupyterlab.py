@@ -49,7 +49,6 @@ live""",
 SPIN = '.polhode-knob[data-key="start.spin.body[1]"]'
 MASS = '.polhode-knob[data-key="body.part[0].mass"]'
 
-pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium, which the gate installs for the tests of the page")
 
 
 class Lab(NamedTuple):

@@ -153,3 +153,15 @@ def test_mistakes_are_refused() -> None:
             made(**given)
     with pytest.raises(TypeError, match=r"events\[0\] must be a polhode.scenario.Event, not Drag"):
         made(events=[DRAG])
+
+
+def test_events_that_measure_functions_are_refused() -> None:
+    """They are found by `simulate`, so none may be missed here in silence."""
+    own = Event(name="own", measure=lambda omega: omega[1], value=0.5)
+    rule = r"\.measure: the events of an ensemble measure no functions of Python"
+    with pytest.raises(polhode.PolhodeError, match=r"^events\[1\]" + rule):
+        made(events=[TURN, own])
+    with pytest.raises(polhode.PolhodeError, match=r"^events\[3\]\[0\]" + rule):
+        made(events=[[own] if k == 3 else [TURN] for k in range(COUNT)])
+    with pytest.raises(polhode.PolhodeError, match=r"^scenarios\[2\]\.events\[0\]" + rule):
+        polhode.Ensemble.of([scenario(k, events=[own] if k == 2 else []) for k in range(COUNT)])

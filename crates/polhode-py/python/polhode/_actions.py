@@ -62,7 +62,10 @@ class Actions:
     @classmethod
     def of(cls, **given: object) -> Actions:
         """Looks at what users give."""
-        return cls(**{name: _checked(name, value, kind) for name, value in given.items() for _, kind in [_TABLES[name]]})
+        found = cls(**{name: _checked(name, value, kind) for name, value in given.items() for _, kind in [_TABLES[name]]})
+        for member, events in enumerate(found.events) if isinstance(found.events, list) else [(None, found.events)]:
+            refuse_functions("events" if member is None else f"events[{member}]", events)
+        return found
 
     def counts(self) -> dict[str, int]:
         """How many there are of what each member has its own."""
@@ -113,6 +116,14 @@ class Actions:
         torques = _of(self.torques, member)
         own: list[str | None] = [None] * _ended(torques).count("\n") if isinstance(torques, str) else [place for place, _ in _rows("torques", torques)]
         return own + [place for place, _ in self._others(member)]
+
+
+def refuse_functions(name: str, events: Sequence[Event]) -> None:
+    """Refuses events that measure functions of Python, which are found in single motions only: their text holds a formula in the place of these."""
+    for k, event in enumerate(events):
+        if callable(event.measure):
+            hint = "measure a formula of the state, or simulate the members one by one"
+            raise PolhodeError(f"{name}[{k}].measure: the events of an ensemble measure no functions of Python", hint)
 
 
 def _checked(name: str, value: Any, kind: type[Section]) -> Any:

@@ -156,3 +156,8 @@ def test_knobs_keep_them(generic: polhode.MassProperties) -> None:
     assert live.scenario.events[0].measure is lean and live.motion.omega[0, 2] == 1.5
     with pytest.raises(polhode.PolhodeError, match="no number"):
         polhode.widget(scenario(generic, Event(measure=lean, name="lean")), ["event[0].value"])
+
+
+def test_a_printed_scenario_says_what_no_file_can_hold(generic: polhode.MassProperties) -> None:
+    printed = str(scenario(generic, Event(measure="omega", value=1.0), Event(measure=lean, name="lean")))
+    assert printed.startswith("# event[1] is a function of Python, which no file can hold: zero stands in its place.\n[[body.part]]")

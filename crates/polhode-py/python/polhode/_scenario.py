@@ -417,10 +417,12 @@ class Scenario:
         return f"Scenario({'; '.join(words)})"
 
     def __str__(self) -> str:
-        return self._text()
+        """The text of a file; what no file can hold is named first, as there is zero in its place."""
+        own = "".join(f"# {table}[{k}] is a function of Python, which no file can hold: zero stands in its place.\n" for table, k in self._own())
+        return own + self._text()
 
     def _repr_html_(self) -> str:
-        return _html.text(self._text())
+        return _html.text(str(self))
 
 
 def _parts_of(body: object) -> tuple[Part, ...]:

@@ -17,7 +17,6 @@ and ends it; processors' time is that of the process and of all below it. A run 
 from __future__ import annotations
 
 import hashlib
-import importlib.metadata
 import json
 import os
 import platform
@@ -33,7 +32,9 @@ from pathlib import Path
 from typing import Any, Iterator
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE))
+sys.path[:0] = [str(HERE), str(HERE.parent)]
+
+from machine import processor, version  # noqa: E402
 
 PLAN = HERE.parents[1] / "examples" / "sweeps" / "uncertain-satellite.toml"
 MEASURED = HERE / "measured.json"
@@ -187,20 +188,6 @@ def digest(folder: Path) -> str:
         whole.update(f"{path.relative_to(folder)}\0{path.stat().st_size}\0".encode())
         whole.update(path.read_bytes())
     return whole.hexdigest()
-
-
-def version(name: str) -> str:
-    try:
-        return importlib.metadata.version(name)
-    except importlib.metadata.PackageNotFoundError:
-        return str(__import__(name).__version__)
-
-
-def processor() -> str:
-    for line in Path("/proc/cpuinfo").read_text().splitlines():
-        if line.startswith("model name"):
-            return line.split(":", 1)[1].strip()
-    return platform.processor()
 
 
 if __name__ == "__main__":

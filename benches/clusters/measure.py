@@ -51,7 +51,7 @@ SEED = 2026
 BOUNDED = {"RAY_DEFAULT_OBJECT_STORE_MAX_MEMORY_BYTES": str(500 * 10**6)}
 ALONE, ENGINES, KILLED = "alone", ("dask", "ray"), ", killed"
 #: The runs of a round, in their order.
-NAMES = (ALONE, *(engine + how for how in (KILLED, "") for engine in ENGINES))
+NAMES = (ALONE, *(engine + how for how in ("", KILLED) for engine in ENGINES))
 PACKAGES = ("polhode", "distributed", "ray", "pyarrow")
 
 

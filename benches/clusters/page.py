@@ -29,9 +29,9 @@ def part(engine: str, measured: dict[str, Any]) -> str:
     """What stands between the markers."""
     killed = f"{engine}, killed"
     # Of a round that was not ended, what there is.
-    rounds = [of for of in measured["rounds"] if {"alone", killed} <= set(of)]
-    undisturbed = [of for of in rounds if engine in of]
-    if not rounds:
+    rounds = [of for of in measured["rounds"] if "alone" in of and {engine, killed} & set(of)]
+    undisturbed, disturbed = ([of for of in rounds if name in of] for name in (engine, killed))
+    if not undisturbed or not disturbed:
         raise SystemExit(f"no round has the runs of {engine}: measure.py --more")
     hashes = {run["folder"] for of in measured["rounds"] for run in of.values()}
     if len(hashes) != 1:
@@ -53,14 +53,9 @@ def part(engine: str, measured: dict[str, Any]) -> str:
                     f"| {run['others']:.2f} processors |\n"
                 )
     out += "\n**Overhead** over one process, of the processors' time: "
-    if undisturbed:
-        kills = sum(len(of[killed]["kills"]) for of in undisturbed)
-        more = sum(of[killed]["processors"] - of[engine]["processors"] for of in undisturbed)
-        out += f"**{bounded(overhead(undisturbed, engine, 'processors'))}**; with workers killed {percent(overhead(rounds, killed, 'processors'))}, {more / kills:.1f} s for each of the {kills}. "
-        out += f"Of the time by the clock, which other programs on the machine disturb: {percent(overhead(undisturbed, engine, 'time'))}.\n"
-    else:
-        out += f"**{bounded(overhead(rounds, killed, 'processors'))}**, what the lost workers cost included. "
-        out += f"Of the time by the clock, which other programs on the machine disturb: {percent(overhead(rounds, killed, 'time'))}.\n"
+    kills = sum(len(of[killed]["kills"]) for of in disturbed)
+    out += f"**{bounded(overhead(undisturbed, engine, 'processors'))}**; with {kills} workers killed {percent(overhead(disturbed, killed, 'processors'))}. "
+    out += f"Of the time by the clock: {percent(overhead(undisturbed, engine, 'time'))}, and {percent(overhead(disturbed, killed, 'time'))} with workers killed.\n"
     return out + f"\nAll folders have the same bytes, SHA-256 of names and contents: `{hashes.pop()}`.\n"
 
 

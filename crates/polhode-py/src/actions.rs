@@ -3,50 +3,71 @@
 use std::path::{Path, PathBuf};
 
 use polhode::motion::torque::TorqueModel;
-use polhode::motion::{Member, Rotor, State};
+use polhode::motion::{Event, EventFunction, Member, Rotor, State};
 use polhode_formats::scenario::Actions;
 use pyo3::prelude::*;
 
 use crate::error::{Raise, refused};
-use crate::scenario::{Raised, function, vectorized};
+use crate::scenario::{Raised, function, measured, measuring, vectorized};
 
 /// A torque that Python computes: whether it is along space axes, a function, and whether that is of many members at once.
 pub(crate) type PythonTorque = (bool, Py<PyAny>, bool);
 
-/// Which torque it is in the place of, and which of the functions it is.
-pub(crate) type Placed = (usize, usize);
+/// What an event measures that Python computes: whether it depends on the body, and a function.
+pub(crate) type PythonMeasure = (bool, Py<PyAny>);
 
-/// What acts on members: what messages call it, the text of `[[torque]]`s, that of `[[wheel]]`s and `[[event]]`s, and which torques functions take the place of.
-pub(crate) type PythonActions = (PathBuf, String, String, Vec<Placed>);
+/// All that Python computes: torques, and what events measure.
+pub(crate) type PythonFunctions = (Vec<PythonTorque>, Vec<PythonMeasure>);
 
-/// The torques that Python computes.
+/// Which torques functions take the place of, and which of the functions these are; the same of what events measure.
+pub(crate) type Placed = (Vec<(usize, usize)>, Vec<(usize, usize)>);
+
+/// What acts on members: what messages call it, the text of `[[torque]]`s, that of `[[wheel]]`s and `[[event]]`s, and what functions take the place of.
+pub(crate) type PythonActions = (PathBuf, String, String, Placed);
+
+/// What Python computes.
 #[derive(Clone, Debug)]
 pub(crate) struct Functions {
     torques: Vec<TorqueModel>,
+    measures: Vec<EventFunction>,
     /// By one of them.
     pub(crate) raised: Raised,
-    /// Whether Python computes a torque for one member at a time: it does so for no two of them at once.
+    /// Whether Python computes something for one member at a time: it does so for no two of them at once.
     pub(crate) is_called: bool,
 }
 
 impl Functions {
-    pub(crate) fn new(given: Vec<PythonTorque>) -> Self {
-        let (raised, is_called) = (Raised::default(), given.iter().any(|(_, _, many)| !many));
+    pub(crate) fn new((torques, measures): PythonFunctions) -> Self {
+        let is_called = !measures.is_empty() || torques.iter().any(|(_, _, many)| !many);
+        let raised = Raised::default();
         let made = |(in_space, law, many)| {
             let made = if many { vectorized } else { function };
             made(in_space, law, Raised::clone(&raised))
         };
-        let torques = given.into_iter().map(made).collect();
-        Self { torques, raised, is_called }
+        let torques = torques.into_iter().map(made).collect();
+        let measure = |(needs_body, measure)| measured(needs_body, measure, Raised::clone(&raised));
+        let measures = measures.into_iter().map(measure).collect();
+        Self { torques, measures, raised, is_called }
     }
 
-    /// Puts them in the place of some torques.
-    pub(crate) fn replace(&self, torques: &mut [TorqueModel], placed: &[Placed]) -> PyResult<()> {
-        for (place, which) in placed {
+    /// Puts them in the place of some torques, and of what some events measure.
+    pub(crate) fn replace(
+        &self,
+        torques: &mut [TorqueModel],
+        events: &mut [Event],
+        (of_torques, of_events): &Placed,
+    ) -> PyResult<()> {
+        for (place, which) in of_torques {
             let (Some(torque), Some(made)) = (torques.get_mut(*place), self.torques.get(*which)) else {
                 return Err(refused(format!("there is no torque {place}"), None));
             };
             *torque = made.clone();
+        }
+        for (place, which) in of_events {
+            let (Some(event), Some(made)) = (events.get_mut(*place), self.measures.get(*which)) else {
+                return Err(refused(format!("there is no event {place}"), None));
+            };
+            *event = measuring(event, made.clone())?;
         }
         Ok(())
     }
@@ -56,6 +77,7 @@ impl Functions {
 pub(crate) struct SharedActions {
     pub(crate) actions: Actions,
     torques: Vec<TorqueModel>,
+    events: Vec<Event>,
 }
 
 impl SharedActions {
@@ -67,15 +89,17 @@ impl SharedActions {
         require_torques(torques)?;
         let actions = Actions::parse(format!("{torques}{others}"), path, is_held).map_err(Raise::raise)?;
         let mut torques = actions.scenario().torques().to_vec();
-        functions.replace(&mut torques, placed)?;
-        Ok(Self { actions, torques })
+        let mut events = actions.scenario().events().to_vec();
+        functions.replace(&mut torques, &mut events, placed)?;
+        Ok(Self { actions, torques, events })
     }
 
     /// The member that they act on.
     pub(crate) fn on(&self, rotor: Rotor, start: State) -> Member {
-        let scenario = self.actions.scenario();
-        let member = Member::new(rotor, self.torques.clone(), start);
-        member.switched_off(scenario.switched_off().to_vec()).watching(scenario.events().to_vec())
+        let switched_off = self.actions.scenario().switched_off().to_vec();
+        Member::new(rotor, self.torques.clone(), start)
+            .switched_off(switched_off)
+            .watching(self.events.clone())
     }
 }
 

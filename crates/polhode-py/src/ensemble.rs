@@ -13,7 +13,7 @@ use polhode::motion::{
 };
 use pyo3::prelude::*;
 
-use crate::actions::{Functions, Placed, PythonActions, PythonTorque, SharedActions};
+use crate::actions::{Functions, Placed, PythonActions, PythonFunctions, SharedActions};
 use crate::arrays::{Signs, numbers, room, rows};
 use crate::error::{Raise, raised_by, refused};
 use crate::finding::{Remark, remarks};
@@ -56,7 +56,7 @@ impl PyEnsemble {
         omega: PyReadonlyArray2<'_, f64>,
         attitude: PyReadonlyArray2<'_, f64>,
         actions: (Vec<PythonActions>, Option<Vec<usize>>),
-        functions: Vec<PythonTorque>,
+        functions: PythonFunctions,
     ) -> PyResult<Self> {
         let (known, tensors) = &bodies;
         let tensors = rows::<9>(tensors)?;
@@ -101,12 +101,12 @@ impl PyEnsemble {
         made
     }
 
-    /// Members that are scenarios: their paths, texts, and which torques functions take the place of.
+    /// Members that are scenarios: their paths, texts, and what functions take the place of.
     #[staticmethod]
     fn of_scenarios(
         py: Python<'_>,
-        scenarios: Vec<(PathBuf, String, Vec<Placed>)>,
-        functions: Vec<PythonTorque>,
+        scenarios: Vec<(PathBuf, String, Placed)>,
+        functions: PythonFunctions,
     ) -> PyResult<Self> {
         let functions = Functions::new(functions);
         let made = py.detach(|| {
@@ -126,7 +126,7 @@ impl PyEnsemble {
                 findings.extend_from_slice(scenario.findings());
                 let mut member =
                     scenario.member().map_err(|error| refused_member(k, &error, error.hint()))?;
-                functions.replace(&mut member.torques, &placed)?;
+                functions.replace(&mut member.torques, &mut member.events, &placed)?;
                 Ok(member)
             });
             let members = members.collect::<PyResult<_>>()?;

@@ -127,15 +127,22 @@ pub(crate) fn with_measures(
     for (place, needs_body, measure) in measures {
         let event =
             events.get_mut(place).ok_or_else(|| refused(format!("there is no event {place}"), None))?;
-        let measure = Measure::Function(measured(needs_body, measure, Arc::clone(raised)));
-        *event = Event::new(event.name(), measure, event.value(), event.sense(), event.action())
-            .map_err(Raise::raise)?;
+        *event = measuring(event, measured(needs_body, measure, Arc::clone(raised)))?;
     }
     scenario.watching(events).map_err(Raise::raise)
 }
 
+/// The event, of what a function measures.
+///
+/// # Errors
+/// `PolhodeError` where there is no such event.
+pub(crate) fn measuring(event: &Event, measure: EventFunction) -> PyResult<Event> {
+    let measure = Measure::Function(measure);
+    Event::new(event.name(), measure, event.value(), event.sense(), event.action()).map_err(Raise::raise)
+}
+
 /// What a function of Python's measures.
-fn measured(needs_body: bool, measure: Py<PyAny>, raised: Raised) -> EventFunction {
+pub(crate) fn measured(needs_body: bool, measure: Py<PyAny>, raised: Raised) -> EventFunction {
     let value = move |state: &State, momentum: [f64; 3]| {
         // What ends the run may come a few calls later.
         if has_raised(&raised) {

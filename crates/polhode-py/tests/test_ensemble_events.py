@@ -155,13 +155,27 @@ def test_mistakes_are_refused() -> None:
         made(events=[DRAG])
 
 
-def test_events_that_measure_functions_are_refused() -> None:
-    """They are found by `simulate`, so none may be missed here in silence."""
-    own = Event(name="own", measure=lambda omega: omega[1], value=0.5)
-    rule = r"\.measure: the events of an ensemble measure no functions of Python"
-    with pytest.raises(polhode.PolhodeError, match=r"^events\[1\]" + rule):
-        made(events=[TURN, own])
-    with pytest.raises(polhode.PolhodeError, match=r"^events\[3\]\[0\]" + rule):
-        made(events=[[own] if k == 3 else [TURN] for k in range(COUNT)])
-    with pytest.raises(polhode.PolhodeError, match=r"^scenarios\[2\]\.events\[0\]" + rule):
-        polhode.Ensemble.of([scenario(k, events=[own] if k == 2 else []) for k in range(COUNT)])
+def test_events_measure_functions() -> None:
+    """Of each member its own: as `simulate` finds them, at the times of a formula of the same."""
+    lean = Event(name="lean", measure=lambda attitude: attitude.apply([0.0, 0.0, 1.0])[2], value=0.3)
+    spin = Event(name="spin", measure=lambda momentum: momentum[1], value=0.4, then="stop")
+    formula = Event(name="formula", measure="formula", formula="Ly", value="0.4 N m s", then="stop")
+    each = [[lean] if k % 3 == 0 else [TURN, lean, spin] if k % 3 == 1 else [lean, formula] for k in range(COUNT)]
+    scenarios = [scenario(k, torques=[DRAG], events=each[k]) for k in range(COUNT)]
+    require_the_motions(made(torques=[DRAG], events=each), scenarios)
+    require_the_motions(polhode.Ensemble.of(scenarios), scenarios)
+    of_all = made(torques=[DRAG], events=[lean, spin]).at(TIMES)
+    same = made(torques=[DRAG], events=[lean, formula]).at(TIMES)
+    assert of_all.stops and [stop.member for stop in of_all.stops] == [stop.member for stop in same.stops]
+    assert all(abs(one.time - other.time) < 1e-12 for one, other in zip(of_all.stops, same.stops))
+
+
+def test_what_a_measured_function_raises() -> None:
+    def breaks(t: float) -> float:
+        return {}[t] if t > 0.2 else t
+
+    events = [Event(name="own", measure=breaks, value=5.0)]
+    with pytest.raises(KeyError):
+        made(torques=[DRAG], events=events).at(TIMES)
+    with pytest.raises(KeyError):
+        polhode.Ensemble.of([scenario(k, torques=[DRAG], events=events) for k in range(COUNT)]).at(TIMES)

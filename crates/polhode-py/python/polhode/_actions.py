@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Callable, Iterable, Mapping, Sequence
 
 from . import _arrays, _section
-from ._computed_law import computed, computed_of_many
+from ._computed_law import computed, computed_of_many, measured, needs_momentum
 from ._error import PolhodeError
 from ._section import Section
 from .scenario import Event, FunctionTorque, Orbit, Torque, Wheel
@@ -26,27 +26,44 @@ _TABLES: dict[str, tuple[str, type[Section]]] = {
 #: A torque that Python computes: whether it is along space axes, how, and whether for many members at once.
 Function = tuple[bool, Callable[..., Any], bool]
 
-#: What acts on some members, as Rust takes it: what messages call it, the texts of the torques and of all else, and which torques are which functions.
-Text = tuple[str, str, str, list[tuple[int, int]]]
+#: What an event measures that Python computes: whether it depends on the body, and how.
+Measure = tuple[bool, Callable[..., float]]
+
+#: Which torques, and which events, functions take the place of: the place of each, and the number of the function.
+Placed = tuple[list[tuple[int, int]], list[tuple[int, int]]]
+
+#: What acts on some members, as Rust takes it: what messages call it, the texts of the torques and of all else, and what functions take the place of.
+Text = tuple[str, str, str, Placed]
 
 
 class Functions:
-    """The torques that Python computes, each once, whichever members have it."""
+    """The torques that Python computes, and what events measure that it computes, each once, whichever members have it."""
 
     def __init__(self) -> None:
-        self.native: list[Function] = []
-        self._known: dict[tuple[int, str, bool], int] = {}
+        self.native: tuple[list[Function], list[Measure]] = ([], [])
+        self._known: dict[tuple[Any, ...], int] = {}
 
-    def placed(self, torques: Iterable[Torque]) -> list[tuple[int, int]]:
-        """Which of some torques they are: the place of each, and its number."""
-        return [(k, self._number(torque)) for k, torque in enumerate(torques) if isinstance(torque, FunctionTorque)]
+    def placed(self, torques: Iterable[Torque], events: Iterable[Event]) -> Placed:
+        """Where they are among some torques and events."""
+        of_torques = [(k, self._torque(torque)) for k, torque in enumerate(torques) if isinstance(torque, FunctionTorque)]
+        measures = ((k, event.measure) for k, event in enumerate(events))
+        return of_torques, [(k, self._measure(measure)) for k, measure in measures if callable(measure)]
 
-    def _number(self, torque: FunctionTorque) -> int:
+    def _torque(self, torque: FunctionTorque) -> int:
+        functions, _ = self.native
         key = (id(torque.law), torque.axes, torque.vectorized)
         if key not in self._known:
-            self._known[key] = len(self.native)
+            self._known[key] = len(functions)
             law = computed_of_many(torque.law) if torque.vectorized else computed(torque.law)
-            self.native.append((torque.axes == "space", law, torque.vectorized))
+            functions.append((torque.axes == "space", law, torque.vectorized))
+        return self._known[key]
+
+    def _measure(self, measure: Callable[..., Any]) -> int:
+        _, measures = self.native
+        key = ("measure", id(measure))
+        if key not in self._known:
+            self._known[key] = len(measures)
+            measures.append((needs_momentum(measure), measured(measure)))
         return self._known[key]
 
 
@@ -62,10 +79,7 @@ class Actions:
     @classmethod
     def of(cls, **given: object) -> Actions:
         """Looks at what users give."""
-        found = cls(**{name: _checked(name, value, kind) for name, value in given.items() for _, kind in [_TABLES[name]]})
-        for member, events in enumerate(found.events) if isinstance(found.events, list) else [(None, found.events)]:
-            refuse_functions("events" if member is None else f"events[{member}]", events)
-        return found
+        return cls(**{name: _checked(name, value, kind) for name, value in given.items() for _, kind in [_TABLES[name]]})
 
     def counts(self) -> dict[str, int]:
         """How many there are of what each member has its own."""
@@ -106,7 +120,7 @@ class Actions:
         torques = _of(self.torques, member)
         own = _ended(torques) if isinstance(torques, str) else "".join(f"{line}\n" for _, line in _rows("torques", torques))
         others = "".join(f"{line}\n" for _, line in self._others(member))
-        return name, own, others, [] if isinstance(torques, str) else functions.placed(torques)
+        return name, own, others, functions.placed(() if isinstance(torques, str) else torques, _of(self.events, member))
 
     def _others(self, member: int) -> list[tuple[str, str]]:
         return [line for name in ("wheels", "events", "orbit") for line in _rows(name, _of(getattr(self, name), member))]
@@ -116,14 +130,6 @@ class Actions:
         torques = _of(self.torques, member)
         own: list[str | None] = [None] * _ended(torques).count("\n") if isinstance(torques, str) else [place for place, _ in _rows("torques", torques)]
         return own + [place for place, _ in self._others(member)]
-
-
-def refuse_functions(name: str, events: Sequence[Event]) -> None:
-    """Refuses events that measure functions of Python, which are found in single motions only: their text holds a formula in the place of these."""
-    for k, event in enumerate(events):
-        if callable(event.measure):
-            hint = "measure a formula of the state, or simulate the members one by one"
-            raise PolhodeError(f"{name}[{k}].measure: the events of an ensemble measure no functions of Python", hint)
 
 
 def _checked(name: str, value: Any, kind: type[Section]) -> Any:

@@ -20,6 +20,15 @@ if TYPE_CHECKING:
 #: Seconds between two looks whether a part is done.
 POLL = 0.05
 
+#: What a cluster on this machine is told.
+LOCAL = {
+    # A worker that its nanny has not brought back within 15 s is dropped for good, unless Dask is told otherwise; a busy machine takes longer.
+    "distributed.deploy.lost-worker-timeout": "10 minutes",
+    # Its processes look 100 times a second at what they do, and 50 times at whether they answer: 3 % of two processors, and nobody is shown it.
+    "distributed.worker.profile.enabled": False,
+    "distributed.admin.tick.interval": "500 ms",
+}
+
 
 def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout: float | None) -> Iterator[Done]:
     """The missing parts as they are done. A part that is lost with its worker is computed again: by Dask, which knows how."""
@@ -105,10 +114,8 @@ def _client(address: str, workers: int) -> Iterator[Client]:
             with Client(f"tcp://{address}") as client:
                 yield client
             return
-        # A worker that its nanny has not brought back within 15 s is dropped for good, unless Dask is told otherwise; a busy machine takes longer.
-        patient = dask.config.set({"distributed.deploy.lost-worker-timeout": "10 minutes"})
         options = {"threads_per_worker": 1, "processes": True, "dashboard_address": None, "host": "127.0.0.1"}
-        with patient, LocalCluster(n_workers=workers, **options) as cluster, Client(cluster) as client:
+        with dask.config.set(LOCAL), LocalCluster(n_workers=workers, **options) as cluster, Client(cluster) as client:
             yield client
     finally:
         log.setLevel(before)

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _arrays, _native
-from ._actions import Actions, Functions, Torques, refuse_functions
+from ._actions import Actions, Functions, Torques
 from ._arrays import Floats
 from ._body import Body
 from ._ensemble_states import EnsembleStates, Failure, Stop
@@ -50,8 +50,9 @@ class Ensemble:
     wheels
         A list of :class:`polhode.scenario.Wheel`, all of which spin in each member, or a list of n such lists.
     events
-        A list of :class:`polhode.scenario.Event` that are looked for in each member, or a list of n such lists, none of which measures a function. One that stops a member stops no other. A
-        member with events is computed alone, as :func:`simulate` has it, and a ``vectorized`` function called for it alone.
+        A list of :class:`polhode.scenario.Event` that are looked for in each member, or a list of n such lists. One that stops a member stops no other. A
+        member with events is computed alone, as :func:`simulate` has it, and a ``vectorized`` function called for it alone. What an event measures may be a
+        function, whose exceptions are raised by :meth:`at`.
     orbit
         The :class:`polhode.scenario.Orbit` on which torques depend, of all members, or a list of n.
 
@@ -175,8 +176,6 @@ class Ensemble:
         """
         self = cls.__new__(cls)
         self._scenarios = _scenarios_of(scenarios)
-        for k, scenario in enumerate(self._scenarios):
-            refuse_functions(f"scenarios[{k}].events", scenario.events)
         self._arguments, self._actions, self._count = {}, Actions.of(torques=(), wheels=(), events=(), orbit=None), len(self._scenarios)
         self._native = self._made()
         warn_of(findings_of(self._native.findings))
@@ -230,7 +229,7 @@ class Ensemble:
         """The same arguments are the same bodies, bit for bit."""
         functions = Functions()
         if self._scenarios is not None:
-            members = [(one._path, one._text(), functions.placed(one.torques)) for one in self._scenarios]
+            members = [(one._path, one._text(), functions.placed(one.torques, one.events)) for one in self._scenarios]
             return _native.Ensemble.of_scenarios(members, functions.native)
         given = self._arguments
         tensors = given["moments"][:, :, None] * np.eye(3) if "moments" in given else given["inertia"]

@@ -293,6 +293,9 @@ class Motion:
     def has_triangles(self) -> bool: ...
     def page_data(self, triangles: int | None) -> str: ...
 
+#: Which torques, and which events, functions take the place of.
+Placed = tuple[list[tuple[int, int]], list[tuple[int, int]]]
+
 class Ensemble:
     @staticmethod
     def of(
@@ -300,13 +303,13 @@ class Ensemble:
         pivots: Floats | None,
         omega: Floats,
         attitude: Floats,
-        actions: tuple[list[tuple[str, str, str, list[tuple[int, int]]]], list[int] | None],
-        functions: list[tuple[bool, Callable[..., Any], bool]],
+        actions: tuple[list[tuple[str, str, str, Placed]], list[int] | None],
+        functions: tuple[list[tuple[bool, Callable[..., Any], bool]], list[tuple[bool, Callable[..., float]]]],
     ) -> Ensemble: ...
     @staticmethod
     def of_scenarios(
-        scenarios: list[tuple[str, str, list[tuple[int, int]]]],
-        functions: list[tuple[bool, Callable[..., Any], bool]],
+        scenarios: list[tuple[str, str, Placed]],
+        functions: tuple[list[tuple[bool, Callable[..., Any], bool]], list[tuple[bool, Callable[..., float]]]],
     ) -> Ensemble: ...
     @property
     def findings(self) -> list[Remark]: ...

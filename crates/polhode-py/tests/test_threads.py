@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 import time
 from pathlib import Path
@@ -81,6 +82,7 @@ def test_another_thread_goes_on(name: str, tmp_path: Path) -> None:
     assert until_another_runs(call, 20, takes / 2) < takes / 2
 
 
+@pytest.mark.skipif(not getattr(sys, "_is_gil_enabled", lambda: True)(), reason="this Python has no lock")
 def test_what_keeps_the_lock_is_found() -> None:
     many = list(range(2_000_000))
     takes = alone(lambda: sum(many))

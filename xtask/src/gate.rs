@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use crate::process::{self, FEATURES, cargo};
+use crate::process::{self, FEATURES, cargo, joined};
 use crate::{
     Outcome, api, book, circles, dependencies, dist, examples, layers, packages, python, readme, solutions,
     viewer, workflows,
@@ -22,7 +22,7 @@ const FIRST: [Step; 6] = [
         let all = ["test", "--workspace", "--all-targets", "--no-run", "--locked", "--features", FEATURES];
         process::run(&mut cargo(&all))
     }),
-    ("tests", || process::run(&mut cargo(&["test", "--workspace", "--locked", "--features", FEATURES]))),
+    ("tests", tests),
 ];
 
 /// Those that come after, beside the Python package's.
@@ -60,8 +60,18 @@ pub(crate) fn run() -> Outcome {
     Ok(())
 }
 
-fn joined<T>(thread: std::thread::ScopedJoinHandle<'_, Result<T, String>>) -> Result<T, String> {
-    thread.join().unwrap_or_else(|_| Err("a step panicked".to_owned()))
+/// Two programs of tests at a time: at the end of each the last test is alone, and those of the command wait for it.
+fn tests() -> Outcome {
+    let of =
+        |what: &[&str]| cargo(&[&["test", "--workspace", "--locked", "--features", FEATURES], what].concat());
+    std::thread::scope(|scope| {
+        let units = scope.spawn(|| {
+            process::run_beside(&mut of(&["--lib", "--bins"]))
+                .and_then(|()| process::run_beside(&mut of(&["--doc"])))
+        });
+        let tested = process::run(&mut of(&["--test", "*"]));
+        joined(units).and(tested)
+    })
 }
 
 fn run_step((name, step): &Step) -> Outcome {

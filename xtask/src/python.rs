@@ -5,7 +5,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::process::{FEATURES, empty_folder, linted, output, polhode, run, run_beside};
+use crate::process::{FEATURES, empty_folder, joined, linted, output, polhode, run, run_beside};
 use crate::{Outcome, files, read, root, viewer};
 
 /// The oldest Python that the tests run with; the package is for 3.10 too.
@@ -98,8 +98,8 @@ fn install_wheel(Environment { folder, python }: &Environment) -> Result<PathBuf
     Ok(wheel)
 }
 
-/// Builds the wheel, installs it into an environment, and runs the tests, the documentation's examples, the book's, checks of
-/// types, and `examples/python/` from an empty folder: what is imported there is the wheel's, not the tree's.
+/// Builds the wheel, installs it into an environment, and runs the tests and [what is documented](check_documented) from an empty folder:
+/// what is imported there is the wheel's, not the tree's.
 pub(crate) fn check_in(environment: Environment) -> Outcome {
     let wheel = install_wheel(&environment)?;
     let Environment { folder, python } = environment;
@@ -117,18 +117,27 @@ pub(crate) fn check_in(environment: Environment) -> Outcome {
         return Err(format!("{} is imported, not the wheel", where_from.trim()));
     }
     println!("   {}", wheel.file_name().unwrap_or_default().to_string_lossy());
-    // Ray is large: its tests are `cargo xtask test --ray`.
-    let tests = package.join("tests");
-    let ray = format!("--ignore={}", tests.join("test_ray.py").display());
-    let program = polhode()?;
-    let mut tested = here(&["-m", "pytest", "-q", &ray, "-c"]);
-    // JupyterLab is looked at in the browser of the page's tests.
-    run_beside(
-        tested.args([&settings, &tests]).env("POLHODE", program).env("CHROMIUM", viewer::chromium()?),
-    )?;
+    // What is not run by pytest goes beside it: each waits for other programs much of its time.
+    std::thread::scope(|scope| {
+        let beside = scope.spawn(|| check_documented(&here, &python, Path::new(where_from.trim())));
+        // Ray is large: its tests are `cargo xtask test --ray`.
+        let tests = package.join("tests");
+        let ray = format!("--ignore={}", tests.join("test_ray.py").display());
+        let mut tested = here(&["-m", "pytest", "-q", &ray, "-c"]);
+        // JupyterLab is looked at in the browser of the page's tests.
+        let tested = tested.args([&settings, &tests]).env("POLHODE", polhode()?);
+        let tested = run_beside(tested.env("CHROMIUM", viewer::chromium()?));
+        tested.and(joined(beside))
+    })
+}
+
+/// The examples of the documentation, the book and `examples/python/`, the notebooks, and the types; `installed` is the package's `__init__.py`.
+fn check_documented(here: &dyn Fn(&[&str]) -> Command, python: &Path, installed: &Path) -> Outcome {
+    let package = root().join("crates/polhode-py");
+    let settings = package.join("pyproject.toml");
     // The modules that need Ray and PyTorch cannot be imported here: the tests of the latter run its examples.
-    let without = ["_ray.py", "torch.py"]
-        .map(|name| format!("--ignore={}", Path::new(where_from.trim()).with_file_name(name).display()));
+    let without =
+        ["_ray.py", "torch.py"].map(|name| format!("--ignore={}", installed.with_file_name(name).display()));
     let documented = ["--doctest-modules", &without[0], &without[1], "--pyargs", "polhode"];
     run_beside(here(&["-m", "pytest", "-q", "-c"]).arg(&settings).args(documented))?;
     // The tables of these pages are what was measured, of the programs as they are.
@@ -145,7 +154,7 @@ pub(crate) fn check_in(environment: Environment) -> Outcome {
         "-p",
         "polhode_command",
     ]))?;
-    run_beside(here(&["-m", "pyright", "--pythonpath"]).arg(&python).arg("--project").arg(&package))?;
+    run_beside(here(&["-m", "pyright", "--pythonpath"]).arg(python).arg("--project").arg(&package))?;
     run_beside(
         here(&["-W", "error::UserWarning"]).arg(book.join("notebooks/execute.py")).env_remove("MPLBACKEND"),
     )?;

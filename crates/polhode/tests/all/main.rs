@@ -15,6 +15,7 @@ mod elliptic;
 mod energy_sink;
 mod ensemble;
 mod ensemble_events;
+mod ensemble_in_step;
 mod equilibria;
 mod event;
 mod free_derivatives;

@@ -76,24 +76,33 @@ pub(in crate::motion) fn advance<'a: 'b, 'b>(
     states: &mut [State],
 ) -> Vec<(usize, MotionError)> {
     let bodies: Vec<_> = bodies.collect();
-    let mut failures = with_room(|| in_vectors(Advance { bodies: &bodies, times, tolerance, states }));
+    side_by_side(&bodies, times, tolerance, states)
+}
+
+/// Of a slice, so that what is compiled for each machine is compiled once.
+fn side_by_side(
+    bodies: &[&BatchBody<'_>],
+    times: &[f64],
+    tolerance: f64,
+    states: &mut [State],
+) -> Vec<(usize, MotionError)> {
+    let mut failures = Vec::new();
+    with_room(&mut || failures = in_vectors(Advance { bodies, times, tolerance, states: &mut *states }));
     failures.sort_by_key(|(body, _)| *body);
     failures
 }
 
 /// Runs work where the stack has room for it: unoptimised, every vector that is computed on the way has a place of its own there, some
 /// megabytes of them, where a thread has two.
-fn with_room<R: Default + Send>(work: impl FnOnce() -> R + Send) -> R {
+fn with_room(work: &mut (dyn FnMut() + Send)) {
     const ROOM: usize = 64 << 20;
-    let (mut work, mut result) = (Some(work), None);
-    if cfg!(debug_assertions) {
-        thread::scope(|scope| {
-            let in_thread = || result = work.take().map(|work| work());
-            // Where the system gives no such thread, it is tried here.
-            thread::Builder::new().stack_size(ROOM).spawn_scoped(scope, in_thread).is_ok()
-        });
+    let mut in_thread = || {
+        thread::scope(|scope| thread::Builder::new().stack_size(ROOM).spawn_scoped(scope, &mut *work).is_ok())
+    };
+    // Where the system gives no such thread, it is tried here.
+    if !cfg!(debug_assertions) || !in_thread() {
+        work();
     }
-    result.or_else(|| work.map(|work| work())).unwrap_or_default()
 }
 
 struct Advance<'a, 'b> {

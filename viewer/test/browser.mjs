@@ -31,38 +31,72 @@ export const ARGUMENTS = [...SOFTWARE, "--no-sandbox"];
 
 export const launch = () => chromium.launch({ executablePath: executable(), args: ARGUMENTS });
 
+/** Pages that are not in use, by the options that a page cannot change: a new one costs a window and a process. */
+const idle = new Map();
+
+/** An empty page of this browser; `problems` are its errors, and `close` leaves it to the next. */
+export async function emptyPage(browser, { viewport, colorScheme = "light", reducedMotion = null, ...fixed }) {
+  const key = JSON.stringify(fixed);
+  if (!idle.has(key)) idle.set(key, []);
+  const one = idle.get(key).pop() ?? (await newPage(browser, fixed));
+  one.problems = [];
+  await one.page.setViewportSize(viewport);
+  await one.page.emulateMedia({ colorScheme, reducedMotion });
+  const close = async () => {
+    await one.page.mouse.move(0, 0);
+    await one.page.goto("about:blank");
+    idle.get(key).push(one);
+  };
+  return { page: one.page, problems: one.problems, close };
+}
+
+async function newPage(browser, options) {
+  const context = await browser.newContext({ acceptDownloads: true, ...options });
+  const page = await context.newPage();
+  // Beside a compilation the software renderer is slow.
+  page.setDefaultTimeout(180_000);
+  const one = { page, problems: [] };
+  // The software renderer's own complaint about reading pixels is not the page's.
+  page.on("console", (m) => {
+    if (["error", "warning"].includes(m.type()) && !m.text().includes("GPU stall")) one.problems.push(`${m.type()}: ${m.text()}`);
+  });
+  page.on("pageerror", (error) => one.problems.push(`exception: ${error.message}`));
+  page.on("dialog", (dialog) => {
+    one.problems.push(`dialog: ${dialog.message()}`);
+    void dialog.dismiss();
+  });
+  return one;
+}
+
 /** Opens a page with these data from disk; `problems` are its errors and requests. */
 export async function open(browser, name, data, options = {}) {
   const file = join(folder, `${name}.html`);
   writeFileSync(file, pageOf(data));
-  const context = await browser.newContext({
-    viewport: { width: 1280, height: 720 },
-    reducedMotion: "reduce",
-    colorScheme: "light",
-    acceptDownloads: true,
-    ...options,
-  });
-  const page = await context.newPage();
-  // Beside a compilation the software renderer is slow.
-  page.setDefaultTimeout(180_000);
-  const problems = [];
-  // The software renderer's own complaint about reading pixels is not the page's.
-  page.on("console", (m) => {
-    if (["error", "warning"].includes(m.type()) && !m.text().includes("GPU stall")) problems.push(`${m.type()}: ${m.text()}`);
-  });
-  page.on("pageerror", (error) => problems.push(`exception: ${error.message}`));
-  page.on("dialog", (dialog) => {
-    problems.push(`dialog: ${dialog.message()}`);
-    void dialog.dismiss();
-  });
+  const { page, problems, close } = await emptyPage(browser, { viewport: { width: 1280, height: 720 }, reducedMotion: "reduce", ...options });
   const address = pathToFileURL(file).href;
-  page.on("request", (request) => {
+  const watch = (request) => {
     if (request.url() !== address && !/^(blob|data):/.test(request.url())) problems.push(`request: ${request.url()}`);
-  });
+  };
+  page.on("request", watch);
   await page.goto(address);
   await page.waitForFunction(() => window.polhode !== undefined);
   await page.evaluate(() => window.polhode.ready);
-  return { page, problems, close: () => context.close() };
+  return {
+    page,
+    problems,
+    close: () => {
+      page.off("request", watch);
+      return close();
+    },
+  };
+}
+
+/** From here on frames have everything but their pixels, most of a frame's time, until what this gives is called. */
+export async function withoutPixels(page) {
+  const calls = ["clear", "drawArrays", "drawArraysInstanced", "drawElements", "drawElementsInstanced"];
+  const context = await page.evaluateHandle(() => document.querySelector("#canvas").getContext("webgl2"));
+  await context.evaluate((gl, calls) => calls.forEach((call) => (gl[call] = () => {})), calls);
+  return () => context.evaluate((gl, calls) => calls.forEach((call) => delete gl[call]), calls);
 }
 
 export const shoot = (page, name) => page.screenshot({ path: join(folder, `${name}.png`) });

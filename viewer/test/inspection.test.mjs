@@ -4,7 +4,7 @@ import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { launch, shoot, unnamed } from "./browser.mjs";
+import { emptyPage, launch, shoot, unnamed } from "./browser.mjs";
 import { example, serve } from "./live-server.mjs";
 import { load } from "./load.mjs";
 
@@ -25,17 +25,10 @@ after(async () => {
 });
 
 async function open(options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, colorScheme: "light", acceptDownloads: true, ...options });
-  const page = await context.newPage();
-  page.setDefaultTimeout(180_000);
-  const problems = [];
-  page.on("console", (m) => {
-    if (["error", "warning"].includes(m.type()) && !m.text().includes("GPU stall")) problems.push(`${m.type()}: ${m.text()}`);
-  });
-  page.on("pageerror", (error) => problems.push(`exception: ${error.message}`));
+  const { page, problems, close } = await emptyPage(browser, { viewport: { width: 1280, height: 800 }, ...options });
   await page.goto(server.address);
   await page.waitForFunction(() => document.querySelectorAll(".knob").length > 3);
-  return { page, problems, close: () => context.close() };
+  return { page, problems, close };
 }
 
 const choose = async (page, label) => {

@@ -4,7 +4,7 @@ import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { launch, shoot, unnamed } from "./browser.mjs";
+import { emptyPage, launch, shoot, unnamed } from "./browser.mjs";
 import { serve } from "./live-server.mjs";
 
 let browser;
@@ -18,18 +18,11 @@ after(async () => {
 });
 
 async function open(address = server.address, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, colorScheme: "light", reducedMotion: "reduce", ...options });
-  const page = await context.newPage();
-  page.setDefaultTimeout(180_000);
-  const problems = [];
-  page.on("console", (m) => {
-    if (["error", "warning"].includes(m.type()) && !m.text().includes("GPU stall")) problems.push(`${m.type()}: ${m.text()}`);
-  });
-  page.on("pageerror", (error) => problems.push(`exception: ${error.message}`));
+  const { page, problems, close } = await emptyPage(browser, { viewport: { width: 1280, height: 800 }, reducedMotion: "reduce", ...options });
   await page.goto(address);
   await page.waitForSelector("body.live:not(.waiting)");
   await page.waitForSelector(".lesson h3");
-  return { page, problems, close: () => context.close() };
+  return { page, problems, close };
 }
 
 const settled = (page) => page.waitForFunction(() => window.polhodeLive.isSettled);

@@ -4,7 +4,7 @@ import { copyFileSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs"
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { launch, shoot, unnamed } from "./browser.mjs";
+import { emptyPage, launch, shoot, unnamed, withoutPixels } from "./browser.mjs";
 import { example, serve } from "./live-server.mjs";
 
 let browser;
@@ -25,18 +25,11 @@ const RADIUS = "body.part[0].radius";
 
 /** The page, when the first motion is there; `problems` are its errors. */
 async function open(options = {}, fragment = "") {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, colorScheme: "light", acceptDownloads: true, ...options });
-  const page = await context.newPage();
-  page.setDefaultTimeout(180_000);
-  const problems = [];
-  page.on("console", (m) => {
-    if (["error", "warning"].includes(m.type()) && !m.text().includes("GPU stall")) problems.push(`${m.type()}: ${m.text()}`);
-  });
-  page.on("pageerror", (error) => problems.push(`exception: ${error.message}`));
+  const { page, problems, close } = await emptyPage(browser, { viewport: { width: 1280, height: 800 }, ...options });
   await page.goto(server.address + fragment);
   await page.waitForSelector("body.live:not(.waiting)");
   await page.waitForFunction(() => document.querySelectorAll(".knob").length > 3);
-  return { page, problems, close: () => context.close() };
+  return { page, problems, close };
 }
 
 const knob = (page, key) => page.locator(`.knob[data-key="${key}"]`);
@@ -419,6 +412,7 @@ test("what the person has set stays when the motion changes; nothing piles up", 
       return { picture: view.picture, azimuth: view.orbit.azimuth, time: clock.time, plane: document.querySelector("#layer-plane").ariaPressed, ...view.memory };
     });
   const before = await state();
+  const withPixels = await withoutPixels(page);
   const kept = await page.evaluate(async () => {
     const { app } = window.polhode;
     const counts = [];
@@ -429,6 +423,8 @@ test("what the person has set stays when the motion changes; nothing piles up", 
     }
     return [...counts, window.polhode.view.memory];
   });
+  await withPixels();
+  await page.evaluate(() => window.polhode.view.render());
   assert.deepEqual(kept[1], kept[0], "geometries, textures, programs after 500 more");
   assert.deepEqual(await state(), { ...before, ...kept[0] });
   assert.equal(before.plane, "false");

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { folder, launch, open, shoot } from "./browser.mjs";
+import { folder, launch, open, shoot, withoutPixels } from "./browser.mjs";
 import { integrate, rotate, samples, tensor, WHEEL } from "./sample.mjs";
 
 let browser;
@@ -438,7 +438,8 @@ test("labels keep off the body", async () => {
     // Again with nothing but the body.
     const others = page.locator('#legend button[aria-pressed="true"]:not(#layer-body)');
     const ids = await others.evaluateAll((all) => all.map((b) => b.id));
-    for (const id of ids) await page.click(`#${id}`);
+    const press = () => page.evaluate((ids) => ids.forEach((id) => document.getElementById(id).click()), ids);
+    await press();
     const touched = await page.evaluate((boxes) => {
       const canvas = window.polhode.picture();
       const pen = canvas.getContext("2d", { willReadFrequently: true });
@@ -451,7 +452,7 @@ test("labels keep off the body", async () => {
       });
     }, boxes);
     assert.deepEqual(touched, [], `t = ${t}`);
-    for (const id of ids) await page.click(`#${id}`);
+    await press();
   }
   await close();
 });
@@ -463,18 +464,24 @@ test("names do not cover each other, whatever the picture, the time and the size
   for (const name of ["free", "symmetric", "heavy", "wheeled"]) {
     for (const [width, height] of SIZES.slice(1)) {
       const { page, close } = await open(browser, `names-${name}`, samples[name](), { viewport: { width, height } });
+      await withoutPixels(page);
       const end = await page.evaluate(() => window.polhode.clock.end);
       for (const picture of PICTURES) {
         if ((await page.locator(`[data-picture=${picture}]`).count()) === 0) continue;
         if (await page.locator(`[data-picture=${picture}]`).isVisible()) await page.click(`[data-picture=${picture}]`);
-        for (const part of [0, 0.117, 0.37, 0.583, 0.761, 0.94]) {
-          const { boxes, stage } = await page.evaluate((t) => {
-            window.polhode.clock.set(t);
-            window.polhode.view.render();
-            const box = (e) => (({ x, y, width, height }) => ({ text: e.textContent, x, y, width, height }))(e.getBoundingClientRect());
-            return { boxes: [...document.querySelectorAll(".label:not([hidden])")].map(box), stage: box(document.querySelector("#stage")) };
-          }, part * end);
-          const where = `${name} ${picture} at ${part} of the run, ${width} × ${height}`;
+        const parts = [0, 0.117, 0.37, 0.583, 0.761, 0.94];
+        const frames = await page.evaluate(
+          (times) =>
+            times.map((t) => {
+              window.polhode.clock.set(t);
+              window.polhode.view.render();
+              const box = (e) => (({ x, y, width, height }) => ({ text: e.textContent, x, y, width, height }))(e.getBoundingClientRect());
+              return { boxes: [...document.querySelectorAll(".label:not([hidden])")].map(box), stage: box(document.querySelector("#stage")) };
+            }),
+          parts.map((part) => part * end),
+        );
+        for (const [n, { boxes, stage }] of frames.entries()) {
+          const where = `${name} ${picture} at ${parts[n]} of the run, ${width} × ${height}`;
           assert.ok(boxes.length >= 2, where);
           boxes.forEach((a, k) => {
             assert.ok(a.x >= stage.x && a.x + a.width <= stage.x + stage.width, `${a.text} is in the frame: ${where}`);
@@ -496,6 +503,7 @@ test("each picture has its line and its names, and nothing that one can press is
   for (const [width, height] of SIZES) {
     const data = samples.free();
     const { page, close } = await open(browser, "cut", data, { viewport: { width, height } });
+    await withoutPixels(page);
     for (const picture of PICTURES) {
       await page.click(`[data-picture=${picture}]`);
       await page.evaluate(() => window.polhode.view.render());
@@ -643,6 +651,7 @@ test("formulas and letters of the view are set in the font of the page", async (
     assert.ok(nodeIds.length >= 1 && used.reduce((sum, { glyphCount }) => sum + glyphCount, 0) >= least, selector);
     for (const { familyName, isCustomFont } of used) assert.ok(isCustomFont && familyName === "STIX Two Math", `${selector}: ${familyName}`);
   }
+  await client.detach();
   await close();
 });
 

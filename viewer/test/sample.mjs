@@ -330,7 +330,7 @@ export const WHEEL = unit([0.1, -0.2, 1]);
 
 /** A body at rest that its wheel turns, so that L is what rounding leaves; and what happens on the way. */
 function wheeled() {
-  const made = free();
+  const made = samples.free();
   const count = 601;
   const body = makeBody([1.9, 2.6, 3.1], unit([1, 0, 0, 0]));
   const h = (t) => 0.015 * Math.min(Math.max(t - 5, 0), 20);
@@ -365,7 +365,7 @@ function wheeled() {
 
 /** A lumpy body of about `count` triangles. */
 function mesh(count = 200_000) {
-  const made = free();
+  const made = samples.free();
   const n = Math.round(Math.sqrt(count / 4));
   const vertices = [];
   const triangles = [];
@@ -386,7 +386,7 @@ function mesh(count = 200_000) {
 }
 
 function balls() {
-  const made = free();
+  const made = samples.free();
   made.title = "Water, turning";
   made.body.shapes = [
     {
@@ -404,7 +404,7 @@ function balls() {
 }
 
 function box() {
-  const made = free();
+  const made = samples.free();
   made.title = "No shape, only moments";
   made.body.shapes = [];
   made.scenario = null;
@@ -412,7 +412,22 @@ function box() {
   return made;
 }
 
-export const samples = { free, symmetric, heavy, tilted, wheeled, mesh, balls, box };
+/** Each is computed once, and whoever asks has a copy to change. */
+const once = (make) => {
+  let made;
+  return () => structuredClone((made ??= make()));
+};
+
+export const samples = {
+  free: once(free),
+  symmetric: once(symmetric),
+  heavy: once(heavy),
+  tilted: once(tilted),
+  wheeled: once(wheeled),
+  mesh: once(mesh),
+  balls: once(balls),
+  box: once(box),
+};
 
 if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) {
   process.stdout.write(JSON.stringify((samples[process.argv[2]] ?? free)()));

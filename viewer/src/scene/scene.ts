@@ -181,7 +181,8 @@ export class View {
   }
 
   resize(width: number, height: number): void {
-    if (width < 1 || height < 1) return;
+    const isSame = width === this.#size.width && height === this.#size.height;
+    if (width < 1 || height < 1 || isSame) return;
     this.#size = { width, height };
     this.#renderer.setSize(width, height, false);
     this.render();

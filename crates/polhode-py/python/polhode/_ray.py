@@ -28,7 +28,12 @@ def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout
         patient = {"agent_register_timeout_ms": 120_000}
         ray.init(num_cpus=workers, include_dashboard=False, _node_ip_address="127.0.0.1", _system_config=patient, **quiet)
     else:
-        ray.init(on, **quiet)
+        try:
+            ray.init(on, **quiet)
+        except ConnectionAbortedError as error:
+            # The traceback of Ray's proxy, which starts a server for each client.
+            why = str(error).strip().splitlines()[-1]
+            raise ConnectionError(f"{on} starts no server for this client: {why}") from error
     try:
         remote: Any = ray.remote(num_cpus=1, max_retries=LOST_WORKERS)(compute)
         sent = ray.put(plan)

@@ -89,8 +89,10 @@ def head(processors: int) -> Iterator[tuple[Path, str]]:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     ray = Path(sys.executable).with_name("ray")
+    # Ray's proxy forks the server for a client while other threads call gRPC, whose handlers of a fork now and then end it by SIGSEGV.
+    surroundings = {**os.environ, "GRPC_ENABLE_FORK_SUPPORT": "0"}
     start = [ray, "start", "--head", f"--num-cpus={processors}", "--node-ip-address=127.0.0.1", f"--ray-client-server-port={port}"]
-    subprocess.run([*start, "--include-dashboard=false", "--disable-usage-stats"], check=True, capture_output=True)
+    subprocess.run([*start, "--include-dashboard=false", "--disable-usage-stats"], check=True, capture_output=True, env=surroundings)
     try:
         yield ray, f"ray://127.0.0.1:{port}"
     finally:
@@ -104,6 +106,12 @@ def test_a_client_outside_the_cluster_gets_the_same_bytes(tmp_path: Path) -> Non
     with head(2) as (_, address):
         sweep.run(plan, tmp_path / "cluster", on=address)
     assert digest(tmp_path / "cluster") == digest(tmp_path / "alone")
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_cluster_that_does_not_answer_is_told(tmp_path: Path) -> None:
+    with pytest.raises(ConnectionError, match="^ray://127.0.0.1:1 does not answer: .*RAY_AUTH_MODE=token"):
+        sweep.run(batch.Plan(PLAN.format(members=40)), tmp_path / "out", on="ray://127.0.0.1:1")
 
 
 @pytest.mark.filterwarnings("default")

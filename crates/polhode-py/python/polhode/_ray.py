@@ -33,7 +33,12 @@ def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout
         except ConnectionAbortedError as error:
             # The traceback of Ray's proxy, which starts a server for each client.
             why = str(error).strip().splitlines()[-1]
-            raise ConnectionError(f"{on} starts no server for this client: {why}") from error
+            hint = "start its head with GRPC_ENABLE_FORK_SUPPORT=0 in the environment, and try again"
+            raise ConnectionError(f"{on} starts no server for this client: {why}; {hint}") from error
+        except ConnectionError as error:
+            # It says no more of a client without a token, whose calls the head refuses.
+            hint = "is its port for clients open, and if it wants a token, is RAY_AUTH_MODE=token set here?"
+            raise ConnectionError(f"{on} does not answer: {error}; {hint}") from error
     try:
         remote: Any = ray.remote(num_cpus=1, max_retries=LOST_WORKERS)(compute)
         sent = ray.put(plan)

@@ -52,9 +52,9 @@ pub(crate) fn run() -> Outcome {
         let python = scope.spawn(|| timed("Python", || python::check_in(environment)));
         THEN.iter().try_for_each(run_step)?;
         timed("book", || book::build_in(&joined(book)?))?;
-        joined(python)?;
+        timed("worked solutions", || solutions::check(&pandoc))?;
         joined(live)?;
-        timed("worked solutions", || solutions::check(&pandoc))
+        joined(python)
     })?;
     println!("\nall passed in {:.0} s", start.elapsed().as_secs_f64());
     Ok(())

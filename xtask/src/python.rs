@@ -16,8 +16,9 @@ pub(crate) const EXECUTABLE: &str = if cfg!(windows) { "Scripts/python.exe" } el
 
 /// What the tests need besides the package: what it uses where it is there, Dask for the cluster, pandoc for worked solutions, what runs
 /// notebooks and shows them in a browser, and what reads the workflows.
-const NEEDED: [&str; 22] = [
+const NEEDED: [&str; 23] = [
     "pytest",
+    "pytest-xdist",
     "scipy",
     "matplotlib",
     "mypy",
@@ -125,7 +126,8 @@ pub(crate) fn check_in(environment: Environment) -> Outcome {
         // Ray is large: its tests are `cargo xtask test --ray`.
         let tests = package.join("tests");
         let ray = format!("--ignore={}", tests.join("test_ray.py").display());
-        let mut tested = here(&["-m", "pytest", "-q", &ray, "-c"]);
+        // Each waits for programs of its own much of the time.
+        let mut tested = here(&["-m", "pytest", "-q", "-n", "2", "--dist", "loadfile", &ray, "-c"]);
         // JupyterLab is looked at in the browser of the page's tests.
         let tested = tested.args([&settings, &tests]).env("POLHODE", polhode()?);
         let tested = run_beside(tested.env("CHROMIUM", viewer::chromium()?));

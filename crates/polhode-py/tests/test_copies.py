@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import functools
 import inspect
 import multiprocessing
 import pickle
@@ -264,6 +265,7 @@ def everything(tmp_path: Path) -> list[object]:
     ]
 
 
+@functools.cache
 def public_classes() -> set[type]:
     """All that a user can have an object of."""
     found = set()

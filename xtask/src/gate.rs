@@ -49,7 +49,9 @@ pub(crate) fn run() -> Outcome {
         timed("workflows", || workflows::check(&environment))?;
         joined(viewer)?;
         let live = scope.spawn(|| timed("live page", viewer::check_live));
-        let python = scope.spawn(|| timed("Python", || python::check_in(environment)));
+        // Before the documentation: cargo does one at a time.
+        let wheel = timed("wheel", || python::install_wheel(&environment))?;
+        let python = scope.spawn(move || timed("Python", || python::check_in(environment, &wheel)));
         THEN.iter().try_for_each(run_step)?;
         timed("book", || book::build_in(&joined(book)?))?;
         timed("worked solutions", || solutions::check(&pandoc))?;
@@ -78,10 +80,10 @@ fn run_step((name, step): &Step) -> Outcome {
     timed(name, step)
 }
 
-fn timed(name: &str, step: impl FnOnce() -> Outcome) -> Outcome {
+fn timed<T>(name: &str, step: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
     println!("\n== {name}");
     let begun = Instant::now();
-    step().map_err(|why| format!("{name}: {why}"))?;
+    let found = step().map_err(|why| format!("{name}: {why}"))?;
     println!("   {name} passed in {:.1} s", begun.elapsed().as_secs_f64());
-    Ok(())
+    Ok(found)
 }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock};
 
 use crate::{Outcome, lint, root, short};
 
@@ -71,9 +71,14 @@ pub(crate) fn polhode() -> Result<PathBuf, String> {
 }
 
 /// A program of the workspace, by its place among the built ones: as the tests have compiled it, since a build of its own would have other features
-/// of what it depends on, and compile all of that once more.
+/// of what it depends on, and compile all of that once more. They are built once: cargo would wait for all that it does beside, such as the documentation.
 pub(crate) fn program(name: &str) -> Result<PathBuf, String> {
-    run(&mut cargo(&["test", "--workspace", "--no-run", "--quiet", "--locked", "--features", FEATURES]))?;
+    static BUILT: Mutex<bool> = Mutex::new(false);
+    let mut built = BUILT.lock().map_err(|_| "a build panicked".to_owned())?;
+    if !*built {
+        run(&mut cargo(&["test", "--workspace", "--no-run", "--quiet", "--locked", "--features", FEATURES]))?;
+        *built = true;
+    }
     Ok(build_folder()?.join(format!("{name}{}", std::env::consts::EXE_SUFFIX)))
 }
 

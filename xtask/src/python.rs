@@ -50,7 +50,9 @@ const MEMBERS_WITH_RAY: &str = "20000";
 
 /// An environment of its own, and then all the rest.
 pub(crate) fn check() -> Outcome {
-    environment().and_then(check_in)
+    let environment = environment()?;
+    let wheel = install_wheel(&environment)?;
+    check_in(environment, &wheel)
 }
 
 /// The tests on Ray, and a sweep on Dask and on Ray whose workers are killed at random, by the wheel in an environment of its own. Linux alone.
@@ -84,7 +86,7 @@ pub(crate) fn check_with_ray() -> Outcome {
 }
 
 /// Builds the wheel and installs it into an environment.
-fn install_wheel(Environment { folder, python }: &Environment) -> Result<PathBuf, String> {
+pub(crate) fn install_wheel(Environment { folder, python }: &Environment) -> Result<PathBuf, String> {
     let package = root().join("crates/polhode-py");
     let wheels = folder.join("wheels");
     // Compiled as the tests are, from the same libraries: a release build would compile all of them once more.
@@ -101,10 +103,8 @@ fn install_wheel(Environment { folder, python }: &Environment) -> Result<PathBuf
     Ok(wheel)
 }
 
-/// Builds the wheel, installs it into an environment, and runs the tests and [what is documented](check_documented) from an empty folder:
-/// what is imported there is the wheel's, not the tree's.
-pub(crate) fn check_in(environment: Environment) -> Outcome {
-    let wheel = install_wheel(&environment)?;
+/// Runs the tests and [what is documented](check_documented) from an empty folder: what is imported there is the wheel's, not the tree's.
+pub(crate) fn check_in(environment: Environment, wheel: &Path) -> Outcome {
     let Environment { folder, python } = environment;
     let package = root().join("crates/polhode-py");
     let empty = folder.join("empty");

@@ -38,6 +38,11 @@ const omegaAtStart = (page) => page.evaluate(() => [...window.polhode.app.motion
 const attitude = (page) => page.evaluate(() => window.polhode.attitudeAt(window.polhode.clock.time));
 /** Waits until the page's motion is that of a text with this in it. */
 const shows = (page, part) => page.waitForFunction((part) => window.polhodeLive.isSettled && window.polhodeLive.text.includes(part), part);
+/** Waits until all that was done so far is answered and drawn. */
+async function shown(page) {
+  await page.waitForFunction(() => window.polhodeLive.isSettled);
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}
 const near = (a, b, by, what) => assert.ok(Math.abs(a - b) <= by, `${what}: ${a}, not ${b}`);
 const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
 
@@ -186,7 +191,7 @@ test("ω by its tip: dragged in the plane that faces the eye, and by keys", asyn
   for (let k = 1; k <= 8; k += 1) await page.mouse.move(x + 10 * k, y + 2 * k);
   await page.waitForFunction((w) => Math.abs(window.polhode.app.motion.omega[0] - w) > 0.3, before[0]);
   // While it is in the hand: when it is let go, the camera may step back to have all of the motion in its frame.
-  await page.waitForTimeout(600);
+  await shown(page);
   const now = await tip.boundingBox();
   near(now.x + now.width / 2, x + 80, 4, "the arrow's tip is under the pointer");
   near(now.y + now.height / 2, y + 16, 4, "the arrow's tip is under the pointer");
@@ -214,16 +219,17 @@ test("the body is thrown: it goes on from where it is let go, as it was turned; 
   assert.equal(await page.getAttribute("#throw", "aria-pressed"), "true");
   const box = await page.locator("#canvas").boundingBox();
   const [x, y] = [box.x + box.width / 2 - 60, box.y + box.height / 2];
+  // With times of its own, ms: however slow the machine is, the hand is as fast as it says.
+  const devtools = await page.context().newCDPSession(page);
   const drag = async (rest) => {
-    await page.mouse.move(x, y);
-    await page.mouse.down();
-    for (let k = 1; k <= 12; k += 1) {
-      await page.mouse.move(x + 8 * k, y);
-      await page.waitForTimeout(16);
-    }
+    const hand = { button: "left", buttons: 1, clickCount: 1, y };
+    const start = Date.now();
+    const does = (type, step, wait = 0) =>
+      devtools.send("Input.dispatchMouseEvent", { ...hand, type, x: x + 8 * step, timestamp: (start + 16 * step + wait) / 1000 });
+    await does("mousePressed", 0);
+    for (let k = 1; k <= 12; k += 1) await does("mouseMoved", k);
     const held = await page.evaluate(() => window.polhode.view.attitude);
-    await page.waitForTimeout(rest);
-    await page.mouse.up();
+    await does("mouseReleased", 12, rest);
     await page.waitForFunction(() => window.polhode.view.held === null);
     return held;
   };
@@ -264,7 +270,7 @@ test("the triangle of moments asks before it replaces parts, then moves in what 
   await page.mouse.move(box.x + box.width / 2, box.y + box.height * 2);
   await page.mouse.up();
   await page.waitForFunction((first) => Math.abs(window.polhode.app.page.body.principal.moments[1] - first) > 1e-9, first[1]);
-  await page.waitForTimeout(400);
+  await shown(page);
   const [a, b, c] = await moments();
   near(a + b, c, 1e-4 * c, "an edge is a plate");
   near(a + b + c, first[0] + first[1] + first[2], 1e-4 * c, "the sum stays");

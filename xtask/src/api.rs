@@ -1,13 +1,18 @@
 //! The public names of the core crate, as its documentation has them: a change of one is seen in `crates/polhode/api.txt`.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use crate::process::{cargo, empty_folder, run};
+use crate::process::{FEATURES, cargo, empty_folder, run};
 use crate::{Outcome, files, read, root, short};
 
 /// Compares what the documentation says with the file.
 pub(crate) fn check() -> Outcome {
-    let (path, now) = (root().join(FILE), api()?);
+    check_in(&document()?)
+}
+
+/// The same of documentation that was made.
+pub(crate) fn check_in(documentation: &Path) -> Outcome {
+    let (path, now) = (root().join(FILE), api(documentation)?);
     let then = read(&path)?.replace("\r\n", "\n");
     if now == then {
         println!("   {FILE}: {} lines", now.lines().count());
@@ -25,18 +30,22 @@ pub(crate) fn check() -> Outcome {
 /// Writes the file.
 pub(crate) fn write() -> Outcome {
     let path = root().join(FILE);
-    std::fs::write(&path, api()?).map_err(|error| format!("{}: {error}", short(&path)))
+    std::fs::write(&path, api(&document()?)?).map_err(|error| format!("{}: {error}", short(&path)))
 }
 
 const FILE: &str = "crates/polhode/api.txt";
 
-/// Each item with its declaration, methods and traits.
-fn api() -> Result<String, String> {
-    // In a folder of its own, made anew: pages of what is no more would stay.
+/// Makes the documentation of the core crate, in a folder of its own: pages of what is no more would stay elsewhere.
+fn document() -> Result<PathBuf, String> {
     let target = empty_folder("api")?;
-    let doc = ["doc", "--quiet", "--package", "polhode", "--lib", "--no-deps", "--locked"];
-    run(cargo(&doc).env("CARGO_TARGET_DIR", &target))?;
-    let folder = target.join("doc/polhode");
+    let doc = ["doc", "--quiet", "--package", "polhode", "--lib", "--no-deps", "--locked", "--features"];
+    run(cargo(&doc).arg(FEATURES).env("CARGO_TARGET_DIR", &target))?;
+    Ok(target.join("doc"))
+}
+
+/// Each item with its declaration, methods and traits.
+fn api(documentation: &Path) -> Result<String, String> {
+    let folder = documentation.join("polhode");
     let mut items = Vec::new();
     for page in files(&folder, "html")? {
         let inside = page.strip_prefix(&folder).map_err(|error| error.to_string())?;

@@ -5,7 +5,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::process::{build_folder, cargo, copy, empty_folder, run};
+use crate::process::{FEATURES, build_folder, cargo, copy, empty_folder, run};
 use crate::{Outcome, python, read, root};
 
 /// The Python that has Sphinx.
@@ -50,12 +50,30 @@ pub(crate) fn environment() -> Result<Environment, String> {
 }
 
 /// The documentation of the crates, without a warning.
-pub(crate) fn document_crates() -> Outcome {
-    let doc = ["doc", "--workspace", "--lib", "--no-deps", "--locked"];
+fn document_crates() -> Outcome {
+    let doc = ["doc", "--workspace", "--lib", "--no-deps", "--locked", "--features", FEATURES];
     run(cargo(&doc).env("RUSTDOCFLAGS", "-D warnings"))
 }
 
-/// Builds from what [`document_crates`] has made. A warning is an error: a link that leads nowhere, a page outside the navigation.
+/// The folder of that documentation, with nothing in it but a place for each crate: by it rustdoc knows that a link to it leads there.
+pub(crate) fn empty_documentation() -> Result<PathBuf, String> {
+    let folder = documentation()?;
+    let failed = |error| format!("{}: {error}", folder.display());
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder).map_err(failed)?;
+    }
+    for entry in std::fs::read_dir(root().join("crates")).map_err(failed)? {
+        let name = entry.map_err(failed)?.file_name();
+        std::fs::create_dir_all(folder.join(name.to_string_lossy().replace('-', "_"))).map_err(failed)?;
+    }
+    Ok(folder)
+}
+
+pub(crate) fn documentation() -> Result<PathBuf, String> {
+    Ok(build_folder()?.with_file_name("doc"))
+}
+
+/// Builds from the documentation as it is there. A warning is an error: a link that leads nowhere, a page outside the navigation.
 pub(crate) fn build_in(Environment(python): &Environment) -> Outcome {
     let (root, site) = (root(), site()?);
     if site.exists() {
@@ -72,7 +90,7 @@ pub(crate) fn build_in(Environment(python): &Environment) -> Outcome {
         .arg(trees)
         .arg(".")
         .arg(&site))?;
-    copy(&site.with_file_name("doc"), &site.join("rust"))?;
+    copy(&documentation()?, &site.join("rust"))?;
     run(here(&["book/site/links.py"]).arg(&site))?;
     println!("   {}", site.join("index.html").display());
     Ok(())

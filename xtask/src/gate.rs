@@ -26,9 +26,8 @@ const FIRST: [Step; 6] = [
 ];
 
 /// Those that come after, beside the Python package's.
-const THEN: [Step; 5] = [
-    ("documentation", book::document_crates),
-    ("public names", api::check),
+const THEN: [Step; 4] = [
+    ("public names", || api::check_in(&book::documentation()?)),
     ("examples", examples::check),
     ("README", readme::check),
     ("archive of a release", dist::check),
@@ -49,7 +48,7 @@ pub(crate) fn run() -> Outcome {
         timed("workflows", || workflows::check(&environment))?;
         joined(viewer)?;
         let live = scope.spawn(|| timed("live page", viewer::check_live));
-        // Before the documentation: cargo does one at a time.
+        // Before what else calls cargo, which does one thing at a time.
         let wheel = timed("wheel", || python::install_wheel(&environment))?;
         let python = scope.spawn(move || timed("Python", || python::check_in(environment, &wheel)));
         THEN.iter().try_for_each(run_step)?;
@@ -62,14 +61,16 @@ pub(crate) fn run() -> Outcome {
     Ok(())
 }
 
-/// Two programs of tests at a time: at the end of each the last test is alone, and those of the command wait for it.
+/// Two programs of tests at a time: at the end of each the last test is alone, and those of the command wait for it. With the examples of the documentation
+/// that is made.
 fn tests() -> Outcome {
     let of =
         |what: &[&str]| cargo(&[&["test", "--workspace", "--locked", "--features", FEATURES], what].concat());
     std::thread::scope(|scope| {
         let units = scope.spawn(|| {
             process::run_beside(&mut of(&["--lib", "--bins"]))
-                .and_then(|()| process::run_beside(&mut of(&["--doc"])))
+                .and_then(|()| book::empty_documentation())
+                .and_then(|folder| process::run_beside(&mut process::documented(of(&["--doc"]), &folder)))
         });
         let tested = process::run(&mut of(&["--test", "*"]));
         joined(units).and(tested)

@@ -7,6 +7,7 @@ mod circles;
 mod corpus;
 mod dependencies;
 mod dist;
+mod document;
 mod engines;
 mod examples;
 mod gate;
@@ -53,6 +54,9 @@ usage: cargo xtask TASK
 fn main() -> ExitCode {
     if lint::is_wrapper() {
         return lint::run();
+    }
+    if let Some(exit) = document::in_place_of_rustdoc() {
+        return exit;
     }
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let outcome = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::{Mutex, OnceLock};
 
-use crate::{Outcome, lint, root, short};
+use crate::{Outcome, document, lint, root, short};
 
 /// Cargo, at the root.
 pub(crate) fn cargo(arguments: &[&str]) -> Command {
@@ -14,10 +14,10 @@ pub(crate) fn cargo(arguments: &[&str]) -> Command {
     command
 }
 
-/// What lints, set where the whole gate runs: a copy of this program, which itself is compiled anew there.
+/// What lints and documents, set where the whole gate runs: a copy of this program, which itself is compiled anew there.
 static LINTER: OnceLock<PathBuf> = OnceLock::new();
 
-/// From now on what is compiled of the workspace is linted, and a warning is an error.
+/// From now on what is compiled of the workspace is linted, and what is tested of its documentation is documented; a warning is an error.
 pub(crate) fn lint() -> Outcome {
     let this = std::env::current_exe().map_err(|error| format!("where is this program? {error}"))?;
     let copy = empty_folder("lint")?.join(format!("xtask{}", std::env::consts::EXE_SUFFIX));
@@ -31,6 +31,14 @@ pub(crate) fn linted(command: &mut Command) {
     if let Some(linter) = LINTER.get() {
         lint::wrap(command, linter);
     }
+}
+
+/// Cargo for the tests of the documentation, by which that is made too, where [`lint`] was called.
+pub(crate) fn documented(mut tests: Command, folder: &Path) -> Command {
+    if let Some(this) = LINTER.get() {
+        document::wrap(&mut tests, this, folder);
+    }
+    tests
 }
 
 /// Runs a command with the terminal as it is.
@@ -61,8 +69,7 @@ pub(crate) fn run_beside(command: &mut Command) -> Outcome {
     }
 }
 
-/// The conversions of the core crate, which no other crate here uses. It is tested with them, so that it is compiled once, and without them for its
-/// documentation.
+/// The conversions of the core crate, which no other crate here uses. It is tested and documented with them.
 pub(crate) const FEATURES: &str = "polhode/serde,polhode/mint,polhode/nalgebra,polhode/glam";
 
 /// Builds `polhode` and says where it is.

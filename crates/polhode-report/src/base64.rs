@@ -4,43 +4,42 @@ const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz
 
 /// Each number as an f64.
 pub(crate) fn f64s(numbers: impl IntoIterator<Item = f64>) -> String {
-    encode(numbers.into_iter().flat_map(f64::to_le_bytes))
+    arrays(numbers.into_iter().map(f64::to_le_bytes))
 }
 
 /// Each number as an f32.
 pub(crate) fn f32s(numbers: impl IntoIterator<Item = f32>) -> String {
-    encode(numbers.into_iter().flat_map(f32::to_le_bytes))
+    arrays(numbers.into_iter().map(f32::to_le_bytes))
 }
 
 /// Each number as a u32.
 pub(crate) fn u32s(numbers: impl IntoIterator<Item = u32>) -> String {
-    encode(numbers.into_iter().flat_map(u32::to_le_bytes))
+    arrays(numbers.into_iter().map(u32::to_le_bytes))
+}
+
+fn arrays<const N: usize>(arrays: impl Iterator<Item = [u8; N]>) -> String {
+    encode(arrays.collect::<Vec<_>>().as_flattened())
 }
 
 /// Four digits for every three bytes.
-pub(crate) fn encode(bytes: impl Iterator<Item = u8>) -> String {
-    let mut text = String::new();
-    let (mut held, mut count) = (0_u32, 0_u8);
-    for byte in bytes {
-        held = held << 8 | u32::from(byte);
-        count += 1;
-        if count == 3 {
-            (0..4).for_each(|k| text.push(digit(held, k)));
-            (held, count) = (0, 0);
-        }
+pub(crate) fn encode(bytes: &[u8]) -> String {
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    let (threes, rest) = bytes.as_chunks::<3>();
+    for &[a, b, c] in threes {
+        text.extend(digits([a, b, c]));
     }
-    if count > 0 {
-        held <<= 8 * (3 - count);
-        (0..=count).for_each(|k| text.push(digit(held, k)));
-        (count..3).for_each(|_| text.push('='));
+    match *rest {
+        [a, b] => text.extend(digits([a, b, 0]).into_iter().take(3).chain(['='])),
+        [a] => text.extend(digits([a, 0, 0]).into_iter().take(2).chain(['=', '='])),
+        _ => {}
     }
     text
 }
 
-/// The digit number `k` of 24 bits, from the left.
-fn digit(bits: u32, k: u8) -> char {
-    let index = bits >> (18 - 6 * k) & 63;
-    DIGITS.get(index as usize).map_or('A', |&digit| char::from(digit))
+/// The four digits of 24 bits, six bits each, from the left.
+fn digits([a, b, c]: [u8; 3]) -> [char; 4] {
+    let bits = u32::from_be_bytes([0, a, b, c]);
+    [18, 12, 6, 0].map(|shift| char::from(DIGITS[(bits >> shift & 63) as usize]))
 }
 
 #[cfg(test)]
@@ -58,7 +57,7 @@ mod tests {
             ("fooba", "Zm9vYmE="),
             ("foobar", "Zm9vYmFy"),
         ] {
-            assert_eq!(encode(bytes.bytes()), text);
+            assert_eq!(encode(bytes.as_bytes()), text);
         }
     }
 

@@ -418,7 +418,8 @@ fn no_bytes_make_it_panic() {
             assert!(!error.to_string().is_empty());
         }
         for at in 0..bytes.len() {
-            for flip in 1..=255 {
+            // Each bit, and all.
+            for flip in [1, 2, 4, 8, 16, 32, 64, 128, 255] {
                 let mut bytes = bytes.clone();
                 bytes[at] ^= flip;
                 match read(&bytes) {

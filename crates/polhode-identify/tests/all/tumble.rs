@@ -96,7 +96,7 @@ fn normalised_square(found: &Tumble, truth: [f64; 2]) -> f64 {
 
 #[test]
 fn errors_are_what_they_are_said_to_be() {
-    const SEEDS: u64 = 400;
+    const SEEDS: u64 = 250;
     let truth = ratios(TENSOR);
     let (mut sums, mut squares, mut said) = ([0.0; 2], [0.0; 2], [0.0; 2]);
     let mut normalised = 0.0;

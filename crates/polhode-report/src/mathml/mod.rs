@@ -16,7 +16,7 @@ const FONT: &[u8] = include_bytes!("../../assets/stix-two-math.woff2");
 
 /// The style of formulas, the font in it.
 pub(crate) fn style() -> String {
-    let font = format!("data:font/woff2;base64,{}", encode(FONT.iter().copied()));
+    let font = format!("data:font/woff2;base64,{}", encode(FONT));
     FONT_RULE.replace(FONT_FILE, &font)
 }
 

@@ -142,18 +142,8 @@ pub fn page_of(title: &str, data: &str) -> String {
 
 /// JSON that no markup can hide in: these characters stand in its strings only.
 fn inert(json: &str) -> String {
-    let mut text = String::with_capacity(json.len());
-    let mut rest = json;
-    while let Some(at) = rest.find(['<', '>', '&', '\u{2028}', '\u{2029}']) {
-        let (before, from) = rest.split_at(at);
-        text.push_str(before);
-        let mut after = from.chars();
-        if let Some(c) = after.next() {
-            text.push_str(&format!("\\u{:04x}", u32::from(c)));
-        }
-        rest = after.as_str();
-    }
-    text + rest
+    let escaped = |text: String, c: char| text.replace(c, &format!("\\u{:04x}", u32::from(c)));
+    ['<', '>', '&', '\u{2028}', '\u{2029}'].into_iter().fold(json.to_owned(), escaped)
 }
 
 #[cfg(test)]

@@ -164,7 +164,7 @@ fn captions_say_what_is_seen() {
     assert!(caption(&crate::common::gyroscope(), "body").contains("prescribed"));
     // Friction inside is no torque from outside, with another it is not named among those that act.
     let sink = TorqueModel::EnergySink(EnergySink::new(0.01).unwrap());
-    let push = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.1, 0.2, -0.3)));
+    let push = TorqueModel::Constant(ConstantTorque::Body(Torque::new(1e-5, 2e-5, -3e-5)));
     let inside = caption(&handle.clone().under(vec![sink.clone()]).unwrap(), "body");
     assert_eq!(
         inside,

@@ -1,7 +1,9 @@
 //! SIMD register types by instruction set, used where LLVM fails to vectorise `[f64; N]`.
 
+use core::marker::PhantomData;
+
 use super::lanes::Lanes;
-use super::number::Number;
+use super::number::{Number, Splat};
 
 /// The vectors of a machine.
 pub(crate) trait Machine: Copy {
@@ -87,14 +89,26 @@ impl<S: fearless_simd::Simd<f64s: Number>> Machine for S {
     }
 }
 
-/// Without vectors.
+/// Without vectors; as many numbers side by side as M has.
 #[derive(Clone, Copy)]
-pub(crate) struct Plain;
+pub(crate) struct Plain<M>(PhantomData<M>);
 
-impl Machine for Plain {
+/// The code of four is long, so that a build for development does without.
+#[cfg(debug_assertions)]
+type Several = f64;
+#[cfg(not(debug_assertions))]
+type Several = Lanes<4>;
+
+impl<M> Plain<M> {
+    pub(crate) const fn new() -> Self {
+        Self(PhantomData)
+    }
+}
+
+impl<M: Splat> Machine for Plain<M> {
     type Four = Lanes<4>;
     type Eight = Lanes<8>;
-    type Many = Lanes<4>;
+    type Many = M;
 
     fn load(self, numbers: &[f64; 4]) -> Lanes<4> {
         Lanes(*numbers)
@@ -120,8 +134,8 @@ impl Machine for Plain {
         eight.0
     }
 
-    fn many(self, number: f64) -> Lanes<4> {
-        self.splat(number)
+    fn many(self, number: f64) -> M {
+        M::splat(number)
     }
 
     #[inline(never)]
@@ -178,7 +192,7 @@ pub(crate) fn in_vectors<W: Work>(work: W) -> W::Output {
             return narrow(simd128, work);
         }
     }
-    work.run(Plain)
+    work.run(Plain::<Several>::new())
 }
 
 /// Runs a loop over plain arrays compiled for the widest vectors of this machine.

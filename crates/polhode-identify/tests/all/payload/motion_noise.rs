@@ -58,7 +58,7 @@ fn errors_hold_where_the_motion_is_hardly_larger_than_its_noise() {
     let noise = MotionNoise { omega: 0.03, alpha: 0.6, acceleration: 0.05 };
     let mut said = Statistics::new(10);
     let mut all = 0;
-    for seed in 0..300 {
+    for seed in 0..200 {
         let measured = shaken(&noisy(&exact, FORCE, 0.3 * TORQUE, seed), [0.03, 0.6, 0.05], seed);
         let log = PayloadLog::new(measured, SENSE)
             .unwrap()

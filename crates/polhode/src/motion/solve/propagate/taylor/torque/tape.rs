@@ -516,7 +516,7 @@ mod tests {
 
     /// One body's.
     fn series_of_one(formula: &Formula, time: f64) -> Scalars {
-        series(OneBody(Plain), formula, time)
+        series(OneBody(Plain::<f64>::new()), formula, time)
     }
 
     /// 0.3 + 0.2 t − 0.1 t²
@@ -555,7 +555,7 @@ mod tests {
         formulas.push(("t^-1.7".to_owned(), Formula::new(quadratic().into_iter().chain(power)).unwrap()));
         for (name, formula) in formulas {
             let starts = [0.4, -0.7, 0.0, -0.2];
-            let together = series(SeveralBodies(Plain), &formula, Lanes(starts));
+            let together = series(SeveralBodies(Plain::<Lanes<4>>::new()), &formula, Lanes(starts));
             for (lane, start) in starts.into_iter().enumerate() {
                 let coefficients = series_of_one(&formula, start);
                 let same = |(one, all): (&f64, &Lanes<4>)| one.to_bits() == all.lane(lane).to_bits();

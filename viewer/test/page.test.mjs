@@ -30,7 +30,7 @@ const inked = (page) =>
   });
 
 test("it loads from disk without errors or requests, and every picture and tab opens", async () => {
-  const { page, problems, close } = await open(browser, "free", samples.free());
+  const { page, problems, close } = await open(browser, "free", samples.free(), { smooth: true });
   const stage = async () => JSON.stringify(await page.locator("#stage").boundingBox());
   const place = await stage();
   for (const picture of ["body", "poinsot", "cones", "sphere"]) {

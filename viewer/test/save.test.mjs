@@ -203,7 +203,11 @@ test("films have the frames of their exact times, whatever the screen shows and 
 });
 
 test("a picture of four times the size is the same picture with more in it, on paper or on nothing", async () => {
-  const { page, problems, close } = await open(browser, "print", samples.heavy(), { viewport: { width: 340, height: 500 }, colorScheme: "dark" });
+  const { page, problems, close } = await open(browser, "print", samples.heavy(), {
+    viewport: { width: 340, height: 500 },
+    colorScheme: "dark",
+    smooth: true,
+  });
   const size = await page.locator("#stage").evaluate((e) => ({ width: e.clientWidth, height: e.clientHeight }));
   const small = await saved(page, { format: "png", ...size });
   await page.click("#save-dialog button >> text=4×");

@@ -9,7 +9,7 @@ const ROUNDS = 40;
 const files = process.argv.slice(2);
 const pages = files.length > 0 ? files.map((file) => JSON.parse(readFileSync(file, "utf8"))) : [samples.free()];
 const browser = await launch();
-const { page, problems, close } = await open(browser, "speed", pages[0]);
+const { page, problems, close } = await open(browser, "speed", pages[0], { smooth: true });
 await page.evaluate(() => {
   for (const call of ["drawElements", "drawArrays", "drawElementsInstanced", "drawArraysInstanced"]) WebGL2RenderingContext.prototype[call] = () => undefined;
 });

@@ -33,6 +33,10 @@ pub(crate) trait Work {
     fn run<S: Machine>(self, s: S) -> Self::Output;
 
     /// Runs it where a register holds two numbers, or one.
+    #[cfg_attr(
+        not(feature = "simd"),
+        allow(dead_code, reason = "without the feature there are no such registers")
+    )]
     #[inline(always)]
     fn run_narrow<S: Machine>(self, s: S) -> Self::Output
     where

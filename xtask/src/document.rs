@@ -3,7 +3,9 @@
 
 use std::ffi::OsString;
 use std::path::Path;
-use std::process::{Command, ExitCode, ExitStatus};
+use std::process::{Command, ExitCode};
+
+use crate::lint;
 
 /// Set where this program is called in the place of rustdoc, to the folder of the documentation.
 const FOLDER: &str = "XTASK_DOCUMENTS";
@@ -21,19 +23,9 @@ pub(crate) fn in_place_of_rustdoc() -> Option<ExitCode> {
     if arguments.iter().any(|argument| argument == "--test") {
         runs.push(documenting(&arguments, Path::new(&folder)));
     }
-    let failed = runs.iter().find_map(|run| failed(Command::new("rustdoc").args(run).status()));
+    let failed =
+        runs.iter().find_map(|run| lint::failed("rustdoc", Command::new("rustdoc").args(run).status()));
     Some(failed.unwrap_or(ExitCode::SUCCESS))
-}
-
-fn failed(status: std::io::Result<ExitStatus>) -> Option<ExitCode> {
-    match status {
-        Ok(status) if status.success() => None,
-        Ok(_) => Some(ExitCode::FAILURE),
-        Err(error) => {
-            eprintln!("rustdoc: {error}");
-            Some(ExitCode::FAILURE)
-        }
-    }
 }
 
 /// The arguments of tests, for documentation in a folder.

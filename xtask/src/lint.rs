@@ -41,7 +41,8 @@ fn is_rustc(path: &OsStr) -> bool {
     Path::new(path).file_stem().is_some_and(|name| name == "rustc")
 }
 
-fn failed(program: &str, status: std::io::Result<ExitStatus>) -> Option<ExitCode> {
+/// How this program ends if another has failed.
+pub(crate) fn failed(program: &str, status: std::io::Result<ExitStatus>) -> Option<ExitCode> {
     match status {
         Ok(status) if status.success() => None,
         Ok(status) => {

@@ -8,15 +8,17 @@ mod parallel;
 mod policy;
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use clap::{ArgGroup, Args};
+use clap::{ArgGroup, Args, ValueEnum};
 use polhode_formats::FormatError;
 use polhode_robot::finding::Finding;
 use polhode_robot::geometry::{Shapes, mesh_files};
-use polhode_robot::inspect::{Inspection, inspect};
+use polhode_robot::inspect::{Inspection, inspect_for};
 use polhode_robot::model::RobotModel;
 use polhode_robot::policy::{Judged, Policy};
-use polhode_robot::read::{ReadOptions, read_model, read_text};
+use polhode_robot::program::Program;
+use polhode_robot::read::{CheckedFolder, ReadOptions, read_model, read_text};
 use polhode_robot::report::CheckReport;
 use polhode_robot::rule::{list, rule, rules};
 
@@ -49,6 +51,7 @@ Examples:
   polhode check robot.urdf --fix robot-fixed.urdf
   polhode check src/ --root src --json | jq '.[].findings[]'
   polhode check world.sdf --root models --strict
+  polhode check robot.urdf --for mujoco --for drake
   polhode check src/ --fail-on impossible --format sarif --output check.sarif
   polhode check src/ --write-baseline known.json
   polhode check src/ --baseline known.json
@@ -58,9 +61,14 @@ pub(crate) struct Check {
     /// Models, and folders to search for them.
     #[arg(required_unless_present_any = ["explain", "out"], value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// A folder that holds packages, for package:// and model://; may be repeated. No mesh outside is opened.
+    /// A folder that holds packages, for package:// and model://; may be repeated. No mesh is opened outside of these, the folders that
+    /// are checked, the model's own and an ancestor folder with the package's name.
     #[arg(long = "root", value_name = "DIR")]
     roots: Vec<PathBuf>,
+    /// Program that has to accept the models; may be repeated. A link that it refuses, such as a moving one without mass, is an error
+    /// instead of a note.
+    #[arg(long = "for", value_enum, value_name = "PROGRAM")]
+    programs: Vec<ForProgram>,
     #[command(flatten)]
     output: OutputFlags,
     #[command(flatten)]
@@ -69,9 +77,29 @@ pub(crate) struct Check {
     fix: FixFlags,
     /// Print what a rule asks, why, how to mend what breaks it, and an example; without CODE all rules, a line each.
     #[arg(long, value_name = "CODE", num_args = 0..=1, conflicts_with_all = [
-        "files", "roots", "json", "table", "format", "output", "fail_on", "strict", "config", "baseline", "write_baseline", "out", "force",
+        "files", "roots", "programs", "json", "table", "format", "output", "fail_on", "strict", "config", "baseline", "write_baseline", "out", "force",
     ])]
     explain: Option<Option<String>>,
+}
+
+/// A program that reads models.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum ForProgram {
+    Mujoco,
+    Gazebo,
+    Drake,
+    Isaac,
+}
+
+impl From<ForProgram> for Program {
+    fn from(program: ForProgram) -> Self {
+        match program {
+            ForProgram::Mujoco => Self::Mujoco,
+            ForProgram::Gazebo => Self::Gazebo,
+            ForProgram::Drake => Self::Drake,
+            ForProgram::Isaac => Self::Isaac,
+        }
+    }
 }
 
 impl Check {
@@ -99,9 +127,12 @@ impl Check {
         self.policy.require_not_written(&outputs)?;
         outputs.require_places()?;
 
+        let folders: Vec<_> =
+            self.files.iter().filter_map(|file| CheckedFolder::new(file)).map(Arc::new).collect();
+        let reading = |path: &Path| self.reading(&folders, path);
         let read = |input: Result<PathBuf, Unread>| match input {
             Ok(path) => {
-                let model = read_model(&path, &self.reading());
+                let model = read_model(&path, &reading(&path));
                 Input { model: model.map_err(|error| Failure::from(error).about(&path)), path }
             }
             Err(Unread { path, failure }) => Input { path, model: Err(failure) },
@@ -115,7 +146,8 @@ impl Check {
         side_by_side(meshes, |mesh| shapes.read_ahead(&mesh), PathBuf::as_path);
         let outcome = |Input { path, model }: Input| Outcome {
             report: model.and_then(|model| {
-                self.report(&path, model, target, &shapes, &policy).map_err(|failure| failure.about(&path))
+                self.report(&path, model, target, (&shapes, &policy, &reading(&path)))
+                    .map_err(|failure| failure.about(&path))
             }),
             path,
         };
@@ -173,16 +205,16 @@ impl Check {
         file: &Path,
         model: RobotModel,
         out: Option<&Path>,
-        shapes: &Shapes<'_>,
-        policy: &Policy,
+        by: (&Shapes<'_>, &Policy, &ReadOptions),
     ) -> Result<CheckReport, Failure> {
-        let Inspection { geometry, findings } = inspect(&model, shapes);
+        let (shapes, policy, _) = by;
+        let Inspection { geometry, findings } = inspect_for(&model, shapes, &self.programs());
         let judged = judge(policy, file, &model, findings);
         let report = CheckReport::new(model, geometry, judged);
         if !self.fix.is_given() {
             return Ok(report);
         }
-        fix::fixed(report, out, |text| self.findings_in(text, file, shapes, policy))
+        fix::fixed(report, out, |text| self.findings_in(text, file, by))
     }
 
     /// What is found in a text in place of the file's.
@@ -190,11 +222,10 @@ impl Check {
         &self,
         text: &str,
         file: &Path,
-        shapes: &Shapes<'_>,
-        policy: &Policy,
+        (shapes, policy, reading): (&Shapes<'_>, &Policy, &ReadOptions),
     ) -> Result<Vec<Finding>, FormatError> {
-        let model = read_text(text, file, &self.reading())?;
-        let findings = inspect(&model, shapes).findings;
+        let model = read_text(text, file, reading)?;
+        let findings = inspect_for(&model, shapes, &self.programs()).findings;
         Ok(judge(policy, file, &model, findings).open)
     }
 
@@ -208,8 +239,14 @@ impl Check {
         Outputs::new(options, self.fix.force)
     }
 
-    fn reading(&self) -> ReadOptions {
-        ReadOptions { roots: self.roots.clone(), confined: false }
+    fn programs(&self) -> Vec<Program> {
+        self.programs.iter().copied().map(Program::from).collect()
+    }
+
+    /// Options for a model, with the folder of the command line that it was found in.
+    fn reading(&self, folders: &[Arc<CheckedFolder>], path: &Path) -> ReadOptions {
+        let checked = folders.iter().find(|folder| folder.names(path)).cloned();
+        ReadOptions { roots: self.roots.clone(), confined: false, checked }
     }
 }
 

@@ -22,7 +22,8 @@ pub(crate) fn check_file(
     roots: Vec<PathBuf>,
 ) -> PyResult<(String, String, String)> {
     py.detach(|| {
-        let model = read_model(&path, &ReadOptions { roots, confined: false }).map_err(Raise::raise)?;
+        let model =
+            read_model(&path, &ReadOptions { roots, ..ReadOptions::default() }).map_err(Raise::raise)?;
         let Inspection { geometry, findings } = inspect(&model, &Shapes::default());
         let judged = Policy::default().judge(|path| path.to_string_lossy().into_owned(), &model, findings);
         let report = CheckReport::new(model, geometry, judged);

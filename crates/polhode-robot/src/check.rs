@@ -18,7 +18,9 @@
 //! Each rule is a file, and says why its thresholds are what they are.
 
 mod alike;
+mod armature;
 mod body;
+mod computed;
 mod conjugate;
 mod density;
 mod dummy;
@@ -34,6 +36,7 @@ mod placeholder;
 mod possible;
 mod power;
 mod print;
+mod refused;
 mod sign;
 mod tree;
 mod tree_order;
@@ -43,6 +46,7 @@ mod written;
 use crate::finding::{Finding, Repair, Severity};
 use crate::geometry::{MeshReading, Shapes, Volume};
 use crate::model::{Link, RobotModel, Role, Span};
+use crate::program::Program;
 use body::Body;
 use dummy::Held;
 use possible::Verdict;
@@ -106,11 +110,19 @@ impl LinkGeometry {
 /// # Ok::<(), polhode_formats::FormatError>(())
 /// ```
 pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
+    check_for(model, geometry, &[])
+}
+
+/// The same; what one of these programs refuses is an error, where it is a note otherwise.
+pub fn check_for(model: &RobotModel, geometry: &[LinkGeometry], programs: &[Program]) -> Vec<Finding> {
     let tree = Tree::of(model);
     let print = Print::of(model);
     let nothing = LinkGeometry::default();
     let mut findings = tree::check(model, &tree);
     let mut bodies = Vec::with_capacity(model.links.len());
+    for (link, geometry) in model.links.iter().zip(geometry) {
+        computed::check(model.format, link, geometry, &mut findings);
+    }
     for (k, link) in model.links.iter().enumerate() {
         let placed = link.inertial.as_ref().is_none_or(|inertial| inertial.pose.unreadable.is_empty());
         let geometry = geometry.get(k).filter(|_| placed).unwrap_or(&nothing);
@@ -129,6 +141,8 @@ pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
         }
     }
     numbers::elsewhere(model, &mut findings);
+    armature::check(model, &mut findings);
+    refused::check(model, &tree, programs, &mut findings);
     pair::check(model, &tree, &bodies, &mut findings);
     placeholder::repeated(&bodies, &mut findings);
     let mut findings = alike::grouped(model, findings);

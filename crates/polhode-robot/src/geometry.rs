@@ -22,7 +22,6 @@ use std::thread;
 
 use polhode::body::MassProperties;
 use polhode::body::mesh::TriangleMesh;
-use polhode::body::shape::Substance;
 use polhode::math::Part;
 
 use crate::model::{Geometry, GeometryShape, Link, Role, Span};
@@ -202,16 +201,8 @@ impl<'a> Shapes<'a> {
             shape => {
                 let primitive = Primitive::of(shape).map_err(|error| error.to_string())?;
                 let reach = primitive.reach(&geometry.pose);
-                (
-                    Solid::of(
-                        &primitive
-                            .shape
-                            .mass_properties(Substance::Density(1.0))
-                            .map_err(|e| e.to_string())?,
-                    ),
-                    reach,
-                    VolumeKind::Primitives,
-                )
+                let body = primitive.mass_properties().map_err(|error| error.to_string())?;
+                (Solid::of(&body), reach, VolumeKind::Primitives)
             }
         };
         let volume = Volume {

@@ -8,11 +8,11 @@ use polhode::body::{Finding, Severity};
 use polhode::math::{Body, Rotation};
 use polhode_report::plain::number;
 use polhode_report::{InertiaReport, SourceInfo};
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 use crate::body::{LinkMass, link_mass};
 use crate::line_index::{FilePlace, Places};
-use crate::lump::{JointPosition, Lump, LumpError, Lumping, PositionBy, link_named, lump};
+use crate::lump::{Drive, JointPosition, Lump, LumpError, Lumping, PositionBy, link_named, lump};
 use crate::model::{ModelFormat, RobotModel, Span};
 use crate::remarks::{Contradiction, remarks};
 
@@ -116,12 +116,36 @@ pub fn of_lumps(
     if let Some(lump) = lumps.first() {
         findings.extend(beyond_limits(model, &lump.positions));
     }
-    let report = |lump| InertiaReport { findings: findings.clone(), ..of_lump(model, lumping, lump) };
+    let report = |lump: Lump| {
+        let armatures = lump.drives.iter().filter_map(|drive| armature(model, drive));
+        let findings = findings.iter().cloned().chain(armatures).collect();
+        InertiaReport { findings, ..of_lump(model, lumping, lump) }
+    };
     Ok(lumps.into_iter().map(report).collect())
 }
 
+/// States what the motor of a joint moves: the body, and its own rotor.
+fn armature(model: &RobotModel, drive: &Drive) -> Option<Finding> {
+    let Drive { joint, span, slides, inertia, armature } = drive;
+    let (unit, of) = if *slides { ("kg", "along") } else { ("kg·m²", "about") };
+    let message = if armature.is_nan() {
+        format!("the armature of the joint {joint} is not a number of at least 0: it is not added")
+    } else if *armature > 0.0 {
+        let [own, rotor, total] = [*inertia, *armature, inertia + armature].map(|x| number(x, 6));
+        format!(
+            "the joint {joint} moves {own} {unit} {of} its axis, {total} {unit} with its armature of {rotor} {unit}"
+        )
+    } else {
+        return None;
+    };
+    let FilePlace { file, line, column, .. } = Places::of(model).place(span);
+    let severity = if armature.is_nan() { Severity::Warning } else { Severity::Info };
+    let place = Some(format!("{}:{line}:{column}", file.display()));
+    Some(Finding { code: "joint.armature", severity, message, place })
+}
+
 fn of_lump(model: &RobotModel, lumping: Lumping<'_>, lump: Lump) -> InertiaReport {
-    let Lump { frame, links, massless, positions, held, rounding, properties } = lump;
+    let Lump { frame, links, massless, positions, held, drives, rounding, properties } = lump;
     let of_model = of_model(model);
     let frame_words = match &frame {
         Some(link) => format!("in the frame of {link}"),
@@ -150,6 +174,15 @@ fn of_lump(model: &RobotModel, lumping: Lumping<'_>, lump: Lump) -> InertiaRepor
         .with("massless", massless)
         .with("joints", values(|by| *by == PositionBy::Given));
     let source = if followers.is_empty() { source } else { source.with("followers", followers) };
+    let armatures: Vec<Value> = drives
+        .iter()
+        .filter(|drive| drive.armature > 0.0)
+        .map(|Drive { joint, slides, inertia, armature, .. }| {
+            let total = inertia + armature;
+            json!({ "joint": joint, "slides": slides, "inertia": inertia, "armature": armature, "total": total })
+        })
+        .collect();
+    let source = if armatures.is_empty() { source } else { source.with("armatures", armatures) };
     InertiaReport::new(rounded(source, rounding), properties)
 }
 

@@ -1,10 +1,12 @@
 //! A model with its shapes measured and its rules checked: all that is found in it, with what its reader noticed and the shapes that
 //! could not be measured.
 
-use crate::check::{LinkGeometry, check};
+use crate::check::{LinkGeometry, check_for};
 use crate::finding::{Finding, Severity};
 use crate::geometry::Shapes;
 use crate::model::{GeometryShape, Link, Note, RobotModel, Role, Span};
+use crate::program::Program;
+use crate::rule::rule;
 
 /// What is found in a model.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,8 +29,13 @@ pub struct Inspection {
 /// # Ok::<(), polhode_formats::FormatError>(())
 /// ```
 pub fn inspect(model: &RobotModel, shapes: &Shapes<'_>) -> Inspection {
+    inspect_for(model, shapes, &[])
+}
+
+/// The same; what one of these programs refuses is an error, where it is a note otherwise.
+pub fn inspect_for(model: &RobotModel, shapes: &Shapes<'_>, programs: &[Program]) -> Inspection {
     let geometry: Vec<_> = model.links.iter().map(|link| LinkGeometry::of(link, shapes)).collect();
-    let mut findings = check(model, &geometry);
+    let mut findings = check_for(model, &geometry, programs);
     for (link, geometry) in model.links.iter().zip(&geometry) {
         findings.append(&mut unmeasured_shapes(link, geometry, shapes));
     }
@@ -62,9 +69,14 @@ fn unmeasured(link: &Link, span: &Span, why: &str) -> Finding {
     )
 }
 
+/// Notes with a rule of their own: nothing was left out.
+const STATED: [&str; 3] = ["read.package", "read.animated", "inertia.computed"];
+
 fn of_note(note: &Note) -> Finding {
-    let rule = match note.severity {
-        Severity::Note => "what is not read is not checked",
+    let own = rule(note.code).filter(|rule| STATED.contains(&rule.code));
+    let rule = match (note.severity, own) {
+        (_, Some(rule)) => rule.title,
+        (Severity::Note, None) => "what is not read is not checked",
         _ => "a file says each thing once, and in the words that programs read",
     };
     let found = self::note(note.code, &note.subject, &note.span, &note.message, rule);

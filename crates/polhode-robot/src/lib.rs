@@ -8,6 +8,7 @@
 //! - [`mod@rule`]: all rules in one table, each with its reason, its remedy and an example
 //! - [`finding`]: what is wrong with a model, why, and what would repair it
 //! - [`inspect`]: a model with its shapes measured and its rules checked
+//! - [`program`]: programs that read models, and refuse some
 //! - [`policy`]: what of the findings counts: severities of one's own, allowances, baselines
 //! - [`repair`]: the text with repairs made, every other byte as it was, and the diff to it
 //! - [`report`]: all that for people and for programs
@@ -37,6 +38,7 @@ pub mod moments;
 mod placement;
 pub mod policy;
 mod pose;
+pub mod program;
 pub mod read;
 pub mod remarks;
 pub mod repair;

@@ -224,6 +224,7 @@ fn kind(shape: &GeometryShape) -> &str {
         GeometryShape::Cylinder { .. } => "cylinder",
         GeometryShape::Capsule { .. } => "capsule",
         GeometryShape::Ellipsoid(_) => "ellipsoid",
+        GeometryShape::Cone { .. } => "cone",
         GeometryShape::Mesh { .. } => "mesh",
         GeometryShape::Other(name) => name,
     }

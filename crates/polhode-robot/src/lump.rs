@@ -7,6 +7,7 @@
 //! axis n and anchor a in the child's frame. Several joints between the same two links follow each other: T · M₁ · M₂ ….
 //! The composite is [`polhode::body::assemble`]'s: masses and moments summed by parallel axes about a local point.
 
+mod drive;
 mod error;
 mod position;
 mod tree;
@@ -14,6 +15,8 @@ mod tree;
 use polhode::body::{BodyError, MassProperties, PlacedPart, assemble};
 use polhode::math::{Body, Rotation};
 
+pub use self::drive::Drive;
+use self::drive::drives;
 pub use self::error::LumpError;
 use self::position::Positions;
 pub use self::position::{JointPosition, PositionBy, slides};
@@ -46,6 +49,8 @@ pub struct Lump {
     pub positions: Vec<JointPosition>,
     /// The joints between its links that move and take no value, as floating ones and balls: they are held where the file draws them.
     pub held: Vec<String>,
+    /// The joints that carry it, with the inertia that their motors move; for [`Lumping::Subtree`] only.
+    pub drives: Vec<Drive>,
     /// The largest change that brought a link's tensor over the edge of what is possible, kg·m²: see
     /// [`LinkBody::rounding`](crate::body::LinkBody::rounding). Zero for most.
     pub rounding: f64,
@@ -133,7 +138,10 @@ pub fn lump(
         .into_iter()
         .filter(|group| !group.parts.is_empty())
         .map(|group| group.joined(&positions, &held));
-    let lumps = lumps.collect::<Result<Vec<_>, _>>()?;
+    let mut lumps = lumps.collect::<Result<Vec<_>, _>>()?;
+    if let (Some(lump), Some(above)) = (lumps.first_mut(), root.and_then(|root| tree.above.get(root))) {
+        lump.drives = drives(model, above, &lump.properties);
+    }
     if lumps.is_empty() {
         Err(LumpError::Massless { subtree: subtree.map(str::to_owned) })
     } else {
@@ -211,7 +219,7 @@ impl Group {
             LumpError::Joined { link, error }
         })?;
         let (positions, held) = (positions.to_vec(), held.to_vec());
-        Ok(Lump { frame, links, massless, positions, held, rounding, properties })
+        Ok(Lump { frame, links, massless, positions, held, drives: Vec::new(), rounding, properties })
     }
 }
 

@@ -169,7 +169,7 @@ pub struct Link {
     /// body without `<inertial>`, SDF's `<inertial auto="true">`.
     pub from_geometry: bool,
     /// The mass that the language's compiler gives the link, where that is not what `inertial` says, or why it cannot be told. MJCF: from
-    /// geoms, and after `boundmass`, `boundinertia`, `balanceinertia` and `settotalmass`.
+    /// geoms, and after `boundmass`, `boundinertia`, `balanceinertia` and `settotalmass`. SDF: from collisions, with `auto="true"`.
     pub computed: Option<Result<ComputedMass, String>>,
 }
 
@@ -241,7 +241,7 @@ pub struct Geometry {
     pub shape: GeometryShape,
 }
 
-/// Shapes, in metres; the frame of each is at its middle, cylinders and capsules along z. Sizes that are none are NaN.
+/// Shapes, in metres; the frame of each is at its middle, cylinders, capsules and cones along z. Sizes that are none are NaN.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GeometryShape {
     /// Whole edges.
@@ -264,6 +264,13 @@ pub enum GeometryShape {
     },
     /// Half axes.
     Ellipsoid([f64; 3]),
+    /// Base at −length/2, apex at +length/2.
+    Cone {
+        /// Radius of the base.
+        radius: f64,
+        /// Height from the base to the apex.
+        length: f64,
+    },
     /// A file.
     Mesh {
         /// As written: `"package://arm/meshes/link1.stl"`.
@@ -344,6 +351,9 @@ pub struct Coordinate {
     pub follows: Option<Follows>,
     /// Why it is not known where the joint holds the child, if it is not: what it does at rest is not read.
     pub unread: Option<String>,
+    /// Inertia that the rotor of a motor adds to the joint's coordinate, reflected by its gear, kg·m²; kg if the joint slides.
+    /// Zero if the file states none, NaN if its number cannot be read.
+    pub armature: f64,
 }
 
 /// A joint whose value is a function of another's.

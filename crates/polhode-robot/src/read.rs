@@ -6,10 +6,11 @@
 //!
 //! Defaults are not filled in: in SDF a missing mass is 1 kg, a missing moment 1 kg·m², and a link without `<inertial>` has both; here they
 //! are [`Slot::Missing`](crate::model::Slot::Missing), [`Tensor::Missing`](crate::model::Tensor::Missing) and `None`, as in the other
-//! languages.
+//! languages. What SDF's `<inertial auto="true">` asks for is computed.
 //!
 //! Not read: xacro (expand it first).
 
+mod checked;
 mod files;
 mod mjcf;
 mod osim;
@@ -22,10 +23,12 @@ mod usd;
 pub(crate) mod xml;
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, FormatError};
 
 use crate::model::{ModelFormat, Note, RobotModel};
+pub use checked::CheckedFolder;
 use files::{Files, Naming};
 
 /// How a model is read.
@@ -33,10 +36,13 @@ use files::{Files, Naming};
 pub struct ReadOptions {
     /// Folders that hold packages, or are packages: `package://NAME/…` and `model://NAME/…` are ROOT/NAME/…, or ROOT/… if ROOT is
     /// NAME. The model's own folder, and the nearest folder around it that has `package.xml` or `model.config`, are roots without being
-    /// named. No file outside the roots is opened.
+    /// named. A package that no root holds is an ancestor folder of that name. No other file outside the roots is opened.
     pub roots: Vec<PathBuf>,
     /// These roots and no others, for a model from elsewhere: neither its own folder, if it is not in them, nor a package around it.
     pub confined: bool,
+    /// Folder that is checked as a whole. Files below it may be opened. A package that no root or ancestor holds is looked up below
+    /// it: exactly one folder of that name has to hold the file.
+    pub checked: Option<Arc<CheckedFolder>>,
 }
 
 /// Reads a URDF, SDF, MJCF, USD (`.usda`) or OpenSim file: its root element or first word says which.
@@ -151,6 +157,7 @@ fn read(text: String, path: &Path, options: &ReadOptions) -> Result<RobotModel, 
     let mut sources = files.sources.into_iter();
     model.text = sources.next().map_or_else(String::new, |main| main.text);
     model.included = sources.collect();
+    roots.report(&mut model);
     keep_finite(&mut model);
     Ok(model)
 }

@@ -12,7 +12,7 @@ use crate::model::{Note, RobotModel, Span};
 /// A model that says a body's numbers twice, and not the same.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Contradiction {
-    /// The link.
+    /// The link or joint.
     pub link: String,
     /// What, in a line.
     pub message: String,
@@ -29,7 +29,7 @@ impl Contradiction {
 
 impl fmt::Display for Contradiction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the link {:?} is no body: {}", self.link, self.message)
+        write!(f, "the file contradicts itself about {:?}: {}", self.link, self.message)
     }
 }
 
@@ -69,8 +69,8 @@ pub fn remarks(model: &RobotModel, link: Option<&str>) -> Result<Vec<Finding>, C
             return Err(Contradiction { link: subject, message, span });
         }
         let FilePlace { file, line, column, .. } = places.place(&note.span);
-        let harmless =
-            note.severity == NoteSeverity::Note && matches!(note.code, "read.world" | "read.unknown");
+        let harmless = note.severity == NoteSeverity::Note
+            && matches!(note.code, "read.world" | "read.unknown" | "read.package" | "inertia.computed");
         remarks.push(Finding {
             code: note.code,
             severity: if harmless { Severity::Info } else { Severity::Warning },

@@ -390,3 +390,73 @@ fn a_joint_has_one_value_and_a_link_in_its_own_frame_has_none() {
     let own = ["inertia", &arm, "--link", "forearm", "--joint", "elbow=1"];
     assert!(refused(&scratch.run(&own), 2).contains("'--joint <NAME=VALUE>'"));
 }
+
+#[test]
+fn meshes_of_packages_around_and_below_are_found() {
+    let scratch = Scratch::new("check-packages");
+    let stl = "solid t\nfacet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 2 0 vertex 1 0 0 endloop endfacet\n\
+        facet normal 0 0 0 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 0 3 endloop endfacet\n\
+        facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 3 vertex 0 2 0 endloop endfacet\n\
+        facet normal 0 0 0 outer loop vertex 1 0 0 vertex 0 2 0 vertex 0 0 3 endloop endfacet\nendsolid t\n";
+    let model = |package: &str| {
+        format!(
+            "<robot name=\"r\"><link name=\"a\"><visual><geometry><mesh filename=\"package://{package}/meshes/block.stl\"/></geometry></visual>\
+             </link></robot>"
+        )
+    };
+    for folder in ["ws/thing_description/urdf", "ws/thing_description/meshes", "ws/bringup"] {
+        fs::create_dir_all(scratch.0.join(folder)).unwrap();
+    }
+    scratch.write("ws/thing_description/urdf/thing.urdf", &model("thing_description"));
+    scratch.write("ws/thing_description/meshes/block.stl", stl);
+    scratch.write("ws/bringup/cell.urdf", &model("thing_description"));
+    let alone = printed(&scratch.run(&["check", "ws/thing_description/urdf/thing.urdf"]), 0);
+    assert!(alone.contains("[read.package]") && !alone.contains("geometry.unreadable"), "{alone}");
+    let folder = printed(&scratch.run(&["check", "ws"]), 0);
+    assert_eq!(folder.matches("[read.package]").count(), 2, "{folder}");
+    assert!(!folder.contains("geometry.unreadable"), "{folder}");
+    // a single file has no checked folder
+    let outside = printed(&scratch.run(&["check", "ws/bringup/cell.urdf"]), 0);
+    assert!(outside.contains("[geometry.unreadable]"), "{outside}");
+}
+
+#[test]
+fn what_a_program_refuses_fails_for_it() {
+    let scratch = Scratch::new("check-for");
+    let joint = |name: &str, parent: &str, child: &str| {
+        format!(
+            "<joint name=\"{name}\" type=\"revolute\"><parent link=\"{parent}\"/><child link=\"{child}\"/><axis xyz=\"1 0 0\"/>\
+             <limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/></joint>"
+        )
+    };
+    let inertial = |mass: &str, moment: &str| {
+        format!(
+            "<inertial><mass value=\"{mass}\"/><inertia ixx=\"{moment}\" iyy=\"{moment}\" izz=\"{moment}\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>"
+        )
+    };
+    let model = format!(
+        "<robot name=\"a\"><link name=\"w\"/><link name=\"f1\">{}</link><link name=\"b\">{}</link>{}{}</robot>",
+        inertial("0", "0"),
+        inertial("1", ".1"),
+        joint("1", "w", "f1"),
+        joint("2", "f1", "b")
+    );
+    scratch.write("massless.urdf", &model);
+    let text = printed(&scratch.run(&["check", "massless.urdf"]), 0);
+    assert!(text.contains("[mass.refused]") && text.contains("MuJoCo refuses the model"), "{text}");
+    for (program, status) in [("mujoco", 1), ("gazebo", 1), ("isaac", 1), ("drake", 0)] {
+        printed(&scratch.run(&["check", "massless.urdf", "--for", program]), status);
+    }
+    printed(&scratch.run(&["check", "massless.urdf", "--for", "drake", "--for", "mujoco"]), 1);
+    refused(&scratch.run(&["check", "massless.urdf", "--for", "bullet"]), 2);
+}
+
+#[test]
+fn a_unit_of_usd_that_is_not_positive_is_an_error_with_its_line() {
+    let scratch = Scratch::new("check-usd-unit");
+    scratch.write("zero.usda", "#usda 1.0\n(\n    metersPerUnit = 0\n)\ndef Xform \"r\" (prepend apiSchemas = [\"PhysicsRigidBodyAPI\"])\n{\n}\n");
+    for command in ["check", "inertia"] {
+        let text = refused(&scratch.run(&[command, "zero.usda"]), 2);
+        assert!(text.contains("zero.usda:3:") && text.contains("metersPerUnit"), "{text}");
+    }
+}

@@ -136,3 +136,36 @@ fn a_table_has_every_link_and_the_whole() {
     let said = refused(&scratch.run(&["inertia", "bad.urdf", "--table"]), 2);
     assert!(said.contains("\"base\" is no body"), "{said}");
 }
+
+#[test]
+fn a_subtree_has_the_armature_of_its_joint() {
+    let scratch = Scratch::new("robot-armature");
+    scratch.write(
+        "armature.xml",
+        r#"<mujoco><worldbody><body name="a"><joint name="j" axis="0 0 1" armature="0.05"/>
+            <inertial pos="0.2 0 0" mass="1" diaginertia="0.001 0.004 0.004"/></body></worldbody></mujoco>"#,
+    );
+    let armature =
+        parsed(&scratch.run(&["inertia", "armature.xml", "--subtree", "a", "--json"]))["source"]["armatures"]
+            [0]
+        .clone();
+    assert_eq!(armature["joint"], "j");
+    assert!((number(&armature["inertia"]) - 0.044).abs() < 1e-15);
+    assert!((number(&armature["total"]) - 0.094).abs() < 1e-15);
+    let text = stdout(&scratch.run(&["inertia", "armature.xml", "--subtree", "a"])).replace('\n', " ");
+    assert!(text.contains("0.094 kg·m²") && text.contains("armature of 0.05 kg·m²"), "{text}");
+}
+
+#[test]
+fn sdf_with_auto_inertia_has_the_inertia_of_its_collisions() {
+    let scratch = Scratch::new("robot-auto");
+    scratch.write(
+        "auto.sdf",
+        r#"<sdf version="1.12"><model name="m"><link name="a"><inertial auto="true"/><collision name="c"><density>2710</density>
+            <geometry><box><size>0.2 0.1 0.05</size></box></geometry></collision></link></model></sdf>"#,
+    );
+    let body = parsed(&scratch.run(&["inertia", "auto.sdf", "--link", "a", "--json"]));
+    assert!((number(&body["mass"]) - 2.71).abs() < 1e-14);
+    let text = stdout(&scratch.run(&["check", "auto.sdf"]));
+    assert!(text.contains("[inertia.computed]") && text.contains("2.71 kg"), "{text}");
+}

@@ -222,6 +222,15 @@ fn axes_are_kept_and_said() {
         assert_eq!(notes.len(), usize::from(note.is_some()), "{notes:?}");
         assert!(note.is_none_or(|note| notes[0].contains(note)), "{notes:?}");
     }
+    // names that are unknown, or rounded numbers, contradict nothing
+    for (unit, meter) in [
+        ("name='mil' meter='0.0000254'", 2.54e-5),
+        ("name='foot' meter='0.305'", 0.305),
+        ("meter='0.4'", 0.4),
+    ] {
+        let contents = read(&plain().replace("name='inch' meter='0.0254'", unit)).unwrap();
+        assert_eq!(contents.unit, Some(meter));
+    }
     let metres = read(&plain().replace("<unit name='inch' meter='0.0254'/>", "")).unwrap();
     assert_eq!((metres.unit, metres.findings[0].code), (Some(1.0), "mesh.unit_default"));
 }
@@ -327,6 +336,16 @@ fn what_is_wrong_is_refused_where_it_stands() {
         (&text, "name='X'", "name='Z'", "parameters are not X, Y and Z", "<accessor"),
         (&text, "meter='0.0254'", "meter='0,0254'", "a finite number", "0,0254"),
         (&text, "meter='0.0254'", "meter='-1'", "a positive number", "-1"),
+        // a number that contradicts the name
+        (&text, "meter='0.0254'", "meter='1'", "meter of the unit \"inch\"", "1'/><up_axis>"),
+        (
+            &text,
+            "name='inch' meter='0.0254'",
+            "name='Millimeter' meter='1'",
+            "0.001, as the name says",
+            "1'/><up_axis>",
+        ),
+        (&text, "name='inch' meter='0.0254'", "name='meter' meter='0.01'", "1, as the name says", "0.01"),
         (&text, "Z_UP", "UP", "X_UP, Y_UP or Z_UP", "UP"),
         (&text, "1.75", "1e400", "a finite number", "1e400"),
         (&text, "version='1.4.1'", "version='1.3.0'", "COLLADA 1.3.0", "1.3.0"),

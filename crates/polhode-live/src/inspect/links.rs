@@ -113,6 +113,7 @@ impl<'a> Meshes<'a, '_> {
                 let mesh = mesh.map_err(|error| named(&error.to_string()))?;
                 return Ok((Form::Mesh(mesh), surface.triangles().len()));
             }
+            GeometryShape::Cone { .. } => return Err("a cone is not drawn".to_owned()),
             GeometryShape::Other(ref what) => return Err(format!("{what} has no size")),
         };
         match sizes.iter().all(|size| *size > 0.0 && size.is_finite()) {

@@ -88,7 +88,8 @@ struct Change {
 impl RobotInspection {
     /// Of the document's file as it is now; `stop` ends it.
     pub(crate) fn of(document: &Document, stop: &AtomicBool) -> Result<Self, Refusal> {
-        let options = ReadOptions { roots: document.roots.clone(), confined: !document.roots.is_empty() };
+        let roots = document.roots.clone();
+        let options = ReadOptions { confined: !roots.is_empty(), roots, checked: None };
         let unreadable = |error: FormatError| {
             let place = error.place().map_or_else(String::new, |place| format!(", line {}", place.line));
             let message = format!("{:?} cannot be read{place}: {}", document.name, error.message());

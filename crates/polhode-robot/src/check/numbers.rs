@@ -98,9 +98,9 @@ fn has_size(shape: &GeometryShape) -> bool {
     match shape {
         GeometryShape::Box(edges) | GeometryShape::Ellipsoid(edges) => sizes(edges),
         GeometryShape::Sphere(radius) => sizes(&[*radius]),
-        GeometryShape::Cylinder { radius, length } | GeometryShape::Capsule { radius, length } => {
-            sizes(&[*radius, *length])
-        }
+        GeometryShape::Cylinder { radius, length }
+        | GeometryShape::Capsule { radius, length }
+        | GeometryShape::Cone { radius, length } => sizes(&[*radius, *length]),
         GeometryShape::Mesh { scale, .. } => scale.iter().all(|x| *x != 0.0 && x.is_finite()),
         GeometryShape::Other(_) => true,
     }

@@ -4,7 +4,7 @@
 //! Each joint is looked at a fixed number of times, and nothing recurses. What each language wants differs: a URDF is one tree; SDF has free
 //! links and may close loops; MJCF is nested, so always a tree.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::tree_order::sorted;
 use crate::finding::{Finding, Severity};
@@ -94,6 +94,23 @@ impl Tree {
 
     pub(super) fn len(&self) -> usize {
         self.holders.len()
+    }
+
+    /// The links that hang on it, and whether by a fixed joint.
+    pub(super) fn hanging(&self, k: usize) -> &[(usize, bool)] {
+        self.hanging.get(k).map_or(&[], Vec::as_slice)
+    }
+
+    /// A link, and all that fixed joints hold together with it, down the tree.
+    pub(super) fn welded(&self, k: usize) -> Vec<usize> {
+        let (mut welded, mut seen) = (vec![k], HashSet::from([k]));
+        let mut next = 0;
+        while let Some(&link) = welded.get(next) {
+            let own = self.hanging(link).iter().filter(|(child, _)| self.group(*child) == self.group(k));
+            welded.extend(own.map(|(child, _)| *child).filter(|child| seen.insert(*child)));
+            next += 1;
+        }
+        welded
     }
 
     /// The first joint that holds it.
@@ -224,7 +241,7 @@ pub(super) fn check(model: &RobotModel, tree: &Tree) -> Vec<Finding> {
     findings
 }
 
-fn finding(
+pub(super) fn finding(
     code: &'static str,
     severity: Severity,
     subject: &str,

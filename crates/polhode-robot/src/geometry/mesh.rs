@@ -54,7 +54,11 @@ impl Mesh {
                 return Err(format!("polhode reads no .{ending} meshes"));
             }
         };
-        let contents = contents.map_err(|error| error.message())?.in_metres(None);
+        let words = |error: polhode_formats::FormatError| match error.hint() {
+            Some(hint) => format!("{}; {hint}", error.message()),
+            None => error.message(),
+        };
+        let contents = contents.map_err(words)?.in_metres(None);
         let mesh = Self::of(contents, threads, goes_on)?;
         let usual = match turned_in {
             Some(MeshReading::Usual) => Arc::new(turned(&mesh.surface).map_err(|error| error.to_string())?),

@@ -1,7 +1,8 @@
-//! Boxes, spheres, cylinders, capsules and ellipsoids of a model.
+//! Boxes, spheres, cylinders, capsules, ellipsoids and cones of a model.
 
-use polhode::body::BodyError;
-use polhode::body::shape::{BoxShape, Capsule, Cylinder, Ellipsoid, Shape, Sphere};
+use polhode::body::shape::{BoxShape, Capsule, Cone, Cylinder, Ellipsoid, Shape, Sphere, Substance};
+use polhode::body::{BodyError, MassProperties};
+use polhode::math::{Part, Position, Rotation};
 
 use super::Reach;
 use crate::model::{GeometryShape, Pose};
@@ -9,7 +10,7 @@ use crate::pose::{dot, sum};
 
 /// A shape with a formula for its moments, and how far it goes.
 pub(super) struct Primitive {
-    pub(super) shape: Box<dyn Shape>,
+    shape: Box<dyn Shape>,
     outline: Outline,
 }
 
@@ -18,6 +19,8 @@ enum Outline {
     Box([f64; 3]),
     /// Half axes.
     Ellipsoid([f64; 3]),
+    /// A disc at − this on z, and a point at + this.
+    Cone { half: f64, radius: f64 },
     /// Two discs, or two balls, at ± this on z.
     Ends { half: f64, radius: f64, balls: bool },
 }
@@ -44,8 +47,22 @@ impl Primitive {
             GeometryShape::Ellipsoid(half_axes) => {
                 Self { shape: Box::new(Ellipsoid::new(half_axes)?), outline: Outline::Ellipsoid(half_axes) }
             }
+            GeometryShape::Cone { radius, length } => Self {
+                shape: Box::new(Cone::new(radius, 0.0, length)?),
+                outline: Outline::Cone { half: 0.5 * length, radius },
+            },
             GeometryShape::Mesh { .. } | GeometryShape::Other(_) => return Err(none),
         })
+    }
+
+    /// Its mass properties at a density of 1 kg/m³, in the frame of the model's shape.
+    pub(super) fn mass_properties(&self) -> Result<MassProperties<Part>, BodyError> {
+        let own = self.shape.mass_properties(Substance::Density(1.0))?;
+        match self.outline {
+            // the frame of a cone is at the middle of its base there
+            Outline::Cone { half, .. } => own.placed(Position::new(0.0, 0.0, -half), Rotation::identity()),
+            _ => Ok(own),
+        }
     }
 
     /// How far it goes when it is placed.
@@ -66,6 +83,14 @@ impl Primitive {
                 let longest = half.iter().fold(0.0_f64, |max, c| max.max(*c));
                 Reach { extent: dot(center, center).sqrt() + longest, bounds: around(center, wide) }
             }
+            Outline::Cone { half, radius } => {
+                let axis = rows.map(|row| row[2]);
+                let [base, apex] = [-half, half].map(|z| sum(center, axis.map(|a| z * a)));
+                let across = axis.map(|a| radius * (1.0 - a * a).max(0.0).sqrt());
+                let points = [apex, sum(base, across), sum(base, across.map(|c| -c))].into_iter();
+                let extent = dot(apex, apex).sqrt().max(rim(base, axis, radius));
+                Reach { extent, ..Reach::of(points) }
+            }
             Outline::Ends { half, radius, balls } => {
                 let axis = rows.map(|row| row[2]);
                 let along = axis.map(|a| half * a.abs());
@@ -76,15 +101,19 @@ impl Primitive {
                     if balls {
                         return dot(end, end).sqrt() + radius;
                     }
-                    // the rim: as far along the axis as the disc, and its radius beyond the disc's middle
-                    let high = dot(end, axis);
-                    let aside = (dot(end, end) - high * high).max(0.0).sqrt();
-                    high.hypot(aside + radius)
+                    rim(end, axis, radius)
                 });
                 Reach { extent: farthest[0].max(farthest[1]), bounds: around(center, sum(along, across)) }
             }
         }
     }
+}
+
+/// Distance of the farthest point of a disc's rim from the origin.
+fn rim(middle: [f64; 3], axis: [f64; 3], radius: f64) -> f64 {
+    let high = dot(middle, axis);
+    let aside = (dot(middle, middle) - high * high).max(0.0).sqrt();
+    high.hypot(aside + radius)
 }
 
 fn around(center: [f64; 3], half: [f64; 3]) -> [[f64; 3]; 2] {

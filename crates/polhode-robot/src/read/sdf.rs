@@ -5,6 +5,7 @@
 //!
 //! Source: sdformat.org/spec (1.11, which has the elements of the versions since 1.4), and its "Pose frame semantics".
 
+mod auto;
 mod frames;
 mod gather;
 
@@ -13,6 +14,7 @@ use std::path::Path;
 use polhode_formats::ContentError;
 
 use crate::coordinate::limits;
+use crate::geometry::Shapes;
 use crate::model::{
     Coordinate, Follows, Geometry, GeometryShape, Inertial, Joint, JointKind, Link, Name, Note, Pose,
     RobotModel, Role, Tensor,
@@ -38,9 +40,10 @@ pub(super) fn read(
     let gathered = gather(root, &mut frames, model, most_name_bytes)?;
     frames.resolve(&mut model.notes);
     let (mut name_bytes, mut shapes) = (0, 0);
+    let measured = Shapes::default();
     for (element, scope, frame) in gathered.links {
         let folder = files.folder(element);
-        let link = link(element, scope, frame, &frames, (roots, folder), &mut model.notes);
+        let link = link(element, scope, frame, &frames, (roots, folder, &measured), &mut model.notes);
         shapes += link.geometry.len();
         name_bytes += link.geometry.iter().map(|geometry| geometry.shape.named_bytes()).sum::<usize>();
         require_few(shapes.max(model.notes.len()), element)?;
@@ -87,7 +90,7 @@ fn link(
     scope: usize,
     frame: usize,
     frames: &Frames<'_>,
-    files: (&Roots, &Path),
+    (roots, folder, measured): (&Roots, &Path, &Shapes<'_>),
     notes: &mut Vec<Note>,
 ) -> Link {
     let name = full_name(element, scope, frames);
@@ -111,9 +114,9 @@ fn link(
                 pose
             }
         };
-        geometry.push(Geometry { span: child.span(), role, pose, shape: shape(child, files) });
+        geometry.push(Geometry { span: child.span(), role, pose, shape: shape(child, (roots, folder)) });
     }
-    Link {
+    let mut link = Link {
         span: element.span(),
         inertial: given.filter(|_| !automatic).map(inertial),
         geometry,
@@ -122,7 +125,11 @@ fn link(
         from_geometry: automatic,
         computed: None,
         name,
+    };
+    if let Some(inertial) = given.filter(|_| automatic) {
+        auto::compute(&mut link, inertial, element, measured, notes);
     }
+    link
 }
 
 /// The name of an element with those of the models around it.
@@ -160,6 +167,7 @@ fn shape(element: Element<'_>, (roots, folder): (&Roots, &Path)) -> GeometryShap
         "sphere" => GeometryShape::Sphere(number("radius")),
         "cylinder" => GeometryShape::Cylinder { radius: number("radius"), length: number("length") },
         "capsule" => GeometryShape::Capsule { radius: number("radius"), length: number("length") },
+        "cone" => GeometryShape::Cone { radius: number("radius"), length: number("length") },
         "ellipsoid" => GeometryShape::Ellipsoid(three("radii")),
         "mesh" if shape.child("submesh").is_some() => GeometryShape::Other("part of a mesh".to_owned()),
         "mesh" => {
@@ -231,6 +239,10 @@ fn coordinates(joint: Element<'_>, prefix: &str) -> Coordinate {
         let coefficients = Err("its second axis does, which is not read".to_owned());
         own.follows = Some(Follows { coefficients, ..follows });
     }
+    // of Drake: gear² I
+    let number = |name: &str| joint.child_text(name).map(|text| text.number().value.unwrap_or(f64::NAN));
+    let gear = number("drake_gear_ratio").unwrap_or(1.0);
+    own.armature = number("drake_rotor_inertia").map_or(0.0, |inertia| gear * gear * inertia);
     let kind = joint.word("type").unwrap_or_default();
     own.unread = (!KINDS.contains(&kind)).then(|| format!("type {kind:?} is no kind of joint"));
     own

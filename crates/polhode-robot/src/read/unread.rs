@@ -28,6 +28,10 @@ pub(super) fn urdf(link: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
         reader.attributes(shape, "origin", &["xyz", "rpy"]);
         reader.origin_degrees(shape);
     }
+    for shape in link.children().filter(|child| matches!(child.name(), "visual" | "collision")) {
+        reader.once(shape, "origin", "read.twice");
+        reader.one_shape(shape);
+    }
     let Some(inertial) = link.child("inertial") else { return };
     reader.elements(inertial, &["origin", "mass", "inertia"]);
     reader.attributes(inertial, "origin", &["xyz", "rpy"]);
@@ -35,13 +39,18 @@ pub(super) fn urdf(link: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     reader.attributes(inertial, "mass", &["value"]);
     let Some(inertia) = inertial.child("inertia") else { return };
     let tensor: Vec<&str> = MOMENTS.into_iter().chain(MIRRORED.into_iter().flatten()).collect();
-    reader.attributes(inertial, "inertia", &tensor);
+    let matrix = reader.matrix(inertia, &tensor, |name, value| format!("{name}={value:?}"));
+    let known: Vec<&str> = tensor.into_iter().chain(matrix).collect();
+    reader.attributes(inertial, "inertia", &known);
     reader.symmetric(|name| inertia.attribute(name));
 }
 
 /// The origin of a URDF joint.
 pub(super) fn origin(joint: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     let mut reader = Unread { subject, notes };
+    for name in ["origin", "parent", "child", "axis", "limit", "mimic"] {
+        reader.once(joint, name, "read.twice");
+    }
     reader.attributes(joint, "origin", &["xyz", "rpy"]);
     reader.origin_degrees(joint);
 }
@@ -51,6 +60,11 @@ pub(super) fn sdf(link: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     let mut reader = Unread { subject, notes };
     reader.once(link, "inertial", "read.inertials");
     reader.astray(link);
+    for shape in link.children().filter(|child| matches!(child.name(), "visual" | "collision")) {
+        reader.once(shape, "pose", "read.twice");
+        reader.once(shape, "density", "read.twice");
+        reader.one_shape(shape);
+    }
     for placed in link.children().filter(|child| matches!(child.name(), "inertial" | "visual" | "collision"))
     {
         sdf_pose(placed, subject, reader.notes);
@@ -72,8 +86,9 @@ pub(super) fn sdf(link: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     }
     let Some(inertia) = inertial.child("inertia") else { return };
     let tensor: Vec<&str> = MOMENTS.into_iter().chain(MIRRORED.into_iter().flatten()).collect();
+    let matrix = reader.matrix(inertia, &[], |name, value| format!("<{name}>{value}</{name}>"));
     reader.elements(inertia, &tensor);
-    reader.own_attributes(inertia, &[]);
+    reader.own_attributes(inertia, matrix.as_slice());
     reader.symmetric(|name| inertia.child_text(name));
 }
 
@@ -107,6 +122,16 @@ pub(super) fn osim(body: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     }
     for name in ["xx", "yy", "zz", "xy", "xz", "yz"] {
         reader.once(body, &format!("inertia_{name}"), "read.twice");
+    }
+}
+
+/// The parts of an SDF joint, frame or model that there is one of.
+pub(super) fn sdf_once(element: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
+    let mut reader = Unread { subject, notes };
+    let of_joint: &[&str] =
+        if element.name() == "joint" { &["parent", "child", "axis", "axis2"] } else { &[] };
+    for name in ["pose"].iter().chain(of_joint) {
+        reader.once(element, name, "read.twice");
     }
 }
 
@@ -169,6 +194,47 @@ impl Unread<'_> {
             let message = format!("a second <{name}> in <{}>: only the first is read", parent.name());
             self.suspect(code, second.span(), message);
         }
+    }
+
+    /// One `<geometry>`, with one shape in it.
+    fn one_shape(&mut self, parent: Element<'_>) {
+        self.once(parent, "geometry", "read.twice");
+        if let Some(second) = parent.child("geometry").and_then(|geometry| geometry.children().nth(1)) {
+            let message =
+                format!("a second shape in <geometry>, <{}>: only the first is read", second.name());
+            self.suspect("read.twice", second.span(), message);
+        }
+    }
+
+    /// Notes a tensor written as a matrix, in an unknown attribute or as text. Returns the name of that attribute.
+    fn matrix<'a>(
+        &mut self,
+        inertia: Element<'a>,
+        known: &[&str],
+        written: impl Fn(&str, &str) -> String,
+    ) -> Option<&'a str> {
+        let is_matrix = |text: &Written<'_>| matches!(text.numbers().count(), 6 | 9);
+        let mut attributes = inertia.attribute_names().filter(|name| !known.contains(name));
+        let attribute = attributes.find(|name| inertia.attribute(name).as_ref().is_some_and(is_matrix));
+        let text = match attribute {
+            Some(name) => inertia.attribute(name),
+            None => inertia.text().filter(is_matrix),
+        }?;
+        let values: Vec<&str> = text.value.split_whitespace().collect();
+        // row by row: xx xy xz, yx yy yz, zx zy zz
+        let meant = match values.as_slice() {
+            &[xx, xy, xz, yx, yy, yz, zx, zy, zz] if [xy, xz, yz] == [yx, zx, zy] => {
+                let six = [("ixx", xx), ("ixy", xy), ("ixz", xz), ("iyy", yy), ("iyz", yz), ("izz", zz)];
+                format!(": write {}", six.map(|(name, value)| written(name, value)).join(" "))
+            }
+            _ => String::new(),
+        };
+        let message = format!(
+            "a tensor of {} numbers is not read; programs read ixx, ixy, ixz, iyy, iyz, izz, each by its name{meant}",
+            values.len()
+        );
+        self.suspect("read.unknown", text.span, message);
+        attribute
     }
 
     /// What belongs into the inertial and stands beside it, or a name that is nearly its own.

@@ -2,6 +2,7 @@
 //!
 //! Source: wiki.ros.org/urdf/XML, and the parser of urdfdom where it says less.
 
+use std::collections::HashMap;
 use std::path::Path;
 
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
@@ -50,7 +51,31 @@ pub(super) fn read(root: Element<'_>, roots: &Roots, model: &mut RobotModel) -> 
         }
     }
     hang_on_world(model);
+    reflect_rotors(root, model);
     Ok(())
+}
+
+/// Adds the inertia of rotors to their joints: gear² I, with Drake's `drake:gear_ratio` and `drake:rotor_inertia` in a
+/// `<transmission>`. URDF itself has no key for a rotor's inertia, so `<mechanicalReduction>` alone adds nothing.
+fn reflect_rotors(root: Element<'_>, model: &mut RobotModel) {
+    let value = |actuator: Element<'_>, name: &str| {
+        let written = actuator.child(name).map(|child| child.attribute("value"));
+        written.map(|written| written.and_then(|written| written.number().value).unwrap_or(f64::NAN))
+    };
+    let mut rotors: HashMap<&str, f64> = HashMap::new();
+    for transmission in root.named("transmission") {
+        let Some((joint, actuator)) = transmission.child("joint").zip(transmission.child("actuator")) else {
+            continue;
+        };
+        let (Some(name), Some(inertia)) = (joint.word("name"), value(actuator, "drake_rotor_inertia")) else {
+            continue;
+        };
+        let gear = value(actuator, "drake_gear_ratio").unwrap_or(1.0);
+        *rotors.entry(name).or_default() += gear * gear * inertia;
+    }
+    for joint in &mut model.joints {
+        joint.coordinate.armature += rotors.get(joint.name.text.as_str()).copied().unwrap_or(0.0);
+    }
 }
 
 /// A parent `world` that is no link is the world itself, as Drake reads it; other programs refuse it.

@@ -1,9 +1,14 @@
-//! Where the files are that a model names: under the roots, or nowhere.
+//! Lookup of the files that a model names: under the roots, in the checked folder, or in an ancestor folder that is the package.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
 
+use crate::model::{GeometryShape, Note, RobotModel};
 use crate::read::ReadOptions;
+use crate::read::checked::CheckedFolder;
 use crate::read::xml::{Element, with_root};
 
 /// Folders that a model's files may lie in.
@@ -13,6 +18,11 @@ pub(super) struct Roots {
     folder: Option<PathBuf>,
     /// All of them, canonical, each with the names of the package that it is.
     roots: Vec<(PathBuf, Vec<String>)>,
+    /// No file is looked for elsewhere.
+    confined: bool,
+    checked: Option<Arc<CheckedFolder>>,
+    /// Packages that no root is or holds, by the start of their URIs: where they were found, in words.
+    found: RefCell<BTreeMap<String, String>>,
 }
 
 impl Roots {
@@ -35,7 +45,25 @@ impl Roots {
         roots.retain(|root| seen.insert(root.clone()));
         let holds = |path: &Path| roots.iter().any(|root| path.starts_with(root));
         let roots = roots.iter().map(|root| (root.clone(), names(root, holds))).collect();
-        Self { folder, roots }
+        let confined = options.confined;
+        let checked = options.checked.clone().filter(|_| !confined);
+        Self { folder, roots, confined, checked, found: RefCell::default() }
+    }
+
+    /// Notes where packages were found that no root is or holds.
+    pub(super) fn report(&self, model: &mut RobotModel) {
+        let shapes = || model.links.iter().flat_map(|link| &link.geometry).map(|geometry| &geometry.shape);
+        let note = |(start, found): (&String, &String)| {
+            let span = shapes().find_map(|shape| match shape {
+                GeometryShape::Mesh { uri, path: Ok(_), .. } if uri.text.starts_with(start) => {
+                    Some(uri.span.clone())
+                }
+                _ => None,
+            });
+            Note::new("read.package", "", span.unwrap_or(0..0), format!("{start}… {found}"))
+        };
+        let notes: Vec<Note> = self.found.borrow().iter().map(note).collect();
+        model.notes.extend(notes);
     }
 
     /// The file that a URI names, canonical, or why it cannot be said. Nothing outside the roots is looked at.
@@ -80,20 +108,17 @@ impl Roots {
         };
         let mut outside = false;
         for candidate in candidates {
-            let candidate = lexical(&candidate);
-            if !self.holds(&candidate) {
-                outside = true;
-                continue;
-            }
-            match fs::canonicalize(&candidate) {
-                Ok(file) if self.holds(&file) => {
+            match self.opened(&candidate, None) {
+                Ok(file) => {
                     if let Some(file) = take(&file) {
                         return Ok(file);
                     }
                 }
-                Ok(_) => outside = true,
-                Err(_) => {}
+                Err(is_outside) => outside |= is_outside,
             }
+        }
+        if let Some(file) = self.elsewhere(uri, &take)? {
+            return Ok(file);
         }
         Err(match (outside, uri.starts_with("package://") || uri.starts_with("model://")) {
             (true, _) => "it lies outside the roots; --root DIR adds one".to_owned(),
@@ -102,6 +127,140 @@ impl Roots {
             }
             (false, false) => "there is no such file".to_owned(),
         })
+    }
+
+    /// Returns the canonical path of a file that may be opened: below a root, the checked folder or `package`.
+    ///
+    /// # Errors
+    /// True if it lies outside of these, false if it does not exist.
+    fn opened(&self, path: &Path, package: Option<&Path>) -> Result<PathBuf, bool> {
+        let holds =
+            |path: &Path| self.holds(path) || package.is_some_and(|package| path.starts_with(package));
+        let path = lexical(path);
+        if !holds(&path) {
+            return Err(true);
+        }
+        match fs::canonicalize(&path) {
+            Ok(file) if holds(&file) => Ok(file),
+            Ok(_) => Err(true),
+            Err(_) => Err(false),
+        }
+    }
+
+    /// Looks up a URI that no root holds: in an ancestor that is the package, and in the checked folder.
+    fn elsewhere(
+        &self,
+        uri: &str,
+        take: &impl Fn(&Path) -> Option<PathBuf>,
+    ) -> Result<Option<PathBuf>, String> {
+        let Some((scheme, rest)) = uri.split_once("://").filter(|_| !self.confined) else { return Ok(None) };
+        let is_package = matches!(scheme, "package" | "model");
+        if scheme == "file" && !rest.starts_with('/') || is_package && rest.starts_with('/') {
+            // file://meshes/arm.stl, package:///meshes/arm.stl
+            let slash = if is_package { "/" } else { "" };
+            if let Some(file) = self.above(&format!("{scheme}://{slash}"), rest.trim_start_matches('/'), take)
+            {
+                return Ok(Some(file));
+            }
+        }
+        if !is_package {
+            return Ok(None);
+        }
+        // a third slash before the package is a slip
+        let (package, path) = rest.trim_start_matches('/').split_once('/').unwrap_or((rest, ""));
+        let start = uri.get(..uri.len() - path.len()).unwrap_or(uri);
+        match self.in_ancestor(start, package, path, take) {
+            Some(file) => Ok(Some(file)),
+            None => self.in_checked(start, package, path, take),
+        }
+    }
+
+    /// A file of no package, by a path from a folder around the model.
+    fn above(&self, start: &str, path: &str, take: &impl Fn(&Path) -> Option<PathBuf>) -> Option<PathBuf> {
+        let mut folders = self.ancestors_below_checked();
+        let (folder, file) = folders.find_map(|folder| Some((folder, self.file_in(folder, path, take)?)))?;
+        self.found(start, format!("names no package: its files are found from {}", self.shown(folder)));
+        Some(file)
+    }
+
+    /// A file of the package that is a folder around the model.
+    fn in_ancestor(
+        &self,
+        start: &str,
+        package: &str,
+        path: &str,
+        take: &impl Fn(&Path) -> Option<PathBuf>,
+    ) -> Option<PathBuf> {
+        let is_package =
+            |folder: &Path| names(folder, |file| file.starts_with(folder)).iter().any(|name| name == package);
+        let ancestors = self.folder.iter().flat_map(|folder| folder.ancestors());
+        let (folder, file) = ancestors
+            .filter(|folder| is_package(folder))
+            .find_map(|folder| Some((folder, self.file_in(folder, path, take)?)))?;
+        self.found(start, format!("is {}, the folder of that name around the model", self.shown(folder)));
+        Some(file)
+    }
+
+    /// A file of the only folder below the checked one that has the package's name and holds it.
+    fn in_checked(
+        &self,
+        start: &str,
+        package: &str,
+        path: &str,
+        take: &impl Fn(&Path) -> Option<PathBuf>,
+    ) -> Result<Option<PathBuf>, String> {
+        let folders = self.checked.iter().flat_map(|checked| checked.packages(package));
+        let files: Vec<_> =
+            folders.filter_map(|folder| Some((folder, self.file_in(folder, path, take)?))).collect();
+        match files.as_slice() {
+            [] => Ok(None),
+            [(folder, file)] => {
+                let of_name = "the only folder of that name in the checked one that holds it";
+                self.found(start, format!("is {}, {of_name}", self.shown(folder)));
+                Ok(Some(file.clone()))
+            }
+            [(first, _), (second, _), ..] => Err(format!(
+                "{} folders named {package} hold it, {} and {}{}; --root DIR says which",
+                files.len(),
+                self.shown(first),
+                self.shown(second),
+                if files.len() > 2 { ", …" } else { "" },
+            )),
+        }
+    }
+
+    fn file_in(
+        &self,
+        folder: &Path,
+        path: &str,
+        take: &impl Fn(&Path) -> Option<PathBuf>,
+    ) -> Option<PathBuf> {
+        self.opened(&folder.join(path), Some(folder)).ok().and_then(|file| take(&file))
+    }
+
+    /// Remembers where URIs that start so were found.
+    fn found(&self, start: &str, words: String) {
+        self.found.borrow_mut().entry(start.to_owned()).or_insert(words);
+    }
+
+    /// The folders around the model up to the checked one, the nearest first.
+    fn ancestors_below_checked(&self) -> impl Iterator<Item = &Path> {
+        let checked = self.checked.as_deref().map(CheckedFolder::path);
+        let ancestors = self.folder.iter().flat_map(|folder| folder.ancestors());
+        ancestors.take_while(move |folder| checked.is_some_and(|checked| folder.starts_with(checked)))
+    }
+
+    /// A folder, relative to the model's.
+    fn shown(&self, folder: &Path) -> String {
+        let Some(own) = &self.folder else { return folder.display().to_string() };
+        let common = own.components().zip(folder.components()).take_while(|(a, b)| a == b).count();
+        let up = own.components().skip(common).map(|_| Component::ParentDir);
+        let path: PathBuf = up.chain(folder.components().skip(common)).collect();
+        if path.as_os_str().is_empty() {
+            ".".to_owned()
+        } else {
+            path.display().to_string().replace('\\', "/")
+        }
     }
 
     /// ROOT/… for the root that is the package, ROOT/PACKAGE/… for the others.
@@ -122,6 +281,7 @@ impl Roots {
 
     fn holds(&self, path: &Path) -> bool {
         self.roots.iter().any(|(root, _)| path.starts_with(root))
+            || self.checked.as_ref().is_some_and(|checked| path.starts_with(checked.path()))
     }
 }
 
@@ -156,23 +316,26 @@ fn model_file(folder: &Path, holds: impl Fn(&Path) -> bool) -> Option<String> {
     named.ok().flatten()
 }
 
-/// What a root is called as a package: its last component, and the name in its `package.xml`.
-fn names(root: &Path, holds: impl Fn(&Path) -> bool) -> Vec<String> {
+/// Names of a folder as a package: its last component, and the name in its `package.xml`.
+fn names(folder: &Path, holds: impl Fn(&Path) -> bool) -> Vec<String> {
+    let own = folder.file_name().map(|name| name.to_string_lossy().into_owned());
+    own.into_iter().chain(package_name(folder, holds)).collect()
+}
+
+/// The name in a folder's `package.xml`.
+pub(super) fn package_name(folder: &Path, holds: impl Fn(&Path) -> bool) -> Option<String> {
     /// A package file is some hundred bytes; its name stands near the start.
     const MOST: u64 = 1 << 16;
-    let mut names: Vec<String> =
-        root.file_name().map(|name| name.to_string_lossy().into_owned()).into_iter().collect();
-    let mut text = String::new();
     // It may be a link to somewhere else.
-    let file = fs::canonicalize(root.join("package.xml")).ok().filter(|file| holds(file) && file.is_file());
-    if let Some(file) = file.and_then(|file| fs::File::open(file).ok())
-        && std::io::Read::read_to_string(&mut std::io::Read::take(file, MOST), &mut text).is_ok()
-        && let Some((_, rest)) = text.split_once("<name>")
-        && let Some((name, _)) = rest.split_once("</name>")
-    {
-        names.push(name.trim().to_owned());
+    let file = fs::canonicalize(folder.join("package.xml")).ok()?;
+    if !holds(&file) || !file.is_file() {
+        return None;
     }
-    names
+    let mut text = String::new();
+    let file = fs::File::open(file).ok()?;
+    std::io::Read::read_to_string(&mut std::io::Read::take(file, MOST), &mut text).ok()?;
+    let (_, rest) = text.split_once("<name>")?;
+    Some(rest.split_once("</name>")?.0.trim().to_owned())
 }
 
 /// The path without `.` and `..`, by its words alone.

@@ -1,9 +1,9 @@
 //! Masses.
 
 use super::{Example, Rule};
-use crate::finding::Severity::{Impossible, Suspect};
+use crate::finding::Severity::{Impossible, Note, Suspect};
 
-pub(super) const RULES: [Rule; 5] = [
+pub(super) const RULES: [Rule; 6] = [
     Rule {
         code: "mass.not_positive",
         severity: Impossible,
@@ -41,6 +41,24 @@ pub(super) const RULES: [Rule; 5] = [
             old: "<collision>",
             new: "<inertial>\n    <mass value=\"1.2\"/>\n    \
                   <inertia ixx=\"0.013\" iyy=\"0.010\" izz=\"0.005\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>\n  </inertial>\n  <collision>",
+        }),
+    },
+    Rule {
+        code: "mass.refused",
+        severity: Note,
+        title: "a link that moves has mass and moments of inertia",
+        why: "Languages allow a link without mass between two joints; programs do not. MuJoCo refuses a moving body unless its mass and moments, or \
+              those of a body that is fixed to it, are at least 1e-15. Gazebo drops the link with all that hangs from it. Drake refuses a massless \
+              link at the end of a chain. Isaac Sim takes the inertia of a small sphere. For the programs of --for it is an error.",
+        mend: "Give the link its mass and tensor; a few grams with the moments of a small part will do between two axes of a joint.",
+        example: Some(Example {
+            model: "<link name=\"base\"/>\n<link name=\"cross\"/>\n<link name=\"arm\">\n  <inertial>\n    <mass value=\"1.7\"/>\n    \
+                    <inertia ixx=\"0.031\" iyy=\"0.042\" izz=\"0.053\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>\n  </inertial>\n</link>\n\
+                    <joint name=\"pitch\" type=\"continuous\">\n  <parent link=\"base\"/><child link=\"cross\"/><axis xyz=\"0 1 0\"/>\n</joint>\n\
+                    <joint name=\"yaw\" type=\"continuous\">\n  <parent link=\"cross\"/><child link=\"arm\"/><axis xyz=\"0 0 1\"/>\n</joint>",
+            old: "<link name=\"cross\"/>",
+            new: "<link name=\"cross\">\n  <inertial>\n    <mass value=\"0.02\"/>\n    \
+                  <inertia ixx=\"2e-6\" iyy=\"3e-6\" izz=\"4e-6\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>\n  </inertial>\n</link>",
         }),
     },
     Rule {

@@ -5,7 +5,7 @@ use crate::finding::Severity::{Note, Suspect};
 
 const NOT_CHECKED: &str = "What is not read is not checked.";
 
-pub(super) const RULES: [Rule; 13] = [
+pub(super) const RULES: [Rule; 17] = [
     Rule {
         code: "read.inertials",
         severity: Suspect,
@@ -85,6 +85,15 @@ pub(super) const RULES: [Rule; 13] = [
         }),
     },
     Rule {
+        code: "read.package",
+        severity: Note,
+        title: "the package of a URI is one of the roots, or lies in one",
+        why: "The package was found elsewhere: an ancestor folder of the model has its name, or exactly one folder of that name below the checked \
+              folder holds the file. ROS and Gazebo look in their own paths only, and may find another package.",
+        mend: "Name the package, or the folder around it, with --root.",
+        example: None,
+    },
+    Rule {
         code: "read.left_out",
         severity: Note,
         title: "bodies are written one by one",
@@ -120,6 +129,43 @@ pub(super) const RULES: [Rule; 13] = [
             model: "<mujoco>\n  <compiler balanceinertia=\"yes\"/>\n  <worldbody/>\n</mujoco>",
             old: "yes",
             new: "true",
+        }),
+    },
+    Rule {
+        code: "read.animated",
+        severity: Suspect,
+        title: "the mass of a body is one constant of the layer",
+        why: "timeSamples, connections and splines are not read, and an inertia that changes over time is not one body. Of the sizes and places of \
+              shapes it is a note.",
+        mend: "Write one value, or flatten the stage at one time.",
+        example: Some(Example {
+            model: "#usda 1.0\n(\n    metersPerUnit = 1\n)\ndef Xform \"arm\" (\n    prepend apiSchemas = [\"PhysicsRigidBodyAPI\", \"PhysicsMassAPI\"]\n)\n{\n    \
+                    float physics:mass.timeSamples = { 0: 1.7 }\n    point3f physics:centerOfMass = (0, 0, 0)\n    \
+                    float3 physics:diagonalInertia = (0.031, 0.042, 0.053)\n}\n",
+            old: "physics:mass.timeSamples = { 0: 1.7 }",
+            new: "physics:mass = 1.7",
+        }),
+    },
+    Rule {
+        code: "inertia.computed",
+        severity: Note,
+        title: "the inertia of an SDF link with auto=\"true\" follows from its collisions",
+        why: "It is computed as SDFormat does, from shapes and densities, and a stated mass scales it. Without collisions, or with a density or mass \
+              that is not positive, SDFormat refuses the link; a pose or tensor in the inertial is overwritten.",
+        mend: "Nothing, if the numbers are those of the link; else give each collision its <density>.",
+        example: None,
+    },
+    Rule {
+        code: "joint.armature",
+        severity: Suspect,
+        title: "the inertia of a rotor is a number of at least 0",
+        why: "polhode inertia --subtree adds it to what the joint's motor has to move.",
+        mend: "Write kg·m², or kg for a joint that slides.",
+        example: Some(Example {
+            model: "<mujoco>\n  <worldbody>\n    <body name=\"arm\">\n      <joint type=\"hinge\" armature=\"-0.05\"/>\n      \
+                    <geom size=\"0.1\"/>\n    </body>\n  </worldbody>\n</mujoco>",
+            old: "-0.05",
+            new: "0.05",
         }),
     },
     Rule {

@@ -263,6 +263,11 @@ fn a_collada_mesh_is_placed_by_its_nodes_in_its_unit() {
         Shapes::default().geometry(&geometry(mesh(&path, [1.0; 3]), Pose::IDENTITY)).unwrap_err()
     };
     assert!(says(&text.replace("url='#g'", "url='#h'")).contains("geometry"));
+    let unit = says(&text.replace("name='half' meter='0.5'", "name='millimeter' meter='1'"));
+    assert!(
+        unit.contains("meter of the unit \"millimeter\"") && unit.contains("write meter=\"0.001\""),
+        "{unit}"
+    );
     // a node of a library, and lines beside it: the same solid
     let inner =
         "<node><rotate>0.3 -0.5 0.8 50</rotate><scale>1 -2 1.5</scale><instance_geometry url='#g'/></node>";

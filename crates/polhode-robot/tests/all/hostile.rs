@@ -154,8 +154,11 @@ fn found(model: &Path, uri: &str, roots: &[&Path]) -> Result<PathBuf, String> {
         "<robot><link name='a'><collision><geometry><mesh filename='{uri}'/></geometry></collision></link></robot>"
     );
     fs::write(model, text).unwrap();
-    let options =
-        ReadOptions { roots: roots.iter().map(|root| root.to_path_buf()).collect(), confined: false };
+    let options = ReadOptions {
+        roots: roots.iter().map(|root| root.to_path_buf()).collect(),
+        confined: false,
+        checked: None,
+    };
     let model = read_model(model, &options).unwrap();
     match &model.links[0].geometry[0].shape {
         GeometryShape::Mesh { path, .. } => path.clone(),
@@ -368,7 +371,7 @@ fn a_confined_model_has_its_roots_and_no_others() {
         let text = format!(
             "<robot><link name=\"a\"><visual><geometry><mesh filename=\"{uri}\"/></geometry></visual></link></robot>"
         );
-        let options = ReadOptions { roots: vec![inner.clone()], confined };
+        let options = ReadOptions { roots: vec![inner.clone()], confined, checked: None };
         let model = read_text(&text, &inner.join("arm.urdf"), &options).unwrap();
         match &model.links[0].geometry[0].shape {
             GeometryShape::Mesh { path, .. } => path.is_ok(),

@@ -1,6 +1,8 @@
 //! The integration tests of `polhode-robot`, as one program: each links the whole library.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
+mod armature;
+mod auto_inertia;
 mod bad_inertials;
 mod check_alike;
 mod check_common;
@@ -22,9 +24,11 @@ mod mjcf_composite;
 mod mjcf_flexcomp;
 mod mjcf_made;
 mod osim;
+mod packages;
 mod planted;
 mod policy;
 mod reading;
+mod refused;
 mod repair;
 mod round_trip;
 mod rules;
@@ -32,4 +36,5 @@ mod sdf;
 mod sdf_include;
 mod urdf;
 mod usd;
+mod usd_stated;
 mod valid_models;

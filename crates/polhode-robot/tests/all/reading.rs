@@ -286,7 +286,7 @@ fn no_link_leads_out_of_a_confined_folder() {
     );
     symlink(folder.path("outside/package.xml"), folder.path("inside/package.xml")).unwrap();
     symlink(folder.path("outside/model.config"), folder.path("inside/linked/model.config")).unwrap();
-    let options = ReadOptions { roots: vec![folder.path("inside")], confined: true };
+    let options = ReadOptions { roots: vec![folder.path("inside")], confined: true, checked: None };
     let model = |text: &str, file: &str| read_text(text, &folder.path(file), &options).unwrap();
     let urdf = "<robot><link name=\"a\"><visual><geometry><mesh filename=\"package://secret/part.stl\"/></geometry></visual></link></robot>";
     let shape = format!("{:?}", model(urdf, "inside/a.urdf").links[0].geometry[0].shape);
@@ -317,7 +317,7 @@ fn a_models_own_package_goes_before_others_of_its_name() {
         ],
     );
     let text = "<robot><link name=\"a\"><visual><geometry><mesh filename=\"package://arm/part.stl\"/></geometry></visual></link></robot>";
-    let options = ReadOptions { roots: vec![folder.path("old")], confined: false };
+    let options = ReadOptions { roots: vec![folder.path("old")], confined: false, checked: None };
     let model = read_text(text, &folder.path("new/arm/arm.urdf"), &options).unwrap();
     let shape = format!("{:?}", model.links[0].geometry[0].shape);
     assert!(shape.contains("new/arm/part.stl") || shape.contains("new\\\\arm"), "{shape}");
@@ -398,4 +398,73 @@ fn attributes_that_mujoco_refuses_are_told_with_what_was_meant() {
     // what MuJoCo takes and is not read here is not said to be refused
     let findings = found(&model("settotalmass='0x10'", ""));
     assert!(findings.iter().any(|finding| finding.message.contains("hexadecimal")));
+}
+
+#[test]
+fn a_tensor_written_as_a_matrix_is_told_with_its_six_names() {
+    let rows = "0.031 0.004 -0.003 0.004 0.042 0.002 -0.003 0.002 0.053";
+    let six = r#"write ixx="0.031" ixy="0.004" ixz="-0.003" iyy="0.042" iyz="0.002" izz="0.053""#;
+    let urdf = |inertia: &str| {
+        format!(
+            "<robot name=\"r\"><link name=\"a\"><inertial><mass value=\"1.7\"/>{inertia}</inertial></link></robot>"
+        )
+    };
+    for inertia in [
+        format!("<inertia>{rows}</inertia>"),
+        format!("<inertia matrix=\"{rows}\"/>"),
+        format!("<inertia value=\"{rows}\"/>"),
+    ] {
+        let findings = found(&urdf(&inertia));
+        let [message] = told(&findings, "read.unknown")[..] else { panic!("{findings:?}") };
+        assert!(message.starts_with("a tensor of 9 numbers") && message.contains(six), "{message}");
+    }
+    // not symmetric, or the upper triangle alone: the names without the values
+    for text in
+        [rows.replace("-0.003 0.002 0.053", "0.003 0.002 0.053"), "0.031 0 0 0.042 0 0.053".to_owned()]
+    {
+        let findings = found(&urdf(&format!("<inertia>{text}</inertia>")));
+        let [message] = told(&findings, "read.unknown")[..] else { panic!("{findings:?}") };
+        assert!(
+            message.ends_with("programs read ixx, ixy, ixz, iyy, iyz, izz, each by its name"),
+            "{message}"
+        );
+    }
+    let sdf = format!(
+        "<sdf version=\"1.9\"><model name=\"m\"><link name=\"a\"><inertial><mass>1.7</mass><inertia>{rows}</inertia></inertial></link></model></sdf>"
+    );
+    assert!(told(&found(&sdf), "read.unknown")[0].contains("write <ixx>0.031</ixx> <ixy>0.004</ixy>"));
+    let mjcf = format!(
+        "<mujoco><worldbody><body name=\"a\"><inertial pos=\"0 0 0\" mass=\"1.7\" fullinertia=\"{rows}\"/></body></worldbody></mujoco>"
+    );
+    assert!(told(&found(&mjcf), "read.numbers")[0].contains("the six are xx yy zz xy xz yz"));
+    assert_eq!(told(&found(&urdf(INERTIA)), "read.unknown"), Vec::<&str>::new());
+}
+
+#[test]
+fn a_second_element_of_a_joint_or_shape_is_told() {
+    let urdf = |shape: &str, joint: &str| {
+        format!(
+            "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"><inertial><mass value=\"1.7\"/>{INERTIA}</inertial><visual>{shape}</visual></link>\
+             <joint name=\"j\" type=\"continuous\"><parent link=\"a\"/><child link=\"b\"/>{joint}</joint></robot>"
+        )
+    };
+    let sphere = "<geometry><sphere radius=\"0.3\"/></geometry>";
+    let axis = "<axis xyz=\"0 0 1\"/>";
+    let twice = |shape: &str, joint: &str| told(&found(&urdf(shape, joint)), "read.twice").len();
+    assert_eq!(twice(sphere, axis), 0);
+    for joint in ["<origin xyz=\"0 0 1\"/>", axis, "<mimic joint=\"k\"/>", "<limit lower=\"0\" upper=\"1\"/>"]
+    {
+        assert_eq!(twice(sphere, &joint.repeat(2)), 1, "{joint}");
+    }
+    for shape in [
+        sphere.repeat(2),
+        "<geometry><sphere radius=\"0.3\"/><box size=\"1 1 1\"/></geometry>".to_owned(),
+        format!("{sphere}<origin xyz=\"0 0 1\"/><origin xyz=\"0 0 2\"/>"),
+    ] {
+        assert_eq!(twice(&shape, axis), 1, "{shape}");
+    }
+    let sdf = "<sdf version=\"1.9\"><model name=\"m\"><link name=\"a\"><inertial><mass>1</mass></inertial></link><link name=\"b\">\
+        <inertial><mass>1</mass></inertial></link><joint name=\"j\" type=\"revolute\"><parent>a</parent><child>b</child><child>a</child>\
+        <pose>0 0 1 0 0 0</pose><pose>0 0 2 0 0 0</pose></joint></model></sdf>";
+    assert_eq!(told(&found(sdf), "read.twice").len(), 2);
 }

@@ -167,6 +167,7 @@ static CHECK: Subcommand = Subcommand {
     ],
     options: &[
         choice("--root", &["--root", "packages"], MODELS, &[]),
+        choice("--for", &["--for", "mujoco"], MODELS, &[]),
         choice("--json", &["--json"], MODELS, &[]),
         choice("--table", &["--table"], MODELS, &[]),
         choice("--format", &["--format", "github"], MODELS, &[]),
@@ -181,6 +182,8 @@ static CHECK: Subcommand = Subcommand {
         choice("--explain", &["--explain", "inertia.unit"], &["unnamed rules"], &[]),
     ],
     independent: &[
+        ("--for", "--strict", "an error of --for fails in any case"),
+        ("--for", "--fail-on", "an error of --for fails in any case"),
         ("--strict", "--write-baseline", "what is written is known, whatever it is"),
         ("--fail-on", "--write-baseline", "what is written is known, whatever it is"),
         ("--force", "--format", "refused: --fix, with which --force is tried here, has no such form"),

@@ -90,9 +90,19 @@ fn noted() -> String {
     let other = "ixx=\"0.015\" ixy=\"0.001\" ixz=\"0\" iyy=\"0.02028\" iyz=\"0\" izz=\"0.02928\"";
     let mesh = |name| format!("<mesh filename=\"package://{name}/shape.stl\"/>");
     let joint = "<joint name=\"j\" type=\"fixed\"><parent link=\"found\"/><child link=\"lost\"/></joint>\n";
+    // between two joints a link without mass, which MuJoCo refuses
+    let turn = |name: &str, parent: &str, child: &str| {
+        format!(
+            "<joint name=\"{name}\" type=\"continuous\"><parent link=\"{parent}\"/><child link=\"{child}\"/><axis xyz=\"0 0 1\"/></joint>\n"
+        )
+    };
     link("found", "3600", "0.625 0.8125 0.25", tetrahedron, &mesh("found"))
         + &link("lost", "3.6", "0 0 0.05", other, &mesh("lost"))
         + joint
+        + "<link name=\"cross\"/>\n"
+        + &link("tip", "3.6", "0 0 0", other, "<box size=\"0.24 0.20 0.10\"/>")
+        + &turn("pitch", "lost", "cross")
+        + &turn("yaw", "cross", "tip")
 }
 
 /// Writes the files of an input.

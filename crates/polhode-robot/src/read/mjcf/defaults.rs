@@ -13,7 +13,22 @@ struct Class<'a> {
     geom: Attributes<'a>,
     joint: Attributes<'a>,
     mesh: Attributes<'a>,
+    actuator: Attributes<'a>,
 }
+
+/// Kinds of actuators, which share one class of defaults.
+const ACTUATORS: [&str; 10] = [
+    "general",
+    "motor",
+    "position",
+    "velocity",
+    "intvelocity",
+    "damper",
+    "cylinder",
+    "muscle",
+    "adhesion",
+    "dcmotor",
+];
 
 /// All classes by name, each with what it has from the classes around it.
 #[derive(Debug)]
@@ -46,6 +61,7 @@ impl<'a> Classes<'a> {
                     "geom" => &mut class.geom,
                     "joint" => &mut class.joint,
                     "mesh" => &mut class.mesh,
+                    name if ACTUATORS.contains(&name) => &mut class.actuator,
                     _ => continue,
                 };
                 for name in child.attribute_names() {
@@ -77,6 +93,11 @@ impl<'a> Classes<'a> {
     /// A mesh of the assets.
     pub(super) fn mesh(&self, element: Element<'a>) -> Source<'_, 'a> {
         Source { element, class: self.class(element, None).map(|class| &class.mesh) }
+    }
+
+    /// An actuator, of any kind.
+    pub(super) fn actuator(&self, element: Element<'a>) -> Source<'_, 'a> {
+        Source { element, class: self.class(element, None).map(|class| &class.actuator) }
     }
 
     /// The class that an element names, its own or that of what stands in it, if there is none of that name.

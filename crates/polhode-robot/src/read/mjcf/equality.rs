@@ -101,13 +101,13 @@ pub(super) fn couple(
 const TWICE: &str = "another constraint says where it is, too";
 
 /// An origin and those that it stands in.
-fn chain(origins: &[Origin], first: usize) -> impl Iterator<Item = &Origin> {
+pub(super) fn chain(origins: &[Origin], first: usize) -> impl Iterator<Item = &Origin> {
     std::iter::successors(origins.get(first), |origin| origins.get(origin.within?))
 }
 
 impl Origin {
     /// A joint's name as the model has it.
-    fn own<'n>(&self, name: &'n str) -> Option<&'n str> {
+    pub(super) fn own<'n>(&self, name: &'n str) -> Option<&'n str> {
         name.strip_prefix(&*self.prefix)?.strip_suffix(&*self.suffix)
     }
 }

@@ -67,7 +67,9 @@ impl<'a> Reader<'_, 'a, '_> {
         });
         if let Some(Number { span, .. }) = numbers.next() {
             let span = span.start..written.span.end.max(span.end);
-            self.suspect("read.numbers", link, span, format!("more than {N} numbers: MuJoCo refuses them"));
+            let order = if N == 6 { "; the six are xx yy zz xy xz yz, not rows of a matrix" } else { "" };
+            let message = format!("more than {N} numbers: MuJoCo refuses them{order}");
+            self.suspect("read.numbers", link, span, message);
         }
         slots
     }

@@ -114,5 +114,6 @@ fn coordinate(source: &Source<'_, '_>, kind: JointKind, settings: &Settings<'_>)
     };
     let limits =
         range.filter(|_| is_limited).and_then(|[lower, upper]| limits(Some(unit(lower)), Some(unit(upper))));
-    Coordinate { at_rest: source.number("ref").map_or(0.0, unit), limits, ..Coordinate::default() }
+    let armature = source.number("armature").unwrap_or(0.0);
+    Coordinate { at_rest: source.number("ref").map_or(0.0, unit), limits, armature, ..Coordinate::default() }
 }

@@ -4,6 +4,7 @@
 //!
 //! Source: mujoco.readthedocs.io, XML Reference; the order of the operations where it says less is that of MuJoCo's compiler.
 
+mod armature;
 mod attach;
 mod attributes;
 mod builtin;
@@ -152,6 +153,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         }
         self.fix_the_rest(root)?;
         equality::couple(self.contexts, &self.origins, &self.joint_origins, &mut self.model.joints);
+        armature::add(self.contexts, &self.origins, &self.joint_origins, &mut self.model.joints);
         let settings: Vec<_> = self.contexts.iter().map(|context| &context.settings).collect();
         let blind = blind.then_some("an <include> could not be read");
         mass::compile(&mut self.model.links, self.masses, &settings, self.incomplete, blind);

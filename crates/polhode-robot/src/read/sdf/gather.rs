@@ -47,6 +47,7 @@ pub(super) fn gather<'a>(
         let name = element.word("name").unwrap_or("");
         if matches!(element.name(), "model" | "include" | "link" | "joint" | "frame") {
             unread::sdf_pose(element, name, &mut model.notes);
+            unread::sdf_once(element, name, &mut model.notes);
             require_few(model.notes.len(), element)?;
         }
         match element.name() {

@@ -5,7 +5,8 @@
 
 use super::layer::{Prim, Value};
 use super::unit::in_si;
-use super::{Stage, applies};
+use super::{Stage, applies, changing};
+use crate::finding::Severity;
 use crate::model::{Inertial, Link, Note, Number, Pose, Slot, Tensor};
 use crate::pose::unit;
 
@@ -14,12 +15,14 @@ const CENTER: &str = "physics:centerOfMass";
 const MOMENTS: &str = "physics:diagonalInertia";
 const AXES: &str = "physics:principalAxes";
 
+/// All that states a body's mass.
+pub(super) const ATTRIBUTES: [&str; 5] = [MASS, CENTER, MOMENTS, AXES, "physics:density"];
+
 /// Whether a prim says something of its mass.
 pub(super) fn has_mass(prim: &Prim) -> bool {
     applies(prim, "PhysicsMassAPI")
-        || [MASS, CENTER, MOMENTS, AXES, "physics:density"]
-            .iter()
-            .any(|name| prim.properties.contains_key(*name))
+        || ATTRIBUTES.iter().any(|name| prim.properties.contains_key(*name))
+        || changing::of_mass(prim, &mut Vec::new()).is_some()
 }
 
 /// The link of a body; its shapes come later.
@@ -42,13 +45,12 @@ pub(super) fn link(stage: &Stage<'_>, k: usize, prim: &Prim, notes: &mut Vec<Not
         from_geometry: false,
         computed: None,
     };
-    // zero is USD's word for what is not given
-    let given =
-        prim.properties.get(MASS).filter(|mass| !mass.numbers.iter().all(|number| number.value == Some(0.0)));
-    let Some(mass) = given else {
-        let why = "it is not given: the physics engine computes it from the collision shapes";
+    let changing = changing::of_mass(prim, notes);
+    let too_many = too_many(prim, notes);
+    let Some(mass) = prim.properties.get(MASS).filter(|mass| mass.is_given()) else {
+        let why = || "it is not given: the physics engine computes it from the collision shapes".to_owned();
         link.from_geometry = true;
-        link.computed = Some(Err(why.to_owned()));
+        link.computed = Some(Err(changing.or(too_many).unwrap_or_else(why)));
         return link;
     };
     if prim.properties.contains_key("physics:density") {
@@ -62,8 +64,26 @@ pub(super) fn link(stage: &Stage<'_>, k: usize, prim: &Prim, notes: &mut Vec<Not
         let why = "its centre is not given: the physics engine computes it from the collision shapes";
         link.computed = Some(Err(why.to_owned()));
     }
+    if let Some(why) = changing.or(too_many) {
+        link.computed = Some(Err(why));
+    }
     link.inertial = Some(inertial);
     link
+}
+
+/// Notes an attribute with more numbers than its meaning has, and says why the body has no mass properties then.
+fn too_many(prim: &Prim, notes: &mut Vec<Note>) -> Option<String> {
+    let mut first = None;
+    for (name, count) in [(MASS, 1), (CENTER, 3), (MOMENTS, 3), (AXES, 4)] {
+        let Some(value) = prim.properties.get(name).filter(|value| value.numbers.len() > count) else {
+            continue;
+        };
+        let message = format!("{name} has {} numbers for {count}", value.numbers.len());
+        let note = Note::new("read.numbers", &prim.path, value.span.clone(), message.clone());
+        notes.push(Note { severity: Severity::Suspect, ..note });
+        first.get_or_insert(message);
+    }
+    first
 }
 
 /// The inertial, and whether it says its centre.
@@ -79,7 +99,7 @@ fn inertial(stage: &Stage<'_>, prim: &Prim, mass: &Value) -> (Inertial, bool) {
         pose.span = Some(center.span.clone());
     }
     let axes = prim.properties.get(AXES);
-    if let Some(axes) = axes.filter(|axes| !axes.numbers.iter().all(|number| number.value == Some(0.0))) {
+    if let Some(axes) = axes.filter(|axes| axes.is_given()) {
         match super::xform::numbers::<4>(axes).and_then(unit) {
             Some(rotation) => pose.rotation = rotation,
             None => pose.unreadable.push(first_wrong(axes)),
@@ -87,7 +107,7 @@ fn inertial(stage: &Stage<'_>, prim: &Prim, mass: &Value) -> (Inertial, bool) {
         pose.span = Some(axes.span.clone());
     }
     let moments = prim.properties.get(MOMENTS);
-    let moments = moments.filter(|moments| !moments.numbers.iter().all(|number| number.value == Some(0.0)));
+    let moments = moments.filter(|moments| moments.is_given());
     let tensor = match moments {
         None => Tensor::Missing(prim.span.clone()),
         Some(moments) => {
@@ -106,6 +126,10 @@ fn is_left_out(number: &Number) -> bool {
 
 fn slot(value: &Value, k: usize, unit: f64, name: &str) -> Slot {
     match value.numbers.get(k) {
+        // a text where a number belongs
+        _ if !value.words.is_empty() => {
+            Slot::Given(Number { text: value.text(), span: value.span.clone(), value: None })
+        }
         Some(number) => Slot::Given(in_si(number, unit)),
         None => Slot::Missing { span: value.span.clone(), name: format!("{name} {}", k + 1) },
     }
@@ -114,10 +138,6 @@ fn slot(value: &Value, k: usize, unit: f64, name: &str) -> Slot {
 /// The first number that is none, or all of them if there are too few or too many.
 fn first_wrong(value: &Value) -> Number {
     let wrong = value.numbers.iter().find(|number| !number.value.is_some_and(f64::is_finite));
-    let all = || Number {
-        text: value.numbers.iter().map(|number| number.text.as_str()).collect::<Vec<_>>().join(" "),
-        span: value.span.clone(),
-        value: None,
-    };
+    let all = || Number { text: value.text(), span: value.span.clone(), value: None };
     wrong.cloned().unwrap_or_else(all)
 }

@@ -28,7 +28,16 @@ pub(super) fn of(stage: &Stage<'_>, prim: &Prim, kind: JointKind) -> Coordinate 
         true => Follows { coefficients: Err("it follows several joints".to_owned()), ..mimic },
         false => mimic,
     });
-    Coordinate { limits: limits(limit("lower"), limit("upper")), follows, ..Coordinate::default() }
+    // PhysxJointAPI, and of its axis PhysxJointAxisAPI: kg·m², or kg if it slides
+    let (axis, unit) = match kind {
+        JointKind::Revolute => ("angular", stage.units.kilograms * stage.units.metres * stage.units.metres),
+        _ => ("linear", stage.units.kilograms),
+    };
+    let own = prim.properties.get(&format!("physxJointAxis:{axis}:armature"));
+    let armature = own.or_else(|| prim.properties.get("physxJoint:armature"));
+    let armature = armature.map_or(0.0, |value| number(value).map_or(f64::NAN, |armature| unit * armature));
+    let limits = limits(limit("lower"), limit("upper"));
+    Coordinate { limits, follows, armature, ..Coordinate::default() }
 }
 
 /// The reference joint of an axis, if this property names it.

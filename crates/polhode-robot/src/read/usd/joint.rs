@@ -26,10 +26,15 @@ pub(super) fn joint(stage: &Stage<'_>, prim: &Prim) -> Option<Joint> {
         (parent, Some(child)) => ((parent, first.1), (child, second.1), 1.0),
         (None, None) => return None,
     };
+    let mut coordinate = coordinate::of(stage, prim, kind);
     let axis = match words("physics:axis").map(String::as_str) {
+        None | Some("X") => [1.0, 0.0, 0.0],
         Some("Y") => [0.0, 1.0, 0.0],
         Some("Z") => [0.0, 0.0, 1.0],
-        _ => [1.0, 0.0, 0.0],
+        Some(other) => {
+            coordinate.unread = Some(format!("physics:axis {other:?} is none of X, Y, Z"));
+            [1.0, 0.0, 0.0]
+        }
     };
     let mut pose = in_parent.then(&in_child.inverse());
     pose.unreadable = in_parent.unreadable.iter().chain(&in_child.unreadable).cloned().collect();
@@ -41,7 +46,7 @@ pub(super) fn joint(stage: &Stage<'_>, prim: &Prim) -> Option<Joint> {
         child,
         axis: in_child.turned(axis.map(|c: f64| sense * c)),
         anchor: in_child.position,
-        coordinate: coordinate::of(stage, prim, kind),
+        coordinate,
         pose,
     })
 }

@@ -19,6 +19,8 @@ pub(super) struct Layer {
     pub(super) prims: Vec<Prim>,
     /// Sets of variants, which are not read.
     pub(super) variants: Vec<Span>,
+    /// Repeated statements: path of the prim (empty for the layer), name, and place.
+    pub(super) twice: Vec<(String, String, Span)>,
     /// Of all paths together.
     path_bytes: usize,
 }
@@ -50,6 +52,17 @@ pub(super) struct Value {
 }
 
 impl Value {
+    /// Its numbers and words as written, with spaces between them.
+    pub(super) fn text(&self) -> String {
+        let numbers = self.numbers.iter().map(|number| number.text.as_str());
+        numbers.chain(self.words.iter().map(String::as_str)).collect::<Vec<_>>().join(" ")
+    }
+
+    /// Returns true unless all it says is zero, USD's word for what is not given, or nothing.
+    pub(super) fn is_given(&self) -> bool {
+        !self.words.is_empty() || self.numbers.iter().any(|number| number.value != Some(0.0))
+    }
+
     /// `false`, which usdcat writes as 0 in attributes.
     pub(super) fn is_false(&self) -> bool {
         self.words.iter().any(|word| word == "false")
@@ -79,9 +92,10 @@ impl Layer {
     pub(super) fn of(text: &str) -> Result<Self, ContentError> {
         let tokens = tokens(text)?;
         let mut layer = Self::default();
-        let mut reader = Reader { tokens: &tokens, at: 0, end: text.len() };
+        let mut reader = Reader { tokens: &tokens, at: 0, end: text.len(), twice: Vec::new() };
         if reader.takes('(') {
             layer.metadata = reader.metadata()?;
+            layer.note_twice(&mut reader, None);
         }
         let mut open: Vec<usize> = Vec::new();
         while let Some(token) = reader.peek() {
@@ -105,13 +119,22 @@ impl Layer {
                     if let (Some(property), Some(&prim)) = (property, open.last())
                         && let Some(prim) = layer.prims.get_mut(prim)
                     {
-                        property.put_into(&mut prim.properties);
+                        reader.twice.extend(property.put_into(&mut prim.properties));
                     }
+                    layer.note_twice(&mut reader, open.last().copied());
                 }
                 _ => return Err(reader.expected("a prim or a property")),
             }
         }
         if open.is_empty() { Ok(layer) } else { Err(reader.expected("the } that ends the prim")) }
+    }
+
+    /// Takes over what the reader found stated twice, in a prim or in the layer itself.
+    fn note_twice(&mut self, reader: &mut Reader<'_, '_>, prim: Option<usize>) {
+        let path = |layer: &Self| prim.and_then(|prim| layer.prims.get(prim)).map(|prim| prim.path.clone());
+        for (name, span) in reader.twice.drain(..) {
+            self.twice.push((path(self).unwrap_or_default(), name, span));
+        }
     }
 
     /// The start of a prim, up to its `{`.
@@ -152,6 +175,7 @@ impl Layer {
             properties: HashMap::new(),
             is_abstract,
         });
+        self.note_twice(reader, open.last().copied());
         Ok(())
     }
 }
@@ -185,16 +209,19 @@ struct Property {
 }
 
 impl Property {
-    fn put_into(self, all: &mut HashMap<String, Value>) {
+    /// Puts it among the others; says its name and place if it was stated before.
+    fn put_into(self, all: &mut HashMap<String, Value>) -> Option<(String, Span)> {
         let Self { name, edit, value } = self;
         match (edit, all.get_mut(&name)) {
-            (Edit::OfOthers, _) => {}
+            (Edit::OfOthers, _) => None,
             (Edit::Added, Some(there)) => {
                 there.numbers.extend(value.numbers);
                 there.words.extend(value.words);
+                None
             }
             _ => {
-                all.insert(name, value);
+                let span = value.span.clone();
+                all.insert(name.clone(), value).map(|_| (name, span))
             }
         }
     }
@@ -205,6 +232,8 @@ struct Reader<'t, 's> {
     at: usize,
     /// The length of the text.
     end: usize,
+    /// Names that were stated a second time, and where.
+    twice: Vec<(String, Span)>,
 }
 
 impl<'t, 's> Reader<'t, 's> {
@@ -247,7 +276,7 @@ impl<'t, 's> Reader<'t, 's> {
                 Some(TokenKind::Text(_) | TokenKind::Mark(';' | ',')) => self.at += 1,
                 Some(TokenKind::Word(_)) => {
                     if let Some(property) = self.property()? {
-                        property.put_into(&mut metadata);
+                        self.twice.extend(property.put_into(&mut metadata));
                     }
                 }
                 _ => return Err(self.expected("a key of metadata, or the ) after them")),

@@ -8,6 +8,7 @@
 //! Source: openusd.org, "Rigid Body Physics in USD"; the schemas UsdPhysics and UsdGeom.
 
 mod body;
+mod changing;
 mod coordinate;
 mod joint;
 mod layer;
@@ -21,6 +22,7 @@ use std::collections::HashMap;
 
 use polhode_formats::ContentError;
 
+use crate::finding::Severity;
 use crate::model::{Note, Pose, RobotModel};
 use layer::{Layer, Prim, require_short};
 use unit::Units;
@@ -33,9 +35,10 @@ const ELSEWHERE: [&str; 5] = ["references", "payload", "inherits", "specializes"
 pub(super) fn read(text: &str, model: &mut RobotModel) -> Result<(), ContentError> {
     let layer = Layer::of(text)?;
     model.name = layer.metadata.get("defaultPrim").and_then(|prim| prim.words.first().cloned());
-    let units = Units::of(&layer, &mut model.notes);
+    let units = Units::of(&layer, &mut model.notes)?;
     model.is_si = units.are_si();
     elsewhere(&layer, &mut model.notes);
+    twice(&layer, &mut model.notes);
     let stage = Stage::of(&layer, units);
     let mut links = HashMap::new();
     for (k, prim) in layer.prims.iter().enumerate() {
@@ -43,27 +46,45 @@ pub(super) fn read(text: &str, model: &mut RobotModel) -> Result<(), ContentErro
             links.insert(k, model.links.len());
             let link = body::link(&stage, k, prim, &mut model.notes);
             model.links.push(link);
-        } else if let Some(&link) = stage.body_around(k).and_then(|body| links.get(&body))
-            && let Some(link) = model.links.get_mut(link)
-            && !prim.is_abstract
-        {
-            let frame = Pose::new(link.pose.position, link.pose.rotation);
-            link.geometry.extend(shape::geometry(&stage, k, prim, &frame));
-            if body::has_mass(prim) && link.inertial.is_none() {
-                link.from_geometry = true;
-                link.computed = Some(Err("the masses of its shapes are not added up here".to_owned()));
-            }
+        }
+        let body = stage.body_around(k).filter(|_| !prim.is_abstract);
+        let link = body.and_then(|body| links.get(&body)).and_then(|&link| model.links.get_mut(link));
+        let Some(link) = link else { continue };
+        changing::of_shape(prim, &link.name.text, &mut model.notes);
+        let frame = Pose::new(link.pose.position, link.pose.rotation);
+        link.geometry.extend(shape::geometry(&stage, k, prim, &frame));
+        if !stage.is_body(k) && body::has_mass(prim) && link.inertial.is_none() {
+            link.from_geometry = true;
+            link.computed = Some(Err("the masses of its shapes are not added up here".to_owned()));
         }
     }
     let mut path_bytes = 0;
     for prim in layer.prims.iter().filter(|prim| !prim.is_abstract) {
         let Some(joint) = joint::joint(&stage, prim) else { continue };
+        if let Some(why) = &joint.coordinate.unread {
+            let note = Note::new("read.unknown", &joint.name.text, prim.span.clone(), why.clone());
+            model.notes.push(Note { severity: Severity::Suspect, ..note });
+        }
         let parent = joint.parent.as_ref().map_or(0, |parent| parent.text.len());
         path_bytes += joint.name.text.len() + joint.child.text.len() + parent;
         require_short(path_bytes, text.len(), prim.span.clone())?;
         model.joints.push(joint);
     }
     Ok(())
+}
+
+/// Notes what is stated twice of bodies, joints, shapes and units: the last is read, as OpenUSD reads it.
+fn twice(layer: &Layer, notes: &mut Vec<Note>) {
+    const NAMES: [&str; 7] =
+        ["metersPerUnit", "kilogramsPerUnit", "xformOpOrder", "size", "radius", "height", "axis"];
+    let matters = |name: &str| {
+        NAMES.contains(&name) || ["physics:", "physx", "xformOp:"].iter().any(|start| name.starts_with(start))
+    };
+    for (prim, name, span) in layer.twice.iter().filter(|(_, name, _)| matters(name)) {
+        let message = format!("a second {name}: only the last is read");
+        let note = Note::new("read.twice", prim, span.clone(), message);
+        notes.push(Note { severity: Severity::Suspect, ..note });
+    }
 }
 
 /// Says what is not read.

@@ -22,10 +22,14 @@ pub(super) fn geometry(stage: &Stage<'_>, k: usize, prim: &Prim, body: &Pose) ->
         "Cylinder" => GeometryShape::Cylinder { radius: radius(1.0), length: height(2.0) },
         "Capsule" => GeometryShape::Capsule { radius: radius(0.5), length: height(1.0) },
         "Mesh" => GeometryShape::Other("a mesh in USD, which is not read,".to_owned()),
-        "Cone" | "Plane" | "Points" | "BasisCurves" | "NurbsPatch" => {
-            GeometryShape::Other(prim.kind.to_lowercase())
-        }
+        "Cone" => GeometryShape::Cone { radius: radius(1.0), length: height(2.0) },
+        "Plane" | "Points" | "BasisCurves" | "NurbsPatch" => GeometryShape::Other(prim.kind.to_lowercase()),
         _ => return None,
+    };
+    let shape = if matches!(axis, "X" | "Y" | "Z") {
+        shape
+    } else {
+        GeometryShape::Other(format!("a shape along the axis {axis:?}, which is none of X, Y, Z,"))
     };
     let role = if applies(prim, "PhysicsCollisionAPI") { Role::Collision } else { Role::Visual };
     let span = prim.span.clone();
@@ -35,7 +39,10 @@ pub(super) fn geometry(stage: &Stage<'_>, k: usize, prim: &Prim, body: &Pose) ->
         return Some(Geometry { span, role, pose: Pose { unreadable, ..Pose::IDENTITY }, shape });
     };
     let mut pose = body.inverse().then(&pose);
-    let is_long = matches!(shape, GeometryShape::Cylinder { .. } | GeometryShape::Capsule { .. });
+    let is_long = matches!(
+        shape,
+        GeometryShape::Cylinder { .. } | GeometryShape::Capsule { .. } | GeometryShape::Cone { .. }
+    );
     // the scale along z is that along the shape's own axis
     let scale = match axis {
         "X" if is_long => {
@@ -68,7 +75,10 @@ fn scaled(shape: GeometryShape, [x, y, z]: [f64; 3]) -> GeometryShape {
         GeometryShape::Capsule { radius, length } if even => {
             GeometryShape::Capsule { radius: radius * x, length: length * x }
         }
-        GeometryShape::Cylinder { .. } | GeometryShape::Capsule { .. } => {
+        GeometryShape::Cone { radius, length } if round => {
+            GeometryShape::Cone { radius: radius * x, length: length * z }
+        }
+        GeometryShape::Cylinder { .. } | GeometryShape::Capsule { .. } | GeometryShape::Cone { .. } => {
             GeometryShape::Other("a round shape that is scaled unevenly".to_owned())
         }
         other => other,

@@ -1,6 +1,8 @@
 //! The units of a layer, and numbers in SI.
 
-use super::layer::Layer;
+use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+
+use super::layer::{Layer, Value};
 use crate::model::{Note, Number};
 
 /// What one unit is in SI.
@@ -14,23 +16,40 @@ pub(super) struct Units {
 
 impl Units {
     /// Those of a layer's metadata. USD's own length is a centimetre where the layer says none, which few mean: a note.
-    pub(super) fn of(layer: &Layer, notes: &mut Vec<Note>) -> Self {
-        let said = |key: &str| {
-            let value = layer.metadata.get(key)?.numbers.first()?.value?;
-            Some(value).filter(|value| *value > 0.0 && value.is_finite())
-        };
-        let metres = said("metersPerUnit");
+    ///
+    /// # Errors
+    /// [`ContentError`] if one is stated and is not a positive finite number.
+    pub(super) fn of(layer: &Layer, notes: &mut Vec<Note>) -> Result<Self, ContentError> {
+        let stated = |key: &str| layer.metadata.get(key).map(|value| positive(key, value)).transpose();
+        let metres = stated("metersPerUnit")?;
         if metres.is_none() && !layer.prims.is_empty() {
             let message = "metersPerUnit is not given: by USD's rule a unit is 0.01 m".to_owned();
             notes.push(Note::new("read.unit", "", 0..0, message));
         }
-        Self { metres: metres.unwrap_or(0.01), kilograms: said("kilogramsPerUnit").unwrap_or(1.0) }
+        let kilograms = stated("kilogramsPerUnit")?.unwrap_or(1.0);
+        Ok(Self { metres: metres.unwrap_or(0.01), kilograms })
     }
 
     /// Whether the numbers of the layer are those in SI.
     pub(super) fn are_si(self) -> bool {
         [self.metres, self.kilograms].iter().all(|unit| unit.to_bits() == 1.0_f64.to_bits())
     }
+}
+
+/// The number that a key of metadata states.
+fn positive(key: &str, value: &Value) -> Result<f64, ContentError> {
+    if let ([number], []) = (value.numbers.as_slice(), value.words.as_slice())
+        && let Some(unit) = number.value.filter(|unit| *unit > 0.0 && unit.is_finite())
+    {
+        return Ok(unit);
+    }
+    let kind = ContentErrorKind::Value {
+        what: key.to_owned(),
+        value: value.text(),
+        rule: "a positive finite number".to_owned(),
+    };
+    let hint = format!("write {key} = 1 for SI, or leave it out for USD's default");
+    Err(ContentError::new(kind, ContentPlace::Text(value.span.clone())).hint(hint))
 }
 
 /// A number times a unit, with as many digits as it is written with where the unit is a power of ten.

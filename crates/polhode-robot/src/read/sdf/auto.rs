@@ -1,0 +1,150 @@
+//! `<inertial auto="true">`: mass, centre and tensor of a link from its collisions and their densities.
+//!
+//! m = Σ ρ_k V_k, with centre and tensor of the collisions joined. A stated mass scales m and the tensor. The density ρ is that of the
+//! collision, else of the inertial, else 1000 kg/m³.
+//!
+//! Source: libsdformat 16, `Link::ResolveAutoInertials`, `Collision::CalculateInertial`, `Geometry::CalculateInertial`. Meshes are left
+//! to the simulator there. Gazebo integrates over the triangles; so does this file, for closed meshes.
+
+use polhode::body::{InertiaTensor, MassProperties};
+use polhode::math::{Part, Position};
+use polhode_report::plain::number;
+
+use crate::finding::Severity;
+use crate::geometry::{Shapes, Volume, VolumeKind};
+use crate::model::{ComputedMass, GeometryShape, Link, Note, Role};
+use crate::read::xml::Element;
+
+/// Density of what states none, kg/m³.
+const WATER: f64 = 1000.0;
+
+/// Reason for a link without computed mass.
+enum Fault {
+    /// libsdformat refuses it.
+    Refused(String),
+    /// It cannot be told here.
+    Unknown(String),
+}
+
+/// Gives the link what libsdformat computes, with a note that says so.
+pub(super) fn compute(
+    link: &mut Link,
+    inertial: Element<'_>,
+    element: Element<'_>,
+    shapes: &Shapes<'_>,
+    notes: &mut Vec<Note>,
+) {
+    let name = link.name.text.clone();
+    let mut note = |severity, message| {
+        notes.push(Note { severity, ..Note::new("inertia.computed", &name, inertial.span(), message) });
+    };
+    for overwritten in ["pose", "inertia"].into_iter().filter(|own| inertial.child(own).is_some()) {
+        note(Severity::Suspect, format!("<{overwritten}> is overwritten by SDFormat, as auto=\"true\""));
+    }
+    let collisions: Vec<_> = element.named("collision").collect();
+    let computed = parts(link, &collisions, inertial, shapes).and_then(|parts| together(&parts, inertial));
+    link.computed = Some(match computed {
+        Ok(computed) => {
+            let ComputedMass { mass, center: [x, y, z], tensor } = computed;
+            let [xx, yy, zz, xy, xz, yz] = tensor.map(|element| short(element, tensor));
+            let count = match collisions.len() {
+                1 => "1 collision".to_owned(),
+                count => format!("{count} collisions"),
+            };
+            let is_stated = |element: &Element<'_>| element.child("density").is_some();
+            let is_assumed = ["mass", "density"].iter().all(|own| inertial.child(own).is_none())
+                && !collisions.iter().all(is_stated);
+            let assumed = if is_assumed { ", at 1000 kg/m³ where none is stated" } else { "" };
+            let (mass, center) = (number(mass, 6), [x, y, z].map(|c| short(c, [x, y, z, 1e-3])).join(", "));
+            let message = format!(
+                "computed from {count}{assumed}: {mass} kg at ({center}) m, ixx {xx} iyy {yy} izz {zz} ixy {xy} ixz {xz} iyz {yz} kg·m²"
+            );
+            note(Severity::Note, message);
+            Ok(computed)
+        }
+        Err(Fault::Refused(why)) => {
+            note(Severity::Impossible, format!("auto=\"true\" is refused by SDFormat: {why}"));
+            Err(why)
+        }
+        Err(Fault::Unknown(why)) => {
+            note(Severity::Note, format!("auto=\"true\" is not computed here: {why}"));
+            Err(why)
+        }
+    });
+}
+
+/// A number for people; 0 if it is rounding error compared with the largest.
+fn short<const N: usize>(value: f64, all: [f64; N]) -> String {
+    let largest = all.iter().fold(0.0_f64, |largest, other| largest.max(other.abs()));
+    number(if value.abs() < 1e-14 * largest { 0.0 } else { value }, 6)
+}
+
+/// The collisions as bodies, each by its density.
+fn parts(
+    link: &Link,
+    collisions: &[Element<'_>],
+    inertial: Element<'_>,
+    shapes: &Shapes<'_>,
+) -> Result<Vec<MassProperties<Part>>, Fault> {
+    if collisions.is_empty() {
+        return Err(Fault::Refused("the link has no collision".to_owned()));
+    }
+    if shapes.is_turned_by_some(link, Role::Collision) {
+        return Err(Fault::Unknown("programs disagree on how a mesh of it is turned".to_owned()));
+    }
+    let geometry = link.geometry.iter().filter(|geometry| geometry.role == Role::Collision);
+    let part = |(geometry, collision): (&crate::model::Geometry, &Element<'_>)| {
+        let density = match positive(*collision, "density")? {
+            Some(own) => own,
+            None => positive(inertial, "density")?.unwrap_or(WATER),
+        };
+        if let Some(unreadable) = geometry.pose.unreadable.first() {
+            return Err(Fault::Unknown(format!(
+                "{:?} in the pose of a collision is not a number",
+                unreadable.text
+            )));
+        }
+        let volume = shapes.geometry(geometry).map_err(|why| match geometry.shape {
+            GeometryShape::Mesh { .. } | GeometryShape::Other(_) => Fault::Unknown(why),
+            _ => Fault::Refused(why),
+        })?;
+        if volume.kind == VolumeKind::Hull {
+            return Err(Fault::Unknown("a mesh of it is not closed".to_owned()));
+        }
+        body(&volume, density)
+    };
+    geometry.zip(collisions).map(part).collect()
+}
+
+fn body(volume: &Volume, density: f64) -> Result<MassProperties<Part>, Fault> {
+    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] =
+        volume.tensor_per_density.map(|row| row.map(|x| density * x));
+    let tensor = InertiaTensor::<Part>::with_negative_products([xx, yy, zz], [xy, xz, yz]);
+    let center = Position::from_array(volume.centroid);
+    tensor
+        .and_then(|tensor| MassProperties::new(density * volume.volume, center, tensor))
+        .map_err(|error| Fault::Unknown(error.to_string()))
+}
+
+/// All parts as one, scaled to the mass that is stated.
+fn together(parts: &[MassProperties<Part>], inertial: Element<'_>) -> Result<ComputedMass, Fault> {
+    let all = MassProperties::combined(parts).map_err(|error| Fault::Unknown(error.to_string()))?;
+    let mass = positive(inertial, "mass")?.unwrap_or(all.mass());
+    let scale = mass / all.mass();
+    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = all.inertia().matrix();
+    let tensor = [xx, yy, zz, xy, xz, yz].map(|element| scale * element);
+    Ok(ComputedMass { mass, center: all.center_of_mass().to_array(), tensor })
+}
+
+/// The positive number in a child, if it is there.
+fn positive(parent: Element<'_>, name: &str) -> Result<Option<f64>, Fault> {
+    let Some(child) = parent.child(name) else { return Ok(None) };
+    let written = child.text();
+    match written.as_ref().and_then(|written| written.number().value).filter(|x| *x > 0.0 && x.is_finite()) {
+        Some(value) => Ok(Some(value)),
+        None => {
+            let text = written.map_or("", |written| written.value);
+            Err(Fault::Refused(format!("its {name} is {text:?}, where a positive number is expected")))
+        }
+    }
+}

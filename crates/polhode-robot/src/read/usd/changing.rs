@@ -1,0 +1,37 @@
+//! Attributes with `timeSamples`, `connect` or `spline` in place of one value. They are not read: `read.animated`.
+
+use super::body;
+use super::layer::Prim;
+use crate::finding::Severity;
+use crate::model::{Note, Span};
+
+/// Suffixes of the names of such attributes.
+const SUFFIXES: [&str; 3] = ["timeSamples", "connect", "spline"];
+
+/// Notes such an attribute of a body's mass, and says why the body has no mass properties then.
+pub(super) fn of_mass(prim: &Prim, notes: &mut Vec<Note>) -> Option<String> {
+    let (name, span) = first(prim, |name| body::ATTRIBUTES.contains(&name))?;
+    let message = format!("{name} is not read: an inertia that changes over time is not one body");
+    notes.push(Note { severity: Severity::Suspect, ..Note::new("read.animated", &prim.path, span, message) });
+    Some(format!("{name} is not read"))
+}
+
+/// Notes such an attribute of the size or place of a shape.
+pub(super) fn of_shape(prim: &Prim, link: &str, notes: &mut Vec<Note>) {
+    let is_shape =
+        |name: &str| matches!(name, "size" | "radius" | "height" | "axis") || name.starts_with("xformOp:");
+    if let Some((name, span)) = first(prim, is_shape) {
+        let message = format!("{name} of {} is not read: the shape is taken as it is without", prim.path);
+        notes.push(Note::new("read.animated", link, span, message));
+    }
+}
+
+/// The first such attribute, in the order of the file.
+fn first(prim: &Prim, matters: impl Fn(&str) -> bool) -> Option<(&str, Span)> {
+    let changes = |name: &str| {
+        name.rsplit_once('.').is_some_and(|(own, suffix)| SUFFIXES.contains(&suffix) && matters(own))
+    };
+    let all = prim.properties.iter().filter(|(name, _)| changes(name));
+    let first = all.min_by_key(|(_, value)| value.span.start)?;
+    Some((first.0.as_str(), first.1.span.clone()))
+}

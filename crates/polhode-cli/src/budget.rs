@@ -68,6 +68,9 @@ pub(crate) struct BudgetCommand {
     /// A parts list, CSV or XLSX; or a plan that names one, TOML.
     #[arg(value_name = "FILE")]
     file: PathBuf,
+    /// Folder that files which the parts list names may lie in, besides its own folder.
+    #[arg(long = "root", value_name = "DIR")]
+    roots: Vec<PathBuf>,
     /// Which masses count: as they are known, or with their growth allowance [default: the file's, else predicted].
     #[arg(long, value_enum, value_name = "BASIS")]
     basis: Option<BasisName>,
@@ -143,19 +146,19 @@ enum BasisName {
 impl BudgetCommand {
     pub(crate) fn run(self) -> Result<(), Failure> {
         if let Some(target) = &self.scenario {
-            let file = budget::read(&self.file)?;
+            let file = budget::read_within(&self.file, &self.roots)?;
             let basis = self.basis.map_or(file.questions.basis, BasisName::basis);
             require_not_read(&self.file, &file, &[target, &target.with_extension("csv")])?;
             return budget_history::write(&file, &self.file, basis, target, self.force);
         }
-        let file = budget::read(&self.file)?;
+        let file = budget::read_within(&self.file, &self.roots)?;
         let plan = self.plan_options(&file)?;
         let changes = self.over_time(&file).is_some_and(OverTime::has_changes);
         let over_time = file.prescribed.as_ref().and_then(|all| all.over_time.as_ref());
         let begins = over_time.and_then(|all| all.configuration.clone());
         let report = self.report(&self.file, file, false)?;
         if let Some(other) = &self.diff {
-            let before = self.report(other, budget::read(other)?, true)?;
+            let before = self.report(other, budget::read_within(other, &self.roots)?, true)?;
             let diff = BudgetDiff::new(&before, &report);
             return print(&self.printed(|| diff.to_json(), || diff.to_document()));
         }

@@ -24,12 +24,14 @@
 pub mod brep;
 pub mod budget;
 pub mod cad;
+mod confinement;
 mod content;
 mod decimal;
 mod error;
 pub mod expression;
 mod file;
 pub mod identify;
+mod json;
 pub mod material;
 pub mod mesh;
 pub mod molecule;
@@ -46,7 +48,9 @@ pub mod unit;
 pub mod voxel;
 pub mod xml;
 
+pub use confinement::{Confinement, NotOpened};
 pub use content::{ContentError, ContentErrorKind, ContentPlace};
 pub use error::{FormatError, FormatErrorKind, Place};
+pub use json::json_value;
 pub use reading::{read_file, read_text_file};
 pub use scenario::suggestion::nearest;

@@ -5,6 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use bytes::Bytes;
 use hyper::{Method, StatusCode};
+use polhode_formats::json_value;
 use serde::de::DeserializeOwned;
 
 use crate::answer::{Answer, Refusal, bytes, json, json_and_rows};
@@ -160,7 +161,7 @@ fn complete(request: &CompleteRequest, draft: &polhode_formats::scenario::Draft)
 }
 
 fn read<T: DeserializeOwned>(body: &[u8]) -> Result<T, Refusal> {
-    serde_json::from_slice(body).map_err(|error| {
+    json_value(body).and_then(serde_json::from_value).map_err(|error| {
         Refusal::new(StatusCode::BAD_REQUEST, format!("the request is not what the page asks: {error}"))
     })
 }

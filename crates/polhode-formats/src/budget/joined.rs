@@ -32,7 +32,8 @@ impl Naming<'_> {
         let text = format!("{}\n{}", self.source.text, beside.text);
         let from = text.len() - beside.text.len();
         let padded = format!("{}{}", " ".repeat(from), beside.text);
-        let source = Source { text: &text, rest: Some((from, beside.path)), ..self.source };
+        let source =
+            Source { text: &text, rest: Some((from, beside.path)), within: beside.within, ..self.source };
         let mut entries = self.entries.clone();
         entries.extend(tree::parse(&padded).map_err(|error| source.syntax(&error))?);
         let of_other = |place: &Place| {

@@ -11,6 +11,7 @@
 //! Lines in front of the table that begin with `#` are TOML after that. Whatever is unknown, impossible or ambiguous is an error that names its line and column, or its
 //! sheet and cell.
 
+mod access;
 mod assemble;
 mod blame;
 mod cells;
@@ -37,7 +38,6 @@ mod unused;
 mod workbook;
 mod xlsx;
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use polhode::math::{Body, Part, Position, Rotation};
@@ -49,6 +49,7 @@ use crate::file;
 use crate::scenario::reader::Table;
 use crate::scenario::source::Source;
 use crate::scenario::{list_units, tree};
+use access::Access;
 use heading::Columns;
 use plan::Plan;
 pub use plan::sequence::PlannedChange;
@@ -129,7 +130,15 @@ impl BudgetFile {
 /// # Errors
 /// [`FormatError`], with the place, if it, or a file that it names, cannot be read or makes no possible body.
 pub fn read(path: &Path) -> Result<BudgetFile, FormatError> {
-    from_bytes(path, &bytes_of(path)?)
+    read_within(path, &[])
+}
+
+/// The same of a parts list whose files may also lie in the folders `roots`, besides the list's own.
+///
+/// # Errors
+/// As [`read()`].
+pub fn read_within(path: &Path, roots: &[PathBuf]) -> Result<BudgetFile, FormatError> {
+    of_bytes(path, &bytes_of(path)?, Access::within(roots))
 }
 
 /// Reads a parts list from the bytes of its file; files that it names are relative to the path, which errors name.
@@ -137,7 +146,7 @@ pub fn read(path: &Path) -> Result<BudgetFile, FormatError> {
 /// # Errors
 /// As [`read()`].
 pub fn from_bytes(path: &Path, bytes: &[u8]) -> Result<BudgetFile, FormatError> {
-    of_bytes(path, bytes, false)
+    of_bytes(path, bytes, Access::within(&[]))
 }
 
 /// The same of bytes that nobody is trusted for: no other file is opened, and what names one is refused.
@@ -145,17 +154,17 @@ pub fn from_bytes(path: &Path, bytes: &[u8]) -> Result<BudgetFile, FormatError> 
 /// # Errors
 /// As [`read()`].
 pub fn from_bytes_alone(path: &Path, bytes: &[u8]) -> Result<BudgetFile, FormatError> {
-    of_bytes(path, bytes, true)
+    of_bytes(path, bytes, Access::ALONE)
 }
 
-fn of_bytes(path: &Path, bytes: &[u8], is_alone: bool) -> Result<BudgetFile, FormatError> {
+fn of_bytes(path: &Path, bytes: &[u8], access: Access<'_>) -> Result<BudgetFile, FormatError> {
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
-        return named::of_plan(path, text(path, bytes)?, is_alone);
+        return named::of_plan(path, text(path, bytes)?, access);
     }
     if xlsx::is_archive(bytes) {
-        return workbook::read(path, bytes, None, is_alone);
+        return workbook::read(path, bytes, None, access);
     }
-    of_text(path, text(path, bytes)?, is_alone)
+    of_text(path, text(path, bytes)?, access)
 }
 
 /// Reads a parts list from its text, CSV.
@@ -174,17 +183,17 @@ fn of_bytes(path: &Path, bytes: &[u8], is_alone: bool) -> Result<BudgetFile, For
 /// # Errors
 /// As [`read()`].
 pub fn from_text(path: &Path, text: &str) -> Result<BudgetFile, FormatError> {
-    of_text(path, text, false)
+    of_text(path, text, Access::within(&[]))
 }
 
-fn of_text(path: &Path, text: &str, is_alone: bool) -> Result<BudgetFile, FormatError> {
-    let nothing = BTreeSet::new();
-    let source = Source { files: is_alone.then_some(&nothing), ..Source::new(path, text) };
+fn of_text(path: &Path, text: &str, access: Access<'_>) -> Result<BudgetFile, FormatError> {
+    let folders = access.folders(path);
+    let source = Source { files: access.files(), within: Some(&folders), ..Source::new(path, text) };
     let (toml, from) = head::toml(source)?;
     let entries = tree::parse(&toml).map_err(|error| head_error(source, &error))?;
     list_units::check(source, &entries)?;
     let plan = plan::plan(&Table::root(source, &entries), &[], None)?;
-    of_csv(source, from, Plan { is_alone, ..plan })
+    of_csv(source, from, access.plan(plan))
 }
 
 /// Bytes of a file: a larger one is no parts list.

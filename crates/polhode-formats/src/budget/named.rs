@@ -1,10 +1,10 @@
 //! Plans, TOML, that name the file of their parts.
 
-use std::collections::BTreeSet;
 use std::path::Path;
 
+use super::access::Access;
 use super::joined::Naming;
-use super::plan::{self, Plan};
+use super::plan;
 use super::{BudgetFile, bytes_of, head, of_csv, text, workbook, xlsx};
 use crate::error::{FormatError, FormatErrorKind, Spot};
 use crate::scenario::document;
@@ -12,10 +12,8 @@ use crate::scenario::reader::Table;
 use crate::scenario::source::Source;
 
 /// Reads a plan from its text, and the parts that it names.
-pub(super) fn of_plan(path: &Path, plan_text: &str, is_alone: bool) -> Result<BudgetFile, FormatError> {
-    let nothing = BTreeSet::new();
-    let files = is_alone.then_some(&nothing);
-    let source = Source { files, ..Source::new(path, plan_text) };
+pub(super) fn of_plan(path: &Path, plan_text: &str, access: Access<'_>) -> Result<BudgetFile, FormatError> {
+    let source = Source { files: access.files(), ..Source::new(path, plan_text) };
     let entries = document(source)?;
     let root = Table::root(source, &entries);
     let value = root.require("parts", "parts = \"parts.csv\"")?;
@@ -34,9 +32,10 @@ pub(super) fn of_plan(path: &Path, plan_text: &str, is_alone: bool) -> Result<Bu
     })?;
     let read = || {
         if xlsx::is_archive(&bytes) {
-            return workbook::read(&file, &bytes, Some(&naming), is_alone);
+            return workbook::read(&file, &bytes, Some(&naming), access);
         }
-        let parts = Source::new(&file, text(&file, &bytes)?);
+        let folders = access.folders(&file);
+        let parts = Source { within: Some(&folders), ..Source::new(&file, text(&file, &bytes)?) };
         let (toml, from) = head::toml(parts)?;
         // The head stands in it where it stands in the file, and errors show the file's own lines.
         let shown = |error: FormatError| {
@@ -45,7 +44,7 @@ pub(super) fn of_plan(path: &Path, plan_text: &str, is_alone: bool) -> Result<Bu
             if is_syntax { error.with_hint(head::SYNTAX) } else { error }
         };
         let plan = naming.plan(Source { text: &toml, ..parts }, None, &shown)?;
-        of_csv(parts, from, Plan { is_alone, ..plan })
+        of_csv(parts, from, access.plan(plan))
     };
     // Of what both say the error names the place in the plan already.
     let is_open = |error: &FormatError| error.path() == file && error.origin().is_none();

@@ -17,12 +17,13 @@ use super::part::Told;
 use super::rows::Rows;
 use super::sheet::Cell;
 use crate::cad;
+use crate::confinement::{Confinement, NotOpened};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::mesh::MeshFormat;
 use crate::scenario::part::part;
 use crate::scenario::reader::Table;
 use crate::scenario::source::Source;
-use crate::scenario::{self, list_units, tree};
+use crate::scenario::{ScenarioFile, list_units, tree};
 use crate::unit;
 
 /// Columns of lengths and of numbers.
@@ -82,6 +83,7 @@ impl<'s, 'a> Rows<'s, 'a> {
                     return Err(self.reader.invalid(cell, "left out: no other file is opened for this list"));
                 }
                 let path = self.beside(text);
+                self.require_within(cell)?;
                 match form {
                     Form::Cad => self.reported(&path, cell)?,
                     _ => self.body_of(&path, cell)?,
@@ -99,6 +101,22 @@ impl<'s, 'a> Rows<'s, 'a> {
 
     fn beside(&self, name: &str) -> PathBuf {
         self.reader.sheet.path().parent().unwrap_or(Path::new("")).join(name)
+    }
+
+    /// The folders that files of the parts may lie in.
+    fn confinement(&self) -> Confinement {
+        Confinement::of(self.reader.sheet.path(), &self.plan.roots)
+    }
+
+    fn require_within(&self, cell: &Cell<'a>) -> Result<(), FormatError> {
+        let folder = self.reader.sheet.path().parent().unwrap_or(Path::new(""));
+        match self.confinement().file(folder, Path::new(&*cell.text)) {
+            Err(NotOpened::Outside) => {
+                let error = self.reader.invalid(cell, "a file in the folder of the parts list, or below it");
+                Err(error.with_hint("--root DIR allows files in another folder"))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// A shape or a mesh, by the reader of scenarios.
@@ -152,7 +170,9 @@ impl<'s, 'a> Rows<'s, 'a> {
         }
         let nothing = BTreeSet::new();
         let files = self.plan.is_alone.then_some(&nothing);
-        let source = Source { files, ..Source::new(self.reader.sheet.path(), &table.text) };
+        let within = self.confinement();
+        let source =
+            Source { files, within: Some(&within), ..Source::new(self.reader.sheet.path(), &table.text) };
         let mut findings = Vec::new();
         let mut read = || {
             let entries = tree::parse(&table.text).map_err(|error| source.syntax(&error))?;
@@ -197,7 +217,8 @@ impl<'s, 'a> Rows<'s, 'a> {
         if let Some(known) = self.known.get(&key) {
             return Ok(*known);
         }
-        let scenario = scenario::read(path).map_err(|error| self.named_in(error, cell))?;
+        let scenario = ScenarioFile::read_within(path, &self.confinement());
+        let scenario = scenario.map_err(|error| self.named_in(error, cell))?.scenario;
         let taken = scenario.taken_at_start();
         let findings = scenario.findings().iter().chain(&taken);
         self.taken.findings.extend(findings.map(|finding| format!("{}: {}", cell.text, finding.message)));

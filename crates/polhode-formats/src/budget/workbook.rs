@@ -1,8 +1,8 @@
 //! Parts lists in workbooks: a sheet of parts, and a sheet for each section of a plan.
 
-use std::collections::BTreeSet;
 use std::path::Path;
 
+use super::access::Access;
 use super::heading::Columns;
 use super::joined::Naming;
 use super::plan::table_file::Sheets;
@@ -24,7 +24,7 @@ pub(super) fn read(
     path: &Path,
     bytes: &[u8],
     told: Option<&Naming<'_>>,
-    is_alone: bool,
+    access: Access<'_>,
 ) -> Result<BudgetFile, FormatError> {
     let fail = |error| FormatError::of_content(path, bytes, error);
     let workbook = Workbook::read(bytes).map_err(fail)?;
@@ -32,8 +32,8 @@ pub(super) fn read(
     let (sections, others): (Vec<&str>, Vec<&str>) = names.iter().copied().partition(|name| is_section(name));
     let sheets: Vec<(&str, Sheet<'_>)> =
         sections.iter().filter_map(|name| Some((*name, workbook.sheet(path, name)?.0))).collect();
-    let plan = of_sections(path, &sheets, told, is_alone, &|name| workbook.sheet(path, name))?;
-    let plan = Plan { is_alone, ..plan };
+    let plan = of_sections(path, &sheets, told, access, &|name| workbook.sheet(path, name))?;
+    let plan = access.plan(plan);
     let wanted: Vec<&str> = others
         .into_iter()
         .filter(|name| !plan.ignore.iter().any(|other| other == name) && !plan.has_sheet(name))
@@ -70,7 +70,7 @@ fn of_sections(
     path: &Path,
     sheets: &[(&str, Sheet<'_>)],
     told: Option<&Naming<'_>>,
-    is_alone: bool,
+    access: Access<'_>,
     all: &Sheets<'_>,
 ) -> Result<Plan, FormatError> {
     let mut sections = Sections::default();
@@ -79,8 +79,9 @@ fn of_sections(
     for (name, sheet) in first.into_iter().chain(then) {
         sections.add(name, sheet)?;
     }
-    let nothing = BTreeSet::new();
-    let source = Source { files: is_alone.then_some(&nothing), ..Source::new(path, &sections.toml) };
+    let folders = access.folders(path);
+    let source =
+        Source { files: access.files(), within: Some(&folders), ..Source::new(path, &sections.toml) };
     let tables = |name: &str| if is_section(name) { None } else { all(name) };
     if let Some(told) = told {
         return told.plan(source, Some(&tables), &|error| sections.moved(error));

@@ -168,8 +168,9 @@ impl MeshContents {
 
     /// Reads the mesh that a user calls `written`.
     pub(crate) fn read_as(path: &Path, written: &str, format: MeshFormat) -> Result<Self, FormatError> {
-        let bytes =
-            file::bytes(path, written, u64::MAX).map_err(|kind| FormatError::new(path, None, kind))?;
+        let is_text = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gltf"));
+        let limit = if is_text { gltf::LARGEST_TEXT } else { u64::MAX };
+        let bytes = file::bytes(path, written, limit).map_err(|kind| FormatError::new(path, None, kind))?;
         Self::parse(&bytes, path, format)
     }
 

@@ -1,5 +1,6 @@
 //! What the head of a log says: `scenario`, `step`, `engine`, `units`, `columns`.
 
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 use super::columns::{Columns, Key, unquoted};
@@ -15,6 +16,8 @@ pub(super) struct Head {
     pub(super) engine: Option<String>,
     pub(super) units: Units,
     pub(super) columns: Option<Columns>,
+    /// Known keys that were given, without their prefix.
+    given: BTreeSet<String>,
     /// Keys that mean nothing here.
     pub(super) ignored: Vec<String>,
 }
@@ -69,7 +72,13 @@ impl Head {
             let kind = ContentErrorKind::Value { what: key.to_owned(), value: value.to_owned(), rule };
             Err(ContentError::new(kind, place.clone()))
         };
-        match key.strip_prefix("polhode.").unwrap_or(key) {
+        let plain = key.strip_prefix("polhode.").unwrap_or(key);
+        let is_known = ["scenario", "engine", "step", "units", "columns"].contains(&plain);
+        if is_known && !self.given.insert(plain.to_owned()) {
+            let error = refused("given once".to_owned());
+            return error.map_err(|error| error.hint("remove the line that is not meant"));
+        }
+        match plain {
             "scenario" if value.is_empty() => refused("the path of a scenario".to_owned())?,
             "scenario" => self.scenario = Some(PathBuf::from(value)),
             "engine" => self.engine = Some(value.to_owned()).filter(|engine| !engine.is_empty()),

@@ -13,6 +13,7 @@ use super::head::Head;
 use super::name::{Kind, Name};
 use super::rows::{MOST, Problem, RowError, Rows};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use crate::json::json_value;
 
 /// What the first lines say, and where the rows begin.
 #[derive(Debug, Default)]
@@ -88,11 +89,15 @@ fn next_line(bytes: &[u8], from: usize) -> Option<Range<usize>> {
 
 /// The object that a line is; else where it is none, and why.
 fn object(line: &[u8]) -> Result<Map<String, Value>, (usize, String)> {
-    serde_json::from_slice(line).map_err(|error| {
+    let value = json_value(line).map_err(|error| {
         let message = error.to_string();
         let message = message.split(" at line ").next().unwrap_or_default();
         (error.column().saturating_sub(1), message.to_owned())
-    })
+    })?;
+    match value {
+        Value::Object(object) => Ok(object),
+        _ => Err((0, "an object belongs here".to_owned())),
+    }
 }
 
 /// The values in a value, with their names.

@@ -67,6 +67,7 @@ mod wheel;
 
 use std::path::{Path, PathBuf};
 
+use crate::confinement::Confinement;
 use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::file;
 use crate::mesh::stl;
@@ -134,6 +135,17 @@ impl ScenarioFile {
     /// As [`read`].
     pub fn read(path: &Path) -> Result<Self, FormatError> {
         Self::parse(text_of(path)?, path)
+    }
+
+    /// Reads a scenario that a data file names: its own files have to lie in these folders.
+    ///
+    /// # Errors
+    /// As [`read`], and of a file elsewhere.
+    pub fn read_within(path: &Path, folders: &Confinement) -> Result<Self, FormatError> {
+        let text = text_of(path)?;
+        let source = Source { within: Some(folders), ..Source::new(path, &text) };
+        let (scenario, tables, torques) = file_of_root(source, &document(source)?)?;
+        Ok(Self { scenario, tables, torques, path: path.to_owned(), text })
     }
 
     /// Reads a scenario from its text; `path` is for messages, and for the files that the scenario names.

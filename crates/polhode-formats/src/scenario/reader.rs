@@ -1,12 +1,13 @@
 //! TOML with places: tables and values that know where in the file they stand, so that every error can say it.
 
 use std::ops::Range;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::meant;
 use super::source::Source;
 use super::suggestion::nearest;
 use super::tree::{Entries, Kind, Known, Node, Replacement};
+use crate::confinement::NotOpened;
 use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::expression::ExpressionError;
 use crate::text::{cut, visible};
@@ -197,6 +198,14 @@ impl<'a> Value<'a> {
         if self.source.files.is_some_and(|files| !files.contains(&path)) {
             let error = self.invalid("a file that was opened with the scenario, or dropped beside it");
             return Err(error.with_hint("no other file is opened for a text that comes from a page"));
+        }
+        // Of a plan and a data file in one text only the values of the latter are confined.
+        if let Some(within) = self.source.within.filter(|_| self.source.rest.is_none() || of.is_some()) {
+            let folder = source.path.parent().unwrap_or(Path::new(""));
+            if within.file(folder, Path::new(self.string()?)) == Err(NotOpened::Outside) {
+                let error = self.invalid("a file in the folder of the data file that names it, or below it");
+                return Err(error.with_hint("--root DIR allows files in another folder"));
+            }
         }
         Ok(path)
     }

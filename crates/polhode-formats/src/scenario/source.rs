@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use super::asked::Asked;
 use super::known_mesh::KnownMesh;
 use super::tree::{Kind, Node, Replacement};
+use crate::confinement::Confinement;
 use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::expression::ExpressionError;
 
@@ -22,6 +23,8 @@ pub(crate) struct Source<'a> {
     pub(crate) is_shown: bool,
     /// The only files that it may name; `None` where it may name any.
     pub(crate) files: Option<&'a BTreeSet<PathBuf>>,
+    /// The folders that files which it names may lie in; `None` where they may lie anywhere.
+    pub(crate) within: Option<&'a Confinement>,
     /// Where the reader writes down what it asks for, if somebody wants to know.
     pub(crate) asked: Option<&'a Asked>,
     /// A mesh that it may name, whose file has been read.
@@ -48,6 +51,7 @@ impl<'a> Source<'a> {
             rest: None,
             is_shown: true,
             files: None,
+            within: None,
             asked: None,
             mesh: None,
             watch: Watch(&|| true),

@@ -438,3 +438,16 @@ fn a_cloud_of_points_is_no_solid() {
     let error = read(cloud.as_bytes()).unwrap_err();
     assert_eq!((error.kind, error.place), (Kind::Missing { what: "faces".to_owned() }, ContentPlace::Whole));
 }
+
+/// A line of the header that would fill any memory is refused before it is taken apart.
+#[test]
+fn a_line_of_the_header_has_a_limit() {
+    let comment = |length: usize| ASCII.replace("a slanted prism", &"x".repeat(length));
+    assert!(read(comment((1 << 16) - "comment ".len()).as_bytes()).is_ok());
+    let error = read(comment(1 << 16).as_bytes()).unwrap_err();
+    assert_eq!(error.kind.to_string(), "polhode does not read a line of the header of more than 65536 bytes");
+    assert_eq!(error.place, ContentPlace::Text(21..22));
+    let mut first = vec![b' '; 1 << 26];
+    first[..3].copy_from_slice(b"ply");
+    assert!(read(&first).is_err());
+}

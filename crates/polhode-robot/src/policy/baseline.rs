@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, FormatError};
+use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, FormatError, json_value};
 use serde_json::{Value, json};
 
 use super::{Judged, Reason};
@@ -43,7 +43,7 @@ impl Baseline {
     /// [`FormatError`] if it is no JSON, or not what [`text`] writes.
     pub fn read(path: &Path, text: &str) -> Result<Self, FormatError> {
         let refused = |error: ContentError| FormatError::of_content(path, text.as_bytes(), error);
-        let value: Value = serde_json::from_str(text).map_err(|error| {
+        let value: Value = json_value(text.as_bytes()).map_err(|error| {
             let before: usize =
                 text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
             let at = before + error.column().saturating_sub(1);

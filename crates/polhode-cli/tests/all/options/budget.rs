@@ -24,6 +24,7 @@ static BUDGET: Subcommand = Subcommand {
         ("budget over time", &["sounding-rocket.xlsx"]),
     ],
     options: &[
+        choice("--root", &["--root", "."], ALL),
         choice("--basis", &["--basis", "basic"], ALL),
         choice("--about", &["--about", "0,0,1 cm"], BOTH),
         choice("--along", &["--along", "1,0.1,0,0"], BOTH),
@@ -42,7 +43,7 @@ static BUDGET: Subcommand = Subcommand {
         Choice { needs: &["--xlsx"], ..choice("--force", &["--force"], AGAIN) },
         choice("--strict", &["--strict"], BOTH),
     ],
-    independent: &[],
+    independent: &[("--root", "*", "it allows files elsewhere, and these lists name none; budget::confined has some")],
 };
 
 #[test]

@@ -13,6 +13,8 @@ mod states;
 pub(super) mod table_file;
 pub(super) mod tank;
 
+use std::path::PathBuf;
+
 use polhode_budget::{Ballast, Group, GrowthTable, Limit, ProductSign};
 
 use super::Questions;
@@ -53,6 +55,8 @@ pub(super) struct Plan {
     pub(super) places: Places,
     /// Whether no other file may be opened: the text comes from where nobody is trusted.
     pub(super) is_alone: bool,
+    /// Folders that files of the parts may lie in, besides the list's own.
+    pub(super) roots: Vec<PathBuf>,
 }
 
 /// Where things are declared that nothing may use: an error at each.

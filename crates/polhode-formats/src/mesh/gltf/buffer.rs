@@ -1,10 +1,12 @@
 //! Buffers: bytes beside the document, in the GLB, in the document as base64, or in a file of its folder.
 
 use std::fs::{self, File};
+use std::io;
 use std::path::{Component, Path, PathBuf};
 use std::rc::Rc;
 
 use super::json::Json;
+use crate::confinement::{Confinement, NotOpened};
 use crate::content::{ContentError, ContentErrorKind};
 use crate::file;
 
@@ -119,12 +121,11 @@ impl<'a> Buffers<'a> {
         let failed = |e: &std::io::Error| uri.refused("uri", &format!("a file that can be read ({e})"));
         let path = inside(uri.text()?).ok_or_else(outside)?;
         let folder = if self.folder.as_os_str().is_empty() { Path::new(".") } else { self.folder };
-        // With its links resolved, the path still has to be below the folder.
-        let folder = fs::canonicalize(folder).map_err(|e| failed(&e))?;
-        let path = fs::canonicalize(folder.join(path)).map_err(|e| failed(&e))?;
-        if !path.starts_with(&folder) {
-            return Err(outside());
-        }
+        let confinement = Confinement::within([folder.to_owned()]);
+        let path = confinement.file(folder, &path).map_err(|why| match why {
+            NotOpened::Outside => outside(),
+            NotOpened::Missing => failed(&io::ErrorKind::NotFound.into()),
+        })?;
         if let Some((_, bytes)) = self.files.iter().find(|(known, _)| *known == path) {
             return Ok(bytes.clone());
         }

@@ -31,6 +31,7 @@ use super::budget::Budget;
 use super::notes::Notes;
 use super::{MeshContents, MeshPart};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use crate::json::json_value;
 use buffer::Buffers;
 use json::Json;
 use node::Forest;
@@ -166,9 +167,17 @@ impl<'a> Scene<'a> {
     }
 }
 
+/// Largest text of a document, with its `data:` URIs, bytes: in memory it takes several times as much.
+pub(super) const LARGEST_TEXT: u64 = 256 << 20;
+
 fn parsed(json: &[u8], is_binary: bool) -> Result<Value, ContentError> {
+    if json.len() as u64 > LARGEST_TEXT {
+        let what = format!("a document whose JSON has more than {LARGEST_TEXT} bytes");
+        return Err(ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Whole)
+            .hint("put the buffers into files or into a .glb, not into data: URIs"));
+    }
     let text = json.strip_prefix("\u{feff}".as_bytes()).unwrap_or(json);
-    serde_json::from_slice(text).map_err(|e| {
+    json_value(text).map_err(|e| {
         let message = e.to_string();
         let what = message.split(" at line ").next().unwrap_or_default().to_owned();
         let (line, column) = (e.line(), e.column());

@@ -105,9 +105,13 @@ impl Element {
     }
 }
 
+/// Longest line of a header, bytes.
+const LONGEST_LINE: usize = 1 << 16;
+
 /// Reads the header; the lines of one file all end alike.
 pub(super) fn read(bytes: &[u8]) -> Result<Header, ContentError> {
-    let first = bytes.iter().position(|b| b"\r\n".contains(b)).unwrap_or(bytes.len());
+    let start = &bytes[..bytes.len().min(LONGEST_LINE + 1)];
+    let first = start.iter().position(|b| b"\r\n".contains(b)).unwrap_or(start.len());
     if bytes[..first].trim_ascii() != b"ply" {
         return Err(Scan::new(bytes).expected("\"ply\""));
     }
@@ -121,7 +125,14 @@ pub(super) fn read(bytes: &[u8]) -> Result<Header, ContentError> {
     let (mut names, mut property_names) = (HashSet::new(), HashSet::new());
     loop {
         at = (at + line_end.len()).min(bytes.len());
-        let length = find(&bytes[at..], line_end);
+        let rest = &bytes[at..];
+        let length = find(&rest[..rest.len().min(LONGEST_LINE + line_end.len())], line_end);
+        if length > LONGEST_LINE {
+            let what = format!("a line of the header of more than {LONGEST_LINE} bytes");
+            let place = ContentPlace::Text(at..at + 1);
+            return Err(ContentError::new(ContentErrorKind::Unsupported { what }, place)
+                .hint("break a long comment into several lines"));
+        }
         let mut line = Line { scan: start.within(&bytes[..at + length], at) };
         at += length;
         match line.next() {

@@ -1,6 +1,7 @@
 //! Parts lists: what their columns and their heads say, and what is refused, with its place.
 
 mod book;
+mod confined;
 mod forms;
 mod joined;
 mod limits;

@@ -373,3 +373,23 @@ fn no_value_does_harm() {
     }
     assert!(answers > 20 && answers < all.len() * others.len() / 2);
 }
+
+/// A text with `data:` URIs of a GB is refused by its length, before it is read.
+#[test]
+fn a_text_has_a_limit() {
+    let path = std::env::temp_dir().join(format!("polhode-large-{}.gltf", std::process::id()));
+    fs::File::create(&path).unwrap().set_len(1 << 30).unwrap();
+    let read = |path: &Path| {
+        polhode_formats::mesh::MeshContents::read(path, polhode_formats::mesh::MeshFormat::Gltf)
+    };
+    let error = read(&path).unwrap_err();
+    assert!(error.to_string().contains("it has more than 268435456 bytes"), "{error}");
+    fs::remove_file(&path).unwrap();
+}
+
+#[test]
+fn a_key_stands_once() {
+    let text = br#"{"asset": {"version": "2.0"}, "scene": 0, "scene": 1}"#;
+    let error = gltf::read(text, Path::new("")).unwrap_err();
+    assert!(error.kind.to_string().contains("stands twice in one object"), "{}", error.kind);
+}

@@ -56,6 +56,40 @@ fn each_mistake_has_its_line_and_says_what_to_do() {
 }
 
 #[test]
+fn a_key_of_the_head_stands_once() {
+    let rows = "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0.8,0.6,0,0\n";
+    read(format!("# step = 0.1\n# note = a\n# note = b\n{rows}"));
+    for (head, key) in [
+        ("# step = 0.1\n# step = 0.2\n", "step"),
+        ("# engine = a\n# polhode.engine = b\n", "engine"),
+        ("# scenario = a.toml\n# scenario = a.toml\n", "scenario"),
+        ("# units = ms\n# units = s\n", "units"),
+    ] {
+        let error = refused(format!("{head}{rows}"));
+        assert!(
+            error.message().contains(key) && error.message().ends_with("given once"),
+            "{}",
+            error.message()
+        );
+        assert_eq!(error.place().unwrap().line, 2);
+    }
+}
+
+#[test]
+fn a_key_of_an_object_stands_once() {
+    let first = "{\"t\": 0, \"q\": [1, 0, 0, 0]}\n";
+    read(format!("{first}{{\"t\": 1, \"q\": [1, 0, 0, 0]}}\n"));
+    for line in [
+        "{\"t\": 1, \"q\": [1, 0, 0, 0], \"t\": 2}\n",
+        "{\"t\": 1, \"q\": [1, 0, 0, 0], \"pose\": {\"x\": 1, \"x\": 2}}\n",
+    ] {
+        let error = refused(format!("{first}{line}"));
+        assert!(error.message().contains("stands twice in one object"), "{}", error.message());
+        assert_eq!(error.place().unwrap().line, 2);
+    }
+}
+
+#[test]
 fn decimal_commas_are_refused_with_a_hint() {
     let error = refused("t;qw;qx;qy;qz\n0;1;0;0;0\n0,5;1;0;0;0\n");
     assert_eq!(error.message(), "expected a number as t of row 2, found \"0,5\"");

@@ -22,10 +22,21 @@ pub(crate) fn check() -> Outcome {
     let path = std::env::join_paths(programs.chain(std::env::split_paths(&found)))
         .map_err(|error| format!("PATH: {error}"))?;
     for command in commands {
-        output(Command::new("sh").args(["-euc", &command]).current_dir(&folder).env("PATH", &path))?;
+        output(Command::new("sh").args(["-euc", &shell(&command)]).current_dir(&folder).env("PATH", &path))?;
         println!("   {command}");
     }
     Ok(())
+}
+
+/// A command that succeeds, or ends as it says: `polhode check arm.urdf # exit status 1`.
+fn shell(command: &str) -> String {
+    match command.split_once("# exit status ") {
+        Some((run, status)) => {
+            let status: String = status.chars().take_while(char::is_ascii_digit).collect();
+            format!("if {run}; then exit 9; else test $? -eq {status}; fi")
+        }
+        None => command.to_owned(),
+    }
 }
 
 /// The Rust programs of the README stand in the crate's too, where they are tested as documentation is.
@@ -64,6 +75,18 @@ fn commands(markdown: &str) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_command_ends_as_it_says() {
+        let status = |command: &str| {
+            let ended = Command::new("sh").args(["-euc", &shell(command)]).status();
+            ended.ok().and_then(|status| status.code())
+        };
+        assert_eq!(status("true"), Some(0));
+        assert_eq!(status("sh -c 'exit 3' # exit status 3: it is wrong"), Some(0));
+        assert_eq!(status("sh -c 'exit 2' # exit status 3"), Some(1));
+        assert_eq!(status("true # exit status 1"), Some(9));
+    }
 
     #[test]
     fn commands_are_found_in_console_blocks_and_only_there() {

@@ -4,6 +4,7 @@ mod read_as;
 mod suite;
 
 use std::collections::BTreeSet;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -11,6 +12,7 @@ use polhode::infer::judge::JudgeError;
 use polhode_formats::run_log::{self, RunLog};
 use polhode_formats::scenario::ScenarioFile;
 use polhode_formats::unit::Dimension;
+use polhode_formats::{Confinement, NotOpened};
 use polhode_report::{Document, JudgeReport, JudgedRun, judge_hint, pretty};
 use serde_json::Value;
 
@@ -21,12 +23,14 @@ use crate::stdout::{columns, print};
 
 use read_as::ReadAs;
 
-/// Say whether the motion that another program computed is right, and if not why.
+/// Check the motion that another program computed, and find the cause of its error.
 ///
 /// The scenario says what the motion is, and RUN is the log of the program: times and attitudes, and perhaps angular velocities, as
-/// CSV, Parquet or JSON lines. A log may name its scenario itself. What its numbers mean is found by the motion that they begin with:
-/// the order of quaternions, which way they turn, along which axes ω is, when time begins; where the log does not tell, that is asked. Each
+/// CSV, Parquet or JSON lines. A log may name a scenario in its own folder. The meaning of the numbers is found by the motion that they
+/// begin with: the order of quaternions, their sense, the axes, the origin and unit of time, frame, components and unit of ω. Each
 /// row is then compared with the exact motion. Several runs of one scenario with different steps give the order of accuracy.
+///
+/// Exit status: 0 if the motion is right, 1 if a mistake was found or an error is above the limit, 2 if the run cannot be judged.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -44,8 +48,11 @@ pub(crate) struct Judge {
     /// The program's time step, s or with its unit [default: what the run says, else the distance of its rows].
     #[arg(long, value_name = "T", value_parser = step)]
     step: Option<f64>,
-    /// Exit with status 1 if an attitude is off by more than this, rad or with its unit, or ω by more than this part of its largest; a case of
-    /// the suite is passed up to it [default, of the suite: 0.01 rad].
+    /// Folder that the scenario which a log names, and the files of that scenario, may lie in besides the log's own folder.
+    #[arg(long = "root", value_name = "DIR")]
+    roots: Vec<PathBuf>,
+    /// Greatest error of an attitude, rad or with its unit, and of ω as a part of its largest: above it the exit status is 1, and a case
+    /// of the suite has failed [default: 0.01 rad].
     #[arg(long, value_name = "ANGLE", value_parser = limit)]
     limit: Option<f64>,
     /// Grade the runs of the suite's cases in this folder: NAME.csv, or NAME@STEP.csv for several steps (also .parquet and .jsonl); cases
@@ -53,7 +60,7 @@ pub(crate) struct Judge {
     #[arg(long, value_name = "DIR", conflicts_with_all = ["files", "write_suite"])]
     suite: Option<PathBuf>,
     /// Write the suite into a new folder: suite.json, a scenario for each case, and its exact motion in exact/.
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["files", "form", "limit", "step", "columns", "quaternion", "sense", "omega", "axes", "time_origin"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["files", "form", "limit", "roots", "step", "columns", "quaternion", "sense", "omega", "axes", "time_origin"])]
     write_suite: Option<PathBuf>,
     /// Print JSON.
     #[arg(long, group = "form")]
@@ -66,8 +73,8 @@ pub(crate) struct Judge {
     html: bool,
 }
 
-/// The limit of the suite's cases, rad: what can just be seen.
-const SUITE_LIMIT: f64 = 0.01;
+/// Default limit of an error, rad: what can just be seen.
+const LIMIT: f64 = 0.01;
 
 fn step(text: &str) -> Result<f64, String> {
     positive(quantity(text, Dimension::TIME)?)
@@ -83,13 +90,13 @@ impl Judge {
             return suite::write(target);
         }
         let has_failed = if let Some(folder) = &self.suite {
-            let card = suite::grade(folder, &self, self.limit.unwrap_or(SUITE_LIMIT))?;
+            let card = suite::grade(folder, &self, self.limit.unwrap_or(LIMIT))?;
             self.print(&card.to_json(), &card.to_document())?;
             card.has_failed()
         } else {
             let report = self.report()?;
             self.print(&report.to_json(), &report.to_document())?;
-            self.limit.is_some_and(|limit| report.worst() > limit)
+            report.is_beyond(self.limit.unwrap_or(LIMIT))
         };
         if has_failed { Err(Failure::Findings) } else { Ok(()) }
     }
@@ -132,8 +139,11 @@ impl Judge {
             .map(|path| Ok((path.as_path(), run_log::read(path, columns)?)))
             .collect::<Result<Vec<_>, Failure>>()?;
         let scenario = match scenarios.first() {
-            Some(path) => ScenarioFile::read(path)?,
-            None => ScenarioFile::read(&self.named(&logs)?)?,
+            Some(path) => {
+                logs.iter().try_for_each(|(run, log)| self.require_of(path, run, log))?;
+                ScenarioFile::read(path)?
+            }
+            None => self.named(&logs)?,
         };
         let judged = logs.into_iter().map(|(path, log)| self.judged(&scenario, path, log, None));
         let mut judged = judged.collect::<Result<Vec<_>, _>>()?;
@@ -144,24 +154,31 @@ impl Judge {
         Ok(JudgeReport::new(&scenario.scenario, judged))
     }
 
-    /// The scenario that runs name, relative to them.
-    fn named(&self, logs: &[(&Path, RunLog)]) -> Result<PathBuf, Failure> {
-        let of = |(path, log): &(&Path, RunLog)| {
-            let said = log.scenario.as_ref()?;
-            Some(path.parent().unwrap_or(Path::new("")).join(said))
-        };
-        let mut found: Option<PathBuf> = None;
-        for named in logs {
-            let path = shown(named.0);
-            let Some(scenario) = of(named) else {
+    /// The scenario that runs name, relative to them. A log is data: it opens no file outside its folder and the roots.
+    fn named(&self, logs: &[(&Path, RunLog)]) -> Result<ScenarioFile, Failure> {
+        let mut found: Option<(PathBuf, Confinement)> = None;
+        for (run, log) in logs {
+            let path = shown(run);
+            let Some(said) = &log.scenario else {
                 let hint = "name the scenario before it, or in it: a line `# scenario = \"t-handle.toml\"` before the header";
                 return Err(Failure::usage(
                     format!("{path} does not say of which scenario it is a run"),
                     hint,
                 ));
             };
+            let confinement = Confinement::of(run, &self.roots);
+            let scenario = confinement.file(folder(run), said).map_err(|why| {
+                let message = format!("the scenario {:?} that it names is not opened: {why}", said.display());
+                let hint = match why {
+                    NotOpened::Outside => {
+                        "name the scenario before the run: polhode judge SCENARIO.toml RUN; or allow its folder: --root DIR"
+                    }
+                    NotOpened::Missing => "name the scenario before the run: polhode judge SCENARIO.toml RUN",
+                };
+                Failure::usage(message, hint).about(run)
+            })?;
             match &found {
-                Some(other) if *other != scenario => {
+                Some((other, _)) if *other != scenario => {
                     let message = format!(
                         "{path} is a run of {}, and the one before of {}",
                         shown(&scenario),
@@ -169,10 +186,33 @@ impl Judge {
                     );
                     return Err(Failure::usage(message, "judge the runs of one scenario at a time"));
                 }
-                _ => found = Some(scenario),
+                Some(_) => {}
+                None => found = Some((scenario, confinement)),
             }
         }
-        found.ok_or_else(|| Failure::usage("there is no run to judge", "name the log that a program wrote"))
+        let (scenario, confinement) = found
+            .ok_or_else(|| Failure::usage("there is no run to judge", "name the log that a program wrote"))?;
+        Ok(ScenarioFile::read_within(&scenario, &confinement)?)
+    }
+
+    /// A run that names a scenario is of that one: the same file, or one with the same text.
+    fn require_of(&self, scenario: &Path, run: &Path, log: &RunLog) -> Result<(), Failure> {
+        let Some(said) = &log.scenario else { return Ok(()) };
+        let is_same = match Confinement::of(run, &self.roots).file(folder(run), said) {
+            Ok(named) => {
+                let text = |path: &Path| fs::read(path).ok();
+                fs::canonicalize(scenario).is_ok_and(|given| given == named) || text(scenario) == text(&named)
+            }
+            // It is not looked at: its name has to do.
+            Err(_) => said.file_name() == scenario.file_name(),
+        };
+        if is_same {
+            return Ok(());
+        }
+        let message =
+            format!("it says that it is a run of {:?}, and {} is given", said.display(), shown(scenario));
+        let hint = "give the scenario that it is of, or remove the line `scenario = …` from the log";
+        Err(Failure::usage(message, hint).about(run))
     }
 
     /// A run with what there is to say of it. `step` is the step that its name says.
@@ -189,6 +229,11 @@ impl Judge {
             .map_err(|error| refused(file, path, error))?;
         Ok(JudgedRun { ignored: log.not_read(), engine: log.engine, ..judged })
     }
+}
+
+/// The folder of a file.
+fn folder(file: &Path) -> &Path {
+    file.parent().unwrap_or(Path::new(""))
 }
 
 /// Why a run cannot be judged, and what helps: what is wrong with the scenario's own motion is not the run's fault.

@@ -52,13 +52,15 @@ impl Said {
                 )
             })
         };
-        Ok(DeclaredReading {
-            order: order.or(says.order),
-            sense: sense.or(says.sense),
-            omega_axes: omega_axes.or(says.omega_axes),
-            axes: self.axes.as_ref().map(right_handed).transpose()?.or(says.axes),
-            time_origin: self.time_origin.or(says.time_origin),
-        })
+        let said = DeclaredReading {
+            order,
+            sense,
+            omega_axes,
+            axes: self.axes.as_ref().map(right_handed).transpose()?,
+            time_origin: self.time_origin,
+            ..DeclaredReading::default()
+        };
+        Ok(said.or(says))
     }
 }
 

@@ -63,13 +63,15 @@ impl ReadAs {
             Axes::Body => OmegaAxes::Body,
             Axes::Space => OmegaAxes::Space,
         });
-        DeclaredReading {
-            order: order.or(says.order),
-            sense: sense.or(says.sense),
-            omega_axes: omega_axes.or(says.omega_axes),
-            axes: self.axes.or(says.axes),
-            time_origin: self.time_origin.or(says.time_origin),
-        }
+        let said = DeclaredReading {
+            order,
+            sense,
+            omega_axes,
+            axes: self.axes,
+            time_origin: self.time_origin,
+            ..DeclaredReading::default()
+        };
+        said.or(says)
     }
 }
 

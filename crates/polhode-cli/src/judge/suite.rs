@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
-use polhode::infer::judge::{AttitudeSense, DeclaredReading, OmegaAxes, SignedAxes};
+use polhode::infer::judge::{AttitudeSense, DeclaredByName, DeclaredReading, OmegaAxes, SignedAxes};
 use polhode_formats::run_log::{self, RunLog};
 use polhode_formats::suite::{self, CASES, SuiteCase};
 use polhode_formats::table::{self, Surroundings};
@@ -109,6 +109,9 @@ fn judged(
             let reason = reason.map_or_else(String::new, |reason| format!(" ({reason})"));
             return Ok(CardRun::Unreadable(format!("{short}{reason}")));
         }
+        if let Some(other) = log.as_ref().ok().and_then(|log| other_scenario(log, case.name)) {
+            return Ok(CardRun::Unreadable(other));
+        }
         let as_asked = |log: RunLog| RunLog { says: as_asked(&log.says), ..log };
         match log.and_then(|log| judge.judged(&scenario, path, as_asked(log), *step)) {
             Ok(run) => judged.push(run),
@@ -121,13 +124,23 @@ fn judged(
 /// What the suite asks for, unless the columns say something else: a program that is a step late, or turns the other way, has no other
 /// meaning but is wrong.
 fn as_asked(says: &DeclaredReading) -> DeclaredReading {
-    DeclaredReading {
-        order: says.order,
-        sense: says.sense.or(Some(AttitudeSense::BodyToSpace)),
-        omega_axes: says.omega_axes.or(Some(OmegaAxes::Body)),
-        axes: says.axes.or(Some(SignedAxes::SAME)),
-        time_origin: says.time_origin.or(Some(0.0)),
-    }
+    let asked = DeclaredReading {
+        sense: Some(AttitudeSense::BodyToSpace),
+        omega_axes: Some(OmegaAxes::Body),
+        axes: Some(SignedAxes::SAME),
+        time_origin: Some(0.0),
+        time_factor: Some(1.0),
+        omega_factor: Some(1.0),
+        ..DeclaredReading::default()
+    };
+    DeclaredReading { by_name: DeclaredByName::default(), ..says.or(&asked) }
+}
+
+/// Message about a run that names another scenario than this case.
+fn other_scenario(log: &RunLog, case: &str) -> Option<String> {
+    let said = log.scenario.as_ref()?;
+    let is_case = said.file_stem().is_some_and(|stem| stem == case);
+    (!is_case).then(|| format!("it says that it is a run of {:?}", said.display()))
 }
 
 /// What is missing of a run, where it does not reach the end of its case, to within two rows, or has fewer than ten rows.

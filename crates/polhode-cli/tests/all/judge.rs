@@ -32,6 +32,12 @@ fn table(head: &str, rows: &[Vec<f64>]) -> String {
     text
 }
 
+/// Output of a run in which a mistake, or an error above the limit, was found.
+fn blamed(output: &std::process::Output) -> String {
+    assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
 fn only_run(report: &Value) -> &Value {
     let [run] = &report["runs"].as_array().unwrap()[..] else { panic!("one run") };
     run
@@ -98,13 +104,13 @@ fn what_is_not_said_is_found() {
     assert_eq!(output.status.code(), Some(1));
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.contains("likeliest cause: ω × I ω is left out"), "{text}");
-    let page = stdout(&scratch.run(&["judge", "tumbling.toml", "wrong.csv", "--html"]));
+    let page = blamed(&scratch.run(&["judge", "tumbling.toml", "wrong.csv", "--html"]));
     assert!(
         page.contains("<svg") && page.contains("The attitude&#39;s error")
             || page.contains("The attitude's error")
     );
     assert!(
-        stdout(&scratch.run(&["judge", "tumbling.toml", "wrong.csv", "--markdown"])).contains("| part |")
+        blamed(&scratch.run(&["judge", "tumbling.toml", "wrong.csv", "--markdown"])).contains("| part |")
     );
 }
 
@@ -154,18 +160,181 @@ fn runs_of_several_steps_have_an_order() {
 #[test]
 fn the_stored_runs_are_judged() {
     let scratch = Scratch::new("judge-stored");
-    for (name, causes, least, most) in [
-        ("mujoco-rk4", &["RK4", "to 1e-8 rad"][..], 1e-14, 1e-6),
-        ("pybullet-default", &["semi-implicit Euler"], 1e-3, 3.2),
-        ("rapier-default", &[""], 1e-4, 3.2),
+    for (name, status, causes, least, most) in [
+        ("mujoco-rk4", 0, &["RK4", "to 1e-8 rad"][..], 1e-14, 1e-6),
+        ("pybullet-default", 1, &["semi-implicit Euler"], 1e-3, 3.2),
+        ("rapier-default", 1, &[""], 1e-4, 3.2),
     ] {
         let path = example(&format!("judge/{name}.csv"));
-        let text = stdout(&scratch.run(&["judge", &path]));
+        let output = scratch.run(&["judge", &path]);
+        assert_eq!(output.status.code(), Some(status), "{name}");
+        let text = String::from_utf8(output.stdout).unwrap();
         assert!(causes.iter().any(|cause| text.contains(cause)), "{text}");
-        let report = json(&scratch.run(&["judge", &path, "--json"]));
+        let report: Value = serde_json::from_slice(&scratch.run(&["judge", &path, "--json"]).stdout).unwrap();
         let error = number(&only_run(&report)["error"]["attitude_largest_rad"]);
         assert!((least..most).contains(&error), "{name}: {error}");
     }
+}
+
+/// Clocks that begin anywhere, in any unit, under columns that are named as polhode's own: the meaning is found, and is in the answer.
+#[test]
+fn clocks_and_units_that_the_columns_do_not_say_are_found() {
+    let scratch = Scratch::new("judge-clocks");
+    let rows = exact(&scratch);
+    let head = "time_s,attitude_w,attitude_x,attitude_y,attitude_z,omega_body_x_rad_s,omega_body_y_rad_s,omega_body_z_rad_s";
+    let judged = |name: &str, change: &dyn Fn(&[f64]) -> Vec<f64>| {
+        let text = rows.iter().map(|row| {
+            let row = change(row);
+            let others: Vec<String> = row[1..].iter().map(|x| format!("{x:?}")).collect();
+            format!("{:.6},{}\n", row[0], others.join(","))
+        });
+        scratch.write(name, &format!("{head}\n{}", text.collect::<String>()));
+        let started = std::time::Instant::now();
+        let output = scratch.run(&["judge", "tumbling.toml", name, "--json"]);
+        assert_eq!(output.status.code(), Some(0), "{name}: {}", String::from_utf8_lossy(&output.stderr));
+        assert!(started.elapsed().as_secs() < 20, "{name}");
+        let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let run = only_run(&report).clone();
+        let error = &run["error"];
+        let latest = number(&run["last_s"]) + number(&run["reading"]["found"]["time_origin_s"]).abs();
+        let most = 1e-6 + 1e-15 * latest;
+        assert!(number(&error["attitude_largest_rad"]) < most, "{name}: {error}");
+        assert!(number(&error["rates"]["omega_relative"]) < most, "{name}: {error}");
+        let text = stdout(&scratch.run(&["judge", "tumbling.toml", name]));
+        assert!(text.contains("→ read as "), "{text}");
+        (run["reading"].clone(), text)
+    };
+    let later = |by: f64| move |row: &[f64]| [&[row[0] + by][..], &row[1..]].concat();
+    for origin in [1.7e9, 10.0, 1000.0] {
+        let (reading, text) = judged("origin.csv", &later(origin));
+        assert_eq!(number(&reading["found"]["time_origin_s"]), origin);
+        assert!(text.contains(&format!("times from {origin} s")), "{text}");
+        // As with the option.
+        let said = format!("{origin}");
+        let declared =
+            json(&scratch.run(&["judge", "tumbling.toml", "origin.csv", "--json", "--time-origin", &said]));
+        assert_eq!(only_run(&declared)["reading"]["found"], reading["found"]);
+    }
+    let (reading, text) = judged("ms.csv", &|row| [&[1e3 * row[0]][..], &row[1..]].concat());
+    assert_eq!(number(&reading["found"]["time_factor"]), 1e-3);
+    assert!(text.contains("times × 0.001 (such as ms for s)"), "{text}");
+    let (reading, _) = judged("epoch-ms.csv", &|row| [&[1.7e12 + 1e3 * row[0]][..], &row[1..]].concat());
+    assert_eq!(
+        (number(&reading["found"]["time_factor"]), number(&reading["found"]["time_origin_s"])),
+        (1e-3, 1.7e12)
+    );
+    let degrees = |row: &[f64]| [&row[..5], &[5, 6, 7].map(|k| row[k].to_degrees())[..]].concat();
+    let (reading, text) = judged("degrees.csv", &degrees);
+    assert!((number(&reading["omega_factor"]).to_degrees() - 1.0).abs() < 1e-15);
+    assert!(text.contains("such as deg/s for rad/s"), "{text}");
+    let (reading, text) =
+        judged("exchanged.csv", &|row| [&row[..5], &[-row[6], row[5], row[7]][..]].concat());
+    assert_eq!(reading["omega_components"], "(−y, x, z)");
+    assert!(text.contains("components (−y, x, z)"), "{text}");
+    // Scalar last and space to body, against the names of the columns.
+    let last = |row: &[f64]| vec![row[0], -row[2], -row[3], -row[4], row[1], row[5], row[6], row[7]];
+    let (reading, text) = judged("last.csv", &last);
+    assert_eq!((&reading["found"]["quaternion"], &reading["against_names"]), (&"xyzw".into(), &true.into()));
+    assert!(text.contains("against the names of its columns"), "{text}");
+    // A log that begins some time after the start, by another clock.
+    let text: String = rows[77..]
+        .iter()
+        .map(|r| {
+            let cells: Vec<String> = r[1..].iter().map(|x| format!("{x:?}")).collect();
+            format!("{:?},{}\n", r[0] + 321.5, cells.join(","))
+        })
+        .collect();
+    scratch.write("later.csv", &format!("{head}\n{text}"));
+    let run = json(&scratch.run(&["judge", "tumbling.toml", "later.csv", "--json"]));
+    let run = only_run(&run);
+    assert!((number(&run["reading"]["found"]["time_origin_s"]) - 321.5).abs() < 1e-9, "{run}");
+    assert!(number(&run["error"]["attitude_largest_rad"]) < 1e-9);
+}
+
+/// A log is data: what it names is opened in its own folder alone, and nothing of another file is printed.
+#[test]
+fn a_log_opens_nothing_outside_its_folder() {
+    let scratch = Scratch::new("judge-confined");
+    let rows = exact(&scratch);
+    fs::create_dir_all(scratch.0.join("logs/inner")).unwrap();
+    for name in ["secret", "secret.stl"] {
+        fs::write(scratch.0.join(name), "password = swordfish\n").unwrap();
+    }
+    fs::rename(scratch.0.join("tumbling.toml"), scratch.0.join("logs/inner/tumbling.toml")).unwrap();
+    scratch.write("outside.toml", SCENARIO);
+    let body: Vec<Vec<f64>> = rows.iter().map(|r| r[..5].to_vec()).collect();
+    let log = |scenario: &str| {
+        scratch.write(
+            "logs/run.csv",
+            &table(&format!("# scenario = \"{scenario}\"\ntime_s,qw,qx,qy,qz"), &body),
+        );
+    };
+    let absolute = scratch.0.join("secret").display().to_string();
+    let address = format!("file://{absolute}");
+    for named in [
+        absolute.as_str(),
+        "../secret",
+        "../outside.toml",
+        "inner/../../secret",
+        address.as_str(),
+        "/etc/hostname",
+    ] {
+        log(named);
+        let error = refused(&scratch.run(&["judge", "logs/run.csv"]), 2);
+        assert!(!error.contains("swordfish"), "{error}");
+        assert!(error.contains("is not opened: ") && error.contains("run.csv"), "{named}: {error}");
+    }
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink(scratch.0.join("secret"), scratch.0.join("logs/link.toml")).unwrap();
+        log("link.toml");
+        assert!(refused(&scratch.run(&["judge", "logs/run.csv"]), 2).contains("lies outside"));
+    }
+    log("inner/tumbling.toml");
+    stdout(&scratch.run(&["judge", "logs/run.csv"]));
+    log("../outside.toml");
+    let error = refused(&scratch.run(&["judge", "logs/run.csv"]), 2);
+    assert!(error.contains("--root DIR"), "{error}");
+    stdout(&scratch.run(&["judge", "logs/run.csv", "--root", "."]));
+    // Neither does the scenario that it names.
+    let named = SCENARIO.replace(
+        "shape = \"tensor\"\nmass = 2.3\n",
+        "shape = \"mesh\"\nfile = \"../secret.stl\"\nmass = 2.3\n",
+    );
+    let named = named.lines().filter(|line| !line.starts_with("inertia")).collect::<Vec<_>>().join("\n");
+    scratch.write("logs/mesh.toml", &named);
+    log("mesh.toml");
+    let error = refused(&scratch.run(&["judge", "logs/run.csv"]), 2);
+    assert!(error.contains("in the folder of the data file") && !error.contains("swordfish"), "{error}");
+}
+
+#[test]
+fn a_run_of_another_scenario_is_refused() {
+    let scratch = Scratch::new("judge-other");
+    let rows: Vec<Vec<f64>> = exact(&scratch).iter().map(|r| r[..5].to_vec()).collect();
+    scratch.write("other.toml", &SCENARIO.replace("2.3", "2.4"));
+    scratch.write("copy.toml", SCENARIO);
+    let log = |head: &str| scratch.write("run.csv", &table(&format!("{head}t,qw,qx,qy,qz"), &rows));
+    log("# scenario = \"tumbling.toml\"\n");
+    let error = refused(&scratch.run(&["judge", "other.toml", "run.csv"]), 2);
+    assert!(
+        error.contains("it says that it is a run of \"tumbling.toml\", and other.toml is given"),
+        "{error}"
+    );
+    // The same, and one with the same text.
+    for scenario in ["tumbling.toml", "copy.toml"] {
+        stdout(&scratch.run(&["judge", scenario, "run.csv"]));
+    }
+    log("# scenario = \"tumbling.toml\"\n# scenario = \"other.toml\"\n");
+    let error = refused(&scratch.run(&["judge", "run.csv"]), 2);
+    assert!(error.contains("run.csv:2:1") && error.contains("given once"), "{error}");
+    let lines: String =
+        rows.iter().map(|r| format!("{{\"t\": {:?}, \"q\": {:?}}}\n", r[0], &r[1..])).collect();
+    scratch.write("run.jsonl", &lines);
+    stdout(&scratch.run(&["judge", "tumbling.toml", "run.jsonl"]));
+    scratch.write("run.jsonl", &lines.replacen("{\"t\": 0.02", "{\"t\": 0.01, \"t\": 0.02", 1));
+    let error = refused(&scratch.run(&["judge", "tumbling.toml", "run.jsonl"]), 2);
+    assert!(error.contains("stands twice in one object") && error.contains("run.jsonl:2:"), "{error}");
 }
 
 #[test]
@@ -354,7 +523,7 @@ fn every_option_is_honoured_or_refused() {
     }
     let beside = scratch.run(&[&files[..], &["--suite", "runs"]].concat());
     assert!(refused(&beside, 2).contains("--suite"));
-    let listed: Vec<&str> =
-        given.iter().map(|option| option[0]).chain(["--suite", "--write-suite"]).collect();
+    let others = ["--root", "--suite", "--write-suite"];
+    let listed: Vec<&str> = given.iter().map(|option| option[0]).chain(others).collect();
     assert_eq!(options_of("judge"), listed.into_iter().map(str::to_owned).collect());
 }

@@ -218,18 +218,26 @@ pub(super) fn choose(
     };
     if let Some(attitude) = &attitude {
         (says.order, says.sense) = (attitude.order(), attitude.sense);
+        let said = columns.attitude.as_ref();
+        // The quaternions of matrices and angles are made here: their order is certain.
+        let is_quaternion = matches!(form, Form::Quaternion);
+        says.by_name.order = is_quaternion && said.is_none_or(|said| said.order.is_none());
+        says.by_name.sense = said.is_none_or(|said| said.sense.is_none());
     }
     let own = ["time_s", "attitude_w", "attitude_x", "attitude_y", "attitude_z"];
     let read_first = [vec![time], attitude.map_or_else(Vec::new, |attitude| attitude.columns)].concat();
     if header.named(&read_first) == own && columns.attitude.is_none() {
         says.sense = Some(AttitudeSense::BodyToSpace);
-        says.time_origin = Some(0.0);
     }
+    let is_certain =
+        |said: &Option<Said>| said.as_ref().is_some_and(|said| said.unit.is_some()).then_some(1.0);
+    (says.time_factor, says.omega_factor) = (is_certain(&columns.time), is_certain(&columns.omega));
     let mut read = vec![time_read];
     read.extend(attitude_read);
     let mut all = read_first;
     let omega = omega.map(|(candidate, unit, said)| {
         says.omega_axes = candidate.axes;
+        says.by_name.omega_axes = columns.omega.as_ref().is_none_or(|said| said.axes.is_none());
         all.extend(candidate.columns);
         read.push(said);
         unit

@@ -45,6 +45,14 @@ class Reading(NamedTuple):
     from_own_start: bool
     #: All readings that were tried, best first.
     tried: tuple[TriedReading, ...]
+    #: Seconds per stated second of the run's clock: 1 if the unit of its times is the stated one, 0.001 if it is ms.
+    time_factor: float
+    #: Order and signs of the components of ω: ``(x, y, z)`` as stated; ``None`` without ω.
+    omega_components: str | None
+    #: rad/s per stated rad/s of ω: 1 if its unit is the stated one; ``None`` without ω.
+    omega_factor: float | None
+    #: Whether the reading contradicts the names of the run's columns.
+    against_names: bool
 
 
 class ErrorGrowth(NamedTuple):
@@ -220,7 +228,19 @@ class Judgement:
             TriedReading(*_read(one["reading"]), one["attitude_rad"], one["of_the_turn"]) for one in said["tried"]
         )
         quaternion, sense, axes, origin = _read(said["found"])
-        return Reading(quaternion, sense, axes, said["omega_axes"], origin, said["from_own_start"], tried)
+        return Reading(
+            quaternion,
+            sense,
+            axes,
+            said["omega_axes"],
+            origin,
+            said["from_own_start"],
+            tried,
+            said["found"]["time_factor"],
+            said["omega_components"],
+            said["omega_factor"],
+            said["against_names"],
+        )
 
     @property
     def growth(self) -> ErrorGrowth | None:

@@ -28,6 +28,10 @@ pub fn judge_hint(error: &JudgeError) -> Option<&'static str> {
             "say what its numbers are: --quaternion, --sense, --axes, --time-origin"
         }
         JudgeError::AmbiguousOmega { .. } => "say it: --omega body or --omega space; or is it not in rad/s?",
+        JudgeError::NoOmega { .. } => {
+            "--omega body or --omega space compares it as it is; --columns \"omega = none\" leaves it out"
+        }
+        JudgeError::FarTimes { .. } => "--time-origin is the run's time at the scenario's time 0",
         _ => "say what its numbers are: --quaternion, --sense, --omega, --axes, --time-origin",
     })
 }

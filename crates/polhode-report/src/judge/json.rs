@@ -61,7 +61,10 @@ fn readings(readings: &Readings) -> Value {
     let tried = |tried: &polhode::infer::judge::ReadingResidual| json!({ "reading": reading(&tried.reading), "attitude_rad": tried.attitude, "of_the_turn": tried.relative });
     json!({
         "found": reading(&readings.reading),
-        "omega_axes": readings.omega_axes.map(|axes| match axes { OmegaAxes::Body => "body", OmegaAxes::Space => "space" }),
+        "omega_axes": readings.omega_axes().map(|axes| match axes { OmegaAxes::Body => "body", OmegaAxes::Space => "space" }),
+        "omega_components": readings.omega.map(|omega| omega.components.to_string()),
+        "omega_factor": readings.omega.map(|omega| omega.factor),
+        "against_names": readings.is_against_names,
         "from_own_start": readings.from_own_start,
         "equivalent": readings.equivalent,
         "tried": readings.tried.iter().map(tried).collect::<Value>(),
@@ -74,6 +77,7 @@ fn reading(reading: &Reading) -> Value {
         "sense": match reading.sense { AttitudeSense::BodyToSpace => "body_to_space", AttitudeSense::SpaceToBody => "space_to_body" },
         "axes": reading.axes.to_string(),
         "time_origin_s": reading.time_origin,
+        "time_factor": reading.time_factor,
     })
 }
 

@@ -57,7 +57,7 @@ impl JudgedRun {
         step: Option<f64>,
     ) -> Result<Self, JudgeError> {
         let judgement = Judgement::of(scenario, log, declared)?;
-        let (step, step_is_said) = (step.or_else(|| spacing(log.times())), step.is_some());
+        let (step, step_is_said) = (step.or_else(|| spacing(&judgement.motion.times)), step.is_some());
         let causes = causes(scenario, &judgement.motion, judgement.reference.states(), step);
         let name = file.map(|file| file.file_name().unwrap_or(file.as_os_str()).to_string_lossy());
         let name = name.map_or_else(|| UNNAMED.to_owned(), |name| printable(&name));
@@ -83,12 +83,26 @@ impl JudgedRun {
 
     /// Whether it cannot be told from the exact motion.
     pub fn is_exact(&self) -> bool {
+        self.is_attitude_exact() && self.omega_off().is_none_or(|off| off <= self.omega_floor())
+    }
+
+    /// True if the attitudes cannot be told from the exact ones.
+    fn is_attitude_exact(&self) -> bool {
         self.largest() <= 3.0 * self.judgement.floor()
-            && self.omega_off().is_none_or(|off| off <= OMEGA_EXACT)
+    }
+
+    /// Error of ω, as a part of the largest, that rounding it and its time makes.
+    fn omega_floor(&self) -> f64 {
+        OMEGA_EXACT.max(3.0 * self.judgement.floor())
+    }
+
+    /// True if a mistake of the program was found, and the error can be told from zero.
+    pub fn has_mistake(&self) -> bool {
+        self.causes.mistake().is_some() && !self.is_attitude_exact()
     }
 }
 
-/// An error of ω that is that of rounding it, and of its time, as a part of the largest.
+/// Error of ω that rounding it makes, as a part of the largest.
 const OMEGA_EXACT: f64 = 1e-12;
 
 /// The distance of rows that are even, s.

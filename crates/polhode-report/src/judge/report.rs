@@ -1,7 +1,7 @@
 //! One scenario and the runs of it that other programs made.
 
 use polhode::body::Finding;
-use polhode::infer::judge::{AccuracyOrder, OmegaAxes};
+use polhode::infer::judge::AccuracyOrder;
 use polhode::motion::Scenario;
 use serde_json::Value;
 
@@ -33,6 +33,11 @@ impl JudgeReport {
     /// The worst of all runs, as [`JudgedRun::worst`].
     pub fn worst(&self) -> f64 {
         self.runs.iter().map(JudgedRun::worst).fold(0.0, f64::max)
+    }
+
+    /// True if a mistake was found, or an error above a limit: of an attitude in rad, of ω as a part of its largest.
+    pub fn is_beyond(&self, limit: f64) -> bool {
+        self.worst() > limit || self.runs.iter().any(JudgedRun::has_mistake)
     }
 
     /// The report as data.
@@ -93,11 +98,7 @@ impl JudgeReport {
         let mut s = Section::new(2, "What their numbers mean");
         for run in &self.runs {
             let readings = &run.judgement.readings;
-            let omega = match readings.omega_axes {
-                Some(OmegaAxes::Body) => "ω along body axes",
-                Some(OmegaAxes::Space) => "ω along space axes",
-                None => "no ω",
-            };
+            let omega = readings.omega.map_or_else(|| "no ω".to_owned(), |omega| omega.to_string());
             s.say(format!("{}: {}; {omega}.", run.name, readings.reading));
             if readings.from_own_start {
                 s.say("None begins with the scenario's attitude: what is compared is the turn since the first row.");

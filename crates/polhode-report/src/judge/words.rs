@@ -15,10 +15,10 @@ pub(super) fn how_far(run: &JudgedRun) -> String {
     }
     let (last, largest) = (judgement.last_attitude_error(), run.largest());
     let omega = match run.omega_off() {
-        Some(off) if off > super::OMEGA_EXACT => format!("; ω is off by up to {} of its largest", error(off)),
+        Some(off) if off > run.omega_floor() => format!("; ω is off by up to {} of its largest", error(off)),
         _ => String::new(),
     };
-    if largest <= 3.0 * judgement.floor() {
+    if run.is_attitude_exact() {
         return format!("the attitude is right to {} rad{omega}", error(judgement.floor()));
     }
     let growth = match judgement.growth {
@@ -34,10 +34,21 @@ const LATE: f64 = 1e-7;
 /// How it was read, where that is not the plain way: so that a mistake that looks like another meaning is seen.
 pub(super) fn read_as(run: &JudgedRun) -> Option<String> {
     let readings = &run.judgement.readings;
-    let Reading { sense, axes, time_origin, .. } = readings.reading;
-    let is_plain = sense == AttitudeSense::BodyToSpace && axes == SignedAxes::SAME && time_origin == 0.0;
+    let Reading { sense, axes, time_origin, time_factor, .. } = readings.reading;
+    let is_plain = sense == AttitudeSense::BodyToSpace
+        && axes == SignedAxes::SAME
+        && time_origin == 0.0
+        && time_factor == 1.0
+        && readings.omega.is_none_or(|omega| omega.is_plain())
+        && !readings.is_against_names;
+    if is_plain && !readings.from_own_start {
+        return None;
+    }
+    let omega = readings.omega.filter(|omega| !omega.is_plain() || readings.is_against_names);
+    let omega = omega.map_or_else(String::new, |omega| format!(", {omega}"));
     let own = if readings.from_own_start { ", from its own first row" } else { "" };
-    (!is_plain || readings.from_own_start).then(|| format!("read as {}{own}", readings.reading))
+    let names = if readings.is_against_names { ", against the names of its columns" } else { "" };
+    Some(format!("read as {}{omega}{own}{names}", readings.reading))
 }
 
 /// `ω × I ω is left out: explains 99.9 % of the error`

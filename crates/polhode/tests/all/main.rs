@@ -27,6 +27,7 @@ mod jacobi_form;
 mod jacobian;
 mod judge;
 mod judge_causes;
+mod judge_readings;
 mod mass_derivatives;
 mod mass_history;
 mod mesh;

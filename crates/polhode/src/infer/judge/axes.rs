@@ -32,6 +32,12 @@ impl SignedAxes {
         Self::ALL.into_iter().find(|axes| plain(&axes.to_string()) == wanted)
     }
 
+    /// The opposite axes, which are left-handed if these are right-handed.
+    #[must_use]
+    pub fn reversed(self) -> Self {
+        Self(self.0.map(|(axis, negative)| (axis, !negative)))
+    }
+
     /// Components along these axes, to those along the scenario's. Also of axial vectors and of the vector part of a quaternion.
     pub fn to_scenario(self, components: [f64; 3]) -> [f64; 3] {
         let mut along = [0.0; 3];

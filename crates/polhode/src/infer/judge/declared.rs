@@ -1,9 +1,9 @@
-//! What a log itself says of the meaning of its numbers.
+//! Declared meaning of a log's numbers.
 
 use super::axes::SignedAxes;
 use super::log::QuaternionOrder;
 
-/// Which way the rotations of a log go.
+/// Direction of the rotations of a log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum AttitudeSense {
     /// R_space_body: body components to space components, as polhode has it.
@@ -17,12 +17,12 @@ impl AttitudeSense {
     pub const ALL: [Self; 2] = [Self::BodyToSpace, Self::SpaceToBody];
 }
 
-/// Along which axes the angular velocity of a log is.
+/// Frame of the angular velocity of a log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum OmegaAxes {
-    /// Those of the body.
+    /// Components along body axes.
     Body,
-    /// Those of space.
+    /// Components along space axes.
     Space,
 }
 
@@ -31,17 +31,84 @@ impl OmegaAxes {
     pub const ALL: [Self; 2] = [Self::Body, Self::Space];
 }
 
-/// What a log says without doubt, by the names of its columns or its user's word; `None` where it says nothing.
+/// Declared meaning of a log's numbers; `None` where nothing is declared.
+///
+/// A declaration of the user holds. One that is only in the names of the columns ([`DeclaredReading::by_name`]) is tried first. It is
+/// given up if the motion contradicts it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DeclaredReading {
-    /// The order of its quaternions.
+    /// Order of the quaternions.
     pub order: Option<QuaternionOrder>,
-    /// Which way its rotations go.
+    /// Direction of the rotations.
     pub sense: Option<AttitudeSense>,
-    /// Along which axes its ω is.
+    /// Frame of ω.
     pub omega_axes: Option<OmegaAxes>,
-    /// Its axes.
+    /// Axes of the log, as signed axes of the scenario.
     pub axes: Option<SignedAxes>,
-    /// The log's time at the scenario's time 0, s.
+    /// The log's time at the scenario's time 0, in s of the log's clock.
     pub time_origin: Option<f64>,
+    /// Seconds per stated second of the log's clock: 1 if the unit of the times is certain.
+    pub time_factor: Option<f64>,
+    /// rad/s per stated rad/s of the log's ω: 1 if the unit of ω is certain.
+    pub omega_factor: Option<f64>,
+    /// Declarations that are only in the names of the columns.
+    pub by_name: DeclaredByName,
+}
+
+/// Declarations that are only in the names of columns.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct DeclaredByName {
+    /// True if [`DeclaredReading::order`] is.
+    pub order: bool,
+    /// True if [`DeclaredReading::sense`] is.
+    pub sense: bool,
+    /// True if [`DeclaredReading::omega_axes`] is.
+    pub omega_axes: bool,
+}
+
+impl DeclaredReading {
+    /// The declarations of the user, without those of the names.
+    #[must_use]
+    pub fn certain(self) -> Self {
+        Self {
+            order: self.order.filter(|_| !self.by_name.order),
+            sense: self.sense.filter(|_| !self.by_name.sense),
+            omega_axes: self.omega_axes.filter(|_| !self.by_name.omega_axes),
+            by_name: DeclaredByName::default(),
+            ..self
+        }
+    }
+
+    /// These declarations, with those of a log where these have none.
+    ///
+    /// ```
+    /// use polhode::infer::judge::{DeclaredByName, DeclaredReading, OmegaAxes, QuaternionOrder};
+    /// let user = DeclaredReading { omega_axes: Some(OmegaAxes::Space), ..DeclaredReading::default() };
+    /// let log = DeclaredReading {
+    ///     order: Some(QuaternionOrder::ScalarFirst),
+    ///     omega_axes: Some(OmegaAxes::Body),
+    ///     by_name: DeclaredByName { order: true, omega_axes: true, sense: false },
+    ///     ..DeclaredReading::default()
+    /// };
+    /// let both = user.or(&log);
+    /// assert_eq!((both.order, both.omega_axes), (Some(QuaternionOrder::ScalarFirst), Some(OmegaAxes::Space)));
+    /// assert_eq!((both.certain().order, both.certain().omega_axes), (None, Some(OmegaAxes::Space)));
+    /// ```
+    #[must_use]
+    pub fn or(self, log: &Self) -> Self {
+        Self {
+            order: self.order.or(log.order),
+            sense: self.sense.or(log.sense),
+            omega_axes: self.omega_axes.or(log.omega_axes),
+            axes: self.axes.or(log.axes),
+            time_origin: self.time_origin.or(log.time_origin),
+            time_factor: self.time_factor.or(log.time_factor),
+            omega_factor: self.omega_factor.or(log.omega_factor),
+            by_name: DeclaredByName {
+                order: self.order.is_none() && log.by_name.order,
+                sense: self.sense.is_none() && log.by_name.sense,
+                omega_axes: self.omega_axes.is_none() && log.by_name.omega_axes,
+            },
+        }
+    }
 }

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use super::omega_reading::OmegaResidual;
 use super::reading::ReadingResidual;
 use crate::motion::error::MotionError;
 
@@ -45,12 +46,23 @@ pub enum JudgeError {
         /// How many of them fit.
         fitting: usize,
     },
-    /// ω may be along the axes of space or of the body, and the log does not tell which.
+    /// No reading of the log's angular velocities begins as the scenario does.
+    NoOmega {
+        /// All that were tried, best first.
+        tried: Vec<OmegaResidual>,
+    },
+    /// Several readings of the log's angular velocities fit about as well, and differ later on.
     AmbiguousOmega {
-        /// |δω| / |ω| at the beginning if it is along the axes of the body.
-        body: f64,
-        /// The same if it is along those of space.
-        space: f64,
+        /// All that were tried, best first.
+        tried: Vec<OmegaResidual>,
+    },
+    /// The first row is too long after the scenario's start for the motion to be computed until there. The log does not begin as the
+    /// scenario starts either.
+    FarTimes {
+        /// The time of the first row, s.
+        first: f64,
+        /// The time of the scenario's start, s.
+        start: f64,
     },
 }
 
@@ -84,12 +96,28 @@ impl fmt::Display for JudgeError {
                 write!(f, "{fitting} readings of the run's attitudes fit its beginning, and differ later")?;
                 list(f, tried, *fitting)
             }
-            Self::AmbiguousOmega { body, space } => write!(
+            Self::NoOmega { tried } => {
+                f.write_str("no reading of the run's angular velocities begins as the scenario does")?;
+                list_omega(f, tried)
+            }
+            Self::AmbiguousOmega { tried } => {
+                f.write_str("several readings of the run's angular velocities fit, and differ later")?;
+                list_omega(f, tried)
+            }
+            Self::FarTimes { first, start } => write!(
                 f,
-                "ω may be along the axes of the body or of space: at the beginning it differs by {body:.1e} or {space:.1e} of itself"
+                "the run's first row is at {first} s, too long after the scenario's start at {start} s for the motion to be computed \
+                 until there, and it does not begin as the scenario starts either"
             ),
         }
     }
+}
+
+fn list_omega(f: &mut fmt::Formatter<'_>, tried: &[OmegaResidual]) -> fmt::Result {
+    for (k, OmegaResidual { reading, relative }) in tried.iter().take(3).enumerate() {
+        write!(f, "{} {reading} ({relative:.1e} of |ω| off)", if k == 0 { ":" } else { ";" })?;
+    }
+    Ok(())
 }
 
 fn list(f: &mut fmt::Formatter<'_>, tried: &[ReadingResidual], count: usize) -> fmt::Result {

@@ -77,7 +77,9 @@ impl Judgement {
         let last = self.reference.error(self.motion.times.len().saturating_sub(1)).attitude;
         // Times are rounded too: by half a unit in their last place, while the body turns.
         let ends = [self.motion.times.first(), self.motion.times.last()].into_iter().flatten();
-        let latest = ends.map(|time| (time + self.readings.reading.time_origin).abs()).fold(0.0, f64::max);
+        let reading = &self.readings.reading;
+        let written = |time: &f64| (time + reading.time_origin * reading.time_factor).abs();
+        let latest = ends.map(written).fold(0.0, f64::max);
         last.max(ROUNDING).max(latest * (0.5 * f64::EPSILON) * self.reference.fastest())
     }
 

@@ -5,6 +5,7 @@
 
 pub(crate) mod accuracy_order;
 pub(crate) mod axes;
+mod beginning;
 pub(crate) mod cause;
 pub(crate) mod declared;
 mod difference;
@@ -13,21 +14,25 @@ pub(crate) mod growth;
 pub(crate) mod judgement;
 pub(crate) mod log;
 pub(crate) mod motion;
+mod omega;
+pub(crate) mod omega_reading;
 pub(crate) mod reading;
 pub(crate) mod readings;
 pub(crate) mod reference;
 pub(crate) mod row_errors;
+mod shifted;
 pub(crate) mod split;
 
 pub use accuracy_order::{AccuracyOrder, StepErrors};
 pub use axes::SignedAxes;
 pub use cause::{Cause, Causes, Scheme, TriedCause, TriedStart, Turn, Untried, causes};
-pub use declared::{AttitudeSense, DeclaredReading, OmegaAxes};
+pub use declared::{AttitudeSense, DeclaredByName, DeclaredReading, OmegaAxes};
 pub use error::JudgeError;
 pub use growth::Growth;
 pub use judgement::Judgement;
 pub use log::{LogError, MotionLog, QuaternionOrder};
 pub use motion::ReadMotion;
+pub use omega_reading::{OmegaReading, OmegaResidual};
 pub use reading::{Reading, ReadingResidual};
 pub use readings::Readings;
 pub use reference::Reference;

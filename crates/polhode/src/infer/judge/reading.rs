@@ -7,20 +7,23 @@ use super::declared::{AttitudeSense, OmegaAxes};
 use super::difference::to_body;
 use super::log::{MotionLog, QuaternionOrder};
 use super::motion::ReadMotion;
+use super::omega_reading::OmegaReading;
 use crate::math::frame::Body;
 use crate::math::vector::AngularVelocity;
 
-/// What the numbers of a log mean.
+/// Meaning of a log's times and attitudes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reading {
-    /// The order of its quaternions.
+    /// Order of the quaternions.
     pub order: QuaternionOrder,
-    /// Which way its rotations go.
+    /// Direction of the rotations.
     pub sense: AttitudeSense,
-    /// Its axes, of space and of the body.
+    /// Axes of the log, of space and of the body, as axes of the scenario.
     pub axes: SignedAxes,
-    /// The log's time at the scenario's time 0, s.
+    /// The log's time at the scenario's time 0, in s of the log's clock.
     pub time_origin: f64,
+    /// Seconds per stated second of the log's clock: 1 if the unit is the stated one.
+    pub time_factor: f64,
 }
 
 /// How well a log begins as its scenario, if it is read so.
@@ -35,6 +38,23 @@ pub struct ReadingResidual {
 }
 
 impl Reading {
+    /// Units of time that are tried, as factors of the stated one, with an example of each.
+    pub(super) const TIME_FACTORS: [(f64, &'static str); 8] = [
+        (1e-3, "ms for s"),
+        (1e-6, "µs for s"),
+        (1e-9, "ns for s"),
+        (60.0, "min for s"),
+        (1e3, "s for ms"),
+        (1e6, "s for µs"),
+        (1e9, "s for ns"),
+        (1.0 / 60.0, "s for min"),
+    ];
+
+    /// The scenario's time at a time of the log, s.
+    pub fn time(&self, logged: f64) -> f64 {
+        (logged - self.time_origin) * self.time_factor
+    }
+
     /// A quaternion of the log: R_space_body, scalar first, in the scenario's axes.
     pub fn quaternion(&self, numbers: [f64; 4]) -> [f64; 4] {
         let [w, x, y, z] = self.order.scalar_first(numbers);
@@ -45,24 +65,24 @@ impl Reading {
         }
     }
 
-    /// An angular velocity of the log, in body axes; `numbers` are those of the attitude beside it.
-    pub fn omega(&self, omega: [f64; 3], axes: OmegaAxes, numbers: [f64; 4]) -> AngularVelocity<Body> {
-        let omega = self.axes.to_scenario(omega);
-        AngularVelocity::from_array(match axes {
+    /// An angular velocity of the log, in body axes; `numbers` are those of the attitude in the same row.
+    pub fn omega(&self, omega: [f64; 3], meant: OmegaReading, numbers: [f64; 4]) -> AngularVelocity<Body> {
+        let omega = self.axes.to_scenario(meant.components.to_scenario(omega).map(|c| c * meant.factor));
+        AngularVelocity::from_array(match meant.frame {
             OmegaAxes::Space => to_body(self.quaternion(numbers), omega),
             OmegaAxes::Body => omega,
         })
     }
 
-    /// A log's motion; without ω where it is not said along which axes that is.
-    pub fn read(&self, log: &MotionLog, omega_axes: Option<OmegaAxes>) -> ReadMotion {
-        let times = log.times().iter().map(|time| time - self.time_origin).collect();
+    /// A log's motion; without ω where its meaning is not known.
+    pub fn read(&self, log: &MotionLog, omega: Option<OmegaReading>) -> ReadMotion {
+        let times = log.times().iter().map(|&time| self.time(time)).collect();
         let attitude = log.attitude().iter().map(|&numbers| self.quaternion(numbers)).collect();
-        let omega = log.omega().zip(omega_axes).map(|(omega, axes)| {
+        let omega = log.omega().zip(omega).map(|(omega, meant)| {
             omega
                 .iter()
                 .zip(log.attitude())
-                .map(|(&omega, &numbers)| self.omega(omega, axes, numbers))
+                .map(|(&omega, &numbers)| self.omega(omega, meant, numbers))
                 .collect()
         });
         ReadMotion { times, attitude, omega }
@@ -85,6 +105,13 @@ impl fmt::Display for Reading {
         }
         if self.time_origin != 0.0 {
             write!(f, ", times from {} s", self.time_origin)?;
+        }
+        if self.time_factor != 1.0 {
+            let known = Self::TIME_FACTORS.iter().find(|(factor, _)| *factor == self.time_factor);
+            write!(f, ", times × {}", self.time_factor)?;
+            if let Some((_, example)) = known {
+                write!(f, " (such as {example})")?;
+            }
         }
         Ok(())
     }

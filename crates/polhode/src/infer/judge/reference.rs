@@ -1,9 +1,11 @@
 //! The exact motion at the times of a log.
 
 use super::error::JudgeError;
+use crate::motion::error::MotionError;
 use crate::motion::model::state::{State, StateError};
 use crate::motion::run::global_error::ErrorEffort;
 use crate::motion::run::simulation::Simulation;
+use crate::motion::run::trajectory::Trajectory;
 use crate::motion::solve::method::Method;
 use crate::motion::task::asked::Task;
 use crate::motion::task::run::Run;
@@ -63,11 +65,11 @@ impl Reference {
     }
 }
 
-/// The states at times.
+/// Checks that a scenario has a motion that others can be compared with.
 ///
 /// # Errors
-/// As [`Reference::of`].
-pub(super) fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<State>, JudgeError> {
+/// [`JudgeError::NoMotion`], [`JudgeError::Changing`], [`JudgeError::OnGround`], [`JudgeError::InGimbals`].
+pub(super) fn require_judged(scenario: &Scenario) -> Result<(), JudgeError> {
     if scenario.history().is_some() {
         return Err(JudgeError::Changing);
     }
@@ -80,23 +82,74 @@ pub(super) fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<State>, J
     if !matches!(scenario.task(), Task::Forward(_)) {
         return Err(JudgeError::NoMotion);
     }
-    let start = scenario.start();
-    if let Some(&time) = times.first().filter(|&&time| time < start.time) {
-        return Err(JudgeError::BeforeStart { time, start: start.time });
+    Ok(())
+}
+
+fn require_after_start(scenario: &Scenario, times: &[f64]) -> Result<(), JudgeError> {
+    let start = scenario.start().time;
+    match times.first() {
+        Some(&time) if time < start => Err(JudgeError::BeforeStart { time, start }),
+        _ => Ok(()),
     }
-    let simulation = Simulation::new(scenario.rotor(), scenario.torques(), start, times)
+}
+
+/// The states at times.
+///
+/// # Errors
+/// As [`Reference::of`].
+fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<State>, JudgeError> {
+    require_judged(scenario)?;
+    require_after_start(scenario, times)?;
+    if scenario.events().is_empty() {
+        return Ok(simulation(scenario, scenario.start(), times).states()?);
+    }
+    whole(scenario, times, &simulation(scenario, scenario.start(), times).run()?)
+}
+
+/// The states at times from a state of the motion on; `None` if that takes more than `most` steps of integration.
+///
+/// # Errors
+/// As [`Reference::of`].
+pub(super) fn states_within(
+    scenario: &Scenario,
+    from: State,
+    times: &[f64],
+    most: usize,
+) -> Result<Option<Vec<State>>, JudgeError> {
+    require_after_start(scenario, times)?;
+    // Events before `from` may have switched torques.
+    let from = if scenario.events().is_empty() { from } else { scenario.start() };
+    let mut steps = 0;
+    let run = simulation(scenario, from, times).run_watched(&mut |_| {
+        steps += 1;
+        steps <= most
+    });
+    match run {
+        Err(MotionError::Stopped { .. }) => Ok(None),
+        run => whole(scenario, times, &run?).map(Some),
+    }
+}
+
+fn simulation<'a>(scenario: &'a Scenario, from: State, times: &'a [f64]) -> Simulation<'a> {
+    Simulation::new(scenario.rotor(), scenario.torques(), from, times)
         .switched_off(scenario.switched_off())
         .events(scenario.events())
-        .tolerance(TOLERANCE);
-    if scenario.events().is_empty() {
-        return Ok(simulation.states()?);
-    }
-    let motion = simulation.run()?;
-    let states: Vec<State> = motion.samples().iter().map(|sample| sample.state).collect();
-    match times.get(states.len()) {
-        None => Ok(states),
-        Some(&time) => {
-            Err(JudgeError::Ends { time, end: states.last().map_or(start.time, |state| state.time) })
+        .tolerance(TOLERANCE)
+}
+
+/// The states of a trajectory that reaches all of the times.
+fn whole(scenario: &Scenario, times: &[f64], motion: &Trajectory) -> Result<Vec<State>, JudgeError> {
+    let mut states: Vec<State> = motion.samples().iter().map(|sample| sample.state).collect();
+    // A motion that ends early has a last sample at its end.
+    let is_reached = |k: usize| states.get(k).is_some_and(|state| state.time == times[k]);
+    match (0..times.len()).find(|&k| !is_reached(k)) {
+        None => {
+            states.truncate(times.len());
+            Ok(states)
+        }
+        Some(k) => {
+            let end = states.last().map_or(scenario.start().time, |state| state.time);
+            Err(JudgeError::Ends { time: times[k], end })
         }
     }
 }

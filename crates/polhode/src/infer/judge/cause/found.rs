@@ -57,6 +57,8 @@ pub enum Untried {
     Prescribed,
     /// Events switch torques on or off.
     Switched,
+    /// The run begins so long after the scenario's start that wrong motions cannot be followed from there.
+    Late,
 }
 
 impl fmt::Display for Untried {
@@ -66,6 +68,7 @@ impl fmt::Display for Untried {
             Self::TooShort => "fewer than two rows can be compared",
             Self::Prescribed => "the motion of the scenario is given, not computed",
             Self::Switched => "events of the scenario switch torques",
+            Self::Late => "the run begins more than 2000 rad of turning after the scenario's start",
         })
     }
 }

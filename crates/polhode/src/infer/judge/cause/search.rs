@@ -16,6 +16,9 @@ use crate::motion::task::scenario::Scenario;
 /// A run that is nearer to the exact motion than this, rad, needs no cause.
 const EXACT: f64 = 1e-8;
 
+/// Turn from the scenario's start to the first row beyond which no motion with a mistake is followed, rad.
+const LATE: f64 = 2000.0;
+
 /// A first row that is off the start by more than this part of the error is another start.
 const ELSEWHERE: f64 = 1e-3;
 
@@ -36,6 +39,14 @@ pub fn causes(scenario: &Scenario, motion: &ReadMotion, exact: &[State], step: O
     let Some(window) = Window::of(motion, exact, start.time) else {
         return Causes::untried(Untried::TooShort);
     };
+    let late = motion
+        .times
+        .first()
+        .zip(exact.first())
+        .map_or(0.0, |(time, first)| (time - start.time) * start.omega.norm().max(first.omega.norm()));
+    if late > LATE {
+        return Causes::untried(Untried::Late);
+    }
     let found = from_start(scenario, motion, window, start, step);
     let Some(first) = window.state(window.first()) else { return found };
     let faster = (first.omega - start.omega).norm() / start.omega.norm().max(f64::MIN_POSITIVE);

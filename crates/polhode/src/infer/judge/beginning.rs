@@ -1,0 +1,145 @@
+//! The first rows of a log, with the exact states at their times.
+
+use super::difference::{angle_between, conjugate, product};
+use super::error::JudgeError;
+use super::log::MotionLog;
+use super::reading::{Reading, ReadingResidual};
+use super::reference::{spread, states_within};
+use crate::motion::model::state::State;
+use crate::motion::task::scenario::Scenario;
+
+/// Angle that the body turns through in the beginning of a log, rad; three rows at least.
+pub(super) const BEGINNING: f64 = 0.1;
+/// Rows that are compared, at most.
+pub(super) const COMPARED: usize = 64;
+/// Bounds of the turn that residuals are relative to, rad: attitudes cannot be farther apart than the upper one says.
+const NO_TURN: f64 = 1e-3;
+const WHOLE_TURN: f64 = 1.0;
+/// Greatest angle between two rows that follow a motion, rad.
+const FOLLOWED: f64 = 1.0;
+
+/// Relation of a log's clock to the scenario's: t = (t_log − origin) · factor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Clock {
+    pub(super) origin: f64,
+    pub(super) factor: f64,
+}
+
+impl Clock {
+    /// The clock of a log that begins at a time of the scenario, s; rounded so that no row is before that time.
+    pub(super) fn beginning_at(time: f64, log: &MotionLog, factor: f64) -> Self {
+        let first = log.times()[0];
+        let mut clock = Self { origin: first - time / factor, factor };
+        while clock.time(first) < time {
+            clock.origin = clock.origin.next_down();
+        }
+        clock
+    }
+
+    pub(super) fn time(self, logged: f64) -> f64 {
+        (logged - self.origin) * self.factor
+    }
+
+    pub(super) fn is_of(self, reading: &Reading) -> bool {
+        self == Self { origin: reading.time_origin, factor: reading.time_factor }
+    }
+}
+
+/// The first rows of a log, with the exact states if its clock is this one.
+#[derive(Clone, Debug)]
+pub(super) struct Beginning {
+    pub(super) clock: Clock,
+    pub(super) rows: Vec<usize>,
+    pub(super) exact: Vec<State>,
+}
+
+impl Beginning {
+    /// `None` if computing the exact states takes more than `most` steps.
+    ///
+    /// # Errors
+    /// As [`super::Reference::of`].
+    pub(super) fn of(
+        log: &MotionLog,
+        scenario: &Scenario,
+        clock: Clock,
+        most: usize,
+    ) -> Result<Option<Self>, JudgeError> {
+        let times = log.times();
+        let first = [clock.time(times[0])];
+        let Some(&[first]) =
+            states_within(scenario, scenario.start(), &first, most)?.as_deref().and_then(<[_]>::first_chunk)
+        else {
+            return Ok(None);
+        };
+        let upto = |last: usize| {
+            let rows = spread(last + 1, COMPARED);
+            let at: Vec<f64> = rows.iter().map(|&row| clock.time(times[row])).collect();
+            let exact = states_within(scenario, first, &at, most)?;
+            Ok::<_, JudgeError>(exact.map(|exact| Self { clock, rows, exact }))
+        };
+        let mut last = times.len().min(3) - 1;
+        let Some(mut found) = upto(last)? else { return Ok(None) };
+        while last + 1 < times.len() {
+            last = (2 * last).min(times.len() - 1);
+            match upto(last) {
+                Ok(Some(further)) if further.turn() <= BEGINNING => found = further,
+                _ => break,
+            }
+        }
+        Ok(Some(found))
+    }
+
+    /// ∫ |ω| dt by the trapezoidal rule, rad.
+    pub(super) fn turn(&self) -> f64 {
+        let part = |pair: &[State]| {
+            0.5 * (pair[0].omega.norm() + pair[1].omega.norm()) * (pair[1].time - pair[0].time)
+        };
+        self.exact.windows(2).map(part).sum()
+    }
+
+    /// Largest |ω|, rad/s.
+    pub(super) fn rate(&self) -> f64 {
+        self.exact.iter().map(|state| state.omega.norm()).fold(0.0, f64::max)
+    }
+
+    /// Angle between the first row and the exact attitude there, rad.
+    pub(super) fn first_angle(&self, log: &MotionLog, reading: &Reading) -> f64 {
+        self.exact.first().map_or(f64::INFINITY, |exact| {
+            angle_between(exact.attitude.quaternion(), reading.quaternion(log.attitude()[0]))
+        })
+    }
+
+    /// Residual of a reading; with `from_own_start` that of the turn since the first row.
+    pub(super) fn residual(
+        &self,
+        log: &MotionLog,
+        reading: Reading,
+        from_own_start: bool,
+    ) -> ReadingResidual {
+        let read = |row: usize| reading.quaternion(log.attitude()[row]);
+        // S = R_read(0) R_exact(0)ᵀ, if that is left out of the comparison
+        let own = self.exact.first().map(|first| product(read(0), conjugate(first.attitude.quaternion())));
+        let start =
+            if from_own_start { own.map_or([1.0, 0.0, 0.0, 0.0], conjugate) } else { [1.0, 0.0, 0.0, 0.0] };
+        let square = |(&row, exact): (&usize, &State)| {
+            angle_between(exact.attitude.quaternion(), product(start, read(row))).powi(2)
+        };
+        let squares: f64 = self.rows.iter().zip(&self.exact).map(square).sum();
+        let attitude = (squares / self.rows.len().max(1) as f64).sqrt();
+        ReadingResidual { reading, attitude, relative: attitude / self.turn().clamp(NO_TURN, WHOLE_TURN) }
+    }
+}
+
+/// Angular velocity of a log by its own attitudes, rad per stated second; `None` if rows are too far apart.
+///
+/// The angle between two attitudes does not depend on what the numbers of the quaternions mean.
+pub(super) fn logged_rate(log: &MotionLog) -> Option<f64> {
+    let rows = log.times().len().min(9);
+    let rate = |k: usize| {
+        let angle = angle_between(log.attitude()[k - 1], log.attitude()[k]);
+        (angle < FOLLOWED).then(|| angle / (log.times()[k] - log.times()[k - 1]))
+    };
+    let mut rates = (1..rows).map(rate).collect::<Option<Vec<f64>>>()?;
+    rates.sort_by(f64::total_cmp);
+    rates.get(rates.len() / 2).copied()
+}

@@ -6,6 +6,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a broken property ends the run")]
 #![allow(unreachable_pub, reason = "the test includes this file as a module")]
 
+pub mod live;
 pub mod mesh;
 pub mod motion;
 mod physical;
@@ -17,7 +18,7 @@ pub mod text;
 pub type Target = fn(&[u8]);
 
 /// All targets by name: what the folders of the corpora are called.
-pub const TARGETS: [(&str, Target); 27] = [
+pub const TARGETS: [(&str, Target); 35] = [
     ("stl", mesh::stl),
     ("obj", mesh::obj),
     ("ply", mesh::ply),
@@ -43,6 +44,14 @@ pub const TARGETS: [(&str, Target); 27] = [
     ("mjcf", robot::mjcf),
     ("usd", robot::usd),
     ("osim", robot::osim),
+    ("torque_table", motion::torque_table),
+    ("mass_table", motion::mass_table),
+    ("parquet", motion::parquet),
+    ("judge", motion::judge),
+    ("identify", text::identify),
+    ("config", robot::config),
+    ("baseline", robot::baseline),
+    ("live", live::live),
     ("scenario", motion::scenario),
     ("plan", motion::plan),
 ];

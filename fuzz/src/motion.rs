@@ -1,10 +1,13 @@
-//! Scenarios and plans: what is accepted is simulated a little, and every number of its table is finite. Logs of motions.
+//! Scenarios, their tables, and plans: what is accepted is simulated a little, and every number of its table is finite. Logs of motions.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use polhode::infer::judge::{AttitudeSense, DeclaredReading, OmegaAxes, SignedAxes};
 use polhode::motion::{ErrorEffort, Scenario, Trajectory};
+use polhode_formats::suite::CASES;
 use polhode_formats::{run_log, scenario, table};
+use polhode_report::{JudgeReport, JudgedRun};
 use polhode_sweep::Plan;
 
 use super::physical::assert_physical;
@@ -29,16 +32,97 @@ pub fn scenario(data: &[u8]) {
 }
 
 pub fn motion_table(data: &[u8]) {
+    named_table(data, |table| {
+        format!(
+            "[[body.part]]\nshape = \"box\"\nsize = [1.1, 2, 3]\nmass = 1.7\n[prescribed]\ntable = '{}'\n\
+             [run]\nduration = 0.5\nsamples = 3\n",
+            table.display()
+        )
+    });
+}
+
+/// A table that a scenario names.
+fn named_table(data: &[u8], text: impl Fn(&Path) -> String) {
     let table = table_file();
-    let text = format!(
-        "[[body.part]]\nshape = \"box\"\nsize = [1.1, 2, 3]\nmass = 1.7\n[prescribed]\ntable = '{}'\n\
-         [run]\nduration = 0.5\nsamples = 3\n",
-        table.display()
-    );
-    let read = fs::write(&table, data).map(|()| scenario::parse(&text, &table.with_extension("toml")));
+    let read =
+        fs::write(&table, data).map(|()| scenario::parse(&text(&table), &table.with_extension("toml")));
     let _ = fs::remove_file(&table);
-    if let Ok(Ok(scenario)) = read {
-        accepted(scenario);
+    match read {
+        Ok(Ok(scenario)) => accepted(scenario),
+        Ok(Err(error)) => assert!(!error.to_string().is_empty()),
+        Err(_) => {}
+    }
+}
+
+pub fn torque_table(data: &[u8]) {
+    named_table(data, |table| {
+        format!(
+            "[[body.part]]\nshape = \"box\"\nsize = [1.1, 2, 3]\nmass = 1.7\n[start]\nspin = {{ body = [0.3, 0.5, 0.9] }}\n\
+             [[torque]]\nmodel = \"table\"\ntable = '{}'\naxes = \"body\"\ninterpolation = \"spline\"\n\
+             [run]\nduration = 0.5\nsamples = 3\n",
+            table.display()
+        )
+    });
+}
+
+pub fn mass_table(data: &[u8]) {
+    named_table(data, |table| {
+        format!(
+            "[[body.part]]\nshape = \"box\"\nsize = [1.1, 2, 3]\nmass = 1.7\n[start]\nspin = {{ body = [0.3, 0.5, 0.9] }}\n\
+             [mass_history]\ntable = '{}'\n[run]\nduration = 0.5\nsamples = 3\n",
+            table.display()
+        )
+    });
+}
+
+/// Parquet: logs of motions. What the parquet crate does to broken pages is caught, which libFuzzer does not see.
+pub fn parquet(data: &[u8]) {
+    let read = || run_log::from_bytes(data, None);
+    if !data.starts_with(b"PAR1") {
+        return;
+    }
+    match read() {
+        Ok(log) => {
+            assert_eq!(Ok(&log), read().as_ref());
+            assert!(log.log.times().is_sorted_by(|a, b| a < b));
+        }
+        Err(error) => assert!(!error.to_string().is_empty()),
+    }
+}
+
+/// Rows of a run that are judged, and how long it may last, s: more take longer than an input should.
+const MOST_ROWS: usize = 200;
+const LONGEST: f64 = 1e3;
+
+/// A run of a case of the suite, as the suite grades it and as `polhode judge` reads it: errors are numbers.
+pub fn judge(data: &[u8]) {
+    if data.starts_with(b"PAR1") {
+        return;
+    }
+    let Ok(read) = run_log::from_bytes(data, None) else { return };
+    let times = read.log.times();
+    if times.len() > MOST_ROWS || times[times.len() - 1] - times[0] > LONGEST {
+        return;
+    }
+    let strict = DeclaredReading {
+        sense: Some(AttitudeSense::BodyToSpace),
+        omega_axes: Some(OmegaAxes::Body),
+        axes: Some(SignedAxes::SAME),
+        time_origin: Some(times[0]),
+        time_factor: Some(1.0),
+        ..read.says
+    };
+    let case = CASES.iter().find(|case| case.name == "free-flips").unwrap().scenario().unwrap();
+    for declared in [strict, read.says] {
+        match JudgedRun::of(None, &case.scenario, &read.log, &declared, read.step) {
+            Ok(run) => {
+                assert!(run.worst().is_finite());
+                assert!(run.judgement.errors.angles().iter().all(|angle| (0.0..=3.15).contains(angle)));
+                let report = JudgeReport::new(&case.scenario, vec![run]);
+                assert!(!report.to_document().to_text(100).contains("NaN"));
+            }
+            Err(error) => assert!(!error.to_string().is_empty()),
+        }
     }
 }
 

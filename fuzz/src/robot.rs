@@ -8,6 +8,8 @@ use polhode_robot::inspect::{Inspection, inspect};
 use polhode_robot::lump::{Lumping, lump};
 use polhode_robot::model::{ModelFormat, RobotModel};
 use polhode_robot::policy::Policy;
+use polhode_robot::policy::baseline::Baseline;
+use polhode_robot::policy::config::Config;
 use polhode_robot::read::{ReadOptions, read_text};
 use polhode_robot::repair::proved;
 use polhode_robot::report::CheckReport;
@@ -35,6 +37,26 @@ pub fn usd(data: &[u8]) {
 
 pub fn osim(data: &[u8]) {
     model(data, ModelFormat::Osim);
+}
+
+/// `polhode.toml`: read twice it is the same, and an error has words.
+pub fn config(data: &[u8]) {
+    let Ok(text) = str::from_utf8(data) else { return };
+    let read = || Config::read(Path::new("polhode.toml"), text);
+    match read() {
+        Ok(config) => assert_eq!(format!("{config:?}"), format!("{:?}", read().unwrap())),
+        Err(error) => assert!(!error.to_string().is_empty()),
+    }
+}
+
+/// Baselines: read twice they are the same, and every finding has an id.
+pub fn baseline(data: &[u8]) {
+    let Ok(text) = str::from_utf8(data) else { return };
+    let read = || Baseline::read(Path::new("baseline.json"), text);
+    match read() {
+        Ok(baseline) => assert_eq!(baseline.findings, read().unwrap().findings),
+        Err(error) => assert!(!error.to_string().is_empty()),
+    }
 }
 
 fn read(text: &str) -> Option<RobotModel> {

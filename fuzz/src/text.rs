@@ -1,10 +1,27 @@
-//! Texts: reports of CAD programs, numbers with units, formulas.
+//! Texts: reports of CAD programs, plans of measurements, numbers with units, formulas.
+
+use std::path::Path;
 
 use polhode_formats::cad::{self, CadOptions, DecimalMark, ProductConvention};
 use polhode_formats::expression::{Expression, formula_of_state, formula_of_time};
+use polhode_formats::identify;
 use polhode_formats::unit::{self, Dimension};
 
 use super::physical::{assert_physical, assert_reported_is_read};
+
+/// Plans of measurements, with the logs of the examples in their folder: read twice they are the same.
+pub fn identify(data: &[u8]) {
+    let Ok(text) = str::from_utf8(data) else { return };
+    let folders = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors();
+    let examples = folders.map(|folder| folder.join("examples/identify")).find(|folder| folder.is_dir());
+    let path = examples.unwrap_or_default().join("plan.toml");
+    // As text: a limit that is not given may be NaN.
+    let read = || identify::from_text(&path, text).map(|plan| format!("{plan:?}"));
+    match read() {
+        Ok(plan) => assert_eq!(Ok(plan), read()),
+        Err(error) => assert!(!error.to_string().is_empty() && error.hint() != Some(String::new())),
+    }
+}
 
 pub fn cad(data: &[u8]) {
     let Ok(text) = str::from_utf8(data) else { return };

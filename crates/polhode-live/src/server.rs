@@ -12,7 +12,7 @@ use http_body_util::{BodyExt as _, LengthLimitError, Limited};
 use hyper::body::Incoming;
 use hyper::server::conn::http1;
 use hyper::service::service_fn;
-use hyper::{Request, StatusCode};
+use hyper::{Method, Request, StatusCode};
 use hyper_util::rt::{TokioIo, TokioTimer};
 use tokio::net::TcpListener;
 use tokio::sync::{Semaphore, mpsc};
@@ -85,6 +85,15 @@ impl Live {
             Some(id) => format!("{address}#lesson={}", encoded(id)),
             None => address,
         }
+    }
+
+    /// The status with which a POST of the page is answered, without a connection; `path` is what stands behind the token.
+    ///
+    /// Serves tests and fuzzing: checks of the connection, such as that of the token, are skipped.
+    pub fn status_of(&self, path: &str, body: &[u8]) -> u16 {
+        let route = Route::of(&Method::POST, path, None);
+        let answer = route.and_then(|route| route.answer(body, &self.session, &AtomicBool::new(false)));
+        answer.map_or_else(|refusal| refusal.status.as_u16(), |answer| answer.status().as_u16())
     }
 
     /// Answers until the process is interrupted or told to end.

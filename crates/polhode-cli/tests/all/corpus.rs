@@ -52,6 +52,89 @@ fn corpora_and_programs_have_the_names_of_targets() {
     }
 }
 
+/// Targets, seconds for each, and the seed: `POLHODE_FUZZ="identify live" POLHODE_FUZZ_SECONDS=60 cargo test -p polhode-cli --test all
+/// mutations -- --ignored --nocapture` prints a line for each target.
+#[test]
+#[ignore = "runs for POLHODE_FUZZ_SECONDS per target"]
+fn mutations_of_the_stored_inputs_hold() {
+    let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus");
+    let told = |name: &str, default: &str| std::env::var(name).unwrap_or_else(|_| default.to_owned());
+    let seconds: f64 = told("POLHODE_FUZZ_SECONDS", "10").parse().unwrap();
+    let mut random = Random(told("POLHODE_FUZZ_SEED", "1").parse::<u64>().unwrap().max(1));
+    for name in told("POLHODE_FUZZ", "").split_whitespace() {
+        let target = targets::target(name).unwrap();
+        let seeds: Vec<Vec<u8>> =
+            files(&corpus.join(name)).iter().map(|path| fs::read(path).unwrap()).collect();
+        let (start, mut count, mut longest) = (std::time::Instant::now(), 0_u64, 0.0_f64);
+        while start.elapsed().as_secs_f64() < seconds {
+            let data = random.mutated(&seeds);
+            let before = start.elapsed();
+            let outcome = catch_unwind(AssertUnwindSafe(|| target(&data)));
+            assert!(outcome.is_ok(), "{name}: {:?}", String::from_utf8_lossy(&data));
+            longest = longest.max((start.elapsed() - before).as_secs_f64());
+            count += 1;
+        }
+        println!("{name}: {count} inputs in {seconds} s, the longest {longest:.3} s");
+    }
+}
+
+/// xorshift64
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, most: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as usize % most.max(1)
+    }
+
+    /// One of the seeds with up to eight changes: bits, bytes, words of its format, cuts, repetitions, parts of another seed.
+    fn mutated(&mut self, seeds: &[Vec<u8>]) -> Vec<u8> {
+        const WORDS: [&str; 16] = [
+            "0",
+            "-1",
+            "1e308",
+            "nan",
+            "inf",
+            "1e-320",
+            "9007199254740993",
+            "\"",
+            "[",
+            "]",
+            "{",
+            "}",
+            ",",
+            "\n",
+            "=",
+            "\\u0000",
+        ];
+        let mut data = seeds[self.below(seeds.len())].clone();
+        for _ in 0..=self.below(8) {
+            let at = self.below(data.len() + 1);
+            let end = at + self.below((data.len() - at).min(40) + 1);
+            match self.below(6) {
+                0 if at < data.len() => data[at] ^= 1 << self.below(8),
+                1 if at < data.len() => data[at] = self.below(256) as u8,
+                2 => drop(data.splice(at..end, WORDS[self.below(WORDS.len())].bytes())),
+                3 => drop(data.drain(at..end)),
+                4 => {
+                    let part = data[at..end].to_vec();
+                    let to = self.below(data.len() + 1);
+                    drop(data.splice(to..to, part));
+                }
+                _ => {
+                    let other = &seeds[self.below(seeds.len())];
+                    let from = self.below(other.len() + 1);
+                    let to = from + self.below((other.len() - from).min(200) + 1);
+                    drop(data.splice(at..end, other[from..to].iter().copied()));
+                }
+            }
+        }
+        data
+    }
+}
+
 /// The input, its first k/20, and copies with one bit turned over at places that depend on nothing but the input's length.
 fn for_variants(data: &[u8], run: &mut dyn FnMut(String, &[u8])) {
     run(String::new(), data);

@@ -36,8 +36,16 @@ pub enum IdentifyError {
     Body(BodyError),
     /// The model has no motion there.
     Motion(MotionError),
-    /// A prediction is not a number.
-    NotFinite,
+    /// A number that was computed is NaN or infinite.
+    NotFinite {
+        /// Name of the number.
+        quantity: &'static str,
+    },
+    /// Every flight has the same body added: free motion determines only ratios.
+    OneBody {
+        /// Flights, all of which have it.
+        flights: usize,
+    },
     /// Rates that move as free bodies do if they are in another unit, and not as they are.
     Unit {
         /// By what they have to be multiplied.
@@ -73,6 +81,24 @@ pub enum IdentifyError {
         /// The noise of the readings, beyond which they do not differ, rad/s.
         noise: f64,
     },
+    /// A swing whose amplitude grows: its damping is negative beyond chance.
+    Growing {
+        /// Name of the test.
+        test: String,
+        /// `viscous damping` or `quadratic damping`.
+        number: String,
+        /// Estimated damping.
+        value: f64,
+        /// Its standard deviation.
+        sd: f64,
+        /// Unit of both.
+        unit: &'static str,
+    },
+    /// A log whose readings are all zero.
+    AllZero {
+        /// Measured quantity: `force`, `torque`.
+        what: &'static str,
+    },
     /// The method went on without an end.
     NoConvergence {
         /// After so many steps.
@@ -89,7 +115,10 @@ impl IdentifyError {
             Self::NoConvergence { .. } => Some(
                 "the measurements may not determine all that is asked for, or noise may hide the motion: turn faster and about more axes, or find fewer numbers, as without drag or the gyro's scale and skew",
             ),
-            Self::NotFinite => Some("look for a unit that is wrong, or a reading that is no measurement"),
+            Self::NotFinite { .. } => Some("look for a wrong unit, or a reading that is not a measurement"),
+            Self::OneBody { .. } => Some(
+                "add a flight without the added body, or with another; or leave out `added` to get the ratios of the body with it",
+            ),
             Self::Unit { .. } => {
                 Some("say the unit in the columns' names, or by columns = \"omega deg/s = wx wy wz\"")
             }
@@ -103,6 +132,10 @@ impl IdentifyError {
             Self::Missing { .. } => Some("say it in the plan: nothing is guessed"),
             Self::Body(error) => error.hint(),
             Self::Motion(error) => error.hint(),
+            Self::Growing { .. } => Some(
+                "write amplitudes in the order of time, the largest first; with damping = \"both\" use viscous or quadratic damping alone",
+            ),
+            Self::AllZero { .. } => Some("look for a sensor that is not connected, or for other columns"),
             Self::Value { .. } => None,
         }
     }
@@ -123,7 +156,7 @@ impl fmt::Display for IdentifyError {
         match self {
             Self::Value { what, value, rule } => write!(f, "{what} is {value}, and has to be {rule}"),
             Self::TooFew { what, given, needed } => {
-                write!(f, "{given} {what}, where {needed} at least are needed")
+                write!(f, "too few {what}: {given}, where at least {needed} are needed")
             }
             Self::Missing { what } => write!(f, "{what} is missing"),
             Self::Body(error) => error.fmt(f),
@@ -157,7 +190,23 @@ impl fmt::Display for IdentifyError {
                 "the rates of every flight are the same from beginning to end but for their noise, {noise:.2e} rad/s: a sphere turns so, and any body about a principal axis. \
                  That shows neither moments nor the gyro's bias"
             ),
-            Self::NotFinite => write!(f, "the model predicts what is not a number"),
+            Self::Growing { test, number, value, sd, unit } => {
+                let unit = if *unit == "1" { String::new() } else { format!("\u{a0}{unit}") };
+                write!(
+                    f,
+                    "the {number} of {test} is {value:.3e} ± {sd:.1e}{unit}, {:.0} standard deviations below zero: an amplitude does not grow by itself",
+                    -value / sd
+                )
+            }
+            Self::AllZero { what } => write!(f, "every {what} in the log is zero"),
+            Self::NotFinite { quantity } => write!(f, "{quantity} is not finite"),
+            Self::OneBody { flights: 1 } => {
+                write!(f, "one flight with an added body determines only the ratios of the moments with it")
+            }
+            Self::OneBody { flights } => write!(
+                f,
+                "{flights} flights with the same added body determine only the ratios of the moments with it"
+            ),
             Self::NoConvergence { steps } => write!(f, "no least sum of squares was found in {steps} steps"),
         }
     }

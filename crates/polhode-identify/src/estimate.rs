@@ -1,5 +1,8 @@
 //! Numbers that were found, with what is known of them.
 
+use core::f64::consts::PI;
+use core::fmt;
+
 use crate::least_squares::Information;
 
 /// Numbers that were found, and their errors.
@@ -27,6 +30,66 @@ pub struct Number {
     pub value: f64,
     /// Standard deviation; `None` if the number changes along a direction that is unknown.
     pub sd: Option<f64>,
+    /// Largest standard deviation of a determined number: [`ANGLE`] of an angle, the width of the possible range of a ratio
+    /// of moments, infinite otherwise.
+    pub largest_sd: f64,
+}
+
+/// Standard deviation of an angle of which nothing is known, uniform in ±π: π/√3 rad.
+pub const ANGLE: f64 = PI / 1.732_050_807_568_877_2;
+
+/// Reason of a number that is not determined.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Undetermined {
+    /// It changes along a direction that is unknown.
+    UnknownDirection,
+    /// Its standard deviation is larger than its possible range allows.
+    BeyondRange {
+        /// Standard deviation of the number.
+        sd: f64,
+        /// The largest standard deviation of a determined number.
+        largest: f64,
+    },
+}
+
+impl Undetermined {
+    /// Returns the reason for this standard deviation; `None` if the number is determined.
+    pub fn of(sd: Option<f64>, largest: f64) -> Option<Self> {
+        match sd {
+            None => Some(Self::UnknownDirection),
+            Some(sd) if sd > largest || sd.is_infinite() => Some(Self::BeyondRange { sd, largest }),
+            Some(_) => None,
+        }
+    }
+}
+
+impl fmt::Display for Undetermined {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::UnknownDirection => f.write_str("it changes along a direction that is unknown"),
+            Self::BeyondRange { sd, .. } if sd.is_infinite() => {
+                f.write_str("its standard deviation is infinite")
+            }
+            Self::BeyondRange { sd, largest } => {
+                write!(
+                    f,
+                    "its standard deviation, {sd:.2e}, is larger than {largest:.3}, which its range allows"
+                )
+            }
+        }
+    }
+}
+
+impl Number {
+    pub(crate) fn new(name: String, unit: &'static str, value: f64, sd: Option<f64>) -> Self {
+        let largest_sd = if unit == "rad" { ANGLE } else { f64::INFINITY };
+        Self { name, unit, value, sd, largest_sd }
+    }
+
+    /// Returns the reason if it is not determined.
+    pub fn undetermined(&self) -> Option<Undetermined> {
+        Undetermined::of(self.sd, self.largest_sd)
+    }
 }
 
 impl Estimate {
@@ -38,7 +101,7 @@ impl Estimate {
         let n = values.len();
         let unit = |k: usize| (0..n).map(|i| if i == k { 1.0 } else { 0.0 }).collect::<Vec<f64>>();
         let numbers = names.into_iter().zip(values).enumerate().map(|(k, ((name, unit_name), &value))| {
-            Number { name, unit: unit_name, value, sd: information.deviation(&unit(k)) }
+            Number::new(name, unit_name, value, information.deviation(&unit(k)))
         });
         Self {
             numbers: numbers.collect(),

@@ -2,6 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::decomposition::{Svd, svd};
+use crate::error::IdentifyError;
 use crate::estimate::Estimate;
 use crate::least_squares::Information;
 use crate::principal::{PrincipalEstimate, element_row};
@@ -81,16 +83,14 @@ impl BodyUnits {
     }
 
     /// How well they are known.
-    pub(crate) fn knowledge(&self, information: &Information) -> Knowledge {
+    pub(crate) fn knowledge(&self, information: &Information) -> Result<Knowledge, IdentifyError> {
         // a column of zeros, as what is exact has none
         let root = &self.rows * &information.root.clone().insert_column(0, 0.0);
-        let hidden = self.hidden(&information.unknown);
+        let hidden = self.hidden(&information.unknown)?;
         let across = &root - &hidden * (hidden.transpose() * &root);
-        let decomposition = across.svd(true, false);
-        let sds = &decomposition.singular_values;
+        let Svd { u, values: sds, .. } = svd("the covariance of the body", across)?;
         let largest_sd = sds.max();
-        let direction = decomposition.u.map(|u| u.column(sds.imax()).into_owned());
-        let direction = direction.unwrap_or_else(|| DVector::zeros(self.names.len()));
+        let direction = u.column(sds.imax());
         let known: Vec<f64> =
             sds.iter().filter(|sd| **sd > EXACT * largest_sd).map(|sd| libm::log(*sd)).collect();
         let mut least_known: Vec<_> = self.names.iter().copied().zip(direction.iter().copied()).collect();
@@ -99,7 +99,7 @@ impl BodyUnits {
             least_known.iter_mut().for_each(|(_, part)| *part = -*part);
         }
         let moments = self.names.len() - TENSOR.len();
-        Knowledge {
+        Ok(Knowledge {
             unknown: hidden.ncols(),
             largest_sd,
             mean_sd: if known.is_empty() {
@@ -112,11 +112,11 @@ impl BodyUnits {
                 let is_hidden = hidden.row(moments + k).norm() > ROUNDING;
                 (!is_hidden).then(|| root.row(moments + k).norm())
             }),
-        }
+        })
     }
 
     /// An orthonormal basis of what unknown directions have of the body.
-    fn hidden(&self, unknown: &DMatrix<f64>) -> DMatrix<f64> {
+    fn hidden(&self, unknown: &DMatrix<f64>) -> Result<DMatrix<f64>, IdentifyError> {
         let m = self.rows.nrows();
         let seen = unknown.column_iter().filter_map(|direction| {
             let moved: DVector<f64> = &self.rows * direction;
@@ -125,18 +125,16 @@ impl BodyUnits {
         });
         let seen: Vec<DVector<f64>> = seen.collect();
         if seen.is_empty() {
-            return DMatrix::zeros(m, 0);
+            return Ok(DMatrix::zeros(m, 0));
         }
-        let decomposition = DMatrix::from_columns(&seen).svd(true, false);
-        let Some(u) = decomposition.u else { return DMatrix::zeros(m, 0) };
-        let kept: Vec<_> = decomposition
-            .singular_values
+        let Svd { u, values, .. } = svd("an unknown direction of the body", DMatrix::from_columns(&seen))?;
+        let kept: Vec<_> = values
             .iter()
             .zip(u.column_iter())
             .filter(|(value, _)| **value > ROUNDING)
             .map(|(_, column)| column.into_owned())
             .collect();
-        DMatrix::from_columns(&kept)
+        Ok(DMatrix::from_columns(&kept))
     }
 }
 
@@ -147,12 +145,10 @@ mod tests {
 
     fn estimate(covariance: [f64; 6], unknown: Vec<Vec<f64>>) -> Estimate {
         let values = [2.0, 3.0, 4.0, 0.0, 0.0, 0.0];
-        let numbers = values.iter().zip(covariance).map(|(&value, variance)| Number {
-            name: String::new(),
-            unit: "kg·m²",
-            value,
-            sd: Some(variance.sqrt()),
-        });
+        let numbers = values
+            .iter()
+            .zip(covariance)
+            .map(|(&value, variance)| Number::new(String::new(), "kg·m²", value, Some(variance.sqrt())));
         let covariance = (0..6).map(|i| (0..6).map(|j| if i == j { covariance[i] } else { 0.0 }).collect());
         Estimate { numbers: numbers.collect(), covariance: covariance.collect(), unknown }
     }
@@ -161,7 +157,7 @@ mod tests {
     fn what_is_least_known_is_the_longest_axis() {
         let estimate = estimate([0.01, 0.04, 0.0025, 0.0001, 0.0025, 0.09], Vec::new());
         let units = BodyUnits::of_tensor(&estimate, 0, true).unwrap();
-        let known = units.knowledge(&Information::of_estimate(&estimate));
+        let known = Information::of_estimate(&estimate).and_then(|all| units.knowledge(&all)).unwrap();
         assert_eq!(known.unknown, 0);
         // √2 · 0.3/4, of the element 23
         assert!((known.largest_sd - 2.0_f64.sqrt() * 0.3 / 4.0).abs() < 1e-12, "{known:?}");
@@ -175,14 +171,11 @@ mod tests {
     fn what_is_exact_has_no_error() {
         let estimate = estimate([0.0; 6], vec![vec![1.0, 0.0, 0.0, 0.0, 0.0, 0.0]]);
         let units = BodyUnits::of_tensor(&estimate, 0, true).unwrap();
-        let exact = Information::of_estimate(&estimate);
-        let known = units.knowledge(&exact);
+        let exact = Information::of_estimate(&estimate).unwrap();
+        let known = units.knowledge(&exact).unwrap();
         assert_eq!((known.unknown, known.largest_sd, known.mean_sd), (1, 0.0, 0.0));
-        let then = units.knowledge(&exact.with_rows(&DMatrix::from_row_slice(
-            1,
-            6,
-            &[2.0, 1.0, 0.0, 0.0, 0.0, 0.0],
-        )));
+        let row = DMatrix::from_row_slice(1, 6, &[2.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
+        let then = exact.with_rows(&row).and_then(|all| units.knowledge(&all)).unwrap();
         assert!(then.unknown == 0 && (then.largest_sd - 0.5 / 4.0).abs() < 1e-15, "{then:?}");
     }
 
@@ -192,10 +185,11 @@ mod tests {
         let (size, other) = (vec![2.0, 3.0, 4.0, 0.0, 0.0, 0.0], vec![1.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
         let estimate = estimate([0.01, 0.01, 0.0, 0.0001, 0.0025, 0.0025], vec![size, other]);
         let shape = BodyUnits::of_tensor(&estimate, 0, false).unwrap();
-        let known = shape.knowledge(&Information::of_estimate(&estimate));
+        let all = Information::of_estimate(&estimate).unwrap();
+        let known = shape.knowledge(&all).unwrap();
         assert_eq!(known.unknown, 1);
         assert_eq!(known.moment_sd, [None, None, Some(0.0)]);
         let tensor = BodyUnits::of_tensor(&estimate, 0, true).unwrap();
-        assert_eq!(tensor.knowledge(&Information::of_estimate(&estimate)).unknown, 2);
+        assert_eq!(tensor.knowledge(&all).unwrap().unknown, 2);
     }
 }

@@ -9,6 +9,7 @@
 //! - [`payload`]: wrenches and motion at a robot's wrist
 
 mod coordinates;
+mod decomposition;
 mod error;
 mod estimate;
 mod knowledge;
@@ -22,7 +23,7 @@ pub mod swing;
 pub mod tumble;
 
 pub use error::IdentifyError;
-pub use estimate::{Estimate, Number};
+pub use estimate::{ANGLE, Estimate, Number, Undetermined};
 pub use knowledge::Knowledge;
 pub use next::{Candidate, NextExperiment};
 pub use principal::PrincipalEstimate;

@@ -63,42 +63,45 @@ impl<'a, E> Comparison<'a, E> {
 
     /// One experiment, with the rows that it would add.
     pub(crate) fn add(&mut self, experiment: E, rows: Result<DMatrix<f64>, IdentifyError>) {
-        match rows {
-            Ok(rows) => {
-                let then = self.units.knowledge(&self.information.with_rows(&rows));
-                self.made.push((Candidate { experiment, then }, rows));
-            }
+        match rows.and_then(|rows| Ok((self.after(self.information, &rows)?, rows))) {
+            Ok((then, rows)) => self.made.push((Candidate { experiment, then }, rows)),
             Err(error) => self.refused.push((experiment, error)),
         }
     }
 
-    pub(crate) fn finish(mut self) -> NextExperiment<E> {
-        self.made.sort_by(|(a, _), (b, _)| order(&a.then, &b.then));
-        NextExperiment {
-            now: self.units.knowledge(self.information),
-            together: self.together(),
-            candidates: self.made.into_iter().map(|(candidate, _)| candidate).collect(),
-            refused: self.refused,
-        }
+    /// Returns the knowledge with more rows.
+    fn after(&self, information: &Information, rows: &DMatrix<f64>) -> Result<Knowledge, IdentifyError> {
+        self.units.knowledge(&information.with_rows(rows)?)
     }
 
-    fn together(&self) -> Vec<usize> {
+    pub(crate) fn finish(mut self) -> Result<NextExperiment<E>, IdentifyError> {
+        self.made.sort_by(|(a, _), (b, _)| order(&a.then, &b.then));
+        Ok(NextExperiment {
+            now: self.units.knowledge(self.information)?,
+            together: self.together()?,
+            candidates: self.made.into_iter().map(|(candidate, _)| candidate).collect(),
+            refused: self.refused,
+        })
+    }
+
+    fn together(&self) -> Result<Vec<usize>, IdentifyError> {
         let mut information = self.information.clone();
-        let mut unknown = self.units.knowledge(&information).unknown;
+        let mut unknown = self.units.knowledge(&information)?.unknown;
         let mut chosen = Vec::new();
         while unknown > 0 {
-            let after = |rows: &DMatrix<f64>| self.units.knowledge(&information.with_rows(rows));
-            let all = self.made.iter().enumerate().map(|(k, (_, rows))| (k, after(rows)));
-            match all.min_by(|(_, a), (_, b)| order(a, b)) {
+            let all = self.made.iter().enumerate();
+            let all = all.map(|(k, (_, rows))| Ok((k, self.after(&information, rows)?)));
+            let all = all.collect::<Result<Vec<_>, IdentifyError>>()?;
+            match all.into_iter().min_by(|(_, a), (_, b)| order(a, b)) {
                 Some((best, then)) if then.unknown < unknown => {
                     unknown = then.unknown;
-                    information = information.with_rows(&self.made[best].1);
+                    information = information.with_rows(&self.made[best].1)?;
                     chosen.push(best);
                 }
-                _ => return Vec::new(),
+                _ => return Ok(Vec::new()),
             }
         }
-        chosen
+        Ok(chosen)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use polhode::math::symmetric_eigen;
 
-use crate::estimate::Estimate;
+use crate::estimate::{ANGLE, Estimate, Undetermined};
 
 /// Principal moments and axes, to first order in the errors of the tensor.
 ///
@@ -31,7 +31,33 @@ pub struct PrincipalEstimate {
     pub turn_sd: [Option<f64>; 3],
 }
 
+/// Widths of the possible ranges of i1/i3, in [0, 1], and i2/i3, in [½, 1].
+const RATIO_RANGES: [f64; 2] = [1.0, 0.5];
+/// Width of the possible range of (i1 + i2 − i3)/i3, in [0, 1].
+const THICKNESS_RANGE: f64 = 1.0;
+
 impl PrincipalEstimate {
+    /// Returns the reason if i1/i3 (`k` = 0) or i2/i3 (`k` = 1) is not determined.
+    ///
+    /// # Panics
+    /// If `k` is neither 0 nor 1.
+    pub fn undetermined_ratio(&self, k: usize) -> Option<Undetermined> {
+        Undetermined::of(self.ratio_sd[k], RATIO_RANGES[k])
+    }
+
+    /// Returns the reason if the thickness is not determined.
+    pub fn undetermined_thickness(&self) -> Option<Undetermined> {
+        Undetermined::of(self.thickness_sd, THICKNESS_RANGE)
+    }
+
+    /// Returns the reason if the turn of all axes about axis `k` is not determined.
+    ///
+    /// # Panics
+    /// If `k` is above 2.
+    pub fn undetermined_turn(&self, k: usize) -> Option<Undetermined> {
+        Undetermined::of(self.turn_sd[k], ANGLE)
+    }
+
     /// Of an estimate whose numbers from `first` are Ixx, Iyy, Izz, Ixy, Ixz, Iyz.
     ///
     /// # Panics

@@ -206,7 +206,7 @@ pub(crate) fn find_flights(
     Flight::of_gyro("log", readings.clone()).map_err(Raise::raise)?;
     let mut search = FlightSearch { slowest, shortest, ..FlightSearch::default() };
     search.torque = torque;
-    Ok(py.detach(|| polhode_identify::tumble::find_flights(&readings, &search)))
+    py.detach(|| polhode_identify::tumble::find_flights(&readings, &search)).map_err(Raise::raise)
 }
 
 /// The arrays of a wrist, a row for each time.

@@ -40,6 +40,11 @@ pub enum BallastError {
         /// Why not.
         why: &'static str,
     },
+    /// A number that was computed from the list and its limits is NaN or infinite.
+    NotFinite {
+        /// Name of the number.
+        quantity: &'static str,
+    },
     /// A limit that says nothing.
     NotLimit(LimitError),
     /// The list has no such estimate.
@@ -60,6 +65,7 @@ impl fmt::Display for BallastError {
             Self::Limit { limit, why } => {
                 write!(f, "no ballast can be sought for the limit \"{limit}\": {why}")
             }
+            Self::NotFinite { quantity } => write!(f, "{quantity} is not finite"),
             Self::NotLimit(error) => error.fmt(f),
             Self::Budget(error) => error.fmt(f),
         }

@@ -109,7 +109,21 @@ impl Problem {
                 }
             }
         }
+        problem.require_finite()?;
         Ok(problem)
+    }
+
+    /// Refuses NaN and infinities before a solver sees them.
+    fn require_finite(&self) -> Result<(), BallastError> {
+        let is_finite = |x: &Interval| x.low.is_finite() && x.high.is_finite();
+        if !self.wholes.iter().flatten().all(is_finite) {
+            return Err(BallastError::NotFinite { quantity: "a moment of the parts list" });
+        }
+        let rows = self.blocks.iter().flat_map(|block| &block.rows);
+        if !rows.flat_map(|row| [row.constant].into_iter().chain(row.by)).all(|x| is_finite(&x)) {
+            return Err(BallastError::NotFinite { quantity: "a coefficient of a limit" });
+        }
+        Ok(())
     }
 
     fn coordinate(&mut self, along: [Interval; 3], basis: Basis) -> usize {

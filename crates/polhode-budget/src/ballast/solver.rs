@@ -39,12 +39,17 @@ impl Columns {
 /// Whether this was built with the solver.
 pub(super) const IS_THERE: bool = cfg!(feature = "ballast");
 
-/// The least Σ x of A x + s = b with s in cones; `None` if the solver gives up.
+/// The least Σ x of A x + s = b with s in cones.
+///
+/// `None` if the solver gives up, or if a number is not finite.
 #[cfg(feature = "ballast")]
 pub(super) fn least_sum(a: Columns, b: &[f64], cones: &[(Kind, usize)]) -> Option<Solved> {
     use clarabel::algebra::CscMatrix;
     use clarabel::solver::{DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 
+    if !a.values.iter().chain(b).all(|x| x.is_finite()) {
+        return None;
+    }
     let columns = a.starts.len() - 1;
     let cone = |(kind, rows): &(Kind, usize)| match kind {
         Kind::Zero => SupportedConeT::ZeroConeT(*rows),
@@ -83,4 +88,21 @@ pub(super) fn least_sum(a: Columns, b: &[f64], cones: &[(Kind, usize)]) -> Optio
 pub(super) fn least_sum(a: Columns, b: &[f64], cones: &[(Kind, usize)]) -> Option<Solved> {
     let _ = (a.rows, a.starts, a.places, a.values, b, cones);
     None
+}
+
+#[cfg(all(test, feature = "ballast"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_that_are_not_finite_are_not_given_to_the_solver() {
+        let solved = |element: f64, right: f64| {
+            let mut a = Columns::of_rows(1);
+            a.push([(0, element)].into_iter());
+            least_sum(a, &[right], &[(Kind::Positive, 1)])
+        };
+        // x ≥ 2: −x + s = −2
+        assert!((solved(-1.0, -2.0).unwrap().x[0] - 2.0).abs() < 1e-9);
+        assert!(solved(f64::NAN, -2.0).is_none() && solved(-1.0, f64::INFINITY).is_none());
+    }
 }

@@ -264,8 +264,40 @@ fn plans_and_logs_that_say_nothing_are_refused() {
     scratch.write("payload.csv", &short.join("\n"));
     scratch.write("plan.toml", "[payload]\nlog = \"payload.csv\"\nwrench = \"on sensor\"\nbias = true\n");
     let error = refused(&scratch.run(&["identify", "plan.toml"]), 2);
-    assert!(error.contains("2 rows, where 13 at least are needed"), "{error}");
+    assert!(error.contains("too few rows: 2, where at least 13 are needed"), "{error}");
     refused(&scratch.run(&["identify", "none.toml"]), 2);
+}
+
+#[test]
+fn one_flight_with_an_added_body_is_refused() {
+    let scratch = Scratch::new("identify-one-added");
+    fs::copy(example("identify/racket-like.csv"), scratch.0.join("racket-like.csv")).unwrap();
+    let plan = "[tumble]\nlog = \"racket-like.csv\"\n[[tumble.flight]]\nfrom = \"8.3 s\"\nto = \"9.2 s\"\n\
+                added = { moments = [\"1e-3 kg m^2\", \"1e-3 kg m^2\", \"1.5e-3 kg m^2\"] }\n";
+    scratch.write("plan.toml", plan);
+    let error = refused(&scratch.run(&["identify", "plan.toml"]), 2);
+    assert!(error.contains("one flight with an added body determines only the ratios"), "{error}");
+    assert!(error.contains("leave out `added`"), "{error}");
+}
+
+#[test]
+fn a_wrench_that_is_all_zero_is_refused() {
+    let scratch = Scratch::new("identify-zero");
+    altered(&scratch, "wrench = \"on sensor\"\n");
+    let log = fs::read_to_string(scratch.0.join("payload.csv")).unwrap();
+    let header = log.lines().find(|line| line.contains("time")).unwrap();
+    let forces: Vec<usize> =
+        header.split(',').enumerate().filter(|(_, name)| name.starts_with("force")).map(|(k, _)| k).collect();
+    assert_eq!(forces.len(), 3, "{header}");
+    let silent = |line: &str| {
+        let cells = line.split(',').enumerate();
+        cells.map(|(k, cell)| if forces.contains(&k) { "0" } else { cell }).collect::<Vec<_>>().join(",")
+    };
+    let is_row = |line: &str| line.starts_with(|c: char| c.is_ascii_digit() || c == '-');
+    let rows = log.lines().map(|line| if is_row(line) { silent(line) } else { line.to_owned() });
+    scratch.write("payload.csv", &rows.collect::<Vec<_>>().join("\n"));
+    let error = refused(&scratch.run(&["identify", "plan.toml"]), 2);
+    assert!(error.contains("every force in the log is zero"), "{error}");
 }
 
 #[test]

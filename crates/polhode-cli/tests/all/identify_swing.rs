@@ -86,6 +86,32 @@ fn what_cannot_be_is_refused() {
 }
 
 #[test]
+fn an_amplitude_that_grows_is_refused() {
+    let scratch = Scratch::new("identify-growing");
+    let plan = fs::read_to_string(example("identify/bifilar.toml")).unwrap();
+    let reversed = "amplitude = [\"14.7 deg\", \"11.4 deg\"]";
+    assert!(plan.contains(reversed));
+    scratch.write("plan.toml", &plan.replace(reversed, "amplitude = [\"11.4 deg\", \"14.7 deg\"]"));
+    let text = refused(&scratch.run(&["identify", "plan.toml"]), 2);
+    assert!(text.contains("viscous damping of about y") && text.contains("does not grow"), "{text}");
+    assert!(text.contains("largest first"), "{text}");
+}
+
+#[test]
+fn swings_are_counted_in_whole_numbers() {
+    let scratch = Scratch::new("identify-count");
+    let plan = fs::read_to_string(example("identify/bifilar.toml")).unwrap();
+    scratch.write("plan.toml", &plan.replacen("swings = 40", "swings = 2.5", 1));
+    let text = refused(&scratch.run(&["identify", "plan.toml"]), 2);
+    assert!(text.contains("plan.toml:28:") && text.contains("a whole number of swings"), "{text}");
+    let amplitudes =
+        "amplitude = [{ after = 0.3, value = \"14.8 deg\" }, { after = 40, value = \"12.1 deg\" }]";
+    scratch.write("plan.toml", &plan.replacen("amplitude = [\"14.8 deg\", \"12.1 deg\"]", amplitudes, 1));
+    let text = refused(&scratch.run(&["identify", "plan.toml"]), 2);
+    assert!(text.contains("plan.toml:28:") && text.contains("whole or half swings"), "{text}");
+}
+
+#[test]
 fn logs_of_a_rod_on_an_edge_hold_the_truth() {
     let scratch = Scratch::new("identify-rod-logs");
     let plan = example("identify/rod-logs.toml");

@@ -112,7 +112,7 @@ fn of_log(
             .invalid("a log of a gyro: flights are found in its rates")
             .with_hint("say when each flight was: [[tumble.flight]] with from and to"));
     }
-    let spans = find_flights(&measured.gyro, search);
+    let spans = find_flights(&measured.gyro, search).map_err(|error| at(log, error))?;
     let [begins, ends] = [measured.gyro.first(), measured.gyro.last()].map(|r| r.map(|r| r.time));
     let mut flights = Vec::new();
     for (k, span) in spans.iter().enumerate() {

@@ -129,7 +129,7 @@ fn descend(
         let jacobian = coordinates.jacobian(&place.shared);
         let triangles: Vec<_> = here.triangles.iter().map(|t| in_coordinates(t, &jacobian)).collect();
         scale.grow(&triangles, place.shared.len());
-        let Some(step) = step(&triangles, &scale, damping, place.shared.len()) else {
+        let Some(step) = step(&triangles, &scale, damping, place.shared.len())? else {
             damping *= 10.0;
             continue;
         };
@@ -198,11 +198,11 @@ fn evaluate(
         let rows = rows?;
         let (cost, weights) = outliers.weigh(&rows);
         if !cost.is_finite() {
-            return Err(IdentifyError::NotFinite);
+            return Err(IdentifyError::NotFinite { quantity: "the sum of the squared residuals" });
         }
         evaluation.cost += cost;
         evaluation.rows += rows.count() as f64;
-        evaluation.triangles.push(rows.triangle(&weights));
+        evaluation.triangles.push(rows.triangle(&weights)?);
     }
     Ok(evaluation)
 }
@@ -289,29 +289,39 @@ impl Place {
 }
 
 /// (JᵀJ + damping D²) step = Jᵀr, by triangles: each group's own numbers are eliminated first.
-fn step(triangles: &[DMatrix<f64>], scale: &Scale, damping: f64, shared: usize) -> Option<Step> {
+///
+/// `None` where that is singular.
+fn step(
+    triangles: &[DMatrix<f64>],
+    scale: &Scale,
+    damping: f64,
+    shared: usize,
+) -> Result<Option<Step>, IdentifyError> {
     let root = damping.sqrt();
     let mut all = DMatrix::zeros(0, shared + 1);
     let mut own = Vec::new();
     for (triangle, scale) in triangles.iter().zip(&scale.local) {
         let local = scale.len();
-        let damped = stacked(triangle, &damping_rows(scale, root, 0, triangle.ncols()));
+        let damped = stacked(triangle, &damping_rows(scale, root, 0, triangle.ncols()))?;
         if damped.nrows() > local {
             all = stacked(
                 &all,
                 &damped.view((local, local), (damped.nrows() - local, shared + 1)).into_owned(),
-            );
+            )?;
         }
         own.push(damped);
     }
-    let all = stacked(&all, &damping_rows(&scale.shared, root, 0, shared + 1));
-    let step_shared =
-        back_substituted(&all.columns(0, shared).into_owned(), &all.column(shared).into_owned())?;
+    let all = stacked(&all, &damping_rows(&scale.shared, root, 0, shared + 1))?;
+    let by_shared = back_substituted(&all.columns(0, shared).into_owned(), &all.column(shared).into_owned());
+    let Some(step_shared) = by_shared else { return Ok(None) };
     let mut local = Vec::new();
     for (damped, scale) in own.iter().zip(&scale.local) {
         let n = scale.len();
         let right = damped.column(n + shared).rows(0, n) - damped.view((0, n), (n, shared)) * &step_shared;
-        local.push(back_substituted(&damped.view((0, 0), (n, n)).into_owned(), &right)?);
+        match back_substituted(&damped.view((0, 0), (n, n)).into_owned(), &right) {
+            Some(own) => local.push(own),
+            None => return Ok(None),
+        }
     }
     // ½ (‖r‖² − ‖r − J step‖²)
     let mut expected = 0.0;
@@ -321,7 +331,7 @@ fn step(triangles: &[DMatrix<f64>], scale: &Scale, damping: f64, shared: usize) 
         let residual = triangle.column(n + shared);
         expected += 0.5 * (residual.norm_squared() - (residual - moved).norm_squared());
     }
-    expected.is_finite().then_some(Step { shared: step_shared, local, expected })
+    Ok(expected.is_finite().then_some(Step { shared: step_shared, local, expected }))
 }
 
 /// The least scale of a number, relative to the largest.

@@ -3,6 +3,8 @@
 use nalgebra::DMatrix;
 
 use super::Information;
+use crate::decomposition::{Svd, qr, svd, symmetric_eigen};
+use crate::error::IdentifyError;
 use crate::estimate::Estimate;
 
 /// An eigenvalue of correlations below this is rounding.
@@ -14,11 +16,12 @@ const ROUNDING: f64 = 1e-7;
 
 impl Information {
     /// What an estimate says.
-    pub(crate) fn of_estimate(estimate: &Estimate) -> Self {
+    pub(crate) fn of_estimate(estimate: &Estimate) -> Result<Self, IdentifyError> {
         let n = estimate.numbers.len();
         let c = &estimate.covariance;
         let unit = |k: usize| if c[k][k] > 0.0 { c[k][k].sqrt() } else { 1.0 };
-        let eigen = DMatrix::from_fn(n, n, |i, j| c[i][j] / (unit(i) * unit(j))).symmetric_eigen();
+        let correlations = DMatrix::from_fn(n, n, |i, j| c[i][j] / (unit(i) * unit(j)));
+        let eigen = symmetric_eigen("the covariance of the estimate", correlations)?;
         let known: Vec<_> = eigen
             .eigenvalues
             .iter()
@@ -28,14 +31,15 @@ impl Information {
             .collect();
         let unknown: Vec<_> =
             estimate.unknown.iter().map(|direction| DMatrix::from_column_slice(n, 1, direction)).collect();
-        Self::with(n, &known, &unknown)
+        Ok(Self::with(n, &known, &unknown))
     }
 
     /// With rows R of derivatives besides, in standard deviations.
     ///
     /// Before, x = L z + U y, with z of variance 1 and y unknown. With R U = P S Qᵀ the rows Pᵀ R say y along Q, and nothing of z; the others say something of z:
     /// its variance is then W Wᵀ, W⁻ᵀ W⁻¹ = 1 + Aᵀ (1 − P Pᵀ) A, A = R L. So x = (L − U Q S⁻¹ Pᵀ A) W z + U Q S⁻¹ e + what stays unknown.
-    pub(crate) fn with_rows(&self, rows: &DMatrix<f64>) -> Self {
+    pub(crate) fn with_rows(&self, rows: &DMatrix<f64>) -> Result<Self, IdentifyError> {
+        const DERIVATIVES: &str = "a derivative of what another experiment would measure";
         let (n, known) = (self.root.nrows(), self.root.ncols());
         let a = rows * &self.root;
         let (mut seen, mut unseen) = (Vec::new(), Vec::new());
@@ -53,11 +57,10 @@ impl Information {
             // as many rows as columns at least, for all right vectors
             let mut of_unknown = DMatrix::zeros(rows.nrows().max(u.ncols()), u.ncols());
             of_unknown.rows_mut(0, rows.nrows()).copy_from(&(rows * &u));
-            let decomposition = of_unknown.svd(true, true);
-            let largest = decomposition.singular_values.max();
-            for (k, &value) in decomposition.singular_values.iter().enumerate() {
-                let (Some(p), Some(q)) = (&decomposition.u, &decomposition.v_t) else { continue };
-                let direction = &u * q.row(k).transpose();
+            let Svd { u: p, values, v_t } = svd(DERIVATIVES, of_unknown)?;
+            let largest = values.max();
+            for (k, &value) in values.iter().enumerate() {
+                let direction = &u * v_t.row(k).transpose();
                 if value <= ROUNDING * largest {
                     let most = direction.amax();
                     let part = |x: f64| if x.abs() > NO_PART * most { x } else { 0.0 };
@@ -75,12 +78,12 @@ impl Information {
             let mut all = DMatrix::identity(known + rest.nrows(), known);
             all.rows_mut(known, rest.nrows()).copy_from(&rest);
             // L W = (W⁻ᵀ Lᵀ)ᵀ; the triangle's diagonal is not below 1
-            let turned = all.qr().r().tr_solve_upper_triangular(&root.transpose());
+            let turned = qr(DERIVATIVES, all)?.r().tr_solve_upper_triangular(&root.transpose());
             root = turned.map_or(root, |turned| turned.transpose());
         }
         let said = root.column_iter().map(|c| DMatrix::from_column_slice(n, 1, c.as_slice()));
         let all: Vec<_> = said.chain(found).collect();
-        Self::with(n, &all, &unseen)
+        Ok(Self::with(n, &all, &unseen))
     }
 }
 
@@ -101,10 +104,11 @@ mod tests {
         let first = DMatrix::from_row_slice(2, 3, &[1.0, 0.3, -0.2, 0.4, 2e3, 0.1]);
         let second = DMatrix::from_row_slice(2, 3, &[0.2, -0.5, 1e-3, 3.0, 0.7, 0.6]);
         let both = DMatrix::from_fn(4, 3, |i, j| if i < 2 { first[(i, j)] } else { second[(i - 2, j)] });
-        let before = Information::of(&first);
+        let before = Information::of(&first).unwrap();
         assert_eq!(before.unknown.ncols(), 1);
         let (after, at_once) =
-            (Information::of_estimate(&estimate(&before)).with_rows(&second), Information::of(&both));
+            (Information::of_estimate(&estimate(&before)), Information::of(&both).unwrap());
+        let after = after.and_then(|before| before.with_rows(&second)).unwrap();
         assert_eq!(after.unknown.ncols(), 0);
         for i in 0..3 {
             for j in 0..3 {
@@ -126,12 +130,12 @@ mod tests {
                 0.6, 0.3,
             ],
         );
-        let mut known = Information::of(&rows.rows(0, 1).into_owned());
+        let mut known = Information::of(&rows.rows(0, 1).into_owned()).unwrap();
         for k in 1..5 {
-            known = known.with_rows(&rows.rows(k, 1).into_owned());
+            known = known.with_rows(&rows.rows(k, 1).into_owned()).unwrap();
             assert_eq!(known.unknown.ncols(), 3_usize.saturating_sub(k));
         }
-        let at_once = Information::of(&rows);
+        let at_once = Information::of(&rows).unwrap();
         for i in 0..4 {
             for j in 0..4 {
                 let size = (at_once.covariance[(i, i)] * at_once.covariance[(j, j)]).sqrt();
@@ -143,8 +147,8 @@ mod tests {
 
     #[test]
     fn what_they_do_not_say_stays_unknown() {
-        let before = Information::of(&DMatrix::from_row_slice(1, 3, &[1.0, 0.3, -0.2]));
-        let after = before.with_rows(&DMatrix::from_row_slice(1, 3, &[2.0, 0.6, -0.4]));
+        let before = Information::of(&DMatrix::from_row_slice(1, 3, &[1.0, 0.3, -0.2])).unwrap();
+        let after = before.with_rows(&DMatrix::from_row_slice(1, 3, &[2.0, 0.6, -0.4])).unwrap();
         assert_eq!(after.unknown.ncols(), 2);
         let g = [1.0, 0.3, -0.2];
         let [sd, then] = [&before, &after].map(|known| known.deviation(&g).unwrap());

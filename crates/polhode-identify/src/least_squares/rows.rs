@@ -2,6 +2,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::decomposition::qr;
+use crate::error::IdentifyError;
+
 /// Rows of one group: derivatives of the prediction by the group's own numbers and by the shared ones, and the residual, measured less predicted,
 /// all in standard deviations.
 #[derive(Clone, Debug)]
@@ -110,15 +113,15 @@ impl Rows {
     }
 
     /// Derivatives by the shared numbers of what the rows say once the group's own are found from them too.
-    pub(crate) fn without_own(&self) -> DMatrix<f64> {
-        let triangle = self.triangle(&[]);
+    pub(crate) fn without_own(&self) -> Result<DMatrix<f64>, IdentifyError> {
+        let triangle = self.triangle(&[])?;
         let rows = triangle.nrows().saturating_sub(self.local);
-        triangle.view((triangle.nrows() - rows, self.local), (rows, self.shared)).into_owned()
+        Ok(triangle.view((triangle.nrows() - rows, self.local), (rows, self.shared)).into_owned())
     }
 
     /// The rows, each measurement times the root of its weight, as an upper triangle with the same normal equations: columns are the group's own numbers,
     /// the shared ones, the residual.
-    pub(crate) fn triangle(&self, weights: &[f64]) -> DMatrix<f64> {
+    pub(crate) fn triangle(&self, weights: &[f64]) -> Result<DMatrix<f64>, IdentifyError> {
         let width = self.width();
         let mut triangle = DMatrix::zeros(0, width);
         let mut measurement = 0;
@@ -130,7 +133,7 @@ impl Rows {
             let root = weights.get(measurement).copied().unwrap_or(1.0).sqrt();
             block.extend(elements.iter().map(|x| x * root));
             if block.len() >= BLOCK * width {
-                triangle = stacked(&triangle, &DMatrix::from_row_slice(block.len() / width, width, &block));
+                triangle = stacked(&triangle, &DMatrix::from_row_slice(block.len() / width, width, &block))?;
                 block.clear();
             }
         }
@@ -142,10 +145,13 @@ impl Rows {
 const BLOCK: usize = 128;
 
 /// The triangle of two sets of rows.
-pub(crate) fn stacked(above: &DMatrix<f64>, below: &DMatrix<f64>) -> DMatrix<f64> {
+pub(crate) fn stacked(above: &DMatrix<f64>, below: &DMatrix<f64>) -> Result<DMatrix<f64>, IdentifyError> {
     let width = below.ncols();
     let mut rows = DMatrix::zeros(above.nrows() + below.nrows(), width);
     rows.rows_mut(0, above.nrows()).copy_from(above);
     rows.rows_mut(above.nrows(), below.nrows()).copy_from(below);
-    if rows.nrows() == 0 { rows } else { rows.qr().r() }
+    if rows.nrows() == 0 {
+        return Ok(rows);
+    }
+    Ok(qr("a residual or derivative of the measurements", rows)?.r())
 }

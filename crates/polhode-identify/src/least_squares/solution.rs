@@ -5,6 +5,8 @@ use nalgebra::DMatrix;
 use super::Place;
 use super::rows::stacked;
 use crate::coordinates::Coordinates;
+use crate::decomposition::{Svd, svd};
+use crate::error::IdentifyError;
 use crate::estimate::changes_along;
 
 /// Where the sum of squares is least.
@@ -41,14 +43,14 @@ impl Solution {
     }
 
     /// Of the shared numbers, with each group's own unknown.
-    pub(crate) fn information(&self) -> Information {
+    pub(crate) fn information(&self) -> Result<Information, IdentifyError> {
         let shared = self.shared.len();
         let mut all = DMatrix::zeros(0, shared);
         for (triangle, own) in self.triangles.iter().zip(&self.place.local) {
             let n = own.len();
             if triangle.nrows() > n {
                 let rest = triangle.view((n, n), (triangle.nrows() - n, shared)).into_owned();
-                all = stacked(&all, &rest);
+                all = stacked(&all, &rest)?;
             }
         }
         Information::of(&all)
@@ -81,7 +83,7 @@ impl Solution {
 
 impl Information {
     /// Of rows of derivatives, in standard deviations.
-    pub(crate) fn of(rows: &DMatrix<f64>) -> Self {
+    pub(crate) fn of(rows: &DMatrix<f64>) -> Result<Self, IdentifyError> {
         let n = rows.ncols();
         let norms: Vec<f64> = rows.column_iter().map(|column| column.norm()).collect();
         let unit = |k: usize| if norms[k] > 0.0 { norms[k] } else { 1.0 };
@@ -89,11 +91,10 @@ impl Information {
         for k in 0..n {
             scaled.view_mut((0, k), (rows.nrows(), 1)).copy_from(&(rows.column(k) / unit(k)));
         }
-        let decomposition = scaled.svd(false, true);
-        let vectors = decomposition.v_t.unwrap_or_else(|| DMatrix::identity(n, n));
-        let largest = decomposition.singular_values.max();
+        let Svd { values, v_t: vectors, .. } = svd("a derivative of the predictions", scaled)?;
+        let largest = values.max();
         let (mut known, mut unknown) = (Vec::new(), Vec::new());
-        for (k, &value) in decomposition.singular_values.iter().enumerate() {
+        for (k, &value) in values.iter().enumerate() {
             let part =
                 |i: usize, least: f64| if vectors[(k, i)].abs() > least { vectors[(k, i)] } else { 0.0 };
             if value > ZERO * largest {
@@ -102,7 +103,7 @@ impl Information {
                 unknown.push(DMatrix::from_fn(n, 1, |i, _| part(i, NO_PART) / unit(i)));
             }
         }
-        Self::with(n, &known, &unknown)
+        Ok(Self::with(n, &known, &unknown))
     }
 
     /// Of independent directions, each of one standard deviation, and of those in which nothing is known.

@@ -7,6 +7,8 @@ use polhode::math::symmetric_eigen;
 
 use super::about::about_center;
 use super::possible::moments_about_center;
+use crate::decomposition::qr;
+use crate::error::IdentifyError;
 use crate::estimate::Estimate;
 use crate::least_squares::Information;
 
@@ -81,7 +83,11 @@ const NONE: f64 = 1e-3;
 
 impl Edge {
     /// Of an answer, where unconstrained numbers are not possible.
-    pub(super) fn of(numbers: &[f64], unconstrained: &[f64], information: &Information) -> Option<Self> {
+    pub(super) fn of(
+        numbers: &[f64],
+        unconstrained: &[f64],
+        information: &Information,
+    ) -> Result<Option<Self>, IdentifyError> {
         let (values, vectors) = symmetric_eigen(moments_about_center(numbers));
         let mut thin = Vec::new();
         for (value, direction) in values.into_iter().zip(vectors) {
@@ -102,11 +108,11 @@ impl Edge {
             1 => EdgeKind::Lamina,
             2 => EdgeKind::Rod,
             3 => EdgeKind::Point,
-            _ => return None,
+            _ => return Ok(None),
         };
         let normals: Vec<_> = thin.iter().map(|thin| thin.direction).collect();
-        let along = along(numbers, &normals, information).map(|along| about_center(numbers, &along));
-        Some(Self { kind, thin, along })
+        let along = along(numbers, &normals, information)?.map(|along| about_center(numbers, &along));
+        Ok(Some(Self { kind, thin, along }))
     }
 
     /// All errors times a factor.
@@ -121,13 +127,21 @@ impl Edge {
 }
 
 /// What is known of a body of this kind.
-pub(super) fn of_kind(numbers: &[f64], kind: EdgeKind, information: &Information) -> Option<Information> {
+pub(super) fn of_kind(
+    numbers: &[f64],
+    kind: EdgeKind,
+    information: &Information,
+) -> Result<Option<Information>, IdentifyError> {
     let (_, vectors) = symmetric_eigen(moments_about_center(numbers));
     along(numbers, &vectors[..kind.thin()], information)
 }
 
 /// What is known where nᵀ G n' keeps at zero for all normals n, n'. `None` where that does not follow from the measurements.
-fn along(numbers: &[f64], normals: &[[f64; 3]], information: &Information) -> Option<Information> {
+fn along(
+    numbers: &[f64],
+    normals: &[[f64; 3]],
+    information: &Information,
+) -> Result<Option<Information>, IdentifyError> {
     let n = numbers.len();
     let slopes: Vec<_> = (0..normals.len())
         .flat_map(|i| (0..=i).map(move |j| (i, j)))
@@ -136,16 +150,18 @@ fn along(numbers: &[f64], normals: &[[f64; 3]], information: &Information) -> Op
     // δ = root e, e of variance 1: what of e moves along the edge
     let mut across = DMatrix::zeros(information.root.ncols(), slopes.len());
     for (k, slope) in slopes.into_iter().enumerate() {
-        information.deviation(&slope)?;
+        if information.deviation(&slope).is_none() {
+            return Ok(None);
+        }
         let scaled = information.root.tr_mul(&DMatrix::from_vec(n, 1, slope));
         across.set_column(k, &(&scaled / scaled.norm()).column(0));
     }
-    let q = across.qr().q();
+    let q = qr("the directions across the edge", across)?.q();
     let rest = &information.root - &information.root * &q * q.transpose();
     let columns = |of: &DMatrix<f64>| -> Vec<DMatrix<f64>> {
         of.column_iter().map(|c| DMatrix::from_column_slice(n, 1, c.as_slice())).collect()
     };
-    Some(Information::with(n, &columns(&rest), &columns(&information.unknown)))
+    Ok(Some(Information::with(n, &columns(&rest), &columns(&information.unknown))))
 }
 
 /// Gradient of aᵀ G b by the numbers, G = ½ tr(I) 1 − I − h hᵀ/m.

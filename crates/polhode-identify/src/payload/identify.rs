@@ -14,6 +14,7 @@ use super::regression::{Pass, Regression};
 use super::small::Matrix6;
 use super::{mistake, noise, possible, shape};
 use crate::ON_EARTH;
+use crate::decomposition::symmetric_eigen as eigen;
 use crate::error::IdentifyError;
 use crate::least_squares::Information;
 use crate::residuals::{Noise, ResidualTest};
@@ -59,9 +60,9 @@ pub fn identify_payload(log: &PayloadLog) -> Result<Payload, IdentifyError> {
         numbers: free.as_slice().to_vec(),
     };
     let (edge, of_kind) = match log.kind {
-        Some(kind) => (None, edge::of_kind(numbers, kind, &information)),
+        Some(kind) => (None, edge::of_kind(numbers, kind, &information)?),
         None if is_possible => (None, None),
-        None => (Edge::of(numbers, free.as_slice(), &information), None),
+        None => (Edge::of(numbers, free.as_slice(), &information)?, None),
     };
     let mut findings = findings(log, &unconstrained, &tests, &information);
     findings.extend(settled.outliers.too_many.map(|count| PayloadFinding::ManyOutliers { count }));
@@ -111,7 +112,7 @@ fn settle(log: &PayloadLog) -> Result<Settled<'_>, IdentifyError> {
     let [first, others @ ..] = MOSTLY_NOISE;
     let has_noise = log.motion_deviations().iter().any(|&sd| sd > 0.0);
     settle_with(log, first).or_else(|error| match error {
-        IdentifyError::NoConvergence { .. } | IdentifyError::NotFinite if has_noise => {
+        IdentifyError::NoConvergence { .. } | IdentifyError::NotFinite { .. } if has_noise => {
             let settled = others.into_iter().find_map(|mostly_noise| settle_with(log, mostly_noise).ok());
             settled.ok_or(IdentifyError::NoConvergence { steps: MOST_PASSES })
         }
@@ -181,14 +182,15 @@ impl Settled<'_> {
     ///
     /// Besides, the root of (RᵀR)⁻¹ in the directions that are known: what steps are made of.
     fn information(&self) -> Result<(Information, DMatrix<f64>), IdentifyError> {
-        let information = Information::of(&self.rows());
+        let information = Information::of(&self.rows())?;
         if !self.regression.has_motion_noise() {
             let root = information.root.clone();
             return Ok((information, root));
         }
         let n = self.numbers.len();
         let noise = self.regression.noise_information(self.numbers.as_slice(), &self.noise)?;
-        let shares = (information.root.transpose() * noise * &information.root).symmetric_eigen();
+        let shares = information.root.transpose() * noise * &information.root;
+        let shares = eigen("the information that is noise of the motion", shares)?;
         let (mut known, mut unknown) = (Vec::new(), Vec::new());
         for column in information.unknown.column_iter() {
             unknown.push(DMatrix::from_column_slice(n, 1, column.as_slice()));
@@ -247,7 +249,7 @@ impl Settled<'_> {
             possible::least_squares(&r, &z, &self.numbers, &free, &information.unknown)?
         };
         if let Some(kind) = self.log.kind {
-            numbers = shape::least_squares(&r, &z, &self.numbers, &numbers, kind);
+            numbers = shape::least_squares(&r, &z, &self.numbers, &numbers, kind)?;
         }
         let rise = (&z - &r * (&numbers - &self.numbers)).norm_squared()
             - (&z - &r * (&free - &self.numbers)).norm_squared();

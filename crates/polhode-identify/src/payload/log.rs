@@ -114,6 +114,7 @@ impl PayloadLog {
     ///
     /// # Errors
     /// Where a number is not finite or times do not ascend.
+    /// [`IdentifyError::AllZero`] where all forces, or all torques, are zero.
     pub fn new(rows: Vec<PayloadRow>, sense: WrenchSense) -> Result<Self, IdentifyError> {
         let mut before = f64::NEG_INFINITY;
         for row in &rows {
@@ -131,6 +132,14 @@ impl PayloadLog {
             }
             IdentifyError::require("a time", row.time, row.time > before, "finite and after the one before")?;
             before = row.time;
+        }
+        // A connected sensor has noise: zeros are columns that nothing wrote.
+        let zero = |of: fn(&PayloadRow) -> [f64; 3]| rows.iter().all(|row| of(row) == [0.0; 3]);
+        if !rows.is_empty() && zero(|row| row.force.to_array()) {
+            return Err(IdentifyError::AllZero { what: "force" });
+        }
+        if !rows.is_empty() && zero(|row| row.torque.to_array()) {
+            return Err(IdentifyError::AllZero { what: "torque" });
         }
         Ok(Self {
             rows,

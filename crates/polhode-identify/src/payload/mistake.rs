@@ -83,10 +83,10 @@ fn fit(log: &PayloadLog, noise: &Matrix6, weights: &[f64], mistake: Option<Mista
         }
     }
     let count = force.count() + torque.count();
-    let torque = torque.triangle(&[]);
-    let triangle: DMatrix<f64> = stacked(&force.triangle(&[]), &torque);
+    let torque = torque.triangle(&[]).ok()?;
+    let triangle: DMatrix<f64> = stacked(&force.triangle(&[]).ok()?, &torque).ok()?;
     let (r, z) = (triangle.columns(0, n), triangle.column(n));
-    let information = Information::of(&r.into_owned());
+    let information = Information::of(&r.into_owned()).ok()?;
     let mut numbers = &information.root * (information.root.transpose() * r.tr_mul(&z));
     let left = z - r * &numbers;
     numbers += &information.root * (information.root.transpose() * r.tr_mul(&left));

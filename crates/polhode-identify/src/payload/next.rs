@@ -47,17 +47,20 @@ const STILL: f64 = 1e-6;
 
 /// Motions that could be made next, best first: with the root mean squares of ω and dω/dt of the log, its gravity and its noise. Noise of the motion counts in
 /// the weights of rows only. `None` of a point, which has no moments to compare.
-pub fn next_motion(log: &PayloadLog, found: &Payload) -> Option<NextExperiment<NextMotion>> {
-    let of_center = BodyUnits::of_payload(&found.about_center)?;
+pub fn next_motion(
+    log: &PayloadLog,
+    found: &Payload,
+) -> Result<Option<NextExperiment<NextMotion>>, IdentifyError> {
+    let Some(of_center) = BodyUnits::of_payload(&found.about_center) else { return Ok(None) };
     let numbers: Vec<f64> = found.about_origin.numbers.iter().map(|number| number.value).collect();
     let units = of_center.after(&to_center(&numbers).1);
-    let information = Information::of_estimate(&found.about_origin);
+    let information = Information::of_estimate(&found.about_origin)?;
     let mut next = Comparison::new(&units, &information);
     for motion in candidates(log) {
         let rows = rows(log, found, &numbers, motion);
         next.add(motion, rows);
     }
-    Some(next.finish())
+    Ok(Some(next.finish()?))
 }
 
 /// Six ways to be at rest, and turns about nine axes, each level and upright.

@@ -16,6 +16,7 @@ use polhode::math::symmetric_eigen;
 
 use super::motion::PLACES;
 use super::small::cholesky;
+use crate::decomposition::qr;
 use crate::error::IdentifyError;
 
 /// The least ½χ² is found to within four times this, relative to 1 + ½χ².
@@ -47,21 +48,22 @@ pub(super) fn least_squares(
     unknown: &DMatrix<f64>,
 ) -> Result<DVector<f64>, IdentifyError> {
     let n = from.len();
-    let pull = pull(unknown, n);
+    let pull = pull(unknown, n)?;
+    let not_finite = IdentifyError::NotFinite { quantity: "the pseudo-inertia of a possible body" };
     let mut place = inside(free);
     let rest = |place: &DVector<f64>| z - r * (place - from);
     let mut mu = (0.5 * rest(&place).norm_squared()).max(1.0);
     for _ in 0..MOST_STEPS {
         let Some(l) = cholesky(&pseudo_inertia(place.as_slice())) else {
-            return Err(IdentifyError::NotFinite);
+            return Err(not_finite);
         };
-        let step = newton(r, &rest(&place), &l, mu, &pull).ok_or(IdentifyError::NotFinite)?;
+        let step = newton(r, &rest(&place), &l, mu, &pull)?.ok_or_else(|| not_finite.clone())?;
         let value = |place: &DVector<f64>| {
             let l = cholesky(&pseudo_inertia(place.as_slice()))?;
             let barrier: f64 = (0..4).map(|k| libm::log(l[k][k])).sum();
             Some(0.5 * rest(place).norm_squared() - 2.0 * mu * barrier + pull.dot(place))
         };
-        let here = value(&place).ok_or(IdentifyError::NotFinite)?;
+        let here = value(&place).ok_or_else(|| not_finite.clone())?;
         // The function is self-concordant: shorter steps than 1/(1 + ν) are never needed, but for rounding.
         let shortest = 0.25 / (1.0 + (step.decrement / mu).sqrt());
         let lowers = |taken: f64| {
@@ -92,7 +94,14 @@ struct Newton {
     decrement: f64,
 }
 
-fn newton(r: &DMatrix<f64>, z: &DVector<f64>, l: &Matrix4, mu: f64, pull: &DVector<f64>) -> Option<Newton> {
+/// `None` where the equations are singular.
+fn newton(
+    r: &DMatrix<f64>,
+    z: &DVector<f64>,
+    l: &Matrix4,
+    mu: f64,
+    pull: &DVector<f64>,
+) -> Result<Option<Newton>, IdentifyError> {
     let (rows, n) = r.shape();
     let mut all = DMatrix::zeros(rows + 10, n + 1);
     all.view_mut((0, 0), (rows, n)).copy_from(r);
@@ -104,26 +113,27 @@ fn newton(r: &DMatrix<f64>, z: &DVector<f64>, l: &Matrix4, mu: f64, pull: &DVect
         }
     }
     (0..4).for_each(|k| all[(rows + k, n)] = root);
-    let triangle = all.qr().r();
+    let triangle = qr("a derivative of the pseudo-inertia", all)?.r();
     let upper = triangle.view((0, 0), (n, n)).into_owned();
-    let pulled = upper.tr_solve_upper_triangular(pull)?;
+    let Some(pulled) = upper.tr_solve_upper_triangular(pull) else { return Ok(None) };
     let right = triangle.view((0, n), (n, 1)).column(0) - pulled;
-    let delta = upper.solve_upper_triangular(&right)?;
+    let Some(delta) = upper.solve_upper_triangular(&right) else { return Ok(None) };
     let decrement = right.norm_squared();
-    (decrement.is_finite() && delta.iter().all(|d| d.is_finite())).then_some(Newton { delta, decrement })
+    let is_finite = decrement.is_finite() && delta.iter().all(|d| d.is_finite());
+    Ok(is_finite.then_some(Newton { delta, decrement }))
 }
 
 /// The gradient of a small multiple of tr P, along what is unknown alone.
-fn pull(unknown: &DMatrix<f64>, n: usize) -> DVector<f64> {
+fn pull(unknown: &DMatrix<f64>, n: usize) -> Result<DVector<f64>, IdentifyError> {
     let mut trace = DVector::zeros(n);
     trace[0] = 1.0;
     (4..7).for_each(|k| trace[k] = 0.5);
     let mut pull = DVector::zeros(n);
     if unknown.ncols() > 0 {
-        let q = unknown.clone().qr().q();
+        let q = qr("an unknown direction", unknown.clone())?.q();
         pull = &q * (q.transpose() * trace) * SMALL;
     }
-    pull
+    Ok(pull)
 }
 
 /// How much of the trace counts: what is unknown has no other cost.

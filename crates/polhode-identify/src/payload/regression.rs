@@ -90,7 +90,7 @@ impl<'a> Regression<'a> {
             left: Vec::with_capacity(count),
             propagated: [0.0; 2],
         };
-        let known = small::cholesky(noise).ok_or(IdentifyError::NotFinite)?;
+        let known = cholesky(noise)?;
         for row in 0..count {
             if self.has_motion_noise() {
                 self.improve_motion(row, numbers, noise)?;
@@ -118,9 +118,9 @@ impl<'a> Regression<'a> {
         if self.log.noise == WrenchNoise::Unknown {
             pass.differences = [&force, &torque].map(|rows| rows.information_of_differences(&self.weights));
         }
-        pass.force = force.triangle(&self.weights);
-        pass.torque = torque.triangle(&self.weights);
-        pass.triangle = stacked(&pass.force, &pass.torque);
+        pass.force = force.triangle(&self.weights)?;
+        pass.torque = torque.triangle(&self.weights)?;
+        pass.triangle = stacked(&pass.force, &pass.torque)?;
         Ok(pass)
     }
 
@@ -167,7 +167,7 @@ impl<'a> Regression<'a> {
                 noise[i][j] + (0..9).map(spread).sum::<f64>()
             })
         });
-        let l = small::cholesky(&covariance).ok_or(IdentifyError::NotFinite)?;
+        let l = cholesky(&covariance)?;
         Ok(Whitened { l, regressor, jacobian, left })
     }
 
@@ -192,7 +192,7 @@ impl<'a> Regression<'a> {
         let (count, n) = (self.log.rows().len(), numbers.len());
         let stride = count.div_ceil(SAMPLED);
         let scale = count as f64 / count.div_ceil(stride) as f64;
-        let own = small::cholesky(noise).ok_or(IdentifyError::NotFinite)?;
+        let own = cholesky(noise)?;
         let mut sum = DMatrix::zeros(n, n);
         for row in (0..count).step_by(stride).filter(|&row| self.weights[row] > 0.0) {
             let white = self.whitened(row, numbers, noise, &own)?;
@@ -236,6 +236,12 @@ impl<'a> Regression<'a> {
         }
         all
     }
+}
+
+/// L of L Lᵀ.
+fn cholesky(covariance: &Matrix6) -> Result<Matrix6, IdentifyError> {
+    let quantity = "the Cholesky factor of the wrench's covariance";
+    small::cholesky(covariance).ok_or(IdentifyError::NotFinite { quantity })
 }
 
 /// Rows that show how much noise the motion brings.

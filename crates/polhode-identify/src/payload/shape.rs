@@ -9,6 +9,8 @@ use polhode::math::symmetric_eigen;
 use super::edge::EdgeKind;
 use super::motion::PLACES;
 use super::possible::moments_about_center;
+use crate::decomposition::{Svd, svd};
+use crate::error::IdentifyError;
 
 /// Steps at most.
 const MOST_STEPS: usize = 100;
@@ -28,13 +30,13 @@ pub(super) fn least_squares(
     from: &DVector<f64>,
     start: &DVector<f64>,
     kind: EdgeKind,
-) -> DVector<f64> {
+) -> Result<DVector<f64>, IdentifyError> {
     let mut place = Place::near(start, 3 - kind.thin());
     let rest = |place: &Place| z - r * (place.physical() - from);
     let mut here = rest(&place);
     let mut damping = 1e-6;
     for _ in 0..MOST_STEPS {
-        let Some(step) = step(&(r * place.jacobian()), &here, damping) else { break };
+        let Some(step) = step(&(r * place.jacobian()), &here, damping)? else { break };
         let there = Place { extent: place.extent, numbers: &place.numbers + &step };
         let left = rest(&there);
         let gain = 0.5 * (here.norm_squared() - left.norm_squared());
@@ -52,27 +54,30 @@ pub(super) fn least_squares(
             }
         }
     }
-    place.physical()
+    Ok(place.physical())
 }
 
 /// δ of (JᵀJ + damping D²) δ = Jᵀ r, D the norms of columns.
-fn step(jacobian: &DMatrix<f64>, residual: &DVector<f64>, damping: f64) -> Option<DVector<f64>> {
+fn step(
+    jacobian: &DMatrix<f64>,
+    residual: &DVector<f64>,
+    damping: f64,
+) -> Result<Option<DVector<f64>>, IdentifyError> {
     let norms: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();
     let mut scaled = jacobian.clone();
     for (mut column, norm) in scaled.column_iter_mut().zip(&norms) {
         column /= if *norm > 0.0 { *norm } else { 1.0 };
     }
-    let decomposition = scaled.svd(true, true);
-    let (u, v) = (decomposition.u?, decomposition.v_t?);
+    let Svd { u, values, v_t } = svd("a derivative by the numbers of a thin body", scaled)?;
     let mut along = u.tr_mul(residual);
-    for (x, s) in along.iter_mut().zip(&decomposition.singular_values) {
+    for (x, s) in along.iter_mut().zip(&values) {
         *x *= s / (s * s + damping);
     }
-    let mut step = v.tr_mul(&along);
+    let mut step = v_t.tr_mul(&along);
     for (x, norm) in step.iter_mut().zip(&norms) {
         *x /= if *norm > 0.0 { *norm } else { 1.0 };
     }
-    step.iter().all(|x| x.is_finite()).then_some(step)
+    Ok(step.iter().all(|x| x.is_finite()).then_some(step))
 }
 
 impl Place {

@@ -93,7 +93,8 @@ fn start(plan: &SwingPlan, swings: &Swings) -> Result<Vec<f64>, IdentifyError> {
     }
     let mass = plan.measured()[MASS].value;
     let mut best: Option<(f64, Vec<f64>)> = None;
-    let mut refused = IdentifyError::NotFinite;
+    let mut refused =
+        IdentifyError::NotFinite { quantity: "the misfit of every radius of gyration that was tried" };
     for step in 0..SIZES {
         let radius = SMALLEST * libm::pow(LARGEST / SMALLEST, f64::from(step) / f64::from(SIZES - 1));
         shared[tensor..tensor + 3].fill(mass * radius * radius);
@@ -116,7 +117,7 @@ const SIZES: u32 = 48;
 /// All that is to be said of a solution.
 fn said(plan: &SwingPlan, swings: &Swings, solution: &Solution) -> Result<SwingEstimate, IdentifyError> {
     let places = plan.places();
-    let found = solution.information();
+    let found = solution.information()?;
     let values = swings.all(&solution.shared);
     let mut tests = Vec::new();
     let mut together = Together::default();
@@ -156,6 +157,7 @@ fn said(plan: &SwingPlan, swings: &Swings, solution: &Solution) -> Result<SwingE
         for number in &mut result.own {
             number.sd = number.sd.map(|sd| sd * widening);
         }
+        require_decay(result)?;
     }
     let [xx, yy, zz, xy, xz, yz] = core::array::from_fn(|k| values[TENSOR + k]);
     let inertia = InertiaTensor::with_negative_products([xx, yy, zz], [xy, xz, yz])?;
@@ -171,12 +173,8 @@ fn said(plan: &SwingPlan, swings: &Swings, solution: &Solution) -> Result<SwingE
 fn moment(values: &[f64], by_elements: &[f64; 6], estimate: &Estimate) -> Number {
     let mut gradient = vec![0.0; values.len()];
     gradient[TENSOR..TENSOR + 6].copy_from_slice(by_elements);
-    Number {
-        name: "moment about the axis".to_owned(),
-        unit: "kg·m²",
-        value: gradient.iter().zip(values).map(|(g, v)| g * v).sum(),
-        sd: estimate.deviation(&gradient),
-    }
+    let value = gradient.iter().zip(values).map(|(g, v)| g * v).sum();
+    Number::new("moment about the axis".to_owned(), "kg·m²", value, estimate.deviation(&gradient))
 }
 
 /// What is left of a group, in standard deviations.
@@ -214,6 +212,21 @@ impl Together {
     }
 }
 
+/// Refuses a swing whose damping is negative beyond chance: its amplitude would grow.
+fn require_decay(result: &SwingResult) -> Result<(), IdentifyError> {
+    let damping = result.own.iter().filter(|number| number.name.ends_with("damping"));
+    for Number { name, unit, value, sd, .. } in damping {
+        if let Some(sd) = sd.filter(|sd| *value < -NO_CHANCE * sd) {
+            let (number, test) = (name.clone(), result.name.clone());
+            return Err(IdentifyError::Growing { test, number, value: *value, sd, unit });
+        }
+    }
+    Ok(())
+}
+
+/// Standard deviations that are beyond chance.
+const NO_CHANCE: f64 = 5.0;
+
 /// A test's own numbers.
 fn own(measurement: &Measurement, solution: &Solution, group: usize, found: &Information) -> Vec<Number> {
     let damping = measurement.damping();
@@ -229,11 +242,9 @@ fn own(measurement: &Measurement, solution: &Solution, group: usize, found: &Inf
         names.push(("quadratic damping", "1"));
     }
     let covariance = solution.local_covariance(group, found);
-    let number = |(k, ((name, unit), &value)): (usize, ((&str, &'static str), &f64))| Number {
-        name: name.to_owned(),
-        unit,
-        value,
-        sd: covariance.as_ref().map(|c| c[(k, k)].max(0.0).sqrt()).filter(|sd| sd.is_finite()),
+    let number = |(k, ((name, unit), &value)): (usize, ((&str, &'static str), &f64))| {
+        let sd = covariance.as_ref().map(|c| c[(k, k)].max(0.0).sqrt()).filter(|sd| sd.is_finite());
+        Number::new(name.to_owned(), unit, value, sd)
     };
     names.into_iter().zip(&solution.place.local[group]).enumerate().map(number).collect()
 }

@@ -2,6 +2,7 @@
 
 use core::f64::consts::TAU;
 
+use crate::decomposition::lu;
 use crate::error::IdentifyError;
 
 /// What was measured of a swing.
@@ -169,14 +170,14 @@ impl Counted {
             IdentifyError::require(
                 "the count at which an interval begins",
                 from,
-                from >= 0.0,
-                "zero or more",
+                from >= 0.0 && from.fract() == 0.0,
+                "a whole number of swings, zero or more",
             )?;
             IdentifyError::require(
                 "the count at which an interval ends",
                 to,
-                to > from,
-                "beyond its beginning",
+                to > from && to.fract() == 0.0,
+                "a whole number of swings, beyond its beginning",
             )?;
             IdentifyError::require("the time of counted periods", time, time > 0.0, "above zero")?;
             deviation("the standard deviation of a time", sd)?;
@@ -245,7 +246,7 @@ impl Logged {
         let (start, end) = (self.times[0], self.times[self.times.len() - 1]);
         let swing = (TAU / rate).min(0.5 * (end - start));
         let fit = |from: f64| self.sinusoid(rate, from, from + swing);
-        let ([first, phase], [last, _]) = (fit(start), fit(end - swing));
+        let ([first, phase], [last, _]) = (fit(start)?, fit(end - swing)?);
         let scale = if self.signal == Signal::Rate { 1.0 / rate } else { 1.0 };
         // θ = A cos φ, dθ/dt = −A ω sin φ = A ω cos(φ + ¼ turn)
         let phase = if self.signal == Signal::Rate { phase - 0.25 * TAU } else { phase };
@@ -289,7 +290,7 @@ impl Logged {
     }
 
     /// Amplitude and phase, at the log's beginning, of a sinusoid of this rate with any mean.
-    fn sinusoid(&self, rate: f64, from: f64, to: f64) -> [f64; 2] {
+    fn sinusoid(&self, rate: f64, from: f64, to: f64) -> Result<[f64; 2], IdentifyError> {
         let mut matrix = nalgebra::Matrix3::zeros();
         let mut right = nalgebra::Vector3::zeros();
         for (&time, &value) in self.times.iter().zip(&self.values) {
@@ -300,7 +301,8 @@ impl Logged {
                 right += row * value;
             }
         }
-        let found = matrix.lu().solve(&right).unwrap_or_else(nalgebra::Vector3::zeros);
-        [libm::hypot(found[0], found[1]), libm::atan2(-found[1], found[0])]
+        let matrix = lu("a sum over the log's samples", matrix)?;
+        let found = matrix.solve(&right).unwrap_or_else(nalgebra::Vector3::zeros);
+        Ok([libm::hypot(found[0], found[1]), libm::atan2(-found[1], found[0])])
     }
 }

@@ -76,8 +76,8 @@ pub(super) fn mistakes(
         .map(|group| rows_of(swings, group, &solution.shared, &solution.place.local[group]))
         .collect::<Result<Vec<_>, _>>()?;
     let mistake = |kind, test, changes: &[(usize, Vec<f64>)]| {
-        let Response { left, followed } = response(&rows, found, changes);
-        Mistake { kind, test, shift: followed, left, needed }
+        let Response { left, followed } = response(&rows, found, changes)?;
+        Ok::<_, IdentifyError>(Mistake { kind, test, shift: followed, left, needed })
     };
     let mut all = Vec::new();
     let mut clock = Vec::new();
@@ -88,9 +88,10 @@ pub(super) fn mistakes(
             |changed: &dyn Fn(usize) -> bool, doubled: bool| [(k + 1, counted.change(changed, doubled))];
         let miscount = |i: usize| mistake(MistakeKind::Miscount, Some(k), &change(&|row| row == i, false));
         // Of several intervals, that of which it shows least.
-        all.extend((0..times).map(miscount).min_by(|a, b| a.left.total_cmp(&b.left)));
+        let miscounts = (0..times).map(miscount).collect::<Result<Vec<_>, _>>()?;
+        all.extend(miscounts.into_iter().min_by(|a, b| a.left.total_cmp(&b.left)));
         if amplitudes > 0 {
-            all.push(mistake(MistakeKind::SideToSide, Some(k), &change(&|_| false, true)));
+            all.push(mistake(MistakeKind::SideToSide, Some(k), &change(&|_| false, true))?);
         }
         let longer = counted.intervals.iter().map(|interval| CLOCK * interval.time / interval.sd);
         clock.push((k + 1, longer.chain((0..amplitudes).map(|_| 0.0)).collect()));
@@ -98,10 +99,10 @@ pub(super) fn mistakes(
     for (row, (name, half)) in plan.lengths().enumerate().filter_map(|(row, length)| Some((row, length?))) {
         let mut change = vec![0.0; rows[0].count()];
         change[row] = half;
-        all.push(mistake(MistakeKind::Twice { number: name.to_owned() }, None, &[(0, change)]));
+        all.push(mistake(MistakeKind::Twice { number: name.to_owned() }, None, &[(0, change)])?);
     }
     if !clock.is_empty() {
-        all.push(mistake(MistakeKind::Clock, None, &clock));
+        all.push(mistake(MistakeKind::Clock, None, &clock)?);
     }
     Ok(all)
 }

@@ -57,9 +57,15 @@ const AXES: [[i8; 3]; 13] = [
 
 /// What could be measured next, best first: each rig of the plan with the body turned to swing about others of its axes, and each measured number once more.
 /// `None` where there is no tensor to compare.
-pub fn next_swing(plan: &SwingPlan, found: &SwingEstimate) -> Option<NextExperiment<NextSwing>> {
-    let units = BodyUnits::of_tensor(&found.estimate, TENSOR, true)?;
-    let information = Information::of_estimate(&found.estimate);
+///
+/// # Errors
+/// [`IdentifyError::NotFinite`]
+pub fn next_swing(
+    plan: &SwingPlan,
+    found: &SwingEstimate,
+) -> Result<Option<NextExperiment<NextSwing>>, IdentifyError> {
+    let Some(units) = BodyUnits::of_tensor(&found.estimate, TENSOR, true) else { return Ok(None) };
+    let information = Information::of_estimate(&found.estimate)?;
     let mut next = Comparison::new(&units, &information);
     let places = plan.places();
     for (k, test) in templates(plan) {
@@ -83,7 +89,7 @@ pub fn next_swing(plan: &SwingPlan, found: &SwingEstimate) -> Option<NextExperim
             next.add(NextSwing::Number { name, sd, unit }, Ok(row));
         }
     }
-    Some(next.finish())
+    Ok(Some(next.finish()?))
 }
 
 /// The first test of the body in each rig.
@@ -147,7 +153,7 @@ fn predicted(
     let rows = rows_of(&swings, swings.groups() - 1, &shared, own)?;
     let left = rows.measurements().flatten().collect::<Vec<f64>>();
     test.measurement = moved(&test.measurement, &left);
-    let rest = rows.without_own();
+    let rest = rows.without_own()?;
     let column = |k: usize| places[k].map(|place| rest.column(place));
     let all = DMatrix::from_fn(rest.nrows(), places.len(), |i, k| column(k).map_or(0.0, |column| column[i]));
     Ok((test, all))

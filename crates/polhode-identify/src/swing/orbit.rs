@@ -8,6 +8,7 @@ use core::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 
 use super::rig::{Equations, Oscillator};
+use crate::decomposition::lu;
 use crate::error::IdentifyError;
 
 /// Times of half a period, and what takes values there to derivatives.
@@ -110,7 +111,8 @@ impl Motion {
     ) -> Result<Orbit, IdentifyError> {
         for _ in 0..MOST_STEPS {
             let system = System::new(oscillator, grid, &self, amplitude, false);
-            let Some(step) = system.matrix.lu().solve(&system.value) else { break };
+            let matrix = lu("a derivative of the swing's equations", system.matrix)?;
+            let Some(step) = matrix.solve(&system.value) else { break };
             let size = self.take(&step, amplitude);
             if !size.is_finite() || size > 1e3 {
                 break;
@@ -148,9 +150,11 @@ impl Motion {
     ) -> Result<Orbit, IdentifyError> {
         let (count, width) = self.u.shape();
         let system = System::new(oscillator, grid, &self, amplitude, true);
-        let decomposition = system.matrix.lu();
+        let decomposition = lu("a derivative of the swing's equations", system.matrix)?;
         let solved = decomposition.solve(&system.value).zip(decomposition.solve(&system.by_quantities));
-        let Some((step, by)) = solved else { return Err(IdentifyError::NotFinite) };
+        let Some((step, by)) = solved else {
+            return Err(IdentifyError::NotFinite { quantity: "the solution of the swing's equations" });
+        };
         self.take(&step, amplitude);
         let quantities = by.ncols();
         let mut angle = DVector::zeros(count);

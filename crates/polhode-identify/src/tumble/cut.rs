@@ -6,6 +6,7 @@
 use super::first_guess::{Rates, cross_momentum, momentum, tensor};
 use super::flight::GyroReading;
 use super::range::GyroRange;
+use crate::error::IdentifyError;
 
 /// How flights are found.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +32,7 @@ impl Default for FlightSearch {
 const STRETCH: usize = 5;
 
 /// The first and the last time of each flight in a log, s. Readings at a limit of the gyro end no flight; what turns the body then is not known.
-pub fn find_flights(readings: &[GyroReading], search: &FlightSearch) -> Vec<[f64; 2]> {
+pub fn find_flights(readings: &[GyroReading], search: &FlightSearch) -> Result<Vec<[f64; 2]>, IdentifyError> {
     let range = search.gyro_range.unwrap_or_else(|| GyroRange::shown_by(readings));
     let is_inside: Vec<bool> = readings.iter().map(|reading| range.holds(reading)).collect();
     let times: Vec<f64> = readings.iter().map(|r| r.time).collect();
@@ -53,9 +54,9 @@ pub fn find_flights(readings: &[GyroReading], search: &FlightSearch) -> Vec<[f64
         })
         .collect();
     if cores.is_empty() {
-        return Vec::new();
+        return Ok(Vec::new());
     }
-    let tensor = tensor_of_most(cores);
+    let tensor = tensor_of_most(cores)?;
     let around = |k: usize| k.saturating_sub(STRETCH / 2)..(k + STRETCH / 2 + 1).min(omega.len());
     let is_seen: Vec<bool> = (0..omega.len()).map(|k| around(k).all(|k| is_inside[k])).collect();
     let is_free: Vec<bool> = (0..omega.len())
@@ -65,7 +66,7 @@ pub fn find_flights(readings: &[GyroReading], search: &FlightSearch) -> Vec<[f64
             fast[k] && (!is_seen[k] || (stretch.len() > 1 && torque() <= search.torque))
         })
         .collect();
-    runs(&is_free, |k| gap(&times, k))
+    Ok(runs(&is_free, |k| gap(&times, k))
         .into_iter()
         .filter_map(|run| {
             let mut seen = run.filter(|k| is_seen[*k]);
@@ -73,21 +74,21 @@ pub fn find_flights(readings: &[GyroReading], search: &FlightSearch) -> Vec<[f64
             Some([times[first], times[seen.next_back().unwrap_or(first)]])
         })
         .filter(|[from, to]| to - from >= search.shortest)
-        .collect()
+        .collect())
 }
 
 /// The tensor with which most of the cores are nearly free: of all of them first, then again and again of those half that are nearest to free, as hands turn
 /// the rest.
-pub(super) fn tensor_of_most(mut cores: Vec<Vec<Rates>>) -> [f64; 6] {
+pub(super) fn tensor_of_most(mut cores: Vec<Vec<Rates>>) -> Result<[f64; 6], IdentifyError> {
     const ROUNDS: usize = 6;
-    let mut found = tensor(&cores.concat());
+    let mut found = tensor(&cores.concat())?;
     let half = cores.len().div_ceil(2);
     for _ in 0..ROUNDS {
         let by = |core: &[Rates]| mean_torque(&found, core);
         cores.sort_by(|a, b| by(a).total_cmp(&by(b)));
-        found = tensor(&cores[..half].concat());
+        found = tensor(&cores[..half].concat())?;
     }
-    found
+    Ok(found)
 }
 
 fn mean_torque(tensor: &[f64; 6], core: &[Rates]) -> f64 {

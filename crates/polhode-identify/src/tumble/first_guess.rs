@@ -2,56 +2,67 @@
 //!
 //! I (ω(t₂) − ω(t₁)) + ∫ ω × I ω dt = 0 is linear in the six elements: the tensor, but for its scale, is the direction in which the sum of squares is least.
 
-use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use nalgebra::{DMatrix, DVector};
 use polhode::math::{Body, Rotation};
 
 use super::flight::Flight;
 use super::gap::gaps;
+use crate::decomposition::{Svd, lu, svd};
+use crate::error::IdentifyError;
 
 /// Readings in a stretch: the turn of a fast body in 50 ms, and more than the noise of two readings.
 const STRETCH: usize = 5;
 /// How much the tensor of a sphere counts beside the measurements: what they do not say at all is taken from it.
 const SPHERE: f64 = 1e-4;
 
-/// The tensor of all flights. Where some have a known tensor added, its scale is that at which they agree: k I₁ = s I₀ + added.
-pub(crate) fn tensor_with_scale(flights: &[Flight]) -> [f64; 6] {
+/// The tensor of all flights. Where known tensors a and b are added to some, the scale s is that at which they agree:
+/// t J_b − s J_a = b − a, I = s J_a − a.
+pub(crate) fn tensor_with_scale(flights: &[Flight]) -> Result<[f64; 6], IdentifyError> {
     let of = |wanted: &dyn Fn(&Flight) -> bool| {
         let wanted = flights.iter().filter(|flight| wanted(flight));
         tensor(&wanted.flat_map(|flight| Rates::of(flight).without_gaps()).collect::<Vec<_>>())
     };
-    let Some(added) = flights.iter().map(Flight::added).find(|added| *added != [0.0; 6]) else {
-        return of(&|_| true);
-    };
-    let (bare, with) = (of(&|flight| flight.added() == [0.0; 6]), of(&|flight| flight.added() == added));
-    let columns = DMatrix::from_fn(6, 2, |i, k| if k == 0 { with[i] } else { -bare[i] });
-    let right = DVector::from_row_slice(&added);
-    let scale = columns.svd(true, true).solve(&right, f64::EPSILON).map_or(1.0, |x| x[1]);
-    let size = added.iter().fold(f64::MIN_POSITIVE, |most, a| most.max(a.abs()));
-    bare.map(|element| element * if scale > 0.0 { scale } else { size })
+    let added = || flights.iter().map(Flight::added);
+    // Flights without anything added are preferred: nothing is subtracted from their tensor.
+    let a = added().find(|added| *added == [0.0; 6]).or_else(|| added().next()).unwrap_or_default();
+    let Some(b) = added().find(|added| *added != a) else { return of(&|_| true) };
+    let (of_a, of_b) = (of(&|flight| flight.added() == a)?, of(&|flight| flight.added() == b)?);
+    let difference: [f64; 6] = core::array::from_fn(|k| b[k] - a[k]);
+    let columns = DMatrix::from_fn(6, 2, |i, k| if k == 0 { of_b[i] } else { -of_a[i] });
+    let Svd { u, values, v_t } = svd("the first tensors of two bodies", columns)?;
+    let mut along = u.tr_mul(&DVector::from_row_slice(&difference));
+    for (x, s) in along.iter_mut().zip(&values) {
+        *x = if *s > f64::EPSILON { *x / s } else { 0.0 };
+    }
+    let scale = v_t.tr_mul(&along)[1];
+    if scale > 0.0 {
+        return Ok(core::array::from_fn(|k| scale * of_a[k] - a[k]));
+    }
+    let size = difference.iter().fold(f64::MIN_POSITIVE, |most, x| most.max(x.abs()));
+    Ok(of_a.map(|element| element * size))
 }
 
 /// A of ω_gyro = A ω_tracked, by the rotation of least squares of the rates.
 ///
 /// Source: Kabsch, Acta Cryst. A32 (1976) 922.
-pub(crate) fn tracked_axes(flights: &[Flight]) -> Rotation<Body, Body> {
-    let mut sum = Matrix3::zeros();
+pub(crate) fn tracked_axes(flights: &[Flight]) -> Result<Rotation<Body, Body>, IdentifyError> {
+    let mut sum = DMatrix::zeros(3, 3);
     for flight in flights.iter().filter(|flight| !flight.gyro().is_empty() && flight.attitudes().len() > 1) {
         let gyro = Rates::of(flight);
         let tracked = Rates::of_attitudes(flight);
         for (&time, &omega) in tracked.times.iter().zip(&tracked.omega) {
-            sum += Vector3::from(gyro.at(time)) * Vector3::from(omega).transpose();
+            sum += DVector::from_row_slice(&gyro.at(time)) * DVector::from_row_slice(&omega).transpose();
         }
     }
-    let decomposition = sum.svd(true, true);
-    let (Some(u), Some(v)) = (decomposition.u, decomposition.v_t) else { return Rotation::identity() };
-    let sign = (u * v).determinant().signum();
-    let r = u * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, sign)) * v;
-    Rotation::from_matrix(core::array::from_fn(|i| core::array::from_fn(|j| r[(i, j)])))
-        .unwrap_or_else(|_| Rotation::identity())
+    let Svd { u, v_t, .. } = svd("the covariance of the gyro's and the tracked rates", sum)?;
+    let sign = (&u * &v_t).determinant().signum();
+    let r = u * DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 1.0, sign])) * v_t;
+    Ok(Rotation::from_matrix(core::array::from_fn(|i| core::array::from_fn(|j| r[(i, j)])))
+        .unwrap_or_else(|_| Rotation::identity()))
 }
 
 /// The tensor of least squares, of trace 3, not necessarily a possible one.
-pub(super) fn tensor(flights: &[Rates]) -> [f64; 6] {
+pub(super) fn tensor(flights: &[Rates]) -> Result<[f64; 6], IdentifyError> {
     let mut square = DMatrix::zeros(6, 6);
     for Rates { times, omega } in flights {
         for start in (0..omega.len().saturating_sub(STRETCH)).step_by(2) {
@@ -78,13 +89,15 @@ pub(super) fn tensor(flights: &[Rates]) -> [f64; 6] {
     }
     // least squares of A (sphere + x), with x held at zero where A says nothing
     let sphere = DVector::from_row_slice(&[1.0, 1.0, 1.0, 0.0, 0.0, 0.0]);
-    let hold = SPHERE * square.trace().max(f64::MIN_POSITIVE) / 6.0;
+    let size = if square.trace() > 0.0 { square.trace() } else { 1.0 };
+    let hold = SPHERE * size / 6.0;
     let damped = &square + DMatrix::identity(6, 6) * hold;
-    let x = damped.lu().solve(&(-&square * &sphere)).unwrap_or_else(|| DVector::zeros(6));
+    let solved = lu("the normal matrix of the first tensor", damped)?.solve(&(-&square * &sphere));
+    let x = solved.unwrap_or_else(|| DVector::zeros(6));
     let found = sphere + x;
     let trace = found[0] + found[1] + found[2];
     let scale = if trace > 0.1 { 3.0 / trace } else { 1.0 };
-    core::array::from_fn(|k| found[k] * scale)
+    Ok(core::array::from_fn(|k| found[k] * scale))
 }
 
 /// Rates along the body's axes.

@@ -32,7 +32,7 @@ const FULL: f64 = 4.0;
 ///
 /// # Errors
 /// [`IdentifyError::TooFew`] for fewer readings than numbers to be found; [`IdentifyError::Missing`] for attitudes without their noise; a parameter's error
-/// for options, and for readings between which the body turns by half a turn or more; [`IdentifyError::Saturated`] for a flight with hardly a reading inside the gyro's range; [`IdentifyError::Unit`] and [`IdentifyError::LeftHanded`]
+/// for options, and for readings between which the body turns by half a turn or more; [`IdentifyError::OneBody`] if all flights have the same body added; [`IdentifyError::Saturated`] for a flight with hardly a reading inside the gyro's range; [`IdentifyError::Unit`] and [`IdentifyError::LeftHanded`]
 /// if the rates move as they have to in another unit, or with an axis reversed, only; [`IdentifyError::NotFree`] if nothing fits and a hand turns
 /// the body in a flight; [`IdentifyError::Steady`] for free rotation that does not change; [`IdentifyError::NoConvergence`].
 pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, IdentifyError> {
@@ -40,25 +40,28 @@ pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<T
         flights.iter().flat_map(|flight| flight.gyro().iter().copied()).collect();
     let range = options.gyro_range.unwrap_or_else(|| GyroRange::shown_by(&readings));
     let (all, flights) = (flights, range.inside(flights)?);
+    require_two_bodies(&flights)?;
     let found = unit::require_fine(&flights).and_then(|()| identified(&flights, options));
     let is_doubtful = match &found {
         Ok(found) => found.residuals.iter().any(ResidualTest::is_too_large),
         Err(error) => matches!(
             error,
-            IdentifyError::NoConvergence { .. } | IdentifyError::NotFinite | IdentifyError::Value { .. }
+            IdentifyError::NoConvergence { .. }
+                | IdentifyError::NotFinite { .. }
+                | IdentifyError::Value { .. }
         ),
     };
     if is_doubtful {
         unit::require_right(&flights, options, identified)?;
     }
     let found = found.map_err(|error| {
-        let hands = if is_doubtful { hands(all, &range, 0.0, &[]) } else { Vec::new() };
+        let hands = if is_doubtful { hands(all, &range, 0.0, &[]).unwrap_or_default() } else { Vec::new() };
         match hands.into_iter().next() {
             Some(Flaw::Hand { flight, free, .. }) => IdentifyError::NotFree { flight, free },
             _ => error,
         }
     })?;
-    Ok(Tumble { flaws: flaws(all, &range, &found), ..found })
+    Ok(Tumble { flaws: flaws(all, &range, &found)?, ..found })
 }
 
 /// As [`identify_tumbles`], of rates that are taken as they are.
@@ -82,9 +85,9 @@ fn identified(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, Ide
     if !has_attitudes && options.drag.is_none() && !flights.iter().any(Flight::has_scale) {
         require_change(flights, gyro_noise)?;
     }
-    let tracked = (has_gyro && has_attitudes).then(|| tracked_axes(flights));
+    let tracked = (has_gyro && has_attitudes).then(|| tracked_axes(flights)).transpose()?;
 
-    let mut shared = tensor_with_scale(flights).to_vec();
+    let mut shared = tensor_with_scale(flights)?.to_vec();
     if options.drag.is_some() {
         shared.extend(first_drag(&shared));
     }
@@ -119,6 +122,19 @@ fn identified(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, Ide
             .collect();
         most *= GROWTH;
     }
+}
+
+/// Refuses flights that all have the same body added, and nothing else known.
+///
+/// They show I + added without its size, and so neither the size of I nor its ratios.
+fn require_two_bodies(flights: &[Flight]) -> Result<(), IdentifyError> {
+    let is_same = |flight: &Flight| {
+        flight.added() == flights[0].added() && flight.wheels().is_empty() && flight.torques().is_empty()
+    };
+    if flights.first().is_some_and(|first| first.added() != [0.0; 6]) && flights.iter().all(is_same) {
+        return Err(IdentifyError::OneBody { flights: flights.len() });
+    }
+    Ok(())
 }
 
 /// That free rotation changes by more than noise.

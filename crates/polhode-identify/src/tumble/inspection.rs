@@ -7,6 +7,7 @@ use super::flight::Flight;
 use super::gap::gaps;
 use super::range::GyroRange;
 use super::tumble::Tumble;
+use crate::error::IdentifyError;
 
 /// Up to this part of |I ω²| a torque may be the air's.
 const TORQUE: f64 = 0.2;
@@ -14,7 +15,11 @@ const TORQUE: f64 = 0.2;
 const NOISE: f64 = 6.0;
 
 /// What is wrong with flights, of which so much was found.
-pub(super) fn flaws(flights: &[Flight], range: &GyroRange, found: &Tumble) -> Vec<Flaw> {
+pub(super) fn flaws(
+    flights: &[Flight],
+    range: &GyroRange,
+    found: &Tumble,
+) -> Result<Vec<Flaw>, IdentifyError> {
     let mut flaws: Vec<Flaw> = range.reached(flights).into_iter().map(Flaw::Saturated).collect();
     for flight in flights {
         let times: Vec<f64> = flight.gyro().iter().map(|r| r.time).collect();
@@ -29,12 +34,17 @@ pub(super) fn flaws(flights: &[Flight], range: &GyroRange, found: &Tumble) -> Ve
     }
     let noise = found.residuals.first().map_or(0.0, |test| test.noise);
     let left_out: Vec<&[f64]> = found.flights.iter().map(|fit| &fit.left_out[..]).collect();
-    flaws.extend(hands(flights, range, noise, &left_out));
-    flaws
+    flaws.extend(hands(flights, range, noise, &left_out)?);
+    Ok(flaws)
 }
 
 /// Flights in which a hand turns the body at the beginning or the end. Of each flight the times of readings that were left out, if it was fitted.
-pub(super) fn hands(flights: &[Flight], range: &GyroRange, noise: f64, left_out: &[&[f64]]) -> Vec<Flaw> {
+pub(super) fn hands(
+    flights: &[Flight],
+    range: &GyroRange,
+    noise: f64,
+    left_out: &[&[f64]],
+) -> Result<Vec<Flaw>, IdentifyError> {
     let left_out = left_out.iter().copied().chain(core::iter::repeat(&[][..]));
     let free: Vec<(&Flight, &[f64], Rates)> = flights
         .iter()
@@ -45,9 +55,9 @@ pub(super) fn hands(flights: &[Flight], range: &GyroRange, noise: f64, left_out:
         .filter(|(.., rates)| rates.times.len() >= LEAST)
         .collect();
     if free.is_empty() {
-        return Vec::new();
+        return Ok(Vec::new());
     }
-    let tensor = tensor_of_most(free.iter().map(|(.., rates)| rates.middle().without_gaps()).collect());
+    let tensor = tensor_of_most(free.iter().map(|(.., rates)| rates.middle().without_gaps()).collect())?;
     let hand = |(flight, left_out, rates): (&Flight, &[f64], Rates)| {
         let given = [rates.times[0], rates.times[rates.times.len() - 1]];
         let [begin, end] = free_span(&rates, &tensor, TORQUE, NOISE * noise).unwrap_or(given);
@@ -55,7 +65,7 @@ pub(super) fn hands(flights: &[Flight], range: &GyroRange, noise: f64, left_out:
         let free = [begin.max(first), end.min(last)];
         (free != given).then(|| Flaw::Hand { flight: flight.name().to_owned(), free, given })
     };
-    free.into_iter().filter_map(hand).collect()
+    Ok(free.into_iter().filter_map(hand).collect())
 }
 
 /// The first and the last time of readings without those at the ends that were left out, if there are several.

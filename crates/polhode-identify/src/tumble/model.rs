@@ -8,6 +8,7 @@ use polhode::motion::torque::DragLaw;
 use super::flight::Flight;
 use super::motion::{Flown, turn, turned};
 use super::sensor::GyroErrors;
+use crate::decomposition::lu;
 use crate::error::IdentifyError;
 use crate::least_squares::{Problem, Rows, rows_of, side_by_side};
 use crate::residuals::Noise;
@@ -100,7 +101,7 @@ impl Tumbles<'_> {
             rows.begin_measurement();
             let (omega, read) = (at.of.state.omega.to_array(), reading.omega.to_array());
             let predicted = gyro.reading(omega);
-            let by_gyro = self.gyro.derivatives(&gyro, omega, acceleration(&flown.tensor, omega));
+            let by_gyro = self.gyro.derivatives(&gyro, omega, acceleration(&flown.tensor, omega)?);
             for i in 0..CHANNELS {
                 let (own, all) = rows.push((read[i] - predicted[i]) / noise);
                 for (k, element) in matrix[i].iter().enumerate() {
@@ -201,11 +202,12 @@ fn add(a: &mut [f64], b: &[f64], factor: f64) {
 }
 
 /// ω̇ = I⁻¹ (I ω × ω)
-fn acceleration([xx, yy, zz, xy, xz, yz]: &[f64; 6], omega: [f64; 3]) -> [f64; 3] {
+fn acceleration([xx, yy, zz, xy, xz, yz]: &[f64; 6], omega: [f64; 3]) -> Result<[f64; 3], IdentifyError> {
     let tensor = Matrix3::new(*xx, *xy, *xz, *xy, *yy, *yz, *xz, *yz, *zz);
     let omega = Vector3::from(omega);
     // A body about an axis of which nothing turns it has no acceleration there.
-    tensor.lu().solve(&(tensor * omega).cross(&omega)).unwrap_or_default().into()
+    let solved = lu("the tensor", tensor)?.solve(&(tensor * omega).cross(&omega));
+    Ok(solved.unwrap_or_default().into())
 }
 
 const IDENTITY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

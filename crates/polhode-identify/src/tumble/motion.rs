@@ -70,7 +70,7 @@ impl Flown<'_> {
         let simulation = Simulation::new(&rotor, &torques, start, times).tolerance(TOLERANCE);
         let run = simulation.run_with_derivatives(&parameters)?;
         if run.states.len() < times.len() {
-            return Err(IdentifyError::NotFinite);
+            return Err(IdentifyError::NotFinite { quantity: "a state of the flight" });
         }
         let by_drag = |columns: Vec<[f64; 6]>| {
             core::array::from_fn(|row| core::array::from_fn(|k| columns.get(k).map_or(0.0, |c| c[row])))
@@ -88,14 +88,22 @@ impl Flown<'_> {
             DragLaw::Quadratic => trace * start.omega.norm(),
         };
         let decay = rate * (last - start.time) / rotor.principal().moments()[0];
-        if decay <= HEAVIEST { Ok(()) } else { Err(IdentifyError::NotFinite) }
+        if decay <= HEAVIEST {
+            Ok(())
+        } else {
+            Err(IdentifyError::NotFinite { quantity: "the rate after so much drag" })
+        }
     }
 
     /// The state at a time that is not before the start.
     pub(crate) fn state_at(&self, start: State, time: f64) -> Result<State, IdentifyError> {
         let (rotor, torques) = (self.rotor()?, self.torques()?);
         let motion = Trajectory::compute(&rotor, &torques, start, &[time], Method::Auto, TOLERANCE)?;
-        motion.samples().last().map(|sample| sample.state).ok_or(IdentifyError::NotFinite)
+        motion
+            .samples()
+            .last()
+            .map(|sample| sample.state)
+            .ok_or(IdentifyError::NotFinite { quantity: "a state of the flight" })
     }
 }
 

@@ -46,13 +46,16 @@ fn directions() -> [[f64; 3]; 7] {
 }
 
 /// Flights that could be made next, best first. `None` where there are no moments to compare.
+///
+/// # Errors
+/// [`IdentifyError::NotFinite`]
 pub fn next_flight(
     flights: &[Flight],
     options: &TumbleOptions,
     found: &Tumble,
-) -> Option<NextExperiment<NextFlight>> {
-    let units = BodyUnits::of_tensor(&found.estimate, 0, found.scale_is_known)?;
-    let information = Information::of_estimate(&found.estimate);
+) -> Result<Option<NextExperiment<NextFlight>>, IdentifyError> {
+    let Some(units) = BodyUnits::of_tensor(&found.estimate, 0, found.scale_is_known) else { return Ok(None) };
+    let information = Information::of_estimate(&found.estimate)?;
     let mut next = Comparison::new(&units, &information);
     let has_gyro = flights.iter().any(|flight| !flight.gyro().is_empty());
     let has_attitudes = flights.iter().any(|flight| !flight.attitudes().is_empty());
@@ -67,7 +70,7 @@ pub fn next_flight(
             gyro_noise: Noise::told(noise),
             attitude_noise: options.attitude_noise.unwrap_or(1.0),
             drag: options.drag,
-            tracked: (has_gyro && has_attitudes).then(|| tracked_axes(flights)),
+            tracked: (has_gyro && has_attitudes).then(|| tracked_axes(flights)).transpose()?,
         };
         for about in directions() {
             let start = core::array::from_fn(|i| {
@@ -78,7 +81,7 @@ pub fn next_flight(
             next.add(experiment, rows);
         }
     }
-    Some(next.finish())
+    Ok(Some(next.finish()?))
 }
 
 /// Of flights in which the same turns the body, the one with the median number of readings.
@@ -108,5 +111,5 @@ fn rows(problem: &Tumbles<'_>, shared: &[f64], omega: [f64; 3]) -> Result<DMatri
     let mut local = vec![0.0; problem.local(0)];
     local[..3].copy_from_slice(&omega);
     debug_assert_eq!(problem.groups(), 1);
-    Ok(rows_of(problem, 0, shared, &local)?.without_own())
+    rows_of(problem, 0, shared, &local)?.without_own()
 }

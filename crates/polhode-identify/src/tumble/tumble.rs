@@ -60,7 +60,7 @@ impl Tumble {
         solution: &Solution,
         outliers: Outliers,
     ) -> Result<Self, IdentifyError> {
-        let information = solution.information();
+        let information = solution.information()?;
         let scale_is_known = problem.flights.iter().any(Flight::has_scale);
         let (unit, over) = if scale_is_known { ("kg·m²", "") } else { ("1", "/I3") };
         let mut names: Vec<(String, &'static str)> =
@@ -145,11 +145,16 @@ impl Tumble {
             // the greatest moment is v·I v
             let greatest = principal.moments[2];
             principal.moments = principal.moments.map(|moment| moment / greatest);
-            estimate.relative(6 + problem.drag_count(), &along(principal.axes[2]))
+            let mut estimate = estimate.relative(6 + problem.drag_count(), &along(principal.axes[2]));
+            estimate.numbers.iter_mut().take(6).for_each(|element| element.largest_sd = ELEMENT_RANGE);
+            estimate
         };
         Ok(Self { estimate, principal, scale_is_known, flights, residuals, widening, flaws: Vec::new() })
     }
 }
+
+/// Width of the possible range of an element over the greatest moment: [0, 1] on the diagonal, [−½, ½] off it.
+const ELEMENT_RANGE: f64 = 1.0;
 
 /// v·I v as what multiplies the elements of I.
 fn along([x, y, z]: [f64; 3]) -> [f64; 6] {

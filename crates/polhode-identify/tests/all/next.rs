@@ -25,7 +25,7 @@ fn after(flights: &[Flight], more: Flight) -> (f64, usize) {
     all.push(more);
     let found = identify_tumbles(&all, &OPTIONS).unwrap();
     assert_eq!(found.widening, 1.0);
-    let now = next_flight(&all, &OPTIONS, &found).unwrap().now;
+    let now = next_flight(&all, &OPTIONS, &found).unwrap().unwrap().now;
     (now.largest_sd, now.unknown)
 }
 
@@ -35,7 +35,7 @@ fn the_flight_that_is_suggested_brings_what_is_said() {
     // two that say little of one another's axes
     let flights: Vec<Flight> = STARTS[1..3].iter().map(|omega| flight(*omega, &mut noise)).collect();
     let found = identify_tumbles(&flights, &OPTIONS).unwrap();
-    let next = next_flight(&flights, &OPTIONS, &found).unwrap();
+    let next = next_flight(&flights, &OPTIONS, &found).unwrap().unwrap();
     assert!(next.refused.is_empty() && next.candidates.len() == 7 && next.now.unknown == 0, "{next:?}");
     let mut actual = Vec::new();
     for candidate in &next.candidates {
@@ -66,7 +66,7 @@ fn with_something_known_on_the_body_flights_of_both_kinds_are_looked_at() {
         vec![flight(STARTS[0], &mut noise), flight(STARTS[2], &mut noise), with(STARTS[1], &mut noise)];
     let found = identify_tumbles(&flights, &OPTIONS).unwrap();
     assert!(found.scale_is_known);
-    let next = next_flight(&flights, &OPTIONS, &found).unwrap();
+    let next = next_flight(&flights, &OPTIONS, &found).unwrap().unwrap();
     assert_eq!(next.candidates.len(), 14);
     let best = next.best().unwrap();
     let omega = best.experiment.omega;

@@ -112,7 +112,7 @@ fn flights_are_found_over_flat_tops() {
     }));
     assert!(log.iter().filter(|r| r.omega.x == 7.0).count() > 10);
     log.extend(held(0.21 + 1.2, 50, &mut noise));
-    let spans = find_flights(&log, &FlightSearch::default());
+    let spans = find_flights(&log, &FlightSearch::default()).unwrap();
     assert_eq!(spans.len(), 1, "{spans:?}");
     assert!((spans[0][0] - 0.21).abs() < 0.06 && (spans[0][1] - 1.40).abs() < 0.06, "{spans:?}");
 }
@@ -276,7 +276,7 @@ fn fewer_numbers_than_are_sought_are_refused() {
     let short: Vec<GyroReading> = flights(30, 0.01)[0].gyro().iter().copied().take(4).collect();
     let options = TumbleOptions { gyro_noise: Some(0.01), ..TumbleOptions::default() };
     let error = identify_tumbles(&[Flight::of_gyro("short", short).unwrap()], &options).unwrap_err();
-    assert_eq!(error.to_string(), "12 measured numbers in flights, where 13 at least are needed");
+    assert_eq!(error.to_string(), "too few measured numbers in flights: 12, where at least 13 are needed");
     let error = identify_tumbles(&[], &options).unwrap_err();
     assert!(matches!(error, IdentifyError::TooFew { given: 0, .. }), "{error}");
 }

@@ -1,7 +1,7 @@
 //! Numbers that were found, with their errors.
 
 use polhode::body::{Finding, Severity};
-use polhode_identify::{Estimate, Number, PrincipalEstimate, ResidualTest};
+use polhode_identify::{Estimate, Number, PrincipalEstimate, ResidualTest, Undetermined};
 use serde_json::{Value, json};
 
 use super::picture;
@@ -12,10 +12,27 @@ pub(super) fn cell(value: f64, sd: Option<f64>) -> String {
     sd.map_or_else(|| "not known".to_owned(), |sd| with_error(value, sd))
 }
 
+/// The same of a number that may be beyond its range: `not determined` then.
+pub(super) fn bounded_cell(value: f64, sd: Option<f64>, undetermined: Option<Undetermined>) -> String {
+    match undetermined {
+        Some(Undetermined::BeyondRange { .. }) => "not determined".to_owned(),
+        _ => cell(value, sd),
+    }
+}
+
+/// The value and the standard deviation of a number.
+pub(super) fn number_cell(number: &Number) -> String {
+    bounded_cell(number.value, number.sd, number.undetermined())
+}
+
+/// i1/i3 (`k` = 0) or i2/i3 (`k` = 1).
+pub(super) fn ratio_cell(p: &PrincipalEstimate, k: usize) -> String {
+    bounded_cell(p.ratios[k], p.ratio_sd[k], p.undetermined_ratio(k))
+}
+
 /// A row for each number: name, value ± sd, unit.
 pub(super) fn table(section: &mut Section, numbers: &[Number]) {
-    let row =
-        |number: &Number| vec![number.name.clone(), cell(number.value, number.sd), number.unit.to_owned()];
+    let row = |number: &Number| vec![number.name.clone(), number_cell(number), number.unit.to_owned()];
     section.table(&["number", "value ± sd", "unit"], numbers.iter().map(row).collect());
 }
 
@@ -119,17 +136,18 @@ pub(super) fn principal(section: &mut Section, p: &PrincipalEstimate, unit: Opti
         let row = |k: usize| vec![format!("i{}", k + 1), cell(p.moments[k], p.moment_sd[k]), unit.to_owned()];
         section.table(&["moment", "value ± sd", "unit"], (0..3).map(row).collect());
     }
-    section.line(format!("i1/i3 = {}", cell(p.ratios[0], p.ratio_sd[0])));
-    section.line(format!("i2/i3 = {}", cell(p.ratios[1], p.ratio_sd[1])));
+    section.line(format!("i1/i3 = {}", ratio_cell(p, 0)));
+    section.line(format!("i2/i3 = {}", ratio_cell(p, 1)));
     if let Some(r) = p.ratio_correlation {
         section.line(format!("correlation of the two: {}", number(r, 3)));
     }
-    section.line(format!("(i1 + i2 − i3)/i3 = {}, zero of a lamina", cell(p.thickness, p.thickness_sd)));
+    let thickness = bounded_cell(p.thickness, p.thickness_sd, p.undetermined_thickness());
+    section.line(format!("(i1 + i2 − i3)/i3 = {thickness}, zero of a lamina"));
     let row = |k: usize| {
         let [x, y, z] = p.axes[k];
-        let turn = match p.turn_sd[k] {
-            Some(sd) if sd < 1.0 => number(sd.to_degrees(), 2),
-            _ => "not known".to_owned(),
+        let turn = match (p.turn_sd[k], p.undetermined_turn(k)) {
+            (Some(sd), None) => number(sd.to_degrees(), 2),
+            _ => "not determined".to_owned(),
         };
         vec![format!("axis {}", k + 1), number(x, 5), number(y, 5), number(z, 5), turn]
     };
@@ -142,31 +160,61 @@ pub(super) fn principal(section: &mut Section, p: &PrincipalEstimate, unit: Opti
 
 pub(super) fn to_json(estimate: &Estimate) -> Value {
     json!({
-        "numbers": estimate.numbers.iter().map(|number| json!({
-            "name": number.name,
-            "unit": number.unit,
-            "value": number.value,
-            "sd": number.sd,
-        })).collect::<Value>(),
+        "numbers": numbers_to_json(&estimate.numbers),
         "covariance": estimate.covariance,
         "correlation": picture::correlations_to_json(estimate),
         "unknown": estimate.unknown,
     })
 }
 
+/// Numbers as data.
+///
+/// Value and error of a number beyond its range are null; each number that is not determined has a reason.
+pub(super) fn numbers_to_json(numbers: &[Number]) -> Value {
+    let each = |number: &Number| {
+        let undetermined = number.undetermined();
+        let mut one = json!({
+            "name": number.name,
+            "unit": number.unit,
+            "value": in_range(Some(number.value), undetermined),
+            "sd": in_range(number.sd, undetermined),
+        });
+        if let Some(why) = undetermined {
+            one["reason"] = why.to_string().into();
+        }
+        one
+    };
+    numbers.iter().map(each).collect()
+}
+
+/// `None` of a number beyond its range.
+fn in_range(value: Option<f64>, undetermined: Option<Undetermined>) -> Option<f64> {
+    value.filter(|_| !matches!(undetermined, Some(Undetermined::BeyondRange { .. })))
+}
+
 pub(super) fn principal_to_json(p: &PrincipalEstimate) -> Value {
-    let finite = |sd: Option<f64>| sd.filter(|sd| sd.is_finite());
+    let ratios = [0, 1].map(|k| p.undetermined_ratio(k));
+    let turns = [0, 1, 2].map(|k| p.undetermined_turn(k));
+    let thickness = p.undetermined_thickness();
+    let names =
+        ["i1/i3", "i2/i3", "thickness", "turn about axis 1", "turn about axis 2", "turn about axis 3"];
+    let all = ratios.into_iter().chain([thickness]).chain(turns);
+    let values = [0, 1].map(|k| in_range(Some(p.ratios[k]), ratios[k]));
+    let ratio_sd = [0, 1].map(|k| in_range(p.ratio_sd[k], ratios[k]));
+    let turn_sd = [0, 1, 2].map(|k| in_range(p.turn_sd[k], turns[k]));
+    let reasons = names.into_iter().zip(all).filter_map(|(name, why)| Some((name, why?.to_string())));
     json!({
         "moments": p.moments,
-        "moment_sd": p.moment_sd.map(finite),
+        "moment_sd": p.moment_sd.map(|sd| sd.filter(|sd| sd.is_finite())),
         "moment_covariance": p.moment_covariance,
-        "ratios": p.ratios,
-        "ratio_sd": p.ratio_sd.map(finite),
+        "ratios": values,
+        "ratio_sd": ratio_sd,
         "ratio_correlation": p.ratio_correlation,
-        "thickness": p.thickness,
-        "thickness_sd": finite(p.thickness_sd),
+        "thickness": in_range(Some(p.thickness), thickness),
+        "thickness_sd": in_range(p.thickness_sd, thickness),
         "axes": p.axes,
-        "turn_sd": p.turn_sd.map(finite),
+        "turn_sd": turn_sd,
+        "not_determined": reasons.collect::<std::collections::BTreeMap<_, _>>(),
         "triangle": picture::triangle_to_json(p),
     })
 }

@@ -49,7 +49,7 @@ impl IdentifyReport {
         options: &TumbleOptions,
     ) -> Result<Self, IdentifyError> {
         let found = identify_tumbles(flights, options)?;
-        let next = next_flight(flights, options, &found);
+        let next = next_flight(flights, options, &found)?;
         Ok(Self::Tumble(TumbleReport::new(title, sources, found).with_next(next)))
     }
 
@@ -63,7 +63,7 @@ impl IdentifyReport {
         log: &PayloadLog,
     ) -> Result<Self, IdentifyError> {
         let found = identify_payload(log)?;
-        let next = next_motion(log, &found);
+        let next = next_motion(log, &found)?;
         let times = log.rows().iter().map(|row| row.time).collect();
         Ok(Self::Payload(PayloadReport::new(title, sources, times, found).with_next(next)))
     }
@@ -78,7 +78,7 @@ impl IdentifyReport {
         plan: &SwingPlan,
     ) -> Result<Self, IdentifyError> {
         let found = identify_swings(plan)?;
-        let next = next_swing(plan, &found);
+        let next = next_swing(plan, &found)?;
         Ok(Self::Swing(SwingReport::new(title, sources, found).with_next(next)))
     }
 

@@ -12,7 +12,7 @@ use crate::body_part::BodyPart;
 use crate::explain::document::{Document, Section};
 use crate::explain::drawing::{Drawing, Scatter, Series};
 use crate::layout::printable;
-use crate::number::{count, number, with_error};
+use crate::number::{counted, number, with_error};
 use crate::{VERSION, finding};
 
 /// A payload that was found, with what it was found from.
@@ -137,12 +137,12 @@ impl PayloadReport {
         for line in &self.sources {
             s.say(format!("{line}."));
         }
-        let rows = count(self.times.len() as u64);
+        let rows = counted(self.times.len(), "row");
         match (self.times.first(), self.times.last()) {
             (Some(first), Some(last)) => {
-                s.say(format!("{rows} rows, from {} to {} s.", number(*first, 6), number(*last, 6)));
+                s.say(format!("{rows}, from {} to {} s.", number(*first, 6), number(*last, 6)));
             }
-            _ => s.say(format!("{rows} rows.")),
+            _ => s.say(format!("{rows}.")),
         }
         s
     }
@@ -270,7 +270,7 @@ impl PayloadReport {
             let row = |(found, free): (&polhode_identify::Number, &f64)| {
                 vec![
                     found.name.clone(),
-                    estimate::cell(found.value, found.sd),
+                    estimate::number_cell(found),
                     number(*free, 5),
                     found.unit.to_owned(),
                 ]

@@ -196,7 +196,7 @@ impl SwingReport {
         for test in &self.found.tests {
             let name = printable(&test.name);
             rows.extend(test.moment.iter().chain(&test.own).map(|number| {
-                let value = estimate::cell(number.value, number.sd);
+                let value = estimate::number_cell(number);
                 vec![name.clone(), number.name.clone(), value, number.unit.to_owned()]
             }));
         }
@@ -255,10 +255,6 @@ impl SwingReport {
     /// The report as data.
     pub fn to_json(&self) -> Value {
         let found = &self.found;
-        let numbers = |numbers: &[Number]| -> Value {
-            let each = |n: &Number| json!({ "name": n.name, "unit": n.unit, "value": n.value, "sd": n.sd });
-            numbers.iter().map(each).collect()
-        };
         let test = |test: &SwingResult| {
             json!({
                 "name": test.name,
@@ -267,7 +263,7 @@ impl SwingReport {
                     "sd": moment.sd,
                     "unit": moment.unit,
                 })),
-                "own": numbers(&test.own),
+                "own": estimate::numbers_to_json(&test.own),
                 "residuals": estimate::residuals_to_json(core::slice::from_ref(&test.residuals))[0],
                 "left": test.left,
             })

@@ -12,7 +12,7 @@ use crate::body_part::BodyPart;
 use crate::explain::document::{Document, Section};
 use crate::explain::drawing::{Drawing, Scatter, Series};
 use crate::layout::printable;
-use crate::number::{count, number};
+use crate::number::{count, counted, number};
 use crate::{VERSION, finding};
 
 /// A body that was found by its tumbles, with what it was found from.
@@ -48,8 +48,8 @@ impl TumbleReport {
     /// If not all of it is known and said.
     pub fn to_scenario(&self, size: &BodySize) -> Result<String, NoBody> {
         let tumble = &self.tumble;
-        let is_known = tumble.principal.ratio_sd.iter().all(Option::is_some)
-            && tumble.estimate.numbers.iter().take(6).all(|number| number.sd.is_some());
+        let is_known = [0, 1].iter().all(|&k| tumble.principal.undetermined_ratio(k).is_none())
+            && tumble.estimate.numbers.iter().take(6).all(|number| number.undetermined().is_none());
         if !is_known {
             return Err(NoBody::Unknown { by: "the motion" });
         }
@@ -131,8 +131,8 @@ impl TumbleReport {
         }
         answer.push(format!(
             "i1/i3 = {}, i2/i3 = {}",
-            estimate::cell(p.ratios[0], p.ratio_sd[0]),
-            estimate::cell(p.ratios[1], p.ratio_sd[1])
+            estimate::ratio_cell(p, 0),
+            estimate::ratio_cell(p, 1)
         ));
         if !tumble.scale_is_known {
             answer.push(
@@ -154,11 +154,7 @@ impl TumbleReport {
         }
         let readings: usize =
             self.tumble.flights.iter().map(|flight| flight.used + flight.left_out.len()).sum();
-        s.say(format!(
-            "{} flights, {} readings.",
-            count(self.tumble.flights.len() as u64),
-            count(readings as u64)
-        ));
+        s.say(format!("{}, {}.", counted(self.tumble.flights.len(), "flight"), counted(readings, "reading")));
         s
     }
 

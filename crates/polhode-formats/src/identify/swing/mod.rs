@@ -107,7 +107,11 @@ fn test<'a>(
 fn counted(value: &Value<'_>) -> Result<Counted, FormatError> {
     let table = value.table()?;
     table.allow(&["swings", "time", "sd", "amplitude", "amplitude_sd", "damping"])?;
-    let swings = table.require("swings", "swings = 20")?.positive(Dimension::NONE)?;
+    let counted = table.require("swings", "swings = 20")?;
+    let swings = counted.positive(Dimension::NONE)?;
+    if swings.fract() != 0.0 {
+        return Err(counted.invalid("a whole number of swings").with_hint("count whole swings, to and fro"));
+    }
     let time =
         table.require("time", "time = \"31.42 s\", of all swings together")?.positive(Dimension::TIME)?;
     let time_sd =
@@ -162,8 +166,9 @@ fn amplitudes(value: &Value<'_>, swings: f64, sd: f64) -> Result<Vec<AmplitudeRe
         table.allow(&["after", "value"])?;
         let after = table.require("after", "after = 10, in swings")?;
         let at = after.number()?;
-        if !(at >= 0.0) {
-            return Err(after.invalid("zero or more"));
+        if !(at >= 0.0 && (2.0 * at).fract() == 0.0) {
+            let rule = "a number of whole or half swings, zero or more";
+            return Err(after.invalid(rule).with_hint("amplitudes are read where the swing turns"));
         }
         reading(at, &table.require("value", "value = \"11 deg\"")?)
     };

@@ -1,11 +1,12 @@
 //! A body on wires: equations of motion, rest, and the small twist about it.
 
-use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector};
 
 use super::super::dual::{Dual, Gradient};
 use super::super::number::Numbers;
 use super::wires::Wires;
 use super::{Equations, Load, Oscillator, Rest};
+use crate::decomposition::{Svd, cholesky, lu, svd, symmetric_eigen};
 use crate::error::IdentifyError;
 
 /// u = (p, e, λ): where the centre of mass is, the quaternion from the axes of the rig to those of space, and each wire's tension over its length.
@@ -107,7 +108,8 @@ impl Hung {
         let still = vec![0.0; n];
         for _ in 0..60 {
             let equations = self.equations(&u, &still, &still, false);
-            let Some(step) = equations.by_u.lu().solve(&DVector::from_vec(equations.value)) else { break };
+            let matrix = lu("a derivative of the rig's equations at rest", equations.by_u)?;
+            let Some(step) = matrix.solve(&DVector::from_vec(equations.value)) else { break };
             // Tops are far from bottoms by lengths, quaternions by 1: neither may go too far at once.
             let far = (0..PLACE).fold(0.0, |most: f64, k| most.max(step[k].abs()));
             if !far.is_finite() {
@@ -148,12 +150,9 @@ impl Hung {
         if let Some(n) = self.held {
             (0..3).for_each(|k| square[(self.wires, 3 + k)] = n[k]);
         }
-        let decomposition = square.svd(false, true);
-        let Some(vectors) = decomposition.v_t else {
-            return Err(IdentifyError::NotFinite);
-        };
+        let Svd { values, v_t: vectors, .. } = svd("a derivative of the wires' lengths", square)?;
         let mut order: Vec<usize> = (0..6).collect();
-        order.sort_by(|&a, &b| decomposition.singular_values[a].total_cmp(&decomposition.singular_values[b]));
+        order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
         let free = 6 - self.wires - usize::from(self.held.is_some());
         let basis = DMatrix::from_fn(6, free, |i, j| vectors[(order[j], i)]);
         let reduced = |full: &DMatrix<f64>| {
@@ -161,10 +160,11 @@ impl Hung {
             (&small + small.transpose()) * 0.5
         };
         let (stiffness, mass) = (reduced(&stiffness), reduced(&mass));
-        let factor = Cholesky::new(mass).ok_or(IdentifyError::NotFinite)?.l();
-        let inverse =
-            factor.solve_lower_triangular(&DMatrix::identity(free, free)).ok_or(IdentifyError::NotFinite)?;
-        let modes = SymmetricEigen::new(&inverse * stiffness * inverse.transpose());
+        let not_finite = IdentifyError::NotFinite { quantity: "the inverse of the rig's mass matrix" };
+        let factor = cholesky("the rig's mass matrix", mass)?.ok_or_else(|| not_finite.clone())?.l();
+        let inverse = factor.solve_lower_triangular(&DMatrix::identity(free, free)).ok_or(not_finite)?;
+        let stiffness = &inverse * stiffness * inverse.transpose();
+        let modes = symmetric_eigen("the rig's stiffness matrix", stiffness)?;
         let shapes = &basis * inverse.transpose() * modes.eigenvectors;
         // With shapes of unit kinetic energy, what is in the twist.
         let about_axis = self.quantities[4].value;

@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use polhode::math::{Body, Direction, Position, Rotation, Space};
 
 use super::motions::{TRUTH, numbers};
+use crate::decomposition::lu;
 use crate::swing::family::{Amplitudes, Family};
 use crate::swing::*;
 
@@ -75,7 +76,7 @@ fn a_body_about_a_held_axis() {
             b.rows_mut(6, 3).copy_from(&-w.cross(&w.cross(&lever)));
             a.view_mut((9, 3), (1, 3)).copy_from(&e1.transpose());
             a.view_mut((10, 3), (1, 3)).copy_from(&e2.transpose());
-            let x = a.lu().solve(&b).unwrap();
+            let x = lu("a test matrix", a).unwrap().solve(&b).unwrap();
             DVector::from_vec(vec![n.dot(&w), x[3], x[4], x[5]])
         };
         let direction = Direction::new(n.x, n.y, n.z);
@@ -136,7 +137,7 @@ fn an_edge_that_rolls() {
             );
             let square = rate * rate;
             let b = DVector::from_vec(vec![0.0, -(mass - AIR[1]) * G, 0.0, square * x, square * y]);
-            DVector::from_vec(vec![rate, a.lu().solve(&b).unwrap()[2]])
+            DVector::from_vec(vec![rate, lu("a test matrix", a).unwrap().solve(&b).unwrap()[2]])
         };
         let rig = Rig::Axis(Axis::level(PIVOT, Direction::new(n.x, n.y, n.z)).with_edge(radius));
         let off = departure(&DVector::from_vec(vec![amplitude, 0.0]), period(rig, amplitude), slope);

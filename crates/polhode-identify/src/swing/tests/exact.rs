@@ -2,6 +2,8 @@
 
 use nalgebra::{DMatrix, DVector, Matrix3, Quaternion, UnitQuaternion, Vector3};
 
+use crate::decomposition::lu;
+
 /// A body on wires.
 pub(super) struct Hanging {
     pub(super) mass: f64,
@@ -68,7 +70,7 @@ impl Hanging {
             a.view_mut((6 + k, 3), (1, 3)).copy_from(&in_body.transpose());
             b[6 + k] = -speed.norm_squared() - reach.dot(&(r * s.w.cross(&s.w.cross(d))));
         }
-        let x = a.lu().solve(&b).unwrap();
+        let x = lu("a test matrix", a).unwrap().solve(&b).unwrap();
         State {
             p: s.v,
             e: s.e * Quaternion::from_imag(s.w) * 0.5,

@@ -6,7 +6,7 @@ use crate::swing::*;
 fn knowledge(plan: &SwingPlan) -> crate::NextExperiment<NextSwing> {
     let found = identify_swings(plan).unwrap();
     assert_eq!(found.widening, 1.0);
-    next_swing(plan, &found).unwrap()
+    next_swing(plan, &found).unwrap().unwrap()
 }
 
 #[test]

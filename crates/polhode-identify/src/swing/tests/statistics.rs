@@ -7,6 +7,7 @@ use polhode::math::{Direction, Position, Rotation};
 
 use super::motions::TRUTH;
 use crate::ResidualTest;
+use crate::decomposition::lu;
 use crate::swing::course::{self, Clock, Course, Decay};
 use crate::swing::family::{Amplitudes, Family};
 use crate::swing::number::Numbers;
@@ -149,7 +150,7 @@ pub(super) fn outcome(setup: &Setup, seeds: u64) -> Outcome {
             let sd = DVector::from_fn(n, |i, _| covariance[(i, i)].sqrt());
             let scaled = DMatrix::from_fn(n, n, |i, j| covariance[(i, j)] / (sd[i] * sd[j]));
             let z = error.component_div(&sd);
-            nees += z.dot(&scaled.lu().solve(&z).unwrap()) / n as f64;
+            nees += z.dot(&lu("a test matrix", scaled).unwrap().solve(&z).unwrap()) / n as f64;
             squares += relative.norm_squared() / n as f64;
             sds = (0..n).fold(sds, |most, i| most.max((sd[i] / bounds[i] - 1.0).abs()));
         }

@@ -1,6 +1,6 @@
 //! Input that is refused.
 
-use polhode::math::Torque;
+use polhode::math::{Force, Torque};
 use polhode_identify::IdentifyError;
 use polhode_identify::payload::{MotionNoise, PayloadLog, WrenchNoise, identify_payload};
 
@@ -24,6 +24,15 @@ fn what_cannot_be_used_is_refused() {
     let mut bad = good.clone();
     bad[5].time = f64::NAN;
     assert!(matches!(PayloadLog::new(bad, SENSE), Err(IdentifyError::Value { what: "a time", .. })));
+
+    let mut silent = good.clone();
+    silent.iter_mut().for_each(|row| row.force = Force::new(0.0, 0.0, 0.0));
+    let error = PayloadLog::new(silent, SENSE).unwrap_err();
+    assert_eq!(error.to_string(), "every force in the log is zero");
+    let mut silent = good.clone();
+    silent.iter_mut().for_each(|row| row.torque = Torque::new(0.0, 0.0, 0.0));
+    let error = PayloadLog::new(silent, SENSE).unwrap_err();
+    assert_eq!(error, IdentifyError::AllZero { what: "torque" });
 
     let few = good[..2].to_vec();
     let error = identify_payload(&log(few)).unwrap_err();

@@ -33,7 +33,7 @@ fn the_motion_that_is_suggested_brings_what_is_said() {
     for (course, unknown) in [(Course::OneAxis, true), (Course::Generic(0.4), false)] {
         let before = noisy(&rows(&carried, course, 900, SENSE), FORCE, TORQUE, 5);
         let first = log(before.clone());
-        let next = next_motion(&first, &found(&first)).unwrap();
+        let next = next_motion(&first, &found(&first)).unwrap().unwrap();
         assert!(next.refused.is_empty() && next.candidates.len() == 42);
         assert_eq!(next.now.unknown > 0, unknown, "{:?}", next.now);
         let best = next.best().unwrap();
@@ -42,7 +42,7 @@ fn the_motion_that_is_suggested_brings_what_is_said() {
         for candidate in [best, &next.candidates[7], &next.candidates[20], last] {
             let more = noisy(&made(&carried, candidate.experiment, &before), FORCE, TORQUE, 6);
             let both = log(before.iter().chain(&more).copied().collect());
-            let now = next_motion(&both, &found(&both)).unwrap().now;
+            let now = next_motion(&both, &found(&both)).unwrap().unwrap().now;
             assert_eq!(now.unknown, candidate.then.unknown);
             // numbers are scaled by those of the body that was found, which another motion moves as long as it is not known
             let size = |known: &polhode_identify::Knowledge| {
@@ -62,7 +62,7 @@ fn a_log_at_rest_is_to_be_turned() {
     let carried = Carried::generic();
     let before = noisy(&rows(&carried, Course::Poses, 300, SENSE), FORCE, TORQUE, 5);
     let first = log(before).with_bias();
-    let next = next_motion(&first, &found(&first)).unwrap();
+    let next = next_motion(&first, &found(&first)).unwrap().unwrap();
     let best = next.best().unwrap();
     assert!(
         matches!(best.experiment, NextMotion::Turn { rate, .. } if (rate - std::f64::consts::PI).abs() < 1e-12),

@@ -142,7 +142,7 @@ fn with_noise_of_the_motion_there_is_an_answer_or_none() {
                             answers += 1;
                             assert!(found.about_origin.numbers[0].value > 0.0);
                         }
-                        Err(IdentifyError::NoConvergence { .. } | IdentifyError::NotFinite) => {
+                        Err(IdentifyError::NoConvergence { .. } | IdentifyError::NotFinite { .. }) => {
                             println!("refused {size} {sense:?} {noise:?}");
                             refused += 1;
                         }

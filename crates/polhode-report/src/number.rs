@@ -102,6 +102,11 @@ pub(crate) fn count(n: u64) -> String {
     text
 }
 
+/// `1 flight`, `1,200 flights`
+pub(crate) fn counted(n: usize, noun: &str) -> String {
+    if n == 1 { format!("1 {noun}") } else { format!("{} {noun}s", count(n as u64)) }
+}
+
 /// An estimate of an error: two digits are more than it is worth.
 pub(crate) fn error(x: f64) -> String {
     ungrouped(x, 2)
@@ -145,6 +150,16 @@ pub(crate) fn tidy(v: [f64; 3]) -> [f64; 3] {
 /// The vector without parts that are rounding beside `scale`.
 pub(crate) fn tidy_beside(v: [f64; 3], scale: f64) -> [f64; 3] {
     v.map(|x| if x.abs() <= ROUNDING * scale { 0.0 } else { x })
+}
+
+/// The vector without parts that are rounding of `scale`, or below the relative error `noise` of it.
+pub(crate) fn without_noise(v: [f64; 3], scale: f64, noise: f64) -> [f64; 3] {
+    v.map(|x| if x.abs() <= noise.max(ROUNDING) * scale { 0.0 } else { x })
+}
+
+/// `w, x, y, z` of a unit quaternion whose attitude has an error, rad: that changes its components by half of it at most.
+pub(crate) fn quaternion(q: [f64; 4], error: f64, digits: usize) -> String {
+    q.map(|x| within(x, 0.5 * error.max(2.0 * ROUNDING), digits)).join(", ")
 }
 
 /// The matrix without what rounding left of zeros off its diagonal.

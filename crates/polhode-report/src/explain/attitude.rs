@@ -3,13 +3,14 @@
 use std::f64::consts::{PI, TAU};
 
 use polhode::body::Symmetry;
+use polhode::math::Attitude;
 use polhode::motion::{FreeMotion, Regime, State, Trajectory};
 use polhode::observe::{Drift, SymmetricTop};
 
 use super::document::Section;
 use super::inside::Inside;
-use super::working::{Working, n, v};
-use crate::number::error;
+use super::working::{DIGITS, Working, n, v};
+use crate::number::{error, quaternion, without_noise};
 
 pub(super) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Section {
     let mut s = Section::new(6, "Solve for the attitude");
@@ -51,11 +52,11 @@ pub(super) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Secti
     let end = w.trajectory.as_ref().and_then(|t| t.samples().last());
     match end {
         Some(last) => {
-            attitude(&last.state, "end", &mut s);
+            attitude(&last.state, w.error().attitude, "end", &mut s);
             evidence(w, &mut s);
         }
         None => {
-            attitude(&w.start, "t0", &mut s);
+            attitude(&w.start, 0.0, "t0", &mut s);
             if w.is_turning() || w.torque.norm() > 0.0 {
                 s.say("Without a [run] the attitude is followed no further.");
             }
@@ -128,14 +129,44 @@ fn asymmetric_angles(w: &Working<'_>, motion: &FreeMotion, circled: usize, s: &m
     );
 }
 
-pub(super) fn attitude(state: &State, when: &str, s: &mut Section) {
-    s.matrix(format!("R({when})"), state.attitude.matrix(), "");
-    let q = state.attitude.canonical_quaternion().map(n).join(", ");
-    let [phi, theta, psi] = state.attitude.euler313();
+/// The attitude of a state with an error, rad: what the error covers is 0.
+pub(super) fn attitude(state: &State, error: f64, when: &str, s: &mut Section) {
+    s.matrix(format!("R({when})"), state.attitude.matrix().map(|row| without_noise(row, 1.0, error)), "");
     if when == "end" {
         s.line(format!("t = {} s", n(state.time)));
     }
+    let q = quaternion(state.attitude.canonical_quaternion(), error, DIGITS);
     s.line(format!("quaternion  w, x, y, z = {q}"));
+    euler(state.attitude, error, s);
+}
+
+/// Errors of angles below this are rounding, rad.
+const ROUNDING: f64 = 2e-14;
+
+/// Euler angles.
+///
+/// Where θ is 0 or π to within the error only φ + ψ or φ − ψ is determined.
+fn euler(attitude: Attitude, error: f64, s: &mut Section) {
+    let [phi, theta, psi] = attitude.euler313();
+    let error = error.max(ROUNDING);
+    let pole = if theta <= error {
+        Some(("0", "0°", "φ + ψ", phi + psi))
+    } else if PI - theta <= error {
+        Some(("π", "180°", "φ − ψ", phi - psi))
+    } else {
+        None
+    };
+    if let Some((theta, degrees, name, angle)) = pole {
+        let angle = (angle + PI).rem_euclid(TAU) - PI;
+        let angle = if angle.abs() <= 2.0 * error { 0.0 } else { angle };
+        s.line(format!("Euler 3-1-3 θ = {theta}: only {name} is determined, {name} = {} rad", n(angle)));
+        s.line(format!("            θ = {degrees}, {name} = {}°", n(angle.to_degrees())));
+        return;
+    }
+    // φ and ψ change by error/sin θ at most.
+    let around = error / theta.sin();
+    let shown = [(phi, around), (theta, error), (psi, around)];
+    let [phi, theta, psi] = shown.map(|(angle, error)| if angle.abs() <= error { 0.0 } else { angle });
     s.line(format!("Euler 3-1-3 φ, θ, ψ = {}, {}, {} rad", n(phi), n(theta), n(psi)));
     let [phi, theta, psi] = [phi, theta, psi].map(|a| n(a.to_degrees()));
     s.line(format!("                    = {phi}°, {theta}°, {psi}°"));

@@ -6,15 +6,14 @@ use polhode::motion::{Method, Sample, Solution, Trajectory};
 use super::document::Section;
 use super::working::{Working, cells, n, v};
 use crate::event;
-use crate::number::{tidy_beside, ungrouped};
+use crate::number::{tidy_beside, ungrouped, without_noise};
 
 /// The motion is given: there is nothing to solve, but the torque may change along it.
 pub(super) fn given(w: &Working<'_>, s: &mut Section) {
     s.say("The motion is given, so ω(t) is known (step 2); the equations gave the torque instead.");
-    let samples = w.few_samples();
-    if !samples.is_empty() {
-        s.say("The torque along the motion, in body axes:");
-        table(&samples, true, s);
+    if !w.rows.samples.is_empty() {
+        s.say(format!("The torque along the motion, in body axes{}:", w.rows.words));
+        table(w, true, s);
     }
 }
 
@@ -32,17 +31,16 @@ pub(super) fn integrate(w: &Working<'_>, s: &mut Section) {
             r"\dot{\boldsymbol\omega} = \lbrace \mathbf I \rbrace^{-1} \left( \mathbf N - \boldsymbol\omega \times \lbrace \mathbf I \rbrace \boldsymbol\omega \right)",
         );
     }
-    let samples = w.few_samples();
     match how(w) {
         Some(how) => {
             let held = if w.pendulum.is_some() { "With the pivot held, in three dimensions: " } else { "" };
-            s.say(format!("{held}ω(t) {how}:"));
+            s.say(format!("{held}ω(t) {how}{}:", w.rows.words));
             let ending = w.trajectory.as_deref().and_then(|t| event::ending_in_words(t, w.scenario));
             if let Some(ending) = ending {
                 s.say(format!("The run is {ending}."));
             }
-            table(&samples, true, s);
-            work(&samples, s);
+            table(w, true, s);
+            work(w, s);
         }
         None => {
             s.say(format!(
@@ -71,15 +69,19 @@ pub(super) fn how(w: &Working<'_>) -> Option<String> {
     })
 }
 
-/// ω, and N where there is one, at a few times.
-pub(super) fn table(samples: &[Sample], torque: bool, s: &mut Section) {
+/// ω, and N where there is one, at the instants of [`Working::rows`].
+pub(super) fn table(w: &Working<'_>, torque: bool, s: &mut Section) {
+    let samples = &w.rows.samples;
+    // Rows before the end have smaller errors than the end.
+    let error = w.error();
+    let [omega_noise, torque_noise] = [error.omega, error.attitude].map(|error| error.min(MOST_NOISE));
     let largest = |f: &dyn Fn(&Sample) -> f64| samples.iter().map(f).fold(0.0, f64::max);
     let (most_omega, most_torque) = (largest(&|x| x.state.omega.norm()), largest(&|x| x.torque.norm()));
     let row = |x: &Sample| {
         let mut row = vec![x.state.time];
-        row.extend(tidy_beside(x.state.omega.to_array(), most_omega));
+        row.extend(without_noise(x.state.omega.to_array(), most_omega, omega_noise));
         if torque {
-            row.extend(tidy_beside(x.torque.to_array(), most_torque));
+            row.extend(without_noise(x.torque.to_array(), most_torque, torque_noise));
         }
         row.push(x.kinetic_energy);
         row
@@ -93,8 +95,12 @@ pub(super) fn table(samples: &[Sample], torque: bool, s: &mut Section) {
     s.table(headers, cells(&rows));
 }
 
+/// Relative errors above this are not taken for noise of all rows.
+const MOST_NOISE: f64 = 1e-9;
+
 /// The work of the torque is the gain in kinetic energy.
-fn work(samples: &[Sample], s: &mut Section) {
+fn work(w: &Working<'_>, s: &mut Section) {
+    let samples = w.trajectory.as_ref().map_or(&[][..], |trajectory| trajectory.samples());
     let (Some(first), Some(last)) = (samples.first(), samples.last()) else { return };
     let gain = last.kinetic_energy - first.kinetic_energy;
     let scale = last.kinetic_energy.max(first.kinetic_energy);

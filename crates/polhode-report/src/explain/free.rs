@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use polhode::body::Symmetry;
-use polhode::motion::{FreeMotion, Regime, Sample};
+use polhode::motion::{FreeMotion, Regime};
 use polhode::observe::{Cones, FreeRegime, JacobiForm, SymmetricTop};
 
 use super::document::Section;
@@ -120,14 +120,15 @@ fn cones(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut Secti
     s.line(format!("space cone  half-angle {}", cone(cones.space_half_angle)));
     s.line(format!("nutation    {} between L and ±e, constant", cone(cones.nutation)));
     s.line(format!("φ\u{307} = |L| / I_t = {}{}", rate(cones.space_rate), once_in(cones.space_rate)));
-    let samples = w.few_samples();
+    let samples = w.trajectory.as_ref().map_or(&[][..], |trajectory| trajectory.samples());
     let departure = samples
         .iter()
         .map(|x| Cones::coplanarity(top, &x.state))
         .fold(Cones::coplanarity(top, &motion.at(w.start.time + 1.0)), f64::max);
     s.line(format!("e · (ω × L) / |ω||L| = {} at worst: one plane", crate::number::error(departure)));
-    if !samples.is_empty() {
-        driven::table(&samples, false, s);
+    if let Some(how) = driven::how(w) {
+        s.say(format!("ω(t) {how}{}:", w.rows.words));
+        driven::table(w, false, s);
     }
 }
 
@@ -181,19 +182,13 @@ fn asymmetric(w: &Working<'_>, free: &FreeRegime, s: &mut Section) {
         ));
         growth_rate(growth, s);
     }
-    let samples = w.few_samples();
-    if samples.is_empty() {
-        s.say("Give the scenario a [run] to have ω(t) in numbers.");
-    } else {
-        numbers(w, &samples, s);
+    match driven::how(w) {
+        Some(how) => {
+            s.say(format!("ω(t) {how}{}:", w.rows.words));
+            driven::table(w, false, s);
+        }
+        None => s.say("Give the scenario a [run] to have ω(t) in numbers."),
     }
-}
-
-fn numbers(w: &Working<'_>, samples: &[Sample], s: &mut Section) {
-    if let Some(how) = driven::how(w) {
-        s.say(format!("ω(t) {how}:"));
-    }
-    driven::table(samples, false, s);
 }
 
 fn growth_rate(growth: f64, s: &mut Section) {

@@ -191,8 +191,8 @@ impl<'a, 'w> Inside<'a, 'w> {
         self.end(&mut s);
         match driven::how(self.w) {
             Some(how) => {
-                s.say(format!("ω(t) {how}:"));
-                driven::table(&self.w.few_samples(), !self.is_free(), &mut s);
+                s.say(format!("ω(t) {how}{}:", self.w.rows.words));
+                driven::table(self.w, !self.is_free(), &mut s);
             }
             None => s.say("Give the scenario a [run] to have ω(t) in numbers."),
         }

@@ -22,6 +22,7 @@ mod latex;
 mod linear;
 mod markdown;
 mod pendulum;
+mod rows;
 mod shape;
 mod spin;
 mod tensor;

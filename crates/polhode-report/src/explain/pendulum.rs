@@ -2,7 +2,7 @@
 
 use polhode::body::Particle;
 use polhode::math::{AngularVelocity, Body, Direction};
-use polhode::motion::{Pendulum, Swing};
+use polhode::motion::{Pendulum, Scenario, Swing};
 
 use super::document::Section;
 use super::working::{Working, factor, n, v};
@@ -46,12 +46,16 @@ pub(super) fn solve(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
     amplitude(w, pendulum, axis, s);
     swing_test(w, pendulum, s);
     // A bearing holds n̂; the run's pivot would let the body leave it unless n̂ is a principal axis.
-    let axial = w.rotor.angular_momentum(AngularVelocity::from_array(axis.to_array()));
-    let leaves =
-        axial.angle_to(axis) > 1e-9 || w.start.omega.cross(axis).norm() > 1e-9 * w.start.omega.norm();
-    if leaves && w.trajectory.is_some() {
+    if leaves(w.scenario, axis) && w.trajectory.is_some() {
         s.say("The run below holds only the pivot and not the axis, so its motion is another than this pendulum's.");
     }
+}
+
+/// True if a run that holds only the pivot leaves the axis.
+pub(super) fn leaves(scenario: &Scenario, axis: Direction<Body>) -> bool {
+    let axial = scenario.rotor().angular_momentum(AngularVelocity::from_array(axis.to_array()));
+    let omega = scenario.start().omega;
+    axial.angle_to(axis) > 1e-9 || omega.cross(axis).norm() > 1e-9 * omega.norm()
 }
 
 /// I about the axis, as the sum that the notes write where there are particles.

@@ -1,16 +1,19 @@
 //! What the steps of a solution share: asked of the core once.
 
 use std::borrow::Cow;
+use std::f64::consts::TAU;
 
 use polhode::body::{Finding, MassProperties, Particle};
 use polhode::math::{AngularAcceleration, Body, Position, Space, Torque, Velocity};
 use polhode::motion::contact::{ContactSample, ContactSimulation, ContactStart};
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{
-    Ending, ErrorEffort, MotionError, MovingParticle, Pendulum, Required, Rotor, Sample, Scenario, State,
-    Trajectory, rigid_velocity,
+    Ending, ErrorEffort, GlobalError, MotionError, MovingParticle, Pendulum, Required, Rotor, Scenario,
+    State, StateError, Swing, Trajectory, rigid_velocity,
 };
 
+use super::pendulum;
+use super::rows::Rows;
 use crate::free_facts::FreeFacts;
 use crate::motion;
 use crate::number::{alike, number, tidy_beside};
@@ -33,6 +36,8 @@ pub(super) struct Working<'a> {
     pub(super) contact: Option<ContactSample>,
     /// `None` without a run.
     pub(super) trajectory: Option<Cow<'a, Trajectory>>,
+    /// Rows of the table of step 5: none without a run, or on the ground.
+    pub(super) rows: Rows,
 }
 
 impl<'a> Working<'a> {
@@ -92,6 +97,12 @@ impl<'a> Working<'a> {
         let acceleration =
             needed.map_or_else(|| rotor.acceleration(start.omega, torque), |needed| needed.acceleration);
         let at_start = FreeFacts::from_start(rotor, start);
+        let rows = match trajectory.as_deref().filter(|_| scenario.ground().is_none()) {
+            Some(trajectory) => {
+                Rows::of(scenario, trajectory, period(scenario, pendulum.as_ref(), at_start.as_ref()))?
+            }
+            None => Rows::default(),
+        };
         Ok(Self {
             scenario,
             rotor,
@@ -103,6 +114,7 @@ impl<'a> Working<'a> {
             at_start,
             contact,
             trajectory,
+            rows,
         })
     }
 
@@ -168,14 +180,28 @@ impl<'a> Working<'a> {
         places.into_iter().filter_map(moving).collect()
     }
 
-    /// Up to seven samples, evenly chosen from the run.
-    pub(super) fn few_samples(&self) -> Vec<Sample> {
-        const FEW: usize = 7;
-        let samples = self.trajectory.as_ref().map_or(&[][..], |trajectory| trajectory.samples());
-        if samples.len() <= FEW {
-            return samples.to_vec();
-        }
-        (0..FEW).map(|k| samples[k * (samples.len() - 1) / (FEW - 1)]).collect()
+    /// Estimated error at the end of the run: relative of ω, rad of the attitude; zero without an estimate.
+    pub(super) fn error(&self) -> StateError {
+        let end = self.trajectory.as_deref().and_then(Trajectory::error).map(GlobalError::end);
+        end.unwrap_or(StateError { attitude: 0.0, omega: 0.0 })
+    }
+}
+
+/// The period of ω in the body, s, of a free motion or of a pendulum that gravity alone swings.
+fn period(scenario: &Scenario, pendulum: Option<&Pendulum>, at_start: Option<&FreeFacts>) -> Option<f64> {
+    if scenario.is_free() {
+        let free = at_start?;
+        return match &free.top {
+            Some((top, _)) => Some(TAU / top.body_rate().abs()).filter(|period| period.is_finite()),
+            None => free.motion.period(),
+        };
+    }
+    let axis = scenario.suspension()?.axis.direction()?;
+    let is_gravity_alone = matches!(scenario.torques(), [TorqueModel::Gravity(_)]);
+    let pendulum = pendulum.filter(|_| is_gravity_alone && !pendulum::leaves(scenario, axis))?;
+    match pendulum.swing(pendulum.angle(), axis.dot(scenario.start().omega)) {
+        Swing::Oscillation { period, .. } | Swing::Revolution { period } => Some(period),
+        Swing::Rest | Swing::Separatrix => None,
     }
 }
 

@@ -6,7 +6,7 @@ use polhode::observe::FreeRegime;
 use super::MotionReport;
 use super::facts::{Facts, Needed, Top};
 use crate::layout::{WIDTH, broken, columns, labelled, plain_spaces, printable};
-use crate::number::{count, error, has_digits, number, tidy, ungrouped, vector, within};
+use crate::number::{count, error, has_digits, number, quaternion, tidy, ungrouped, vector, within};
 use crate::periods::in_both_conventions;
 use crate::sparkline::Sparkline;
 use crate::torque::{Description, off_at_start, wheel_name};
@@ -269,8 +269,7 @@ fn ends(report: &MotionReport<'_>, facts: &Facts<'_>) -> String {
         let error = global_error::of_omega(report.trajectory);
         text.push_str(&labelled("end", &omega::in_words_within(last.state.omega, error)));
         let error = global_error::of_attitude(report.trajectory);
-        // An angle δ changes the components of a quaternion by δ/2 at most.
-        let q = last.state.attitude.canonical_quaternion().map(|x| within(x, 0.5 * error, 6)).join(", ");
+        let q = quaternion(last.state.attitude.canonical_quaternion(), error, 6);
         text.push_str(&labelled(
             "",
             &match has_digits(global_error::LARGEST_ATTITUDE, error) {
@@ -317,7 +316,7 @@ fn state_at(report: &MotionReport<'_>, sample: &Sample) -> String {
     if !has_digits(global_error::LARGEST_ATTITUDE, error.attitude) {
         return text + &labelled("", "no digit of the attitude is right (estimate)");
     }
-    let q = state.attitude.canonical_quaternion().map(|c| within(c, 0.5 * error.attitude, 9)).join(", ");
+    let q = quaternion(state.attitude.canonical_quaternion(), error.attitude, 9);
     let on_orbit = orbit::angles_in_words(report.scenario, state).map_or_else(String::new, |angles| {
         labelled("", &format!("roll, pitch, yaw in the orbit's axes {angles}°"))
     });

@@ -4,6 +4,7 @@
 mod budget;
 mod common;
 mod explain;
+mod explain_rows;
 mod export;
 mod golden;
 mod json;

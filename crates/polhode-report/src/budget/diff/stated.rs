@@ -12,7 +12,7 @@ use crate::budget::case::Case;
 use crate::budget::{BudgetReport, basis_name};
 use crate::explain::document::Section;
 use crate::layout::printable;
-use crate::number::{count, number};
+use crate::number::{count, number, quaternion};
 
 /// Something that is stated differently, in words; `None` where it is not stated.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -57,8 +57,8 @@ fn of_report(report: &BudgetReport, digits: usize) -> Vec<Item> {
     let options = &report.options;
     all.extend(options.about.map(|at| Item::new("result, about", point(at.to_array(), digits))));
     all.extend(options.along.map(|axes| {
-        let [w, x, y, z] = axes.canonical_quaternion().map(|x| number(x, digits));
-        Item::new("result, axes", format!("quaternion ({w}, {x}, {y}, {z})"))
+        let wxyz = quaternion(axes.canonical_quaternion(), 0.0, digits);
+        Item::new("result, axes", format!("quaternion ({wxyz})"))
     }));
     let draws = stated.draws.unwrap_or(options.draws);
     all.push(Item::new("result, draws", draws.to_string()));

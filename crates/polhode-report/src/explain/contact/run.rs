@@ -21,7 +21,7 @@ pub(super) fn section(g: &OnGround<'_, '_>) -> Section {
     let mut s = Section::new(6, "What the run shows");
     let Some(motion) = g.motion().filter(|motion| !motion.samples().is_empty()) else {
         s.say("Without a [run] the motion is followed no further.");
-        attitude::attitude(&g.start.state, "t0", &mut s);
+        attitude::attitude(&g.start.state, 0.0, "t0", &mut s);
         return s;
     };
     s.say(
@@ -33,7 +33,7 @@ pub(super) fn section(g: &OnGround<'_, '_>) -> Section {
     }
     table(g, motion.samples(), &mut s);
     if let Some(last) = motion.samples().last() {
-        attitude::attitude(&last.state, "end", &mut s);
+        attitude::attitude(&last.state, g.w.error().attitude, "end", &mut s);
     }
     s.say("Evidence: what must hold whatever the solution is, relative, at the worst sample of the run:");
     s.line(format!(
@@ -73,6 +73,10 @@ fn table(g: &OnGround<'_, '_>, samples: &[ContactSample], s: &mut Section) {
     } else {
         (0..ROWS).map(|k| samples[k * (samples.len() - 1) / (ROWS - 1)]).collect()
     };
+    s.say(format!(
+        "{} samples, evenly spread over the run; the motion between them is not shown:",
+        few.len()
+    ));
     let axis = g.axis().filter(|_| !super::bowl::is_even_ball(g));
     let tilt = |x: &ContactSample, e: Direction<Body>| (x.state.attitude * e).angle_to(x.normal).to_degrees();
     let rows: Vec<Vec<f64>> = few

@@ -25,7 +25,8 @@ bat = polhode.Body({
     "handle": shapes.box(size=[0.10, 0.028, 0.022], mass=0.095).placed(position=[0.03, 0, 0]),
 })
 print(bat, bat.mass_properties.moments)
-intermediate = bat.mass_properties.axes[1]
+R = bat.mass_properties.principal_rotation  # takes principal components to body components
+intermediate = R @ [0.0, 1.0, 0.0]
 flip = polhode.FreeMotion(inertia=bat.mass_properties, omega=12.0 * intermediate + [0.05, 0.0, 0.05])
 print(flip)
 interval = flip.flip_interval

@@ -32,6 +32,16 @@ def test_principal_axes_are_rows(generic: polhode.MassProperties) -> None:
     assert np.allclose(generic.gyration_radii, np.sqrt(moments / 2.3))
 
 
+def test_the_principal_rotation_takes_principal_components_to_body_components(generic: polhode.MassProperties) -> None:
+    rotation = generic.principal_rotation
+    assert np.allclose(rotation @ np.diag(generic.moments) @ rotation.T, generic.inertia, rtol=0, atol=1e-14)
+    assert not np.allclose(rotation.T @ np.diag(generic.moments) @ rotation, generic.inertia, rtol=0, atol=1e-3)
+    assert np.isclose(np.linalg.det(rotation), 1.0)
+    # L = I ω, with ω along the intermediate axis
+    omega = rotation @ [0.0, 2.0, 0.0]
+    assert np.allclose(generic.inertia @ omega, generic.moments[1] * omega, rtol=0, atol=1e-14)
+
+
 @pytest.mark.parametrize("turn", [TURN, Rotation.from_matrix(matrix(TURN))], ids=["wxyz", "scipy"])
 def test_placed_and_joined_is_what_the_formula_says(generic: polhode.MassProperties, turn: object) -> None:
     other = shapes.box(size=[0.2, 0.1, 0.06], mass=1.7)

@@ -19,15 +19,17 @@ class Number(NamedTuple):
     name: str
     #: Its unit: ``kg·m²``, ``rad/s``; ``1`` of a ratio.
     unit: str
-    #: In that unit.
+    #: In that unit; NaN of an angle or a ratio whose standard deviation exceeds its possible range.
     value: float
     #: Its standard deviation: zero of what was given as exact, ``None`` if the measurements do not say the number.
     sd: float | None
+    #: The reason why it is not determined; ``None`` if it is.
+    reason: str | None = None
 
     def __str__(self) -> str:
         unit = "" if self.unit == "1" else f" {self.unit}"
         if self.sd is None:
-            return f"{self.name}: not known"
+            return f"{self.name}: not determined" + (f" ({self.reason})" if self.reason else "")
         return f"{self.name}: {self.value:.6g}{f' ± {self.sd:.2g}' if self.sd > 0.0 else ''}{unit}"
 
 
@@ -51,6 +53,8 @@ class Estimate(Record):
     covariance: Floats
     #: Directions in which nothing is known (k, n), each of length 1 in the numbers' units.
     unknown: Floats
+    #: Reasons why numbers are not determined; ``None`` of those that are.
+    reasons: tuple[str | None, ...] = ()
 
     @property
     def correlation(self) -> Floats:
@@ -64,7 +68,8 @@ class Estimate(Record):
             raise KeyError(f"{name!r} is none of {', '.join(self.names)}")
         k = self.names.index(name)
         sd = float(self.sd[k])
-        return Number(name, self.units[k], float(self.values[k]), None if np.isnan(sd) else sd)
+        reason = self.reasons[k] if self.reasons else None
+        return Number(name, self.units[k], float(self.values[k]), None if np.isnan(sd) else sd, reason)
 
     def __iter__(self) -> Iterator[Number]:
         return map(self.__getitem__, self.names)
@@ -96,14 +101,14 @@ class PrincipalEstimate(Record):
     moment_sd: Floats
     #: Their covariance (3, 3); ``None`` unless all three are known.
     moment_covariance: Floats | None
-    #: i1/i3 and i2/i3 (2,).
+    #: i1/i3 and i2/i3 (2,); NaN where the standard deviation exceeds the possible range.
     ratios: Floats
     #: Their standard deviations (2,).
     ratio_sd: Floats
     #: The correlation of the two.
     ratio_correlation: float | None
-    #: (i1 + i2 − i3)/i3: zero of a lamina, and never negative.
-    thickness: float
+    #: (i1 + i2 − i3)/i3: zero of a lamina, and never negative; ``None`` where it is not determined.
+    thickness: float | None
     #: Its standard deviation.
     thickness_sd: float | None
     #: Principal axes as rows (3, 3): ``axes[k]`` belongs to ``moments[k]``.
@@ -111,9 +116,17 @@ class PrincipalEstimate(Record):
     #: Standard deviation of the turn of all axes about each (3,), rad; NaN where the other two moments are equal, or the turn is not known.
     turn_sd: Floats
 
+    #: Reasons of numbers that are not determined, by name: ``i1/i3``, ``i2/i3``, ``thickness``, ``turn about axis 1`` …
+    not_determined: dict[str, str]
+
+    @property
+    def principal_rotation(self) -> Floats:
+        """Rotation matrix R_body_principal (3, 3): takes principal components to body components; column ``k`` is the axis of ``moments[k]``."""
+        return np.ascontiguousarray(self.axes.T)
+
     def ratios_in_words(self) -> str:
         """The ratios with their errors, in a line."""
-        each = (f"{value:.5g} ± {sd:.2g}" if sd >= 0.0 else "not known" for value, sd in zip(self.ratios, self.ratio_sd))
+        each = (f"{value:.5g} ± {sd:.2g}" if sd >= 0.0 else "not determined" for value, sd in zip(self.ratios, self.ratio_sd))
         return ", ".join(f"i{k}/i3 = {one}" for k, one in enumerate(each, 1))
 
     def __repr__(self) -> str:
@@ -158,7 +171,9 @@ def estimate_of(said: dict[str, Any]) -> Estimate:
     numbers = said["numbers"]
     names, units = (tuple(number[key] for number in numbers) for key in ("name", "unit"))
     values, sd = (floats([number[key] for number in numbers]) for key in ("value", "sd"))
-    return Estimate(names, units, values, sd, floats(said["covariance"]), floats(said["unknown"]).reshape(-1, len(names)))
+    reasons = tuple(number.get("reason") for number in numbers)
+    unknown = floats(said["unknown"]).reshape(-1, len(names))
+    return Estimate(names, units, values, sd, floats(said["covariance"]), unknown, reasons)
 
 
 def principal_of(said: dict[str, Any] | None) -> PrincipalEstimate | None:

@@ -133,6 +133,26 @@ class MassProperties:
         return self._native.axes
 
     @property
+    def principal_rotation(self) -> Floats:
+        """Rotation matrix R_body_principal (3, 3): takes principal components to body components.
+
+        Column ``k`` is the principal axis of ``moments[k]``, and ``inertia = R @ np.diag(moments) @ R.T``. Its transpose takes body components to
+        principal components. Right-handed: its determinant is 1.
+
+        Examples
+        --------
+        >>> import numpy as np, polhode
+        >>> body = polhode.MassProperties(mass=2.0, inertia=[[10, 1, -1], [1, 5, 1], [-1, 1, 8]])
+        >>> R = body.principal_rotation
+        >>> np.allclose(R @ np.diag(body.moments) @ R.T, body.inertia)
+        True
+        >>> omega = R @ [0.0, 3.0, 0.0]  # 3 rad/s about the intermediate axis, body components
+        >>> np.allclose(body.inertia @ omega, body.moments[1] * omega)
+        True
+        """
+        return np.ascontiguousarray(self._native.axes.T)
+
+    @property
     def symmetry(self) -> str:
         """``spherical``, ``oblate``, ``prolate``, ``asymmetric``, ``rod`` or ``point``."""
         return self._native.symmetry

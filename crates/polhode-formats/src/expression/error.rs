@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fmt;
 
 use super::function;
-use crate::text::cut;
+use crate::text::{counted, cut};
 use crate::unit::{Dimension, UnitError};
 
 /// Why a text is not a formula.
@@ -176,7 +176,7 @@ impl fmt::Display for ExpressionErrorKind {
             Self::UnknownVariable { name, .. } => write!(f, "there is no variable {}", cut(name)),
             Self::UnknownFunction { name, .. } => write!(f, "there is no function {}", cut(name)),
             Self::Arguments { function, takes, given } => {
-                write!(f, "{function} takes {takes} arguments, not {given}")
+                write!(f, "{function} takes {}, not {given}", counted(*takes, "argument"))
             }
             Self::TooLong { most } => write!(f, "a formula has up to {most} characters"),
             Self::Unit(error) => error.fmt(f),

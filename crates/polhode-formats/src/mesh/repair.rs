@@ -195,7 +195,8 @@ impl MeshRepair {
                 "nothing was welded: no vertices of open edges are so near each other".to_owned()
             }
             Self::Welded { vertices, points, largest_distance, vanished, .. } => format!(
-                "{vertices} vertices were welded to {}, as was asked, at most {largest_distance:.2e} m apart; {} vanished",
+                "{} welded to {}, as was asked, at most {largest_distance:.2e} m apart; {} vanished",
+                if vertices == 1 { "1 vertex was".to_owned() } else { format!("{vertices} vertices were") },
                 counted(points, "point"),
                 if vanished == 0 { "no triangle".to_owned() } else { counted(vanished, "triangle") }
             ),

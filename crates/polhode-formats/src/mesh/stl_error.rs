@@ -3,6 +3,8 @@
 use std::error::Error;
 use std::fmt;
 
+use crate::text::counted;
+
 /// Bytes of a binary file before its records, and of a record.
 pub(super) const HEADER: usize = 80;
 pub(super) const PREAMBLE: usize = HEADER + 4;
@@ -75,12 +77,14 @@ impl StlError {
     /// What is wrong, without the place.
     pub fn message(&self) -> String {
         match self {
-            Self::Unrecognized { length } => format!("{length} bytes that are no STL file"),
+            Self::Unrecognized { length } => format!("{} that are not an STL file", counted(*length, "byte")),
             Self::WrongCount { declared, length } => format!(
-                "the header of the binary STL file declares {declared} triangles, but {} whole ones and {} \
-                 bytes follow ({length} bytes in the file)",
+                "the header of the binary STL file declares {}, but {} whole ones and {} \
+                 follow ({} in the file)",
+                counted(*declared as usize, "triangle"),
                 whole_records(*length),
-                length.saturating_sub(PREAMBLE) % RECORD,
+                counted(length.saturating_sub(PREAMBLE) % RECORD, "byte"),
+                counted(*length, "byte"),
             ),
             Self::Syntax { expected, found, .. } if found.is_empty() => {
                 format!("expected {expected}, found the end of the file")

@@ -15,6 +15,7 @@ use super::isotope::{Label, Species, label};
 use super::line::{Field, Lines};
 use super::{ANGSTROM, Builder, Element, Molecule};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use crate::text::counted;
 
 /// Reads the first model of a PDB file.
 ///
@@ -69,7 +70,8 @@ pub fn read(bytes: &[u8]) -> Result<Molecule, ContentError> {
         builder.push(species, atom.place, ANGSTROM)?;
     }
     if deduced > 0 {
-        let message = format!("the element of {deduced} atoms was deduced from the atom's name");
+        let atoms = counted(deduced, "atom");
+        let message = format!("the element of {atoms} was deduced from the atom's name");
         builder.notice("molecule.elements_deduced", Severity::Warning, message);
     }
     let has = |number: u8| builder.atoms.iter().any(|atom| atom.species.element().number() == number);

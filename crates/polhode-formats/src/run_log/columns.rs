@@ -8,7 +8,7 @@ use polhode::infer::judge::{AttitudeSense, OmegaAxes, QuaternionOrder};
 use super::euler::Sequence;
 use super::name::spelt_unit;
 use crate::scenario::suggestion::nearest;
-use crate::text::cut;
+use crate::text::{counted, cut};
 use crate::unit::{self, Dimension};
 
 /// Which columns are what, as a user says it; what is not said is left to the columns' names.
@@ -265,7 +265,9 @@ impl fmt::Display for ColumnsError {
             Self::Quote => f.write_str("a quote is not closed"),
             Self::Key { key, .. } => write!(f, "{:?} is nothing that columns can be", cut(key)),
             Self::Word { key, word, .. } => write!(f, "{:?} says nothing of {key}", cut(word)),
-            Self::Count { key, expected, found } => write!(f, "{key} has {expected} columns, not {found}"),
+            Self::Count { key, expected, found } => {
+                write!(f, "{key} has {}, not {found}", counted(*expected, "column"))
+            }
             Self::Twice { what } => write!(f, "{what} is named twice"),
         }
     }

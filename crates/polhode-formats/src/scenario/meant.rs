@@ -3,7 +3,7 @@
 use crate::text::cut;
 
 /// A key of others, a key that has to be known in its place, and the advice.
-const KEYS: [(&str, &str, &str); 55] = [
+const KEYS: [(&str, &str, &str); 57] = [
     ("euler", "euler313", EULER),
     ("roll", "euler313", ROLL),
     ("rpy", "euler313", ROLL),
@@ -62,6 +62,16 @@ const KEYS: [(&str, &str, &str); 55] = [
     ("damping", "attitude", DAMPING_OF_TORQUE),
     ("mu", "static_friction", "write friction = 0.3"),
     ("mu_s", "static_friction", "write static_friction = 0.35"),
+    (
+        "body",
+        "torque",
+        "write axes = \"body\" and, on the next line, torque = [\"0 N m\", \"0 N m\", \"0.1 N m\"]",
+    ),
+    (
+        "space",
+        "torque",
+        "write axes = \"space\" and, on the next line, torque = [\"0 N m\", \"0 N m\", \"0.1 N m\"]",
+    ),
     ("damping", "coefficient", "how much a torque damps is its coefficient"),
 ];
 

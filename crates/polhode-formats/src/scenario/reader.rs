@@ -36,6 +36,15 @@ pub(crate) const TOP: [&str; 16] = [
     "sweep",
 ];
 
+/// True for a table, and for a list of tables.
+fn is_table(kind: &Kind) -> bool {
+    match kind {
+        Kind::Table(_) => true,
+        Kind::List(elements) => elements.iter().any(|element| matches!(element.kind, Kind::Table(_))),
+        _ => false,
+    }
+}
+
 /// A table, its place, and what to call it.
 #[derive(Clone, Debug)]
 pub(crate) struct Table<'a> {
@@ -70,16 +79,19 @@ impl<'a> Table<'a> {
         let suggestion = if advice.is_some() { None } else { nearest(&key, known.iter().copied()) };
         let misplaced = match key.as_str() {
             "title" => Some("title stands above the first table".to_owned()),
-            "torque" | "wheel" | "event" | "pointing" => {
+            // Only a table can be a top-level table in the wrong place.
+            "torque" | "wheel" | "event" | "pointing" if is_table(&entry.node.kind) => {
                 Some(format!("write [[{key}]] on a line of its own"))
             }
-            key if TOP.contains(&key) => Some(format!("write [{key}] on a line of its own")),
+            key if TOP.contains(&key) && is_table(&entry.node.kind) => {
+                Some(format!("write [{key}] on a line of its own"))
+            }
             _ => None,
         };
         let kind =
             FormatErrorKind::UnknownKey { key, table: self.name.clone(), suggestion, known: known.to_vec() };
         let error = self.source.error(entry.key.clone(), kind);
-        Err(match misplaced.or(advice) {
+        Err(match advice.or(misplaced) {
             Some(hint) => error.with_hint(hint),
             None => error,
         })

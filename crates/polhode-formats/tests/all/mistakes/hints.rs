@@ -352,6 +352,14 @@ fn words_of_others_are_told_ours() {
             turned("model = 'damping'"),
             "model = \"drag\"; what friction inside the body does, \"energy_sink\"",
         ),
+        (
+            turned("model = 'constant'\nbody = ['1 N m', '0 N m', '1 N m']"),
+            "write axes = \"body\" and, on the next line, torque = [",
+        ),
+        (
+            turned("model = 'constant'\nspace = ['1 N m', '0 N m', '1 N m']"),
+            "write axes = \"space\" and, on the next line, torque = [",
+        ),
         (spun("omega = [1, 2, 3]"), "write spin = { body = [0, 0, \"12 rad/s\"] }"),
         (format!("{BODY}[run]\nduration = '1 s'\nmethod = 'rk4'"), "\"dop853\", of order 8"),
     ] {

@@ -77,13 +77,14 @@ pub(super) fn table(w: &Working<'_>, torque: bool, s: &mut Section) {
     let [omega_noise, torque_noise] = [error.omega, error.attitude].map(|error| error.min(MOST_NOISE));
     let largest = |f: &dyn Fn(&Sample) -> f64| samples.iter().map(f).fold(0.0, f64::max);
     let (most_omega, most_torque) = (largest(&|x| x.state.omega.norm()), largest(&|x| x.torque.norm()));
+    let most_energy = largest(&|x| x.kinetic_energy);
     let row = |x: &Sample| {
         let mut row = vec![x.state.time];
         row.extend(without_noise(x.state.omega.to_array(), most_omega, omega_noise));
         if torque {
             row.extend(without_noise(x.torque.to_array(), most_torque, torque_noise));
         }
-        row.push(x.kinetic_energy);
+        row.push(without_noise([x.kinetic_energy, 0.0, 0.0], most_energy, omega_noise)[0]);
         row
     };
     let rows: Vec<Vec<f64>> = samples.iter().map(row).collect();

@@ -9,10 +9,10 @@ use polhode_report::{Block, explain};
 
 use crate::common::{pendulum, run, spinning, symmetric_top, tensor};
 
-/// Rows t, ωx, ωy, ωz of the table of step 5.
+/// Rows t, ωx, ωy, ωz of the last table of step 5: there may be one of modes before it.
 fn rows(scenario: &Scenario) -> Vec<[f64; 4]> {
     let document = explain(scenario).unwrap();
-    let table = document.sections[5].blocks.iter().find_map(|block| match block {
+    let table = document.sections[5].blocks.iter().rev().find_map(|block| match block {
         Block::Table { rows, .. } => Some(rows),
         _ => None,
     });

@@ -112,7 +112,7 @@ fn every_mistake_is_named_with_its_column() {
         ("sin x", "column 5: expected ( after a function, found \"x\"", ""),
         ("if(x > 0, 1)", "column 1: if takes 3 arguments, not 2", ""),
         ("2 + atan2(x)", "column 5: atan2 takes 2 arguments, not 1", ""),
-        ("sqrt(x, y)", "column 1: sqrt takes 1 arguments, not 2", ""),
+        ("sqrt(x, y)", "column 1: sqrt takes 1 argument, not 2", ""),
         ("sqrt()", "column 6: expected a number, a name or (, found \")\"", ""),
         ("max(x,)", "column 7: expected a number, a name or (, found \")\"", ""),
         ("0 < x < 1", "column 7: a comparison cannot be compared", "0 < x and x < 1"),

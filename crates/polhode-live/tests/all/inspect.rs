@@ -89,7 +89,7 @@ fn a_triangle_taken_out_leaves_its_three_edges_open() {
         assert_eq!(open["hint"], hint);
         let message = open["message"].as_str().unwrap();
         assert!(
-            message.starts_with("the mesh is open, so it has no volume: 3 edges in 1 loops"),
+            message.starts_with("the mesh is open, so it has no volume: 3 edges in 1 loop belong"),
             "{message}"
         );
         let edge = |a: Point, b: Point| BTreeSet::from([bits(a), bits(b)]);

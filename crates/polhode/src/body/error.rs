@@ -233,8 +233,11 @@ impl fmt::Display for BodyError {
             }
             Self::OpenMesh { edges, loops, example: [a, b], triangle } => write!(
                 f,
-                "the mesh is open, so it has no volume: {edges} edges in {loops} loops belong to one triangle only, \
-                 the first from {a:?} to {b:?} in triangle {triangle}"
+                "the mesh is open, so it has no volume: {} in {} {} to one triangle only, \
+                 the first from {a:?} to {b:?} in triangle {triangle}",
+                plural(*edges, "edge"),
+                plural(*loops, "loop"),
+                if *edges == 1 { "belongs" } else { "belong" }
             ),
             Self::WeldTooWide { tolerance, vertices, distance, example: [a, b] } => write!(
                 f,
@@ -243,8 +246,9 @@ impl fmt::Display for BodyError {
             ),
             Self::InconsistentWinding { edges, example: [a, b], triangle } => write!(
                 f,
-                "the mesh is not consistently wound: along {edges} edges the triangles do not turn the same way, \
-                 the first from {a:?} to {b:?} in triangle {triangle}"
+                "the mesh is not consistently wound: along {} the triangles do not turn the same way, \
+                 the first from {a:?} to {b:?} in triangle {triangle}",
+                plural(*edges, "edge")
             ),
             Self::Unorientable { edges, example: [a, b], triangle } => write!(
                 f,
@@ -253,7 +257,8 @@ impl fmt::Display for BodyError {
             ),
             Self::DuplicateTriangle { count, first, second } => write!(
                 f,
-                "triangle {second} is triangle {first} again, so part of the mesh counts double ({count} such pairs)"
+                "triangle {second} is triangle {first} again, so part of the mesh counts double ({})",
+                plural(*count, "such pair")
             ),
             Self::OverlappingMesh { pairs, triangles: [t, u], point } => write!(
                 f,
@@ -304,6 +309,11 @@ impl fmt::Display for BodyError {
             ),
         }
     }
+}
+
+/// `1 edge`, `2 edges`
+fn plural(count: usize, noun: &str) -> String {
+    if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
 }
 
 /// How many pairs there are, as far as they are counted.

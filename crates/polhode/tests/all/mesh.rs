@@ -260,6 +260,7 @@ fn a_missing_triangle_or_top_is_an_open_mesh() {
     punctured.remove(6);
     let error = refusal(punctured);
     assert!(matches!(error, BodyError::OpenMesh { edges: 3, triangle: 2, .. }), "{error:?}");
+    assert!(error.to_string().contains("3 edges in 1 loop belong to one triangle only"), "{error}");
 
     let mut topless = brick();
     topless.drain(2..4);

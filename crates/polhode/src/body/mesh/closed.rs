@@ -356,12 +356,14 @@ fn findings(diagnosis: &MeshDiagnosis, inverted: bool) -> Vec<Finding> {
     }
     let flipped: usize = diagnosis.components.iter().map(|component| component.flipped).sum();
     if let Some(first) = diagnosis.components.iter().filter_map(|c| c.first_flipped).min() {
-        let message = format!("{flipped} of {total} triangles were wound against the others and were turned");
+        let was = if flipped == 1 { "was" } else { "were" };
+        let message = format!("{flipped} of {total} triangles {was} wound against the others and {was} turned");
         say("mesh.flipped", Severity::Warning, message, Some(first));
     }
     if let Some(first) = diagnosis.degenerate.first {
         let count = diagnosis.degenerate.count;
-        let message = format!("{count} of {total} triangles have two equal corners and were left out");
+        let [has, was] = if count == 1 { ["has", "was"] } else { ["have", "were"] };
+        let message = format!("{count} of {total} triangles {has} two equal corners and {was} left out");
         say("mesh.degenerate", Severity::Info, message, Some(first.triangle));
     }
     if let Some(pair) = diagnosis.self_overlaps.first {

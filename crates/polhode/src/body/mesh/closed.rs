@@ -357,7 +357,8 @@ fn findings(diagnosis: &MeshDiagnosis, inverted: bool) -> Vec<Finding> {
     let flipped: usize = diagnosis.components.iter().map(|component| component.flipped).sum();
     if let Some(first) = diagnosis.components.iter().filter_map(|c| c.first_flipped).min() {
         let was = if flipped == 1 { "was" } else { "were" };
-        let message = format!("{flipped} of {total} triangles {was} wound against the others and {was} turned");
+        let message =
+            format!("{flipped} of {total} triangles {was} wound against the others and {was} turned");
         say("mesh.flipped", Severity::Warning, message, Some(first));
     }
     if let Some(first) = diagnosis.degenerate.first {

@@ -388,9 +388,18 @@ fn body_hint(error: &BodyError) -> &'static str {
         BodyError::Parameter { what: "the tetrahedron's volume", .. } => {
             "four corners in one plane bound no solid: move one of them out of it"
         }
-        BodyError::Parameter { what: "the larger radius of the cone", .. } => {
-            "a cone has a tip at one end at most: give radius or top_radius a length"
+        BodyError::Parameter {
+            what: "the cylinder's inner radius" | "the sphere's inner radius", ..
+        } => {
+            "inner_radius is the radius of the cavity: the wall is radius − inner_radius thick; one without thickness is a cylinder_shell or a sphere_shell"
         }
+        BodyError::Parameter {
+            what: "the triangular plate's area" | "the triangular prism's area", ..
+        } => "three corners on one line enclose no area: move one of them off it",
+        BodyError::Parameter {
+            what: "the larger radius of the cone" | "the larger radius of the conical shell",
+            ..
+        } => "a cone has a tip at one end at most: give radius or top_radius a length",
         BodyError::Parameter { what: "the mesh's unit", .. } => "it is in metres: 0.001 for millimetres",
         BodyError::Parameter { value, .. } if !value.is_finite() => {
             "it is beyond the largest double, 1.8e308: check the units and the exponents"

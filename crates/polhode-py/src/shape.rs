@@ -1,8 +1,8 @@
 //! Shapes with closed-form integrals, by name.
 
 use polhode::body::shape::{
-    BoxShape, BoxShell, Capsule, Cone, Cylinder, CylinderShell, Disk, Ellipsoid, Plate, Rod, Shape, Sphere,
-    SphereShell, Tetrahedron, Torus,
+    BoxShape, BoxShell, Capsule, Cone, ConeShell, Cylinder, CylinderShell, Disk, Ellipsoid, Plate, Rod,
+    Shape, Sphere, SphereShell, Tetrahedron, Torus, TriangularPlate, TriangularPrism,
 };
 use polhode::body::{BodyError, MassProperties, PlacedPart};
 use polhode::math::{Body, Part, Position, Rotation};
@@ -45,18 +45,23 @@ fn of_name(kind: &str, lengths: &[f64], ends: bool) -> PyResult<Result<Box<dyn S
         ("box_shell", &[a, b, c]) => boxed(BoxShell::new([a, b, c])),
         ("capsule", &[radius, length]) => boxed(Capsule::new(radius, length)),
         ("cone", &[base, top, height]) => boxed(Cone::new(base, top, height)),
-        ("cylinder", &[radius, length]) => boxed(Cylinder::new(radius, length)),
+        ("cone_shell", &[base, top, height]) => boxed(ConeShell::new(base, top, height, ends)),
+        ("cylinder", &[radius, inner, length]) => boxed(Cylinder::hollow(radius, inner, length)),
         ("cylinder_shell", &[radius, length]) => boxed(CylinderShell::new(radius, length, ends)),
         ("disk", &[radius]) => boxed(Disk::new(radius)),
         ("ellipsoid", &[a, b, c]) => boxed(Ellipsoid::new([a, b, c])),
         ("plate", &[a, b]) => boxed(Plate::new([a, b])),
         ("rod", &[length]) => boxed(Rod::new(length)),
-        ("sphere", &[radius]) => boxed(Sphere::new(radius)),
+        ("sphere", &[radius, inner]) => boxed(Sphere::hollow(radius, inner)),
         ("sphere_shell", &[radius]) => boxed(SphereShell::new(radius)),
         ("tetrahedron", lengths) => match lengths.as_chunks().0 {
             &[a, b, c, d] => boxed(Tetrahedron::new([a, b, c, d])),
             _ => return Err(refused("a tetrahedron has four vertices", None)),
         },
+        ("triangular_plate", &[a, b, c, d, e, f]) => boxed(TriangularPlate::new([[a, b], [c, d], [e, f]])),
+        ("triangular_prism", &[a, b, c, d, e, f, length]) => {
+            boxed(TriangularPrism::new([[a, b], [c, d], [e, f]], length))
+        }
         ("torus", &[ring, tube]) => boxed(Torus::new(ring, tube)),
         _ => return Err(refused(format!("no shape {kind} has {} lengths", lengths.len()), None)),
     })

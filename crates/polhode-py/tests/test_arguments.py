@@ -118,12 +118,13 @@ def functions() -> dict[Callable[..., object], dict[str, Any]]:
         polhode.batch.trajectories: {"rows": rows, "plan": plan, "threads": 1},
         polhode.sweep.run: {"plan": plan, "output": "x", "on": None, "threads": 1, "workers": None, "resume": False, "force": True, "progress": max, "worker_timeout": 3.0},
     }
-    values = {"size": [1, 2, 3], "semi_axes": [1, 2, 3], "vertices": VERTICES, "mass": 1.0, "ends": False, "tube_radius": 0.1, "top_radius": 0.1}
+    values = {"size": [1, 2, 3], "semi_axes": [1, 2, 3], "vertices": VERTICES, "mass": 1.0, "ends": False, "tube_radius": 0.1, "top_radius": 0.1, "inner_radius": 0.1}
     unset = {"density", "material", "area_density", "line_density"}
     for name, function in vars(shapes).items():
         if inspect.isfunction(function) and function.__module__ == "polhode.shapes" and not name.startswith("_"):
             found[function] = {n: None if n in unset else values.get(n, 1.0) for n in inspect.signature(function).parameters}
     found[shapes.plate]["size"] = [1, 2]
+    found[shapes.triangular_plate]["vertices"] = found[shapes.triangular_prism]["vertices"] = [[0, 0], [1, 0], [0, 1]]
     return found
 
 

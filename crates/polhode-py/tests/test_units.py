@@ -113,13 +113,15 @@ def more() -> Iterator[tuple[Callable[..., Any], dict[str, Any], Callable[[Any],
         yield function, {**lengths, name: 1.7}, numbers_of
     for function in (f for f in vars(shapes).values() if inspect.isfunction(f) and f.__module__ == shapes.__name__ and not f.__name__.startswith("_")):
         named = {"size": [1.0, 2.0] if function is shapes.plate else [1.0, 2.0, 3.0], "semi_axes": [1.0, 2.0, 3.0], "vertices": VERTICES}
+        if function in (shapes.triangular_plate, shapes.triangular_prism):
+            named["vertices"] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]
         known = inspect.signature(function).parameters
-        lengths = {name: named.get(name, 0.2 if name in ("tube_radius", "top_radius") else 1.0) for name in known if name in LENGTHS}
+        lengths = {name: named.get(name, 0.2 if name in ("tube_radius", "top_radius", "inner_radius") else 1.0) for name in known if name in LENGTHS}
         yield function, {**lengths, "mass": 1.3}, numbers_of
 
 
 #: Arguments of shapes.
-LENGTHS = {"size", "radius", "length", "base_radius", "top_radius", "height", "semi_axes", "ring_radius", "tube_radius", "vertices"}
+LENGTHS = {"size", "radius", "inner_radius", "length", "base_radius", "top_radius", "height", "semi_axes", "ring_radius", "tube_radius", "vertices"}
 
 #: Arguments that other tests here give: of meshes and flights, of grids and tables of files, which come the same way as those beside them, and of JAX's functions.
 ELSEWHERE = {"source", "shell", "weld", "fill", "added", "a wheel's momentum", "a wheel's axis", "the torque of a law", "attitude_times", "unit", "mass_unit"}

@@ -28,7 +28,7 @@ fn it_speaks_text_markdown_html_latex_and_json() {
 }
 
 /// The keys of each shape, at a generic point.
-const SHAPES: [(&str, &str); 15] = [
+const SHAPES: [(&str, &str); 20] = [
     ("box", "size = ['0.31 m', '0.47 m', '0.83 m']"),
     ("box_shell", "size = ['0.31 m', '0.47 m', '0.83 m']"),
     ("sphere", "radius = '0.37 m'"),
@@ -40,6 +40,11 @@ const SHAPES: [(&str, &str); 15] = [
     ("cone", "radius = '0.37 m'\ntop_radius = '0.12 m'\nheight = '0.91 m'"),
     ("cone", "radius = '0.37 m'\ntop_radius = '0.37 m'\nheight = '0.91 m'"),
     ("cone", "radius = '0.37 m'\nheight = '0.91 m'"),
+    ("cylinder", "radius = '0.37 m'\ninner_radius = '0.29 m'\nlength = '0.91 m'"),
+    ("sphere", "radius = '0.37 m'\ninner_radius = '0.29 m'"),
+    ("cone_shell", "radius = '0.37 m'\ntop_radius = '0.12 m'\nheight = '0.91 m'"),
+    ("cone_shell", "radius = '0.37 m'\nheight = '0.91 m'\nends = true"),
+    ("cone_shell", "radius = '0.12 m'\ntop_radius = '0.37 m'\nheight = '0.91 m'\nends = true"),
     ("capsule", "radius = '0.37 m'\nlength = '0.91 m'"),
     ("torus", "ring_radius = '0.91 m'\ntube_radius = '0.37 m'"),
     ("rod", "length = '0.91 m'"),
@@ -70,6 +75,31 @@ fn the_tensor_of_every_shape_is_derived() {
             let number = line.rsplit(" = ").next().unwrap().replace(" kg·m²", "").replace(' ', "");
             let (got, want): (f64, f64) = (number.parse().unwrap(), tensor[k][k].as_f64().unwrap());
             assert!((got - want).abs() <= 6e-6 * want, "{shape}: {line}, not {want}");
+        }
+    }
+}
+
+/// A triangle has products: their formula, and the numbers along the part's own axes.
+#[test]
+fn the_tensor_of_a_triangle_is_derived_with_its_product() {
+    let scratch = Scratch::new("triangle");
+    for (shape, length) in [("triangular_plate", ""), ("triangular_prism", "length = '0.83 m'\n")] {
+        let body = format!(
+            "[[body.part]]\nname = 'it'\nshape = '{shape}'\nmass = '1.7 kg'\n{length}\
+             vertices = [['0.2 m', '-0.3 m'], ['1.1 m', '0.1 m'], ['0.4 m', '0.9 m']]\n"
+        );
+        scratch.write("it.toml", &body);
+        let text = stdout(&scratch.run(&["explain", "it.toml", "--width", "400"]));
+        let tensor = json(&scratch.run(&["inertia", "it.toml", "--json"]))["inertia"]["tensor"].clone();
+        let line = text
+            .lines()
+            .find(|line| line.contains("Ixx, Iyy, Izz, Ixy = "))
+            .unwrap_or_else(|| panic!("{text}"));
+        let numbers = line.rsplit(" = ").next().unwrap().replace(" kg·m²", "");
+        let numbers: Vec<f64> = numbers.split(", ").map(|x| x.replace(' ', "").parse().unwrap()).collect();
+        for (got, (i, j)) in numbers.into_iter().zip([(0, 0), (1, 1), (2, 2), (0, 1)]) {
+            let want = tensor[i][j].as_f64().unwrap();
+            assert!((got - want).abs() <= 6e-6 * want.abs() && want != 0.0, "{shape}: {line}, not {want}");
         }
     }
 }

@@ -86,7 +86,7 @@ const ROLL: &str = "write roll_pitch_yaw = [\"10 deg\", \"20 deg\", \"30 deg\"],
 const SPIN: &str = "write spin = { body = [0, 0, \"12 rad/s\"] }, or spin = { space = [0, 0, \"12 rad/s\"] } along the axes of space";
 
 /// A name of others, a name that has to be among the choices, and the advice.
-const NAMES: [(&str, &str, &str); 37] = [
+const NAMES: [(&str, &str, &str); 42] = [
     ("lhs", "latin hypercube", ""),
     ("lhc", "latin hypercube", ""),
     ("latin", "latin hypercube", ""),
@@ -113,8 +113,13 @@ const NAMES: [(&str, &str, &str); 37] = [
     ("cuboid", "box", ""),
     ("brick", "box", ""),
     ("ball", "sphere", ""),
-    ("tube", "cylinder_shell", ""),
-    ("pipe", "cylinder_shell", ""),
+    ("tube", "cylinder", TUBE),
+    ("pipe", "cylinder", TUBE),
+    ("hollow_cylinder", "cylinder", TUBE),
+    ("hollow_sphere", "sphere", HOLLOW_SPHERE),
+    ("triangle", "triangular_plate", ""),
+    ("prism", "triangular_prism", ""),
+    ("wedge", "triangular_prism", ""),
     ("ring", "torus", ""),
     ("point", "particles", ""),
     ("disk", "rim", ""),
@@ -128,6 +133,9 @@ const NAMES: [(&str, &str, &str); 37] = [
 
 const RUNGE_KUTTA: &str =
     "the method of Runge and Kutta here is \"dop853\", of order 8; \"auto\" takes what suits the motion";
+const TUBE: &str = "write shape = \"cylinder\" with its inner_radius, or \"cylinder_shell\" for a thin wall";
+const HOLLOW_SPHERE: &str =
+    "write shape = \"sphere\" with its inner_radius, or \"sphere_shell\" for a thin wall";
 const DAMPING: &str =
     "what the air damps is model = \"drag\"; what friction inside the body does, \"energy_sink\"";
 

@@ -423,10 +423,11 @@ impl<'a> Value<'a> {
         each(self.fixed("numbers")?, Value::number)
     }
 
-    /// The elements of N rows of three.
-    pub(crate) fn rows<const N: usize>(&self) -> Result<[[Self; 3]; N], FormatError> {
-        let mut rows = [[*self; 3]; N];
-        for (slot, row) in rows.iter_mut().zip(self.fixed::<N>("rows of three")?) {
+    /// The elements of N rows of K, two or three.
+    pub(crate) fn rows<const N: usize, const K: usize>(&self) -> Result<[[Self; K]; N], FormatError> {
+        let mut rows = [[*self; K]; N];
+        let of = if K == 2 { "rows of two" } else { "rows of three" };
+        for (slot, row) in rows.iter_mut().zip(self.fixed::<N>(of)?) {
             *slot = row.fixed("values")?;
         }
         Ok(rows)

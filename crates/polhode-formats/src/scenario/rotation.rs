@@ -60,7 +60,7 @@ fn written<A: Frame, B: Frame>(value: &Value<'_>) -> Result<Rotation<A, B>, Form
         }
         _ => {
             let mut matrix = [[0.0; 3]; 3];
-            for (row, values) in matrix.iter_mut().zip(form.rows::<3>()?) {
+            for (row, values) in matrix.iter_mut().zip(form.rows::<3, 3>()?) {
                 *row = each(values, Value::number)?;
             }
             Rotation::from_matrix(matrix).map_err(|e| form.rotation(e))

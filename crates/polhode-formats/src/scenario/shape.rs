@@ -5,8 +5,8 @@ use std::sync::Arc;
 use polhode::body::density::{Parametrised, Solid};
 use polhode::body::mesh::{ClosedMesh, MeshUnion};
 use polhode::body::shape::{
-    BoxShape, BoxShell, Capsule, Cone, Cylinder, CylinderShell, Disk, Ellipsoid, Plate, Rod, Shape, Sphere,
-    SphereShell, Tetrahedron, Torus,
+    BoxShape, BoxShell, Capsule, Cone, ConeShell, Cylinder, CylinderShell, Disk, Ellipsoid, Plate, Rod,
+    Shape, Sphere, SphereShell, Tetrahedron, Torus, TriangularPlate, TriangularPrism,
 };
 
 use super::reader::{Table, Value, each};
@@ -14,21 +14,24 @@ use crate::error::FormatError;
 use crate::unit::Dimension;
 
 /// Each shape's name and its own keys.
-pub(crate) const SHAPES: [(&str, &[&str]); 14] = [
+pub(crate) const SHAPES: [(&str, &[&str]); 17] = [
     ("box", &["size"]),
-    ("sphere", &["radius"]),
+    ("sphere", &["radius", "inner_radius"]),
     ("ellipsoid", &["semi_axes"]),
-    ("cylinder", &["radius", "length"]),
+    ("cylinder", &["radius", "length", "inner_radius"]),
     ("capsule", &["radius", "length"]),
     ("cone", &["radius", "height", "top_radius"]),
     ("torus", &["ring_radius", "tube_radius"]),
     ("tetrahedron", &["vertices"]),
+    ("triangular_prism", &["vertices", "length"]),
     ("rod", &["length"]),
     ("disk", &["radius", "thickness"]),
     ("plate", &["size", "thickness"]),
+    ("triangular_plate", &["vertices", "thickness"]),
     ("sphere_shell", &["radius", "thickness"]),
     ("box_shell", &["size", "thickness"]),
     ("cylinder_shell", &["radius", "length", "ends", "thickness"]),
+    ("cone_shell", &["radius", "height", "top_radius", "ends", "thickness"]),
 ];
 
 /// A shape, by what its density may be.
@@ -76,6 +79,7 @@ pub(crate) fn shape(name: &str, table: &Table<'_>) -> Result<Geometry, FormatErr
     let radius = || table.require("radius", "radius = \"4 mm\"");
     let length = || table.require("length", "length = \"40 mm\"");
     let size = || table.require("size", "size = [\"30 mm\", \"20 mm\", \"10 mm\"]");
+    let ends = || table.get("ends").map_or(Ok(false), |ends| ends.boolean());
     Ok(match name {
         "box" => {
             let size = size()?;
@@ -89,20 +93,40 @@ pub(crate) fn shape(name: &str, table: &Table<'_>) -> Result<Geometry, FormatErr
             let size = table.require("size", "size = [\"30 mm\", \"20 mm\"]")?;
             Geometry::thin(Plate::new(size.positives(Dimension::LENGTH)?).map_err(|e| size.body(e))?)
         }
-        "sphere" => Geometry::solid(measured(&radius()?, Sphere::new)?),
+        "sphere" => {
+            let (radius, inner) = (radius()?, inner_radius(table)?);
+            let outer = radius.positive(Dimension::LENGTH)?;
+            let sphere = Sphere::hollow(outer, inner.as_ref().map_or(0.0, |(_, inner)| *inner));
+            Geometry::solid(sphere.map_err(|e| inner.map_or(radius, |(value, _)| value).body(e))?)
+        }
         "sphere_shell" => Geometry::thin(measured(&radius()?, SphereShell::new)?),
         "disk" => Geometry::thin(measured(&radius()?, Disk::new)?),
         "rod" => Geometry::thin(measured(&length()?, Rod::new)?),
-        "cylinder" => Geometry::solid(measured_by_two(&radius()?, &length()?, Cylinder::new)?),
+        "cylinder" => {
+            let (radius, length, inner) = (radius()?, length()?, inner_radius(table)?);
+            let [outer, long] = [&radius, &length].map(|value| value.positive(Dimension::LENGTH));
+            let cylinder = Cylinder::hollow(outer?, inner.as_ref().map_or(0.0, |(_, inner)| *inner), long?);
+            Geometry::solid(cylinder.map_err(|e| inner.map_or(length, |(value, _)| value).body(e))?)
+        }
         "capsule" => Geometry::solid(measured_by_two(&radius()?, &length()?, Capsule::new)?),
         "cylinder_shell" => {
-            let ends = table.get("ends").map_or(Ok(false), |ends| ends.boolean())?;
+            let ends = ends()?;
             Geometry::thin(measured_by_two(&radius()?, &length()?, |r, l| CylinderShell::new(r, l, ends))?)
         }
         "torus" => {
             let ring = table.require("ring_radius", "ring_radius = \"30 mm\"")?;
             let tube = table.require("tube_radius", "tube_radius = \"5 mm\"")?;
             Geometry::solid(measured_by_two(&ring, &tube, Torus::new)?)
+        }
+        "triangular_plate" => {
+            let corners = table.require("vertices", TRIANGLE)?;
+            let plate = TriangularPlate::new(points(&corners)?);
+            Geometry::thin(plate.map_err(|e| corners.body(e))?)
+        }
+        "triangular_prism" => {
+            let (corners, length) = (table.require("vertices", TRIANGLE)?, length()?);
+            let prism = TriangularPrism::new(points(&corners)?, length.positive(Dimension::LENGTH)?);
+            Geometry::solid(prism.map_err(|e| corners.body(e))?)
         }
         "ellipsoid" => {
             let axes = table.require("semi_axes", "semi_axes = [\"30 mm\", \"20 mm\", \"10 mm\"]")?;
@@ -111,28 +135,49 @@ pub(crate) fn shape(name: &str, table: &Table<'_>) -> Result<Geometry, FormatErr
         "tetrahedron" => {
             let corners =
                 table.require("vertices", "vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]")?;
-            let mut vertices = [[0.0; 3]; 4];
-            for (vertex, values) in vertices.iter_mut().zip(corners.rows::<4>()?) {
-                *vertex = each(values, |value| value.quantity(Dimension::LENGTH))?;
-            }
+            let vertices = points(&corners)?;
             Geometry::solid(Tetrahedron::new(vertices).map_err(|e| corners.body(e))?)
         }
         _ => {
             let (base, height) = (radius()?, table.require("height", "height = \"40 mm\"")?);
-            let top = table.get("top_radius");
             // A cone's tip has the radius zero, on either side.
-            let width = |value: &Value<'_>| {
-                let width = value.quantity(Dimension::LENGTH)?;
-                match width >= 0.0 {
-                    true => Ok(width),
-                    false => Err(value.invalid("zero or positive").with_hint("a radius has no sign")),
-                }
-            };
-            let top_radius = top.as_ref().map_or(Ok(0.0), width)?;
-            let cone = Cone::new(width(&base)?, top_radius, height.positive(Dimension::LENGTH)?);
-            Geometry::solid(cone.map_err(|e| base.body(e))?)
+            let top_radius = table.get("top_radius").as_ref().map_or(Ok(0.0), not_negative)?;
+            let (base_radius, long) = (not_negative(&base)?, height.positive(Dimension::LENGTH)?);
+            if name == "cone_shell" {
+                let shell = ConeShell::new(base_radius, top_radius, long, ends()?);
+                Geometry::thin(shell.map_err(|e| base.body(e))?)
+            } else {
+                Geometry::solid(Cone::new(base_radius, top_radius, long).map_err(|e| base.body(e))?)
+            }
         }
     })
+}
+
+const TRIANGLE: &str = "vertices = [[0, 0], [\"30 mm\", 0], [0, \"20 mm\"]]";
+
+/// The inner radius, if the table has one; whether it is less than the radius, the shape says.
+fn inner_radius<'a>(table: &Table<'a>) -> Result<Option<(Value<'a>, f64)>, FormatError> {
+    let Some(value) = table.get("inner_radius") else { return Ok(None) };
+    let inner = not_negative(&value)?;
+    Ok(Some((value, inner)))
+}
+
+/// A radius that may be zero.
+fn not_negative(value: &Value<'_>) -> Result<f64, FormatError> {
+    let radius = value.quantity(Dimension::LENGTH)?;
+    if radius >= 0.0 {
+        return Ok(radius);
+    }
+    Err(value.invalid("zero or positive").with_hint("a radius has no sign"))
+}
+
+/// An array of N points of K coordinates, m.
+fn points<const N: usize, const K: usize>(corners: &Value<'_>) -> Result<[[f64; K]; N], FormatError> {
+    let mut points = [[0.0; K]; N];
+    for (point, values) in points.iter_mut().zip(corners.rows::<N, K>()?) {
+        *point = each(values, |value| value.quantity(Dimension::LENGTH))?;
+    }
+    Ok(points)
 }
 
 fn measured<S>(

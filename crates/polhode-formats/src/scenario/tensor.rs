@@ -88,7 +88,7 @@ impl<'a> Matrix<'a> {
             }
             _ => 1.0,
         };
-        let places = given.rows::<3>()?;
+        let places = given.rows::<3, 3>()?;
         let mut rows = [[0.0; 3]; 3];
         for (i, (row, values)) in rows.iter_mut().zip(places).enumerate() {
             *row = each(values, |value| value.quantity(Dimension::INERTIA))?;

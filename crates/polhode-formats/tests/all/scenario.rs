@@ -4,7 +4,8 @@ use std::path::Path;
 
 use polhode::body::Severity;
 use polhode::body::shape::{
-    BoxShell, Capsule, Cone, CylinderShell, Disk, Ellipsoid, Plate, SphereShell, Tetrahedron, Torus,
+    BoxShell, Capsule, Cone, ConeShell, CylinderShell, Disk, Ellipsoid, Plate, SphereShell, Tetrahedron,
+    Torus, TriangularPlate, TriangularPrism,
 };
 use polhode::motion::{Run, SplittingOrder};
 use polhode::prelude::*;
@@ -19,7 +20,7 @@ fn body(text: &str) -> Scenario {
 
 #[test]
 fn a_shape_is_what_its_table_says() {
-    let expected: [(&str, Box<dyn Shape>); 15] = [
+    let expected: [(&str, Box<dyn Shape>); 22] = [
         ("shape='box'\nsize=['30 mm','0.02 m','1 cm']", Box::new(BoxShape::new([0.03, 0.02, 0.01]).unwrap())),
         ("shape='sphere'\nradius='2 cm'", Box::new(Sphere::new(0.02).unwrap())),
         ("shape='ellipsoid'\nsemi_axes=[3,2,1]", Box::new(Ellipsoid::new([3.0, 2.0, 1.0]).unwrap())),
@@ -33,6 +34,31 @@ fn a_shape_is_what_its_table_says() {
             Box::new(
                 Tetrahedron::new([[0.0; 3], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.0]]).unwrap(),
             ),
+        ),
+        (
+            "shape='sphere'\nradius='2 cm'\ninner_radius='15 mm'",
+            Box::new(Sphere::hollow(0.02, 0.015).unwrap()),
+        ),
+        ("shape='sphere'\nradius=2\ninner_radius=0", Box::new(Sphere::new(2.0).unwrap())),
+        (
+            "shape='cylinder'\nradius=2\nlength=3\ninner_radius=1.9",
+            Box::new(Cylinder::hollow(2.0, 1.9, 3.0).unwrap()),
+        ),
+        (
+            "shape='triangular_prism'\nvertices=[[0,'1 cm'],[2,0],[0,3]]\nlength=4",
+            Box::new(TriangularPrism::new([[0.0, 0.01], [2.0, 0.0], [0.0, 3.0]], 4.0).unwrap()),
+        ),
+        (
+            "shape='triangular_plate'\nvertices=[[0,'1 cm'],[2,0],[0,3]]",
+            Box::new(TriangularPlate::new([[0.0, 0.01], [2.0, 0.0], [0.0, 3.0]]).unwrap()),
+        ),
+        (
+            "shape='cone_shell'\nradius=0\nheight=3\ntop_radius=1",
+            Box::new(ConeShell::new(0.0, 1.0, 3.0, false).unwrap()),
+        ),
+        (
+            "shape='cone_shell'\nradius=2\nheight=3\ntop_radius=1\nends=true",
+            Box::new(ConeShell::new(2.0, 1.0, 3.0, true).unwrap()),
         ),
         ("shape='rod'\nlength=3", Box::new(Rod::new(3.0).unwrap())),
         ("shape='disk'\nradius=3", Box::new(Disk::new(3.0).unwrap())),
@@ -53,6 +79,33 @@ fn a_shape_is_what_its_table_says() {
         assert_eq!(part.extent, Some(shape.spread().extent()));
         assert_eq!(part.surface_area.is_none(), part.kind == "rod");
         assert_eq!(part.name, format!("{} 1", part.kind));
+    }
+}
+
+/// A hollow sphere turned and moved, next to a wedge, is the assembly of the core's shapes.
+#[test]
+fn hollow_parts_are_placed_as_others() {
+    let read = body(
+        "[[body.part]]\nshape = 'sphere'\nradius = '40 mm'\ninner_radius = '31 mm'\ndensity = '1240 kg/m^3'\nposition = ['0.1 m', 0, '-20 mm']\n\
+         [[body.part]]\nshape = 'triangular_prism'\nvertices = [['10 mm', 0], ['90 mm', '5 mm'], ['20 mm', '60 mm']]\nlength = '25 mm'\nmass = '0.37 kg'\n\
+         position = [0, '0.2 m', '3 cm']\nrotate = { axis = [1, 2, 3], angle = '40 deg' }\n",
+    );
+    let ball = Sphere::hollow(0.04, 0.031).unwrap().mass_properties(Substance::Density(1240.0)).unwrap();
+    let wedge = TriangularPrism::new([[0.01, 0.0], [0.09, 0.005], [0.02, 0.06]], 0.025).unwrap();
+    let wedge = wedge.mass_properties(Substance::Mass(0.37)).unwrap();
+    let turn = Rotation::about(Direction::new(1.0, 2.0, 3.0), 40_f64.to_radians()).unwrap();
+    let parts = [
+        PlacedPart::new(ball, Position::new(0.1, 0.0, -0.02), Rotation::identity()).unwrap(),
+        PlacedPart::new(wedge, Position::new(0.0, 0.2, 0.03), turn).unwrap(),
+    ];
+    let want = polhode::body::assemble(&parts).unwrap();
+    let got = read.body();
+    assert!((got.mass() / want.mass() - 1.0).abs() < 1e-15);
+    assert!((got.center_of_mass() - want.center_of_mass()).norm() < 1e-16);
+    for (got, want) in
+        got.inertia().matrix().as_flattened().iter().zip(want.inertia().matrix().as_flattened())
+    {
+        assert!((got - want).abs() < 1e-17, "{got} {want}");
     }
 }
 

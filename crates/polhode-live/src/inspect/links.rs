@@ -99,7 +99,7 @@ impl<'a> Meshes<'a, '_> {
             GeometryShape::Box(size) => (Form::Box { size }, size.to_vec()),
             GeometryShape::Sphere(radius) => (Form::Ellipsoid { semi_axes: [radius; 3] }, vec![radius]),
             GeometryShape::Cylinder { radius, length } => {
-                (Form::Cylinder { radius, length, open: false }, vec![radius, length])
+                (Form::Cylinder { radius, inner_radius: 0.0, length }, vec![radius, length])
             }
             GeometryShape::Capsule { radius, length } => {
                 (Form::Capsule { radius, length }, vec![radius, length])

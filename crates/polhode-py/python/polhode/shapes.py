@@ -66,11 +66,49 @@ def cone(
     return _shape("cone", lengths, given(density=density, mass=mass, material=material))
 
 
-def cylinder(
-    *, radius: float, length: float, density: float | None = None, mass: float | None = None, material: str | None = None
+def cone_shell(
+    *,
+    base_radius: float,
+    height: float,
+    top_radius: float = 0.0,
+    ends: bool = False,
+    mass: float | None = None,
+    area_density: float | None = None,
 ) -> MassProperties:
-    """A solid cylinder along z, about its centre."""
-    lengths = [_arrays.number("radius", radius), _arrays.number("length", length)]
+    """The thin wall of a cone or a truncated one along z, with its ends or open: its base at z = 0, its top at z = ``height``.
+
+    >>> from polhode import shapes
+    >>> shapes.cone_shell(base_radius=0.3, height=0.6, mass=2.0).center_of_mass[2].round(12)
+    np.float64(0.2)
+    """
+    lengths = [
+        _arrays.number("base_radius", base_radius),
+        _arrays.number("top_radius", top_radius),
+        _arrays.number("height", height),
+    ]
+    return _shape("cone_shell", lengths, given(mass=mass, area_density=area_density), ends=_arrays.truth("ends", ends))
+
+
+def cylinder(
+    *,
+    radius: float,
+    length: float,
+    inner_radius: float = 0.0,
+    density: float | None = None,
+    mass: float | None = None,
+    material: str | None = None,
+) -> MassProperties:
+    """A cylinder along z, about its centre: solid, or with a coaxial bore of ``inner_radius``.
+
+    >>> from polhode import shapes
+    >>> shapes.cylinder(radius=0.5, inner_radius=0.4, length=0.1, mass=8.0).inertia[2, 2].round(12)
+    np.float64(1.64)
+    """
+    lengths = [
+        _arrays.number("radius", radius),
+        _arrays.number("inner_radius", inner_radius),
+        _arrays.number("length", length),
+    ]
     return _shape("cylinder", lengths, given(density=density, mass=mass, material=material))
 
 
@@ -105,10 +143,16 @@ def rod(*, length: float, mass: float | None = None, line_density: float | None 
 
 
 def sphere(
-    *, radius: float, density: float | None = None, mass: float | None = None, material: str | None = None
+    *,
+    radius: float,
+    inner_radius: float = 0.0,
+    density: float | None = None,
+    mass: float | None = None,
+    material: str | None = None,
 ) -> MassProperties:
-    """A solid ball, about its centre."""
-    return _shape("sphere", [_arrays.number("radius", radius)], given(density=density, mass=mass, material=material))
+    """A ball, about its centre: solid, or with a concentric cavity of ``inner_radius``."""
+    lengths = [_arrays.number("radius", radius), _arrays.number("inner_radius", inner_radius)]
+    return _shape("sphere", lengths, given(density=density, mass=mass, material=material))
 
 
 def sphere_shell(*, radius: float, mass: float | None = None, area_density: float | None = None) -> MassProperties:
@@ -135,3 +179,22 @@ def torus(
     """A solid torus about z: the middle of its tube is a ring of ``ring_radius``."""
     lengths = [_arrays.number("ring_radius", ring_radius), _arrays.number("tube_radius", tube_radius)]
     return _shape("torus", lengths, given(density=density, mass=mass, material=material))
+
+
+def triangular_plate(*, vertices: npt.ArrayLike, mass: float | None = None, area_density: float | None = None) -> MassProperties:
+    """A thin triangular plate in the x-y plane of three ``vertices`` (3, 2), where they are.
+
+    >>> from polhode import shapes
+    >>> shapes.triangular_plate(vertices=[[0, 0], [0.3, 0], [0, 0.6]], mass=2.0).inertia[0, 1].round(12)
+    np.float64(0.01)
+    """
+    lengths = _arrays.numbers("vertices", vertices, (3, 2)).ravel().tolist()
+    return _shape("triangular_plate", lengths, given(mass=mass, area_density=area_density))
+
+
+def triangular_prism(
+    *, vertices: npt.ArrayLike, length: float, density: float | None = None, mass: float | None = None, material: str | None = None
+) -> MassProperties:
+    """A solid triangular prism along z: three ``vertices`` (3, 2), where they are, from z = −``length``/2 to ``length``/2."""
+    lengths = [*_arrays.numbers("vertices", vertices, (3, 2)).ravel().tolist(), _arrays.number("length", length)]
+    return _shape("triangular_prism", lengths, given(density=density, mass=mass, material=material))

@@ -24,6 +24,7 @@ mod markdown;
 mod pendulum;
 mod rows;
 mod shape;
+mod shape_formula;
 mod spin;
 mod tensor;
 mod text;

@@ -14,6 +14,7 @@ mod explanation;
 mod facts;
 mod free;
 mod motion;
+mod outline;
 mod placed;
 mod rows;
 mod scene;

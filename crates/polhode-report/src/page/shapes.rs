@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use super::atoms;
 use super::decimate::decimated;
+use super::outline;
 use super::placed::{THIN, at};
 use super::surface;
 use super::turning::{Turning, ellipsoid};
@@ -114,18 +115,29 @@ fn of_form(
             json!({ "kind": "box", "size": numbers(&[*a, *b, THIN * a.min(*b)]) })
         }
         Form::Ellipsoid { semi_axes } => json!({ "kind": "ellipsoid", "half": numbers(semi_axes) }),
-        Form::Cylinder { radius, length, open } => {
-            cylinder(*radius, if *open { *radius } else { 0.0 }, *length)
-        }
+        // Its cavity is not seen from outside.
+        Form::HollowSphere { radius, .. } => json!({ "kind": "ellipsoid", "half": numbers(&[*radius; 3]) }),
+        Form::Cylinder { radius, inner_radius, length } => cylinder(*radius, *inner_radius, *length),
         Form::Rod { length } => cylinder(0.5 * THIN * length, 0.0, *length),
         Form::Disk { radius } => cylinder(*radius, 0.0, THIN * radius),
-        Form::Cone { base_radius, top_radius, height } => {
+        Form::Cone { base_radius, top_radius, height }
+        | Form::ConeShell { base_radius, top_radius, height, ends: true } => {
             middle = Position::new(0.0, 0.0, 0.5 * height);
             json!({ "kind": "cone", "bottom": base_radius, "top": top_radius, "height": height })
         }
         Form::Capsule { radius, length } => json!({ "kind": "capsule", "radius": radius, "height": length }),
         Form::Torus { ring_radius, tube_radius } => {
             json!({ "kind": "torus", "radius": ring_radius, "tube": tube_radius })
+        }
+        Form::ConeShell { base_radius, top_radius, height, ends: false } => {
+            let wall = outline::cone_wall(*base_radius, *top_radius, *height);
+            middle = Position::new(0.0, 0.0, 0.5 * height);
+            triangles_json(&wall, middle, wall.triangles().len())?
+        }
+        Form::TriangularPrism { vertices, length } => {
+            let prism = outline::prism(*vertices, *length);
+            middle = Position::from_array(middle_of(&prism)?);
+            triangles_json(&prism, middle, prism.triangles().len())?
         }
         Form::Mesh(mesh) => {
             middle = Position::from_array(middle_of(mesh)?);

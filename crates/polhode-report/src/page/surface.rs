@@ -51,6 +51,9 @@ fn is_like(surface: &BodySurface, form: &PlacedForm) -> bool {
         (SurfaceShape::Sphere { radius }, Form::Ellipsoid { semi_axes }) => {
             (radius, semi_axes.iter().all(|a| alike(*a, radius)))
         }
+        (SurfaceShape::Sphere { radius }, Form::HollowSphere { radius: own, .. }) => {
+            (radius, alike(*own, radius))
+        }
         (SurfaceShape::Ellipsoid { semi_axes: own }, Form::Ellipsoid { semi_axes }) => {
             let turn = (surface.axes().inverse() * form.rotation).canonical_quaternion();
             let is_turned = turn.iter().skip(1).any(|x| x.abs() > ALIKE);

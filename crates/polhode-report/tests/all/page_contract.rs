@@ -3,7 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use polhode::body::shape::{Capsule, Cone, CylinderShell, Disk, Plate, Torus};
+use polhode::body::shape::{
+    Capsule, Cone, ConeShell, CylinderShell, Disk, Plate, Torus, TriangularPlate, TriangularPrism,
+};
 use polhode::prelude::*;
 use serde_json::Value;
 
@@ -77,6 +79,15 @@ fn keys_are_those_of_the_contract() {
             one("cylinder", &CylinderShell::new(1.0, 2.0, false).unwrap()),
             one("capsule", &Capsule::new(1.0, 2.0).unwrap()),
             one("cone", &Cone::new(1.0, 0.0, 2.0).unwrap()),
+            one("cylinder", &Cylinder::hollow(1.0, 0.7, 2.0).unwrap()),
+            one("sphere", &Sphere::hollow(1.0, 0.7).unwrap()),
+            one("cone_shell", &ConeShell::new(1.0, 0.3, 2.0, false).unwrap()),
+            one("cone_shell", &ConeShell::new(1.0, 0.0, 2.0, true).unwrap()),
+            one("triangular_plate", &TriangularPlate::new([[0.1, 0.2], [1.1, 0.0], [0.3, 0.9]]).unwrap()),
+            one(
+                "triangular_prism",
+                &TriangularPrism::new([[0.1, 0.2], [1.1, 0.0], [0.3, 0.9]], 0.8).unwrap(),
+            ),
             one("torus", &Torus::new(1.0, 0.2).unwrap()),
             one("rod", &Rod::new(1.0).unwrap()),
             one("disk", &Disk::new(1.0).unwrap()),

@@ -23,10 +23,17 @@ pub enum Form {
     Cylinder {
         /// Of its wall.
         radius: f64,
+        /// Radius of its bore: zero of a solid or a closed can, `radius` of a thin tube without ends.
+        inner_radius: f64,
         /// From end to end.
         length: f64,
-        /// True for a tube without ends.
-        open: bool,
+    },
+    /// Its middle is the origin.
+    HollowSphere {
+        /// Outer radius.
+        radius: f64,
+        /// Radius of the cavity.
+        inner_radius: f64,
     },
     /// The middle of its base is the origin, its axis lies along +z.
     Cone {
@@ -36,6 +43,17 @@ pub enum Form {
         top_radius: f64,
         /// Along z.
         height: f64,
+    },
+    /// The thin wall of a cone or a frustum; the middle of its base is the origin, its axis lies along +z.
+    ConeShell {
+        /// Radius at z = 0.
+        base_radius: f64,
+        /// Radius at z = height; zero for a tip.
+        top_radius: f64,
+        /// Height, from z = 0.
+        height: f64,
+        /// True if two disks close it.
+        ends: bool,
     },
     /// A cylinder between two half balls, its middle at the origin, its axis along z.
     Capsule {
@@ -65,6 +83,13 @@ pub enum Form {
     Plate {
         /// Edges along x and y.
         size: [f64; 2],
+    },
+    /// A triangle in the plane z = 0, from −length/2 to length/2 along z.
+    TriangularPrism {
+        /// Corners (x, y).
+        vertices: [[f64; 2]; 3],
+        /// Length along z; zero of a thin plate.
+        length: f64,
     },
     /// Triangles, counter-clockwise from outside.
     Mesh(TriangleMesh),

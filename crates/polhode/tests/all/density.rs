@@ -4,7 +4,7 @@ use polhode::body::density::{
     Cubature, DensityField, FieldError, FieldMassProperties, Parametrised, Solid, VoxelGrid,
     mass_properties_of_field,
 };
-use polhode::body::shape::{Capsule, Cone, Ellipsoid, Tetrahedron, Torus};
+use polhode::body::shape::{Capsule, Cone, Ellipsoid, Tetrahedron, Torus, TriangularPrism};
 use polhode::prelude::*;
 
 /// Numbers in [0, 1) that look random (Knuth's MMIX generator).
@@ -308,11 +308,16 @@ fn a_gaussian_far_inside_a_body_has_its_textbook_moments() {
 
 #[test]
 fn every_shape_has_the_parametrisation_of_its_own_spread() {
-    let shapes: [&dyn Parametrised; 9] = [
+    let shapes: [&dyn Parametrised; 14] = [
         &BoxShape::new([0.7, 1.3, 2.1]).unwrap(),
         &Sphere::new(0.9).unwrap(),
         &Ellipsoid::new([0.7, 1.3, 2.1]).unwrap(),
         &Cylinder::new(0.6, 1.7).unwrap(),
+        &Cylinder::hollow(0.6, 0.23, 1.7).unwrap(),
+        &Cylinder::hollow(0.6, 0.599_999_9, 1.7).unwrap(),
+        &Sphere::hollow(0.9, 0.31).unwrap(),
+        &Sphere::hollow(0.9, 0.899_999_9).unwrap(),
+        &TriangularPrism::new([[0.1, -0.3], [1.3, 0.1], [0.2, 1.7]], 0.8).unwrap(),
         &Capsule::new(0.6, 1.7).unwrap(),
         &Cone::new(0.9, 0.4, 1.3).unwrap(),
         &Cone::new(0.0, 0.4, 1.3).unwrap(),

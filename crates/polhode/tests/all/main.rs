@@ -22,6 +22,7 @@ mod free_derivatives;
 mod free_motion;
 mod gimbals;
 mod heavy_top;
+mod hollow_shapes;
 mod inverse;
 mod jacobi_form;
 mod jacobian;

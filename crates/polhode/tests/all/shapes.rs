@@ -6,8 +6,8 @@ use std::ops::Add;
 use polhode::body::BodyError;
 use polhode::body::mesh::{ClosedMesh, Triangle};
 use polhode::body::shape::{
-    BoxShape, BoxShell, Capsule, Cone, Cylinder, CylinderShell, Disk, Ellipsoid, Extent, Plate, Rod, Shape,
-    Sphere, SphereShell, Substance, Tetrahedron, Torus,
+    BoxShape, BoxShell, Capsule, Cone, ConeShell, Cylinder, CylinderShell, Disk, Ellipsoid, Extent, Plate,
+    Rod, Shape, Sphere, SphereShell, Substance, Tetrahedron, Torus, TriangularPlate, TriangularPrism,
 };
 use polhode::math::{Part, Position};
 
@@ -118,20 +118,28 @@ fn solids_are_the_integrals_of_their_definitions() {
     let cuboid = Integrals::over([a, b, c].map(half), |x, y, z| ([x, y, z], 1.0));
     assert_integrals(&BoxShape::new([a, b, c]).unwrap(), cuboid);
 
-    let ball = |[a, b, c]: [f64; 3]| {
-        Integrals::over([[0.0, 1.0], [0.0, PI], [0.0, TAU]], move |s, theta, phi| {
+    let ball = |[a, b, c]: [f64; 3], inner: f64| {
+        Integrals::over([[inner, 1.0], [0.0, PI], [0.0, TAU]], move |s, theta, phi| {
             let [x, y, z] = direction(theta, phi);
             ([a * s * x, b * s * y, c * s * z], a * b * c * s * s * theta.sin())
         })
     };
-    assert_integrals(&Sphere::new(0.85).unwrap(), ball([0.85; 3]));
-    assert_integrals(&Ellipsoid::new([a, b, c]).unwrap(), ball([a, b, c]));
+    assert_integrals(&Sphere::new(0.85).unwrap(), ball([0.85; 3], 0.0));
+    assert_integrals(&Ellipsoid::new([a, b, c]).unwrap(), ball([a, b, c], 0.0));
 
     let (r, l) = (0.45, 1.7);
-    let cylinder = Integrals::over([[0.0, r], [0.0, TAU], half(l)], |rho, phi, z| {
-        ([rho * phi.cos(), rho * phi.sin(), z], rho)
-    });
+    let tube = |inner: f64| {
+        Integrals::over([[inner, r], [0.0, TAU], half(l)], |rho, phi, z| {
+            ([rho * phi.cos(), rho * phi.sin(), z], rho)
+        })
+    };
+    let cylinder = tube(0.0);
     assert_integrals(&Cylinder::new(r, l).unwrap(), cylinder);
+    // Walls from thick to thin, the last within the rounding of this integral.
+    for part in [1e-9, 0.013, 0.4, 0.77, 0.999] {
+        assert_integrals(&Cylinder::hollow(r, part * r, l).unwrap(), tube(part * r));
+        assert_integrals(&Sphere::hollow(0.85, part * 0.85).unwrap(), ball([0.85; 3], part));
+    }
 
     let cap = |side: f64| {
         Integrals::over([[0.0, r], [0.0, 0.5 * PI], [0.0, TAU]], move |rho, theta, phi| {
@@ -168,6 +176,23 @@ fn solids_are_the_integrals_of_their_definitions() {
     });
     assert_integrals(&Tetrahedron::new(corners).unwrap(), tetrahedron);
     assert_integrals(&Tetrahedron::new([p, o, q, r]).unwrap(), tetrahedron); // the other handedness
+
+    let [o, p, q] = TRIANGLE;
+    assert_integrals(&TriangularPrism::new([o, p, q], l).unwrap(), triangle(Some(half(l))));
+    assert_integrals(&TriangularPrism::new([p, o, q], l).unwrap(), triangle(Some(half(l))));
+}
+
+/// Corners of a generic triangle, far from the origin compared with its size.
+const TRIANGLE: [[f64; 2]; 3] = [[0.2, -0.3], [1.1, 0.1], [0.4, 0.9]];
+
+/// [`TRIANGLE`] over an interval of z, or flat at z = 0, by the Duffy map, whose element is u |det|.
+fn triangle(along: Option<[f64; 2]>) -> Integrals {
+    let [o, p, q] = TRIANGLE;
+    let det = (p[0] - o[0]) * (q[1] - o[1]) - (p[1] - o[1]) * (q[0] - o[0]);
+    Integrals::over([[0.0, 1.0], [0.0, 1.0], along.unwrap_or(NONE)], |u, v, z| {
+        let [x, y] = [0, 1].map(|k| o[k] + u * (p[k] - o[k] + v * (q[k] - p[k])));
+        ([x, y, if along.is_some() { z } else { 0.0 }], u * det)
+    })
 }
 
 #[test]
@@ -194,6 +219,25 @@ fn thin_shapes_are_the_integrals_of_their_definitions() {
         (direction(theta, phi).map(|c| r * c), r * r * theta.sin())
     });
     assert_integrals(&SphereShell::new(r).unwrap(), sphere);
+
+    // Of a frustum's wall dA = ρ (s/h) dφ dz with the slant height s.
+    for (base, top) in [(0.9, 0.35), (0.35, 0.9), (0.9, 0.0), (0.0, 0.9), (0.6, 0.6)] {
+        let h = 1.3;
+        let radius = |z: f64| base + (top - base) * z / h;
+        let slant = f64::hypot(h, base - top) / h;
+        let wall = Integrals::over([[0.0, TAU], [0.0, h], NONE], |phi, z, _| {
+            let r = radius(z);
+            ([r * phi.cos(), r * phi.sin(), z], r * slant)
+        });
+        let end = |r: f64, z: f64| {
+            Integrals::over([[0.0, r], [0.0, TAU], NONE], move |rho, phi, _| {
+                ([rho * phi.cos(), rho * phi.sin(), z], rho)
+            })
+        };
+        assert_integrals(&ConeShell::new(base, top, h, false).unwrap(), wall);
+        assert_integrals(&ConeShell::new(base, top, h, true).unwrap(), wall + end(base, 0.0) + end(top, h));
+    }
+    assert_integrals(&TriangularPlate::new(TRIANGLE).unwrap(), triangle(None));
 
     let [a, b, c] = [0.7, 1.3, 0.4];
     let plate = Integrals::over([half(a), half(b), NONE], |x, y, _| ([x, y, 0.0], 1.0));
@@ -420,6 +464,8 @@ fn impossible_sizes_are_refused_by_name() {
         ("the rod's length", maker(Rod::new)),
         ("the disk's radius", maker(Disk::new)),
         ("the plate's size", maker(|x| Plate::new([1.0, x]))),
+        ("the conical shell's height", maker(|x| ConeShell::new(1.0, 0.5, x, true))),
+        ("the triangular prism's length", maker(|x| TriangularPrism::new(TRIANGLE, x))),
     ];
     let refused = |name: &str, value: f64, error: Option<BodyError>| match error {
         Some(BodyError::Parameter { what, value: got, .. }) => {

@@ -31,7 +31,7 @@ fn matrix(value: &Value<'_>, law: DragLaw) -> Result<[[f64; 3]; 3], FormatError>
         return Ok([[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]]);
     }
     let mut matrix = [[0.0; 3]; 3];
-    for (row, values) in matrix.iter_mut().zip(value.rows::<3>()?) {
+    for (row, values) in matrix.iter_mut().zip(value.rows::<3, 3>()?) {
         *row = each(values, read)?;
     }
     Ok(matrix)

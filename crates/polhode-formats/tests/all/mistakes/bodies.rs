@@ -40,6 +40,47 @@ fn impossible_bodies_are_refused_where_they_are_impossible() {
         "the torus's tube radius = 2 must be at most its ring radius",
         "ring_radius goes to the middle of the tube",
     );
+    for (shape, size) in [("cylinder", "\nlength=1"), ("sphere", "")] {
+        let hollow = |inner: &str| {
+            format!("[[body.part]]\nshape='{shape}'{size}\nradius='40 mm'\ninner_radius={inner}\nmass=1")
+        };
+        refuses(
+            &hollow("«'5 cm'»"),
+            &format!("the {shape}'s inner radius = 0.05 must be less than its radius"),
+            "inner_radius is the radius of the cavity",
+        );
+        refuses(
+            &hollow("«'40 mm'»"),
+            &format!("the {shape}'s inner radius = 0.04 must be less than its radius"),
+            "inner_radius is",
+        );
+        refuses(&hollow("«-0.01»"), "inner_radius = -0.01 must be zero or positive", "a radius has no sign");
+        for value in ["nan", "inf"] {
+            let error = parse(&hollow(value)).unwrap_err();
+            assert!(error.message().contains("inner_radius"), "{error}");
+        }
+    }
+    refuses(
+        "[[body.part]]\nshape='cone_shell'\nradius=«0»\nheight=1\nmass=1",
+        "the larger radius of the conical shell = 0 must be positive and finite",
+        "a cone has a tip at one end at most",
+    );
+    for (shape, name, length) in [
+        ("triangular_plate", "the triangular plate", ""),
+        ("triangular_prism", "the triangular prism", "length=2\n"),
+    ] {
+        let triangle =
+            |corners: &str| format!("[[body.part]]\nshape='{shape}'\n{length}vertices={corners}\nmass=1");
+        refuses(
+            &triangle("«[[0,0],[1,0.5],[-2,-1]]»"),
+            &format!("{name}'s area = 0 must be positive: its corners may not lie on one line"),
+            "three corners on one line enclose no area",
+        );
+        for few in ["[[0,0],[1,0.5]]", "[[0,0,0],[1,0.5,0],[0,1,0]]"] {
+            let error = parse(&triangle(few)).unwrap_err();
+            assert!(error.message().contains("vertices"), "{error}");
+        }
+    }
     refuses(
         "[[body.part]]\nshape='particles'\nparticles=[{mass=1,position=[0,0,1]},{mass=«-1»,position=[0,0,0]}]",
         "mass = -1 must be positive",

@@ -204,8 +204,8 @@ fn values_of_the_wrong_type_or_length_are_refused() {
 fn names_are_known_ones() {
     refuses(
         &BALL.replace("'sphere'", "«'shpere'»"),
-        "shape = 'shpere' must be one of box, sphere, ellipsoid, cylinder, capsule, cone, torus, tetrahedron, rod, disk, \
-         plate, sphere_shell, box_shell, cylinder_shell, mesh, molecule, particles, tensor",
+        "shape = 'shpere' must be one of box, sphere, ellipsoid, cylinder, capsule, cone, torus, tetrahedron, \
+         triangular_prism, rod, disk, plate, triangular_plate, sphere_shell, box_shell, cylinder_shell, cone_shell, mesh, molecule, particles, tensor",
         "did you mean \"sphere\"?",
     );
     let error = refuses(

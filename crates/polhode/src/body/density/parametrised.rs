@@ -9,6 +9,7 @@ use crate::body::shape::ellipsoid::Ellipsoid;
 use crate::body::shape::sphere::Sphere;
 use crate::body::shape::tetrahedron::Tetrahedron;
 use crate::body::shape::torus::Torus;
+use crate::body::shape::triangular_prism::TriangularPrism;
 use crate::math::number::PI;
 
 /// A solid that is the image of the unit cube under one or several smooth maps, its *charts*, which overlap nowhere.
@@ -43,8 +44,12 @@ impl Parametrised for BoxShape {
 }
 
 impl Parametrised for Sphere {
-    fn point(&self, _chart: usize, uvw: [f64; 3]) -> ([f64; 3], f64) {
-        ball([self.radius; 3], uvw, PI)
+    /// The ball from the part k + (1 − k) u of its radius, k = r/R.
+    fn point(&self, _chart: usize, [u, v, w]: [f64; 3]) -> ([f64; 3], f64) {
+        let Self { radius, inner_radius: inner } = *self;
+        let wall = (radius - inner) / radius;
+        let (point, jacobian) = ball([radius; 3], [inner / radius + wall * u, v, w], PI);
+        (point, wall * jacobian)
     }
 }
 
@@ -56,9 +61,11 @@ impl Parametrised for Ellipsoid {
 
 impl Parametrised for Cylinder {
     fn point(&self, _chart: usize, [u, v, w]: [f64; 3]) -> ([f64; 3], f64) {
+        let Self { radius, inner_radius: inner, length } = *self;
         let (sin, cos) = libm::sincos(2.0 * PI * v);
-        let r = self.radius * u;
-        ([r * cos, r * sin, self.length * (w - 0.5)], 2.0 * PI * self.radius * r * self.length)
+        let wall = radius - inner;
+        let r = inner + wall * u;
+        ([r * cos, r * sin, length * (w - 0.5)], 2.0 * PI * wall * r * length)
     }
 }
 
@@ -71,7 +78,7 @@ impl Parametrised for Capsule {
     fn point(&self, chart: usize, uvw: [f64; 3]) -> ([f64; 3], f64) {
         let Self { radius, length } = *self;
         if chart == 0 {
-            return Cylinder { radius, length }.point(0, uvw);
+            return Cylinder { radius, inner_radius: 0.0, length }.point(0, uvw);
         }
         let side = if chart == 1 { 1.0 } else { -1.0 };
         let ([x, y, z], jacobian) = ball([radius; 3], uvw, 0.5 * PI);
@@ -109,6 +116,15 @@ impl Parametrised for Tetrahedron {
             o[k] + shares[0] * (a[k] - o[k]) + shares[1] * (b[k] - o[k]) + shares[2] * (c[k] - o[k])
         });
         (at, 6.0 * self.spread().extent().measure() * u * u * v)
+    }
+}
+
+impl Parametrised for TriangularPrism {
+    /// x = o + u [a + v (b − a)], the edges a, b from the first corner o:  |∂(x, y)/∂(u, v)| = u |a × b|
+    fn point(&self, _chart: usize, [u, v, w]: [f64; 3]) -> ([f64; 3], f64) {
+        let [o, a, b] = self.triangle.vertices;
+        let [x, y] = core::array::from_fn(|k| o[k] + u * ((1.0 - v) * (a[k] - o[k]) + v * (b[k] - o[k])));
+        ([x, y, self.length * (w - 0.5)], 2.0 * self.triangle.area() * u * self.length)
     }
 }
 

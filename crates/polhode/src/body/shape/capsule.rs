@@ -51,7 +51,7 @@ impl Shape for Capsule {
         );
         let cap =
             |side: f64| half_ball.moved(Position::new(0.0, 0.0, side * (0.5 * length + 0.375 * radius)));
-        Cylinder { radius, length }.spread().joined(&[cap(-1.0), cap(1.0)])
+        Cylinder { radius, inner_radius: 0.0, length }.spread().joined(&[cap(-1.0), cap(1.0)])
     }
 
     fn surface_area(&self) -> f64 {

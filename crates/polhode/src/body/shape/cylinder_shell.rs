@@ -56,6 +56,7 @@ impl Shape for CylinderShell {
     }
 
     fn form(&self) -> Option<Form> {
-        Some(Form::Cylinder { radius: self.radius, length: self.length, open: !self.ends })
+        let Self { radius, length, ends } = *self;
+        Some(Form::Cylinder { radius, inner_radius: if ends { 0.0 } else { radius }, length })
     }
 }

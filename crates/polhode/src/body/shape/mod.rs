@@ -6,6 +6,7 @@ pub(crate) mod r#box;
 pub(crate) mod box_shell;
 pub(crate) mod capsule;
 pub(crate) mod cone;
+pub(crate) mod cone_shell;
 pub(crate) mod cylinder;
 pub(crate) mod cylinder_shell;
 pub(crate) mod disk;
@@ -16,11 +17,15 @@ pub(crate) mod sphere;
 pub(crate) mod sphere_shell;
 pub(crate) mod tetrahedron;
 pub(crate) mod torus;
+pub(crate) mod triangle;
+pub(crate) mod triangular_plate;
+pub(crate) mod triangular_prism;
 
 pub use r#box::BoxShape;
 pub use box_shell::BoxShell;
 pub use capsule::Capsule;
 pub use cone::Cone;
+pub use cone_shell::ConeShell;
 pub use cylinder::Cylinder;
 pub use cylinder_shell::CylinderShell;
 pub use disk::Disk;
@@ -31,10 +36,12 @@ pub use sphere::Sphere;
 pub use sphere_shell::SphereShell;
 pub use tetrahedron::Tetrahedron;
 pub use torus::Torus;
+pub use triangular_plate::TriangularPlate;
+pub use triangular_prism::TriangularPrism;
 
 use core::fmt;
 
-use super::error::{BodyError, positive};
+use super::error::{BodyError, not_negative, positive};
 use super::form::Form;
 use super::mass_properties::MassProperties;
 use crate::math::frame::Part;
@@ -137,6 +144,14 @@ impl Spread {
 /// The shape, if f64 holds the numbers of its spread.
 fn representable<S: Shape>(shape: S) -> Result<S, BodyError> {
     shape.spread().representable().map(|_| shape)
+}
+
+/// An inner radius, if it leaves a wall.
+fn hollow(what: &'static str, inner_radius: f64, radius: f64) -> Result<f64, BodyError> {
+    if not_negative(what, inner_radius)? < radius {
+        return Ok(inner_radius);
+    }
+    Err(BodyError::Parameter { what, value: inner_radius, rule: "less than its radius" })
 }
 
 /// Refuses what is not positive and finite with all its digits.

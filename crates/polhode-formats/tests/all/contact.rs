@@ -102,6 +102,49 @@ fn the_motion_is_that_of_the_core() {
     assert!(Drift::of(&motion).is_none(), "work and impulse are by the theorems");
 }
 
+/// A horizontal velocity would take a body off a slope, and is refused. The error states its part along the slope. That part is completed by
+/// the rate at which the centre of an egg rises or falls.
+#[test]
+fn a_velocity_on_a_slope_is_completed_along_the_normal_or_refused() {
+    let on = |ground: &str| {
+        format!(
+            "surface = {{ shape = 'ellipsoid', semi_axes = [0.3, 0.25, 0.2] }}\nlaw = 'friction'\nfriction = 0.3\nground = {ground}"
+        )
+    };
+    let turned = "attitude = { axis = [1, 2, 3], angle = '50 deg' }\nspin = { body = [1, -2, 3] }\n";
+    for ground in ["{ slope = '20 deg' }", "{ normal = [0.3, -0.4, 1.2] }"] {
+        let start = |velocity: &str| {
+            let text = text(&on(ground), &format!("{turned}velocity = {velocity}"));
+            parse(&text.replace("'1 s'", "'2 ms'").replace("samples = 5", "samples = 3"))
+        };
+        let error = start("['0.5 m/s', '0.2 m/s', 0]").unwrap_err();
+        assert!(error.message().contains("along the normal"), "{error}");
+        let hint = error.hint().unwrap();
+        let (_, fits) = hint.split_once("velocity = ").unwrap();
+        let along: Vec<f64> =
+            fits.trim_matches(['[', ']']).split(", ").map(|number| number.parse().unwrap()).collect();
+        let scenario = start(fits).unwrap_or_else(|error| panic!("{fits}: {error}"));
+        let motion = scenario.simulate().unwrap().unwrap();
+        let contact = motion.contact().unwrap();
+        let normal = scenario.ground().unwrap().contact.ground.normal_at(Position::ZERO).unwrap();
+        let along = polhode::math::Velocity::new(along[0], along[1], along[2]);
+        assert!(along.dot(normal).abs() < 1e-15 && along.norm() > 0.3);
+        // The component along the normal is the rate of the height of the centre, by differences of its samples.
+        let velocity = contact.start().velocity;
+        let change = velocity - along;
+        let rest = |k: usize| change.to_array()[k] - change.dot(normal) * normal.to_array()[k];
+        assert!((0..3).all(|k| rest(k).abs() < 1e-15), "{velocity:?} {along:?}");
+        let [first, second, third] = [0, 1, 2].map(|k| {
+            let sample = &contact.samples()[k];
+            (sample.state.time, sample.center.dot(normal))
+        });
+        let h = second.0 - first.0;
+        let rate = (4.0 * second.1 - third.1 - 3.0 * first.1) / (2.0 * h);
+        assert!((rate - velocity.dot(normal)).abs() < 1e-4, "{rate} {}", velocity.dot(normal));
+        assert!(velocity.dot(normal).abs() > 1e-2);
+    }
+}
+
 /// What stands at the place of an error, and what it says.
 #[test]
 fn each_mistake_has_its_place() {

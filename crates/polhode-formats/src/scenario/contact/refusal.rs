@@ -1,5 +1,6 @@
 //! Where in the file it stands what the core refuses of a body on the ground.
 
+use polhode::motion::contact::StartVelocity;
 use polhode::motion::{Event, Measure, MotionError};
 
 use super::OnGround;
@@ -16,12 +17,7 @@ const PLACES: [(&str, &str, &str, &str); 17] = [
     ),
     ("the point of contact from the axis of the ground", "contact", "at", ""),
     ("the point of contact", "contact", "at", ""),
-    (
-        "the velocity of the centre of mass along the normal",
-        "start",
-        "velocity",
-        "what it is along the normal follows from the spin: give the velocity along the ground",
-    ),
+    ("the velocity of the centre of mass along the normal", "start", "velocity", ALONG_THE_GROUND),
     ("the velocity of the centre of mass", "start", "velocity", ""),
     (
         "the slip at the start",
@@ -67,6 +63,9 @@ const PLACES: [(&str, &str, &str, &str); 17] = [
     ("the lever of pivoting friction", "contact", "pivoting_friction", ""),
 ];
 
+const ALONG_THE_GROUND: &str =
+    "what it is along the normal follows from the spin: give the velocity along the ground";
+
 impl OnGround<'_> {
     /// An error of the core at the key that it is about.
     pub(super) fn refused(&self, error: MotionError, events: &[Event]) -> FormatError {
@@ -89,7 +88,20 @@ impl OnGround<'_> {
             return self.value.motion(error);
         };
         let placed = self.at(table, key).unwrap_or(self.value).motion(error);
+        if *hint == ALONG_THE_GROUND
+            && let Some([x, y, z]) = self.along_the_ground()
+        {
+            return placed.with_hint(format!("{hint}, velocity = [{x}, {y}, {z}]"));
+        }
         if hint.is_empty() { placed } else { placed.with_hint(*hint) }
+    }
+
+    /// The part of the given velocity along the ground, m/s, space axes: v − (v · n) n.
+    fn along_the_ground(&self) -> Option<[f64; 3]> {
+        let StartVelocity::Along(velocity) = self.ground.velocity else { return None };
+        let normal = self.ground.contact.ground.normal_at(self.ground.at)?;
+        let (v, n, across) = (velocity.to_array(), normal.to_array(), velocity.dot(normal));
+        Some([0, 1, 2].map(|k| v[k] - across * n[k]))
     }
 
     /// The value of a key of a table of the file; the table, where it has no such key.

@@ -107,7 +107,7 @@ impl Ground {
     }
 
     /// The normal at a point of it, towards the body.
-    pub(super) fn normal_at(&self, point: Position<Space>) -> Option<Direction<Space>> {
+    pub fn normal_at(&self, point: Position<Space>) -> Option<Direction<Space>> {
         match self.shape {
             GroundShape::Plane => Some(self.axis),
             GroundShape::Sphere { side, .. } => {

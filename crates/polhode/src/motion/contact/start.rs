@@ -9,7 +9,8 @@ use crate::motion::model::state::State;
 pub enum StartVelocity {
     /// As it must, so that the body rolls.
     Rolling,
-    /// With this velocity, of which only what lies in the ground counts: the rest follows from the contact.
+    /// Velocity whose component along the normal is zero, or the one that the contact demands. Zero is completed to that. A motion with any other
+    /// component is refused: the body would leave the ground or enter it.
     Along(Velocity<Space>),
 }
 

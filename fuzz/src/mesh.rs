@@ -8,7 +8,7 @@ use polhode::body::mesh::{ConvexHull, TriangleMesh};
 use polhode::body::shape::{Shape as _, Substance};
 use polhode::math::Rotation;
 use polhode_formats::mesh::stl_quick::{self, QuickOptions};
-use polhode_formats::mesh::{MeshContents, MeshFormat, MeshSolid};
+use polhode_formats::mesh::{MeshContents, MeshFormat, MeshSolid, points};
 
 use super::physical::{assert_physical, assert_written_is_read};
 
@@ -31,6 +31,16 @@ pub fn stl(data: &[u8]) {
 
 pub fn obj(data: &[u8]) {
     mesh(data, MeshFormat::Obj);
+    if let Ok(cloud) = points::read(data) {
+        assert!(
+            cloud.parts.iter().all(|part| part
+                .mesh
+                .coordinates()
+                .as_flattened()
+                .iter()
+                .all(|x| x.is_finite()))
+        );
+    }
 }
 
 pub fn ply(data: &[u8]) {

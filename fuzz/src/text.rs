@@ -2,7 +2,10 @@
 
 use std::path::Path;
 
-use polhode_formats::cad::{self, CadOptions, DecimalMark, ProductConvention};
+use polhode::body::shape::Substance;
+use polhode_formats::cad::{
+    self, CadOptions, DecimalMark, GeometryProgram, GeometryReport, ProductConvention,
+};
 use polhode_formats::expression::{Expression, formula_of_state, formula_of_time};
 use polhode_formats::identify;
 use polhode_formats::unit::{self, Dimension};
@@ -33,6 +36,13 @@ pub fn cad(data: &[u8]) {
     };
     let point = told(DecimalMark::Point, ProductConvention::Negative);
     let comma = told(DecimalMark::Comma, ProductConvention::Positive);
+    for program in [GeometryProgram::MeshLab, GeometryProgram::FreeCad] {
+        if let Ok(shape) = GeometryReport::read(program, text, Some(0.001))
+            && let Ok(body) = shape.mass_properties(Substance::Mass(1.5))
+        {
+            assert_physical(&body);
+        }
+    }
     let mut first = true;
     for options in [CadOptions::default(), point, comma] {
         let Ok(report) = cad::read(text, &options) else { continue };

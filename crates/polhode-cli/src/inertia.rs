@@ -165,7 +165,12 @@ impl Inertia {
             })?;
             return Err(Failure::usage(format.refusal(), format.hint(file)));
         }
-        let Some(kind) = self.format.or_else(|| Kind::of_path(file)) else {
+        // The ending .xyz is of molecules and of clouds of points, of which only the hull is a body.
+        let of_path = || match Kind::of_path(file) {
+            Some(Kind::Xyz) if self.mesh.is_hull() => Some(Kind::Mesh(MeshFormat::Points)),
+            kind => kind,
+        };
+        let Some(kind) = self.format.or_else(of_path) else {
             return Err(Failure::usage(
                 format!("{} has an unknown file extension", shown(file)),
                 format!("say what it is by --format; scenarios are .toml, meshes {}", mesh_extensions()),
@@ -184,7 +189,9 @@ impl Inertia {
             Kind::Particles => {
                 vec![particles::report(file, self.substance.mass(), self.unit, self.mass_unit)?]
             }
-            Kind::Cad => vec![cad::report(file, &self.cad, self.unit, self.mass_unit)?],
+            Kind::Cad => {
+                vec![cad::report(file, &self.cad, self.substance.given(), self.unit, self.mass_unit)?]
+            }
             Kind::Xyz => molecule::reports(file, MoleculeFormat::Xyz, &self.molecule)?,
             Kind::Mol => {
                 let format = MoleculeFormat::of_path(file).filter(|format| *format == MoleculeFormat::Sdf);
@@ -223,7 +230,11 @@ impl Inertia {
         let voxels = matches!(kind, Kind::Npy | Kind::Nrrd);
         let listed = matches!(kind, Kind::Cad | Kind::Particles);
         let checks = [
-            (self.substance.given().and(Some("--density, --mass or --material")), mesh, "a mesh"),
+            (
+                self.substance.given().and(Some("--density, --mass or --material")),
+                mesh || kind == Kind::Cad,
+                "a mesh or the measures of a shape",
+            ),
             (
                 self.unit.and(Some("--unit")),
                 mesh || kind == Kind::Nrrd || listed,
@@ -256,7 +267,8 @@ impl Inertia {
     fn refuse_idle_units(&self, kind: Kind, file: &Path) -> Result<(), Failure> {
         let readable = |unit, mass_unit| match kind {
             Kind::Particles => particles::report(file, self.substance.mass(), unit, mass_unit).is_ok(),
-            Kind::Cad => cad::report(file, &self.cad, unit, mass_unit).is_ok(),
+            Kind::Cad if cad::leaves_unit_open(file) => false,
+            Kind::Cad => cad::report(file, &self.cad, self.substance.given(), unit, mass_unit).is_ok(),
             _ => false,
         };
         let idle = if self.unit.is_some() && readable(None, self.mass_unit) {

@@ -71,7 +71,11 @@ pub(crate) fn mesh_file(
         .ok_or_else(|| refused(format!("no mesh format is called {format:?}"), None))?;
     let substance = (given.substance()?, own(&options.parts)?);
     watched_apart(py, move |goes_on| {
-        let contents = MeshContents::read(&path, format).map_err(Raise::raise)?;
+        let contents = match options.hull {
+            true => MeshContents::read_for_hull(&path, format),
+            false => MeshContents::read(&path, format),
+        };
+        let contents = contents.map_err(Raise::raise)?;
         let title = format!("{} {}", format.title(), contents.encoding).trim_end().to_owned();
         let source = SourceInfo::new(path.display().to_string(), format.name());
         of_contents(contents, (&path, format), &options, substance, (source, &title), goes_on)

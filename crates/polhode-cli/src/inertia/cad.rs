@@ -3,7 +3,11 @@
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
-use polhode_formats::cad::{self, CadOptions, CadReport, DecimalMark, ProductConvention};
+use polhode::body::shape::{Extent, Substance};
+use polhode_formats::cad::{
+    self, CadOptions, CadReport, DecimalMark, GeometryProgram, GeometryReport, ProductConvention,
+};
+use polhode_formats::mesh::AssumedMetres;
 use polhode_formats::read_text_file;
 use polhode_report::{Extra, InertiaReport, SourceInfo, sign_proof};
 
@@ -47,9 +51,16 @@ impl CadFlags {
     }
 }
 
+/// Contents of a text: a report with a mass, or the measures of a shape.
+enum Read {
+    Report(Box<CadReport>),
+    Geometry(GeometryReport),
+}
+
 pub(super) fn report(
     file: &Path,
     flags: &CadFlags,
+    substance: Option<Substance>,
     length_unit: Option<f64>,
     mass_unit: Option<f64>,
 ) -> Result<InertiaReport, Failure> {
@@ -65,8 +76,40 @@ pub(super) fn report(
         mass_unit,
         length_unit,
     };
-    let CadReport { product, properties, volume, surface_area, density, proof, findings } =
-        read_text_file(file, |text| cad::read(text, &options))?;
+    let read = read_text_file(file, |text| match GeometryProgram::of_text(text) {
+        // Its tensor has one sign and one point, and only a substance is open.
+        Some(program) if substance.is_some() => {
+            GeometryReport::read(program, text, length_unit).map(Read::Geometry)
+        }
+        _ => cad::read(text, &options).map(|report| Read::Report(Box::new(report))),
+    })?;
+    let report = match (read, substance) {
+        (Read::Report(report), None) => *report,
+        (Read::Report(_), Some(_)) => {
+            return Err(Failure::usage(
+                format!(
+                    "--density, --mass or --material is for shapes, and the report in {} has a mass",
+                    file.display()
+                ),
+                "leave it out",
+            ));
+        }
+        (Read::Geometry(_), _) if flags.given().is_some() || mass_unit.is_some() => {
+            let flag = flags.given().unwrap_or("--mass-unit");
+            return Err(Failure::usage(
+                format!(
+                    "{flag} is for a report with a mass, and {} has the measures of a shape",
+                    file.display()
+                ),
+                "leave it out",
+            ));
+        }
+        (Read::Geometry(shape), Some(substance)) => return measured(file, shape, substance),
+        (Read::Geometry(_), None) => {
+            return Err(Failure::usage("the file has no mass", "give --density or --mass"));
+        }
+    };
+    let CadReport { product, properties, volume, surface_area, density, proof, findings } = report;
     let source = SourceInfo::new(file.display().to_string(), "cad")
         .described(format!("mass properties by {}", product.name()))
         .with("product", product.name());
@@ -84,4 +127,41 @@ pub(super) fn report(
         findings,
         ..InertiaReport::new(source, properties)
     })
+}
+
+/// The report of a shape's measures, made of a substance.
+fn measured(file: &Path, shape: GeometryReport, substance: Substance) -> Result<InertiaReport, Failure> {
+    let properties = shape.mass_properties(substance).map_err(|error| {
+        let hint = "if the shape is a rod or a plate, print more digits: rounding alone can make its tensor impossible";
+        Failure::usage(format!("{}: {error}", file.display()), hint)
+    })?;
+    let name = shape.program.name();
+    let words = if shape.unit_assumed { ", in m as no unit is given" } else { "" };
+    let source = SourceInfo::new(file.display().to_string(), "cad")
+        .described(format!("volume, centre and tensor of a shape by {name}{words}"))
+        .with("product", name)
+        .with("unit_m", shape.unit);
+    let mut findings = shape.findings;
+    let source = if shape.unit_assumed { source.with("unit_assumed", true) } else { source };
+    if shape.unit_assumed {
+        let assumed = AssumedMetres {
+            properties: &properties,
+            extent: Some(Extent::Volume(shape.volume)),
+            mass_given: matches!(substance, Substance::Mass(_)),
+            others: None,
+            remedy: "--unit mm, or --unit m if it is so",
+        };
+        findings.extend(assumed.finding(Some(file.display().to_string())));
+    }
+    Ok(InertiaReport {
+        surface_area: shape.surface_area,
+        findings,
+        ..InertiaReport::new(source, properties).with_volume(Some(shape.volume))
+    })
+}
+
+/// True of measures that have no unit of length, as those of a mesh have none.
+pub(super) fn leaves_unit_open(file: &Path) -> bool {
+    let program = read_text_file(file, |text| Ok(GeometryProgram::of_text(text)));
+    matches!(program, Ok(Some(GeometryProgram::MeshLab)))
 }

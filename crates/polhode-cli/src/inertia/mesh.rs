@@ -34,7 +34,8 @@ pub(super) struct MeshFlags {
     /// What one part of a mesh is made of: its name in the file, and its density, mass or material; may be repeated.
     #[arg(long, value_name = "NAME=WHAT", value_parser = part)]
     part: Vec<PartSubstance>,
-    /// The convex hull of each part of a mesh, closed or not, instead of the mesh.
+    /// The convex hull of each part of a mesh, closed or not, instead of the mesh. Clouds of points have one too: .xyz files, and .ply and .obj files
+    /// without faces.
     #[arg(long, conflicts_with = "shell")]
     hull: bool,
     /// A sheet of this thickness along a mesh, closed or not, instead of the solid in it.
@@ -69,6 +70,10 @@ pub(super) struct MeshFlags {
 }
 
 impl MeshFlags {
+    pub(super) const fn is_hull(&self) -> bool {
+        self.hull
+    }
+
     pub(super) const fn is_quick(&self) -> bool {
         self.quick
     }
@@ -163,7 +168,10 @@ fn whole(
     flags: &MeshFlags,
     findings: &mut Vec<Finding>,
 ) -> Result<Model, Failure> {
-    let mut contents = MeshContents::read(file, format)?;
+    let mut contents = match flags.hull {
+        true => MeshContents::read_for_hull(file, format)?,
+        false => MeshContents::read(file, format)?,
+    };
     let (given, count) = (contents.triangles(), contents.parts.len());
     let encoding = contents.encoding;
     let described = |what: &str, triangles: usize, parts: usize, unit: f64| {
@@ -193,6 +201,8 @@ fn whole(
             field: None,
         });
     }
+    let is_cloud = flags.hull && given == 0;
+    let points: usize = contents.parts.iter().map(|part| part.mesh.coordinates().len()).sum();
     if flags.hull {
         for part in &mut contents.parts {
             part.mesh = ConvexHull::of(part.mesh.coordinates()).map_err(unfit)?;
@@ -220,9 +230,10 @@ fn whole(
     findings.extend(solid.findings_in(&name));
     let turned = solid.parts.iter().any(|part| part.mesh.inverted());
     let what = match (flags.hull, turned) {
-        (true, _) => "taken as its convex hull",
-        (false, true) => "closed, wound inward (turned)",
-        (false, false) => "closed, consistently wound",
+        (true, _) if is_cloud => format!("taken as the convex hull of {points} points"),
+        (true, _) => "taken as its convex hull".to_owned(),
+        (false, true) => "closed, wound inward (turned)".to_owned(),
+        (false, false) => "closed, consistently wound".to_owned(),
     };
     let vertices: usize = solid.parts.iter().map(|part| part.mesh.vertices()).sum();
     // of a hull and of what was mended, what they are of
@@ -231,7 +242,7 @@ fn whole(
         false => given,
     };
     let taken_as = if flags.hull { "convex_hull" } else { "solid" };
-    let source = described(what, triangles, solid.parts.len(), solid.unit)
+    let source = described(&what, triangles, solid.parts.len(), solid.unit)
         .with("vertices", vertices)
         .with("taken_as", taken_as);
     let source = mended(source, &repairs);

@@ -29,6 +29,7 @@ mod judge;
 mod limits;
 mod live;
 mod mass_history;
+mod measures;
 mod mend;
 mod mesh;
 mod names;

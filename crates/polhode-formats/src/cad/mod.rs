@@ -1,5 +1,5 @@
 //! Mass-property reports of CAD programs, pasted as text: SolidWorks, Fusion, Creo, Onshape, and others that
-//! label their numbers alike. The words are English ones; numbers and units are those of any country. Headings of other languages
+//! label their numbers alike. [`GeometryReport`] reads the measures of shapes without mass, by MeshLab and FreeCAD. The words are English ones; numbers and units are those of any country. Headings of other languages
 //! are recognised, and refused by name.
 //!
 //! Three things are read or proved, and never guessed:
@@ -10,6 +10,7 @@
 //!
 //! What the report leaves open is refused with a question, and [`CadOptions`] answers it.
 
+mod geometry;
 mod language;
 mod numbers;
 mod proof;
@@ -21,6 +22,7 @@ use polhode::math::{Body, Position};
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace, told_unit};
 use crate::unit::{self, Dimension, UnitError};
+pub use geometry::{GeometryProgram, GeometryReport};
 use proof::{Evidence, PLACES, Printed, Tensor};
 pub use proof::{SignProof, SignSource};
 use scan::{CENTRAL, Group, ORIGIN, SCALARS, Scan};
@@ -174,6 +176,11 @@ pub fn read(text: &str, options: &CadOptions) -> Result<CadReport, ContentError>
     let reader = Reader { text, mark, options };
 
     let (_, mass_name, mass_dimension) = SCALARS[0];
+    if let Some(program) = GeometryProgram::of_text(text)
+        && !scan.scalars[0].is_some()
+    {
+        return Err(without_mass(program));
+    }
     let untold = |error: ContentError| in_its_language(text, error);
     let [mass] = reader.whole(&scan.scalars[0], mass_dimension, |_| mass_name.to_owned()).map_err(untold)?;
     let central = reader.tensor(&scan.tensors[CENTRAL], CENTRAL).map_err(untold)?;
@@ -297,6 +304,16 @@ fn findings(evidence: &Evidence, proof: &SignProof) -> Vec<Finding> {
             proof.convention.name()
         );
         findings.push(finding("cad.notation", Severity::Warning, message));
+    }
+    let worst = proof.residual_negative.max(proof.residual_positive);
+    if worst < proof::FAILS && !matches!(proof.by, SignSource::Told | SignSource::Stated | SignSource::NoProducts) {
+        let message = format!(
+            "the sign of the products is decided by rounding: with {} products the report is off by {:.1} times its rounding, with the other \
+             sign by {worst:.1}",
+            proof.convention.name(),
+            proof.residual_negative.min(proof.residual_positive),
+        );
+        findings.push(finding("cad.narrow-sign", Severity::Info, message));
     }
     // Told, although no sign fits.
     let least = proof.residual_negative.min(proof.residual_positive);
@@ -423,6 +440,15 @@ impl Reader<'_> {
             _ => length_unit.map(|l| l * l), // the surface area
         }
     }
+}
+
+/// Measures of a shape are read by [`GeometryReport`], with a substance.
+fn without_mass(program: GeometryProgram) -> ContentError {
+    let kind = ContentErrorKind::Missing { what: "mass".to_owned() };
+    ContentError::new(kind, ContentPlace::Whole).hint(format!(
+        "{} prints volume, centre and a tensor of density 1: say what the shape is made of, as by polhode inertia FILE --density \"2700 kg/m^3\"",
+        program.name()
+    ))
 }
 
 /// What is missing may stand there in another language.

@@ -12,7 +12,8 @@
 //!
 //! Every printed number is uncertain by half a unit of its last digit. A *residual* is how far an equation is
 //! off, in units of what these halves add up to at worst: at most 1 for the right sign, if the numbers are
-//! what they say.
+//! what they say. So a sign is also determined where it alone has a residual of at most 1, however little the
+//! other exceeds it; such a narrow proof does not overrule the words of the report.
 
 use polhode::body::{InertiaTensor, PrincipalFrame};
 use polhode::math::Body;
@@ -24,7 +25,10 @@ use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 pub(super) const FITS: f64 = 3.0;
 
 /// From here on it is not.
-const FAILS: f64 = 10.0;
+pub(super) const FAILS: f64 = 10.0;
+
+/// The bound that rounding to the nearest keeps.
+const ROUNDED: f64 = 1.0;
 
 /// How the sign of the products of inertia is known, and how well.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,7 +106,7 @@ pub(super) struct Evidence {
 /// Finds the sign, by the strongest proof that the report has.
 pub(super) fn prove(evidence: &Evidence) -> Result<SignProof, ContentError> {
     let trials = [parallel_axes(evidence), principal_axes(evidence), principal_moments(evidence)];
-    let mut undecided = None;
+    let (mut undecided, mut narrow) = (None, Vec::new());
     for trial in trials.into_iter().flatten() {
         let (negative, positive) = (trial.residual_negative, trial.residual_positive);
         let convention = if negative <= FITS && positive >= FAILS {
@@ -120,7 +124,10 @@ pub(super) fn prove(evidence: &Evidence) -> Result<SignProof, ContentError> {
             (None, Some(told)) if neither => {
                 return Ok(SignProof { by: SignSource::Told, convention: told, ..trial });
             }
-            (None, _) => undecided = undecided.or(Some(trial)),
+            (None, _) => {
+                undecided = undecided.or(Some(trial));
+                narrow.extend(narrowly(&trial));
+            }
         }
     }
     let nothing = SignProof {
@@ -138,10 +145,36 @@ pub(super) fn prove(evidence: &Evidence) -> Result<SignProof, ContentError> {
     if no_products {
         return Ok(SignProof { by: SignSource::NoProducts, ..rest });
     }
+    let narrow = agreed(&narrow);
     if let Some(convention) = evidence.stated {
-        return Ok(SignProof { by: SignSource::Stated, convention, ..rest });
+        return match narrow {
+            Some(proof) if proof.convention != convention => Err(refused(&proof)),
+            _ => Ok(SignProof { by: SignSource::Stated, convention, ..rest }),
+        };
+    }
+    if let Some(proof) = narrow {
+        return Ok(proof);
     }
     Err(undecided.as_ref().map_or_else(unproved, refused))
+}
+
+/// The proof of a trial of which one sign alone is within its rounding.
+fn narrowly(trial: &SignProof) -> Option<SignProof> {
+    let (negative, positive) = (trial.residual_negative, trial.residual_positive);
+    let convention = match (negative <= ROUNDED, positive <= ROUNDED) {
+        (true, false) => ProductConvention::Negative,
+        (false, true) => ProductConvention::Positive,
+        _ => return None,
+    };
+    Some(SignProof { convention, ..*trial })
+}
+
+/// The narrow proof that is clearest, if all have the same sign.
+fn agreed(narrow: &[SignProof]) -> Option<SignProof> {
+    let first = narrow.first()?;
+    let clear = |proof: &SignProof| proof.residual_negative.max(proof.residual_positive);
+    let clearest = narrow.iter().max_by(|a, b| clear(a).total_cmp(&clear(b)))?;
+    narrow.iter().all(|proof| proof.convention == first.convention).then_some(*clearest)
 }
 
 fn refused(trial: &SignProof) -> ContentError {

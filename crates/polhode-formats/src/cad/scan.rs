@@ -115,12 +115,13 @@ pub(super) fn scan(text: &str) -> Result<Scan, ContentError> {
 fn product(text: &str) -> CadProduct {
     let text = text.to_lowercase();
     let has = |phrase: &str| text.contains(phrase);
-    if has("output coordinate system") || has("mass properties of") {
+    // Creo's first line, too, may be "MASS PROPERTIES OF THE PART".
+    if has("inertia tensor") && has("coordinate frame") {
+        CadProduct::Creo
+    } else if has("output coordinate system") || has("mass properties of") {
         CadProduct::SolidWorks
     } else if has("inertia at center of mass") || has("inertia at origin") {
         CadProduct::Fusion
-    } else if has("inertia tensor") && has("coordinate frame") {
-        CadProduct::Creo
     } else if has("onshape") || (has("lxx") && has("moments of inertia")) {
         CadProduct::Onshape
     } else {

@@ -5,16 +5,16 @@ use crate::unit::{self, Dimension};
 /// Names of CAD programs for the units of [`crate::unit`], in lower case.
 const NAMES: &[(&str, &str)] = &[
     ("milligram milligrams", "mg"),
-    ("gram grams", "g"),
+    ("gram grams g", "g"),
     ("kilogram kilograms kg", "kg"),
-    ("tonne tonnes", "t"),
+    ("tonne tonnes t", "t"),
     ("pound pounds lb lbs lbm lbmass", "lb"),
     ("ounce ounces oz", "oz"),
     ("slug slugs", "slug"),
     ("micron microns micrometer micrometers micrometre micrometres", "um"),
     ("millimeter millimeters millimetre millimetres mm", "mm"),
     ("centimeter centimeters centimetre centimetres cm", "cm"),
-    ("meter meters metre metres", "m"),
+    ("meter meters metre metres m", "m"),
     ("inch inches in", "in"),
     ("foot feet ft", "ft"),
 ];
@@ -73,6 +73,12 @@ mod tests {
             (" grams *  square millimeters ", 1e-9),
             ("g mm^2", 1e-9),
             ("KILOGRAM * MM^2", 1e-6),
+            ("KILOGRAM * M^2", 1.0),
+            ("KG M^2", 1.0),
+            ("G * CM^2", 1e-7),
+            ("TONNE MM^2", 1e-3),
+            ("T * M^2", 1e3),
+            ("POUND * FT^2", 0.453_592_37 * 0.3048 * 0.3048),
             ("Kg.m^2", 1.0),
             ("kg m\u{b2}", 1.0),
             ("kilogram meter squared", 1.0),
@@ -88,6 +94,9 @@ mod tests {
         assert_eq!(value("grams per cubic millimeter", Dimension::DENSITY), Some(1e6));
         assert_eq!(value("g / mm^3", Dimension::DENSITY), Some(1e6));
         assert_eq!(value("MM^3", Dimension::VOLUME), Some(1e-9));
+        assert_eq!(value("M^3", Dimension::VOLUME), Some(1.0));
+        assert_eq!(value("M", Dimension::LENGTH), Some(1.0));
+        assert_eq!(value("KILOGRAM / M^3", Dimension::DENSITY), Some(1.0));
         for phrase in ["Using positive tensor notation.", "user-overridden", "", "grams"] {
             assert_eq!(read(phrase, Dimension::INERTIA), None, "{phrase}");
         }

@@ -12,6 +12,7 @@ pub mod obj;
 pub mod off;
 mod parts;
 pub mod ply;
+pub mod points;
 mod polygon;
 mod repair;
 mod repair_bound;
@@ -125,6 +126,10 @@ formats! {
     Obj: "obj", "OBJ", ["obj"], |bytes, path| located(obj::read(bytes), bytes, path);
     /// Stanford PLY, ASCII or binary of either endianness.
     Ply: "ply", "PLY", ["ply"], |bytes, path| located(ply::read(bytes), bytes, path);
+    /// Points, one in a line, for their convex hull.
+    Points: "points", "points", [], |bytes, path| {
+        located(points::read(bytes).and_then(points::with_faces), bytes, path)
+    };
     /// Geomview OFF.
     Off: "off", "OFF", ["off"], |bytes, path| located(off::read(bytes), bytes, path);
     /// glTF 2.0, as JSON or GLB; its nodes are parts.
@@ -164,6 +169,22 @@ impl MeshContents {
     /// [`FormatError`] if the file cannot be read or does not follow its format.
     pub fn read(path: &Path, format: MeshFormat) -> Result<Self, FormatError> {
         Self::read_as(path, &path.to_string_lossy(), format)
+    }
+
+    /// Reads a mesh file of which only the convex hull is needed: a PLY or OBJ file may have points alone.
+    ///
+    /// # Errors
+    /// [`FormatError`] if the file cannot be read or does not follow its format.
+    pub fn read_for_hull(path: &Path, format: MeshFormat) -> Result<Self, FormatError> {
+        let read = match format {
+            MeshFormat::Points => points::read,
+            MeshFormat::Ply => ply::read_or_cloud,
+            MeshFormat::Obj => obj::read_or_cloud,
+            _ => return Self::read(path, format),
+        };
+        let bytes = file::bytes(path, &path.to_string_lossy(), u64::MAX)
+            .map_err(|kind| FormatError::new(path, None, kind))?;
+        located(read(&bytes), &bytes, path)
     }
 
     /// Reads the mesh that a user calls `written`.

@@ -14,6 +14,7 @@ use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::MeshContents;
 use super::parts;
+use super::points;
 use super::polygon::Polygons;
 use super::scan::Scan;
 use crate::decimal;
@@ -51,6 +52,11 @@ use crate::decimal;
 /// A statement that is none or is cut short, a coordinate that is not finite, a face with fewer than three corners or with
 /// a vertex that is not there yet, curved surfaces, and a file without a face. The place is a span of bytes.
 pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
+    points::with_faces(read_or_cloud(bytes)?)
+}
+
+/// Reads the bytes of a file that may have no faces: then its vertices are a part without triangles.
+pub(super) fn read_or_cloud(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     let mut reader = Reader::default();
     let mut scan = Scan::new(bytes);
     while !scan.is_done() {
@@ -177,10 +183,13 @@ impl<'a> Reader<'a> {
 
     fn contents(mut self) -> Result<MeshContents, ContentError> {
         self.groups.end(self.triangles.len());
-        if self.triangles.is_empty() {
-            let what = if self.vertices.is_empty() { "vertices and no faces" } else { "faces" }.to_owned();
+        if self.vertices.is_empty() {
+            let what = "vertices and no faces".to_owned();
             return Err(ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole)
                 .hint("export the body as a mesh, with its faces"));
+        }
+        if self.triangles.is_empty() {
+            return Ok(MeshContents { encoding: "text", ..points::cloud(self.vertices)? });
         }
         let mut findings = Vec::new();
         if self.lines + self.points > 0 {

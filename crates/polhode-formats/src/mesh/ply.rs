@@ -13,6 +13,7 @@ use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::MeshContents;
 use super::parts;
+use super::points;
 use super::polygon::Polygons;
 use header::{Element, Encoding, Header, Property, Scalar};
 use values::{Ascii, Binary, Stop, Values};
@@ -56,6 +57,11 @@ use values::{Ascii, Binary, Stop, Values};
 /// A header that does not follow the grammar or lacks vertices or faces, counts that the file does not fill or runs
 /// over, a coordinate that is not finite, a face with fewer than three corners, and an index of no vertex.
 pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
+    points::with_faces(read_or_cloud(bytes)?)
+}
+
+/// Reads the bytes of a file that may have no faces: then its vertices are a part without triangles.
+pub(super) fn read_or_cloud(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     let header = header::read(bytes)?;
     match header.encoding {
         Encoding::Ascii => elements(&header, Ascii::new(bytes, header.end)),
@@ -106,12 +112,14 @@ fn elements(header: &Header, mut values: impl Values) -> Result<MeshContents, Co
         return Err(ContentError::new(kind, values.last(String::new()).1)
             .hint("a count in the header is too small, or the file has been damaged"));
     }
+    let encoding = header.encoding.name();
     if surface.triangles.is_empty() {
-        return Err(missing("faces").hint("a cloud of points bounds no solid: export a mesh"));
+        let cloud = points::cloud(surface.vertices)?;
+        return Ok(MeshContents { encoding, findings, ..cloud });
     }
     findings.extend(surface.polygons.finding());
     let parts = parts::of_shared(surface.vertices, vec![(String::new(), surface.triangles)])?;
-    Ok(MeshContents { encoding: header.encoding.name(), name: String::new(), unit: None, parts, findings })
+    Ok(MeshContents { encoding, name: String::new(), unit: None, parts, findings })
 }
 
 /// What has been read.

@@ -1,6 +1,6 @@
 //! Reports of CAD programs: units, decimal marks, and the sign of the products proved from the report itself.
 
-mod programs;
+pub(crate) mod programs;
 
 use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{Body, Position};

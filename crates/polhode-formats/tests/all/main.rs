@@ -4,6 +4,7 @@
 mod book;
 mod budget;
 mod cad;
+mod cad_geometry;
 mod collada;
 mod contact;
 mod contact_examples;

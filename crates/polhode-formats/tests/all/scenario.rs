@@ -45,11 +45,11 @@ fn a_shape_is_what_its_table_says() {
             Box::new(Cylinder::hollow(2.0, 1.9, 3.0).unwrap()),
         ),
         (
-            "shape='triangular_prism'\nvertices=[[0,'1 cm'],[2,0],[0,3]]\nlength=4",
+            "shape='triangular_prism'\nvertices=[[0,0.01],[2,0],[0,3]]\nlength=4",
             Box::new(TriangularPrism::new([[0.0, 0.01], [2.0, 0.0], [0.0, 3.0]], 4.0).unwrap()),
         ),
         (
-            "shape='triangular_plate'\nvertices=[[0,'1 cm'],[2,0],[0,3]]",
+            "shape='triangular_plate'\nvertices=[[0,0.01],[2,0],[0,3]]",
             Box::new(TriangularPlate::new([[0.0, 0.01], [2.0, 0.0], [0.0, 3.0]]).unwrap()),
         ),
         (

@@ -8,7 +8,7 @@ use super::working::n;
 
 /// A shape's own tensor as its formulas have it, along its own axes from its centroid.
 pub(super) struct Derived {
-    /// What it is, `:   `, and the integral with what it gives; this in LaTeX.
+    /// The kind of shape, `:   `, and the integral with its result; the same in LaTeX.
     pub(super) formula: [&'static str; 2],
     /// The measures, in words: `a, b, c = 1, 2, 3 m`.
     pub(super) measures: String,

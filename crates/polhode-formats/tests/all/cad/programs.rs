@@ -8,24 +8,24 @@ use polhode_formats::cad::ProductConvention;
 
 /// How a program prints.
 #[derive(Clone, Copy)]
-pub(super) struct Print {
-    pub(super) sign: ProductConvention,
+pub(crate) struct Print {
+    pub(crate) sign: ProductConvention,
     /// Words of the unit of mass and of length, as the program has them, and their values in SI.
-    pub(super) words: [&'static str; 2],
-    pub(super) units: [f64; 2],
-    pub(super) number: fn(f64) -> String,
+    pub(crate) words: [&'static str; 2],
+    pub(crate) units: [f64; 2],
+    pub(crate) number: fn(f64) -> String,
 }
 
 impl Print {
-    pub(super) fn mass(&self, body: &MassProperties<Body>) -> String {
+    pub(crate) fn mass(&self, body: &MassProperties<Body>) -> String {
         (self.number)(body.mass() / self.units[0])
     }
 
-    pub(super) fn center(&self, body: &MassProperties<Body>) -> [String; 3] {
+    pub(crate) fn center(&self, body: &MassProperties<Body>) -> [String; 3] {
         body.center_of_mass().to_array().map(|c| (self.number)(c / self.units[1]))
     }
 
-    pub(super) fn tensor(&self, rows: [[f64; 3]; 3]) -> [[String; 3]; 3] {
+    pub(crate) fn tensor(&self, rows: [[f64; 3]; 3]) -> [[String; 3]; 3] {
         let unit = self.units[0] * self.units[1] * self.units[1];
         std::array::from_fn(|i| {
             std::array::from_fn(|j| {
@@ -36,9 +36,9 @@ impl Print {
     }
 }
 
-pub(super) const LETTERS: [char; 3] = ['x', 'y', 'z'];
+pub(crate) const LETTERS: [char; 3] = ['x', 'y', 'z'];
 
-pub(super) fn solidworks(body: &MassProperties<Body>, print: Print) -> String {
+pub(crate) fn solidworks(body: &MassProperties<Body>, print: Print) -> String {
     let [mass, length] = print.words;
     let [x, y, z] = print.center(body);
     let mut text = format!(
@@ -68,7 +68,7 @@ pub(super) fn solidworks(body: &MassProperties<Body>, print: Print) -> String {
     text
 }
 
-pub(super) fn fusion(body: &MassProperties<Body>, print: Print) -> String {
+pub(crate) fn fusion(body: &MassProperties<Body>, print: Print) -> String {
     let [mass, length] = print.words;
     let [x, y, z] = print.center(body);
     let mut text = format!(
@@ -93,7 +93,7 @@ pub(super) fn fusion(body: &MassProperties<Body>, print: Print) -> String {
     text
 }
 
-pub(super) fn creo(body: &MassProperties<Body>, print: Print) -> String {
+pub(crate) fn creo(body: &MassProperties<Body>, print: Print) -> String {
     let [mass, length] = print.words;
     let [x, y, z] = print.center(body);
     let mut text = format!(
@@ -122,7 +122,7 @@ pub(super) fn creo(body: &MassProperties<Body>, print: Print) -> String {
             RADII OF GYRATION with respect to PRINCIPAL AXES:\nR1  R2  R3   1.1e+01 1.2e+01 1.3e+01 MM\n"
 }
 
-pub(super) fn onshape(body: &MassProperties<Body>, print: Print) -> String {
+pub(crate) fn onshape(body: &MassProperties<Body>, print: Print) -> String {
     let [mass, length] = print.words;
     let [x, y, z] = print.center(body);
     let mut text = format!(
@@ -147,7 +147,7 @@ pub(super) fn onshape(body: &MassProperties<Body>, print: Print) -> String {
 }
 
 /// Axes and moments as SolidWorks has them; axes to three digits.
-pub(super) fn principal(body: &MassProperties<Body>, print: Print) -> String {
+pub(crate) fn principal(body: &MassProperties<Body>, print: Print) -> String {
     let [mass, length] = print.words;
     let principal = body.principal();
     let mut text = format!(
@@ -162,12 +162,12 @@ pub(super) fn principal(body: &MassProperties<Body>, print: Print) -> String {
     text
 }
 
-pub(super) fn two_decimals(value: f64) -> String {
+pub(crate) fn two_decimals(value: f64) -> String {
     format!("{value:.2}")
 }
 
 /// As Fusion: three decimals without the last zeros, and powers of ten from 1e5 on.
-pub(super) fn fusion_number(value: f64) -> String {
+pub(crate) fn fusion_number(value: f64) -> String {
     if value.abs() < 1e5 {
         let fixed = format!("{value:.3}");
         return fixed.trim_end_matches('0').trim_end_matches('.').to_owned();
@@ -175,14 +175,14 @@ pub(super) fn fusion_number(value: f64) -> String {
     creo_number(value, 3)
 }
 
-pub(super) fn creo_number(value: f64, digits: usize) -> String {
+pub(crate) fn creo_number(value: f64, digits: usize) -> String {
     let short = format!("{value:.digits$e}");
     let (mantissa, power) = short.split_once('e').unwrap();
     format!("{mantissa}E{:+03}", power.parse::<i32>().unwrap())
 }
 
 /// 1.234.567,89
-pub(super) fn german(value: f64) -> String {
+pub(crate) fn german(value: f64) -> String {
     let fixed = format!("{:.2}", value.abs());
     let (whole, fraction) = fixed.split_once('.').unwrap();
     let mut groups: Vec<&str> = Vec::new();
@@ -196,6 +196,6 @@ pub(super) fn german(value: f64) -> String {
     format!("{}{},{fraction}", if value < 0.0 { "-" } else { "" }, groups.join("."))
 }
 
-pub(super) fn eight_decimals_comma(value: f64) -> String {
+pub(crate) fn eight_decimals_comma(value: f64) -> String {
     format!("{value:.8}").replace('.', ",")
 }

@@ -42,7 +42,7 @@ impl ConeShell {
         representable(Self { base_radius, top_radius, height, ends })
     }
 
-    /// With a and b the radii, ζ = z/h, and dA ∝ (a + (b − a) ζ) dζ:
+    /// Moments of the wall for the radii a and b, with ζ = z/h and dA ∝ (a + (b − a) ζ) dζ:
     ///
     /// A = π (a + b) √(h² + (a − b)²),  ⟨x²⟩ = (a² + b²)/4,  z̄ = h (a + 2b)/3(a + b),
     /// ⟨(z − z̄)²⟩ = h² (a² + 4ab + b²)/18(a + b)²

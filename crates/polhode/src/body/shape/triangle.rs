@@ -14,7 +14,7 @@ pub(crate) struct Triangle {
 const FLAT: f64 = 4.0 * f64::EPSILON;
 
 impl Triangle {
-    /// The triangle with the given corners, in either order; its coordinates and its area are called so in errors.
+    /// The triangle with the given corners, in either order. Errors call its coordinates `vertex` and its area `area`.
     pub(super) fn new(
         vertices: [[f64; 2]; 3],
         vertex: &'static str,
@@ -37,7 +37,7 @@ impl Triangle {
         Ok(triangle)
     }
 
-    /// From the first corner to the others.
+    /// Edges from the first corner to the others.
     fn edges(&self) -> [[f64; 2]; 2] {
         let [o, a, b] = self.vertices;
         [a, b].map(|p| [p[0] - o[0], p[1] - o[1]])

@@ -19,6 +19,7 @@
 
 mod answer;
 mod asset;
+mod connections;
 mod documents;
 mod dropped;
 mod edit;
@@ -37,6 +38,7 @@ mod route;
 mod rows;
 mod server;
 mod session;
+mod turns;
 mod utf16;
 mod watch;
 

@@ -20,11 +20,20 @@ pub(crate) const FILE_COUNT: usize = 4_000;
 /// Edits of one request.
 pub(crate) const EDITS: usize = 64;
 
-/// Connections at the same time: a browser has six for a tab, or fewer.
+/// Connections at the same time; a browser opens at most six for a tab.
 pub(crate) const CONNECTIONS: usize = 64;
 
-/// Computations at the same time.
-pub(crate) const COMPUTATIONS: usize = 2;
+/// Heavy computations at the same time.
+pub(crate) const HEAVY: usize = 2;
+
+/// Heavy computations that wait; more are refused.
+pub(crate) const WAITING: usize = 16;
+
+/// Light computations at the same time, besides the heavy ones.
+pub(crate) const LIGHT: usize = 2;
+
+/// Time limit of a motion among the light computations; one that takes longer is computed again among the heavy ones.
+pub(crate) const FIRST_TRY: Duration = Duration::from_millis(100);
 
 /// For the headers of a request to come.
 pub(crate) const HEADERS: Duration = Duration::from_secs(10);

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use hyper::StatusCode;
 use polhode::body::{Finding, Severity};
@@ -18,11 +18,14 @@ use crate::protocol::{Motion, MotionAnswer, MotionRequest, TextError};
 use crate::{limits, utf16, watch};
 
 /// Makes the changes that are asked for, and computes the motion; `stop` ends it.
+///
+/// `None` if it takes longer than `most`, unless that is [`limits::MOTION`], of which the answer speaks.
 pub(crate) fn answer(
     draft: &Mutex<Draft>,
     request: &MotionRequest,
+    most: Duration,
     stop: &AtomicBool,
-) -> Result<MotionAnswer, Refusal> {
+) -> Result<Option<MotionAnswer>, Refusal> {
     let begun = Instant::now();
     if request.edits.len() > limits::EDITS {
         let rule = format!("at most {} edits at once", limits::EDITS);
@@ -31,7 +34,7 @@ pub(crate) fn answer(
     // A copy: another tab may read another text meanwhile. What was read of files is shared.
     let mut own = draft.lock().unwrap_or_else(PoisonError::into_inner).clone();
     let mut edits_on = own.clone();
-    let goes_on = watch::within(limits::MOTION, stop);
+    let goes_on = watch::within(most, stop);
     let changed =
         edited(&request.text, &request.edits, |text| edits_on.read_watched(text.to_owned(), &goes_on).ok());
     let mut answer = MotionAnswer {
@@ -49,17 +52,20 @@ pub(crate) fn answer(
     match own.read_watched(answer.text.clone(), &goes_on) {
         Ok(file) => {
             answer.switches = switches(&file.scenario, &answer.text);
-            match computed(&file, request.error, begun, stop) {
+            match computed(&file, request.error, begun, most, stop) {
                 Ok(trajectory) => answer.motion = Some(motion(&file, &trajectory, &own, request)),
                 Err(error) => answer.errors.push(error),
             }
         }
         Err(error) => answer.errors.push(of_format(&error, &own, &answer.text)),
     }
+    if answer.motion.is_none() && most < limits::MOTION && begun.elapsed() >= most {
+        return Ok(None);
+    }
     answer.knobs = knobs(&own.numbers());
     *draft.lock().unwrap_or_else(PoisonError::into_inner) = own;
     answer.took = begun.elapsed().as_secs_f64() * 1e3;
-    Ok(answer)
+    Ok(Some(answer))
 }
 
 /// The trajectory, at no more times than the page shows.
@@ -67,11 +73,12 @@ pub(crate) fn computed(
     file: &ScenarioFile,
     with_error: bool,
     begun: Instant,
+    most: Duration,
     stop: &AtomicBool,
 ) -> Result<Trajectory, TextError> {
     let run = file.scenario.run().map_or_else(without_run, thinned);
     let scenario = file.scenario.clone().sampled(run);
-    let mut goes_on = |_| !stop.load(Ordering::Relaxed) && begun.elapsed() < limits::MOTION;
+    let mut goes_on = |_| !stop.load(Ordering::Relaxed) && begun.elapsed() < most;
     let motion = match with_error {
         true => scenario.simulate_with_error(ErrorEffort::Auto, &mut goes_on),
         false => scenario.simulate_watched(&mut goes_on),

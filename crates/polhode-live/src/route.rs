@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
+use std::time::Duration;
 
 use bytes::Bytes;
 use hyper::{Method, StatusCode};
@@ -12,7 +13,9 @@ use crate::answer::{Answer, Refusal, bytes, json, json_and_rows};
 use crate::asset::asset;
 use crate::documents::Content;
 use crate::inspect::{Inspection, MeshInspection, RobotInspection};
-use crate::protocol::{Choice, CompleteAnswer, CompleteRequest, Documents, MotionRequest, OpenRequest};
+use crate::protocol::{
+    Choice, CompleteAnswer, CompleteRequest, Documents, MotionAnswer, MotionRequest, OpenRequest,
+};
 use crate::session::Session;
 use crate::{limits, motion, utf16, watch};
 
@@ -29,6 +32,19 @@ pub(crate) enum Route {
     Complete,
     Drop { set: u64, name: String },
     Open,
+}
+
+/// Cost of an answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Cost {
+    /// It is given at once.
+    Nothing,
+    /// A few milliseconds.
+    Light,
+    /// Up to [`limits::ANSWER`].
+    Heavy,
+    /// Only trying shows it.
+    Unknown,
 }
 
 impl Route {
@@ -82,27 +98,56 @@ impl Route {
         }
     }
 
-    /// True of what computes, and waits for its turn.
-    pub(crate) const fn is_work(&self) -> bool {
-        !matches!(self, Self::Asset(..) | Self::Documents | Self::Lessons | Self::Drop { .. })
+    /// Returns the cost of its answer.
+    pub(crate) fn cost(&self, session: &Session) -> Cost {
+        match self {
+            Self::Asset(..) | Self::Documents | Self::Lessons | Self::Drop { .. } => Cost::Nothing,
+            Self::Complete | Self::Lesson(_) => Cost::Light,
+            Self::Motion => Cost::Unknown,
+            Self::Document(id) => match session.documents.get(*id) {
+                Ok(document) if !matches!(document.content, Content::Scenario { .. }) => Cost::Heavy,
+                _ => Cost::Light,
+            },
+            Self::Mesh(_) | Self::Open => Cost::Heavy,
+        }
+    }
+
+    /// The answer, if a motion takes no longer than `most`; `stop` is set when nobody waits for it any more.
+    pub(crate) fn answer_within(
+        &self,
+        most: Duration,
+        body: &[u8],
+        session: &Arc<Session>,
+        stop: &AtomicBool,
+    ) -> Result<Option<Answer>, Refusal> {
+        watch::is_wanted(stop)?;
+        let Self::Motion = self else { return self.answer(body, session, stop).map(Some) };
+        let request: MotionRequest = read(body)?;
+        let document = session.documents.get(request.document)?;
+        let answer = motion::answer(document.draft()?, &request, most, stop)?;
+        let with_rows = |answer: MotionAnswer| {
+            let rows = answer.motion.as_ref().map_or_else(Bytes::new, |motion| motion.rows.clone());
+            json_and_rows(&answer, rows)
+        };
+        answer.map(with_rows).transpose()
     }
 
     /// The answer; `stop` is set when nobody waits for it any more.
     pub(crate) fn answer(
-        self,
+        &self,
         body: &[u8],
         session: &Arc<Session>,
         stop: &AtomicBool,
     ) -> Result<Answer, Refusal> {
         watch::is_wanted(stop)?;
         match self {
-            Self::Asset(kind, body) => Ok(bytes(StatusCode::OK, kind, body)),
+            Self::Asset(kind, body) => Ok(bytes(StatusCode::OK, kind, *body)),
             Self::Documents => {
                 let documents: Vec<_> = session.documents.all().iter().map(|one| one.info()).collect();
                 json(&Documents { first: documents.first().map(|one| one.id), documents })
             }
             Self::Document(id) => {
-                let document = session.documents.get(id)?;
+                let document = session.documents.get(*id)?;
                 match document.content {
                     Content::Scenario { .. } => {
                         json(&serde_json::json!({ "kind": "scenario", "text": document.text()? }))
@@ -113,17 +158,12 @@ impl Route {
                     }
                 }
             }
-            Self::Mesh(id) => inspection(&*session.documents.get(id)?.looked_at(stop)?),
+            Self::Mesh(id) => inspection(&*session.documents.get(*id)?.looked_at(stop)?),
             Self::Lessons => json(&serde_json::json!({ "lessons": session.lessons.list() })),
-            Self::Lesson(id) => json(&session.lessons.open(&id, &session.documents)?),
+            Self::Lesson(id) => json(&session.lessons.open(id, &session.documents)?),
             Self::Motion => {
-                let request: MotionRequest = read(body)?;
-                let document = session.documents.get(request.document)?;
-                let answer = motion::answer(document.draft()?, &request, stop)?;
-                json_and_rows(
-                    &answer,
-                    answer.motion.as_ref().map_or_else(Bytes::new, |motion| motion.rows.clone()),
-                )
+                let answer = self.answer_within(limits::MOTION, body, session, stop)?;
+                answer.ok_or_else(Refusal::not_found)
             }
             Self::Complete => {
                 let request: CompleteRequest = read(body)?;

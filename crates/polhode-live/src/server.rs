@@ -15,20 +15,22 @@ use hyper::service::service_fn;
 use hyper::{Method, Request, StatusCode};
 use hyper_util::rt::{TokioIo, TokioTimer};
 use tokio::net::TcpListener;
-use tokio::sync::{Semaphore, mpsc};
+use tokio::sync::mpsc;
 use tokio::task::JoinError;
 use tokio::time::error::Elapsed;
 use tokio::time::timeout;
 
 use crate::answer::{Answer, Refusal, refusal};
+use crate::connections::{Connections, Place};
 use crate::documents::Documents;
 use crate::dropped::Dropped;
 use crate::error::LiveError;
 use crate::guard::Guard;
 use crate::lesson::{self, Lessons};
 use crate::limits;
-use crate::route::Route;
+use crate::route::{Cost, Route};
 use crate::session::Session;
+use crate::turns::{Turn, Turns};
 
 /// What to serve, and where.
 #[derive(Clone, Debug, Default)]
@@ -74,8 +76,8 @@ impl Live {
         let (listener, port) = listen().map_err(|error| LiveError::Address { address, error })?;
         let guard = Guard::new(port).ok_or(LiveError::Random)?;
         let dropped = Dropped::new().map_err(|error| LiveError::Folder { error })?;
-        let computations = Arc::new(Semaphore::new(limits::COMPUTATIONS));
-        Ok(Self { listener, session: Arc::new(Session { guard, documents, lessons, dropped, computations }) })
+        let session = Session { guard, documents, lessons, dropped, turns: Turns::new() };
+        Ok(Self { listener, session: Arc::new(session) })
     }
 
     /// The page's address, with its token: whoever has it can ask.
@@ -165,22 +167,22 @@ async fn interrupted() -> std::io::Result<()> {
 
 /// Takes connections for ever, so many at a time.
 async fn accept(listener: &TcpListener, session: &Arc<Session>) {
-    let places = Arc::new(Semaphore::new(limits::CONNECTIONS));
+    let connections = Arc::new(Connections::default());
     loop {
-        let Ok(place) = places.clone().acquire_owned().await else { return };
         let Ok((stream, _)) = listener.accept().await else {
             // As when there are no more file descriptors: some will be given back.
             tokio::time::sleep(Duration::from_millis(50)).await;
             continue;
         };
-        let session = session.clone();
-        tokio::spawn(async move {
+        let place = connections.place().await;
+        let (session, own) = (session.clone(), place.clone());
+        let task = tokio::spawn(async move {
             let _ = stream.set_nodelay(true);
             let service = service_fn(|request| {
-                let session = session.clone();
+                let (session, place) = (session.clone(), own.clone());
                 async move {
                     Ok::<_, std::convert::Infallible>(
-                        answered(request, &session).await.unwrap_or_else(refusal),
+                        answered(request, &session, &place).await.unwrap_or_else(refusal),
                     )
                 }
             });
@@ -191,14 +193,19 @@ async fn accept(listener: &TcpListener, session: &Arc<Session>) {
                 .serve_connection(TokioIo::new(stream), service);
             // What goes wrong with a connection is the other side's affair.
             let _ = connection.await;
-            drop(place);
         });
+        place.served_by(task.abort_handle());
     }
 }
 
-async fn answered(request: Request<Incoming>, session: &Arc<Session>) -> Result<Answer, Refusal> {
+async fn answered(
+    request: Request<Incoming>,
+    session: &Arc<Session>,
+    place: &Place,
+) -> Result<Answer, Refusal> {
     let (head, body) = request.into_parts();
     let path = session.guard.admit(&head.method, &head.uri, head.version, &head.headers)?;
+    let _busy = place.busy();
     let route = Route::of(&head.method, path, head.uri.query())?;
     let most = route.most();
     let body = match &route {
@@ -208,26 +215,47 @@ async fn answered(request: Request<Incoming>, session: &Arc<Session>) -> Result<
         }
         _ => whole(body, most).await?,
     };
-    if !route.is_work() {
-        return route.answer(&body, session, &AtomicBool::new(false));
-    }
+    let (cost, route) = (route.cost(session), Arc::new(route));
+    let (turn, most) = match cost {
+        Cost::Nothing => return route.answer(&body, session, &AtomicBool::new(false)),
+        Cost::Light => (session.turns.light().await?, limits::MOTION),
+        Cost::Heavy => (session.turns.heavy().await?, limits::MOTION),
+        Cost::Unknown => {
+            let turn = session.turns.light().await?;
+            if let Some(answer) = computed(&route, &body, session, turn, limits::FIRST_TRY).await? {
+                return Ok(answer);
+            }
+            (session.turns.heavy().await?, limits::MOTION)
+        }
+    };
+    let answer = computed(&route, &body, session, turn, most).await?;
+    answer.ok_or_else(long)
+}
+
+/// Computes an answer in another thread; `None` of a motion that takes longer than `most`.
+async fn computed(
+    route: &Arc<Route>,
+    body: &Bytes,
+    session: &Arc<Session>,
+    turn: Turn,
+    most: Duration,
+) -> Result<Option<Answer>, Refusal> {
     let stop = StopOnDrop(Arc::default());
-    let turn = session.computations.clone().acquire_owned().await;
-    let (flag, session_of_work) = (stop.0.clone(), session.clone());
+    let (flag, session, route, body) = (stop.0.clone(), session.clone(), route.clone(), body.clone());
     let work = tokio::task::spawn_blocking(move || {
-        let answer = route.answer(&body, &session_of_work, &flag);
+        let answer = route.answer_within(most, &body, &session, &flag);
         // Until here it computes, whether or not somebody waits.
         drop(turn);
         answer
     });
-    let long = |_| {
-        let took = format!("the answer takes more than {} s", limits::ANSWER.as_secs());
-        Refusal::new(StatusCode::SERVICE_UNAVAILABLE, took)
-            .hint("a smaller mesh, or the command itself, which takes its time")
-    };
-    timeout(limits::ANSWER, work).await.map_err(long)?.map_err(defect)?
+    timeout(limits::ANSWER, work).await.map_err(|_| long())?.map_err(defect)?
 }
 
+fn long() -> Refusal {
+    let took = format!("the answer takes more than {} s", limits::ANSWER.as_secs());
+    Refusal::new(StatusCode::SERVICE_UNAVAILABLE, took)
+        .hint("a smaller mesh, or the command itself, which takes its time")
+}
 /// The body, if it is no larger than it may be and comes in time.
 async fn whole(body: Incoming, most: usize) -> Result<Bytes, Refusal> {
     let collected = timeout(limits::BODY, Limited::new(body, most).collect()).await;

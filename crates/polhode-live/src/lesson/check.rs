@@ -15,6 +15,7 @@ use super::LessonStep;
 use super::error::LessonError;
 use super::file::{File, Question, Step};
 use crate::edit::edited;
+use crate::limits;
 use crate::motion::computed;
 use crate::protocol::{self, Edit};
 
@@ -232,7 +233,8 @@ fn moving(draft: &Draft, text: &str) -> Result<Named, Unmoved> {
     let mut reader = draft.clone();
     let file = reader.read(text.to_owned()).map_err(unread)?;
     draft = reader;
-    let trajectory = computed(&file, false, Instant::now(), &AtomicBool::new(false));
+    let stop = AtomicBool::new(false);
+    let trajectory = computed(&file, false, Instant::now(), limits::MOTION, &stop);
     let trajectory =
         trajectory.map_err(|error| Unmoved { message: error.message, hint: error.hint, place: None })?;
     let solution = explain_motion(&file.scenario, &trajectory).map_err(|error| Unmoved {

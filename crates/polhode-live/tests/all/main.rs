@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may")]
 
 mod client;
+mod crowded;
 mod ground_lessons;
 mod hostile;
 mod inspect;

@@ -1,0 +1,131 @@
+//! A server with more to do than it can still gives light answers within a second.
+
+use std::io::{Read as _, Write as _};
+use std::net::{SocketAddr, TcpStream};
+use std::time::{Duration, Instant};
+
+use serde_json::{Value, json};
+
+use crate::client::{Answer, Page};
+
+/// A scenario whose motion takes no time.
+const LIGHT: &str = "[[body.part]]\nshape = \"box\"\nsize = [1, 2, 3]\nmass = 4\n[start]\nspin = { body = [0.1, 0.2, 0.3] }\n[run]\nduration = 1\nsamples = 2\n";
+
+/// A scenario whose motion takes longer than any answer: 10⁸ rad under a torque.
+const HEAVY: &str = "[[body.part]]\nshape = \"box\"\nsize = [1, 2, 3]\nmass = 4\n[start]\nspin = { body = [11, 12, 13] }\n[[torque]]\nmodel = \"drag\"\nlaw = \"linear\"\ncoefficient = [1e-9, 2e-9, 1e-9]\n[run]\nduration = 1e7\nsamples = 2\n";
+
+fn motion(text: &str) -> String {
+    json!({ "document": 0, "text": text, "edits": [], "error": false, "working": false, "body": null })
+        .to_string()
+}
+
+fn connect(page: &Page) -> TcpStream {
+    TcpStream::connect(SocketAddr::from(([127, 0, 0, 1], page.port))).unwrap()
+}
+
+fn within(most: Duration, what: &str, ask: impl FnOnce() -> Answer) -> Value {
+    let begun = Instant::now();
+    let answer = ask();
+    let took = begun.elapsed();
+    assert_eq!(answer.status, 200, "{what}: {}", answer.text());
+    assert!(took < most, "{what}: {took:?}");
+    answer.json()
+}
+
+const SECOND: Duration = Duration::from_secs(1);
+
+#[test]
+fn two_hundred_half_open_connections_keep_nobody_out() {
+    let page = Page::open(&[]);
+    let half_open: Vec<TcpStream> = (0..200)
+        .map(|k| {
+            let mut stream = connect(&page);
+            // Some have said nothing, some a part of a head.
+            stream
+                .write_all(["", "GET / HTT", "GET /0/documents HTTP/1.1\r\nHost: a\r\n"][k % 3].as_bytes())
+                .unwrap();
+            stream
+        })
+        .collect();
+    within(SECOND, "documents", || page.get("documents"));
+    // The oldest made room; the newest are still waited for.
+    let is_closed = |stream: &TcpStream| {
+        let mut stream = stream;
+        stream.set_read_timeout(Some(Duration::from_millis(50))).unwrap();
+        match stream.read(&mut [0; 16]) {
+            Ok(count) => count == 0,
+            Err(error) => error.kind() == std::io::ErrorKind::ConnectionReset,
+        }
+    };
+    assert!(half_open[..100].iter().all(is_closed));
+    assert!(!is_closed(&half_open[199]));
+}
+
+#[test]
+fn a_request_in_progress_is_not_closed_for_others() {
+    let page = Page::open(&[]);
+    let mut busy = connect(&page);
+    let body = motion(LIGHT);
+    let head = format!("{}Content-Length: {}\r\n\r\n", page.head("POST", "motion"), body.len());
+    let (first, rest) = body.split_at(10);
+    busy.write_all(format!("{head}{first}").as_bytes()).unwrap();
+    // Its head is read before the others come.
+    std::thread::sleep(Duration::from_millis(100));
+    let others: Vec<TcpStream> = (0..100).map(|_| connect(&page)).collect();
+    within(SECOND, "documents", || page.get("documents"));
+    busy.write_all(rest.as_bytes()).unwrap();
+    busy.set_read_timeout(Some(Duration::from_secs(20))).unwrap();
+    let mut answer = Vec::new();
+    busy.read_to_end(&mut answer).unwrap();
+    assert!(answer.starts_with(b"HTTP/1.1 200"));
+    drop(others);
+}
+
+#[test]
+fn heavy_motions_do_not_stall_light_requests() {
+    let page = Page::open(&[]);
+    let body = motion(HEAVY);
+    let request = format!("{}Content-Length: {}\r\n\r\n{body}", page.head("POST", "motion"), body.len());
+    let heavy: Vec<TcpStream> = (0..8)
+        .map(|_| {
+            let mut stream = connect(&page);
+            stream.write_all(request.as_bytes()).unwrap();
+            stream
+        })
+        .collect();
+    within(SECOND, "documents", || page.get("documents"));
+    let complete = json!({ "document": 0, "text": LIGHT, "at": 3 }).to_string();
+    within(SECOND, "complete", || page.post("complete", complete.as_bytes()));
+    let moved = within(2 * SECOND, "a light motion", || page.post("motion", motion(LIGHT).as_bytes()));
+    assert_eq!(moved["errors"], json!([]));
+    assert_eq!(moved["motion"]["page"]["body"]["mass"], 4.0);
+    // They are all still computed, or wait.
+    for mut stream in heavy {
+        stream.set_nonblocking(true).unwrap();
+        let kind = stream.read(&mut [0; 16]).map_err(|error| error.kind());
+        assert_eq!(kind, Err(std::io::ErrorKind::WouldBlock));
+    }
+}
+
+#[test]
+fn more_heavy_motions_than_may_wait_are_refused() {
+    let page = Page::open(&[]);
+    let body = motion(HEAVY);
+    let request = format!("{}Content-Length: {}\r\n\r\n{body}", page.head("POST", "motion"), body.len());
+    let mut heavy: Vec<TcpStream> = (0..24)
+        .map(|_| {
+            let mut stream = connect(&page);
+            stream.write_all(request.as_bytes()).unwrap();
+            stream
+        })
+        .collect();
+    // Of these two are computed and 16 wait.
+    let mut refused = 0;
+    for stream in &mut heavy {
+        stream.set_read_timeout(Some(Duration::from_millis(500))).unwrap();
+        let mut answer = [0; 12];
+        refused += usize::from(stream.read_exact(&mut answer).is_ok() && &answer == b"HTTP/1.1 503");
+    }
+    assert_eq!(refused, 6);
+    within(SECOND, "documents", || page.get("documents"));
+}

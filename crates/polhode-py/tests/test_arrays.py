@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 import polhode
 import pytest
@@ -52,6 +54,47 @@ def test_nothing_that_is_given_is_changed() -> None:
     times, omega = TIMES.copy(), np.array(OMEGA)
     motion(omega=omega).at(times)
     assert np.array_equal(times, TIMES) and np.array_equal(omega, OMEGA)
+
+
+def test_tensors_of_single_precision_are_averaged_with_a_warning() -> None:
+    """By 2e-7 of the greatest moment: the mean of both halves. By 2e-6: refused."""
+    tensor = np.array([[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]])
+    turned, _ = np.linalg.qr(np.array([[0.9, -1.2, 0.3], [0.4, 0.8, -0.7], [-1.1, 0.2, 0.5]]))
+    single = turned.astype(np.float32) @ tensor.astype(np.float32) @ turned.T.astype(np.float32)
+    single[0, 1] = np.nextafter(single[1, 0], np.float32(9))
+    assert single.dtype == np.float32 and 0 < np.abs(single - single.T).max() < 1e-6 * single.max()
+    mean = 0.5 * (single.astype(float) + single.T.astype(float))
+    said = r"inertia is not symmetric: its halves differ by [0-9.e-]+ of the greatest moment"
+    for given in (single, single.astype(float), single.astype(float).tolist()):
+        with pytest.warns(polhode.PolhodeWarning, match=said):
+            body = polhode.MassProperties(mass=2.3, inertia=given)
+        assert np.array_equal(body.inertia, mean)
+    with pytest.warns(polhode.PolhodeWarning, match=said):
+        motion = polhode.FreeMotion(inertia=single, omega=[0.3, -1.2, 0.4])
+    assert motion == polhode.FreeMotion(inertia=mean, omega=[0.3, -1.2, 0.4])
+    with pytest.warns(polhode.PolhodeWarning, match=said):
+        members = polhode.Ensemble(inertia=np.array([tensor, single]), omega=[[0.3, -1.2, 0.4], [0.1, 0.2, -0.3]])
+    assert members == polhode.Ensemble(inertia=np.array([tensor, mean]), omega=[[0.3, -1.2, 0.4], [0.1, 0.2, -0.3]])
+    apart = tensor + np.array([[0, 2e-6 * 5.3, 0], [0, 0, 0], [0, 0, 0]])
+    with pytest.raises(polhode.PolhodeError, match="symmetric"):
+        polhode.MassProperties(mass=2.3, inertia=apart)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        polhode.MassProperties(mass=2.3, inertia=tensor.astype(np.float32))
+
+
+def test_what_is_filled_shares_no_memory_with_the_times() -> None:
+    motion = polhode.FreeMotion(moments=[1, 2, 3], omega=[0.01, 1, 0.01])
+    both = np.empty(8 * 5)
+    times, omega, attitude = both[:5], both[5:20].reshape(5, 3), both[20:].reshape(5, 4)
+    times[:] = [0.0, 0.5, 1.0, 1.5, 2.0]
+    states = motion.at(times, out=(omega, attitude))
+    assert states == motion.at(times.tolist())
+    overlapping = both[2:17].reshape(5, 3)
+    for out in ((overlapping, np.empty((5, 4))), (np.empty((5, 3)), both[:20].reshape(5, 4))):
+        with pytest.raises(ValueError, match="out shares memory with times"):
+            motion.at(times, out=out)
+    assert times.tolist() == [0.0, 0.5, 1.0, 1.5, 2.0]
 
 
 def test_a_single_time_gives_a_single_state() -> None:

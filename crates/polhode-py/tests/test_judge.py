@@ -123,6 +123,16 @@ def test_what_the_numbers_mean_is_found(name: str, exact: polhode.Motion) -> Non
         assert judgement.omega_error is not None and judgement.omega_error.max() < 1e-12
 
 
+def test_a_scenario_is_judged_as_its_text(exact: polhode.Motion) -> None:
+    attitude = exact.states.attitude
+    by_text = polhode.judge(PUSHED, times=TIMES, attitude=attitude)
+    by_object = polhode.judge(polhode.Scenario.from_toml(PUSHED), times=TIMES, attitude=attitude)
+    assert by_object.reading == by_text.reading
+    assert np.array_equal(by_object.attitude_error, by_text.attitude_error)
+    with pytest.raises(TypeError, match="scenario must be a path"):
+        polhode.judge(3, times=TIMES, attitude=attitude)  # type: ignore[arg-type]
+
+
 def test_what_is_right_is_said_to_be(exact: polhode.Motion) -> None:
     judgement = polhode.judge(PUSHED, times=exact.times, attitude=exact.attitude, omega=exact.omega)
     assert judgement.is_exact and judgement.largest_attitude_error <= 3 * judgement.exact_to < 1e-11

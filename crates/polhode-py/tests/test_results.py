@@ -77,6 +77,30 @@ def links() -> tuple[polhode.LinkTable, ...]:
     return polhode.link_table(arm), polhode.link_table(arm), polhode.link_table(arm, joints={"elbow": 0.3})
 
 
+def test_no_table_becomes_another_by_the_constructor_of_pandas() -> None:
+    """It would take the elements of an iterator for rows: what has columns names what gives them, and rows that are named tuples are right."""
+    motion = top()
+    flights = polhode.Flights([polhode.Flight(times=[0, 0.01], gyro=[[1, 2, 3], [1.1, 1.9, 3]])])
+    error = motion.error
+    assert error is not None
+    for value in (motion, motion.states, error, ensemble().at([0.0, 3.0]), free().at(TIMES), flights):
+        kind = type(value).__name__
+        for make in (pd.DataFrame, np.asarray, np.array):
+            with pytest.raises(TypeError, match=rf"an? {kind} is not an array: to_pandas\(\) gives its DataFrame"):
+                make(value)
+        assert list(value.to_pandas().columns) == list(value.columns())
+    parts = polhode.budget("name,mass [kg]\na,1\nb,2\n", draws=0)
+    body = polhode.Body({"a": polhode.MassProperties(mass=2.3, inertia=TENSOR)})
+    for value, named in ((links()[0], "to_csv"), (parts, "only.rows"), (body, "parts")):
+        with pytest.raises(TypeError, match=named):
+            pd.DataFrame(value)
+    assert pd.DataFrame(parts.only.rows)["basic"].tolist() == [1.0, 2.0, 3.0]
+    assert pd.DataFrame(parts.only.estimate)["name"].tolist()[:2] == ["mass", "x"]
+    # Unpacking and iterating are as before.
+    omega, attitude = motion.states
+    assert omega.shape == (6, 3) and attitude.shape == (6, 4) and len(list(motion)) == 6
+
+
 def test_states_have_a_length_and_parts() -> None:
     states = free().at(TIMES)
     omega, attitude = states

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native, _units
-from ._error import PolhodeError
+from ._error import PolhodeError, warn
 
 Floats = npt.NDArray[np.float64]
 
@@ -178,6 +178,23 @@ def _few(value: Any, count: int) -> list[float] | None:
     return None
 
 
+#: Asymmetry of a tensor, relative to its greatest moment, that is the rounding of float64; and that is the rounding of float32.
+_ROUNDING, _SINGLE = 1e-12, 1e-6
+
+
+def symmetric(name: str, tensors: Floats) -> Floats:
+    """Tensors (…, 3, 3) whose halves differ by no more than float32 rounds, averaged with a warning. Larger differences are left for the library to refuse."""
+    mirrored = tensors.swapaxes(-1, -2)
+    size = np.abs(tensors[..., [0, 1, 2], [0, 1, 2]]).max(axis=-1, initial=0.0)
+    apart = np.abs(tensors - mirrored).max(axis=(-1, -2), initial=0.0)
+    rounded = (apart > _ROUNDING * size) & (apart <= _SINGLE * size)
+    if not rounded.any():
+        return tensors
+    most = (apart[rounded] / size[rounded]).max()
+    warn(f"{name} is not symmetric: its halves differ by {most:.2g} of the greatest moment, as float32 rounds; their mean is taken")
+    return np.where(rounded[..., None, None], 0.5 * tensors + 0.5 * mirrored, tensors)
+
+
 def tensor(name: str, value: object) -> list[list[float]]:
     """An inertia tensor: (3, 3), or three moments about the body's own axes."""
     if (moments := _few(value, 3)) is not None:
@@ -185,13 +202,14 @@ def tensor(name: str, value: object) -> list[list[float]]:
         return [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]]
     if type(value) is np.ndarray and value.dtype is FLOAT64 and value.shape == (3, 3):
         plain: list[list[float]] = value.tolist()
-        if math.isfinite(sum(map(sum, plain))):
+        (_, xy, xz), (yx, _, yz), (zx, zy, _) = plain
+        if math.isfinite(sum(map(sum, plain))) and (xy, xz, yz) == (yx, zx, zy):
             return plain
     given = real(name, value)
     if given.shape not in ((3, 3), (3,)):
         raise PolhodeError(f"{name} must have the shape (3, 3), or (3,) for moments about the body's axes, not {given.shape}")
     array = numbers(name, given, given.shape)
-    rows: list[list[float]] = (np.diag(array) if array.ndim == 1 else array).tolist()
+    rows: list[list[float]] = (np.diag(array) if array.ndim == 1 else symmetric(name, array)).tolist()
     return rows
 
 

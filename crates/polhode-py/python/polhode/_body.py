@@ -10,9 +10,10 @@ from . import _arrays, _html
 from ._error import PolhodeError
 from ._mass_derivatives import BodyDerivatives, body_derivatives
 from ._mass_properties import IDENTITY, MassProperties, joined
+from ._table import NoArray
 
 
-class Body(Mapping[str, MassProperties]):
+class Body(NoArray, Mapping[str, MassProperties]):
     """Parts with names, rigidly joined: a mapping from the names to the parts, where they are placed.
 
     Parameters
@@ -42,6 +43,8 @@ class Body(Mapping[str, MassProperties]):
     >>> list(hammer), "claw" in hammer
     (['head', 'handle'], False)
     """
+
+    _instead = "its numbers are those of its parts, and of mass_properties"
 
     def __init__(self, parts: Mapping[str, MassProperties]) -> None:
         if not isinstance(parts, Mapping):

@@ -19,6 +19,7 @@ from ._estimate import Estimate, floats
 from ._mass_properties import Finding, MassProperties, findings_of, warn_of
 from ._printed import Printed
 from ._record import Record
+from ._table import NoArray
 
 
 class BudgetLimit(NamedTuple):
@@ -138,8 +139,10 @@ class BudgetCase(Record):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Budget(Printed):
+class Budget(NoArray, Printed):
     """What a parts list comes to. :func:`budget` makes one; of a list with one configuration it has all that :class:`BudgetCase` has."""
+
+    _instead = "the rows of each configuration are its table: pandas.DataFrame(budget.only.rows)"
 
     #: What it is called.
     title: str

@@ -119,7 +119,7 @@ class Ensemble:
         elif moments is not None:
             given["moments"] = _each("moments", moments, (3,))
         else:
-            given["inertia"] = _each("inertia", inertia, (3, 3))
+            given["inertia"] = _arrays.symmetric("inertia", _each("inertia", inertia, (3, 3)))
         if pivot is not None:
             given["pivot"] = _each("pivot", pivot, (3,))
         self._actions = Actions.of(torques=torques, wheels=wheels, events=events, orbit=orbit)

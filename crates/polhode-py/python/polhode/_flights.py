@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Iterable, Iterator, Sequence, overload
+from typing import Any, Iterable, Iterator, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -17,7 +17,7 @@ _FLIGHT, _TIME = "the flight's number, from 0", "time of the reading"
 _GYRO, _ATTITUDE = "angular velocity along the sensor's axes, as it was read", "attitude of axes fixed in the body, unit quaternion, as it was measured"
 
 
-class Flights(Table, Sequence[Flight]):
+class Flights(Table):
     """Flights of a body, in their order: :func:`find_flights` gives them, :func:`identify_tumbles` takes them.
 
     ``flights[k]`` is a :class:`Flight`, ``flights[2:5]`` are several. As a table they have a row for each time of each flight; what was not read then is NaN, and what none has is no column.
@@ -73,6 +73,14 @@ class Flights(Table, Sequence[Flight]):
 
     def __iter__(self) -> Iterator[Flight]:
         return iter(self._flights)
+
+    def index(self, flight: Flight) -> int:
+        """The place of the first flight that is equal to this one; :class:`ValueError` if none is."""
+        return self._flights.index(flight)
+
+    def count(self, flight: Flight) -> int:
+        """How many flights are equal to this one."""
+        return self._flights.count(flight)
 
     def __eq__(self, other: object) -> bool:
         return self._flights == other._flights if isinstance(other, Flights) else NotImplemented

@@ -161,7 +161,8 @@ class FreeMotion:
         times
             Times (n,), s, or a single one.
         out
-            Two arrays, (n, 3) and (n, 4), C-contiguous float64, that are filled and given back, so that their memory serves again.
+            Two arrays, (n, 3) and (n, 4), C-contiguous float64, that are filled and returned, so that their memory is used again. They share memory neither with
+            each other nor with the times.
 
         Returns
         -------
@@ -194,7 +195,7 @@ class FreeMotion:
             return States(given.copy(), *self._native.at_time(_arrays.number("times", given)))
         try:
             if out is not None:
-                _filled(out, shape[0])
+                _filled(out, given)
                 self._native.fill(given, *out)
                 return States(given.copy(), *out)
             if shape[0] < FEW:
@@ -383,17 +384,19 @@ def _room(times: Floats) -> tuple[tuple[Floats, Floats], Floats]:
     return (np.empty((count, 3)), both[: 4 * count].reshape(count, 4)), both[4 * count :]
 
 
-def _filled(out: object, count: int) -> None:
+def _filled(out: object, times: Floats) -> None:
     """Refuses what states cannot be put into."""
     if not isinstance(out, tuple) or len(out) != 2:
         raise TypeError("out must be a tuple of two arrays, for ω and the attitudes")
     for name, array, columns in (("out[0]", out[0], 3), ("out[1]", out[1], 4)):
         if not isinstance(array, np.ndarray) or array.dtype != np.float64:
             raise TypeError(f"{name} must be an array of float64, not {_arrays.kind_of(array)}")
-        if array.shape != (count, columns):
-            raise PolhodeError(f"{name} must have the shape ({count}, {columns}), not {array.shape}")
+        if array.shape != (times.size, columns):
+            raise PolhodeError(f"{name} must have the shape ({times.size}, {columns}), not {array.shape}")
         if not (array.flags.c_contiguous and array.flags.aligned and array.flags.writeable):
             raise PolhodeError(f"{name} must be C-contiguous, aligned and writeable")
-    # Of contiguous arrays the bounds say it.
+        # Of contiguous arrays the bounds say it.
+        if np.may_share_memory(array, times):
+            raise PolhodeError("out shares memory with times", "give arrays of their own: the times are read while these are filled")
     if np.may_share_memory(out[0], out[1]):
         raise PolhodeError("out[0] and out[1] must not share memory")

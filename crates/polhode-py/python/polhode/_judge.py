@@ -12,11 +12,12 @@ from ._arrays import Floats
 from ._error import PolhodeError
 from ._judgement import Judgement
 from ._mass_properties import findings_of
+from ._scenario import Scenario, formula_source
 from ._simulate import warn_of_scenario
 
 
 def judge(
-    scenario: str | os.PathLike[str],
+    scenario: str | os.PathLike[str] | Scenario,
     run: str | os.PathLike[str] | None = None,
     *,
     times: npt.ArrayLike | None = None,
@@ -39,7 +40,7 @@ def judge(
     Parameters
     ----------
     scenario
-        A path, or a text of more than one line, as of :func:`simulate`; its ``[run]`` is not used.
+        A path, or a text of more than one line, as of :func:`simulate`, or a :class:`Scenario`; its ``[run]`` is not used.
     run
         The motion as a log: CSV, Parquet, JSON lines.
     times, attitude, omega
@@ -95,10 +96,7 @@ def judge(
     >>> judgement.likeliest.id
     'no_gyroscopic_term'
     """
-    if isinstance(scenario, str) and "\n" in scenario:
-        path, text = "scenario.toml", _arrays.text("scenario", scenario)
-    else:
-        path, text = _arrays.path("scenario", scenario), None
+    path, text = formula_source(scenario)
     said: _native.Said = {
         "quaternion": _one_of("quaternion", quaternion, ["wxyz", "xyzw"]),
         "sense": _one_of("sense", sense, ["body_to_space", "space_to_body"]),

@@ -14,6 +14,7 @@ from . import _arrays, _html, _native, _units
 from ._arrays import Floats
 from ._mass_properties import Finding, MassProperties, findings_of, warn_of
 from ._record import Record
+from ._table import NoArray
 
 
 def positions(joints: object) -> list[tuple[str, float | str]]:
@@ -89,8 +90,10 @@ class LinkRow(Record):
         return f"LinkRow({self.link!r}, {self.mass:.6g} kg)"
 
 
-class LinkTable:
+class LinkTable(NoArray):
     """All links of a robot, in the order of the file, and the whole robot. It has the length and the elements of ``rows``."""
+
+    _instead = "to_csv() gives its table, which pandas.read_csv reads, and rows its links"
 
     def __init__(self, path: str, table: dict[str, Any], text: str, csv: str, findings: list[Finding]) -> None:
         self.path = path

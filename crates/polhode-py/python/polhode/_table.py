@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, NoReturn
 
 import numpy as np
 import numpy.typing as npt
@@ -44,10 +44,25 @@ class Variable(NamedTuple):
 SHOWN = 4
 
 
-class Table:
+class NoArray:
+    """A result with a length that is not an array. NumPy would make an array of objects of it, and pandas a table without its columns."""
+
+    __slots__ = ()
+
+    #: Where its numbers are.
+    _instead: ClassVar[str]
+
+    def __array__(self, dtype: object = None, copy: object = None) -> NoReturn:
+        name = type(self).__name__
+        raise TypeError(f"{'an' if name[0] in 'AEIOU' else 'a'} {name} is not an array: {self._instead}")
+
+
+class Table(NoArray):
     """What has columns. Tables of other libraries are copies; fields of Arrow and variables of xarray have their units and descriptions."""
 
     __slots__ = ()
+
+    _instead = "to_pandas() gives its DataFrame, and columns() its arrays by name"
 
     def _table(self) -> list[Column]:
         """The columns, of numbers that nobody else has."""

@@ -1,344 +1,269 @@
 //! Parts lists that make one body.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
-use polhode::body::{BodyError, MassProperties};
-use polhode::math::{Body, Frame, Part, Position, Rotation};
+use polhode::body::MassProperties;
+use polhode::math::{Body, Part, Position, Rotation};
 
 use crate::error::{BudgetError, RowName};
 use crate::group::Group;
-use crate::growth::{Basis, Growth, GrowthTable, MassStatement, RULE};
-use crate::row::{CopyErrors, Place, Row};
-use crate::tensor::{TensorPoint, mass_properties, scaled};
+use crate::growth::{GrowthTable, RULE};
+use crate::list::PartsList;
+use crate::row::{CopyErrors, Place};
+use crate::rows::Rows;
+use crate::tensor::{TensorPoint, mass_properties};
 use crate::tree::{Tree, names, row_name};
-use crate::uncertainty::{Factor, NotUncertainty, PartUncertainty};
-
-/// A parts list, as it is given.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct PartsList {
-    /// In any order.
-    pub rows: Vec<Row>,
-    /// The groups that rows name.
-    pub groups: Vec<Group>,
-    /// Growth allowances by maturity code.
-    pub growth: GrowthTable,
-}
+use crate::uncertainty::{Factor, NotUncertainty};
 
 /// A parts list of which all rows make one possible body.
+///
+/// It holds the rows in packed form and the frames in which others stand; all else is computed when it is needed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Budget {
-    pub(crate) list: PartsList,
+    pub(crate) rows: Rows,
+    pub(crate) groups: Vec<Group>,
+    growth: GrowthTable,
     pub(crate) tree: Tree,
-    /// Of each row.
-    pub(crate) places: Vec<Placed>,
+    /// Frames in which rows stand, by [`Tree::slot`].
+    frames: Vec<PlacedFrame>,
+    /// Group of each row, [`ALONE`] of rows without; empty if the list has no groups.
+    group_of: Vec<u32>,
+    /// Rows whose tensors are about the origin of another row's frame, and that row.
+    origins: BTreeMap<usize, usize>,
 }
 
-/// What a row comes to by where it stands.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Placed {
-    /// Of its frame's origin in the body.
+const ALONE: u32 = u32::MAX;
+
+/// The frame of a row in the body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct PlacedFrame {
+    /// Origin in the body.
     pub(crate) position: Position<Body>,
     pub(crate) rotation: Rotation<Body, Part>,
-    /// How many of the row in which it stands there are in the body.
+    /// Number of copies in the body of the row in which it stands.
     pub(crate) frames: f64,
-    /// By what its part's mass is multiplied on the predicted basis.
-    pub(crate) growth: f64,
-    pub(crate) group: Option<usize>,
-    pub(crate) part: Option<PlacedPart>,
 }
 
 /// A part that can exist, in its row's frame.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PlacedPart {
     pub(crate) properties: MassProperties<Part>,
-    /// The elements of the tensor as given, and the point that they are about, if that is not the centre of mass.
+    /// Elements of the tensor as given, and the point that they are about, if that is not the centre of mass.
     pub(crate) elements: [f64; 6],
     pub(crate) about: Option<Position<Part>>,
 }
 
-impl PartsList {
-    /// Whether the list makes a body.
+impl Budget {
+    /// Checks that rows make a body.
     ///
     /// # Errors
-    /// [`BudgetError`] that names the row and what is wrong with it.
-    pub fn budget(self) -> Result<Budget, BudgetError> {
-        let names = names(&self.rows)?;
-        let tree = Tree::new(&self.rows, &names)?;
-        let mut groups = HashMap::with_capacity(self.groups.len());
-        for (k, group) in self.groups.iter().enumerate() {
+    /// [`BudgetError`] that names the row and the rule that it breaks.
+    pub fn new(rows: Rows, groups: Vec<Group>, growth: GrowthTable) -> Result<Self, BudgetError> {
+        let names = names(&rows)?;
+        let tree = Tree::new(&rows, &names)?;
+        let mut numbers = HashMap::with_capacity(groups.len());
+        for (k, group) in (0..).zip(&groups) {
             group.check()?;
-            if groups.insert(group.name.as_str(), k).is_some() {
+            if numbers.insert(group.name.as_str(), k).is_some() {
                 return Err(BudgetError::DuplicateGroup { group: group.name.clone() });
             }
         }
-        let mut places: Vec<Option<Placed>> = vec![None; self.rows.len()];
-        for &k in &tree.order {
-            let parent = tree.parents[k].and_then(|parent| Some((parent, places[parent].as_ref()?)));
-            let placed = self.placed(k, parent, &groups)?;
-            places[k] = Some(placed);
+        let mut group_of = vec![ALONE; if groups.is_empty() { 0 } else { rows.len() }];
+        for k in tree.order() {
+            let group = check_row(&rows, k, &numbers, &growth)?;
+            if let (Some(slot), Some(group)) = (group_of.get_mut(k), group) {
+                *slot = group;
+            }
         }
-        let mut places: Vec<Placed> = places.into_iter().flatten().collect();
-        for k in 0..places.len() {
-            places[k].part = self.part(k, &places, &names)?;
+        let mut origins = BTreeMap::new();
+        for (k, frame) in (0..rows.len()).filter_map(|k| Some((k, rows.tensor_frame(k)?))) {
+            let Some(other) = names.get(frame) else {
+                // As far as rows before it can exist.
+                origins.insert(k, usize::MAX);
+                continue;
+            };
+            origins.insert(k, *other as usize);
         }
-        if places.iter().all(|place| place.part.is_none()) {
-            return Err(BudgetError::Empty);
+        drop(names);
+        let frames = Vec::with_capacity(tree.inner);
+        let mut budget = Self { rows, groups, growth, tree, frames, group_of, origins };
+        let inner: Vec<usize> = budget.tree.order().filter(|row| budget.tree.slot(*row).is_some()).collect();
+        for row in inner {
+            budget.frames.push(budget.frame(row));
         }
-        let budget = Budget { list: self, tree, places };
         budget.check()?;
         Ok(budget)
     }
 
-    fn placed(
-        &self,
-        k: usize,
-        parent: Option<(usize, &Placed)>,
-        groups: &HashMap<&str, usize>,
-    ) -> Result<Placed, BudgetError> {
-        let row = &self.rows[k];
-        let name = || row_name(&self.rows, k);
-        let require = |what, value: f64, holds: bool, rule| {
-            if holds { Ok(()) } else { Err(BudgetError::Value { row: name(), what, value, rule }) }
-        };
-        for value in row.place.position.to_array() {
-            require("the position", value, value.is_finite(), "finite")?;
-        }
-        require("the quantity", f64::from(row.quantity.count), row.quantity.count > 0, "1 at least")?;
-        let growth = match &row.growth {
-            Growth::None => 0.0,
-            Growth::Fraction(value) => *value,
-            Growth::Code(code) => self
-                .growth
-                .get(code)
-                .ok_or_else(|| BudgetError::MaturityCode { row: name(), code: code.clone() })?,
-        };
-        require("the growth allowance", growth, growth >= 0.0 && growth.is_finite(), RULE)?;
-        let what = "the allowable mass";
-        if let Some(value) = row.allowable {
-            require(what, value, value > 0.0 && value.is_finite(), "positive and finite")?;
-        }
-        let group = match &row.group {
-            None => None,
-            Some(group) => Some(
-                *groups
-                    .get(group.as_str())
-                    .ok_or_else(|| BudgetError::MissingGroup { row: name(), group: group.clone() })?,
-            ),
-        };
-        row.factors().map_err(|error| error.of(name()))?;
-        let Place { position, rotation } = row.place;
-        Ok(match parent {
-            None => Placed {
-                position: Rotation::<Body, Part>::identity() * position,
-                rotation: Rotation::<Body, Part>::identity() * rotation,
-                frames: 1.0,
-                growth: 1.0 + growth,
-                group,
-                part: None,
-            },
-            Some((parent, frame)) => Placed {
-                position: frame.position + frame.rotation * position,
-                rotation: frame.rotation * rotation,
-                frames: frame.frames * f64::from(self.rows[parent].quantity.count),
-                growth: 1.0 + growth,
-                group,
-                part: None,
-            },
-        })
-    }
-
-    fn part(
-        &self,
-        k: usize,
-        places: &[Placed],
-        names: &HashMap<&str, usize>,
-    ) -> Result<Option<PlacedPart>, BudgetError> {
-        let Some(part) = &self.rows[k].part else { return Ok(None) };
-        let name = || row_name(&self.rows, k);
-        let about = match &part.tensor.about {
-            TensorPoint::CenterOfMass => None,
-            TensorPoint::At(point) => Some(*point),
-            TensorPoint::OriginOf(frame) => {
-                let other = names.get(frame.as_str()).map(|&other| &places[other]);
-                let other =
-                    other.ok_or_else(|| BudgetError::MissingFrame { row: name(), frame: frame.clone() })?;
-                Some(places[k].rotation.inverse() * (other.position - places[k].position))
-            }
-        };
-        let elements = part.tensor.elements();
-        let properties = mass_properties(part.mass, part.center_of_mass, elements, about)
-            .map_err(|error| BudgetError::Part { row: name(), error })?;
-        if let PartUncertainty::Liquid(liquid) = &self.rows[k].uncertainty.part
-            && !liquid.is(&properties)
-        {
-            return Err(BudgetError::NotTheLiquid { row: name() });
-        }
-        Ok(Some(PlacedPart { properties, elements, about }))
-    }
-}
-
-impl Row {
-    /// Its errors as independent ones, of the tensor's elements.
-    pub(crate) fn factors(&self) -> Result<Vec<Factor>, NotUncertainty> {
-        let sign = self.part.as_ref().map_or(1.0, |part| part.tensor.sign.factor());
-        let mut all = self.uncertainty.factors(sign)?;
-        if self.part.is_none() {
-            all.retain(|factor| factor.kind().is_of_frame());
-        }
-        Ok(all)
-    }
-}
-
-impl NotUncertainty {
-    fn of(self, row: RowName) -> BudgetError {
-        match self {
-            Self::Deviation { what, value } => BudgetError::Deviation { row, what, value },
-            Self::Covariance { what, element } => BudgetError::Covariance { row, what, element },
-        }
-    }
-}
-
-impl Budget {
-    /// The list that it was made of.
-    pub const fn list(&self) -> &PartsList {
-        &self.list
-    }
-
-    /// The row in which all others stand.
-    pub fn root(&self) -> usize {
-        self.tree.order[0]
-    }
-
-    /// In which row each row stands; the root in none.
-    pub fn parents(&self) -> &[Option<usize>] {
-        &self.tree.parents
-    }
-
-    /// One copy of a row's part, in its own frame; `None` of a frame alone, and of a row that is not there.
-    pub fn given(&self, row: usize) -> Option<&MassProperties<Part>> {
-        self.places.get(row)?.part.as_ref().map(|part| &part.properties)
-    }
-
-    /// The growth allowance of a row's part, as a fraction of its basic mass; zero of a row that is not there.
-    pub fn growth(&self, row: usize) -> f64 {
-        self.places.get(row).map_or(0.0, |place| place.growth - 1.0)
-    }
-
-    /// The mass properties of the whole, along the axes of the body, in which the root's frame stands.
-    ///
-    /// # Errors
-    /// [`BudgetError::Sum`] if it overflows.
-    pub fn mass_properties(&self, basis: Basis) -> Result<MassProperties<Body>, BudgetError> {
-        self.whole(&self.subtrees(basis)?)
-    }
-
-    /// The masses of each row with all in it: of its copies in one of the row in which it stands.
-    ///
-    /// # Errors
-    /// As [`Budget::mass_properties`].
-    pub fn mass_statements(&self) -> Result<Vec<MassStatement>, BudgetError> {
-        let (basic, predicted) = (self.subtrees(Basis::Basic)?, self.subtrees(Basis::Predicted)?);
-        let mass = |one: &Option<MassProperties<Body>>, row: &Row| {
-            one.map_or(0.0, |one| one.mass() * f64::from(row.quantity.count))
-        };
-        let of = |((basic, predicted), row): ((_, _), &Row)| MassStatement {
-            basic: mass(basic, row),
-            predicted: mass(predicted, row),
-            allowable: row.allowable,
-        };
-        Ok(basic.iter().zip(&predicted).zip(&self.list.rows).map(of).collect())
-    }
-
     fn check(&self) -> Result<(), BudgetError> {
-        for (k, row) in self.list.rows.iter().enumerate() {
-            let given = row.quantity.count;
-            let is_drawn = row.quantity.errors == CopyErrors::Independent
-                && given > MOST_DRAWN
-                && row.factors().is_ok_and(|factors| !factors.is_empty());
-            if is_drawn {
-                return Err(BudgetError::Copies {
-                    row: row_name(&self.list.rows, k),
-                    given,
-                    most: MOST_DRAWN,
-                });
+        let mut is_empty = true;
+        for k in 0..self.rows.len() {
+            let is_part = self.placed_part(k)?.is_some();
+            is_empty &= !is_part;
+        }
+        if is_empty {
+            return Err(BudgetError::Empty);
+        }
+        for row in 0..self.rows.len() {
+            let quantity = self.rows.quantity(row);
+            if quantity.errors != CopyErrors::Independent {
+                continue;
+            }
+            let given = quantity.count;
+            if given > MOST_DRAWN && !self.factors(row).is_empty() {
+                return Err(BudgetError::Copies { row: row_name(&self.rows, row), given, most: MOST_DRAWN });
             }
         }
-        for (child, parent) in self.tree.parents.iter().enumerate() {
-            if let Some(parent) = *parent
-                && self.list.rows[parent].quantity.errors == CopyErrors::Independent
-                && self.list.rows[parent].quantity.count > 1
-            {
-                let [row, inside] = [parent, child].map(|k| row_name(&self.list.rows, k));
+        for child in 0..self.rows.len() {
+            let Some(parent) = self.tree.parent(child) else { continue };
+            let quantity = self.rows.quantity(parent);
+            if quantity.errors == CopyErrors::Independent && quantity.count > 1 {
+                let [row, inside] = [parent, child].map(|k| row_name(&self.rows, k));
                 return Err(BudgetError::IndependentAssembly { row, inside });
             }
         }
-        if self.list.rows.iter().all(|row| row.subtotal.is_none()) {
+        self.check_subtotals()
+    }
+
+    fn check_subtotals(&self) -> Result<(), BudgetError> {
+        if (0..self.rows.len()).all(|k| self.rows.subtotal(k).is_none()) {
             return Ok(());
         }
         let statements = self.mass_statements()?;
-        for (k, (row, statement)) in self.list.rows.iter().zip(statements).enumerate() {
-            let Some(subtotal) = row.subtotal else { continue };
+        for (k, statement) in statements.iter().enumerate() {
+            let Some(subtotal) = self.rows.subtotal(k) else { continue };
             let (stated, tolerance, sum) = (subtotal.mass, subtotal.tolerance, statement.basic);
-            let name = row_name(&self.list.rows, k);
+            let name = || row_name(&self.rows, k);
             if !(tolerance >= 0.0 && tolerance.is_finite()) {
                 let what = "the subtotal's tolerance";
                 return Err(BudgetError::Value {
-                    row: name,
+                    row: name(),
                     what,
                     value: tolerance,
                     rule: "zero or positive",
                 });
             }
             if !((stated - sum).abs() <= tolerance + ROUNDING * sum) {
-                return Err(BudgetError::Subtotal { row: name, stated, sum, tolerance });
+                return Err(BudgetError::Subtotal { row: name(), stated, sum, tolerance });
             }
         }
         Ok(())
     }
 
-    pub(crate) fn whole(
-        &self,
-        subtrees: &[Option<MassProperties<Body>>],
-    ) -> Result<MassProperties<Body>, BudgetError> {
-        let root = self.root();
-        let one = subtrees[root].ok_or(BudgetError::Empty)?;
-        scaled(&one, f64::from(self.list.rows[root].quantity.count)).map_err(BudgetError::Sum)
+    /// The list that it was made of, as a copy.
+    #[must_use]
+    pub fn list(&self) -> PartsList {
+        let (groups, growth) = (self.groups.clone(), self.growth.clone());
+        PartsList { rows: self.rows.iter().collect(), groups, growth }
     }
 
-    /// A row's part in the body.
-    pub(crate) fn own(&self, k: usize, basis: Basis) -> Result<Option<MassProperties<Body>>, BudgetError> {
-        let place = &self.places[k];
-        let Some(part) = &place.part else { return Ok(None) };
-        let placed = part.properties.placed(place.position, place.rotation);
-        let part = placed.and_then(|placed| scaled(&placed, place.scale(basis)));
-        part.map(Some).map_err(|error| BudgetError::Part { row: row_name(&self.list.rows, k), error })
+    /// The rows of the list.
+    pub const fn rows(&self) -> &Rows {
+        &self.rows
     }
 
-    /// One copy of the part of each row, without what stands in it, in the body; `None` of frames alone.
-    ///
-    /// # Errors
-    /// [`BudgetError::Part`] if one overflows.
-    pub fn parts(&self, basis: Basis) -> Result<Vec<Option<MassProperties<Body>>>, BudgetError> {
-        (0..self.places.len()).map(|k| self.own(k, basis)).collect()
+    /// The groups of the list.
+    pub fn groups(&self) -> &[Group] {
+        &self.groups
     }
 
-    /// One copy of each row with all in it, in the body; `None` of frames without mass.
-    ///
-    /// # Errors
-    /// As [`Budget::mass_properties`].
-    pub fn subtrees(&self, basis: Basis) -> Result<Vec<Option<MassProperties<Body>>>, BudgetError> {
-        let mut inside: Vec<Vec<MassProperties<Body>>> = vec![Vec::new(); self.places.len()];
-        let mut all = vec![None; self.places.len()];
-        for &k in self.tree.order.iter().rev() {
-            let mut parts = core::mem::take(&mut inside[k]);
-            parts.extend(self.own(k, basis)?);
-            all[k] = combined(&parts).map_err(BudgetError::Sum)?;
-            if let (Some(one), Some(parent)) = (&all[k], self.tree.parents[k]) {
-                let count = f64::from(self.list.rows[k].quantity.count);
-                inside[parent].push(scaled(one, count).map_err(BudgetError::Sum)?);
-            }
+    /// Growth allowances by maturity code.
+    pub const fn growth_table(&self) -> &GrowthTable {
+        &self.growth
+    }
+
+    /// The row in which all others stand.
+    pub fn root(&self) -> usize {
+        self.tree.root()
+    }
+
+    /// The row in which a row stands; `None` of the root.
+    pub fn parent(&self, row: usize) -> Option<usize> {
+        self.tree.parent(row)
+    }
+
+    /// All rows, each after that in which it stands: the root first.
+    pub fn order(&self) -> impl DoubleEndedIterator<Item = usize> + '_ {
+        self.tree.order()
+    }
+
+    /// True if a row is the frame of other rows.
+    pub fn has_rows_in(&self, row: usize) -> bool {
+        self.tree.slot(row).is_some()
+    }
+
+    /// One copy of a row's part, in its own frame; `None` of a frame alone, and of a row that is not there.
+    pub fn given(&self, row: usize) -> Option<MassProperties<Part>> {
+        self.placed_part(row).ok().flatten().map(|part| part.properties)
+    }
+
+    /// The growth allowance of a row's part, as a fraction of its basic mass; zero of a row that is not there.
+    pub fn growth(&self, row: usize) -> f64 {
+        self.scale(row) - 1.0
+    }
+
+    /// Factor of a part's mass on the predicted basis.
+    pub(crate) fn scale(&self, row: usize) -> f64 {
+        1.0 + self.rows.allowance(row, &self.growth).unwrap_or(0.0) // checked when the budget was made
+    }
+
+    /// The group of a row, by its place among the groups.
+    pub(crate) fn group(&self, row: usize) -> Option<usize> {
+        self.group_of.get(row).filter(|group| **group != ALONE).map(|group| *group as usize)
+    }
+
+    /// The errors of a row as independent ones, of the tensor's elements.
+    pub(crate) fn factors(&self, row: usize) -> Vec<Factor> {
+        factors(&self.rows, row).unwrap_or_default() // checked when the budget was made
+    }
+
+    /// The frame of a row in the body.
+    pub(crate) fn frame(&self, row: usize) -> PlacedFrame {
+        let Place { position, rotation } = self.rows.place(row);
+        let parent = self.tree.parent(row);
+        let frame = parent.and_then(|parent| self.frames.get(self.tree.slot(parent)?));
+        match (parent, frame) {
+            (Some(parent), Some(frame)) => PlacedFrame {
+                position: frame.position + frame.rotation * position,
+                rotation: frame.rotation * rotation,
+                frames: frame.frames * f64::from(self.rows.quantity(parent).count),
+            },
+            _ => PlacedFrame {
+                position: Rotation::<Body, Part>::identity() * position,
+                rotation: Rotation::<Body, Part>::identity() * rotation,
+                frames: 1.0,
+            },
         }
-        Ok(all)
+    }
+
+    /// The axes of the frame in which a row stands.
+    pub(crate) fn axes_around(&self, row: usize) -> Rotation<Body, Part> {
+        let slot = self.tree.parent(row).and_then(|parent| self.tree.slot(parent));
+        let frame = slot.and_then(|slot| self.frames.get(slot));
+        frame.map_or_else(Rotation::identity, |frame| frame.rotation)
+    }
+
+    /// A row's part, in the row's frame.
+    pub(crate) fn placed_part(&self, row: usize) -> Result<Option<PlacedPart>, BudgetError> {
+        let Some(part) = self.rows.part(row) else { return Ok(None) };
+        let name = || row_name(&self.rows, row);
+        let about = match &part.tensor.about {
+            TensorPoint::CenterOfMass => None,
+            TensorPoint::At(point) => Some(*point),
+            TensorPoint::OriginOf(frame) => {
+                let other = self.origins.get(&row).copied().filter(|other| *other < self.rows.len());
+                let missing = || BudgetError::MissingFrame { row: name(), frame: frame.clone() };
+                let (own, other) = (self.frame(row), self.frame(other.ok_or_else(missing)?));
+                Some(own.rotation.inverse() * (other.position - own.position))
+            }
+        };
+        let elements = part.tensor.elements();
+        let properties = mass_properties(part.mass, part.center_of_mass, elements, about)
+            .map_err(|error| BudgetError::Part { row: name(), error })?;
+        if self.rows.liquid(row).is_some_and(|liquid| !liquid.is(&properties)) {
+            return Err(BudgetError::NotTheLiquid { row: name() });
+        }
+        Ok(Some(PlacedPart { properties, elements, about }))
     }
 }
 
@@ -348,23 +273,58 @@ const MOST_DRAWN: u32 = 10_000;
 /// The rounding of a sum and of decimal numbers in it.
 const ROUNDING: f64 = 1e-12;
 
-impl Placed {
-    /// By what the part's mass is multiplied.
-    pub(crate) const fn scale(&self, basis: Basis) -> f64 {
-        match basis {
-            Basis::Basic => 1.0,
-            Basis::Predicted => self.growth,
-        }
+/// Checks the numbers of a row, and returns its group.
+fn check_row(
+    rows: &Rows,
+    k: usize,
+    groups: &HashMap<&str, u32>,
+    table: &GrowthTable,
+) -> Result<Option<u32>, BudgetError> {
+    let name = || row_name(rows, k);
+    let require = |what, value: f64, holds: bool, rule| {
+        if holds { Ok(()) } else { Err(BudgetError::Value { row: name(), what, value, rule }) }
+    };
+    for value in rows.place(k).position.to_array() {
+        require("the position", value, value.is_finite(), "finite")?;
     }
+    let count = rows.quantity(k).count;
+    require("the quantity", f64::from(count), count > 0, "1 at least")?;
+    let growth = rows
+        .allowance(k, table)
+        .map_err(|code| BudgetError::MaturityCode { row: name(), code: code.to_owned() })?;
+    require("the growth allowance", growth, growth >= 0.0 && growth.is_finite(), RULE)?;
+    if let Some(value) = rows.allowable(k) {
+        require("the allowable mass", value, value > 0.0 && value.is_finite(), "positive and finite")?;
+    }
+    let group = match rows.group(k) {
+        None => None,
+        Some(group) => Some(
+            *groups
+                .get(group)
+                .ok_or_else(|| BudgetError::MissingGroup { row: name(), group: group.to_owned() })?,
+        ),
+    };
+    factors(rows, k).map_err(|error| error.of(name()))?;
+    Ok(group)
 }
 
-/// All of them together, if there are any.
-pub(crate) fn combined<F: Frame>(
-    parts: &[MassProperties<F>],
-) -> Result<Option<MassProperties<F>>, BodyError> {
-    match parts {
-        [] => Ok(None),
-        [one] => Ok(Some(*one)),
-        parts => MassProperties::combined(parts).map(Some),
+fn factors(rows: &Rows, row: usize) -> Result<Vec<Factor>, NotUncertainty> {
+    if rows.is_exact(row) {
+        return Ok(Vec::new());
+    }
+    let sign = if rows.has_part(row) { rows.sign(row).factor() } else { 1.0 };
+    let mut all = rows.uncertainty(row).factors(sign)?;
+    if !rows.has_part(row) {
+        all.retain(|factor| factor.kind().is_of_frame());
+    }
+    Ok(all)
+}
+
+impl NotUncertainty {
+    fn of(self, row: RowName) -> BudgetError {
+        match self {
+            Self::Deviation { what, value } => BudgetError::Deviation { row, what, value },
+            Self::Covariance { what, element } => BudgetError::Covariance { row, what, element },
+        }
     }
 }

@@ -6,9 +6,11 @@ use polhode::math::{Body, Part, Position, Rotation};
 use crate::budget::{Budget, PlacedPart};
 use crate::error::BudgetError;
 use crate::growth::Basis;
-use crate::row::{CopyErrors, Row};
+use crate::row::CopyErrors;
+use crate::subtrees::Subtrees;
+use crate::tank::UncertainLiquid;
 use crate::tensor::{elements, plus, steiner};
-use crate::uncertainty::{ErrorKind, PartUncertainty, RowError};
+use crate::uncertainty::{ErrorKind, RowError};
 
 /// What the whole changes by with a standard normal variable.
 pub(crate) struct Change {
@@ -32,35 +34,37 @@ impl Budget {
     pub(crate) fn changes(
         &self,
         basis: Basis,
-        subtrees: &[Option<MassProperties<Body>>],
+        subtrees: &Subtrees<'_>,
         whole: &MassProperties<Body>,
         mut each: impl FnMut(&Change),
     ) -> Result<(), BudgetError> {
-        for (k, (row, place)) in self.list.rows.iter().zip(&self.places).enumerate() {
-            let factors = row.factors().unwrap_or_default(); // checked when the budget was made
+        for k in 0..self.rows.len() {
+            let factors = self.factors(k);
             if factors.is_empty() {
                 continue;
             }
-            let own = self.own(k, basis)?;
-            let parent = self.tree.parents[k].map_or(Rotation::identity(), |p| self.places[p].rotation);
-            let count = f64::from(row.quantity.count);
-            let copies = match row.quantity.errors {
+            let (place, part) = (self.frame(k), self.placed_part(k)?);
+            let (own, scale) = (self.own(k, basis)?, self.factor(k, basis));
+            let one = if self.has_rows_in(k) { subtrees.of(k)? } else { own };
+            let parent = self.axes_around(k);
+            let quantity = self.rows.quantity(k);
+            let count = f64::from(quantity.count);
+            let copies = match quantity.errors {
                 CopyErrors::Alike => count,
                 CopyErrors::Independent => count.sqrt(),
             };
-            let turns = subtrees[k].map(|one| MassPropertiesDerivative::by_rotation(&one, place.position));
+            let turns = one.map(|one| MassPropertiesDerivative::by_rotation(&one, place.position));
             for factor in factors {
-                let change = match (&place.part, &own, &subtrees[k], turns) {
+                let change = match (&part, &own, &one, turns) {
                     (Some(part), Some(own), ..) if !factor.kind().is_of_frame() => {
-                        let by = part.change(row, &factor.error, place.scale(basis));
+                        let by = part.change(self.rows.liquid(k), self.follows(k), &factor.error, scale);
                         by.in_frame(place.rotation).of_whole(own, whole)
                     }
                     (.., Some(one), Some(turns)) => moved(turns, parent, &factor.error).of_whole(one, whole),
                     // A frame without mass may be anywhere.
                     _ => continue,
                 };
-                let group =
-                    place.group.map(|group| (group, self.list.groups[group].correlation(factor.kind())));
+                let group = self.group(k).map(|group| (group, self.groups[group].correlation(factor.kind())));
                 let (rho, group) = group.map_or((0.0, None), |(group, rho)| (rho, Some(group)));
                 each(&Change {
                     row: k,
@@ -97,13 +101,19 @@ impl PlacedPart {
     /// What the part, so many times as heavy, changes by in its own frame.
     ///
     /// Of a tensor J about a point p, with d from p to the centre of mass: I = J − m (d² 1 − d dᵀ). If it follows the mass, as both terms do, δI = I δm/m besides.
-    fn change(&self, row: &Row, error: &RowError, scale: f64) -> MassPropertiesDerivative<Part> {
-        if let PartUncertainty::Liquid(liquid) = &row.uncertainty.part {
+    fn change(
+        &self,
+        liquid: Option<&UncertainLiquid>,
+        follows: bool,
+        error: &RowError,
+        scale: f64,
+    ) -> MassPropertiesDerivative<Part> {
+        if let Some(liquid) = liquid {
             let change = liquid.change(&self.properties, [error.mass, error.density]);
             let inertia = change.inertia.map(|element| element * scale);
             return MassPropertiesDerivative { mass: change.mass * scale, inertia, ..change };
         }
-        let (mass, follows) = (self.properties.mass(), row.uncertainty.part.tensor_follows_mass());
+        let mass = self.properties.mass();
         let mut inertia = error.tensor;
         if follows {
             let own = elements(self.properties.inertia().matrix());

@@ -5,9 +5,10 @@ use polhode::math::{Direction, Part, Position, Rotation, symmetric_eigen};
 
 use crate::budget::PlacedPart;
 use crate::random::log_normal;
-use crate::row::{Place, Row};
+use crate::row::Place;
+use crate::tank::UncertainLiquid;
 use crate::tensor::{mass_properties, plus, steiner};
-use crate::uncertainty::{Factor, PartUncertainty, RowError};
+use crate::uncertainty::{Factor, RowError};
 
 /// The relative rounding of second moments: what is no more below zero is zero.
 const ROUNDING: f64 = 1e-12;
@@ -22,18 +23,18 @@ impl PlacedPart {
     /// not small wherever the tensor's are given as a part of its greatest moment.
     pub(crate) fn drawn(
         &self,
-        row: &Row,
         sd: f64,
+        liquid: Option<&UncertainLiquid>,
+        follows: bool,
         error: &RowError,
     ) -> Result<(Option<MassProperties<Part>>, bool), BodyError> {
         let nominal = self.properties.mass();
-        if let PartUncertainty::Liquid(liquid) = &row.uncertainty.part {
+        if let Some(liquid) = liquid {
             return liquid.drawn(nominal, [error.mass, error.density]);
         }
         let mass = if sd > 0.0 { log_normal(nominal, sd, error.mass / sd) } else { nominal };
         let center = self.properties.center_of_mass() + Position::from_array(error.center);
         let mut inertia = plus(self.elements, error.tensor, 1.0);
-        let follows = row.uncertainty.part.tensor_follows_mass();
         if let Some(point) = self.about {
             let d = (center - point).to_array();
             inertia = plus(inertia, steiner(d, d), if follows { -nominal } else { -mass });

@@ -3,12 +3,13 @@
 use polhode::body::{BodyError, MassProperties};
 use polhode::math::{Body, Direction, Part, Position, Rotation};
 
-use crate::budget::{Budget, combined};
+use crate::budget::{Budget, PlacedPart};
 use crate::draw::mass_sd;
 use crate::error::BudgetError;
 use crate::growth::Basis;
 use crate::random::Random;
 use crate::row::CopyErrors;
+use crate::subtrees::combined;
 use crate::tensor::scaled;
 use crate::tree::row_name;
 use crate::uncertainty::{Factor, NUMBERS, RowError};
@@ -30,33 +31,60 @@ pub struct Draws {
 
 /// A row whose errors, or those of what stands in it, change the whole.
 struct Varied {
-    row: usize,
     factors: Vec<Factor>,
     mass_sd: f64,
+    /// Its part, if that has errors.
+    part: Option<PlacedPart>,
     /// What stands in it and never changes, its own part too if that does not.
     fixed: Option<MassProperties<Part>>,
 }
 
+/// The rows of a list that vary, each before that in which it stands.
+struct VariedRows {
+    rows: Vec<u32>,
+    /// Exact contents of rows that are frames of others, by slots.
+    fixed: Vec<Option<MassProperties<Part>>>,
+    /// Prepared rows; empty for long lists, whose rows are prepared again for each draw.
+    ready: Vec<Varied>,
+}
+
+/// Rows that are kept as they are drawn: some 10 MB, up to 30 MB where all numbers have errors.
+const MOST_READY: usize = 10_000;
+
 impl Budget {
-    /// So many bodies. The same seed gives the same ones, and more draws go on where fewer end.
+    /// Draws `count` bodies. The same seed gives the same ones, and more draws go on where fewer end.
     ///
     /// # Errors
     /// [`BudgetError::Draws`] of fewer than ten; [`BudgetError::Part`] where errors are so large that a part is not finite.
     pub fn draws(&self, basis: Basis, seed: u64, count: usize) -> Result<Draws, BudgetError> {
+        self.draws_watched(basis, seed, count, &mut |_| ())
+    }
+
+    /// Draws as [`Budget::draws`] does, and calls `reached` with the number of bodies after each.
+    ///
+    /// # Errors
+    /// As [`Budget::draws`].
+    pub fn draws_watched(
+        &self,
+        basis: Basis,
+        seed: u64,
+        count: usize,
+        reached: &mut dyn FnMut(usize),
+    ) -> Result<Draws, BudgetError> {
         if count < LEAST {
             return Err(BudgetError::Draws { given: count, needed: LEAST });
         }
-        let (varied, fixed) = self.varied(basis)?;
-        let mut inside: Vec<Vec<MassProperties<Part>>> = vec![Vec::new(); self.places.len()];
+        let Some(varied) = self.varied(basis)? else {
+            let bodies = vec![self.mass_properties(basis)?; count];
+            return Ok(Draws { bodies, moved: 0 });
+        };
+        let mut inside: Vec<Vec<MassProperties<Part>>> = vec![Vec::new(); self.tree.inner];
         let (mut bodies, mut moved) = (Vec::with_capacity(count), 0);
         for draw in 0..count {
-            if let Some(body) = fixed {
-                bodies.push(body);
-                continue;
-            }
             let (body, changed) = self.drawn(basis, &varied, &mut inside, seed, draw)?;
             bodies.push(body);
             moved += usize::from(changed);
+            reached(bodies.len());
         }
         Ok(Draws { bodies, moved })
     }
@@ -64,53 +92,68 @@ impl Budget {
     fn drawn(
         &self,
         basis: Basis,
-        varied: &[Varied],
+        varied: &VariedRows,
         inside: &mut [Vec<MassProperties<Part>>],
         seed: u64,
         draw: usize,
     ) -> Result<(MassProperties<Body>, bool), BudgetError> {
-        let shared: Vec<[f64; NUMBERS]> = (0..self.list.groups.len())
+        let shared: Vec<[f64; NUMBERS]> = (0..self.groups.len())
             .map(|group| {
                 let mut random = Random::new(seed, draw, !(group as u64));
                 core::array::from_fn(|_| random.normal())
             })
             .collect();
-        let mut moved = false;
-        for Varied { row: k, factors, mass_sd, fixed } in varied {
-            let (row, place) = (&self.list.rows[*k], &self.places[*k]);
-            let impossible = |error| BudgetError::Part { row: row_name(&self.list.rows, *k), error };
+        let (mut moved, mut whole) = (false, Vec::new());
+        for (number, &k) in varied.rows.iter().enumerate() {
+            let k = k as usize;
+            let made;
+            let row = match varied.ready.get(number) {
+                Some(row) => row,
+                None => {
+                    made = self.prepared(k, basis, &varied.fixed)?;
+                    &made
+                }
+            };
+            let impossible = |error| BudgetError::Part { row: row_name(&self.rows, k), error };
             let overflow = || BudgetError::Value {
-                row: row_name(&self.list.rows, *k),
+                row: row_name(&self.rows, k),
                 what: "the rotation",
                 value: f64::INFINITY,
                 rule: "finite in every draw",
             };
-            let mut random = Random::new(seed, draw, *k as u64);
-            let mut unmoved = core::mem::take(&mut inside[*k]);
-            unmoved.extend(*fixed);
-            let (draws, copies) = match row.quantity.errors {
-                CopyErrors::Alike => (1, f64::from(row.quantity.count)),
-                CopyErrors::Independent => (row.quantity.count, 1.0),
+            let mut random = Random::new(seed, draw, k as u64);
+            let slot = self.tree.slot(k).and_then(|slot| inside.get_mut(slot));
+            let mut unmoved = slot.map(core::mem::take).unwrap_or_default();
+            unmoved.extend(row.fixed);
+            let quantity = self.rows.quantity(k);
+            let (draws, copies) = match quantity.errors {
+                CopyErrors::Alike => (1, f64::from(quantity.count)),
+                CopyErrors::Independent => (quantity.count, 1.0),
             };
-            for _ in 0..draws {
-                let error = self.error(*k, factors, &shared, &mut random);
-                let mut all = unmoved.clone();
-                if let Some(part) = place.part.as_ref().filter(|_| factors.iter().any(of_part)) {
-                    let (drawn, changed) = part.drawn(row, *mass_sd, &error).map_err(impossible)?;
+            let parent = self.tree.parent(k).and_then(|parent| self.tree.slot(parent));
+            for copy in 1..=draws {
+                let error = self.error(k, &row.factors, &shared, &mut random);
+                let mut all = if copy == draws { core::mem::take(&mut unmoved) } else { unmoved.clone() };
+                if let Some(part) = &row.part {
+                    let (drawn, changed) = part
+                        .drawn(row.mass_sd, self.rows.liquid(k), self.follows(k), &error)
+                        .map_err(impossible)?;
                     if let Some(drawn) = drawn {
-                        all.push(scaled(&drawn, place.scale(basis)).map_err(impossible)?);
+                        all.push(scaled(&drawn, self.factor(k, basis)).map_err(impossible)?);
                     }
                     moved |= changed;
                 }
                 let Some(one) = combined(&all).map_err(BudgetError::Sum)? else { continue };
                 let copy = scaled(&one, copies).map_err(BudgetError::Sum)?;
-                let frame = row.place.drawn(&error).ok_or_else(overflow)?;
-                // The root's parent is the body.
-                let parent = self.tree.parents[*k].unwrap_or(*k);
-                inside[parent].push(placed(&copy, frame).map_err(impossible)?);
+                let frame = self.rows.place(k).drawn(&error).ok_or_else(overflow)?;
+                let copy = placed(&copy, frame).map_err(impossible)?;
+                match parent.and_then(|parent| inside.get_mut(parent)) {
+                    Some(inside) => inside.push(copy),
+                    // The root's parent is the body.
+                    None => whole.push(copy),
+                }
             }
         }
-        let whole = core::mem::take(&mut inside[self.root()]);
         let whole = combined(&whole).map_err(BudgetError::Sum)?.ok_or(BudgetError::Empty)?;
         Ok((whole.into_body(), moved))
     }
@@ -124,9 +167,9 @@ impl Budget {
         random: &mut Random,
     ) -> RowError {
         let mut error = RowError::default();
+        let group = self.group(k);
         for factor in factors {
-            let group = self.places[k].group;
-            let rho = group.map_or(0.0, |group| self.list.groups[group].correlation(factor.kind()));
+            let rho = group.map_or(0.0, |group| self.groups[group].correlation(factor.kind()));
             let common = group.map_or(0.0, |group| shared[group][factor.number]);
             let z = rho.sqrt() * common + (1.0 - rho).sqrt() * random.normal();
             error.add(&factor.error, z);
@@ -134,38 +177,79 @@ impl Budget {
         error
     }
 
-    /// Rows that vary, each before that in which it stands; or the whole, if none does.
-    #[allow(clippy::type_complexity, reason = "either is empty")]
-    fn varied(&self, basis: Basis) -> Result<(Vec<Varied>, Option<MassProperties<Body>>), BudgetError> {
-        let rows = &self.list.rows;
-        let factors: Vec<Vec<Factor>> = rows.iter().map(|row| row.factors().unwrap_or_default()).collect();
-        let mut varies: Vec<bool> = factors.iter().map(|factors| !factors.is_empty()).collect();
-        for &k in self.tree.order.iter().rev() {
-            if let Some(parent) = self.tree.parents[k] {
+    /// A row as it is drawn.
+    fn prepared(
+        &self,
+        k: usize,
+        basis: Basis,
+        fixed: &[Option<MassProperties<Part>>],
+    ) -> Result<Varied, BudgetError> {
+        let mut factors = self.factors(k);
+        factors.shrink_to_fit();
+        let is_drawn = factors.iter().any(of_part);
+        let part = if is_drawn { self.placed_part(k)? } else { None };
+        let fixed = match self.tree.slot(k) {
+            Some(slot) => fixed.get(slot).copied().flatten(),
+            None if is_drawn => None,
+            None => self.fixed_part(k, basis)?,
+        };
+        Ok(Varied { mass_sd: mass_sd(&factors), factors, part, fixed })
+    }
+
+    /// A row's part, in its own frame.
+    fn fixed_part(&self, k: usize, basis: Basis) -> Result<Option<MassProperties<Part>>, BudgetError> {
+        let Some(part) = self.placed_part(k)? else { return Ok(None) };
+        let part = scaled(&part.properties, self.factor(k, basis));
+        part.map(Some).map_err(|error| BudgetError::Part { row: row_name(&self.rows, k), error })
+    }
+
+    /// Rows that vary; `None` if none does.
+    fn varied(&self, basis: Basis) -> Result<Option<VariedRows>, BudgetError> {
+        let mut varies: Vec<bool> = (0..self.rows.len()).map(|k| !self.factors(k).is_empty()).collect();
+        for k in self.tree.order().rev() {
+            if let Some(parent) = self.tree.parent(k) {
                 varies[parent] |= varies[k];
             }
         }
         if !varies[self.root()] {
-            return Ok((Vec::new(), Some(self.mass_properties(basis)?)));
+            return Ok(None);
         }
-        let mut inside: Vec<Vec<MassProperties<Part>>> = vec![Vec::new(); rows.len()];
-        let mut all = Vec::new();
-        for (&k, factors) in self.tree.order.iter().rev().map(|k| (k, &factors[*k])) {
-            let impossible = |error| BudgetError::Part { row: row_name(rows, k), error };
-            let mut parts = core::mem::take(&mut inside[k]);
-            if let Some(part) = self.places[k].part.as_ref().filter(|_| !factors.iter().any(of_part)) {
-                parts.push(scaled(&part.properties, self.places[k].scale(basis)).map_err(impossible)?);
+        let mut inside: Vec<Vec<MassProperties<Part>>> = vec![Vec::new(); self.tree.inner];
+        let mut all = VariedRows { rows: Vec::new(), fixed: vec![None; self.tree.inner], ready: Vec::new() };
+        for k in self.tree.order().rev() {
+            let slot = self.tree.slot(k);
+            if varies[k] {
+                all.rows.push(k as u32); // The tree has no more rows.
+            }
+            if varies[k] && slot.is_none() {
+                continue;
+            }
+            let mut parts = slot.map(|slot| core::mem::take(&mut inside[slot])).unwrap_or_default();
+            if !self.factors(k).iter().any(of_part) {
+                parts.extend(self.fixed_part(k, basis)?);
             }
             let fixed = combined(&parts).map_err(BudgetError::Sum)?;
+            let parent = self.tree.parent(k).and_then(|parent| self.tree.slot(parent));
             if varies[k] {
-                all.push(Varied { row: k, mass_sd: mass_sd(factors), factors: factors.clone(), fixed });
-            } else if let (Some(one), Some(parent)) = (fixed, self.tree.parents[k]) {
-                let copies = scaled(&one, f64::from(rows[k].quantity.count)).map_err(BudgetError::Sum)?;
-                let place = (rows[k].place.position, rows[k].place.rotation);
-                inside[parent].push(placed(&copies, place).map_err(impossible)?);
+                slot.into_iter().for_each(|slot| all.fixed[slot] = fixed);
+            } else if let (Some(one), Some(parent)) = (fixed, parent) {
+                let impossible = |error| BudgetError::Part { row: row_name(&self.rows, k), error };
+                let copies =
+                    scaled(&one, f64::from(self.rows.quantity(k).count)).map_err(BudgetError::Sum)?;
+                let place = self.rows.place(k);
+                inside[parent].push(placed(&copies, (place.position, place.rotation)).map_err(impossible)?);
             }
         }
-        Ok((all, None))
+        if all.rows.len() <= MOST_READY {
+            let ready = all.rows.iter().map(|&k| self.prepared(k as usize, basis, &all.fixed));
+            all.ready = ready.collect::<Result<_, _>>()?;
+        }
+        Ok(Some(all))
+    }
+
+    /// True if a row's tensor is proportional to its mass.
+    pub(crate) fn follows(&self, row: usize) -> bool {
+        self.rows.tensor_follows_mass(row)
     }
 }
 

@@ -161,6 +161,11 @@ pub enum BudgetError {
         /// Of which number of the whole.
         of: &'static str,
     },
+    /// More rows than a list can have.
+    Rows {
+        /// Largest number of rows.
+        most: u32,
+    },
     /// Fewer draws than it takes.
     Draws {
         /// How many were asked for.
@@ -195,6 +200,7 @@ impl BudgetError {
             | Self::DuplicateGroup { .. }
             | Self::Sum(_)
             | Self::Variance { .. }
+            | Self::Rows { .. }
             | Self::Draws { .. } => None,
         }
     }
@@ -232,6 +238,7 @@ impl BudgetError {
             Self::Deviation { .. } => Some("write how far the number may be off, without a sign"),
             Self::MissingGroup { .. } => Some("declare the group, or leave it out"),
             Self::DuplicateGroup { .. } => Some("give one of them another name"),
+            Self::Rows { .. } => Some("give each assembly a list of its own"),
             Self::Draws { .. } => Some("ask for more: 10000 say what a standard deviation is to 1 %"),
         }
     }
@@ -295,6 +302,7 @@ impl fmt::Display for BudgetError {
             ),
             Self::Sum(error) => write!(f, "the sum of all parts is no body: {error}"),
             Self::Variance { of } => write!(f, "the variance of {of} of the whole is no number"),
+            Self::Rows { most } => write!(f, "more than {most} rows"),
             Self::Draws { given, needed } => write!(f, "{given} draws, where {needed} at least are needed"),
         }
     }

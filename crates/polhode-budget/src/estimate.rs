@@ -51,7 +51,7 @@ impl Budget {
         let subtrees = self.subtrees(basis)?;
         let properties = self.whole(&subtrees)?;
         let mut covariance = [[0.0; 10]; 10];
-        let mut shared = vec![[[0.0; 10]; uncertainty::NUMBERS]; self.list.groups.len()];
+        let mut shared = vec![[[0.0; 10]; uncertainty::NUMBERS]; self.groups.len()];
         self.changes(basis, &subtrees, &properties, |change| {
             add_square(&mut covariance, &ten(&change.alone));
             if let Some((group, by)) = &change.shared {

@@ -54,11 +54,14 @@ mod estimate;
 mod group;
 mod growth;
 mod limit;
+mod list;
 mod principal;
 mod random;
 mod row;
+mod rows;
 mod sensitivity;
 mod sequence;
+mod subtrees;
 mod tank;
 mod tank_row;
 mod tensor;
@@ -69,7 +72,7 @@ pub use ballast::{
     Ballast, BallastAnswer, BallastError, BallastPlace, FoundBallast, NoBallast, Piece, Round, Site,
     UndecidedBallast,
 };
-pub use budget::{Budget, PartsList};
+pub use budget::Budget;
 pub use comparison::{ComparedNumber, Comparison};
 pub use correlated::Correlated;
 pub use covariance::NotCovariance;
@@ -82,10 +85,13 @@ pub use limit::{
     About, AllMet, Answer, Evidence, Limit, LimitAnswers, LimitError, Margin, Measure, PrincipalAxis, Share,
     Trial, Undefined,
 };
+pub use list::PartsList;
 pub use principal::{PrincipalUncertainty, Tilt};
 pub use row::{CopyErrors, GivenPart, Place, Quantity, Row, Subtotal};
-pub use sensitivity::{Sensitivity, Source};
+pub use rows::Rows;
+pub use sensitivity::{Sensitivities, Sensitivity, Source};
 pub use sequence::{Burn, Change, Sequence, SequenceError, SequenceRow};
+pub use subtrees::Subtrees;
 pub use tank::{
     Down, Fill, Liquid, LiquidErrors, LiquidTable, Measured, Slice, Tank, TankShape, UncertainLiquid, Vessel,
 };

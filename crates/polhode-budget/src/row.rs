@@ -55,11 +55,6 @@ impl Row {
     pub fn part(name: impl Into<String>, part: GivenPart) -> Self {
         Self { part: Some(part), ..Self::frame(name) }
     }
-
-    /// The name of the frame that it stands in.
-    pub(crate) fn frame_of(&self) -> Option<&str> {
-        self.parent.as_deref().or_else(|| self.name.rsplit_once('/').map(|(path, _)| path))
-    }
 }
 
 /// Copies of a row, all at its place: what counts is their sum.

@@ -19,6 +19,17 @@ pub struct Sensitivity {
     pub variance: f64,
 }
 
+/// The errors that matter most to a result.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sensitivities {
+    /// The greatest first; errors that do not matter are left out.
+    pub greatest: Vec<Sensitivity>,
+    /// Sum of the variances of all other errors.
+    pub rest: f64,
+    /// Number of the other errors.
+    pub others: usize,
+}
+
 /// Where an error comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
@@ -29,7 +40,7 @@ pub enum Source {
 }
 
 impl Budget {
-    /// What each error contributes to the variance of each result whose gradient is given, the greatest first; errors that do not matter to a result are left out.
+    /// Returns the `most` greatest contributions to the variance of each result, and the sum of all others. A result is given by its gradient.
     ///
     /// # Errors
     /// As [`Budget::mass_properties`].
@@ -37,15 +48,16 @@ impl Budget {
         &self,
         basis: Basis,
         gradients: &[MassPropertiesGradient<Body>],
-    ) -> Result<Vec<Vec<Sensitivity>>, BudgetError> {
+        most: usize,
+    ) -> Result<Vec<Sensitivities>, BudgetError> {
         let subtrees = self.subtrees(basis)?;
         let whole = self.whole(&subtrees)?;
-        let mut all: Vec<Vec<Sensitivity>> = vec![Vec::new(); gradients.len()];
-        let mut shared = vec![vec![[0.0; NUMBERS]; self.list.groups.len()]; gradients.len()];
+        let mut all: Vec<Greatest> = gradients.iter().map(|_| Greatest::new(most)).collect();
+        let mut shared = vec![vec![[0.0; NUMBERS]; self.groups.len()]; gradients.len()];
         self.changes(basis, &subtrees, &whole, |change| {
             for ((gradient, found), shared) in gradients.iter().zip(&mut all).zip(&mut shared) {
                 let by = gradient.along(&change.alone);
-                add(found, Source::Row(change.row), change.kind(), by * by);
+                found.add(Source::Row(change.row), change.kind(), by * by);
                 if let Some((group, by)) = &change.shared {
                     shared[*group][change.number] += gradient.along(by);
                 }
@@ -54,22 +66,58 @@ impl Budget {
         for (found, shared) in all.iter_mut().zip(shared) {
             for (group, sums) in shared.iter().enumerate() {
                 for (number, sum) in sums.iter().enumerate() {
-                    add(found, Source::Group(group), ErrorKind::of(number), sum * sum);
+                    found.add(Source::Group(group), ErrorKind::of(number), sum * sum);
                 }
             }
-            found.sort_by(|a, b| b.variance.total_cmp(&a.variance));
         }
-        Ok(all)
+        Ok(all.into_iter().map(Greatest::done).collect())
     }
 }
 
-/// The errors of a row come one after the other, and of each kind together.
-fn add(found: &mut Vec<Sensitivity>, source: Source, kind: ErrorKind, variance: f64) {
-    if variance == 0.0 {
-        return;
+/// Collects the greatest contributions. Twice as many as are wanted are kept between two sorts.
+struct Greatest {
+    most: usize,
+    found: Sensitivities,
+    /// Errors of a row come one after the other, and of each kind together: the sum of one kind.
+    last: Option<Sensitivity>,
+}
+
+impl Greatest {
+    fn new(most: usize) -> Self {
+        Self { most, found: Sensitivities::default(), last: None }
     }
-    match found.last_mut() {
-        Some(last) if last.source == source && last.kind == kind => last.variance += variance,
-        _ => found.push(Sensitivity { source, kind, variance }),
+
+    fn add(&mut self, source: Source, kind: ErrorKind, variance: f64) {
+        if variance == 0.0 {
+            return;
+        }
+        match &mut self.last {
+            Some(last) if last.source == source && last.kind == kind => last.variance += variance,
+            _ => {
+                self.keep();
+                self.last = Some(Sensitivity { source, kind, variance });
+            }
+        }
+    }
+
+    fn keep(&mut self) {
+        self.found.greatest.extend(self.last.take());
+        if self.found.greatest.len() > self.most.saturating_mul(2) {
+            self.shorten();
+        }
+    }
+
+    fn shorten(&mut self) {
+        let Sensitivities { greatest, rest, others } = &mut self.found;
+        greatest.sort_by(|a, b| b.variance.total_cmp(&a.variance));
+        let dropped = greatest.drain(self.most.min(greatest.len())..);
+        *others += dropped.len();
+        *rest += dropped.map(|one| one.variance).sum::<f64>();
+    }
+
+    fn done(mut self) -> Sensitivities {
+        self.keep();
+        self.shorten();
+        self.found
     }
 }

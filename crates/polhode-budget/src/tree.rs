@@ -3,48 +3,58 @@
 use std::collections::HashMap;
 
 use crate::error::{BudgetError, RowName};
-use crate::row::Row;
+use crate::rows::Rows;
 
 /// In which row each row stands.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tree {
-    /// `None` of the root.
-    pub(crate) parents: Vec<Option<usize>>,
+    /// [`NONE`] of the root.
+    parents: Vec<u32>,
     /// All rows, each after that in which it stands: the root first.
-    pub(crate) order: Vec<usize>,
+    order: Vec<u32>,
+    /// Numbers, from 0 in the tree's order, of rows that are frames of others; [`NONE`] of all other rows.
+    slots: Vec<u32>,
+    /// How many rows have others in them.
+    pub(crate) inner: usize,
 }
 
-pub(crate) fn row_name(rows: &[Row], row: usize) -> RowName {
-    RowName { row, name: rows[row].name.clone() }
+/// No row. 2³² rows would take 128 GiB.
+const NONE: u32 = u32::MAX;
+
+pub(crate) fn row_name(rows: &Rows, row: usize) -> RowName {
+    RowName { row, name: rows.name(row).to_owned() }
 }
 
 /// The rows by their names.
-pub(crate) fn names(rows: &[Row]) -> Result<HashMap<&str, usize>, BudgetError> {
+pub(crate) fn names(rows: &Rows) -> Result<HashMap<&str, u32>, BudgetError> {
     let mut names = HashMap::with_capacity(rows.len());
-    for (k, row) in rows.iter().enumerate() {
-        if row.name.trim().is_empty() {
+    for k in 0..rows.len() {
+        let name = rows.name(k);
+        if name.trim().is_empty() {
             return Err(BudgetError::Nameless { row: k });
         }
-        if let Some(first) = names.insert(row.name.as_str(), k) {
-            return Err(BudgetError::Duplicate { first: row_name(rows, first), row: k });
+        let number = u32::try_from(k).ok().filter(|number| *number != NONE);
+        let number = number.ok_or(BudgetError::Rows { most: NONE })?;
+        if let Some(first) = names.insert(name, number) {
+            return Err(BudgetError::Duplicate { first: row_name(rows, first as usize), row: k });
         }
     }
     Ok(names)
 }
 
 impl Tree {
-    pub(crate) fn new(rows: &[Row], names: &HashMap<&str, usize>) -> Result<Self, BudgetError> {
+    pub(crate) fn new(rows: &Rows, names: &HashMap<&str, u32>) -> Result<Self, BudgetError> {
         let mut parents = Vec::with_capacity(rows.len());
         let mut root = None;
-        for (k, row) in rows.iter().enumerate() {
-            let parent = match row.frame_of() {
-                None => None,
-                Some(frame) => Some(*names.get(frame).ok_or_else(|| BudgetError::MissingFrame {
+        for k in 0..rows.len() {
+            let parent = match rows.frame_of(k) {
+                None => NONE,
+                Some(frame) => *names.get(frame).ok_or_else(|| BudgetError::MissingFrame {
                     row: row_name(rows, k),
                     frame: frame.to_owned(),
-                })?),
+                })?,
             };
-            if parent.is_none()
+            if parent == NONE
                 && let Some(first) = root.replace(k)
             {
                 return Err(BudgetError::TwoRoots {
@@ -55,31 +65,62 @@ impl Tree {
             parents.push(parent);
         }
         let order = order(&parents).map_err(|cycle| BudgetError::Cycle {
-            rows: cycle.iter().map(|&k| row_name(rows, k)).collect(),
+            rows: cycle.iter().map(|&k| row_name(rows, k as usize)).collect(),
         })?;
-        Ok(Self { parents, order })
+        let mut slots = vec![NONE; parents.len()];
+        for parent in parents.iter().filter(|parent| **parent != NONE) {
+            slots[*parent as usize] = 0;
+        }
+        let mut inner = 0;
+        for &k in &order {
+            if slots[k as usize] != NONE {
+                slots[k as usize] = inner;
+                inner += 1;
+            }
+        }
+        Ok(Self { parents, order, slots, inner: inner as usize })
+    }
+
+    /// The row in which all others stand.
+    pub(crate) fn root(&self) -> usize {
+        self.order.first().map_or(0, |root| *root as usize)
+    }
+
+    /// The row in which a row stands; `None` of the root.
+    pub(crate) fn parent(&self, row: usize) -> Option<usize> {
+        self.parents.get(row).filter(|parent| **parent != NONE).map(|parent| *parent as usize)
+    }
+
+    /// The number of a row in which others stand.
+    pub(crate) fn slot(&self, row: usize) -> Option<usize> {
+        self.slots.get(row).filter(|slot| **slot != NONE).map(|slot| *slot as usize)
+    }
+
+    /// All rows, each after that in which it stands.
+    pub(crate) fn order(&self) -> impl DoubleEndedIterator<Item = usize> + '_ {
+        self.order.iter().map(|row| *row as usize)
     }
 }
 
 /// All rows, each after its parent; or rows that stand in each other.
-fn order(parents: &[Option<usize>]) -> Result<Vec<usize>, Vec<usize>> {
+fn order(parents: &[u32]) -> Result<Vec<u32>, Vec<u32>> {
     let mut placed = vec![false; parents.len()];
     // On the way up from the row of this number: a way that meets itself is a cycle.
-    let mut seen = vec![usize::MAX; parents.len()];
+    let mut seen = vec![NONE; parents.len()];
     let mut order = Vec::with_capacity(parents.len());
-    for start in 0..parents.len() {
-        let mut way = Vec::new();
-        let mut at = Some(start);
-        while let Some(row) = at.filter(|&row| !placed[row]) {
-            if seen[row] == start {
-                return Err(way.into_iter().skip_while(|&other| other != row).collect());
+    let mut way = Vec::new();
+    for start in 0..parents.len() as u32 {
+        let mut at = start;
+        while at != NONE && !placed[at as usize] {
+            if seen[at as usize] == start {
+                return Err(way.into_iter().skip_while(|&other| other != at).collect());
             }
-            seen[row] = start;
-            way.push(row);
-            at = parents[row];
+            seen[at as usize] = start;
+            way.push(at);
+            at = parents[at as usize];
         }
-        for row in way.into_iter().rev() {
-            placed[row] = true;
+        for row in way.drain(..).rev() {
+            placed[row as usize] = true;
             order.push(row);
         }
     }
@@ -92,14 +133,14 @@ mod tests {
 
     #[test]
     fn every_row_comes_after_its_parent() {
-        let parents = [Some(3), Some(0), Some(0), Some(5), Some(1), None];
+        let parents = [3, 0, 0, 5, 1, NONE];
         let found = order(&parents);
         assert_eq!(found, Ok(vec![5, 3, 0, 1, 2, 4]));
     }
 
     #[test]
     fn a_cycle_is_found_without_what_leads_to_it() {
-        assert_eq!(order(&[Some(1), Some(2), Some(3), Some(1), None]), Err(vec![1, 2, 3]));
-        assert_eq!(order(&[None, Some(1)]), Err(vec![1]));
+        assert_eq!(order(&[1, 2, 3, 1, NONE]), Err(vec![1, 2, 3]));
+        assert_eq!(order(&[NONE, 1]), Err(vec![1]));
     }
 }

@@ -47,10 +47,6 @@ impl PartUncertainty {
     pub fn of_mass(sd: f64) -> Self {
         Self::Separate { mass: sd, tensor_follows_mass: true, center: Spread::Exact, tensor: Spread::Exact }
     }
-
-    pub(crate) const fn tensor_follows_mass(&self) -> bool {
-        matches!(self, Self::Separate { tensor_follows_mass: true, .. })
-    }
 }
 
 /// Errors of N numbers.

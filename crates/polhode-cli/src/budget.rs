@@ -21,8 +21,9 @@ use crate::check::outputs::is_same;
 use crate::failure::Failure;
 use crate::numbers::{point, rotation};
 use crate::partial;
+use crate::progress::DrawProgress;
 use crate::stderr::shown;
-use crate::stdout::{columns, print, print_exact};
+use crate::stdout::{self, columns, print, print_exact};
 
 /// What is printed instead of a workbook: without naming them `requires` would let these pass.
 const PRINTED: [&str; 8] = ["json", "markdown", "html", "csv", "body", "diff", "about", "along"];
@@ -51,7 +52,8 @@ const AT_FIRST: &str = "# As it is at first: polhode budget --scenario writes wh
 /// mass properties about any point and along any axes; the covariance of all ten numbers to first order, beside draws of bodies that can exist; principal axes and their tilt;
 /// whose errors matter.
 ///
-/// 10,000 bodies are drawn, of long lists fewer: 100,000 rows with errors take some ten seconds with 200 draws. --draws 0 draws none.
+/// The default is 10,000 draws. Lists of more than 2,000 rows get fewer: rows times draws is 20 million, and 200 draws are the least.
+/// A number of draws that the file or --draws states is never changed. --draws 0 draws none.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -80,7 +82,7 @@ pub(crate) struct BudgetCommand {
     /// Also the tensor along axes turned by this unit quaternion (scalar first, turned axes to body axes), from which tilts are then.
     #[arg(long, value_name = "W,X,Y,Z", value_parser = rotation::<Body, Part>, allow_hyphen_values = true, conflicts_with_all = GIVEN)]
     along: Option<Rotation<Body, Part>>,
-    /// How many possible bodies are drawn: 0, or 10 at least. Of --sweep, how many members the plan has.
+    /// How many possible bodies are drawn: 0, or from 10 to 10,000,000. Of --sweep, how many members the plan has.
     #[arg(long, value_name = "N", conflicts_with_all = TABLES, value_parser = draws)]
     draws: Option<usize>,
     /// Draw others [default: 1].
@@ -165,7 +167,7 @@ impl BudgetCommand {
         if let Some(target) = &self.xlsx {
             self.write_workbook(target, &report)?;
         } else if let Some(table) = self.csv {
-            print_exact(&self.table(table, &report, begins.as_deref())?)?;
+            self.print_table(table, &report, begins.as_deref())?;
         } else if let Some(target) = &self.sweep {
             let plan = report.to_plan(self.configuration.as_deref(), &plan);
             let plan = plan.map_err(|why| Failure::usage(why.to_string(), why.hint()).about(&self.file))?;
@@ -179,6 +181,8 @@ impl BudgetCommand {
             let body = body.map_err(|why| Failure::usage(why.to_string(), why.hint()).about(&self.file))?;
             let at_first = if changes { AT_FIRST } else { "" };
             print(&format!("{at_first}{body}"))?;
+        } else if self.json {
+            stdout::write(|out| report.write_json(out).and_then(|()| out.write_all(b"\n")))?;
         } else {
             print(&self.printed(|| report.to_json(), || report.to_document()))?;
         }
@@ -198,11 +202,21 @@ impl BudgetCommand {
         }
     }
 
-    fn table(&self, table: Table, report: &BudgetReport, begins: Option<&str>) -> Result<String, Failure> {
+    fn print_table(&self, table: Table, report: &BudgetReport, begins: Option<&str>) -> Result<(), Failure> {
         let nothing = |(message, hint): (&str, &str)| Failure::usage(message, hint).about(&self.file);
         match table {
-            Table::Parts => report.to_csv().map_err(|error| self.refused(&error.into())),
-            Table::Time => report.to_time_csv().ok_or_else(|| match begins {
+            Table::Parts => {
+                let mut refused = None;
+                stdout::write(|out| match report.write_csv(out) {
+                    Ok(written) => written,
+                    Err(error) => {
+                        refused = Some(self.refused(&error.into()));
+                        Ok(())
+                    }
+                })?;
+                refused.map_or(Ok(()), Err)
+            }
+            Table::Time => print_exact(&report.to_time_csv().ok_or_else(|| match begins {
                 None => nothing(budget_history::NOTHING),
                 Some(name) => {
                     let message = format!(
@@ -211,10 +225,10 @@ impl BudgetCommand {
                     );
                     Failure::usage(message, "leave --configuration out").about(&self.file)
                 }
-            }),
+            })?),
             Table::Fill => {
                 let none = ("there is no tank in it", "add [[tank]] with what is in it");
-                report.to_fill_csv().ok_or_else(|| nothing(none))
+                print_exact(&report.to_fill_csv().ok_or_else(|| nothing(none))?)
             }
         }
     }
@@ -250,11 +264,14 @@ impl BudgetCommand {
             let message = "the file has limits, which are tried by draws, and --draws is 0";
             return Err(Failure::usage(message, "leave --draws out").about(path));
         }
-        let rows = all.iter().map(|(_, budget)| budget.list().rows.len()).max().unwrap_or(0);
+        let rows = all.iter().map(|(_, budget)| budget.rows().len()).max().unwrap_or(0);
         let options = self.options(&questions, rows, !limits.is_empty());
         let is_given = self.is_given();
         let basis = options.basis;
-        let report = BudgetReport::new(title.as_deref(), sources, all, limits, options);
+        let mut progress = DrawProgress::new(options.draws);
+        let mut reached = |drawn| progress.reached(drawn);
+        let report = BudgetReport::watched(title.as_deref(), sources, all, limits, options, &mut reached);
+        drop(progress);
         let mut report = report.map_err(|error| self.refused(&error).about(path))?;
         if let Some(prescribed) = prescribed.filter(|_| !is_given || self.has_states()) {
             for name in report.names() {
@@ -285,7 +302,7 @@ impl BudgetCommand {
 
     /// Of the members of a plan: their number and seed are those of the draws.
     fn plan_options(&self, file: &BudgetFile) -> Result<PlanOptions, Failure> {
-        let members = self.draws.unwrap_or(file.questions.draws);
+        let members = self.draws.or(file.questions.draws).unwrap_or(BudgetReport::DRAWS);
         if self.sweep.is_some() && members == 0 {
             return Err(Failure::usage("a plan has members, and --draws is 0", "leave --draws out"));
         }
@@ -314,12 +331,12 @@ impl BudgetCommand {
     /// What the file asks, and what the command line asks instead.
     fn options(&self, asked: &Questions, rows: usize, is_limited: bool) -> BudgetOptions {
         let needed = !self.is_given() || (self.strict && is_limited);
-        let usual = asked.draws.min(BudgetReport::affordable_draws(rows));
+        let usual = || BudgetReport::affordable_draws(rows);
         BudgetOptions {
             basis: self.basis.map_or(asked.basis, BasisName::basis),
             about: self.about.or(asked.about),
             along: self.along.or(asked.axes),
-            draws: if needed { self.draws.unwrap_or(usual) } else { 0 },
+            draws: if needed { self.draws.or(asked.draws).unwrap_or_else(usual) } else { 0 },
             seed: self.seed.unwrap_or(asked.seed),
         }
     }
@@ -364,7 +381,7 @@ fn draws(text: &str) -> Result<usize, String> {
     const LEAST: usize = 10;
     match text.parse::<usize>() {
         Ok(0) => Ok(0),
-        Ok(n) if n >= LEAST => Ok(n),
-        _ => Err(format!("it must be 0, or {LEAST} at least")),
+        Ok(n) if (LEAST..=budget::MOST_DRAWS).contains(&n) => Ok(n),
+        _ => Err(format!("it must be 0, or from {LEAST} to {}", budget::MOST_DRAWS)),
     }
 }

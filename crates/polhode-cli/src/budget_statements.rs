@@ -1,12 +1,12 @@
 //! What a parts list says besides its rows, for `polhode budget --diff`.
 
 use polhode_formats::budget::{BudgetFile, FilledTank, OverTime, PlannedChange};
-use polhode_report::{BudgetStatements, StatedChange, StatedSequence, StatedTank};
+use polhode_report::{BudgetReport, BudgetStatements, StatedChange, StatedSequence, StatedTank};
 
 /// All that it says besides its rows and its limits.
 pub(crate) fn statements(file: &BudgetFile) -> BudgetStatements {
     let mut stated = BudgetStatements {
-        draws: Some(file.questions.draws),
+        draws: Some(file.questions.draws.unwrap_or(BudgetReport::DRAWS)),
         ballast: file.ballast.clone(),
         ..BudgetStatements::default()
     };

@@ -50,6 +50,40 @@ impl Drop for Progress {
     }
 }
 
+/// How many bodies of a parts list have been drawn; dropped, it takes its line away.
+#[derive(Debug)]
+pub(crate) struct DrawProgress {
+    count: usize,
+    next: Option<Instant>,
+    shown: bool,
+}
+
+impl DrawProgress {
+    /// The progress of `count` draws of each configuration.
+    pub(crate) fn new(count: usize) -> Self {
+        Self { count, next: io::stderr().is_terminal().then(|| Instant::now() + PATIENCE), shown: false }
+    }
+
+    /// So many bodies have been drawn.
+    pub(crate) fn reached(&mut self, drawn: usize) {
+        let now = Instant::now();
+        if self.next.is_some_and(|next| now >= next) {
+            let percent = 100 * drawn / self.count.max(1);
+            let _ = write!(io::stderr(), "\r\x1b[K{percent:3} %   {drawn} of {} draws", self.count);
+            self.next = Some(now + PATIENCE);
+            self.shown = true;
+        }
+    }
+}
+
+impl Drop for DrawProgress {
+    fn drop(&mut self) {
+        if self.shown {
+            let _ = write!(io::stderr(), "\r\x1b[K");
+        }
+    }
+}
+
 /// Which of several files is being read, and how many there are; dropped, it takes its line away.
 #[derive(Debug)]
 pub(crate) struct FileProgress {

@@ -17,10 +17,20 @@ pub(crate) fn print_exact(text: &str) -> Result<(), Failure> {
     if io::stdout().is_terminal() { print(text) } else { print_script(text.as_bytes()) }
 }
 
+/// Writes piece by piece what has no names that could steer a terminal.
+pub(crate) fn write(write: impl FnOnce(&mut dyn io::Write) -> io::Result<()>) -> Result<(), Failure> {
+    let mut out = io::BufWriter::new(io::stdout().lock());
+    finished(write(&mut out).and_then(|()| out.flush()))
+}
+
 /// Writes what is made of our own words alone.
 pub(crate) fn print_script(data: &[u8]) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    out.write_all(data).and_then(|()| out.flush()).map_err(|error| match error.kind() {
+    finished(out.write_all(data).and_then(|()| out.flush()))
+}
+
+fn finished(written: io::Result<()>) -> Result<(), Failure> {
+    written.map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => Failure::ClosedPipe,
         _ => Failure::Output { path: "standard output".to_owned(), error },
     })

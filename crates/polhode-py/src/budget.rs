@@ -86,15 +86,19 @@ fn report(file: BudgetFile, asked: &Asked, axes: Option<Rotation<Body, Part>>) -
             return Err(no_configuration(&NoConfiguration { asked: Some(wanted.clone()), names }));
         }
     }
-    let rows = all.iter().map(|(_, budget)| budget.list().rows.len()).max().unwrap_or(0);
+    let rows = all.iter().map(|(_, budget)| budget.rows().len()).max().unwrap_or(0);
     let basis = asked.is_basic.map(|is_basic| if is_basic { Basis::Basic } else { Basis::Predicted });
     let options = BudgetOptions {
         basis: basis.unwrap_or(questions.basis),
         about: asked.about.map(Position::from_array).or(questions.about),
         along: axes.or(questions.axes),
-        draws: asked.draws.unwrap_or_else(|| questions.draws.min(BudgetReport::affordable_draws(rows))),
+        draws: asked.draws.or(questions.draws).unwrap_or_else(|| BudgetReport::affordable_draws(rows)),
         seed: asked.seed.unwrap_or(questions.seed),
     };
+    if options.draws > budget::MOST_DRAWS {
+        let rule = format!("draws = {} must be at most {}", options.draws, budget::MOST_DRAWS);
+        return Err(refused(rule, None));
+    }
     if options.draws == 0 && !limits.is_empty() {
         let hint = "leave draws out";
         return Err(refused("the list has limits, which are tried by draws, and draws is 0", Some(hint)));

@@ -15,8 +15,13 @@ use crate::layout::is_unseen;
 ///
 /// Strings are exact. What would steer a terminal is escaped as JSON has it, `\u009b`, as it can stand in strings alone.
 pub fn pretty(value: &Value) -> String {
+    pretty_at(value, 0)
+}
+
+/// Formats a value as [`pretty`] does at this depth of nesting.
+pub(crate) fn pretty_at(value: &Value, depth: usize) -> String {
     let mut text = String::new();
-    write(&mut text, value, 0);
+    write(&mut text, value, depth);
     if !text.contains(|c| is_unseen(c) && c != '\n') {
         return text;
     }

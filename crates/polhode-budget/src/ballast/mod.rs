@@ -31,8 +31,9 @@ pub use site::{Place as BallastPlace, Round, Site};
 use polhode::body::{BodyError, InertiaTensor, MassProperties};
 use polhode::math::{Body, Position};
 
-use crate::budget::{Budget, combined};
+use crate::budget::Budget;
 use crate::limit::Limit;
+use crate::subtrees::combined;
 use problem::{Column, Problem};
 use proof::Tree;
 use search::{Outcome, Search};

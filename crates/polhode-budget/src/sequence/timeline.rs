@@ -7,8 +7,9 @@ use polhode::math::Body;
 
 use super::loaded::{PlacedTank, rates};
 use super::{Change, Sequence, SequenceError, SequenceRow};
-use crate::budget::{Budget, combined};
+use crate::budget::Budget;
 use crate::error::BudgetError;
+use crate::subtrees::combined;
 use crate::tank::Slice;
 use crate::tensor::scaled;
 
@@ -170,8 +171,8 @@ impl<'a> Stage<'a> {
                 row: tank.frame.clone(),
             };
             let k = budget.place_of(&tank.frame).ok_or_else(missing)?;
-            let placed = &budget.places[k];
-            if placed.frames * f64::from(budget.list.rows[k].quantity.count) != 1.0 {
+            let placed = budget.frame(k);
+            if placed.frames * f64::from(budget.rows.quantity(k).count) != 1.0 {
                 let (tank, row) = (tank.name.clone(), tank.frame.clone());
                 return Err(SequenceError::Copies { tank, row });
             }
@@ -231,17 +232,17 @@ impl Sequence<'_> {
 impl Budget {
     /// The place of a row by its name.
     fn place_of(&self, name: &str) -> Option<usize> {
-        self.list.rows.iter().position(|row| row.name == name)
+        self.rows.position(name)
     }
 
     /// Does a row stand in one of these, or is it one?
     fn is_within(&self, name: &str, rows: &[&str]) -> bool {
         let mut at = self.place_of(name);
         while let Some(k) = at {
-            if rows.contains(&self.list.rows[k].name.as_str()) {
+            if rows.contains(&self.rows.name(k)) {
                 return true;
             }
-            at = self.tree.parents[k];
+            at = self.tree.parent(k);
         }
         false
     }
@@ -252,16 +253,15 @@ impl Budget {
         rows: &[&str],
         basis: crate::growth::Basis,
     ) -> Result<Option<MassProperties<Body>>, BudgetError> {
-        let mut is_gone = vec![false; self.places.len()];
+        let mut is_gone = vec![false; self.rows.len()];
         let mut parts = Vec::new();
-        for &k in &self.tree.order {
-            let row = &self.list.rows[k];
-            is_gone[k] = rows.contains(&row.name.as_str())
-                || self.tree.parents[k].is_some_and(|parent| is_gone[parent]);
+        for k in self.tree.order() {
+            is_gone[k] = rows.contains(&self.rows.name(k))
+                || self.tree.parent(k).is_some_and(|parent| is_gone[parent]);
             if !is_gone[k]
                 && let Some(own) = self.own(k, basis)?
             {
-                let count = self.places[k].frames * f64::from(row.quantity.count);
+                let count = self.frame(k).frames * f64::from(self.rows.quantity(k).count);
                 parts.push(scaled(&own, count).map_err(BudgetError::Sum)?);
             }
         }

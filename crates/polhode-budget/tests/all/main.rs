@@ -14,6 +14,7 @@ mod lists;
 mod masses;
 mod principal;
 mod published;
+mod rows;
 mod sequences;
 mod shares;
 mod sums;

@@ -215,8 +215,16 @@ fn sensitivities_come_to_the_variance() {
         let principal = estimate.principal();
         let gradients =
             [center(0), center(2), principal.moment_gradient(1), principal.turn_gradient(2).unwrap()];
-        let all = budget.sensitivities(Basis::Predicted, &gradients).unwrap();
-        for (gradient, found) in gradients.iter().zip(&all) {
+        let all = budget.sensitivities(Basis::Predicted, &gradients, 1000).unwrap();
+        let few = budget.sensitivities(Basis::Predicted, &gradients, 2).unwrap();
+        for ((gradient, found), few) in gradients.iter().zip(&all).zip(few) {
+            assert_eq!((found.others, found.rest), (0, 0.0));
+            let found = &found.greatest;
+            // Of few the others are a sum.
+            assert_eq!(few.greatest, found[..2]);
+            assert_eq!(few.others, found.len() - 2);
+            let others: f64 = found[2..].iter().map(|one| one.variance).sum();
+            assert!((few.rest - others).abs() < 1e-12 * found[0].variance);
             let sum: f64 = found.iter().map(|one| one.variance).sum();
             assert!((sum.sqrt() / estimate.sd_of(gradient) - 1.0).abs() < 1e-12);
             assert!(found.is_sorted_by(|a, b| a.variance >= b.variance));
@@ -232,11 +240,10 @@ fn without_the_row_that_matters_most_the_variance_is_less_by_its_part() {
         alone.rows.iter_mut().for_each(|row| row.group = None);
         let budget = alone.clone().budget().unwrap();
         let estimate = budget.estimate(Basis::Predicted).unwrap();
-        let all = budget.sensitivities(Basis::Predicted, &[center(0)]).unwrap();
-        let worst = all[0].iter().find(|one| matches!(one.source, Source::Row(_))).unwrap();
+        let all = budget.sensitivities(Basis::Predicted, &[center(0)], 1000).unwrap().remove(0).greatest;
+        let worst = all.iter().find(|one| matches!(one.source, Source::Row(_))).unwrap();
         let Source::Row(row) = worst.source else { unreachable!() };
-        let of_row: f64 =
-            all[0].iter().filter(|one| one.source == worst.source).map(|one| one.variance).sum();
+        let of_row: f64 = all.iter().filter(|one| one.source == worst.source).map(|one| one.variance).sum();
         alone.rows[row].uncertainty = Uncertainty::default();
         let rest = alone.budget().unwrap().estimate(Basis::Predicted).unwrap();
         let difference = estimate.sd(1).powi(2) - rest.sd(1).powi(2);

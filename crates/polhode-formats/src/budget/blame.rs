@@ -19,7 +19,7 @@ pub(super) struct Blame<'r, 's, 'a> {
     pub(super) reader: &'r Rows<'s, 'a>,
     pub(super) plan: &'r Plan,
     /// Which row of the table each row of the list is.
-    pub(super) origins: &'r [usize],
+    pub(super) origins: &'r [u32],
     pub(super) configuration: Option<&'r str>,
     /// Names of rows.
     pub(super) names: Vec<String>,
@@ -28,7 +28,7 @@ pub(super) struct Blame<'r, 's, 'a> {
 const FORM: [usize; 6] = [SHAPE, MESH, CAD, SCENARIO, FILE, MASS];
 const TENSOR: [usize; 12] = [IXX, IYY, IZZ, IXY, IXZ, IYZ, SHAPE, MESH, CAD, SCENARIO, FILE, MASS];
 
-impl<'s, 'a> Blame<'_, 's, 'a> {
+impl<'a> Blame<'_, '_, 'a> {
     /// The error at the cell that is to blame.
     pub(super) fn of(&self, error: BudgetError) -> FormatError {
         let keys: &[usize] = match &error {
@@ -56,7 +56,7 @@ impl<'s, 'a> Blame<'_, 's, 'a> {
         let kind = FormatErrorKind::Budget(error);
         let sheet = self.reader.reader.sheet;
         let error = match cell {
-            Some(cell) => sheet.error(cell, kind),
+            Some(cell) => sheet.error(&cell, kind),
             None => FormatError::new(sheet.path(), None, kind),
         };
         let suggestion = near.map(|near| format!("did you mean \"{near}\"?"));
@@ -67,11 +67,12 @@ impl<'s, 'a> Blame<'_, 's, 'a> {
     }
 
     /// The first cell of these keys in a row of the list.
-    pub(super) fn cell(&self, row: usize, keys: &[usize]) -> Option<&'s Cell<'a>> {
+    pub(super) fn cell(&self, row: usize, keys: &[usize]) -> Option<Cell<'a>> {
         let reader = &self.reader.reader;
-        let row = reader.sheet.rows.get(*self.origins.get(row)?)?;
-        let cells = Cells::of(reader.sheet, reader.columns, reader.sheet.row(row)).ok()??;
-        keys.iter().find_map(|key| cells.cell(*key))
+        let row = reader.sheet.rows.get(*self.origins.get(row)? as usize)?;
+        let cells = reader.sheet.row(row);
+        let cells = Cells::of(reader.sheet, reader.columns, &cells).ok()??;
+        keys.iter().find_map(|key| cells.cell(*key)).cloned()
     }
 
     /// What was probably meant.

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::heading::{Column, ColumnUnit, Columns, Spread};
+use super::heading::{ColumnUnit, Columns, Spread};
 use super::key::{COUNT, Holds, KEYS};
 use super::measured::{Amount, measured};
 use super::number::{Unit, Wrong};
@@ -11,12 +11,12 @@ use crate::error::FormatError;
 use crate::text::{cut, is_unseen};
 use crate::unit::{Dimension, unit_of};
 
-/// The cells of a row.
-pub(super) struct Cells<'s, 'a> {
-    values: [Option<&'s Cell<'a>>; COUNT],
-    spreads: [Option<&'s Cell<'a>>; COUNT],
-    /// The first of them.
-    pub(super) first: &'s Cell<'a>,
+/// The cells of a row, at least one of which is read.
+pub(super) struct Cells<'c, 'a> {
+    cells: &'c [Cell<'a>],
+    columns: &'c Columns,
+    /// The first that is read.
+    pub(super) first: &'c Cell<'a>,
 }
 
 /// A number of a row.
@@ -41,37 +41,29 @@ pub(super) struct Reader<'s, 'a> {
     pub(super) columns: &'s Columns,
     coverage_factor: f64,
     /// By keys.
-    units: [Used<'s, 'a>; COUNT],
+    units: [Used<'a>; COUNT],
     /// Whether anything was read after ±.
     pub(super) plus_minus: bool,
 }
 
 /// Cells without and with units, of columns whose headings have none.
-#[derive(Clone, Copy, Default)]
-struct Used<'s, 'a> {
-    bare: Option<&'s Cell<'a>>,
-    united: Option<&'s Cell<'a>>,
+#[derive(Clone, Default)]
+struct Used<'a> {
+    bare: Option<Cell<'a>>,
+    united: Option<Cell<'a>>,
 }
 
-impl<'s, 'a> Cells<'s, 'a> {
+impl<'c, 'a> Cells<'c, 'a> {
     /// Of a row; what stands beside all columns is refused.
     pub(super) fn of(
-        sheet: &'s Sheet<'a>,
-        columns: &Columns,
-        cells: &'s [Cell<'a>],
+        sheet: &Sheet<'a>,
+        columns: &'c Columns,
+        cells: &'c [Cell<'a>],
     ) -> Result<Option<Self>, FormatError> {
-        let mut values = [None; COUNT];
-        let mut spreads = [None; COUNT];
         let mut first = None;
         for cell in cells {
             match columns.all.get(cell.column) {
-                Some(Some(Column { key, spread, .. })) => {
-                    let slots = if spread.is_some() { &mut spreads } else { &mut values };
-                    if let Some(slot) = slots.get_mut(*key) {
-                        *slot = Some(cell);
-                    }
-                    first = first.or(Some(cell));
-                }
+                Some(Some(_)) => first = first.or(Some(cell)),
                 Some(None) if columns.is_ignored(cell.column) => {}
                 _ => {
                     let error = sheet.invalid(cell, "a cell beside the columns", "under a heading");
@@ -79,26 +71,30 @@ impl<'s, 'a> Cells<'s, 'a> {
                 }
             }
         }
-        Ok(first.map(|first| Self { values, spreads, first }))
+        Ok(first.map(|first| Self { cells, columns, first }))
     }
 
-    pub(super) fn cell(&self, key: usize) -> Option<&'s Cell<'a>> {
-        self.values.get(key).copied().flatten()
+    pub(super) fn cell(&self, key: usize) -> Option<&'c Cell<'a>> {
+        self.under(self.columns.places.get(key).copied().flatten()?)
     }
 
-    pub(super) fn spread(&self, key: usize) -> Option<&'s Cell<'a>> {
-        self.spreads.get(key).copied().flatten()
+    pub(super) fn spread(&self, key: usize) -> Option<&'c Cell<'a>> {
+        self.under(self.columns.spreads.get(key).copied().flatten()?)
+    }
+
+    fn under(&self, column: usize) -> Option<&'c Cell<'a>> {
+        self.cells.iter().find(|cell| cell.column == column)
     }
 
     /// The first cell of one of these keys, or of its errors.
-    pub(super) fn any(&self, keys: impl IntoIterator<Item = usize>) -> Option<&'s Cell<'a>> {
+    pub(super) fn any(&self, keys: impl IntoIterator<Item = usize>) -> Option<&'c Cell<'a>> {
         keys.into_iter().find_map(|key| self.cell(key).or(self.spread(key)))
     }
 }
 
 impl<'s, 'a> Reader<'s, 'a> {
     pub(super) fn new(sheet: &'s Sheet<'a>, columns: &'s Columns, coverage_factor: f64) -> Self {
-        let units = [Used::default(); COUNT];
+        let units = core::array::from_fn(|_| Used::default());
         Self { sheet, columns, coverage_factor, units, plus_minus: false }
     }
 
@@ -121,25 +117,25 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// The text of a cell, unless there is nothing in it that could be read.
-    pub(super) fn whole(&self, cell: &'s Cell<'a>) -> Result<&'s str, FormatError> {
+    pub(super) fn whole<'c>(&self, cell: &'c Cell<'a>) -> Result<&'c str, FormatError> {
         match cell.content {
-            Content::Broken(rule) => Err(self.invalid(cell, rule)),
+            Content::Broken(broken) => Err(self.invalid(cell, broken.rule())),
             _ => Ok(cell.text.as_ref()),
         }
     }
 
     /// What stands under a key.
-    pub(super) fn text(&self, cells: &Cells<'s, 'a>, key: usize) -> Result<Option<&'s str>, FormatError> {
+    pub(super) fn text<'c>(&self, cells: &Cells<'c, 'a>, key: usize) -> Result<Option<&'c str>, FormatError> {
         cells.cell(key).map(|cell| self.whole(cell)).transpose()
     }
 
     /// A name: with one space between its words, and without what cannot be seen.
-    pub(super) fn label(&self, cells: &Cells<'s, 'a>, key: usize) -> Result<Option<String>, FormatError> {
+    pub(super) fn label(&self, cells: &Cells<'_, 'a>, key: usize) -> Result<Option<String>, FormatError> {
         cells.cell(key).map(|cell| self.label_of(cell)).transpose()
     }
 
     /// The name in a cell.
-    pub(super) fn label_of(&self, cell: &'s Cell<'a>) -> Result<String, FormatError> {
+    pub(super) fn label_of(&self, cell: &Cell<'a>) -> Result<String, FormatError> {
         let text = self.whole(cell)?;
         if text.chars().any(|c| is_unseen(c) && !c.is_whitespace()) {
             return Err(self.invalid(cell, "a name of characters that can be seen"));
@@ -148,7 +144,7 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// A number with a decimal point.
-    pub(super) fn pointed(&self, cell: &'s Cell<'a>) -> Result<Cow<'s, str>, FormatError> {
+    pub(super) fn pointed<'c>(&self, cell: &'c Cell<'a>) -> Result<Cow<'c, str>, FormatError> {
         self.whole(cell)?;
         if !self.sheet.decimal_comma || cell.content != Content::Text || !cell.text.contains([',', '.']) {
             return Ok(Cow::Borrowed(&cell.text));
@@ -161,11 +157,11 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// A number.
-    pub(super) fn number(
+    pub(super) fn number<'c>(
         &mut self,
-        cells: &Cells<'s, 'a>,
+        cells: &Cells<'c, 'a>,
         key: usize,
-    ) -> Result<Option<Given<'s, 'a>>, FormatError> {
+    ) -> Result<Option<Given<'c, 'a>>, FormatError> {
         let Some(cell) = cells.cell(key) else { return Ok(None) };
         let Some(column) = self.columns.get(cell.column) else { return Ok(None) };
         let text = self.pointed(cell)?;
@@ -222,12 +218,12 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// How well a number is known, as its cell says it or one beside it.
-    pub(super) fn deviation(
+    pub(super) fn deviation<'c>(
         &mut self,
-        cells: &Cells<'s, 'a>,
+        cells: &Cells<'c, 'a>,
         key: usize,
-        given: Option<Given<'s, 'a>>,
-    ) -> Result<Option<Deviation<'s, 'a>>, FormatError> {
+        given: Option<Given<'c, 'a>>,
+    ) -> Result<Option<Deviation<'c, 'a>>, FormatError> {
         let own = given.and_then(|given| Some(Deviation { amount: given.error?, cell: given.cell }));
         let Some(cell) = cells.spread(key) else { return Ok(own) };
         if own.is_some() {
@@ -252,10 +248,10 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// What stands after ± of a number that is stated, or in a column of its own: as it is, whatever the coverage factor.
-    pub(super) fn tolerance(
+    pub(super) fn tolerance<'c>(
         &mut self,
-        cells: &Cells<'s, 'a>,
-        given: Given<'s, 'a>,
+        cells: &Cells<'c, 'a>,
+        given: Given<'c, 'a>,
     ) -> Result<Option<Amount>, FormatError> {
         let key = super::key::SUBTOTAL;
         let column = cells.spread(key).and_then(|cell| self.columns.get(cell.column));
@@ -284,7 +280,7 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// Refuses numbers without units beside such with units, under headings without.
-    fn used(&mut self, key: usize, cell: &'s Cell<'a>, has_unit: bool) -> Result<(), FormatError> {
+    fn used(&mut self, key: usize, cell: &Cell<'a>, has_unit: bool) -> Result<(), FormatError> {
         let heading = self.columns.get(cell.column).map(|column| &column.unit);
         let Some(used) = self.units.get_mut(key).filter(|_| matches!(heading, Some(ColumnUnit::None))) else {
             return Ok(());
@@ -294,15 +290,18 @@ impl<'s, 'a> Reader<'s, 'a> {
             (true, false) => &mut used.united,
             (true, true) => return Ok(()),
         };
-        *slot = slot.or(Some(cell));
-        let (Some(bare), Some(united)) = (used.bare, used.united) else { return Ok(()) };
+        if slot.is_none() {
+            *slot = Some(cell.clone());
+        }
+        let (Some(bare), Some(united)) = (&used.bare, &used.united) else { return Ok(()) };
         let rule = format!("given with its unit, as \"{}\" in row {} is", cut(&united.text), united.row);
-        Err(self.invalid(bare, rule).with_hint("write the unit into the heading, for all"))
+        let bare = bare.clone();
+        Err(self.invalid(&bare, rule).with_hint("write the unit into the heading, for all"))
     }
 
     /// Headings under which numbers had no unit.
     pub(super) fn bare(&self) -> Vec<&'s str> {
-        self.units.iter().filter_map(|used| used.bare).map(|cell| self.heading(cell)).collect()
+        self.units.iter().filter_map(|used| used.bare.as_ref()).map(|cell| self.heading(cell)).collect()
     }
 }
 

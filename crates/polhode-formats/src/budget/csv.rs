@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use super::sheet::{Cell, Content, Origin, Sheet, SheetRow};
+use super::sheet::{Body, Cell, Content, Origin, Sheet, SheetRow};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::FormatError;
 use crate::scenario::source::Source;
@@ -17,35 +17,56 @@ pub(super) fn sheet(
     from: usize,
     is_heading: fn(&str) -> bool,
 ) -> Result<(Sheet<'_>, u8), FormatError> {
+    let located = |error| FormatError::of_content(source.path, source.text.as_bytes(), error);
+    let unsupported = |what: String| {
+        located(ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Whole))
+    };
+    if source.text.len() > u32::MAX as usize {
+        return Err(unsupported(format!("a text of more than {} bytes", u32::MAX)));
+    }
     let separator = separator(source.text, from, is_heading);
-    let mut sheet =
-        Sheet { origin: Origin::Text(source), rows: Vec::new(), cells: Vec::new(), decimal_comma: false };
+    let (mut rows, mut count) = (Vec::new(), 0);
     let mut fields = Fields { text: source.text, at: from };
     let mut number = 1 + newlines(source.text.get(..from).unwrap_or_default());
-    let located = |error| FormatError::of_content(source.path, source.text.as_bytes(), error);
     while fields.at < source.text.len() {
-        let (first, start) = (sheet.cells.len(), fields.at);
-        let mut column = 0;
+        let (start, before) = (fields.at, count);
         loop {
-            let (Field { span, text }, is_last) = fields.next(separator).map_err(located)?;
-            if !text.is_empty() {
-                sheet.cells.push(Cell { column, row: number, span, text, content: Content::Text });
-            }
-            column += 1;
+            let (Field { text, .. }, is_last) = fields.next(separator).map_err(located)?;
+            count += usize::from(!text.is_empty());
             if is_last {
                 break;
             }
         }
-        if sheet.cells.len() > MOST_CELLS {
-            let kind = ContentErrorKind::Unsupported { what: format!("more than {MOST_CELLS} cells") };
-            return Err(located(ContentError::new(kind, ContentPlace::Whole)));
+        if count > MOST_CELLS {
+            return Err(unsupported(format!("more than {MOST_CELLS} cells")));
         }
-        if sheet.cells.len() > first {
-            sheet.rows.push(SheetRow { number, cells: first..sheet.cells.len(), is_hidden: false });
+        if count > before {
+            // Neither is more than the bytes of the text.
+            let (number, start, end) = (number as u32, start as u32, fields.at as u32);
+            rows.push(SheetRow { number, start, end, is_hidden: false });
         }
         number += newlines(source.text.get(start..fields.at).unwrap_or_default());
     }
+    let body = Body::Text { text: source.text, separator };
+    let sheet = Sheet { origin: Origin::Text(source), rows: rows.into(), body, decimal_comma: false };
     Ok((sheet, separator))
+}
+
+/// The cells of a row, of which [`sheet`] has read all fields.
+pub(super) fn cells<'a>(text: &'a str, separator: u8, row: &SheetRow) -> Vec<Cell<'a>> {
+    let mut fields = Fields { text, at: row.start as usize };
+    let mut cells = Vec::new();
+    let mut column = 0;
+    while let Ok((Field { span, text }, is_last)) = fields.next(separator) {
+        if !text.is_empty() {
+            cells.push(Cell { column, row: row.number as usize, span, text, content: Content::Text });
+        }
+        column += 1;
+        if is_last {
+            break;
+        }
+    }
+    cells
 }
 
 fn newlines(text: &str) -> usize {

@@ -22,6 +22,11 @@ pub(super) fn comma(
         return Ok(false);
     }
     let (mut point, mut comma, mut open) = (None, None, None);
+    let keep = |slot: &mut Option<_>, cell| {
+        if slot.is_none() {
+            *slot = Some(cell);
+        }
+    };
     for row in sheet.rows.iter().skip(columns.row + 1) {
         for cell in sheet.row(row) {
             let is_number = columns
@@ -32,9 +37,9 @@ pub(super) fn comma(
                 continue;
             }
             match mark(&cell.text) {
-                Some(Mark::Point) => point = point.or(Some(cell)),
-                Some(Mark::Comma) => comma = comma.or(Some(cell)),
-                Some(Mark::Open) => open = open.or(Some(cell)),
+                Some(Mark::Point) => keep(&mut point, cell),
+                Some(Mark::Comma) => keep(&mut comma, cell),
+                Some(Mark::Open) => keep(&mut open, cell),
                 None => {}
             }
         }
@@ -48,14 +53,14 @@ pub(super) fn comma(
                 point.row,
                 cut(&point.text)
             );
-            Err(unclear(sheet, comma, question).with_hint("write all numbers with one decimal mark"))
+            Err(unclear(sheet, &comma, question).with_hint("write all numbers with one decimal mark"))
         }
         (None, Some(_), _) => Ok(true),
         (Some(_), None, _) | (None, None, None) => Ok(false),
         (None, None, Some(open)) => {
             let question = "is this a decimal mark, or does it part thousands?".to_owned();
             let hint = "write decimal = \"comma\" or decimal = \"point\" into the head";
-            Err(unclear(sheet, open, question).with_hint(hint))
+            Err(unclear(sheet, &open, question).with_hint(hint))
         }
     }
 }

@@ -53,6 +53,8 @@ pub(super) struct Columns {
     pub(super) ignored: BTreeMap<usize, String>,
     /// By keys: their places.
     pub(super) places: [Option<usize>; COUNT],
+    /// Places of the columns of errors, by keys.
+    pub(super) spreads: [Option<usize>; COUNT],
 }
 
 /// Whether a heading is that of the names, by which the headings are known.
@@ -75,8 +77,14 @@ impl Columns {
     pub(super) fn of(sheet: &Sheet<'_>, ignore: &[String]) -> Result<Self, FormatError> {
         let row = sheet.rows.iter().position(|row| sheet.row(row).iter().any(|cell| is_of_names(&cell.text)));
         let row = row.ok_or_else(|| nameless(sheet))?;
-        let mut columns = Self { all: Vec::new(), row, ignored: BTreeMap::new(), places: [None; COUNT] };
-        for cell in sheet.rows.get(row).map_or(&[][..], |row| sheet.row(row)) {
+        let mut columns = Self {
+            all: Vec::new(),
+            row,
+            ignored: BTreeMap::new(),
+            places: [None; COUNT],
+            spreads: [None; COUNT],
+        };
+        for cell in &sheet.rows.get(row).map(|row| sheet.row(row)).unwrap_or_default() {
             columns.all.resize(cell.column, None);
             let column = columns.column(sheet, cell, ignore)?;
             if column.is_none() {
@@ -94,8 +102,8 @@ impl Columns {
         ignore: &[String],
     ) -> Result<Option<Column>, FormatError> {
         let heading = cell.text.to_string();
-        if let Content::Broken(rule) = cell.content {
-            return Err(sheet.invalid(cell, "the heading", rule));
+        if let Content::Broken(broken) = cell.content {
+            return Err(sheet.invalid(cell, "the heading", broken.rule()));
         }
         if ignore.iter().any(|name| plain(name) == plain(&heading)) {
             return Ok(None);
@@ -135,9 +143,8 @@ impl Columns {
             let rule = format!("another column than that with the heading \"{}\"", other.heading);
             return Err(sheet.invalid(cell, "the heading", rule));
         }
-        if spread.is_none() {
-            self.places[key] = Some(cell.column);
-        }
+        let places = if spread.is_none() { &mut self.places } else { &mut self.spreads };
+        places[key] = Some(cell.column);
         Ok(Some(Column { key, spread, heading: shown(cell), unit }))
     }
 

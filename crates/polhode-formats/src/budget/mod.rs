@@ -92,8 +92,8 @@ pub struct Questions {
     pub about: Option<Position<Body>>,
     /// The axes that it is wanted along: R_body_axes.
     pub axes: Option<Rotation<Body, Part>>,
-    /// How many possible bodies are drawn.
-    pub draws: usize,
+    /// How many possible bodies are drawn, if the file says so.
+    pub draws: Option<usize>,
     /// Of the draws.
     pub seed: u64,
     /// Which masses count in the headline numbers.
@@ -102,9 +102,12 @@ pub struct Questions {
 
 impl Default for Questions {
     fn default() -> Self {
-        Self { about: None, axes: None, draws: 10_000, seed: 1, basis: Basis::Predicted }
+        Self { about: None, axes: None, draws: None, seed: 1, basis: Basis::Predicted }
     }
 }
+
+/// The most bodies that can be asked for: they take 800 MB.
+pub const MOST_DRAWS: usize = 10_000_000;
 
 /// What was read of a file, and what was taken as given.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -57,7 +57,7 @@ impl<'s, 'a> Rows<'s, 'a> {
     /// The part of a row and how well it is known; `None` of a frame.
     pub(super) fn part(
         &mut self,
-        cells: &Cells<'s, 'a>,
+        cells: &Cells<'_, 'a>,
     ) -> Result<Option<(GivenPart, PartUncertainty)>, FormatError> {
         let mut forms = FORMS.iter().filter_map(|key| cells.cell(*key));
         let form = forms.next();
@@ -94,7 +94,7 @@ impl<'s, 'a> Rows<'s, 'a> {
     /// Refuses the first cell of these columns.
     fn without(
         &self,
-        cells: &Cells<'s, 'a>,
+        cells: &Cells<'_, 'a>,
         keys: impl IntoIterator<Item = usize>,
         rule: &str,
     ) -> Result<(), FormatError> {
@@ -107,7 +107,7 @@ impl<'s, 'a> Rows<'s, 'a> {
     /// Refuses the first cell of these columns or of their errors.
     fn any_of(
         &self,
-        cells: &Cells<'s, 'a>,
+        cells: &Cells<'_, 'a>,
         keys: impl IntoIterator<Item = usize>,
         rule: &str,
     ) -> Result<(), FormatError> {
@@ -134,7 +134,7 @@ impl<'s, 'a> Rows<'s, 'a> {
     }
 
     /// A part of which columns give mass, centre and tensor.
-    fn columns_of(&mut self, cells: &Cells<'s, 'a>, mass: f64) -> Result<Told, FormatError> {
+    fn columns_of(&mut self, cells: &Cells<'_, 'a>, mass: f64) -> Result<Told, FormatError> {
         let values = self.reader.all_or_none(cells, CENTER)?;
         let center = values.map_or([0.0; 3], |all| all.map(|given| given.map_or(0.0, |given| given.value)));
         let tensor = self.tensor(cells, mass, center)?;
@@ -143,11 +143,11 @@ impl<'s, 'a> Rows<'s, 'a> {
     }
 
     /// How well mass, centre and tensor are known.
-    fn uncertainty(
+    fn uncertainty<'c>(
         &mut self,
-        cells: &Cells<'s, 'a>,
+        cells: &Cells<'c, 'a>,
         part: &GivenPart,
-        mass: Option<Given<'s, 'a>>,
+        mass: Option<Given<'c, 'a>>,
     ) -> Result<PartUncertainty, FormatError> {
         let mut sd = 0.0;
         if let Some(deviation) = self.reader.deviation(cells, MASS, mass)? {

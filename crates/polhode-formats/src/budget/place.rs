@@ -19,7 +19,7 @@ impl<'s, 'a> Reader<'s, 'a> {
     /// The place of a row's frame, and how well its position and its rotation are known.
     pub(super) fn place(
         &mut self,
-        cells: &Cells<'s, 'a>,
+        cells: &Cells<'_, 'a>,
     ) -> Result<(Place, Spread<3>, Spread<3>), FormatError> {
         let (position, position_spread) = self.triple(cells, [AT_X, AT_Y, AT_Z], None)?;
         let place = Place {
@@ -38,7 +38,7 @@ impl<'s, 'a> Reader<'s, 'a> {
     /// Three numbers that stand together, and how well they are known; the errors may also be those of numbers that are known otherwise.
     pub(super) fn triple(
         &mut self,
-        cells: &Cells<'s, 'a>,
+        cells: &Cells<'_, 'a>,
         keys: [usize; 3],
         known: Option<[f64; 3]>,
     ) -> Result<(Option<[f64; 3]>, Spread<3>), FormatError> {
@@ -56,11 +56,11 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// Numbers that stand together: a cell that is empty where others are not is refused; a column that is not there is zero.
-    pub(super) fn all_or_none<const N: usize>(
+    pub(super) fn all_or_none<'c, const N: usize>(
         &mut self,
-        cells: &Cells<'s, 'a>,
+        cells: &Cells<'c, 'a>,
         keys: [usize; N],
-    ) -> Result<Option<[Option<Given<'s, 'a>>; N]>, FormatError> {
+    ) -> Result<Option<[Option<Given<'c, 'a>>; N]>, FormatError> {
         let Some(present) = keys.iter().find_map(|key| cells.cell(*key)) else { return Ok(None) };
         let mut all = [None; N];
         for (slot, key) in all.iter_mut().zip(keys) {
@@ -76,7 +76,7 @@ impl<'s, 'a> Reader<'s, 'a> {
         Ok(Some(all))
     }
 
-    fn rotation(&mut self, cells: &Cells<'s, 'a>) -> Result<Rotation<Part, Part>, FormatError> {
+    fn rotation(&mut self, cells: &Cells<'_, 'a>) -> Result<Rotation<Part, Part>, FormatError> {
         let forms = [
             cells.cell(ROTATE),
             ANGLES.iter().find_map(|key| cells.cell(*key)),
@@ -110,7 +110,7 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// `{ axis = [0, 0, 1], angle = '90 deg' }`, in all forms that scenarios have; the braces may be left out.
-    fn written_rotation(&self, cell: &'s Cell<'a>) -> Result<Rotation<Part, Part>, FormatError> {
+    fn written_rotation(&self, cell: &Cell<'a>) -> Result<Rotation<Part, Part>, FormatError> {
         let inside = self.whole(cell)?;
         let braced = inside.starts_with('{');
         let (open, close) = if braced { ("", "") } else { ("{ ", " }") };

@@ -2,7 +2,7 @@
 
 use polhode::math::{AngularVelocity, Body};
 use polhode::motion::Outflow;
-use polhode_budget::{Basis, Budget, Burn, Change, LiquidErrors, PartsList, Sequence, SequenceError, Tank};
+use polhode_budget::{Basis, Budget, Burn, Change, LiquidErrors, Row, Rows, Sequence, SequenceError, Tank};
 
 use super::NamedBudget;
 use super::plan::Plan;
@@ -206,7 +206,7 @@ impl PlannedTank {
     }
 
     fn placed(&self, budget: &Budget) -> Tank {
-        let root = || budget.list().rows.get(budget.root()).map_or_else(String::new, |row| row.name.clone());
+        let root = || budget.rows().name(budget.root()).to_owned();
         let frame = self.frame.clone().unwrap_or_else(root);
         Tank { name: self.name.clone(), frame, liquid: self.liquid.clone() }
     }
@@ -236,7 +236,7 @@ impl PlannedTank {
 }
 
 fn has_row(budget: &Budget, name: &str) -> bool {
-    budget.list().rows.iter().any(|row| row.name == name)
+    budget.rows().position(name).is_some()
 }
 
 /// At the place of another error.
@@ -260,17 +260,18 @@ fn check(tank: &PlannedTank, configurations: &[NamedBudget], names: &[&str]) -> 
             return Err(suggested(error, name, names.iter().copied()));
         }
     }
-    let rows = || configurations.iter().flat_map(|one| one.budget.list().rows.iter());
-    if rows().any(|row| row.name == tank.name) {
+    if configurations.iter().any(|one| has_row(&one.budget, &tank.name)) {
         let error = invalid(&tank.places[0], "the tank", &tank.name, "called as no row is".to_owned());
         return Err(
             error.with_hint("what is in a tank becomes a row of its name: call the tank itself otherwise")
         );
     }
     let Some(frame) = &tank.frame else { return Ok(()) };
-    if !rows().any(|row| row.name == *frame) {
+    if !configurations.iter().any(|one| has_row(&one.budget, frame)) {
         let error = tank.refused(0, "the name of a row, in whose frame the tank is".to_owned());
-        return Err(suggested(error, frame, rows().map(|row| row.name.as_str())));
+        let names = configurations.iter().map(|one| one.budget.rows());
+        let names = names.flat_map(|rows| (0..rows.len()).map(move |k| rows.name(k)));
+        return Err(suggested(error, frame, names));
     }
     let absent = tank.configurations.iter().find(|name| {
         let one = configurations.iter().find(|one| one.name.as_ref() == Some(name));
@@ -287,9 +288,8 @@ fn filled(dry: &Budget, tanks: &[(&PlannedTank, Tank)]) -> Result<Budget, Format
     if tanks.is_empty() {
         return Ok(dry.clone());
     }
-    let mut list: PartsList = dry.list().clone();
-    // Those that are stated are of the rows that the file has, and are met.
-    list.rows.iter_mut().for_each(|row| row.subtotal = None);
+    // Subtotals are of the rows that the file has, and are met.
+    let mut rows: Rows = dry.rows().iter().map(|row| Row { subtotal: None, ..row }).collect();
     for (tank, placed) in tanks {
         let in_copies = Sequence::of(dry, Basis::Basic, [(placed.clone(), tank.mass)]).at(0.0).err();
         let place = match in_copies {
@@ -301,10 +301,11 @@ fn filled(dry: &Budget, tanks: &[(&PlannedTank, Tank)]) -> Result<Budget, Format
         }
         if let Some(mut row) = placed.row(tank.mass, tank.errors) {
             row.group.clone_from(&tank.group);
-            list.rows.push(row);
+            rows.push(row);
         }
     }
-    list.budget().map_err(|error| match tanks.first() {
+    let budget = Budget::new(rows, dry.groups().to_vec(), dry.growth_table().clone());
+    budget.map_err(|error| match tanks.first() {
         Some((tank, _)) => tank.places[2].clone().replaced(FormatErrorKind::Budget(error)),
         None => FormatError::new("".as_ref(), None, FormatErrorKind::Budget(error)),
     })

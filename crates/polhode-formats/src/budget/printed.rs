@@ -10,7 +10,7 @@ use crate::unit::{self, Dimension};
 
 impl<'s, 'a> Reader<'s, 'a> {
     /// Half of the last digit that is printed of a number, in SI.
-    pub(super) fn half_digit(&self, cell: &'s Cell<'a>) -> Result<f64, FormatError> {
+    pub(super) fn half_digit(&self, cell: &Cell<'a>) -> Result<f64, FormatError> {
         let Some(column) = self.columns.get(cell.column) else { return Ok(0.0) };
         let text = self.pointed(cell)?;
         let decimals = match cell.content {

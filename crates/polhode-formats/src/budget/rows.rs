@@ -14,7 +14,7 @@ use super::key::{
 use super::measured::Amount;
 use super::plan::Plan;
 use super::plan::growth::{BARE_GROWTH, BARE_GROWTH_HINT};
-use super::sheet::Sheet;
+use super::sheet::{Cell, Sheet};
 use super::taken::Taken;
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::{FormatError, FormatErrorKind};
@@ -28,19 +28,36 @@ pub(super) struct Rows<'s, 'a> {
     pub(super) known: HashMap<String, MassProperties<Part>>,
 }
 
-/// A row of a table as a row of a parts list.
-#[derive(Debug)]
-pub(super) struct ReadRow {
-    pub(super) row: Row,
-    /// Which row of the table it is.
-    pub(super) origin: usize,
-    /// The configurations that it is in; of none in all.
+/// Rows of a table as rows of a parts list.
+#[derive(Debug, Default)]
+pub(super) struct ReadRows {
+    pub(super) rows: polhode_budget::Rows,
+    /// Positions of the rows in the table.
+    pub(super) origins: Vec<u32>,
+    /// Names of configurations: those of the plan first, then as rows name them.
     pub(super) configurations: Vec<String>,
+    /// Rows that are not in all configurations, in their order, each with the number of one in which it is.
+    pub(super) members: Vec<(u32, u32)>,
 }
+
+/// Each has all rows of its own: more would fill the memory.
+const MOST_CONFIGURATIONS: u32 = 100;
 
 /// Names of rows that are sums of others.
 const TOTALS: [&str; 9] =
     ["total", "totals", "grand total", "sum", "subtotal", "sub-total", "total mass", "summe", "gesamt"];
+
+impl ReadRows {
+    /// The number of a configuration; `None` of one more than there may be.
+    fn number_of(&mut self, name: String) -> Option<u32> {
+        let known = self.configurations.iter().position(|known| *known == name);
+        let number = known.unwrap_or(self.configurations.len());
+        if known.is_none() {
+            self.configurations.push(name);
+        }
+        u32::try_from(number).ok().filter(|number| known.is_some() || *number < MOST_CONFIGURATIONS)
+    }
+}
 
 impl<'s, 'a> Rows<'s, 'a> {
     pub(super) fn new(sheet: &'s Sheet<'a>, columns: &'s Columns, plan: &'s Plan) -> Self {
@@ -49,18 +66,31 @@ impl<'s, 'a> Rows<'s, 'a> {
     }
 
     /// All rows below the headings.
-    pub(super) fn all(&mut self) -> Result<Vec<ReadRow>, FormatError> {
+    pub(super) fn all(&mut self) -> Result<ReadRows, FormatError> {
         let (sheet, columns) = (self.reader.sheet, self.reader.columns);
-        let mut rows = Vec::with_capacity(sheet.rows.len());
-        for (origin, row) in sheet.rows.iter().enumerate().skip(columns.row + 1) {
-            let Some(cells) = Cells::of(sheet, columns, sheet.row(row))? else { continue };
+        let configurations = self.plan.configurations.clone().unwrap_or_default();
+        let mut all = ReadRows { configurations, ..ReadRows::default() };
+        for (origin, row) in (0..).zip(sheet.rows.iter()).skip(columns.row + 1) {
+            let cells = sheet.row(row);
+            let Some(cells) = Cells::of(sheet, columns, &cells)? else { continue };
             let (row, configurations) = self.row(&cells)?;
-            rows.push(ReadRow { row, origin, configurations });
+            for name in configurations {
+                let number = all.number_of(name).ok_or_else(|| self.too_many(cells.first))?;
+                all.members.push((all.origins.len() as u32, number)); // A table has fewer than 2³² rows.
+            }
+            all.rows.push(row);
+            all.origins.push(origin);
         }
-        Ok(rows)
+        Ok(all)
     }
 
-    fn row(&mut self, cells: &Cells<'s, 'a>) -> Result<(Row, Vec<String>), FormatError> {
+    fn too_many(&self, cell: &Cell<'_>) -> FormatError {
+        let what = format!("more than {MOST_CONFIGURATIONS} configurations");
+        let error = ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Whole);
+        self.reader.sheet.error(cell, FormatErrorKind::Content(error))
+    }
+
+    fn row(&mut self, cells: &Cells<'_, 'a>) -> Result<(Row, Vec<String>), FormatError> {
         let name = self.name(cells)?;
         let parent = self.reader.label(cells, PARENT)?;
         if let (Some(parent), Some(cell), Some((path, _))) =
@@ -104,7 +134,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         Ok((row, self.configurations(cells)?))
     }
 
-    fn name(&self, cells: &Cells<'s, 'a>) -> Result<String, FormatError> {
+    fn name(&self, cells: &Cells<'_, 'a>) -> Result<String, FormatError> {
         const TOTAL: &str = "write a sum into the column subtotal of the row that all its parts stand in";
         let name = [NAME, PATH].iter().find_map(|key| cells.cell(*key));
         let Some(cell) = name else {
@@ -135,7 +165,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         Ok(name)
     }
 
-    fn quantity(&mut self, cells: &Cells<'s, 'a>) -> Result<Quantity, FormatError> {
+    fn quantity(&mut self, cells: &Cells<'_, 'a>) -> Result<Quantity, FormatError> {
         let mut quantity = Quantity::ONE;
         if let Some(given) = self.reader.number(cells, QUANTITY)? {
             if !(given.value >= 1.0 && given.value <= f64::from(u32::MAX) && given.value.fract() == 0.0) {
@@ -160,7 +190,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         Ok(quantity)
     }
 
-    fn growth(&mut self, cells: &Cells<'s, 'a>) -> Result<Growth, FormatError> {
+    fn growth(&mut self, cells: &Cells<'_, 'a>) -> Result<Growth, FormatError> {
         let code = self.reader.label(cells, MATURITY)?;
         let fraction = self.reader.number(cells, GROWTH)?;
         if let (Some(code), Some(_), Some(cell)) = (&code, fraction, cells.cell(MATURITY))
@@ -192,7 +222,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         })
     }
 
-    fn subtotal(&mut self, cells: &Cells<'s, 'a>) -> Result<Option<Subtotal>, FormatError> {
+    fn subtotal(&mut self, cells: &Cells<'_, 'a>) -> Result<Option<Subtotal>, FormatError> {
         let Some(given) = self.reader.number(cells, SUBTOTAL)? else { return Ok(None) };
         let tolerance = match self.reader.tolerance(cells, given)? {
             Some(Amount::Absolute(tolerance)) => tolerance,
@@ -202,7 +232,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         Ok(Some(Subtotal { mass: given.value, tolerance }))
     }
 
-    fn configurations(&self, cells: &Cells<'s, 'a>) -> Result<Vec<String>, FormatError> {
+    fn configurations(&self, cells: &Cells<'_, 'a>) -> Result<Vec<String>, FormatError> {
         let (Some(text), Some(cell)) = (self.reader.label(cells, CONFIGURATION)?, cells.cell(CONFIGURATION))
         else {
             return Ok(Vec::new());

@@ -38,6 +38,9 @@ enum Form {
     Scenario,
 }
 
+/// Shapes that are remembered, so that equal ones are not computed again.
+const MOST_KNOWN: usize = 10_000;
+
 /// The table of a scenario that a row is, and of which cell each value is.
 struct Written<'s, 'a> {
     text: String,
@@ -54,10 +57,10 @@ impl<'s, 'a> Written<'s, 'a> {
 
 impl<'s, 'a> Rows<'s, 'a> {
     /// A part that has a shape, a mesh or a file, and the mass that its row gives.
-    pub(super) fn formed(
+    pub(super) fn formed<'c>(
         &mut self,
-        cells: &Cells<'s, 'a>,
-        mass: Option<Given<'s, 'a>>,
+        cells: &Cells<'c, 'a>,
+        mass: Option<Given<'c, 'a>>,
     ) -> Result<Told, FormatError> {
         let all = [(SHAPE, Form::Shape), (MESH, Form::Mesh), (CAD, Form::Cad), (SCENARIO, Form::Scenario)];
         let by_key = all.into_iter().find_map(|(key, form)| Some((cells.cell(key)?, form)));
@@ -120,11 +123,11 @@ impl<'s, 'a> Rows<'s, 'a> {
     }
 
     /// A shape or a mesh, by the reader of scenarios.
-    fn shaped(
+    fn shaped<'c>(
         &mut self,
-        cells: &Cells<'s, 'a>,
-        form: &'s Cell<'a>,
-        mass: Option<Given<'s, 'a>>,
+        cells: &Cells<'c, 'a>,
+        form: &'c Cell<'a>,
+        mass: Option<Given<'c, 'a>>,
     ) -> Result<MassProperties<Part>, FormatError> {
         let mut table = Written { text: String::new(), cells: Vec::new() };
         let is_shape = cells.cell(SHAPE).is_some();
@@ -187,7 +190,9 @@ impl<'s, 'a> Rows<'s, 'a> {
         let properties = in_part(&read.properties);
         let properties =
             properties.map_err(|error| self.reader.sheet.error(form, FormatErrorKind::Body(error)))?;
-        self.known.insert(table.text, properties);
+        if self.known.len() < MOST_KNOWN {
+            self.known.insert(table.text, properties);
+        }
         Ok(properties)
     }
 
@@ -251,10 +256,10 @@ impl<'s, 'a> Rows<'s, 'a> {
 
 impl<'s, 'a> Reader<'s, 'a> {
     /// The density of a part; `None` if it has none, or one that is a formula.
-    pub(super) fn given_density(
+    pub(super) fn given_density<'c>(
         &mut self,
-        cells: &Cells<'s, 'a>,
-    ) -> Result<Option<Given<'s, 'a>>, FormatError> {
+        cells: &Cells<'c, 'a>,
+    ) -> Result<Option<Given<'c, 'a>>, FormatError> {
         let Some(cell) = cells.cell(DENSITY) else { return Ok(None) };
         let pointed = self.pointed(cell)?;
         let first = pointed.split(['±', '+']).next().unwrap_or_default();
@@ -264,7 +269,7 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// Lengths as a scenario has them: `100 × 50 × 20 mm` as a list of three.
-    fn sizes(&self, cell: &'s Cell<'a>) -> Result<String, FormatError> {
+    fn sizes(&self, cell: &Cell<'a>) -> Result<String, FormatError> {
         if self.whole(cell)?.starts_with('[') {
             return Ok(cell.text.to_string());
         }

@@ -4,18 +4,32 @@ use std::borrow::Cow;
 use std::ops::Range;
 use std::path::Path;
 
+use super::{csv, xlsx};
 use crate::error::{FormatError, FormatErrorKind, Place, Spot};
 use crate::scenario::source::Source;
 use crate::text::{cut, visible};
 
 /// A table. Cells that are empty are left out, and so are rows of such.
+///
+/// A million rows are common: cells are kept as text or packed, and made row by row.
 #[derive(Debug)]
 pub(super) struct Sheet<'a> {
     pub(super) origin: Origin<'a>,
-    pub(super) rows: Vec<SheetRow>,
-    pub(super) cells: Vec<Cell<'a>>,
+    pub(super) rows: Cow<'a, [SheetRow]>,
+    pub(super) body: Body<'a>,
     /// Whether numbers in text have a comma where others have a point.
     pub(super) decimal_comma: bool,
+}
+
+/// Storage of the cells of a table.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Body<'a> {
+    /// Fields of a text, between separators.
+    Text {
+        text: &'a str,
+        separator: u8,
+    },
+    Workbook(xlsx::Cells<'a>),
 }
 
 /// Where a table is from.
@@ -27,12 +41,14 @@ pub(super) enum Origin<'a> {
     Workbook { path: &'a Path, sheet: String },
 }
 
-/// A row, by its cells.
-#[derive(Clone, Debug)]
+/// A row of a table.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct SheetRow {
-    /// As the file counts, from 1.
-    pub(super) number: usize,
-    pub(super) cells: Range<usize>,
+    /// Number of the row in the file, from 1.
+    pub(super) number: u32,
+    /// Range of its bytes in a text, or of its cells in a workbook.
+    pub(super) start: u32,
+    pub(super) end: u32,
     /// Whether programs do not show it.
     pub(super) is_hidden: bool,
 }
@@ -58,8 +74,33 @@ pub(super) enum Content {
     Number {
         decimals: Option<u8>,
     },
-    /// Nothing that can be read: what it has to be instead.
-    Broken(&'static str),
+    /// Nothing that can be read.
+    Broken(Broken),
+}
+
+/// Reason for which a cell of a workbook cannot be read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Broken {
+    NoResult,
+    Error,
+    Thousands,
+    Date,
+    Merged,
+}
+
+impl Broken {
+    /// Rule that the cell breaks.
+    pub(super) const fn rule(self) -> &'static str {
+        match self {
+            Self::NoResult => {
+                "a value: it is a formula without its result; open the workbook in a spreadsheet program and save it"
+            }
+            Self::Error => "a value, where the spreadsheet has an error",
+            Self::Thousands => "a number that is shown as it is: its format shows it in thousands",
+            Self::Date => "a number or a text: it is shown as a date",
+            Self::Merged => "in a cell of its own: it is merged with others",
+        }
+    }
 }
 
 impl<'a> Sheet<'a> {
@@ -70,8 +111,12 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    pub(super) fn row(&self, row: &SheetRow) -> &[Cell<'a>] {
-        self.cells.get(row.cells.clone()).unwrap_or_default()
+    /// The cells of a row.
+    pub(super) fn row(&self, row: &SheetRow) -> Vec<Cell<'a>> {
+        match &self.body {
+            Body::Text { text, separator } => csv::cells(text, *separator, row),
+            Body::Workbook(cells) => cells.row(row),
+        }
     }
 
     /// Where a cell is.
@@ -106,9 +151,9 @@ impl<'a> Sheet<'a> {
 
     /// An error at a row as a whole, or about the whole table.
     pub(super) fn row_error(&self, row: Option<usize>, kind: FormatErrorKind) -> FormatError {
-        let first = row.and_then(|row| self.rows.get(row)).and_then(|row| self.row(row).first());
+        let first = row.and_then(|row| self.rows.get(row)).and_then(|row| self.row(row).into_iter().next());
         match first {
-            Some(cell) => self.error(cell, kind),
+            Some(cell) => self.error(&cell, kind),
             None => FormatError::new(self.path(), None, kind),
         }
     }

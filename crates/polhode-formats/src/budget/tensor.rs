@@ -19,7 +19,7 @@ impl<'s, 'a> Rows<'s, 'a> {
     /// The tensor of a part with this mass and centre; `None` if no column gives one.
     pub(super) fn tensor(
         &mut self,
-        cells: &Cells<'s, 'a>,
+        cells: &Cells<'_, 'a>,
         mass: f64,
         center: [f64; 3],
     ) -> Result<Option<GivenTensor>, FormatError> {
@@ -47,7 +47,7 @@ impl<'s, 'a> Rows<'s, 'a> {
     /// The point that a tensor is about.
     fn about(
         &mut self,
-        cells: &Cells<'s, 'a>,
+        cells: &Cells<'_, 'a>,
         tensor: &Cell<'a>,
         center: [f64; 3],
     ) -> Result<TensorPoint, FormatError> {
@@ -74,7 +74,7 @@ impl<'s, 'a> Rows<'s, 'a> {
     }
 
     /// `center`, `origin`, the name of a frame, or three lengths: `10 mm, 0, 0`.
-    fn named_point(&self, cell: &'s Cell<'a>) -> Result<About, FormatError> {
+    fn named_point(&self, cell: &Cell<'a>) -> Result<About, FormatError> {
         let label = self.reader.label_of(cell)?;
         let inside = label.trim_matches(['[', ']', '(', ')']);
         let begins = ['-', '+', '.', '\u{2212}'];
@@ -104,7 +104,7 @@ impl<'s, 'a> Rows<'s, 'a> {
     /// What the products of a row are: as it says, as the file says, or as only one sign makes a possible body.
     fn sign(
         &mut self,
-        cells: &Cells<'s, 'a>,
+        cells: &Cells<'_, 'a>,
         mass: f64,
         center: [f64; 3],
         moments: [f64; 3],
@@ -162,7 +162,7 @@ impl<'s, 'a> Rows<'s, 'a> {
     /// By how much moments may be larger than they are printed, such that a body that is possible stays so however its numbers were rounded.
     fn rounding(
         &self,
-        cells: &Cells<'s, 'a>,
+        cells: &Cells<'_, 'a>,
         mass: f64,
         center: [f64; 3],
         about: &TensorPoint,

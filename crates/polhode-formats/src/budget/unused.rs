@@ -30,8 +30,8 @@ pub(super) fn declared(
 ) -> Result<(), FormatError> {
     let of_rows: HashSet<&str> = configurations
         .iter()
-        .flat_map(|one| &one.budget.list().rows)
-        .filter_map(|row| row.group.as_deref())
+        .map(|one| one.budget.rows())
+        .flat_map(|rows| (0..rows.len()).filter_map(move |k| rows.group(k)))
         .chain(plan.tanks.iter().filter_map(|tank| tank.group.as_deref()))
         .collect();
     let mut groups = plan.groups.iter().zip(&plan.places.groups);

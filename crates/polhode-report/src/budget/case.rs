@@ -3,9 +3,9 @@
 use polhode::body::MassPropertiesGradient;
 use polhode::math::{Body, Direction};
 use polhode_budget::{
-    Basis, Budget, BudgetError, ComparedNumber, Comparison, Draws, Estimate, Evidence, Growth, Limit,
-    LimitAnswers, LimitError, MassStatement, Measure, NUMBERS, PrincipalUncertainty, Sensitivity, Subtotal,
-    Tilt, Uncertainty,
+    Basis, Budget, BudgetError, ComparedNumber, Comparison, Draws, Estimate, Evidence, Limit, LimitAnswers,
+    LimitError, MassStatement, Measure, NUMBERS, PrincipalUncertainty, Sensitivities, Sensitivity, Subtotal,
+    Tilt,
 };
 
 use super::BudgetOptions;
@@ -55,6 +55,8 @@ pub(super) struct SpreadResult {
     pub(super) of: ResultKind,
     pub(super) sd: f64,
     pub(super) by: Vec<Sensitivity>,
+    /// Variance by errors that are not among these.
+    pub(super) rest: f64,
 }
 
 /// Of what a number is.
@@ -83,11 +85,13 @@ pub(super) struct Drawn {
 const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
 
 impl Case {
+    /// `reached` is called with the number of bodies that are drawn.
     pub(super) fn new(
         name: Option<String>,
         budget: Budget,
         limits: &[Limit],
         options: &BudgetOptions,
+        reached: &mut dyn FnMut(usize),
     ) -> Result<Self, LimitError> {
         let statements = budget.mass_statements()?;
         let estimates = [budget.estimate(Basis::Basic)?, budget.estimate(Basis::Predicted)?];
@@ -96,7 +100,7 @@ impl Case {
         let tilts = tilts(estimate, options);
         let results = results(&budget, options.basis, estimate, &tilts, limits)?;
         let drawn = if options.draws > 0 {
-            let draws = budget.draws(options.basis, options.seed, options.draws)?;
+            let draws = budget.draws_watched(options.basis, options.seed, options.draws, reached)?;
             let comparison = draws.compare(estimate);
             let is_finite = |one: &&ComparedNumber| one.sd.is_finite() && one.sd_error.is_finite();
             if let Some(one) = comparison.numbers.iter().find(|one| !is_finite(one)) {
@@ -115,7 +119,7 @@ impl Case {
         };
         let limits = match &drawn {
             Some(Drawn { draws, .. }) if !limits.is_empty() => {
-                Some(tried(&budget, limits, options, &estimates, draws)?)
+                Some(tried(&budget, limits, options, &estimates, draws, reached)?)
             }
             _ => None,
         };
@@ -141,7 +145,7 @@ impl Case {
 
     /// What the list states that a row comes to, whatever is in its tanks.
     pub(super) fn subtotal(&self, row: usize) -> Option<Subtotal> {
-        self.dry.as_ref().unwrap_or(&self.budget).list().rows.get(row)?.subtotal
+        self.dry.as_ref().unwrap_or(&self.budget).rows().subtotal(row)
     }
 
     pub(super) fn principal(&self, basis: Basis) -> PrincipalUncertainty<Body> {
@@ -155,9 +159,9 @@ impl Case {
 
     /// A row's name without the root's before it.
     pub(super) fn short(&self, row: usize) -> &str {
-        let rows = &self.budget.list().rows;
-        let (name, root) = (&rows[row].name, &rows[self.budget.root()].name);
-        name.strip_prefix(root.as_str()).and_then(|rest| rest.strip_prefix('/')).unwrap_or(name)
+        let rows = self.budget.rows();
+        let (name, root) = (rows.name(row), rows.name(self.budget.root()));
+        name.strip_prefix(root).and_then(|rest| rest.strip_prefix('/')).unwrap_or(name)
     }
 
     /// The masses of all; the root may have copies.
@@ -168,7 +172,7 @@ impl Case {
     /// True if a part has a growth allowance.
     pub(super) fn grows(&self) -> bool {
         self.statements.iter().any(|statement| statement.predicted != statement.basic)
-            || self.budget.list().rows.iter().any(|row| row.growth != Growth::None)
+            || (0..self.budget.rows().len()).any(|row| self.budget.rows().grows(row))
     }
 
     /// Rows that with growth are heavier than allowed.
@@ -179,9 +183,9 @@ impl Case {
 
     /// How many parts are taken as exact, and how many there are.
     pub(super) fn exact_parts(&self) -> (usize, usize) {
-        let rows = &self.budget.list().rows;
-        let parts = || rows.iter().filter(|row| row.part.is_some());
-        (parts().filter(|row| row.uncertainty == Uncertainty::default()).count(), parts().count())
+        let rows = self.budget.rows();
+        let parts = || (0..rows.len()).filter(|row| rows.has_part(*row));
+        (parts().filter(|row| rows.is_exact(*row)).count(), parts().count())
     }
 }
 
@@ -192,13 +196,14 @@ fn tried(
     options: &BudgetOptions,
     estimates: &[Estimate<Body>; 2],
     draws: &Draws,
+    reached: &mut dyn FnMut(usize),
 ) -> Result<LimitAnswers, LimitError> {
     let other = match options.basis {
         Basis::Basic => Basis::Predicted,
         Basis::Predicted => Basis::Basic,
     };
     let others = if limits.iter().any(|limit| limit.basis == other) {
-        Some(budget.draws(other, options.seed, options.draws)?)
+        Some(budget.draws_watched(other, options.seed, options.draws, reached)?)
     } else {
         None
     };
@@ -275,13 +280,17 @@ fn results(
         }
     }
     let gradients: Vec<_> = asked.iter().map(|(.., gradient)| *gradient).collect();
-    let found = budget.sensitivities(basis, &gradients)?;
-    let result = |((name, unit, of, gradient), by): ((String, _, _, _), _)| {
+    let found = budget.sensitivities(basis, &gradients, MOST_ERRORS)?;
+    let result = |((name, unit, of, gradient), by): ((String, _, _, _), Sensitivities)| {
         let sd = estimate.sd_of(&gradient);
-        SpreadResult { name, unit, of, sd, by: if sd > 0.0 { by } else { Vec::new() } }
+        let Sensitivities { greatest, rest, .. } = if sd > 0.0 { by } else { Sensitivities::default() };
+        SpreadResult { name, unit, of, sd, by: greatest, rest }
     };
     Ok(asked.into_iter().zip(found).map(result).collect())
 }
+
+/// Errors of a result that are kept one by one: more than any report tells.
+const MOST_ERRORS: usize = 1000;
 
 pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 

@@ -1,6 +1,6 @@
 //! First order beside draws.
 
-use polhode_budget::{ComparedNumber, NUMBERS, PartUncertainty};
+use polhode_budget::{ComparedNumber, NUMBERS};
 
 use super::case::{Case, Drawn};
 use crate::explain::document::Section;
@@ -59,8 +59,8 @@ pub(super) fn difference_in_words(case: &Case) -> Option<String> {
 
 /// Whether there is a liquid with errors.
 fn has_liquid(case: &Case) -> bool {
-    let rows = &case.budget.list().rows;
-    rows.iter().any(|row| matches!(row.uncertainty.part, PartUncertainty::Liquid(_)))
+    let rows = case.budget.rows();
+    (0..rows.len()).any(|row| rows.is_uncertain_liquid(row))
 }
 
 /// Whether first order says what the error of a number is, by its place among those that are compared.

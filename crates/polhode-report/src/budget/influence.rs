@@ -103,7 +103,7 @@ pub(super) const fn kind_name(kind: ErrorKind) -> &'static str {
 pub(super) fn source_name(case: &Case, by: &Sensitivity) -> String {
     match by.source {
         Source::Row(k) => case.short(k).to_owned(),
-        Source::Group(k) => format!("group {}", case.budget.list().groups[k].name),
+        Source::Group(k) => format!("group {}", case.budget.groups()[k].name),
     }
 }
 

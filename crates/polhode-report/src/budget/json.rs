@@ -1,5 +1,7 @@
 //! A budget as data.
 
+use std::io;
+
 use polhode::math::{Body, Position, Rotation};
 use polhode_budget::{Basis, ComparedNumber, Estimate, MassStatement, NUMBERS};
 use serde_json::{Value, json};
@@ -9,7 +11,7 @@ use super::changing::Changing;
 use super::influence::{kind_name, share, source_name};
 use super::whole::{asked, correlation};
 use super::{BudgetReport, ballast, basis_name, limits, parts, principal};
-use crate::json::matrix;
+use crate::json::{matrix, pretty, pretty_at};
 use crate::{VERSION, finding};
 
 /// Errors of a number that are told one by one; the rest is told as a sum.
@@ -18,18 +20,45 @@ const ERRORS: usize = 25;
 impl BudgetReport {
     /// The report as data: SI, of each configuration.
     pub fn to_json(&self) -> Value {
+        self.with_rows(&|case| (0..case.statements.len()).map(|k| row(case, k)).collect())
+    }
+
+    /// Writes [`BudgetReport::to_json`] as [`pretty`](crate::pretty) prints it. Rows are written one by one, to save memory.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_json(&self, out: &mut dyn io::Write) -> io::Result<()> {
+        // The place of rows that are left out. Nothing else has this key without a value, and quotes in strings are escaped.
+        const LEFT_OUT: &str = "\"rows\": null";
+        let text = pretty(&self.with_rows(&|_| Value::Null));
+        let mut pieces = text.split(LEFT_OUT);
+        out.write_all(pieces.next().unwrap_or_default().as_bytes())?;
+        for (case, behind) in self.cases.iter().zip(pieces) {
+            out.write_all(b"\"rows\": [")?;
+            for k in 0..case.statements.len() {
+                let comma = if k > 0 { "," } else { "" };
+                // In the document, the list of configurations, a configuration and the list of rows.
+                let depth = 4;
+                write!(out, "{comma}\n{}{}", "  ".repeat(depth), pretty_at(&row(case, k), depth))?;
+            }
+            write!(out, "\n{}]{behind}", "  ".repeat(3))?;
+        }
+        Ok(())
+    }
+
+    fn with_rows(&self, rows: &dyn Fn(&Case) -> Value) -> Value {
         json!({
             "polhode": VERSION,
             "kind": "budget",
             "title": self.title,
             "sources": self.sources,
             "basis": basis_name(self.options.basis),
-            "configurations": self.cases.iter().map(|case| self.case_to_json(case)).collect::<Value>(),
+            "configurations": self.cases.iter().map(|case| self.case_to_json(case, rows(case))).collect::<Value>(),
             "findings": finding::to_json(&self.findings()),
         })
     }
 
-    fn case_to_json(&self, case: &Case) -> Value {
+    fn case_to_json(&self, case: &Case, rows: Value) -> Value {
         let basis = self.options.basis;
         let estimate = case.estimate(basis);
         json!({
@@ -46,7 +75,7 @@ impl BudgetReport {
             "errors": case.results.iter().map(|result| errors(case, result)).collect::<Value>(),
             "draws": case.drawn.as_ref().map(|drawn| self.drawn_to_json(drawn)),
             "picture": parts::solids(case, basis).map(|solids| solids.to_json()),
-            "rows": rows(case),
+            "rows": rows,
         })
     }
 
@@ -158,7 +187,7 @@ fn errors(case: &Case, result: &SpreadResult) -> Value {
             "share": share(result, by),
         })
     };
-    let rest: f64 = result.by.iter().skip(ERRORS).map(|by| by.variance).sum();
+    let rest = result.by.iter().skip(ERRORS).map(|by| by.variance).sum::<f64>() + result.rest;
     json!({
         "number": result.name,
         "unit": result.unit,
@@ -168,21 +197,14 @@ fn errors(case: &Case, result: &SpreadResult) -> Value {
     })
 }
 
-fn rows(case: &Case) -> Value {
-    let list = case.budget.list();
-    let parents = case.budget.parents();
-    let row = |(k, row): (usize, &polhode_budget::Row)| {
-        let mut value = statement(&case.statements[k]);
-        if let Some(map) = value.as_object_mut() {
-            map.shift_insert(0, "name".to_owned(), Value::from(row.name.clone()));
-            map.shift_insert(
-                1,
-                "in".to_owned(),
-                parents[k].map_or(Value::Null, |parent| Value::from(list.rows[parent].name.clone())),
-            );
-            map.shift_insert(2, "quantity".to_owned(), Value::from(row.quantity.count));
-        }
-        value
-    };
-    list.rows.iter().enumerate().map(row).collect()
+fn row(case: &Case, k: usize) -> Value {
+    let rows = case.budget.rows();
+    let mut value = statement(&case.statements[k]);
+    if let Some(map) = value.as_object_mut() {
+        map.shift_insert(0, "name".to_owned(), Value::from(rows.name(k)));
+        let parent = case.budget.parent(k).map_or(Value::Null, |parent| Value::from(rows.name(parent)));
+        map.shift_insert(1, "in".to_owned(), parent);
+        map.shift_insert(2, "quantity".to_owned(), Value::from(rows.quantity(k).count));
+    }
+    value
 }

@@ -25,8 +25,8 @@ pub(super) fn section(case: &Case) -> Section {
     if left_out > 0 {
         section.say(format!("{} more rows are in --json and --csv.", count(left_out as u64)));
     }
-    let inside = case.budget.parents().iter().flatten();
-    if inside.clone().any(|&k| case.budget.list().rows[k].quantity.count > 1) {
+    let (budget, rows) = (&case.budget, case.budget.rows());
+    if (0..rows.len()).any(|k| budget.has_rows_in(k) && rows.quantity(k).count > 1) {
         section.say("Each mass is of all copies of a row in one of the row in which it stands.");
     }
     section.draw(Drawing::Bars(waterfall(case, &tree)));
@@ -48,56 +48,77 @@ pub(super) fn margin_in_words(case: &Case) -> Option<String> {
 
 /// Rows by the row in which they stand.
 struct Tree {
-    inside: Vec<Vec<usize>>,
-    depth: Vec<usize>,
-    /// Each row before those in it.
-    order: Vec<usize>,
+    /// Start of the children of each row in `children`; they end at the next start.
+    starts: Vec<u32>,
+    children: Vec<u32>,
+    depth: Vec<u32>,
+    /// Each row before those in it, and all in it before its next sibling.
+    order: Vec<u32>,
 }
 
 impl Tree {
     fn of(case: &Case) -> Self {
-        let parents = case.budget.parents();
-        let mut inside = vec![Vec::new(); parents.len()];
-        for (k, parent) in parents.iter().enumerate() {
-            if let Some(parent) = parent {
-                inside[*parent].push(k);
+        let (budget, count) = (&case.budget, case.statements.len());
+        let mut starts = vec![0; count + 1];
+        (0..count).filter_map(|k| budget.parent(k)).for_each(|parent| starts[parent + 1] += 1);
+        (0..count).for_each(|k| starts[k + 1] += starts[k]);
+        let mut children = vec![0; starts[count] as usize];
+        let mut next = starts.clone();
+        for k in 0..count {
+            if let Some(parent) = budget.parent(k) {
+                children[next[parent] as usize] = k as u32; // a budget has fewer than 2³² rows
+                next[parent] += 1;
             }
         }
-        let (mut depth, mut order) = (vec![0; parents.len()], Vec::with_capacity(parents.len()));
-        let mut next = vec![case.budget.root()];
-        while let Some(k) = next.pop() {
-            order.push(k);
-            for &child in inside[k].iter().rev() {
-                depth[child] = depth[k] + 1;
-                next.push(child);
+        let mut tree = Self { starts, children, depth: vec![0; count], order: Vec::with_capacity(count) };
+        let mut open = vec![budget.root()];
+        while let Some(k) = open.pop() {
+            tree.order.push(k as u32);
+            let depth = tree.depth[k] + 1;
+            for at in (tree.starts[k] as usize..tree.starts[k + 1] as usize).rev() {
+                let child = tree.children[at] as usize;
+                tree.depth[child] = depth;
+                open.push(child);
             }
         }
-        Self { inside, depth, order }
+        tree
+    }
+
+    /// The rows in a row.
+    fn inside(&self, row: usize) -> impl ExactSizeIterator<Item = usize> + '_ {
+        let range = self.starts[row] as usize..self.starts[row + 1] as usize;
+        self.children[range].iter().map(|child| *child as usize)
+    }
+
+    fn order(&self) -> impl Iterator<Item = usize> + '_ {
+        self.order.iter().map(|row| *row as usize)
     }
 
     /// So many levels as there is room for, of a level too long its heaviest rows, and whatever is too heavy.
     fn shown(&self, case: &Case) -> Vec<usize> {
         let deepest = self.depth.iter().copied().max().unwrap_or(0);
-        let within = |level: usize| self.depth.iter().filter(|depth| **depth <= level).count();
-        let level = (0..=deepest).rev().find(|&level| within(level) <= SHOWN).unwrap_or(0);
+        // How many rows are at most so deep.
+        let mut within = vec![0; deepest as usize + 1];
+        self.depth.iter().for_each(|depth| within[*depth as usize] += 1);
+        (1..within.len()).for_each(|level| within[level] += within[level - 1]);
+        let level = within.iter().rposition(|count| *count <= SHOWN).unwrap_or(0) as u32;
         let mut is_shown: Vec<bool> = self.depth.iter().map(|depth| *depth <= level).collect();
-        let mut heaviest: Vec<usize> =
-            self.order.iter().copied().filter(|&k| self.depth[k] == level + 1).collect();
+        let mut heaviest: Vec<usize> = self.order().filter(|&k| self.depth[k] == level + 1).collect();
         heaviest.sort_by(|&a, &b| case.statements[b].predicted.total_cmp(&case.statements[a].predicted));
-        let room = SHOWN.saturating_sub(within(level));
+        let room = SHOWN.saturating_sub(within[level as usize]);
         heaviest
             .iter()
             .take(room)
             .chain(&case.exceeded().take(SHOWN).collect::<Vec<_>>())
             .for_each(|&k| is_shown[k] = true);
-        self.order.iter().copied().filter(|&k| is_shown[k]).collect()
+        self.order().filter(|&k| is_shown[k]).collect()
     }
 }
 
 fn table(section: &mut Section, case: &Case, tree: &Tree, shown: &[usize]) {
-    let rows = &case.budget.list().rows;
+    let rows = case.budget.rows();
     let statements: Vec<&MassStatement> = shown.iter().map(|&k| &case.statements[k]).collect();
-    let is_quantity = shown.iter().any(|&k| rows[k].quantity.count > 1);
+    let is_quantity = shown.iter().any(|&k| rows.quantity(k).count > 1);
     let is_allowed = statements.iter().any(|statement| statement.allowable.is_some());
     let (mut headers, mut columns): (Vec<&str>, Vec<Vec<String>>) = (Vec::new(), Vec::new());
     let mut column = |header, cells| {
@@ -105,11 +126,11 @@ fn table(section: &mut Section, case: &Case, tree: &Tree, shown: &[usize]) {
         columns.push(cells);
     };
     let name = |&k: &usize| {
-        let name = &rows[k].name;
+        let name = rows.name(k);
         // What a path says before is said by where the row stands.
-        let parent = case.budget.parents()[k].map(|parent| rows[parent].name.as_str());
+        let parent = case.budget.parent(k).map(|parent| rows.name(parent));
         let short = parent.and_then(|parent| name.strip_prefix(parent)?.strip_prefix('/')).unwrap_or(name);
-        format!("{}{}", INDENT.to_string().repeat(2 * tree.depth[k]), printable(short))
+        format!("{}{}", INDENT.to_string().repeat(2 * tree.depth[k] as usize), printable(short))
     };
     let masses = |of: &dyn Fn(&MassStatement) -> Option<f64>| -> Vec<String> {
         let values: Vec<Option<f64>> = statements.iter().map(|statement| of(statement)).collect();
@@ -119,7 +140,7 @@ fn table(section: &mut Section, case: &Case, tree: &Tree, shown: &[usize]) {
     };
     column("part", shown.iter().map(name).collect());
     if is_quantity {
-        let copies = |&k: &usize| match rows[k].quantity.count {
+        let copies = |&k: &usize| match rows.quantity(k).count {
             1 => String::new(),
             n => format!("{} ×", count(u64::from(n))),
         };
@@ -145,18 +166,18 @@ fn table(section: &mut Section, case: &Case, tree: &Tree, shown: &[usize]) {
 
 /// The greatest parts of the whole one after the other, then growth, then what is left.
 fn waterfall(case: &Case, tree: &Tree) -> Bars {
-    let rows = &case.budget.list().rows;
+    let rows = case.budget.rows();
     let whole = case.whole_statement();
     let mut front = vec![case.budget.root()];
     // The heaviest assembly is opened while there is room for what is in it.
     while let Some((place, &k)) = front
         .iter()
         .enumerate()
-        .filter(|(_, k)| !tree.inside[**k].is_empty() && rows[**k].part.is_none() && is_one_of_one(case, **k))
-        .filter(|(_, k)| front.len() - 1 + tree.inside[**k].len() <= BARS)
+        .filter(|(_, k)| tree.inside(**k).len() > 0 && !rows.has_part(**k) && rows.quantity(**k).count == 1)
+        .filter(|(_, k)| front.len() - 1 + tree.inside(**k).len() <= BARS)
         .max_by(|(_, a), (_, b)| case.statements[**a].basic.total_cmp(&case.statements[**b].basic))
     {
-        front.splice(place..=place, tree.inside[k].iter().copied());
+        front.splice(place..=place, tree.inside(k));
     }
     let mut bars: Vec<Bar> = Vec::new();
     let mut sum = 0.0;
@@ -183,9 +204,4 @@ fn waterfall(case: &Case, tree: &Tree) -> Bars {
         kinds: vec!["basic mass", "growth allowance", "margin", "", "", "negative margin"],
         panels: vec![BarPanel { title: "What the mass is made of".to_owned(), across: ["mass", "kg"], bars }],
     }
-}
-
-/// Whether what stands in it counts as often in the whole as its statement says.
-fn is_one_of_one(case: &Case, row: usize) -> bool {
-    case.budget.list().rows[row].quantity.count == 1
 }

@@ -81,7 +81,22 @@ impl BudgetReport {
         limits: Vec<Limit>,
         options: BudgetOptions,
     ) -> Result<Self, LimitError> {
-        let case = |(name, budget)| Case::new(name, budget, &limits, &options);
+        Self::watched(title, sources, configurations, limits, options, &mut |_| ())
+    }
+
+    /// Computes the report as [`BudgetReport::new`] does, and calls `reached` with the number of drawn bodies of a configuration.
+    ///
+    /// # Errors
+    /// As [`BudgetReport::new`].
+    pub fn watched(
+        title: Option<&str>,
+        sources: Vec<String>,
+        configurations: Vec<(Option<String>, Budget)>,
+        limits: Vec<Limit>,
+        options: BudgetOptions,
+        reached: &mut dyn FnMut(usize),
+    ) -> Result<Self, LimitError> {
+        let case = |(name, budget)| Case::new(name, budget, &limits, &options, reached);
         let cases: Vec<Case> = configurations.into_iter().map(case).collect::<Result<_, _>>()?;
         if cases.is_empty() {
             return Err(BudgetError::Empty.into());
@@ -100,13 +115,15 @@ impl BudgetReport {
         })
     }
 
-    /// How many bodies of a list of so many rows are drawn in some ten seconds: 200 at least, 10,000 at most.
+    /// Bodies that are drawn of a list that is not long.
+    pub const DRAWS: usize = 10_000;
+
+    /// Default number of draws: [`Self::DRAWS`]; for long lists fewer, which take some ten seconds, and 200 at least.
     pub fn affordable_draws(rows: usize) -> usize {
         /// Rows times draws.
         const ROWS: usize = 20_000_000;
         const LEAST: usize = 200;
-        const MOST: usize = 10_000;
-        (ROWS / rows.max(1)).clamp(LEAST, MOST)
+        (ROWS / rows.max(1)).clamp(LEAST, Self::DRAWS)
     }
 
     /// With the least ballast by which each configuration meets the limits; those for which none can be sought are left out, and named.
@@ -238,8 +255,7 @@ impl BudgetReport {
             };
             let exceeded: Vec<usize> = case.exceeded().collect();
             if let [first, ..] = exceeded[..] {
-                let rows = case.budget.list();
-                let names = printable(&rows.rows[first].name);
+                let names = printable(case.budget.rows().name(first));
                 let others = match exceeded.len() {
                     1 => String::new(),
                     n => format!(" and {} more", count(n as u64 - 1)),
@@ -284,7 +300,7 @@ fn about_in_range(case: &Case, options: &BudgetOptions) -> Result<(), BudgetErro
         return Ok(());
     }
     let row = case.budget.root();
-    let name = case.budget.list().rows[row].name.clone();
+    let name = case.budget.rows().name(row).to_owned();
     let what = "the greatest coordinate of the point that the tensor is wanted about";
     let rule = "so small that mass times its square, and the variance of that, are numbers";
     Err(BudgetError::Value { row: RowName { row, name }, what, value: point.max_abs(), rule })

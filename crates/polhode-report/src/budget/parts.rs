@@ -45,24 +45,20 @@ pub(super) fn section(case: &Case, basis: Basis) -> Option<Section> {
 }
 
 pub(super) fn solids(case: &Case, basis: Basis) -> Option<Solids> {
-    let parts = case.budget.parts(basis).ok()?;
-    let mut all: Vec<(usize, MassProperties<Body>)> =
-        parts.into_iter().enumerate().filter_map(|(k, part)| Some((k, part?))).collect();
-    let left_out = all.len().saturating_sub(MOST);
-    all.sort_by(|(_, a), (_, b)| b.mass().total_cmp(&a.mass()));
-    all.truncate(MOST);
-    let heads = heads(case);
+    let (left_out, all) = heaviest(case, basis)?;
+    let head = |(k, _): &(usize, MassProperties<Body>)| head(case, *k);
+    let heads: Vec<usize> = all.iter().map(head).collect();
     let mut groups: Vec<usize> = Vec::new();
-    for (k, _) in &all {
-        if !groups.contains(&heads[*k]) && groups.len() < GROUPS {
-            groups.push(heads[*k]);
+    for head in &heads {
+        if !groups.contains(head) && groups.len() < GROUPS {
+            groups.push(*head);
         }
     }
-    let solid = |(k, part): &(usize, MassProperties<Body>)| Solid {
+    let solid = |((k, part), own): (&(usize, MassProperties<Body>), &usize)| Solid {
         name: case.short(*k).to_owned(),
         center: part.center_of_mass().to_array(),
         halves: halves(part),
-        group: groups.iter().position(|head| *head == heads[*k]).unwrap_or(GROUPS),
+        group: groups.iter().position(|head| head == own).unwrap_or(GROUPS),
     };
     let whole = case.estimate(basis).properties;
     let frame = whole.principal();
@@ -75,26 +71,42 @@ pub(super) fn solids(case: &Case, basis: Basis) -> Option<Solids> {
         caption: format!(
             "Each part is drawn as the box that has its mass, centre of mass and inertia tensor; a point is a small cube. All views but the last have one scale.{of_many}"
         ),
-        solids: all.iter().map(solid).collect(),
+        solids: all.iter().zip(&heads).map(solid).collect(),
         groups: groups.iter().map(|&k| case.short(k).to_owned()).collect(),
         center: whole.center_of_mass().to_array(),
         axes: [0, 1, 2].map(|k| frame.axis(k).to_array()),
     })
 }
 
-/// Of each row the one below the root that it is in; the root of itself.
-fn heads(case: &Case) -> Vec<usize> {
-    let parents = case.budget.parents();
+/// The parts with the greatest masses, the greatest first, and how many others there are; `None` if one overflows.
+fn heaviest(case: &Case, basis: Basis) -> Option<(usize, Vec<(usize, MassProperties<Body>)>)> {
+    let (mut masses, mut count) = (Vec::new(), 0);
+    for k in 0..case.budget.rows().len() {
+        let Some(part) = case.budget.own(k, basis).ok()? else { continue };
+        count += 1;
+        masses.push((k, part.mass()));
+        if masses.len() > 2 * MOST {
+            shorten(&mut masses);
+        }
+    }
+    shorten(&mut masses);
+    let parts = masses.into_iter().map(|(k, _)| Some((k, case.budget.own(k, basis).ok()??)));
+    Some((count - count.min(MOST), parts.collect::<Option<_>>()?))
+}
+
+fn shorten(masses: &mut Vec<(usize, f64)>) {
+    masses.sort_by(|(_, a), (_, b)| b.total_cmp(a));
+    masses.truncate(MOST);
+}
+
+/// The row below the root in which a row is; the root itself of the root.
+fn head(case: &Case, row: usize) -> usize {
     let root = case.budget.root();
-    (0..parents.len())
-        .map(|row| {
-            let mut head = row;
-            while let Some(parent) = parents[head].filter(|parent| *parent != root) {
-                head = parent;
-            }
-            head
-        })
-        .collect()
+    let mut head = row;
+    while let Some(parent) = case.budget.parent(head).filter(|parent| *parent != root) {
+        head = parent;
+    }
+    head
 }
 
 /// Of the box with these mass properties: ∫x² dm = m h²/3 along each axis.

@@ -1,5 +1,7 @@
 //! The rows of a budget as a table, for spreadsheets.
 
+use std::io;
+
 use polhode_budget::{Basis, BudgetError, NUMBERS};
 
 use super::case::{Case, ten};
@@ -57,9 +59,23 @@ impl BudgetReport {
     /// # Errors
     /// As [`polhode_budget::Budget::subtrees`].
     pub fn to_csv(&self) -> Result<String, BudgetError> {
-        let mut rows = vec![headings(&COLUMNS)];
-        rows.extend(self.rows()?);
-        Ok(to_csv(&rows))
+        let mut text = line(&headings(&COLUMNS));
+        let written = self.each_row(&mut |row| {
+            text.push_str(&line(&row));
+            Ok(())
+        })?;
+        written.map_or_else(|_| Ok(String::new()), |()| Ok(text)) // a text takes all that is written
+    }
+
+    /// Writes [`BudgetReport::to_csv`] line by line.
+    ///
+    /// # Errors
+    /// As [`BudgetReport::to_csv`]; inside those of `out`.
+    pub fn write_csv(&self, out: &mut dyn io::Write) -> Result<io::Result<()>, BudgetError> {
+        if let Err(error) = out.write_all(line(&headings(&COLUMNS)).as_bytes()) {
+            return Ok(Err(error));
+        }
+        self.each_row(&mut |row| out.write_all(line(&row).as_bytes()))
     }
 
     /// The same as a workbook, and besides it the ten numbers of each configuration with their errors, and their covariance; and the body over time and by what is in its tanks, as far as
@@ -69,7 +85,13 @@ impl BudgetReport {
     /// As [`BudgetReport::to_csv`].
     pub fn to_sheets(&self) -> Result<Vec<Sheet>, BudgetError> {
         let mut parts = vec![headings(&COLUMNS)];
-        parts.extend(self.rows()?);
+        let written = self.each_row(&mut |row| {
+            parts.push(row);
+            Ok(())
+        })?;
+        if written.is_err() {
+            return Ok(Vec::new()); // a list takes all rows
+        }
         let mut whole = vec![headings(&["configuration", "basis", "number", "unit", "value", "sd"])];
         let mut names = vec!["configuration", "basis", "covariance of", "unit"];
         names.extend(NUMBERS.iter().map(|(name, _)| *name));
@@ -101,33 +123,36 @@ impl BudgetReport {
         Ok(all)
     }
 
-    fn rows(&self) -> Result<Vec<Vec<Cell>>, BudgetError> {
+    fn each_row(
+        &self,
+        each: &mut dyn FnMut(Vec<Cell>) -> io::Result<()>,
+    ) -> Result<io::Result<()>, BudgetError> {
         let basis = self.options.basis;
-        let mut all = Vec::new();
         for case in &self.cases {
             let subtrees = case.budget.subtrees(basis)?;
-            let rows = &case.budget.list().rows;
-            for (k, row) in rows.iter().enumerate() {
+            let rows = case.budget.rows();
+            for (k, statement) in case.statements.iter().enumerate() {
                 let number = |number: Option<f64>| number.map_or(Cell::Empty, Cell::Number);
-                let statement = &case.statements[k];
-                let parent = case.budget.parents()[k].map(|parent| rows[parent].name.as_str());
+                let parent = case.budget.parent(k).map(|parent| rows.name(parent));
                 let mut cells = vec![
                     Cell::of_option(case.name.as_deref()),
-                    Cell::of(&row.name),
+                    Cell::of(rows.name(k)),
                     Cell::of_option(parent),
-                    Cell::Number(f64::from(row.quantity.count)),
+                    Cell::Number(f64::from(rows.quantity(k).count)),
                     Cell::Number(statement.basic),
                     Cell::Number(statement.predicted),
                     number(statement.allowable),
                     number(statement.margin()),
                     Cell::of(basis_name(basis)),
                 ];
-                let numbers = subtrees[k].as_ref().map(ten);
+                let numbers = subtrees.of(k)?.as_ref().map(ten);
                 cells.extend((0..10).map(|k| number(numbers.map(|numbers| numbers[k]))));
-                all.push(cells);
+                if let Err(error) = each(cells) {
+                    return Ok(Err(error));
+                }
             }
         }
-        Ok(all)
+        Ok(Ok(()))
     }
 }
 
@@ -137,8 +162,11 @@ fn headings(names: &[&str]) -> Vec<Cell> {
 
 /// A line for each row.
 pub(super) fn to_csv(rows: &[Vec<Cell>]) -> String {
-    let line = |row: &Vec<Cell>| row.iter().map(Cell::to_csv).collect::<Vec<_>>().join(",") + "\n";
-    rows.iter().map(line).collect()
+    rows.iter().map(|row| line(row)).collect()
+}
+
+fn line(row: &[Cell]) -> String {
+    row.iter().map(Cell::to_csv).collect::<Vec<_>>().join(",") + "\n"
 }
 
 impl Cell {

@@ -3,11 +3,14 @@
 use polhode::math::Position;
 use polhode_budget::Basis;
 
-use crate::budget::Questions;
+use crate::budget::{MOST_DRAWS, Questions};
 use crate::error::FormatError;
 use crate::scenario::reader::Table;
 use crate::scenario::rotation::rotation;
 use crate::unit::Dimension;
+
+/// Fewer draws determine no standard deviation.
+const LEAST_DRAWS: usize = 10;
 
 /// Reads `[result]`.
 pub(super) fn questions(table: &Table<'_>) -> Result<Questions, FormatError> {
@@ -20,12 +23,10 @@ pub(super) fn questions(table: &Table<'_>) -> Result<Questions, FormatError> {
         questions.axes = Some(rotation(&value)?);
     }
     if let Some(value) = table.get("draws") {
-        /// What fits into the memory of any machine.
-        const MOST: usize = 10_000_000;
-        questions.draws = usize::try_from(value.count()?)
-            .ok()
-            .filter(|draws| (1..=MOST).contains(draws))
-            .ok_or_else(|| value.invalid(format!("from 1 to {MOST}")))?;
+        let draws = usize::try_from(value.count()?).ok();
+        let draws = draws.filter(|draws| (LEAST_DRAWS..=MOST_DRAWS).contains(draws));
+        let rule = || format!("from {LEAST_DRAWS} to {MOST_DRAWS}");
+        questions.draws = Some(draws.ok_or_else(|| value.invalid(rule()))?);
     }
     if let Some(value) = table.get("seed") {
         questions.seed = value.count()?;

@@ -143,7 +143,7 @@ struct Column {
 pub(super) fn of_sheet(sheet: &Sheet<'_>, sign: Option<ProductSign>) -> Result<LiquidTable, FormatError> {
     let mut rows = sheet.rows.iter();
     let headings = rows.next().map(|row| sheet.row(row)).unwrap_or_default();
-    let mut columns = columns(sheet, headings)?;
+    let mut columns = columns(sheet, &headings)?;
     let mut states = States::default();
     for (k, row) in rows.enumerate() {
         let cells = sheet.row(row);
@@ -198,8 +198,8 @@ fn empty(sheet: &Sheet<'_>, row: usize, name: &str) -> FormatError {
 fn columns(sheet: &Sheet<'_>, headings: &[Cell<'_>]) -> Result<Vec<Column>, FormatError> {
     let mut all: Vec<Column> = Vec::new();
     for cell in headings {
-        if let Content::Broken(rule) = cell.content {
-            return Err(sheet.invalid(cell, "the heading", rule));
+        if let Content::Broken(broken) = cell.content {
+            return Err(sheet.invalid(cell, "the heading", broken.rule()));
         }
         let (name, unit) = split(&cell.text);
         let name = plain(name);
@@ -239,8 +239,8 @@ fn columns(sheet: &Sheet<'_>, headings: &[Cell<'_>]) -> Result<Vec<Column>, Form
 impl Column {
     fn number(&mut self, sheet: &Sheet<'_>, cell: &Cell<'_>) -> Result<f64, FormatError> {
         let name = NAMES[self.key];
-        if let Content::Broken(rule) = cell.content {
-            return Err(sheet.invalid(cell, name, rule));
+        if let Content::Broken(broken) = cell.content {
+            return Err(sheet.invalid(cell, name, broken.rule()));
         }
         let is_text = cell.content == Content::Text;
         let has_comma = is_text && cell.text.contains(',');

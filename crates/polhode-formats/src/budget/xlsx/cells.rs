@@ -8,9 +8,9 @@ use quick_xml::events::BytesStart;
 
 use super::format::Format;
 use super::plain;
-use super::strings::is;
+use super::strings::{Strings, is};
 use super::value::{Kind, RawText, Written, truth, value};
-use crate::budget::sheet::{Cell, Content, SheetRow};
+use crate::budget::sheet::{Broken, Cell, Content, SheetRow};
 use crate::content::{ContentError, ContentErrorKind};
 use crate::package::xml::{Token, Xml};
 
@@ -21,27 +21,39 @@ const MOST_COLUMNS: usize = 1 << 14;
 /// More cells than any parts list has.
 const MOST_CELLS: usize = 16_000_000;
 
-const MERGED: &str = "in a cell of its own: it is merged with others";
+/// Bytes of text in one sheet.
+const MOST_TEXT: usize = 1 << 31;
 
-/// A sheet, as its entry has it.
+/// A sheet, as its entry has it, without cells that are empty.
 #[derive(Debug, Default)]
-pub(super) struct RawSheet {
+pub(in crate::budget) struct RawSheet {
+    rows: Vec<SheetRow>,
     /// In the order of rows, and in them of columns.
     cells: Vec<RawCell>,
     /// The texts of cells that are no strings of the workbook, one behind the other.
     texts: String,
-    hidden_rows: Vec<usize>,
     hidden_columns: Vec<RangeInclusive<usize>>,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 struct RawCell {
-    /// From 1.
-    row: usize,
+    /// The byte at which its text begins, or the number of its string.
+    start: u32,
+    /// Bytes of its text, or [`SHARED`].
+    length: u32,
     /// From 0.
-    column: usize,
-    text: RawText,
+    column: u16,
     content: Content,
+}
+
+/// The length of a text that is a string of the workbook.
+const SHARED: u32 = u32::MAX;
+
+/// The cells of a sheet and the strings that they share.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::budget) struct Cells<'a> {
+    sheet: &'a RawSheet,
+    strings: &'a Strings,
 }
 
 /// Where the next cell is, and where the last was.
@@ -49,6 +61,29 @@ struct RawCell {
 struct Position {
     row: usize,
     column: usize,
+    /// True if spreadsheet programs do not show the row.
+    is_hidden: bool,
+}
+
+impl<'a> Cells<'a> {
+    pub(super) const fn of(sheet: &'a RawSheet, strings: &'a Strings) -> Self {
+        Self { sheet, strings }
+    }
+
+    /// The cells of a row.
+    pub(in crate::budget) fn row(&self, row: &SheetRow) -> Vec<Cell<'a>> {
+        let cells = self.sheet.cells.get(row.start as usize..row.end as usize).unwrap_or_default();
+        let cell = |RawCell { start, length, column, content }: &RawCell| {
+            let start = *start as usize;
+            let text = match *length {
+                SHARED => self.strings.get(start).unwrap_or_default().trim(),
+                length => self.sheet.texts.get(start..start + length as usize).unwrap_or_default(),
+            };
+            let (row, column) = (row.number as usize, usize::from(*column));
+            Cell { row, column, span: 0..0, text: Cow::Borrowed(text), content: *content }
+        };
+        cells.iter().map(cell).collect()
+    }
 }
 
 impl RawSheet {
@@ -56,7 +91,7 @@ impl RawSheet {
     pub(super) fn read(
         mut xml: Xml<'_, '_>,
         formats: &[Format],
-        strings: usize,
+        strings: &Strings,
     ) -> Result<Self, ContentError> {
         let mut sheet = Self::default();
         let mut at = Position::default();
@@ -66,9 +101,13 @@ impl RawSheet {
                 Token::Start(element) if is(&element, "c") => {
                     let Head { column, format, kind } = head(&xml, &element, &at, formats)?;
                     drop(element);
-                    let value = value(&mut xml, &mut buffer, kind, format, strings, &mut sheet.texts)?;
+                    let value = value(&mut xml, &mut buffer, kind, format, strings.len(), &mut sheet.texts)?;
                     if let Some((text, content)) = value {
-                        sheet.cells.push(RawCell { row: at.row, column, text, content });
+                        sheet.add(&at, column, text, content, strings);
+                    }
+                    if sheet.texts.len() > MOST_TEXT {
+                        let what = format!("more than {MOST_TEXT} bytes of text in a sheet");
+                        return Err(xml.error(ContentErrorKind::Unsupported { what }));
                     }
                     if sheet.cells.len() > MOST_CELLS {
                         let what = format!("more than {MOST_CELLS} cells");
@@ -79,8 +118,7 @@ impl RawSheet {
                 }
                 Token::Start(element) if is(&element, "row") => {
                     let (number, is_hidden) = row(&xml, &element, &at)?;
-                    at = Position { row: number, column: 0 };
-                    sheet.hidden_rows.extend(is_hidden.then_some(number));
+                    at = Position { row: number, column: 0, is_hidden };
                     sheet.pass(&mut xml, &mut at, formats, strings);
                 }
                 Token::Start(element) if is(&element, "col") => {
@@ -105,13 +143,13 @@ impl RawSheet {
     }
 
     /// Reads the plain cells that come next.
-    fn pass(&mut self, xml: &mut Xml<'_, '_>, at: &mut Position, formats: &[Format], strings: usize) {
+    fn pass(&mut self, xml: &mut Xml<'_, '_>, at: &mut Position, formats: &[Format], strings: &Strings) {
         let bytes = xml.ahead();
         let mut rest = bytes;
-        while let Some((cell, behind)) = plain::cell(rest).filter(|_| self.cells.len() < MOST_CELLS) {
+        while let Some((cell, behind)) = plain::cell(rest).filter(|_| self.has_room()) {
             let place = parsed(cell.name)
                 .filter(|(row, column)| *row == at.row && (at.column..MOST_COLUMNS).contains(column));
-            let Some((row, column)) = place else { break };
+            let Some((_, column)) = place else { break };
             let start = self.texts.len();
             self.texts.push_str(cell.text);
             let written = Written {
@@ -121,11 +159,13 @@ impl RawSheet {
                 is_text: cell.is_text,
                 start,
             };
-            let Ok(value) = written.content(strings, &mut self.texts) else {
+            let Ok(value) = written.content(strings.len(), &mut self.texts) else {
                 self.texts.truncate(start);
                 break;
             };
-            self.cells.extend(value.map(|(text, content)| RawCell { row, column, text, content }));
+            if let Some((text, content)) = value {
+                self.add(at, column, text, content, strings);
+            }
             at.column = column + 1;
             rest = behind;
         }
@@ -133,50 +173,60 @@ impl RawSheet {
         xml.pass(count);
     }
 
-    pub(super) fn is_empty(&self) -> bool {
+    const fn has_room(&self) -> bool {
+        self.cells.len() < MOST_CELLS && self.texts.len() < MOST_TEXT
+    }
+
+    /// Adds a cell unless it is empty.
+    fn add(&mut self, at: &Position, column: usize, text: RawText, content: Content, strings: &Strings) {
+        let (start, length) = match text {
+            RawText::Own(range) => {
+                let text = self.texts.get(range.clone()).unwrap_or_default();
+                let before = text.len() - text.trim_start().len();
+                (range.start + before, text.trim().len())
+            }
+            RawText::Shared(number) if strings.get(number).is_none_or(|text| text.trim().is_empty()) => {
+                (0, 0)
+            }
+            RawText::Shared(number) => (number, SHARED as usize),
+        };
+        if length == 0 {
+            return;
+        }
+        // What is larger than these types is refused by its number.
+        let cell = RawCell { start: start as u32, length: length as u32, column: column as u16, content };
+        self.cells.push(cell);
+        let (number, end) = (at.row as u32, self.cells.len() as u32);
+        match self.rows.last_mut() {
+            Some(last) if last.number == number => last.end = end,
+            _ => self.rows.push(SheetRow { number, start: end - 1, end, is_hidden: at.is_hidden }),
+        }
+    }
+
+    pub(super) const fn is_empty(&self) -> bool {
         self.cells.is_empty()
+    }
+
+    /// The rows that are not empty.
+    pub(super) fn rows(&self) -> &[SheetRow] {
+        &self.rows
     }
 
     /// Marks the cell that is shown over several, if anything stands in it.
     fn merge(&mut self, range: &str) {
         let Some((first, last)) = range.split_once(':') else { return };
-        let Some(first) = parsed(first).filter(|_| first != last) else { return };
-        let found = self.cells.binary_search_by_key(&first, |cell| (cell.row, cell.column));
-        if let Some(cell) = found.ok().and_then(|k| self.cells.get_mut(k)) {
-            cell.content = Content::Broken(MERGED);
+        let Some((number, column)) = parsed(first).filter(|_| first != last) else { return };
+        let row = self.rows.binary_search_by_key(&number, |row| row.number as usize);
+        let Some(row) = row.ok().and_then(|k| self.rows.get(k)) else { return };
+        let cells = self.cells.get_mut(row.start as usize..row.end as usize).unwrap_or_default();
+        if let Some(cell) = cells.iter_mut().find(|cell| usize::from(cell.column) == column) {
+            cell.content = Content::Broken(Broken::Merged);
         }
-    }
-
-    /// Rows and cells as tables have them.
-    pub(super) fn rows<'a>(&'a self, strings: &'a [String]) -> (Vec<SheetRow>, Vec<Cell<'a>>) {
-        let mut rows: Vec<SheetRow> = Vec::new();
-        let mut cells = Vec::with_capacity(self.cells.len());
-        for RawCell { row, column, text, content } in &self.cells {
-            let text = match text {
-                RawText::Own(range) => self.texts.get(range.clone()).unwrap_or_default(),
-                RawText::Shared(number) => strings.get(*number).map_or("", String::as_str),
-            };
-            let text = text.trim();
-            if text.is_empty() {
-                continue;
-            }
-            let at = cells.len();
-            match rows.last_mut() {
-                Some(last) if last.number == *row => last.cells.end = at + 1,
-                _ => {
-                    let is_hidden = self.hidden_rows.binary_search(row).is_ok();
-                    rows.push(SheetRow { number: *row, cells: at..at + 1, is_hidden });
-                }
-            }
-            let (row, column, content) = (*row, *column, *content);
-            cells.push(Cell { row, column, span: 0..0, text: Cow::Borrowed(text), content });
-        }
-        (rows, cells)
     }
 
     /// Which columns are hidden, as a sentence.
     pub(super) fn hidden_columns(&self) -> Option<String> {
-        let used: BTreeSet<usize> = self.cells.iter().map(|cell| cell.column + 1).collect();
+        let used: BTreeSet<usize> = self.cells.iter().map(|cell| usize::from(cell.column) + 1).collect();
         let has_cells = |range: &&RangeInclusive<usize>| used.iter().any(|column| range.contains(column));
         let names: Vec<String> = self
             .hidden_columns

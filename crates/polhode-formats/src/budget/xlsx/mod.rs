@@ -13,19 +13,21 @@ mod value;
 
 use std::path::Path;
 
-use super::sheet::{Origin, Sheet};
+use super::sheet::{Body, Origin, Sheet};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::package::archive::Archive;
 use crate::package::relation::{Relation, relations};
 use crate::package::xml::{Token, Xml};
 use cells::RawSheet;
+use strings::Strings;
 
+pub(super) use cells::Cells;
 pub(super) use sections::{Sections, is_section};
 
 /// A workbook.
 #[derive(Debug)]
 pub(super) struct Workbook {
-    strings: Vec<String>,
+    strings: Strings,
     sheets: Vec<NamedSheet>,
 }
 
@@ -59,7 +61,7 @@ impl Workbook {
         let related = relations(&mut archive, &joined(folder, &format!("_rels/{file}.rels")))?;
         let strings = match of_kind(&related, "sharedStrings", folder) {
             Some(path) => strings::read(Xml::new(archive.stream(&path)?, &path))?,
-            None => Vec::new(),
+            None => Strings::default(),
         };
         let formats = match of_kind(&related, "styles", folder) {
             Some(path) => format::read(Xml::new(archive.stream(&path)?, &path))?,
@@ -74,7 +76,7 @@ impl Workbook {
                 continue;
             };
             let path = joined(folder, &relation.target);
-            let raw = RawSheet::read(Xml::new(archive.stream(&path)?, &path), &formats, strings.len())?;
+            let raw = RawSheet::read(Xml::new(archive.stream(&path)?, &path), &formats, &strings)?;
             sheets.push(NamedSheet { name, is_hidden, raw });
         }
         Ok(Self { strings, sheets })
@@ -88,14 +90,15 @@ impl Workbook {
     /// A sheet as a table, and what is to be said of it.
     pub(super) fn sheet<'a>(&'a self, path: &'a Path, name: &str) -> Option<(Sheet<'a>, Vec<String>)> {
         let named = self.sheets.iter().find(|sheet| sheet.name == name)?;
-        let (rows, cells) = named.raw.rows(&self.strings);
+        let cells = Cells::of(&named.raw, &self.strings);
         let origin = Origin::Workbook { path, sheet: named.name.clone() };
         let mut lines = Vec::new();
         if named.is_hidden {
             lines.push(format!("read although hidden: the sheet {name}"));
         }
         lines.extend(named.raw.hidden_columns());
-        Some((Sheet { origin, rows, cells, decimal_comma: false }, lines))
+        let (rows, body) = (named.raw.rows().into(), Body::Workbook(cells));
+        Some((Sheet { origin, rows, body, decimal_comma: false }, lines))
     }
 }
 

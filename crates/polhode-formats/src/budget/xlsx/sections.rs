@@ -11,7 +11,7 @@ use crate::error::FormatError;
 #[derive(Default)]
 pub(in crate::budget) struct Sections<'s, 'a> {
     pub(in crate::budget) toml: String,
-    cells: Vec<(Range<usize>, &'s Sheet<'a>, &'s Cell<'a>)>,
+    cells: Vec<(Range<usize>, &'s Sheet<'a>, Cell<'a>)>,
 }
 
 /// The sheet of the keys that stand in no table.
@@ -31,11 +31,12 @@ impl<'s, 'a> Sections<'s, 'a> {
         if name != PLAN {
             let start = self.toml.len();
             self.toml += &format!("[{name}]\n");
-            self.cells.extend(sheet.cells.first().map(|cell| (start..self.toml.len(), sheet, cell)));
+            let first = sheet.rows.first().and_then(|row| sheet.row(row).into_iter().next());
+            self.cells.extend(first.map(|cell| (start..self.toml.len(), sheet, cell)));
         }
         for (k, row) in sheet.rows.iter().enumerate() {
             let cells = sheet.row(row);
-            let [key, value] = cells else {
+            let [key, value] = &cells[..] else {
                 let cell = cells.get(2).or(cells.first());
                 let Some(cell) = cell else { continue };
                 let error = sheet.invalid(cell, "the row", "a key and its value, in two cells");
@@ -59,8 +60,8 @@ impl<'s, 'a> Sections<'s, 'a> {
             let cells = sheet.row(row);
             let start = self.toml.len();
             self.toml += &format!("[[{name}]]\n");
-            self.cells.extend(cells.first().map(|cell| (start..self.toml.len(), sheet, cell)));
-            for cell in cells {
+            self.cells.extend(cells.first().map(|cell| (start..self.toml.len(), sheet, cell.clone())));
+            for cell in &cells {
                 let Some(key) = keys.iter().find(|key| key.column == cell.column) else {
                     return Err(sheet.invalid(cell, "a cell beside the columns", "under a heading"));
                 };
@@ -74,21 +75,21 @@ impl<'s, 'a> Sections<'s, 'a> {
         &mut self,
         written: &str,
         sheet: &'s Sheet<'a>,
-        key: &'s Cell<'a>,
-        value: &'s Cell<'a>,
+        key: &Cell<'a>,
+        value: &Cell<'a>,
     ) -> Result<(), FormatError> {
         for cell in [key, value] {
-            if let Content::Broken(rule) = cell.content {
-                return Err(sheet.invalid(cell, &key.text, rule));
+            if let Content::Broken(broken) = cell.content {
+                return Err(sheet.invalid(cell, &key.text, broken.rule()));
             }
         }
         let start = self.toml.len();
         self.toml += written;
-        self.cells.push((start..self.toml.len(), sheet, key));
+        self.cells.push((start..self.toml.len(), sheet, key.clone()));
         self.toml += " = ";
         let start = self.toml.len();
         self.toml += &toml(value);
-        self.cells.push((start..self.toml.len(), sheet, value));
+        self.cells.push((start..self.toml.len(), sheet, value.clone()));
         self.toml.push('\n');
         Ok(())
     }

@@ -5,13 +5,38 @@ use quick_xml::events::BytesStart;
 use crate::content::ContentError;
 use crate::package::xml::{Token, Xml};
 
+/// The strings of a workbook, one behind the other.
+#[derive(Debug, Default)]
+pub(in crate::budget) struct Strings {
+    text: String,
+    ends: Vec<usize>,
+}
+
+impl Strings {
+    /// A string by its number.
+    pub(super) fn get(&self, number: usize) -> Option<&str> {
+        let start = match number.checked_sub(1) {
+            Some(before) => *self.ends.get(before)?,
+            None => 0,
+        };
+        self.text.get(start..*self.ends.get(number)?)
+    }
+
+    pub(super) const fn len(&self) -> usize {
+        self.ends.len()
+    }
+}
+
 /// All of them, in their order.
-pub(super) fn read(mut xml: Xml<'_, '_>) -> Result<Vec<String>, ContentError> {
-    let mut all = Vec::new();
+pub(super) fn read(mut xml: Xml<'_, '_>) -> Result<Strings, ContentError> {
+    let mut all = Strings::default();
     let mut buffer = Vec::new();
     loop {
         match xml.next(&mut buffer)? {
-            Token::Start(element) if is(&element, "si") => all.push(inside(&mut xml)?),
+            Token::Start(element) if is(&element, "si") => {
+                all.text.push_str(&inside(&mut xml)?);
+                all.ends.push(all.text.len());
+            }
             Token::Eof => return Ok(all),
             Token::Start(_) | Token::Text(_) | Token::End | Token::Other => {}
         }

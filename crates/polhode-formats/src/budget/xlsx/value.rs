@@ -4,15 +4,9 @@ use std::ops::Range;
 
 use super::format::Format;
 use super::strings::{inside, is};
-use crate::budget::sheet::Content;
+use crate::budget::sheet::{Broken, Content};
 use crate::content::ContentError;
 use crate::package::xml::{Token, Xml};
-
-const NO_RESULT: &str =
-    "a value: it is a formula without its result; open the workbook in a spreadsheet program and save it";
-const AN_ERROR: &str = "a value, where the spreadsheet has an error";
-const IN_THOUSANDS: &str = "a number that is shown as it is: its format shows it in thousands";
-const A_DATE: &str = "a number or a text: it is shown as a date";
 
 #[derive(Debug)]
 pub(super) enum RawText {
@@ -117,7 +111,7 @@ impl Written<'_> {
                 let Some(formula) = formula.filter(|_| kind != Kind::Text) else { return Ok(None) };
                 texts.push('=');
                 texts.push_str(formula);
-                Content::Broken(NO_RESULT)
+                Content::Broken(Broken::NoResult)
             }
             (Kind::Shared, _) => {
                 let number = result.parse::<usize>().ok().filter(|number| *number < strings);
@@ -132,9 +126,9 @@ impl Written<'_> {
                 texts.push_str(truth);
                 Content::Text
             }
-            (Kind::Error, _) => Content::Broken(AN_ERROR),
-            (_, Format::Thousands) => Content::Broken(IN_THOUSANDS),
-            (Kind::Date, _) | (_, Format::Date) => Content::Broken(A_DATE),
+            (Kind::Error, _) => Content::Broken(Broken::Error),
+            (_, Format::Thousands) => Content::Broken(Broken::Thousands),
+            (Kind::Date, _) | (_, Format::Date) => Content::Broken(Broken::Date),
             (_, Format::Percent) => {
                 let percent = format!("{} %", hundredfold(result));
                 texts.truncate(start);

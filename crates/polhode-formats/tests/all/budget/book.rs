@@ -66,7 +66,7 @@ fn lists_of_the_page_are_read() {
     let file = folder.read("plan.toml", &plans[0]).unwrap();
     let names: Vec<_> = file.configurations.iter().map(|one| one.name.as_deref().unwrap()).collect();
     assert_eq!(names, ["stowed", "deployed"]);
-    assert_eq!((file.questions.draws, file.questions.seed), (20_000, 7));
+    assert_eq!((file.questions.draws, file.questions.seed), (Some(20_000), 7));
 }
 
 #[test]

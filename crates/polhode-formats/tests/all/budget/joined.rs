@@ -74,7 +74,7 @@ fn errors_of_a_plan_and_a_head_are_where_they_stand() {
         (
             "# growth = { E = 0.25 }\n# [result]\n# draws = 0\n",
             PLAN,
-            "parts.csv:3:11: draws = 0 must be from 1 to 10000000 (named in plan.toml:2:9)",
+            "parts.csv:3:11: draws = 0 must be from 10 to 10000000 (named in plan.toml:2:9)",
         ),
         (
             "# growth = { E = 0.25 }\n# [result]\n# draw = 9\n",

@@ -17,12 +17,12 @@ fn a_head_says_what_is_asked() {
     assert_eq!(asked.about.unwrap().to_array(), [0.01, 0.0, -0.02]);
     let turn = Rotation::<Body, Part>::from_roll_pitch_yaw([0.0, 0.0, 30_f64.to_radians()]).unwrap();
     assert!((asked.axes.unwrap().matrix()[1][0] - turn.matrix()[1][0]).abs() < 1e-15);
-    assert_eq!((asked.draws, asked.seed, asked.basis), (5000, 42, Basis::Basic));
+    assert_eq!((asked.draws, asked.seed, asked.basis), (Some(5000), 42, Basis::Basic));
     let names = |text: &str| budget(text).list().rows.iter().map(|row| row.name.clone()).collect::<Vec<_>>();
     assert_eq!(names("# title = \"A/B\"\nname,mass\na,1\nb,1\n"), ["a", "b", "A B"]);
     assert_eq!(names("# title = \"a\"\nname,mass\na,1\nwhole,1\n"), ["a", "whole", "whole 2"]);
     let plain = csv("name,mass\na,1\n").unwrap().questions;
-    assert_eq!((plain.draws, plain.basis, plain.about), (10_000, Basis::Predicted, None));
+    assert_eq!((plain.draws, plain.basis, plain.about), (None, Basis::Predicted, None));
 }
 
 #[test]

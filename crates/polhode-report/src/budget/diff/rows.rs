@@ -1,6 +1,6 @@
 //! What became of each row.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use polhode::body::MassProperties;
 use polhode::math::Part;
@@ -15,37 +15,36 @@ const ROUNDING: f64 = 1e-12;
 
 /// In the order of the rows of the second, then what is no more.
 pub(super) fn changes([before, after]: [&Case; 2]) -> Vec<Change> {
-    let (old, new) = (&before.budget.list().rows, &after.budget.list().rows);
-    let named = |rows: &[Row]| -> HashMap<String, usize> {
-        rows.iter().enumerate().map(|(k, row)| (row.name.clone(), k)).collect()
-    };
-    let (old_names, new_names) = (named(old), named(new));
+    let (old, new) = (before.budget.rows(), after.budget.rows());
+    let old_names: HashMap<&str, usize> = (0..old.len()).map(|k| (old.name(k), k)).collect();
+    let new_names: HashSet<&str> = (0..new.len()).map(|k| new.name(k)).collect();
     let mut all = Vec::new();
-    for (k, row) in new.iter().enumerate() {
-        let mut add = |what| all.push(Change { row: row.name.clone(), what });
-        match old_names.get(&row.name) {
+    for k in 0..new.len() {
+        let mut add = |what| all.push(Change { row: new.name(k).to_owned(), what });
+        match old_names.get(new.name(k)) {
             None => add(What::Added(own(after, k))),
             Some(&other) => differences([before, after], [other, k]).into_iter().for_each(add),
         }
     }
-    for (k, row) in old.iter().enumerate().filter(|(_, row)| !new_names.contains_key(&row.name)) {
-        all.push(Change { row: row.name.clone(), what: What::Removed(own(before, k)) });
+    for k in (0..old.len()).filter(|k| !new_names.contains(old.name(*k))) {
+        all.push(Change { row: old.name(k).to_owned(), what: What::Removed(own(before, k)) });
     }
     all
 }
 
 /// The mass of all copies of a row's own part.
 fn own(case: &Case, row: usize) -> f64 {
-    let copies = f64::from(case.budget.list().rows[row].quantity.count);
+    let copies = f64::from(case.budget.rows().quantity(row).count);
     case.budget.given(row).map_or(0.0, |part| copies * part.mass())
 }
 
 fn differences(cases: [&Case; 2], rows: [usize; 2]) -> Vec<What> {
-    let [before, after] = [0, 1].map(|side| &cases[side].budget.list().rows[rows[side]]);
+    let [before, after] = [0, 1].map(|side| cases[side].budget.rows().get(rows[side]));
+    let [before, after] = [&before, &after];
     let mut all = Vec::new();
     let parents = [0, 1].map(|side| {
-        let parent = cases[side].budget.parents()[rows[side]];
-        parent.map(|parent| cases[side].budget.list().rows[parent].name.clone())
+        let budget = &cases[side].budget;
+        budget.parent(rows[side]).map(|parent| budget.rows().name(parent).to_owned())
     });
     if parents[0] != parents[1] {
         all.push(What::Parent(parents));
@@ -80,7 +79,7 @@ fn differences(cases: [&Case; 2], rows: [usize; 2]) -> Vec<What> {
                 (is_moved, distance) = (true, (is - was).norm());
             }
             // What is only heavier has the tensor that goes with it.
-            all.extend(tensor_change([before, after], [was, is]).map(What::Tensor));
+            all.extend(tensor_change([before, after], [&was, &is]).map(What::Tensor));
         }
         [None, Some(is)] => all.push(What::Mass([0.0, is.mass()])),
         [Some(was), None] => all.push(What::Mass([was.mass(), 0.0])),

@@ -20,7 +20,8 @@ fn list(density: &str, contents: &str) -> String {
 }
 
 fn errors(file: &BudgetFile) -> (f64, Option<LiquidErrors>) {
-    let row = file.configurations[0].budget.list().rows.iter().find(|row| row.name == "fuel").unwrap();
+    let list = file.configurations[0].budget.list();
+    let row = list.rows.iter().find(|row| row.name == "fuel").unwrap();
     let errors = match &row.uncertainty.part {
         PartUncertainty::Liquid(liquid) => Some(liquid.errors),
         _ => None,

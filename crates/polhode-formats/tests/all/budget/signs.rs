@@ -79,7 +79,8 @@ fn rounding_proves_nothing() {
             match csv(&plate(digits, sign)) {
                 // With enough digits it may be proved, and then rightly.
                 Ok(file) => {
-                    let tensor = &file.configurations[0].budget.list().rows[0].part.as_ref().unwrap().tensor;
+                    let part = file.configurations[0].budget.rows().part(0).unwrap();
+                    let tensor = &part.tensor;
                     let expected = if sign > 0.0 {
                         ProductSign::NegativeIntegral
                     } else {

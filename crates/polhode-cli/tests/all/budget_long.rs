@@ -159,7 +159,10 @@ fn draws_are_as_many_as_are_asked_for() {
     }
     scratch.write("few.csv", &format!("# [result]\n# draws = 9\n{list}"));
     let error = refused(&scratch.run(&["budget", "few.csv"]), 2);
-    assert!(error.contains("few.csv:2:11: draws = 9 must be from 10 to 10000000"), "{error}");
+    assert!(
+        error.contains("draws = 9 must be from 10 to 10000000") && error.contains("few.csv:2:11"),
+        "{error}"
+    );
 }
 
 #[test]

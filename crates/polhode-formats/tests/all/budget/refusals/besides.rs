@@ -102,7 +102,7 @@ pub(super) const BESIDES: &[(&str, &str)] = &[
         "# products = \"integrals\"\nname,mass\na,1\n",
         "list.csv:1:14: products = \"integrals\" must be one of tensor elements, positive integrals",
     ),
-    ("# [result]\n# draws = 0\nname,mass\na,1\n", "list.csv:2:11: draws = 0 must be from 1 to 10000000"),
+    ("# [result]\n# draws = 0\nname,mass\na,1\n", "list.csv:2:11: draws = 0 must be from 10 to 10000000"),
     (
         "# [result]\n# basis = \"worst\"\nname,mass\na,1\n",
         "list.csv:2:11: basis = \"worst\" must be one of basic, predicted",

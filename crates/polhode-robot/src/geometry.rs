@@ -13,7 +13,9 @@
 
 mod mesh;
 mod mesh_files;
+mod outside;
 mod primitive;
+mod separation;
 
 use std::fmt;
 use std::path::Path;

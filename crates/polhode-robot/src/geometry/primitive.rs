@@ -65,6 +65,36 @@ impl Primitive {
         }
     }
 
+    /// Its farthest point in a direction, when it is placed.
+    pub(super) fn support(&self, pose: &Pose, direction: [f64; 3]) -> [f64; 3] {
+        let rows = pose.matrix();
+        let d = [0, 1, 2].map(|j| (0..3).map(|i| rows[i][j] * direction[i]).sum::<f64>());
+        let sign = |c: f64| if c < 0.0 { -1.0 } else { 1.0 };
+        let along = |v: [f64; 3], radius: f64| {
+            let length = dot(v, v).sqrt();
+            if length > 0.0 { v.map(|c| radius * c / length) } else { [0.0; 3] }
+        };
+        let local = match self.outline {
+            Outline::Box(half) => [0, 1, 2].map(|k| sign(d[k]) * half[k]),
+            // S² d / |S d|
+            Outline::Ellipsoid(half) => {
+                let stretched = along([0, 1, 2].map(|k| half[k] * d[k]), 1.0);
+                [0, 1, 2].map(|k| half[k] * stretched[k])
+            }
+            Outline::Cone { half, radius } => {
+                let around = along([d[0], d[1], 0.0], radius);
+                let rim = sum(around, [0.0, 0.0, -half]);
+                let apex = [0.0, 0.0, half];
+                if dot(d, rim) > dot(d, apex) { rim } else { apex }
+            }
+            Outline::Ends { half, radius, balls } => {
+                let around = along(if balls { d } else { [d[0], d[1], 0.0] }, radius);
+                sum(around, [0.0, 0.0, sign(d[2]) * half])
+            }
+        };
+        pose.placed(local)
+    }
+
     /// How far it goes when it is placed.
     pub(super) fn reach(&self, pose: &Pose) -> Reach {
         let center = pose.position;

@@ -1,0 +1,68 @@
+//! Distance of a point from the convex hull of all shapes of a link.
+
+use crate::model::{GeometryShape, Link, Pose};
+use crate::pose::dot;
+
+use super::primitive::Primitive;
+use super::separation::distance;
+use super::{MeshReading, Shapes, z_up};
+
+/// A convex part of the hull: its farthest point in a direction.
+type Support<'s> = Box<dyn Fn([f64; 3]) -> [f64; 3] + 's>;
+
+impl Shapes<'_> {
+    /// Distance of a point of the link's frame from the convex hull of all its shapes, m; zero inside.
+    ///
+    /// `None` if a shape cannot be measured, or if there is none. A mesh that programs turn in two ways counts in both.
+    pub fn distance_outside(&self, link: &Link, point: [f64; 3]) -> Option<f64> {
+        let mut meshes = Vec::new();
+        let mut parts: Vec<Support<'_>> = Vec::new();
+        for geometry in &link.geometry {
+            if !geometry.pose.unreadable.is_empty() {
+                return None;
+            }
+            match &geometry.shape {
+                GeometryShape::Other(_) => return None,
+                GeometryShape::Mesh { path, scale, .. } => {
+                    let mesh = self.mesh(path.as_ref().ok()?).ok()?;
+                    mesh.measured.as_ref().ok()?;
+                    meshes.push((mesh, *scale, &geometry.pose));
+                }
+                shape => {
+                    let primitive = Primitive::of(shape).ok()?;
+                    let pose = &geometry.pose;
+                    parts.push(Box::new(move |direction| primitive.support(pose, direction)));
+                }
+            }
+        }
+        for (mesh, scale, pose) in &meshes {
+            let readings: &[bool] = match mesh.turned_in {
+                None => &[false],
+                Some(MeshReading::Usual | MeshReading::Other) => &[false, true],
+            };
+            for &turns in readings {
+                let outline = mesh.outline();
+                parts.push(Box::new(move |direction| farthest(outline, turns, *scale, pose, direction)));
+            }
+        }
+        if parts.is_empty() {
+            return None;
+        }
+        let support = |direction: [f64; 3]| {
+            let ends = parts.iter().map(|part| part(direction));
+            ends.max_by(|a, b| dot(*a, direction).total_cmp(&dot(*b, direction))).unwrap_or(point)
+        };
+        Some(distance(point, support)).filter(|distance| distance.is_finite())
+    }
+}
+
+/// The farthest of a mesh's points in a direction: the direction is brought to the points, which stay in their own frame.
+fn farthest(points: &[[f64; 3]], turns: bool, scale: [f64; 3], pose: &Pose, direction: [f64; 3]) -> [f64; 3] {
+    let rows = pose.matrix();
+    let inner = [0, 1, 2].map(|j| scale[j] * (0..3).map(|i| rows[i][j] * direction[i]).sum::<f64>());
+    let placed = |v: [f64; 3]| if turns { z_up(v) } else { v };
+    let height = |v: &[f64; 3]| dot(placed(*v), inner);
+    let best = points.iter().max_by(|a, b| height(a).total_cmp(&height(b))).copied().unwrap_or([0.0; 3]);
+    let best = placed(best);
+    pose.placed([0, 1, 2].map(|k| scale[k] * best[k]))
+}

@@ -19,7 +19,8 @@ use polhode_robot::model::RobotModel;
 use polhode_robot::policy::{Judged, Policy};
 use polhode_robot::program::Program;
 use polhode_robot::read::{CheckedFolder, ReadOptions, read_model, read_text};
-use polhode_robot::report::CheckReport;
+use polhode_robot::repair::proved;
+use polhode_robot::report::{CheckReport, Prospect};
 use polhode_robot::rule::{list, rule, rules};
 
 use crate::failure::Failure;
@@ -35,7 +36,7 @@ use policy::PolicyFlags;
 /// Are the inertias of a robot or simulation model right? URDF, SDF, MJCF, USD, OpenSim.
 ///
 /// Impossible: these numbers are unphysical. Suspect: a body may, but hardly this link, by its own geometry. Each finding says
-/// where, by which rule, and what would repair it, if that can be proved. Folders are searched for .urdf, .sdf, .world,
+/// where, by which rule, and the fix, if exactly one is consistent with all evidence. Folders are searched for .urdf, .sdf, .world,
 /// .usda and .osim files, and for .xml files that are models. What is allowed stands in polhode.toml, in a baseline, or in the model:
 /// <!-- polhode: allow RULE: REASON -->.
 ///
@@ -210,11 +211,16 @@ impl Check {
         let (shapes, policy, _) = by;
         let Inspection { geometry, findings } = inspect_for(&model, shapes, &self.programs());
         let judged = judge(policy, file, &model, findings);
-        let report = CheckReport::new(model, geometry, judged);
-        if !self.fix.is_given() {
-            return Ok(report);
+        let mut report = CheckReport::new(model, geometry, judged);
+        let check = |text: &str| self.findings_in(text, file, by);
+        if self.fix.is_given() {
+            return fix::fixed(report, out, check);
         }
-        fix::fixed(report, out, |text| self.findings_in(text, file, by))
+        if report.findings().iter().any(|finding| finding.repair.is_some()) {
+            let fixed = proved(&report.model, report.findings(), check);
+            report.prospect = fixed.ok().map(|(repaired, remaining)| Prospect::of(&repaired, &remaining));
+        }
+        Ok(report)
     }
 
     /// What is found in a text in place of the file's.

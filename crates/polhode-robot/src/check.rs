@@ -8,10 +8,11 @@
 //!
 //! - A number is as sure as its digits. A tensor is impossible only if no tensor that rounds to the written one is
 //!   possible (`check/possible.rs`).
-//! - A tensor that differs from its geometry's is no finding: bodies are not uniform. It becomes one where the
-//!   geometry has the tensor that a known mistake would have spoilt in just this way (`check/explain.rs`): the mistake undone
-//!   leaves 3 % at most, and a fifth at most of what there was. Six numbers do not agree by chance.
-//! - A repair is offered if it is the only one. Two that would do are none.
+//! - A tensor that differs from its geometry's by less than a factor of three is not a finding: bodies are not uniform
+//!   (`check/ratio.rs`). It becomes one where a known slip, undone, leaves the geometry's tensor in every element
+//!   (`check/explain.rs`). Six numbers do not agree by chance.
+//! - A fix is offered if exactly one explanation fits all evidence of the link: the six numbers, the mass, the geometry and the
+//!   density. Without geometry there is a suggestion at most.
 //! - Where programs disagree on how a mesh is turned (glTF, COLLADA with y up), each reading will do, and nothing
 //!   that depends on axes is told or repaired.
 //!
@@ -20,14 +21,21 @@
 mod alike;
 mod armature;
 mod body;
+mod center;
+mod center_slip;
 mod computed;
 mod conjugate;
 mod density;
 mod dummy;
+mod edit;
 mod explain;
 mod explanation;
+mod factor;
+mod formula;
 mod gyration;
+mod link_geometry;
 mod mass;
+mod material;
 mod numbers;
 mod order;
 mod origin;
@@ -36,6 +44,7 @@ mod placeholder;
 mod possible;
 mod power;
 mod print;
+mod ratio;
 mod refused;
 mod sign;
 mod tree;
@@ -44,50 +53,15 @@ mod unit;
 mod written;
 
 use crate::finding::{Finding, Repair, Severity};
-use crate::geometry::{MeshReading, Shapes, Volume};
-use crate::model::{Link, RobotModel, Role, Span};
+use crate::model::{Link, RobotModel, Span};
 use crate::program::Program;
 use body::Body;
 use dummy::Held;
+use explain::Cause;
+pub use link_geometry::{LinkGeometry, Rescaled};
 use possible::Verdict;
 use print::Print;
 use tree::Tree;
-
-/// What the geometry of one link says of it.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct LinkGeometry {
-    /// The solids that it may be: all that is seen, and all that is touched. One that fits is enough.
-    pub volumes: Vec<Volume>,
-    /// The least and the greatest x, y, z of all of them, in the link's frame; `None` if there are none.
-    pub bounds: Option<[[f64; 3]; 2]>,
-    /// True if programs disagree on how a mesh among them is turned: then every reading is a volume, and axes prove nothing.
-    pub is_turned_by_some: bool,
-}
-
-impl LinkGeometry {
-    /// The sets of a link's shapes that can be measured as a whole. Half of a body says nothing of it.
-    pub fn of(link: &Link, shapes: &Shapes<'_>) -> Self {
-        let mut geometry = Self::default();
-        for role in [Role::Visual, Role::Collision] {
-            let both = shapes.is_turned_by_some(link, role);
-            geometry.is_turned_by_some |= both;
-            let others = both.then_some(MeshReading::Other);
-            for reading in [MeshReading::Usual].into_iter().chain(others) {
-                let set = shapes.link_as(link, role, reading);
-                let Some(volume) = set.volume.filter(|_| set.left_out.is_empty()) else { continue };
-                geometry.bounds = Some(geometry.bounds.map_or(volume.bounds, |[low, high]| {
-                    let [other_low, other_high] = volume.bounds;
-                    [
-                        [0, 1, 2].map(|k| low[k].min(other_low[k])),
-                        [0, 1, 2].map(|k| high[k].max(other_high[k])),
-                    ]
-                }));
-                geometry.volumes.push(volume);
-            }
-        }
-        geometry
-    }
-}
 
 /// Everything wrong with a model, by place in the file. `geometry[k]` belongs to `model.links[k]`; what is not there
 /// is not asked about.
@@ -133,7 +107,7 @@ pub fn check_for(model: &RobotModel, geometry: &[LinkGeometry], programs: &[Prog
         numbers::check(model, link, &tree, k, &mut findings);
         mass::check(model, &tree, k, &mut findings);
         if let Some(body) = body {
-            let mut found = of_body(body, held.get(k).copied().unwrap_or(Held::Free));
+            let mut found = of_body(model, body, held.get(k).copied().unwrap_or(Held::Free));
             leave_one_repair(&mut found);
             findings.append(&mut found);
         } else if let Some(inertial) = &link.inertial {
@@ -156,36 +130,48 @@ pub fn check_for(model: &RobotModel, geometry: &[LinkGeometry], programs: &[Prog
     findings
 }
 
-/// What is wrong with one body's mass and tensor.
-fn of_body(body: &Body, held: Held) -> Vec<Finding> {
+/// Finds errors in one body's mass, centre and tensor.
+fn of_body(model: &RobotModel, body: &Body, held: Held) -> Vec<Finding> {
     let mut findings = Vec::new();
-    match possible::check(body, held != Held::Free, &mut findings) {
-        Verdict::Possible => {
+    let verdict = possible::check(body, held != Held::Free, &mut findings);
+    if verdict == Verdict::Nothing {
+        return findings;
+    }
+    let weighs = body.mass > 0.0;
+    let mut cause = if weighs { explain::cause(model, body) } else { Cause::default() };
+    match (verdict, cause.tensor.take()) {
+        (Verdict::Impossible, Some(slip)) => beside(&mut findings, slip),
+        (Verdict::Impossible, None) => order::check_alone(body, &mut findings),
+        (_, slip) => {
             // Why it may be wrong, the surest reason first: one is enough.
+            findings.extend(slip.or(cause.mass.take()));
             let is_open = |findings: &[Finding]| findings.iter().all(|f| f.severity < Severity::Suspect);
-            if is_open(&findings) {
-                explain::check(body, &mut findings);
-            }
-            if is_open(&findings) {
-                placeholder::check(body, &mut findings);
-            }
-            if is_open(&findings) {
-                gyration::check(body, held, &mut findings);
-            }
-            density::check(body, held, &mut findings);
-        }
-        Verdict::Impossible => {
-            let told = findings.len();
-            if body.mass > 0.0 {
-                explain::check(body, &mut findings);
-            }
-            if findings.len() == told {
-                order::check_alone(body, &mut findings);
+            let rules: [fn(&Body, Held, &mut Vec<Finding>); 3] =
+                [placeholder::check, gyration::check, ratio::check];
+            for rule in rules {
+                if is_open(&findings) && !findings.iter().any(|f| f.code == "gyration.too_large") {
+                    rule(body, held, &mut findings);
+                }
             }
         }
-        Verdict::Nothing => {}
+    }
+    if weighs {
+        density::check(body, held, cause.density, &mut findings);
+        center::check(model, body, held, &mut findings);
     }
     findings
+}
+
+/// Adds a slip that explains an impossible tensor: to the finding itself if it has no rule of its own.
+fn beside(findings: &mut Vec<Finding>, slip: Finding) {
+    match findings.last_mut() {
+        Some(found) if slip.code == "inertia.geometry" => {
+            found.message = format!("{}; {}", found.message, slip.message);
+            found.numbers.extend(slip.numbers);
+            found.repair = slip.repair;
+        }
+        _ => findings.push(slip),
+    }
 }
 
 /// Two repairs of one place contradict each other, so neither is sure.

@@ -43,7 +43,7 @@ pub struct Finding {
     pub rule: String,
     /// The numbers of the message, by name and in SI units, for programs.
     pub numbers: Vec<(&'static str, f64)>,
-    /// What would repair it, if that can be proved.
+    /// The fix, if exactly one is consistent with all evidence of the link.
     pub repair: Option<Repair>,
 }
 

@@ -285,6 +285,26 @@ pub enum GeometryShape {
 }
 
 impl GeometryShape {
+    /// The shape with all its sizes times a factor.
+    #[must_use]
+    pub(crate) fn resized(&self, factor: f64) -> Self {
+        match self {
+            Self::Box(size) => Self::Box(size.map(|c| factor * c)),
+            Self::Sphere(radius) => Self::Sphere(factor * radius),
+            Self::Cylinder { radius, length } => {
+                Self::Cylinder { radius: factor * radius, length: factor * length }
+            }
+            Self::Capsule { radius, length } => {
+                Self::Capsule { radius: factor * radius, length: factor * length }
+            }
+            Self::Ellipsoid(half_axes) => Self::Ellipsoid(half_axes.map(|c| factor * c)),
+            Self::Mesh { uri, path, scale } => {
+                Self::Mesh { uri: uri.clone(), path: path.clone(), scale: scale.map(|c| factor * c) }
+            }
+            Self::Other(name) => Self::Other(name.clone()),
+        }
+    }
+
     /// Bytes of the names in it.
     pub(crate) fn named_bytes(&self) -> usize {
         match self {

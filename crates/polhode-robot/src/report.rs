@@ -20,6 +20,25 @@ pub struct CheckReport {
     pub judged: Judged,
     /// What was repaired, and where that was written; `None` if nothing was asked for.
     pub fixed: Option<Fixed>,
+    /// The model after all fixes; `None` if that was not computed, or if nothing can be fixed.
+    pub prospect: Option<Prospect>,
+}
+
+/// A model as it would be after all fixes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Prospect {
+    /// Places of the text that the fixes change.
+    pub changes: usize,
+    /// Impossible and suspect findings that remain.
+    pub remaining: usize,
+}
+
+impl Prospect {
+    /// Counts what [`crate::repair::proved`] returns.
+    pub fn of(repaired: &Repaired, remaining: &[Finding]) -> Self {
+        let remaining = remaining.iter().filter(|finding| finding.severity > Severity::Note).count();
+        Self { changes: repaired.changes, remaining }
+    }
 }
 
 /// A repaired model.
@@ -67,7 +86,7 @@ impl Counts {
 impl CheckReport {
     /// A checked model that is not repaired.
     pub const fn new(model: RobotModel, geometry: Vec<LinkGeometry>, judged: Judged) -> Self {
-        Self { model, geometry, judged, fixed: None }
+        Self { model, geometry, judged, fixed: None, prospect: None }
     }
 
     /// What counts of what is wrong with it.
@@ -98,9 +117,15 @@ impl CheckReport {
         verdicts
     }
 
-    /// What repairs would change.
-    pub(crate) fn possible_repairs(&self) -> Repaired {
-        repaired(&self.model, self.findings())
+    /// Counts what fixes would change and leave. If the fixed text was not checked, each fix is taken to remove its own finding alone.
+    pub(crate) fn prospect(&self) -> Prospect {
+        self.prospect.unwrap_or_else(|| {
+            let repaired = repaired(&self.model, self.findings());
+            let rest = self.findings().iter().enumerate();
+            let rest = rest.filter(|(k, _)| repaired.applied.binary_search(k).is_err());
+            let rest: Vec<Finding> = rest.map(|(_, finding)| finding.clone()).collect();
+            Prospect::of(&repaired, &rest)
+        })
     }
 
     /// Links that say something of their mass.

@@ -9,8 +9,8 @@ use polhode_report::plain::{WIDTH, plain_spaces, printable, wrap};
 use crate::finding::{Finding, Severity};
 use crate::line_index::{FilePlace, Places};
 use crate::policy::{Judged, Reason, Settled};
-use crate::repair::{Left, Repaired};
-use crate::report::{CheckReport, Counts, Fixed, format_name};
+use crate::repair::Left;
+use crate::report::{CheckReport, Counts, Fixed, Prospect, format_name};
 
 /// What stands below the line of a finding is this far in.
 const INDENT: &str = "    ";
@@ -93,20 +93,16 @@ impl CheckReport {
 
     /// What `--fix` would do, where anything was found that is not only worth knowing.
     fn write_advice(&self, text: &mut String) {
-        let Repaired { applied, changes, .. } = self.possible_repairs();
-        let rest =
-            |(k, f): &(usize, &Finding)| f.severity > Severity::Note && applied.binary_search(k).is_err();
-        let rest = self.findings().iter().enumerate().filter(rest).count();
-        let advice = match (changes, rest) {
+        let Prospect { changes, remaining } = self.prospect();
+        let places = many(changes, "place");
+        let advice = match (changes, remaining) {
             (0, 0) => return,
-            (0, _) => format!("{} you: no repair can be proved.", needs(rest)),
-            (_, 0) => format!(
-                "--fix OUT would change {} of the text, and leave none of these.",
-                many(changes, "place")
+            (0, _) => format!("{} a manual fix: no fix is certain.", needs(remaining)),
+            (_, 0) => format!("--fix OUT would change {places} of the text; then no finding remains."),
+            _ => format!(
+                "--fix OUT would change {places} of the text; then {} a manual fix.",
+                needs(remaining)
             ),
-            _ => {
-                format!("--fix OUT would change {} of the text; {} you.", many(changes, "place"), needs(rest))
-            }
         };
         let _ = writeln!(text, "\n{advice}");
     }
@@ -132,8 +128,8 @@ impl CheckReport {
         let (out, changes) = (printable(out), many(repaired.changes, "place"));
         let _ = match rest {
             0 if repaired.changes == 0 => writeln!(text, "wrote {out}: there was nothing to repair"),
-            0 => writeln!(text, "wrote {out}: {changes} changed; nothing is found in it any more"),
-            _ => writeln!(text, "wrote {out}: {changes} changed; {} you still", needs(rest)),
+            0 => writeln!(text, "wrote {out}: {changes} changed; no finding remains"),
+            _ => writeln!(text, "wrote {out}: {changes} changed; {} a manual fix", needs(rest)),
         };
     }
 }

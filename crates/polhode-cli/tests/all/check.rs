@@ -5,6 +5,7 @@ use std::process::Output;
 
 use serde_json::Value;
 
+use crate::check_gate::confirmed;
 use crate::common::{Scratch, example, json, number, numbers, refused, stdout};
 
 /// A link of 1.7 kg with these elements.
@@ -138,7 +139,7 @@ fn a_fix_changes_what_it_says_and_no_other_byte() {
 #[test]
 fn a_fix_overwrites_nothing_that_it_should_not() {
     let scratch = Scratch::new("check-fix-refused");
-    scratch.write("bad.urdf", &robot(IMPOSSIBLE));
+    scratch.write("bad.urdf", &confirmed(&robot(IMPOSSIBLE)));
     scratch.write("good.urdf", &robot(GOOD));
     for out in ["bad.urdf", "./bad.urdf"] {
         let text = refused(&scratch.run(&["check", "bad.urdf", "--fix", out, "--force"]), 2);
@@ -158,7 +159,7 @@ fn a_fix_overwrites_nothing_that_it_should_not() {
     {
         std::os::unix::fs::symlink("bad.urdf", scratch.0.join("link.urdf")).unwrap();
         refused(&scratch.run(&["check", "bad.urdf", "--fix", "link.urdf", "--force"]), 2);
-        assert_eq!(fs::read_to_string(scratch.0.join("bad.urdf")).unwrap(), robot(IMPOSSIBLE));
+        assert_eq!(fs::read_to_string(scratch.0.join("bad.urdf")).unwrap(), confirmed(&robot(IMPOSSIBLE)));
     }
 }
 
@@ -327,7 +328,10 @@ fn meshes_are_found_under_the_roots_that_are_given() {
     let obj = "v 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
     scratch.write("packages/arm/arm.obj", obj);
     let mesh = "<visual><geometry><mesh filename=\"package://arm/arm.obj\" scale=\"0.1 0.1 0.1\"/></geometry></visual>";
-    scratch.write("arm.urdf", &robot(GOOD).replace("  </link>", &format!("    {mesh}\n  </link>")));
+    // ∫x² = 3 m a² / 80 and ∫xy = −m a b / 80 about the centroid, of the legs 0.2, 0.3 and 0.1 m
+    let own =
+        r#"ixx="0.006375" ixy="0.001275" ixz="0.000425" iyy="0.0031875" iyz="0.0006375" izz="0.0082875""#;
+    scratch.write("arm.urdf", &robot(own).replace("  </link>", &format!("    {mesh}\n  </link>")));
     let without = parsed(&scratch.run(&["check", "arm.urdf", "--json"]), 0);
     let finding = &without["findings"][0];
     assert_eq!((&finding["code"], &finding["severity"]), (&"geometry.unreadable".into(), &"note".into()));

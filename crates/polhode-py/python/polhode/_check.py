@@ -31,7 +31,7 @@ class ModelFinding(NamedTuple):
     rule: str
     #: The numbers by name, SI.
     numbers: dict[str, float]
-    #: What would repair it, if that can be proved: a description, and edits of the text.
+    #: The fix, if exactly one is consistent with all evidence of the link: a description, and edits of the text.
     repair: dict[str, Any] | None
     #: What it is known by, wherever it moves in its file.
     id: str

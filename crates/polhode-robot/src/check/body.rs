@@ -1,15 +1,20 @@
 //! A link whose mass and tensor can be read, seen in its own frame.
 
-use super::LinkGeometry;
+use super::link_geometry::LinkGeometry;
+use super::material::is_plausible;
 use super::print::Print;
 use crate::geometry::Volume;
 use crate::model::{Inertial, Link, ModelFormat, Number, Slot, Span};
-use crate::moments::{
-    Elements, Moments, difference, elements, norm, rotated, rotation_matrix, scaled, transposed,
-};
+use crate::moments::{Elements, Moments, elements, norm, rotated, rotation_matrix, scaled, transposed};
 
 /// The names of a tensor's elements, in the order of [`Elements`].
 pub(super) const NAMES: [&str; 6] = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"];
+
+/// True if a solid has a volume and a tensor.
+fn is_comparable(solid: &Volume) -> bool {
+    let size = norm(&elements(&solid.tensor_per_density));
+    solid.volume > 0.0 && solid.volume.is_finite() && size > 0.0 && size.is_finite()
+}
 
 /// Mass, centre and tensor of a link, all but the mass finite, and what its geometry says.
 #[derive(Debug)]
@@ -105,36 +110,32 @@ impl<'m> Body<'m> {
         Some(square.sqrt()).filter(|r| r.is_finite() && *r > 0.0)
     }
 
-    /// The tensor along the link's axes that a solid has with this mass, about its centroid.
-    pub(super) fn implied(&self, solid: &Volume) -> Elements {
-        scaled(&elements(&solid.tensor_per_density), self.mass / solid.volume)
+    /// The tensor along the link's axes that a solid has with a mass, kg, about its centroid.
+    pub(super) fn implied(&self, solid: &Volume, mass: f64) -> Elements {
+        scaled(&elements(&solid.tensor_per_density), mass / solid.volume)
     }
 
     /// The solids that a tensor can be compared with.
-    pub(super) fn solids(&self) -> impl Iterator<Item = &'m Volume> {
-        self.geometry.volumes.iter().filter(|solid| {
-            let size = norm(&elements(&solid.tensor_per_density));
-            solid.volume > 0.0 && solid.volume.is_finite() && size > 0.0 && size.is_finite()
-        })
+    pub(super) fn solids(&self) -> impl Iterator<Item = &'m Volume> + use<'m> {
+        let geometry: &'m LinkGeometry = self.geometry;
+        geometry.volumes.iter().filter(|solid| is_comparable(solid))
     }
 
-    /// How far a tensor along the link's axes is from the nearest solid's, as a part of it; `None` without solids.
-    pub(super) fn misfit(&self, tensor: &Elements) -> Option<f64> {
-        self.solids()
-            .map(|solid| {
-                let implied = self.implied(solid);
-                norm(&difference(tensor, &implied)) / norm(&implied)
-            })
-            .min_by(f64::total_cmp)
+    /// The solids with the sizes of all shapes times a factor.
+    pub(super) fn rescaled(&self, factor: f64) -> impl Iterator<Item = &'m Volume> + use<'m> {
+        let geometry: &'m LinkGeometry = self.geometry;
+        let of_factor = geometry.rescaled.iter().filter(move |rescaled| rescaled.factor == factor);
+        of_factor.flat_map(|rescaled| &rescaled.volumes).filter(|solid| is_comparable(solid))
+    }
+
+    /// True if one of the solids has a density that a material may have, or if there are none.
+    pub(super) fn has_plausible_density(&self) -> bool {
+        let mut solids = self.solids().peekable();
+        solids.peek().is_none() || solids.any(|s| is_plausible(s.kind, self.mass / s.volume))
     }
 
     /// A tensor along the link's axes, along the inertial's.
     pub(super) fn in_inertial_axes(&self, tensor: &Elements) -> Elements {
         rotated(tensor, &transposed(&self.rotation))
-    }
-
-    /// A tensor along the inertial's axes, along the link's.
-    pub(super) fn in_link_axes(&self, tensor: &Elements) -> Elements {
-        rotated(tensor, &self.rotation)
     }
 }

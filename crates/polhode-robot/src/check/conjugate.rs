@@ -4,7 +4,7 @@
 //! the inverse rotation) gives Rᵀ I R, which is as possible, and only the geometry can tell. So with numbers along the
 //! link's axes beside an attitude that is left over, and with (x, y, z, w) where (w, x, y, z) belongs.
 
-use super::explanation::{Candidates, Explanation};
+use super::explanation::{Candidates, Change, LOOSE, Slip};
 use crate::moments::{rotated, rotation_matrix, transposed};
 
 pub(super) fn explain(candidates: &mut Candidates) {
@@ -22,12 +22,13 @@ pub(super) fn explain(candidates: &mut Candidates) {
         ("quaternion x y z w in the place of w x y z", rotation_matrix([z, w, x, y])),
     ];
     for (mistake, rotation) in mistakes {
-        candidates.offer(rotated(&body.written, &rotation), || Explanation {
+        let right = body.in_inertial_axes(&rotated(&body.written, &rotation));
+        candidates.offer(right.map(Change::Value), LOOSE, || Slip {
             code: "inertia.conjugate",
             mistake: mistake.to_owned(),
             rule: "the attitude of an inertial takes its components to the link's: I_link = R I Rᵀ",
             span: body.inertial.pose.span.clone().unwrap_or(body.inertial.span.clone()),
-            edits: Vec::new(),
+            is_sure: false,
         });
     }
 }

@@ -1,25 +1,307 @@
-//! Which known mistake turns the geometry's tensor into the one that is written?
+//! The slip that explains the evidence of a link: its six numbers, its mass, its geometry and the density that it implies.
 //!
-//! Each mistake (`check/explanation.rs`) is undone in turn, and what is left is compared with the tensor that the link's shapes would have at
-//! its mass, uniform. The misfit is ‖I − I_shape‖ / ‖I_shape‖ over all nine elements.
+//! The geometry has the tensor that a uniform body of its shape and the link's mass has. If that is not the written one, each
+//! known slip is undone in turn ([`super::explanation`]). If the density is implausible, so is the geometry or the mass as
+//! written: then each unit of length and each slip of the mass is supposed in turn, and only what makes density and tensor
+//! agree is an explanation.
+//!
+//! Fewer slips explain better. A fix follows if a single outcome is left: of two explanations that fit as well and mean other
+//! numbers, neither is written. Nor is one that changes an element that another solid of the link confirms.
 
 use super::body::Body;
-use super::explanation::Candidates;
-use super::{conjugate, order, origin, sign, unit};
-use crate::finding::Finding;
+use super::edit::{multiplied, resized};
+use super::explanation::{BETTER, Candidates, Fit, LOOSE, SAME, Supposition, TIGHT, describe, percent};
+use super::material::{is_plausible, is_solid};
+use super::written::short;
+use super::{conjugate, factor, finding, formula, order, origin, sign, unit};
+use crate::finding::{Finding, Repair, Severity};
+use crate::geometry::Volume;
+use crate::model::{RobotModel, Slot};
+use crate::moments::{difference, norm};
 
-/// The mistake that explains why the tensor is not its geometry's, if one does.
-pub(super) fn check(body: &Body, findings: &mut Vec<Finding>) {
-    let Some(mut candidates) = Candidates::of(body) else { return };
-    unit::explain(&mut candidates);
-    if body.geometry.is_turned_by_some {
-        // Axes that programs disagree on neither accuse nor repair.
-        findings.extend(candidates.best().map(|found| Finding { repair: None, ..found }));
-        return;
+/// Slips of a mass: the factor that makes it right, and what is wrong.
+const MASSES: [(f64, &str); 8] = [
+    (0.001, "the mass is in grams"),
+    (1000.0, "the mass is in tonnes"),
+    (0.453_592_37, "the mass is in pounds"),
+    (1.0 / 0.453_592_37, "the mass was divided by 2.2046 twice"),
+    (0.1, "the mass is 10 times too large"),
+    (10.0, "the mass is 10 times too small"),
+    (0.01, "the mass is 100 times too large"),
+    (100.0, "the mass is 100 times too small"),
+];
+
+/// The explanation of a link's numbers.
+#[derive(Debug, Default)]
+pub(super) struct Cause {
+    /// A slip of the tensor.
+    pub(super) tensor: Option<Finding>,
+    /// A slip of the mass, where the density is plausible.
+    pub(super) mass: Option<Finding>,
+    /// The change that makes an implausible density plausible, in words that follow its figures, and the fix.
+    pub(super) density: Option<(String, Option<Repair>)>,
+}
+
+/// The explanation of a body's numbers, if there is one.
+pub(super) fn cause(model: &RobotModel, body: &Body) -> Cause {
+    let is_plausible = body.has_plausible_density();
+    let mut fits = with_one_slip(body, is_plausible);
+    if fits.is_empty() && !is_plausible {
+        fits = with_two_slips(body);
     }
-    order::explain(&mut candidates);
-    sign::explain(&mut candidates);
-    origin::explain(&mut candidates);
-    conjugate::explain(&mut candidates);
-    findings.extend(candidates.best());
+    let Some(choice) = Choice::of(&fits) else {
+        return Cause { density: (!is_plausible).then(|| (hint(body), None)), ..Cause::default() };
+    };
+    choice.cause(model, body, is_plausible)
+}
+
+/// Explanations by one slip: of the geometry's scale, of the mass, or of the tensor.
+fn with_one_slip(body: &Body, is_plausible: bool) -> Vec<Fit> {
+    let mut fits = Vec::new();
+    if is_plausible {
+        // Nothing is wrong with what agrees as written.
+        let solids: Vec<&Volume> = plausible(body).collect();
+        let agrees = |solid: &&Volume| {
+            let candidates = Candidates::of(body, solid, Supposition::NONE);
+            (0..6).all(|k| candidates.agrees(k, SAME))
+        };
+        if solids.iter().any(agrees) {
+            return fits;
+        }
+        for solid in solids {
+            fits.append(&mut slips(body, solid, Supposition::NONE));
+        }
+    }
+    for rescaled in &body.geometry.rescaled {
+        as_written(body, Supposition { scale: rescaled.factor, mass: 1.0 }, &mut fits);
+    }
+    for (mass, _) in MASSES {
+        as_written(body, Supposition { scale: 1.0, mass }, &mut fits);
+    }
+    fits
+}
+
+/// Explanations of an implausible density by two slips.
+fn with_two_slips(body: &Body) -> Vec<Fit> {
+    let mut fits = Vec::new();
+    for rescaled in &body.geometry.rescaled {
+        let scale = rescaled.factor;
+        let supposition = Supposition { scale, mass: 1.0 };
+        for solid in supposed(body, supposition) {
+            fits.append(&mut slips(body, solid, supposition));
+        }
+        for (mass, _) in MASSES {
+            as_written(body, Supposition { scale, mass }, &mut fits);
+        }
+    }
+    for (mass, _) in MASSES {
+        let supposition = Supposition { scale: 1.0, mass };
+        for solid in supposed(body, supposition) {
+            fits.append(&mut slips(body, solid, supposition));
+        }
+    }
+    fits
+}
+
+/// The tensor as it is written, with another scale or mass.
+fn as_written(body: &Body, supposition: Supposition, fits: &mut Vec<Fit>) {
+    let is_decimal = supposition.mass == 1.0 || supposition.mass.log10().fract().abs() < 1e-9;
+    for solid in supposed(body, supposition) {
+        let mut candidates = Candidates::of(body, solid, supposition);
+        candidates.offer_as_written(if is_decimal { LOOSE } else { TIGHT });
+        fits.append(&mut candidates.fits);
+    }
+}
+
+/// The solids whose density is plausible as written.
+fn plausible<'m>(body: &Body<'m>) -> impl Iterator<Item = &'m Volume> {
+    let mass = body.mass;
+    body.solids().filter(move |solid| is_plausible(solid.kind, mass / solid.volume))
+}
+
+/// The solids whose density is that of a material under a supposition.
+fn supposed<'m>(body: &Body<'m>, supposition: Supposition) -> Vec<&'m Volume> {
+    let Supposition { scale, mass } = supposition;
+    let has_density = |solid: &&Volume| is_solid(mass * body.mass / solid.volume);
+    if scale == 1.0 {
+        body.solids().filter(has_density).collect()
+    } else {
+        body.rescaled(scale).filter(has_density).collect()
+    }
+}
+
+/// The slips of the tensor that explain it by one solid.
+fn slips(body: &Body, solid: &Volume, supposition: Supposition) -> Vec<Fit> {
+    let mut candidates = Candidates::of(body, solid, supposition);
+    unit::explain(&mut candidates);
+    // Axes that programs disagree on accuse nobody.
+    if !body.geometry.is_turned_by_some {
+        order::explain(&mut candidates);
+        sign::explain(&mut candidates);
+        origin::explain(&mut candidates);
+        conjugate::explain(&mut candidates);
+        factor::explain(&mut candidates);
+        formula::explain(&mut candidates);
+    }
+    candidates.fits
+}
+
+/// The explanation that fits best, and those that fit as well and mean something else.
+struct Choice<'f> {
+    best: &'f Fit,
+    rivals: Vec<&'f Fit>,
+}
+
+impl<'f> Choice<'f> {
+    fn of(fits: &'f [Fit]) -> Option<Self> {
+        let least = fits.iter().map(|fit| fit.misfit).min_by(f64::total_cmp)?;
+        // Of equals the first: the simplest mistakes come first.
+        let best = fits.iter().find(|fit| fit.misfit <= 1.1 * least + SAME * LOOSE)?;
+        let means_another = |fit: &&Fit| {
+            fit.supposition != best.supposition
+                || norm(&difference(&fit.tensor, &best.tensor)) > SAME * norm(&best.tensor)
+        };
+        let bound = BETTER * least.max(SAME);
+        let rivals = fits.iter().filter(|fit| fit.misfit <= bound).filter(means_another).collect();
+        Some(Self { best, rivals })
+    }
+
+    fn cause(&self, model: &RobotModel, body: &Body, is_plausible: bool) -> Cause {
+        let Self { best, rivals } = self;
+        let may_write = rivals.is_empty() && !body.geometry.is_turned_by_some && !self.is_contradicted(body);
+        let mut cause = Cause::default();
+        let mut others: Vec<String> = rivals.iter().map(|fit| words(fit)).collect();
+        others.dedup();
+        others.truncate(3);
+        let or = others.iter().map(|other| format!("; or {other}")).collect::<String>();
+        if let Some(slip) = &best.slip {
+            let [off, left] = [best.as_written, best.misfit].map(percent);
+            let message = format!(
+                "{}: as written it is {off} from its geometry's tensor, without that mistake {left}{or}",
+                slip.mistake
+            );
+            let mut found =
+                finding(slip.code, Severity::Suspect, body.link, slip.span.clone(), message, slip.rule);
+            found.numbers = vec![("misfit", best.as_written), ("misfit_repaired", best.misfit)];
+            if may_write && !best.edits.is_empty() {
+                let description = describe(body, &best.edits);
+                found.repair = Some(Repair { description, edits: best.edits.clone() });
+            }
+            cause.tensor = Some(found);
+        }
+        let repair = may_write.then(|| supposed_repair(model, body, best)).flatten();
+        if !is_plausible {
+            let why = format!("; {}: then {}{or}", words_of(&best.supposition), evidence(body, best));
+            cause.density = Some((why, repair));
+        } else if best.supposition.mass != 1.0 {
+            let why = format!(
+                "{}: as written the tensor is {} from that of the geometry with this mass, then {}{or}",
+                words_of(&best.supposition),
+                percent(best.as_written_mass(body)),
+                percent(best.misfit),
+            );
+            let span = body.inertial.mass.span();
+            let mut found =
+                finding("inertia.geometry", Severity::Suspect, body.link, span, why, factor::RULE);
+            found.numbers = vec![("misfit_repaired", best.misfit)];
+            found.repair = repair;
+            cause.mass = Some(found);
+        }
+        cause
+    }
+
+    /// True if another solid of the link, of a plausible density, confirms an element that the explanation changes.
+    fn is_contradicted(&self, body: &Body) -> bool {
+        let Fit { supposition, tensor, .. } = self.best;
+        if *supposition != Supposition::NONE {
+            return false;
+        }
+        let size = norm(tensor);
+        let changed: Vec<usize> =
+            (0..6).filter(|k| (tensor[*k] - body.written[*k]).abs() > SAME * size).collect();
+        plausible(body).any(|solid| {
+            let candidates = Candidates::of(body, solid, Supposition::NONE);
+            let is_nearer = |k: &usize| {
+                let [written, right] =
+                    [body.written[*k], tensor[*k]].map(|x| (x - candidates.target[*k]).abs());
+                candidates.agrees(*k, LOOSE) && written < right
+            };
+            changed.iter().any(is_nearer)
+        })
+    }
+}
+
+impl Fit {
+    /// The misfit of the tensor with the mass as written, where that is the slip.
+    fn as_written_mass(&self, body: &Body) -> f64 {
+        // The target is proportional to the mass.
+        let target = self.tensor.map(|x| x / self.supposition.mass);
+        norm(&difference(&body.written, &target)) / norm(&target)
+    }
+}
+
+/// The fix of the geometry's scale, or of the mass.
+fn supposed_repair(model: &RobotModel, body: &Body, fit: &Fit) -> Option<Repair> {
+    let Supposition { scale, mass } = fit.supposition;
+    let mut edits = Vec::new();
+    let mut changes = Vec::new();
+    if scale != 1.0 {
+        edits.extend(resized(model, &body.link.geometry, scale)?);
+        changes.push(format!("sizes of the geometry × {}", short(scale, 6)));
+    }
+    if mass != 1.0 {
+        let Slot::Given(number) = &body.inertial.mass else { return None };
+        let text = multiplied(number, mass)?;
+        changes.push(format!("mass {} → {text}", number.text));
+        edits.push((number.span.clone(), text));
+    }
+    let description = format!("{}: {}", changes.join(", "), evidence(body, fit));
+    (!edits.is_empty()).then_some(Repair { description, edits })
+}
+
+/// `"2000 kg/m³, and the tensor 0.1 % from its geometry's"`
+fn evidence(body: &Body, fit: &Fit) -> String {
+    let solid = supposed(body, fit.supposition).into_iter().next();
+    let density = solid.map_or(f64::NAN, |s| fit.supposition.mass * body.mass / s.volume);
+    let slip = if fit.slip.is_some() { " (its own slip undone)" } else { "" };
+    format!(
+        "{} kg/m³, and the tensor{slip} is {} from its geometry's",
+        short(density, 3),
+        percent(fit.misfit)
+    )
+}
+
+fn words(fit: &Fit) -> String {
+    match (&fit.slip, fit.supposition.count()) {
+        (Some(slip), 0) => slip.mistake.clone(),
+        (Some(slip), _) => format!("{} and {}", words_of(&fit.supposition), slip.mistake),
+        (None, _) => words_of(&fit.supposition),
+    }
+}
+
+/// `"its sizes are in mm"`
+fn words_of(supposition: &Supposition) -> String {
+    let Supposition { scale, mass } = *supposition;
+    let unit = match scale {
+        1.0 => None,
+        0.001 => Some("its sizes are in mm".to_owned()),
+        0.01 => Some("its sizes are in cm".to_owned()),
+        0.0254 => Some("its sizes are in inches".to_owned()),
+        factor => Some(format!("its sizes are {} times too small", short(factor, 4))),
+    };
+    let of_mass = MASSES.iter().find(|(factor, _)| *factor == mass).map(|(_, why)| (*why).to_owned());
+    unit.into_iter().chain(of_mass).collect::<Vec<_>>().join(", and ")
+}
+
+/// Suggests a unit that would make the density plausible, where the tensor does not confirm it.
+fn hint(body: &Body) -> String {
+    for rescaled in body.geometry.rescaled.iter().filter(|rescaled| rescaled.factor < 1.0) {
+        let supposition = Supposition { scale: rescaled.factor, mass: 1.0 };
+        if let Some(solid) = supposed(body, supposition).into_iter().next() {
+            let density = short(body.mass / solid.volume, 3);
+            let what = words_of(&supposition);
+            return format!("; if {what}, {density} kg/m³; the tensor does not confirm it");
+        }
+    }
+    String::new()
 }

@@ -1,85 +1,237 @@
-//! Mistakes that may explain a tensor, and which of them fits best.
+//! Slips that may explain a tensor, and the agreement that each is measured by.
+//!
+//! A slip is undone, and the result compared with the tensor that the geometry has, uniform, in every element. It explains the
+//! tensor if all elements agree, and if each element that it changes comes at least five times nearer to the geometry's. So an
+//! element that already agrees is never changed.
 
-use super::body::Body;
-use super::finding;
-use super::written::short;
-use crate::finding::{Finding, Repair, Severity};
+use super::body::{Body, NAMES};
+use super::written::{negated, restyled, shifted, short};
+use crate::geometry::Volume;
 use crate::model::Span;
 use crate::moments::{Elements, difference, norm};
 
-/// A tensor that is its geometry's is within a few per cent: screws, holes and cables are not drawn.
-pub(super) const FIT: f64 = 0.03;
+/// Tolerance of slips that keep the digits, as a part of each element: screws, holes and cables are not drawn.
+pub(super) const LOOSE: f64 = 0.03;
 
-/// What is written must be this many times farther off than with the mistake undone. Below it both may be chance.
-const BETTER: f64 = 5.0;
+/// Tolerance of slips that a formula or a factor like the mass explains: these agree to all digits, or by chance.
+pub(super) const TIGHT: f64 = 0.002;
+
+/// Rounding of the written digits counts up to this part of an element.
+const ROUNDING: f64 = 0.01;
+
+/// A changed element must be this many times farther off as written than with the slip undone. Below it both may be chance.
+pub(super) const BETTER: f64 = 5.0;
 
 /// What is written must be off by this many times what rounding of its digits explains.
 const BEYOND_ROUNDING: f64 = 3.0;
 
 /// Tensors this near to each other mean the same.
-const SAME: f64 = 1e-3;
+pub(super) const SAME: f64 = 1e-3;
 
-/// A mistake.
-#[derive(Debug)]
-pub(super) struct Explanation {
+/// The right value of an element, given the written one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Change {
+    Keep,
+    /// 10^k times the written value, with its digits.
+    Shift(i32),
+    Scale(f64),
+    Negate,
+    /// The value written for another element, perhaps with the other sign.
+    Take(usize, bool),
+    /// The geometry's value; a wrong formula gives this one, which must be the written one.
+    Formula(f64),
+    /// A value that follows from all elements.
+    Value(f64),
+}
+
+/// A slip: its rule, its words and its place.
+#[derive(Clone, Debug)]
+pub(super) struct Slip {
     pub(super) code: &'static str,
     /// `"the products have the other sign"`
     pub(super) mistake: String,
     pub(super) rule: &'static str,
     /// Where.
     pub(super) span: Span,
-    /// The text without the mistake, where that is only numbers.
+    /// False if the slip leaves open what the right numbers are.
+    pub(super) is_sure: bool,
+}
+
+/// Suppositions about the geometry and the mass; the tensor is compared under them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Supposition {
+    /// Factor of all sizes of the geometry.
+    pub(super) scale: f64,
+    /// Factor of the mass.
+    pub(super) mass: f64,
+}
+
+impl Supposition {
+    pub(super) const NONE: Self = Self { scale: 1.0, mass: 1.0 };
+
+    /// How many slips these are.
+    pub(super) fn count(&self) -> usize {
+        usize::from(self.scale != 1.0) + usize::from(self.mass != 1.0)
+    }
+}
+
+/// An explanation: suppositions, and a slip in the tensor or none.
+#[derive(Clone, Debug)]
+pub(super) struct Fit {
+    pub(super) supposition: Supposition,
+    /// ‖I − I_shape‖ / ‖I_shape‖ with everything undone.
+    pub(super) misfit: f64,
+    /// The same of the tensor as written.
+    pub(super) as_written: f64,
+    /// The right tensor, along the inertial's axes.
+    pub(super) tensor: Elements,
+    pub(super) slip: Option<Slip>,
+    /// The edits of the tensor.
     pub(super) edits: Vec<(Span, String)>,
 }
 
-/// The mistakes that explain a body's tensor.
+/// The slips that explain a body's tensor, compared with one solid.
 #[derive(Debug)]
 pub(super) struct Candidates<'b, 'm> {
     pub(super) body: &'b Body<'m>,
+    pub(super) solid: &'b Volume,
+    /// kg, as supposed.
+    pub(super) mass: f64,
+    supposition: Supposition,
+    /// The tensor of the solid with this mass, along the inertial's axes.
+    pub(super) target: Elements,
+    /// Scale of each element, √(I_ii I_jj) of the solid: tolerances are parts of it.
+    sizes: Elements,
     as_written: f64,
-    /// Misfit and tensor without the mistake.
-    fits: Vec<(f64, Elements, Explanation)>,
+    pub(super) fits: Vec<Fit>,
 }
 
 impl<'b, 'm> Candidates<'b, 'm> {
-    /// `None` if there is nothing to compare with, or nothing to explain.
-    pub(super) fn of(body: &'b Body<'m>) -> Option<Self> {
-        let as_written = body.misfit(&body.tensor)?;
-        let rounding = norm(&body.rounding) / norm(&body.tensor).max(f64::MIN_POSITIVE);
-        let off = as_written > f64::max(SAME, BEYOND_ROUNDING * rounding);
-        off.then_some(Self { body, as_written, fits: Vec::new() })
+    pub(super) fn of(body: &'b Body<'m>, solid: &'b Volume, supposition: Supposition) -> Self {
+        let mass = supposition.mass * body.mass;
+        let target = body.in_inertial_axes(&body.implied(solid, mass));
+        let [xx, yy, zz, ..] = target;
+        let sizes = [xx, yy, zz, (xx * yy).sqrt(), (xx * zz).sqrt(), (yy * zz).sqrt()];
+        let as_written = norm(&difference(&body.written, &target)) / norm(&target);
+        Self { body, solid, mass, supposition, target, sizes, as_written, fits: Vec::new() }
     }
 
-    /// A mistake that, undone, leaves this tensor along the link's axes. It is only written out if it fits.
-    pub(super) fn offer(&mut self, tensor: Elements, mistake: impl FnOnce() -> Explanation) {
-        let misfit = self.body.misfit(&tensor).unwrap_or(f64::INFINITY);
-        if misfit <= FIT && BETTER * misfit <= self.as_written {
-            self.fits.push((misfit, tensor, mistake()));
+    /// True if the written element is the solid's, within a part of it.
+    pub(super) fn agrees(&self, k: usize, tolerance: f64) -> bool {
+        let [written, target, size] = [self.body.written[k], self.target[k], self.sizes[k]];
+        (written - target).abs() <= tolerance * size + self.rounding(k, 1.0)
+    }
+
+    /// The solid's second moments along the inertial's axes, times the mass.
+    pub(super) fn second_moments(&self) -> [f64; 3] {
+        let [xx, yy, zz, ..] = self.target;
+        [0.5 * (yy + zz - xx), 0.5 * (xx + zz - yy), 0.5 * (xx + yy - zz)]
+    }
+
+    /// True if products of the solid vanish, so that formulas for its moments hold along these axes.
+    pub(super) fn is_aligned(&self) -> bool {
+        (3..6).all(|k| self.target[k].abs() <= SAME * self.sizes[k])
+    }
+
+    /// Difference that rounding of the written digits explains, of an element that was multiplied by a factor.
+    fn rounding(&self, k: usize, factor: f64) -> f64 {
+        (self.body.rounding[k] * factor.abs()).min(ROUNDING * self.sizes[k])
+    }
+
+    /// Offers the tensor as written, if it agrees under the supposition.
+    pub(super) fn offer_as_written(&mut self, tolerance: f64) {
+        if (0..6).all(|k| self.agrees(k, tolerance)) {
+            let tensor = self.body.written;
+            self.push(tensor, None, Vec::new());
         }
     }
 
-    /// The finding of the one that fits best; of equals, the first.
-    pub(super) fn best(mut self) -> Option<Finding> {
+    /// A slip that these changes undo. It is only written out if it explains the tensor.
+    pub(super) fn offer(&mut self, changes: [Change; 6], tolerance: f64, slip: impl FnOnce() -> Slip) {
         let body = self.body;
-        let least = self.fits.iter().map(|(misfit, ..)| *misfit).min_by(f64::total_cmp)?;
-        let simplest = self.fits.iter().position(|(misfit, ..)| *misfit <= 1.1 * least + SAME * FIT)?;
-        let (misfit, tensor, chosen) = self.fits.remove(simplest);
-        // Another that fits as well and means another tensor leaves the choice to a person.
-        let other = self.fits.iter().any(|(m, t, _)| {
-            *m <= BETTER * f64::max(least, SAME) && norm(&difference(t, &tensor)) > SAME * norm(&tensor)
-        });
-        let [off, left] = [self.as_written, misfit].map(|x| short(100.0 * x, 2));
-        let message = format!(
-            "{}: as written it is {off} % from its geometry's tensor, without that mistake {left} %",
-            chosen.mistake
-        );
-        let mut found = finding(chosen.code, Severity::Suspect, body.link, chosen.span, message, chosen.rule);
-        found.numbers = vec![("misfit", self.as_written), ("misfit_repaired", misfit)];
-        if !other && !chosen.edits.is_empty() {
-            let description = describe(body, &chosen.edits);
-            found.repair = Some(Repair { description, edits: chosen.edits });
+        let right = self.right(&changes);
+        let mut is_better = false;
+        for k in 0..6 {
+            let [was, left] = [body.written[k], right[k]].map(|x| (x - self.target[k]).abs());
+            let factor = match changes[k] {
+                Change::Shift(power) => 10_f64.powi(power),
+                Change::Scale(factor) => factor,
+                _ => 1.0,
+            };
+            let noise = SAME * self.sizes[k];
+            // Not ≤ refuses NaN, too.
+            if !(left <= tolerance * self.sizes[k] + self.rounding(k, factor)) {
+                return;
+            }
+            if right[k] == body.written[k] {
+                continue;
+            }
+            let better = BETTER * left <= was && was > BEYOND_ROUNDING * self.rounding(k, 1.0);
+            is_better |= better && was > noise;
+            let is_neutral = was <= noise && left <= noise;
+            if !(better || is_neutral) {
+                return;
+            }
         }
-        Some(found)
+        let off = f64::max(SAME, BEYOND_ROUNDING * norm(&body.rounding) / norm(&body.written));
+        if is_better && self.as_written > off {
+            let slip = slip();
+            let edits = if slip.is_sure { self.edits(&changes) } else { Vec::new() };
+            self.push(right, Some(slip), edits);
+        }
+    }
+
+    fn push(&mut self, tensor: Elements, slip: Option<Slip>, edits: Vec<(Span, String)>) {
+        let misfit = norm(&difference(&tensor, &self.target)) / norm(&self.target);
+        let Self { supposition, as_written, .. } = *self;
+        self.fits.push(Fit { supposition, misfit, as_written, tensor, slip, edits });
+    }
+
+    fn right(&self, changes: &[Change; 6]) -> Elements {
+        let written = &self.body.written;
+        std::array::from_fn(|k| match changes[k] {
+            Change::Keep => written[k],
+            // Written zeros are zero in every unit.
+            Change::Shift(_) | Change::Scale(_) | Change::Negate if written[k] == 0.0 => 0.0,
+            Change::Shift(power) => written[k] * 10_f64.powi(power),
+            Change::Scale(factor) => written[k] * factor,
+            Change::Negate => -written[k],
+            Change::Take(from, negates) => written[from] * if negates { -1.0 } else { 1.0 },
+            Change::Formula(wrong) => self.target[k] + (written[k] - wrong),
+            Change::Value(right) => right,
+        })
+    }
+
+    /// The edits that write the changes; none if an element to be changed is not written in the text.
+    fn edits(&self, changes: &[Change; 6]) -> Vec<(Span, String)> {
+        let body = self.body;
+        let right = self.right(changes);
+        let texts: Vec<&str> = body.numbers().map(|(_, number)| number.text.as_str()).collect();
+        // A zero's text has no style: the longest text's then.
+        let longest = texts.iter().copied().max_by_key(|text| text.len()).unwrap_or("");
+        let mut edits = Vec::new();
+        let mut changed = (0..6).filter(|k| right[*k] != body.written[*k]).count();
+        for (k, number) in body.numbers() {
+            if right[k] == body.written[k] {
+                continue;
+            }
+            changed -= 1;
+            let old = number.text.as_str();
+            let style = if body.written[k] == 0.0 { longest } else { old };
+            let text = match changes[k] {
+                Change::Keep => continue,
+                Change::Shift(power) => shifted(old, power),
+                Change::Negate => Some(negated(old)),
+                Change::Take(from, negates) => {
+                    texts.get(from).map(|text| if negates { negated(text) } else { (*text).to_owned() })
+                }
+                Change::Formula(_) => Some(restyled(self.target[k], style)),
+                Change::Scale(_) | Change::Value(_) => Some(restyled(right[k], style)),
+            };
+            let Some(text) = text else { return Vec::new() };
+            edits.push((number.span.clone(), text));
+        }
+        if changed == 0 { edits } else { Vec::new() }
     }
 }
 
@@ -89,20 +241,33 @@ pub(super) fn describe(body: &Body, edits: &[(Span, String)]) -> String {
         .numbers()
         .filter_map(|(k, number)| {
             let (_, text) = edits.iter().find(|(span, _)| *span == number.span)?;
-            Some(format!("{} {} → {text}", super::body::NAMES[k], number.text))
+            Some(format!("{} {} → {text}", NAMES[k], number.text))
         })
         .collect();
     changes.join(", ")
 }
 
-/// The edits that make the written numbers these texts, where they differ.
-pub(super) fn edits(body: &Body, text: impl Fn(usize, &str) -> Option<String>) -> Vec<(Span, String)> {
-    let mut edits = Vec::new();
-    for (k, number) in body.numbers() {
-        let Some(new) = text(k, &number.text) else { return Vec::new() };
-        if new != number.text {
-            edits.push((number.span.clone(), new));
-        }
+/// `"ixx"`, `"ixx and iyy"`, `"ixx, iyy and izz"`
+pub(super) fn named(elements: &[usize]) -> String {
+    let names: Vec<&str> = elements.iter().filter_map(|k| NAMES.get(*k).copied()).collect();
+    match names.split_last() {
+        Some((last, others)) if !others.is_empty() => format!("{} and {last}", others.join(", ")),
+        Some((last, _)) => (*last).to_owned(),
+        None => String::new(),
     }
-    edits
+}
+
+/// `"10 times too large"`, `"1000 times too small"`, of a factor that makes it right.
+pub(super) fn times_too(power: i32) -> String {
+    let times = match power.unsigned_abs() {
+        1 => "10".to_owned(),
+        2 => "100".to_owned(),
+        many => format!("10^{many}"),
+    };
+    format!("{times} times too {}", if power < 0 { "large" } else { "small" })
+}
+
+/// A misfit in per cent; what rounding leaves of none is 0.
+pub(super) fn percent(misfit: f64) -> String {
+    if misfit < 1e-6 { "0 %".to_owned() } else { format!("{} %", short(100.0 * misfit, 2)) }
 }

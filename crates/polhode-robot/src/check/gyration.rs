@@ -6,6 +6,7 @@
 use super::body::Body;
 use super::dummy::Held;
 use super::finding;
+use super::placeholder::{is_round, is_typed};
 use super::unit::nearest;
 use super::written::short;
 use crate::finding::{Finding, Severity};
@@ -19,6 +20,16 @@ const UNDRAWN: f64 = 1.1;
 const PADDED_MASS: f64 = 0.1;
 const PADDED_MOMENT: f64 = 1e-3;
 
+/// And up to this many times what the geometry implies: ten times in length.
+const PADDED_FACTOR: f64 = 100.0;
+
+/// True if a light link's round moments are padding, `factor` times as large as they should be.
+pub(super) fn is_padded(body: &Body, held: Held, factor: f64) -> bool {
+    let i3 = body.moments.values[2];
+    let is_small = body.mass <= PADDED_MASS && i3 <= PADDED_MOMENT && factor <= PADDED_FACTOR;
+    held == Held::Dummy || is_small && is_round(body)
+}
+
 /// Without geometry, a body as sparse as 10 kg/m³ (foam) and long: ten edges of the cube of that volume. A metre is
 /// granted in any case.
 const SPARSEST: f64 = 10.0;
@@ -27,7 +38,7 @@ const LONGEST: f64 = 10.0;
 pub(super) fn check(body: &Body, held: Held, findings: &mut Vec<Finding>) {
     let k = body.gyration();
     let i3 = body.moments.values[2];
-    let implied = body.solids().map(|s| trace(&body.implied(s)) / 3.0).reduce(f64::max);
+    let implied = body.solids().map(|s| trace(&body.implied(s, body.mass)) / 3.0).reduce(f64::max);
     // How large the moments should be, and within which factor that is known.
     let (bound, seen, size, sure) = match body.reach() {
         Some(reach) => {
@@ -49,20 +60,21 @@ pub(super) fn check(body: &Body, held: Held, findings: &mut Vec<Finding>) {
     }
     let [moment, mass, radius] = [i3, body.mass, k].map(|x| short(x, 4));
     // A round number was typed, and never was one of CAD's.
-    let round = super::placeholder::is_round(body);
-    let typed = super::placeholder::is_typed(body);
+    let typed = is_typed(body);
     let unit = nearest(trace(&body.written) / 3.0 / size, sure).filter(|_| !typed && held != Held::Dummy);
-    let padded = held == Held::Dummy || body.mass <= PADDED_MASS && i3 <= PADDED_MOMENT && round;
+    let padded = is_padded(body, held, trace(&body.written) / 3.0 / size);
+    let digits = if implied.is_some() { 3 } else { 1 };
+    let size = short(size, digits);
     let (code, severity) = match unit {
         Some(_) => ("inertia.unit", Severity::Suspect),
         _ => ("gyration.too_large", if padded { Severity::Note } else { Severity::Suspect }),
     };
     let guess = match unit {
         Some(unit) => {
-            format!("; some {} kg·m² would be expected: {} written as kg·m²?", short(size, 1), unit.name)
+            format!("; some {} kg·m² would be expected: {} written as kg·m²?", size, unit.name)
         }
         None if typed && !padded => {
-            format!("; some {} kg·m² would be expected: a placeholder?", short(size, 1))
+            format!("; some {} kg·m² would be expected: a placeholder?", size)
         }
         None => String::new(),
     };

@@ -5,54 +5,77 @@
 //! One read as another puts products where moments belong, which mostly is impossible. Nine numbers by rows
 //! (xx xy xz yx yy yz …), cut at six, betray themselves by xy = yx in two places; zz is lost then. The products
 //! alone may be exchanged, too (xy yz xz, or yz xz xy as engineers number stresses), and the moments of a body
-//! without products (a cylinder along another axis): only the geometry can tell that.
+//! without products (a cylinder along another axis), or two axes with all that belongs to them (y up for z up): only the geometry
+//! can tell that.
 
 use super::body::Body;
-use super::explanation::{Candidates, Explanation, edits};
+use super::explanation::{Candidates, Change, LOOSE, Slip};
 use super::finding;
-use crate::finding::{Finding, Repair, Severity};
+use crate::finding::{Finding, Severity};
 use crate::model::Tensor;
 use crate::moments::{Elements, Moments};
 
-/// `right[k] = written[from[k]]`
+/// `right[k] = ± written[from[k]]`
 struct Order {
     mistake: &'static str,
     from: [usize; 6],
+    /// True for elements that have the other sign, too.
+    negated: [bool; 6],
+}
+
+const fn order(mistake: &'static str, from: [usize; 6]) -> Order {
+    Order { mistake, from, negated: [false; 6] }
+}
+
+/// A quarter of a turn: two products change their signs.
+const fn turn(mistake: &'static str, from: [usize; 6], negated: [usize; 2]) -> Order {
+    let mut order = order(mistake, from);
+    let [i, j] = negated;
+    order.negated[i] = true;
+    order.negated[j] = true;
+    order
 }
 
 const LISTS: [Order; 4] = [
-    Order {
-        mistake: "xx yy zz xy xz yz written in the places of xx xy xz yy yz zz",
-        from: [0, 3, 4, 1, 5, 2],
-    },
-    Order {
-        mistake: "row-major xx xy xz yy yz zz written in the places of xx yy zz xy xz yz",
-        from: [0, 3, 5, 1, 2, 4],
-    },
-    Order {
-        mistake: "the lower triangle xx xy yy xz yz zz written in the places of xx xy xz yy yz zz",
-        from: [0, 4, 2, 3, 1, 5],
-    },
-    Order {
-        mistake: "the lower triangle xx xy yy xz yz zz written in the places of xx yy zz xy xz yz",
-        from: [0, 2, 5, 1, 3, 4],
-    },
+    order("xx yy zz xy xz yz written in the places of xx xy xz yy yz zz", [0, 3, 4, 1, 5, 2]),
+    order("row-major xx xy xz yy yz zz written in the places of xx yy zz xy xz yz", [0, 3, 5, 1, 2, 4]),
+    order(
+        "the lower triangle xx xy yy xz yz zz written in the places of xx xy xz yy yz zz",
+        [0, 4, 2, 3, 1, 5],
+    ),
+    order(
+        "the lower triangle xx xy yy xz yz zz written in the places of xx yy zz xy xz yz",
+        [0, 2, 5, 1, 3, 4],
+    ),
 ];
 
 const PRODUCTS: [Order; 5] = [
-    Order { mistake: "iyz and ixz exchanged", from: [0, 1, 2, 3, 5, 4] },
-    Order { mistake: "ixy and iyz exchanged", from: [0, 1, 2, 5, 4, 3] },
-    Order { mistake: "ixy and ixz exchanged", from: [0, 1, 2, 4, 3, 5] },
-    Order { mistake: "products in the order xz yz xy", from: [0, 1, 2, 5, 3, 4] },
-    Order { mistake: "products in the order yz xy xz", from: [0, 1, 2, 4, 5, 3] },
+    order("iyz and ixz exchanged", [0, 1, 2, 3, 5, 4]),
+    order("ixy and iyz exchanged", [0, 1, 2, 5, 4, 3]),
+    order("ixy and ixz exchanged", [0, 1, 2, 4, 3, 5]),
+    order("products in the order xz yz xy", [0, 1, 2, 5, 3, 4]),
+    order("products in the order yz xy xz", [0, 1, 2, 4, 5, 3]),
 ];
 
 const MOMENTS: [Order; 5] = [
-    Order { mistake: "ixx and iyy exchanged", from: [1, 0, 2, 3, 4, 5] },
-    Order { mistake: "ixx and izz exchanged", from: [2, 1, 0, 3, 4, 5] },
-    Order { mistake: "iyy and izz exchanged", from: [0, 2, 1, 3, 4, 5] },
-    Order { mistake: "moments in the order zz xx yy", from: [1, 2, 0, 3, 4, 5] },
-    Order { mistake: "moments in the order yy zz xx", from: [2, 0, 1, 3, 4, 5] },
+    order("ixx and iyy exchanged", [1, 0, 2, 3, 4, 5]),
+    order("ixx and izz exchanged", [2, 1, 0, 3, 4, 5]),
+    order("iyy and izz exchanged", [0, 2, 1, 3, 4, 5]),
+    order("moments in the order zz xx yy", [1, 2, 0, 3, 4, 5]),
+    order("moments in the order yy zz xx", [2, 0, 1, 3, 4, 5]),
+];
+
+/// Axes exchanged with all that belongs to them. Frames of another handedness exchange two; a quarter of a turn changes signs, too.
+const AXES: [Order; 9] = [
+    order("axes x and y exchanged", [1, 0, 2, 3, 5, 4]),
+    order("axes x and z exchanged", [2, 1, 0, 5, 4, 3]),
+    order("axes y and z exchanged", [0, 2, 1, 4, 3, 5]),
+    turn("axes turned by a quarter about x", [0, 2, 1, 4, 3, 5], [3, 5]),
+    turn("axes turned by a quarter about x", [0, 2, 1, 4, 3, 5], [4, 5]),
+    turn("axes turned by a quarter about y", [2, 1, 0, 5, 4, 3], [3, 4]),
+    turn("axes turned by a quarter about y", [2, 1, 0, 5, 4, 3], [4, 5]),
+    turn("axes turned by a quarter about z", [1, 0, 2, 3, 5, 4], [3, 4]),
+    turn("axes turned by a quarter about z", [1, 0, 2, 3, 5, 4], [3, 5]),
 ];
 
 const RULE: &str = "URDF and SDF name each element; MJCF's fullinertia is xx yy zz xy xz yz";
@@ -62,8 +85,19 @@ pub(super) fn explain(candidates: &mut Candidates) {
     let body = candidates.body;
     let bare = body.written[3..].iter().all(|x| *x == 0.0);
     let full = matches!(body.inertial.tensor, Tensor::Six(_)) && !bare;
-    for order in LISTS.iter().chain(&PRODUCTS).filter(|_| full).chain(MOMENTS.iter().filter(|_| bare)) {
-        candidates.offer(body.in_link_axes(&right(body, order)), || explanation(body, order));
+    let of_full = LISTS.iter().chain(&PRODUCTS).chain(&AXES).filter(|_| full);
+    for order in of_full.chain(MOMENTS.iter().filter(|_| bare)) {
+        let change = |k: usize| match (order.from[k], order.negated[k]) {
+            (from, false) if from == k => Change::Keep,
+            (from, negates) => Change::Take(from, negates),
+        };
+        candidates.offer(std::array::from_fn(change), LOOSE, || Slip {
+            code: "inertia.order",
+            mistake: order.mistake.to_owned(),
+            rule: RULE,
+            span: body.tensor_place(),
+            is_sure: true,
+        });
     }
 }
 
@@ -88,17 +122,10 @@ pub(super) fn check_alone(body: &Body, findings: &mut Vec<Finding>) {
     let Some(order) = possible.first() else { return };
     let [a, b, c] = Moments::of(&right(body, order)).values.map(|x| super::written::short(x, 4));
     let message = format!(
-        "{}: the tensor is possible so ({a}, {b}, {c} kg·m²), and impossible as written",
+        "{}: that would make the tensor possible ({a}, {b}, {c} kg·m²), and no geometry confirms it",
         order.mistake
     );
-    let mut found =
-        finding("inertia.order", Severity::Suspect, body.link, body.tensor_place(), message, RULE);
-    // Without a shape that agrees it is a proof only if there is no shape to ask, and no other order does.
-    if possible.len() == 1 && body.solids().next().is_none() {
-        let edits = explanation(body, order).edits;
-        found.repair = Some(Repair { description: super::explanation::describe(body, &edits), edits });
-    }
-    findings.push(found);
+    findings.push(finding("inertia.order", Severity::Suspect, body.link, body.tensor_place(), message, RULE));
 }
 
 fn slack(body: &Body) -> f64 {
@@ -107,15 +134,4 @@ fn slack(body: &Body) -> f64 {
 
 fn right(body: &Body, order: &Order) -> Elements {
     order.from.map(|k| body.written[k])
-}
-
-fn explanation(body: &Body, order: &Order) -> Explanation {
-    let texts: Vec<&str> = body.numbers().map(|(_, n)| n.text.as_str()).collect();
-    Explanation {
-        code: "inertia.order",
-        mistake: order.mistake.to_owned(),
-        rule: RULE,
-        span: body.tensor_place(),
-        edits: edits(body, |k, _| texts.get(*order.from.get(k)?).map(|t| (*t).to_owned())),
-    }
 }

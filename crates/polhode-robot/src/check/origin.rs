@@ -5,56 +5,48 @@
 //! CAD programs print both, one below the other. The centre c is the file's; if the file leaves it at the origin, the
 //! geometry's.
 
-use super::body::Body;
-use super::explanation::{Candidates, Explanation, edits};
-use super::written::{restyled, short};
+use super::explanation::{Candidates, Change, LOOSE, SAME, Slip};
+use super::written::short;
 use crate::model::Tensor;
-use crate::moments::{Elements, difference, parallel_axes};
+use crate::moments::{difference, parallel_axes};
 
-const RULE: &str = "an inertial's tensor is about its own origin, the centre of mass";
+/// This part of the largest element is rounding of the computation.
+const NOTHING: f64 = 1e-12;
 
 pub(super) fn explain(candidates: &mut Candidates) {
     let body = candidates.body;
-    let explanation = |mistake, edits| Explanation {
+    let is_given = body.centre != [0.0; 3];
+    let centre = if is_given { body.centre } else { candidates.solid.centroid };
+    let tensor = difference(&body.tensor, &parallel_axes(candidates.mass, centre));
+    let right = body.in_inertial_axes(&tensor);
+    let away = short(centre.iter().map(|x| x * x).sum::<f64>().sqrt(), 4);
+    let mistake = if is_given {
+        format!("tensor about the link's origin, {away} m from the centre of mass")
+    } else {
+        format!(
+            "tensor about the link's origin, and no centre of mass given; the geometry's is {away} m from there"
+        )
+    };
+    // A small difference of large numbers has few digits. Where these do not tell it from the geometry's value, that is the right one.
+    let size = right.iter().fold(0.0, |max, x| f64::max(max, x.abs()));
+    let target = candidates.target;
+    let is_targets = |k: usize| (right[k] - target[k]).abs() <= body.rounding[k];
+    let has_digits = (0..6).all(|k| is_targets(k) || body.rounding[k] <= SAME * size);
+    let value = |k: usize| {
+        let value = if is_targets(k) { target[k] } else { right[k] };
+        if value.abs() <= NOTHING * size { 0.0 } else { value }
+    };
+    let change = |k: usize| {
+        let is_same = (right[k] - body.written[k]).abs() <= NOTHING * size;
+        if is_same { Change::Keep } else { Change::Value(value(k)) }
+    };
+    // Moments alone have no place for products.
+    let is_sure = is_given && has_digits && matches!(body.inertial.tensor, Tensor::Six(_));
+    candidates.offer(std::array::from_fn(change), LOOSE, || Slip {
         code: "inertia.about_origin",
         mistake,
-        rule: RULE,
+        rule: "an inertial's tensor is about its own origin, the centre of mass",
         span: body.tensor_place(),
-        edits,
-    };
-    if body.centre != [0.0; 3] {
-        let tensor = difference(&body.tensor, &parallel_axes(body.mass, body.centre));
-        candidates.offer(tensor, || {
-            let away = length(body.centre);
-            let mistake = format!("tensor about the link's origin, {away} m from the centre of mass");
-            explanation(mistake, texts(body, &body.in_inertial_axes(&tensor)))
-        });
-        return;
-    }
-    for solid in body.solids() {
-        candidates.offer(difference(&body.tensor, &parallel_axes(body.mass, solid.centroid)), || {
-            let away = length(solid.centroid);
-            let mistake = format!(
-                "tensor about the link's origin, and no centre of mass given; the geometry's is {away} m from there"
-            );
-            explanation(mistake, Vec::new())
-        });
-    }
-}
-
-fn length(v: [f64; 3]) -> String {
-    short(v.iter().map(|x| x * x).sum::<f64>().sqrt(), 4)
-}
-
-/// The six numbers about the centre; none if the language has no place for products.
-fn texts(body: &Body, right: &Elements) -> Vec<(crate::model::Span, String)> {
-    if !matches!(body.inertial.tensor, Tensor::Six(_)) {
-        return Vec::new();
-    }
-    // A zero's text has no style: the longest text's then.
-    let style = body.numbers().map(|(_, n)| n.text.as_str()).max_by_key(|t| t.len()).unwrap_or("");
-    edits(body, |k, text| {
-        let style = if body.written[k] == 0.0 { style } else { text };
-        Some(if right[k] == body.written[k] { text.to_owned() } else { restyled(right[k], style) })
-    })
+        is_sure,
+    });
 }

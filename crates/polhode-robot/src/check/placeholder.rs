@@ -9,6 +9,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::alike::named;
 use super::body::Body;
+use super::dummy::Held;
 use super::finding;
 use super::written::short;
 use crate::finding::{Finding, Severity};
@@ -47,11 +48,11 @@ pub(super) fn is_typed(body: &Body) -> bool {
 }
 
 /// The identity.
-pub(super) fn check(body: &Body, findings: &mut Vec<Finding>) {
+pub(super) fn check(body: &Body, _: Held, findings: &mut Vec<Finding>) {
     if body.written != [1.0, 1.0, 1.0, 0.0, 0.0, 0.0] {
         return;
     }
-    let implied: Vec<f64> = body.solids().map(|s| trace(&body.implied(s)) / 3.0).collect();
+    let implied: Vec<f64> = body.solids().map(|s| trace(&body.implied(s, body.mass)) / 3.0).collect();
     let far = |i: f64| !(1.0 / NEAR..=NEAR).contains(&i);
     let [mass, k] = [body.mass, body.gyration()].map(|x| short(x, 4));
     let (severity, why) = match (implied.iter().copied().reduce(f64::max), body.reach()) {
@@ -96,7 +97,7 @@ pub(super) fn repeated(bodies: &[Option<Body>], findings: &mut Vec<Finding>) {
 
 /// What is said of one link's round tensor alone.
 fn stands_for(finding: &Finding) -> bool {
-    matches!(finding.code, "gyration.too_large" | "inertia.unit" | "inertia.placeholder")
+    matches!(finding.code, "gyration.too_large" | "inertia.unit" | "inertia.placeholder" | "inertia.geometry")
 }
 
 /// Something else that is wrong with a tensor.

@@ -58,7 +58,7 @@ pub(super) fn check(body: &Body, carried: bool, findings: &mut Vec<Finding>) -> 
         let place = (0..3).find(|k| body.written[*k] < 0.0).map_or(body.tensor_place(), |k| body.place(k));
         let mut found = finding("inertia.negative", Severity::Impossible, body.link, place, message, rule);
         found.numbers = vec![("i1", i1), ("i2", i2), ("i3", i3), ("rounding", negative)];
-        found.repair = power::repair(body);
+        suggest(body, &mut found);
         findings.push(found);
         return Verdict::Impossible;
     }
@@ -77,7 +77,7 @@ pub(super) fn check(body: &Body, carried: bool, findings: &mut Vec<Finding>) -> 
         let mut found =
             finding("inertia.triangle", Severity::Impossible, body.link, body.place(largest), message, rule);
         found.numbers = vec![("i1", i1), ("i2", i2), ("i3", i3), ("excess", -gap), ("rounding", triangle)];
-        found.repair = power::repair(body);
+        suggest(body, &mut found);
         findings.push(found);
         return Verdict::Impossible;
     }
@@ -121,6 +121,13 @@ pub(super) fn of_moments(link: &Link, inertial: &Inertial) -> Option<Finding> {
     let mut found = finding("inertia.triangle", Severity::Impossible, link, span, message, rule);
     found.numbers = vec![("excess", greatest - others)];
     Some(found)
+}
+
+/// Adds to the message what would make the tensor possible.
+fn suggest(body: &Body, found: &mut Finding) {
+    if let Some(suggestion) = power::suggestion(body) {
+        found.message = format!("{}; {suggestion}", found.message);
+    }
 }
 
 /// How much of a negative λ(I), or of i1 + i2 − i3 (`trace` = 1), rounding may explain; v is the axis.

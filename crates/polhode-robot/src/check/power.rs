@@ -1,21 +1,18 @@
-//! A slip of the point: the one power of ten in one element that makes an impossible tensor possible.
+//! A suggestion for an impossible tensor without geometry: the one power of ten in one element that would make it possible.
 //!
 //! `izz="1676359E-6"` beside moments of some 2e-3 kg·m² is a point forgotten in 1676.359E-6. All elements and all
-//! powers from 10⁻¹² to 10¹² are tried. It is a proof if one alone is left: moments that differ are held between
-//! |i1 − i2| and i1 + i2, mostly less than a decade. A product can be too large in a decade's choice of ways, so it
-//! alone never proves anything. Where there is geometry, its moments must be near, too.
+//! powers from 10⁻¹² to 10¹² are tried. One that is possible is not therefore right: of a rod, any of the three moments may be
+//! the wrong one. So this is a suggestion, and never a fix.
 
 use super::body::{Body, NAMES};
 use super::written::{shifted, short};
-use crate::finding::Repair;
-use crate::moments::{Elements, Moments, trace};
+use crate::moments::Moments;
 
-/// A body is not uniform and its geometry may be crude, but its moments are rarely ten times off: that would be the
-/// next power.
-const CRUDE: f64 = 10.0;
-
-/// The only repair of this kind, if there is one.
-pub(super) fn repair(body: &Body) -> Option<Repair> {
+/// The only suggestion of this kind, if there is one and no geometry to ask.
+pub(super) fn suggestion(body: &Body) -> Option<String> {
+    if body.solids().next().is_some() {
+        return None;
+    }
     let mut only = None;
     for (k, number) in body.numbers().filter(|(k, _)| body.written[*k] != 0.0) {
         for power in (-12..=12).filter(|p| *p != 0) {
@@ -24,29 +21,18 @@ pub(super) fn repair(body: &Body) -> Option<Repair> {
             let Ok(value) = text.parse::<f64>() else { continue };
             elements[k] = value;
             let moments = Moments::of(&elements);
-            if !moments.are_possible(0.0) || !fits(body, &elements) {
+            if !moments.are_possible(0.0) {
                 continue;
             }
             if only.is_some() {
                 return None;
             }
             let [a, b, c] = moments.values.map(|x| short(x, 4));
-            let description = format!(
-                "{} {} → {text}: the only power of ten that makes it possible ({a}, {b}, {c} kg·m²)",
+            only = Some(format!(
+                "{} {} → {text} would make it possible ({a}, {b}, {c} kg·m²); no geometry confirms it",
                 NAMES[k], number.text
-            );
-            only = Some(Repair { description, edits: vec![(number.span.clone(), text)] });
+            ));
         }
     }
     only
-}
-
-/// True if no geometry contradicts.
-fn fits(body: &Body, elements: &Elements) -> bool {
-    let mut solids = body.solids().peekable();
-    let any = solids.peek().is_none();
-    any || solids.any(|solid| {
-        let ratio = trace(elements) / trace(&body.implied(solid));
-        (1.0 / CRUDE..=CRUDE).contains(&ratio)
-    })
 }

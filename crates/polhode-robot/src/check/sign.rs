@@ -2,52 +2,48 @@
 //!
 //! Some programs print +∫xy dm, some −∫xy dm; a tensor wants the second. The wrong one flips all three. One copied from
 //! the mirrored side of a robot has two of them flipped, the two that hold the mirrored axis. Both leave the moments
-//! of the diagonal right, and are possible as often as not: only the geometry can tell.
+//! of the diagonal right, and are possible as often as not: only the geometry can tell. It tells of each product by itself; a
+//! product too small to tell leaves the fix open.
 
-use super::body::NAMES;
-use super::explanation::{Candidates, Explanation, edits};
-use super::written::negated;
+use super::explanation::{BETTER, Candidates, Change, LOOSE, SAME, Slip, named};
 use crate::model::Tensor;
-
-/// Which of ixy, ixz, iyz have the other sign: all first, then two, then one.
-const PATTERNS: [[bool; 3]; 7] = [
-    [true, true, true],
-    [true, true, false],
-    [true, false, true],
-    [false, true, true],
-    [true, false, false],
-    [false, true, false],
-    [false, false, true],
-];
 
 pub(super) fn explain(candidates: &mut Candidates) {
     let body = candidates.body;
     if !matches!(body.inertial.tensor, Tensor::Six(_)) {
         return;
     }
-    let present = [3, 4, 5].map(|k| body.written[k] != 0.0);
-    for pattern in PATTERNS {
-        // Zeros have no sign. "All" stands for what there is of them.
-        let all = pattern == [true; 3];
-        let flips: [bool; 3] = std::array::from_fn(|k| pattern[k] && present[k]);
-        if flips == [false; 3] || !all && (flips != pattern || flips == present) {
-            continue;
-        }
-        let flipped = |k: usize| k >= 3 && flips[k - 3];
-        let tensor = std::array::from_fn(|k| if flipped(k) { -body.written[k] } else { body.written[k] });
-        candidates.offer(body.in_link_axes(&tensor), || {
-            let names: Vec<&str> = (3..6).filter(|k| flipped(*k)).map(|k| NAMES[k]).collect();
-            Explanation {
-                code: "inertia.sign",
-                mistake: if all {
-                    "the products have the other sign (+∫xy dm for −∫xy dm)".to_owned()
-                } else {
-                    format!("{} with the other sign", names.join(" and "))
-                },
-                rule: "ixy = −∫xy dm, ixz = −∫xz dm, iyz = −∫yz dm",
-                span: (3..6).find(|k| flipped(*k)).map_or(body.tensor_place(), |k| body.place(k)),
-                edits: edits(body, |k, text| Some(if flipped(k) { negated(text) } else { text.to_owned() })),
-            }
-        });
-    }
+    let present: Vec<usize> = (3..6).filter(|k| body.written[*k] != 0.0).collect();
+    // Distance of the product from the geometry's, as written and with the other sign.
+    let off = |k: usize| {
+        let [written, target] = [body.written[k], candidates.target[k]];
+        ((written - target).abs(), (written + target).abs())
+    };
+    let flipped: Vec<usize> = present
+        .iter()
+        .copied()
+        .filter(|k| {
+            let (as_written, turned) = off(*k);
+            BETTER * turned <= as_written
+        })
+        .collect();
+    let is_open = |k: &usize| {
+        let (as_written, turned) = off(*k);
+        let [xx, yy, zz, ..] = body.written;
+        let noise = SAME * xx.max(yy).max(zz).abs();
+        body.written[*k].abs() > noise && BETTER * turned > as_written && BETTER * as_written > turned
+    };
+    let is_sure = !present.iter().any(is_open);
+    let changes = std::array::from_fn(|k| if flipped.contains(&k) { Change::Negate } else { Change::Keep });
+    candidates.offer(changes, LOOSE, || Slip {
+        code: "inertia.sign",
+        mistake: if flipped == present {
+            "the products have the other sign (+∫xy dm for −∫xy dm)".to_owned()
+        } else {
+            format!("{} with the other sign", named(&flipped))
+        },
+        rule: "ixy = −∫xy dm, ixz = −∫xz dm, iyz = −∫yz dm",
+        span: flipped.first().map_or(body.tensor_place(), |k| body.place(*k)),
+        is_sure,
+    });
 }

@@ -1,12 +1,15 @@
-//! Another unit entered as kg·m²: `inertia.unit`.
+//! All elements wrong by one factor: another unit entered as kg·m² (`inertia.unit`), or a power of ten, the mass, or lengths
+//! (`inertia.geometry`).
 //!
 //! CAD programs print g·mm² as they print kg·m², and a file does not say. Where the geometry's tensor is found again
-//! after the change of unit, in all elements, that is proved. Where only the size is right, and the gyration radius
-//! absurd, it is asked ([`super::gyration`]).
+//! after the change of unit, in all elements, that is a fix. Where only the size is right, and the gyration radius
+//! absurd, it is a question ([`super::gyration`]).
 
-use super::explanation::{Candidates, Explanation, edits};
-use super::written::{restyled, shifted, short};
-use crate::moments::{difference, norm, scaled, trace};
+use super::explanation::{Candidates, Change, LOOSE, Slip, TIGHT, times_too};
+use super::factor::{self, RULE};
+use super::placeholder::is_round;
+use super::written::short;
+use crate::moments::{difference, norm, trace};
 
 /// A unit that moments of inertia are given in.
 #[derive(Clone, Copy, Debug)]
@@ -29,11 +32,11 @@ const UNITS: [Unit; 8] = [
     Unit { name: "lb·ft²", factor: 0.042_140_110_093_80, power: None },
 ];
 
-/// Tensors too small by these: the same slips the other way.
+/// Powers of ten of tensors too small: the same slips the other way.
 const TOO_SMALL: [i32; 4] = [3, 4, 6, 9];
 
-/// A dummy is round, and so are cubes and spheres: these three agree by chance more often than six numbers do. Below
-/// this part of the tensor its differences count as none.
+/// Cubes and spheres have one number: it agrees by chance more often than six do. Below this part of the tensor its
+/// differences count as none, and its digits must agree.
 const ROUND: f64 = 0.05;
 
 /// The unit in which numbers too large by `ratio` would be right, to within a factor.
@@ -45,33 +48,43 @@ pub(super) fn nearest(ratio: f64, within: f64) -> Option<Unit> {
 
 pub(super) fn explain(candidates: &mut Candidates) {
     let body = candidates.body;
-    let third = trace(&body.tensor) / 3.0;
-    let differences = norm(&difference(&body.tensor, &[third, third, third, 0.0, 0.0, 0.0]));
-    if differences <= ROUND * norm(&body.tensor) {
-        return;
+    if is_round(body) {
+        return; // a placeholder
     }
-    let moment = || short(body.moments.values[2], 4);
-    let explanation = |mistake, text: &dyn Fn(usize, &str) -> Option<String>| Explanation {
-        code: "inertia.unit",
-        mistake,
-        rule: "moments of inertia are in kg·m²",
-        span: body.tensor_place(),
-        edits: edits(body, |k, old| if body.written[k] == 0.0 { Some(old.to_owned()) } else { text(k, old) }),
-    };
-    for unit in UNITS {
-        candidates.offer(scaled(&body.tensor, unit.factor), || {
-            let mass = short(body.mass, 4);
-            let mistake = format!("{} kg·m² on {mass} kg, {} written as kg·m²", moment(), unit.name);
-            explanation(mistake, &|k, text| match unit.power {
-                Some(power) => shifted(text, power),
-                None => Some(restyled(body.written[k] * unit.factor, text)),
-            })
+    let third = trace(&body.written) / 3.0;
+    let differences = norm(&difference(&body.written, &[third, third, third, 0.0, 0.0, 0.0]));
+    let is_isotropic = differences <= ROUND * norm(&body.written);
+    let loose = if is_isotropic { TIGHT } else { LOOSE };
+    let slip = |code, mistake, rule| Slip { code, mistake, rule, span: body.tensor_place(), is_sure: true };
+    let size = || format!("{} kg·m² on {} kg", short(body.moments.values[2], 4), short(body.mass, 4));
+    let right = trace(&candidates.target) / trace(&body.written);
+    let power = right.log10().round();
+    if power != 0.0 && power.abs() <= 12.0 {
+        let power = power as i32;
+        candidates.offer([Change::Shift(power); 6], loose, || {
+            let unit = UNITS.iter().find(|unit| unit.power == Some(power));
+            let unit_rule = "moments of inertia are in kg·m²";
+            match unit {
+                Some(unit) => {
+                    slip("inertia.unit", format!("{}, {} written as kg·m²", size(), unit.name), unit_rule)
+                }
+                None if TOO_SMALL.contains(&power) => {
+                    let mistake = format!("{}, {}", size(), times_too(power));
+                    slip("inertia.unit", mistake, unit_rule)
+                }
+                None => slip("inertia.geometry", format!("all elements are {}", times_too(power)), RULE),
+            }
         });
     }
-    for power in TOO_SMALL {
-        candidates.offer(scaled(&body.tensor, 10f64.powi(power)), || {
-            let mistake = format!("{} kg·m² is 10^{power} times too small", moment());
-            explanation(mistake, &|_, text| shifted(text, power))
+    for unit in UNITS.iter().filter(|unit| unit.power.is_none()) {
+        candidates.offer([Change::Scale(unit.factor); 6], loose, || {
+            let mistake = format!("{}, {} written as kg·m²", size(), unit.name);
+            slip("inertia.unit", mistake, "moments of inertia are in kg·m²")
+        });
+    }
+    for (factor, why) in factor::named(candidates) {
+        candidates.offer([Change::Scale(factor); 6], TIGHT, || {
+            slip("inertia.geometry", format!("all elements: {why}"), RULE)
         });
     }
 }

@@ -18,7 +18,7 @@ macro_rules! block {
     };
 }
 
-pub(super) const RULES: [Rule; 8] = [
+pub(super) const RULES: [Rule; 10] = [
     Rule {
         code: "gyration.too_large",
         severity: Suspect,
@@ -41,7 +41,7 @@ pub(super) const RULES: [Rule; 8] = [
         severity: Suspect,
         title: "moments of inertia are in kg·m²",
         why: "CAD programs print g·mm², kg·mm² or lb·in², and a robot's file does not say which it took over.",
-        mend: "Convert all six: 1 kg·mm² is 1e-6 kg·m², 1 g·mm² is 1e-9 kg·m². It is offered as a repair where the geometry then agrees.",
+        mend: "Convert all six: 1 kg·mm² is 1e-6 kg·m², 1 g·mm² is 1e-9 kg·m². A fix is written where geometry and density then agree.",
         example: Some(Example {
             model: block!(
                 "xyz=\"0 0 0\"",
@@ -50,6 +50,25 @@ pub(super) const RULES: [Rule; 8] = [
             ),
             old: "ixx=\"13000\" iyy=\"10000\" izz=\"5000\"",
             new: "ixx=\"0.013\" iyy=\"0.010\" izz=\"0.005\"",
+        }),
+    },
+    Rule {
+        code: "inertia.geometry",
+        severity: Suspect,
+        title: "the moments in sum are within a factor of three of the geometry's, and none is off by a known slip",
+        why: "All mass at the corners of a box has three times the moments of the uniform box in sum, and no mass within the box has more; thin \
+              shells have twice the moments at most. Below that factor a tensor is suspect if a known slip explains every element: the mass left out, a power of ten, a wrong \
+              pair of lengths, full lengths in the place of half ones, the formula of a slender rod.",
+        mend: "Compute the tensor of the link's own mesh: polhode inertia MESH --mass KG --write urdf. A fix is written where one slip alone explains \
+               all elements, the mass and the density.",
+        example: Some(Example {
+            model: block!(
+                "xyz=\"0 0 0\"",
+                "ixx=\"0.013\" iyy=\"0.010\" izz=\"0.010\" ixy=\"0\" ixz=\"0\" iyz=\"0\"",
+                "xyz=\"0 0 0\""
+            ),
+            old: "izz=\"0.010\"",
+            new: "izz=\"0.005\"",
         }),
     },
     Rule {
@@ -133,6 +152,24 @@ pub(super) const RULES: [Rule; 8] = [
             ),
             old: "0 -0.5 0",
             new: "0 0.5 0",
+        }),
+    },
+    Rule {
+        code: "mass.center_outside",
+        severity: Suspect,
+        title: "the centre of mass lies in the convex hull of the link's geometry",
+        why: "It is a mean of the body's points, so no distribution of mass within the geometry has it outside. The distance is that from the convex \
+              hull of all shapes of the link; what rounding of the coordinates explains is no finding.",
+        mend: "Look for a wrong sign, another unit, or a centre that is measured from another frame. A fix is written where one of these alone brings it \
+               to the geometry's centroid.",
+        example: Some(Example {
+            model: block!(
+                "xyz=\"0 0 0.4\"",
+                "ixx=\"0.013\" iyy=\"0.010\" izz=\"0.005\" ixy=\"0\" ixz=\"0\" iyz=\"0\"",
+                "xyz=\"0 0 0\""
+            ),
+            old: "xyz=\"0 0 0.4\"",
+            new: "xyz=\"0 0 0.1\"",
         }),
     },
     Rule {

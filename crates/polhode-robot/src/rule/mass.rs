@@ -67,7 +67,8 @@ pub(super) const RULES: [Rule; 6] = [
         title: "solids have 10 to 25,000 kg/m³",
         why: "The mass does not belong to the geometry: a mesh in millimetres that is read in metres, or the mass in grams. Primitives stand for \
               more than themselves and are granted a factor of 5; dummies of some grams are a note.",
-        mend: "Scale the mesh (scale=\"0.001 0.001 0.001\"), or write the mass in kg.",
+        mend: "Scale the mesh (scale=\"0.001 0.001 0.001\"), or write the mass in kg. A fix is written where one of these alone makes density and \
+               tensor agree.",
         example: Some(Example {
             model: "<link name=\"arm\">\n  <inertial>\n    <mass value=\"1.2\"/>\n    \
                     <inertia ixx=\"0.013\" iyy=\"0.010\" izz=\"0.005\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>\n  </inertial>\n  \

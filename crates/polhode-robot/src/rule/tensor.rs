@@ -10,7 +10,7 @@ pub(super) const RULES: [Rule; 7] = [
         title: "two principal moments are together no less than the third",
         why: "i1 + i2 − i3 is twice the integral of a square over the body's mass, so it is not negative. No mass distribution has such a tensor; \
               programs refuse it (Drake, Gazebo, MuJoCo) or gain energy from it. What rounding of the printed digits explains is no finding.",
-        mend: "Look for a wrong power of ten in one element, a wrong order of the six, or another unit; a repair is given where one alone would do.",
+        mend: "Look for a wrong power of ten in one element, a wrong order of the six, or another unit; a fix is written where the link's geometry confirms it.",
         example: Some(Example {
             model: "<link name=\"arm\">\n  <inertial>\n    <mass value=\"1.7\"/>\n    \
                     <inertia ixx=\"0.031\" iyy=\"0.042\" izz=\"0.53\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>\n  </inertial>\n</link>",

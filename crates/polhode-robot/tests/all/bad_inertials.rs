@@ -133,8 +133,16 @@ fn gram_millimetres_as_kilogram_metres() {
 const FORGOTTEN: [&str; 6] =
     ["2636.237E-6", "2328.164E-6", "1676359E-6", "-38.614E-6", "-162.037E-6", "-72.169E-6"];
 
+/// The geometry of a uniform body of 1.559 kg with the tensor that was meant.
+fn meant() -> polhode_robot::check::LinkGeometry {
+    let [xx, yy, zz, xy, xz, yz] =
+        [2636.237, 2328.164, 1676.359, -38.614, -162.037, -72.169].map(|x| x * 1e-6 / 1.559);
+    let per_mass = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+    solid(8e-4, [0.0; 3], per_mass, [[-0.08; 3], [0.08; 3]], VolumeKind::Closed)
+}
+
 #[test]
-fn one_power_of_ten_is_the_only_repair() {
+fn a_power_of_ten_is_a_fix_if_the_geometry_confirms_it() {
     let document = robot(&link("Link1", "1.559", FORGOTTEN));
     let all = findings(&document);
     let found = only(&all, "inertia.triangle");
@@ -143,22 +151,31 @@ fn one_power_of_ten_is_the_only_repair() {
     assert!((number(found, "i3") - 1.676359).abs() < 1e-7);
     assert!((number(found, "excess") - 1.6713946).abs() < 1e-6);
     assert_eq!(&document[found.span.clone()], "1676359E-6");
+    // Without geometry it is a suggestion: possible is not right.
+    assert_eq!(found.repair, None);
+    for part in ["izz 1676359E-6 → 1676.359E-6 would make it possible", "0.001641", "0.002335", "0.002665"]
+    {
+        assert!(found.message.contains(part), "{}", found.message);
+    }
+    let all = findings_with(&document, meant());
+    let found = only(&all, "inertia.triangle");
     let fixed = repaired(&document, found);
     assert_eq!(fixed, document.replace("1676359E-6", "1676.359E-6"));
-    assert_eq!(findings(&fixed), []);
-    let description = &found.repair.as_ref().unwrap().description;
-    for part in ["izz 1676359E-6 → 1676.359E-6", "0.001641", "0.002335", "0.002665"] {
-        assert!(description.contains(part), "{description}");
+    assert_eq!(findings_with(&fixed, meant()), []);
+    assert!(found.message.contains("izz: 10^3 times too large"), "{}", found.message);
+    // Geometry with another tensor confirms nothing, be it near.
+    for edges in [[1.0, 1.4, 2.0], [0.1, 0.12, 0.14]] {
+        let other = crate::check_common::block(edges, VolumeKind::Primitives);
+        let all = findings_with(&document, other);
+        let found = only(&all, "inertia.triangle");
+        assert_eq!(found.repair, None);
+        assert!(!found.message.contains("would make"), "{}", found.message);
     }
-    // Geometry that speaks against it takes the repair away: a link ten times as long.
-    let long = crate::check_common::block([1.0, 1.4, 2.0], VolumeKind::Primitives);
-    assert_eq!(only(&findings_with(&document, long), "inertia.triangle").repair, None);
-    // And what reaches less than the radius of gyration is said beside it.
+    // The message adds the reach of a geometry smaller than the radius of gyration.
     let near = crate::check_common::block([0.1, 0.12, 0.14], VolumeKind::Primitives);
     let all = findings_with(&document, near);
     let found = only(&all, "inertia.triangle");
     assert!(found.message.contains("gyration radius 1.037 m at 1.559 kg"), "{}", found.message);
-    assert!(found.repair.is_some());
 }
 
 #[test]

@@ -37,7 +37,7 @@ fn the_right_tensor_has_no_finding() {
 
 #[test]
 fn a_body_that_is_not_uniform_has_none_either() {
-    for factor in [0.3, 0.7, 1.4, 2.5] {
+    for factor in [0.35, 0.7, 1.4, 2.5] {
         let all = findings_with(&SLAB.robot(SLAB.tensor().map(|x| x * factor)), SLAB.geometry());
         assert!(all.is_empty(), "{factor}: {all:#?}");
     }
@@ -309,6 +309,7 @@ fn a_mesh_that_programs_turn_in_two_ways_accuses_no_axes() {
             volumes: [a.volumes, b.volumes].concat(),
             bounds: Some([[-0.2; 3], [0.2; 3]]),
             is_turned_by_some: true,
+            ..LinkGeometry::default()
         }
     };
     let geometry = solids([[0.05, 0.08, 0.4], [0.05, 0.4, 0.08]]);

@@ -289,7 +289,7 @@ fn what_stands_in_an_included_file_is_found_there_and_not_repaired() {
     assert_eq!(done.text, own.replace("0.3152", "0.19"));
     assert_eq!((done.applied, done.left[0].finding, done.left[0].why), (vec![0], 1, LeftReason::Included));
     let judged = polhode_robot::policy::Policy::default().judge(|_| "robot.xml".to_owned(), &model, findings);
-    let report = CheckReport { model: model.clone(), geometry: vec![], judged, fixed: None };
+    let report = CheckReport::new(model.clone(), vec![], judged);
     let json = report.to_json();
     assert!(json["findings"][0].get("file").is_none());
     let file = folder.path("part.xml").display().to_string();

@@ -173,7 +173,7 @@ pub(crate) fn solid(
     let tensor_per_density = per_mass.map(|row| row.map(|x| x * volume));
     let extent = bounds.iter().flatten().map(|x| x * x).sum::<f64>().sqrt();
     let solid = Volume { volume, centroid, tensor_per_density, extent, bounds, kind };
-    LinkGeometry { volumes: vec![solid], bounds: Some(bounds), is_turned_by_some: false }
+    LinkGeometry { volumes: vec![solid], bounds: Some(bounds), ..LinkGeometry::default() }
 }
 
 /// A box of these edges at a link's origin.

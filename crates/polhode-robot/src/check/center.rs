@@ -1,0 +1,56 @@
+//! A centre of mass outside the convex hull of all that the link is drawn with: `mass.center_outside`.
+//!
+//! The centre of mass is a mean of the body's points, so it lies in the convex hull of any geometry that holds the body. That is as
+//! strong as the triangle rule, for that geometry; but a link may have parts that are not drawn, so it is suspect. A plane that
+//! separates the centre from all shapes proves it (`geometry/separation.rs`).
+
+use super::body::Body;
+use super::center_slip;
+use super::dummy::{FRAME, Held};
+use super::finding;
+use super::written::short;
+use crate::finding::{Finding, Severity};
+use crate::model::RobotModel;
+
+/// Allowance for rounding, at most this part of the diagonal of the geometry's bounds.
+const ROUNDING: f64 = 0.01;
+
+/// Allowance for single precision in the coordinates of meshes, the same way.
+const SINGLE_PRECISION: f64 = 1e-6;
+
+pub(super) fn check(model: &RobotModel, body: &Body, held: Held, findings: &mut Vec<Finding>) {
+    let (Some(distance), Some([low, high])) = (body.geometry.outside, body.geometry.bounds) else { return };
+    // An implausible density puts the geometry itself in doubt.
+    if !(body.mass > 0.0) || !body.has_plausible_density() {
+        return;
+    }
+    let diagonal = (0..3).map(|k| (high[k] - low[k]).powi(2)).sum::<f64>().sqrt();
+    let digits = body.centre.map(half_unit).iter().map(|h| h * h).sum::<f64>().sqrt();
+    let allowed = digits.min(ROUNDING * diagonal) + SINGLE_PRECISION * diagonal;
+    if !(distance > allowed) {
+        return;
+    }
+    let place = body.centre.map(|x| short(x, 4)).join(", ");
+    let millimetres = short(1e3 * distance, 3);
+    let (what, repair) = match center_slip::repair(model, body, diagonal) {
+        Some((what, repair)) => (format!("; {what}"), Some(repair)),
+        None => (String::new(), None),
+    };
+    let message = format!(
+        "centre of mass ({place}) m: {millimetres} mm outside the convex hull of all shapes of the link{what}"
+    );
+    let is_frame = body.mass <= FRAME || held == Held::Dummy;
+    let severity = if is_frame { Severity::Note } else { Severity::Suspect };
+    let span = body.inertial.pose.span.clone().unwrap_or(body.inertial.span.clone());
+    let rule = "the centre of mass lies in the convex hull of the body";
+    let mut found = finding("mass.center_outside", severity, body.link, span, message, rule);
+    found.numbers = vec![("distance", distance), ("allowed", allowed)];
+    found.repair = repair;
+    findings.push(found);
+}
+
+/// Half a unit in the last place of the shortest decimal that has this value.
+fn half_unit(x: f64) -> f64 {
+    let text = format!("{x}");
+    text.split_once('.').map_or(0.0, |(_, decimals)| 0.5 * 10_f64.powi(-(decimals.len() as i32)))
+}

@@ -1,0 +1,71 @@
+//! Some moments, or one product, wrong by one factor, and everything else right: `inertia.geometry`.
+//!
+//! `izz="1676359E-6"` next to moments of some 2e-3 kg·m² is a point forgotten in 1676.359E-6. Two moments may be ten times too
+//! small, or one may lack the mass. A factor is a slip only if it is one of these.
+
+use super::explanation::{Candidates, Change, LOOSE, Slip, TIGHT, named as elements, times_too};
+
+/// Equal to within this part, the second moments of a round or square section are.
+pub(super) const ROUND_SECTION: f64 = 0.01;
+
+pub(super) const RULE: &str = "a tensor follows from the mass and the shape of its own link";
+
+/// Factors that make a value right, and why it is wrong, except powers of ten.
+///
+/// A tube of a round or square section has twice the moment of a solid one, so that a factor of 2 proves nothing there.
+pub(super) fn named(candidates: &Candidates) -> impl Iterator<Item = (f64, &'static str)> + use<> {
+    let mass = candidates.mass;
+    let [a, b, c] = candidates.second_moments();
+    let equal = |x: f64, y: f64| (x - y).abs() <= ROUND_SECTION * x.max(y);
+    let may_be_a_tube = equal(a, b) || equal(b, c) || equal(a, c);
+    [
+        (mass, "the mass is left out"),
+        (1.0 / mass, "multiplied by the mass twice"),
+        (0.25, "4 times too large: full lengths in the place of half ones, or a diameter of a radius"),
+        (4.0, "4 times too small: half lengths in the place of full ones, or a radius of a diameter"),
+        (0.5, "2 times too large: H²/2 in the place of (H/2)²"),
+    ]
+    .into_iter()
+    .filter(move |(factor, _)| *factor != 0.5 || !may_be_a_tube)
+}
+
+pub(super) fn explain(candidates: &mut Candidates) {
+    let body = candidates.body;
+    for k in (0..6).filter(|k| body.written[*k] != 0.0) {
+        let ratio = candidates.target[k] / body.written[k];
+        let power = ratio.abs().log10().round();
+        if ratio > 0.0 && power != 0.0 && power.abs() <= 12.0 {
+            let power = power as i32;
+            offer(candidates, k, 10_f64.powi(power), Change::Shift(power), LOOSE, &times_too(power));
+        }
+        if ratio < 0.0 && k < 3 {
+            offer(candidates, k, -1.0, Change::Negate, LOOSE, "negative");
+        }
+    }
+    for k in 0..3 {
+        for (factor, why) in named(candidates) {
+            offer(candidates, k, factor, Change::Scale(factor), TIGHT, why);
+        }
+    }
+}
+
+/// Offers one change of all moments that a factor makes right, of which element k is the first; of a product alone.
+fn offer(candidates: &mut Candidates, k: usize, factor: f64, change: Change, tolerance: f64, why: &str) {
+    let body = candidates.body;
+    let is_wrong = |j: usize| {
+        let [right, size] = [body.written[j] * factor, candidates.target[j].abs()];
+        !candidates.agrees(j, tolerance) && (right - candidates.target[j]).abs() <= (tolerance + 0.01) * size
+    };
+    let wrong: Vec<usize> = if k < 3 { (0..3).filter(|j| is_wrong(*j)).collect() } else { vec![k] };
+    if wrong.first() != Some(&k) {
+        return;
+    }
+    let changes = std::array::from_fn(|j| if wrong.contains(&j) { change } else { Change::Keep });
+    candidates.offer(changes, tolerance, || Slip {
+        code: "inertia.geometry",
+        mistake: format!("{}: {why}", elements(&wrong)),
+        rule: RULE,
+        span: body.place(k),
+        is_sure: true,
+    });
+}

@@ -1,0 +1,85 @@
+//! The geometry of one link, as evidence for its mass properties.
+
+use super::material::is_solid;
+use crate::geometry::{MeshReading, Shapes, Volume};
+use crate::model::{Geometry, Link, Role};
+
+/// The solids of one link, and the position of its centre of mass relative to them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LinkGeometry {
+    /// The solids that it may be: all that is seen, and all that is touched. One that fits is enough.
+    pub volumes: Vec<Volume>,
+    /// The least and the greatest x, y, z of all of them, in the link's frame; `None` if there are none.
+    pub bounds: Option<[[f64; 3]; 2]>,
+    /// True if programs disagree on how a mesh among them is turned: then every reading is a volume, and axes prove nothing.
+    pub is_turned_by_some: bool,
+    /// True if a shape could not be measured: then the others may be a simplified part of the link.
+    pub is_incomplete: bool,
+    /// Distance of the inertial's centre of mass from the convex hull of all shapes, m; `None` if it is inside, or not known.
+    pub outside: Option<f64>,
+    /// The solids with all sizes times a factor, where no solid has a plausible density as written.
+    pub rescaled: Vec<Rescaled>,
+}
+
+/// The solids of a link whose shapes are in another unit than metres.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rescaled {
+    /// The factor of all sizes: 0.001 for millimetres.
+    pub factor: f64,
+    /// The solids with these sizes, in the order of [`LinkGeometry::volumes`].
+    pub volumes: Vec<Volume>,
+}
+
+/// Units of length that meshes are exported in, in metres, and their inverses for meshes that were scaled twice.
+const UNITS: [f64; 6] = [0.001, 0.01, 0.0254, 1000.0, 100.0, 1.0 / 0.0254];
+
+impl LinkGeometry {
+    /// The sets of a link's shapes that can be measured as a whole. Half of a body says nothing of it.
+    pub fn of(link: &Link, shapes: &Shapes<'_>) -> Self {
+        let mut geometry = Self::measured(link, shapes);
+        let inertial = link.inertial.as_ref().filter(|inertial| inertial.pose.unreadable.is_empty());
+        let Some(inertial) = inertial else { return geometry };
+        geometry.outside =
+            shapes.distance_outside(link, inertial.pose.position).filter(|distance| *distance > 0.0);
+        if let Some(mass) = inertial.mass.finite().filter(|mass| *mass > 0.0) {
+            let is_plausible = geometry.volumes.iter().any(|volume| is_solid(mass / volume.volume));
+            if !is_plausible && !geometry.volumes.is_empty() {
+                let rescaled = |factor: f64| {
+                    let volumes = Self::measured(&resized(link, factor), shapes).volumes;
+                    Rescaled { factor, volumes }
+                };
+                geometry.rescaled = UNITS.into_iter().map(rescaled).collect();
+            }
+        }
+        geometry
+    }
+
+    fn measured(link: &Link, shapes: &Shapes<'_>) -> Self {
+        let mut geometry = Self::default();
+        for role in [Role::Visual, Role::Collision] {
+            let both = shapes.is_turned_by_some(link, role);
+            geometry.is_turned_by_some |= both;
+            let others = both.then_some(MeshReading::Other);
+            for reading in [MeshReading::Usual].into_iter().chain(others) {
+                let set = shapes.link_as(link, role, reading);
+                geometry.is_incomplete |= !set.left_out.is_empty();
+                let Some(volume) = set.volume.filter(|_| set.left_out.is_empty()) else { continue };
+                geometry.bounds = Some(geometry.bounds.map_or(volume.bounds, |[low, high]| {
+                    let [other_low, other_high] = volume.bounds;
+                    [
+                        [0, 1, 2].map(|k| low[k].min(other_low[k])),
+                        [0, 1, 2].map(|k| high[k].max(other_high[k])),
+                    ]
+                }));
+                geometry.volumes.push(volume);
+            }
+        }
+        geometry
+    }
+}
+
+/// A link with the sizes of all its shapes times a factor. Their places stay: these are in the model's own unit.
+fn resized(link: &Link, factor: f64) -> Link {
+    let shape = |geometry: &Geometry| Geometry { shape: geometry.shape.resized(factor), ..geometry.clone() };
+    Link { geometry: link.geometry.iter().map(shape).collect(), ..link.clone() }
+}

@@ -1,0 +1,80 @@
+//! Moments far from those of the link's geometry, whatever the reason: `inertia.geometry`.
+//!
+//! Bodies are not uniform, so a factor is allowed: three, of the sum of the moments, which depends on no axes. All mass at the
+//! corners of a box has three times the sum of the uniform box, and no mass within the box has more; a thin shell has 5/3 (a ball)
+//! to 2 (a tube). Below a third, the mass is within 0.6 of the size. Hulls accuse nobody, as the mesh bounds no solid, and
+//! nor do solids of an implausible density. A primitive of a low density is a simplified box around the body: it says
+//! how large moments may be, and not how small, unless all have one ratio. One solid that agrees is enough.
+
+use super::body::{Body, NAMES};
+use super::dummy::{FRAME, Held};
+use super::factor::RULE;
+use super::finding;
+use super::gyration::is_padded;
+use super::material::is_solid;
+use super::written::short;
+use crate::finding::{Finding, Severity};
+use crate::geometry::{Volume, VolumeKind};
+use crate::moments::{Elements, trace};
+
+/// Moments may be this many times larger or smaller.
+const FACTOR: f64 = 3.0;
+
+/// Primitives of a lower density, kg/m³, are boxes around a body.
+const AROUND: f64 = 300.0;
+
+/// Ratios within this factor are one.
+const ONE_RATIO: f64 = 1.01;
+
+fn extremes(values: [f64; 3]) -> [f64; 2] {
+    [values.into_iter().fold(f64::INFINITY, f64::min), values.into_iter().fold(f64::NEG_INFINITY, f64::max)]
+}
+
+/// True if the moments are equal, as those of cubes and balls are: then one ratio says nothing of the shape.
+fn is_isotropic([xx, yy, zz, ..]: Elements) -> bool {
+    let [least, greatest] = extremes([xx, yy, zz]);
+    greatest <= 1.05 * least
+}
+
+pub(super) fn check(body: &Body, held: Held, findings: &mut Vec<Finding>) {
+    if body.geometry.is_incomplete || !body.has_plausible_density() {
+        return;
+    }
+    let mut worst: Option<(f64, [f64; 3], &Volume)> = None;
+    for solid in body.solids() {
+        let target = body.in_inertial_axes(&body.implied(solid, body.mass));
+        let ratios = [0, 1, 2].map(|k| body.written[k] / target[k]);
+        let ratio = trace(&body.written) / trace(&target);
+        let density = body.mass / solid.volume;
+        let accuses = solid.kind != VolumeKind::Hull && is_solid(density);
+        let [least, greatest] = extremes(ratios);
+        let is_proportional = greatest <= ONE_RATIO * least && !is_isotropic(target);
+        let is_around = solid.kind == VolumeKind::Primitives && density < AROUND && !is_proportional;
+        let off = if is_around { ratio } else { ratio.max(1.0 / ratio) };
+        if !(off > FACTOR) {
+            return;
+        }
+        if accuses && worst.is_none_or(|(least, ..)| off < least) {
+            worst = Some((off, ratios, solid));
+        }
+    }
+    let Some((off, ratios, solid)) = worst else { return };
+    let target = body.in_inertial_axes(&body.implied(solid, body.mass));
+    let list = |values: [f64; 3], digits| {
+        [0, 1, 2].map(|k| format!("{} {}", NAMES[k], short(values[k], digits))).join(", ")
+    };
+    let [xx, yy, zz, ..] = target;
+    let message = format!(
+        "{}: times the geometry's with {} kg ({} kg·m²)",
+        list(ratios, 3),
+        short(body.mass, 4),
+        list([xx, yy, zz], 4),
+    );
+    let is_dummy = held == Held::Dummy || body.mass <= FRAME;
+    let severity = if is_dummy || is_padded(body, held, off) { Severity::Note } else { Severity::Suspect };
+    let mut found = finding("inertia.geometry", severity, body.link, body.tensor_place(), message, RULE);
+    let ratio = trace(&body.written) / trace(&target);
+    found.numbers =
+        vec![("ratio", ratio), ("ratio_xx", ratios[0]), ("ratio_yy", ratios[1]), ("ratio_zz", ratios[2])];
+    findings.push(found);
+}

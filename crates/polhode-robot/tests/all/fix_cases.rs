@@ -1,0 +1,278 @@
+//! Files in which a plausible fix was wrong: only the fix that all evidence confirms is written.
+
+use std::convert::Infallible;
+
+use polhode_robot::finding::{Finding, Severity};
+use polhode_robot::geometry::Shapes;
+use polhode_robot::inspect::inspect;
+use polhode_robot::model::{RobotModel, Tensor};
+use polhode_robot::read::{ReadOptions, read_model, read_text};
+use polhode_robot::repair::proved;
+
+use crate::check_common::{number, only};
+use crate::common::Folder;
+
+fn found(model: &RobotModel) -> Vec<Finding> {
+    inspect(model, &Shapes::default()).findings
+}
+
+/// The findings of a model in a folder, its text with the fixes, and what is found then.
+fn fixed(folder: &Folder, file: &str) -> (Vec<Finding>, String, Vec<Finding>) {
+    let path = folder.path(file);
+    let model = read_model(&path, &ReadOptions::default()).unwrap();
+    let findings = found(&model);
+    let check = |text: &str| {
+        let model = read_text(text, &path, &ReadOptions::default()).unwrap();
+        Ok::<_, Infallible>(found(&model))
+    };
+    let (repaired, remaining) = proved(&model, &findings, check).unwrap();
+    (findings, repaired.text, remaining)
+}
+
+fn suspects(findings: &[Finding]) -> Vec<(&str, &'static str)> {
+    let suspects = findings.iter().filter(|f| f.severity > Severity::Note);
+    suspects.map(|f| (f.subject.as_str(), f.code)).collect()
+}
+
+/// One link of a robot that moves, with a shape.
+fn one(inertial: &str, shape: &str) -> String {
+    format!(
+        "<robot name=\"r\"><link name=\"root\"/><link name=\"a\"><inertial>{inertial}</inertial><collision><geometry>{shape}\
+         </geometry></collision></link><joint name=\"j\" type=\"continuous\"><parent link=\"root\"/><child link=\"a\"/>\
+         <axis xyz=\"0 0 1\"/></joint></robot>"
+    )
+}
+
+fn of_one(mass: &str, [xx, yy, zz]: [&str; 3], shape: &str) -> (Vec<Finding>, String, Vec<Finding>) {
+    let inertial = format!(
+        "<origin xyz=\"0 0 0\"/><mass value=\"{mass}\"/>\
+         <inertia ixx=\"{xx}\" ixy=\"0\" ixz=\"0\" iyy=\"{yy}\" iyz=\"0\" izz=\"{zz}\"/>"
+    );
+    let folder = Folder::of(&format!("fix-{mass}-{zz}"), &[("r.urdf", &one(&inertial, shape))]);
+    fixed(&folder, "r.urdf")
+}
+
+/// The moments that a text has for its second link.
+fn moments(text: &str) -> [f64; 3] {
+    let model = read_text(text, "r.urdf".as_ref(), &ReadOptions::default()).unwrap();
+    let Tensor::Six(slots) = &model.links[1].inertial.as_ref().unwrap().tensor else { panic!("six numbers") };
+    [0, 1, 2].map(|k| slots[k].finite().unwrap())
+}
+
+fn assert_moments(text: &str, right: [f64; 3]) {
+    for (moment, right) in moments(text).iter().zip(right) {
+        assert!((moment / right - 1.0).abs() < 1e-6, "{moment} {right}\n{text}");
+    }
+}
+
+/// A closed box as ASCII STL.
+fn stl([x, y, z]: [f64; 3]) -> String {
+    let corner = |k: usize| {
+        [
+            if k & 1 == 0 { -x / 2.0 } else { x / 2.0 },
+            if k & 2 == 0 { -y / 2.0 } else { y / 2.0 },
+            if k & 4 == 0 { 0.0 } else { z },
+        ]
+    };
+    let faces = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
+    let mut text = "solid box\n".to_owned();
+    for [a, b, c, d] in faces {
+        for triangle in [[a, b, c], [a, c, d]] {
+            let vertices: String =
+                triangle.map(corner).iter().map(|[x, y, z]| format!("vertex {x} {y} {z}\n")).collect();
+            text.push_str(&format!("facet normal 0 0 0\nouter loop\n{vertices}endloop\nendfacet\n"));
+        }
+    }
+    text + "endsolid box\n"
+}
+
+/// A forearm of 1.2 kg, 60 mm × 40 mm × 250 mm, with a moment and a shape.
+fn forearm(ixx: &str, shape: &str, folder: &str) -> (Vec<Finding>, String, Vec<Finding>) {
+    let inertial = format!(
+        "<origin xyz=\"0 0 0.125\"/><mass value=\"1.2\"/>\
+         <inertia ixx=\"{ixx}\" iyy=\"0.00661\" izz=\"0.00052\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>"
+    );
+    let files = [("r.urdf", one(&inertial, shape)), ("fore.stl", stl([60.0, 40.0, 250.0]))];
+    let files = files.each_ref().map(|(name, text)| (*name, text.as_str()));
+    fixed(&Folder::of(folder, &files), "r.urdf")
+}
+
+#[test]
+fn geometry_in_millimetres_gets_a_scale_and_the_tensor_stays() {
+    for (shape, right, folder) in [
+        (
+            "<mesh filename=\"fore.stl\"/>",
+            "<mesh filename=\"fore.stl\" scale=\"0.001 0.001 0.001\"/>",
+            "fix-mesh-in-mm",
+        ),
+        (
+            "<mesh filename='fore.stl' scale='1 -1 1.0'/>",
+            "<mesh filename='fore.stl' scale='0.001 -0.001 0.0010'/>",
+            "fix-mirrored-mesh-in-mm",
+        ),
+        ("<box size=\"60 40 250\"/>", "<box size=\"0.060 0.040 0.250\"/>", "fix-box-in-mm"),
+    ] {
+        let (findings, text, remaining) = forearm("0.00641", shape, folder);
+        assert_eq!(suspects(&findings), [("a", "density.implausible")], "{findings:#?}");
+        let density = only(&findings, "density.implausible");
+        assert!((number(density, "density") - 2e-6).abs() < 1e-10);
+        assert!(density.message.contains("its sizes are in mm: then 2000 kg/m³"), "{}", density.message);
+        assert!(text.contains(right) && text.contains("ixx=\"0.00641\""), "{text}");
+        assert_eq!(suspects(&remaining), [], "{remaining:#?}");
+    }
+    // Inches of a box, and centimetres.
+    for (size, right) in [("2.36220472 1.57480315 9.84251969", 0.06), ("6 4 25", 0.06)] {
+        let folder = format!("fix-box-{}", &size[..1]);
+        let (_, text, remaining) = forearm("0.00641", &format!("<box size=\"{size}\"/>"), &folder);
+        let model = read_text(&text, "r.urdf".as_ref(), &ReadOptions::default()).unwrap();
+        let polhode_robot::model::GeometryShape::Box([x, ..]) = model.links[1].geometry[0].shape else {
+            panic!("a box")
+        };
+        assert!((x - right).abs() < 1e-8, "{text}");
+        assert_eq!(suspects(&remaining), []);
+    }
+}
+
+#[test]
+fn a_missing_scale_and_a_slip_of_the_tensor_are_two_findings() {
+    let (findings, text, remaining) =
+        forearm("6.41", "<mesh filename=\"fore.stl\"/>", "fix-mesh-in-mm-and-triangle");
+    let both = suspects(&findings);
+    assert!(
+        both.contains(&("a", "inertia.triangle")) && both.contains(&("a", "density.implausible")),
+        "{both:?}"
+    );
+    let triangle = only(&findings, "inertia.triangle").repair.as_ref().unwrap();
+    assert_eq!(triangle.description, "ixx 6.41 → 0.00641");
+    assert!(text.contains("ixx=\"0.00641\"") && text.contains("scale=\"0.001 0.001 0.001\""), "{text}");
+    assert_eq!(suspects(&remaining), []);
+}
+
+#[test]
+fn geometry_in_millimetres_of_a_tensor_about_the_origin() {
+    // 0.0158 about the centre, and 2 kg · (0.15 m)² more.
+    let inertial = "<origin xyz=\"0 0 0.15\"/><mass value=\"2.0\"/>\
+                    <inertia ixx=\"0.0608\" iyy=\"0.0608\" izz=\"0.0016\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>";
+    let text = one(inertial, "<cylinder radius=\"40\" length=\"300\"/>");
+    let (findings, text, remaining) = fixed(&Folder::of("fix-two-slips", &[("r.urdf", &text)]), "r.urdf");
+    assert_eq!(suspects(&findings).len(), 2, "{findings:#?}");
+    assert!(text.contains("radius=\"0.040\" length=\"0.300\""), "{text}");
+    assert_moments(&text, [0.0158, 0.0158, 0.0016]);
+    // What the link's own origin shows is another matter: the shape stands at it, and the centre at its end.
+    assert!(suspects(&remaining).iter().all(|(_, code)| *code == "mass.center_outside"), "{remaining:#?}");
+}
+
+#[test]
+fn the_formula_of_a_slender_rod_on_a_disc() {
+    let (findings, text, remaining) =
+        of_one("0.5", ["3.75e-05", "3.75e-05", "0.000625"], "<cylinder radius=\"0.05\" length=\"0.03\"/>");
+    assert_eq!(suspects(&findings), [("a", "inertia.triangle")]);
+    let message = &only(&findings, "inertia.triangle").message;
+    assert!(message.contains("ixx and iyy: the formula of a slender rod"), "{message}");
+    // ¼ m r² + ¹⁄₁₂ m l²; izz is right as it is.
+    assert_moments(&text, [3.5e-4, 3.5e-4, 6.25e-4]);
+    assert_eq!(suspects(&remaining), []);
+}
+
+#[test]
+fn two_moments_a_tenth_of_what_they_should_be() {
+    let (findings, text, remaining) = of_one(
+        "1.9532975",
+        ["0.00314963095", "0.00212705296", "0.0126183438"],
+        "<box size=\"0.0857281 0.264898 0.351177\"/>",
+    );
+    assert_eq!(suspects(&findings), [("a", "inertia.triangle")]);
+    assert_moments(&text, [0.03149630946, 0.02127052956, 0.01261834377]);
+    assert!(text.contains("izz=\"0.0126183438\""), "{text}");
+    assert_eq!(suspects(&remaining), []);
+}
+
+#[test]
+fn a_wrong_pair_of_lengths_is_found_below_a_factor_of_three() {
+    let (findings, text, remaining) = of_one("12", ["0.17", "0.37", "0.37"], "<box size=\"0.6 0.4 0.1\"/>");
+    assert_eq!(suspects(&findings), [("a", "inertia.geometry")]);
+    let message = &only(&findings, "inertia.geometry").message;
+    assert!(message.contains("izz: the formula of another axis"), "{message}");
+    assert_moments(&text, [0.17, 0.37, 0.52]);
+    assert_eq!(suspects(&remaining), []);
+}
+
+#[test]
+fn a_mass_left_out() {
+    let (findings, text, remaining) =
+        of_one("6", ["0.0149333333", "0.0149333333", "0.0192"], "<cylinder radius=\"0.08\" length=\"0.4\"/>");
+    assert_eq!(suspects(&findings), [("a", "inertia.geometry")]);
+    let message = &only(&findings, "inertia.geometry").message;
+    assert!(message.contains("ixx and iyy: the mass is left out"), "{message}");
+    assert_moments(&text, [0.0896, 0.0896, 0.0192]);
+    assert_eq!(suspects(&remaining), []);
+}
+
+#[test]
+fn a_centre_of_mass_beyond_the_end_of_the_link() {
+    let inertial = "<origin xyz=\"0 0 0.16\"/><mass value=\"0.6\"/>\
+                    <inertia ixx=\"0.001\" ixy=\"0\" ixz=\"0\" iyy=\"0.001\" iyz=\"0\" izz=\"0.0003\"/>";
+    let text = one(inertial, "<cylinder radius=\"0.03\" length=\"0.2\"/>");
+    let (findings, unchanged, _) = fixed(&Folder::of("fix-centre-outside", &[("r.urdf", &text)]), "r.urdf");
+    let outside = only(&findings, "mass.center_outside");
+    assert!((number(outside, "distance") - 0.06).abs() < 1e-12);
+    assert!(outside.message.contains("60 mm outside the convex hull"), "{}", outside.message);
+    assert_eq!((outside.severity, text), (Severity::Suspect, unchanged));
+}
+
+#[test]
+fn a_light_cube_of_600_times_its_moments_is_no_padding() {
+    let text = "<mujoco><worldbody><body name=\"cube1cm\"><freejoint/><inertial pos=\"0 0 0\" mass=\"0.1\" \
+                diaginertia=\"0.001 0.001 0.001\"/><geom type=\"box\" size=\".005 .005 .005\"/></body></worldbody></mujoco>";
+    let (findings, ..) = fixed(&Folder::of("fix-cube", &[("r.xml", text)]), "r.xml");
+    let found = only(&findings, "gyration.too_large");
+    assert_eq!(found.severity, Severity::Suspect);
+    assert!(found.message.contains("1.67e-6 kg·m²"), "{}", found.message);
+}
+
+#[test]
+fn moments_far_from_the_geometry_are_suspect_whatever_the_reason() {
+    // A box of 6 kg: 0.065, 0.05, 0.025 kg·m².
+    let of = |factor: f64| {
+        let six = [0.065, 0.05, 0.025].map(|x| format!("{:.7}", factor * x));
+        let (findings, ..) = of_one("6", six.each_ref().map(String::as_str), "<box size=\"0.1 0.2 0.3\"/>");
+        findings
+    };
+    for factor in [1.0 / 15.0, 0.3, 3.1] {
+        let all = of(factor);
+        let found = only(&all, "inertia.geometry");
+        assert_eq!(found.severity, Severity::Suspect);
+        assert!((number(found, "ratio_yy") / factor - 1.0).abs() < 1e-3);
+        assert_eq!(found.repair, None);
+    }
+    for factor in [0.4, 0.9, 1.3, 5.0 / 3.0, 2.9] {
+        assert_eq!(suspects(&of(factor)), [], "{factor}");
+    }
+    // A tenth of all elements: the tensor is wrong, or the mass is ten times too large. So nothing is fixed.
+    let all = of(0.1);
+    let found = only(&all, "inertia.geometry");
+    assert!(found.message.contains("all elements are 10 times too small"), "{}", found.message);
+    assert!(found.message.contains("or the mass is 10 times too large"), "{}", found.message);
+    assert_eq!(found.repair, None);
+}
+
+#[test]
+fn a_simplified_collision_box_accuses_nobody() {
+    // The right tensor of the drawn cylinder; the box around it has another.
+    let inertial = "<origin xyz=\"0 0 0\"/><mass value=\"0.4\"/>\
+                    <inertia ixx=\"0.000406667\" ixy=\"0\" ixz=\"0\" iyy=\"0.000406667\" iyz=\"0\" izz=\"0.00008\"/>";
+    let cylinder = "<cylinder radius=\"0.02\" length=\"0.1\"/>";
+    let both = one(inertial, "<box size=\"0.2 0.2 0.3\"/>")
+        .replace("<collision>", &format!("<visual><geometry>{cylinder}</geometry></visual><collision>"));
+    let (findings, ..) = fixed(&Folder::of("fix-crude-box", &[("r.urdf", &both)]), "r.urdf");
+    assert_eq!(suspects(&findings), [], "{findings:#?}");
+}
+
+#[test]
+fn a_mass_in_grams_is_fixed_by_density_and_tensor() {
+    let (findings, text, remaining) =
+        of_one("6000", ["0.065", "0.05", "0.025"], "<box size=\"0.1 0.2 0.3\"/>");
+    assert!(suspects(&findings).contains(&("a", "density.implausible")), "{findings:#?}");
+    assert!(text.contains("mass value=\"6\"") || text.contains("mass value=\"6.000\""), "{text}");
+    assert_eq!(suspects(&remaining), []);
+}

@@ -16,6 +16,7 @@ mod contact;
 mod cookbook;
 mod corpus;
 mod digits;
+mod events;
 mod example_files;
 mod explain;
 mod fix;

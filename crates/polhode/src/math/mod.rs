@@ -28,6 +28,7 @@ pub(crate) mod number;
 pub(crate) mod quaternion;
 pub(crate) mod root;
 pub(crate) mod rotation;
+pub(crate) mod sign_changes;
 pub(crate) mod spline;
 pub(crate) mod sum;
 pub(crate) mod symmetric3;

@@ -203,9 +203,17 @@ pub enum MotionError {
         /// What it has that has none: a function of a formula.
         why: &'static str,
     },
-    /// A torsion spring or wire was twisted by half a turn, beyond which an attitude does not say its twist.
+    /// A torsion spring or wire comes to half a turn, beyond which an attitude does not determine its twist.
     HalfTurn {
-        /// The last good time, s.
+        /// Time of the half turn, s.
+        time: f64,
+    },
+    /// Events switch torques on and off at one instant without end: each torque takes the motion back to where the
+    /// other is switched.
+    Chatter {
+        /// Index of an event that happens again and again, from 0.
+        event: usize,
+        /// Time of the switches, s.
         time: f64,
     },
     /// The progress callback ended an integration.
@@ -238,6 +246,7 @@ impl MotionError {
                 | Self::GimbalLock { .. }
                 | Self::RunAway { .. }
                 | Self::HalfTurn { .. }
+                | Self::Chatter { .. }
                 | Self::NotFinite { .. }
         )
     }
@@ -288,7 +297,12 @@ impl MotionError {
             Self::NoPotential => Some("measure the kinetic energy"),
             Self::RunAway { .. } => Some("check the sign of the torque: one that grows with ω has no bound"),
             Self::NotSmooth { .. } => Some("use method = \"auto\" or \"dop853\""),
-            Self::HalfTurn { .. } => Some("stop the run before, or start with less energy"),
+            Self::HalfTurn { .. } => {
+                Some("stop the run before with an event on the angle, or start with less energy")
+            }
+            Self::Chatter { .. } => Some(
+                "give the events that switch on and off different values: between them is the dead band of the controller",
+            ),
             Self::TorqueNotFinite { .. } => {
                 Some("a formula is NaN where it divides by zero or takes the root of a negative number")
             }
@@ -443,7 +457,13 @@ impl fmt::Display for MotionError {
             }
             Self::HalfTurn { time } => write!(
                 f,
-                "after t = {time} s the spring or wire is twisted by more than half a turn, and its torque is no longer determined",
+                "at t = {time} s a spring or wire is twisted by half a turn; beyond, its torque is not determined",
+                time = plain(*time)
+            ),
+            Self::Chatter { event, time } => write!(
+                f,
+                "at t = {time} s events switch torques on and off without end: event {} happens twice at this instant",
+                event + 1,
                 time = plain(*time)
             ),
             Self::Stopped { time } => write!(f, "stopped at {time} s, as was asked"),

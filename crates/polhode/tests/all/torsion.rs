@@ -1,7 +1,9 @@
 //! Torsion springs and wires: pendulums that swing alike at every amplitude, and energy that is kept.
 
-use polhode::motion::Ending;
+use std::num::NonZero;
+
 use polhode::motion::torque::Torsion;
+use polhode::motion::{Ending, Ensemble, EventAction, EventFunction, Measure, Member, Sense, SplittingOrder};
 use polhode::prelude::*;
 
 const METHODS: [Method; 2] = [Method::Taylor, Method::Dop853];
@@ -86,28 +88,179 @@ fn both_integrators_keep_the_energy_and_agree() {
     }
 }
 
-#[test]
-fn a_twist_beyond_half_a_turn_is_an_error_at_its_time() {
+const TOLERANCES: [f64; 7] = [1e-15, 1e-13, 1e-11, 1e-9, 1e-7, 1e-5, 1e-3];
+
+/// A body that is let go from rest about its third axis, fast enough for this amplitude, rad; and when it comes to
+/// half a turn: sin √(κ/I) t = π/amplitude.
+fn thrown(amplitude: f64, stiffness: f64) -> (Rotor, State, Direction<Space>, f64) {
     let rotor = Rotor::free(&body());
     let (moment, axis) = (rotor.principal().moments()[2], rotor.principal().axis(2));
-    let stiffness = 1.7;
     let rate = (stiffness / moment).sqrt();
-    // From rest, fast enough for an amplitude of 400°: half a turn comes when sin √(κ/I) t = 180/400.
-    let amplitude = 400.0_f64.to_radians();
-    let omega = axis * (amplitude * rate);
-    let start = State { time: 0.0, attitude: rest(), omega: AngularVelocity::from_array(omega.to_array()) };
-    let passes = 0.45_f64.asin() / rate;
-    for torque in springs(stiffness, rest() * axis) {
+    let omega = AngularVelocity::from_array((axis * (amplitude * rate)).to_array());
+    let passes = (std::f64::consts::PI / amplitude).asin() / rate;
+    (rotor, State { time: 0.0, attitude: rest(), omega }, rest() * axis, passes)
+}
+
+#[test]
+fn half_a_turn_ends_the_motion_at_one_time_at_all_tolerances() {
+    // The second goes beyond half a turn for a hundredth of its period, within a step; the last is short of it by a
+    // part of 10⁻⁶.
+    for (amplitude, ends) in [(400.0_f64, true), (180.4, true), (180.0002, true), (179.9998, false)] {
+        let stiffness = 1.7;
+        let (rotor, start, axis, passes) = thrown(amplitude.to_radians(), stiffness);
+        for torque in springs(stiffness, axis) {
+            for method in METHODS {
+                for tolerance in TOLERANCES {
+                    // Near the turning point a small error of the angle is a large one of the time, or of whether
+                    // there is a half turn.
+                    let slope = (amplitude.to_radians().powi(2) - std::f64::consts::PI.powi(2)).abs().sqrt();
+                    if 100.0 * tolerance > slope * slope {
+                        continue;
+                    }
+                    let times = [if ends { 0.5 * passes } else { 1.0 }, 12.0];
+                    let torques = [torque.clone()];
+                    let motion =
+                        Trajectory::compute(&rotor, &torques, start, &times, method, tolerance).unwrap();
+                    let samples = motion.samples();
+                    assert_eq!(samples[0].state.time, times[0], "what comes before is kept");
+                    if !ends {
+                        assert_eq!(*motion.ending(), Ending::Complete, "{method:?} {tolerance}");
+                        continue;
+                    }
+                    let Ending::Failed { time, ref cause } = *motion.ending() else {
+                        panic!("{amplitude} {method:?} {tolerance}: {:?}", motion.ending())
+                    };
+                    assert_eq!(*cause, MotionError::HalfTurn { time });
+                    assert!(cause.is_numerical() && cause.hint().is_some());
+                    let most = (20.0 * tolerance + 1e-13) / slope;
+                    assert!((time - passes).abs() < most, "{method:?} {tolerance}: {time} {passes}");
+                    let last = samples[1].state;
+                    assert!(samples.len() == 2 && last.time == time);
+                    let [w, ..] = (rest().inverse() * last.attitude).quaternion();
+                    assert!(w.abs() < 1e-14, "{w}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_spring_in_tumbling_motion_ends_at_one_time_at_all_tolerances() {
+    let rotor = Rotor::free(&body());
+    let push = TorqueModel::Constant(ConstantTorque::Space(Torque::new(0.11, -0.06, -1.36)));
+    let omega = AngularVelocity::new(1.17, 1.45, -0.4);
+    let start =
+        State { time: 0.0, attitude: Attitude::from_quaternion([0.88, -0.11, 0.21, -0.41]).unwrap(), omega };
+    for torsion in springs(1.9, Direction::new(0.3, -0.5, 0.9)) {
+        let torques = [torsion, push.clone()];
+        let ends = |method, tolerance| {
+            let motion = Trajectory::compute(&rotor, &torques, start, &[30.0], method, tolerance).unwrap();
+            let Ending::Failed { time, cause: MotionError::HalfTurn { .. } } = *motion.ending() else {
+                panic!("{method:?} {tolerance}: {:?}", motion.ending())
+            };
+            time
+        };
+        let exact = ends(Method::Taylor, 1e-15);
+        for tolerance in TOLERANCES {
+            for method in METHODS {
+                let time = ends(method, tolerance);
+                assert!(
+                    (time - exact).abs() < 1e3 * tolerance + 1e-12,
+                    "{method:?} {tolerance}: {time} {exact}"
+                );
+            }
+        }
+        let splitting = ends(Method::Splitting { order: SplittingOrder::Six, step: 2.5e-4 }, 1e-13);
+        assert!((splitting - exact).abs() < 1e-8, "{splitting} {exact}");
+    }
+}
+
+#[test]
+fn an_event_before_half_a_turn_wins() {
+    let (rotor, start, axis, passes) = thrown(400_f64.to_radians(), 1.7);
+    let angle = |torque: &TorqueModel, at: f64, action| {
+        let TorqueModel::Torsion(torsion) = torque.clone() else { panic!() };
+        // −cos ½θ, which goes on smoothly beyond half a turn.
+        let twist = EventFunction::new(move |state| {
+            let [w, ..] = (torsion.rest().inverse() * state.attitude).quaternion();
+            -w
+        });
+        Event::new("twist", Measure::Function(twist), -(0.5 * at).cos(), Sense::Rising, action).unwrap()
+    };
+    for torque in springs(1.7, axis) {
+        for method in METHODS {
+            for tolerance in TOLERANCES {
+                let torques = [torque.clone()];
+                let times = [9.0];
+                let run = |action| {
+                    let events = [angle(&torque, 3.1413, action)];
+                    let simulation = Simulation::new(&rotor, &torques, start, &times).events(&events);
+                    simulation.method(method).tolerance(tolerance).run().unwrap()
+                };
+                let stopped = run(EventAction::Stop);
+                let Ending::Stopped { event: 0, time } = *stopped.ending() else {
+                    panic!("{:?}", stopped.ending())
+                };
+                assert!((time - passes + 8.3e-5).abs() < 5e-5 + 50.0 * tolerance, "{time} {passes}");
+                // Switched off, it turns on without limit.
+                let off = run(EventAction::Switch { torque: 0, on: false });
+                assert_eq!(*off.ending(), Ending::Complete, "{method:?} {tolerance}");
+                let recorded = run(EventAction::Record);
+                assert!(recorded.events().len() == 1 && !recorded.ending().is_complete());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_twist_of_half_a_turn_at_the_start_is_not_determined() {
+    let rotor = Rotor::free(&body());
+    let axis = Direction::new(0.3, -0.5, 0.9).direction().unwrap();
+    let attitude = Rotation::<Space, Space>::about(axis, std::f64::consts::PI).unwrap() * rest();
+    let start = State { time: 2.0, attitude, omega: AngularVelocity::new(0.4, -0.7, 0.3) };
+    for torque in springs(1.7, axis) {
         for method in METHODS {
             let torques = [torque.clone()];
-            let before = Trajectory::compute(&rotor, &torques, start, &[0.999 * passes], method, 1e-13);
-            assert!(before.is_ok());
-            let motion =
-                Trajectory::compute(&rotor, &torques, start, &[2.0 * passes], method, 1e-13).unwrap();
-            let Ending::Failed { time, cause: error } = motion.ending().clone() else { panic!("{motion:?}") };
-            assert_eq!(error, MotionError::HalfTurn { time });
-            assert!(error.is_numerical() && error.hint().is_some());
-            assert!(time < passes && time > 0.2 * passes, "{method:?}: {time} of {passes}");
+            let motion = Trajectory::compute(&rotor, &torques, start, &[2.0, 3.0], method, 1e-13).unwrap();
+            let cause = MotionError::HalfTurn { time: 2.0 };
+            assert_eq!(*motion.ending(), Ending::Failed { time: 2.0, cause });
+            assert_eq!(motion.samples().len(), 1);
         }
+    }
+}
+
+#[test]
+fn members_of_an_ensemble_end_at_half_a_turn_as_alone() {
+    let stiffness = 1.7;
+    let times: Vec<f64> = (0..=30).map(|k| 0.2 * f64::from(k)).collect();
+    let members: Vec<Member> = (0..12)
+        .map(|k| {
+            let (rotor, start, axis, _) = thrown(2.4 + 0.13 * f64::from(k), stiffness);
+            let [spring, wire] = springs(stiffness, axis);
+            Member::new(rotor, vec![if k % 2 == 0 { spring } else { wire }], start)
+        })
+        .collect();
+    let ensemble = Ensemble::new(members.clone()).unwrap();
+    for method in METHODS {
+        let found = ensemble.at(&times, method, 1e-9, NonZero::<usize>::MIN).unwrap();
+        let mut failed = 0;
+        for (k, member) in members.iter().enumerate() {
+            let motion =
+                Trajectory::compute(&member.rotor, &member.torques, member.start, &times, method, 1e-9)
+                    .unwrap();
+            let states = &found.states[k * times.len()..(k + 1) * times.len()];
+            for (a, b) in states.iter().zip(motion.samples()).take(motion.samples().len() - 1) {
+                assert_eq!(a.time, b.state.time);
+                assert!(
+                    a.attitude.angle_to(b.state.attitude) < 1e-13 && (a.omega - b.state.omega).norm() < 1e-13
+                );
+            }
+            if let Ending::Failed { cause, .. } = motion.ending() {
+                let failure = found.failures.iter().find(|failure| failure.member == k);
+                assert_eq!(failure.map(|failure| &failure.cause), Some(cause));
+                failed += 1;
+            }
+        }
+        assert!(failed == found.failures.len() && failed > 3 && failed < 9, "{failed}");
     }
 }

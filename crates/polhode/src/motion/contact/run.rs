@@ -13,8 +13,8 @@ use crate::math::frame::{Body, Part, Space};
 use crate::math::rotation::Rotation;
 use crate::math::vector::{Direction, Position, Vector, Velocity};
 use crate::motion::error::MotionError;
-use crate::motion::model::event::{Crossing, EventAction};
-use crate::motion::model::event_detection::EventDetector;
+use crate::motion::model::event::{Crossing, Event, EventAction};
+use crate::motion::model::event_detection::{EventDetector, Found};
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
@@ -159,18 +159,29 @@ impl<'a> Run<'a> {
             let (of, stepper) = (self.of, &self.stepper);
             watch.look([from, to], &|time| state(of, stepper, time, &stepper.variables_at(time)))
         };
-        for crossing in found {
-            let Some(event) = self.of.events.get(crossing.event) else { continue };
-            if self.crossings.len() == MOST_EVENTS {
-                return Err(MotionError::TooManyEvents { time: crossing.time, most: MOST_EVENTS });
+        let mut found = found.as_slice();
+        while let Some(first) = found.first() {
+            let time = first.time;
+            let (of, stepper) = (self.of, &self.stepper);
+            let at = |time: f64| state(of, stepper, time, &stepper.variables_at(time));
+            let stops = |event: usize| {
+                self.of.events.get(event).is_some_and(|event| event.action() == EventAction::Stop)
+            };
+            let due = if stops(first.event) { watch.due(found, &at) } else { vec![*first] };
+            let at = at(time);
+            for crossing in &due {
+                if self.crossings.len() == MOST_EVENTS {
+                    return Err(MotionError::TooManyEvents { time, most: MOST_EVENTS });
+                }
+                let name = self.of.events.get(crossing.event).map_or("", Event::name).to_owned();
+                let Found { event, rising, .. } = *crossing;
+                self.crossings.push(Crossing { event, name, state: at, rising });
             }
-            let at = state(self.of, &self.stepper, crossing.time, &self.stepper.variables_at(crossing.time));
-            let name = event.name().to_owned();
-            self.crossings.push(Crossing { event: crossing.event, name, state: at, rising: crossing.rising });
-            if event.action() == EventAction::Stop {
-                (to, stop) = (crossing.time, Some(crossing.event));
+            if stops(first.event) {
+                (to, stop) = (time, Some(first.event));
                 break;
             }
+            found = found.get(1..).unwrap_or_default();
         }
         if self.stepper.sinks(to) {
             return Err(MotionError::Undecided { time: from });

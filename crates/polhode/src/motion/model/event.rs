@@ -16,6 +16,7 @@ use super::torque::{TorqueModel, total_potential};
 use crate::math::formula::Formula;
 use crate::math::frame::{Body, Space};
 use crate::math::number::{PI, sin_cos};
+use crate::math::rotation::Rotation;
 use crate::math::vector::{Direction, Vector};
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
@@ -256,15 +257,15 @@ impl Event {
             Measure::OmegaAngle(n) => between(n.angle_to(omega), v),
             Measure::MomentumAngle(n) => between(n.angle_to(momentum()), v),
             Measure::Nutation => between(state.attitude.euler313()[1], v),
-            Measure::Precession => around(state.attitude.euler313()[0], v),
-            Measure::Spin => around(state.attitude.euler313()[2], v),
+            Measure::Precession => around(state.attitude.euler313(), 0, v),
+            Measure::Spin => around(state.attitude.euler313(), 2, v),
             Measure::Formula(formula) => {
-                let value = formula.evaluate(&StateVariables::of(rotor, state));
-                plain(value, value.abs())
+                let value = |state: &State| formula.evaluate(&StateVariables::of(rotor, state));
+                plain(value(state), scale(&value, state))
             }
             Measure::Function(function) => {
-                let value = function.value(rotor, state);
-                plain(value, value.abs())
+                let value = |state: &State| function.value(rotor, state);
+                plain(value(state), scale(&value, state))
             }
         }
     }
@@ -288,16 +289,31 @@ impl Gap {
     }
 }
 
+/// The size of the terms of a function that is given as a whole: how fast it changes with relative changes of the
+/// state. T_rot − 10 J has terms of 10 J where it vanishes.
+fn scale(value: &dyn Fn(&State) -> f64, state: &State) -> f64 {
+    const STEP: f64 = 1.0 / (1_u64 << 40) as f64;
+    let [x, y, z] = state.omega.to_array();
+    let turn = Rotation::from_rotation_vector(Direction::<Body>::new(0.48, -0.6, 0.64) * STEP);
+    let moved = State {
+        time: state.time * (1.0 - STEP),
+        attitude: state.attitude * turn,
+        omega: Vector::new(x * (1.0 + STEP), y * (1.0 - STEP), z * (1.0 + 0.5 * STEP)),
+    };
+    let here = value(state);
+    here.abs().max((value(&moved) - here).abs() / STEP)
+}
+
 /// 2 sin ½(α + v) sin ½(α − v)
 fn between(angle: f64, v: f64) -> Gap {
     let slope = 2.0 * sin_cos(0.5 * (angle + v)).0;
     Gap { gap: slope * sin_cos(0.5 * (angle - v)).0, scale: slope, is_opposite: false }
 }
 
-/// sin(φ − v)
-fn around(angle: f64, v: f64) -> Gap {
-    let (sin, cos) = sin_cos(angle - v);
-    Gap { gap: sin, scale: 1.0, is_opposite: cos < 0.0 }
+/// sin(φ − v); where θ is small, a small turn of the body changes φ by 1/sin θ as much.
+fn around(angles: [f64; 3], which: usize, v: f64) -> Gap {
+    let (sin, cos) = sin_cos(angles[which] - v);
+    Gap { gap: sin, scale: 1.0 / sin_cos(angles[1]).0, is_opposite: cos < 0.0 }
 }
 
 impl Measure {

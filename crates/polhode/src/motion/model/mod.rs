@@ -9,6 +9,7 @@ pub(crate) mod kinematics;
 pub(crate) mod mass_history;
 pub(crate) mod orbit;
 pub(crate) mod orbital_elements;
+pub(crate) mod passage;
 pub(crate) mod pointing;
 pub(crate) mod require;
 pub(crate) mod rotor;

@@ -133,30 +133,34 @@ impl<'a> Integration<'a> {
         };
         for (k, first) in found.iter().enumerate() {
             self.fill(first.time, false)?;
+            if first.repeats {
+                let EventAction::Switch { torque, on } = self.act(first.event) else { continue };
+                if self.stepper.is_on(torque) == on {
+                    continue;
+                }
+                self.stepper.cut(first.time);
+                return Err(MotionError::Chatter { event: first.event, time: first.time });
+            }
             if self.act(first.event) == EventAction::Record {
                 self.happen(first, self.stepper.at(first.time).state)?;
                 continue;
             }
-            // The step ends here. What else is due now, but for rounding, happens now; once, though it may be passed again soon.
+            // The step ends here. What else is due now, except for rounding, happens now; once, though it may be
+            // passed again soon.
+            let stepper = &self.stepper;
+            let due = self.watch.due(found.get(k..).unwrap_or_default(), &|time| stepper.at(time).state);
             self.stepper.cut(first.time);
             let state = self.stepper.now().state;
-            let mut due = vec![first];
-            for later in found.iter().skip(k + 1) {
-                let is_other = due.iter().all(|known| known.event != later.event);
-                if is_other && self.watch.is_due(later.event, &state) {
-                    due.push(later);
-                }
-            }
             for crossing in &due {
                 self.happen(crossing, state)?;
                 if let EventAction::Switch { torque, on } = self.act(crossing.event) {
                     self.stepper.switch(torque, on);
                 }
             }
+            self.watch.cut(&state, &due);
             if due.iter().any(|f| self.events.get(f.event).is_some_and(Event::switches)) {
                 self.change(first.time)?;
             }
-            self.watch.arm(&state, &due.iter().map(|f| f.event).collect::<Vec<_>>());
             self.fill(first.time, true)?;
             let stop = due.iter().find(|f| self.act(f.event) == EventAction::Stop);
             return stop
@@ -192,7 +196,11 @@ impl<'a> Integration<'a> {
     }
 
     /// Writes an event down.
-    fn happen(&mut self, &Found { time, event, rising }: &Found, state: State) -> Result<(), MotionError> {
+    fn happen(
+        &mut self,
+        &Found { time, event, rising, .. }: &Found,
+        state: State,
+    ) -> Result<(), MotionError> {
         if self.crossings.len() == MOST_EVENTS {
             return Err(MotionError::TooManyEvents { time, most: MOST_EVENTS });
         }

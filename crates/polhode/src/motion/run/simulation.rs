@@ -8,7 +8,7 @@ use crate::math::frame::Body;
 use crate::math::vector::Position;
 use crate::motion::error::MotionError;
 use crate::motion::model::event::{Crossing, Event, EventAction};
-use crate::motion::model::event_detection::{EventDetector, EventSide};
+use crate::motion::model::event_detection::{EventDetector, EventSide, Found};
 use crate::motion::model::mass_history::MassHistory;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
@@ -349,20 +349,27 @@ impl<'a> Simulation<'a> {
                 let cause = MotionError::TooManySteps { time, step, most: MOST_STEPS };
                 ending = Ending::Failed { time, cause };
             } else {
-                for found in watch.look([time, next], &|t| motion.at(t)) {
-                    let Some(event) = self.events.get(found.event) else { continue };
+                let mut found = watch.look([time, next], &|t| motion.at(t));
+                let is_stop = |found: &Found| {
+                    self.events.get(found.event).is_some_and(|event| event.action() == EventAction::Stop)
+                };
+                if let Some(k) = found.iter().position(is_stop)
+                    && let Some(&Found { event, time, .. }) = found.get(k)
+                {
+                    let due = watch.due(found.get(k..).unwrap_or_default(), &|t| motion.at(t));
+                    watch.cut(&motion.at(time), &due);
+                    found.truncate(k);
+                    found.extend(due.iter().map(|due| Found { time, ..*due }));
+                    ending = Ending::Stopped { event, time };
+                }
+                for Found { event, time, rising, .. } in found {
                     if crossings.len() == MOST_EVENTS {
-                        let cause = MotionError::TooManyEvents { time: found.time, most: MOST_EVENTS };
-                        ending = Ending::Failed { time: found.time, cause };
+                        let cause = MotionError::TooManyEvents { time, most: MOST_EVENTS };
+                        ending = Ending::Failed { time, cause };
                         break;
                     }
-                    let (name, state) = (event.name().to_owned(), motion.at(found.time));
-                    crossings.push(Crossing { event: found.event, name, state, rising: found.rising });
-                    if event.action() == EventAction::Stop {
-                        ending = Ending::Stopped { event: found.event, time: found.time };
-                        watch.arm(&motion.at(found.time), &[found.event]);
-                        break;
-                    }
+                    let name = self.events.get(event).map_or("", Event::name).to_owned();
+                    crossings.push(Crossing { event, name, state: motion.at(time), rising });
                 }
                 time = next;
             }

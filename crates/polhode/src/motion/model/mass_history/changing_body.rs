@@ -6,6 +6,7 @@ use super::moments::{Polynomial, disc};
 use super::outflow::Outflow;
 use crate::math::algebra::{Components, Scalar};
 use crate::math::frame::{Body, Space};
+use crate::math::rotation::Attitude;
 use crate::math::vector::{AngularMomentum, Position, Torque, Vector};
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
@@ -142,13 +143,18 @@ impl ChangingBody {
         Some(if self.is_held { Rotor::pivoted(&body, self.reference) } else { Rotor::free(&body) })
     }
 
-    /// The torque of all that acts from outside, body axes; NaN where the body is not known.
-    pub(in crate::motion) fn torque(&self, state: &State) -> Torque<Body> {
+    /// The torque of all that acts from outside, body axes; NaN where the body is not known. Twists are continued
+    /// from an attitude near that of the state, if one is given.
+    pub(in crate::motion) fn torque(&self, state: &State, near: Option<Attitude>) -> Torque<Body> {
         if self.torques.is_empty() {
             return Torque::ZERO;
         }
         let Some(rotor) = self.rotor(state.time) else { return Torque::from_array([f64::NAN; 3]) };
-        self.torques.iter().fold(Torque::ZERO, |sum, model| sum + model.torque(&rotor, state))
+        let torque = |model: &TorqueModel| match near {
+            None => model.torque(&rotor, state),
+            Some(near) => model.model().value_near(&rotor, state, near),
+        };
+        self.torques.iter().fold(Torque::ZERO, |sum, model| sum + torque(model))
     }
 
     /// Power and torque, the latter in space axes, that change ½ ω·I ω and I ω: with what leaves, and with what moves inside.
@@ -157,7 +163,7 @@ impl ChangingBody {
         I: LawInput<Scalar = f64>,
     {
         let omega = Components(state.omega.to_array());
-        let torque = Components(self.torque(state).to_array());
+        let torque = Components(self.torque(state, None).to_array());
         let (power, torque) = self.instant(at).balances(omega, torque);
         (power, state.attitude * AngularMomentum::<Body>::from_array(torque.0))
     }

@@ -12,6 +12,7 @@ use super::variation::Variation;
 use super::varied::VariedVector;
 use super::{OwnTorque, TorqueModel};
 use crate::math::frame::{Body, Space};
+use crate::math::rotation::Attitude;
 use crate::math::vector::{AngularMomentum, Direction, Torque};
 use crate::motion::model::mass_history::changing_body::ChangingBody;
 use crate::motion::model::rotor::Rotor;
@@ -40,15 +41,21 @@ impl ChangingBody {
 
     /// As [`ChangingBody::balances`], of the ball that turns in its place.
     pub(in crate::motion) fn evidence(&self, ball: &Rotor, state: &State) -> (f64, AngularMomentum<Space>) {
-        self.balances(&Values { rotor: ball, state }, state)
+        self.balances(&Values { rotor: ball, state, near: None }, state)
+    }
+
+    /// The torque on the ball that turns in its place. Twists are continued from an attitude `near` that of the state.
+    pub(in crate::motion) fn value_near(&self, ball: &Rotor, state: &State, near: Attitude) -> Torque<Body> {
+        let torque: Direction<Body> = self.torque(state, Some(near)).as_quantity();
+        self.acceleration(&Values { rotor: ball, state, near: Some(near) }, torque).as_quantity()
     }
 }
 
 /// It has a graph, and no derivatives.
 impl AnyLaw for ChangingBody {
     fn value(&self, rotor: &Rotor, state: &State) -> Torque<Body> {
-        let torque: Direction<Body> = self.torque(state).as_quantity();
-        self.acceleration(&Values { rotor, state }, torque).as_quantity()
+        let torque: Direction<Body> = self.torque(state, None).as_quantity();
+        self.acceleration(&Values { rotor, state, near: None }, torque).as_quantity()
     }
 
     fn polynomial(&self, _: &Unknowns<'_>) -> PolynomialVector {

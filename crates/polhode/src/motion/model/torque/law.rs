@@ -57,7 +57,7 @@ pub trait Law {
 
     /// N in a state, N·m.
     fn at(&self, rotor: &Rotor, state: &State) -> Torque<Body> {
-        self.torque(&Values { rotor, state }).as_quantity()
+        self.torque(&Values { rotor, state, near: None }).as_quantity()
     }
 }
 
@@ -167,6 +167,9 @@ pub struct OrbitPosition<S, V> {
 pub(super) struct Values<'a> {
     pub(super) rotor: &'a Rotor,
     pub(super) state: &'a State,
+    /// An attitude near that of the state, with which the quaternions of turns are continuous; without it their
+    /// scalar part is not negative.
+    pub(super) near: Option<Attitude>,
 }
 
 impl LawInput for Values<'_> {
@@ -203,7 +206,14 @@ impl LawInput for Values<'_> {
     }
 
     fn turn_from(&self, rest: Attitude) -> (f64, Direction<Body>) {
-        let [w, x, y, z] = (rest.inverse() * self.state.attitude).canonical_quaternion();
+        let turn = rest.inverse() * self.state.attitude;
+        let [w, x, y, z] = match self.near {
+            None => turn.canonical_quaternion(),
+            Some(near) => {
+                let [sign, ..] = (rest.inverse() * near).quaternion();
+                turn.quaternion().map(|c| c * sign.signum())
+            }
+        };
         (w, Direction::new(x, y, z))
     }
 

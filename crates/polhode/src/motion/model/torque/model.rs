@@ -97,13 +97,14 @@ pub(in crate::motion) trait Model: AnyLaw {
         0.0
     }
 
-    /// Does an attitude leave open how often something is twisted?
-    fn has_twist(&self) -> bool {
-        false
+    /// The attitude without twist of a torsion, whose torque is determined up to half a turn from there.
+    fn rest(&self) -> Option<Attitude> {
+        None
     }
 
-    /// True if between two attitudes of a motion, whose quaternion is continuous, its twist passes half a turn.
-    fn passes_half_turn(&self, _before: Attitude, _after: Attitude) -> bool {
-        false
+    /// N in a state, N·m. The twist of a torsion is continued from an attitude `near` that of the state, beyond half
+    /// a turn too.
+    fn value_near(&self, rotor: &Rotor, state: &State, _near: Attitude) -> Torque<Body> {
+        self.value(rotor, state)
     }
 }

@@ -8,6 +8,7 @@ use super::tangent::Tangent;
 use super::variation::Variation;
 use super::varied::VariedVector;
 use crate::math::frame::Body;
+use crate::math::rotation::Attitude;
 use crate::math::vector::Torque;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::schedule::Schedule;
@@ -71,7 +72,7 @@ impl Model for Scheduled {
         self.torque.model().unsplittable()
     }
 
-    fn has_twist(&self) -> bool {
-        self.torque.model().has_twist()
+    fn rest(&self) -> Option<Attitude> {
+        self.torque.model().rest()
     }
 }

@@ -105,7 +105,7 @@ impl LawInput for Tangent<'_> {
     }
 
     fn orbit(&self, orbit: &Orbit) -> OrbitPosition<Jet, MovingVector> {
-        let at = Values { rotor: self.rotor, state: self.state }.orbit(orbit);
+        let at = Values { rotor: self.rotor, state: self.state, near: None }.orbit(orbit);
         OrbitPosition {
             direction: self.fixed_in_space(at.direction),
             square: self.number(at.square),

@@ -107,7 +107,8 @@ mod tests {
                 TorqueAxes::Space => attitude.inverse() * Torque::<Space>::from_array(want),
             };
             assert!((value - along_body).norm() < 1e-14, "{value:?}");
-            let recorded: Torque<Body> = law.torque(&Values { rotor: &rotor, state: &state }).as_quantity();
+            let recorded: Torque<Body> =
+                law.torque(&Values { rotor: &rotor, state: &state, near: None }).as_quantity();
             assert!((value - recorded).norm() < 1e-14, "{recorded:?}");
         }
     }

@@ -1,11 +1,11 @@
 //! A spring that is twisted as the body turns.
 
-use super::law::{Law, LawInput};
+use super::law::{Law, LawInput, Values};
 use super::model::Model;
 use crate::math::algebra::{Scalar, VectorAlgebra};
 use crate::math::frame::{Body, Space};
 use crate::math::rotation::{Attitude, Rotation};
-use crate::math::vector::Direction;
+use crate::math::vector::{Direction, Torque};
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
@@ -20,8 +20,8 @@ use crate::motion::model::state::State;
 ///   U = ½ κ ψ², N = −κ ψ **b**, with ψ̇ = **b** · ω, **b** = (w² ê + w ê × **v** + (**v** · ê) **v**)/(w² + (**v** · ê)²), where ê stands in
 ///   the axes of the body at rest.
 ///
-/// Twists are within half a turn, w > 0: beyond, an attitude does not say how often a wire was twisted. A computed motion that comes there
-/// stops with [`MotionError::HalfTurn`].
+/// Twists are within half a turn, w > 0: beyond, an attitude does not determine how often a wire was twisted. A
+/// computed motion ends where a twist comes to half a turn, with [`MotionError::HalfTurn`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Torsion {
     stiffness: f64,
@@ -127,13 +127,12 @@ impl Model for Torsion {
         self.stiffness * core::f64::consts::PI
     }
 
-    fn has_twist(&self) -> bool {
-        true
+    fn rest(&self) -> Option<Attitude> {
+        Some(self.rest)
     }
 
-    fn passes_half_turn(&self, before: Attitude, after: Attitude) -> bool {
-        let w = |attitude: Attitude| (self.rest.inverse() * attitude).quaternion()[0];
-        w(before) * w(after) < 0.0
+    fn value_near(&self, rotor: &Rotor, state: &State, near: Attitude) -> Torque<Body> {
+        self.torque(&Values { rotor, state, near: Some(near) }).as_quantity()
     }
 }
 
@@ -141,7 +140,6 @@ impl Model for Torsion {
 mod tests {
     use super::super::law::generic_rotor;
     use super::*;
-    use crate::math::Torque;
     use crate::math::vector::{AngularVelocity, Vector};
 
     fn generic() -> [Torsion; 2] {

@@ -49,6 +49,12 @@ impl Shared {
     }
 }
 
+/// True for a member that is computed by itself: its events, or the half turns of its torsions, are sought within
+/// each step.
+fn is_alone(member: &Member) -> bool {
+    member.is_watched() || member.torques.iter().any(|torque| torque.model().rest().is_some())
+}
+
 /// Is there a torque that is computed for many at once?
 pub(super) fn is_shared(torque: &TorqueModel) -> bool {
     function_of(torque).is_some()
@@ -70,7 +76,7 @@ fn with_places(first: usize, members: &[Member]) -> (Vec<Vec<TorqueModel>>, Vec<
             let (TorqueModel::Own(own), Some(function)) = (torque, function_of(torque)) else {
                 return torque.clone();
             };
-            if member.is_watched() {
+            if is_alone(member) {
                 return TorqueModel::Own(own.alone(first + k));
             }
             let given = Arc::new(GivenTorque::default());
@@ -147,7 +153,7 @@ fn compute(
     let mut motions: Vec<(usize, Resumable<'_>)> = Vec::with_capacity(members.len());
     for (k, (member, torques)) in members.iter().zip(&torques).enumerate() {
         let Member { rotor, start, .. } = member;
-        if member.is_watched() {
+        if is_alone(member) {
             let motion = MemberMotion::watched(member, torques, times, by, &mut || progress(done));
             put(k, motion.ok_or(MotionError::Cancelled { done })?);
             done += 1;

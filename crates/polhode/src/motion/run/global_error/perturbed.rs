@@ -63,6 +63,8 @@ impl Perturbed<'_> {
         if let Some((noise, stretch)) = &self.noise {
             stepper = stepper.perturbed(noise.clone(), *stretch);
         }
+        // The times of the half turns of torsions differ a little, too.
+        let stepper = stepper.beyond_half_turns();
         // What stops the motion, or is only written down, does not change it.
         let switches: Vec<Event> = events.iter().filter(|event| event.switches()).cloned().collect();
         let sides = events.iter().zip(event_sides).filter(|(event, _)| event.switches());

@@ -101,7 +101,8 @@ impl Chart<'_> {
 
     fn torque(&self, t: f64, y: &Y, attitude: Rotation<Space, Principal>) -> Torque<Principal> {
         let principal = self.piece.rotor.principal();
-        let torque: Torque<Body> = self.piece.torque(&self.state_at(t, y, attitude));
+        let near = self.center * principal.rotation().inverse();
+        let torque: Torque<Body> = self.piece.torque(&self.state_at(t, y, attitude), near);
         let torque = principal.rotation().inverse() * torque;
         // Along a needle, gravity has no torque but that of its rounding; divided by so small a moment, it would spin it.
         let [i1, i2, i3] = principal.moments();

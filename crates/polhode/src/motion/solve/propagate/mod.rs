@@ -8,6 +8,7 @@ pub(crate) mod balanced;
 pub(crate) mod bound;
 mod chart;
 mod dop853;
+mod half_turn;
 mod ledger;
 pub(crate) mod noise;
 mod orientation;

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::rounding::ROUNDING;
 use crate::math::frame::{Body, Principal};
+use crate::math::rotation::Attitude;
 use crate::math::vector::{AngularMomentum, AngularVelocity, Torque};
 use crate::motion::error::MotionError;
 use crate::motion::model::mass_history::MassHistory;
@@ -112,9 +113,11 @@ impl<'a> Piece<'a> {
         self.torques.iter().copied().chain(self.changing.iter().map(|(_, law)| law))
     }
 
-    /// The torque of all that acts from outside, body axes.
-    pub(super) fn torque(&self, state: &State) -> Torque<Body> {
-        self.acting().fold(Torque::ZERO, |sum, model| sum + model.torque(self.rotor, state))
+    /// The torque of all that acts from outside, body axes. Twists are continued from an attitude `near` that of the state.
+    pub(super) fn torque(&self, state: &State, near: Attitude) -> Torque<Body> {
+        let torque = |model: &&TorqueModel| model.model().value_near(self.rotor, state, near);
+        let changing = self.changing.iter().map(|(body, _)| body.value_near(self.rotor, state, near));
+        self.torques.iter().map(torque).chain(changing).fold(Torque::ZERO, |sum, torque| sum + torque)
     }
 
     /// h, the angular momentum of the wheels, principal axes.

@@ -7,6 +7,7 @@ use std::rc::Rc;
 
 use super::balanced::Balanced;
 use super::bound::Bound;
+use super::half_turn::{Torsions, cosine};
 use super::ledger::Ledger;
 use super::noise::Noise;
 use super::piece::Piece;
@@ -57,8 +58,12 @@ pub(crate) struct Stepper<'a> {
     /// Where the last step began, s.
     from: f64,
     tolerance: f64,
-    /// True if a spring or wire is among the torques: its twist is watched.
-    is_sprung: bool,
+    /// The torsions that act, and when one of them is twisted by half a turn: no step begins there.
+    torsions: Torsions,
+    half_turn: Option<f64>,
+    /// True for a motion that goes beyond half a turn: a perturbed one, whose half turn is a little earlier than
+    /// that of the motion it is compared with.
+    is_unlimited: bool,
     rule: Rule,
     steps: Steps<'a>,
     /// What a perturbed run adds to each step.
@@ -106,7 +111,6 @@ impl<'a> Stepper<'a> {
         let with_evidence = with_evidence && history.is_none();
         let until = piece.until;
         let bound = Bound::new(&piece, &start);
-        let is_sprung = torques.iter().any(|torque| torque.model().has_twist());
         let first = Rc::clone(&piece);
         let steps = match rule {
             Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(first, start, tolerance, with_evidence)?)),
@@ -115,7 +119,7 @@ impl<'a> Stepper<'a> {
                 Steps::Splitting(Box::new(Splitting::new(first, torques, start, order, step)?))
             }
         };
-        Ok(Self {
+        let mut stepper = Self {
             rotor,
             torques,
             switched_on,
@@ -123,14 +127,36 @@ impl<'a> Stepper<'a> {
             bound,
             from: start.time,
             tolerance,
-            is_sprung,
+            torsions: Torsions::default(),
+            half_turn: None,
+            is_unlimited: false,
             rule,
             steps,
             noise: None,
             history,
             piece,
             ledger,
-        })
+        };
+        stepper.watch_torsions(&start);
+        Ok(stepper)
+    }
+
+    /// Goes beyond half a turn of torsions, where their torque is not determined.
+    pub(crate) fn beyond_half_turns(mut self) -> Self {
+        self.is_unlimited = true;
+        self.torsions = Torsions::default();
+        self.half_turn = None;
+        self
+    }
+
+    /// Looks at which torsions act now.
+    fn watch_torsions(&mut self, state: &State) {
+        if self.is_unlimited {
+            return;
+        }
+        let acting = self.switched_on().filter_map(|torque| torque.acting(state.time));
+        self.torsions = Torsions::of(acting, state.attitude);
+        self.half_turn = self.torsions.is_half_turn(state.attitude).then_some(state.time);
     }
 
     /// The same with steps so many times as long, and perturbed after each of them. Steps of a given length keep it.
@@ -159,6 +185,7 @@ impl<'a> Stepper<'a> {
         });
         piece.require_balanced_sink(&state)?;
         self.until = piece.until;
+        self.watch_torsions(&state);
         self.bound.act(&piece);
         self.piece = Rc::clone(&piece);
         match &mut self.steps {
@@ -178,6 +205,11 @@ impl<'a> Stepper<'a> {
         acting(self.torques, &self.switched_on)
     }
 
+    /// True if a torque is switched on.
+    pub(crate) fn is_on(&self, torque: usize) -> bool {
+        self.switched_on.get(torque).is_some_and(|on| *on)
+    }
+
     /// Switches a torque on or off, from the next [`Stepper::change`] on.
     pub(crate) fn switch(&mut self, torque: usize, on: bool) {
         if let Some(switch) = self.switched_on.get_mut(torque) {
@@ -187,11 +219,8 @@ impl<'a> Stepper<'a> {
 
     /// Goes back to a time within the last step.
     pub(crate) fn cut(&mut self, time: f64) {
-        match &mut self.steps {
-            Steps::Taylor(taylor) => taylor.cut(time),
-            Steps::Dop853(dop853) => dop853.cut(time),
-            Steps::Splitting(splitting) => splitting.cut(time),
-        }
+        self.steps.cut(time);
+        self.half_turn = self.half_turn.filter(|half_turn| *half_turn <= time);
         self.account();
     }
 
@@ -230,17 +259,21 @@ impl<'a> Stepper<'a> {
         self.rule
     }
 
-    /// One step forward, not beyond `until`, nor beyond a time at which a torque begins or ends.
+    /// One step forward, not beyond `until`, a time at which a torque begins or ends, or half a turn of a torsion.
     ///
     /// # Errors
     /// [`MotionError::StepTooSmall`], [`MotionError::NotFinite`] or [`MotionError::TorqueWithoutInertia`]; the stepper
-    /// stays at the last good state. [`MotionError::RunAway`] in place of these. [`MotionError::HalfTurn`] after a step that went too far.
+    /// stays at the last good state. [`MotionError::RunAway`] in place of these. [`MotionError::HalfTurn`] where the
+    /// last step has led to it.
     pub(crate) fn step(&mut self, until: f64) -> Result<(), MotionError> {
         if self.time() >= self.until {
             self.change()?;
         }
+        if self.half_turn.is_some() {
+            return Err(MotionError::HalfTurn { time: self.time() });
+        }
         let until = until.min(self.until);
-        let before = self.is_sprung.then(|| self.now().state);
+        let rate = self.rate();
         self.from = self.time();
         if let Some(ledger) = &mut self.ledger {
             ledger.begin();
@@ -251,6 +284,7 @@ impl<'a> Stepper<'a> {
             Steps::Splitting(splitting) => splitting.step(until),
         };
         stepped.map_err(|cause| self.explained(cause))?;
+        self.find_half_turn(rate);
         self.account();
         if let Some(noise) = &mut self.noise {
             match &mut self.steps {
@@ -259,7 +293,24 @@ impl<'a> Stepper<'a> {
                 Steps::Splitting(splitting) => splitting.perturb(noise),
             }
         }
-        before.map_or(Ok(()), |before| require_untwisted(self.switched_on(), &before, &self.now().state))
+        Ok(())
+    }
+
+    /// Ends the last step at the first half turn of a torsion in it; |ω| was `rate` at its start.
+    fn find_half_turn(&mut self, rate: f64) {
+        if self.torsions.is_empty() {
+            return;
+        }
+        let (from, rate) = (self.from, self.rate().max(rate));
+        let steps = &self.steps;
+        let after = self.torsions.half_turn(self.time() - from, rate, |rest| match steps {
+            Steps::Taylor(taylor) => taylor.cosine(rest),
+            steps => Box::new(move |after| cosine(rest, steps.at(from + after).state.attitude)),
+        });
+        if let Some(after) = after {
+            self.steps.cut(from + after);
+            self.half_turn = Some(from + after);
+        }
     }
 
     pub(crate) fn time(&self) -> f64 {
@@ -350,6 +401,14 @@ impl<'a> Stepper<'a> {
 }
 
 impl Steps<'_> {
+    fn cut(&mut self, time: f64) {
+        match self {
+            Self::Taylor(taylor) => taylor.cut(time),
+            Self::Dop853(dop853) => dop853.cut(time),
+            Self::Splitting(splitting) => splitting.cut(time),
+        }
+    }
+
     fn at(&self, time: f64) -> Balanced {
         match self {
             Self::Taylor(taylor) => taylor.at(time),
@@ -379,20 +438,6 @@ pub(super) fn first_piece<'a>(
     let piece = Piece::new(rotor, torques, start);
     piece.require_balanced_sink(start)?;
     Ok(piece)
-}
-
-/// # Errors
-/// [`MotionError::HalfTurn`] if a spring or wire that acts has been twisted beyond half a turn.
-pub(super) fn require_untwisted<'a>(
-    mut torques: impl Iterator<Item = &'a TorqueModel>,
-    before: &State,
-    after: &State,
-) -> Result<(), MotionError> {
-    let is_beyond = torques.any(|torque| {
-        let acting = torque.acting(before.time);
-        acting.is_some_and(|torque| torque.model().passes_half_turn(before.attitude, after.attitude))
-    });
-    if is_beyond { Err(MotionError::HalfTurn { time: before.time }) } else { Ok(()) }
 }
 
 /// The torques that are switched on.

@@ -125,7 +125,7 @@ impl<'a> Splitting<'a> {
 
     fn begin(&mut self) -> Result<(), MotionError> {
         let Head { time, orientation, .. } = self.head;
-        self.head.torque = self.torque(time, orientation.rotation());
+        self.head.torque = self.torque(time, orientation.rotation(), orientation.rotation());
         self.statistics.evaluations += 1;
         self.require_determined()
     }
@@ -177,7 +177,8 @@ impl<'a> Splitting<'a> {
         let mut momentum = self.kick(&mut head, self.scheme.first * h);
         for stage in &self.scheme.stages {
             head.orientation.add(self.flow.turn(momentum, self.spin, stage.flow * h));
-            head.torque = self.torque(from.time + stage.at * h, head.orientation.rotation());
+            let time = from.time + stage.at * h;
+            head.torque = self.torque(time, head.orientation.rotation(), from.orientation.rotation());
             momentum = self.kick(&mut head, stage.kick * h);
         }
         head
@@ -208,13 +209,19 @@ impl<'a> Splitting<'a> {
         after
     }
 
-    fn torque(&self, time: f64, attitude: Rotation<Space, Principal>) -> Torque<Principal> {
+    /// The torque at an attitude. Twists are continued from the attitude `near` at which the step began.
+    fn torque(
+        &self,
+        time: f64,
+        attitude: Rotation<Space, Principal>,
+        near: Rotation<Space, Principal>,
+    ) -> Torque<Principal> {
         if self.piece.torques.is_empty() {
             return Torque::ZERO;
         }
         // No torque here depends on ω.
         let state = State { time, attitude: attitude * self.to_body.inverse(), omega: AngularVelocity::ZERO };
-        let torque = self.to_body.inverse() * self.piece.torque(&state);
+        let torque = self.to_body.inverse() * self.piece.torque(&state, near * self.to_body.inverse());
         // As in `chart.rs`: along a needle there is the torque's rounding only.
         let [i1, i2, i3] = self.piece.rotor.principal().moments();
         let clean = |n: f64, i: f64| {

@@ -2,7 +2,7 @@
 
 use super::super::dop853::STAGES;
 use super::super::runge_kutta::{Attempt, End, RungeKutta};
-use super::{Rule, Stepper, Steps, require_untwisted};
+use super::{Rule, Stepper, Steps};
 use crate::motion::error::MotionError;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
@@ -27,10 +27,10 @@ enum Waiting<'a> {
     Done,
     /// Something begins or ends now.
     Change,
-    /// A stage of a step, and the state in which the step began.
-    Stage(Box<Attempt<'a>>, usize, State),
+    /// A stage of a step.
+    Stage(Box<Attempt<'a>>, usize),
     /// The end of a step.
-    End(Box<Attempt<'a>>, End, State),
+    End(Box<Attempt<'a>>, End),
     /// A stage of a shorter step, to a time within the last one.
     Sample(Box<Attempt<'a>>, usize),
 }
@@ -62,10 +62,8 @@ impl<'a> Resumable<'a> {
         match &self.waiting {
             Waiting::Done => None,
             Waiting::Change => Some(self.stepper.now().state),
-            Waiting::Stage(attempt, stage, _) | Waiting::Sample(attempt, stage) => {
-                Some(attempt.place(*stage))
-            }
-            Waiting::End(attempt, end, _) => Some(attempt.end(end)),
+            Waiting::Stage(attempt, stage) | Waiting::Sample(attempt, stage) => Some(attempt.place(*stage)),
+            Waiting::End(attempt, end) => Some(attempt.end(end)),
         }
     }
 
@@ -80,30 +78,26 @@ impl<'a> Resumable<'a> {
                 self.stepper.change()?;
                 self.begin()
             }
-            Waiting::Stage(mut attempt, stage, before) => {
+            Waiting::Stage(mut attempt, stage) => {
                 attempt.evaluate(stage);
                 if stage + 1 < STAGES {
-                    self.waiting = Waiting::Stage(attempt, stage + 1, before);
+                    self.waiting = Waiting::Stage(attempt, stage + 1);
                     return Ok(());
                 }
                 let judged = self.dop853()?.judge(&attempt);
                 match judged.map_err(|cause| self.stepper.explained(cause))? {
-                    Some(end) => self.waiting = Waiting::End(attempt, end, before),
+                    Some(end) => self.waiting = Waiting::End(attempt, end),
                     None => {
                         let mut again = self.attempt()?;
                         again.was_rejected = true;
-                        self.waiting = Waiting::Stage(again, 1, before);
+                        self.waiting = Waiting::Stage(again, 1);
                     }
                 }
                 Ok(())
             }
-            Waiting::End(attempt, end, before) => {
+            Waiting::End(attempt, end) => {
                 let finished = self.dop853()?.finish(&attempt, &end);
                 finished.map_err(|cause| self.stepper.explained(cause))?;
-                if self.stepper.is_sprung {
-                    let after = self.stepper.now().state;
-                    require_untwisted(self.stepper.switched_on(), &before, &after)?;
-                }
                 let end = self.end();
                 self.stepper.require_bounded(end)?;
                 self.next()
@@ -145,9 +139,8 @@ impl<'a> Resumable<'a> {
 
     /// Begins a step.
     fn begin(&mut self) -> Result<(), MotionError> {
-        let before = self.stepper.now().state;
         self.stepper.from = self.stepper.time();
-        self.waiting = Waiting::Stage(self.attempt()?, 1, before);
+        self.waiting = Waiting::Stage(self.attempt()?, 1);
         Ok(())
     }
 

@@ -22,8 +22,9 @@ use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
 use crate::motion::model::wheel::{Motor, Wheel};
 use crate::motion::solve::propagate::bound::{Bound, MOST_STEPS};
+use crate::motion::solve::propagate::half_turn::Torsions;
 use crate::motion::solve::propagate::piece::Piece;
-use crate::motion::solve::propagate::stepper::{Rule, first_piece, require_untwisted};
+use crate::motion::solve::propagate::stepper::{Rule, first_piece};
 use crate::motion::solve::start::{require_few_pulses, require_finite};
 
 /// What bodies that are expanded side by side have in common: their numbers differ, and nothing else.
@@ -171,8 +172,8 @@ struct Lane<'a> {
     /// How many of the times it has come to.
     sampled: usize,
     bound: Bound<ExpansionPoint>,
-    /// True if a spring or wire is among the torques: its twist is watched.
-    is_sprung: bool,
+    /// The torsions among the torques: the motion ends where one of them is twisted by half a turn.
+    torsions: Torsions,
     /// The rounds before it came aboard.
     rounds: u64,
 }
@@ -274,9 +275,9 @@ impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
         let wanted = smaller(allowed, self.expansion.reach());
         let h = wanted.zip(rest, |wanted, rest| if wanted >= rest { rest } else { wanted });
         let is_last = wanted.zip(rest, |wanted, rest| f64::from(u8::from(wanted >= rest)));
-        let until =
+        let mut until =
             is_last.zip3(self.end, time + h, |is_last, end, until| if is_last == 1.0 { end } else { until });
-        let head = self.base.plus(&self.expansion.at(s, until - time), until);
+        let mut head = self.base.plus(&self.expansion.at(s, until - time), until);
         let is_good = (time + h).zip3(time, head.not_finite(), |until, time, not_finite| {
             f64::from(u8::from((until > time) & (not_finite == 0.0)))
         });
@@ -289,19 +290,47 @@ impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
             let explained = self.lanes[k].as_ref().map(|lane| lane.bound.explained(cause.clone(), now));
             self.give_up(k, explained.unwrap_or(cause));
         }
-        self.require_untwisted(&head);
+        let half_turns = self.half_turns(&head);
+        if !half_turns.is_empty() {
+            for &(k, after) in &half_turns {
+                until.put(k, time.lane(k) + after);
+            }
+            let there = self.base.plus(&self.expansion.at(s, until - time), until);
+            for (k, _) in &half_turns {
+                head.put(*k, &there.lane(*k));
+            }
+        }
         self.sample_within(s, until);
         let before = core::mem::replace(&mut self.base, head);
+        for (k, _) in half_turns {
+            self.end_at_half_turn(k);
+        }
         self.look_ahead(allowed, &before);
     }
 
-    fn require_untwisted(&mut self, head: &ExpansionPoint<N>) {
-        for k in 0..N::LANES {
-            let Some(lane) = self.lanes[k].as_ref().filter(|lane| lane.is_sprung) else { continue };
-            let [before, after] = [self.base.lane(k), head.lane(k)].map(|base| base.state(lane.to_body));
-            if let Err(cause) = require_untwisted(lane.piece.torques.iter().copied(), &before, &after) {
-                self.give_up(k, cause);
-            }
+    /// The lanes in which a torsion comes to half a turn in the step, and when after its start.
+    fn half_turns(&self, head: &ExpansionPoint<N>) -> Vec<(usize, f64)> {
+        let lanes = self.lanes.iter().enumerate();
+        let sprung =
+            lanes.filter_map(|(k, lane)| Some((k, lane.as_ref().filter(|l| !l.torsions.is_empty())?)));
+        let found = sprung.filter_map(|(k, lane)| {
+            let [base, head] = [self.base.lane(k), head.lane(k)];
+            let cosine = |rest| self.expansion.cosine(k, rest, (base.rotation(), lane.to_body));
+            let after =
+                lane.torsions.half_turn(head.time - base.time, head.rate().max(base.rate()), cosine)?;
+            Some((k, after))
+        });
+        found.collect()
+    }
+
+    /// The base of a lane is at half a turn of a torsion: its motion ends there, unless that is its last time.
+    fn end_at_half_turn(&mut self, k: usize) {
+        let base = self.base.lane(k);
+        self.sample(k, &base);
+        if self.end.lane(k) > base.time {
+            self.give_up(k, MotionError::HalfTurn { time: base.time });
+        } else {
+            self.lanes[k] = None;
         }
     }
 
@@ -415,13 +444,17 @@ impl<'a> Lane<'a> {
         let end = work.times.last().copied().unwrap_or(start.time);
         require_few_pulses(rotor, torques, &|_| false, [start.time, end])?;
         let piece = first_piece(Rule::Taylor, rotor, torques.iter(), &start, work.tolerance)?;
+        let torsions = Torsions::of(piece.torques.iter().copied(), start.attitude);
+        if torsions.is_half_turn(start.attitude) && end > start.time {
+            return Err(MotionError::HalfTurn { time: start.time });
+        }
         let mut bound = Bound::new(&piece, &start);
         bound.end(end);
         Ok(Self {
             body: index,
             start,
             bound,
-            is_sprung: torques.iter().any(|torque| torque.model().has_twist()),
+            torsions,
             piece,
             to_body: rotor.principal().rotation(),
             sampled: 0,

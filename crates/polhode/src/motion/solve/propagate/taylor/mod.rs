@@ -11,6 +11,7 @@
 mod base;
 mod batch;
 mod body_resolved;
+mod cosine;
 mod function;
 pub(in crate::motion) mod length;
 mod many;

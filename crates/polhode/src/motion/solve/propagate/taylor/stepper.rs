@@ -9,7 +9,7 @@ use super::variations::Variations;
 use super::{Expansion, Increment, decomposed};
 use crate::math::frame::{Body, Principal, Space};
 use crate::math::machine::{Machine, Work, in_vectors};
-use crate::math::rotation::Rotation;
+use crate::math::rotation::{Attitude, Rotation};
 use crate::math::sum::two_sum;
 use crate::math::vector::{AngularMomentum, AngularVelocity, Direction, Vector};
 use crate::motion::error::MotionError;
@@ -17,6 +17,7 @@ use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
 use crate::motion::model::torque::parameter::ParameterKind;
 use crate::motion::solve::propagate::balanced::Balanced;
+use crate::motion::solve::propagate::half_turn::Cosine;
 use crate::motion::solve::propagate::noise::Noise;
 use crate::motion::solve::propagate::piece::Piece;
 use crate::motion::solve::propagate::step_statistics::StepStatistics;
@@ -288,6 +289,11 @@ impl<'a> Taylor<'a> {
         let there = self.base().plus(&more, time);
         let evidence = self.evidence.map(|[base, _]| base.plus(&more, there.rotation()));
         self.balanced(&there, evidence)
+    }
+
+    /// The scalar part of the turn from a rest as a function of the time since the last step began.
+    pub(in crate::motion::solve::propagate) fn cosine<'b>(&self, rest: Attitude) -> Cosine<'b> {
+        self.expansion.cosine(0, rest, (self.base().rotation(), self.to_body))
     }
 
     fn balanced(&self, base: &ExpansionPoint, evidence: Option<Balances>) -> Balanced {

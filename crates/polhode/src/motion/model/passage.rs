@@ -1,0 +1,215 @@
+//! Passages of a function of time through zero, and the side of zero on which it is between them.
+//!
+//! A function has a side as soon as it is beyond its rounding. Where an interval begins at zero, but for rounding,
+//! the side is that to which the function leaves: it is found at times that follow the start ever further away. A
+//! passage is a change of the side. So a function that only touches zero has none, and one that is on another side
+//! than where the interval before ended has one at the start.
+
+use crate::math::root::root;
+use crate::math::sign_changes::{Node, SLOPE, Sought};
+
+/// A body turns by less than this in a piece of an interval, rad.
+const TURN: f64 = 0.3;
+
+/// Pieces of an interval, at least and at most.
+const PIECES: [f64; 2] = [4.0, 256.0];
+
+/// Rounding of a function relative to the size of its terms, and of a time relative to itself.
+const ROUNDING: [f64; 2] = [16.0 * f64::EPSILON, 4.0 * f64::EPSILON];
+
+/// The side of an event's value on which a motion was last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EventSide {
+    /// At the value, and has not left it: a motion that starts there has not passed it.
+    At,
+    /// Above.
+    Above,
+    /// Below.
+    Below,
+}
+
+impl EventSide {
+    pub(crate) const fn of(gap: f64) -> Self {
+        if gap > 0.0 { Self::Above } else { Self::Below }
+    }
+
+    const fn sign(self) -> Option<f64> {
+        match self {
+            Self::At => None,
+            Self::Above => Some(1.0),
+            Self::Below => Some(-1.0),
+        }
+    }
+
+    const fn passed(self) -> Self {
+        match self {
+            Self::At => Self::At,
+            Self::Above => Self::Below,
+            Self::Below => Self::Above,
+        }
+    }
+}
+
+/// The times at which an interval is looked at: the ends of its pieces, each with one next to it for the slope. That
+/// is before the last end, and after all others.
+#[derive(Clone, Debug)]
+pub(crate) struct Pieces(Vec<[f64; 2]>);
+
+impl Pieces {
+    /// Divides an interval in which the body turns by this, rad.
+    pub(crate) fn of([from, to]: [f64; 2], turn: f64) -> Self {
+        let count = (turn / TURN).ceil().clamp(PIECES[0], PIECES[1]) as u32;
+        let width = (to - from) / f64::from(count);
+        let place = |k: u32| match k {
+            k if k == count => [to, to - SLOPE * width],
+            k => [from + f64::from(k) * width, from + (f64::from(k) + SLOPE) * width],
+        };
+        Self((0..=count).map(place).collect())
+    }
+
+    pub(crate) fn times(&self) -> &[[f64; 2]] {
+        &self.0
+    }
+
+    /// The later of two times that are the same but for rounding of the time.
+    pub(crate) fn same(time: f64) -> f64 {
+        time + ROUNDING[1] * time.abs()
+    }
+}
+
+/// A function on an interval.
+pub(crate) struct Course<'a> {
+    pub(crate) pieces: &'a Pieces,
+    /// Its values at the times of the pieces.
+    pub(crate) values: &'a [[f64; 2]],
+    /// The size of its terms, to which its rounding is relative.
+    pub(crate) scale: f64,
+    /// A value up to which the function may be at zero at the start, in addition to its rounding.
+    pub(crate) floor: f64,
+    pub(crate) function: &'a dyn Fn(f64) -> f64,
+}
+
+/// The passages of an interval.
+#[derive(Clone, Debug)]
+pub(crate) struct Passages {
+    /// The side before the interval.
+    before: EventSide,
+    /// The first time at which the function is beyond its rounding, and its side there.
+    since: Option<(f64, EventSide)>,
+    /// When it passes zero, in ascending order, and whether it rises there.
+    pub(crate) passages: Vec<(f64, bool)>,
+    /// The rounding of the function.
+    pub(crate) noise: f64,
+}
+
+impl Passages {
+    /// The side just after a time.
+    pub(crate) fn side(&self, time: f64) -> EventSide {
+        let first = match (self.before, self.since) {
+            (EventSide::At, Some((since, side))) if since <= time => side,
+            (before, _) => before,
+        };
+        let count = self.passages.iter().filter(|(passage, _)| *passage <= time).count();
+        if count % 2 == 0 { first } else { first.passed() }
+    }
+}
+
+impl Course<'_> {
+    /// Finds the passages of a function that is on a side before the interval.
+    pub(crate) fn passages(&self, before: EventSide) -> Passages {
+        let noise = ROUNDING[0] * self.scale;
+        let mut passages = Passages { before, since: None, passages: Vec::new(), noise };
+        let Some(start) = self.start(noise) else { return passages };
+        let sought = Sought { function: self.function, noise };
+        let mut zeros = Vec::new();
+        let mut run: Vec<Node> = start.into_iter().collect();
+        let mut is_known = start.is_some();
+        for k in 1..self.values.len() {
+            let node = self.node(k, noise);
+            if let Some(node) = node {
+                if !is_known {
+                    zeros.extend(sought.zeros(&run));
+                    zeros.extend(run.last().and_then(|last| self.between(last, &node)));
+                    run.clear();
+                }
+                run.push(node);
+                passages.since = passages.since.or(Some((node.at, EventSide::of(node.value))));
+            }
+            is_known = node.is_some();
+        }
+        zeros.extend(sought.zeros(&run));
+        let from = self.pieces.0.first().map_or(f64::NAN, |[from, _]| *from);
+        if let Some(node) = start {
+            passages.since = Some((from, EventSide::of(node.value)));
+        }
+        let Some((since, side)) = passages.since else { return passages };
+        let mut rises = side == EventSide::Below;
+        if before.sign().is_some() && before != side {
+            let time = if start.is_some() { from } else { self.left([from, since]) };
+            passages.passages.push((time, !rises));
+        }
+        for zero in zeros {
+            passages.passages.push((zero, rises));
+            rises = !rises;
+        }
+        passages
+    }
+
+    /// The node from which the function is beyond its rounding after the start: outside `None` for a function without
+    /// values, inside where it stays within rounding during the first piece.
+    fn start(&self, noise: f64) -> Option<Option<Node>> {
+        let (&[from, _], &[next, _]) = (self.pieces.0.first()?, self.pieces.0.get(1)?);
+        let first = self.sampled(0)?;
+        let noise = noise + self.floor;
+        if self.is_beyond(&first, noise) {
+            return Some(Some(first));
+        }
+        let step = SLOPE * (next - from);
+        let mut delta = (ROUNDING[1] * from.abs()).max(step * (1.0 / (1_u64 << 40) as f64));
+        while delta < next - from {
+            let value = (self.function)(from + delta);
+            let node = Node { at: from + delta, value, slope: first.slope };
+            if self.is_beyond(&node, noise) {
+                let step = step.min(next - node.at);
+                let beside = node.at + step;
+                let slope = ((self.function)(beside) - value) / (beside - node.at);
+                return Some(Some(Node { slope, ..node }));
+            }
+            delta *= 4.0;
+        }
+        Some(None)
+    }
+
+    /// A node where the function is beyond its rounding: an end of a piece, or the time next to it.
+    fn node(&self, k: usize, noise: f64) -> Option<Node> {
+        let node = self.sampled(k)?;
+        if self.is_beyond(&node, noise) {
+            return Some(node);
+        }
+        let (&[_, at], &[_, value]) = (self.pieces.0.get(k)?, self.values.get(k)?);
+        let node = Node { at, value, ..node };
+        self.is_beyond(&node, noise).then_some(node)
+    }
+
+    fn sampled(&self, k: usize) -> Option<Node> {
+        let (&[at, beside], &[value, there]) = (self.pieces.0.get(k)?, self.values.get(k)?);
+        Some(Node { at, value, slope: (there - value) / (beside - at) })
+    }
+
+    /// True if the value is more than the rounding of the function and of the time.
+    fn is_beyond(&self, node: &Node, noise: f64) -> bool {
+        node.value.abs() > noise + ROUNDING[1] * (node.at * node.slope).abs()
+    }
+
+    /// The passage between two nodes, between which the function is within its rounding.
+    fn between(&self, left: &Node, right: &Node) -> Option<f64> {
+        let is_passed = (left.value > 0.0) != (right.value > 0.0);
+        is_passed.then(|| root(self.function, [left.at, right.at], [left.value, right.value]))
+    }
+
+    /// When the function leaves its rounding for another side than before.
+    fn left(&self, bracket: [f64; 2]) -> f64 {
+        let [a, b] = bracket.map(self.function);
+        if (a > 0.0) == (b > 0.0) { bracket[0] } else { root(self.function, bracket, [a, b]) }
+    }
+}

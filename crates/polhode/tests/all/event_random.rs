@@ -248,7 +248,12 @@ fn methods_and_samples_agree_on_all_events_of_random_scenarios() {
         grid.dedup();
         let sampled = case.run(Method::Taylor, &grid);
         let known = [&sampled, &taylor].map(|motion| case.passages(motion));
-        assert_eq!(known[0], known[1], "scenario {seed}");
+        let is_same = known[0].len() == known[1].len()
+            && known[0]
+                .iter()
+                .zip(&known[1])
+                .all(|(a, b)| (a.0, a.2) == (b.0, b.2) && (a.1 - b.1).abs() < 1e-11);
+        assert!(is_same, "scenario {seed}: {known:?}");
         case.check_grid(&sampled, &switches);
 
         let other = case.run(Method::Dop853, &[case.end]);

@@ -142,7 +142,7 @@ impl Cubic {
         self.turns().into_iter().fold(ends, |least, s| least.min(sign * self.at(s)))
     }
 
-    /// Where p′ vanishes between 0 and 1, at most two places; 0 stands for none.
+    /// Returns the zeros of p′ between 0 and 1, at most two; 0 for none.
     fn turns(&self) -> [f64; 2] {
         let ([c, d], b) = (self.curvature(), self.slopes[0]);
         // b + 2 c s + 3 d s² = 0

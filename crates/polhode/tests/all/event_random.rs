@@ -24,7 +24,7 @@ fn scenarios() -> core::ops::Range<u64> {
     from.parse().unwrap()..to.parse().unwrap()
 }
 
-/// What an event measures less its value, or a function that vanishes with that; the size of its terms; and whether a
+/// Returns the measure of an event less its value, or a function that vanishes with that; the size of its terms; and whether a
 /// passage there counts.
 fn gap(event: &Event, rotor: &Rotor, state: &State) -> (f64, f64, bool) {
     let (v, omega) = (event.value(), state.omega);

@@ -44,7 +44,7 @@ struct Outcome {
 }
 
 impl Case {
-    /// `None` of a motion that ends before it is worth a comparison.
+    /// `None` of a motion that ends too early for a comparison.
     fn random(seed: u64) -> Option<Self> {
         let mut random = Random::new(seed ^ 0x5eed);
         let numbers = Numbers::random(&mut random);

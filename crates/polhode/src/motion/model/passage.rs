@@ -1,6 +1,6 @@
 //! Passages of a function of time through zero, and the side of zero on which it is between them.
 //!
-//! A function has a side as soon as it is beyond its rounding. Where an interval begins at zero, but for rounding,
+//! A function has a side as soon as it is beyond its rounding. Where an interval begins at zero, except for rounding,
 //! the side is that to which the function leaves: it is found at times that follow the start ever further away. A
 //! passage is a change of the side. So a function that only touches zero has none, and one that is on another side
 //! than where the interval before ended has one at the start.
@@ -20,11 +20,11 @@ const ROUNDING: [f64; 2] = [16.0 * f64::EPSILON, 4.0 * f64::EPSILON];
 /// The side of an event's value on which a motion was last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EventSide {
-    /// At the value, and has not left it: a motion that starts there has not passed it.
+    /// The motion is at the value and has not left it: a motion that starts there has not passed it.
     At,
-    /// Above.
+    /// The measure is above the value.
     Above,
-    /// Below.
+    /// The measure is below the value.
     Below,
 }
 
@@ -71,7 +71,7 @@ impl Pieces {
         &self.0
     }
 
-    /// The later of two times that are the same but for rounding of the time.
+    /// The later of two times that are the same except for rounding of the time.
     pub(crate) fn same(time: f64) -> f64 {
         time + ROUNDING[1] * time.abs()
     }

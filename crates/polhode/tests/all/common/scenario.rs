@@ -17,7 +17,7 @@ impl Random {
         Self((seed ^ 0x9e37_79b9_7f4a_7c15).wrapping_mul(0xbf58_476d_1ce4_e5b9))
     }
 
-    /// In [0, 1).
+    /// Returns a number in [0, 1).
     pub(crate) fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         let mixed = (self.0 ^ (self.0 >> 31)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -72,7 +72,7 @@ fn transposed(m: &M) -> M {
     core::array::from_fn(|i| core::array::from_fn(|j| m[j][i]))
 }
 
-/// R M Rᵀ, symmetric to the last digit.
+/// R M Rᵀ, exactly symmetric.
 fn turned(r: &M, m: M) -> M {
     let m = product(&product(r, &m), &transposed(r));
     core::array::from_fn(|i| core::array::from_fn(|j| 0.5 * (m[i][j] + m[j][i])))
@@ -121,7 +121,7 @@ pub(crate) struct Numbers {
 /// Other axes and units: new components are R times old ones, and new numbers are old ones times the unit's factor.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Change {
-    /// Of the body's axes, and of space's.
+    /// Rotations of the body's axes and of those of space.
     pub(crate) axes: [[f64; 4]; 2],
     pub(crate) length: f64,
     pub(crate) mass: f64,

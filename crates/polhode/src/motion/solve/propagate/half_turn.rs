@@ -1,6 +1,6 @@
 //! The limit of springs and wires: half a turn, beyond which an attitude does not determine the twist.
 //!
-//! With q the quaternion of the body and r that of a torsion's rest, the scalar part w of r⁻¹ ∘ q is cos ½θ of a
+//! Let q be the quaternion of the body and r that of a torsion's rest. The scalar part w of r⁻¹ ∘ q is cos ½θ of a
 //! spring's angle θ, and vanishes with a wire's twist at half a turn. Where a step begins, w > 0. The step ends at
 //! the first zero of w in its dense output: stages and series of a step may go beyond.
 

@@ -3,7 +3,7 @@
 use super::suspension::Gimbals;
 use crate::body::mass_properties::MassProperties;
 use crate::math::frame::Body;
-use crate::motion::solve::propagate::noise::StepNoise;
+use crate::motion::solve::propagate::noise::StepChange;
 
 /// An initial value problem: a body as the rotor of two gimbals, whose axes say where they start.
 ///
@@ -36,7 +36,8 @@ pub struct GimbalSimulation<'a> {
     pub(super) start: f64,
     pub(super) times: &'a [f64],
     pub(super) tolerance: f64,
-    pub(super) noise: Option<StepNoise>,
+    /// The steps of a comparison run.
+    pub(super) change: Option<StepChange>,
 }
 
 impl<'a> GimbalSimulation<'a> {
@@ -47,7 +48,7 @@ impl<'a> GimbalSimulation<'a> {
         start: f64,
         times: &'a [f64],
     ) -> Self {
-        Self { body, gimbals, start, times, tolerance: 1e-15, noise: None }
+        Self { body, gimbals, start, times, tolerance: 1e-15, change: None }
     }
 
     /// With a bound on the error of each step, relative to the sizes of the variables: 1e-15 unless it is said.
@@ -56,8 +57,8 @@ impl<'a> GimbalSimulation<'a> {
         Self { tolerance, ..self }
     }
 
-    pub(in crate::motion) const fn with_noise(self, noise: Option<StepNoise>) -> Self {
-        Self { noise, ..self }
+    pub(in crate::motion) const fn with_steps(self, change: Option<StepChange>) -> Self {
+        Self { change, ..self }
     }
 
     pub(in crate::motion) const fn body(&self) -> &MassProperties<Body> {

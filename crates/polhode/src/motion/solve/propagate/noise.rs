@@ -20,12 +20,14 @@ impl Random {
     }
 }
 
-/// What a perturbed run adds to its variables after each step, so many times what rounding does; and how many times as long its steps are.
+/// Steps of a comparison run: noise after each of them, and their length.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct StepNoise {
+pub(crate) struct StepChange {
     pub(crate) seed: u64,
+    /// Amplitude of the noise, in units of ε; zero for none.
     pub(crate) amplitude: f64,
-    pub(crate) stretch: f64,
+    /// True if each step is taken in two halves.
+    pub(crate) halved: bool,
 }
 
 /// What rounding does to a step, times an amplitude.

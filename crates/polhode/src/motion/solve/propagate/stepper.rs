@@ -8,8 +8,9 @@ use std::rc::Rc;
 use super::balanced::Balanced;
 use super::bound::Bound;
 use super::half_turn::{Torsions, cosine};
+use super::halving::{Halving, MORE_TERMS};
 use super::ledger::Ledger;
-use super::noise::Noise;
+use super::noise::{Noise, StepChange};
 use super::piece::Piece;
 use super::runge_kutta::RungeKutta;
 use super::splitting::{Splitting, SplittingOrder};
@@ -66,8 +67,10 @@ pub(crate) struct Stepper<'a> {
     is_unlimited: bool,
     rule: Rule,
     steps: Steps<'a>,
-    /// What a perturbed run adds to each step.
+    /// Noise after each step, in a comparison run.
     noise: Option<Noise>,
+    /// Whole steps in two halves, in a comparison run.
+    halving: Option<Halving>,
     /// The mass properties, if they change.
     history: Option<&'a MassHistory>,
     piece: Rc<Piece<'a>>,
@@ -133,6 +136,7 @@ impl<'a> Stepper<'a> {
             rule,
             steps,
             noise: None,
+            halving: None,
             history,
             piece,
             ledger,
@@ -159,14 +163,17 @@ impl<'a> Stepper<'a> {
         self.half_turn = self.torsions.is_half_turn(state.attitude).then_some(state.time);
     }
 
-    /// The same with steps so many times as long, and perturbed after each of them. Steps of a given length keep it.
-    pub(crate) fn perturbed(mut self, noise: Noise, stretch: f64) -> Self {
+    /// The steps of a comparison run.
+    pub(crate) fn changed(mut self, change: StepChange) -> Self {
+        let StepChange { seed, amplitude, halved } = change;
         match &mut self.steps {
-            Steps::Taylor(taylor) => taylor.stretch(stretch),
-            Steps::Dop853(dop853) => dop853.stretch(stretch),
-            Steps::Splitting(_) => {}
+            _ if !halved => {}
+            Steps::Taylor(taylor) => taylor.add_terms(MORE_TERMS),
+            Steps::Dop853(dop853) => dop853.halve(),
+            Steps::Splitting(splitting) => splitting.halve(),
         }
-        Self { noise: Some(noise), ..self }
+        let noise = (amplitude > 0.0).then(|| Noise::new(seed, amplitude));
+        Self { noise, halving: halved.then_some(Halving::NONE), ..self }
     }
 
     /// Looks again at what acts now.
@@ -186,6 +193,7 @@ impl<'a> Stepper<'a> {
         piece.require_balanced_sink(&state)?;
         self.until = piece.until;
         self.watch_torsions(&state);
+        self.halving = self.halving.map(|_| Halving::NONE);
         self.bound.act(&piece);
         self.piece = Rc::clone(&piece);
         match &mut self.steps {
@@ -221,6 +229,7 @@ impl<'a> Stepper<'a> {
     pub(crate) fn cut(&mut self, time: f64) {
         self.steps.cut(time);
         self.half_turn = self.half_turn.filter(|half_turn| *half_turn <= time);
+        self.halving = self.halving.map(|_| Halving::NONE);
         self.account();
     }
 
@@ -272,7 +281,7 @@ impl<'a> Stepper<'a> {
         if self.half_turn.is_some() {
             return Err(MotionError::HalfTurn { time: self.time() });
         }
-        let until = until.min(self.until);
+        let until = self.shortened(until.min(self.until))?;
         let rate = self.rate();
         self.from = self.time();
         if let Some(ledger) = &mut self.ledger {
@@ -311,6 +320,25 @@ impl<'a> Stepper<'a> {
             self.steps.cut(from + after);
             self.half_turn = Some(from + after);
         }
+    }
+
+    /// The end of the next step at the latest: with halving, the end of a half of the step that
+    /// would be taken without it.
+    ///
+    /// # Errors
+    /// [`MotionError::TorqueWithoutInertia`] if the torque cannot be balanced.
+    fn shortened(&mut self, until: f64) -> Result<f64, MotionError> {
+        let now = self.time();
+        let Some(halving) = &mut self.halving else { return Ok(until) };
+        if let Some(end) = halving.second_half(now) {
+            return Ok(until.min(end));
+        }
+        let step = match &mut self.steps {
+            Steps::Taylor(taylor) => taylor.planned_step()?,
+            Steps::Dop853(dop853) => dop853.next_step(),
+            Steps::Splitting(splitting) => splitting.next_step(),
+        };
+        Ok(halving.begin(now, until.min(now + step)))
     }
 
     pub(crate) fn time(&self) -> f64 {

@@ -298,6 +298,7 @@ impl GeometryShape {
                 Self::Capsule { radius: factor * radius, length: factor * length }
             }
             Self::Ellipsoid(half_axes) => Self::Ellipsoid(half_axes.map(|c| factor * c)),
+            Self::Cone { radius, length } => Self::Cone { radius: factor * radius, length: factor * length },
             Self::Mesh { uri, path, scale } => {
                 Self::Mesh { uri: uri.clone(), path: path.clone(), scale: scale.map(|c| factor * c) }
             }

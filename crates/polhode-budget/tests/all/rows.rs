@@ -128,7 +128,13 @@ fn long_lists_are_drawn_as_short_ones() {
     let short = body((0..PARTS).map(|k| if k < 100 { row(k) } else { exact(k) }).collect());
     let long = body((0..PARTS).map(row).collect());
     let masses = |budget: &Budget| -> Vec<f64> {
-        budget.draws(Basis::Basic, 3, 10).unwrap().bodies.iter().map(|body| body.mass()).collect()
+        budget
+            .draws(Basis::Basic, 3, 10)
+            .unwrap()
+            .bodies
+            .iter()
+            .map(polhode::body::MassProperties::mass)
+            .collect()
     };
     let (short, long, nominal) =
         (masses(&short), masses(&long), short.mass_properties(Basis::Basic).unwrap().mass());

@@ -306,7 +306,9 @@ fn findings(evidence: &Evidence, proof: &SignProof) -> Vec<Finding> {
         findings.push(finding("cad.notation", Severity::Warning, message));
     }
     let worst = proof.residual_negative.max(proof.residual_positive);
-    if worst < proof::FAILS && !matches!(proof.by, SignSource::Told | SignSource::Stated | SignSource::NoProducts) {
+    if worst < proof::FAILS
+        && !matches!(proof.by, SignSource::Told | SignSource::Stated | SignSource::NoProducts)
+    {
         let message = format!(
             "the sign of the products is decided by rounding: with {} products the report is off by {:.1} times its rounding, with the other \
              sign by {worst:.1}",

@@ -53,12 +53,12 @@ impl BudgetReport {
             "title": self.title,
             "sources": self.sources,
             "basis": basis_name(self.options.basis),
-            "configurations": self.cases.iter().map(|case| self.case_to_json(case, rows(case))).collect::<Value>(),
+            "configurations": self.cases.iter().map(|case| self.case_to_json(case, &rows(case))).collect::<Value>(),
             "findings": finding::to_json(&self.findings()),
         })
     }
 
-    fn case_to_json(&self, case: &Case, rows: Value) -> Value {
+    fn case_to_json(&self, case: &Case, rows: &Value) -> Value {
         let basis = self.options.basis;
         let estimate = case.estimate(basis);
         json!({

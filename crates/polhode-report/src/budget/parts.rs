@@ -78,8 +78,11 @@ pub(super) fn solids(case: &Case, basis: Basis) -> Option<Solids> {
     })
 }
 
+/// Row and mass properties of a part.
+type Part = (usize, MassProperties<Body>);
+
 /// The parts with the greatest masses, the greatest first, and how many others there are; `None` if one overflows.
-fn heaviest(case: &Case, basis: Basis) -> Option<(usize, Vec<(usize, MassProperties<Body>)>)> {
+fn heaviest(case: &Case, basis: Basis) -> Option<(usize, Vec<Part>)> {
     let (mut masses, mut count) = (Vec::new(), 0);
     for k in 0..case.budget.rows().len() {
         let Some(part) = case.budget.own(k, basis).ok()? else { continue };

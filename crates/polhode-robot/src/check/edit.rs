@@ -76,7 +76,9 @@ fn of_shape(
         GeometryShape::Mesh { .. } => &["scale"],
         GeometryShape::Box(_) => &["size"],
         GeometryShape::Sphere(_) => &["radius"],
-        GeometryShape::Cylinder { .. } | GeometryShape::Capsule { .. } => &["radius", "length"],
+        GeometryShape::Cylinder { .. } | GeometryShape::Capsule { .. } | GeometryShape::Cone { .. } => {
+            &["radius", "length"]
+        }
         GeometryShape::Ellipsoid(_) => &["radii"],
         GeometryShape::Other(_) => return None,
     };

@@ -28,8 +28,7 @@ impl Draws {
 fn scenario(draws: &mut Draws) -> Scenario {
     let (a, b) = (draws.within(1.0, 3.0), draws.within(1.0, 3.0));
     let moments = [a, b, draws.within((a - b).abs() + 0.2, a + b - 0.2)];
-    let turn =
-        Attitude::from_quaternion([0, 1, 2, 3].map(|_| draws.within(-1.0, 1.0))).expect("not zero").matrix();
+    let turn = Attitude::from_quaternion([0, 1, 2, 3].map(|_| draws.within(-1.0, 1.0))).unwrap().matrix();
     // R D Rᵀ
     let tensor: [[f64; 3]; 3] = std::array::from_fn(|i| {
         std::array::from_fn(|j| (0..3).map(|k| turn[i][k] * moments[k] * turn[j][k]).sum())

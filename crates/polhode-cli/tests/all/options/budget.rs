@@ -43,7 +43,11 @@ static BUDGET: Subcommand = Subcommand {
         Choice { needs: &["--xlsx"], ..choice("--force", &["--force"], AGAIN) },
         choice("--strict", &["--strict"], BOTH),
     ],
-    independent: &[("--root", "*", "it allows files elsewhere, and these lists name none; budget::confined has some")],
+    independent: &[(
+        "--root",
+        "*",
+        "it allows files elsewhere, and these lists name none; budget::confined has some",
+    )],
 };
 
 #[test]

@@ -165,7 +165,7 @@ impl RandomScenario {
             let g = random.vector(strength);
             let torque = TorqueModel::Gravity(UniformGravity { acceleration: Acceleration::from_array(g) });
             let pull = lever.map(|l| l * Double::of(mass));
-            scenario.act(torque, Own::Space(g, Some(pull)), None);
+            scenario.act(&torque, Own::Space(g, Some(pull)), None);
         }
         for _ in 0..random.below(3) + usize::from(!is_held) {
             let strength = random.log(0.003, 0.5) * size;
@@ -186,7 +186,7 @@ impl RandomScenario {
                 let from = random.between(-0.2, 0.7) * end;
                 [from, from + random.between(0.1, 0.8) * end]
             });
-            scenario.act(torque, own, window);
+            scenario.act(&torque, own, window);
         }
         scenario
     }
@@ -218,7 +218,7 @@ impl RandomScenario {
         self
     }
 
-    fn act(&mut self, torque: TorqueModel, own: Own, window: Option<[f64; 2]>) {
+    fn act(&mut self, torque: &TorqueModel, own: Own, window: Option<[f64; 2]>) {
         let scheduled = |[from, until]: [f64; 2]| {
             let schedule = Schedule::window(from, until).unwrap();
             TorqueModel::Scheduled(Box::new(Scheduled { torque: torque.clone(), schedule }))

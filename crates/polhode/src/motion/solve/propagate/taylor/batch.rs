@@ -118,6 +118,9 @@ impl Work for Advance<'_, '_> {
 
     #[inline(always)]
     fn run<S: Machine>(self, s: S) -> Self::Output {
+        if S::Many::LANES == 1 {
+            return self.one_by_one(s.many(0.0), |batch| batch.run(SeveralBodies(s)));
+        }
         let Some(mut batch) = Batch::of(self, s.many(0.0)) else { return Vec::new() };
         batch.run(SeveralBodies(s));
         batch.failures
@@ -126,14 +129,26 @@ impl Work for Advance<'_, '_> {
     /// One after the other: a body alone fills registers of two numbers too, and a second way would double the time of a build.
     #[inline(always)]
     fn run_narrow<S: Machine>(self, s: S) -> Self::Output {
+        self.one_by_one(0.0, |batch| batch.run(OneBody(s)))
+    }
+}
+
+impl<'a, 'b> Advance<'a, 'b> {
+    /// Runs a batch for each body. Sums of one number read beyond the coefficients that are known, where a body before must not have
+    /// left its own: those of one that failed are infinite.
+    #[inline(always)]
+    fn one_by_one<N: Number>(
+        self,
+        zero: N,
+        run: impl Fn(&mut Batch<'a, '_, N>),
+    ) -> Vec<(usize, MotionError)> {
         let Self { bodies, times, tolerance, states } = self;
         let mut failures = Vec::new();
         for (k, body) in bodies.iter().enumerate() {
             let states = states.get_mut(k * times.len()..(k + 1) * times.len()).unwrap_or_default();
             let alone = Advance { bodies: core::slice::from_ref(body), times, tolerance, states };
-            // A batch of its own: sums of one body go beyond the coefficients that are known, where others must not have left theirs.
-            if let Some(mut batch) = Batch::of(alone, 0.0) {
-                batch.run(OneBody(s));
+            if let Some(mut batch) = Batch::of(alone, zero) {
+                run(&mut batch);
                 failures.extend(batch.failures.into_iter().map(|(_, cause)| (k, cause)));
             }
         }

@@ -53,6 +53,16 @@ pub(crate) struct PlacedPart {
     pub(crate) about: Option<Position<Part>>,
 }
 
+impl PartsList {
+    /// Checks that the list makes a body.
+    ///
+    /// # Errors
+    /// As [`Budget::new`].
+    pub fn budget(self) -> Result<Budget, BudgetError> {
+        Budget::new(self.rows.into_iter().collect(), self.groups, self.growth)
+    }
+}
+
 impl Budget {
     /// Checks that rows make a body.
     ///

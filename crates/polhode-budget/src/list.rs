@@ -1,7 +1,5 @@
 //! Parts lists, row by row.
 
-use crate::budget::Budget;
-use crate::error::BudgetError;
 use crate::group::Group;
 use crate::growth::GrowthTable;
 use crate::row::Row;
@@ -15,14 +13,4 @@ pub struct PartsList {
     pub groups: Vec<Group>,
     /// Growth allowances by maturity code.
     pub growth: GrowthTable,
-}
-
-impl PartsList {
-    /// Checks that the list makes a body.
-    ///
-    /// # Errors
-    /// As [`Budget::new`].
-    pub fn budget(self) -> Result<Budget, BudgetError> {
-        Budget::new(self.rows.into_iter().collect(), self.groups, self.growth)
-    }
 }

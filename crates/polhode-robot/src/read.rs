@@ -14,6 +14,7 @@ mod checked;
 mod files;
 mod mjcf;
 mod osim;
+mod package;
 mod pose;
 mod sdf;
 mod unread;

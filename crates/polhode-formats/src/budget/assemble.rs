@@ -6,10 +6,10 @@ use polhode_budget::{Budget, BudgetError, Row};
 
 use super::NamedBudget;
 use super::blame::Blame;
+use super::cell::Cell;
 use super::key::{AT_X, AT_Y, AT_Z, IXX, IYY, IZZ, MASS, X, Y, Z};
 use super::plan::Plan;
 use super::rows::{ReadRows, Rows};
-use super::sheet::Cell;
 use crate::error::{FormatError, FormatErrorKind};
 
 /// The name of a frame in which all parts stand that stand in no other.

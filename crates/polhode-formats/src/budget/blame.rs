@@ -3,6 +3,7 @@
 use polhode::body::BodyError;
 use polhode_budget::BudgetError;
 
+use super::cell::Cell;
 use super::cells::Cells;
 use super::key::{
     ABOUT, ALLOWABLE, AT_X, AT_Y, AT_Z, CAD, COPIES, FILE, GROUP, GROWTH, IXX, IXY, IXZ, IYY, IYZ, IZZ, MASS,
@@ -10,7 +11,6 @@ use super::key::{
 };
 use super::plan::Plan;
 use super::rows::Rows;
-use super::sheet::Cell;
 use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::suggestion::nearest;
 

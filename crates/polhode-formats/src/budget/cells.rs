@@ -2,11 +2,12 @@
 
 use std::borrow::Cow;
 
+use super::cell::{Cell, Content};
 use super::heading::{ColumnUnit, Columns, Spread};
 use super::key::{COUNT, Holds, KEYS};
 use super::measured::{Amount, measured};
 use super::number::{Unit, Wrong};
-use super::sheet::{Cell, Content, Sheet};
+use super::sheet::Sheet;
 use crate::error::FormatError;
 use crate::text::{cut, is_unseen};
 use crate::unit::{Dimension, unit_of};

@@ -1,9 +1,10 @@
 //! Whether numbers in text have a decimal comma: declared, or proved by the numbers themselves.
 
+use super::cell::{Cell, Content};
 use super::heading::Columns;
 use super::key::KEYS;
 use super::plan::Plan;
-use super::sheet::{Cell, Content, Sheet};
+use super::sheet::Sheet;
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::text::cut;

@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use super::cell::{Cell, Content};
 use super::key::{COUNT, DENSITY, Holds, KEYS, NAME, PATH};
 use super::measured::{hundredths, percent};
 use super::number::{Unit, Wrong};
-use super::sheet::{Cell, Content, Sheet};
+use super::sheet::Sheet;
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::suggestion::nearest;

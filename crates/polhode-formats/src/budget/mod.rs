@@ -14,9 +14,11 @@
 mod access;
 mod assemble;
 mod blame;
+mod cell;
 mod cells;
 mod csv;
 mod decimal;
+mod fields;
 mod head;
 mod heading;
 mod joined;

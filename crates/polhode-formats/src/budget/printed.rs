@@ -1,10 +1,10 @@
 //! How exactly a number is printed.
 
+use super::cell::{Cell, Content};
 use super::cells::Reader;
 use super::heading::ColumnUnit;
 use super::key::KEYS;
 use super::number::Unit;
-use super::sheet::{Cell, Content};
 use crate::error::FormatError;
 use crate::unit::{self, Dimension};
 

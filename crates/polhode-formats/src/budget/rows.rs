@@ -6,6 +6,7 @@ use polhode::body::MassProperties;
 use polhode::math::Part;
 use polhode_budget::{CopyErrors, Growth, Quantity, Row, Spread, Subtotal, Uncertainty};
 
+use super::cell::Cell;
 use super::cells::{Cells, Reader};
 use super::heading::Columns;
 use super::key::{
@@ -14,7 +15,7 @@ use super::key::{
 use super::measured::Amount;
 use super::plan::Plan;
 use super::plan::growth::{BARE_GROWTH, BARE_GROWTH_HINT};
-use super::sheet::{Cell, Sheet};
+use super::sheet::Sheet;
 use super::taken::Taken;
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::{FormatError, FormatErrorKind};

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{Body, Frame, Part, Position};
 
+use super::cell::Cell;
 use super::cells::{Cells, Given, Reader};
 use super::heading::ColumnUnit;
 use super::key::{
@@ -15,7 +16,6 @@ use super::key::{
 };
 use super::part::Told;
 use super::rows::Rows;
-use super::sheet::Cell;
 use crate::cad;
 use crate::confinement::{Confinement, NotOpened};
 use crate::error::{FormatError, FormatErrorKind};

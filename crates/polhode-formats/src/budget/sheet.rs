@@ -4,7 +4,9 @@ use std::borrow::Cow;
 use std::ops::Range;
 use std::path::Path;
 
-use super::{csv, xlsx};
+use super::cell::{Cell, SheetRow, cell_name};
+use super::fields;
+use super::xlsx::cells::Cells;
 use crate::error::{FormatError, FormatErrorKind, Place, Spot};
 use crate::scenario::source::Source;
 use crate::text::{cut, visible};
@@ -29,7 +31,7 @@ pub(super) enum Body<'a> {
         text: &'a str,
         separator: u8,
     },
-    Workbook(xlsx::Cells<'a>),
+    Workbook(Cells<'a>),
 }
 
 /// Where a table is from.
@@ -39,68 +41,6 @@ pub(super) enum Origin<'a> {
     Text(Source<'a>),
     /// A sheet of a workbook.
     Workbook { path: &'a Path, sheet: String },
-}
-
-/// A row of a table.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct SheetRow {
-    /// Number of the row in the file, from 1.
-    pub(super) number: u32,
-    /// Range of its bytes in a text, or of its cells in a workbook.
-    pub(super) start: u32,
-    pub(super) end: u32,
-    /// Whether programs do not show it.
-    pub(super) is_hidden: bool,
-}
-
-/// What stands in a cell, without the spaces around it: not empty.
-#[derive(Clone, Debug)]
-pub(super) struct Cell<'a> {
-    /// From 0.
-    pub(super) column: usize,
-    /// The row, as the file counts.
-    pub(super) row: usize,
-    /// In a text file: its bytes.
-    pub(super) span: Range<usize>,
-    pub(super) text: Cow<'a, str>,
-    pub(super) content: Content,
-}
-
-/// What kind of content a cell has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Content {
-    Text,
-    /// A number of a workbook, and how many decimals are shown of it.
-    Number {
-        decimals: Option<u8>,
-    },
-    /// Nothing that can be read.
-    Broken(Broken),
-}
-
-/// Reason for which a cell of a workbook cannot be read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Broken {
-    NoResult,
-    Error,
-    Thousands,
-    Date,
-    Merged,
-}
-
-impl Broken {
-    /// Rule that the cell breaks.
-    pub(super) const fn rule(self) -> &'static str {
-        match self {
-            Self::NoResult => {
-                "a value: it is a formula without its result; open the workbook in a spreadsheet program and save it"
-            }
-            Self::Error => "a value, where the spreadsheet has an error",
-            Self::Thousands => "a number that is shown as it is: its format shows it in thousands",
-            Self::Date => "a number or a text: it is shown as a date",
-            Self::Merged => "in a cell of its own: it is merged with others",
-        }
-    }
 }
 
 impl<'a> Sheet<'a> {
@@ -114,7 +54,7 @@ impl<'a> Sheet<'a> {
     /// The cells of a row.
     pub(super) fn row(&self, row: &SheetRow) -> Vec<Cell<'a>> {
         match &self.body {
-            Body::Text { text, separator } => csv::cells(text, *separator, row),
+            Body::Text { text, separator } => fields::cells(text, *separator, row),
             Body::Workbook(cells) => cells.row(row),
         }
     }
@@ -167,39 +107,5 @@ impl<'a> Sheet<'a> {
     ) -> FormatError {
         let of = |place: &Place| cells.iter().find(|(range, _)| range.contains(&place.span.start));
         error.moved(self.path(), |place| Some(self.spot(of(place).map_or(otherwise, |(_, cell)| cell))))
-    }
-}
-
-/// `parts!F12`, or `'my parts'!F12`
-pub(super) fn cell_name(sheet: &str, column: usize, row: usize) -> String {
-    let is_plain = sheet.chars().all(|c| c.is_alphanumeric() || c == '_');
-    let sheet = if is_plain { sheet.to_owned() } else { format!("'{}'", sheet.replace('\'', "''")) };
-    format!("{sheet}!{}{row}", column_name(column))
-}
-
-/// Of the column 0: A; of 27: AB.
-pub(super) fn column_name(column: usize) -> String {
-    let mut letters = Vec::new();
-    let mut rest = column + 1;
-    while rest > 0 {
-        letters.push(char::from(b'A' + ((rest - 1) % 26) as u8));
-        rest = (rest - 1) / 26;
-    }
-    letters.iter().rev().collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn columns_have_the_names_that_spreadsheets_give_them() {
-        for (column, name) in
-            [(0, "A"), (25, "Z"), (26, "AA"), (27, "AB"), (701, "ZZ"), (702, "AAA"), (16383, "XFD")]
-        {
-            assert_eq!(column_name(column), name);
-        }
-        assert_eq!(cell_name("parts", 5, 12), "parts!F12");
-        assert_eq!(cell_name("Bob's parts", 5, 12), "'Bob''s parts'!F12");
     }
 }

@@ -4,12 +4,12 @@ use polhode::body::{BodyError, InertiaAbout, InertiaTensor, MassProperties};
 use polhode::math::{Part, Position};
 use polhode_budget::{GivenTensor, ProductSign, TensorPoint};
 
+use super::cell::{Cell, Content};
 use super::cells::{Cells, Given};
 use super::key::{ABOUT, KEYS, MASS, PRODUCTS};
 use super::part::{CENTER, MOMENTS, PRODUCTS as ELEMENTS};
 use super::plan::{self, About};
 use super::rows::Rows;
-use super::sheet::{Cell, Content};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::suggestion::nearest;

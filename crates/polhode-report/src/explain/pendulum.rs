@@ -1,11 +1,11 @@
 //! Step 5 of a body hung from a fixed axis.
 
 use polhode::body::Particle;
-use polhode::math::{AngularVelocity, Body, Direction};
-use polhode::motion::{Pendulum, Scenario, Swing};
+use polhode::math::{Body, Direction};
+use polhode::motion::{Pendulum, Swing};
 
 use super::document::Section;
-use super::working::{Working, factor, n, v};
+use super::working::{Working, factor, leaves, n, v};
 use crate::number::{error, tidy_beside};
 use crate::unit;
 
@@ -49,13 +49,6 @@ pub(super) fn solve(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
     if leaves(w.scenario, axis) && w.trajectory.is_some() {
         s.say("The run below holds only the pivot and not the axis, so its motion is another than this pendulum's.");
     }
-}
-
-/// True if a run that holds only the pivot leaves the axis.
-pub(super) fn leaves(scenario: &Scenario, axis: Direction<Body>) -> bool {
-    let axial = scenario.rotor().angular_momentum(AngularVelocity::from_array(axis.to_array()));
-    let omega = scenario.start().omega;
-    axial.angle_to(axis) > 1e-9 || omega.cross(axis).norm() > 1e-9 * omega.norm()
 }
 
 /// I about the axis, as the sum that the notes write where there are particles.

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use polhode::motion::{MotionError, Rotor, Run, Sample, Scenario, Trajectory};
 
-use super::working::n;
+use crate::number::number;
 
 /// Instants, and the words for them.
 #[derive(Clone, Debug, Default)]
@@ -17,6 +17,8 @@ pub(super) struct Rows {
     pub(super) words: String,
 }
 
+/// Significant digits of a duration.
+const DIGITS: usize = 6;
 /// Intervals between the rows.
 const PARTS: usize = 8;
 /// Rows that a turn has at least.
@@ -46,12 +48,16 @@ impl Rows {
         for _ in 0..MOST_ROUNDS {
             let turn = TAU / rate;
             let (span, words) = match period {
-                Some(period) if period <= duration => {
-                    (period, format!(", one period of ω in the body ({} s) in eighths", n(period)))
-                }
+                Some(period) if period <= duration => (
+                    period,
+                    format!(", one period of ω in the body ({} s) in eighths", number(period, DIGITS)),
+                ),
                 _ if duration > PARTS as f64 / ROWS_OF_A_TURN * turn => (
                     turn,
-                    format!(", the first {} s (2π over the largest rate of the run) in eighths", n(turn)),
+                    format!(
+                        ", the first {} s (2π over the largest rate of the run) in eighths",
+                        number(turn, DIGITS)
+                    ),
                 ),
                 _ => (duration, ", the run in eighths".to_owned()),
             };

@@ -4,7 +4,9 @@ use std::borrow::Cow;
 use std::f64::consts::TAU;
 
 use polhode::body::{Finding, MassProperties, Particle};
-use polhode::math::{AngularAcceleration, Body, Position, Space, Torque, Velocity};
+use polhode::math::{
+    AngularAcceleration, AngularVelocity, Body, Direction, Position, Space, Torque, Velocity,
+};
 use polhode::motion::contact::{ContactSample, ContactSimulation, ContactStart};
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{
@@ -12,7 +14,6 @@ use polhode::motion::{
     State, StateError, Swing, Trajectory, rigid_velocity,
 };
 
-use super::pendulum;
 use super::rows::Rows;
 use crate::free_facts::FreeFacts;
 use crate::motion;
@@ -187,6 +188,13 @@ impl<'a> Working<'a> {
     }
 }
 
+/// True if a run that holds only the pivot leaves the axis.
+pub(super) fn leaves(scenario: &Scenario, axis: Direction<Body>) -> bool {
+    let axial = scenario.rotor().angular_momentum(AngularVelocity::from_array(axis.to_array()));
+    let omega = scenario.start().omega;
+    axial.angle_to(axis) > 1e-9 || omega.cross(axis).norm() > 1e-9 * omega.norm()
+}
+
 /// The period of ω in the body, s, of a free motion or of a pendulum that gravity alone swings.
 fn period(scenario: &Scenario, pendulum: Option<&Pendulum>, at_start: Option<&FreeFacts>) -> Option<f64> {
     if scenario.is_free() {
@@ -198,7 +206,7 @@ fn period(scenario: &Scenario, pendulum: Option<&Pendulum>, at_start: Option<&Fr
     }
     let axis = scenario.suspension()?.axis.direction()?;
     let is_gravity_alone = matches!(scenario.torques(), [TorqueModel::Gravity(_)]);
-    let pendulum = pendulum.filter(|_| is_gravity_alone && !pendulum::leaves(scenario, axis))?;
+    let pendulum = pendulum.filter(|_| is_gravity_alone && !leaves(scenario, axis))?;
     match pendulum.swing(pendulum.angle(), axis.dot(scenario.start().omega)) {
         Swing::Oscillation { period, .. } | Swing::Revolution { period } => Some(period),
         Swing::Rest | Swing::Separatrix => None,

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use super::uri::package_name;
+use super::package::package_name;
 
 /// A folder whose models are checked together, with the packages below it by their names.
 #[derive(Debug)]

@@ -9,6 +9,7 @@ use std::sync::Arc;
 use crate::model::{GeometryShape, Note, RobotModel};
 use crate::read::ReadOptions;
 use crate::read::checked::CheckedFolder;
+use crate::read::package::package_name;
 use crate::read::xml::{Element, with_root};
 
 /// Folders that a model's files may lie in.
@@ -320,22 +321,6 @@ fn model_file(folder: &Path, holds: impl Fn(&Path) -> bool) -> Option<String> {
 fn names(folder: &Path, holds: impl Fn(&Path) -> bool) -> Vec<String> {
     let own = folder.file_name().map(|name| name.to_string_lossy().into_owned());
     own.into_iter().chain(package_name(folder, holds)).collect()
-}
-
-/// The name in a folder's `package.xml`.
-pub(super) fn package_name(folder: &Path, holds: impl Fn(&Path) -> bool) -> Option<String> {
-    /// A package file is some hundred bytes; its name stands near the start.
-    const MOST: u64 = 1 << 16;
-    // It may be a link to somewhere else.
-    let file = fs::canonicalize(folder.join("package.xml")).ok()?;
-    if !holds(&file) || !file.is_file() {
-        return None;
-    }
-    let mut text = String::new();
-    let file = fs::File::open(file).ok()?;
-    std::io::Read::read_to_string(&mut std::io::Read::take(file, MOST), &mut text).ok()?;
-    let (_, rest) = text.split_once("<name>")?;
-    Some(rest.split_once("</name>")?.0.trim().to_owned())
 }
 
 /// The path without `.` and `..`, by its words alone.

@@ -5,9 +5,10 @@ use polhode::math::{Part, Position};
 use polhode_budget::{LiquidTable, ProductSign};
 
 use super::size::not_negative;
+use crate::budget::cell::{Cell, Content};
 use crate::budget::heading::{no_unit, plain, split};
 use crate::budget::number::Unit;
-use crate::budget::sheet::{Cell, Content, Sheet};
+use crate::budget::sheet::Sheet;
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::reader::Value;

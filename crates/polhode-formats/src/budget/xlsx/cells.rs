@@ -10,7 +10,7 @@ use super::format::Format;
 use super::plain;
 use super::strings::{Strings, is};
 use super::value::{Kind, RawText, Written, truth, value};
-use crate::budget::sheet::{Broken, Cell, Content, SheetRow};
+use crate::budget::cell::{Broken, Cell, Content, SheetRow};
 use crate::content::{ContentError, ContentErrorKind};
 use crate::package::xml::{Token, Xml};
 
@@ -233,7 +233,7 @@ impl RawSheet {
             .iter()
             .filter(has_cells)
             .map(|range| {
-                let name = |number: usize| crate::budget::sheet::column_name(number.saturating_sub(1));
+                let name = |number: usize| crate::budget::cell::column_name(number.saturating_sub(1));
                 format!("{} to {}", name(*range.start()), name(*range.end()))
             })
             .collect();

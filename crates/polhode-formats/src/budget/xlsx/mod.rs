@@ -4,7 +4,7 @@
 //!
 //! Source: ECMA-376, Office Open XML, part 1, SpreadsheetML.
 
-mod cells;
+pub(super) mod cells;
 mod format;
 mod plain;
 mod sections;

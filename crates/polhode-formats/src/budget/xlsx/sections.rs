@@ -2,9 +2,10 @@
 
 use std::ops::Range;
 
+use crate::budget::cell::{Cell, Content};
 use crate::budget::plan;
 use crate::budget::shape::quoted;
-use crate::budget::sheet::{Cell, Content, Sheet};
+use crate::budget::sheet::Sheet;
 use crate::error::FormatError;
 
 /// The TOML that sheets stand for, and of which cell each part of it is.

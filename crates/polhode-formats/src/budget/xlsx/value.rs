@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::format::Format;
 use super::strings::{inside, is};
-use crate::budget::sheet::{Broken, Content};
+use crate::budget::cell::{Broken, Content};
 use crate::content::ContentError;
 use crate::package::xml::{Token, Xml};
 

@@ -16,13 +16,13 @@ const MOMENTS: &str = "physics:diagonalInertia";
 const AXES: &str = "physics:principalAxes";
 
 /// All that states a body's mass.
-pub(super) const ATTRIBUTES: [&str; 5] = [MASS, CENTER, MOMENTS, AXES, "physics:density"];
+const ATTRIBUTES: [&str; 5] = [MASS, CENTER, MOMENTS, AXES, "physics:density"];
 
 /// Whether a prim says something of its mass.
 pub(super) fn has_mass(prim: &Prim) -> bool {
     applies(prim, "PhysicsMassAPI")
         || ATTRIBUTES.iter().any(|name| prim.properties.contains_key(*name))
-        || changing::of_mass(prim, &mut Vec::new()).is_some()
+        || changing::of_mass(prim, &ATTRIBUTES, &mut Vec::new()).is_some()
 }
 
 /// The link of a body; its shapes come later.
@@ -45,7 +45,7 @@ pub(super) fn link(stage: &Stage<'_>, k: usize, prim: &Prim, notes: &mut Vec<Not
         from_geometry: false,
         computed: None,
     };
-    let changing = changing::of_mass(prim, notes);
+    let changing = changing::of_mass(prim, &ATTRIBUTES, notes);
     let too_many = too_many(prim, notes);
     let Some(mass) = prim.properties.get(MASS).filter(|mass| mass.is_given()) else {
         let why = || "it is not given: the physics engine computes it from the collision shapes".to_owned();

@@ -1,6 +1,5 @@
 //! Attributes with `timeSamples`, `connect` or `spline` in place of one value. They are not read: `read.animated`.
 
-use super::body;
 use super::layer::Prim;
 use crate::finding::Severity;
 use crate::model::{Note, Span};
@@ -8,9 +7,9 @@ use crate::model::{Note, Span};
 /// Suffixes of the names of such attributes.
 const SUFFIXES: [&str; 3] = ["timeSamples", "connect", "spline"];
 
-/// Notes such an attribute of a body's mass, and says why the body has no mass properties then.
-pub(super) fn of_mass(prim: &Prim, notes: &mut Vec<Note>) -> Option<String> {
-    let (name, span) = first(prim, |name| body::ATTRIBUTES.contains(&name))?;
+/// Notes such an attribute among those of a body's mass, and says why the body has no mass properties then.
+pub(super) fn of_mass(prim: &Prim, attributes: &[&str], notes: &mut Vec<Note>) -> Option<String> {
+    let (name, span) = first(prim, |name| attributes.contains(&name))?;
     let message = format!("{name} is not read: an inertia that changes over time is not one body");
     notes.push(Note { severity: Severity::Suspect, ..Note::new("read.animated", &prim.path, span, message) });
     Some(format!("{name} is not read"))

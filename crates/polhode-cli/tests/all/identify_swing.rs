@@ -88,7 +88,7 @@ fn what_cannot_be_is_refused() {
 #[test]
 fn an_amplitude_that_grows_is_refused() {
     let scratch = Scratch::new("identify-growing");
-    let plan = fs::read_to_string(example("identify/bifilar.toml")).unwrap();
+    let plan = std::fs::read_to_string(example("identify/bifilar.toml")).unwrap();
     let reversed = "amplitude = [\"14.7 deg\", \"11.4 deg\"]";
     assert!(plan.contains(reversed));
     scratch.write("plan.toml", &plan.replace(reversed, "amplitude = [\"11.4 deg\", \"14.7 deg\"]"));
@@ -100,7 +100,7 @@ fn an_amplitude_that_grows_is_refused() {
 #[test]
 fn swings_are_counted_in_whole_numbers() {
     let scratch = Scratch::new("identify-count");
-    let plan = fs::read_to_string(example("identify/bifilar.toml")).unwrap();
+    let plan = std::fs::read_to_string(example("identify/bifilar.toml")).unwrap();
     scratch.write("plan.toml", &plan.replacen("swings = 40", "swings = 2.5", 1));
     let text = refused(&scratch.run(&["identify", "plan.toml"]), 2);
     assert!(text.contains("plan.toml:28:") && text.contains("a whole number of swings"), "{text}");

@@ -30,7 +30,7 @@ def simulate(
     times
         Times (n,), ascending, s, in the place of those of its ``[run]``.
     error
-        How much work :attr:`Motion.error` is worth: ``"thorough"`` costs 14 times the motion, ``"cheap"`` three times the
+        How much work :attr:`Motion.error` is worth: ``"thorough"`` takes twelve times as long as the motion, ``"cheap"`` as long as the
         motion, ``"auto"`` is thorough where that takes a moment.
     derivatives
         Asks for :attr:`Motion.derivatives`, by the start, by the inertia tensor, and by these numbers of torques: ``"torque[0].factor"`` is

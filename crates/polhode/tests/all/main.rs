@@ -17,7 +17,6 @@ mod ensemble;
 mod ensemble_events;
 mod ensemble_in_step;
 mod equilibria;
-mod error_estimate;
 mod event;
 mod event_random;
 mod event_sides;

@@ -8,7 +8,6 @@ use crate::math::root::vanishing;
 use crate::motion::solve::collocation::{Collocation, ROOM, StepWork, Wanted};
 use crate::motion::solve::propagate::stepper::TIGHTEST_TOLERANCE;
 use crate::motion::solve::series::{Expansion, System};
-use crate::motion::solve::solver::Solver;
 
 /// The first step of a phase, times a rate of its motion.
 const FIRST_STEP: f64 = 0.1;
@@ -74,18 +73,8 @@ impl Phase {
                 let system = Smooth { of, regime, pivot, watches: &self.watches };
                 collocation.about(&system, state, sizes[0], wanted)
             }
-            (Solution::Series(expansion), _) => {
-                let step = expansion.about(state, sizes);
-                if wanted.share < 1.0 { (wanted.share * step).min(wanted.most) } else { step }
-            }
+            (Solution::Series(expansion), _) => wanted.stretch * expansion.about(state, sizes),
             (Solution::Collocation(_), Kind::Flying) => f64::NAN,
-        }
-    }
-
-    pub(super) const fn solver(&self) -> Solver {
-        match self.solution {
-            Solution::Collocation(_) => Solver::Collocation,
-            Solution::Series(_) => Solver::Taylor,
         }
     }
 

@@ -58,7 +58,7 @@ pub(super) fn started(of: &ContactSimulation<'_>) -> Result<Stepper, MotionError
     let [x, y, z] = model.offset;
     let size = contact.surface.size() + x.hypot(y).hypot(z);
     let mut stepper =
-        Stepper::new(model, contact.law, length, [size, of.bound()], start.state.time).changed(of.change);
+        Stepper::new(model, contact.law, length, [size, of.bound()], start.state.time).perturbed(of.noise);
     let (kind, variables) = variables(of, &stepper)?;
     stepper.enter(kind, variables);
     if let Some(at) = stepper.kinetics(stepper.variables()).filter(|_| stepper.model.rolling != 0.0) {

@@ -8,7 +8,7 @@ use crate::body::mass_properties::MassProperties;
 use crate::math::frame::{Body, Space};
 use crate::math::vector::Acceleration;
 use crate::motion::model::event::Event;
-use crate::motion::solve::propagate::noise::StepChange;
+use crate::motion::solve::propagate::noise::StepNoise;
 
 /// What touches what, and how.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,8 +54,7 @@ pub struct ContactSimulation<'a> {
     pub(super) times: &'a [f64],
     pub(super) events: &'a [Event],
     pub(super) tolerance: f64,
-    /// The steps of a comparison run.
-    pub(super) change: Option<StepChange>,
+    pub(super) noise: Option<StepNoise>,
 }
 
 impl<'a> ContactSimulation<'a> {
@@ -69,7 +68,7 @@ impl<'a> ContactSimulation<'a> {
         start: ContactStart,
         times: &'a [f64],
     ) -> Self {
-        Self { body, contact, start, times, events: &[], tolerance: 1e-15, change: None }
+        Self { body, contact, start, times, events: &[], tolerance: 1e-15, noise: None }
     }
 
     /// With a bound on the error of each step, relative to the sizes of the variables: 1e-15 unless it is said, and [`ContactSimulation::LOOSEST`] if it is looser
@@ -85,8 +84,8 @@ impl<'a> ContactSimulation<'a> {
         Self { events, ..self }
     }
 
-    pub(in crate::motion) const fn with_steps(self, change: Option<StepChange>) -> Self {
-        Self { change, ..self }
+    pub(in crate::motion) const fn with_noise(self, noise: Option<StepNoise>) -> Self {
+        Self { noise, ..self }
     }
 
     pub(in crate::motion) const fn body(&self) -> &MassProperties<Body> {

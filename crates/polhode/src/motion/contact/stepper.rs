@@ -9,9 +9,7 @@ use super::watch::{Kind, Sides, Watch, watches};
 use crate::math::algebra::Components;
 use crate::math::sum::two_sum;
 use crate::motion::solve::collocation::{StepWork, Wanted};
-use crate::motion::solve::propagate::halving::Halving;
-use crate::motion::solve::propagate::noise::{Random, StepChange};
-use crate::motion::solve::solver::Solver;
+use crate::motion::solve::propagate::noise::{Random, StepNoise};
 
 /// A body on its way.
 #[derive(Clone, Debug)]
@@ -32,10 +30,9 @@ pub(super) struct Stepper {
     high: Vec<f64>,
     low: Vec<f64>,
     time: f64,
-    /// Noise after each step and its amplitude, in a comparison run.
+    /// What is added to the variables after each step, and how many times as long steps are.
     noise: Option<(Random, f64)>,
-    /// Whole steps in two halves, in a comparison run.
-    halving: Option<Halving>,
+    stretch: f64,
     /// How long a motion is known that no series has.
     imposed: Option<f64>,
 }
@@ -70,16 +67,15 @@ impl Stepper {
             low: Vec::new(),
             time,
             noise: None,
-            halving: None,
+            stretch: 1.0,
             imposed: None,
         }
     }
 
-    /// The steps of a comparison run.
-    pub(super) fn changed(self, change: Option<StepChange>) -> Self {
-        let Some(StepChange { seed, amplitude, halved }) = change else { return self };
-        let noise = Some((Random::new(seed), amplitude * f64::EPSILON));
-        Self { noise, halving: halved.then_some(Halving::NONE), ..self }
+    /// With larger rounding, and other steps.
+    pub(super) fn perturbed(self, noise: Option<StepNoise>) -> Self {
+        let Some(StepNoise { seed, amplitude, stretch }) = noise else { return self };
+        Self { noise: Some((Random::new(seed), amplitude * f64::EPSILON)), stretch, ..self }
     }
 
     /// Goes on by other equations, from these variables.
@@ -96,7 +92,6 @@ impl Stepper {
         self.begun = self.time;
         self.step = 0.0;
         self.imposed = None;
-        self.halving = self.halving.map(|_| Halving::NONE);
     }
 
     /// Begins to slip from where it rolled until now, slowly at first; false if it is not known how.
@@ -108,13 +103,7 @@ impl Stepper {
         // As if it rolled on.
         let mut phase = self.phases[self.current].clone();
         let (sizes, watched) = (self.sizes_of(&self.high), self.sizes_of_watched());
-        let wanted = Wanted {
-            time: self.time,
-            since: self.step,
-            share: 1.0,
-            most: f64::INFINITY,
-            first_look: self.time,
-        };
+        let wanted = self.wanted(self.step, f64::INFINITY, self.time);
         let longest = phase.about(self.of(), &self.high, [&sizes, &watched], wanted);
         let rolling = |t: f64| phase.variables(t);
         let watches = watches(self.of(), kind);
@@ -133,11 +122,6 @@ impl Stepper {
 
     pub(super) fn kind(&self) -> Kind {
         self.phases[self.current].kind
-    }
-
-    /// The solver of the phase.
-    pub(super) fn solver(&self) -> Solver {
-        self.phases[self.current].solver()
     }
 
     pub(super) const fn size(&self) -> f64 {
@@ -211,24 +195,14 @@ impl Stepper {
         let sizes = self.sizes_of(&self.high);
         let watched = self.sizes_of_watched();
         let of = Sides { model: &self.model, law: &self.law, length: self.length };
-        let time = self.time;
-        let rest = if end > time { end - time } else { f64::INFINITY };
-        let second_half = self.halving.as_ref().and_then(|halving| halving.second_half(time));
-        // Half of a shorter rest is lost in the rounding of the time.
-        let shortest = 1e-12 * time.abs();
-        let (share, most) = match (&self.halving, second_half) {
-            (Some(_), Some(end)) => (0.5, rest.min(end - time)),
-            (Some(_), None) if rest > shortest => (0.5, 0.5 * rest),
-            _ => (1.0, rest),
-        };
-        let wanted = Wanted { time, since, share, most, first_look };
+        let wanted = self.wanted(since, end, first_look);
         let phase = &mut self.phases[self.current];
-        let step = phase.about(of, &self.high, [&sizes, &watched], wanted);
-        let begins = share < 1.0 && second_half.is_none();
-        if let Some(halving) = self.halving.as_mut().filter(|_| begins) {
-            halving.begin(time, time + (2.0 * step).min(rest));
-        }
-        step
+        phase.about(of, &self.high, [&sizes, &watched], wanted)
+    }
+
+    const fn wanted(&self, since: f64, end: f64, first_look: f64) -> Wanted {
+        let most = if end > self.time { end - self.time } else { f64::INFINITY };
+        Wanted { time: self.time, since, stretch: self.stretch, most, first_look }
     }
 
     /// How long the step is once it has within it what the tolerance asks for; nothing if it has that.

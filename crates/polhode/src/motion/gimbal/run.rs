@@ -48,7 +48,7 @@ impl GimbalSimulation<'_> {
         let holds = (TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&self.tolerance);
         require::that("the tolerance", self.tolerance, holds, rule)?;
         let model = Model::of(self.body, self.gimbals);
-        let stepper = Stepper::new(model, self.tolerance, self.start, self.change);
+        let stepper = Stepper::new(model, self.tolerance, self.start, self.noise);
         require_movable(&stepper)?;
         let mut run =
             Run { of: self, stepper, base: 0.0, samples: Vec::new(), statistics: StepStatistics::default() };
@@ -116,7 +116,7 @@ impl Run<'_> {
 
     fn step(&mut self, end: f64) -> Result<(), MotionError> {
         let from = self.stepper.time();
-        let longest = self.stepper.expand(end);
+        let longest = self.stepper.expand();
         if self.statistics.accepted == MOST_STEPS {
             return Err(MotionError::TooManySteps { time: from, step: longest, most: MOST_STEPS });
         }

@@ -3,7 +3,7 @@
 use super::suspension::Gimbals;
 use crate::body::mass_properties::MassProperties;
 use crate::math::frame::Body;
-use crate::motion::solve::propagate::noise::StepChange;
+use crate::motion::solve::propagate::noise::StepNoise;
 
 /// An initial value problem: a body as the rotor of two gimbals, whose axes say where they start.
 ///
@@ -36,8 +36,7 @@ pub struct GimbalSimulation<'a> {
     pub(super) start: f64,
     pub(super) times: &'a [f64],
     pub(super) tolerance: f64,
-    /// The steps of a comparison run.
-    pub(super) change: Option<StepChange>,
+    pub(super) noise: Option<StepNoise>,
 }
 
 impl<'a> GimbalSimulation<'a> {
@@ -48,7 +47,7 @@ impl<'a> GimbalSimulation<'a> {
         start: f64,
         times: &'a [f64],
     ) -> Self {
-        Self { body, gimbals, start, times, tolerance: 1e-15, change: None }
+        Self { body, gimbals, start, times, tolerance: 1e-15, noise: None }
     }
 
     /// With a bound on the error of each step, relative to the sizes of the variables: 1e-15 unless it is said.
@@ -57,8 +56,8 @@ impl<'a> GimbalSimulation<'a> {
         Self { tolerance, ..self }
     }
 
-    pub(in crate::motion) const fn with_steps(self, change: Option<StepChange>) -> Self {
-        Self { change, ..self }
+    pub(in crate::motion) const fn with_noise(self, noise: Option<StepNoise>) -> Self {
+        Self { noise, ..self }
     }
 
     pub(in crate::motion) const fn body(&self) -> &MassProperties<Body> {

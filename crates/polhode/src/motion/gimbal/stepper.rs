@@ -6,8 +6,7 @@ use super::model::Model;
 use crate::math::number::sin_cos;
 use crate::math::root::vanishing;
 use crate::math::sum::two_sum;
-use crate::motion::solve::propagate::halving::{Halving, MORE_TERMS};
-use crate::motion::solve::propagate::noise::{Random, StepChange};
+use crate::motion::solve::propagate::noise::{Random, StepNoise};
 use crate::motion::solve::series::{Expansion, System};
 
 /// The smallest rate that rates are measured with, relative to that of the motion.
@@ -28,10 +27,8 @@ pub(super) struct Stepper {
     /// At the end of the last step, and what rounding left of it.
     high: [f64; COUNT],
     low: [f64; COUNT],
-    /// Noise after each step and its amplitude, in a comparison run.
     noise: Option<(Random, f64)>,
-    /// Whole steps in two halves, in a comparison run.
-    halving: Option<Halving>,
+    stretch: f64,
 }
 
 /// The variables at a time, and what rounding left of them.
@@ -42,7 +39,7 @@ pub(super) struct Variables {
 }
 
 impl Stepper {
-    pub(super) fn new(model: Model, tolerance: f64, time: f64, change: Option<StepChange>) -> Self {
+    pub(super) fn new(model: Model, tolerance: f64, time: f64, noise: Option<StepNoise>) -> Self {
         let mut pivots = 0;
         let system = System::record(COUNT, |one, y| {
             let (rates, outputs) = model.rates(one, y);
@@ -54,12 +51,12 @@ impl Stepper {
             high[ANGLES + k] = axis.angle();
             high[RATES + k] = axis.rate();
         }
-        let noise = change.map(|change| (Random::new(change.seed), change.amplitude * f64::EPSILON));
-        let halving = change.filter(|change| change.halved).map(|_| Halving::NONE);
-        let expansion =
-            Expansion::new(system, tolerance).with_more_terms(if halving.is_some() { MORE_TERMS } else { 0 });
+        let (noise, stretch) = noise.map_or((None, 1.0), |StepNoise { seed, amplitude, stretch }| {
+            (Some((Random::new(seed), amplitude * f64::EPSILON)), stretch)
+        });
+        let expansion = Expansion::new(system, tolerance);
         let mut stepper =
-            Self { model, expansion, pivots, begun: time, time, high, low: [0.0; COUNT], noise, halving };
+            Self { model, expansion, pivots, begun: time, time, high, low: [0.0; COUNT], noise, stretch };
         stepper.turn();
         stepper
     }
@@ -100,18 +97,11 @@ impl Stepper {
         Variables { high, low }
     }
 
-    /// Finds the series about the state now, and returns the length of the step that may be taken
-    /// from here, which `end` ends in any case. NaN if there is none.
-    pub(super) fn expand(&mut self, end: f64) -> f64 {
+    /// The step that may be taken from here; its series. NaN if there is none.
+    pub(super) fn expand(&mut self) -> f64 {
         self.begun = self.time;
         let sizes = self.sizes();
-        let step = self.expansion.about(&self.high, [&sizes, &vec![f64::INFINITY; self.pivots]]);
-        let Some(halving) = self.halving.as_mut().filter(|_| step > 0.0) else { return step };
-        let rest = halving.second_half(self.time).map(|end| end - self.time);
-        rest.map_or_else(
-            || halving.begin(self.time, end.min(self.time + step)) - self.time,
-            |rest| rest.min(step),
-        )
+        self.stretch * self.expansion.about(&self.high, [&sizes, &vec![f64::INFINITY; self.pivots]])
     }
 
     /// When gimbals lock within h of the start of the step.

@@ -17,7 +17,6 @@ use crate::motion::solve::closed_form::ClosedForm;
 use crate::motion::solve::method::Method;
 use crate::motion::solve::propagate::bound::{MOST_STEPS, PATIENCE};
 use crate::motion::solve::propagate::stepper::{Rule, Stepper};
-use crate::motion::solve::solver::Solver;
 use crate::motion::solve::start::{require_ascending, require_few_pulses, require_finite};
 
 /// An initial value problem: a body, the torques on it, the events to detect, and the method.
@@ -303,13 +302,13 @@ impl<'a> Simulation<'a> {
         let mut integration = Integration::new(stepper, self.watched_events(), self.start, self.times);
         let (start, ending) = integration.run(self.start, progress)?;
         let stepper = integration.stepper();
-        let solver = match stepper.rule() {
-            Rule::Taylor => Solver::Taylor,
-            Rule::Dop853 => Solver::Dop853,
-            Rule::Splitting { order, step } => Solver::Splitting { order, step },
+        let method = match stepper.rule() {
+            Rule::Taylor => Method::Taylor,
+            Rule::Dop853 => Method::Dop853,
+            Rule::Splitting { order, step } => Method::Splitting { order, step },
         };
         let (tolerance, statistics) = (stepper.tolerance(), stepper.statistics());
-        let solution = Solution::Integrated { solver, tolerance, statistics };
+        let solution = Solution::Integrated { method, tolerance, statistics };
         let sides = integration.event_sides();
         Ok(Trajectory::assembled(start, integration.samples, solution)
             .because(reason)

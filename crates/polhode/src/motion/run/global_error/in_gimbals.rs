@@ -9,7 +9,7 @@ use crate::math::vector::Vector;
 use crate::motion::gimbal::GimbalSimulation;
 use crate::motion::model::state::State;
 use crate::motion::run::trajectory::Trajectory;
-use crate::motion::solve::propagate::noise::StepChange;
+use crate::motion::solve::propagate::noise::StepNoise;
 
 /// Estimates of the error of a trajectory that a simulation has computed.
 pub(crate) fn of_gimbals(
@@ -18,9 +18,9 @@ pub(crate) fn of_gimbals(
     effort: ErrorEffort,
     progress: &mut dyn FnMut(f64) -> bool,
 ) -> GlobalError {
-    let count = trajectory.gimbals().map_or(0, |motion| motion.statistics().accepted);
-    of_held(trajectory, count, effort, &mut |inputs, steps, times| {
-        states(simulation, inputs, steps, times, progress)
+    let steps = trajectory.gimbals().map_or(0, |motion| motion.statistics().accepted);
+    of_held(trajectory, steps, effort, &mut |inputs, noise, times| {
+        states(simulation, inputs, noise, times, progress)
     })
 }
 
@@ -28,7 +28,7 @@ pub(crate) fn of_gimbals(
 fn states(
     simulation: &GimbalSimulation<'_>,
     (seed, amplitude): (u64, f64),
-    steps: Option<StepChange>,
+    noise: Option<StepNoise>,
     times: &[f64],
     progress: &mut dyn FnMut(f64) -> bool,
 ) -> Vec<State> {
@@ -45,7 +45,7 @@ fn states(
     let (body, gimbals) = (changed.unwrap_or(*body), gimbals.with_axes(axes));
     let run = GimbalSimulation::new(&body, &gimbals, simulation.start(), times)
         .tolerance(simulation.bound())
-        .with_steps(steps)
+        .with_noise(noise)
         .run_watched(progress);
     let Ok(motion) = run else { return Vec::new() };
     reached(motion.samples().iter().map(|s| s.state), times, motion.failure().is_some())

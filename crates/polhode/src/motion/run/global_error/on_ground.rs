@@ -8,7 +8,7 @@ use crate::body::mass_properties::MassProperties;
 use crate::motion::contact::{ContactEnding, ContactSimulation, ContactStart};
 use crate::motion::model::state::State;
 use crate::motion::run::trajectory::Trajectory;
-use crate::motion::solve::propagate::noise::StepChange;
+use crate::motion::solve::propagate::noise::StepNoise;
 
 /// Estimates of the error of a trajectory that a simulation has computed.
 pub(crate) fn of_contact(
@@ -17,9 +17,9 @@ pub(crate) fn of_contact(
     effort: ErrorEffort,
     progress: &mut dyn FnMut(f64) -> bool,
 ) -> GlobalError {
-    let count = trajectory.contact().map_or(0, |motion| motion.statistics().accepted);
-    of_held(trajectory, count, effort, &mut |inputs, steps, times| {
-        states(simulation, inputs, steps, times, progress)
+    let steps = trajectory.contact().map_or(0, |motion| motion.statistics().accepted);
+    of_held(trajectory, steps, effort, &mut |inputs, noise, times| {
+        states(simulation, inputs, noise, times, progress)
     })
 }
 
@@ -27,7 +27,7 @@ pub(crate) fn of_contact(
 fn states(
     simulation: &ContactSimulation<'_>,
     (seed, amplitude): (u64, f64),
-    steps: Option<StepChange>,
+    noise: Option<StepNoise>,
     times: &[f64],
     progress: &mut dyn FnMut(f64) -> bool,
 ) -> Vec<State> {
@@ -42,7 +42,7 @@ fn states(
     let body = changed.unwrap_or(*body);
     let run = ContactSimulation::new(&body, simulation.contact(), start, times)
         .tolerance(simulation.bound())
-        .with_steps(steps)
+        .with_noise(noise)
         .run_watched(progress);
     let Ok(motion) = run else { return Vec::new() };
     let ended = matches!(motion.ending(), ContactEnding::Changed { .. });

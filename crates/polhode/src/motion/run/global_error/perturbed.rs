@@ -10,7 +10,7 @@ use crate::motion::model::state::State;
 use crate::motion::model::state::StateError;
 use crate::motion::run::integration::Integration;
 use crate::motion::run::simulation::Simulation;
-use crate::motion::solve::propagate::noise::StepChange;
+use crate::motion::solve::propagate::noise::Noise;
 use crate::motion::solve::propagate::stepper::{Rule, Stepper};
 
 /// Beyond this angle, rad, an effect is not linear: it is tried again with less, and two motions tell nothing of a third.
@@ -25,7 +25,8 @@ pub(super) struct Perturbed<'a> {
     pub(super) inputs: Inputs,
     pub(super) rule: Rule,
     pub(super) tolerance: f64,
-    pub(super) steps: Option<StepChange>,
+    /// The noise of each step, and how many times as long steps are.
+    pub(super) noise: Option<(Noise, f64)>,
 }
 
 /// How far the states of two motions are from one another, one by one.
@@ -59,8 +60,8 @@ impl Perturbed<'_> {
             self.tolerance,
             false,
         )?;
-        if let Some(steps) = self.steps {
-            stepper = stepper.changed(steps);
+        if let Some((noise, stretch)) = &self.noise {
+            stepper = stepper.perturbed(noise.clone(), *stretch);
         }
         // The times of the half turns of torsions differ a little, too.
         let stepper = stepper.beyond_half_turns();
@@ -93,12 +94,6 @@ impl Distance {
     pub(super) fn worse(self, other: Self) -> Self {
         let worse = |a: Vec<f64>, b: Vec<f64>| a.into_iter().zip(b).map(|(a, b)| a.max(b)).collect();
         Self { attitude: worse(self.attitude, other.attitude), omega: worse(self.omega, other.omega) }
-    }
-
-    /// The sum of both.
-    pub(super) fn plus(self, other: &Self) -> Self {
-        let sum = |a: Vec<f64>, b: &[f64]| a.into_iter().zip(b).map(|(a, b)| a + b).collect();
-        Self { attitude: sum(self.attitude, &other.attitude), omega: sum(self.omega, &other.omega) }
     }
 
     /// Infinite from an angle on that is too large to tell anything: multiplied or divided, it would be any number.

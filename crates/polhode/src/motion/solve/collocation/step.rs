@@ -166,8 +166,8 @@ pub(in crate::motion) struct Wanted {
     pub(in crate::motion) time: f64,
     /// How long ago the step before began.
     pub(in crate::motion) since: f64,
-    /// The length of the step, as a share of what the tolerance allows: less than 1 in a comparison run.
-    pub(in crate::motion) share: f64,
+    /// How many times as long it is as it would be.
+    pub(in crate::motion) stretch: f64,
     /// How long it is at the most.
     pub(in crate::motion) most: f64,
     /// The first time of which the state is asked for; before it that at the end of the step matters alone.
@@ -189,8 +189,8 @@ impl<F: System> Work for Advance<'_, F> {
     #[inline(always)]
     fn run<S: Machine>(self, s: S) -> f64 {
         let Self { of, system, weights, wanted } = self;
-        let Wanted { time, since, share, most, first_look } = wanted;
-        let mut h = of.next * share;
+        let Wanted { time, since, stretch, most, first_look } = wanted;
+        let mut h = of.next * stretch;
         for _ in 0..MOST_TRIES {
             // From one time to another.
             h = (time + h.min(most)) - time;
@@ -214,11 +214,8 @@ impl<F: System> Work for Advance<'_, F> {
                 h *= factor.clamp(0.25, 0.9);
                 continue;
             }
-            // A whole step of length h / share has an error of the same order: the factor is share
-            // times as large.
-            let factor = share * factor;
             if h < most || factor < 1.0 {
-                of.next = h * factor.clamp(0.25, 1.5) / share;
+                of.next = h * factor.clamp(0.25, 1.5) / stretch;
             }
             core::mem::swap(&mut of.now, &mut of.trial);
             of.is_known = true;

@@ -9,7 +9,6 @@ pub(crate) mod bound;
 mod chart;
 mod dop853;
 mod half_turn;
-pub(in crate::motion) mod halving;
 mod ledger;
 pub(crate) mod noise;
 mod orientation;

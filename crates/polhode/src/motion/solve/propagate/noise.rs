@@ -20,14 +20,12 @@ impl Random {
     }
 }
 
-/// Steps of a comparison run: noise after each of them, and their length.
+/// What a perturbed run adds to its variables after each step, so many times what rounding does; and how many times as long its steps are.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct StepChange {
+pub(crate) struct StepNoise {
     pub(crate) seed: u64,
-    /// Amplitude of the noise, in units of ε; zero for none.
     pub(crate) amplitude: f64,
-    /// True if each step is taken in two halves.
-    pub(crate) halved: bool,
+    pub(crate) stretch: f64,
 }
 
 /// What rounding does to a step, times an amplitude.

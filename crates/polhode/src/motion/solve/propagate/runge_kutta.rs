@@ -35,8 +35,8 @@ pub(super) struct RungeKutta<'a> {
     omega_scale: f64,
     /// What rounding of the torque alone does to ω, rad/s: no error control reaches below it.
     omega_noise: f64,
-    /// True if whole steps are taken in two halves: their lengths follow from the errors of the halves alone.
-    is_halved: bool,
+    /// How many times as long steps are whose length is no matter of the tolerance: the first, and those of the largest turn.
+    stretch: f64,
     statistics: StepStatistics,
     last: Option<Step<'a>>,
 }
@@ -125,7 +125,7 @@ impl<'a> RungeKutta<'a> {
             tolerance,
             omega_scale,
             omega_noise: NOISE * torque_rate,
-            is_halved: false,
+            stretch: 1.0,
             statistics: StepStatistics { evaluations: 1, ..StepStatistics::default() },
             last: None,
         })
@@ -144,7 +144,7 @@ impl<'a> RungeKutta<'a> {
         self.statistics.evaluations += 1;
         // The step that suited what acted before says nothing.
         let rate = chart::omega(&self.y).norm() + omega_rate(&self.k0).norm().sqrt();
-        self.h = if rate > 0.0 { 0.02 / rate } else { f64::INFINITY };
+        self.h = if rate > 0.0 { self.stretch * 0.02 / rate } else { f64::INFINITY };
         Ok(())
     }
 
@@ -155,7 +155,7 @@ impl<'a> RungeKutta<'a> {
     /// The step that the tolerance allows next, s.
     pub(super) fn next_step(&self) -> f64 {
         let speed = chart::omega(&self.y).norm();
-        if speed > 0.0 { self.h.min(chart::LARGEST_TURN / speed) } else { self.h }
+        if speed > 0.0 { self.h.min(self.stretch * chart::LARGEST_TURN / speed) } else { self.h }
     }
 
     pub(super) fn statistics(&self) -> StepStatistics {
@@ -254,10 +254,9 @@ impl<'a> RungeKutta<'a> {
         self.accept(&end.increment, *end_time, &k_end);
         self.statistics.evaluations += 1;
         self.statistics.accepted += 1;
-        // A step shortened by `until` says nothing about the next one, but halves say how long the
-        // next whole step may be.
+        // A step shortened by `until` says nothing about the next one.
         let grown = h * if *was_rejected { end.factor.min(1.0) } else { end.factor };
-        self.h = if wanted >= rest && !self.is_halved { grown.max(*wanted) } else { grown };
+        self.h = if wanted >= rest { grown.max(*wanted) } else { grown };
         self.last = Some(step);
         Ok(())
     }
@@ -287,14 +286,8 @@ impl<'a> RungeKutta<'a> {
     pub(super) fn at(&self, time: f64) -> Balanced {
         let Some(step) = &self.last else { return self.now() };
         let f = |t: f64, y: &Y| step.chart.derivative(t, y);
-        let (mut from, mut y, mut k0) = (step.start, step.y, step.k0);
-        if self.is_halved {
-            let middle = 0.5 * (from + time);
-            y = sum(&y, &dop853::step(&f, from, &y, &k0, middle - from).increment());
-            (from, k0) = (middle, f(middle, &y));
-        }
-        let stages = dop853::step(&f, from, &y, &k0, time - from);
-        balanced(&step.chart, time, &sum(&y, &stages.increment()))
+        let stages = dop853::step(&f, step.start, &step.y, &step.k0, time - step.start);
+        balanced(&step.chart, time, &sum(&step.y, &stages.increment()))
     }
 
     /// Goes back to a time within the last step.
@@ -310,9 +303,10 @@ impl<'a> RungeKutta<'a> {
         self.statistics.evaluations += 12;
     }
 
-    /// Whole steps come in two halves from now on.
-    pub(super) fn halve(&mut self) {
-        self.is_halved = true;
+    /// Makes the steps whose length is no matter of the tolerance so many times as long.
+    pub(super) fn stretch(&mut self, factor: f64) {
+        self.h *= factor;
+        self.stretch = factor;
     }
 
     /// Perturbs the end of the last step.

@@ -8,9 +8,8 @@ use std::rc::Rc;
 use super::balanced::Balanced;
 use super::bound::Bound;
 use super::half_turn::{Torsions, cosine};
-use super::halving::{Halving, MORE_TERMS};
 use super::ledger::Ledger;
-use super::noise::{Noise, StepChange};
+use super::noise::Noise;
 use super::piece::Piece;
 use super::runge_kutta::RungeKutta;
 use super::splitting::{Splitting, SplittingOrder};
@@ -67,10 +66,8 @@ pub(crate) struct Stepper<'a> {
     is_unlimited: bool,
     rule: Rule,
     steps: Steps<'a>,
-    /// Noise after each step, in a comparison run.
+    /// What a perturbed run adds to each step.
     noise: Option<Noise>,
-    /// Whole steps in two halves, in a comparison run.
-    halving: Option<Halving>,
     /// The mass properties, if they change.
     history: Option<&'a MassHistory>,
     piece: Rc<Piece<'a>>,
@@ -136,7 +133,6 @@ impl<'a> Stepper<'a> {
             rule,
             steps,
             noise: None,
-            halving: None,
             history,
             piece,
             ledger,
@@ -163,17 +159,14 @@ impl<'a> Stepper<'a> {
         self.half_turn = self.torsions.is_half_turn(state.attitude).then_some(state.time);
     }
 
-    /// The steps of a comparison run.
-    pub(crate) fn changed(mut self, change: StepChange) -> Self {
-        let StepChange { seed, amplitude, halved } = change;
+    /// The same with steps so many times as long, and perturbed after each of them. Steps of a given length keep it.
+    pub(crate) fn perturbed(mut self, noise: Noise, stretch: f64) -> Self {
         match &mut self.steps {
-            _ if !halved => {}
-            Steps::Taylor(taylor) => taylor.add_terms(MORE_TERMS),
-            Steps::Dop853(dop853) => dop853.halve(),
-            Steps::Splitting(splitting) => splitting.halve(),
+            Steps::Taylor(taylor) => taylor.stretch(stretch),
+            Steps::Dop853(dop853) => dop853.stretch(stretch),
+            Steps::Splitting(_) => {}
         }
-        let noise = (amplitude > 0.0).then(|| Noise::new(seed, amplitude));
-        Self { noise, halving: halved.then_some(Halving::NONE), ..self }
+        Self { noise: Some(noise), ..self }
     }
 
     /// Looks again at what acts now.
@@ -193,7 +186,6 @@ impl<'a> Stepper<'a> {
         piece.require_balanced_sink(&state)?;
         self.until = piece.until;
         self.watch_torsions(&state);
-        self.halving = self.halving.map(|_| Halving::NONE);
         self.bound.act(&piece);
         self.piece = Rc::clone(&piece);
         match &mut self.steps {
@@ -229,7 +221,6 @@ impl<'a> Stepper<'a> {
     pub(crate) fn cut(&mut self, time: f64) {
         self.steps.cut(time);
         self.half_turn = self.half_turn.filter(|half_turn| *half_turn <= time);
-        self.halving = self.halving.map(|_| Halving::NONE);
         self.account();
     }
 
@@ -281,7 +272,7 @@ impl<'a> Stepper<'a> {
         if self.half_turn.is_some() {
             return Err(MotionError::HalfTurn { time: self.time() });
         }
-        let until = self.shortened(until.min(self.until))?;
+        let until = until.min(self.until);
         let rate = self.rate();
         self.from = self.time();
         if let Some(ledger) = &mut self.ledger {
@@ -320,25 +311,6 @@ impl<'a> Stepper<'a> {
             self.steps.cut(from + after);
             self.half_turn = Some(from + after);
         }
-    }
-
-    /// The end of the next step at the latest: with halving, the end of a half of the step that
-    /// would be taken without it.
-    ///
-    /// # Errors
-    /// [`MotionError::TorqueWithoutInertia`] if the torque cannot be balanced.
-    fn shortened(&mut self, until: f64) -> Result<f64, MotionError> {
-        let now = self.time();
-        let Some(halving) = &mut self.halving else { return Ok(until) };
-        if let Some(end) = halving.second_half(now) {
-            return Ok(until.min(end));
-        }
-        let step = match &mut self.steps {
-            Steps::Taylor(taylor) => taylor.planned_step()?,
-            Steps::Dop853(dop853) => dop853.next_step(),
-            Steps::Splitting(splitting) => splitting.next_step(),
-        };
-        Ok(halving.begin(now, until.min(now + step)))
     }
 
     pub(crate) fn time(&self) -> f64 {

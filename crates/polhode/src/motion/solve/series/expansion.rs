@@ -79,14 +79,6 @@ impl Expansion {
         }
     }
 
-    /// Adds terms to those of the tolerance, as far as there is room. A step goes to the same part
-    /// of the radius of convergence.
-    pub(in crate::motion) fn with_more_terms(mut self, more: usize) -> Self {
-        self.order = (self.order + more).min(MOST);
-        self.last = self.order;
-        self
-    }
-
     /// About a state; how long a step from it may be, its variables and the further functions measured with `sizes`.
     pub(in crate::motion) fn about(&mut self, state: &[f64], sizes: [&[f64]; 2]) -> f64 {
         for (series, &x) in self.variables.iter_mut().zip(state) {

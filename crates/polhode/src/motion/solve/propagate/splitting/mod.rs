@@ -57,8 +57,6 @@ pub(super) struct Splitting<'a> {
     /// Steps are counted from a time, as a sum of many would lose it.
     origin: f64,
     count: u64,
-    /// True if whole steps are taken in two halves.
-    is_halved: bool,
     statistics: StepStatistics,
 }
 
@@ -110,7 +108,6 @@ impl<'a> Splitting<'a> {
             h: step,
             origin: start.time,
             count: 0,
-            is_halved: false,
             statistics: StepStatistics::default(),
         };
         splitting.begin()?;
@@ -259,20 +256,9 @@ impl<'a> Splitting<'a> {
         self.balanced(&self.head)
     }
 
-    /// Whole steps come in two halves from now on.
-    pub(super) fn halve(&mut self) {
-        self.is_halved = true;
-    }
-
     /// The state at a time within the last step: a shorter step from the same start.
     pub(super) fn at(&self, time: f64) -> Balanced {
-        let mut from = self.base;
-        if self.is_halved {
-            let middle = 0.5 * (from.time + time);
-            from = self.after(&from, middle - from.time);
-            from.time = middle;
-        }
-        let mut there = self.after(&from, time - from.time);
+        let mut there = self.after(&self.base, time - self.base.time);
         there.time = time;
         self.balanced(&there)
     }

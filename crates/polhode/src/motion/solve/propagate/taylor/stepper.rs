@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use super::base::ExpansionPoint;
-use super::row::{Row, TERMS, smaller};
+use super::row::{Row, smaller};
 use super::sums::OneBody;
 use super::variations::Variations;
 use super::{Expansion, Increment, decomposed};
@@ -197,22 +197,10 @@ impl<'a> Taylor<'a> {
         }
     }
 
-    /// Adds terms to those of the tolerance, as far as there is room. A step goes to the same part
-    /// of the radius of convergence.
-    pub(in crate::motion::solve::propagate) fn add_terms(&mut self, more: usize) {
-        self.expansion.order = (self.expansion.order + more).min(TERMS - 1);
-        self.is_expanded = false;
-    }
-
-    /// The length of the step that would be taken from here if nothing ended it earlier, s.
-    ///
-    /// # Errors
-    /// [`MotionError::TorqueWithoutInertia`] if nothing would balance the torque.
-    pub(in crate::motion::solve::propagate) fn planned_step(&mut self) -> Result<f64, MotionError> {
-        if !self.is_expanded {
-            self.expand()?;
-        }
-        Ok(smaller(self.h, self.expansion.reach()))
+    /// Makes all steps to come so many times as long as the tolerance allows.
+    pub(in crate::motion::solve::propagate) fn stretch(&mut self, factor: f64) {
+        self.expansion.reach += libm::log2(factor);
+        self.h = self.expansion.step(self.omega_scale);
     }
 
     /// Perturbs the end of the last step.

@@ -42,7 +42,8 @@ fn the_stage_burns_and_what_does_not_know_it_says_so() {
     let taken = "the mass properties change with time: these are those at t = 0 s";
     assert_eq!(mass["findings"][0]["message"], taken);
     scratch.write("parts.csv", &format!("name,scenario\nstage,\"{stage}\"\n"));
-    let data = json(&scratch.run(&["budget", "parts.csv", "--json"]));
+    let folder = std::path::Path::new(&stage).parent().unwrap().to_str().unwrap();
+    let data = json(&scratch.run(&["budget", "parts.csv", "--root", folder, "--json"]));
     assert!(data.to_string().contains(taken), "{data}");
     // It is the scenario that cannot be judged by, not the run.
     scratch.write("run.csv", "time_s,qw,qx,qy,qz\n0,1,0,0,0\n1,0.6,0.8,0,0\n");

@@ -56,7 +56,7 @@ fn keys_that_mean_nothing_are_refused() {
     refuses(
         &format!("{BALL}«colour» = 3"),
         "unknown key \"colour\" in [[body.part]] of shape \"sphere\"",
-        "the keys here are name, shape, position, rotate, radius, density, mass, material",
+        "the keys here are name, shape, position, rotate, radius, inner_radius, density, mass, material",
     );
     refuses(
         &format!("«simulation»=1\n{BALL}"),
@@ -441,7 +441,7 @@ fn a_key_in_another_table_is_told_its_own() {
         "title stands above the first table",
     );
     refuses(
-        &format!("{BALL}«run» = 3"),
+        &format!("{BALL}«run» = {{ duration = 3 }}"),
         "unknown key \"run\" in [[body.part]] of shape \"sphere\"",
         "write [run]",
     );

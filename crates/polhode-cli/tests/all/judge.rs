@@ -204,7 +204,8 @@ fn clocks_and_units_that_the_columns_do_not_say_are_found() {
         assert!(number(&error["rates"]["omega_relative"]) < most, "{name}: {error}");
         let text = stdout(&scratch.run(&["judge", "tumbling.toml", name]));
         assert!(text.contains("→ read as "), "{text}");
-        (run["reading"].clone(), text)
+        // Its lines are wrapped.
+        (run["reading"].clone(), text.split_whitespace().collect::<Vec<_>>().join(" "))
     };
     let later = |by: f64| move |row: &[f64]| [&[row[0] + by][..], &row[1..]].concat();
     for origin in [1.7e9, 10.0, 1000.0] {
@@ -228,9 +229,7 @@ fn clocks_and_units_that_the_columns_do_not_say_are_found() {
     let degrees = |row: &[f64]| [&row[..5], &[5, 6, 7].map(|k| row[k].to_degrees())[..]].concat();
     let (reading, text) = judged("degrees.csv", &degrees);
     assert!((number(&reading["omega_factor"]).to_degrees() - 1.0).abs() < 1e-15);
-    // Lines are wrapped.
-    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(words.contains("such as deg/s for rad/s"), "{text}");
+    assert!(text.contains("such as deg/s for rad/s"), "{text}");
     let (reading, text) =
         judged("exchanged.csv", &|row| [&row[..5], &[-row[6], row[5], row[7]][..]].concat());
     assert_eq!(reading["omega_components"], "(−y, x, z)");

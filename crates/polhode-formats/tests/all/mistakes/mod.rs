@@ -445,7 +445,11 @@ fn a_key_in_another_table_is_told_its_own() {
         "unknown key \"run\" in [[body.part]] of shape \"sphere\"",
         "write [run]",
     );
-    refuses(&format!("{RUN}«torque» = 3\n{BALL}"), "unknown key \"torque\" in [run]", "write [[torque]]");
+    refuses(
+        &format!("{RUN}«torque» = {{ model = 'drag' }}\n{BALL}"),
+        "unknown key \"torque\" in [run]",
+        "write [[torque]]",
+    );
     assert!(!parse("").unwrap_err().hint().unwrap().contains('\n'));
     // Where nothing says which shape it is, the keys of all are listed.
     let many = parse("[[body.part]]\nzzz=1").unwrap_err().hint().unwrap();

@@ -373,7 +373,7 @@ def test_arrays_that_do_not_fit_are_refused() -> None:
         polhode.identify_tumbles(flights=[flight, 3])  # type: ignore[list-item]
     with pytest.raises(TypeError, match="flights must be"):
         polhode.identify_tumbles(flights="a")  # type: ignore[arg-type]
-    with pytest.raises(polhode.PolhodeError, match="measured numbers in flights, where"):
+    with pytest.raises(polhode.PolhodeError, match="measured numbers in flights: 0, where"):
         polhode.identify_tumbles(flights=[])
     with pytest.raises(polhode.PolhodeError, match="drag = 'cubic' must be one of linear, quadratic"):
         polhode.identify_tumbles(flights=flight, drag="cubic")

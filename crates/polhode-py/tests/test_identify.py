@@ -46,7 +46,7 @@ def test_answers_are_those_of_the_command(name: str, found: dict[str, Any], exam
         assert result._repr_markdown_() == command(plan, "--markdown")
     assert result.title == said["title"] and not result.has_model_error
     for estimate, of in [(result.estimate, said["estimate"])] + ([(result.about_origin, said["about_origin"])] if name == "payload" else []):
-        assert [tuple(number) for number in estimate] == [(n["name"], n["unit"], n["value"], n["sd"]) for n in of["numbers"]]
+        assert [tuple(number) for number in estimate] == [(n["name"], n["unit"], n["value"], n["sd"], n.get("reason")) for n in of["numbers"]]
         assert np.array_equal(estimate.covariance, of["covariance"]) and np.array_equal(estimate.unknown, np.reshape(of["unknown"], (-1, len(estimate))))
         known = estimate.sd > 0.0
         assert np.allclose(np.diag(estimate.correlation)[known], 1.0) and np.isnan(np.diag(estimate.correlation)[~known]).all()
@@ -268,7 +268,7 @@ def test_what_is_not_known_is_said(examples: Path) -> None:
     (fit,) = one.swings
     assert fit.moment is not None and fit.moment.sd == one.estimate["Ixx"].sd
     assert repr(one.estimate) == "Estimate(13 numbers, 5 directions unknown)"
-    assert str(one.estimate).splitlines()[5] == "Iyy: not known"
+    assert str(one.estimate).splitlines()[5] == "Iyy: not determined (it changes along a direction that is unknown)"
 
 
 def test_a_wrong_model_shows() -> None:
@@ -390,7 +390,7 @@ def test_arrays_that_do_not_fit_are_refused() -> None:
         ({"wrench_covariance": -np.eye(6)}, "positive definite"),
         ({"omega_noise": -1.0}, "the noise of an angular velocity is -1"),
         ({"kind": "ball"}, "one of plate, rod"),
-        ({"times": times[:3], **{name: three[:3] for name in wrist if name not in ("times", "wrench")}}, "3 rows, where"),
+        ({"times": times[:3], **{name: three[:3] for name in wrist if name not in ("times", "wrench")}}, "too few rows: 3, where"),
     ]:
         with pytest.raises(polhode.PolhodeError, match=message):
             polhode.identify_payload(**{**wrist, **given})

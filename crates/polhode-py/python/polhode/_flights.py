@@ -75,11 +75,43 @@ class Flights(Table):
         return iter(self._flights)
 
     def index(self, flight: Flight) -> int:
-        """The place of the first flight that is equal to this one; :class:`ValueError` if none is."""
+        """Index of the first flight that equals the given one.
+
+        Parameters
+        ----------
+        flight
+            The flight to find.
+
+        Returns
+        -------
+        int
+            Its index, from 0.
+
+        Raises
+        ------
+        ValueError
+            If no flight is equal.
+        """
         return self._flights.index(flight)
 
     def count(self, flight: Flight) -> int:
-        """How many flights are equal to this one."""
+        """Number of flights that equal the given one.
+
+        Parameters
+        ----------
+        flight
+            The flight to count.
+
+        Returns
+        -------
+        int
+            The count.
+
+        Raises
+        ------
+        Nothing
+            Zero if no flight is equal.
+        """
         return self._flights.count(flight)
 
     def __eq__(self, other: object) -> bool:

@@ -124,7 +124,7 @@ impl Judge {
         }
         if runs.is_empty() {
             let hint = "name the log that a program wrote: polhode judge SCENARIO.toml RUN.csv";
-            return Err(Failure::usage("there is no run to judge", hint));
+            return Err(Failure::usage("no log to judge was given", hint));
         }
         if let (Some(_), [_, second, ..]) = (self.step, &runs[..]) {
             let message = format!("--step is of one run, and {} is another", shown(second));
@@ -191,7 +191,7 @@ impl Judge {
             }
         }
         let (scenario, confinement) = found
-            .ok_or_else(|| Failure::usage("there is no run to judge", "name the log that a program wrote"))?;
+            .ok_or_else(|| Failure::usage("no log to judge was given", "name the log that a program wrote"))?;
         Ok(ScenarioFile::read_within(&scenario, &confinement)?)
     }
 

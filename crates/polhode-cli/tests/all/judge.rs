@@ -425,7 +425,7 @@ fn what_cannot_be_judged_is_refused() {
     let scratch = Scratch::new("judge-refused");
     let rows = exact(&scratch);
     let judged = |arguments: &[&str]| refused(&scratch.run(&[&["judge"], arguments].concat()), 2);
-    assert!(judged(&["tumbling.toml"]).contains("there is no run to judge"));
+    assert!(judged(&["tumbling.toml"]).contains("no log to judge was given"));
     scratch.write(
         "good.csv",
         &table("t,qw,qx,qy,qz", &rows.iter().map(|r| r[..5].to_vec()).collect::<Vec<_>>()),

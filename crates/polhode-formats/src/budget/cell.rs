@@ -11,32 +11,32 @@ pub(super) struct SheetRow {
     /// Range of its bytes in a text, or of its cells in a workbook.
     pub(super) start: u32,
     pub(super) end: u32,
-    /// Whether programs do not show it.
+    /// True if the row is hidden in the spreadsheet.
     pub(super) is_hidden: bool,
 }
 
-/// What stands in a cell, without the spaces around it: not empty.
+/// Non-empty cell, without the spaces around its text.
 #[derive(Clone, Debug)]
 pub(super) struct Cell<'a> {
-    /// From 0.
+    /// Column, counted from 0.
     pub(super) column: usize,
-    /// The row, as the file counts.
+    /// Row, as the file counts.
     pub(super) row: usize,
-    /// In a text file: its bytes.
+    /// Range of its bytes, in a text file.
     pub(super) span: Range<usize>,
     pub(super) text: Cow<'a, str>,
     pub(super) content: Content,
 }
 
-/// What kind of content a cell has.
+/// Kind of content of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Content {
     Text,
-    /// A number of a workbook, and how many decimals are shown of it.
+    /// Number of a workbook, with the decimals that its format shows.
     Number {
         decimals: Option<u8>,
     },
-    /// Nothing that can be read.
+    /// Content that cannot be read.
     Broken(Broken),
 }
 
@@ -72,7 +72,7 @@ pub(super) fn cell_name(sheet: &str, column: usize, row: usize) -> String {
     format!("{sheet}!{}{row}", column_name(column))
 }
 
-/// Of the column 0: A; of 27: AB.
+/// Returns the name of a column as spreadsheets have it: A for 0, AB for 27.
 pub(super) fn column_name(column: usize) -> String {
     let mut letters = Vec::new();
     let mut rest = column + 1;

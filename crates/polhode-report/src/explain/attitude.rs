@@ -145,7 +145,7 @@ const ROUNDING: f64 = 2e-14;
 
 /// Euler angles.
 ///
-/// Where θ is 0 or π to within the error only φ + ψ or φ − ψ is determined.
+/// Only φ + ψ or φ − ψ is determined where θ is 0 or π within the error.
 fn euler(attitude: Attitude, error: f64, s: &mut Section) {
     let [phi, theta, psi] = attitude.euler313();
     let error = error.max(ROUNDING);

@@ -21,15 +21,15 @@ pub(super) struct Rows {
 const DIGITS: usize = 6;
 /// Intervals between the rows.
 const PARTS: usize = 8;
-/// Rows that a turn has at least.
+/// Least number of rows for each turn.
 const ROWS_OF_A_TURN: f64 = 4.0;
-/// How often a larger rate may be found.
+/// Limit on the refinements of the largest rate.
 const MOST_ROUNDS: usize = 20;
-/// A rate is larger from this ratio on.
+/// Ratio from which on one rate counts as larger than another.
 const ALIKE: f64 = 1.2;
 
 impl Rows {
-    /// Of a run; `period` is that of ω in the body, s, if it has one.
+    /// Returns the rows of a run; `period` is the period of ω in the body, s, if there is one.
     ///
     /// # Errors
     /// [`MotionError`] if the motion cannot be computed at these instants.

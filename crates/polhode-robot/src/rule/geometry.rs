@@ -159,7 +159,7 @@ pub(super) const RULES: [Rule; 10] = [
         severity: Suspect,
         title: "the centre of mass lies in the convex hull of the link's geometry",
         why: "It is a mean of the body's points, so no distribution of mass within the geometry has it outside. The distance is that from the convex \
-              hull of all shapes of the link; what rounding of the coordinates explains is no finding.",
+              hull of all shapes of the link; what rounding of the coordinates explains is not reported.",
         mend: "Look for a wrong sign, another unit, or a centre that is measured from another frame. A fix is written where one of these alone brings it \
                to the geometry's centroid.",
         example: Some(Example {

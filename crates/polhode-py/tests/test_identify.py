@@ -51,7 +51,8 @@ def test_answers_are_those_of_the_command(name: str, found: dict[str, Any], exam
         known = estimate.sd > 0.0
         assert np.allclose(np.diag(estimate.correlation)[known], 1.0) and np.isnan(np.diag(estimate.correlation)[~known]).all()
     # The triangle is a picture's outlines.
-    for key in said["principal"].keys() - {"triangle"}:
+    assert result.principal.not_determined == said["principal"]["not_determined"]
+    for key in said["principal"].keys() - {"triangle", "not_determined"}:
         value = said["principal"][key]
         assert np.array_equal(np.array(getattr(result.principal, key), float), np.array(value, float), equal_nan=True), key
     assert result.principal.axes.shape == (3, 3)

@@ -190,8 +190,9 @@ impl Judge {
                 None => found = Some((scenario, confinement)),
             }
         }
-        let (scenario, confinement) = found
-            .ok_or_else(|| Failure::usage("no log to judge was given", "name the log that a program wrote"))?;
+        let (scenario, confinement) = found.ok_or_else(|| {
+            Failure::usage("no log to judge was given", "name the log that a program wrote")
+        })?;
         Ok(ScenarioFile::read_within(&scenario, &confinement)?)
     }
 

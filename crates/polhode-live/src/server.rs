@@ -3,6 +3,7 @@
 use std::error::Error;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
+use std::pin::pin;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
@@ -222,7 +223,16 @@ async fn answered(
         Cost::Heavy => (session.turns.heavy().await?, limits::MOTION),
         Cost::Unknown => {
             let turn = session.turns.light().await?;
-            if let Some(answer) = computed(&route, &body, session, turn, limits::FIRST_TRY).await? {
+            let light = LightTurn { session: session.clone(), turn: turn.clone() };
+            let mut first = pin!(computed(&route, &body, session, turn, limits::FIRST_TRY));
+            let answer = match timeout(limits::OVERRUN, &mut first).await {
+                Ok(answer) => answer?,
+                Err(_) => {
+                    drop(light);
+                    first.await?
+                }
+            };
+            if let Some(answer) = answer {
                 return Ok(answer);
             }
             (session.turns.heavy().await?, limits::MOTION)
@@ -245,7 +255,7 @@ async fn computed(
     let work = tokio::task::spawn_blocking(move || {
         let answer = route.answer_within(most, &body, &session, &flag);
         // Until here it computes, whether or not somebody waits.
-        drop(turn);
+        turn.end();
         answer
     });
     timeout(limits::ANSWER, work).await.map_err(|_| long())?.map_err(defect)?
@@ -315,6 +325,18 @@ fn broken(error: &(dyn Error + 'static), most: usize) -> Refusal {
 
 fn defect(_: JoinError) -> Refusal {
     Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, "a defect of polhode: please report it")
+}
+
+/// Ends the light turn of a computation that overruns it, or that nobody waits for any more: [`Turns::make_heavy`].
+struct LightTurn {
+    session: Arc<Session>,
+    turn: Turn,
+}
+
+impl Drop for LightTurn {
+    fn drop(&mut self) {
+        self.session.turns.make_heavy(&self.turn);
+    }
 }
 
 /// Stops a computation when nobody waits for it any more: the connection is closed, and what waits for the answer is dropped.

@@ -1,6 +1,6 @@
 //! Turns of computations: light ones never wait for heavy ones.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use hyper::StatusCode;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
@@ -17,11 +17,18 @@ pub(crate) struct Turns {
     queue: Arc<Semaphore>,
 }
 
-/// A turn to compute, until it is dropped.
-#[derive(Debug)]
-pub(crate) struct Turn {
-    _running: OwnedSemaphorePermit,
-    _waiting: Option<OwnedSemaphorePermit>,
+/// A turn to compute, until it ends or the last clone is dropped.
+#[derive(Clone, Debug)]
+pub(crate) struct Turn(Arc<Mutex<Vec<OwnedSemaphorePermit>>>);
+
+impl Turn {
+    fn of(permits: Vec<OwnedSemaphorePermit>) -> Self {
+        Self(Arc::new(Mutex::new(permits)))
+    }
+
+    pub(crate) fn end(&self) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).clear();
+    }
 }
 
 impl Turns {
@@ -37,7 +44,7 @@ impl Turns {
     /// The next turn for what is done soon.
     pub(crate) async fn light(&self) -> Result<Turn, Refusal> {
         let running = self.light.clone().acquire_owned().await.map_err(|_| closed())?;
-        Ok(Turn { _running: running, _waiting: None })
+        Ok(Turn::of(vec![running]))
     }
 
     /// The next turn for what may take long.
@@ -50,7 +57,17 @@ impl Turns {
             Refusal::new(StatusCode::SERVICE_UNAVAILABLE, rule).hint("try again when some of them are done")
         })?;
         let running = self.heavy.clone().acquire_owned().await.map_err(|_| closed())?;
-        Ok(Turn { _running: running, _waiting: Some(waiting) })
+        Ok(Turn::of(vec![running, waiting]))
+    }
+
+    /// Counts a light turn, which takes longer than it may, among the heavy ones that wait, so that
+    /// it keeps no light one out. Without a free place there it stays what it is.
+    pub(crate) fn make_heavy(&self, turn: &Turn) {
+        let mut permits = turn.0.lock().unwrap_or_else(PoisonError::into_inner);
+        // A turn without permits has ended.
+        if let (false, Ok(waiting)) = (permits.is_empty(), self.queue.clone().try_acquire_owned()) {
+            *permits = vec![waiting];
+        }
     }
 }
 

@@ -65,7 +65,8 @@ impl Separator {
         }
         let ends = |byte: &u8| match self {
             Self::Byte(separator) => *byte == separator || *byte == b'\n',
-            Self::Blanks => byte.is_ascii_whitespace(),
+            // as `skip_blanks`: a form feed ends no field, or nothing would lead beyond it
+            Self::Blanks => self.is_blank(*byte) || *byte == b'\n',
         };
         let rest = bytes.get(start..).unwrap_or_default();
         Some(start + rest.iter().position(ends).unwrap_or(rest.len()))

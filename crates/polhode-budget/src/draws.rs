@@ -17,6 +17,9 @@ use crate::uncertainty::{Factor, NUMBERS, RowError};
 /// The least number of draws of which a standard deviation says anything.
 const LEAST: usize = 10;
 
+/// The most drawn rows: draws times uncertain rows. A million take about half a second.
+pub const MOST_DRAWN_ROWS: usize = 10_000_000_000;
+
 /// Whole bodies, each made of possible parts.
 ///
 /// Masses are log-normal, centres, positions and rotation vectors normal, with the means and standard deviations that the list states; tensors are normal, and where no body
@@ -55,7 +58,7 @@ impl Budget {
     /// Draws `count` bodies. The same seed gives the same ones, and more draws go on where fewer end.
     ///
     /// # Errors
-    /// [`BudgetError::Draws`] of fewer than ten; [`BudgetError::Part`] where errors are so large that a part is not finite.
+    /// [`BudgetError::Draws`] of fewer than ten; [`BudgetError::TooManyDraws`] beyond [`MOST_DRAWN_ROWS`]; [`BudgetError::Part`] where errors are so large that a part is not finite.
     pub fn draws(&self, basis: Basis, seed: u64, count: usize) -> Result<Draws, BudgetError> {
         self.draws_watched(basis, seed, count, &mut |_| ())
     }
@@ -78,6 +81,10 @@ impl Budget {
             let bodies = vec![self.mass_properties(basis)?; count];
             return Ok(Draws { bodies, moved: 0 });
         };
+        let (rows, most) = (varied.rows.len(), MOST_DRAWN_ROWS / varied.rows.len().max(1));
+        if count > most {
+            return Err(BudgetError::TooManyDraws { given: count, rows, most });
+        }
         let mut inside: Vec<Vec<MassProperties<Part>>> = vec![Vec::new(); self.tree.inner];
         let (mut bodies, mut moved) = (Vec::with_capacity(count), 0);
         for draw in 0..count {

@@ -173,6 +173,15 @@ pub enum BudgetError {
         /// The least that is of use.
         needed: usize,
     },
+    /// More draws than a list of so many uncertain rows may have.
+    TooManyDraws {
+        /// Requested draws.
+        given: usize,
+        /// The rows that vary.
+        rows: usize,
+        /// The largest number of draws.
+        most: usize,
+    },
 }
 
 const SIZES: &str = "check the units and the exponents of masses, places and errors: a number has to be possible, and of a size that a double holds";
@@ -201,7 +210,8 @@ impl BudgetError {
             | Self::Sum(_)
             | Self::Variance { .. }
             | Self::Rows { .. }
-            | Self::Draws { .. } => None,
+            | Self::Draws { .. }
+            | Self::TooManyDraws { .. } => None,
         }
     }
 
@@ -239,6 +249,9 @@ impl BudgetError {
             Self::MissingGroup { .. } => Some("declare the group, or leave it out"),
             Self::DuplicateGroup { .. } => Some("give one of them another name"),
             Self::Rows { .. } => Some("give each assembly a list of its own"),
+            Self::TooManyDraws { .. } => {
+                Some("request fewer draws: 10000 determine a standard deviation to 1 %")
+            }
             Self::Draws { .. } => Some("ask for more: 10000 say what a standard deviation is to 1 %"),
         }
     }
@@ -304,6 +317,9 @@ impl fmt::Display for BudgetError {
             Self::Variance { of } => write!(f, "the variance of {of} of the whole is no number"),
             Self::Rows { most } => write!(f, "more than {most} rows"),
             Self::Draws { given, needed } => write!(f, "{given} draws, where {needed} at least are needed"),
+            Self::TooManyDraws { given, rows, most } => {
+                write!(f, "{given} draws of {rows} uncertain rows: at most {most} of so many rows are made")
+            }
         }
     }
 }

@@ -76,7 +76,7 @@ pub use budget::Budget;
 pub use comparison::{ComparedNumber, Comparison};
 pub use correlated::Correlated;
 pub use covariance::NotCovariance;
-pub use draws::Draws;
+pub use draws::{Draws, MOST_DRAWN_ROWS};
 pub use error::{BudgetError, RowName};
 pub use estimate::{Estimate, EstimateAbout, NUMBERS};
 pub use group::Group;

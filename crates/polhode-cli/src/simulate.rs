@@ -54,7 +54,7 @@ pub(crate) struct Simulate {
     /// Show report.html in the browser.
     #[arg(long, conflicts_with = "no_page")]
     open: bool,
-    /// Estimate the error thoroughly however long that takes, twelve times as long as the motion: without it, motions of more than
+    /// Estimate the error thoroughly, at 12 to 20 times the cost of the motion: without it, motions of more than
     /// some 10,000 steps and samples (3,000 of DOP853 or splitting) have a cheap estimate.
     #[arg(long)]
     error: bool,

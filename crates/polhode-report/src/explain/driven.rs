@@ -1,7 +1,7 @@
 //! Step 5 with torque, or with the motion given.
 
 use polhode::body::Symmetry;
-use polhode::motion::{Method, Sample, Solution, Trajectory};
+use polhode::motion::{Sample, Solution, Solver, Trajectory};
 
 use super::document::Section;
 use super::working::{Working, cells, n, v};
@@ -56,15 +56,15 @@ pub(super) fn how(w: &Working<'_>) -> Option<String> {
     Some(match w.trajectory.as_ref()?.solution() {
         Solution::Exact(_) => "in closed form".to_owned(),
         Solution::Prescribed(_) => "as given".to_owned(),
-        Solution::Integrated { method, tolerance, .. } => {
-            let error = match (method, tolerance) {
-                (Method::Splitting { order, step }, _) => {
+        Solution::Integrated { solver, tolerance, .. } => {
+            let error = match (solver, tolerance) {
+                (Solver::Splitting { order, step }, _) => {
                     format!("order {}, steps of {} s", order.number(), ungrouped(*step, 3))
                 }
                 (_, Some(tolerance)) => format!("error of each step below {}", ungrouped(*tolerance, 3)),
                 (_, None) => String::new(),
             };
-            format!("by numerical integration ({}, {error})", method.title())
+            format!("by numerical integration ({}, {error})", solver.title())
         }
     })
 }

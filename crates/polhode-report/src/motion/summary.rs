@@ -3,7 +3,7 @@
 use polhode::motion::gimbal::GimbalSample;
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{
-    Method, ParticleForce, Pendulum, Sample, Scenario, Solution, State, Swing, Trajectory, Wheel,
+    Method, ParticleForce, Pendulum, Sample, Scenario, Solution, Solver, State, Swing, Trajectory, Wheel,
 };
 use polhode::observe::Drift;
 use serde_json::{Map, Value, json};
@@ -85,8 +85,8 @@ fn run(report: &MotionReport<'_>) -> Value {
         _ => 0.0,
     };
     let (splitting, tolerance, steps) = match report.trajectory.solution() {
-        Solution::Integrated { method, tolerance, statistics } => (
-            splitting(*method),
+        Solution::Integrated { solver, tolerance, statistics } => (
+            splitting(*solver),
             *tolerance,
             json!({
                 "accepted": statistics.accepted,
@@ -109,9 +109,9 @@ fn run(report: &MotionReport<'_>) -> Value {
 }
 
 /// Of splitting its order and its step, which are to it what a tolerance is to others.
-fn splitting(method: Method) -> Value {
-    match method {
-        Method::Splitting { order, step } => json!({ "order": order.number(), "step_s": step }),
+fn splitting(solver: Solver) -> Value {
+    match solver {
+        Solver::Splitting { order, step } => json!({ "order": order.number(), "step_s": step }),
         _ => Value::Null,
     }
 }

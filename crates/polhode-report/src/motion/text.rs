@@ -1,6 +1,6 @@
 //! The motion on one screen.
 
-use polhode::motion::{Method, Pendulum, Sample, Scenario, Solution, State, Swing, Wheel};
+use polhode::motion::{Pendulum, Sample, Scenario, Solution, Solver, State, Swing, Wheel};
 use polhode::observe::FreeRegime;
 
 use super::MotionReport;
@@ -46,9 +46,9 @@ pub(super) fn write(report: &MotionReport<'_>, picture: usize) -> String {
     text.push_str(&curve(&facts, samples, picture));
     text.push_str(&ends(report, &facts));
     text.extend(report.at.iter().map(|sample| state_at(report, sample)));
-    if let Solution::Integrated { method, tolerance, statistics } = report.trajectory.solution() {
-        let by = match (method, tolerance) {
-            (Method::Splitting { order, step }, _) => {
+    if let Solution::Integrated { solver, tolerance, statistics } = report.trajectory.solution() {
+        let by = match (solver, tolerance) {
+            (Solver::Splitting { order, step }, _) => {
                 format!("order {}, {} s each", order.number(), ungrouped(*step, 3))
             }
             (_, Some(tolerance)) => format!("tolerance {} a step", ungrouped(*tolerance, 3)),
@@ -73,7 +73,7 @@ fn heading(report: &MotionReport<'_>, samples: &[Sample]) -> String {
         Solution::Exact(_) => "closed form",
         Solution::Prescribed(_) => "prescribed motion",
         Solution::Integrated { .. } if report.trajectory.contact().is_some() => "integrated phase by phase",
-        Solution::Integrated { method, .. } => &format!("integrated by {}", method.title()),
+        Solution::Integrated { solver, .. } => &format!("integrated by {}", solver.title()),
     };
     let (Some(first), Some(last)) = (samples.first(), samples.last()) else {
         return format!("{title}   no samples, {how}\n");

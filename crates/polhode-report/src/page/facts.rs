@@ -160,7 +160,7 @@ fn motion(input: &PageInput<'_>, free: Option<&FreeFacts>, shown: &Shown<'_>) ->
         Solution::Exact(_) => "in closed form",
         Solution::Prescribed(_) => "prescribed",
         Solution::Integrated { .. } if input.trajectory.contact().is_some() => "integrated phase by phase",
-        Solution::Integrated { method, .. } => &format!("integrated by {}", method.title()),
+        Solution::Integrated { solver, .. } => &format!("integrated by {}", solver.title()),
     };
     let mut rows = Vec::new();
     if let (Some(first), Some(last)) = (shown.samples.first(), shown.samples.last()) {

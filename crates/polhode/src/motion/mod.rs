@@ -70,6 +70,7 @@ pub use solve::pendulum_motion::PendulumMotion;
 pub use solve::propagate::splitting::SplittingOrder;
 pub use solve::propagate::step_statistics::StepStatistics;
 pub use solve::propagate::stepper::{LOOSEST_TOLERANCE, TIGHTEST_TOLERANCE};
+pub use solve::solver::Solver;
 pub use solve::swinging_body::SwingingBody;
 pub use task::asked::{ActingTorque, Forward, GroundContact, Suspension, Task};
 pub use task::mounted_shaft::MountedShaft;

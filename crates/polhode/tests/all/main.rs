@@ -17,6 +17,7 @@ mod ensemble;
 mod ensemble_events;
 mod ensemble_in_step;
 mod equilibria;
+mod error_estimate;
 mod event;
 mod event_random;
 mod event_sides;

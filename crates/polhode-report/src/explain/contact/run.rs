@@ -24,9 +24,10 @@ pub(super) fn section(g: &OnGround<'_, '_>) -> Section {
         attitude::attitude(&g.start.state, 0.0, "t0", &mut s);
         return s;
     };
-    s.say(
-        "The equations of step 4 are integrated, with the attitude by x\u{307} = ω × x of its axes, by Taylor series; where rolling, sliding and flying change is found as a root of a series.",
-    );
+    s.say(format!(
+        "The equations of step 4 are integrated, with the attitude by x\u{307} = ω × x of its axes, by {}; where rolling, sliding and flying change is found as a root of a series.",
+        motion.solver().title()
+    ));
     changes(g, motion.changes(), &mut s);
     if let Some(ending) = g.w.trajectory.as_deref().and_then(|t| event::ending_in_words(t, g.w.scenario)) {
         s.say(format!("The run is {ending}."));

@@ -8,6 +8,7 @@ use crate::math::root::vanishing;
 use crate::motion::solve::collocation::{Collocation, ROOM, StepWork, Wanted};
 use crate::motion::solve::propagate::stepper::TIGHTEST_TOLERANCE;
 use crate::motion::solve::series::{Expansion, System};
+use crate::motion::solve::solver::Solver;
 
 /// The first step of a phase, times a rate of its motion.
 const FIRST_STEP: f64 = 0.1;
@@ -75,6 +76,13 @@ impl Phase {
             }
             (Solution::Series(expansion), _) => wanted.stretch * expansion.about(state, sizes),
             (Solution::Collocation(_), Kind::Flying) => f64::NAN,
+        }
+    }
+
+    pub(super) const fn solver(&self) -> Solver {
+        match self.solution {
+            Solution::Collocation(_) => Solver::Collocation,
+            Solution::Series(_) => Solver::Taylor,
         }
     }
 

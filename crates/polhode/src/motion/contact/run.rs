@@ -21,6 +21,7 @@ use crate::motion::model::state::State;
 use crate::motion::solve::propagate::bound::MOST_STEPS;
 use crate::motion::solve::propagate::step_statistics::StepStatistics;
 use crate::motion::solve::propagate::stepper::{LOOSEST_TOLERANCE, TIGHTEST_TOLERANCE};
+use crate::motion::solve::solver::Solver;
 use crate::motion::solve::start::require_ascending;
 
 /// The most events and changes of a run.
@@ -61,6 +62,8 @@ pub(super) struct Run<'a> {
     samples: Vec<ContactSample>,
     crossings: Vec<Crossing>,
     statistics: StepStatistics,
+    /// The solvers of the steps so far.
+    solver: Option<Solver>,
     start: ContactSample,
     ending: ContactEnding,
 }
@@ -76,7 +79,8 @@ impl<'a> Run<'a> {
         let start = ContactSample { state: of.start.state, ..start };
         let (changes, samples, crossings) = (Vec::new(), Vec::new(), Vec::new());
         let (statistics, ending) = (StepStatistics::default(), ContactEnding::Complete);
-        let mut run = Self { of, stepper, changes, samples, crossings, statistics, start, ending };
+        let mut run =
+            Self { of, stepper, changes, samples, crossings, statistics, solver: None, start, ending };
         run.ending = run.settle_start()?;
         // With the forces of the phase that holds.
         let now = sample(of, &run.stepper, of.start.state.time, run.stepper.variables())?;
@@ -122,8 +126,10 @@ impl<'a> Run<'a> {
     }
 
     fn finished(self, ending: ContactEnding) -> ContactTrajectory {
+        let solver = self.solver.unwrap_or_else(|| self.stepper.solver());
         let Self { changes, samples, crossings, statistics, start, .. } = self;
-        ContactTrajectory { start, samples: continuous(samples), changes, crossings, ending, statistics }
+        let samples = continuous(samples);
+        ContactTrajectory { start, samples, changes, crossings, ending, solver, statistics }
     }
 
     /// One step, and what ends at it.
@@ -190,6 +196,9 @@ impl<'a> Run<'a> {
             let sample = sample(self.of, &self.stepper, t, &self.stepper.variables_at(t))?;
             self.samples.push(sample);
         }
+        let solver = self.stepper.solver();
+        let is_other = self.solver.is_some_and(|before| before != solver);
+        self.solver = Some(if is_other { Solver::CollocationAndTaylor } else { solver });
         self.stepper.advance(to - from, to);
         self.statistics.accepted += 1;
         let work = self.stepper.take_work();

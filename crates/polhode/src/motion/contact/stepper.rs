@@ -10,6 +10,7 @@ use crate::math::algebra::Components;
 use crate::math::sum::two_sum;
 use crate::motion::solve::collocation::{StepWork, Wanted};
 use crate::motion::solve::propagate::noise::{Random, StepNoise};
+use crate::motion::solve::solver::Solver;
 
 /// A body on its way.
 #[derive(Clone, Debug)]
@@ -122,6 +123,11 @@ impl Stepper {
 
     pub(super) fn kind(&self) -> Kind {
         self.phases[self.current].kind
+    }
+
+    /// The solver of the phase.
+    pub(super) fn solver(&self) -> Solver {
+        self.phases[self.current].solver()
     }
 
     pub(super) const fn size(&self) -> f64 {

@@ -5,6 +5,7 @@ use super::sample::ContactSample;
 use crate::motion::error::MotionError;
 use crate::motion::model::event::Crossing;
 use crate::motion::solve::propagate::step_statistics::StepStatistics;
+use crate::motion::solve::solver::Solver;
 
 /// How a motion on the ground ended.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,6 +43,7 @@ pub struct ContactTrajectory {
     pub(super) changes: Vec<ContactEvent>,
     pub(super) crossings: Vec<Crossing>,
     pub(super) ending: ContactEnding,
+    pub(super) solver: Solver,
     pub(super) statistics: StepStatistics,
 }
 
@@ -54,6 +56,11 @@ impl ContactTrajectory {
     /// The motion at each time, in the order of the times, and at its end.
     pub fn samples(&self) -> &[ContactSample] {
         &self.samples
+    }
+
+    /// The solvers of its phases.
+    pub const fn solver(&self) -> Solver {
+        self.solver
     }
 
     /// What changed about the contact, in the order of time.

@@ -47,6 +47,14 @@ impl fmt::Display for State {
     }
 }
 
+impl StateError {
+    /// Adds another error, times a factor.
+    pub(crate) fn plus(self, other: Self, factor: f64) -> Self {
+        let attitude = (self.attitude + factor * other.attitude).min(core::f64::consts::PI);
+        Self { attitude, omega: self.omega + factor * other.omega }
+    }
+}
+
 impl State {
     /// Of a time at which nothing is known.
     #[cold]

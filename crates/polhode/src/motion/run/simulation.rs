@@ -17,6 +17,7 @@ use crate::motion::solve::closed_form::ClosedForm;
 use crate::motion::solve::method::Method;
 use crate::motion::solve::propagate::bound::{MOST_STEPS, PATIENCE};
 use crate::motion::solve::propagate::stepper::{Rule, Stepper};
+use crate::motion::solve::solver::Solver;
 use crate::motion::solve::start::{require_ascending, require_few_pulses, require_finite};
 
 /// An initial value problem: a body, the torques on it, the events to detect, and the method.
@@ -237,8 +238,8 @@ impl<'a> Simulation<'a> {
         self.times.last().copied().unwrap_or(self.start.time)
     }
 
-    /// The method that is asked for, or the best.
-    fn choose(&self) -> Result<(Way, MethodReason), MotionError> {
+    /// The first torque without a power series, and why it has none.
+    pub(super) fn rough_torque(&self) -> Option<(usize, &'static str)> {
         let body =
             self.history.map(|history| (history.body(self.start.time, self.pivot(), Vec::new()), history));
         let roughness = |torque: &TorqueModel| {
@@ -246,7 +247,12 @@ impl<'a> Simulation<'a> {
                 || body.as_ref().and_then(|(body, history)| body.roughness(torque, history.ball()));
             torque.model().roughness().or_else(of_changing)
         };
-        let rough = self.torques.iter().enumerate().find_map(|(k, torque)| Some((k, roughness(torque)?)));
+        self.torques.iter().enumerate().find_map(|(k, torque)| Some((k, roughness(torque)?)))
+    }
+
+    /// The method that is asked for, or the best.
+    fn choose(&self) -> Result<(Way, MethodReason), MotionError> {
+        let rough = self.rough_torque();
         let steps = |rule| Ok((Way::Steps(rule), MethodReason::Asked));
         match self.method {
             Method::Exact => Ok((Way::Closed(self.closed_form()?), MethodReason::Asked)),
@@ -302,13 +308,13 @@ impl<'a> Simulation<'a> {
         let mut integration = Integration::new(stepper, self.watched_events(), self.start, self.times);
         let (start, ending) = integration.run(self.start, progress)?;
         let stepper = integration.stepper();
-        let method = match stepper.rule() {
-            Rule::Taylor => Method::Taylor,
-            Rule::Dop853 => Method::Dop853,
-            Rule::Splitting { order, step } => Method::Splitting { order, step },
+        let solver = match stepper.rule() {
+            Rule::Taylor => Solver::Taylor,
+            Rule::Dop853 => Solver::Dop853,
+            Rule::Splitting { order, step } => Solver::Splitting { order, step },
         };
         let (tolerance, statistics) = (stepper.tolerance(), stepper.statistics());
-        let solution = Solution::Integrated { method, tolerance, statistics };
+        let solution = Solution::Integrated { solver, tolerance, statistics };
         let sides = integration.event_sides();
         Ok(Trajectory::assembled(start, integration.samples, solution)
             .because(reason)

@@ -4,6 +4,7 @@ use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::solve::closed_form::ClosedForm;
 use crate::motion::solve::method::Method;
 use crate::motion::solve::propagate::step_statistics::StepStatistics;
+use crate::motion::solve::solver::Solver;
 
 /// How a trajectory was found.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,8 +15,8 @@ pub enum Solution {
     Prescribed(Prescribed),
     /// By numerical integration.
     Integrated {
-        /// By which method.
-        method: Method,
+        /// The solver that ran.
+        solver: Solver,
         /// Bound on the error of each step: attitude in rad, ω relative; `None` where steps have a given length.
         tolerance: Option<f64>,
         /// What it cost.
@@ -24,12 +25,13 @@ pub enum Solution {
 }
 
 impl Solution {
-    /// The method's name in summaries: `exact`, `prescribed`, `taylor`, `dop853` or `splitting`.
+    /// The name of the solver in summaries: `exact`, `prescribed`, `taylor`, `dop853`, `splitting`,
+    /// `collocation` or `collocation+taylor`.
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Exact(_) => Method::Exact.name(),
             Self::Prescribed(_) => "prescribed",
-            Self::Integrated { method, .. } => method.name(),
+            Self::Integrated { solver, .. } => solver.name(),
         }
     }
 }

@@ -15,8 +15,8 @@ use crate::motion::model::state::State;
 use crate::motion::model::torque::{TorqueModel, total_potential};
 use crate::motion::solve::closed_form::ClosedForm;
 use crate::motion::solve::free::FreeMotion;
-use crate::motion::solve::method::Method;
 use crate::motion::solve::propagate::balanced::Balanced;
+use crate::motion::solve::solver::Solver;
 use crate::motion::solve::start::require_ascending;
 
 /// The motion of a body at given times, with the evidence of its own error.
@@ -50,8 +50,8 @@ impl Trajectory {
         let samples = motion.samples().iter().map(|sample| of(sample, Some(&first)));
         let samples = samples.collect::<Result<_, _>>()?;
         let statistics = motion.statistics();
-        let solution =
-            Solution::Integrated { method: Method::Taylor, tolerance: Some(tolerance), statistics };
+        let (solver, tolerance) = (motion.solver(), Some(tolerance));
+        let solution = Solution::Integrated { solver, tolerance, statistics };
         let (events, ending) = (motion.events().to_vec(), Ending::of_contact(motion.ending()));
         let trajectory = Self::assembled(first, samples, solution).because(MethodReason::Contact);
         Ok(Self { contact: Some(Box::new(motion)), ..trajectory.with_events(events, ending) })
@@ -78,7 +78,7 @@ impl Trajectory {
         let samples = samples.collect::<Result<_, _>>()?;
         let statistics = motion.statistics();
         let solution =
-            Solution::Integrated { method: Method::Taylor, tolerance: Some(tolerance), statistics };
+            Solution::Integrated { solver: Solver::Taylor, tolerance: Some(tolerance), statistics };
         let failed = |(time, cause): (f64, &MotionError)| Ending::Failed { time, cause: cause.clone() };
         let ending = motion.failure().map_or(Ending::Complete, failed);
         let trajectory = Self::assembled(first, samples, solution).because(MethodReason::Gimbals);

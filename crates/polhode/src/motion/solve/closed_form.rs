@@ -10,6 +10,10 @@ use crate::motion::model::state::State;
 use crate::motion::model::state::StateError;
 use crate::motion::model::torque::TorqueModel;
 
+/// The effect of constants that are rounded when they are formed, in units of the effect of the
+/// last bit of the inputs, which is known from few samples.
+pub(crate) const OF_ROUNDED_CONSTANTS: f64 = 2.8;
+
 /// A motion in closed form: the state at any time at once.
 ///
 /// Each of them is right to some 10⁻¹⁵ for as long as anything turns 10¹⁵ times, for the numbers given: no worse than the integrators at their tightest
@@ -81,14 +85,13 @@ impl ClosedForm {
     /// `book/error.md`.
     ///
     /// Those of a free motion have constants of three words; those of the others are rounded as the inputs are, whose worth is known from few
-    /// samples: four times as much.
+    /// samples: [`OF_ROUNDED_CONSTANTS`] times as much.
     pub(crate) fn formula_error(&self, after: f64, inputs: StateError) -> StateError {
         match self {
             Self::Free(motion) => motion.formula_error(after),
-            Self::HeavyTop(_) | Self::Swinging(_) => StateError {
-                attitude: (1.5e-15 + 2.8 * inputs.attitude).min(core::f64::consts::PI),
-                omega: 1e-15 + 2.8 * inputs.omega,
-            },
+            Self::HeavyTop(_) | Self::Swinging(_) => {
+                StateError { attitude: 1.5e-15, omega: 1e-15 }.plus(inputs, OF_ROUNDED_CONSTANTS)
+            }
         }
     }
 

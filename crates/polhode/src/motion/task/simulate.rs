@@ -99,7 +99,7 @@ impl Scenario {
     ) -> Option<Result<Trajectory, MotionError>> {
         let ground = self.ground()?;
         if !matches!(run.method, Method::Auto | Method::Taylor) {
-            let why = "a body on the ground is computed by Taylor series, method \"auto\" or \"taylor\"";
+            let why = "a body on the ground is computed by collocation or Taylor series, method \"auto\" or \"taylor\"";
             return Some(Err(MotionError::Exclusive { parts: ["contact", "method"], why }));
         }
         let start = ContactStart { state: self.start(), at: ground.at, velocity: ground.velocity };

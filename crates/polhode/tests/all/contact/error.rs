@@ -2,7 +2,7 @@
 
 use polhode::math::{Direction, Rotation};
 use polhode::motion::contact::{Contact, ContactChange, ContactLaw, Friction, StartVelocity, SurfaceShape};
-use polhode::motion::{Ending, ErrorEffort, GroundContact, Run, Trajectory};
+use polhode::motion::{Ending, ErrorEffort, GroundContact, Run, Solution, Solver, Trajectory};
 use polhode::prelude::*;
 
 use super::{generic_body, state, surface};
@@ -61,4 +61,21 @@ fn an_end_by_a_change_of_the_contact_has_an_error() {
     assert!(matches!(end, Ending::Contact { change: ContactChange::Lands, .. }), "{end:?}");
     let end = trajectory.error().unwrap().end().attitude;
     assert!(end > 1e-16 && end < 1e-9, "{end:e}");
+}
+
+/// Rolling is smooth, and is computed by collocation; slipping with dry friction by Taylor series.
+#[test]
+fn the_stated_solver_is_the_one_that_ran() {
+    let shape = SurfaceShape::Ellipsoid { semi_axes: [0.3, 0.25, 0.2] };
+    let rolling = Contact::rolling(surface(shape, [0.01, -0.02, 0.015]));
+    let friction = Friction { sticking: 0.2, kinetic: 0.2, viscous: 0.0 };
+    let slipping = Contact { law: ContactLaw::with_friction(friction).unwrap(), ..rolling };
+    let solver = |contact| match *motion(contact, 1e-13, 1.5).solution() {
+        Solution::Integrated { solver, .. } => solver,
+        _ => panic!("it is integrated"),
+    };
+    assert_eq!(solver(rolling), Solver::Collocation);
+    let found = solver(slipping);
+    assert!(matches!(found, Solver::Taylor | Solver::CollocationAndTaylor), "{found:?}");
+    assert_eq!(Solver::Collocation.name(), "collocation");
 }

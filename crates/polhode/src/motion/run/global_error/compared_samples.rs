@@ -5,7 +5,7 @@ use crate::motion::model::state::State;
 use crate::motion::model::state::StateError;
 use crate::motion::run::trajectory::Trajectory;
 
-/// What is compared costs as much as what is computed; between so many samples the distance is taken as linear in time.
+/// Compared samples cost as much as computed ones. Between two of them the larger distance is taken.
 const MOST: usize = 512;
 
 /// Samples in the order of their distance from the start.
@@ -37,6 +37,6 @@ impl ComparedSamples {
 
     /// The error of all samples from the distance at those that were compared.
     pub(super) fn errors(&self, distance: &Distance, floor: StateError) -> Vec<StateError> {
-        distance.at_all(&self.at, &self.samples).relative_to(&self.samples, floor)
+        distance.at_all(&self.at).relative_to(&self.samples, floor)
     }
 }

@@ -5,7 +5,7 @@ use crate::body::finding::{Finding, Severity};
 use crate::motion::model::state::StateError;
 use crate::motion::run::solution::Solution;
 use crate::motion::run::trajectory::Trajectory;
-use crate::motion::solve::method::Method;
+use crate::motion::solve::solver::Solver;
 
 /// Errors of the attitude below this, rad, are not reported.
 const SMALL: f64 = 1e-9;
@@ -26,7 +26,7 @@ impl Trajectory {
 
     fn computation_finding(&self, error: &GlobalError) -> Option<Finding> {
         let expected = match self.solution() {
-            Solution::Integrated { method: Method::Splitting { .. }, .. } => SMALL_OF_SPLITTING,
+            Solution::Integrated { solver: Solver::Splitting { .. }, .. } => SMALL_OF_SPLITTING,
             Solution::Integrated { tolerance, .. } => SMALL.max(WITHIN * tolerance.unwrap_or(0.0)),
             Solution::Exact(_) | Solution::Prescribed(_) => SMALL,
         };

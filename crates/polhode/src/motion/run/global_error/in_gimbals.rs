@@ -1,5 +1,6 @@
 //! The error of a motion in gimbals: other runs of it, with larger rounding and from other inputs.
 
+use super::comparison::ComparisonRun;
 use super::held::{of_held, reached};
 use super::inputs::Change;
 use super::{ErrorEffort, GlobalError};
@@ -9,7 +10,6 @@ use crate::math::vector::Vector;
 use crate::motion::gimbal::GimbalSimulation;
 use crate::motion::model::state::State;
 use crate::motion::run::trajectory::Trajectory;
-use crate::motion::solve::propagate::noise::StepNoise;
 
 /// Estimates of the error of a trajectory that a simulation has computed.
 pub(crate) fn of_gimbals(
@@ -18,21 +18,18 @@ pub(crate) fn of_gimbals(
     effort: ErrorEffort,
     progress: &mut dyn FnMut(f64) -> bool,
 ) -> GlobalError {
-    let steps = trajectory.gimbals().map_or(0, |motion| motion.statistics().accepted);
-    of_held(trajectory, steps, effort, &mut |inputs, noise, times| {
-        states(simulation, inputs, noise, times, progress)
-    })
+    let count = trajectory.gimbals().map_or(0, |motion| motion.statistics().accepted);
+    of_held(trajectory, count, effort, &mut |run, times| states(simulation, run, times, progress))
 }
 
 /// The states of a motion from other inputs, as far as it gets: another tensor and another lever of the rotor, other angles and rates at the start.
 fn states(
     simulation: &GimbalSimulation<'_>,
-    (seed, amplitude): (u64, f64),
-    noise: Option<StepNoise>,
+    run: ComparisonRun,
     times: &[f64],
     progress: &mut dyn FnMut(f64) -> bool,
 ) -> Vec<State> {
-    let mut change = Change::new(seed, amplitude);
+    let mut change = Change::new(run.inputs);
     let (body, gimbals) = (simulation.body(), simulation.gimbals());
     let inertia = InertiaTensor::from_symmetric(change.inertia(body.inertia().symmetric()));
     let lever = (body.center_of_mass() - gimbals.crossing()).to_array();
@@ -43,10 +40,10 @@ fn states(
         axis.starting(angle, rate)
     });
     let (body, gimbals) = (changed.unwrap_or(*body), gimbals.with_axes(axes));
-    let run = GimbalSimulation::new(&body, &gimbals, simulation.start(), times)
-        .tolerance(simulation.bound())
-        .with_noise(noise)
+    let motion = GimbalSimulation::new(&body, &gimbals, simulation.start(), times)
+        .tolerance(run.tolerance(simulation.bound()))
+        .with_noise(Some(run.steps))
         .run_watched(progress);
-    let Ok(motion) = run else { return Vec::new() };
+    let Ok(motion) = motion else { return Vec::new() };
     reached(motion.samples().iter().map(|s| s.state), times, motion.failure().is_some())
 }

@@ -24,8 +24,8 @@ pub(super) struct Inputs {
 }
 
 impl Inputs {
-    pub(super) fn of(simulation: &Simulation<'_>, seed: u64, amplitude: f64) -> Self {
-        let mut change = Change::new(seed, amplitude);
+    pub(super) fn of(simulation: &Simulation<'_>, changes: (u64, f64)) -> Self {
+        let mut change = Change::new(changes);
         let Simulation { rotor, history, start, .. } = *simulation;
         let stretch = change.stretch(rotor.inertia().symmetric());
         let inertia = stretched(rotor.inertia().symmetric(), stretch);
@@ -44,7 +44,7 @@ pub(super) struct Change {
 }
 
 impl Change {
-    pub(super) const fn new(seed: u64, amplitude: f64) -> Self {
+    pub(super) const fn new((seed, amplitude): (u64, f64)) -> Self {
         Self { random: Random::new(seed), delta: amplitude * HALF_BIT }
     }
 

@@ -1,13 +1,17 @@
 //! The global error of a computed motion: an estimate of how far its states are from the true ones.
 //!
-//! Balances of energy and momentum cannot see it: a motion that amplifies small errors keeps them and still goes astray. What carries
-//! errors along is the motion itself, so it is asked: the motion is computed again with a tighter tolerance and with every rounding made
-//! larger (of the body's numbers, of the start, and of each step), and the distance between the two is the estimate. It holds the
-//! truncation error of the steps as it is, and a sample of what rounding does, each error amplified from where it arises to the end
-//! by the full equations: with events, schedules and friction, far from linearity too.
+//! Balances of energy and momentum cannot see it: a motion that amplifies small errors keeps them
+//! and still diverges from the exact solution. So the motion is computed again, and the distance
+//! between the runs is the estimate ([`comparison`]). One run is made at the tightest tolerance, by
+//! Taylor's method where the torques have power series: its own truncation error is below rounding,
+//! so that its distance is the truncation error of the motion, whatever set the length of its steps.
+//! Others start from body and start changed by more than their rounding, and add noise larger than
+//! rounding after each step. Each error is amplified from where it arises to the end by the full
+//! equations: with events, schedules and friction, and beyond linearity.
 //!
-//! Rounding is amplified so much more in these runs than it is ([`noise`]) that a sample by chance small is still no smaller than the
-//! error; what is left is the chance that all samples of an effort are. [`ErrorEffort`] says what that costs.
+//! Rounding is amplified so much that a sample that is small by chance is still no smaller than the
+//! error; there remains the chance that all samples of an effort are small. [`ErrorEffort`] states
+//! what that costs.
 //!
 //! A closed form has no steps. Its error is that of its formulas, which are measured: `book/accuracy.md`.
 //!
@@ -19,6 +23,7 @@
 //! (rounding by random perturbation); Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, II.4 (global error).
 
 mod compared_samples;
+mod comparison;
 mod estimation;
 mod finding;
 mod free;
@@ -37,10 +42,11 @@ pub enum ErrorEffort {
     /// [`ErrorEffort::Thorough`] where that takes a few hundredths of a second at most, [`ErrorEffort::Cheap`] elsewhere.
     #[default]
     Auto,
-    /// One perturbed run with other steps: about the motion's own time. What steps leave out is taken for several times what the distance
-    /// shows, and rounding is made larger than in thorough runs, as it is a single sample.
+    /// Two comparison runs: one at the tightest tolerance, and one with larger rounding than in
+    /// thorough runs, as it is a single sample.
     Cheap,
-    /// Eight perturbed runs, and four from other inputs.
+    /// Thirteen comparison runs: one at the tightest tolerance, eight with larger rounding, and four
+    /// from other inputs.
     Thorough,
 }
 
@@ -49,8 +55,9 @@ pub enum ErrorEffort {
 /// The attitude's grow along the way: an angle that happens to be right between two times that are not is no merit.
 ///
 /// # Accuracy
-/// Of the motions of `fixtures/motion_errors.toml`, all torque models, chaotic, damped and stiff ones among them, none has more than
-/// twice the error that an estimate says; with other random numbers one of 300 has, of a cheap one: `book/error.md`.
+/// The target at every tolerance: the true error is at most twice the stated one. `book/error.md`
+/// has what it bounds, what it costs, and how good it is for motions of all torque models, chaotic,
+/// damped and stiff ones among them.
 ///
 /// ```
 /// use polhode::prelude::*;

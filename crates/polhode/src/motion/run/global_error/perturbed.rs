@@ -10,7 +10,7 @@ use crate::motion::model::state::State;
 use crate::motion::model::state::StateError;
 use crate::motion::run::integration::Integration;
 use crate::motion::run::simulation::Simulation;
-use crate::motion::solve::propagate::noise::Noise;
+use crate::motion::solve::propagate::noise::StepNoise;
 use crate::motion::solve::propagate::stepper::{Rule, Stepper};
 
 /// Beyond this angle, rad, an effect is not linear: it is tried again with less, and two motions tell nothing of a third.
@@ -25,8 +25,7 @@ pub(super) struct Perturbed<'a> {
     pub(super) inputs: Inputs,
     pub(super) rule: Rule,
     pub(super) tolerance: f64,
-    /// The noise of each step, and how many times as long steps are.
-    pub(super) noise: Option<(Noise, f64)>,
+    pub(super) steps: StepNoise,
 }
 
 /// How far the states of two motions are from one another, one by one.
@@ -51,7 +50,7 @@ impl Perturbed<'_> {
     ) -> Result<Vec<State>, MotionError> {
         let Simulation { torques, switched_off, events, event_sides, .. } = *self.simulation;
         let Inputs { rotor, history, start } = &self.inputs;
-        let mut stepper = Stepper::new(
+        let stepper = Stepper::new(
             self.rule,
             (rotor, history.as_ref()),
             torques,
@@ -60,11 +59,8 @@ impl Perturbed<'_> {
             self.tolerance,
             false,
         )?;
-        if let Some((noise, stretch)) = &self.noise {
-            stepper = stepper.perturbed(noise.clone(), *stretch);
-        }
         // The times of the half turns of torsions differ a little, too.
-        let stepper = stepper.beyond_half_turns();
+        let stepper = stepper.perturbed(self.steps).beyond_half_turns();
         // What stops the motion, or is only written down, does not change it.
         let switches: Vec<Event> = events.iter().filter(|event| event.switches()).cloned().collect();
         let sides = events.iter().zip(event_sides).filter(|(event, _)| event.switches());
@@ -94,6 +90,12 @@ impl Distance {
     pub(super) fn worse(self, other: Self) -> Self {
         let worse = |a: Vec<f64>, b: Vec<f64>| a.into_iter().zip(b).map(|(a, b)| a.max(b)).collect();
         Self { attitude: worse(self.attitude, other.attitude), omega: worse(self.omega, other.omega) }
+    }
+
+    /// The sum of both.
+    pub(super) fn plus(self, other: &Self) -> Self {
+        let sum = |a: Vec<f64>, b: &[f64]| a.into_iter().zip(b).map(|(a, b)| a + b).collect();
+        Self { attitude: sum(self.attitude, &other.attitude), omega: sum(self.omega, &other.omega) }
     }
 
     /// Infinite from an angle on that is too large to tell anything: multiplied or divided, it would be any number.
@@ -127,18 +129,16 @@ impl Distance {
         self
     }
 
-    /// The distance at all samples, where this one is that at these: linear in time between them.
-    pub(super) fn at_all(&self, at: &[usize], samples: &[State]) -> Self {
+    /// The distance at all samples, where this one is that at these: between two of them the larger one.
+    pub(super) fn at_all(&self, at: &[usize]) -> Self {
         let mut all = Self::default();
         let values = self.attitude.iter().zip(&self.omega).zip(at);
         for (((&a, &w), &k), ((&next_a, &next_w), &next)) in values.clone().zip(values.skip(1)) {
-            for sample in &samples[k..next] {
-                let [begin, end] = [samples[k].time, samples[next].time];
-                let part = (sample.time - begin) / (end - begin);
-                let between = |x: f64, next: f64| if part > 0.0 { x + part * (next - x) } else { x };
-                all.attitude.push(number_or_infinite(between(a, next_a)));
-                all.omega.push(number_or_infinite(between(w, next_w)));
-            }
+            all.attitude.push(a);
+            all.omega.push(w);
+            let between = next - k - 1;
+            all.attitude.extend(core::iter::repeat_n(a.max(next_a), between));
+            all.omega.extend(core::iter::repeat_n(w.max(next_w), between));
         }
         all.attitude.extend(self.attitude.last());
         all.omega.extend(self.omega.last());

@@ -9,7 +9,7 @@ use super::balanced::Balanced;
 use super::bound::Bound;
 use super::half_turn::{Torsions, cosine};
 use super::ledger::Ledger;
-use super::noise::Noise;
+use super::noise::{Noise, StepNoise};
 use super::piece::Piece;
 use super::runge_kutta::RungeKutta;
 use super::splitting::{Splitting, SplittingOrder};
@@ -160,13 +160,13 @@ impl<'a> Stepper<'a> {
     }
 
     /// The same with steps so many times as long, and perturbed after each of them. Steps of a given length keep it.
-    pub(crate) fn perturbed(mut self, noise: Noise, stretch: f64) -> Self {
+    pub(crate) fn perturbed(mut self, StepNoise { seed, amplitude, stretch }: StepNoise) -> Self {
         match &mut self.steps {
             Steps::Taylor(taylor) => taylor.stretch(stretch),
             Steps::Dop853(dop853) => dop853.stretch(stretch),
             Steps::Splitting(_) => {}
         }
-        Self { noise: Some(noise), ..self }
+        Self { noise: (amplitude > 0.0).then(|| Noise::new(seed, amplitude)), ..self }
     }
 
     /// Looks again at what acts now.

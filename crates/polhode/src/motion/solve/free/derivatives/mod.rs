@@ -49,6 +49,11 @@ use short::ShortSeries;
 /// moments within a factor of 10, next to symmetry, the separatrix and the axes, over 8 rad. It is 10⁻¹⁵ of most; θ by the tensor just
 /// after 0.1 rad has the fewest digits. Of a needle it is 2·10⁻¹⁵ times the ratio of its moments, where that is more.
 ///
+/// Single columns have fewer digits where their parts cancel: of a body with two equal moments θ by
+/// the diagonal elements along these axes, I_xx and I_yy of a top along z, is good to 2·10⁻¹¹ of
+/// the column. Every other column of such a body that is not below a hundredth of its block is good
+/// to 2·10⁻¹³.
+///
 /// # Cost
 /// Five to five and a half times that of a state; fifty times for as long as the body has turned by less than 0.1 rad.
 #[derive(Clone, Copy, Debug, PartialEq)]

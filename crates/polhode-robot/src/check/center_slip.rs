@@ -1,7 +1,7 @@
 //! Slips of a centre of mass: the other sign, another unit, exchanged coordinates.
 //!
-//! A slip undone must bring all three coordinates to the geometry's centroid, and may change none that is there already. A fix
-//! follows if one result is left.
+//! A slip undone must bring all three coordinates to the geometry's centroid, and may change none that is there already. A centroid
+//! at the origin confirms no unit, as every large factor leads there. A fix follows if one result is left.
 
 use polhode_formats::xml::Number;
 
@@ -35,14 +35,16 @@ pub(super) fn repair(model: &RobotModel, body: &Body, diagonal: f64) -> Option<(
     let mut found: Vec<(String, [String; 3])> = Vec::new();
     for solid in body.solids().filter(|s| is_plausible(s.kind, body.mass / s.volume)) {
         for (what, texts) in slips(&numbers) {
+            let value = |text: &str| text.parse::<f64>().unwrap_or(f64::NAN);
+            let right = texts.each_ref().map(|text| value(text));
             let explains = |k: usize| {
-                let value = |text: &str| text.parse::<f64>().unwrap_or(f64::NAN);
-                let [was, left] =
-                    [&numbers[k].text, &texts[k]].map(|text| (value(text) - solid.centroid[k]).abs());
+                let was = (value(&numbers[k].text) - solid.centroid[k]).abs();
+                let left = (right[k] - solid.centroid[k]).abs();
                 let is_kept = texts[k] == numbers[k].text || value(&numbers[k].text) == 0.0;
                 left <= NEAR * diagonal && (is_kept || BETTER * left <= was)
             };
-            if (0..3).all(explains) && !found.iter().any(|(_, others)| *others == texts) {
+            let is_told = BETTER * distance(right, solid.centroid) <= distance([0.0; 3], solid.centroid);
+            if is_told && (0..3).all(explains) && !found.iter().any(|(_, others)| *others == texts) {
                 found.push((what, texts));
             }
         }
@@ -54,6 +56,10 @@ pub(super) fn repair(model: &RobotModel, body: &Body, diagonal: f64) -> Option<(
     let description =
         format!("centre of mass {old} → {}: {what}; then it is the geometry's centroid", texts.join(" "));
     Some((what.clone(), Repair { description, edits }))
+}
+
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
 }
 
 /// The coordinates with each slip undone.

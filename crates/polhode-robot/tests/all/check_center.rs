@@ -99,3 +99,20 @@ fn a_sign_and_a_unit_are_fixed() {
     let all = found(&link("0.3 0.11 0.2", &shape));
     assert_eq!(only(&all, "mass.center_outside").repair, None);
 }
+
+#[test]
+fn simplified_meshes_may_miss_the_centre_by_a_hundredth_of_the_diagonal() {
+    // The box ends at x = 0.07; its diagonal is 0.1755 m.
+    let shape = visual("xyz=\"0.02 -0.03 0.04\"", "<box size=\"0.1 0.12 0.08\"/>");
+    assert!(is_clean(&found(&link("0.0717 -0.031 0.041", &shape))));
+    assert!((distance("0.0718 -0.031 0.041", &shape) - 0.0018).abs() < 1e-12);
+}
+
+/// Millimetres taken for metres lead to the origin from anywhere: a centroid there confirms them as little as any large factor.
+#[test]
+fn a_centroid_at_the_origin_confirms_no_unit() {
+    let shape = visual("xyz=\"0 0 0\"", "<box size=\"0.06 0.05 0.04\"/>");
+    for center in ["-0.122993 0.035033383 0.02774", "0.1 0 0"] {
+        assert_eq!(only(&found(&link(center, &shape)), "mass.center_outside").repair, None);
+    }
+}

@@ -10,8 +10,11 @@
 
 use super::body::Body;
 use super::edit::{multiplied, resized};
-use super::explanation::{BETTER, Candidates, Fit, LOOSE, SAME, Supposition, TIGHT, describe, percent};
+use super::explanation::{
+    BETTER, Candidates, Fit, LOOSE, SAME, Supposition, TIGHT, compared, describe, percent,
+};
 use super::material::{is_plausible, is_solid};
+use super::placeholder::is_round;
 use super::written::short;
 use super::{conjugate, factor, finding, formula, order, origin, sign, unit};
 use crate::finding::{Finding, Repair, Severity};
@@ -30,6 +33,9 @@ const MASSES: [(f64, &str); 8] = [
     (0.01, "the mass is 100 times too large"),
     (100.0, "the mass is 100 times too small"),
 ];
+
+/// Other explanations that a message lists.
+const RIVALS: usize = 3;
 
 /// The explanation of a link's numbers.
 #[derive(Debug, Default)]
@@ -61,11 +67,7 @@ fn with_one_slip(body: &Body, is_plausible: bool) -> Vec<Fit> {
     if is_plausible {
         // Nothing is wrong with what agrees as written.
         let solids: Vec<&Volume> = plausible(body).collect();
-        let agrees = |solid: &&Volume| {
-            let candidates = Candidates::of(body, solid, Supposition::NONE);
-            (0..6).all(|k| candidates.agrees(k, SAME))
-        };
-        if solids.iter().any(agrees) {
+        if solids.iter().any(|solid| is_of(body, solid, SAME)) {
             return fits;
         }
         for solid in solids {
@@ -79,6 +81,11 @@ fn with_one_slip(body: &Body, is_plausible: bool) -> Vec<Fit> {
         as_written(body, Supposition { scale: 1.0, mass }, &mut fits);
     }
     fits
+}
+
+/// True if the tensor as written is that of a solid with the mass as written.
+fn is_of(body: &Body, solid: &Volume, tolerance: f64) -> bool {
+    Candidates::of(body, solid, Supposition::NONE).all_agree(tolerance)
 }
 
 /// Explanations of an implausible density by two slips.
@@ -96,7 +103,8 @@ fn with_two_slips(body: &Body) -> Vec<Fit> {
     }
     for (mass, _) in MASSES {
         let supposition = Supposition { scale: 1.0, mass };
-        for solid in supposed(body, supposition) {
+        // A tensor that follows from the written mass has no slip of its own.
+        for solid in supposed(body, supposition).into_iter().filter(|solid| !is_of(body, solid, LOOSE)) {
             fits.append(&mut slips(body, solid, supposition));
         }
     }
@@ -105,10 +113,13 @@ fn with_two_slips(body: &Body) -> Vec<Fit> {
 
 /// The tensor as it is written, with another scale or mass.
 fn as_written(body: &Body, supposition: Supposition, fits: &mut Vec<Fit>) {
+    if is_round(body) {
+        return; // a placeholder confirms nothing
+    }
     let is_decimal = supposition.mass == 1.0 || supposition.mass.log10().fract().abs() < 1e-9;
     for solid in supposed(body, supposition) {
         let mut candidates = Candidates::of(body, solid, supposition);
-        candidates.offer_as_written(if is_decimal { LOOSE } else { TIGHT });
+        candidates.offer_as_written(if is_decimal { candidates.loose() } else { TIGHT });
         fits.append(&mut candidates.fits);
     }
 }
@@ -172,13 +183,16 @@ impl<'f> Choice<'f> {
         let mut cause = Cause::default();
         let mut others: Vec<String> = rivals.iter().map(|fit| words(fit)).collect();
         others.dedup();
-        others.truncate(3);
-        let or = others.iter().map(|other| format!("; or {other}")).collect::<String>();
+        let mut or = others.iter().take(RIVALS).map(|other| format!("; or {other}")).collect::<String>();
+        if others.len() > RIVALS {
+            or.push_str(&format!("; or {} more", others.len() - RIVALS));
+        }
         if let Some(slip) = &best.slip {
-            let [off, left] = [best.as_written, best.misfit].map(percent);
             let message = format!(
-                "{}: as written it is {off} from its geometry's tensor, without that mistake {left}{or}",
-                slip.mistake
+                "{}: as written {}, corrected {} from it{or}",
+                words(best),
+                compared(best.as_written, best.ratio),
+                percent(best.misfit),
             );
             let mut found =
                 finding(slip.code, Severity::Suspect, body.link, slip.span.clone(), message, slip.rule);
@@ -195,9 +209,9 @@ impl<'f> Choice<'f> {
             cause.density = Some((why, repair));
         } else if best.supposition.mass != 1.0 {
             let why = format!(
-                "{}: as written the tensor is {} from that of the geometry with this mass, then {}{or}",
+                "{}: as written the inertia is {}, corrected {} from it{or}",
                 words_of(&best.supposition),
-                percent(best.as_written_mass(body)),
+                compared(best.as_written_mass(body), best.supposition.mass),
                 percent(best.misfit),
             );
             let span = body.inertial.mass.span();
@@ -259,13 +273,13 @@ fn supposed_repair(model: &RobotModel, body: &Body, fit: &Fit) -> Option<Repair>
     (!edits.is_empty()).then_some(Repair { description, edits })
 }
 
-/// `"2000 kg/m³, and the tensor 0.1 % from its geometry's"`
+/// `"2000 kg/m³, and the tensor is 0.1 % from that of its geometry"`
 fn evidence(body: &Body, fit: &Fit) -> String {
     let solid = supposed(body, fit.supposition).into_iter().next();
     let density = solid.map_or(f64::NAN, |s| fit.supposition.mass * body.mass / s.volume);
     let slip = if fit.slip.is_some() { " (its own slip undone)" } else { "" };
     format!(
-        "{} kg/m³, and the tensor{slip} is {} from its geometry's",
+        "{} kg/m³, and the tensor{slip} is {} from that of its geometry",
         short(density, 3),
         percent(fit.misfit)
     )
@@ -293,8 +307,13 @@ fn words_of(supposition: &Supposition) -> String {
     unit.into_iter().chain(of_mass).collect::<Vec<_>>().join(", and ")
 }
 
-/// Suggests a unit that would make the density plausible, where the tensor does not confirm it.
+/// Suggests a unit that would make the density plausible, where no change makes the tensor agree, too.
 fn hint(body: &Body) -> String {
+    if let Some(solid) = body.solids().find(|solid| is_of(body, solid, LOOSE)) {
+        let in_grams = is_solid(1000.0 * body.mass / solid.volume);
+        let density = if in_grams { "density in g/cm³" } else { "wrong density" };
+        return format!("; the tensor agrees with this mass, so both may follow from a {density}");
+    }
     for rescaled in body.geometry.rescaled.iter().filter(|rescaled| rescaled.factor < 1.0) {
         let supposition = Supposition { scale: rescaled.factor, mass: 1.0 };
         if let Some(solid) = supposed(body, supposition).into_iter().next() {

@@ -8,7 +8,7 @@ use super::body::{Body, NAMES};
 use super::written::{negated, restyled, shifted, short};
 use crate::geometry::Volume;
 use crate::model::Span;
-use crate::moments::{Elements, difference, norm};
+use crate::moments::{Elements, difference, norm, trace};
 
 /// Tolerance of slips that keep the digits, as a part of each element: screws, holes and cables are not drawn.
 pub(super) const LOOSE: f64 = 0.03;
@@ -16,11 +16,17 @@ pub(super) const LOOSE: f64 = 0.03;
 /// Tolerance of slips that a formula or a factor like the mass explains: these agree to all digits, or by chance.
 pub(super) const TIGHT: f64 = 0.002;
 
+/// Tensors whose moments differ by less than this part have one number, which agrees by chance more often than six.
+const ISOTROPIC: f64 = 0.05;
+
 /// Rounding of the written digits counts up to this part of an element.
 const ROUNDING: f64 = 0.01;
 
 /// A changed element must be this many times farther off as written than with the slip undone. Below it both may be chance.
 pub(super) const BETTER: f64 = 5.0;
+
+/// The tensor as a whole must come this many times nearer.
+const BETTER_IN_ALL: f64 = 1.5;
 
 /// What is written must be off by this many times what rounding of its digits explains.
 const BEYOND_ROUNDING: f64 = 3.0;
@@ -83,6 +89,8 @@ pub(super) struct Fit {
     pub(super) misfit: f64,
     /// The same of the tensor as written.
     pub(super) as_written: f64,
+    /// Sum of the written moments by that of the geometry's.
+    pub(super) ratio: f64,
     /// The right tensor, along the inertial's axes.
     pub(super) tensor: Elements,
     pub(super) slip: Option<Slip>,
@@ -122,6 +130,19 @@ impl<'b, 'm> Candidates<'b, 'm> {
         (written - target).abs() <= tolerance * size + self.rounding(k, 1.0)
     }
 
+    /// True if all written elements are the solid's, within a part of them.
+    pub(super) fn all_agree(&self, tolerance: f64) -> bool {
+        (0..6).all(|k| self.agrees(k, tolerance))
+    }
+
+    /// Tolerance of slips that keep the digits.
+    pub(super) fn loose(&self) -> f64 {
+        let written = &self.body.written;
+        let third = trace(written) / 3.0;
+        let differences = norm(&difference(written, &[third, third, third, 0.0, 0.0, 0.0]));
+        if differences <= ISOTROPIC * norm(written) { TIGHT } else { LOOSE }
+    }
+
     /// The solid's second moments along the inertial's axes, times the mass.
     pub(super) fn second_moments(&self) -> [f64; 3] {
         let [xx, yy, zz, ..] = self.target;
@@ -140,7 +161,7 @@ impl<'b, 'm> Candidates<'b, 'm> {
 
     /// Offers the tensor as written, if it agrees under the supposition.
     pub(super) fn offer_as_written(&mut self, tolerance: f64) {
-        if (0..6).all(|k| self.agrees(k, tolerance)) {
+        if self.all_agree(tolerance) {
             let tensor = self.body.written;
             self.push(tensor, None, Vec::new());
         }
@@ -174,7 +195,9 @@ impl<'b, 'm> Candidates<'b, 'm> {
             }
         }
         let off = f64::max(SAME, BEYOND_ROUNDING * norm(&body.rounding) / norm(&body.written));
-        if is_better && self.as_written > off {
+        let misfit = norm(&difference(&right, &self.target)) / norm(&self.target);
+        // Where the other elements are as far off, the changed ones tell nothing.
+        if is_better && self.as_written > off.max(BETTER_IN_ALL * misfit) {
             let slip = slip();
             let edits = if slip.is_sure { self.edits(&changes) } else { Vec::new() };
             self.push(right, Some(slip), edits);
@@ -184,7 +207,8 @@ impl<'b, 'm> Candidates<'b, 'm> {
     fn push(&mut self, tensor: Elements, slip: Option<Slip>, edits: Vec<(Span, String)>) {
         let misfit = norm(&difference(&tensor, &self.target)) / norm(&self.target);
         let Self { supposition, as_written, .. } = *self;
-        self.fits.push(Fit { supposition, misfit, as_written, tensor, slip, edits });
+        let ratio = trace(&self.body.written) / trace(&self.target);
+        self.fits.push(Fit { supposition, misfit, as_written, ratio, tensor, slip, edits });
     }
 
     fn right(&self, changes: &[Change; 6]) -> Elements {
@@ -257,14 +281,20 @@ pub(super) fn named(elements: &[usize]) -> String {
     }
 }
 
-/// `"10 times too large"`, `"1000 times too small"`, of a factor that makes it right.
+/// `"10 times too large"`, `"10^6 times too small"`, of a factor that makes it right.
 pub(super) fn times_too(power: i32) -> String {
     let times = match power.unsigned_abs() {
-        1 => "10".to_owned(),
-        2 => "100".to_owned(),
+        few @ ..=4 => 10_u32.pow(few).to_string(),
         many => format!("10^{many}"),
     };
     format!("{times} times too {}", if power < 0 { "large" } else { "small" })
+}
+
+/// `"29 % from the tensor of its geometry"`; of moments that are far off, `"711 times the tensor of its geometry"`.
+pub(super) fn compared(misfit: f64, ratio: f64) -> String {
+    let is_far = ratio > 0.0 && !(0.5..=2.0).contains(&ratio);
+    let off = if is_far { format!("{} times", short(ratio, 3)) } else { format!("{} from", percent(misfit)) };
+    format!("{off} the tensor of its geometry")
 }
 
 /// A misfit in per cent; what rounding leaves of none is 0.

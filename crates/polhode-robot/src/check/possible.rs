@@ -18,7 +18,7 @@ use crate::moments::Elements;
 
 /// The part of i3 that rounding of a tensor's own digits may explain: what two written digits can be off by, half a unit
 /// each in 1.0 + 1.0 < 2.1. A number of one digit was typed, and stands as it is: diag(1, 1, 3) is impossible.
-const TYPED: f64 = 0.08;
+pub(super) const TYPED: f64 = 0.08;
 
 /// The part of i3 that single precision leaves of a flat plate's i1 + i2 = i3, printed with however many digits.
 const SINGLE_PRECISION: f64 = 1e-6;

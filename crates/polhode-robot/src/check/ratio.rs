@@ -3,8 +3,8 @@
 //! Bodies are not uniform, so a factor is allowed: three, of the sum of the moments, which depends on no axes. All mass at the
 //! corners of a box has three times the sum of the uniform box, and no mass within the box has more; a thin shell has 5/3 (a ball)
 //! to 2 (a tube). Below a third, the mass is within 0.6 of the size. Hulls accuse nobody, as the mesh bounds no solid, and
-//! nor do solids of an implausible density. A primitive of a low density is a simplified box around the body: it says
-//! how large moments may be, and not how small, unless all have one ratio. One solid that agrees is enough.
+//! nor do solids of an implausible density. A solid of a low density is drawn around the body: it says how large moments may be, and
+//! not how small, unless all have one ratio. Rounding of the written digits counts. One solid that agrees is enough.
 
 use super::body::{Body, NAMES};
 use super::dummy::{FRAME, Held};
@@ -12,6 +12,7 @@ use super::factor::RULE;
 use super::finding;
 use super::gyration::is_padded;
 use super::material::is_solid;
+use super::possible::TYPED;
 use super::written::short;
 use crate::finding::{Finding, Severity};
 use crate::geometry::{Volume, VolumeKind};
@@ -20,8 +21,9 @@ use crate::moments::{Elements, trace};
 /// Moments may be this many times larger or smaller.
 const FACTOR: f64 = 3.0;
 
-/// Primitives of a lower density, kg/m³, are boxes around a body.
-const AROUND: f64 = 300.0;
+/// Solids of a lower density, kg/m³, are drawn around a body that may be compact. Aluminium, 2,700 kg/m³, that fills a fifth of the
+/// volume has a third of the moments, as 5^(−2/3) = 0.34.
+const AROUND: f64 = 500.0;
 
 /// Ratios within this factor are one.
 const ONE_RATIO: f64 = 1.01;
@@ -40,6 +42,8 @@ pub(super) fn check(body: &Body, held: Held, findings: &mut Vec<Finding>) {
     if body.geometry.is_incomplete || !body.has_plausible_density() {
         return;
     }
+    let digits = body.rounding[..3].iter().sum::<f64>() / trace(&body.written);
+    let factor = FACTOR * (1.0 + digits.min(TYPED));
     let mut worst: Option<(f64, [f64; 3], &Volume)> = None;
     for solid in body.solids() {
         let target = body.in_inertial_axes(&body.implied(solid, body.mass));
@@ -49,9 +53,9 @@ pub(super) fn check(body: &Body, held: Held, findings: &mut Vec<Finding>) {
         let accuses = solid.kind != VolumeKind::Hull && is_solid(density);
         let [least, greatest] = extremes(ratios);
         let is_proportional = greatest <= ONE_RATIO * least && !is_isotropic(target);
-        let is_around = solid.kind == VolumeKind::Primitives && density < AROUND && !is_proportional;
+        let is_around = density < AROUND && !is_proportional;
         let off = if is_around { ratio } else { ratio.max(1.0 / ratio) };
-        if !(off > FACTOR) {
+        if !(off > factor) {
             return;
         }
         if accuses && worst.is_none_or(|(least, ..)| off < least) {

@@ -148,14 +148,13 @@ fn weight(format: ModelFormat, link: &Link) -> Weight {
             }
             let numbers: Option<Vec<f64>> =
                 inertial.tensor.slots().and_then(|slots| slots.map(Slot::finite).collect());
-            let zero = 0.0;
             match (&inertial.tensor, numbers.as_deref()) {
                 // MuJoCo takes a URDF's tensor of zeros as not given
-                (_, Some(numbers)) if format == ModelFormat::Urdf && numbers.iter().all(|x| *x == zero) => {
+                (_, Some(numbers)) if format == ModelFormat::Urdf && numbers.iter().all(|x| *x == 0.0) => {
                     Weight::Enough
                 }
                 (Tensor::Six(_), Some(&[xx, yy, zz, xy, xz, yz])) => of(mass, &[xx, yy, zz, xy, xz, yz]),
-                (Tensor::Diagonal(_), Some(&[a, b, c])) => of(mass, &[a, b, c, zero, zero, zero]),
+                (Tensor::Diagonal(_), Some(&[a, b, c])) => of(mass, &[a, b, c, 0.0, 0.0, 0.0]),
                 _ => Weight::Enough,
             }
         }

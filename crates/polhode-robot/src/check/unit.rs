@@ -5,11 +5,11 @@
 //! after the change of unit, in all elements, that is a fix. Where only the size is right, and the gyration radius
 //! absurd, it is a question ([`super::gyration`]).
 
-use super::explanation::{Candidates, Change, LOOSE, Slip, TIGHT, times_too};
+use super::explanation::{Candidates, Change, Slip, TIGHT, times_too};
 use super::factor::{self, RULE};
 use super::placeholder::is_round;
 use super::written::short;
-use crate::moments::{difference, norm, trace};
+use crate::moments::trace;
 
 /// A unit that moments of inertia are given in.
 #[derive(Clone, Copy, Debug)]
@@ -35,10 +35,6 @@ const UNITS: [Unit; 8] = [
 /// Powers of ten of tensors too small: the same slips the other way.
 const TOO_SMALL: [i32; 4] = [3, 4, 6, 9];
 
-/// Cubes and spheres have one number: it agrees by chance more often than six do. Below this part of the tensor its
-/// differences count as none, and its digits must agree.
-const ROUND: f64 = 0.05;
-
 /// The unit in which numbers too large by `ratio` would be right, to within a factor.
 pub(super) fn nearest(ratio: f64, within: f64) -> Option<Unit> {
     let distance = |u: &Unit| (ratio * u.factor).ln().abs();
@@ -51,10 +47,7 @@ pub(super) fn explain(candidates: &mut Candidates) {
     if is_round(body) {
         return; // a placeholder
     }
-    let third = trace(&body.written) / 3.0;
-    let differences = norm(&difference(&body.written, &[third, third, third, 0.0, 0.0, 0.0]));
-    let is_isotropic = differences <= ROUND * norm(&body.written);
-    let loose = if is_isotropic { TIGHT } else { LOOSE };
+    let loose = candidates.loose();
     let slip = |code, mistake, rule| Slip { code, mistake, rule, span: body.tensor_place(), is_sure: true };
     let size = || format!("{} kg·m² on {} kg", short(body.moments.values[2], 4), short(body.mass, 4));
     let right = trace(&candidates.target) / trace(&body.written);

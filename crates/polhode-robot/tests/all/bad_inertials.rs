@@ -162,7 +162,7 @@ fn a_power_of_ten_is_a_fix_if_the_geometry_confirms_it() {
     let fixed = repaired(&document, found);
     assert_eq!(fixed, document.replace("1676359E-6", "1676.359E-6"));
     assert_eq!(findings_with(&fixed, meant()), []);
-    assert!(found.message.contains("izz: 10^3 times too large"), "{}", found.message);
+    assert!(found.message.contains("izz: 1000 times too large"), "{}", found.message);
     // Geometry with another tensor confirms nothing, be it near.
     for edges in [[1.0, 1.4, 2.0], [0.1, 0.12, 0.14]] {
         let other = crate::check_common::block(edges, VolumeKind::Primitives);

@@ -276,3 +276,79 @@ fn a_mass_in_grams_is_fixed_by_density_and_tensor() {
     assert!(text.contains("mass value=\"6\"") || text.contains("mass value=\"6.000\""), "{text}");
     assert_eq!(suspects(&remaining), []);
 }
+
+/// Moments of a uniform box about its centre.
+fn of_box(mass: f64, [a, b, c]: [f64; 3]) -> [f64; 3] {
+    [b * b + c * c, a * a + c * c, a * a + b * b].map(|x| mass * x / 12.0)
+}
+
+/// A CAD program with 1.1 g/cm³ taken as 1.1 kg/m³ prints a mass and a tensor that agree; so does an author who wants a heavy table.
+#[test]
+fn a_mass_and_a_tensor_that_agree_have_no_slip_each() {
+    let edges = [0.1, 0.2, 0.3];
+    for (mass, hint) in [
+        ("0.0066", "the tensor agrees with this mass, so both may follow from a density in g/cm³"),
+        ("48000", "both may follow from a wrong density"),
+    ] {
+        let moments = of_box(mass.parse().unwrap(), edges).map(|x| format!("{x:.9e}"));
+        let (findings, text, _) =
+            of_one(mass, moments.each_ref().map(String::as_str), "<box size=\"0.1 0.2 0.3\"/>");
+        assert_eq!(suspects(&findings), [("a", "density.implausible")], "{findings:#?}");
+        let density = only(&findings, "density.implausible");
+        assert!(density.repair.is_none() && density.message.contains(hint), "{density:#?}");
+        assert!(text.contains(&format!("value=\"{mass}\"")), "{text}");
+    }
+}
+
+#[test]
+fn a_placeholder_confirms_no_scale() {
+    // A ball of 2 m with the tensor of templates: inches and a factor of 100 would fit by chance.
+    let (findings, _, _) = of_one("1", ["0.1"; 3], "<sphere radius=\"2\"/>");
+    assert!(findings.iter().all(|f| f.repair.is_none()), "{findings:#?}");
+}
+
+#[test]
+fn a_mass_of_about_a_kilogram_is_not_left_out() {
+    let moments = of_box(1.0, [0.1, 0.2, 0.3]).map(|x| format!("{x:.9}"));
+    let (findings, _, _) =
+        of_one("1.01", moments.each_ref().map(String::as_str), "<box size=\"0.1 0.2 0.3\"/>");
+    assert_eq!(suspects(&findings), []);
+}
+
+#[test]
+fn a_small_product_tells_nothing_where_all_elements_are_as_far_off() {
+    // The box is turned by 0.01 about z: ixy = (Iyy − Ixx) sin 2γ / 2 for moments Ixx, Iyy of the box, and the other sign is written.
+    let [xx, yy, zz] = of_box(1.3, [0.1, 0.2, 0.3]);
+    let product = 0.5 * (xx - yy) * 0.02_f64.sin();
+    let shape = "<box size=\"0.1 0.2 0.3\"/>";
+    let of = |factor: f64| {
+        let inertial = format!(
+            "<origin xyz=\"0 0 0\"/><mass value=\"1.3\"/><inertia ixx=\"{:.9}\" ixy=\"{:.9}\" ixz=\"0\" iyy=\"{:.9}\" iyz=\"0\" izz=\"{:.9}\"/>",
+            xx * factor,
+            -product,
+            yy * factor,
+            zz * factor
+        );
+        let text = one(&inertial, shape).replace("<collision>", "<collision><origin rpy=\"0 0 0.01\"/>");
+        found(&read_text(&text, "r.urdf".as_ref(), &ReadOptions::default()).unwrap())
+    };
+    assert_eq!(suspects(&of(1.016)), []);
+    assert_eq!(suspects(&of(1.0)), [("a", "inertia.sign")]);
+}
+
+#[test]
+fn geometry_around_a_compact_body_accuses_no_small_moments() {
+    // The tensor of a quarter of the sum; 400 and 2,000 kg/m³.
+    for (mass, expected) in [(2.4, vec![]), (12.0, vec![("a", "inertia.geometry")])] {
+        let [xx, yy, zz] = of_box(mass, [0.1, 0.2, 0.3]);
+        let moments = [0.23 * xx, 0.27 * yy, 0.25 * zz].map(|x| format!("{x:.9}"));
+        let (findings, _, _) =
+            of_one(&mass.to_string(), moments.each_ref().map(String::as_str), "<box size=\"0.1 0.2 0.3\"/>");
+        assert_eq!(suspects(&findings), expected, "{findings:#?}");
+    }
+    // Digits count: 1.6e-7 may be 1.65e-7, and a third of ⅖ · 0.01 · 0.011² is 1.61e-7.
+    for (moment, expected) in [("1.6e-7", vec![]), ("1.5e-7", vec![("a", "inertia.geometry")])] {
+        let (findings, _, _) = of_one("0.01", [moment; 3], "<sphere radius=\"0.011\"/>");
+        assert_eq!(suspects(&findings), expected, "{findings:#?}");
+    }
+}

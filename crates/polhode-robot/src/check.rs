@@ -12,7 +12,7 @@
 //!   (`check/ratio.rs`). It becomes one where a known slip, undone, leaves the geometry's tensor in every element
 //!   (`check/explain.rs`). Six numbers do not agree by chance.
 //! - A fix is offered if exactly one explanation fits all evidence of the link: the six numbers, the mass, the geometry and the
-//!   density. Without geometry there is a suggestion at most.
+//!   density. Without geometry there is a suggestion at most. A counterpart with other numbers withdraws it (`check/twin.rs`).
 //! - Where programs disagree on how a mesh is turned (glTF, COLLADA with y up), each reading will do, and nothing
 //!   that depends on axes is told or repaired.
 //!
@@ -49,6 +49,7 @@ mod refused;
 mod sign;
 mod tree;
 mod tree_order;
+mod twin;
 mod unit;
 mod written;
 
@@ -119,6 +120,7 @@ pub fn check_for(model: &RobotModel, geometry: &[LinkGeometry], programs: &[Prog
     refused::check(model, &tree, programs, &mut findings);
     pair::check(model, &tree, &bodies, &mut findings);
     placeholder::repeated(&bodies, &mut findings);
+    twin::withdraw(model, &bodies, &mut findings);
     let mut findings = alike::grouped(model, findings);
     for finding in &mut findings {
         finding.numbers.retain(|(_, x)| x.is_finite());

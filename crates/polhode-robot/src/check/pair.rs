@@ -24,7 +24,7 @@ use crate::model::{Geometry, GeometryShape, Joint, Link, RobotModel};
 use crate::moments::{PLACES, norm};
 
 /// What sides are called: left, right; rear ones as in FL FR RL RR and LF RF LH RH.
-const SIDES: [(&str, &str); 12] = [
+pub(super) const SIDES: [(&str, &str); 12] = [
     ("left", "right"),
     ("l", "r"),
     ("fl", "fr"),
@@ -40,13 +40,13 @@ const SIDES: [(&str, &str); 12] = [
 ];
 
 /// Sides are equal to within this: they were the same number once, and perhaps rounded.
-const EQUAL: f64 = 0.01;
+pub(super) const EQUAL: f64 = 0.01;
 
 /// A coordinate or a product is there if it is this part of its vector or tensor. Below, its sign may be noise.
 const THERE: f64 = 0.02;
 
 /// Mirror images, and then the same part turned by half a turn.
-const MAPS: [[f64; 3]; 7] = [
+pub(super) const MAPS: [[f64; 3]; 7] = [
     [-1.0, 1.0, 1.0],
     [1.0, -1.0, 1.0],
     [1.0, 1.0, -1.0],
@@ -108,7 +108,7 @@ fn mirrored_names(name: &str) -> Vec<String> {
 
 /// Where words begin and end: at what is no letter, and before a capital after a small letter or before one
 /// (`LHip` is L, Hip).
-fn words(name: &str) -> Vec<(usize, usize)> {
+pub(super) fn words(name: &str) -> Vec<(usize, usize)> {
     let bytes = name.as_bytes();
     let mut words = Vec::new();
     let mut start = None;

@@ -37,6 +37,7 @@ mod rules;
 mod sdf;
 mod sdf_include;
 mod slips;
+mod twins;
 mod urdf;
 mod usd;
 mod usd_stated;

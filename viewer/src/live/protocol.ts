@@ -187,7 +187,7 @@ export interface RobotInspection {
   links: RobotLink[];
   /** `file`, if the place is in one that the model includes. */
   findings: { link: number | null; code: string; severity: "impossible" | "suspect" | "note"; message: string; file?: string; line: number; column: number }[];
-  /** The repaired file and what was changed; null if nothing can be proved. */
+  /** The repaired file and what was changed; null if no fix is the only one that agrees with all evidence. */
   repair: { text: string; changes: { line: number; before: string; after: string }[] } | null;
 }
 

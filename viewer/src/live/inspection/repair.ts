@@ -6,7 +6,7 @@ import type { RobotInspection } from "../protocol";
 export function repair(proposed: RobotInspection["repair"], file: string): HTMLElement {
   const host = element("section", { class: "repair" }, element("h3", {}, "Repair"));
   if (!proposed) {
-    host.append(element("p", {}, "No repair can be proved from the file: which of its numbers is wrong, its author has to say."));
+    host.append(element("p", {}, "No fix is written: none is the only one that agrees with the mass, the tensor, the geometry and the density of its link."));
     return host;
   }
   const { text, changes } = proposed;

@@ -1,4 +1,4 @@
-/** A robot's links in words: those with findings first, and the repair that can be proved. */
+/** A robot's links in words: those with findings first, and the fix, if one was found. */
 import { element } from "../../dom";
 import { number } from "../../format";
 import type { RobotInspection, RobotLink } from "../protocol";

@@ -12,9 +12,9 @@ use super::written::short;
 use crate::finding::{Finding, Severity};
 use crate::model::RobotModel;
 
-/// Allowance for simplified meshes, parts that are not drawn and rounded coordinates, as a part of the diagonal of the geometry's
-/// bounds. Public models with the centre of mass at the edge of a flange or fingertip are within 0.4 %; known mistakes begin at 3 %.
-const ALLOWED: f64 = 0.01;
+/// Allowance for simplified meshes, parts that are not drawn and rounded coordinates, as a part of the diagonal of the
+/// geometry's bounds. Measured centres of public robots are up to 1.9 % outside of the meshes that are drawn.
+const ALLOWED: f64 = 0.02;
 
 pub(super) fn check(model: &RobotModel, body: &Body, held: Held, findings: &mut Vec<Finding>) {
     let (Some(distance), Some([low, high])) = (body.geometry.outside, body.geometry.bounds) else { return };

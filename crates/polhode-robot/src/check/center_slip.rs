@@ -1,7 +1,7 @@
 //! Slips of a centre of mass: the other sign, another unit, exchanged coordinates.
 //!
-//! A slip undone must bring all three coordinates to the geometry's centroid, and may change none that is there already. A centroid
-//! at the origin confirms no unit, as every large factor leads there. A fix follows if one result is left.
+//! A slip undone must bring all three coordinates to the geometry's centroid, and may change none that is there already.
+//! A centroid at the origin confirms no unit, as every large factor leads there. A fix follows if one result is left.
 
 use polhode_formats::xml::Number;
 

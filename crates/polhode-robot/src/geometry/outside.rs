@@ -52,7 +52,11 @@ impl Shapes<'_> {
             let ends = parts.iter().map(|part| part(direction));
             ends.max_by(|a, b| dot(*a, direction).total_cmp(&dot(*b, direction))).unwrap_or(point)
         };
-        Some(distance(point, support)).filter(|distance| distance.is_finite())
+        // In units of the farthest coordinate, so that no square overflows.
+        let unit = point.iter().fold(1.0, |max, c| f64::max(max, c.abs()));
+        let scaled = |v: [f64; 3]| v.map(|c| c / unit);
+        let distance = distance(scaled(point), |direction| scaled(support(direction)));
+        Some(unit * distance).filter(|distance| distance.is_finite())
     }
 }
 

@@ -12,7 +12,8 @@
 //!   (`check/ratio.rs`). It becomes one where a known slip, undone, leaves the geometry's tensor in every element
 //!   (`check/explain.rs`). Six numbers do not agree by chance.
 //! - A fix is offered if exactly one explanation fits all evidence of the link: the six numbers, the mass, the geometry and the
-//!   density. Without geometry there is a suggestion at most. A counterpart with other numbers withdraws it (`check/twin.rs`).
+//!   density. Without geometry there is a suggestion at most. A counterpart with other numbers withdraws it
+//!   (`check/twin.rs`).
 //! - Where programs disagree on how a mesh is turned (glTF, COLLADA with y up), each reading will do, and nothing
 //!   that depends on axes is told or repaired.
 //!
@@ -147,7 +148,11 @@ fn of_body(model: &RobotModel, body: &Body, held: Held) -> Vec<Finding> {
         (_, slip) => {
             // Why it may be wrong, the surest reason first: one is enough.
             findings.extend(slip.or(cause.mass.take()));
-            let is_open = |findings: &[Finding]| findings.iter().all(|f| f.severity < Severity::Suspect);
+            // With the mass or the sizes fixed, the tensor is right.
+            let is_explained = cause.density.as_ref().is_some_and(|(_, repair)| repair.is_some());
+            let is_open = |findings: &[Finding]| {
+                !is_explained && findings.iter().all(|f| f.severity < Severity::Suspect)
+            };
             let rules: [fn(&Body, Held, &mut Vec<Finding>); 3] =
                 [placeholder::check, gyration::check, ratio::check];
             for rule in rules {

@@ -260,6 +260,11 @@ fn supposed_repair(model: &RobotModel, body: &Body, fit: &Fit) -> Option<Repair>
     let mut edits = Vec::new();
     let mut changes = Vec::new();
     if scale != 1.0 {
+        // All shapes get the scale, so all must need it.
+        let needs_it = |solid: &Volume| is_plausible(solid.kind, mass * body.mass / solid.volume);
+        if body.geometry.is_incomplete || !body.rescaled(scale).all(needs_it) {
+            return None;
+        }
         edits.extend(resized(model, &body.link.geometry, scale)?);
         changes.push(format!("sizes of the geometry × {}", short(scale, 6)));
     }

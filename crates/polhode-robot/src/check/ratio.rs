@@ -3,8 +3,10 @@
 //! Bodies are not uniform, so a factor is allowed: three, of the sum of the moments, which depends on no axes. All mass at the
 //! corners of a box has three times the sum of the uniform box, and no mass within the box has more; a thin shell has 5/3 (a ball)
 //! to 2 (a tube). Below a third, the mass is within 0.6 of the size. Hulls accuse nobody, as the mesh bounds no solid, and
-//! nor do solids of an implausible density. A solid of a low density is drawn around the body: it says how large moments may be, and
-//! not how small, unless all have one ratio. Rounding of the written digits counts. One solid that agrees is enough.
+//! nor do solids of an implausible density. A primitive of a low density is a simplified box around the body: it says how
+//! large moments may be, and not how small, unless all have one ratio. The same holds of any solid of a low density around a
+//! compact body, whose moments are all small, but no smaller than those of a steel ball. Rounding of the written digits
+//! counts. One solid that agrees is enough.
 
 use super::body::{Body, NAMES};
 use super::dummy::{FRAME, Held};
@@ -13,7 +15,7 @@ use super::finding;
 use super::gyration::is_padded;
 use super::material::is_solid;
 use super::possible::TYPED;
-use super::written::short;
+use super::written::{short, significant};
 use crate::finding::{Finding, Severity};
 use crate::geometry::{Volume, VolumeKind};
 use crate::moments::{Elements, trace};
@@ -21,9 +23,15 @@ use crate::moments::{Elements, trace};
 /// Moments may be this many times larger or smaller.
 const FACTOR: f64 = 3.0;
 
-/// Solids of a lower density, kg/m³, are drawn around a body that may be compact. Aluminium, 2,700 kg/m³, that fills a fifth of the
-/// volume has a third of the moments, as 5^(−2/3) = 0.34.
-const AROUND: f64 = 500.0;
+/// Primitives of a lower density, kg/m³, are boxes around a body.
+const AROUND: f64 = 300.0;
+
+/// A body in a solid of a lower density, kg/m³, may be compact. Aluminium, 2,700 kg/m³, that fills a fifth of the volume has
+/// a third of the moments, as 5^(−2/3) = 0.34.
+const COMPACT: f64 = 500.0;
+
+/// Density of steel, kg/m³.
+const STEEL: f64 = 7850.0;
 
 /// Ratios within this factor are one.
 const ONE_RATIO: f64 = 1.01;
@@ -42,7 +50,12 @@ pub(super) fn check(body: &Body, held: Held, findings: &mut Vec<Finding>) {
     if body.geometry.is_incomplete || !body.has_plausible_density() {
         return;
     }
-    let digits = body.rounding[..3].iter().sum::<f64>() / trace(&body.written);
+    // A number of one digit was typed.
+    let rounded = body.numbers().filter(|(k, number)| *k < 3 && significant(&number.text) >= 2);
+    let digits = rounded.map(|(k, _)| body.rounding[k]).sum::<f64>() / trace(&body.written);
+    // ⅖ m r² about each axis
+    let radius = (0.75 * body.mass / STEEL / std::f64::consts::PI).cbrt();
+    let ball = 1.2 * body.mass * radius * radius;
     let factor = FACTOR * (1.0 + digits.min(TYPED));
     let mut worst: Option<(f64, [f64; 3], &Volume)> = None;
     for solid in body.solids() {
@@ -53,7 +66,9 @@ pub(super) fn check(body: &Body, held: Held, findings: &mut Vec<Finding>) {
         let accuses = solid.kind != VolumeKind::Hull && is_solid(density);
         let [least, greatest] = extremes(ratios);
         let is_proportional = greatest <= ONE_RATIO * least && !is_isotropic(target);
-        let is_around = density < AROUND && !is_proportional;
+        let is_compact = density < COMPACT && greatest < 1.0 / FACTOR && trace(&body.written) >= ball;
+        let is_box = solid.kind == VolumeKind::Primitives && density < AROUND;
+        let is_around = (is_box || is_compact) && !is_proportional;
         let off = if is_around { ratio } else { ratio.max(1.0 / ratio) };
         if !(off > factor) {
             return;

@@ -1,8 +1,8 @@
 //! Counterparts of a link as evidence: its other side, or the same part with another number.
 //!
-//! Names of counterparts differ only in sides and numbers. Their solids are the same ones, as they are, mirrored or turned by half a
-//! turn: with s of ±1 on each axis, c → s c and I_ij → s_i s_j I_ij. If a counterpart is without findings, its numbers are
-//! evidence: a fix that leads to others is not written.
+//! Names of counterparts differ only in sides and numbers. Their solids are the same ones, as they are, mirrored or turned
+//! by half a turn: with s of ±1 on each axis, c → s c and I_ij → s_i s_j I_ij. If a counterpart is without findings, its
+//! numbers are evidence: a fix that leads to others is not written.
 
 use std::collections::{HashMap, HashSet};
 

@@ -57,7 +57,7 @@ pub(super) const RULES: [Rule; 10] = [
         severity: Suspect,
         title: "the moments in sum are within a factor of three of the geometry's, and none is off by a known slip",
         why: "All mass at the corners of a box has three times the moments of the uniform box in sum, and no mass within the box has more; thin \
-              shells have twice the moments at most. Moments may be smaller if mass and volume give less than 500 kg/m³. Below that factor a tensor is suspect if a known slip explains every element: the mass left out, a power of ten, a wrong \
+              shells have twice the moments at most. All three may be smaller if mass and volume give less than 500 kg/m³. Below that factor a tensor is suspect if a known slip explains every element: the mass left out, a power of ten, a wrong \
               pair of lengths, full lengths in the place of half ones, the formula of a slender rod.",
         mend: "Compute the tensor of the link's own mesh: polhode inertia MESH --mass KG --write urdf. A fix is written where one slip alone explains \
                all elements, the mass and the density.",
@@ -159,7 +159,7 @@ pub(super) const RULES: [Rule; 10] = [
         severity: Suspect,
         title: "the centre of mass lies in the convex hull of the link's geometry",
         why: "It is a mean of the body's points, so no distribution of mass within the geometry has it outside. The distance is that from the convex \
-              hull of all shapes of the link; up to 1 % of their diagonal is allowed for simplified meshes and parts that are not \
+              hull of all shapes of the link; up to 2 % of their diagonal is allowed for simplified meshes and parts that are not \
               drawn.",
         mend: "Look for a wrong sign, another unit, or a centre that is measured from another frame. A fix is written where one of these alone brings it \
                to the geometry's centroid.",

@@ -269,12 +269,15 @@ fn a_simplified_collision_box_accuses_nobody() {
 }
 
 #[test]
-fn a_mass_in_grams_is_fixed_by_density_and_tensor() {
-    let (findings, text, remaining) =
-        of_one("6000", ["0.065", "0.05", "0.025"], "<box size=\"0.1 0.2 0.3\"/>");
-    assert!(suspects(&findings).contains(&("a", "density.implausible")), "{findings:#?}");
-    assert!(text.contains("mass value=\"6\"") || text.contains("mass value=\"6.000\""), "{text}");
-    assert_eq!(suspects(&remaining), []);
+fn a_mass_in_grams_or_tonnes_is_fixed_by_density_and_tensor() {
+    for (mass, right) in [("6000", "6.000"), ("0.006", "6")] {
+        let (findings, text, remaining) =
+            of_one(mass, ["0.065", "0.05", "0.025"], "<box size=\"0.1 0.2 0.3\"/>");
+        // The tensor is right, whatever it is for the mass as written.
+        assert_eq!(suspects(&findings), [("a", "density.implausible")], "{findings:#?}");
+        assert!(text.contains(&format!("mass value=\"{right}\"")), "{text}");
+        assert_eq!(suspects(&remaining), []);
+    }
 }
 
 /// Moments of a uniform box about its centre.
@@ -282,7 +285,7 @@ fn of_box(mass: f64, [a, b, c]: [f64; 3]) -> [f64; 3] {
     [b * b + c * c, a * a + c * c, a * a + b * b].map(|x| mass * x / 12.0)
 }
 
-/// A CAD program with 1.1 g/cm³ taken as 1.1 kg/m³ prints a mass and a tensor that agree; so does an author who wants a heavy table.
+/// A CAD program that takes 1.1 g/cm³ as 1.1 kg/m³ prints a mass and a tensor that agree.
 #[test]
 fn a_mass_and_a_tensor_that_agree_have_no_slip_each() {
     let edges = [0.1, 0.2, 0.3];
@@ -317,7 +320,7 @@ fn a_mass_of_about_a_kilogram_is_not_left_out() {
 
 #[test]
 fn a_small_product_tells_nothing_where_all_elements_are_as_far_off() {
-    // The box is turned by 0.01 about z: ixy = (Iyy − Ixx) sin 2γ / 2 for moments Ixx, Iyy of the box, and the other sign is written.
+    // The box is turned by γ = 0.01 about z: ixy = (Ixx − Iyy) sin 2γ / 2. The other sign is written.
     let [xx, yy, zz] = of_box(1.3, [0.1, 0.2, 0.3]);
     let product = 0.5 * (xx - yy) * 0.02_f64.sin();
     let shape = "<box size=\"0.1 0.2 0.3\"/>";
@@ -338,17 +341,41 @@ fn a_small_product_tells_nothing_where_all_elements_are_as_far_off() {
 
 #[test]
 fn geometry_around_a_compact_body_accuses_no_small_moments() {
-    // The tensor of a quarter of the sum; 400 and 2,000 kg/m³.
-    for (mass, expected) in [(2.4, vec![]), (12.0, vec![("a", "inertia.geometry")])] {
-        let [xx, yy, zz] = of_box(mass, [0.1, 0.2, 0.3]);
-        let moments = [0.23 * xx, 0.27 * yy, 0.25 * zz].map(|x| format!("{x:.9}"));
+    let suspect = || vec![("a", "inertia.geometry")];
+    // 400 and 2,000 kg/m³; then moments that are not all small, and moments below those of a steel ball.
+    for (mass, ratios, expected) in [
+        (2.4, [0.23, 0.27, 0.25], vec![]),
+        (12.0, [0.23, 0.27, 0.25], suspect()),
+        (2.4, [0.18, 0.22, 0.8], suspect()),
+        (2.4, [0.023, 0.027, 0.025], suspect()),
+    ] {
+        let uniform = of_box(mass, [0.1, 0.2, 0.3]);
+        let moments = [0, 1, 2].map(|k| format!("{:.9}", ratios[k] * uniform[k]));
         let (findings, _, _) =
             of_one(&mass.to_string(), moments.each_ref().map(String::as_str), "<box size=\"0.1 0.2 0.3\"/>");
         assert_eq!(suspects(&findings), expected, "{findings:#?}");
     }
     // Digits count: 1.6e-7 may be 1.65e-7, and a third of ⅖ · 0.01 · 0.011² is 1.61e-7.
-    for (moment, expected) in [("1.6e-7", vec![]), ("1.5e-7", vec![("a", "inertia.geometry")])] {
+    for (moment, expected) in [("1.6e-7", vec![]), ("1.5e-7", suspect())] {
         let (findings, _, _) = of_one("0.01", [moment; 3], "<sphere radius=\"0.011\"/>");
         assert_eq!(suspects(&findings), expected, "{findings:#?}");
+    }
+}
+
+#[test]
+fn a_scale_is_written_if_all_shapes_need_it() {
+    let seen = "</collision><visual><geometry><box size=\"100 200 300\"/></geometry></visual><collision>";
+    for (touched, is_written) in [
+        ("<box size=\"100 200 300\"/>", true),
+        ("<sphere radius=\"0.001\"/>", false),
+        ("<mesh filename=\"nowhere.stl\"/>", false),
+    ] {
+        let inertial = "<origin xyz=\"0 0 0\"/><mass value=\"12\"/>\
+             <inertia ixx=\"0.13\" ixy=\"0\" ixz=\"0\" iyy=\"0.1\" iyz=\"0\" izz=\"0.05\"/>";
+        let text = one(inertial, touched).replacen("<collision>", &format!("<collision>{seen}"), 1);
+        let text = text.replacen("<collision></collision>", "", 1);
+        let findings = found(&read_text(&text, "r.urdf".as_ref(), &ReadOptions::default()).unwrap());
+        let density = only(&findings, "density.implausible");
+        assert_eq!(density.repair.is_some(), is_written, "{touched}: {density:#?}");
     }
 }

@@ -16,7 +16,7 @@ fn moments([a, b, c]: [f64; 3]) -> [f64; 3] {
     [b * b + c * c, a * a + c * c, a * a + b * b].map(|x| MASS * x / 12.0)
 }
 
-/// A link that moves by a joint, its boxes mirrored along y on the right, with moments along its axes and the centre of mass.
+/// A link that moves by a joint; on the right its boxes are mirrored along y.
 fn link(name: &str, mass: f64, center: [f64; 3], [xx, yy, zz]: [f64; 3]) -> String {
     let side = if name.contains("right") { -1.0 } else { 1.0 };
     let shape = |role: &str, [a, b, c]: [f64; 3]| {
@@ -46,7 +46,7 @@ fn found(text: &str) -> Vec<Finding> {
 
 const CENTER: [f64; 3] = [0.02, 0.04, 0.15];
 
-/// By the box that is touched, with the pair of lengths of izz taken for another: x² + z² for x² + y².
+/// Moments of the box that is touched, with izz by x² + z² for x² + y².
 fn slip() -> [f64; 3] {
     let [xx, yy, _] = moments(TOUCHED);
     [xx, yy, yy]

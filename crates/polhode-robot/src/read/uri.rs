@@ -180,7 +180,10 @@ impl Roots {
     fn above(&self, start: &str, path: &str, take: &impl Fn(&Path) -> Option<PathBuf>) -> Option<PathBuf> {
         let mut folders = self.ancestors_below_checked();
         let (folder, file) = folders.find_map(|folder| Some((folder, self.file_in(folder, path, take)?)))?;
-        self.found(start, format!("names no package: its files are found from {}", self.shown(folder)));
+        self.found(
+            start,
+            format!("names no package; its files were found relative to {}", self.shown(folder)),
+        );
         Some(file)
     }
 
@@ -198,7 +201,10 @@ impl Roots {
         let (folder, file) = ancestors
             .filter(|folder| is_package(folder))
             .find_map(|folder| Some((folder, self.file_in(folder, path, take)?)))?;
-        self.found(start, format!("is {}, the folder of that name around the model", self.shown(folder)));
+        self.found(
+            start,
+            format!("was found at {}, an ancestor folder of the model with that name", self.shown(folder)),
+        );
         Some(file)
     }
 
@@ -216,8 +222,8 @@ impl Roots {
         match files.as_slice() {
             [] => Ok(None),
             [(folder, file)] => {
-                let of_name = "the only folder of that name in the checked one that holds it";
-                self.found(start, format!("is {}, {of_name}", self.shown(folder)));
+                let of_name = "the only folder of that name in the checked one with this file";
+                self.found(start, format!("was found at {}, {of_name}", self.shown(folder)));
                 Ok(Some(file.clone()))
             }
             [(first, _), (second, _), ..] => Err(format!(

@@ -56,7 +56,8 @@ fn an_ancestor_folder_with_the_packages_name_is_the_package() {
     let model =
         read_model(&folder.path("thing_description/urdf/deep/thing.urdf"), &ReadOptions::default()).unwrap();
     assert_eq!(mesh(&model), Ok(folder.path("thing_description/meshes/block.stl")));
-    let told = "package://thing_description/… is ../.., the folder of that name around the model";
+    let told =
+        "package://thing_description/… was found at ../.., an ancestor folder of the model with that name";
     assert_eq!(notes(&model), [("read.package", told)]);
     let found = inspect(&model, &Shapes::default()).findings;
     assert!(found.iter().all(|finding| finding.code != "geometry.unreadable"), "{found:?}");
@@ -112,8 +113,8 @@ fn a_package_below_the_checked_folder_is_found_if_it_is_the_only_one() {
     assert!(mesh(&read_model(&path, &ReadOptions::default()).unwrap()).is_err());
     let model = read_model(&path, &in_folder(&folder, "ws")).unwrap();
     assert_eq!(mesh(&model), Ok(folder.path("ws/vendor/arm_description/meshes/block.stl")));
-    let told = "package://arm_description/… is ../../vendor/arm_description, the only folder of that name in the checked \
-                one that holds it";
+    let told = "package://arm_description/… was found at ../../vendor/arm_description, the only folder of that name in the checked \
+                one with this file";
     assert_eq!(notes(&model), [("read.package", told)]);
 
     std::fs::create_dir_all(folder.path("ws/new/description/meshes")).unwrap();
@@ -152,9 +153,9 @@ fn uris_without_a_package_and_files_above_the_model_are_found_in_the_checked_fol
         ],
     );
     for (name, told) in [
-        ("empty", Some("package:///… names no package: its files are found from ..")),
-        ("slip", Some("package:///… names no package: its files are found from ../..")),
-        ("file", Some("file://… names no package: its files are found from ..")),
+        ("empty", Some("package:///… names no package; its files were found relative to ..")),
+        ("slip", Some("package:///… names no package; its files were found relative to ../..")),
+        ("file", Some("file://… names no package; its files were found relative to ..")),
         ("above", None),
     ] {
         let path = folder.path(&format!("ws/robot/urdf/{name}.urdf"));
@@ -166,7 +167,7 @@ fn uris_without_a_package_and_files_above_the_model_are_found_in_the_checked_fol
     }
     // a third slash before the package
     let model = read_model(&folder.path("ws/robot/urdf/slip.urdf"), &ReadOptions::default()).unwrap();
-    let told = "package:///robot/… is .., the folder of that name around the model";
+    let told = "package:///robot/… was found at .., an ancestor folder of the model with that name";
     assert_eq!(notes(&model), [("read.package", told)]);
     let scene = folder.path("ws/robot/urdf/scene.xml");
     let model = read_model(&scene, &in_folder(&folder, "ws")).unwrap();

@@ -1,4 +1,5 @@
-//! Scenarios, their tables, and plans: what is accepted is simulated a little, and every number of its table is finite. Logs of motions.
+//! Scenarios, their tables, and plans: what is accepted is simulated a little, and every number of
+//! its table is finite. Logs of motions.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -58,7 +58,9 @@ impl Budget {
     /// Draws `count` bodies. The same seed gives the same ones, and more draws go on where fewer end.
     ///
     /// # Errors
-    /// [`BudgetError::Draws`] of fewer than ten; [`BudgetError::TooManyDraws`] beyond [`MOST_DRAWN_ROWS`]; [`BudgetError::Part`] where errors are so large that a part is not finite.
+    /// [`BudgetError::Draws`] of fewer than ten; [`BudgetError::TooManyDraws`] beyond
+    /// [`MOST_DRAWN_ROWS`]; [`BudgetError::Part`] where errors are so large that a part is not
+    /// finite.
     pub fn draws(&self, basis: Basis, seed: u64, count: usize) -> Result<Draws, BudgetError> {
         self.draws_watched(basis, seed, count, &mut |_| ())
     }

@@ -173,7 +173,7 @@ pub enum BudgetError {
         /// The least that is of use.
         needed: usize,
     },
-    /// More draws than a list of so many uncertain rows may have.
+    /// More draws than the number of uncertain rows allows.
     TooManyDraws {
         /// Requested draws.
         given: usize,
@@ -318,7 +318,7 @@ impl fmt::Display for BudgetError {
             Self::Rows { most } => write!(f, "more than {most} rows"),
             Self::Draws { given, needed } => write!(f, "{given} draws, where {needed} at least are needed"),
             Self::TooManyDraws { given, rows, most } => {
-                write!(f, "{given} draws of {rows} uncertain rows: at most {most} of so many rows are made")
+                write!(f, "{given} draws of {rows} uncertain rows are too many: at most {most}")
             }
         }
     }

@@ -40,7 +40,8 @@ pub enum Source {
 }
 
 impl Budget {
-    /// Returns the `most` greatest contributions to the variance of each result, and the sum of all others. A result is given by its gradient.
+    /// Returns the `most` greatest contributions to the variance of each result, and the sum of all
+    /// others. A result is given by its gradient.
     ///
     /// # Errors
     /// As [`Budget::mass_properties`].

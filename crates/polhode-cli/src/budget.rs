@@ -52,8 +52,9 @@ const AT_FIRST: &str = "# As it is at first: polhode budget --scenario writes wh
 /// mass properties about any point and along any axes; the covariance of all ten numbers to first order, beside draws of bodies that can exist; principal axes and their tilt;
 /// whose errors matter.
 ///
-/// The default is 10,000 draws. Lists of more than 2,000 rows get fewer: rows times draws is 20 million, and 200 draws are the least.
-/// A number of draws that the file or --draws states is never changed. --draws 0 draws none.
+/// The default is 10,000 draws. Lists of more than 2,000 rows get fewer: rows times draws is 20
+/// million, and 200 draws are the least. A number of draws that the file or --draws states is never
+/// changed. --draws 0 draws none.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

@@ -35,9 +35,10 @@ use policy::PolicyFlags;
 
 /// Are the inertias of a robot or simulation model right? URDF, SDF, MJCF, USD, OpenSim.
 ///
-/// Impossible: these numbers are unphysical. Suspect: a body may, but hardly this link, by its own geometry. Each finding says
-/// where, by which rule, and the fix, if exactly one is consistent with all evidence. Folders are searched for .urdf, .sdf, .world,
-/// .usda and .osim files, and for .xml files that are models. What is allowed stands in polhode.toml, in a baseline, or in the model:
+/// Impossible: these numbers are unphysical. Suspect: a body may, but hardly this link, by its own
+/// geometry. Each finding says where, by which rule, and the fix, if exactly one is consistent with
+/// all evidence. Folders are searched for .urdf, .sdf, .world, .usda and .osim files, and for .xml
+/// files that are models. What is allowed stands in polhode.toml, in a baseline, or in the model:
 /// <!-- polhode: allow RULE: REASON -->.
 ///
 /// Exit status: 0 nothing impossible or suspect, 1 something is, 2 a file cannot be read.
@@ -62,12 +63,13 @@ pub(crate) struct Check {
     /// Models, and folders to search for them.
     #[arg(required_unless_present_any = ["explain", "out"], value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// A folder that holds packages, for package:// and model://; may be repeated. No mesh is opened outside of these, the folders that
-    /// are checked, the model's own and an ancestor folder with the package's name.
+    /// A folder that holds packages, for package:// and model://; may be repeated. No mesh is
+    /// opened outside of these, the folders that are checked, the model's own and an ancestor
+    /// folder with the package's name.
     #[arg(long = "root", value_name = "DIR")]
     roots: Vec<PathBuf>,
-    /// Program that has to accept the models; may be repeated. A link that it refuses, such as a moving one without mass, is an error
-    /// instead of a note.
+    /// Program that has to accept the models; may be repeated. A link that it refuses, such as a
+    /// moving one without mass, is an error instead of a note.
     #[arg(long = "for", value_enum, value_name = "PROGRAM")]
     programs: Vec<ForProgram>,
     #[command(flatten)]

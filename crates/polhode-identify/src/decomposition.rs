@@ -1,7 +1,8 @@
 //! Matrix decompositions, of finite matrices only.
 //!
-//! nalgebra's singular value decomposition panics on NaN, and its other decompositions return NaN. Every call goes through this module; clippy refuses nalgebra's own methods
-//! elsewhere (`disallowed-methods` in `clippy.toml`).
+//! nalgebra's singular value decomposition panics on NaN, and its other decompositions return NaN.
+//! Every call goes through this module; clippy refuses nalgebra's own methods elsewhere
+//! (`disallowed-methods` in `clippy.toml`).
 #![allow(clippy::disallowed_methods, reason = "the one place that calls them")]
 
 use nalgebra::allocator::Allocator;

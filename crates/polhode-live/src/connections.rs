@@ -45,7 +45,8 @@ struct Held {
 pub(crate) struct Busy(Place);
 
 impl Connections {
-    /// Returns a place for one more connection. If there is none, it closes the connection that has been idle the longest; if all are busy, it waits.
+    /// Returns a place for one more connection. If there is none, it closes the connection that has
+    /// been idle the longest; if all are busy, it waits.
     ///
     /// A connection is idle unless an admitted request is in progress. Without the token no request is admitted.
     pub(crate) async fn place(self: &Arc<Self>) -> Place {

@@ -35,7 +35,8 @@ pub(crate) const LIGHT: usize = 2;
 /// Time limit of a motion among the light computations; one that takes longer is computed again among the heavy ones.
 pub(crate) const FIRST_TRY: Duration = Duration::from_millis(100);
 
-/// For the body and the motion of that first try: what reads a body, as a formula of its density, does not look at the clock.
+/// Time limit of that first try with its body: what reads a body, as a formula of its density,
+/// does not look at the clock.
 pub(crate) const OVERRUN: Duration = Duration::from_millis(500);
 
 /// For the headers of a request to come.

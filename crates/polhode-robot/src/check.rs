@@ -11,9 +11,9 @@
 //! - A tensor that differs from its geometry's by less than a factor of three is not a finding: bodies are not uniform
 //!   (`check/ratio.rs`). It becomes one where a known slip, undone, leaves the geometry's tensor in every element
 //!   (`check/explain.rs`). Six numbers do not agree by chance.
-//! - A fix is offered if exactly one explanation fits all evidence of the link: the six numbers, the mass, the geometry and the
-//!   density. Without geometry there is a suggestion at most. A counterpart with other numbers withdraws it
-//!   (`check/twin.rs`).
+//! - A fix is offered if exactly one explanation fits all evidence of the link: the six numbers,
+//!   the mass, the geometry and the density. Without geometry there is a suggestion at most. A
+//!   counterpart with other numbers withdraws it (`check/twin.rs`).
 //! - Where programs disagree on how a mesh is turned (glTF, COLLADA with y up), each reading will do, and nothing
 //!   that depends on axes is told or repaired.
 //!

@@ -168,8 +168,9 @@ pub struct Link {
     /// True if the language computes mass, centre and tensor from the geometry, and `inertial` is `None` for that reason: an MJCF
     /// body without `<inertial>`, SDF's `<inertial auto="true">`.
     pub from_geometry: bool,
-    /// The mass that the language's compiler gives the link, where that is not what `inertial` says, or why it cannot be told. MJCF: from
-    /// geoms, and after `boundmass`, `boundinertia`, `balanceinertia` and `settotalmass`. SDF: from collisions, with `auto="true"`.
+    /// The mass that the language's compiler gives the link, where that is not what `inertial`
+    /// says, or why it cannot be told. MJCF: from geoms, and after `boundmass`, `boundinertia`,
+    /// `balanceinertia` and `settotalmass`. SDF: from collisions, with `auto="true"`.
     pub computed: Option<Result<ComputedMass, String>>,
 }
 
@@ -241,7 +242,8 @@ pub struct Geometry {
     pub shape: GeometryShape,
 }
 
-/// Shapes, in metres; the frame of each is at its middle, cylinders, capsules and cones along z. Sizes that are none are NaN.
+/// Shapes, in metres; the frame of each is at its middle, cylinders, capsules and cones along z.
+/// Sizes that are none are NaN.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GeometryShape {
     /// Whole edges.

@@ -41,8 +41,8 @@ pub struct ReadOptions {
     pub roots: Vec<PathBuf>,
     /// These roots and no others, for a model from elsewhere: neither its own folder, if it is not in them, nor a package around it.
     pub confined: bool,
-    /// Folder that is checked as a whole. Files below it may be opened. A package that no root or ancestor holds is looked up below
-    /// it: exactly one folder of that name has to hold the file.
+    /// Folder that is checked as a whole. Files below it may be opened. A package that no root or
+    /// ancestor holds is looked up below it: exactly one folder of that name has to hold the file.
     pub checked: Option<Arc<CheckedFolder>>,
 }
 

@@ -117,7 +117,8 @@ impl CheckReport {
         verdicts
     }
 
-    /// Counts what fixes would change and leave. If the fixed text was not checked, each fix is taken to remove its own finding alone.
+    /// Counts what fixes would change and leave. If the fixed text was not checked, each fix is
+    /// taken to remove its own finding alone.
     pub(crate) fn prospect(&self) -> Prospect {
         self.prospect.unwrap_or_else(|| {
             let repaired = repaired(&self.model, self.findings());

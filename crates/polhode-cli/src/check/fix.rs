@@ -17,8 +17,9 @@ use crate::stderr::shown;
 /// Flags for repairs.
 #[derive(Debug, Args)]
 pub(super) struct FixFlags {
-    /// Print the diff of all fixes that are the only consistent ones, the evidence of each above it, and write nothing; with OUT also
-    /// write the fixed model there, after the diff. Every other byte stays as it is.
+    /// Print the diff of all fixes that are the only consistent ones, the evidence of each above
+    /// it, and write nothing; with OUT also write the fixed model there, after the diff. Every
+    /// other byte stays as it is.
     #[arg(long = "fix", value_name = "OUT", num_args = 0..=1, conflicts_with_all = ["baseline", "write_baseline"])]
     out: Option<Option<PathBuf>>,
     /// Replace what --fix, --output or --write-baseline writes if it is there; never the model itself.

@@ -34,8 +34,8 @@ pub(super) struct MeshFlags {
     /// What one part of a mesh is made of: its name in the file, and its density, mass or material; may be repeated.
     #[arg(long, value_name = "NAME=WHAT", value_parser = part)]
     part: Vec<PartSubstance>,
-    /// The convex hull of each part of a mesh, closed or not, instead of the mesh. Clouds of points have one too: .xyz files, and .ply and .obj files
-    /// without faces.
+    /// The convex hull of each part of a mesh, closed or not, instead of the mesh. Clouds of points
+    /// have one too: .xyz files, and .ply and .obj files without faces.
     #[arg(long, conflicts_with = "shell")]
     hull: bool,
     /// A sheet of this thickness along a mesh, closed or not, instead of the solid in it.

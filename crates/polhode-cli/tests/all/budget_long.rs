@@ -11,7 +11,8 @@ use polhode_formats::table::workbook::{self, Cell, Sheet};
 
 use crate::common::{Scratch, json, refused};
 
-/// A list with errors: assemblies of 50 parts, each with a mass, its standard deviation and a centre; every tenth has a tensor.
+/// A list with errors: assemblies of 50 parts, each with a mass, its standard deviation and a
+/// centre; every tenth has a tensor.
 struct Parts {
     rows: usize,
 }
@@ -162,7 +163,7 @@ fn draws_are_as_many_as_are_asked_for() {
     // 2000 uncertain rows in 40 assemblies, and the root
     scratch.write("long.csv", &Parts { rows: 2000 }.csv());
     let error = refused(&scratch.run(&["budget", "long.csv", "--draws", "10000000"]), 2);
-    assert!(error.contains("10000000 draws of 2001 uncertain rows: at most 4997501"), "{error}");
+    assert!(error.contains("10000000 draws of 2001 uncertain rows are too many: at most 4997501"), "{error}");
     scratch.write("few.csv", &format!("# [result]\n# draws = 9\n{list}"));
     let error = refused(&scratch.run(&["budget", "few.csv"]), 2);
     assert!(

@@ -52,8 +52,9 @@ fn corpora_and_programs_have_the_names_of_targets() {
     }
 }
 
-/// Targets, seconds for each, and the seed: `POLHODE_FUZZ="identify live" POLHODE_FUZZ_SECONDS=60 cargo test -p polhode-cli --test all
-/// mutations -- --ignored --nocapture` prints a line for each target.
+/// Targets, seconds for each, and the seed: `POLHODE_FUZZ="identify live" POLHODE_FUZZ_SECONDS=60
+/// cargo test -p polhode-cli --test all mutations -- --ignored --nocapture` prints a line for each
+/// target.
 #[test]
 #[ignore = "random search for as long as POLHODE_FUZZ_SECONDS says; the gate runs the stored inputs"]
 fn mutations_of_the_stored_inputs_hold() {

@@ -53,7 +53,8 @@ pub(super) fn budgets(
     Ok(budgets)
 }
 
-/// Marks the rows of the table that have an effect: parts, frames of other rows, and frames whose origins tensors or tanks use.
+/// Marks the rows of the table that have an effect: parts, frames of other rows, and frames whose
+/// origins tensors or tanks use.
 fn mark_used(budget: &Budget, origins: &[u32], plan: &Plan, is_used: &mut [bool]) {
     let rows = budget.rows();
     let mut frames: HashSet<&str> = plan.tanks.iter().filter_map(|tank| tank.frame.as_deref()).collect();

@@ -84,7 +84,8 @@ impl BudgetReport {
         Self::watched(title, sources, configurations, limits, options, &mut |_| ())
     }
 
-    /// Computes the report as [`BudgetReport::new`] does, and calls `reached` with the number of drawn bodies of a configuration.
+    /// Computes the report as [`BudgetReport::new`] does, and calls `reached` with the number of
+    /// drawn bodies of a configuration.
     ///
     /// # Errors
     /// As [`BudgetReport::new`].

@@ -1,8 +1,9 @@
 //! A centre of mass outside the convex hull of all that the link is drawn with: `mass.center_outside`.
 //!
-//! The centre of mass is a mean of the body's points, so it lies in the convex hull of any geometry that holds the body. That is as
-//! strong as the triangle rule, for that geometry; but a link may have parts that are not drawn, so it is suspect. A plane that
-//! separates the centre from all shapes proves it (`geometry/separation.rs`).
+//! The centre of mass is a mean of the body's points, so it lies in the convex hull of any geometry
+//! that holds the body. That is as strong as the triangle rule, for that geometry; but a link may
+//! have parts that are not drawn, so it is suspect. A plane that separates the centre from all
+//! shapes proves it (`geometry/separation.rs`).
 
 use super::body::Body;
 use super::center_slip;

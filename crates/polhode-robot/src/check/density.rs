@@ -1,8 +1,8 @@
 //! Mass over volume that no material has: `density.implausible`.
 //!
-//! One solid within the bounds of materials is enough.
-//! An implausible density puts the geometry itself in doubt: its unit, or the mass. It is repaired if one change makes density
-//! and tensor agree ([`super::explain`]).
+//! One solid within the bounds of materials is enough. An implausible density puts the geometry
+//! itself in doubt: its unit, or the mass. It is repaired if one change makes density and tensor
+//! agree ([`super::explain`]).
 
 use super::body::Body;
 use super::dummy::{FRAME, Held};

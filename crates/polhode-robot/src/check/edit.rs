@@ -1,7 +1,7 @@
 //! Edits of numbers whose places a model does not keep: the sizes of shapes and the centre of mass.
 //!
-//! The element is read again from its own text. Where the numbers there are not those of the model, because another frame, a
-//! class of defaults or an entity stands between, nothing is edited.
+//! The element is read again from its own text. Where the numbers there are not those of the model,
+//! because another frame, a class of defaults or an entity stands between, nothing is edited.
 
 use polhode_formats::xml::{Element, Number, with_root};
 

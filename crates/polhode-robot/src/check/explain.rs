@@ -1,12 +1,14 @@
 //! The slip that explains the evidence of a link: its six numbers, its mass, its geometry and the density that it implies.
 //!
-//! The geometry has the tensor that a uniform body of its shape and the link's mass has. If that is not the written one, each
-//! known slip is undone in turn ([`super::explanation`]). If the density is implausible, so is the geometry or the mass as
-//! written: then each unit of length and each slip of the mass is supposed in turn, and only what makes density and tensor
-//! agree is an explanation.
+//! The geometry has the tensor that a uniform body of its shape and the link's mass has. If that is
+//! not the written one, each known slip is undone in turn ([`super::explanation`]). If the density
+//! is implausible, so is the geometry or the mass as written: then each unit of length and each
+//! slip of the mass is supposed in turn, and only what makes density and tensor agree is an
+//! explanation.
 //!
-//! Fewer slips explain better. A fix follows if a single outcome is left: of two explanations that fit as well and mean other
-//! numbers, neither is written. Nor is one that changes an element that another solid of the link confirms.
+//! Fewer slips explain better. A fix follows if a single outcome is left: of two explanations that
+//! fit as well and mean other numbers, neither is written. Nor is one that changes an element that
+//! another solid of the link confirms.
 
 use super::body::Body;
 use super::edit::{multiplied, resized};

@@ -1,8 +1,9 @@
 //! Slips that may explain a tensor, and the agreement that each is measured by.
 //!
-//! A slip is undone, and the result compared with the tensor that the geometry has, uniform, in every element. It explains the
-//! tensor if all elements agree, and if each element that it changes comes at least five times nearer to the geometry's. So an
-//! element that already agrees is never changed.
+//! A slip is undone, and the result compared with the tensor that the geometry has, uniform, in
+//! every element. It explains the tensor if all elements agree, and if each element that it changes
+//! comes at least five times nearer to the geometry's. So an element that already agrees is never
+//! changed.
 
 use super::body::{Body, NAMES};
 use super::written::{negated, restyled, shifted, short};

@@ -1,7 +1,8 @@
 //! Some moments, or one product, wrong by one factor, and everything else right: `inertia.geometry`.
 //!
-//! `izz="1676359E-6"` next to moments of some 2e-3 kg·m² is a point forgotten in 1676.359E-6. Two moments may be ten times too
-//! small, or one may lack the mass. A factor is a slip only if it is one of these.
+//! `izz="1676359E-6"` next to moments of some 2e-3 kg·m² is a point forgotten in 1676.359E-6. Two
+//! moments may be ten times too small, or one may lack the mass. A factor is a slip only if it is
+//! one of these.
 
 use super::explanation::{Candidates, Change, LOOSE, Slip, TIGHT, named as elements, times_too};
 use super::placeholder::is_round;

@@ -4,9 +4,10 @@
 //!
 //!   ixx = b + c,  iyy = a + c,  izz = a + b.
 //!
-//! Known slips take the wrong pair (izz = a + c), leave one of the two out (ixx = c: the formula of a slender rod), or take a
-//! length twice or half as long as it is (4 c, c/4; 2 c for H²/2 in the place of (H/2)²). The written value must be that of the
-//! slip to all digits, as bodies are not uniform; the right one is the geometry's.
+//! Known slips take the wrong pair (izz = a + c), leave one of the two out (ixx = c: the formula of
+//! a slender rod), or take a length twice or half as long as it is (4 c, c/4; 2 c for H²/2 in the
+//! place of (H/2)²). The written value must be that of the slip to all digits, as bodies are not
+//! uniform; the right one is the geometry's.
 
 use super::explanation::{Candidates, Change, Slip, TIGHT, named};
 use super::factor::{ROUND_SECTION, RULE};

@@ -1,12 +1,13 @@
 //! Six right numbers in the wrong places: `inertia.order`.
 //!
-//! There are three lists of the six elements: diagonal first (xx yy zz xy xz yz, as MJCF's `fullinertia`), the upper
-//! triangle by rows (xx xy xz yy yz zz, as URDF and SDF name them), and the lower triangle by rows (xx xy yy xz yz zz).
-//! One read as another puts products where moments belong, which mostly is impossible. Nine numbers by rows
-//! (xx xy xz yx yy yz …), cut at six, betray themselves by xy = yx in two places; zz is lost then. The products
-//! alone may be exchanged, too (xy yz xz, or yz xz xy as engineers number stresses), and the moments of a body
-//! without products (a cylinder along another axis), or two axes with all that belongs to them (y up for z up): only the geometry
-//! can tell that.
+//! There are three lists of the six elements: diagonal first (xx yy zz xy xz yz, as MJCF's
+//! `fullinertia`), the upper triangle by rows (xx xy xz yy yz zz, as URDF and SDF name them), and
+//! the lower triangle by rows (xx xy yy xz yz zz). One read as another puts products where moments
+//! belong, which mostly is impossible. Nine numbers by rows (xx xy xz yx yy yz …), cut at six,
+//! betray themselves by xy = yx in two places; zz is lost then. The products alone may be
+//! exchanged, too (xy yz xz, or yz xz xy as engineers number stresses), and the moments of a body
+//! without products (a cylinder along another axis), or two axes with all that belongs to them (y
+//! up for z up): only the geometry can tell that.
 
 use super::body::Body;
 use super::explanation::{Candidates, Change, LOOSE, Slip};
@@ -65,7 +66,8 @@ const MOMENTS: [Order; 5] = [
     order("moments in the order yy zz xx", [2, 0, 1, 3, 4, 5]),
 ];
 
-/// Axes exchanged with all that belongs to them. Frames of another handedness exchange two; a quarter of a turn changes signs, too.
+/// Axes exchanged with all that belongs to them. Frames of another handedness exchange two; a
+/// quarter of a turn changes signs, too.
 const AXES: [Order; 9] = [
     order("axes x and y exchanged", [1, 0, 2, 3, 5, 4]),
     order("axes x and z exchanged", [2, 1, 0, 5, 4, 3]),

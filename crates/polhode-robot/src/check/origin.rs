@@ -27,7 +27,8 @@ pub(super) fn explain(candidates: &mut Candidates) {
             "tensor about the link's origin, and no centre of mass given; the geometry's is {away} m from there"
         )
     };
-    // A small difference of large numbers has few digits. Where these do not tell it from the geometry's value, that is the right one.
+    // A small difference of large numbers has few digits. Where these do not tell it from the
+    // geometry's value, that is the right one.
     let size = right.iter().fold(0.0, |max, x| f64::max(max, x.abs()));
     let target = candidates.target;
     let is_targets = |k: usize| (right[k] - target[k]).abs() <= body.rounding[k];

@@ -2,15 +2,18 @@
 //!
 //! The languages allow such links. Programs treat them differently; the sources are:
 //!
-//! - MuJoCo 3, `mjCModel::CheckBodyMassInertia` in `user_model.cc`. A body with a joint needs mass and three principal moments of at
-//!   least `mjMINVAL` = 1e-15, its own or those of a jointless descendant. Otherwise the compiler refuses the model. In a URDF, a
-//!   link without `<inertial>` gets its mass from collision geometry; `xml_urdf.cc` gives visual geometry the density 0.
-//! - Gazebo, `CreateSDF` in `parser_urdf.cc` of libsdformat. A link without positive mass after fixed joints are lumped is not
-//!   converted, with a warning. Its joints and all links that hang from it are lost, too. A link named `world` is exempt.
-//! - Drake, `MultibodyTree::ThrowDefaultMassInertiaError`, which `Finalize` calls. It throws for a massless assembly of welded bodies
-//!   that moves by a joint and carries no other moving body.
-//! - Isaac Sim, a warning of `omni.physx`: "a possibly invalid inertia tensor … and a negative mass, small sphere approximated inertia
-//!   was used". It is for a rigid body without mass and colliders. UsdPhysics ignores a mass of 0.
+//! - MuJoCo 3, `mjCModel::CheckBodyMassInertia` in `user_model.cc`. A body with a joint needs mass
+//!   and three principal moments of at least `mjMINVAL` = 1e-15, its own or those of a jointless
+//!   descendant. Otherwise the compiler refuses the model. In a URDF, a link without `<inertial>`
+//!   gets its mass from collision geometry; `xml_urdf.cc` gives visual geometry the density 0.
+//! - Gazebo, `CreateSDF` in `parser_urdf.cc` of libsdformat. A link without positive mass after
+//!   fixed joints are lumped is not converted, with a warning. Its joints and all links that hang
+//!   from it are lost, too. A link named `world` is exempt.
+//! - Drake, `MultibodyTree::ThrowDefaultMassInertiaError`, which `Finalize` calls. It throws for a
+//!   massless assembly of welded bodies that moves by a joint and carries no other moving body.
+//! - Isaac Sim, a warning of `omni.physx`: "a possibly invalid inertia tensor … and a negative
+//!   mass, small sphere approximated inertia was used". It is for a rigid body without mass and
+//!   colliders. UsdPhysics ignores a mass of 0.
 //!
 //! The finding is a note, as the model may be for other programs. It is an error for the programs that the user names.
 

@@ -1,9 +1,10 @@
 //! Products with the other sign: `inertia.sign`.
 //!
-//! Some programs print +∫xy dm, some −∫xy dm; a tensor wants the second. The wrong one flips all three. One copied from
-//! the mirrored side of a robot has two of them flipped, the two that hold the mirrored axis. Both leave the moments
-//! of the diagonal right, and are possible as often as not: only the geometry can tell. It tells of each product by itself; a
-//! product too small to tell leaves the fix open.
+//! Some programs print +∫xy dm, some −∫xy dm; a tensor wants the second. The wrong one flips all
+//! three. One copied from the mirrored side of a robot has two of them flipped, the two that hold
+//! the mirrored axis. Both leave the moments of the diagonal right, and are possible as often as
+//! not: only the geometry can tell. It tells of each product by itself; a product too small to tell
+//! leaves the fix open.
 
 use super::explanation::{BETTER, Candidates, Change, LOOSE, SAME, Slip, named};
 use crate::model::Tensor;

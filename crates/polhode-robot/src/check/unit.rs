@@ -1,5 +1,5 @@
-//! All elements wrong by one factor: another unit entered as kg·m² (`inertia.unit`), or a power of ten, the mass, or lengths
-//! (`inertia.geometry`).
+//! All elements wrong by one factor: another unit entered as kg·m² (`inertia.unit`), or a power of
+//! ten, the mass, or lengths (`inertia.geometry`).
 //!
 //! CAD programs print g·mm² as they print kg·m², and a file does not say. Where the geometry's tensor is found again
 //! after the change of unit, in all elements, that is a fix. Where only the size is right, and the gyration radius

@@ -1,12 +1,14 @@
 //! Distance of a point from a convex body that is given by its support function.
 //!
-//! The support function returns the farthest point of the body in a direction. With v the point of the body nearest to the
-//! origin so far and w = support(−v), the plane through w perpendicular to v separates the body from the origin if v·w > 0, and
+//! The support function returns the farthest point of the body in a direction. With v the point of
+//! the body nearest to the origin so far and w = support(−v), the plane through w perpendicular to
+//! v separates the body from the origin if v·w > 0, and
 //!
 //!   v·w / |v| ≤ distance ≤ |v|.
 //!
-//! Polytopes end at equality after finitely many steps, whether a face, an edge or a vertex is nearest; round bodies converge
-//! to it. The lower bound is returned, so that a positive distance is always proved by a plane.
+//! Polytopes end at equality after finitely many steps, whether a face, an edge or a vertex is
+//! nearest; round bodies converge to it. The lower bound is returned, so that a positive distance
+//! is always proved by a plane.
 //!
 //! Source: Gilbert, Johnson & Keerthi, IEEE J. Robot. Autom. 4 (1988) 193; the subset of the simplex by exhaustion.
 

@@ -1,4 +1,5 @@
-//! Lookup of the files that a model names: under the roots, in the checked folder, or in an ancestor folder that is the package.
+//! Lookup of the files that a model names: under the roots, in the checked folder, or in an
+//! ancestor folder that is the package.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;

@@ -71,8 +71,9 @@ fn hostile_numbers() {
     }
 }
 
-/// A body of points anywhere within the slab's bounds, of any mass: possible by what it is, and never its geometry's. Suspect are
-/// those alone whose points are so near to each other that their moments are in sum less than a third of the slab's.
+/// A body of points anywhere within the slab's bounds, of any mass: possible by what it is, and
+/// never its geometry's. Suspect are those alone whose points are so near to each other that their
+/// moments are in sum less than a third of the slab's.
 #[test]
 fn bodies_of_any_kind_are_neither_impossible_nor_suspect() {
     let mut dice = Dice(11);

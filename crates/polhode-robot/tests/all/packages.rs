@@ -1,4 +1,5 @@
-//! Packages that no root is or holds: found in an ancestor folder of their name, or below the checked folder. Other files stay closed.
+//! Packages that no root is or holds: found in an ancestor folder of their name, or below the
+//! checked folder. Other files stay closed.
 
 use std::path::PathBuf;
 use std::sync::Arc;

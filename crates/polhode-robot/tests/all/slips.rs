@@ -1,7 +1,7 @@
 //! Slips as people make them, planted in links with exact geometry: what `--fix` writes is right, or nothing is written.
 //!
-//! Twelve slips, each in a number of random links, half of them with the geometry in millimetres besides. The large run, which also
-//! prints its table:
+//! Twelve slips, each in a number of random links, half of them with the geometry in millimetres
+//! besides. The large run, which also prints its table:
 //!
 //! `POLHODE_SLIPS=200 cargo test -p polhode-robot --test all slips -- --nocapture`
 

@@ -24,8 +24,8 @@ fn scenarios() -> core::ops::Range<u64> {
     from.parse().unwrap()..to.parse().unwrap()
 }
 
-/// Returns the measure of an event less its value, or a function that vanishes with that; the size of its terms; and whether a
-/// passage there counts.
+/// Returns the measure of an event less its value, or a function that vanishes with that; the size
+/// of its terms; and whether a passage there counts.
 fn gap(event: &Event, rotor: &Rotor, state: &State) -> (f64, f64, bool) {
     let (v, omega) = (event.value(), state.omega);
     let momentum = state.attitude.inverse() * rotor.angular_momentum_space(state);

@@ -2,8 +2,8 @@
 //!
 //! I = I_joint + Σ gear₁² I_actuator
 //!
-//! Source: mujoco.readthedocs.io, XML Reference, `joint/armature` and `actuator/general/armature`. Tendons are left out, as their
-//! contribution to a joint depends on the positions of other joints.
+//! Source: mujoco.readthedocs.io, XML Reference, `joint/armature` and `actuator/general/armature`.
+//! Tendons are left out, as their contribution to a joint depends on the positions of other joints.
 
 use std::collections::HashMap;
 

@@ -8,7 +8,8 @@ use crate::math::number::PI;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Position;
 
-/// The thin wall of a cone or a frustum, open or closed by disks, with the centre of its base at the origin and its axis along +z.
+/// The thin wall of a cone or a frustum, open or closed by disks, with the centre of its base at
+/// the origin and its axis along +z.
 ///
 /// open, of a cone, about its apex: I = M diag(r²/4 + h²/2, r²/4 + h²/2, r²/2)
 ///
@@ -33,7 +34,8 @@ impl ConeShell {
     /// A shell of the given radii at z = 0 and at z = `height`, m: closed by disks with `ends`, the wall alone without.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] if the height is not positive and finite, if a radius is negative or not finite, or if both are zero.
+    /// [`BodyError::Parameter`] if the height is not positive and finite, if a radius is negative
+    /// or not finite, or if both are zero.
     pub fn new(base_radius: f64, top_radius: f64, height: f64, ends: bool) -> Result<Self, BodyError> {
         not_negative("the conical shell's base radius", base_radius)?;
         not_negative("the conical shell's top radius", top_radius)?;

@@ -37,7 +37,8 @@ impl Cylinder {
     /// A cylinder of the given outer radius, radius of its bore, and length, m; without a bore if that is zero.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] if radius or length is not positive and finite. The inner radius is at least zero and less than the radius.
+    /// [`BodyError::Parameter`] if radius or length is not positive and finite. The inner radius is
+    /// at least zero and less than the radius.
     pub fn hollow(radius: f64, inner_radius: f64, length: f64) -> Result<Self, BodyError> {
         positive("the cylinder's radius", radius)?;
         representable(Self {

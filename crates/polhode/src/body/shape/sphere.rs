@@ -36,7 +36,8 @@ impl Sphere {
     /// A sphere of the given outer radius and radius of its cavity, m; without a cavity if that is zero.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] if the radius is not positive and finite. The inner radius is at least zero and less than the radius.
+    /// [`BodyError::Parameter`] if the radius is not positive and finite. The inner radius is at
+    /// least zero and less than the radius.
     pub fn hollow(radius: f64, inner_radius: f64) -> Result<Self, BodyError> {
         positive("the sphere's radius", radius)?;
         let inner_radius = hollow("the sphere's inner radius", inner_radius, radius)?;

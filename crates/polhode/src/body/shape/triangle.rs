@@ -53,11 +53,11 @@ impl Triangle {
         [u, v, [v[0] - u[0], v[1] - u[1]]].into_iter().map(|[x, y]| libm::hypot(x, y)).sum()
     }
 
-    /// Centroid p̄ and second moments about it per unit area: ⟨x xᵀ⟩ = 1/12 Σ (p_k − p̄)(p_k − p̄)ᵀ, as of its corners, each with a
-    /// twelfth of the mass.
+    /// Centroid p̄ and second moments about it per unit area: ⟨x xᵀ⟩ = 1/12 Σ (p_k − p̄)(p_k −
+    /// p̄)ᵀ, as of its corners, each with a twelfth of the mass.
     ///
-    /// Source: ∫ L₁ᵃ L₂ᵇ L₃ᶜ dA = 2A a! b! c!/(a + b + c + 2)! in area coordinates; Eisenberg, Malvern, Int. J. Numer. Methods Eng. 7 (1973)
-    /// 574.
+    /// Source: ∫ L₁ᵃ L₂ᵇ L₃ᶜ dA = 2A a! b! c!/(a + b + c + 2)! in area coordinates; Eisenberg,
+    /// Malvern, Int. J. Numer. Methods Eng. 7 (1973) 574.
     pub(super) fn moments(&self) -> ([f64; 2], Symmetric3) {
         let [u, v] = self.edges();
         // From the first corner, so that a place far from the origin costs no digits.

@@ -30,8 +30,8 @@ impl TriangularPrism {
     /// The prism with the given corners x, y in either order, and length along z, m.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] if a coordinate is not finite, if the corners lie on one line, or if the length is not positive and
-    /// finite.
+    /// [`BodyError::Parameter`] if a coordinate is not finite, if the corners lie on one line, or
+    /// if the length is not positive and finite.
     pub fn new(vertices: [[f64; 2]; 3], length: f64) -> Result<Self, BodyError> {
         let triangle =
             Triangle::new(vertices, "the triangular prism's vertex", "the triangular prism's area")?;

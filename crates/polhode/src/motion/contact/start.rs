@@ -9,8 +9,9 @@ use crate::motion::model::state::State;
 pub enum StartVelocity {
     /// As it must, so that the body rolls.
     Rolling,
-    /// Velocity whose component along the normal is zero, or the one that the contact demands. Zero is completed to that. A motion with any other
-    /// component is refused: the body would leave the ground or enter it.
+    /// Velocity whose component along the normal is zero, or the one that the contact demands. Zero
+    /// is completed to that. A motion with any other component is refused: the body would leave the
+    /// ground or enter it.
     Along(Velocity<Space>),
 }
 

@@ -250,7 +250,7 @@ impl<'a> Simulation<'a> {
         self.torques.iter().enumerate().find_map(|(k, torque)| Some((k, roughness(torque)?)))
     }
 
-    /// The method that is asked for, or the best.
+    /// The requested method, or the best.
     fn choose(&self) -> Result<(Way, MethodReason), MotionError> {
         let rough = self.rough_torque();
         let steps = |rule| Ok((Way::Steps(rule), MethodReason::Asked));

@@ -1,7 +1,8 @@
 //! The stated error of random scenarios at every tolerance, against their true motions.
 //!
-//! Bodies with distinct, nearly equal and nearly spherical moments, free and held at a pivot, with wheels; constant torques in body and in space,
-//! linear damping, gravity at a pivot, gravity gradient along an orbit, always or from one time to another; 0.01 to 100 turns; one sample or
+//! Bodies with distinct, nearly equal and nearly spherical moments, free and held at a pivot, with
+//! wheels; constant torques in body and in space, linear damping, gravity at a pivot, gravity
+//! gradient along an orbit, always or from one time to another; 0.01 to 100 turns; one sample or
 //! hundreds. Springs, formulas, ellipses and events are in `polhode-formats`, `motion_errors`.
 //!
 //! The gate takes 36 scenarios of up to 5 turns. The large test, in parts of 50 scenarios of up to 100 turns:
@@ -87,7 +88,7 @@ fn at_every_tolerance_no_stated_error_is_below_half_of_the_true_one() {
     );
 }
 
-/// Of free motion the stated error is that of the formulas: true errors are below it, whatever the body and the attitude.
+/// The stated error of a free motion is that of the formulas. True errors are below it, whatever the body and the attitude.
 #[test]
 fn the_stated_error_of_a_free_motion_bounds_the_true_one() {
     let (seeds, most) = scenarios();
@@ -113,8 +114,9 @@ fn the_stated_error_of_a_free_motion_bounds_the_true_one() {
     );
 }
 
-/// Derivatives of symmetric tops by the tensor, against differences of true motions: each column of θ and of ω relative to its own size and to 1e-2 of
-/// that of all six, as a column of a body that hardly wobbles is small because large parts cancel.
+/// Derivatives of symmetric tops by the tensor, against differences of true motions: each column of
+/// θ and of ω relative to its own size and to 1e-2 of that of all six, as a column of a body that
+/// hardly wobbles is small because large parts cancel.
 #[test]
 fn derivatives_of_symmetric_tops_are_differences_of_true_motions() {
     const H: f64 = 1e-9;

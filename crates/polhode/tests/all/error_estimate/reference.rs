@@ -1,6 +1,8 @@
-//! True motions: equations of motion with quadratic right-hand sides, by Taylor's method of order 30 in double-double numbers.
+//! True motions: equations of motion with quadratic right-hand sides, by Taylor's method of order
+//! 30 in double-double numbers.
 //!
-//! Nothing is shared with the library: the equations are stated along body axes, with the full tensor about the centre of mass or the pivot.
+//! Nothing is shared with the library: the equations are stated along body axes, with the full
+//! tensor about the centre of mass or the pivot.
 
 use std::collections::BTreeMap;
 
@@ -77,7 +79,7 @@ pub(super) fn image(matrix: &[[Double; 3]; 3], a: &Polynomials) -> Polynomials {
 /// ẏ as polynomials of y, y₀ = 1.
 pub(super) struct System {
     products: Vec<[usize; 2]>,
-    /// Of each variable from 1 on: the products in its rate, and their factors.
+    /// The products in the rate of each variable from 1 on, and their factors.
     rates: Vec<Vec<(usize, Double)>>,
 }
 
@@ -94,7 +96,7 @@ impl System {
         Self { products, rates }
     }
 
-    /// From y at a time to y at another.
+    /// Advances y from one time to another.
     pub(super) fn advance(&self, y: &mut [Double], from: f64, to: f64) {
         let end = Double::of(to) - Double::of(from);
         let mut done = Double::ZERO;
@@ -139,7 +141,8 @@ impl System {
     }
 }
 
-/// The step at which the last two terms are as small as they should be, in each group of variables relative to its largest: ω, the quaternion, and vectors.
+/// The step at which the last two terms are as small as they should be, in each group of variables
+/// relative to its largest: ω, the quaternion, and vectors.
 fn step(series: &[[Double; ORDER + 1]]) -> f64 {
     let mut step = f64::INFINITY;
     let [omega, others] = [&series[..3], &series[3..]];

@@ -10,15 +10,16 @@ use crate::motion::solve::propagate::stepper::TIGHTEST_TOLERANCE;
 
 /// Amplitude of the rounding of a step in a comparison run, in units of ε.
 const STEP_NOISE: f64 = 2.0;
-/// Of the constants that steps are made with, in units of half an ε.
+/// Amplitude of the rounding of the constants that steps are made with, in units of half an ε.
 const CONSTANT_NOISE: f64 = 3.0;
 /// Comparison runs with larger rounding of a thorough estimate.
 const ROUNDING_RUNS: u64 = 8;
 /// Comparison runs from other inputs of a thorough estimate.
 pub(super) const INPUT_RUNS: u64 = 4;
-/// Where the seeds of other inputs begin.
+/// First seed of the runs from other inputs.
 pub(super) const INPUT_SEED: u64 = 1_000;
-/// The last bit of the inputs, times: a power of two, so large that what steps do is nothing beside it, and so small that its effect stays linear ([`super::perturbed::LINEAR`]).
+/// Amplitudes of the changes of inputs, in units of half an ε: powers of two, so large that the steps
+/// do nothing beside them, and so small that their effect stays linear ([`super::perturbed::LINEAR`]).
 pub(super) const INPUT_AMPLITUDES: [f64; 3] = [4096.0, 64.0, 1.0];
 /// Factor on the rounding of a cheap estimate, which has a single sample of it.
 const CHEAP: f64 = 6.0;

@@ -134,8 +134,8 @@ impl Work for Advance<'_, '_> {
 }
 
 impl<'a, 'b> Advance<'a, 'b> {
-    /// Runs a batch for each body. Sums of one number read beyond the coefficients that are known, where a body before must not have
-    /// left its own: those of one that failed are infinite.
+    /// Runs a batch for each body. Sums of one number read beyond the coefficients that are known,
+    /// where a body before must not have left its own: those of one that failed are infinite.
     #[inline(always)]
     fn one_by_one<N: Number>(
         self,

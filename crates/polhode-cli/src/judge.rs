@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use polhode::infer::judge::JudgeError;
 use polhode_formats::run_log::{self, RunLog};
-use polhode_formats::scenario::ScenarioFile;
+use polhode_formats::scenario::{ScenarioFile, text_of};
 use polhode_formats::unit::Dimension;
 use polhode_formats::{Confinement, NotOpened};
 use polhode_report::{Document, JudgeReport, JudgedRun, judge_hint, pretty};
@@ -114,6 +114,7 @@ impl Judge {
     }
 
     fn report(&self) -> Result<JudgeReport, Failure> {
+        Confinement::require_folders(&self.roots)?;
         let is_scenario =
             |path: &PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
         let (scenarios, runs): (Vec<&PathBuf>, Vec<&PathBuf>) =
@@ -140,8 +141,9 @@ impl Judge {
             .collect::<Result<Vec<_>, Failure>>()?;
         let scenario = match scenarios.first() {
             Some(path) => {
-                logs.iter().try_for_each(|(run, log)| self.require_of(path, run, log))?;
-                ScenarioFile::read(path)?
+                let file = ScenarioFile::read(path)?;
+                logs.iter().try_for_each(|(run, log)| self.require_of(&file, run, log))?;
+                file
             }
             None => self.named(&logs)?,
         };
@@ -173,7 +175,9 @@ impl Judge {
                     NotOpened::Outside => {
                         "name the scenario before the run: polhode judge SCENARIO.toml RUN; or allow its folder: --root DIR"
                     }
-                    NotOpened::Missing => "name the scenario before the run: polhode judge SCENARIO.toml RUN",
+                    NotOpened::Missing | NotOpened::NotRegular => {
+                        "name the scenario before the run: polhode judge SCENARIO.toml RUN"
+                    }
                 };
                 Failure::usage(message, hint).about(run)
             })?;
@@ -196,22 +200,42 @@ impl Judge {
         Ok(ScenarioFile::read_within(&scenario, &confinement)?)
     }
 
-    /// A run that names a scenario is of that one: the same file, or one with the same text.
-    fn require_of(&self, scenario: &Path, run: &Path, log: &RunLog) -> Result<(), Failure> {
+    /// Checks that a run which names a scenario names the given one: the same path, or a file with the same text. A file that cannot be
+    /// compared is another one, as its name says little.
+    fn require_of(&self, scenario: &ScenarioFile, run: &Path, log: &RunLog) -> Result<(), Failure> {
         let Some(said) = &log.scenario else { return Ok(()) };
-        let is_same = match Confinement::of(run, &self.roots).file(folder(run), said) {
-            Ok(named) => {
-                let text = |path: &Path| fs::read(path).ok();
-                fs::canonicalize(scenario).is_ok_and(|given| given == named) || text(scenario) == text(&named)
+        if Confinement::is_path_of(folder(run), said, &scenario.path) {
+            return Ok(());
+        }
+        let named = match Confinement::of(run, &self.roots).file(folder(run), said) {
+            Ok(named) => named,
+            Err(why) => {
+                let message = format!(
+                    "it names the scenario {:?}, which was not compared with {}: {why}",
+                    said.display(),
+                    shown(&scenario.path)
+                );
+                let hint = match why {
+                    NotOpened::Outside => {
+                        "allow the folder of the scenario that the log names: --root DIR; or remove the line `scenario = …` from the log"
+                    }
+                    NotOpened::Missing | NotOpened::NotRegular => {
+                        "correct the line `scenario = …` of the log, or remove it"
+                    }
+                };
+                return Err(Failure::usage(message, hint).about(run));
             }
-            // It is not looked at: its name has to do.
-            Err(_) => said.file_name() == scenario.file_name(),
         };
+        let is_same = fs::canonicalize(&scenario.path).is_ok_and(|given| given == named)
+            || text_of(&named).is_ok_and(|text| text == scenario.text);
         if is_same {
             return Ok(());
         }
-        let message =
-            format!("it says that it is a run of {:?}, and {} is given", said.display(), shown(scenario));
+        let message = format!(
+            "it says that it is a run of {:?}, and {} is given",
+            said.display(),
+            shown(&scenario.path)
+        );
         let hint = "give the scenario that it is of, or remove the line `scenario = …` from the log";
         Err(Failure::usage(message, hint).about(run))
     }

@@ -118,7 +118,9 @@ impl<'s, 'a> Rows<'s, 'a> {
                 let error = self.reader.invalid(cell, "a file in the folder of the parts list, or below it");
                 Err(error.with_hint("--root DIR allows files in another folder"))
             }
-            _ => Ok(()),
+            Err(NotOpened::NotRegular) => Err(self.reader.invalid(cell, "a regular file")),
+            // The reader of the file says that it is missing.
+            Ok(_) | Err(NotOpened::Missing) => Ok(()),
         }
     }
 

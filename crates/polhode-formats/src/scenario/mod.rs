@@ -186,8 +186,11 @@ pub fn read(path: &Path) -> Result<Scenario, FormatError> {
     ScenarioFile::read(path).map(|file| file.scenario)
 }
 
-/// The text of a file.
-pub(crate) fn text_of(path: &Path) -> Result<String, FormatError> {
+/// Reads the text of a scenario file, of up to 64 MiB.
+///
+/// # Errors
+/// [`FormatError`] if the file cannot be read, is larger, or is not UTF-8.
+pub fn text_of(path: &Path) -> Result<String, FormatError> {
     let fail = |kind| FormatError::new(path, None, kind);
     let bytes = file::bytes(path, &path.to_string_lossy(), LARGEST_FILE).map_err(fail)?;
     if is_utf16(&bytes) {

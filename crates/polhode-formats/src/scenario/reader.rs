@@ -214,9 +214,15 @@ impl<'a> Value<'a> {
         // Of a plan and a data file in one text only the values of the latter are confined.
         if let Some(within) = self.source.within.filter(|_| self.source.rest.is_none() || of.is_some()) {
             let folder = source.path.parent().unwrap_or(Path::new(""));
-            if within.file(folder, Path::new(self.string()?)) == Err(NotOpened::Outside) {
-                let error = self.invalid("a file in the folder of the data file that names it, or below it");
-                return Err(error.with_hint("--root DIR allows files in another folder"));
+            match within.file(folder, Path::new(self.string()?)) {
+                Err(NotOpened::Outside) => {
+                    let error =
+                        self.invalid("a file in the folder of the data file that names it, or below it");
+                    return Err(error.with_hint("--root DIR allows files in another folder"));
+                }
+                Err(NotOpened::NotRegular) => return Err(self.invalid("a regular file")),
+                // The reader of the file says that it is missing.
+                Ok(_) | Err(NotOpened::Missing) => {}
             }
         }
         Ok(path)

@@ -1,6 +1,6 @@
 //! Buffers: bytes beside the document, in the GLB, in the document as base64, or in a file of its folder.
 
-use std::fs::{self, File};
+use std::fs::File;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 use std::rc::Rc;
@@ -125,13 +125,10 @@ impl<'a> Buffers<'a> {
         let path = confinement.file(folder, &path).map_err(|why| match why {
             NotOpened::Outside => outside(),
             NotOpened::Missing => failed(&io::ErrorKind::NotFound.into()),
+            NotOpened::NotRegular => uri.refused("uri", "an ordinary file"),
         })?;
         if let Some((_, bytes)) = self.files.iter().find(|(known, _)| *known == path) {
             return Ok(bytes.clone());
-        }
-        // A pipe or a device may be endless, and to open one may wait for ever.
-        if !fs::metadata(&path).map_err(|e| failed(&e))?.is_file() {
-            return Err(uri.refused("uri", "an ordinary file"));
         }
         let file = File::open(&path).map_err(|e| failed(&e))?;
         let bytes =

@@ -24,6 +24,12 @@ pub fn judge_hint(error: &JudgeError) -> Option<&'static str> {
         JudgeError::NoReading { .. } => {
             "is it the run of another scenario? Else say what its numbers are: --quaternion wxyz or xyzw, and --sense body-to-space or space-to-body"
         }
+        JudgeError::OtherRate { .. } => {
+            "check the unit of the angular velocity that the program was given: deg/s for rad/s is 57.3 times; and that of its times: --columns \"time ms = t\""
+        }
+        JudgeError::NotSearched { .. } => {
+            "--time-origin says the run's time at the scenario's time 0; --quaternion and --sense say what its numbers are"
+        }
         JudgeError::Ambiguous { .. } => {
             "say what its numbers are: --quaternion, --sense, --axes, --time-origin"
         }

@@ -66,6 +66,7 @@ fn readings(readings: &Readings) -> Value {
         "omega_factor": readings.omega.map(|omega| omega.factor),
         "against_names": readings.is_against_names,
         "from_own_start": readings.from_own_start,
+        "mistakes": readings.mistakes.iter().map(ToString::to_string).collect::<Value>(),
         "equivalent": readings.equivalent,
         "tried": readings.tried.iter().map(tried).collect::<Value>(),
     })

@@ -98,7 +98,8 @@ impl JudgedRun {
 
     /// True if a mistake of the program was found, and the error can be told from zero.
     pub fn has_mistake(&self) -> bool {
-        self.causes.mistake().is_some() && !self.is_attitude_exact()
+        let is_explained = self.causes.mistake().is_some() && !self.is_attitude_exact();
+        is_explained || !self.judgement.readings.mistakes.is_empty()
     }
 }
 

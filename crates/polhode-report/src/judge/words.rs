@@ -54,6 +54,10 @@ pub(super) fn read_as(run: &JudgedRun) -> Option<String> {
 /// `ω × I ω is left out: explains 99.9 % of the error`
 pub(super) fn why(run: &JudgedRun) -> String {
     let causes = &run.causes;
+    let mistakes: Vec<String> = run.judgement.readings.mistakes.iter().map(ToString::to_string).collect();
+    if !mistakes.is_empty() {
+        return format!("mistake of the program: {}", mistakes.join("; "));
+    }
     match causes.untried {
         Some(Untried::Exact) if run.largest() > LATE => {
             return format!(

@@ -31,6 +31,7 @@ mod jacobi_form;
 mod jacobian;
 mod judge;
 mod judge_causes;
+mod judge_mistakes;
 mod judge_readings;
 mod mass_derivatives;
 mod mass_history;

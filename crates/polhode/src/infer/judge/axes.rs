@@ -32,6 +32,11 @@ impl SignedAxes {
         Self::ALL.into_iter().find(|axes| plain(&axes.to_string()) == wanted)
     }
 
+    /// True if x × y = z.
+    pub(super) fn is_right_handed(self) -> bool {
+        Self::ALL.contains(&self)
+    }
+
     /// The opposite axes, which are left-handed if these are right-handed.
     #[must_use]
     pub fn reversed(self) -> Self {

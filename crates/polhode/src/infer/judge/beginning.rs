@@ -17,6 +17,9 @@ const NO_TURN: f64 = 1e-3;
 const WHOLE_TURN: f64 = 1.0;
 /// Greatest angle between two rows that follow a motion, rad.
 const FOLLOWED: f64 = 1.0;
+/// Relative difference of equal angular velocities. Units of time are farther apart than two mistakes of a program are from them: deg/s
+/// for rad/s turns a body 57.3 times more slowly, and s for min 60 times.
+const SAME_RATE: f64 = 0.01;
 
 /// Relation of a log's clock to the scenario's: t = (t_log − origin) · factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,6 +103,28 @@ impl Beginning {
     /// Largest |ω|, rad/s.
     pub(super) fn rate(&self) -> f64 {
         self.exact.iter().map(|state| state.omega.norm()).fold(0.0, f64::max)
+    }
+
+    /// True if the log turns as fast as the exact motion at its first row.
+    ///
+    /// δ_k = (ε + γ t_k) φ_k by least squares, where φ_k is the angle of the exact motion since the first row, and δ_k how much larger
+    /// that of the log is. ε is the difference at the first row; γ ≠ 0 is a wrong law of motion, or a rough method. Noise is less with γ = 0.
+    pub(super) fn has_same_rate(&self, log: &MotionLog) -> bool {
+        let (Some(&first), Some(start)) = (self.rows.first(), self.exact.first()) else { return false };
+        let (mut uu, mut uv, mut vv, mut du, mut dv) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        for (&row, exact) in self.rows.iter().zip(&self.exact).skip(1) {
+            // The angle between two attitudes does not depend on what the numbers of the quaternions mean.
+            let u = angle_between(start.attitude.quaternion(), exact.attitude.quaternion());
+            let delta = angle_between(log.attitude()[first], log.attitude()[row]) - u;
+            let v = u * (exact.time - start.time);
+            uu += u * u;
+            uv += u * v;
+            vv += v * v;
+            du += delta * u;
+            dv += delta * v;
+        }
+        let (constant, varying) = (du / uu, (du * vv - dv * uv) / (uu * vv - uv * uv));
+        constant.abs() <= SAME_RATE || varying.abs() <= SAME_RATE
     }
 
     /// Angle between the first row and the exact attitude there, rad.

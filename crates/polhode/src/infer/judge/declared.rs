@@ -64,6 +64,10 @@ pub struct DeclaredByName {
     pub sense: bool,
     /// True if [`DeclaredReading::omega_axes`] is.
     pub omega_axes: bool,
+    /// True if the unit of the times is.
+    pub time_unit: bool,
+    /// True if the unit of ω is.
+    pub omega_unit: bool,
 }
 
 impl DeclaredReading {
@@ -87,7 +91,7 @@ impl DeclaredReading {
     /// let log = DeclaredReading {
     ///     order: Some(QuaternionOrder::ScalarFirst),
     ///     omega_axes: Some(OmegaAxes::Body),
-    ///     by_name: DeclaredByName { order: true, omega_axes: true, sense: false },
+    ///     by_name: DeclaredByName { order: true, omega_axes: true, ..DeclaredByName::default() },
     ///     ..DeclaredReading::default()
     /// };
     /// let both = user.or(&log);
@@ -108,6 +112,8 @@ impl DeclaredReading {
                 order: self.order.is_none() && log.by_name.order,
                 sense: self.sense.is_none() && log.by_name.sense,
                 omega_axes: self.omega_axes.is_none() && log.by_name.omega_axes,
+                time_unit: self.time_factor.is_none() && log.by_name.time_unit,
+                omega_unit: self.omega_factor.is_none() && log.by_name.omega_unit,
             },
         }
     }

@@ -39,6 +39,19 @@ pub enum JudgeError {
         /// All that were tried, best first.
         tried: Vec<ReadingResidual>,
     },
+    /// The log turns more than five times faster or slower than the scenario near its start, and no other unit of time fits.
+    OtherRate {
+        /// Angular velocity of the log relative to that of the scenario.
+        ratio: f64,
+        /// All readings that were tried, best first.
+        tried: Vec<ReadingResidual>,
+    },
+    /// No reading of the log's numbers begins as the scenario does. Whether it begins some time after the scenario's start was not
+    /// searched, as that motion cannot be computed far enough.
+    NotSearched {
+        /// All readings that were tried, best first.
+        tried: Vec<ReadingResidual>,
+    },
     /// Several readings of the log's numbers fit about as well, and differ later on.
     Ambiguous {
         /// All that were tried, best first.
@@ -53,7 +66,7 @@ pub enum JudgeError {
     },
     /// Several readings of the log's angular velocities fit about as well, and differ later on.
     AmbiguousOmega {
-        /// All that were tried, best first.
+        /// Those that fit, best first.
         tried: Vec<OmegaResidual>,
     },
     /// The first row is too long after the scenario's start for the motion to be computed until there. The log does not begin as the
@@ -90,6 +103,20 @@ impl fmt::Display for JudgeError {
             Self::Motion(error) => error.fmt(f),
             Self::NoReading { tried } => {
                 f.write_str("no reading of the run's attitudes begins as the scenario does")?;
+                list(f, tried, 4)
+            }
+            Self::OtherRate { ratio, tried } => {
+                write!(
+                    f,
+                    "the run turns {ratio:.4} times as fast as the scenario at its start, and no other unit of time fits"
+                )?;
+                list(f, tried, 2)
+            }
+            Self::NotSearched { tried } => {
+                f.write_str(
+                    "no reading of the run's attitudes begins as the scenario does; whether it begins some time after the scenario's start \
+                     was not searched, as that motion cannot be computed far enough",
+                )?;
                 list(f, tried, 4)
             }
             Self::Ambiguous { tried, fitting } => {

@@ -9,19 +9,18 @@ use super::log::MotionLog;
 use super::omega_reading::{OmegaReading, OmegaResidual};
 use super::reading::Reading;
 use super::reference::{spread, states_within};
+use super::search::CLEARLY;
 use crate::motion::model::state::State;
 use crate::motion::task::scenario::Scenario;
 
-/// A reading fits if ω is off by no more than this part of |ω|.
-const FITS: f64 = 0.3;
-/// Bound of the same below which no other reading is tried.
-const EXACT: f64 = 1e-6;
-/// It is the one that is meant if all others are this many times farther off.
-const CLEARLY: f64 = 10.0;
-/// Relative difference of angular velocities that are the same.
-const SAME: f64 = 1e-12;
-/// A first row that is off by less than this part begins as the scenario: programs may have single precision.
-const BEGUN: f64 = 1e-4;
+/// Bound on the error of ω of a reading that fits, relative to |ω|: wrong components or a wrong unit are off by more.
+const OMEGA_FITS: f64 = 0.3;
+/// Bound on the same below which no other reading is tried: single precision passes it.
+const OMEGA_EXACT: f64 = 1e-6;
+/// Relative difference of equal angular velocities: rounding of two conversions.
+const OMEGA_SAME: f64 = 1e-12;
+/// Bound on the relative error of a first row that begins as the scenario: single precision and four digits pass.
+const OMEGA_BEGUN: f64 = 1e-4;
 /// Attitudes farther off than this, rad, say nothing of ω.
 const FOLLOWED: f64 = 0.1;
 /// Steps of integration to the last row.
@@ -59,18 +58,46 @@ impl Rows<'_> {
     fn is_same(&self, a: OmegaReading, b: OmegaReading) -> bool {
         let same = |row: usize| {
             let (a, b) = (self.read(row, a), self.read(row, b));
-            distance(a, b) <= SAME * distance(a, [0.0; 3])
+            distance(a, b) <= OMEGA_SAME * distance(a, [0.0; 3])
         };
         spread(self.omega.len(), COMPARED).into_iter().all(same)
     }
+
+    /// Returns the plainest of readings that fit; `None` if there is none, or another as plain one that differs. In a motion about one
+    /// axis a mirrored ω looks like one along other axes.
+    fn plainest(&self, fitting: &[OmegaResidual], meant: Option<OmegaAxes>) -> Option<OmegaReading> {
+        let kind = |reading: OmegaReading| match reading {
+            _ if reading.is_plain() => Kind::Plain,
+            _ if reading.components == SignedAxes::SAME => Kind::Unit,
+            _ if reading.has_axes(self.reading.sense) => Kind::Axes,
+            _ => Kind::Mirrored,
+        };
+        let rank = |reading: OmegaReading| (kind(reading), meant.is_some_and(|frame| frame != reading.frame));
+        let one = fitting.iter().map(|one| one.reading).min_by_key(|&one| rank(one))?;
+        let is_rival = |other: OmegaReading| {
+            rank(other) == rank(one) && !self.is_same(one, other)
+                || [kind(one), kind(other)] == [Kind::Axes, Kind::Mirrored]
+        };
+        (!fitting.iter().any(|other| is_rival(other.reading))).then_some(one)
+    }
+}
+
+/// Kinds of readings, the plainest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Kind {
+    Plain,
+    Unit,
+    Axes,
+    /// A mistake: see [`OmegaReading::has_axes`].
+    Mirrored,
 }
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2])
 }
 
-/// Finds the meaning of a log's angular velocities. Tried in turn: as declared; in the stated unit, along body or space axes; in
-/// another unit or with exchanged and negated components, if only one of these fits.
+/// Finds the meaning of a log's angular velocities: as declared; in the stated unit, along body or space axes; in another unit; with
+/// exchanged and negated components. Of readings that fit about equally well the plainest is meant.
 ///
 /// # Errors
 /// [`JudgeError::AmbiguousOmega`] where several readings fit and differ, [`JudgeError::NoOmega`] where none fits.
@@ -88,17 +115,18 @@ pub(super) fn omega_reading(
     let compared = compared(log, scenario, reading, beginning);
     let rows = Rows { log, omega, reading, compared };
     let [body, space] = OmegaAxes::ALL.map(OmegaReading::plain);
-    if rows.is_same(body, space) && rows.off(body) <= FITS {
+    if rows.is_same(body, space) && rows.off(body) <= OMEGA_FITS {
         return Ok(OmegaReading::plain(declared.omega_axes.unwrap_or(OmegaAxes::Body)));
     }
     let meant = declared.omega_axes;
     let [of_body, of_space] = [body, space].map(|plain| rows.off(plain));
     // No other reading has to be tried.
+    let is_exact = |one: f64, other: f64| one <= OMEGA_EXACT && CLEARLY * one.max(OMEGA_SAME) < other;
     let exact = match meant {
-        Some(OmegaAxes::Body) => (of_body <= EXACT).then_some(body),
-        Some(OmegaAxes::Space) => (of_space <= EXACT).then_some(space),
-        None if of_body <= EXACT && CLEARLY * of_body.max(SAME) < of_space => Some(body),
-        None if of_space <= EXACT && CLEARLY * of_space.max(SAME) < of_body => Some(space),
+        Some(OmegaAxes::Body) => (of_body <= OMEGA_EXACT).then_some(body),
+        Some(OmegaAxes::Space) => (of_space <= OMEGA_EXACT).then_some(space),
+        None if is_exact(of_body, of_space) => Some(body),
+        None if is_exact(of_space, of_body) => Some(space),
         None => None,
     };
     if let Some(exact) = exact {
@@ -109,30 +137,18 @@ pub(super) fn omega_reading(
         .filter(|tried| tried.relative.is_finite())
         .collect();
     tried.sort_by(|a, b| a.relative.total_cmp(&b.relative));
-    let plain = |other: &&OmegaResidual| {
-        other.reading.is_plain() && meant.is_none_or(|frame| frame == other.reading.frame)
-    };
-    let Some(best) = tried.first().copied() else {
-        return Err(JudgeError::NoOmega { tried });
-    };
-    let is_clear = |one: &OmegaResidual, other: &OmegaResidual| {
-        CLEARLY * one.relative.max(SAME) < other.relative || rows.is_same(one.reading, other.reading)
-    };
-    if let Some(plain) = tried.iter().find(plain).filter(|plain| plain.relative <= FITS)
-        && !(CLEARLY * best.relative.max(SAME) < plain.relative)
-    {
-        let other =
-            tried.iter().find(|other| other.reading.is_plain() && other.reading.frame != plain.reading.frame);
-        if meant.is_some() || other.is_none_or(|other| is_clear(plain, other)) {
-            return Ok(plain.reading);
-        }
-    } else if best.relative <= FITS && tried[1..].iter().all(|other| is_clear(&best, other)) {
-        return Ok(best.reading);
+    let best = tried.first().map_or(f64::INFINITY, |best| best.relative);
+    let bound = OMEGA_FITS.min(CLEARLY * best.max(OMEGA_SAME));
+    let fitting: Vec<OmegaResidual> = tried.iter().copied().take_while(|one| one.relative <= bound).collect();
+    if let Some(one) = rows.plainest(&fitting, meant) {
+        return Ok(one);
     }
     // Of a wrong law of motion the first row may be all that is right.
     let begun: Vec<OmegaReading> = [body, space]
         .into_iter()
-        .filter(|plain| meant.is_none_or(|frame| frame == plain.frame) && rows.first_off(*plain) < BEGUN)
+        .filter(|plain| {
+            meant.is_none_or(|frame| frame == plain.frame) && rows.first_off(*plain) < OMEGA_BEGUN
+        })
         .collect();
     match begun[..] {
         [only] => return Ok(only),
@@ -140,9 +156,9 @@ pub(super) fn omega_reading(
         [one, other] if CLEARLY * rows.first_off(other) <= rows.first_off(one) => return Ok(other),
         _ => {}
     }
-    Err(match best.relative <= FITS {
-        true => JudgeError::AmbiguousOmega { tried },
-        false => JudgeError::NoOmega { tried },
+    Err(match fitting.is_empty() {
+        false => JudgeError::AmbiguousOmega { tried: fitting },
+        true => JudgeError::NoOmega { tried },
     })
 }
 

@@ -4,7 +4,7 @@ use core::f64::consts::{PI, TAU};
 use core::fmt;
 
 use super::axes::SignedAxes;
-use super::declared::OmegaAxes;
+use super::declared::{AttitudeSense, OmegaAxes};
 
 /// Meaning of a log's angular velocities.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,6 +35,14 @@ impl OmegaReading {
     /// True if unit and components are the stated ones.
     pub fn is_plain(&self) -> bool {
         self.components == SignedAxes::SAME && self.factor == 1.0
+    }
+
+    /// True if some choice of right-handed axes gives the components; a mirrored ω is a mistake. The ω of space relative to the body,
+    /// −ω, goes with attitudes of space to body.
+    pub(super) fn has_axes(&self, sense: AttitudeSense) -> bool {
+        let is_of_space =
+            sense == AttitudeSense::SpaceToBody && self.components == SignedAxes::SAME.reversed();
+        self.components.is_right_handed() || is_of_space
     }
 
     /// Units that are tried, as factors of the stated one, with an example of each.

@@ -1,69 +1,144 @@
 //! Clocks under which a log begins some time after the scenario's start.
 
-use super::beginning::{BEGINNING, Beginning, COMPARED, Clock};
+use super::beginning::{BEGINNING, Beginning, COMPARED, Clock, logged_rate};
 use super::difference::{angle_between, rotation_vector};
+use super::error::JudgeError;
 use super::log::MotionLog;
 use super::reading::{Reading, ReadingResidual};
 use super::reference::{spread, states_within};
+use super::search::CLEARLY;
 use crate::motion::model::state::State;
 use crate::motion::task::scenario::Scenario;
 
 /// Turn between two states of the exact motion that a first row is compared with, rad.
 const TURN: f64 = 0.05;
-/// Number of these states.
+/// Number of these states: 400 rad.
 const LOOKED: usize = 8192;
-/// Steps of integration.
-const MOST: usize = 20_000;
+/// Steps of integration over them, and over a motion that may turn farther.
+const MOST: [usize; 2] = [20_000, 4000];
+/// Rounds in which the time that the motion takes for this turn is found, and states in each.
+const ROUNDS: usize = 16;
+const PROFILE: usize = 512;
 /// Approaches of the exact motion to the first row that are followed.
 const FOLLOWED: usize = 24;
 /// Angle within which an approach counts, on the grid and at its nearest, rad.
 const APPROACH: [f64; 2] = [0.2, 0.02];
-/// A clock fits if the attitudes are off by no more than this part of the turn: it is fitted to them.
-const FITS: f64 = 0.05;
-/// Ratio of residuals of clocks that fit equally well, and the residual that rounding makes, rad.
-const NEAR: f64 = 10.0;
+/// Bound on the residual of a clock that fits, relative to the turn: less than of other readings, as the clock is fitted to the rows.
+const FITS_FITTED: f64 = 0.05;
+/// Residual that rounding makes, rad.
 const ROUNDING: f64 = 1e-9;
 /// Angle between motions that are the same, rad, besides the residuals.
-const SAME: f64 = 1e-6;
+const SAME_SHIFTED: f64 = 1e-6;
+/// Ratio of the log's angular velocity to that of the exact motion near a first row, of a unit that is tried: |ω| may change soon.
+const RATES_TRIED: core::ops::RangeInclusive<f64> = 0.03..=30.0;
 
-/// Finds the clocks that fit: readings, best first, and the beginning of the best one. Of clocks that give the same motion to the last
-/// row only the earliest is kept. The clocks of `readings` are ignored.
+/// Result of a search for the time of a first row.
+#[derive(Debug)]
+pub(super) enum Shifted {
+    /// Readings, best first, and the beginning of the best one.
+    Found(Vec<ReadingResidual>, Beginning),
+    /// No clock fits.
+    Nowhere,
+    /// The exact motion cannot be computed.
+    NotSearched,
+}
+
+/// Finds the clocks that fit, in the stated unit of time and in others. Of clocks that give the same motion to the last row only the
+/// earliest is kept. The clocks of `readings` are ignored.
 pub(super) fn shifted(
     log: &MotionLog,
     scenario: &Scenario,
     readings: &[Reading],
-    factors: &[f64],
-    rate: f64,
-) -> Option<(Vec<ReadingResidual>, Beginning)> {
-    let start = scenario.start();
-    let step = TURN / rate;
-    if !step.is_finite() {
-        return None;
-    }
-    let grid: Vec<f64> = (0..LOOKED).map(|k| start.time + step * k as f64).collect();
-    let states = states_within(scenario, start, &grid, MOST).ok()??;
+    stated: f64,
+    others: &[f64],
+) -> Shifted {
+    let rows = log.times();
+    let duration = stated * (rows[rows.len() - 1] - rows[0]);
+    let Some(states) = searched(scenario, duration) else { return Shifted::NotSearched };
+    let rate = logged_rate(log);
     let mut found = Vec::new();
     for &reading in readings {
         let first = reading.quaternion(log.attitude()[0]);
-        for time in approaches(scenario, &states, first) {
-            found.extend(factors.iter().filter_map(|&factor| fitted(log, scenario, reading, time, factor)));
+        for near in approaches(scenario, &states, first) {
+            found.extend(fitted(log, scenario, reading, near.time, stated));
+            let agrees = |factor: &&f64| {
+                rate.is_some_and(|rate| RATES_TRIED.contains(&(rate / (**factor * near.omega.norm()))))
+            };
+            // Rows of a motion that is slow enough fit any unit.
+            let scaled = others.iter().filter(agrees);
+            let scaled = scaled.filter_map(|&factor| fitted(log, scenario, reading, near.time, factor));
+            found.extend(scaled.filter(|(_, beginning)| beginning.has_same_rate(log)));
         }
     }
     found.sort_by(|(a, _), (b, _)| a.attitude.total_cmp(&b.attitude));
-    let best = found.first()?.0;
+    let Some(&(best, _)) = found.first() else { return Shifted::Nowhere };
     let is_same = |(other, _): &(ReadingResidual, Beginning)| {
-        let is_near = other.attitude <= NEAR * best.attitude.max(ROUNDING);
+        let is_near = other.attitude <= CLEARLY * best.attitude.max(ROUNDING);
         *other == best || is_near && is_same_motion(log, scenario, &best, other)
     };
     let (same, others): (Vec<_>, Vec<_>) = found.into_iter().partition(is_same);
     let first = |(tried, _): &(ReadingResidual, Beginning)| tried.reading.time(log.times()[0]);
-    let (earliest, beginning) = same.into_iter().min_by(|a, b| first(a).total_cmp(&first(b)))?;
+    let earliest = same.into_iter().min_by(|a, b| first(a).total_cmp(&first(b)));
+    let Some((earliest, beginning)) = earliest else { return Shifted::Nowhere };
     let others = others.into_iter().map(|(other, _)| other);
-    Some((core::iter::once(earliest).chain(others).collect(), beginning))
+    Shifted::Found(core::iter::once(earliest).chain(others).collect(), beginning)
 }
 
-/// The times at which the exact motion passes an attitude, s.
-fn approaches(scenario: &Scenario, states: &[State], attitude: [f64; 4]) -> Vec<f64> {
+/// States of the exact motion from the start on, [`TURN`] apart, as many as [`LOOKED`] or as far as the motion goes; `None` if it cannot
+/// be computed. `duration` (s) is a first guess for a body at rest.
+fn searched(scenario: &Scenario, duration: f64) -> Option<Vec<State>> {
+    let start = scenario.start();
+    let wanted = TURN * LOOKED as f64;
+    let mut span = Some(wanted / start.omega.norm()).filter(|span| span.is_finite()).unwrap_or(duration);
+    let (mut longest, mut times) = (f64::INFINITY, None);
+    for _ in 0..ROUNDS {
+        let even: Vec<f64> = (0..=PROFILE).map(|k| start.time + span * (k as f64 / PROFILE as f64)).collect();
+        let profile = match states_within(scenario, start, &even, MOST[1]) {
+            Ok(Some(profile)) => profile,
+            Err(JudgeError::Ends { end, .. }) if end > start.time && end < start.time + span => {
+                longest = end - start.time;
+                span = longest * (1.0 - 1e-9);
+                continue;
+            }
+            _ => {
+                longest = span;
+                span *= 0.5;
+                continue;
+            }
+        };
+        let (turned, at) = turns(&profile);
+        let end = at.last().map_or(0.0, |end| end - start.time);
+        times = Some(at);
+        // Too coarse a profile, or too short a one.
+        if turned > 2.0 * wanted {
+            span = end.max(span / PROFILE as f64);
+        } else if turned < 0.5 * wanted && 2.0 * span < longest {
+            span *= 2.0;
+        } else {
+            break;
+        }
+    }
+    states_within(scenario, start, &times?, MOST[0]).ok()?
+}
+
+/// ∫ |ω| dt over states by the trapezoidal rule, rad, and the times at which it is a multiple of [`TURN`], at most [`LOOKED`] ones.
+fn turns(states: &[State]) -> (f64, Vec<f64>) {
+    let (mut turned, mut times) = (0.0, Vec::with_capacity(LOOKED));
+    times.extend(states.first().map(|first| first.time));
+    for pair in states.windows(2) {
+        let (from, to) = (&pair[0], &pair[1]);
+        let part = 0.5 * (from.omega.norm() + to.omega.norm()) * (to.time - from.time);
+        while times.len() < LOOKED && TURN * times.len() as f64 <= turned + part {
+            let share = (TURN * times.len() as f64 - turned) / part;
+            times.push(from.time + share * (to.time - from.time));
+        }
+        turned += part;
+    }
+    (turned, times)
+}
+
+/// States of the exact motion at the times at which it passes an attitude.
+fn approaches(scenario: &Scenario, states: &[State], attitude: [f64; 4]) -> Vec<State> {
     let angle = |state: &State| angle_between(state.attitude.quaternion(), attitude);
     let angles: Vec<f64> = states.iter().map(angle).collect();
     let at = |k: usize| angles.get(k).copied().unwrap_or(f64::INFINITY);
@@ -79,9 +154,9 @@ fn approaches(scenario: &Scenario, states: &[State], attitude: [f64; 4]) -> Vec<
             // Least squares of |θ − δt ω|
             let theta = rotation_vector(state.attitude.quaternion(), attitude);
             time = (time + shift([(theta, &state)])).max(from.time);
-            [state] = *states_within(scenario, from, &[time], MOST).ok()??.first_chunk()?;
+            [state] = *states_within(scenario, from, &[time], MOST[0]).ok()??.first_chunk()?;
         }
-        (angle(&state) < APPROACH[1]).then_some(time)
+        (angle(&state) < APPROACH[1]).then_some(state)
     };
     near.into_iter().filter_map(nearest).collect()
 }
@@ -108,7 +183,7 @@ fn fitted(
     let (mut time, mut best) = (time, None::<(ReadingResidual, Beginning)>);
     for _ in 0..3 {
         let clock = Clock::beginning_at(time, log, factor);
-        let beginning = Beginning::of(log, scenario, clock, MOST).ok()??;
+        let beginning = Beginning::of(log, scenario, clock, MOST[0]).ok()??;
         let reading = Reading { time_origin: clock.origin, time_factor: factor, ..reading };
         let residual = beginning.residual(log, reading, false);
         let theta = |(&row, exact): (&usize, &State)| {
@@ -121,7 +196,9 @@ fn fitted(
             best = Some((residual, beginning));
         }
     }
-    best.filter(|(residual, beginning)| residual.relative <= FITS && beginning.turn() >= 0.5 * BEGINNING)
+    best.filter(|(residual, beginning)| {
+        residual.relative <= FITS_FITTED && beginning.turn() >= 0.5 * BEGINNING
+    })
 }
 
 /// True if two readings with clocks of their own give the same motion: their rows are off the exact states alike.
@@ -129,10 +206,10 @@ fn is_same_motion(log: &MotionLog, scenario: &Scenario, a: &ReadingResidual, b: 
     let rows = spread(log.times().len(), COMPARED);
     let exact = |reading: &Reading| {
         let times: Vec<f64> = rows.iter().map(|&row| reading.time(log.times()[row])).collect();
-        states_within(scenario, scenario.start(), &times, MOST).ok().flatten()
+        states_within(scenario, scenario.start(), &times, MOST[0]).ok().flatten()
     };
     let (Some(of_a), Some(of_b)) = (exact(&a.reading), exact(&b.reading)) else { return false };
-    let most = SAME + 10.0 * a.attitude.max(b.attitude);
+    let most = SAME_SHIFTED + CLEARLY * a.attitude.max(b.attitude);
     rows.iter().zip(of_a.iter().zip(&of_b)).all(|(&row, (exact_a, exact_b))| {
         let numbers = log.attitude()[row];
         let apart = |reading: &Reading, exact: &State| {

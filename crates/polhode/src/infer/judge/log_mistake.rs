@@ -1,0 +1,35 @@
+//! Mistakes of a program that the search for the meaning of its log shows.
+
+use core::fmt;
+
+use super::axes::SignedAxes;
+
+/// Mistake of a program that the search for the meaning of its log shows. The numbers are compared as they are stated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum LogMistake {
+    /// The rows are those of later times than stated.
+    LateRows {
+        /// Time of the motion minus the stated time, s.
+        shift: f64,
+    },
+    /// The components of ω have signs or an order that no right-handed axes give.
+    OmegaComponents {
+        /// Order and signs that the motion shows.
+        components: SignedAxes,
+    },
+}
+
+/// `its rows are those of times 0.05 s later than they say`
+impl fmt::Display for LogMistake {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::LateRows { shift } => {
+                write!(f, "its rows are those of times {shift:.6} s later than they say")
+            }
+            Self::OmegaComponents { components } => {
+                write!(f, "its ω has the components {components}, which no right-handed axes give")
+            }
+        }
+    }
+}

@@ -10,20 +10,20 @@ use serde_json::Value;
 use crate::common::{Scratch, entries, example, json, number, numbers, refused, stdout};
 use crate::options::options_of;
 
-const SCENARIO: &str = "title = \"Tumbling\"\n[[body.part]]\nshape = \"tensor\"\nmass = 2.3\n\
+pub(crate) const SCENARIO: &str = "title = \"Tumbling\"\n[[body.part]]\nshape = \"tensor\"\nmass = 2.3\n\
     inertia = [[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]]\n\
     [start]\nattitude = { quaternion = [0.6, -0.3, 0.5, 0.2] }\nspin = { body = [0.5, -1.3, 0.7] }\n\
     [run]\nduration = 8\nsamples = 401\n";
 
 /// The exact motion as rows of time, quaternion and ω in body axes.
-fn exact(scratch: &Scratch) -> Vec<Vec<f64>> {
+pub(crate) fn exact(scratch: &Scratch) -> Vec<Vec<f64>> {
     scratch.write("tumbling.toml", SCENARIO);
     stdout(&scratch.run(&["simulate", "tumbling.toml", "-o", "exact", "--table", "csv", "--no-page"]));
     let text = fs::read_to_string(scratch.0.join("exact/trajectory.csv")).unwrap();
     text.lines().skip(1).map(|line| line.split(',').take(8).map(|x| x.parse().unwrap()).collect()).collect()
 }
 
-fn table(head: &str, rows: &[Vec<f64>]) -> String {
+pub(crate) fn table(head: &str, rows: &[Vec<f64>]) -> String {
     let mut text = format!("{head}\n");
     for row in rows {
         let cells: Vec<String> = row.iter().map(|x| format!("{x:?}")).collect();
@@ -33,12 +33,12 @@ fn table(head: &str, rows: &[Vec<f64>]) -> String {
 }
 
 /// Output of a run in which a mistake, or an error above the limit, was found.
-fn blamed(output: &std::process::Output) -> String {
+pub(crate) fn blamed(output: &std::process::Output) -> String {
     assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout.clone()).unwrap()
 }
 
-fn only_run(report: &Value) -> &Value {
+pub(crate) fn only_run(report: &Value) -> &Value {
     let [run] = &report["runs"].as_array().unwrap()[..] else { panic!("one run") };
     run
 }

@@ -28,6 +28,7 @@ mod identify_swing;
 mod inertia;
 mod interrupted;
 mod judge;
+mod judge_mistakes;
 mod limits;
 mod live;
 mod mass_history;

@@ -118,6 +118,25 @@ impl Candidate {
         Ok(Self { sense, axes, said: Some(said.clone()), ..named })
     }
 
+    /// Keeps a quaternion whose columns are named x, y, z, w in their order: if the header names the numbers of w, x, y, z so, they are a
+    /// quaternion in the order of the file, which the motion finds. An order that the user states is kept.
+    pub(super) fn in_file_order(self) -> Self {
+        let is_scalar_first = self.numbers == Numbers::Quaternion(Some(QuaternionOrder::ScalarFirst));
+        match self.columns[..] {
+            [w, x, y, z]
+                if is_scalar_first
+                    && x < y
+                    && y < z
+                    && z < w
+                    && self.said.as_ref().is_none_or(|said| said.order.is_none()) =>
+            {
+                let numbers = Numbers::Quaternion(Some(QuaternionOrder::ScalarLast));
+                Self { numbers, columns: vec![x, y, z, w], ..self }
+            }
+            _ => self,
+        }
+    }
+
     /// The order of a quaternion, which that of another form has once it is one.
     pub(super) const fn order(&self) -> Option<QuaternionOrder> {
         match self.numbers {

@@ -22,6 +22,8 @@ pub(super) struct Header {
     pub(super) names: Vec<String>,
     /// Where each name stands, in a text.
     pub(super) spans: Vec<Range<usize>>,
+    /// True if the columns have an order: the members of an object of JSON have none.
+    pub(super) is_in_order: bool,
     /// The units of columns that have one by their type.
     pub(super) units: BTreeMap<usize, &'static str>,
 }
@@ -210,6 +212,7 @@ pub(super) fn choose(
     let may_lack = wanted == Wanted::Either && omega.is_some() && columns.attitude.is_none();
     let attitude = match known.attitude(columns.attitude.as_ref()) {
         Err(_) if may_lack && incomplete(&names).is_none() && attitudes(&names).is_empty() => None,
+        attitude if header.is_in_order => Some(attitude?.in_file_order()),
         attitude => Some(attitude?),
     };
     let (form, attitude_read) = match &attitude {
@@ -232,15 +235,17 @@ pub(super) fn choose(
     let is_certain =
         |said: &Option<Said>| said.as_ref().is_some_and(|said| said.unit.is_some()).then_some(1.0);
     (says.time_factor, says.omega_factor) = (is_certain(&columns.time), is_certain(&columns.omega));
+    says.by_name.time_unit = time_unit.is_stated;
     let mut read = vec![time_read];
     read.extend(attitude_read);
     let mut all = read_first;
     let omega = omega.map(|(candidate, unit, said)| {
         says.omega_axes = candidate.axes;
         says.by_name.omega_axes = columns.omega.as_ref().is_none_or(|said| said.axes.is_none());
+        says.by_name.omega_unit = unit.is_stated;
         all.extend(candidate.columns);
         read.push(said);
-        unit
+        unit.scale
     });
     if let Some(column) = (1..all.len()).map(|k| (all[k], &all[..k])).find(|(c, before)| before.contains(c)) {
         let name = header.names[column.0].clone();
@@ -249,7 +254,16 @@ pub(super) fn choose(
     let is_ignored = |k: &usize| !all.contains(k) && !header.names[*k].is_empty();
     let ignored = (0..header.names.len()).filter(is_ignored).map(|k| header.names[k].clone()).collect();
     let slots = all.iter().map(|&column| Slot { column, name: header.names[column].clone() }).collect();
-    Ok(Plan { slots, time: time_unit, form, omega, says, read, ignored, has_commas: false })
+    Ok(Plan { slots, time: time_unit.scale, form, omega, says, read, ignored, has_commas: false })
+}
+
+/// A unit of columns.
+struct Unit {
+    scale: Scale,
+    /// As a message shows it.
+    shown: String,
+    /// False if it is that of SI, as nothing else is stated.
+    is_stated: bool,
 }
 
 /// What is known of the columns before it is chosen among them.
@@ -261,7 +275,7 @@ struct Known<'a> {
 
 impl Known<'_> {
     /// The column of the time, and its unit.
-    fn time(&self, said: Option<&Said>) -> Result<(usize, Scale, ReadColumns), ContentError> {
+    fn time(&self, said: Option<&Said>) -> Result<(usize, Unit, ReadColumns), ContentError> {
         let header = self.header;
         let column = match said {
             Some(said) => header.find(said)?[0],
@@ -277,8 +291,9 @@ impl Known<'_> {
             }
         };
         let is_stamp = self.names[column].as_ref().is_some_and(Name::is_stamp);
-        let (scale, unit) = self.unit(Key::Time, said, &[column], !is_stamp)?;
-        Ok((column, scale, ReadColumns { what: format!("time, {unit}"), columns: header.named(&[column]) }))
+        let unit = self.unit(Key::Time, said, &[column], !is_stamp)?;
+        let what = format!("time, {}", unit.shown);
+        Ok((column, unit, ReadColumns { what, columns: header.named(&[column]) }))
     }
 
     fn attitude(&self, said: Option<&Said>) -> Result<Candidate, ContentError> {
@@ -316,10 +331,9 @@ impl Known<'_> {
             Numbers::Vector | Numbers::Matrix => Ok((Form::Matrix, read("matrix, row by row".to_owned()))),
             Numbers::Euler(sequence) => {
                 let sequence = sequence.ok_or_else(|| self.no_sequence(&attitude.columns))?;
-                let (unit, named) =
-                    self.unit(Key::Euler, attitude.said.as_ref(), &attitude.columns, false)?;
-                let what = format!("{} Euler angles, {named}", sequence.shown());
-                Ok((Form::Euler { sequence, unit }, read(what)))
+                let unit = self.unit(Key::Euler, attitude.said.as_ref(), &attitude.columns, false)?;
+                let what = format!("{} Euler angles, {}", sequence.shown(), unit.shown);
+                Ok((Form::Euler { sequence, unit: unit.scale }, read(what)))
             }
         }
     }
@@ -335,7 +349,7 @@ impl Known<'_> {
     }
 
     /// The angular velocity, if there is one that is to be read, and its unit.
-    fn omega(&self, said: Option<&Said>) -> Result<Option<(Candidate, Scale, ReadColumns)>, ContentError> {
+    fn omega(&self, said: Option<&Said>) -> Result<Option<(Candidate, Unit, ReadColumns)>, ContentError> {
         let header = self.header;
         let candidate = match said {
             Some(said) if said.columns.is_empty() => None,
@@ -343,25 +357,19 @@ impl Known<'_> {
             None => header.best("the angular velocity", "omega", omegas(self.names))?,
         };
         let Some(candidate) = candidate else { return Ok(None) };
-        let (scale, unit) = self.unit(Key::Omega, said, &candidate.columns, true)?;
+        let unit = self.unit(Key::Omega, said, &candidate.columns, true)?;
         let axes = match candidate.axes {
             Some(OmegaAxes::Body) => " along body axes",
             Some(OmegaAxes::Space) => " along space axes",
             None => "",
         };
-        let what = format!("angular velocity{axes}, {unit}");
+        let what = format!("angular velocity{axes}, {}", unit.shown);
         let columns = header.named(&candidate.columns);
-        Ok(Some((candidate, scale, ReadColumns { what, columns })))
+        Ok(Some((candidate, unit, ReadColumns { what, columns })))
     }
 
     /// The unit of columns: as the user says, as their names say, as the head says, or that of SI where it may be taken for granted.
-    fn unit(
-        &self,
-        key: Key,
-        said: Option<&Said>,
-        columns: &[usize],
-        si: bool,
-    ) -> Result<(Scale, String), ContentError> {
+    fn unit(&self, key: Key, said: Option<&Said>, columns: &[usize], si: bool) -> Result<Unit, ContentError> {
         let header = self.header;
         let own = |column: &usize| {
             let by_type = header.units.get(column).map(|unit| (*unit).to_owned());
@@ -382,7 +390,8 @@ impl Known<'_> {
                 _ => ("rad", "deg"),
             };
             if si {
-                return Ok((Scale::by(1.0), format!("{assumed} (no unit is named)")));
+                let shown = format!("{assumed} (no unit is named)");
+                return Ok(Unit { scale: Scale::by(1.0), shown, is_stated: false });
             }
             let question = format!("in which unit is {}?", header.listed(columns));
             let kind = ContentErrorKind::Unclear { question, found: String::new() };
@@ -397,6 +406,6 @@ impl Known<'_> {
             let rule = format!("a unit that polhode knows: {wrong}");
             value(&what, unit.clone(), rule, header.place(columns[0]))
         })?;
-        Ok((Scale::by(factor), unit))
+        Ok(Unit { scale: Scale::by(factor), shown: unit, is_stated: true })
     }
 }

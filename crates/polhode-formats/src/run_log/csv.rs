@@ -153,7 +153,7 @@ pub(super) fn opening(bytes: &[u8], is_told: bool) -> Result<Opening, ContentErr
 
 fn header(fields: Vec<(String, Range<usize>)>) -> Header {
     let (names, spans) = fields.into_iter().unzip();
-    Header { names, spans, ..Header::default() }
+    Header { names, spans, is_in_order: true, ..Header::default() }
 }
 
 /// Whether a field could be the number of a row.
@@ -292,7 +292,15 @@ impl Lines for Table<'_> {
             match text.get(start) {
                 None => break,
                 Some(b'\n') => at = start + 1,
-                Some(b'#') => at = line_end(text, start) + 1,
+                Some(b'#') => {
+                    let line = start..line_end(text, start);
+                    at = line.end + 1;
+                    if let Some((key, _)) = Head::pair(&String::from_utf8_lossy(&text[line.clone()])) {
+                        let place = ContentPlace::Text(offset + line.start..offset + line.end);
+                        let problem = Problem::LateKey { key: key.to_owned() };
+                        return Err(RowError { row: rows.times.len(), place, problem });
+                    }
+                }
                 Some(_) => {
                     let row = rows.times.len();
                     at = self.row(text, offset, start, &mut rows, &mut numbers).map_err(|error| {

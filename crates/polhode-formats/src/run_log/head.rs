@@ -44,20 +44,27 @@ impl Units {
     /// `SI`, or units with commas between: `ms, deg, deg/s`.
     fn parse(text: &str) -> Result<Self, String> {
         let mut units = Self::default();
+        let put = |slot: &mut Option<String>, unit: String| match slot.replace(unit) {
+            None => Ok(()),
+            Some(other) => {
+                Err(format!("units of a motion, one of each kind, and {other:?} is given besides"))
+            }
+        };
         for written in text.split([',', ';']).map(str::trim).filter(|unit| !unit.is_empty()) {
             let unit = spelt_unit(written);
             let is = |dimension| unit::factor(&unit, dimension).is_ok();
             if written == "SI" {
-                let [time, angle, rate] = ["s", "rad", "rad/s"].map(|unit| Some(unit.to_owned()));
-                units = Self { time, angle, rate };
+                put(&mut units.time, "s".to_owned())?;
+                put(&mut units.angle, "rad".to_owned())?;
+                put(&mut units.rate, "rad/s".to_owned())?;
             } else if is(Dimension::TIME) {
-                units.time = Some(unit);
+                put(&mut units.time, unit)?;
             } else if is(Dimension::ANGULAR_VELOCITY) {
-                units.rate = Some(unit);
+                put(&mut units.rate, unit)?;
             } else if is(Dimension::ANGLE) {
-                units.angle = Some(unit);
+                put(&mut units.angle, unit)?;
             } else {
-                return Err(written.to_owned());
+                return Err(format!("units of a motion, and {written:?} is none"));
             }
         }
         Ok(units)
@@ -88,13 +95,12 @@ impl Head {
                 Err(error) => refused(format!("the engine's time step, in s: {error}"))?,
             },
             // Tables of polhode have an object here, and a unit in each name.
-            "units" if value.starts_with('{') => {}
+            "units" if key != plain && value.starts_with('{') => {}
             "units" => match Units::parse(value) {
                 Ok(units) => self.units = units,
-                Err(unit) => {
+                Err(rule) => {
                     let hint = "units = SI, or units of time, angles and angular velocities: ms, deg, deg/s";
-                    let error = refused(format!("units of a motion, and {unit:?} is none"));
-                    error.map_err(|error| error.hint(hint))?;
+                    refused(rule).map_err(|error| error.hint(hint))?;
                 }
             },
             "columns" => match Columns::parse(value) {

@@ -1,7 +1,8 @@
 //! The log of a motion, as another program wrote it: times, attitudes and perhaps angular velocities, in CSV, Parquet or JSON lines.
 //!
 //! What a file is, its contents say. Text has a line of names, then a line for each time; commas, semicolons, tabs or blanks part the
-//! fields, and the decimal mark is a point. Lines that begin with `#` are for people, but for those `# key = value` above the names:
+//! fields, and the decimal mark is a point. Lines that begin with `#` are for people, except `# key = value` above the names; below them
+//! such a line is an error.
 //!
 //! | key | says |
 //! |---|---|
@@ -20,7 +21,7 @@
 //! | thing | names |
 //! |---|---|
 //! | time | `t`, `time`, `time_s`, `sim_time_ms`; `timestamp` with a unit |
-//! | quaternion | `attitude_w` …, `qw` …, `orientation.w` …: w, x, y, z by their letters; `q0` … `q3`: in an order that is not known |
+//! | quaternion | `attitude_w` …, `qw` …, `orientation.w` …: w, x, y, z by their letters, scalar last if the columns are x, y, z, w; `q0` … `q3`: in an order that is not known |
 //! | matrix | `r11` … `r33`, `R_00` … `R_22`, `R[0][0]` …, `xmat_0` … `xmat_8`: row by row |
 //! | Euler angles | `roll`, `pitch`, `yaw` (3-2-1), `precession`, `nutation`, `spin` (3-1-3); of others the sequence is not known |
 //! | angular velocity | `wx` …, `gyro_x` …, `angular_velocity.x` …; `omega_body_x` along body axes, `omega_world_x` along those of space |
@@ -205,8 +206,8 @@ pub(crate) const PARQUET: &[u8] = b"PAR1";
 /// let text = "# engine = \"MuJoCo, RK4\"\ntime_ms,qx,qy,qz,qw,gyro_x,gyro_y,gyro_z,note\n0,0,0,0.6,0.8,0,1,2,a\n250,0,0.6,0,0.8,0,1,2,b\n";
 /// let read = run_log::from_bytes(text.as_bytes(), None)?;
 /// assert_eq!(read.log.times(), [0.0, 0.25]);
-/// assert_eq!(read.log.attitude()[0], [0.8, 0.0, 0.0, 0.6]);
-/// assert_eq!(read.says.order, Some(QuaternionOrder::ScalarFirst));
+/// assert_eq!(read.log.attitude()[0], [0.0, 0.0, 0.6, 0.8]);
+/// assert_eq!(read.says.order, Some(QuaternionOrder::ScalarLast));
 /// assert_eq!(read.says.omega_axes, Some(OmegaAxes::Body));
 /// assert_eq!(read.engine.as_deref(), Some("MuJoCo, RK4"));
 /// assert_eq!(read.ignored, ["note"]);

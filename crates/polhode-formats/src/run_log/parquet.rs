@@ -122,7 +122,7 @@ fn head(file: &SerializedFileReader<Bytes>) -> Result<Head, ContentError> {
 }
 
 fn header(file: &SerializedFileReader<Bytes>) -> Header {
-    let mut header = Header::default();
+    let mut header = Header { is_in_order: true, ..Header::default() };
     for (k, column) in file.metadata().file_metadata().schema_descr().columns().iter().enumerate() {
         header.names.push(column.path().parts().join("."));
         header.units.extend(unit(column).map(|unit| (k, unit)));

@@ -30,15 +30,39 @@ pub(super) struct RowError {
 /// What can be wrong with a row; slots are those of its plan.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Problem {
-    NotNumber { slot: usize, found: String },
-    NotFinite { slot: usize, found: String },
-    Missing { slot: usize },
-    Width { expected: usize, found: usize, line: String },
-    OpenQuote { line: String },
-    NotJson { message: String, line: String },
-    NotLater { time: f64, before: f64 },
+    NotNumber {
+        slot: usize,
+        found: String,
+    },
+    NotFinite {
+        slot: usize,
+        found: String,
+    },
+    Missing {
+        slot: usize,
+    },
+    Width {
+        expected: usize,
+        found: usize,
+        line: String,
+    },
+    OpenQuote {
+        line: String,
+    },
+    NotJson {
+        message: String,
+        line: String,
+    },
+    NotLater {
+        time: f64,
+        before: f64,
+    },
     ZeroQuaternion,
     Matrix(MatrixError),
+    /// A comment `key = value` below the header.
+    LateKey {
+        key: String,
+    },
 }
 
 impl Rows {
@@ -172,6 +196,11 @@ impl RowError {
                 let what = format!("the quaternion of row {row}");
                 let hint = "four zeros are no attitude: begin the log where the program knows it";
                 (value(what, "0, 0, 0, 0".to_owned(), "other than zero"), hint)
+            }
+            Problem::LateKey { key } => {
+                let what = format!("the comment before row {row}");
+                let hint = "move the line above the line of names, or delete it";
+                (value(what, format!("{key} = …"), "above the header: below it no key is read"), hint)
             }
             Problem::Matrix(error) => {
                 let (what, found, rule) = match error {

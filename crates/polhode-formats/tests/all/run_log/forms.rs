@@ -28,9 +28,18 @@ fn quaternions_keep_their_bits_and_their_length() {
         with_time(k, [x, y, z, w])
     };
     let named = read(table("time,orientation.x,orientation.y,orientation.z,orientation.w", ROWS, last));
-    assert_eq!((named.log.attitude()[3], named.log.omega()), (attitudes(ROWS)[3].quaternion(), None));
-    let numbered = read(table("time,q0,q1,q2,q3", ROWS, last));
     let [w, x, y, z] = attitudes(ROWS)[3].quaternion();
+    assert_eq!((named.log.attitude()[3], named.log.omega()), ([x, y, z, w], None));
+    assert_eq!(named.says.order, Some(QuaternionOrder::ScalarLast));
+    let mixed = read(table("time,q.y,q.x,q.z,q.w", ROWS, |k, a| {
+        let [w, x, y, z] = a.quaternion();
+        with_time(k, [y, x, z, w])
+    }));
+    assert_eq!(
+        (mixed.log.attitude()[3], mixed.says.order),
+        ([w, x, y, z], Some(QuaternionOrder::ScalarFirst))
+    );
+    let numbered = read(table("time,q0,q1,q2,q3", ROWS, last));
     assert_eq!((numbered.log.attitude()[3], numbered.says.order), ([x, y, z, w], None));
     let text = table("time,q0,q1,q2,q3", ROWS, last);
     let said = told(text, "q xyzw space-to-body = q0..q3").unwrap();

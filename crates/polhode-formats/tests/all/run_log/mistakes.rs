@@ -75,6 +75,19 @@ fn a_key_of_the_head_stands_once() {
     }
 }
 
+/// No key below the line of names is read, and none is ignored without a word.
+#[test]
+fn a_key_below_the_header_is_refused() {
+    let head = "t,qw,qx,qy,qz\n0,1,0,0,0\n# a comment = of several words\n";
+    let row = "1,0.8,0.6,0,0\n";
+    read(format!("{head}{row}"));
+    for line in ["# step = 0.1\n", "## scenario = a.toml\n", "# note = a\n"] {
+        let error = refused(format!("{head}{line}{row}"));
+        assert!(error.message().contains("must be above the header"), "{}", error.message());
+        assert_eq!(error.place().unwrap().line, 4);
+    }
+}
+
 #[test]
 fn a_key_of_an_object_stands_once() {
     let first = "{\"t\": 0, \"q\": [1, 0, 0, 0]}\n";

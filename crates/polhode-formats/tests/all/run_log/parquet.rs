@@ -76,9 +76,9 @@ fn columns_of_any_kind_of_number_are_read() {
         assert_eq!(log.log.times()[..3], [1000.0, 1000.25, 1000.5]);
         for (attitude, read) in attitudes(9).iter().zip(log.log.attitude()) {
             let [w, x, y, z] = attitude.quaternion();
-            assert_eq!(*read, [w, f64::from(x as f32), f64::from(y as f32), f64::from(z as f32)]);
+            assert_eq!(*read, [f64::from(x as f32), f64::from(y as f32), f64::from(z as f32), w]);
         }
-        assert_eq!(log.says.order, Some(QuaternionOrder::ScalarFirst));
+        assert_eq!(log.says.order, Some(QuaternionOrder::ScalarLast));
         assert_eq!(
             (log.scenario.unwrap().to_str(), log.step, log.engine.as_deref()),
             (Some("a.toml"), Some(0.002), Some("Bullet"))

@@ -40,6 +40,15 @@ fn the_head_says_what_the_run_is() {
         ("# step = 0", "step = 0 must be positive"),
         ("# step = 3 kg", "step = 3 kg must be the engine's time step, in s"),
         ("# units = s, kg", "units = s, kg must be units of a motion, and \"kg\" is none"),
+        (
+            "# units = ms, deg, s",
+            "units = ms, deg, s must be units of a motion, one of each kind, and \"ms\" is given besides",
+        ),
+        (
+            "# units = SI, deg",
+            "units = SI, deg must be units of a motion, one of each kind, and \"rad\" is given besides",
+        ),
+        ("# units = {bad", "units = {bad must be units of a motion, and \"{bad\" is none"),
         ("# scenario =", "scenario =  must be the path of a scenario"),
         ("# columns = q", "columns = q must be what columns are"),
     ] {

@@ -200,8 +200,9 @@ impl Judge {
         Ok(ScenarioFile::read_within(&scenario, &confinement)?)
     }
 
-    /// Checks that a run which names a scenario names the given one: the same path, or a file with the same text. A file that cannot be
-    /// compared is another one, as its name says little.
+    /// Checks that the scenario that a run names is the given one: the same path, or a file with the same text.
+    ///
+    /// A file that may not be opened, or is missing, counts as a different one.
     fn require_of(&self, scenario: &ScenarioFile, run: &Path, log: &RunLog) -> Result<(), Failure> {
         let Some(said) = &log.scenario else { return Ok(()) };
         if Confinement::is_path_of(folder(run), said, &scenario.path) {

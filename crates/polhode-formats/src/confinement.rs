@@ -59,7 +59,7 @@ impl Confinement {
     /// Checks the folders that a user allows.
     ///
     /// # Errors
-    /// [`FormatError`] of one that does not exist, or is no folder.
+    /// [`FormatError`] of one that does not exist or is a file.
     pub fn require_folders(roots: &[PathBuf]) -> Result<(), FormatError> {
         let require = |root: &PathBuf| {
             let not_folder = io::Error::from(io::ErrorKind::NotADirectory);
@@ -96,7 +96,7 @@ impl Confinement {
     /// The canonical path of a file that is named relative to a folder, or by an absolute path.
     ///
     /// Nothing outside the folders is looked at: the path has to lie in them by its words, and with its links resolved. The file has to
-    /// be a regular one: a pipe or a device may be endless, and to open one may wait for ever.
+    /// be a regular one. A pipe or a device may be endless, and opening one may wait for ever.
     ///
     /// # Errors
     /// [`NotOpened`]

@@ -47,7 +47,7 @@ fn a_program_that_is_given_degrees_is_refused() {
     }
 }
 
-/// Rows that are stated from the scenario's start on, and begin later: the shift is named, whatever the distance of the rows.
+/// Rows are stated from the scenario's start on, and begin later. The shift is named for every distance of the rows.
 #[test]
 fn rows_that_are_late_are_named() {
     let scratch = Scratch::new("judge-late");
@@ -166,7 +166,7 @@ fn a_scenario_that_cannot_be_compared_is_another_one() {
     }
 }
 
-/// To open a pipe waits until somebody writes into it: what a log names, or its scenario, is a regular file.
+/// Opening a pipe waits until somebody writes into it. Files that a log, or its scenario, names are regular files.
 #[cfg(unix)]
 #[test]
 fn a_pipe_that_a_log_names_is_not_opened() {

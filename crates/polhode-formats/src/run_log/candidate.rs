@@ -118,8 +118,9 @@ impl Candidate {
         Ok(Self { sense, axes, said: Some(said.clone()), ..named })
     }
 
-    /// Keeps a quaternion whose columns are named x, y, z, w in their order: if the header names the numbers of w, x, y, z so, they are a
-    /// quaternion in the order of the file, which the motion finds. An order that the user states is kept.
+    /// Keeps the order of the file where the columns are named x, y, z, w. An order that the user states is kept.
+    ///
+    /// A header may name numbers in the order w, x, y, z so. In the order of the file they are a quaternion, which the motion finds.
     pub(super) fn in_file_order(self) -> Self {
         let is_scalar_first = self.numbers == Numbers::Quaternion(Some(QuaternionOrder::ScalarFirst));
         match self.columns[..] {

@@ -260,7 +260,7 @@ pub(super) fn choose(
 /// A unit of columns.
 struct Unit {
     scale: Scale,
-    /// As a message shows it.
+    /// Text for messages.
     shown: String,
     /// False if it is that of SI, as nothing else is stated.
     is_stated: bool,

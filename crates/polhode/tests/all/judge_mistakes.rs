@@ -46,8 +46,9 @@ fn a_wrong_law_is_never_called_right() {
     }
 }
 
-/// A program that turns too fast or too slowly, such as one that is given deg/s for rad/s, is not excused by a unit of time: a small
-/// factor is an error, a large one is refused.
+/// A program that turns too fast or too slowly, as one that is given deg/s for rad/s, is not excused by a unit of time.
+///
+/// A small factor is an error, a large one is refused.
 #[test]
 fn a_wrong_rate_is_no_unit_of_time() {
     let wrong = [180.0 / PI, PI / 180.0, TAU, 1.0 / TAU, 30.0 / PI, PI / 30.0, 100.0, 0.01, 970.0, 0.0173];
@@ -161,7 +162,7 @@ fn a_conjugate_motion_has_the_opposite_omega() {
     }
 }
 
-/// In a motion about one axis −ω is a mirrored ω, or one along axes that are turned by π: it is refused.
+/// −ω of a motion about one axis is a mirrored ω, or one along axes that are turned by π: it is refused.
 #[test]
 fn a_sign_that_the_motion_does_not_tell_is_refused() {
     let body =
@@ -181,7 +182,7 @@ fn a_sign_that_the_motion_does_not_tell_is_refused() {
     assert!(matches!(error, JudgeError::AmbiguousOmega { .. }), "{error}");
 }
 
-/// ω that is a fifth too large fits one reading roughly, and that is judged: none that are farther off are named beside it.
+/// ω that is a fifth too large fits one reading roughly, and is judged by it. Readings that are farther off do not compete.
 #[test]
 fn a_scaled_omega_is_an_error() {
     let scenario = scenario(&mut Draws::of(3, 29));

@@ -17,8 +17,9 @@ const NO_TURN: f64 = 1e-3;
 const WHOLE_TURN: f64 = 1.0;
 /// Greatest angle between two rows that follow a motion, rad.
 const FOLLOWED: f64 = 1.0;
-/// Relative difference of equal angular velocities. Units of time are farther apart than two mistakes of a program are from them: deg/s
-/// for rad/s turns a body 57.3 times more slowly, and s for min 60 times.
+/// Relative difference of equal angular velocities.
+///
+/// A program that is given deg/s for rad/s turns 57.3 times too slowly: 5 % from s for min, which are 60 times.
 const SAME_RATE: f64 = 0.01;
 
 /// Relation of a log's clock to the scenario's: t = (t_log − origin) · factor.
@@ -107,8 +108,9 @@ impl Beginning {
 
     /// True if the log turns as fast as the exact motion at its first row.
     ///
-    /// δ_k = (ε + γ t_k) φ_k by least squares, where φ_k is the angle of the exact motion since the first row, and δ_k how much larger
-    /// that of the log is. ε is the difference at the first row; γ ≠ 0 is a wrong law of motion, or a rough method. Noise is less with γ = 0.
+    /// δ_k = (ε + γ t_k) φ_k by least squares: φ_k is the angle of the exact motion since the first row, φ_k + δ_k that of the log.
+    ///
+    /// ε is the difference at the first row. γ ≠ 0 is a wrong law of motion, or a rough method. The fit with γ = 0 has less noise.
     pub(super) fn has_same_rate(&self, log: &MotionLog) -> bool {
         let (Some(&first), Some(start)) = (self.rows.first(), self.exact.first()) else { return false };
         let (mut uu, mut uv, mut vv, mut du, mut dv) = (0.0, 0.0, 0.0, 0.0, 0.0);

@@ -46,8 +46,8 @@ pub enum JudgeError {
         /// All readings that were tried, best first.
         tried: Vec<ReadingResidual>,
     },
-    /// No reading of the log's numbers begins as the scenario does. Whether it begins some time after the scenario's start was not
-    /// searched, as that motion cannot be computed far enough.
+    /// No reading of the log's numbers begins as the scenario does. A beginning some time after the scenario's start was not
+    /// searched for: the exact motion cannot be computed far enough.
     NotSearched {
         /// All readings that were tried, best first.
         tried: Vec<ReadingResidual>,
@@ -66,7 +66,7 @@ pub enum JudgeError {
     },
     /// Several readings of the log's angular velocities fit about as well, and differ later on.
     AmbiguousOmega {
-        /// Those that fit, best first.
+        /// Readings that fit, best first.
         tried: Vec<OmegaResidual>,
     },
     /// The first row is too long after the scenario's start for the motion to be computed until there. The log does not begin as the

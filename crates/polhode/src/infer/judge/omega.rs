@@ -63,8 +63,9 @@ impl Rows<'_> {
         spread(self.omega.len(), COMPARED).into_iter().all(same)
     }
 
-    /// Returns the plainest of readings that fit; `None` if there is none, or another as plain one that differs. In a motion about one
-    /// axis a mirrored ω looks like one along other axes.
+    /// Returns the plainest of readings that fit; `None` if there is none, or if another one is as plain and differs.
+    ///
+    /// Returns neither a mirrored ω nor one along other axes if they look alike, as in a motion about one axis.
     fn plainest(&self, fitting: &[OmegaResidual], meant: Option<OmegaAxes>) -> Option<OmegaReading> {
         let kind = |reading: OmegaReading| match reading {
             _ if reading.is_plain() => Kind::Plain,
@@ -96,8 +97,9 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2])
 }
 
-/// Finds the meaning of a log's angular velocities: as declared; in the stated unit, along body or space axes; in another unit; with
-/// exchanged and negated components. Of readings that fit about equally well the plainest is meant.
+/// Finds the meaning of a log's angular velocities. Of readings that fit about equally well the plainest is meant.
+///
+/// Tried are the declared one, body and space axes in the stated unit, other units, and exchanged and negated components.
 ///
 /// # Errors
 /// [`JudgeError::AmbiguousOmega`] where several readings fit and differ, [`JudgeError::NoOmega`] where none fits.

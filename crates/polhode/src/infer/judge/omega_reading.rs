@@ -37,8 +37,9 @@ impl OmegaReading {
         self.components == SignedAxes::SAME && self.factor == 1.0
     }
 
-    /// True if some choice of right-handed axes gives the components; a mirrored ω is a mistake. The ω of space relative to the body,
-    /// −ω, goes with attitudes of space to body.
+    /// True if some choice of right-handed axes gives the components; a mirrored ω is a mistake.
+    ///
+    /// Attitudes of space to body may go with −ω, the angular velocity of space relative to the body.
     pub(super) fn has_axes(&self, sense: AttitudeSense) -> bool {
         let is_of_space =
             sense == AttitudeSense::SpaceToBody && self.components == SignedAxes::SAME.reversed();

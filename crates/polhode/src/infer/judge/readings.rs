@@ -48,8 +48,8 @@ impl Readings {
     /// The times are those that the log says, unless it begins clearly better from the scenario's start. Readings that give the same
     /// motion to the last row are one. If the user declares order and sense and nothing fits, they are believed.
     ///
-    /// Two findings are no conventions but mistakes, [`Readings::mistakes`]: rows that are stated from the scenario's start on, or one to
-    /// three rows too early, and begin later; and components of ω that are mirrored.
+    /// Two findings are [`Readings::mistakes`]. The rows are late: they are stated from the scenario's start on and begin later, or are
+    /// late by one to three rows. The components of ω are mirrored.
     ///
     /// # Errors
     /// [`JudgeError::NoReading`], [`JudgeError::OtherRate`], [`JudgeError::NotSearched`], [`JudgeError::FarTimes`],

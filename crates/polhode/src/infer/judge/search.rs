@@ -11,12 +11,13 @@ use super::reference::spread;
 use super::shifted::{Shifted, shifted};
 use crate::motion::task::scenario::Scenario;
 
-/// Bound on the residual of a reading that fits, relative to the turn. A wrong law of motion is second order in the turn; a wrong
-/// reading is off by as much as the body stands turned.
+/// Bound on the residual of a reading that fits, relative to the turn.
+///
+/// A wrong law of motion is of second order in the turn. A wrong reading is off by as much as the body stands turned.
 pub(super) const FITS: f64 = 0.3;
 /// Bound on the same below which no other way of reading is tried: the rounding of rows 0.1 rad of turn apart.
 const EXACT: f64 = 1e-6;
-/// Bound on the same for a way of reading that replaces a plainer one which fits: as a motion about nearly the same axis may.
+/// Bound on the same for a way of reading that replaces a plainer one which fits roughly.
 const REPLACES: f64 = 0.03;
 /// Bound on the same from the log's own start, where the first row fits any reading.
 const FITS_OWN: f64 = 0.1;
@@ -24,11 +25,11 @@ const FITS_OWN: f64 = 0.1;
 pub(super) const CLEARLY: f64 = 10.0;
 /// Angle between equal motions, rad: rounding of two conversions.
 pub(super) const SAME: f64 = 1e-12;
-/// Angle between a first row and the scenario's start, rad, up to which the row is the start: single precision and four digits pass.
+/// Angle up to which a first row is the scenario's start, rad: single precision and four digits pass.
 const BEGUN: f64 = 1e-4;
 /// Steps of integration to the first rows: of clocks that are tried, and of rows that may be far apart.
 const MOST: [usize; 2] = [10_000, 1_000_000];
-/// Ratio of the log's angular velocity to the scenario's beyond which a motion is not compared: nothing but its first row agrees.
+/// Ratio of the log's angular velocity to the scenario's; beyond it only the first rows agree, and nothing is compared.
 const RATES: core::ops::RangeInclusive<f64> = 0.2..=5.0;
 /// Ratio of the same below which the log stands still: a program that does not step.
 const STILL: f64 = 1e-6;
@@ -202,8 +203,10 @@ impl<'a> Search<'a> {
         shifted(self.log, self.scenario, &readings, stated, &self.factors().collect::<Vec<_>>())
     }
 
-    /// Returns the time by which the rows are later than stated, s, if a clock that was found shows that the stated one is wrong: it
-    /// begins at the scenario's start, or one to three rows before the time of its first row. Any other clock has an origin of its own.
+    /// Returns the time by which the rows are later than stated, s, if the clock that was found shows that the stated one is wrong.
+    ///
+    /// The stated clock is wrong if it begins at the scenario's start, or is one to three whole rows early. Any other one has an origin
+    /// of its own.
     pub(super) fn late_by(&self, found: &Reading) -> Option<f64> {
         let [first, second, ..] = self.log.times() else { return None };
         let (stated, spacing) = (first * found.time_factor, (second - first) * found.time_factor);
@@ -330,7 +333,7 @@ fn times_as_said(mut tried: Tried) -> Tried {
     tried
 }
 
-/// Whether two readings give the same motion at the same times.
+/// True if two readings give the same motion at the same times.
 pub(super) fn is_same_motion(log: &MotionLog, a: &Reading, b: &Reading) -> bool {
     let same = |row: usize| {
         let numbers = log.attitude()[row];

@@ -23,13 +23,13 @@ const PROFILE: usize = 512;
 const FOLLOWED: usize = 24;
 /// Angle within which an approach counts, on the grid and at its nearest, rad.
 const APPROACH: [f64; 2] = [0.2, 0.02];
-/// Bound on the residual of a clock that fits, relative to the turn: less than of other readings, as the clock is fitted to the rows.
+/// Bound on the residual of a clock that fits, relative to the turn: a fitted clock leaves less than other readings.
 const FITS_FITTED: f64 = 0.05;
 /// Residual that rounding makes, rad.
 const ROUNDING: f64 = 1e-9;
 /// Angle between motions that are the same, rad, besides the residuals.
 const SAME_SHIFTED: f64 = 1e-6;
-/// Ratio of the log's angular velocity to that of the exact motion near a first row, of a unit that is tried: |ω| may change soon.
+/// Ratio of the log's angular velocity to the exact one, of a unit that is tried: |ω| may change soon after the first row.
 const RATES_TRIED: core::ops::RangeInclusive<f64> = 0.03..=30.0;
 
 /// Result of a search for the time of a first row.
@@ -43,8 +43,9 @@ pub(super) enum Shifted {
     NotSearched,
 }
 
-/// Finds the clocks that fit, in the stated unit of time and in others. Of clocks that give the same motion to the last row only the
-/// earliest is kept. The clocks of `readings` are ignored.
+/// Finds the clocks that fit, in the stated unit of time and in others. The clocks of `readings` are ignored.
+///
+/// Keeps only the earliest of clocks that give the same motion to the last row.
 pub(super) fn shifted(
     log: &MotionLog,
     scenario: &Scenario,
@@ -84,8 +85,9 @@ pub(super) fn shifted(
     Shifted::Found(core::iter::once(earliest).chain(others).collect(), beginning)
 }
 
-/// States of the exact motion from the start on, [`TURN`] apart, as many as [`LOOKED`] or as far as the motion goes; `None` if it cannot
-/// be computed. `duration` (s) is a first guess for a body at rest.
+/// States of the exact motion from the start on, [`TURN`] apart, as many as [`LOOKED`] or as far as the motion goes.
+///
+/// Returns `None` if they cannot be computed. `duration` (s) is a first guess for a body at rest.
 fn searched(scenario: &Scenario, duration: f64) -> Option<Vec<State>> {
     let start = scenario.start();
     let wanted = TURN * LOOKED as f64;
@@ -121,7 +123,7 @@ fn searched(scenario: &Scenario, duration: f64) -> Option<Vec<State>> {
     states_within(scenario, start, &times?, MOST[0]).ok()?
 }
 
-/// ∫ |ω| dt over states by the trapezoidal rule, rad, and the times at which it is a multiple of [`TURN`], at most [`LOOKED`] ones.
+/// ∫ |ω| dt by the trapezoidal rule, rad, and the times (s) at which it is a multiple of [`TURN`], at most [`LOOKED`] ones.
 fn turns(states: &[State]) -> (f64, Vec<f64>) {
     let (mut turned, mut times) = (0.0, Vec::with_capacity(LOOKED));
     times.extend(states.first().map(|first| first.time));

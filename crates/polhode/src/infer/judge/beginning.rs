@@ -10,6 +10,8 @@ use crate::motion::task::scenario::Scenario;
 
 /// Angle that the body turns through in the beginning of a log, rad; three rows at least.
 pub(super) const BEGINNING: f64 = 0.1;
+/// Ratio of residuals beyond which the smaller one decides.
+pub(super) const CLEARLY: f64 = 10.0;
 /// Rows that are compared, at most.
 pub(super) const COMPARED: usize = 64;
 /// Bounds of the turn that residuals are relative to, rad: attitudes cannot be farther apart than the upper one says.

@@ -1,7 +1,7 @@
 //! The meaning of a log's angular velocities, found by those of the exact motion.
 
 use super::axes::SignedAxes;
-use super::beginning::{Beginning, COMPARED};
+use super::beginning::{Beginning, CLEARLY, COMPARED};
 use super::declared::{DeclaredReading, OmegaAxes};
 use super::difference::angle_between;
 use super::error::JudgeError;
@@ -9,7 +9,6 @@ use super::log::MotionLog;
 use super::omega_reading::{OmegaReading, OmegaResidual};
 use super::reading::Reading;
 use super::reference::{spread, states_within};
-use super::search::CLEARLY;
 use crate::motion::model::state::State;
 use crate::motion::task::scenario::Scenario;
 

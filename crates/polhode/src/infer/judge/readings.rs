@@ -1,6 +1,7 @@
 //! The reading of a log, found by the motion that it has to begin with.
 
 use super::axes::SignedAxes;
+use super::beginning::CLEARLY;
 use super::declared::{DeclaredReading, OmegaAxes};
 use super::error::JudgeError;
 use super::log::MotionLog;
@@ -10,7 +11,7 @@ use super::omega::omega_reading;
 use super::omega_reading::OmegaReading;
 use super::reading::{Reading, ReadingResidual};
 use super::reference::require_judged;
-use super::search::{CLEARLY, FITS, SAME, Search, is_same_motion};
+use super::search::{FITS, SAME, Search, is_same_motion};
 use crate::motion::task::scenario::Scenario;
 
 /// A log's reading, and those that it was found among.

@@ -1,7 +1,7 @@
 //! Search for the reading of a log: ways of reading, tried in turn until one fits.
 
 use super::axes::SignedAxes;
-use super::beginning::{BEGINNING, Beginning, COMPARED, Clock, logged_rate};
+use super::beginning::{BEGINNING, Beginning, CLEARLY, COMPARED, Clock, logged_rate};
 use super::declared::{AttitudeSense, DeclaredReading};
 use super::difference::angle_between;
 use super::error::JudgeError;
@@ -21,8 +21,6 @@ const EXACT: f64 = 1e-6;
 const REPLACES: f64 = 0.03;
 /// Bound on the same from the log's own start, where the first row fits any reading.
 const FITS_OWN: f64 = 0.1;
-/// Ratio of residuals beyond which the smaller one decides.
-pub(super) const CLEARLY: f64 = 10.0;
 /// Angle between equal motions, rad: rounding of two conversions.
 pub(super) const SAME: f64 = 1e-12;
 /// Angle up to which a first row is the scenario's start, rad: single precision and four digits pass.

@@ -1,12 +1,11 @@
 //! Clocks under which a log begins some time after the scenario's start.
 
-use super::beginning::{BEGINNING, Beginning, COMPARED, Clock, logged_rate};
+use super::beginning::{BEGINNING, Beginning, CLEARLY, COMPARED, Clock, logged_rate};
 use super::difference::{angle_between, rotation_vector};
 use super::error::JudgeError;
 use super::log::MotionLog;
 use super::reading::{Reading, ReadingResidual};
 use super::reference::{spread, states_within};
-use super::search::CLEARLY;
 use crate::motion::model::state::State;
 use crate::motion::task::scenario::Scenario;
 

@@ -18,6 +18,7 @@ pub mod elliptic;
 pub(crate) mod fine_eigen;
 pub mod formula;
 pub(crate) mod frame;
+pub(crate) mod frequency;
 pub(crate) mod jet;
 pub(crate) mod kepler;
 pub(crate) mod landen;

@@ -216,6 +216,15 @@ pub enum MotionError {
         /// Time of the switches, s.
         time: f64,
     },
+    /// The function of an event changes so fast that its passages cannot all be found.
+    EventTooFast {
+        /// Index of the event, from 0.
+        event: usize,
+        /// Time up to which its passages are known, s.
+        time: f64,
+        /// End of the step in which it changes too fast, s.
+        until: f64,
+    },
     /// The progress callback ended an integration.
     Stopped {
         /// The time it had reached, s.
@@ -247,6 +256,7 @@ impl MotionError {
                 | Self::RunAway { .. }
                 | Self::HalfTurn { .. }
                 | Self::Chatter { .. }
+                | Self::EventTooFast { .. }
                 | Self::NotFinite { .. }
         )
     }
@@ -302,6 +312,9 @@ impl MotionError {
             }
             Self::Chatter { .. } => Some(
                 "give the events that switch on and off different values: between them is the dead band of the controller",
+            ),
+            Self::EventTooFast { .. } => Some(
+                "measure something slower: in one step of the motion the phase of a formula may advance by 1e6 rad",
             ),
             Self::TorqueNotFinite { .. } => {
                 Some("a formula is NaN where it divides by zero or takes the root of a negative number")
@@ -465,6 +478,13 @@ impl fmt::Display for MotionError {
                 "at t = {time} s events switch torques on and off without end: event {} happens twice at this instant",
                 event + 1,
                 time = plain(*time)
+            ),
+            Self::EventTooFast { event, time, until } => write!(
+                f,
+                "the function of event {} changes too fast: between t = {time} s and {until} s not all passages can be found",
+                event + 1,
+                time = plain(*time),
+                until = plain(*until)
             ),
             Self::Stopped { time } => write!(f, "stopped at {time} s, as was asked"),
             Self::Cancelled { done } => write!(f, "cancelled after {done} members"),

@@ -19,6 +19,8 @@ mod ensemble_in_step;
 mod equilibria;
 mod error_estimate;
 mod event;
+mod event_drift;
+mod event_fast;
 mod event_random;
 mod event_sides;
 mod free_derivatives;

@@ -14,7 +14,7 @@ use crate::math::rotation::Rotation;
 use crate::math::vector::{Direction, Position, Vector, Velocity};
 use crate::motion::error::MotionError;
 use crate::motion::model::event::{Crossing, Event, EventAction};
-use crate::motion::model::event_detection::{EventDetector, Found};
+use crate::motion::model::event_detection::{EventDetector, Found, Watched};
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
@@ -163,7 +163,8 @@ impl<'a> Run<'a> {
         let mut stop = None;
         let found = {
             let (of, stepper) = (self.of, &self.stepper);
-            watch.look([from, to], &|time| state(of, stepper, time, &stepper.variables_at(time)))
+            let state = |time: f64| state(of, stepper, time, &stepper.variables_at(time));
+            watch.look([from, to], &Watched { state: &state, rates: &|_| None })?
         };
         let mut found = found.as_slice();
         while let Some(first) = found.first() {

@@ -231,6 +231,20 @@ impl Event {
         Ok(())
     }
 
+    /// True if it measures a function that may change faster than the body turns.
+    pub(crate) const fn may_be_fast(&self) -> bool {
+        matches!(self.measure, Measure::Formula(_) | Measure::Function(_))
+    }
+
+    /// The gap without the size of its terms, which takes two more evaluations of a formula.
+    pub(crate) fn gap_alone(&self, rotor: &Rotor, torques: &[TorqueModel], state: &State) -> f64 {
+        match &self.measure {
+            Measure::Formula(formula) => formula.evaluate(&StateVariables::of(rotor, state)) - self.value,
+            Measure::Function(function) => function.value(rotor, state) - self.value,
+            _ => self.gap(rotor, torques, state).gap,
+        }
+    }
+
     /// How far it is from happening.
     pub(crate) fn gap(&self, rotor: &Rotor, torques: &[TorqueModel], state: &State) -> Gap {
         let (v, omega) = (self.value, state.omega);

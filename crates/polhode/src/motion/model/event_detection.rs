@@ -1,12 +1,19 @@
 //! Event detection along an interval of a motion with dense output.
 //!
-//! An interval is divided into pieces in which the body turns by less than a third of a radian; pieces are halved
-//! where an event's function turns back or is not yet resolved. A passage is located to the rounding of the time. Not
-//! found are two passages within a part of 10⁻³ of a piece that neither values nor slopes at the ends of the piece
-//! show, as of a function that changes much faster than the body turns.
+//! An interval is divided into pieces in which the body turns by less than a third of a radian, and the phase of a formula
+//! or function advances by less than that, too; pieces are halved where an event's function turns back or is not yet
+//! resolved. A passage is located to the rounding of the time. Not found are two passages within a part of 10⁻³ of a piece
+//! that neither values nor slopes at the ends of the piece show, as those of a short pulse of a formula.
+//!
+//! A function may be constant along the exact motion, as the kinetic energy of a body that is left alone. Its rate by the
+//! equations of motion is zero then, and its change in a step is the error of the step. Such a change passes no value.
 
 use super::passage::{Course, Passages, Pieces};
-use crate::motion::model::event::{Event, Gap};
+use crate::math::frame::Body;
+use crate::math::frequency::frequency;
+use crate::math::vector::Direction;
+use crate::motion::error::MotionError;
+use crate::motion::model::event::Event;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
@@ -15,6 +22,32 @@ pub use super::passage::EventSide;
 
 /// Safety factor of the residual of a function where it vanished.
 const RESIDUAL: f64 = 4.0;
+
+/// Rounding of the rate of a function, relative to the size of its terms and the rate at which the state changes.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// A motion within an interval.
+pub(crate) struct Watched<'m> {
+    /// The state at a time.
+    pub(crate) state: &'m dyn Fn(f64) -> State,
+    /// Ω and ω̇ by the equations of motion in a state, body axes; `None` where the motion has no errors that add up, or
+    /// the equations are not at hand.
+    pub(crate) rates: &'m dyn Fn(&State) -> Option<[Direction<Body>; 2]>,
+}
+
+/// The times at which a part of an interval is looked at, and the states there.
+struct Looks {
+    pieces: Pieces,
+    states: Vec<[State; 2]>,
+}
+
+impl Looks {
+    fn of(part: [f64; 2], angle: f64, at: &dyn Fn(f64) -> State) -> Self {
+        let pieces = Pieces::of(part, angle);
+        let states = pieces.times().iter().map(|times| times.map(at)).collect();
+        Self { pieces, states }
+    }
+}
 
 /// The events, and the side of each value on which the motion is.
 #[derive(Debug)]
@@ -31,6 +64,8 @@ pub(crate) struct EventDetector<'a> {
     happened: Vec<(usize, bool)>,
     /// Residual of each event's function where it vanished there.
     residuals: Vec<f64>,
+    /// Largest value of each event's function while that only drifted; 0 once it has been beyond it.
+    drifts: Vec<f64>,
 }
 
 /// A crossing that was found.
@@ -60,7 +95,7 @@ impl<'a> EventDetector<'a> {
             true => sides.to_vec(),
             false => events.iter().map(side).collect(),
         };
-        let residuals = vec![0.0; events.len()];
+        let [residuals, drifts] = [0, 1].map(|_| vec![0.0; events.len()]);
         Self {
             rotor,
             torques,
@@ -70,6 +105,7 @@ impl<'a> EventDetector<'a> {
             cut: start.time,
             happened: Vec::new(),
             residuals,
+            drifts,
         }
     }
 
@@ -135,41 +171,136 @@ impl<'a> EventDetector<'a> {
         }
     }
 
-    /// All crossings from one time to another, in ascending order; `at` gives the motion there.
-    pub(crate) fn look(&mut self, [from, to]: [f64; 2], at: &dyn Fn(f64) -> State) -> Vec<Found> {
+    /// All crossings from one time to another, in ascending order.
+    ///
+    /// # Errors
+    /// [`MotionError::EventTooFast`]
+    pub(crate) fn look(
+        &mut self,
+        [from, to]: [f64; 2],
+        motion: &Watched<'_>,
+    ) -> Result<Vec<Found>, MotionError> {
         if self.events.is_empty() {
-            return Vec::new();
+            return Ok(Vec::new());
         }
+        let at = motion.state;
         let turn = at(from).omega.norm().max(at(to).omega.norm()) * (to - from);
-        let pieces = Pieces::of([from, to], turn);
-        let states: Vec<[State; 2]> = pieces.times().iter().map(|times| times.map(at)).collect();
+        let looks = Looks::of([from, to], turn, at);
         self.last.clear();
         let mut found = Vec::new();
-        for (index, (event, side)) in self.events.iter().zip(&mut self.sides).enumerate() {
-            let gap = |state: &State| event.gap(self.rotor, self.torques, state);
-            let gaps: Vec<[Gap; 2]> = states.iter().map(|[a, b]| [gap(a), gap(b)]).collect();
-            let scale = gaps.iter().flatten().fold(0.0_f64, |scale, gap| scale.max(gap.scale));
-            let values: Vec<[f64; 2]> = gaps.iter().map(|pair| pair.map(|gap| gap.gap)).collect();
-            let function = |time: f64| gap(&at(time)).gap;
-            let residual = self.residuals.get(index).filter(|_| from <= self.cut).copied();
-            let floor = RESIDUAL * residual.unwrap_or(0.0);
-            let course = Course { pieces: &pieces, values: &values, scale, floor, function: &function };
-            let passages = course.passages(*side);
+        for (index, event) in self.events.iter().enumerate() {
+            let before = self.sides[index];
+            let residual = if from <= self.cut { RESIDUAL * self.residuals[index] } else { 0.0 };
+            let course = (before, residual.max(self.drifts[index]));
+            let states = || looks.states.iter().flatten();
+            // A formula may have a short pulse between these states.
+            let is_constant = !event.may_be_fast() && self.is_constant(event, states(), motion);
+            let passages = match is_constant {
+                true => Some(Passages::none(before, self.noise(event, states()))),
+                false => self.passages(event, course, ([from, to], turn), (&looks, at)),
+            };
+            let mut passages =
+                passages.ok_or(MotionError::EventTooFast { event: index, time: from, until: to })?;
+            let is_changed = passages.side(to) != before || !passages.passages.is_empty();
+            let there: Vec<State> = match event.may_be_fast() && is_changed {
+                true => passages.passages.iter().map(|(time, _)| at(*time)).collect(),
+                false => Vec::new(),
+            };
+            let is_drift =
+                event.may_be_fast() && is_changed && self.is_constant(event, states().chain(&there), motion);
+            if is_constant || is_drift {
+                let gap = |state: &State| event.gap_alone(self.rotor, self.torques, state);
+                let is_off = |gap: &f64| before == EventSide::At || EventSide::of(*gap) != before;
+                let off = states().map(gap).filter(is_off).map(f64::abs);
+                let drift = off.fold(self.drifts[index], f64::max);
+                self.drifts[index] = drift;
+                passages = Passages::none(before, passages.noise);
+            } else if passages.is_known() {
+                self.drifts[index] = 0.0;
+            }
             for &(time, rising) in &passages.passages {
                 let known = |as_now: bool| {
                     let is_it = |&(event, rose): &(usize, bool)| event == index && (rose == rising) == as_now;
                     time <= self.cut && self.happened.iter().any(is_it)
                 };
                 let [repeats, turns_back] = [known(true), known(false)];
+                let is_opposite = || event.gap(self.rotor, self.torques, &at(time)).is_opposite;
                 // A switch has turned back what had just passed: that is one event.
-                if event.sense().takes(rising) && (repeats || !turns_back) && !gap(&at(time)).is_opposite {
+                if event.sense().takes(rising) && (repeats || !turns_back) && !is_opposite() {
                     found.push(Found { time, event: index, rising, repeats });
                 }
             }
-            *side = passages.side(to);
+            self.sides[index] = passages.side(to);
             self.last.push(passages);
         }
         found.sort_by(|a, b| a.time.total_cmp(&b.time));
-        found
+        Ok(found)
+    }
+
+    /// The passages of an event's function, which is on a side before the interval and may be at zero up to a floor;
+    /// `None` for a function that changes too fast.
+    fn passages(
+        &self,
+        event: &Event,
+        (mut side, mut floor): (EventSide, f64),
+        (interval, turn): ([f64; 2], f64),
+        (looks, at): (&Looks, &dyn Fn(f64) -> State),
+    ) -> Option<Passages> {
+        let function = |time: f64| event.gap_alone(self.rotor, self.torques, &at(time));
+        let [from, to] = interval;
+        let size = |time: f64| event.gap(self.rotor, self.torques, &at(time)).scale;
+        let phase = match event.may_be_fast() {
+            true => frequency(&function, interval, size(from).max(size(to))) * (to - from),
+            false => 0.0,
+        };
+        let angle = turn.max(phase);
+        let parts = Pieces::parts(interval, angle)?;
+        let mut all = Passages::none(side, 0.0);
+        for part in &parts {
+            let own;
+            let looks = if parts.len() == 1 && angle == turn {
+                looks
+            } else {
+                own = Looks::of(*part, angle / parts.len() as f64, at);
+                &own
+            };
+            let mut scale = 0.0_f64;
+            let mut values = Vec::with_capacity(looks.states.len());
+            for [state, beside] in &looks.states {
+                let gap = event.gap(self.rotor, self.torques, state);
+                scale = scale.max(gap.scale);
+                values.push([gap.gap, event.gap_alone(self.rotor, self.torques, beside)]);
+            }
+            let course = Course { pieces: &looks.pieces, values: &values, scale, floor, function: &function };
+            let passages = course.passages(side);
+            side = passages.side(part[1]);
+            if passages.is_known() {
+                floor = 0.0;
+            }
+            all.extend(passages);
+        }
+        Some(all)
+    }
+
+    /// Rounding of an event's function in these states.
+    fn noise<'s>(&self, event: &Event, states: impl Iterator<Item = &'s State>) -> f64 {
+        let scale = |state: &State| event.gap(self.rotor, self.torques, state).scale;
+        Passages::rounding(states.map(scale).fold(0.0, f64::max))
+    }
+
+    /// True if the function of an event has no rate by the equations of motion in these states, except for rounding.
+    fn is_constant<'s>(
+        &self,
+        event: &Event,
+        mut states: impl Iterator<Item = &'s State>,
+        motion: &Watched<'_>,
+    ) -> bool {
+        states.all(|state| {
+            let Some(rates) = (motion.rates)(state) else { return false };
+            let (omega, [_, acceleration]) = (state.omega.norm(), rates.map(Direction::norm));
+            let growth = if acceleration > 0.0 { acceleration / omega } else { 0.0 };
+            let scale = event.gap(self.rotor, self.torques, state).scale;
+            event.rate(self.rotor, state, rates).abs() <= ROUNDING * scale * (omega + growth)
+        })
     }
 }

@@ -35,6 +35,29 @@ impl EventSlope {
 }
 
 impl Event {
+    /// Returns the rate of its function along the motion, 1/s, in a state whose axes turn at Ω and whose ω changes at ω̇, body
+    /// axes. It is NaN for a function of which only values are known.
+    pub(crate) fn rate(
+        &self,
+        rotor: &Rotor,
+        state: &State,
+        [turning, acceleration]: [Direction<Body>; 2],
+    ) -> f64 {
+        // A torque with a potential conserves the energy; a motor in the body does not.
+        if *self.measure() == Measure::TotalEnergy && rotor.wheels().is_empty() {
+            return 0.0;
+        }
+        // A jump has no rate on either side.
+        if let Measure::Formula(formula) = self.measure()
+            && formula.rough_function().is_some()
+        {
+            return f64::NAN;
+        }
+        let still = Tangent::still(rotor, state);
+        let along = Tangent { turn: turning, faster: acceleration.as_quantity(), later: 1.0, ..still };
+        measured(self.measure(), &along).first
+    }
+
     /// Why what it measures has no derivatives, if it has none.
     pub(in crate::motion) fn roughness(&self) -> Option<&'static str> {
         match self.measure() {
@@ -58,7 +81,7 @@ impl Event {
         let slope = |along: Tangent<'_>| measured(self.measure(), &along).first;
         let axis = |k: usize| Direction::from_array([0, 1, 2].map(|n| f64::from(u8::from(n == k % 3))));
         EventSlope {
-            rate: slope(Tangent { turn: turning, faster: acceleration.as_quantity(), later: 1.0, ..still }),
+            rate: self.rate(rotor, state, [turning, acceleration]),
             by_state: core::array::from_fn(|k| {
                 let along = if k < 3 {
                     Tangent { turn: axis(k), ..still }

@@ -11,8 +11,11 @@ use crate::math::sign_changes::{Node, SLOPE, Sought};
 /// A body turns by less than this in a piece of an interval, rad.
 const TURN: f64 = 0.3;
 
-/// Pieces of an interval, at least and at most.
+/// Pieces of a part of an interval, at least and at most.
 const PIECES: [f64; 2] = [4.0, 256.0];
+
+/// Limit on the pieces of an interval.
+const MOST_PIECES: f64 = 4_194_304.0;
 
 /// Rounding of a function relative to the size of its terms, and of a time relative to itself.
 const ROUNDING: [f64; 2] = [16.0 * f64::EPSILON, 4.0 * f64::EPSILON];
@@ -56,7 +59,20 @@ impl EventSide {
 pub(crate) struct Pieces(Vec<[f64; 2]>);
 
 impl Pieces {
-    /// Divides an interval in which the body turns by this, rad.
+    /// Divides an interval into parts of at most 256 pieces each, for a function whose phase advances by this angle in the
+    /// interval, rad; `None` for too many pieces.
+    pub(crate) fn parts([from, to]: [f64; 2], angle: f64) -> Option<Vec<[f64; 2]>> {
+        let pieces = (angle / TURN).ceil();
+        if pieces > MOST_PIECES {
+            return None;
+        }
+        let count = (pieces / PIECES[1]).ceil().max(1.0) as u32;
+        let end =
+            |k: u32| if k == count { to } else { from + (to - from) * (f64::from(k) / f64::from(count)) };
+        Some((0..count).map(|k| [end(k), end(k + 1)]).collect())
+    }
+
+    /// Divides a part of an interval in which the phase of the function advances by this angle, rad.
     pub(crate) fn of([from, to]: [f64; 2], turn: f64) -> Self {
         let count = (turn / TURN).ceil().clamp(PIECES[0], PIECES[1]) as u32;
         let width = (to - from) / f64::from(count);
@@ -84,7 +100,7 @@ pub(crate) struct Course<'a> {
     pub(crate) values: &'a [[f64; 2]],
     /// The size of its terms, to which its rounding is relative.
     pub(crate) scale: f64,
-    /// A value up to which the function may be at zero at the start, in addition to its rounding.
+    /// A value up to which the function may be at zero until it has been beyond it, in addition to its rounding.
     pub(crate) floor: f64,
     pub(crate) function: &'a dyn Fn(f64) -> f64,
 }
@@ -103,6 +119,28 @@ pub(crate) struct Passages {
 }
 
 impl Passages {
+    /// No passage of a function that stays on its side.
+    pub(crate) const fn none(before: EventSide, noise: f64) -> Self {
+        Self { before, since: None, passages: Vec::new(), noise }
+    }
+
+    /// Rounding of a function whose terms have this size.
+    pub(crate) const fn rounding(scale: f64) -> f64 {
+        ROUNDING[0] * scale
+    }
+
+    /// True if the function has been beyond its rounding in the interval.
+    pub(crate) const fn is_known(&self) -> bool {
+        self.since.is_some()
+    }
+
+    /// Adds the passages of the next part of the interval.
+    pub(crate) fn extend(&mut self, next: Self) {
+        self.since = self.since.or(next.since);
+        self.passages.extend(next.passages);
+        self.noise = self.noise.max(next.noise);
+    }
+
     /// The side just after a time.
     pub(crate) fn side(&self, time: f64) -> EventSide {
         let first = match (self.before, self.since) {
@@ -117,15 +155,16 @@ impl Passages {
 impl Course<'_> {
     /// Finds the passages of a function that is on a side before the interval.
     pub(crate) fn passages(&self, before: EventSide) -> Passages {
-        let noise = ROUNDING[0] * self.scale;
-        let mut passages = Passages { before, since: None, passages: Vec::new(), noise };
+        let noise = Passages::rounding(self.scale);
+        let mut passages = Passages::none(before, noise);
         let Some(start) = self.start(noise) else { return passages };
         let sought = Sought { function: self.function, noise };
         let mut zeros = Vec::new();
         let mut run: Vec<Node> = start.into_iter().collect();
         let mut is_known = start.is_some();
         for k in 1..self.values.len() {
-            let node = self.node(k, noise);
+            let is_open = start.is_none() && passages.since.is_none();
+            let node = self.node(k, if is_open { noise + self.floor } else { noise });
             if let Some(node) = node {
                 if !is_known {
                     zeros.extend(sought.zeros(&run));

@@ -6,7 +6,7 @@ use super::sample::Sample;
 use crate::math::vector::AngularMomentum;
 use crate::motion::error::MotionError;
 use crate::motion::model::event::{Crossing, Event, EventAction};
-use crate::motion::model::event_detection::{EventDetector, EventSide, Found};
+use crate::motion::model::event_detection::{EventDetector, EventSide, Found, Watched};
 use crate::motion::model::state::State;
 use crate::motion::model::torque::total_potential;
 use crate::motion::solve::propagate::balanced::Balanced;
@@ -129,8 +129,11 @@ impl<'a> Integration<'a> {
         }
         let found = {
             let stepper = &self.stepper;
-            self.watch.look([from, stepper.time()], &|time| stepper.at(time).state)
+            let motion =
+                Watched { state: &|time| stepper.at(time).state, rates: &|state| stepper.rates_of(state) };
+            self.watch.look([from, stepper.time()], &motion)
         };
+        let found = found.inspect_err(|_| self.stepper.cut(from))?;
         for (k, first) in found.iter().enumerate() {
             self.fill(first.time, false)?;
             if first.repeats {

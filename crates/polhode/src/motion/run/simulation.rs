@@ -8,7 +8,7 @@ use crate::math::frame::Body;
 use crate::math::vector::Position;
 use crate::motion::error::MotionError;
 use crate::motion::model::event::{Crossing, Event, EventAction};
-use crate::motion::model::event_detection::{EventDetector, EventSide, Found};
+use crate::motion::model::event_detection::{EventDetector, EventSide, Found, Watched};
 use crate::motion::model::mass_history::MassHistory;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
@@ -355,7 +355,14 @@ impl<'a> Simulation<'a> {
                 let cause = MotionError::TooManySteps { time, step, most: MOST_STEPS };
                 ending = Ending::Failed { time, cause };
             } else {
-                let mut found = watch.look([time, next], &|t| motion.at(t));
+                let look = watch.look([time, next], &Watched { state: &|t| motion.at(t), rates: &|_| None });
+                let mut found = match look {
+                    Ok(found) => found,
+                    Err(cause) => {
+                        ending = Ending::Failed { time, cause };
+                        break;
+                    }
+                };
                 let is_stop = |found: &Found| {
                     self.events.get(found.event).is_some_and(|event| event.action() == EventAction::Stop)
                 };

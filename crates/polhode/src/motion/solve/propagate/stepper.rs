@@ -15,9 +15,10 @@ use super::runge_kutta::RungeKutta;
 use super::splitting::{Splitting, SplittingOrder};
 use super::step_statistics::StepStatistics;
 use super::taylor::Taylor;
-use crate::math::frame::Body;
-use crate::math::vector::Direction;
+use crate::math::frame::{Body, Principal};
+use crate::math::vector::{AngularVelocity, Direction, Torque};
 use crate::motion::error::MotionError;
+use crate::motion::model::euler::euler;
 use crate::motion::model::mass_history::MassHistory;
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
@@ -363,6 +364,25 @@ impl<'a> Stepper<'a> {
             Steps::Taylor(taylor) => taylor.rates_at(time),
             Steps::Dop853(_) | Steps::Splitting(_) => [Direction::from_array([f64::NAN; 3]); 2],
         }
+    }
+
+    /// Ω and ω̇ in a state by the equations of motion of the last step, body axes; `None` for a body whose mass properties
+    /// change.
+    pub(crate) fn rates_of(&self, state: &State) -> Option<[Direction<Body>; 2]> {
+        let piece = &*self.piece;
+        if piece.changing.is_some() {
+            return None;
+        }
+        let (to_body, moments) = (self.rotor.principal().rotation(), self.rotor.principal().moments());
+        let omega = to_body.inverse() * state.omega;
+        let (h, l) = (piece.wheel_momentum(state.time), piece.angular_momentum(state.time, omega));
+        let torque = to_body.inverse() * piece.torque(state, state.attitude);
+        // Ω = ω + α L × ω;  I ω̇ = N − ω × I ω + h × ω + α L × (L × ω) − ḣ
+        let bending: Torque<Principal> = l.cross(omega);
+        let slip: AngularVelocity<Principal> = bending.as_quantity() * piece.sink;
+        let inside = h.cross(omega) + l.cross(slip) - piece.motor_torque();
+        let acceleration: Direction<Principal> = euler(moments, omega, torque + inside).as_quantity();
+        Some([(omega + slip).as_quantity(), acceleration].map(|v| to_body * v))
     }
 
     /// Adds to each column of the derivatives now its change of a time times `by`, rates of θ and ω, body axes.

@@ -81,6 +81,16 @@ pub fn factor(unit: &str, expected: Dimension) -> Result<f64, UnitError> {
     value("1", unit, unit, accepts).map(|(value, _)| value)
 }
 
+/// One of a unit that a label says in a symbol or a word, in SI: of `millimeters` and `MM` 0.001; `None` for other labels.
+pub(crate) fn spelt(label: &str, expected: Dimension) -> Option<f64> {
+    let label = label.trim();
+    let lower = label.to_lowercase();
+    let names = [Some(label), Some(&*lower), table::word(&lower)];
+    let symbol = names.into_iter().flatten().find_map(|name| factor(name, expected).ok());
+    // 1mm
+    symbol.or_else(|| parse(label, expected).ok().filter(|_| has_unit(label)))
+}
+
 /// Of numbers in a list, the first without a unit, which is not zero, beside the first that has one: whoever wrote them meant the unit
 /// for all, or forgot it. What is no quantity is not looked at.
 ///

@@ -20,6 +20,7 @@
 mod freecad;
 mod meshlab;
 
+use std::f64::consts::PI;
 use std::ops::Range;
 
 use polhode::body::shape::Substance;
@@ -93,7 +94,7 @@ struct Measures {
     unit: Option<f64>,
 }
 
-/// A printed number, half a unit of its last digit, and its place.
+/// A printed number, the bound on its rounding, and its place.
 #[derive(Clone, Debug, Default)]
 struct Number {
     value: f64,
@@ -137,6 +138,7 @@ impl GeometryReport {
         let sign = inward(&measures, &mut findings)?;
         symmetric(text, &measures)?;
         traced(text, &measures)?;
+        compact(text, &measures)?;
         rounded(text, program, &measures, &mut findings)?;
         let length = measures.unit.or(unit).unwrap_or(1.0);
         let scaled = |number: &Number, power: i32| sign * number.value * length.powi(power);
@@ -218,6 +220,35 @@ fn traced(text: &str, measures: &Measures) -> Result<(), ContentError> {
     Err(bad("the principal moments", text[span.clone()].to_owned(), rule, span))
 }
 
+/// Refuses a volume that is too large for the tensor.
+///
+/// The ball of radius R = (3V/4π)^⅓ has the least ∫r² dV about the centre of mass of all bodies of volume V: ⅗ V R². Each
+/// piece of another body outside the ball is farther from the centre than a piece of the ball that the body lacks. As
+/// tr I = 2 ∫r² dV at density 1,
+///
+/// ½ tr I ≥ ⅗ (3/4π)^⅔ V^(5/3)
+///
+/// Source: Lieb & Loss, Analysis, 2nd ed. (2001), theorem 1.14, the bathtub principle.
+fn compact(text: &str, measures: &Measures) -> Result<(), ContentError> {
+    let factor = 0.6 * (0.75 / PI).cbrt().powi(2);
+    let volume = &measures.volume;
+    let diagonal = [0, 4, 8].map(|k| &measures.tensor[k]);
+    let sum = |of: fn(&Number) -> f64| diagonal.into_iter().map(of).sum::<f64>();
+    let half_trace = 0.5 * sum(|number| number.value).abs();
+    let smallest = (volume.value.abs() - volume.half).max(0.0);
+    let least = factor * smallest.cbrt().powi(5);
+    if half_trace + 0.5 * sum(|number| number.half) >= least * (1.0 - SINGLE) {
+        return Ok(());
+    }
+    let most = (half_trace / factor).powf(0.6);
+    let rule = format!(
+        "at most {}: of all shapes of one volume the ball has the least moments, and those of this tensor are less",
+        super::six(most)
+    );
+    let error = bad("the volume", text[volume.span.clone()].to_owned(), rule, volume.span.clone());
+    Err(error.hint("paste the volume and the tensor of one shape, in one unit"))
+}
+
 /// Reports how far the printed digits leave the tensor open; refuses one without digits.
 fn rounded(
     text: &str,
@@ -293,13 +324,22 @@ fn exactly<const N: usize>(
         let plain = numbers::read(text, &span, super::DecimalMark::Point).ok();
         let number = plain.and_then(|plain| {
             let value: f64 = plain.digits.parse().ok()?;
-            // A shortest double has no rounding but its own.
             let half = plain.half.max(f64::EPSILON * value.abs());
             value.is_finite().then_some(Number { value, half, span: span.clone() })
         });
         all.push(number.ok_or_else(|| expected(word, span))?);
     }
     all.try_into().map_err(|_| expected(&text[part.clone()], part))
+}
+
+/// Numbers as Python prints them: shortest doubles, which have no rounding but their own. They all have a point or a
+/// power of ten, as 1.0; streams of C++ write 1 and round to six digits.
+fn shortest<const N: usize>(text: &str, numbers: [Number; N]) -> [Number; N] {
+    let is_shortest = |number: &Number| text[number.span.clone()].contains(['.', 'e', 'E']);
+    if !numbers.iter().all(is_shortest) {
+        return numbers;
+    }
+    numbers.map(|number| Number { half: f64::EPSILON * number.value.abs(), ..number })
 }
 
 fn bad(what: &str, value: String, rule: String, span: Range<usize>) -> ContentError {

@@ -17,6 +17,8 @@ mod proof;
 mod scan;
 mod units;
 
+use std::ops::Range;
+
 use polhode::body::{BodyError, Finding, InertiaAbout, InertiaTensor, MassProperties, Severity};
 use polhode::math::{Body, Position};
 
@@ -221,24 +223,72 @@ pub fn read(text: &str, options: &CadOptions) -> Result<CadReport, ContentError>
         let message = "the report has no centre of mass: it is taken as the origin, and only the tensor about it is known";
         findings.push(finding("cad.no-center", Severity::Warning, message.to_owned()));
     }
-    let mut scalar = |k: usize| -> Result<Option<f64>, ContentError> {
+    let mut scalar = |k: usize| -> Result<Option<Printed>, ContentError> {
         let (group, (_, name, dimension)) = (&scan.scalars[k], SCALARS[k]);
         let value: Option<[Printed; 1]> = reader.if_whole(group, dimension)?;
         if group.is_some() && value.is_none() {
             let message = format!("{name} has no unit and was not read");
             findings.push(finding("cad.no-unit", Severity::Info, message));
         }
-        Ok(value.map(|[p]| p.value).filter(|v| *v > 0.0))
+        Ok(value.map(|[p]| p).filter(|p| p.value > 0.0))
     };
+    let [volume, surface_area, density] = [scalar(1)?, scalar(2)?, scalar(3)?];
+    if let (Some(volume), Some(density)) = (volume, density)
+        && let Some(product) = other_mass(mass, volume, density)
+    {
+        // SolidWorks marks values that its user has set by hand.
+        if text.to_lowercase().contains("overrid") {
+            let message = format!(
+                "the mass is overridden: density × volume, {} kg/m³ × {} m³, is {} kg",
+                six(density.value),
+                six(volume.value),
+                six(product)
+            );
+            findings.push(finding("cad.overridden", Severity::Warning, message));
+        } else {
+            return Err(contradictory(text, &scan.scalars[0], [density, volume].map(|p| p.value), product));
+        }
+    }
     Ok(CadReport {
         product: scan.product,
         properties,
-        volume: scalar(1)?,
-        surface_area: scalar(2)?,
-        density: scalar(3)?,
+        volume: volume.map(|p| p.value),
+        surface_area: surface_area.map(|p| p.value),
+        density: density.map(|p| p.value),
         findings,
         proof,
     })
+}
+
+/// The mass by density and volume, if it is not that of the report: m = ρ V within twice the rounding of all three.
+fn other_mass(mass: Printed, volume: Printed, density: Printed) -> Option<f64> {
+    let product = density.value * volume.value;
+    let rounding = mass.half + density.half * volume.value + volume.half * density.value;
+    ((mass.value - product).abs() > 2.0 * rounding + 1e-9 * product).then_some(product)
+}
+
+fn contradictory(text: &str, mass: &Group<1>, [density, volume]: [f64; 2], product: f64) -> ContentError {
+    let [found] = &mass.numbers;
+    let span = found.as_ref().map_or(0..0, |found| found.span.clone());
+    let kind = ContentErrorKind::Value {
+        what: "the mass".to_owned(),
+        value: text[span.clone()].to_owned(),
+        rule: format!(
+            "density × volume of the report: {} kg/m³ × {} m³ = {} kg",
+            six(density),
+            six(volume),
+            six(product)
+        ),
+    };
+    ContentError::new(kind, ContentPlace::Text(span)).hint(
+        "paste the numbers of one body, with their units; leave out a density or volume that is not its own",
+    )
+}
+
+/// A number with six significant digits.
+fn six(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    if (1e-4..1e7).contains(&rounded.abs()) { rounded.to_string() } else { format!("{rounded:e}") }
 }
 
 /// The numbers that are used, wherever they stand.
@@ -423,7 +473,10 @@ impl Reader<'_> {
                 (None, Some(factor)) => {
                     Printed { value: parse(&number.digits)? * factor, half: half * factor }
                 }
-                (None, None) => return Err(no_unit(&name(k), dimension, place())),
+                (None, None) => {
+                    let error = unknown_unit(self.text, &name(k), dimension, &found.span);
+                    return Err(error.unwrap_or_else(|| no_unit(&name(k), dimension, place())));
+                }
             });
         }
         Ok(all)
@@ -470,6 +523,26 @@ fn missing(name: &str) -> ContentError {
         "paste the whole report, from the mass to the last moment of inertia, in English; headings that are read: {}",
         language::KNOWN
     ))
+}
+
+/// The error of a word behind a number that ends its line and is not a unit.
+fn unknown_unit(text: &str, name: &str, dimension: Dimension, number: &Range<usize>) -> Option<ContentError> {
+    let rest = text[number.end..].lines().next().unwrap_or_default();
+    let word = rest.trim();
+    if !word.starts_with(char::is_alphabetic) || word.contains(char::is_whitespace) {
+        return None;
+    }
+    let start = number.end + (rest.len() - rest.trim_start().len());
+    let (what, found) = (format!("a unit of {}", name.strip_prefix("the ").unwrap_or(name)), word.to_owned());
+    let place = ContentPlace::Text(start..start + word.len());
+    let error = ContentError::new(ContentErrorKind::Expected { what, found }, place);
+    Some(match dimension {
+        Dimension::MASS if word.eq_ignore_ascii_case("mg") => {
+            error.hint("MG may be the milligram or the megagram: write mg or t")
+        }
+        Dimension::MASS => error.hint("write mg, g, kg, t, lb, oz or slug"),
+        _ => error,
+    })
 }
 
 fn no_unit(name: &str, dimension: Dimension, place: ContentPlace) -> ContentError {

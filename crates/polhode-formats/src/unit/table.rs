@@ -32,6 +32,11 @@ pub(super) fn names_of(dimension: Dimension) -> impl Iterator<Item = &'static st
     of.filter_map(|(names, ..)| names.split(' ').next())
 }
 
+/// The unit that a word in lower case means.
+pub(super) fn word(lower: &str) -> Option<&'static str> {
+    WORDS.iter().find(|(words, _)| words.split(' ').any(|word| word == lower)).map(|&(_, unit)| unit)
+}
+
 /// The unit that was probably meant.
 pub(super) fn suggestion(name: &str) -> Option<String> {
     let base = name.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -41,8 +46,7 @@ pub(super) fn suggestion(name: &str) -> Option<String> {
     }
     let names = || UNITS.iter().flat_map(|(names, ..)| names.split(' '));
     let lower = name.to_lowercase();
-    let spelt = WORDS.iter().find(|(words, _)| words.split(' ').any(|w| w == lower)).map(|&(_, unit)| unit);
-    spelt
+    word(&lower)
         .or_else(|| names().find(|n| n.to_lowercase() == lower))
         .or_else(|| names().find(|n| n.len() > 1 && name.len() > 1 && one_edit_apart(n, name)))
         .map(str::to_owned)
@@ -133,7 +137,8 @@ const WORDS: &[(&str, &str)] = &[
     ("centimeter centimeters centimetre centimetres", "cm"),
     ("kilometer kilometers kilometre kilometres", "km"),
     ("milligram milligrams", "mg"),
-    ("micron microns", "µm"),
+    ("micron microns micrometer micrometers micrometre micrometres", "µm"),
+    ("decimeter decimeters decimetre decimetres", "dm"),
     ("inches", "in"),
     ("foot feet", "ft"),
     ("yard yards", "yd"),

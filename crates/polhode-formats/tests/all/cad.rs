@@ -128,7 +128,7 @@ fn scalars_and_units_are_read() {
     let report =
         read(&fusion(&generic(), Print { words: ["g", "mm"], ..GRAMS }), &CadOptions::default()).unwrap();
     assert_eq!(report.surface_area, Some(5876.196e-6));
-    assert_eq!(report.volume, Some(5569.58e-9));
+    assert_eq!(report.volume, Some(293_375e-9));
     assert_eq!(report.density, Some(8000.0));
 }
 

@@ -351,3 +351,93 @@ fn an_impossible_shape_is_refused() {
         assert!(shape.mass_properties(wrong).is_err(), "{wrong:?}");
     }
 }
+
+/// A volume belongs to a tensor that is at least that of the ball of this volume.
+#[test]
+fn a_volume_that_is_too_large_for_the_tensor_is_refused() {
+    let freecad = |volume: f64, tensor: f64| {
+        let row = |k: usize| -> String {
+            let cell = |j: usize| if j == k { format!("{tensor:?}") } else { "0.0".to_owned() };
+            format!("({},{},{},0.0)", cell(0), cell(1), cell(2))
+        };
+        let matrix = format!("Matrix ({},{},{},(0.0,0.0,0.0,1.0))", row(0), row(1), row(2));
+        let text = format!(
+            "Volume = {volume:?}\nCenterOfMass = Vector (5.0, 10.0, 15.0)\nMatrixOfInertia = {matrix}\n"
+        );
+        GeometryReport::read(GeometryProgram::FreeCad, &text, None)
+    };
+    for radius in [0.3, 7.0, 1e4_f64] {
+        let volume = 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3);
+        let moment = 0.4 * volume * radius * radius;
+        assert!(freecad(volume, moment).is_ok() && freecad(volume, 3.0 * moment).is_ok());
+        let error = freecad(volume, 0.999 * moment).unwrap_err();
+        assert!(
+            error.to_string().contains("of all shapes of one volume the ball has the least moments"),
+            "{error}"
+        );
+        assert!(freecad(10.0 * volume, moment).is_err());
+    }
+    let error = meshlab(&MESHLAB.replace("36.789902", "3678.9902"), Some(1e-3)).unwrap_err();
+    assert!(error.to_string().contains("at most "), "{error}");
+    let inward = MESHLAB.replace("Mesh Volume is 36", "Mesh Volume is -3600");
+    assert!(meshlab(&inward, Some(1e-3)).is_err());
+}
+
+/// Doubles as Python prints them are exact, however few digits they have.
+#[test]
+fn shortest_doubles_of_freecad_have_no_rounding() {
+    let text = |volume: &str, moment: &str, rest: [&str; 2]| {
+        let [zero, one] = rest;
+        format!(
+            ">>> s.Volume\n{volume}\n>>> s.CenterOfMass\nVector (0.5, 0.5, 0.5)\n>>> s.MatrixOfInertia\n\
+             Matrix (({moment},{zero},{zero},{zero}),({zero},{moment},{zero},{zero}),({zero},{zero},{moment},{zero}),({zero},{zero},{zero},{one}))\n"
+        )
+    };
+    let exact = ["0.0", "1.0"];
+    for (volume, moment) in [("1.0", "0.16666666666666666"), ("0.6", "0.1"), ("1e-3", "0.16666666666666666")]
+    {
+        let shape =
+            GeometryReport::read(GeometryProgram::FreeCad, &text(volume, moment, exact), None).unwrap();
+        assert!(shape.findings.is_empty(), "{:?}", shape.findings);
+        let body = shape.mass_properties(Substance::Mass(3.0)).unwrap();
+        let want = 3.0 * moment.parse::<f64>().unwrap() / volume.parse::<f64>().unwrap() * 1e-6;
+        assert!((body.inertia().matrix()[1][1] / want - 1.0).abs() < 1e-14);
+    }
+    // Streams of C++ write 0 and 1, and six digits.
+    let rounded = text("0.6", "0.12", ["0", "1"]);
+    let shape = GeometryReport::read(GeometryProgram::FreeCad, &rounded, None).unwrap();
+    assert_eq!(shape.findings[0].code, "cad.rounding");
+}
+
+/// m = ρ V, within the rounding of all three.
+#[test]
+fn a_mass_that_contradicts_density_and_volume_is_refused() {
+    let report = |mass: &str| {
+        format!(
+            "Density = 2700.00 kilograms per cubic meter\n\nMass = {mass}\n\nVolume = 0.50 cubic meters\n\n\
+             Center of mass: ( meters )\n\tX = 0.0\n\tY = 0.1\n\tZ = 0.0\n\n\
+             Moments of inertia: ( kilograms * square meters )\n\
+             Taken at the center of mass and aligned with the output coordinate system.\n\
+             \tLxx = 100.1\tLxy = 0.0\tLxz = 0.0\n\tLyx = 0.0\tLyy = 110.2\tLyz = 0.0\n\tLzx = 0.0\tLzy = 0.0\tLzz = 90.3\n"
+        )
+    };
+    // 0.50 m³ is 0.495 to 0.505 m³.
+    for mass in ["1350.00 kilograms", "1340.00 kilograms", "1373.00 kilograms"] {
+        assert!(read(&report(mass), &CadOptions::default()).is_ok(), "{mass}");
+    }
+    for mass in ["5.00 kilograms", "1300.00 kilograms", "1350.00 grams"] {
+        let error = read(&report(mass), &CadOptions::default()).unwrap_err();
+        let text = error.to_string();
+        assert!(text.contains("2700 kg/m³ × 0.5 m³ = 1350 kg"), "{text}");
+    }
+    let overridden = read(&report("5.00 kilograms (user-overridden)"), &CadOptions::default()).unwrap();
+    assert!(overridden.findings.iter().any(|finding| finding.code == "cad.overridden"));
+}
+
+#[test]
+fn a_unit_that_is_not_known_is_named() {
+    let text = CREO_IN_METRES.replace("1.5200282e+02 KILOGRAM", "1.5200282e-01 MG");
+    let error = read(&text, &CadOptions::default()).unwrap_err();
+    assert!(error.to_string().contains("expected a unit of mass, found \"MG\""), "{error}");
+    assert!(error.hint.unwrap().contains("milligram or the megagram"));
+}

@@ -25,6 +25,7 @@ mod obj;
 mod off;
 mod particles;
 mod ply;
+mod points;
 mod prescribed;
 mod run_log;
 mod scenario;

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::super::units;
-use super::{Measures, Number, Once, bad, exactly};
+use super::{Measures, Number, Once, bad, exactly, shortest};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::unit::{self, Dimension};
 
@@ -116,6 +116,7 @@ impl Found {
                     part.clone(),
                     &[',', '(', ')'],
                 )?;
+                let all = shortest(text, all);
                 self.tensor.put("the matrix of inertia", upper(text, &all)?, part)?;
                 return Ok(next);
             }
@@ -191,6 +192,7 @@ fn quantity(text: &str, part: Range<usize>, what: &str, power: i32) -> Result<Nu
     let [mut number] = exactly::<1>(what, text, start..start + split, &[])?;
     let phrase = words[split..].trim();
     if phrase.is_empty() {
+        let [number] = shortest(text, [number]);
         return Ok(number);
     }
     let dimension = Dimension::new(0, i8::try_from(power).unwrap_or(0), 0, 0);

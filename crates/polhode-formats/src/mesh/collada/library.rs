@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use crate::unit::{self, Dimension};
 use crate::xml::Element;
 
 use super::value::{missing, positive, start, unsupported};
@@ -61,31 +62,18 @@ impl<'a> Library<'a> {
     }
 }
 
-/// Units by their names, in metres.
-const UNITS: [(&[&str], f64); 7] = [
-    (&["meter", "meters", "metre", "metres", "m"], 1.0),
-    (&["decimeter", "decimeters", "decimetre", "decimetres", "dm"], 0.1),
-    (&["centimeter", "centimeters", "centimetre", "centimetres", "cm"], 0.01),
-    (&["millimeter", "millimeters", "millimetre", "millimetres", "mm"], 0.001),
-    (&["kilometer", "kilometers", "kilometre", "kilometres", "km"], 1000.0),
-    (&["inch", "inches", "in"], 0.0254),
-    (&["foot", "feet", "ft"], 0.3048),
-];
-
 /// Metres in the unit that an `<asset>` states.
 ///
 /// A number that contradicts the name is an error: programs read the number, but either may be meant.
 pub(super) fn meter(asset: Element<'_>) -> Result<Option<f64>, ContentError> {
-    /// Numbers are rounded to some digits.
-    const EQUAL: f64 = 0.01;
-    let Some(unit) = asset.child("unit") else { return Ok(None) };
-    match (unit.attribute("meter"), unit.word("name")) {
+    /// Numbers are rounded to three digits or more.
+    const EQUAL: f64 = 0.002;
+    let Some(element) = asset.child("unit") else { return Ok(None) };
+    match (element.attribute("meter"), element.word("name")) {
         (Some(written), name) => {
             let meter = positive(&written)?;
-            let named = name.map(str::to_ascii_lowercase);
-            let is_named = |names: &[&str]| named.as_deref().is_some_and(|name| names.contains(&name));
-            match UNITS.iter().find(|(names, _)| is_named(names)) {
-                Some((_, metres)) if (meter / metres - 1.0).abs() > EQUAL => {
+            match name.and_then(|name| unit::spelt(name, Dimension::LENGTH)) {
+                Some(metres) if (meter / metres - 1.0).abs() > EQUAL => {
                     let name = name.unwrap_or_default();
                     let what = format!("meter of the unit {name:?}");
                     let rule = format!("{metres}, as the name says");
@@ -98,6 +86,6 @@ pub(super) fn meter(asset: Element<'_>) -> Result<Option<f64>, ContentError> {
             }
         }
         (None, None | Some("meter" | "metre" | "m")) => Ok(None),
-        (None, Some(name)) => Err(missing(&format!("meter of the unit {name:?}"), unit)),
+        (None, Some(name)) => Err(missing(&format!("meter of the unit {name:?}"), element)),
     }
 }

@@ -73,9 +73,10 @@ pub(crate) fn fusion(body: &MassProperties<Body>, print: Print) -> String {
     let [x, y, z] = print.center(body);
     let mut text = format!(
         "wheel of inertia v7\n\nArea\t5876.196 {length}^2\nDensity\t0.008 {mass} / {length}^3\nMass\t{} {mass}\n\
-         Volume\t5569.58 {length}^3\nPhysical Material\tSteel\n\nBounding Box\n\tLength \t 43.39 {length}\n\
+         Volume\t{} {length}^3\nPhysical Material\tSteel\n\nBounding Box\n\tLength \t 43.39 {length}\n\
          World X,Y,Z\t0 {length}, 0 {length}, 0 {length}\nCenter of Mass\t{x} {length}, {y} {length}, {z} {length}\n\n",
-        print.mass(body)
+        print.mass(body),
+        (body.mass() / print.units[0] / 0.008).round()
     );
     let tensors = [
         ("Center of Mass", body.inertia().matrix()),
@@ -97,9 +98,10 @@ pub(crate) fn creo(body: &MassProperties<Body>, print: Print) -> String {
     let [mass, length] = print.words;
     let [x, y, z] = print.center(body);
     let mut text = format!(
-        "VOLUME =  1.2345678e+05  {length}^3\nSURFACE AREA =  1.2345678e+04  {length}^2\n\
+        "VOLUME =  {:.7e}  {length}^3\nSURFACE AREA =  1.2345678e+04  {length}^2\n\
          DENSITY =  7.8270820e-06 {mass} / {length}^3\nMASS =  {} {mass}\n\n\
          CENTER OF GRAVITY with respect to _PRT0001 coordinate frame:\nX   Y   Z    {x} {y} {z} {length}\n\n",
+        body.mass() / print.units[0] / 7.827_082e-6,
         print.mass(body)
     );
     let tensors = [

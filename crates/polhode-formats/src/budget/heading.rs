@@ -216,6 +216,10 @@ fn spread(name: String) -> (String, Option<Spread>) {
     (name, None)
 }
 
+/// Columns that most parts lists have.
+const COMMON: &str =
+    "name, mass, x, y, z, ixx, iyy, izz, ixy, ixz, iyz, shape, mesh, material, quantity and others";
+
 fn unknown(sheet: &Sheet<'_>, cell: &Cell<'_>, name: &str) -> FormatError {
     let known: Vec<&'static str> = KEYS.iter().map(|key| key.name).collect();
     let suggestion = nearest(name, known.iter().copied());
@@ -225,10 +229,15 @@ fn unknown(sheet: &Sheet<'_>, cell: &Cell<'_>, name: &str) -> FormatError {
         "or write ignore = [\"{}\"] into the head, if it is for people",
         shown(cell).replace('"', "'")
     );
-    match (suggestion, error.hint()) {
-        (Some(near), _) => error.with_hint(format!("did you mean {near}? {hint}")),
-        (None, Some(known)) => error.with_hint(format!("{known}; {hint}")),
-        (None, None) => error,
+    // Keys that have a word of the heading: of another radius, all radii.
+    let has_word = |key: &&str| key.split(' ').any(|word| name.split(' ').any(|own| own == word));
+    let alike: Vec<&str> = KEYS.iter().map(|key| key.name).filter(has_word).collect();
+    match suggestion {
+        Some(near) => error.with_hint(format!("did you mean {near}? {hint}")),
+        None if alike.is_empty() => {
+            error.with_hint(format!("columns are {COMMON}; all are in the book, \"Parts lists\"; {hint}"))
+        }
+        None => error.with_hint(format!("keys like it are {}; {hint}", alike.join(", "))),
     }
 }
 

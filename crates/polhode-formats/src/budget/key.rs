@@ -83,6 +83,7 @@ keys! {
     SHAPE: "shape", Text;
     SIZE: "size", Sizes(Dimension::LENGTH);
     RADIUS: "radius", Sizes(Dimension::LENGTH);
+    INNER_RADIUS: "inner radius", Sizes(Dimension::LENGTH);
     SEMI_AXES: "semi axes", Sizes(Dimension::LENGTH);
     LENGTH: "length", Sizes(Dimension::LENGTH);
     HEIGHT: "height", Sizes(Dimension::LENGTH);

@@ -11,8 +11,9 @@ use super::cell::Cell;
 use super::cells::{Cells, Given, Reader};
 use super::heading::ColumnUnit;
 use super::key::{
-    CAD, DENSITY, ENDS, FILE, FILL, HEIGHT, KEYS, LENGTH, MATERIAL, MESH, RADIUS, RING_RADIUS, SCENARIO,
-    SEMI_AXES, SHAPE, SIZE, THICKNESS, TOP_RADIUS, TUBE_RADIUS, UNION, UNIT, VERTICES, WELD, X, Y, Z,
+    CAD, DENSITY, ENDS, FILE, FILL, HEIGHT, INNER_RADIUS, KEYS, LENGTH, MATERIAL, MESH, RADIUS, RING_RADIUS,
+    SCENARIO, SEMI_AXES, SHAPE, SIZE, THICKNESS, TOP_RADIUS, TUBE_RADIUS, UNION, UNIT, VERTICES, WELD, X, Y,
+    Z,
 };
 use super::part::Told;
 use super::rows::Rows;
@@ -27,8 +28,19 @@ use crate::scenario::{ScenarioFile, list_units, tree};
 use crate::unit;
 
 /// Columns of lengths and of numbers.
-const SIZES: [usize; 10] =
-    [SIZE, RADIUS, SEMI_AXES, LENGTH, HEIGHT, TOP_RADIUS, RING_RADIUS, TUBE_RADIUS, VERTICES, THICKNESS];
+const SIZES: [usize; 11] = [
+    SIZE,
+    RADIUS,
+    INNER_RADIUS,
+    SEMI_AXES,
+    LENGTH,
+    HEIGHT,
+    TOP_RADIUS,
+    RING_RADIUS,
+    TUBE_RADIUS,
+    VERTICES,
+    THICKNESS,
+];
 
 /// What a file that a row names holds.
 enum Form {
@@ -334,4 +346,19 @@ pub(super) fn quoted(text: &str) -> String {
         }
     }
     quoted + "\""
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ENDS, KEYS, SIZES};
+    use crate::scenario::shape::SHAPES;
+
+    #[test]
+    fn every_key_of_a_shape_of_scenarios_is_a_column() {
+        let columns: Vec<String> =
+            SIZES.into_iter().chain([ENDS]).map(|key| KEYS[key].name.replace(' ', "_")).collect();
+        for (shape, keys) in SHAPES {
+            assert!(keys.iter().all(|key| columns.iter().any(|column| column == key)), "{shape}: {keys:?}");
+        }
+    }
 }

@@ -52,7 +52,7 @@ pub(crate) mod rotation;
 mod rows;
 mod run;
 mod shaft;
-mod shape;
+pub(crate) mod shape;
 pub(crate) mod source;
 mod start;
 mod substance;

@@ -145,6 +145,20 @@ fn trees_are_given_by_paths_or_by_parents() {
 }
 
 #[test]
+fn a_hollow_part_has_an_inner_radius() {
+    let tube =
+        budget("name,mass [kg],shape,radius [m],inner_radius [m],length [m]\ntube,3,cylinder,0.5,0.4,1.2\n");
+    let inertia = estimate(&tube).properties.inertia().matrix();
+    // m (r² + q²)/2 along the axis, m (3 (r² + q²) + l²)/12 across
+    let square = 0.5_f64.powi(2) + 0.4_f64.powi(2);
+    assert!((inertia[2][2] - 1.5 * square).abs() < 1e-15);
+    assert!((inertia[0][0] - 0.25 * (3.0 * square + 1.44)).abs() < 1e-15);
+    let error = super::csv("name,mass,outer radius\ntube,3,0.5\n").unwrap_err();
+    let hint = error.hint().unwrap_or_default();
+    assert!(hint.contains("radius, inner radius, top radius") && !hint.contains("yaw"), "{hint}");
+}
+
+#[test]
 fn shapes_have_the_keys_of_scenarios() {
     let list = |columns: &str, cells: &str| budget(&format!("name,{columns}\npart,{cells}\n"));
     // 100 × 50 × 20 mm of 2700 kg/m³

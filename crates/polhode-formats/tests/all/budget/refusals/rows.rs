@@ -12,7 +12,7 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ),
     (
         "name,mass,colour\na,1,red\n",
-        "list.csv:1:11: unknown key \"colour\" in the headings | the keys here are name, path",
+        "list.csv:1:11: unknown key \"colour\" in the headings | columns are name, mass",
     ),
     (
         "name,mass [mm]\na,1\n",

@@ -214,3 +214,26 @@ fn gravity_that_is_not_of_this_planet_is_named() {
     assert!(!named("9.81 m/s^2", "41.2 s +- 0.1 s"));
     assert!(named("1.62 m/s^2", "101.4 s +- 0.1 s"));
 }
+
+#[test]
+fn an_amplitude_that_grows_is_reported_and_absurd_numbers_are_refused_where_they_are() {
+    let scratch = Scratch::new("identify-grows");
+    let with = |from: &str, to: &str| {
+        assert!(ONE_AXIS.contains(from));
+        scratch.write("plan.toml", &ONE_AXIS.replace(from, to));
+        scratch.run(&["identify", "plan.toml", "--json"])
+    };
+    // ln(17/15.3) = 0.105 ± 0.026
+    let found = json(&with("[\"18 deg\", \"15 deg\"]", "[\"15.3 deg\", \"17 deg\"]"));
+    let findings = found["findings"].as_array().unwrap();
+    let grows = findings.iter().find(|finding| finding["code"] == "identify.growing").unwrap();
+    let message = grows["message"].as_str().unwrap();
+    assert!(
+        message.contains("viscous damping of about z is -")
+            && message.contains("standard deviations below zero")
+    );
+    let swings = refused(&with("swings = 50", "swings = 1e300"), 2);
+    assert!(swings.contains("plan.toml:11:") && swings.contains("up to a billion"), "{swings}");
+    let length = refused(&with("\"1.2 m\"", "\"1e300 m\""), 2);
+    assert!(length.contains("plan.toml:10:") && length.contains("at most 1e12"), "{length}");
+}

@@ -180,7 +180,7 @@ fn gyro_noise(flights: &[Flight], options: &TumbleOptions) -> Result<Noise, Iden
         .collect();
     match noise(&channels) {
         Some(noise) if noise.deviation > 0.0 => Ok(noise),
-        _ => Err(IdentifyError::Missing { what: "the gyro's noise, which these readings do not show" }),
+        _ => Err(IdentifyError::Missing { what: "the gyro's noise (the readings do not show it)" }),
     }
 }
 

@@ -1,7 +1,8 @@
 //! Rows of the table of step 5: instants at which it shows ω.
 //!
 //! Evenly chosen samples of a whole run may alias with the motion: a pendulum that is shown every 51/50 of its period seems not to swing. So the table covers one period of
-//! ω in the body; of a motion without one the run, if a turn has several rows then, or else its beginning.
+//! ω in the body, or the run if that is shorter; of a motion without a period the run, if a turn has several rows then, or else its
+//! beginning.
 
 use std::f64::consts::TAU;
 
@@ -52,14 +53,22 @@ impl Rows {
                     period,
                     format!(", one period of ω in the body ({} s) in eighths", number(period, DIGITS)),
                 ),
-                _ if duration > PARTS as f64 / ROWS_OF_A_TURN * turn => (
+                // ω changes more slowly than the run lasts, however fast the body turns.
+                Some(period) => (
+                    duration,
+                    format!(
+                        ", the run in eighths (a period of ω in the body takes {} s)",
+                        number(period, DIGITS)
+                    ),
+                ),
+                None if duration > PARTS as f64 / ROWS_OF_A_TURN * turn => (
                     turn,
                     format!(
                         ", the first {} s (2π over the largest rate of the run) in eighths",
                         number(turn, DIGITS)
                     ),
                 ),
-                _ => (duration, ", the run in eighths".to_owned()),
+                None => (duration, ", the run in eighths".to_owned()),
             };
             let at = |k: usize| match k {
                 PARTS if span == duration => last.state.time,
@@ -72,7 +81,7 @@ impl Rows {
             seen.extend_from_slice(&samples);
             let fastest = fastest_rate(scenario.rotor(), &seen);
             rows = Self { samples, words };
-            if fastest <= ALIKE * rate || Some(span) == period {
+            if fastest <= ALIKE * rate || period.is_some() {
                 break;
             }
             rate = fastest;

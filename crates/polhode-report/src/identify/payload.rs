@@ -116,11 +116,23 @@ impl PayloadReport {
     pub fn to_document(&self) -> Document {
         let numbers = &self.payload.about_center.numbers;
         let of = |k: usize| numbers.get(k).map_or_else(String::new, |n| estimate::cell(n.value, n.sd));
-        let mut answer = vec![format!("Mass {} kg", of(0))];
-        answer.push(format!("Centre of mass ({}; {}; {}) m from the sensor's origin", of(1), of(2), of(3)));
+        let is_known = |mut range: std::ops::Range<usize>| {
+            range.all(|k| numbers.get(k).is_some_and(|number| number.sd.is_some()))
+        };
+        let mut answer = vec![match is_known(0..1) {
+            true => format!("Mass {} kg", of(0)),
+            false => "Mass not determined".to_owned(),
+        }];
+        answer.push(match is_known(1..4) {
+            true => format!("Centre of mass ({}; {}; {}) m from the sensor's origin", of(1), of(2), of(3)),
+            false => "Centre of mass not determined".to_owned(),
+        });
         if let Some(p) = self.payload.principal() {
             let of = |k: usize| estimate::cell(p.moments[k], p.moment_sd[k]);
-            answer.push(format!("Principal moments about it {}; {}; {} kg·m²", of(0), of(1), of(2)));
+            answer.push(match p.moment_sd.iter().all(Option::is_some) {
+                true => format!("Principal moments about it {}; {}; {} kg·m²", of(0), of(1), of(2)),
+                false => "Principal moments about it not determined".to_owned(),
+            });
         }
         let mut sections = vec![self.read(), self.body()];
         sections.extend(self.payload.edge.as_ref().map(|edge| self.edge(edge)));

@@ -13,7 +13,7 @@ use crate::body_part::BodyPart;
 use crate::explain::document::{Document, Section};
 use crate::explain::drawing::{Drawing, Scatter, Series};
 use crate::layout::printable;
-use crate::number::{count, number};
+use crate::number::{count, number, with_error};
 use crate::{VERSION, finding};
 
 /// A body that was found by its swings.
@@ -29,8 +29,16 @@ pub struct SwingReport {
 
 /// Where the tensor's elements begin among the numbers.
 const TENSOR: usize = 4;
+/// Standard deviations below zero from which on a negative damping is reported; identification itself refuses five.
+const GROWS: f64 = 3.0;
 /// The width that a test takes of the space between two.
 const WIDTH: f64 = 0.6;
+
+/// A number with its error and its unit, if it has one.
+fn with_unit(found: &Number, sd: f64) -> String {
+    let unit = if found.unit == "1" { String::new() } else { format!(" {}", found.unit) };
+    format!("{}{unit}", with_error(found.value, sd))
+}
 
 impl SwingReport {
     /// Of what was found, and the lines that say what was read of logs.
@@ -108,6 +116,19 @@ impl SwingReport {
                 "identify.untested",
                 "as much is found as was measured: nothing is left that could show a wrong model".to_owned(),
             );
+        }
+        for test in &self.found.tests {
+            for damping in test.own.iter().filter(|number| number.name.ends_with("damping")) {
+                let Some(sd) = damping.sd.filter(|sd| damping.value < -GROWS * sd) else { continue };
+                let message = format!(
+                    "the {} of {} is {}, {:.1} standard deviations below zero: an amplitude does not grow by itself",
+                    damping.name,
+                    test.name,
+                    with_unit(damping, sd),
+                    -damping.value / sd
+                );
+                say("identify.growing", message);
+            }
         }
         if let Some(message) = mistakes::unseen(&self.found) {
             findings.push(Finding {

@@ -128,3 +128,18 @@ fn a_steady_turn_ends_without_noise() {
     assert!(shown.contains("θ = 0: only φ + ψ is determined, φ + ψ = 0 rad"), "{shown}");
     assert!(shown.contains("w, x, y, z = 1, 0, 0, 0"), "{shown}");
 }
+
+#[test]
+fn a_run_that_is_shorter_than_the_period_is_shown_whole() {
+    // A wobble of 304.5 turns; the run is of a third of it.
+    let body = tensor("Earth", [1.0, 1.0, 1.003_284_548_3], [0.0; 3], [1e-6, 0.0, 1.0]);
+    let duration = 640.0;
+    let scenario = body.sampled(run(duration, 11));
+    let rows = rows(&scenario);
+    for (k, row) in rows.iter().enumerate() {
+        near(row[0], duration * k as f64 / 8.0, duration);
+        // ω₁ = A cos Ωt with Ω = (i3 − i1) ω₃/i1
+        near(row[1], 1e-6 * (0.003_284_548_3 * row[0]).cos(), 1e-6);
+    }
+    assert!(text(&scenario, 5).contains("the run in eighths (a period of ω in the body takes 1912"));
+}

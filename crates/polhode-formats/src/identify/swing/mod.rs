@@ -103,14 +103,18 @@ fn test<'a>(
     Ok(SwingTest { name: name.to_owned(), body, fixture, rig, air, measurement })
 }
 
+/// Limit on the number of swings.
+const MOST_SWINGS: f64 = 1e9;
+
 /// `counted = { swings, time, sd, amplitude, amplitude_sd, damping }`
 fn counted(value: &Value<'_>) -> Result<Counted, FormatError> {
     let table = value.table()?;
     table.allow(&["swings", "time", "sd", "amplitude", "amplitude_sd", "damping"])?;
     let counted = table.require("swings", "swings = 20")?;
     let swings = counted.positive(Dimension::NONE)?;
-    if swings.fract() != 0.0 {
-        return Err(counted.invalid("a whole number of swings").with_hint("count whole swings, to and fro"));
+    if swings.fract() != 0.0 || swings > MOST_SWINGS {
+        let rule = "a whole number of swings, up to a billion";
+        return Err(counted.invalid(rule).with_hint("count whole swings, to and fro"));
     }
     let time =
         table.require("time", "time = \"31.42 s\", of all swings together")?.positive(Dimension::TIME)?;

@@ -21,6 +21,18 @@ const OWN: [&str; 8] = ["mass", "gravity", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "I
 
 /// `"3.2 kg"`, exact; `{ value = "3.2 kg", sd = "1 g" }`; or `{ about = "3 kg" }`, to be found.
 pub(super) fn measured(value: &Value<'_>, dimension: Dimension) -> Result<Measured, FormatError> {
+    let measured = read(value, dimension)?;
+    let is_plausible = measured.value.abs() <= LARGEST && !(measured.sd.is_finite() && measured.sd > LARGEST);
+    match is_plausible {
+        true => Ok(measured),
+        false => Err(value.invalid("at most 1e12 in SI: the equations of the rig overflow")),
+    }
+}
+
+/// Limit on the numbers of a rig and a body, SI.
+const LARGEST: f64 = 1e12;
+
+fn read(value: &Value<'_>, dimension: Dimension) -> Result<Measured, FormatError> {
     let Ok(table) = value.table() else { return Ok(Measured::exact(value.quantity(dimension)?)) };
     table.allow(&["value", "sd", "about"])?;
     table.at_most_one(&["about", "sd"], "a number that is to be found has no standard deviation")?;

@@ -413,6 +413,7 @@ fn body_hint(error: &BodyError) -> &'static str {
         BodyError::FlatMesh { .. } => {
             "a solid has a thickness: export the solid body, not a sheet, and with enough digits for its unit"
         }
+        BodyError::FlatPoints { .. } => "a hull needs four points that do not lie in one plane",
         BodyError::Vertex { .. } => "export the mesh again, in a unit in which its coordinates are finite",
         BodyError::Empty { .. } => "export the solid body, not the empty document",
         _ => "check its sign and its unit",

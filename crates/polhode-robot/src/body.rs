@@ -106,7 +106,7 @@ impl fmt::Display for LinkError {
                 write!(f, "its {what} is {text:?}, no finite number")
             }
             Self::Assumed { rule, .. } => write!(f, "it has no inertial: {rule}"),
-            Self::Computed { why, .. } => write!(f, "its mass is computed by the compiler, and {why}"),
+            Self::Computed { why, .. } => write!(f, "its mass cannot be computed: {why}"),
             Self::Impossible { error, .. } => error.fmt(f),
         }
     }

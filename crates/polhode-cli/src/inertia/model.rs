@@ -32,7 +32,11 @@ impl Piece {
 
 #[allow(clippy::needless_pass_by_value, reason = "a function for map_err")]
 pub(super) fn unfit(error: BodyError) -> Failure {
-    Failure::usage(error.to_string(), "check --density, --mass, --part and --unit")
+    let hint = match error {
+        BodyError::FlatPoints { .. } => "a hull needs four points that do not lie in one plane",
+        _ => "check --density, --mass, --part and --unit",
+    };
+    Failure::usage(error.to_string(), hint)
 }
 
 /// A remark about a file.

@@ -125,7 +125,8 @@ impl FileFlags {
         }
         folder.publish()?;
         let more: String = names.iter().map(|name| format!("  {name}")).collect();
-        Ok(format!("wrote {}{more}\n", shown(&target.join("summary.json"))))
+        let note = if self.no_page { String::new() } else { self.not_shown(motion, at) };
+        Ok(format!("wrote {}{more}\n{note}", shown(&target.join("summary.json"))))
     }
 
     /// Refuses a page that is there already, before anything is computed.
@@ -142,7 +143,18 @@ impl FileFlags {
     ) -> Result<String, Failure> {
         let Some(file) = &self.html else { return Ok(String::new()) };
         write_file(&page.html(&self.shown(motion, at)?), file, self.force)?;
-        Ok(format!("wrote {}\n", shown(file)))
+        Ok(format!("wrote {}\n{}", shown(file), self.not_shown(motion, at)))
+    }
+
+    /// Names a requested time that is not on the page, and the span that is.
+    fn not_shown(&self, motion: &FreeMotion, at: &[f64]) -> String {
+        let span = self.duration.unwrap_or_else(|| span_of_page(motion, at));
+        match at.iter().find(|time| !(0.0..=span).contains(*time)) {
+            Some(time) => {
+                format!("the page shows 0 to {span:.6} s, not t = {time} s: --duration sets the span\n")
+            }
+            None => String::new(),
+        }
     }
 
     /// The motion that a page shows: the table's, else up to the last time that is asked for, else some periods.
@@ -150,10 +162,7 @@ impl FileFlags {
         if let Some(trajectory) = self.trajectory(motion)? {
             return Ok(trajectory);
         }
-        let most = longest(motion);
-        let asked = at.iter().copied().fold(0.0, f64::max);
-        let duration = if asked > 0.0 && asked <= most { asked } else { sensible(motion).min(most) };
-        let times = Run::evenly(duration, PAGE_SAMPLES, Method::Exact, 0.0).times;
+        let times = Run::evenly(span_of_page(motion, at), PAGE_SAMPLES, Method::Exact, 0.0).times;
         let failed = |error| Failure::Motion { path: "the page".to_owned(), error };
         Trajectory::of_motion_with_error(*motion, &times).map_err(failed)
     }
@@ -175,6 +184,13 @@ impl FileFlags {
         let failed = |error| Failure::Motion { path: "the table".to_owned(), error };
         Trajectory::of_motion_with_error(*motion, &times).map(Some).map_err(failed)
     }
+}
+
+/// Duration of the motion on a page, s: up to the last of these times if samples can follow it, else some periods.
+fn span_of_page(motion: &FreeMotion, at: &[f64]) -> f64 {
+    let most = longest(motion);
+    let asked = at.iter().copied().fold(0.0, f64::max);
+    if asked > 0.0 && asked <= most { asked } else { sensible(motion).min(most) }
 }
 
 /// Some periods of ω, or some turns where it has none, s.

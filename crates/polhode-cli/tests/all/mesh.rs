@@ -425,3 +425,17 @@ fn parts_that_overlap_are_united_where_that_is_asked() {
         united["findings"][0]["message"].as_str().unwrap().starts_with("nothing was united, as was asked")
     );
 }
+
+#[test]
+fn points_without_a_hull_are_refused_by_where_they_lie() {
+    let scratch = Scratch::new("flat-points");
+    for (points, place) in [
+        ("0 0 0\n1 0 0\n0 1 0\n1 1 0\n", "4 points lie in one plane"),
+        ("0 0 0\n1 1 1\n2 2 2\n3 3 3\n", "4 points lie on one line"),
+        ("0 0 0\n1 0 0\n0 1 0\n", "3 points lie in one plane"),
+    ] {
+        scratch.write("flat.xyz", points);
+        let text = refused(&scratch.run(&["inertia", "flat.xyz", "--hull", "--mass", "1"]), 2);
+        assert!(text.contains(place) && !text.contains("--density"), "{text}");
+    }
+}

@@ -88,6 +88,8 @@ fn a_tensor_is_given_by_its_elements() {
     assert_eq!(tensor["motion"], scenario["motion"]);
     assert_eq!(tensor["motion"]["states"].as_array().unwrap().len(), 6);
     assert!(std::fs::read_to_string(scratch.0.join("page.html")).unwrap().contains("<canvas"));
+    let late = stdout(&spin(&scratch, &["body.toml", "--at", "1e9", "--html=late.html"]));
+    assert!(late.contains("the page shows 0 to ") && late.contains(" s, not t = 1000000000 s"), "{late}");
     for (wrong, says) in [
         (&["--inertia", "1,2,9,0,0,0", "--omega", "1,2,3"][..], "9"),
         (&["--inertia", "1,2,2.5,0.1,0.2", "--omega", "1,2,3"], "6 numbers"),

@@ -100,7 +100,7 @@ impl Molecule {
         let body = self.mass_properties(isotopes)?;
         let [_, _, radius] = body.gyration_radii();
         let tolerance = (2.0 * self.step_m / radius).clamp(RotationalConstants::TOLERANCE, MOST);
-        Ok(RotationalConstants::with_tolerance(&body, tolerance))
+        RotationalConstants::with_tolerance(&body, tolerance)
     }
 
     /// The formula in Hill's order: carbon, hydrogen, then the rest by the alphabet; by the alphabet altogether without

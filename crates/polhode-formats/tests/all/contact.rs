@@ -284,3 +284,29 @@ fn what_excludes_a_contact_is_refused() {
     let error = parse(&needle).unwrap_err();
     assert!(error.to_string().contains("a needle"), "{error}");
 }
+
+#[test]
+fn a_tolerance_that_is_too_loose_for_a_contact_is_reported() {
+    let at = |tolerance: &str| {
+        let text = text(&format!("{BALL}law = 'rolling'"), "spin = { body = [1, 2, 3] }");
+        parse(&format!("{text}tolerance = {tolerance}\n")).unwrap()
+    };
+    let loose = at("1e-3");
+    let found = loose.findings().iter().find(|finding| finding.code == "run.tolerance").unwrap();
+    assert!(found.message.starts_with("the tolerance is 1e-12 a step, not 1e-3:"), "{}", found.message);
+    assert!(at("1e-12").findings().iter().all(|finding| finding.code != "run.tolerance"));
+}
+
+#[test]
+fn a_velocity_along_the_ground_is_suggested_without_rounding() {
+    let sphere = "[[body.part]]\nshape = 'sphere'\nradius = 0.1\nmass = 1\n";
+    let refused = |velocity: &str| {
+        let contact = "surface = { shape = 'sphere', radius = 0.1 }\nlaw = 'friction'\nfriction = 0.1\nground = { slope = '30 deg' }";
+        let text = format!("{sphere}[contact]\n{contact}\n[start]\nvelocity = {velocity}\n{RUN}");
+        parse(&text).unwrap_err().hint().unwrap_or_default().to_owned()
+    };
+    let along = refused("[0.5, 0, 0.8660254037844386]");
+    assert!(along.ends_with("velocity = [0.0, 0.0, 0.0]"), "{along}");
+    let fast = refused("[1e300, 0, 0]");
+    assert!(fast.contains("e299, 0.0, -") && fast.len() < 200, "{fast}");
+}

@@ -339,7 +339,7 @@ const fn code(error: &BodyError) -> &'static str {
         BodyError::OverlapsUndecided { .. } => "mesh.undecided",
         BodyError::NestedSolid { .. } => "mesh.nested_solid",
         BodyError::InvertedPart { .. } => "mesh.inverted_part",
-        BodyError::FlatMesh { .. } => "mesh.flat",
+        BodyError::FlatMesh { .. } | BodyError::FlatPoints { .. } => "mesh.flat",
         _ => "mesh.no_solid",
     }
 }

@@ -14,6 +14,7 @@ use std::path::Path;
 use polhode_formats::ContentError;
 
 use crate::coordinate::limits;
+use crate::finding::Severity;
 use crate::geometry::Shapes;
 use crate::model::{
     Coordinate, Follows, Geometry, GeometryShape, Inertial, Joint, JointKind, Link, Name, Note, Pose,
@@ -97,6 +98,7 @@ fn link(
     unread::sdf(element, &name.text, notes);
     let given = element.child("inertial");
     let automatic = given.is_some_and(|inertial| inertial.says_true("auto"));
+    let unclear = given.and_then(auto::unclear);
     let own = frames.in_root(frame);
     let mut geometry = Vec::new();
     for child in element.children() {
@@ -118,7 +120,7 @@ fn link(
     }
     let mut link = Link {
         span: element.span(),
-        inertial: given.filter(|_| !automatic).map(inertial),
+        inertial: given.filter(|_| !automatic && unclear.is_none()).map(inertial),
         geometry,
         pose: Pose { unreadable: frames.unreadable(frame).to_vec(), ..own },
         is_static: frames.scope(scope).is_static,
@@ -126,6 +128,11 @@ fn link(
         computed: None,
         name,
     };
+    if let Some(why) = unclear {
+        let note = Note::new("inertia.computed", &link.name.text, link.span.clone(), why.clone());
+        notes.push(Note { severity: Severity::Impossible, ..note });
+        link.computed = Some(Err(why));
+    }
     if let Some(inertial) = given.filter(|_| automatic) {
         auto::compute(&mut link, inertial, element, measured, notes);
     }

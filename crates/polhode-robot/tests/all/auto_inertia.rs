@@ -208,3 +208,18 @@ fn what_sdformat_refuses_is_impossible() {
     let of = |code: &str| found.iter().filter(|f| f.code == code && f.severity == Severity::Suspect).count();
     assert_eq!((of("inertia.computed"), of("density.implausible")), (1, 1), "{found:?}");
 }
+
+#[test]
+fn a_word_that_is_neither_true_nor_false_is_an_error() {
+    let shape = "<geometry><box><size>0.2 0.1 0.05</size></box></geometry>";
+    for word in ["yes", "on", "2", ""] {
+        let inner = format!("<inertial auto=\"{word}\"/><collision name=\"c\">{shape}</collision>");
+        let model = model(&link("l", &inner));
+        let found = computed(&model);
+        assert_eq!(found.len(), 1, "{word} {found:?}");
+        assert_eq!(found[0].0, Severity::Impossible);
+        assert!(found[0].1.contains("neither \"true\" nor \"false\""), "{found:?}");
+        let error = link_mass(model.format, &model.links[0]).unwrap_err();
+        assert!(error.to_string().starts_with("its mass cannot be computed: auto="), "{error}");
+    }
+}

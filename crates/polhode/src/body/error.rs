@@ -178,6 +178,13 @@ pub enum BodyError {
         /// Enclosed volume, in the mesh's own units cubed.
         volume: f64,
     },
+    /// Points whose convex hull encloses nothing.
+    FlatPoints {
+        /// The number of points.
+        count: usize,
+        /// `"in one plane"`, `"on one line"` or `"at one place"`.
+        place: &'static str,
+    },
     /// A density that is negative inside the body, or not a finite number.
     Density {
         /// Where, m.
@@ -205,13 +212,20 @@ impl fmt::Display for BodyError {
             }
             Self::NegativeMoment { moments: [a, b, c] } => write!(
                 f,
-                "the inertia tensor is impossible: its principal moments are {a}, {b}, {c} kg·m², and none may be negative"
+                "the inertia tensor is impossible: its principal moments are {}, {}, {} kg·m², and none may be negative",
+                six(*a),
+                six(*b),
+                six(*c)
             ),
-            Self::TriangleInequality { moments: [a, b, c] } => write!(
-                f,
-                "the inertia tensor is impossible: i1 + i2 = {} kg·m² is less than i3 = {c} kg·m² (principal moments {a}, {b}, {c})",
-                a + b
-            ),
+            Self::TriangleInequality { moments: [a, b, c] } => {
+                // All digits where six do not show it.
+                let shown = |x: f64| if six(a + b) == six(*c) { x.to_string() } else { six(x) };
+                let [sum, a, b, c] = [a + b, *a, *b, *c].map(shown);
+                write!(
+                    f,
+                    "the inertia tensor is impossible: i1 + i2 = {sum} kg·m² is less than i3 = {c} kg·m² (principal moments {a}, {b}, {c})"
+                )
+            }
             Self::ImpossibleAtCenter { mass, lever: [x, y, z], about: [j1, j2, j3], moments: [a, b, c] } => {
                 write!(
                     f,
@@ -295,7 +309,14 @@ impl fmt::Display for BodyError {
                 f,
                 "what the parts of the mesh enclose together is not known well enough: {volume:e}, but for {error:.1e}"
             ),
-            Self::FlatMesh { volume } => write!(f, "the mesh is closed, but encloses no volume ({volume:e})"),
+            Self::FlatMesh { volume: 0.0 } => f.write_str("the mesh is closed, but encloses no volume"),
+            Self::FlatMesh { volume } => {
+                write!(f, "the mesh is closed, but encloses no volume that rounding leaves ({volume:.5e})")
+            }
+            Self::FlatPoints { count, place } => {
+                let lie = if *count == 1 { "point lies" } else { "points lie" };
+                write!(f, "{count} {lie} {place}: their convex hull has no volume")
+            }
             Self::Density { at: [x, y, z], value } => {
                 write!(
                     f,
@@ -322,6 +343,16 @@ pub(crate) fn counted(pairs: usize) -> String {
         1 => "1 pair".to_owned(),
         ..=COUNTED => format!("{pairs} pairs"),
         _ => format!("more than {COUNTED} pairs"),
+    }
+}
+
+/// A number with six significant digits.
+fn six(x: f64) -> String {
+    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
+    if x == 0.0 || (1e-4..1e7).contains(&rounded.abs()) {
+        rounded.to_string()
+    } else {
+        format!("{rounded:e}")
     }
 }
 

@@ -2,6 +2,7 @@
 
 use core::f64::consts::PI;
 
+use crate::body::error::BodyError;
 use crate::body::mass_properties::MassProperties;
 use crate::math::frame::Frame;
 
@@ -107,16 +108,27 @@ impl RotationalConstants {
     /// The constants of a body, its top classified with [`Self::TOLERANCE`]; `None` of a single point, which has no
     /// rotation.
     pub fn of<F: Frame>(body: &MassProperties<F>) -> Option<Self> {
-        Self::with_tolerance(body, Self::TOLERANCE)
+        Self::classified(body, Self::TOLERANCE)
     }
 
     /// The same, where a length τ of the size of the body is not known: moments equal within τ count as equal, and a
     /// least moment of at most τ² of the greatest as zero.
     ///
-    /// τ below 0, or not a number, is 0, and above 1 is 1.
-    pub fn with_tolerance<F: Frame>(body: &MassProperties<F>, tolerance: f64) -> Option<Self> {
+    /// # Errors
+    /// [`BodyError::Parameter`] unless τ is from 0 to 1.
+    pub fn with_tolerance<F: Frame>(
+        body: &MassProperties<F>,
+        tolerance: f64,
+    ) -> Result<Option<Self>, BodyError> {
+        if !(0.0..=1.0).contains(&tolerance) {
+            let (what, rule) = ("the tolerance of equal moments", "from 0 to 1");
+            return Err(BodyError::Parameter { what, value: tolerance, rule });
+        }
+        Ok(Self::classified(body, tolerance))
+    }
+
+    fn classified<F: Frame>(body: &MassProperties<F>, tolerance: f64) -> Option<Self> {
         let moments = body.principal().moments();
-        let tolerance = if tolerance > 0.0 { tolerance.min(1.0) } else { 0.0 };
         (moments[2] > 0.0).then(|| Self { moments, top: Top::of(moments, tolerance), tolerance })
     }
 

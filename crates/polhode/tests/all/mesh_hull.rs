@@ -67,7 +67,7 @@ fn hulls_of_few_points_are_what_defines_them() {
             (0..count).map(|_| [0; 3].map(|_: i64| random.below(grid) - grid as i64 / 2)).collect();
         match check(&points) {
             Ok(_) => {}
-            Err(BodyError::FlatMesh { .. }) => {
+            Err(BodyError::FlatPoints { .. }) => {
                 // all in one plane indeed
                 let flat = points.iter().all(|&p| {
                     points.iter().all(|&q| points.iter().all(|&r| side([points[0], q, r], p) == 0))
@@ -110,11 +110,18 @@ fn a_hundred_thousand_points_on_a_sphere_are_nearly_all_corners() {
 fn what_has_no_hull_is_refused() {
     assert_eq!(ConvexHull::of(&[]).unwrap_err(), BodyError::Empty { what: "points" });
     assert!(matches!(ConvexHull::of(&[[0.0, f64::NAN, 1.0]]), Err(BodyError::Parameter { .. })));
-    let flat = |points: &[[f64; 3]]| matches!(ConvexHull::of(points), Err(BodyError::FlatMesh { .. }));
+    let flat = |points: &[[f64; 3]]| matches!(ConvexHull::of(points), Err(BodyError::FlatPoints { .. }));
     assert!(flat(&[[1.0, 2.0, 3.0]]) && flat(&[[1.0, 2.0, 3.0]; 9]));
     let grid: Vec<[f64; 3]> = (0..100).map(|k| [f64::from(k % 10), f64::from(k / 10), 0.0]).collect();
     let slanted: Vec<[f64; 3]> = grid.iter().map(|&[x, y, _]| [x, y, x + 2.0 * y]).collect();
     assert!(flat(&grid) && flat(&slanted));
+    let message = |points: &[[f64; 3]]| ConvexHull::of(points).unwrap_err().to_string();
+    let [a, b, c] = [[0.0; 3], [1.0, 1.0, 2.0], [3.0, 3.0, 6.0]];
+    for (points, place) in
+        [(&grid[..], "in one plane"), (&[a, b, c], "on one line"), (&[b; 5], "at one place")]
+    {
+        assert!(message(points).contains(place), "{}", message(points));
+    }
     // and any scale is fine
     for scale in [1e-300, 1e-9, 1e9, 1e300] {
         let corner = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.1; 3]];

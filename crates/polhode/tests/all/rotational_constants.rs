@@ -121,7 +121,7 @@ fn a_point_has_no_constants_and_a_turned_line_has_no_a() {
     let particles = [(15.995, -1.162), (12.0, 0.0), (15.995, 1.162)]
         .map(|(m, s)| Particle::new(m * U, at(s) + Position::new(3e-10, 1e-10, -2e-10)).unwrap());
     let body = mass_properties_of_particles(&particles).unwrap();
-    let coarse = RotationalConstants::with_tolerance(&body, 2e-3).unwrap();
+    let coarse = RotationalConstants::with_tolerance(&body, 2e-3).unwrap().unwrap();
     assert_eq!((coarse.top(), coarse.hertz()[0]), (Top::Linear, None));
     assert!(coarse.hertz()[1].is_some_and(|b| (b * 1e-9 / 11.7 - 1.0).abs() < 5e-3));
 }
@@ -133,13 +133,12 @@ fn a_plane_has_no_inertial_defect_and_a_tolerance_has_its_range() {
     assert!((of_moments([1.3 * U, 2.1 * U, 2.9 * U]).inertial_defect() / -0.5e20 - 1.0).abs() < 2e-15);
     let inertia = InertiaTensor::<Body>::diagonal([1.3, 2.1, 2.9]).unwrap();
     let body = MassProperties::new(2.3, Position::ZERO, inertia).unwrap();
-    for (tolerance, top, kept) in [
-        (f64::NAN, Top::Asymmetric, 0.0),
-        (-1.0, Top::Asymmetric, 0.0),
-        (f64::INFINITY, Top::Linear, 1.0),
-        (0.3, Top::Prolate, 0.3),
-    ] {
-        let found = RotationalConstants::with_tolerance(&body, tolerance).unwrap();
-        assert_eq!((found.top(), found.tolerance()), (top, kept));
+    for (tolerance, top) in [(0.0, Top::Asymmetric), (1.0, Top::Linear), (0.3, Top::Prolate)] {
+        let found = RotationalConstants::with_tolerance(&body, tolerance).unwrap().unwrap();
+        assert_eq!((found.top(), found.tolerance()), (top, tolerance));
+    }
+    for tolerance in [f64::NAN, -1.0, f64::INFINITY, 1.1] {
+        let error = RotationalConstants::with_tolerance(&body, tolerance).unwrap_err();
+        assert!(error.to_string().ends_with("must be from 0 to 1"), "{error}");
     }
 }

@@ -91,7 +91,7 @@ impl OnGround<'_> {
         if *hint == ALONG_THE_GROUND
             && let Some([x, y, z]) = self.along_the_ground()
         {
-            return placed.with_hint(format!("{hint}, velocity = [{x}, {y}, {z}]"));
+            return placed.with_hint(format!("{hint}, velocity = [{x:?}, {y:?}, {z:?}]"));
         }
         if hint.is_empty() { placed } else { placed.with_hint(*hint) }
     }
@@ -101,7 +101,9 @@ impl OnGround<'_> {
         let StartVelocity::Along(velocity) = self.ground.velocity else { return None };
         let normal = self.ground.contact.ground.normal_at(self.ground.at)?;
         let (v, n, across) = (velocity.to_array(), normal.to_array(), velocity.dot(normal));
-        Some([0, 1, 2].map(|k| v[k] - across * n[k]))
+        // Rounding of the difference is zero.
+        let rounding = 4.0 * f64::EPSILON * velocity.norm();
+        Some([0, 1, 2].map(|k| v[k] - across * n[k]).map(|x| if x.abs() <= rounding { 0.0 } else { x }))
     }
 
     /// The value of a key of a table of the file; the table, where it has no such key.

@@ -26,6 +26,13 @@ enum Fault {
     Unknown(String),
 }
 
+/// Returns what is wrong with a word of `auto` that is neither true nor false; libsdformat refuses it.
+pub(super) fn unclear(inertial: Element<'_>) -> Option<String> {
+    let word = inertial.word("auto")?;
+    let is_clear = ["true", "1", "false", "0"].contains(&&*word.trim().to_ascii_lowercase());
+    (!is_clear).then(|| format!("auto={word:?} of <inertial> is neither \"true\" nor \"false\""))
+}
+
 /// Gives the link what libsdformat computes, with a note that says so.
 pub(super) fn compute(
     link: &mut Link,

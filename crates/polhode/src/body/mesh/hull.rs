@@ -32,7 +32,7 @@ impl ConvexHull {
     /// The surface of the hull, its vertices in the order given.
     ///
     /// # Errors
-    /// [`BodyError::Empty`] without points; [`BodyError::Parameter`] for a coordinate that is not finite; [`BodyError::FlatMesh`] if all
+    /// [`BodyError::Empty`] without points; [`BodyError::Parameter`] for a coordinate that is not finite; [`BodyError::FlatPoints`] if all
     /// lie in one plane.
     pub fn of(points: &[[f64; 3]]) -> Result<TriangleMesh, BodyError> {
         for &point in points {
@@ -45,13 +45,26 @@ impl ConvexHull {
         let per_unit = 1.0 / power_of_two_near(largest);
         // In units of a power of two near the largest coordinate: exact, and no product leaves the range of f64.
         let reduced: Vec<[f64; 3]> = points.iter().map(|p| p.map(|c| c * per_unit)).collect();
-        let simplex = simplex(&reduced).ok_or(BodyError::FlatMesh { volume: 0.0 })?;
+        let simplex = simplex(&reduced).ok_or_else(|| flat(&reduced))?;
         let mut hull = Growing::of(&reduced, simplex);
         while let Some(face) = hull.waiting.pop() {
             hull.grow(face);
         }
         Ok(hull.mesh(points))
     }
+}
+
+/// The error of points that lie in one plane.
+fn flat(points: &[[f64; 3]]) -> BodyError {
+    let first = points[0];
+    let place = match points.iter().find(|point| **point != first) {
+        None => "at one place",
+        Some(&other) => {
+            let is_beside = |&point: &[f64; 3]| super::predicate::facing([first, other, point]).is_some();
+            if points.iter().any(is_beside) { "in one plane" } else { "on one line" }
+        }
+    };
+    BodyError::FlatPoints { count: points.len(), place }
 }
 
 /// Four points that do not lie in one plane, wide apart: a tetrahedron with (0, 1, 2) seen counter-clockwise from outside.
@@ -103,12 +116,15 @@ struct Growing<'a> {
     fan: Vec<u32>,
     /// By vertex: the last apex for which it was found out whether it stays a corner.
     examined: Vec<u32>,
+    /// The number of removed faces that are still in the list.
+    removed: usize,
 }
 
 impl<'a> Growing<'a> {
     fn of(points: &'a [[f64; 3]], [a, b, c, d]: [u32; 4]) -> Self {
         let none = || vec![NONE; points.len()];
-        let mut hull = Self { points, faces: vec![], waiting: vec![], fan: none(), examined: none() };
+        let (faces, waiting, removed) = (vec![], vec![], 0);
+        let mut hull = Self { points, faces, waiting, fan: none(), examined: none(), removed };
         for (corners, neighbours) in
             [([a, b, c], [1, 2, 3]), ([b, a, d], [0, 3, 2]), ([c, b, d], [0, 1, 3]), ([a, c, d], [0, 2, 1])]
         {
@@ -173,6 +189,29 @@ impl<'a> Growing<'a> {
             self.faces[next as usize].neighbours[2] = new as u32;
         }
         self.hand_out(orphans, first);
+        self.removed += covered.len();
+        if self.removed > 1000 && 2 * self.removed > self.faces.len() {
+            self.drop_removed();
+        }
+    }
+
+    /// Drops removed faces and keeps the order: among many points on a circle a face is removed and made many times.
+    fn drop_removed(&mut self) {
+        let mut count = 0;
+        let mut number = |face: &Face| {
+            count += u32::from(!face.removed);
+            if face.removed { NONE } else { count - 1 }
+        };
+        let numbers: Vec<u32> = self.faces.iter().map(&mut number).collect();
+        self.faces.retain(|face| !face.removed);
+        for face in &mut self.faces {
+            face.neighbours = face.neighbours.map(|neighbour| numbers[neighbour as usize]);
+        }
+        self.waiting.retain(|face| numbers[*face as usize] != NONE);
+        for face in &mut self.waiting {
+            *face = numbers[*face as usize];
+        }
+        self.removed = 0;
     }
 
     /// Removes the faces that a point is above, which are connected with this one, and of those in whose plane it lies the ones with a

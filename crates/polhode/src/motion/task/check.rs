@@ -4,6 +4,7 @@ use super::scenario::Scenario;
 use crate::body::finding::{Finding, Severity};
 use crate::math::frame::Body;
 use crate::math::vector::Position;
+use crate::motion::contact::ContactSimulation;
 use crate::motion::model::event::EventAction;
 use crate::motion::model::torque::{MagneticField, TorqueModel};
 use crate::motion::model::wheel::Wheel;
@@ -32,6 +33,16 @@ impl Scenario {
         if is_still && self.run().is_some() {
             let message = "the body starts without spin and nothing turns it";
             found.push(finding("start.rest", Severity::Warning, message.to_owned()));
+        }
+        if let (Some(_), Some(run)) = (self.ground(), self.run())
+            && run.tolerance > ContactSimulation::LOOSEST
+        {
+            let message = format!(
+                "the tolerance is {:e} a step, not {:e}: what a contact does next depends on signs",
+                ContactSimulation::LOOSEST,
+                run.tolerance
+            );
+            found.push(finding("run.tolerance", Severity::Info, message));
         }
         let omega = self.start().omega;
         if self.prescribed().is_none() && self.rotor().kinetic_energy_underflows(omega) {

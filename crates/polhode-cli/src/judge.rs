@@ -25,12 +25,15 @@ use read_as::ReadAs;
 
 /// Check the motion that another program computed, and find the cause of its error.
 ///
-/// The scenario says what the motion is, and RUN is the log of the program: times and attitudes, and perhaps angular velocities, as
-/// CSV, Parquet or JSON lines. A log may name a scenario in its own folder. The meaning of the numbers is found by the motion that they
-/// begin with: the order of quaternions, their sense, the axes, the origin and unit of time, frame, components and unit of ω. Each
-/// row is then compared with the exact motion. Several runs of one scenario with different steps give the order of accuracy.
+/// The scenario says what the motion is, and RUN is the log of the program: times and attitudes,
+/// and perhaps angular velocities, as CSV, Parquet or JSON lines. A log may name a scenario in its
+/// own folder. The meaning of the numbers is found by the motion that they begin with: the order of
+/// quaternions, their sense, the axes, the origin and unit of time, frame, components and unit of
+/// ω. Each row is then compared with the exact motion. Several runs of one scenario with different
+/// steps give the order of accuracy.
 ///
-/// Exit status: 0 if the motion is right, 1 if a mistake was found or an error is above the limit, 2 if the run cannot be judged.
+/// Exit status: 0 if the motion is right, 1 if a mistake was found or an error is above the limit,
+/// 2 if the run cannot be judged.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -51,8 +54,8 @@ pub(crate) struct Judge {
     /// Folder that the scenario which a log names, and the files of that scenario, may lie in besides the log's own folder.
     #[arg(long = "root", value_name = "DIR")]
     roots: Vec<PathBuf>,
-    /// Greatest error of an attitude, rad or with its unit, and of ω as a part of its largest: above it the exit status is 1, and a case
-    /// of the suite has failed [default: 0.01 rad].
+    /// Greatest error of an attitude, rad or with its unit, and of ω as a part of its largest:
+    /// above it the exit status is 1, and a case of the suite has failed [default: 0.01 rad].
     #[arg(long, value_name = "ANGLE", value_parser = limit)]
     limit: Option<f64>,
     /// Grade the runs of the suite's cases in this folder: NAME.csv, or NAME@STEP.csv for several steps (also .parquet and .jsonl); cases

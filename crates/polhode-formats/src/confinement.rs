@@ -95,8 +95,9 @@ impl Confinement {
 
     /// The canonical path of a file that is named relative to a folder, or by an absolute path.
     ///
-    /// Nothing outside the folders is looked at: the path has to lie in them by its words, and with its links resolved. The file has to
-    /// be a regular one. A pipe or a device may be endless, and opening one may wait for ever.
+    /// Nothing outside the folders is looked at: the path has to lie in them by its words, and with
+    /// its links resolved. The file has to be a regular one. A pipe or a device may be endless, and
+    /// opening one may wait for ever.
     ///
     /// # Errors
     /// [`NotOpened`]

@@ -178,7 +178,8 @@ fn the_stored_runs_are_judged() {
     }
 }
 
-/// Clocks that begin anywhere, in any unit, under columns that are named as polhode's own: the meaning is found, and is in the answer.
+/// Clocks that begin anywhere, in any unit, under columns that are named as polhode's own: the
+/// meaning is found, and is in the answer.
 #[test]
 fn clocks_and_units_that_the_columns_do_not_say_are_found() {
     let scratch = Scratch::new("judge-clocks");

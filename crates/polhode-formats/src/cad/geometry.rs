@@ -10,12 +10,13 @@
 //! | 68.811394  0.000714  0.918281 |
 //! ```
 //!
-//! The tensor is about the centre of mass, with products −∫xy dV. Source: `InertiaTensor` in vcg/complex/algorithms/inertia.h of VCGLib, after
-//! Mirtich, J. Graphics Tools 1 (1996) 31.
+//! The tensor is about the centre of mass, with products −∫xy dV. Source: `InertiaTensor` in
+//! vcg/complex/algorithms/inertia.h of VCGLib, after Mirtich, J. Graphics Tools 1 (1996) 31.
 //!
-//! FreeCAD's console shows `Shape.Volume`, `Shape.CenterOfMass` and `Shape.MatrixOfInertia`, in mm, as `1000.0`, `Vector (1.0, 2.0, 3.0)` and
-//! `Matrix ((…),(…),(…),(0,0,0,1))`: about the centre of mass, along the axes of the document, with products −∫xy dV. Source: `GProp_GProps` of
-//! Open CASCADE, whose `MatrixOfInertia` this is.
+//! FreeCAD's console shows `Shape.Volume`, `Shape.CenterOfMass` and `Shape.MatrixOfInertia`, in mm,
+//! as `1000.0`, `Vector (1.0, 2.0, 3.0)` and `Matrix ((…),(…),(…),(0,0,0,1))`: about the centre of
+//! mass, along the axes of the document, with products −∫xy dV. Source: `GProp_GProps` of Open
+//! CASCADE, whose `MatrixOfInertia` this is.
 
 mod freecad;
 mod meshlab;
@@ -127,7 +128,8 @@ impl GeometryReport {
     /// ```
     ///
     /// # Errors
-    /// [`ContentError`] if a measure is missing, given twice, not a number, or contradicts another, or if the tensor has no digits left.
+    /// [`ContentError`] if a measure is missing, given twice, not a number, or contradicts another,
+    /// or if the tensor has no digits left.
     pub fn read(program: GeometryProgram, text: &str, unit: Option<f64>) -> Result<Self, ContentError> {
         told_unit("the unit of length", unit)?;
         let measures = match program {

@@ -1,6 +1,7 @@
-//! Mass-property reports of CAD programs, pasted as text: SolidWorks, Fusion, Creo, Onshape, and others that
-//! label their numbers alike. [`GeometryReport`] reads the measures of shapes without mass, by MeshLab and FreeCAD. The words are English ones; numbers and units are those of any country. Headings of other languages
-//! are recognised, and refused by name.
+//! Mass-property reports of CAD programs, pasted as text: SolidWorks, Fusion, Creo, Onshape, and
+//! others that label their numbers alike. [`GeometryReport`] reads the measures of shapes without
+//! mass, by MeshLab and FreeCAD. The words are English ones; numbers and units are those of any
+//! country. Headings of other languages are recognised, and refused by name.
 //!
 //! Three things are read or proved, and never guessed:
 //!

@@ -1,9 +1,10 @@
 //! Clouds of points: meshes without triangles, for their convex hull.
 //!
-//! A file of points has one in a line, `x y z`. Its separators are blanks and tabs, or commas, or semicolons, the same in all
-//! lines; `#` and `//` start a comment. A comma together with another separator may be a decimal comma, and is refused. So is
-//! a first column that counts the points, in front of three others. Other columns behind the third are colours, intensities or normals, and are not
-//! read; a finding says so.
+//! A file of points has one in a line, `x y z`. Its separators are blanks and tabs, or commas, or
+//! semicolons, the same in all lines; `#` and `//` start a comment. A comma together with another
+//! separator may be a decimal comma, and is refused. So is a first column that counts the points,
+//! in front of three others. Other columns behind the third are colours, intensities or normals,
+//! and are not read; a finding says so.
 
 use polhode::body::mesh::TriangleMesh;
 use polhode::body::{Finding, Severity};
@@ -94,8 +95,8 @@ impl Separator {
 /// ```
 ///
 /// # Errors
-/// [`ContentError`] for a line that does not start with three finite numbers, with its place; for different separators; for a
-/// first column that counts the points.
+/// [`ContentError`] for a line that does not start with three finite numbers, with its place; for
+/// different separators; for a first column that counts the points.
 pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     let text = str::from_utf8(bytes).map_err(|error| {
         let (what, found) = ("text".to_owned(), String::new());

@@ -120,7 +120,8 @@ impl Candidate {
 
     /// Keeps the order of the file where the columns are named x, y, z, w. An order that the user states is kept.
     ///
-    /// A header may name numbers in the order w, x, y, z so. In the order of the file they are a quaternion, which the motion finds.
+    /// A header may name numbers in the order w, x, y, z so. In the order of the file they are a
+    /// quaternion, which the motion finds.
     pub(super) fn in_file_order(self) -> Self {
         let is_scalar_first = self.numbers == Numbers::Quaternion(Some(QuaternionOrder::ScalarFirst));
         match self.columns[..] {

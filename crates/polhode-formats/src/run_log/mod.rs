@@ -1,8 +1,9 @@
 //! The log of a motion, as another program wrote it: times, attitudes and perhaps angular velocities, in CSV, Parquet or JSON lines.
 //!
-//! What a file is, its contents say. Text has a line of names, then a line for each time; commas, semicolons, tabs or blanks part the
-//! fields, and the decimal mark is a point. Lines that begin with `#` are for people, except `# key = value` above the names; below them
-//! such a line is an error.
+//! What a file is, its contents say. Text has a line of names, then a line for each time; commas,
+//! semicolons, tabs or blanks part the fields, and the decimal mark is a point. Lines that begin
+//! with `#` are for people, except `# key = value` above the names; below them such a line is an
+//! error.
 //!
 //! | key | says |
 //! |---|---|
@@ -21,7 +22,8 @@
 //! | thing | names |
 //! |---|---|
 //! | time | `t`, `time`, `time_s`, `sim_time_ms`; `timestamp` with a unit |
-//! | quaternion | `attitude_w` …, `qw` …, `orientation.w` …: w, x, y, z by their letters, scalar last if the columns are x, y, z, w; `q0` … `q3`: in an order that is not known |
+//! | quaternion | `attitude_w` …, `qw` …, `orientation.w` …: w, x, y, z by their letters, scalar
+//! last if the columns are x, y, z, w; `q0` … `q3`: in an order that is not known |
 //! | matrix | `r11` … `r33`, `R_00` … `R_22`, `R[0][0]` …, `xmat_0` … `xmat_8`: row by row |
 //! | Euler angles | `roll`, `pitch`, `yaw` (3-2-1), `precession`, `nutation`, `spin` (3-1-3); of others the sequence is not known |
 //! | angular velocity | `wx` …, `gyro_x` …, `angular_velocity.x` …; `omega_body_x` along body axes, `omega_world_x` along those of space |

@@ -101,8 +101,8 @@ fn block(random: &mut Random) -> MassProperties<Body> {
     PlacedPart::new(block, place, turn).unwrap().in_body()
 }
 
-/// SolidWorks in grams and inches with two decimals: rounding leaves little between the signs. Where one alone is within it, that is the
-/// report's; a sign is never wrong.
+/// SolidWorks in grams and inches with two decimals: rounding leaves little between the signs.
+/// Where one alone is within it, that is the report's; a sign is never wrong.
 #[test]
 fn the_one_sign_within_the_rounding_is_the_sign() {
     let mut random = Random(7);

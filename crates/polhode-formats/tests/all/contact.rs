@@ -102,8 +102,9 @@ fn the_motion_is_that_of_the_core() {
     assert!(Drift::of(&motion).is_none(), "work and impulse are by the theorems");
 }
 
-/// A horizontal velocity would take a body off a slope, and is refused. The error states its part along the slope. That part is completed by
-/// the rate at which the centre of an egg rises or falls.
+/// A horizontal velocity would take a body off a slope, and is refused. The error states its part
+/// along the slope. That part is completed by the rate at which the centre of an egg rises or
+/// falls.
 #[test]
 fn a_velocity_on_a_slope_is_completed_along_the_normal_or_refused() {
     let on = |ground: &str| {

@@ -31,10 +31,15 @@ const FULL: f64 = 4.0;
 /// Flights are first cut into short pieces, so that no phase is a turn off to begin with.
 ///
 /// # Errors
-/// [`IdentifyError::TooFew`] for fewer readings than numbers to be found; [`IdentifyError::Missing`] for attitudes without their noise; a parameter's error
-/// for options, and for readings between which the body turns by half a turn or more; [`IdentifyError::OneBody`] if all flights have the same body added; [`IdentifyError::Saturated`] for a flight with hardly a reading inside the gyro's range; [`IdentifyError::Unit`] and [`IdentifyError::LeftHanded`]
-/// if the rates move as they have to in another unit, or with an axis reversed, only; [`IdentifyError::NotFree`] if nothing fits and a hand turns
-/// the body in a flight; [`IdentifyError::Steady`] for free rotation that does not change; [`IdentifyError::NoConvergence`].
+/// [`IdentifyError::TooFew`] for fewer readings than numbers to be found;
+/// [`IdentifyError::Missing`] for attitudes without their noise; a parameter's error for options,
+/// and for readings between which the body turns by half a turn or more; [`IdentifyError::OneBody`]
+/// if all flights have the same body added; [`IdentifyError::Saturated`] for a flight with hardly a
+/// reading inside the gyro's range; [`IdentifyError::Unit`] and [`IdentifyError::LeftHanded`] if
+/// the rates move as they have to in another unit, or with an axis reversed, only;
+/// [`IdentifyError::NotFree`] if nothing fits and a hand turns the body in a flight;
+/// [`IdentifyError::Steady`] for free rotation that does not change;
+/// [`IdentifyError::NoConvergence`].
 pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, IdentifyError> {
     let readings: Vec<GyroReading> =
         flights.iter().flat_map(|flight| flight.gyro().iter().copied()).collect();

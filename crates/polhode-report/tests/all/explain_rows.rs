@@ -1,4 +1,5 @@
-//! The table of step 5 does not alias with the motion, and zeros and angles of step 6 are those that the attitude determines.
+//! The table of step 5 does not alias with the motion, and zeros and angles of step 6 are those
+//! that the attitude determines.
 
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 

@@ -1,12 +1,13 @@
 //! Moments far from those of the link's geometry, whatever the reason: `inertia.geometry`.
 //!
-//! Bodies are not uniform, so a factor is allowed: three, of the sum of the moments, which depends on no axes. All mass at the
-//! corners of a box has three times the sum of the uniform box, and no mass within the box has more; a thin shell has 5/3 (a ball)
-//! to 2 (a tube). Below a third, the mass is within 0.6 of the size. Hulls accuse nobody, as the mesh bounds no solid, and
-//! nor do solids of an implausible density. A primitive of a low density is a simplified box around the body: it says how
-//! large moments may be, and not how small, unless all have one ratio. Any solid of a low density may hold a compact body:
-//! all its moments are small, and their sum is not below that of a steel ball. Rounding of the written digits counts. One
-//! solid that agrees is enough.
+//! Bodies are not uniform, so a factor is allowed: three, of the sum of the moments, which depends
+//! on no axes. All mass at the corners of a box has three times the sum of the uniform box, and no
+//! mass within the box has more; a thin shell has 5/3 (a ball) to 2 (a tube). Below a third, the
+//! mass is within 0.6 of the size. Hulls accuse nobody, as the mesh bounds no solid, and nor do
+//! solids of an implausible density. A primitive of a low density is a simplified box around the
+//! body: it says how large moments may be, and not how small, unless all have one ratio. Any solid
+//! of a low density may hold a compact body: all its moments are small, and their sum is not below
+//! that of a steel ball. Rounding of the written digits counts. One solid that agrees is enough.
 
 use super::body::{Body, NAMES};
 use super::dummy::{FRAME, Held};

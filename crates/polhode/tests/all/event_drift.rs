@@ -1,4 +1,5 @@
-//! Measures that are constant after a switch, as the energy of a body that is left alone: the errors of later steps pass no value.
+//! Measures that are constant after a switch, as the energy of a body that is left alone: the
+//! errors of later steps pass no value.
 //!
 //! An event that switches off the only torque leaves its measure at its own value. At tolerances from 1e-4 to 1e-15 it
 //! happens once, and so does an event of the same value that records. A torque that acts later moves the measure off the
@@ -12,7 +13,8 @@ use polhode::prelude::*;
 const METHODS: [Method; 2] = [Method::Taylor, Method::Dop853];
 const TOLERANCES: [f64; 5] = [1e-4, 1e-6, 1e-9, 1e-13, 1e-15];
 
-/// Random motions of the gate, and of the large run: `POLHODE_SCENARIOS=0..400 cargo test -p polhode --test all event_drift`.
+/// Random motions of the gate, and of the large run: `POLHODE_SCENARIOS=0..400 cargo test -p
+/// polhode --test all event_drift`.
 fn scenarios() -> core::ops::Range<u64> {
     let Ok(range) = std::env::var("POLHODE_SCENARIOS") else { return 0..6 };
     let (from, to) = range.split_once("..").unwrap_or_else(|| panic!("POLHODE_SCENARIOS is FROM..TO"));

@@ -214,7 +214,8 @@ fn a_right_motion_is_found() {
     assert_eq!(missed, 0, "{refused:#?}");
 }
 
-/// A body under torque that starts slowly: a row in ms, read in s, is minutes later. Its log may also begin after the start.
+/// A body under torque that starts slowly: a row in ms, read in s, is minutes later. Its log may
+/// also begin after the start.
 #[test]
 fn a_torqued_body_is_found_in_another_unit_and_later() {
     let (scenario, states) = torqued(vec![]);

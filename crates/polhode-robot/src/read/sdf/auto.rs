@@ -1,10 +1,11 @@
 //! `<inertial auto="true">`: mass, centre and tensor of a link from its collisions and their densities.
 //!
-//! m = Σ ρ_k V_k, with centre and tensor of the collisions joined. A stated mass scales m and the tensor. The density ρ is that of the
-//! collision, else of the inertial, else 1000 kg/m³.
+//! m = Σ ρ_k V_k, with centre and tensor of the collisions joined. A stated mass scales m and the
+//! tensor. The density ρ is that of the collision, else of the inertial, else 1000 kg/m³.
 //!
-//! Source: libsdformat 16, `Link::ResolveAutoInertials`, `Collision::CalculateInertial`, `Geometry::CalculateInertial`. Meshes are left
-//! to the simulator there. Gazebo integrates over the triangles; so does this file, for closed meshes.
+//! Source: libsdformat 16, `Link::ResolveAutoInertials`, `Collision::CalculateInertial`,
+//! `Geometry::CalculateInertial`. Meshes are left to the simulator there. Gazebo integrates over
+//! the triangles; so does this file, for closed meshes.
 
 use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{Part, Position};

@@ -32,8 +32,8 @@ impl ConvexHull {
     /// The surface of the hull, its vertices in the order given.
     ///
     /// # Errors
-    /// [`BodyError::Empty`] without points; [`BodyError::Parameter`] for a coordinate that is not finite; [`BodyError::FlatPoints`] if all
-    /// lie in one plane.
+    /// [`BodyError::Empty`] without points; [`BodyError::Parameter`] for a coordinate that is not
+    /// finite; [`BodyError::FlatPoints`] if all lie in one plane.
     pub fn of(points: &[[f64; 3]]) -> Result<TriangleMesh, BodyError> {
         for &point in points {
             finite("the point's coordinate", point)?;

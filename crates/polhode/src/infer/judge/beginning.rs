@@ -110,9 +110,11 @@ impl Beginning {
 
     /// True if the log turns as fast as the exact motion at its first row.
     ///
-    /// δ_k = (ε + γ t_k) φ_k by least squares: φ_k is the angle of the exact motion since the first row, φ_k + δ_k that of the log.
+    /// δ_k = (ε + γ t_k) φ_k by least squares: φ_k is the angle of the exact motion since the first
+    /// row, φ_k + δ_k that of the log.
     ///
-    /// ε is the difference at the first row. γ ≠ 0 is a wrong law of motion, or a rough method. The fit with γ = 0 has less noise.
+    /// ε is the difference at the first row. γ ≠ 0 is a wrong law of motion, or a rough method. The
+    /// fit with γ = 0 has less noise.
     pub(super) fn has_same_rate(&self, log: &MotionLog) -> bool {
         let (Some(&first), Some(start)) = (self.rows.first(), self.exact.first()) else { return false };
         let (mut uu, mut uv, mut vv, mut du, mut dv) = (0.0, 0.0, 0.0, 0.0, 0.0);

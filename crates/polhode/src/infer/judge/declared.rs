@@ -33,8 +33,8 @@ impl OmegaAxes {
 
 /// Declared meaning of a log's numbers; `None` where nothing is declared.
 ///
-/// A declaration of the user holds. One that is only in the names of the columns ([`DeclaredReading::by_name`]) is tried first. It is
-/// given up if the motion contradicts it.
+/// A declaration of the user holds. One that is only in the names of the columns
+/// ([`DeclaredReading::by_name`]) is tried first. It is given up if the motion contradicts it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DeclaredReading {
     /// Order of the quaternions.

@@ -69,8 +69,8 @@ pub enum JudgeError {
         /// Readings that fit, best first.
         tried: Vec<OmegaResidual>,
     },
-    /// The first row is too long after the scenario's start for the motion to be computed until there. The log does not begin as the
-    /// scenario starts either.
+    /// The first row is too long after the scenario's start for the motion to be computed until
+    /// there. The log does not begin as the scenario starts either.
     FarTimes {
         /// The time of the first row, s.
         first: f64,

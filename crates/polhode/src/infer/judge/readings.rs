@@ -46,16 +46,19 @@ impl Readings {
     /// 6. a first row that is the scenario's start in one reading alone: the program is wrong from its first step on;
     /// 7. the turn since the first row, as the run may start elsewhere.
     ///
-    /// The times are those that the log says, unless it begins clearly better from the scenario's start. Readings that give the same
-    /// motion to the last row are one. If the user declares order and sense and nothing fits, they are believed.
+    /// The times are those that the log says, unless it begins clearly better from the scenario's
+    /// start. Readings that give the same motion to the last row are one. If the user declares
+    /// order and sense and nothing fits, they are believed.
     ///
-    /// Two findings are [`Readings::mistakes`]. The rows are late: they are stated from the scenario's start on and begin later, or are
-    /// late by one to three rows. The components of ω are mirrored.
+    /// Two findings are [`Readings::mistakes`]. The rows are late: they are stated from the
+    /// scenario's start on and begin later, or are late by one to three rows. The components of ω
+    /// are mirrored.
     ///
     /// # Errors
-    /// [`JudgeError::NoReading`], [`JudgeError::OtherRate`], [`JudgeError::NotSearched`], [`JudgeError::FarTimes`],
-    /// [`JudgeError::Ambiguous`], [`JudgeError::AmbiguousOmega`] and [`JudgeError::NoOmega`] where the log does not tell, and was not
-    /// declared; as [`super::Reference::of`].
+    /// [`JudgeError::NoReading`], [`JudgeError::OtherRate`], [`JudgeError::NotSearched`],
+    /// [`JudgeError::FarTimes`], [`JudgeError::Ambiguous`], [`JudgeError::AmbiguousOmega`] and
+    /// [`JudgeError::NoOmega`] where the log does not tell, and was not declared; as
+    /// [`super::Reference::of`].
     pub fn of(log: &MotionLog, scenario: &Scenario, declared: &DeclaredReading) -> Result<Self, JudgeError> {
         require_judged(scenario)?;
         let search = Search::new(log, scenario, declared)?;

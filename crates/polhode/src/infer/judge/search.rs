@@ -201,10 +201,11 @@ impl<'a> Search<'a> {
         shifted(self.log, self.scenario, &readings, stated, &self.factors().collect::<Vec<_>>())
     }
 
-    /// Returns the time by which the rows are later than stated, s, if the clock that was found shows that the stated one is wrong.
+    /// Returns the time by which the rows are later than stated, s, if the clock that was found
+    /// shows that the stated one is wrong.
     ///
-    /// The stated clock is wrong if it begins at the scenario's start, or is one to three whole rows early. Any other one has an origin
-    /// of its own.
+    /// The stated clock is wrong if it begins at the scenario's start, or is one to three whole
+    /// rows early. Any other one has an origin of its own.
     pub(super) fn late_by(&self, found: &Reading) -> Option<f64> {
         let [first, second, ..] = self.log.times() else { return None };
         let (stated, spacing) = (first * found.time_factor, (second - first) * found.time_factor);
@@ -222,7 +223,8 @@ impl<'a> Search<'a> {
         Some(stated.residual(self.log, reading, false))
     }
 
-    /// Readings that the user declares, of a log that begins otherwise; from its own start if it turns as the scenario does from there.
+    /// Readings that the user declares, of a log that begins otherwise; from its own start if it
+    /// turns as the scenario does from there.
     fn as_declared(&self, mut named: Tried) -> Found {
         if let Some(begun) = self.begun(&named) {
             return self.in_stated(begun);
@@ -280,7 +282,8 @@ impl<'a> Search<'a> {
         tried
     }
 
-    /// Puts the one reading in which the first row is the scenario's start before the others; `None` if there is none, or several.
+    /// Puts the one reading in which the first row is the scenario's start before the others;
+    /// `None` if there is none, or several.
     fn begun(&self, tried: &[ReadingResidual]) -> Option<Tried> {
         let off = |other: &ReadingResidual| {
             let beginning = self.stated.iter().find(|beginning| beginning.clock.is_of(&other.reading));
@@ -295,7 +298,8 @@ impl<'a> Search<'a> {
     }
 }
 
-/// The first way of reading that fits, unless a later one fits far better: a motion about nearly the same axis may fit roughly.
+/// The first way of reading that fits, unless a later one fits far better: a motion about nearly
+/// the same axis may fit roughly.
 fn nearest<T>(ways: impl IntoIterator<Item = (T, Tried)>) -> Option<(T, Tried)> {
     let mut nearest: Option<(T, Tried)> = None;
     for (of, tried) in ways {
@@ -315,8 +319,9 @@ fn fits(tried: &[ReadingResidual], most: f64) -> bool {
     tried.first().is_some_and(|best| best.relative <= most)
 }
 
-/// The times of a log are those that it says, unless from another origin it begins clearly better: of the others those that come near are
-/// put behind. A rough method's first steps are as far off as its rows are apart.
+/// The times of a log are those that it says, unless from another origin it begins clearly better:
+/// of the others those that come near are put behind. A rough method's first steps are as far off
+/// as its rows are apart.
 fn times_as_said(mut tried: Tried) -> Tried {
     let Some(best) = tried.first().copied() else { return tried };
     let is_said = |other: &ReadingResidual| {

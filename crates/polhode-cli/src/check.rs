@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::{ArgGroup, Args, ValueEnum};
-use polhode_formats::FormatError;
+use polhode_formats::{Confinement, FormatError};
 use polhode_robot::finding::Finding;
 use polhode_robot::geometry::{Shapes, mesh_files};
 use polhode_robot::inspect::{Inspection, inspect_for};
@@ -110,6 +110,7 @@ impl Check {
         if let Some(code) = &self.explain {
             return explain(code.as_deref());
         }
+        Confinement::require_folders(&self.roots)?;
         self.fix.require_models(&self.files)?;
         let (policy, fail_on) = self.policy.read()?;
         let found = files::models(&self.files);

@@ -338,6 +338,10 @@ fn meshes_are_found_under_the_roots_that_are_given() {
     assert_eq!((&finding["link"], &finding["line"]), (&"arm".into(), &7.into()));
     assert!(finding["message"].as_str().unwrap().contains("--root"), "{finding}");
     printed(&scratch.run(&["check", "arm.urdf", "--strict"]), 1);
+    for root in ["nowhere", "arm.urdf"] {
+        let error = refused(&scratch.run(&["check", "arm.urdf", "--root", root]), 2);
+        assert!(error.contains("a root is a folder"), "{error}");
+    }
     let with = ["check", "arm.urdf", "--root", "packages", "--strict"];
     let text = printed(&scratch.run(&with), 0);
     assert!(text.contains("NOTE 0"), "{text}");

@@ -45,6 +45,7 @@ use std::path::{Path, PathBuf};
 use polhode::math::{Body, Part, Position, Rotation};
 use polhode_budget::{Ballast, Basis, Budget, Limit};
 
+use crate::Confinement;
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::error::FormatError;
 use crate::file;
@@ -143,6 +144,7 @@ pub fn read(path: &Path) -> Result<BudgetFile, FormatError> {
 /// # Errors
 /// As [`read()`].
 pub fn read_within(path: &Path, roots: &[PathBuf]) -> Result<BudgetFile, FormatError> {
+    Confinement::require_folders(roots)?;
     of_bytes(path, &bytes_of(path)?, Access::within(roots))
 }
 

@@ -47,10 +47,8 @@ impl Event {
         if *self.measure() == Measure::TotalEnergy && rotor.wheels().is_empty() {
             return 0.0;
         }
-        // A jump has no rate on either side.
-        if let Measure::Formula(formula) = self.measure()
-            && formula.rough_function().is_some()
-        {
+        // A jump has no rate on either side, and that of a function is not known.
+        if self.roughness().is_some() {
             return f64::NAN;
         }
         let still = Tangent::still(rotor, state);

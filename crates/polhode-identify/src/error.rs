@@ -99,17 +99,6 @@ pub enum IdentifyError {
         /// Measured quantity: `force`, `torque`.
         what: &'static str,
     },
-    /// A channel of a sensor that has one value in all readings, while others vary.
-    DeadChannel {
-        /// Name of the channel: `force x`.
-        channel: &'static str,
-        /// Its value, N or N·m.
-        value: f64,
-        /// Unit of the value.
-        unit: &'static str,
-        /// Number of readings.
-        readings: usize,
-    },
     /// The method went on without an end.
     NoConvergence {
         /// After so many steps.
@@ -146,9 +135,7 @@ impl IdentifyError {
             Self::Growing { .. } => Some(
                 "write amplitudes in the order of time, the largest first; with damping = \"both\" use viscous or quadratic damping alone",
             ),
-            Self::AllZero { .. } | Self::DeadChannel { .. } => {
-                Some("look for a sensor that is not connected, or for other columns")
-            }
+            Self::AllZero { .. } => Some("look for a sensor that is not connected, or for other columns"),
             Self::Value { .. } => None,
         }
     }
@@ -211,10 +198,6 @@ impl fmt::Display for IdentifyError {
                     -value / sd
                 )
             }
-            Self::DeadChannel { channel, value, unit, readings } => write!(
-                f,
-                "{channel} is {value} {unit} in all {readings} readings, while others vary: a sensor that measures has noise"
-            ),
             Self::AllZero { what } => write!(f, "every {what} in the log is zero"),
             Self::NotFinite { quantity } => write!(f, "{quantity} is not finite"),
             Self::OneBody { flights: 1 } => {

@@ -98,33 +98,6 @@ pub struct MotionNoise {
     pub acceleration: f64,
 }
 
-/// Refuses a component of the wrench that is constant while another varies.
-fn require_live(rows: &[PayloadRow]) -> Result<(), IdentifyError> {
-    const LEAST: usize = 4;
-    const CHANNELS: [(&str, &str); 6] = [
-        ("force x", "N"),
-        ("force y", "N"),
-        ("force z", "N"),
-        ("torque x", "N·m"),
-        ("torque y", "N·m"),
-        ("torque z", "N·m"),
-    ];
-    let wrench = |row: &PayloadRow| {
-        let ([a, b, c], [d, e, f]) = (row.force.to_array(), row.torque.to_array());
-        [a, b, c, d, e, f]
-    };
-    let Some(first) = rows.first().map(wrench).filter(|_| rows.len() >= LEAST) else { return Ok(()) };
-    let is_dead = |k: &usize| rows.iter().all(|row| wrench(row)[*k] == first[*k]);
-    let dead: Vec<usize> = (0..6).filter(is_dead).collect();
-    match dead[..] {
-        [k, ..] if dead.len() < 6 => {
-            let ((channel, unit), value) = (CHANNELS[k], first[k]);
-            Err(IdentifyError::DeadChannel { channel, value, unit, readings: rows.len() })
-        }
-        _ => Ok(()),
-    }
-}
-
 /// A log of wrenches and motion that can be used, and what is known of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PayloadLog {
@@ -141,8 +114,7 @@ impl PayloadLog {
     ///
     /// # Errors
     /// Where a number is not finite or times do not ascend.
-    /// [`IdentifyError::AllZero`] where all forces, or all torques, are zero; [`IdentifyError::DeadChannel`] where one of
-    /// their components has one value in four rows or more, and another has not.
+    /// [`IdentifyError::AllZero`] where all forces, or all torques, are zero.
     pub fn new(rows: Vec<PayloadRow>, sense: WrenchSense) -> Result<Self, IdentifyError> {
         let mut before = f64::NEG_INFINITY;
         for row in &rows {
@@ -169,7 +141,6 @@ impl PayloadLog {
         if !rows.is_empty() && zero(|row| row.torque.to_array()) {
             return Err(IdentifyError::AllZero { what: "torque" });
         }
-        require_live(&rows)?;
         Ok(Self {
             rows,
             sense,

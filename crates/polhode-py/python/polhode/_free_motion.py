@@ -263,7 +263,7 @@ class FreeMotion:
         --------
         >>> import polhode
         >>> error = polhode.FreeMotion(moments=[1, 2, 2.5], omega=[0.3, 0.5, 0.9]).error([1e3, 1e9])
-        >>> bool(error.attitude.max() < 1e-15), bool(error.inputs_attitude[1] > 1e-8)
+        >>> bool(error.attitude.max() < 2.1e-15), bool(error.inputs_attitude[1] > 1e-8)
         (True, True)
         """
         computation, inputs = self._native.error(_arrays.numbers("times", times, ("n",)))

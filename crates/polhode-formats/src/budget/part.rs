@@ -6,12 +6,12 @@ use polhode_budget::{GivenPart, GivenTensor, PartUncertainty, ProductSign, Tenso
 
 use super::cells::{Cells, Given, MOST_DEVIATION};
 use super::key::{
-    CAD, DENSITY, ENDS, FILE, FILL, HEIGHT, IXX, IXY, IXZ, IYY, IYZ, IZZ, LENGTH, MASS, MATERIAL, MESH,
-    RADIUS, RING_RADIUS, SCENARIO, SEMI_AXES, SHAPE, SIZE, THICKNESS, TOP_RADIUS, TUBE_RADIUS, UNION, UNIT,
-    VERTICES, WELD, X, Y, Z,
+    CAD, DENSITY, ENDS, FILE, FILL, IXX, IXY, IXZ, IYY, IYZ, IZZ, MASS, MATERIAL, MESH, SCENARIO, SHAPE,
+    UNION, UNIT, WELD, X, Y, Z,
 };
 use super::place::spread;
 use super::rows::Rows;
+use super::shape::SIZES;
 use crate::error::FormatError;
 
 pub(super) const MOMENTS: [usize; 3] = [IXX, IYY, IZZ];
@@ -22,21 +22,9 @@ pub(super) const CENTER: [usize; 3] = [X, Y, Z];
 const FORMS: [usize; 5] = [SHAPE, MESH, CAD, SCENARIO, FILE];
 
 /// Columns of parts that have a shape.
-const OF_SHAPES: [usize; 13] = [
-    SIZE,
-    RADIUS,
-    SEMI_AXES,
-    LENGTH,
-    HEIGHT,
-    TOP_RADIUS,
-    RING_RADIUS,
-    TUBE_RADIUS,
-    VERTICES,
-    ENDS,
-    THICKNESS,
-    DENSITY,
-    MATERIAL,
-];
+fn of_shapes() -> impl Iterator<Item = usize> {
+    SIZES.into_iter().chain([ENDS, DENSITY, MATERIAL])
+}
 
 /// Columns of meshes.
 const OF_MESHES: [usize; 4] = [UNIT, WELD, FILL, UNION];
@@ -76,13 +64,13 @@ impl<'s, 'a> Rows<'s, 'a> {
             }
             (None, Some(mass)) => {
                 let rule = "left out of a part without a shape, a mesh or a file";
-                self.without(cells, OF_SHAPES.into_iter().chain(OF_MESHES), rule)?;
+                self.without(cells, of_shapes().chain(OF_MESHES), rule)?;
                 self.columns_of(cells, mass.value)?
             }
             (None, None) => {
                 let rule = "left out of a row without mass, or given with it";
                 let all = [MASS].into_iter().chain(CENTER).chain(MOMENTS).chain(PRODUCTS);
-                self.any_of(cells, all.chain(OF_SHAPES).chain(OF_MESHES), rule)?;
+                self.any_of(cells, all.chain(of_shapes()).chain(OF_MESHES), rule)?;
                 return Ok(None);
             }
         };

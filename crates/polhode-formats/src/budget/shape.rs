@@ -28,7 +28,7 @@ use crate::scenario::{ScenarioFile, list_units, tree};
 use crate::unit;
 
 /// Columns of lengths and of numbers.
-const SIZES: [usize; 11] = [
+pub(super) const SIZES: [usize; 11] = [
     SIZE,
     RADIUS,
     INNER_RADIUS,

@@ -1,6 +1,6 @@
 //! A suggestion for an impossible tensor without geometry: the one power of ten in one element that would make it possible.
 //!
-//! `izz="1676359E-6"` beside moments of some 2e-3 kg·m² is a point forgotten in 1676.359E-6. All
+//! `izz="1676359E-6"` next to moments of some 2e-3 kg·m² is a point forgotten in 1676.359E-6. All
 //! elements and all powers from 10⁻¹² to 10¹² are tried. One that is possible is not therefore
 //! right: of a rod, any of the three moments may be the wrong one. So this is a suggestion, and
 //! never a fix.

@@ -31,7 +31,7 @@ pub(super) struct Stepper {
     high: Vec<f64>,
     low: Vec<f64>,
     time: f64,
-    /// What is added to the variables after each step, and how many times as long steps are.
+    /// Noise that is added to the variables after each step, and its amplitude.
     noise: Option<(Random, f64)>,
     stretch: f64,
     /// How long a motion is known that no series has.
@@ -73,7 +73,7 @@ impl Stepper {
         }
     }
 
-    /// With larger rounding, and other steps.
+    /// Adds rounding to each step, and changes the length of steps: for a comparison run.
     pub(super) fn perturbed(self, noise: Option<StepNoise>) -> Self {
         let Some(StepNoise { seed, amplitude, stretch }) = noise else { return self };
         Self { noise: Some((Random::new(seed), amplitude * f64::EPSILON)), stretch, ..self }

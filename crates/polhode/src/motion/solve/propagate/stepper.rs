@@ -67,7 +67,7 @@ pub(crate) struct Stepper<'a> {
     is_unlimited: bool,
     rule: Rule,
     steps: Steps<'a>,
-    /// What a perturbed run adds to each step.
+    /// Noise that a comparison run adds to each step.
     noise: Option<Noise>,
     /// The mass properties, if they change.
     history: Option<&'a MassHistory>,

@@ -156,6 +156,10 @@ fn a_hollow_part_has_an_inner_radius() {
     let error = super::csv("name,mass,outer radius\ntube,3,0.5\n").unwrap_err();
     let hint = error.hint().unwrap_or_default();
     assert!(hint.contains("radius, inner radius, top radius") && !hint.contains("yaw"), "{hint}");
+    for list in ["name,mass [kg],inner_radius [m]\na,3,0.4\n", "name,inner_radius [m]\na,0.4\n"] {
+        let error = super::csv(list).unwrap_err().to_string();
+        assert!(error.contains("inner_radius [m] = 0.4 must be left out of a"), "{error}");
+    }
 }
 
 #[test]

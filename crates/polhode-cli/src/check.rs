@@ -38,7 +38,7 @@ use policy::PolicyFlags;
 /// Impossible: these numbers are unphysical. Suspect: a body may, but hardly this link, by its own
 /// geometry. Each finding says where, by which rule, and the fix, if exactly one is consistent with
 /// all evidence. Folders are searched for .urdf, .sdf, .world, .usda and .osim files, and for .xml
-/// files that are models. What is allowed stands in polhode.toml, in a baseline, or in the model:
+/// files that are models. What is allowed is in polhode.toml, in a baseline, or in the model:
 /// <!-- polhode: allow RULE: REASON -->.
 ///
 /// Exit status: 0 nothing impossible or suspect, 1 something is, 2 a file cannot be read.

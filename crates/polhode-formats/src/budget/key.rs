@@ -113,6 +113,21 @@ keys! {
 /// The number of keys.
 pub(super) const COUNT: usize = KEYS.len();
 
+/// Columns of the sizes of shapes: lengths and numbers.
+pub(super) const SIZES: [usize; 11] = [
+    SIZE,
+    RADIUS,
+    INNER_RADIUS,
+    SEMI_AXES,
+    LENGTH,
+    HEIGHT,
+    TOP_RADIUS,
+    RING_RADIUS,
+    TUBE_RADIUS,
+    VERTICES,
+    THICKNESS,
+];
+
 impl Holds {
     /// What its numbers measure.
     pub(super) const fn dimension(self) -> Option<Dimension> {

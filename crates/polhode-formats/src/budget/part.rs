@@ -7,11 +7,10 @@ use polhode_budget::{GivenPart, GivenTensor, PartUncertainty, ProductSign, Tenso
 use super::cells::{Cells, Given, MOST_DEVIATION};
 use super::key::{
     CAD, DENSITY, ENDS, FILE, FILL, IXX, IXY, IXZ, IYY, IYZ, IZZ, MASS, MATERIAL, MESH, SCENARIO, SHAPE,
-    UNION, UNIT, WELD, X, Y, Z,
+    SIZES, UNION, UNIT, WELD, X, Y, Z,
 };
 use super::place::spread;
 use super::rows::Rows;
-use super::shape::SIZES;
 use crate::error::FormatError;
 
 pub(super) const MOMENTS: [usize; 3] = [IXX, IYY, IZZ];

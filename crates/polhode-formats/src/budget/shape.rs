@@ -11,9 +11,7 @@ use super::cell::Cell;
 use super::cells::{Cells, Given, Reader};
 use super::heading::ColumnUnit;
 use super::key::{
-    CAD, DENSITY, ENDS, FILE, FILL, HEIGHT, INNER_RADIUS, KEYS, LENGTH, MATERIAL, MESH, RADIUS, RING_RADIUS,
-    SCENARIO, SEMI_AXES, SHAPE, SIZE, THICKNESS, TOP_RADIUS, TUBE_RADIUS, UNION, UNIT, VERTICES, WELD, X, Y,
-    Z,
+    CAD, DENSITY, ENDS, FILE, FILL, KEYS, MATERIAL, MESH, SCENARIO, SHAPE, SIZES, UNION, UNIT, WELD, X, Y, Z,
 };
 use super::part::Told;
 use super::rows::Rows;
@@ -26,21 +24,6 @@ use crate::scenario::reader::Table;
 use crate::scenario::source::Source;
 use crate::scenario::{ScenarioFile, list_units, tree};
 use crate::unit;
-
-/// Columns of lengths and of numbers.
-pub(super) const SIZES: [usize; 11] = [
-    SIZE,
-    RADIUS,
-    INNER_RADIUS,
-    SEMI_AXES,
-    LENGTH,
-    HEIGHT,
-    TOP_RADIUS,
-    RING_RADIUS,
-    TUBE_RADIUS,
-    VERTICES,
-    THICKNESS,
-];
 
 /// What a file that a row names holds.
 enum Form {

@@ -1,7 +1,7 @@
 //! The log of a motion, as another program wrote it: times, attitudes and perhaps angular velocities, in CSV, Parquet or JSON lines.
 //!
-//! What a file is, its contents say. Text has a line of names, then a line for each time; commas,
-//! semicolons, tabs or blanks part the fields, and the decimal mark is a point. Lines that begin
+//! The contents of a file decide its format. Text has a line of names, then a line for each time; commas,
+//! semicolons, tabs or blanks separate the fields, and the decimal mark is a point. Lines that begin
 //! with `#` are for people, except `# key = value` above the names; below them such a line is an
 //! error.
 //!

@@ -27,10 +27,11 @@ fn judged(scenario: &Scenario, log: &MotionLog) -> Result<Judgement, JudgeError>
     Judgement::of(scenario, log, &by_name())
 }
 
-/// Without ω × I ω, standing still, or turned the other way.
+/// Without ω × I ω, standing still, or turned the other way. Other axes may fit the beginning as well: then it is refused.
 #[test]
 fn a_wrong_law_is_never_called_right() {
-    for seed in 0..count(30) {
+    let (count, mut refused) = (count(30), 0);
+    for seed in 0..count {
         let scenario = scenario(&mut Draws::of(seed, 7));
         let (start, times) = (scenario.start(), even(&scenario, 0, 200));
         let rate = [1.0, 0.0, -1.0][seed as usize % 3] * start.omega.norm();
@@ -40,10 +41,16 @@ fn a_wrong_law_is_never_called_right() {
             (start.attitude * turn).quaternion()
         };
         let log = MotionLog::new(times.clone(), times.iter().map(turned).collect()).unwrap();
-        let judgement = judged(&scenario, &log).unwrap_or_else(|error| panic!("{seed}: {error}"));
-        let (off, found) = (judgement.largest_attitude_error(), judgement.readings.reading);
-        assert!(off > 1e-3, "{seed}: {off} rad as {found}");
+        match judged(&scenario, &log) {
+            Ok(judgement) => {
+                let (off, found) = (judgement.largest_attitude_error(), judgement.readings.reading);
+                assert!(off > 1e-3, "{seed}: {off} rad as {found}");
+            }
+            Err(JudgeError::Ambiguous { .. }) => refused += 1,
+            Err(error) => panic!("{seed}: {error}"),
+        }
     }
+    assert!(100 * refused <= count, "{refused} of {count} refused");
 }
 
 /// A program that turns too fast or too slowly, as one that is given deg/s for rad/s, is not excused by a unit of time.
@@ -136,9 +143,21 @@ fn a_mirrored_omega_is_a_mistake() {
         let judgement = judged(&scenario, &log).unwrap_or_else(|error| panic!("{seed}: {error}"));
         assert_eq!(judgement.readings.mistakes, [LogMistake::OmegaComponents { components }], "{seed}");
         assert!(judgement.readings.is_against_names && judgement.largest_attitude_error() < 1e-12);
-        let off = judgement.errors.rates.unwrap().omega.into_iter().fold(0.0, f64::max);
-        assert!(off > 0.1, "{seed}: {off}");
+        // max |ω_log − ω| / max |ω|
+        let largest = |sizes: &mut dyn Iterator<Item = f64>| sizes.fold(0.0, f64::max);
+        let in_log = |state: &State| match is_space {
+            true => state.omega_space().to_array(),
+            false => state.omega.to_array(),
+        };
+        let mut apart = states.iter().map(|state| distance(omega(state), in_log(state)));
+        let exact = largest(&mut apart) / largest(&mut states.iter().map(|state| state.omega.norm()));
+        let off = largest(&mut judgement.errors.rates.unwrap().omega.into_iter());
+        assert!((off - exact).abs() < 1e-12 && exact > 0.01, "{seed}: {off}, not {exact}");
     }
+}
+
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
 }
 
 /// The ω of space relative to the body, −ω, goes with attitudes of space to body.

@@ -2,7 +2,7 @@
 
 use polhode::infer::judge::{
     AttitudeSense, DeclaredByName, DeclaredReading, JudgeError, Judgement, MotionLog, OmegaAxes,
-    OmegaReading, QuaternionOrder, Reference, SignedAxes,
+    OmegaReading, QuaternionOrder, Reading, Reference, SignedAxes,
 };
 use polhode::motion::{Event, EventAction, Measure, Sense};
 use polhode::prelude::*;
@@ -232,10 +232,12 @@ fn a_torqued_body_is_found_in_another_unit_and_later() {
         assert!(judgement.largest_attitude_error() < 1e-9 + 10.0 * judgement.floor(), "{name} {origin}");
         assert!(judgement.readings.is_against_names);
     }
-    for first in [2, 5, 30, 140] {
-        let log = written(&states[first..], &|t| t + 321.5);
+    for (first, factor) in [(2, 1.0), (5, 1.0), (30, 1.0), (140, 1.0), (60, 1e9)] {
+        let log = written(&states[first..], &|t| (t + 321.5) * factor);
         let judgement = Judgement::of(&scenario, &log, &by_name()).unwrap();
-        assert!((judgement.readings.reading.time_origin - 321.5).abs() < 1e-7, "{first}");
+        let Reading { time_origin, time_factor, .. } = judgement.readings.reading;
+        assert_eq!(time_factor, 1.0 / factor, "{first}");
+        assert!((time_origin / factor - 321.5).abs() < 1e-7, "{first}: {time_origin}");
         assert!(judgement.largest_attitude_error() < 1e-7 && judgement.readings.mistakes.is_empty());
     }
 }

@@ -114,7 +114,7 @@ impl<'a> Search<'a> {
         if let Some(found) = self.beginning_with_start(&named, &any) {
             return Ok(found);
         }
-        let is_searched = match self.later(&any) {
+        let is_searched = match self.later() {
             Shifted::Found(tried, beginning) => {
                 let beginnings = vec![beginning];
                 return Ok(Found { tried, beginnings, from_own_start: false, is_shifted: true });
@@ -186,19 +186,13 @@ impl<'a> Search<'a> {
     }
 
     /// Readings with the first row some time after the scenario's start.
-    fn later(&self, plain: &[ReadingResidual]) -> Shifted {
+    fn later(&self) -> Shifted {
         if self.declared.time_origin.is_some() {
             return Shifted::Nowhere;
         }
-        let mut readings: Vec<Reading> = Vec::new();
-        for ReadingResidual { reading, .. } in plain {
-            let is_known = |known: &Reading| (known.order, known.sense) == (reading.order, reading.sense);
-            if !readings.iter().any(is_known) {
-                readings.push(*reading);
-            }
-        }
-        let stated = self.declared.time_factor.unwrap_or(1.0);
-        shifted(self.log, self.scenario, &readings, stated, &self.factors().collect::<Vec<_>>())
+        let stated = Clock { origin: 0.0, factor: self.declared.time_factor.unwrap_or(1.0) };
+        let readings = meanings(&self.declared.certain(), &[self.plain_axes()], stated);
+        shifted(self.log, self.scenario, &readings, stated.factor, &self.factors().collect::<Vec<_>>())
     }
 
     /// Returns the time by which the rows are later than stated, s, if the clock that was found
@@ -260,24 +254,13 @@ impl<'a> Search<'a> {
         beginnings: &[Beginning],
         from_own_start: bool,
     ) -> Tried {
-        let orders = QuaternionOrder::ALL
-            .into_iter()
-            .filter(|&order| declared.order.is_none_or(|declared| declared == order));
-        let senses = AttitudeSense::ALL
-            .into_iter()
-            .filter(|&sense| declared.sense.is_none_or(|declared| declared == sense));
-        let mut tried = Vec::new();
-        for beginning in beginnings {
-            let Clock { origin: time_origin, factor: time_factor } = beginning.clock;
-            for &axes in axes {
-                for order in orders.clone() {
-                    for sense in senses.clone() {
-                        let reading = Reading { order, sense, axes, time_origin, time_factor };
-                        tried.push(beginning.residual(self.log, reading, from_own_start));
-                    }
-                }
-            }
-        }
+        let mut tried: Tried = beginnings
+            .iter()
+            .flat_map(|beginning| {
+                let readings = meanings(declared, axes, beginning.clock).into_iter();
+                readings.map(|reading| beginning.residual(self.log, reading, from_own_start))
+            })
+            .collect();
         tried.sort_by(|a, b| a.attitude.total_cmp(&b.attitude));
         tried
     }
@@ -296,6 +279,22 @@ impl<'a> Search<'a> {
         tried[..=at].rotate_right(1);
         Some(tried)
     }
+}
+
+/// All meanings of a log's columns that are not excluded.
+fn meanings(declared: &DeclaredReading, axes: &[SignedAxes], clock: Clock) -> Vec<Reading> {
+    let Clock { origin: time_origin, factor: time_factor } = clock;
+    let is_allowed = |order: &QuaternionOrder| declared.order.is_none_or(|declared| declared == *order);
+    let is_told = |sense: &AttitudeSense| declared.sense.is_none_or(|declared| declared == *sense);
+    let mut readings = Vec::new();
+    for &axes in axes {
+        for order in QuaternionOrder::ALL.into_iter().filter(is_allowed) {
+            for sense in AttitudeSense::ALL.into_iter().filter(is_told) {
+                readings.push(Reading { order, sense, axes, time_origin, time_factor });
+            }
+        }
+    }
+    readings
 }
 
 /// The first way of reading that fits, unless a later one fits far better: a motion about nearly

@@ -20,11 +20,13 @@ impl Random {
     }
 }
 
-/// What a perturbed run adds to its variables after each step, so many times what rounding does; and how many times as long its steps are.
+/// Perturbation of a run, to measure what rounding does to it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StepNoise {
     pub(crate) seed: u64,
+    /// Ratio of what is added to each variable after a step to the rounding of that step.
     pub(crate) amplitude: f64,
+    /// Factor of the length of steps.
     pub(crate) stretch: f64,
 }
 

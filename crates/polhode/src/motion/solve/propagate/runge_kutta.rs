@@ -35,7 +35,7 @@ pub(super) struct RungeKutta<'a> {
     omega_scale: f64,
     /// What rounding of the torque alone does to ω, rad/s: no error control reaches below it.
     omega_noise: f64,
-    /// How many times as long steps are whose length is no matter of the tolerance: the first, and those of the largest turn.
+    /// Factor of the steps whose length the tolerance does not set: the first, and those of the largest turn.
     stretch: f64,
     statistics: StepStatistics,
     last: Option<Step<'a>>,
@@ -303,7 +303,7 @@ impl<'a> RungeKutta<'a> {
         self.statistics.evaluations += 12;
     }
 
-    /// Makes the steps whose length is no matter of the tolerance so many times as long.
+    /// Multiplies the length of the steps that the tolerance does not set.
     pub(super) fn stretch(&mut self, factor: f64) {
         self.h *= factor;
         self.stretch = factor;

@@ -160,7 +160,7 @@ impl<'a> Stepper<'a> {
         self.half_turn = self.torsions.is_half_turn(state.attitude).then_some(state.time);
     }
 
-    /// The same with steps so many times as long, and perturbed after each of them. Steps of a given length keep it.
+    /// The same solver with longer steps, each perturbed at its end. Steps of a given length keep it.
     pub(crate) fn perturbed(mut self, StepNoise { seed, amplitude, stretch }: StepNoise) -> Self {
         match &mut self.steps {
             Steps::Taylor(taylor) => taylor.stretch(stretch),

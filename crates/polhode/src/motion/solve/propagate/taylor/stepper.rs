@@ -197,7 +197,7 @@ impl<'a> Taylor<'a> {
         }
     }
 
-    /// Makes all steps to come so many times as long as the tolerance allows.
+    /// Multiplies the length of all later steps.
     pub(in crate::motion::solve::propagate) fn stretch(&mut self, factor: f64) {
         self.expansion.reach += libm::log2(factor);
         self.h = self.expansion.step(self.omega_scale);

@@ -8,7 +8,6 @@ mod model;
 mod molecule;
 mod output;
 mod particles;
-mod quick;
 mod robot;
 mod substance;
 mod voxel;
@@ -99,12 +98,6 @@ pub(crate) struct Inertia {
 
 impl Inertia {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        if self.mesh.is_quick() && self.output.is_for_another_program() {
-            return Err(Failure::usage(
-                "--as does not go with --quick: another program's file would not say that the mesh was not checked",
-                "leave --quick out",
-            ));
-        }
         self.mesh.check_output(self.files.len())?;
         if self.robot.table {
             return self.tables();

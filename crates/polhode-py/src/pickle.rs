@@ -29,8 +29,8 @@ pub(crate) type Values = (Numbers, Source, Geometry, Vec<Block>, Vec<Remark>);
 
 /// The values of a report.
 pub(crate) fn values(report: &InertiaReport) -> Values {
-    // All fields by name, so that a new one is not forgotten. Other axes, axes in the text, and files that are looked at in part, are
-    // for the command only.
+    // All fields by name, so that a new one is not forgotten. Other axes, and axes in the text, are for the
+    // command only.
     let InertiaReport {
         source,
         properties,
@@ -42,7 +42,6 @@ pub(crate) fn values(report: &InertiaReport) -> Values {
         findings,
         axes: _,
         show_axes: _,
-        not_checked: _,
     } = report;
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = properties.inertia().matrix();
     let SourceInfo { path, format, description, fields } = source.clone();

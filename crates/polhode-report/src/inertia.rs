@@ -51,8 +51,6 @@ pub struct InertiaReport {
     pub extras: Vec<Extra>,
     /// What was noticed on the way.
     pub findings: Vec<Finding>,
-    /// What was not looked at because the user said so: `closed`, `overlaps`, … It comes before everything else.
-    pub not_checked: &'static [&'static str],
 }
 
 impl InertiaReport {
@@ -82,7 +80,6 @@ impl InertiaReport {
             show_axes: false,
             extras: Vec::new(),
             findings: Vec::new(),
-            not_checked: &[],
         }
     }
 
@@ -99,12 +96,9 @@ impl InertiaReport {
         }
     }
 
-    /// One object with the stable keys of the JSON contract; `not_checked`, `inertia_about` and `inertia_in_axes` only where asked for.
+    /// One object with the stable keys of the JSON contract; `inertia_about` and `inertia_in_axes` only where asked for.
     pub fn to_json(&self) -> Value {
         let mut object = Map::new();
-        if !self.not_checked.is_empty() {
-            object.insert("not_checked".to_owned(), self.not_checked.into());
-        }
         object.insert("polhode".to_owned(), VERSION.into());
         object.insert("source".to_owned(), self.source.to_json());
         block::insert(&mut object, &self.properties, self.geometry());

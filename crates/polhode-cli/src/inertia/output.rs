@@ -34,11 +34,6 @@ fn formats() -> impl clap::builder::TypedValueParser<Value = ExportFormat> {
 }
 
 impl OutputFlags {
-    /// Is the answer for another program, whose files have no room for remarks?
-    pub(super) fn is_for_another_program(&self) -> bool {
-        self.as_format.is_some_and(|format| format != ExportFormat::Csv)
-    }
-
     /// Says on standard error what was noticed, where the answer's form has no room for it.
     pub(super) fn warn(&self, answers: &[Answer<'_>]) {
         if !self.csv && self.as_format.is_none() {

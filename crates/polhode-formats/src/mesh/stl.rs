@@ -102,7 +102,7 @@ pub(super) fn contents(bytes: &[u8], path: &Path) -> Result<MeshContents, Format
 }
 
 /// The error of a file that starts with these bytes.
-pub(super) fn refused(path: &Path, bytes: &[u8], error: StlError) -> FormatError {
+fn refused(path: &Path, bytes: &[u8], error: StlError) -> FormatError {
     match is_utf16(bytes) {
         true => FormatError::new(path, None, FormatErrorKind::Utf16),
         false => FormatError::new(path, place(bytes, &error), FormatErrorKind::Stl(error)),

@@ -35,16 +35,13 @@ const COLUMNS: [&str; 24] = [
 
 /// The whole table.
 pub(super) fn write(bodies: &[ExportBody]) -> String {
-    // What a mesh was taken for, and what was not looked at, stand in columns that other tables lack.
-    let unchecked = bodies.iter().map(|body| body.not_checked).find(|checks| !checks.is_empty());
-    let column = unchecked.map(|checks| format!("not_checked_{}", checks.join("_")));
+    // A mesh that was taken as something other than its solid adds a column to the table.
     let taken_as = bodies.iter().any(|body| body.taken_as.is_some()).then_some("mesh_taken_as");
-    let columns: Vec<_> = COLUMNS.into_iter().chain(taken_as).chain(column.as_deref()).collect();
+    let columns: Vec<_> = COLUMNS.into_iter().chain(taken_as).collect();
     let mut text = columns.join(",") + "\n";
     for body in bodies {
         let mut cells = row(body);
         cells.extend(taken_as.map(|_| body.taken_as.clone().unwrap_or_default()));
-        cells.extend(column.as_ref().map(|_| (!body.not_checked.is_empty()).to_string()));
         text += &(cells.join(",") + "\n");
     }
     text

@@ -18,7 +18,6 @@
 #![forbid(unsafe_code)]
 
 mod balance;
-mod base64;
 mod block;
 mod body_part;
 mod budget;

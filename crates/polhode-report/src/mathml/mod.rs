@@ -5,7 +5,7 @@
 
 mod latex;
 
-use crate::base64::encode;
+use base64::prelude::{BASE64_STANDARD, Engine as _};
 
 /// The rule of formulas in a style sheet, with the name of the font's file.
 const FONT_RULE: &str = include_str!("../../assets/math.css");
@@ -16,7 +16,7 @@ const FONT: &[u8] = include_bytes!("../../assets/stix-two-math.woff2");
 
 /// The style of formulas, the font in it.
 pub(crate) fn style() -> String {
-    let font = format!("data:font/woff2;base64,{}", encode(FONT));
+    let font = format!("data:font/woff2;base64,{}", BASE64_STANDARD.encode(FONT));
     FONT_RULE.replace(FONT_FILE, &font)
 }
 

@@ -15,6 +15,7 @@ mod facts;
 mod free;
 mod motion;
 mod outline;
+mod packed;
 mod placed;
 mod rows;
 mod scene;

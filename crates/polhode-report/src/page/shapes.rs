@@ -8,10 +8,10 @@ use serde_json::{Value, json};
 use super::atoms;
 use super::decimate::decimated;
 use super::outline;
+use super::packed::{f32s, u32s};
 use super::placed::{THIN, at};
 use super::surface;
 use super::turning::{Turning, ellipsoid};
-use crate::base64::{f32s, u32s};
 use crate::json::numbers;
 use crate::number::{count, number};
 

@@ -17,13 +17,14 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode::math::{Body, Part, Position, Rotation};
+use polhode_document::SourceInfo;
 use polhode_formats::brep::BrepFormat;
 use polhode_formats::mesh::MeshFormat;
 use polhode_formats::molecule::MoleculeFormat;
 use polhode_formats::scenario;
 use polhode_formats::unit::Dimension;
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, read_file};
-use polhode_report::{InertiaReport, SourceInfo};
+use polhode_report::InertiaReport;
 
 use self::cad::CadFlags;
 use self::kind::Kind;

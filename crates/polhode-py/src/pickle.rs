@@ -5,7 +5,9 @@ use std::sync::{Mutex, PoisonError};
 
 use polhode::body::{Finding, InertiaTensor, MassProperties, Severity};
 use polhode::math::Position;
-use polhode_report::{Extra, InertiaReport, SourceInfo};
+use polhode_document::Extra;
+use polhode_document::SourceInfo;
+use polhode_report::InertiaReport;
 use pyo3::prelude::*;
 use serde_json::Value;
 

@@ -2,7 +2,7 @@
 
 use polhode::body::BodyError;
 use polhode::body::shape::Shape;
-use polhode_report::SourceInfo;
+use polhode_document::SourceInfo;
 
 use super::field;
 use crate::failure::Failure;

@@ -5,8 +5,9 @@ use std::path::Path;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser as _};
 use polhode::body::Finding;
-use polhode_report::plain::printable;
-use polhode_report::{ExportBody, ExportFormat, InertiaReport, export, pretty};
+use polhode_document::json::pretty;
+use polhode_document::layout::printable;
+use polhode_report::{ExportBody, ExportFormat, InertiaReport, export};
 use polhode_robot::link_table::LinkTable;
 use serde_json::Value;
 

@@ -116,9 +116,12 @@ fn too_large(error: BudgetError, budget: &Budget, blame: &Blame<'_, '_, '_>) -> 
         .flat_map(|(k, row)| numbers(row).into_iter().zip(keys).map(move |(number, key)| (number, k, key)));
     let cell = all.max_by(|a, b| a.0.total_cmp(&b.0)).and_then(|(_, k, key)| blame.cell(k, &[key]));
     match (cell, error.hint()) {
-        (Some(cell), Some(hint)) => {
-            blame.reader.reader.sheet.error(&cell, FormatErrorKind::Budget(error)).with_hint(hint)
-        }
+        (Some(cell), Some(hint)) => blame
+            .reader
+            .reader
+            .sheet
+            .error(&cell, FormatErrorKind::subject(&error, error.hint()))
+            .with_hint(hint),
         _ => blame.of(error),
     }
 }

@@ -53,7 +53,7 @@ impl<'a> Blame<'_, '_, 'a> {
         let near = self.near(&error);
         let cell = error.row().and_then(|row| self.cell(row, keys).or_else(|| self.cell(row, &[NAME, PATH])));
         let hint = error.hint();
-        let kind = FormatErrorKind::Budget(error);
+        let kind = FormatErrorKind::subject(&error, error.hint());
         let sheet = self.reader.reader.sheet;
         let error = match cell {
             Some(cell) => sheet.error(&cell, kind),

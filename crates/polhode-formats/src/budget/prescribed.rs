@@ -297,7 +297,7 @@ fn filled(dry: &Budget, tanks: &[(&PlannedTank, Tank)]) -> Result<Budget, Format
             _ => 0,
         };
         if let Some(error) = in_copies {
-            return Err(tank.places[place].clone().replaced(FormatErrorKind::Sequence(error)));
+            return Err(tank.places[place].clone().replaced(FormatErrorKind::subject(&error, error.hint())));
         }
         if let Some(mut row) = placed.row(tank.mass, tank.errors) {
             row.group.clone_from(&tank.group);
@@ -306,8 +306,8 @@ fn filled(dry: &Budget, tanks: &[(&PlannedTank, Tank)]) -> Result<Budget, Format
     }
     let budget = Budget::new(rows, dry.groups().to_vec(), dry.growth_table().clone());
     budget.map_err(|error| match tanks.first() {
-        Some((tank, _)) => tank.places[2].clone().replaced(FormatErrorKind::Budget(error)),
-        None => FormatError::new("".as_ref(), None, FormatErrorKind::Budget(error)),
+        Some((tank, _)) => tank.places[2].clone().replaced(FormatErrorKind::subject(&error, error.hint())),
+        None => FormatError::new("".as_ref(), None, FormatErrorKind::subject(&error, error.hint())),
     })
 }
 
@@ -378,5 +378,5 @@ fn blame(error: SequenceError, sequence: &PlannedSequence, tanks: &[PlannedTank]
         | SequenceError::Nothing { time } => at_time(*time),
         _ => None,
     };
-    place.unwrap_or(&sequence.place).clone().replaced(FormatErrorKind::Sequence(error))
+    place.unwrap_or(&sequence.place).clone().replaced(FormatErrorKind::subject(&error, error.hint()))
 }

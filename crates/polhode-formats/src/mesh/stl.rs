@@ -105,7 +105,15 @@ pub(super) fn contents(bytes: &[u8], path: &Path) -> Result<MeshContents, Format
 fn refused(path: &Path, bytes: &[u8], error: StlError) -> FormatError {
     match is_utf16(bytes) {
         true => FormatError::new(path, None, FormatErrorKind::Utf16),
-        false => FormatError::new(path, place(bytes, &error), FormatErrorKind::Stl(error)),
+        false => {
+            // A line and a column are the error's place; a record has to be said.
+            let message = match error.place() {
+                Some(StlPlace::Text { .. }) => error.message(),
+                _ => error.to_string(),
+            };
+            let kind = FormatErrorKind::Subject { message, hint: error.hint().map(str::to_owned) };
+            FormatError::new(path, place(bytes, &error), kind)
+        }
     }
 }
 

@@ -2,8 +2,9 @@
 //!
 //! What the numbers are stands in columns of their own, in the words of the JSON contract.
 
+use polhode_document::csv_name;
+
 use super::{ExportBody, elements, number};
-use crate::layout::printable;
 
 /// The names of the columns, with their units.
 const COLUMNS: [&str; 24] = [
@@ -51,7 +52,7 @@ fn row(body: &ExportBody) -> Vec<String> {
     let properties = &body.properties;
     let principal = properties.principal();
     let known = |x: Option<f64>| x.filter(|x| x.is_finite()).map(number).unwrap_or_default();
-    let mut cells = vec![quoted(&body.name), number(properties.mass())];
+    let mut cells = vec![csv_name(&body.name), number(properties.mass())];
     cells.extend(properties.center_of_mass().to_array().map(number));
     cells.extend(["center_of_mass", "body", "negative_integral"].map(str::to_owned));
     cells.extend(elements(properties).map(number));
@@ -60,39 +61,4 @@ fn row(body: &ExportBody) -> Vec<String> {
     cells.extend(principal.rotation().canonical_quaternion().map(number));
     cells.extend([body.volume, body.surface_area, body.density].map(known));
     cells
-}
-
-/// The name on one line, quoted where it has to be.
-///
-/// Spreadsheets take a text that begins with the sign of a formula for one, quoted or not, and run it: such a name gets an apostrophe
-/// before it, which they take for the mark of a text. Tabs and line ends, which do the same, are escapes by then.
-pub fn quoted(name: &str) -> String {
-    /// The signs by which a formula begins, and their full-width forms.
-    const FORMULA: [char; 8] = ['=', '+', '-', '@', '\u{ff1d}', '\u{ff0b}', '\u{ff0d}', '\u{ff20}'];
-    let mark = if name.trim_start().starts_with(FORMULA) { "'" } else { "" };
-    let name = mark.to_owned() + &printable(name);
-    if name.contains([',', '"']) { format!("\"{}\"", name.replace('"', "\"\"")) } else { name }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::quoted;
-
-    #[test]
-    fn a_name_is_no_formula() {
-        for (name, cell) in [
-            ("wheel", "wheel"),
-            ("a=b-c", "a=b-c"),
-            ("a,b", "\"a,b\""),
-            ("=HYPERLINK(\"x\",\"y\")", "\"'=HYPERLINK(\"\"x\"\",\"\"y\"\")\""),
-            ("+1", "'+1"),
-            ("-1", "'-1"),
-            ("@SUM(A1)", "'@SUM(A1)"),
-            (" \t=1+1", "' \\t=1+1"),
-            ("\r=1", "'\\r=1"),
-            ("\u{ff1d}1", "'\u{ff1d}1"),
-        ] {
-            assert_eq!(quoted(name), cell);
-        }
-    }
 }

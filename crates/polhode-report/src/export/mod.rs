@@ -32,7 +32,7 @@ use polhode::body::MassProperties;
 use polhode::math::Body;
 
 use crate::InertiaReport;
-use crate::number::exact;
+use polhode_document::number::exact;
 
 /// A format that mass properties can be written in.
 ///

@@ -3,7 +3,6 @@
 use serde_json::{Value, json};
 
 use super::packed::f64s;
-
 /// Rows of f64: in the JSON as base64, or beside it as bytes.
 #[derive(Debug)]
 pub(super) enum Rows {

@@ -4,7 +4,8 @@ use base64::prelude::{BASE64_STANDARD, Engine as _};
 use polhode::body::shape::{Cone, Tetrahedron};
 use polhode::motion::{ClosedForm, EventAction, Measure, Pointing, Reference, Sense, Solution};
 use polhode::prelude::*;
-use polhode_report::{Document, PageInput, PageSubject, explain_motion, page, page_rows};
+use polhode_document::Document;
+use polhode_report::{PageInput, PageSubject, explain_motion, page, page_rows};
 use serde_json::Value;
 
 const OPEN: &str = "<script id=\"polhode-data\" type=\"application/json\">";
@@ -262,7 +263,7 @@ fn every_formula_is_set() {
 
 /// The characters of the bundled font, as its style sheet says.
 fn is_in_font(c: char) -> bool {
-    let css = include_str!("../../assets/math.css");
+    let css = include_str!("../../../polhode-document/assets/math.css");
     let ranges = css.split_once("unicode-range:").unwrap().1.split_once(';').unwrap().0;
     let number = |hex: &str| u32::from_str_radix(hex, 16).unwrap();
     ranges.split(',').map(|range| range.trim().strip_prefix("U+").unwrap()).any(|range| {

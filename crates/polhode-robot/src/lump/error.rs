@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fmt;
 
 use polhode::body::BodyError;
-use polhode_report::plain::printable;
+use polhode_document::layout::printable;
 
 use crate::body::LinkError;
 use crate::model::Span;

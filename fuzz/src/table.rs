@@ -79,10 +79,10 @@ pub fn voxel(data: &[u8]) {
 pub fn times(data: &[u8]) {
     let Ok(text) = str::from_utf8(data) else { return };
     let path = Path::new("times.txt");
-    if let Ok(times) = polhode_formats::times::parse(text, path) {
+    if let Ok(times) = polhode_source::times::parse(text, path) {
         let printed: String = times.iter().map(|time| format!("{time:?} s\n")).collect();
         assert!(times.iter().all(|time| time.is_finite()));
-        assert_eq!(Ok(&times), polhode_formats::times::parse(&printed, path).as_ref());
+        assert_eq!(Ok(&times), polhode_source::times::parse(&printed, path).as_ref());
     }
 }
 

@@ -6,9 +6,10 @@ use polhode::body::shape::Substance;
 use polhode_formats::cad::{
     self, CadOptions, DecimalMark, GeometryProgram, GeometryReport, ProductConvention,
 };
-use polhode_formats::expression::{Expression, formula_of_state, formula_of_time};
 use polhode_formats::identify;
-use polhode_formats::unit::{self, Dimension};
+use polhode_source::expression::{Expression, formula_of_state, formula_of_time};
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
 
 use super::physical::{assert_physical, assert_reported_is_read};
 

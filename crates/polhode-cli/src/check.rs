@@ -11,7 +11,6 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::{ArgGroup, Args, ValueEnum};
-use polhode_formats::{Confinement, FormatError};
 use polhode_robot::finding::Finding;
 use polhode_robot::geometry::{Shapes, mesh_files};
 use polhode_robot::inspect::{Inspection, inspect_for};
@@ -22,6 +21,8 @@ use polhode_robot::read::{CheckedFolder, ReadOptions, read_model, read_text};
 use polhode_robot::repair::proved;
 use polhode_robot::report::{CheckReport, Prospect};
 use polhode_robot::rule::{list, rule, rules};
+use polhode_source::Confinement;
+use polhode_source::FormatError;
 
 use crate::failure::Failure;
 use crate::progress::FileProgress;
@@ -288,7 +289,7 @@ fn explain(code: Option<&str>) -> Result<(), Failure> {
     match rule(code) {
         Some(rule) => print(&rule.to_text()),
         None => {
-            let meant = polhode_formats::nearest(code, rules().map(|rule| rule.code));
+            let meant = polhode_source::nearest(code, rules().map(|rule| rule.code));
             let meant = meant.map_or(String::new(), |meant| format!("did you mean {meant}? "));
             Err(Failure::usage(
                 format!("there is no rule {code}"),

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use polhode::motion::MotionError;
 use polhode_document::VERSION;
-use polhode_formats::{FormatError, Place};
+use polhode_source::{FormatError, Place};
 use polhode_sweep::SweepError;
 use serde_json::{Value, json};
 

@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use polhode_document::json::pretty;
 use polhode_formats::identify::{self, Measurement, Plan};
-use polhode_formats::unit::Dimension;
 use polhode_identify::IdentifyError;
 use polhode_report::{BodySize, IdentifyReport};
+use polhode_source::unit::Dimension;
 
 use crate::failure::Failure;
 use crate::numbers::{positive, quantity};

@@ -22,9 +22,10 @@ use polhode_formats::brep::BrepFormat;
 use polhode_formats::mesh::MeshFormat;
 use polhode_formats::molecule::MoleculeFormat;
 use polhode_formats::scenario;
-use polhode_formats::unit::Dimension;
-use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, read_file};
 use polhode_report::InertiaReport;
+use polhode_source::read_file;
+use polhode_source::unit::Dimension;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use self::cad::CadFlags;
 use self::kind::Kind;

@@ -13,9 +13,9 @@ use polhode_document::Document;
 use polhode_document::json::pretty;
 use polhode_formats::run_log::{self, RunLog};
 use polhode_formats::scenario::{ScenarioFile, text_of};
-use polhode_formats::unit::Dimension;
-use polhode_formats::{Confinement, NotOpened};
 use polhode_report::{JudgeReport, JudgedRun, judge_hint};
+use polhode_source::unit::Dimension;
+use polhode_source::{Confinement, NotOpened};
 use serde_json::Value;
 
 use crate::failure::Failure;

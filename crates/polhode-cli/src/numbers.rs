@@ -1,8 +1,9 @@
 //! Numbers in flags: quantities with their units, and lists of them.
 
 use polhode::math::{Body, Frame, Position, Rotation};
-use polhode_formats::times;
-use polhode_formats::unit::{self, Dimension};
+use polhode_source::times;
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
 
 /// A number, with its unit or in SI.
 pub(crate) fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {

@@ -13,8 +13,8 @@ use polhode::math::{Attitude, Body, Space};
 use polhode::motion::FreeMotion;
 use polhode::observe::{AxisConvention, TumblingPeriods};
 use polhode_document::json::pretty;
-use polhode_formats::unit::Dimension;
 use polhode_report::{MotionFigures, SpinReport, TumblerReport};
+use polhode_source::unit::Dimension;
 
 use crate::failure::Failure;
 use crate::numbers::{numbers, positive, rotation};

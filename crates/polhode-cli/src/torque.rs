@@ -11,8 +11,9 @@ use polhode_document::json::pretty;
 use polhode_formats::scenario;
 use polhode_formats::table::parquet;
 use polhode_formats::table::required::RequiredTable;
-use polhode_formats::unit::{self, Dimension};
 use polhode_report::RequiredReport;
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
 
 use crate::failure::Failure;
 use crate::numbers::{Times, positive, quantity, times};

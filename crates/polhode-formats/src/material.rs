@@ -1,8 +1,7 @@
 //! Materials as people name them.
 
 use polhode::body::Material;
-
-use crate::scenario::suggestion::nearest;
+use polhode_source::nearest;
 
 /// A material by its name.
 ///

@@ -29,8 +29,8 @@ use polhode::body::{
     BodyError, Finding, InertiaTensor, MassProperties, Particle, Severity, mass_properties_of_particles,
 };
 use polhode::math::{Body, Position};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace, told_unit};
 
-use crate::content::{ContentError, ContentErrorKind, ContentPlace, told_unit};
 use header::{MASS, Products, TENSOR};
 use names::Names;
 use table::{Row, Table};
@@ -101,7 +101,7 @@ impl ParticleFile {
 /// 10,0,-1,0,1,2,2.5,0,0,0";
 /// let read = particles::read(parts, &ParticleOptions::default())?;
 /// assert_eq!(read.mass_properties().unwrap().inertia().matrix()[2][2], 25.0);
-/// # Ok::<(), polhode_formats::ContentError>(())
+/// # Ok::<(), polhode_source::ContentError>(())
 /// ```
 ///
 /// # Errors

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
+use polhode_source::FormatError;
 use serde_json::{Value, json};
 
-use crate::error::FormatError;
 use crate::scenario::ScenarioFile;
 
 /// A case of the suite.

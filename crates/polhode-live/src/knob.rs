@@ -2,7 +2,7 @@
 
 use polhode::motion::Scenario;
 use polhode_formats::scenario::WrittenNumber;
-use polhode_formats::unit::Dimension;
+use polhode_source::unit::Dimension;
 
 use crate::protocol::{Knob, Switch};
 
@@ -42,7 +42,7 @@ fn knob(number: &WrittenNumber, all: &[WrittenNumber], rank: usize) -> Knob {
 
 /// The number in the unit that it is written with.
 fn written(number: &WrittenNumber) -> f64 {
-    let factor = polhode_formats::unit::factor(&number.unit, number.dimension).unwrap_or(1.0);
+    let factor = polhode_source::unit::factor(&number.unit, number.dimension).unwrap_or(1.0);
     let value = if number.unit.is_empty() { number.value } else { number.value / factor };
     // The conversion is not exact; what was written has few digits.
     format!("{value:.14e}").parse().unwrap_or(value)
@@ -80,7 +80,7 @@ fn is_positive(number: &WrittenNumber) -> bool {
 /// How far a number goes that may have either sign: angles all the way round, components as far as the largest of their vector and a half more, others
 /// to three times what they are or what is usual.
 fn span(number: &WrittenNumber, all: &[WrittenNumber], value: f64) -> [f64; 2] {
-    let factor = polhode_formats::unit::factor(&number.unit, number.dimension).unwrap_or(1.0);
+    let factor = polhode_source::unit::factor(&number.unit, number.dimension).unwrap_or(1.0);
     if number.dimension == Dimension::ANGLE {
         let half = (std::f64::consts::PI / factor).round();
         return [-half, half]

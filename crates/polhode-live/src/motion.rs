@@ -4,19 +4,19 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use hyper::StatusCode;
 use polhode::body::{Finding, Severity};
 use polhode::motion::{ErrorEffort, MotionError, Run, Scenario, Trajectory};
 use polhode_document::VERSION;
-use polhode_formats::FormatError;
 use polhode_formats::scenario::{Draft, ScenarioFile};
 use polhode_report::{PageInput, PageSubject, explain_motion, page_rows};
+use polhode_source::FormatError;
 
 use crate::answer::Refusal;
 use crate::edit::edited;
 use crate::knob::{knobs, switches};
 use crate::protocol::{Motion, MotionAnswer, MotionRequest, TextError};
 use crate::{limits, utf16, watch};
+use hyper::StatusCode;
 
 /// Makes the changes that are asked for, and computes the motion; `stop` ends it.
 ///

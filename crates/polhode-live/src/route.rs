@@ -5,8 +5,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 use bytes::Bytes;
-use hyper::{Method, StatusCode};
-use polhode_formats::json_value;
+use polhode_source::json_value;
 use serde::de::DeserializeOwned;
 
 use crate::answer::{Answer, Refusal, bytes, json, json_and_rows};
@@ -18,6 +17,7 @@ use crate::protocol::{
 };
 use crate::session::Session;
 use crate::{limits, motion, utf16, watch};
+use hyper::{Method, StatusCode};
 
 /// What a path asks for, before its body has come.
 #[derive(Debug)]

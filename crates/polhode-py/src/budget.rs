@@ -6,9 +6,9 @@ use numpy::PyArray2;
 use polhode::math::{Body, Part, Position, Rotation};
 use polhode_budget::{Basis, LimitError};
 use polhode_document::layout::{WIDTH, printable};
-use polhode_formats::FormatError;
 use polhode_formats::budget::{self, BudgetFile};
 use polhode_report::{BudgetOptions, BudgetReport, NoConfiguration};
+use polhode_source::FormatError;
 use pyo3::prelude::*;
 
 use crate::arrays::matrix;

@@ -5,8 +5,8 @@ use std::io::ErrorKind;
 use polhode::body::BodyError;
 use polhode::math::RotationError;
 use polhode::motion::MotionError;
-use polhode_formats::{FormatError, FormatErrorKind, Place};
 use polhode_identify::IdentifyError;
+use polhode_source::{FormatError, FormatErrorKind, Place};
 use pyo3::PyErr;
 use pyo3::exceptions::PyOSError;
 

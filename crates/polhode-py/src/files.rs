@@ -8,9 +8,11 @@ use polhode_document::SourceInfo;
 use polhode_formats::cad::{self, CadOptions, CadReport, DecimalMark, ProductConvention};
 use polhode_formats::molecule::{self, Isotopes, MoleculeFormat};
 use polhode_formats::particles::{self, ParticleOptions};
+use polhode_formats::scenario;
 use polhode_formats::voxel::{self, VoxelOptions};
-use polhode_formats::{FormatError, read_file, read_text_file, scenario};
 use polhode_report::{InertiaReport, MoleculeReport, error_estimate, sign_proof};
+use polhode_source::FormatError;
+use polhode_source::{read_file, read_text_file};
 use pyo3::prelude::*;
 
 use crate::error::{Raise, refused};

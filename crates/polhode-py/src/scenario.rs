@@ -49,10 +49,7 @@ pub(crate) fn scenario_knobs(py: Python<'_>, path: PathBuf, text: String) -> PyR
 }
 
 /// A scenario's file, or its text.
-pub(crate) fn read(
-    path: PathBuf,
-    text: Option<String>,
-) -> Result<ScenarioFile, polhode_formats::FormatError> {
+pub(crate) fn read(path: PathBuf, text: Option<String>) -> Result<ScenarioFile, polhode_source::FormatError> {
     match text {
         None => ScenarioFile::read(&path),
         Some(text) => ScenarioFile::parse(text, &path),

@@ -1,6 +1,6 @@
 //! Units by name.
 
-use polhode_formats::unit::{Dimension, factor};
+use polhode_source::unit::{Dimension, factor};
 use pyo3::prelude::*;
 
 use crate::error::refused;

@@ -60,10 +60,11 @@ use crate::program::Program;
 use body::Body;
 use dummy::Held;
 use explain::Cause;
-pub use link_geometry::{LinkGeometry, Rescaled};
 use possible::Verdict;
 use print::Print;
 use tree::Tree;
+
+pub use link_geometry::{LinkGeometry, Rescaled};
 
 /// Everything wrong with a model, by place in the file. `geometry[k]` belongs to `model.links[k]`; what is not there
 /// is not asked about.
@@ -83,7 +84,7 @@ use tree::Tree;
 /// let findings = check(&model, &geometry);
 /// assert_eq!(findings[0].code, "inertia.triangle");
 /// assert_eq!(findings[0].message, "i1 + i2 = 0.0806492 < i3 = 0.0977 kg·m² (by 0.0170508)");
-/// # Ok::<(), polhode_formats::FormatError>(())
+/// # Ok::<(), polhode_source::FormatError>(())
 /// ```
 pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
     check_for(model, geometry, &[])

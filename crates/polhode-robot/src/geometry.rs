@@ -30,8 +30,9 @@ use crate::model::{Geometry, GeometryShape, Link, Role, Span};
 use crate::pose::{dot, sum};
 use mesh::{Measured, Mesh};
 use mesh_files::MeshFiles;
-pub use mesh_files::mesh_files;
 use primitive::Primitive;
+
+pub use mesh_files::mesh_files;
 
 /// What a shape, or several, enclose. All of it is in the link's frame.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,7 +91,7 @@ pub enum MeshReading {
 /// assert_eq!((solid.volume, solid.centroid), (6.0, [1.0, 0.0, 0.0]));
 /// assert_eq!(solid.tensor_per_density[2][2], 6.0 * (1.0 + 4.0) / 12.0);
 /// assert_eq!(solid.bounds, [[0.5, -1.0, -1.5], [1.5, 1.0, 1.5]]);
-/// # Ok::<(), polhode_formats::FormatError>(())
+/// # Ok::<(), polhode_source::FormatError>(())
 /// ```
 pub struct Shapes<'a> {
     meshes: MeshFiles,

@@ -26,7 +26,7 @@ pub struct Inspection {
 /// let model = read_text(text, "a.urdf".as_ref(), &ReadOptions::default())?;
 /// let found = inspect(&model, &Shapes::default());
 /// assert_eq!(found.findings[0].code, "inertia.triangle");
-/// # Ok::<(), polhode_formats::FormatError>(())
+/// # Ok::<(), polhode_source::FormatError>(())
 /// ```
 pub fn inspect(model: &RobotModel, shapes: &Shapes<'_>) -> Inspection {
     inspect_for(model, shapes, &[])

@@ -17,15 +17,16 @@ use std::collections::HashSet;
 use polhode::body::{BodyError, MassProperties, PlacedPart, assemble};
 use polhode::math::{Body, Rotation};
 
-pub use self::drive::Drive;
 use self::drive::drives;
-pub use self::error::LumpError;
 use self::position::Positions;
-pub use self::position::{JointPosition, PositionBy, slides};
 use self::tree::{Above, Tree};
 use crate::body::{LinkMass, link_mass};
 use crate::model::{JointKind, Link, ModelFormat, Pose, RobotModel, UnreadBodies};
 use crate::placement::Placement;
+
+pub use self::drive::Drive;
+pub use self::error::LumpError;
+pub use self::position::{JointPosition, PositionBy, slides};
 
 /// Which links become one body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,7 +78,7 @@ pub struct Lump {
 /// let model = read_text(&text, "gripper.urdf".as_ref(), &ReadOptions::default())?;
 /// let whole = lump(&model, Lumping::All, &[("l".to_owned(), 0.6)]).unwrap().remove(0);
 /// assert!((whole.properties.center_of_mass().to_array()[1] - (0.6 - 0.3) / 3.0).abs() < 1e-15);
-/// # Ok::<(), polhode_formats::FormatError>(())
+/// # Ok::<(), polhode_source::FormatError>(())
 /// ```
 ///
 /// # Errors
@@ -183,7 +184,7 @@ pub(crate) fn link_named(model: &RobotModel, name: &str) -> Result<usize, LumpEr
     let names = || model.links.iter().map(|link| link.name.text.as_str());
     names().position(|link| link == name).ok_or_else(|| LumpError::UnknownLink {
         link: name.to_owned(),
-        meant: polhode_formats::nearest(name, names()).map(str::to_owned),
+        meant: polhode_source::nearest(name, names()).map(str::to_owned),
         links: links_by_use(model),
     })
 }

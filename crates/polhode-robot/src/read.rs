@@ -26,11 +26,13 @@ pub(crate) mod xml;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, FormatError};
+use polhode_source::FormatError;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use crate::model::{ModelFormat, Note, RobotModel};
-pub use checked::CheckedFolder;
 use files::{Files, Naming};
+
+pub use checked::CheckedFolder;
 
 /// How a model is read.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -54,13 +56,13 @@ pub struct ReadOptions {
 /// let model = read_text(text, "arm.urdf".as_ref(), &ReadOptions::default())?;
 /// let mass = &model.links[0].inertial.as_ref().unwrap().mass;
 /// assert_eq!((mass.finite(), &text[mass.span()]), (None, "1,5"));
-/// # Ok::<(), polhode_formats::FormatError>(())
+/// # Ok::<(), polhode_source::FormatError>(())
 /// ```
 ///
 /// # Errors
 /// [`FormatError`] if the file cannot be read, is not UTF-8, not well-formed or in none of the languages, or has a document type.
 pub fn read_model(path: &Path, options: &ReadOptions) -> Result<RobotModel, FormatError> {
-    let text = polhode_formats::read_text_file(path, |text| Ok(text.to_owned()));
+    let text = polhode_source::read_text_file(path, |text| Ok(text.to_owned()));
     match text {
         Ok(text) => read(text, path, options),
         Err(error) => Err(binary_usd(path).unwrap_or(error)),

@@ -45,7 +45,7 @@ const OPEN: [&str; 4] = ["inertia.asymmetric", "inertia.two_forms", "read.twice"
 /// let text = r#"<robot><link name="a"><inertial><mass value="2"/><mass value="3"/></inertial></link></robot>"#;
 /// let model = read_text(text, "a.urdf".as_ref(), &ReadOptions::default())?;
 /// assert!(remarks(&model, Some("a")).is_err());
-/// # Ok::<(), polhode_formats::FormatError>(())
+/// # Ok::<(), polhode_source::FormatError>(())
 /// ```
 ///
 /// # Errors

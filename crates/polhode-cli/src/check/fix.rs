@@ -4,10 +4,10 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use polhode_formats::FormatError;
 use polhode_robot::finding::Finding;
 use polhode_robot::repair::proved;
 use polhode_robot::report::{CheckReport, Fixed};
+use polhode_source::FormatError;
 
 use super::files::real_name;
 use crate::failure::Failure;

@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use clap::{Args, ValueEnum};
-use polhode_formats::read_text_file;
 use polhode_robot::finding::Severity;
 use polhode_robot::policy::baseline::{self, Baseline};
 use polhode_robot::policy::config::Config;
 use polhode_robot::policy::date::Date;
 use polhode_robot::policy::{Judged, Policy};
+use polhode_source::read_text_file;
 
 use super::outputs::Outputs;
 use crate::failure::Failure;

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use polhode_formats::unit::Dimension;
+use polhode_source::unit::Dimension;
 use serde_json::Value;
 
 use crate::failure::Failure;

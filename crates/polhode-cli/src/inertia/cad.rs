@@ -10,8 +10,8 @@ use polhode_formats::cad::{
     self, CadOptions, CadReport, DecimalMark, GeometryProgram, GeometryReport, ProductConvention,
 };
 use polhode_formats::mesh::AssumedMetres;
-use polhode_formats::read_text_file;
 use polhode_report::{InertiaReport, sign_proof};
+use polhode_source::read_text_file;
 
 use crate::failure::Failure;
 

@@ -8,12 +8,12 @@ use polhode::body::mesh::{ConvexHull, MeshShell};
 use polhode::body::shape::{Extent, Shape, Substance};
 use polhode::body::{Finding, MassProperties};
 use polhode_document::SourceInfo;
-use polhode_formats::expression::Expression;
 use polhode_formats::mesh::{
     AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshRepair, MeshSolid, RepairBound, UnitedMesh,
 };
-use polhode_formats::unit::Dimension;
 use polhode_report::{InertiaReport, PartRow, parts};
+use polhode_source::expression::Expression;
+use polhode_source::unit::Dimension;
 
 use super::field;
 use super::model::{Model, Piece, unfit};

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use polhode_document::SourceInfo;
 use polhode_formats::particles::{self, ParticleOptions};
-use polhode_formats::read_file;
 use polhode_report::InertiaReport;
+use polhode_source::read_file;
 
 use crate::failure::Failure;
 

@@ -4,7 +4,6 @@ use std::path::Path;
 
 use clap::{Args, ValueEnum};
 use polhode_document::layout::printable;
-use polhode_formats::unit::Dimension;
 use polhode_report::InertiaReport;
 use polhode_robot::inertia::{InertiaError, of_link, of_lumps};
 use polhode_robot::line_index::{FilePlace, Places};
@@ -12,6 +11,7 @@ use polhode_robot::link_table::LinkTable;
 use polhode_robot::lump::{Lumping, slides};
 use polhode_robot::model::RobotModel;
 use polhode_robot::read::{ReadOptions, read_model};
+use polhode_source::unit::Dimension;
 
 use crate::failure::Failure;
 use crate::numbers::quantity;

@@ -4,7 +4,7 @@ use clap::Args;
 use polhode::body::shape::Substance;
 use polhode::body::{Finding, Material, Severity};
 use polhode_formats::material::{self, UnknownMaterial};
-use polhode_formats::unit::Dimension;
+use polhode_source::unit::Dimension;
 
 use crate::numbers::{positive, quantity};
 

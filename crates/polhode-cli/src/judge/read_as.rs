@@ -3,7 +3,7 @@
 use clap::{Args, ValueEnum};
 use polhode::infer::judge::{AttitudeSense, DeclaredReading, OmegaAxes, QuaternionOrder, SignedAxes};
 use polhode_formats::run_log::Columns;
-use polhode_formats::unit::Dimension;
+use polhode_source::unit::Dimension;
 
 use crate::numbers::quantity;
 

@@ -187,7 +187,7 @@ fn runs(folder: &Path) -> Result<BTreeMap<String, Vec<RunFile>>, Failure> {
             }
         };
         if CASES.iter().all(|case| case.name != name) {
-            let nearest = polhode_formats::nearest(name, CASES.iter().map(|case| case.name));
+            let nearest = polhode_source::nearest(name, CASES.iter().map(|case| case.name));
             let hint = nearest.map_or_else(
                 || "`polhode judge --write-suite DIR` writes the cases".to_owned(),
                 |name| format!("did you mean {name}?"),

@@ -4,7 +4,7 @@ use clap::Args;
 use polhode::motion::FreeMotion;
 use polhode::observe::{CurveError, Herpolhode, MomentumTrace, Polhode, RollingCones};
 use polhode_formats::table::curve;
-use polhode_formats::unit::Dimension;
+use polhode_source::unit::Dimension;
 
 use crate::failure::Failure;
 use crate::folder::Folder;

@@ -7,17 +7,16 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use polhode::motion::{FreeMotion, Method, Regime, Run, Trajectory};
 use polhode_formats::table::Surroundings;
-use polhode_formats::times;
-use polhode_formats::unit::Dimension;
+use polhode_source::times;
+use polhode_source::unit::Dimension;
 
+use super::curves::CurveFlags;
 use crate::failure::Failure;
 use crate::folder::{Folder, PAGE, Replace};
 use crate::numbers::{positive, quantity};
 use crate::page::{Page, check_file, write_file};
 use crate::stderr::shown;
 use crate::table::{self, Format};
-
-use super::curves::CurveFlags;
 
 /// Samples of a page that is not of a table.
 const PAGE_SAMPLES: usize = 2_001;

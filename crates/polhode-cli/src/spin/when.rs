@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use polhode_formats::times;
+use polhode_source::times;
 
 use crate::failure::Failure;
 use crate::numbers::{self, Times};

@@ -3,8 +3,9 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use polhode_source::Confinement;
+
 use super::plan::Plan;
-use crate::confinement::Confinement;
 
 /// The files that a parts list may open: it is data, and opens none outside its folder and the roots.
 #[derive(Clone, Copy, Debug)]

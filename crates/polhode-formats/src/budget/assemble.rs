@@ -3,6 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use polhode_budget::{Budget, BudgetError, Row};
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::NamedBudget;
 use super::blame::Blame;
@@ -10,7 +11,6 @@ use super::cell::Cell;
 use super::key::{AT_X, AT_Y, AT_Z, IXX, IYY, IZZ, MASS, X, Y, Z};
 use super::plan::Plan;
 use super::rows::{ReadRows, Rows};
-use crate::error::{FormatError, FormatErrorKind};
 
 /// The name of a frame in which all parts stand that stand in no other.
 const WHOLE: &str = "whole";

@@ -2,6 +2,8 @@
 
 use polhode::body::BodyError;
 use polhode_budget::BudgetError;
+use polhode_source::nearest;
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::cell::Cell;
 use super::cells::Cells;
@@ -11,8 +13,6 @@ use super::key::{
 };
 use super::plan::Plan;
 use super::rows::Rows;
-use crate::error::{FormatError, FormatErrorKind};
-use crate::scenario::suggestion::nearest;
 
 /// What is known of the table that a list was read from.
 pub(super) struct Blame<'r, 's, 'a> {

@@ -2,15 +2,16 @@
 
 use std::borrow::Cow;
 
+use polhode_source::FormatError;
+use polhode_source::text::{cut, is_unseen};
+use polhode_source::unit::{Dimension, unit_of};
+
 use super::cell::{Cell, Content};
 use super::heading::{ColumnUnit, Columns, Spread};
 use super::key::{COUNT, Holds, KEYS};
 use super::measured::{Amount, measured};
 use super::number::{Unit, Wrong};
 use super::sheet::Sheet;
-use crate::error::FormatError;
-use crate::text::{cut, is_unseen};
-use crate::unit::{Dimension, unit_of};
 
 /// The cells of a row, at least one of which is read.
 pub(super) struct Cells<'c, 'a> {

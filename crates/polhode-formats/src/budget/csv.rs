@@ -1,10 +1,11 @@
 //! Parts lists in text: fields between commas, semicolons or tabs, in quotes if they hold any.
 
+use polhode_source::FormatError;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
 use super::cell::SheetRow;
 use super::fields::{Field, Fields};
 use super::sheet::{Body, Origin, Sheet};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::FormatError;
 use crate::scenario::source::Source;
 
 /// More cells than any parts list has.

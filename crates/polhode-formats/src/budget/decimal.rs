@@ -1,13 +1,14 @@
 //! Whether numbers in text have a decimal comma: declared, or proved by the numbers themselves.
 
+use polhode_source::text::cut;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{FormatError, FormatErrorKind};
+
 use super::cell::{Cell, Content};
 use super::heading::Columns;
 use super::key::KEYS;
 use super::plan::Plan;
 use super::sheet::Sheet;
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::{FormatError, FormatErrorKind};
-use crate::text::cut;
 
 /// Whether a comma is the decimal mark; `separator` is what parts the fields.
 pub(super) fn comma(

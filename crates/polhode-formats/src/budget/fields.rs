@@ -3,8 +3,9 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
 use super::cell::{Cell, Content, SheetRow};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 /// Reader of the fields of a text, from a byte on.
 pub(super) struct Fields<'a> {

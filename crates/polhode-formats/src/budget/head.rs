@@ -1,7 +1,8 @@
 //! The head of a CSV: lines in front of its table that begin with `#` and are TOML after that.
 
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::FormatError;
+use polhode_source::FormatError;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
 use crate::scenario::source::Source;
 
 /// What to do about a head that is no TOML.

@@ -2,16 +2,17 @@
 
 use std::collections::BTreeMap;
 
+use polhode_source::nearest;
+use polhode_source::text::{cut, visible};
+use polhode_source::unit::{Dimension, UnitError};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{FormatError, FormatErrorKind};
+
 use super::cell::{Cell, Content};
 use super::key::{COUNT, DENSITY, Holds, KEYS, NAME, PATH};
 use super::measured::{hundredths, percent};
 use super::number::{Unit, Wrong};
 use super::sheet::Sheet;
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::{FormatError, FormatErrorKind};
-use crate::scenario::suggestion::nearest;
-use crate::text::{cut, visible};
-use crate::unit::{Dimension, UnitError};
 
 /// A column that is read.
 #[derive(Clone, Debug)]

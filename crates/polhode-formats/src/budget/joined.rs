@@ -1,13 +1,14 @@
 //! A plan that names a file of parts, and what that file says besides them: together one set of keys.
 
+use polhode_source::text::cut;
+use polhode_source::{FormatError, FormatErrorKind, Place, Spot};
+
 use super::plan::table_file::Sheets;
 use super::plan::{self, Plan};
-use crate::error::{FormatError, FormatErrorKind, Place, Spot};
 use crate::scenario::reader::Table;
 use crate::scenario::source::Source;
 use crate::scenario::tree::Entries;
 use crate::scenario::{list_units, tree};
-use crate::text::cut;
 
 /// A plan that names a file of parts.
 pub(super) struct Naming<'a> {

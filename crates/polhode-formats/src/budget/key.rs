@@ -1,6 +1,6 @@
 //! What columns of a parts list may be.
 
-use crate::unit::Dimension;
+use polhode_source::unit::Dimension;
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,9 @@
 //! Numbers with their errors: `1.2 ± 0.1 kg`, `1.2 kg ± 5 %`.
 
+use polhode_source::unit;
+use polhode_source::unit::{Dimension, UnitError};
+
 use super::number::{Unit, Wrong, is_parted};
-use crate::unit::{self, Dimension, UnitError};
 
 /// A number, and how well it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]

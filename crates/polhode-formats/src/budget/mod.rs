@@ -44,21 +44,22 @@ use std::path::{Path, PathBuf};
 
 use polhode::math::{Body, Part, Position, Rotation};
 use polhode_budget::{Ballast, Basis, Budget, Limit};
+use polhode_source::Confinement;
+use polhode_source::FormatError;
+use polhode_source::file;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
-use crate::Confinement;
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::FormatError;
-use crate::file;
 use crate::scenario::reader::Table;
 use crate::scenario::source::Source;
 use crate::scenario::{list_units, tree};
 use access::Access;
 use heading::Columns;
 use plan::Plan;
-pub use plan::sequence::PlannedChange;
-pub use prescribed::{FilledTank, OverTime, Prescribed};
 use rows::Rows;
 use sheet::Sheet;
+
+pub use plan::sequence::PlannedChange;
+pub use prescribed::{FilledTank, OverTime, Prescribed};
 
 /// A parts list as files give it, and what is asked of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -184,7 +185,7 @@ fn of_bytes(path: &Path, bytes: &[u8], access: Access<'_>) -> Result<BudgetFile,
 ///
 /// let error = budget::from_text("list.csv".as_ref(), &text.replace("94", "94 mm")).unwrap_err();
 /// assert_eq!(error.to_string(), "list.csv:3:7: \"mm\" is a length where a mass belongs");
-/// # Ok::<(), polhode_formats::FormatError>(())
+/// # Ok::<(), polhode_source::FormatError>(())
 /// ```
 ///
 /// # Errors

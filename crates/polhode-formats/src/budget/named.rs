@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
+use polhode_source::{FormatError, FormatErrorKind, Spot};
+
 use super::access::Access;
 use super::joined::Naming;
 use super::plan;
 use super::{BudgetFile, bytes_of, head, of_csv, text, workbook, xlsx};
-use crate::error::{FormatError, FormatErrorKind, Spot};
 use crate::scenario::document;
 use crate::scenario::reader::Table;
 use crate::scenario::source::Source;

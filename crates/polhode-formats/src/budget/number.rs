@@ -1,8 +1,9 @@
 //! Numbers in cells, and their units.
 
-use crate::error::FormatErrorKind;
-use crate::text::{cut, visible};
-use crate::unit::{self, Dimension, UnitError};
+use polhode_source::FormatErrorKind;
+use polhode_source::text::{cut, visible};
+use polhode_source::unit;
+use polhode_source::unit::{Dimension, UnitError};
 
 /// A unit, as a column has it.
 #[derive(Clone, Debug)]

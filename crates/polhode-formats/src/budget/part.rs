@@ -3,6 +3,7 @@
 use polhode::body::MassProperties;
 use polhode::math::{Part, Position};
 use polhode_budget::{GivenPart, GivenTensor, PartUncertainty, ProductSign, TensorPoint};
+use polhode_source::FormatError;
 
 use super::cells::{Cells, Given, MOST_DEVIATION};
 use super::key::{
@@ -11,7 +12,6 @@ use super::key::{
 };
 use super::place::spread;
 use super::rows::Rows;
-use crate::error::FormatError;
 
 pub(super) const MOMENTS: [usize; 3] = [IXX, IYY, IZZ];
 pub(super) const PRODUCTS: [usize; 3] = [IXY, IXZ, IYZ];

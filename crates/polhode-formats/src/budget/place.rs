@@ -2,11 +2,11 @@
 
 use polhode::math::{Part, Position, Rotation, RotationError};
 use polhode_budget::{Place, Spread};
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::cell::Cell;
 use super::cells::{Cells, Given, Reader};
 use super::key::{AT_X, AT_Y, AT_Z, PITCH, QW, QX, QY, QZ, ROLL, ROTATE, TURN_X, TURN_Y, TURN_Z, YAW};
-use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::reader::Table;
 use crate::scenario::rotation::rotation;
 use crate::scenario::source::Source;

@@ -3,13 +3,13 @@
 use polhode::math::{AngularVelocity, Body};
 use polhode::motion::Outflow;
 use polhode_budget::{Basis, Budget, Burn, Change, LiquidErrors, Row, Rows, Sequence, SequenceError, Tank};
+use polhode_source::nearest;
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::NamedBudget;
 use super::plan::Plan;
 use super::plan::sequence::{PlannedChange, PlannedSequence};
 use super::plan::tank::PlannedTank;
-use crate::error::{FormatError, FormatErrorKind};
-use crate::scenario::suggestion::nearest;
 
 /// Tanks, and what is to happen to the body over time.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,12 +1,14 @@
 //! How exactly a number is printed.
 
+use polhode_source::FormatError;
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
+
 use super::cell::{Cell, Content};
 use super::cells::Reader;
 use super::heading::ColumnUnit;
 use super::key::KEYS;
 use super::number::Unit;
-use crate::error::FormatError;
-use crate::unit::{self, Dimension};
 
 impl<'s, 'a> Reader<'s, 'a> {
     /// Half of the last digit that is printed of a number, in SI.

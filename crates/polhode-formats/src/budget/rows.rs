@@ -5,6 +5,8 @@ use std::collections::HashMap;
 use polhode::body::MassProperties;
 use polhode::math::Part;
 use polhode_budget::{CopyErrors, Growth, Quantity, Row, Spread, Subtotal, Uncertainty};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::cell::Cell;
 use super::cells::{Cells, Reader};
@@ -17,8 +19,6 @@ use super::plan::Plan;
 use super::plan::growth::{BARE_GROWTH, BARE_GROWTH_HINT};
 use super::sheet::Sheet;
 use super::taken::Taken;
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::{FormatError, FormatErrorKind};
 
 /// Reads rows one after another.
 pub(super) struct Rows<'s, 'a> {
@@ -249,7 +249,7 @@ impl<'s, 'a> Rows<'s, 'a> {
                 && !known.iter().any(|other| other == name)
             {
                 let error = self.reader.invalid(cell, format!("of {}", known.join(", ")));
-                let near = crate::scenario::suggestion::nearest(name, known.iter().map(String::as_str));
+                let near = polhode_source::nearest(name, known.iter().map(String::as_str));
                 return Err(match near {
                     Some(near) => error.with_hint(format!("did you mean {near}?")),
                     None => error.with_hint("configurations = [...] in the head has all of them"),

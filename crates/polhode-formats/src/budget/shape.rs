@@ -6,6 +6,9 @@ use std::path::{Path, PathBuf};
 
 use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{Body, Frame, Part, Position};
+use polhode_source::unit;
+use polhode_source::{Confinement, NotOpened};
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::cell::Cell;
 use super::cells::{Cells, Given, Reader};
@@ -16,14 +19,11 @@ use super::key::{
 use super::part::Told;
 use super::rows::Rows;
 use crate::cad;
-use crate::confinement::{Confinement, NotOpened};
-use crate::error::{FormatError, FormatErrorKind};
 use crate::mesh::MeshFormat;
 use crate::scenario::part::part;
 use crate::scenario::reader::Table;
 use crate::scenario::source::Source;
 use crate::scenario::{ScenarioFile, list_units, tree};
-use crate::unit;
 
 /// What a file that a row names holds.
 enum Form {
@@ -199,7 +199,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         if let Some(known) = self.known.get(&key) {
             return Ok(*known);
         }
-        let read = crate::read_text_file(path, |text| cad::read(text, &self.plan.cad));
+        let read = polhode_source::read_text_file(path, |text| cad::read(text, &self.plan.cad));
         let report = read.map_err(|error| self.named_in(error, cell))?;
         self.taken
             .findings

@@ -4,12 +4,13 @@ use std::borrow::Cow;
 use std::ops::Range;
 use std::path::Path;
 
+use polhode_source::text::{cut, visible};
+use polhode_source::{FormatError, FormatErrorKind, Place, Spot};
+
 use super::cell::{Cell, SheetRow, cell_name};
 use super::fields;
 use super::xlsx::cells::Cells;
-use crate::error::{FormatError, FormatErrorKind, Place, Spot};
 use crate::scenario::source::Source;
-use crate::text::{cut, visible};
 
 /// A table. Cells that are empty are left out, and so are rows of such.
 ///

@@ -1,12 +1,13 @@
 //! What was taken as given.
 
+use polhode_source::text::counted;
+
 use super::ReadParts;
 use super::cells::Reader;
 use super::heading::Columns;
 use super::plan::Plan;
 use super::plan::table_file::TableOrigin;
 use super::sheet::Sheet;
-use crate::text::counted;
 
 /// What was taken as given while rows were read.
 #[derive(Debug, Default)]

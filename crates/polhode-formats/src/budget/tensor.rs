@@ -3,6 +3,11 @@
 use polhode::body::{BodyError, InertiaAbout, InertiaTensor, MassProperties};
 use polhode::math::{Part, Position};
 use polhode_budget::{GivenTensor, ProductSign, TensorPoint};
+use polhode_source::nearest;
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::cell::{Cell, Content};
 use super::cells::{Cells, Given};
@@ -10,10 +15,6 @@ use super::key::{ABOUT, KEYS, MASS, PRODUCTS};
 use super::part::{CENTER, MOMENTS, PRODUCTS as ELEMENTS};
 use super::plan::{self, About};
 use super::rows::Rows;
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::{FormatError, FormatErrorKind};
-use crate::scenario::suggestion::nearest;
-use crate::unit::{self, Dimension};
 
 impl<'s, 'a> Rows<'s, 'a> {
     /// The tensor of a part with this mass and centre; `None` if no column gives one.
@@ -186,7 +187,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         let heading = self.reader.heading(cell);
         let kind = ContentErrorKind::Unclear {
             question: question.to_owned(),
-            found: format!("{heading} = {}", crate::text::cut(&cell.text)),
+            found: format!("{heading} = {}", polhode_source::text::cut(&cell.text)),
         };
         let kind = FormatErrorKind::Content(ContentError::new(kind, ContentPlace::Whole));
         self.reader.sheet.error(cell, kind)

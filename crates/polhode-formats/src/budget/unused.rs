@@ -2,12 +2,13 @@
 
 use std::collections::HashSet;
 
+use polhode_source::nearest;
+use polhode_source::{FormatError, FormatErrorKind};
+
 use super::NamedBudget;
 use super::heading::{Columns, plain};
 use super::key::{CAD, FILE};
 use super::plan::Plan;
-use crate::error::{FormatError, FormatErrorKind};
-use crate::scenario::suggestion::nearest;
 
 /// Refuses names of `ignore` that are neither columns nor sheets.
 pub(super) fn ignored(columns: &Columns, plan: &Plan, sheets: &[&str]) -> Result<(), FormatError> {

@@ -2,6 +2,9 @@
 
 use std::path::Path;
 
+use polhode_source::FormatError;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
 use super::access::Access;
 use super::heading::Columns;
 use super::joined::Naming;
@@ -10,8 +13,6 @@ use super::plan::{self, Plan};
 use super::sheet::Sheet;
 use super::xlsx::{Sections, Workbook, is_section};
 use super::{BudgetFile, of_table, unused};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::FormatError;
 use crate::scenario::reader::Table;
 use crate::scenario::source::Source;
 use crate::scenario::{list_units, tree};

@@ -27,9 +27,9 @@ use std::ops::Range;
 use polhode::body::shape::Substance;
 use polhode::body::{BodyError, Finding, InertiaTensor, MassProperties, Severity};
 use polhode::math::{Body, Position};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace, told_unit};
 
 use super::numbers;
-use crate::content::{ContentError, ContentErrorKind, ContentPlace, told_unit};
 
 /// A program that prints the measures of a shape without mass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -124,7 +124,7 @@ impl GeometryReport {
     /// let body = brick.mass_properties(Substance::Mass(0.6)).unwrap(); // kg
     /// // m (b² + c²)/12 of edges 20 mm and 30 mm
     /// assert!((body.inertia().matrix()[0][0] - 0.6 * 1300e-6 / 12.0).abs() < 1e-19);
-    /// # Ok::<(), polhode_formats::ContentError>(())
+    /// # Ok::<(), polhode_source::ContentError>(())
     /// ```
     ///
     /// # Errors

@@ -22,13 +22,15 @@ use std::ops::Range;
 
 use polhode::body::{BodyError, Finding, InertiaAbout, InertiaTensor, MassProperties, Severity};
 use polhode::math::{Body, Position};
+use polhode_source::unit;
+use polhode_source::unit::{Dimension, UnitError};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace, told_unit};
 
-use crate::content::{ContentError, ContentErrorKind, ContentPlace, told_unit};
-use crate::unit::{self, Dimension, UnitError};
-pub use geometry::{GeometryProgram, GeometryReport};
 use proof::{Evidence, PLACES, Printed, Tensor};
-pub use proof::{SignProof, SignSource};
 use scan::{CENTRAL, Group, ORIGIN, SCALARS, Scan};
+
+pub use geometry::{GeometryProgram, GeometryReport};
+pub use proof::{SignProof, SignSource};
 
 /// Answers to what a report may leave open; by default none.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -163,7 +165,7 @@ pub struct CadReport {
 /// assert_eq!(report.proof.convention, ProductConvention::Positive);
 /// assert!(report.proof.residual_positive < 1.0 && report.proof.residual_negative > 50.0);
 /// assert_eq!(report.properties.inertia().matrix()[0][1], -1.0); // the tensor has minus the integral
-/// # Ok::<(), polhode_formats::ContentError>(())
+/// # Ok::<(), polhode_source::ContentError>(())
 /// ```
 ///
 /// # Errors

@@ -6,8 +6,9 @@
 
 use std::ops::Range;
 
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
 use super::DecimalMark;
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 /// The span of the number at byte `at` of a line, which starts no word and continues none.
 pub(super) fn number_at(line: &str, at: usize) -> Option<Range<usize>> {

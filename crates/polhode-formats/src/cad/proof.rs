@@ -17,9 +17,9 @@
 
 use polhode::body::{InertiaTensor, PrincipalFrame};
 use polhode::math::Body;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::ProductConvention;
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 /// Up to here a residual is rounding.
 pub(super) const FITS: f64 = 3.0;

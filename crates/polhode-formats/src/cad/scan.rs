@@ -7,9 +7,10 @@
 use std::collections::VecDeque;
 use std::ops::Range;
 
+use polhode_source::unit::Dimension;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
 use super::{CadProduct, ProductConvention, numbers, units};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::unit::Dimension;
 
 /// A number of the report: where, and in which unit if it has one of its own.
 #[derive(Clone, Debug)]

@@ -1,8 +1,9 @@
 //! The units of reports, in words: `grams * square millimeters`, `lbmass in^2`, `KILOGRAM / MM^3`.
 
-use crate::unit::{self, Dimension};
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
 
-/// Names of CAD programs for the units of [`crate::unit`], in lower case.
+/// Names of CAD programs for the units of [`polhode_source::unit`], in lower case.
 const NAMES: &[(&str, &str)] = &[
     ("milligram milligrams", "mg"),
     ("gram grams g", "g"),

@@ -1,8 +1,8 @@
 //! That all that a plan says has an effect: what has none is a slip.
 
 use polhode_identify::tumble::Flight;
+use polhode_source::FormatError;
 
-use crate::error::FormatError;
 use crate::scenario::reader::Table;
 
 /// Of `[tumble]`: what is said of readings that no flight has.

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use polhode::infer::judge::{AttitudeSense, OmegaAxes};
 use polhode::math::{AngularVelocity, Attitude};
 use polhode_identify::tumble::{AttitudeReading, Flight, GyroReading};
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::read_log::ReadLog;
-use crate::error::{FormatError, FormatErrorKind};
 use crate::run_log::{Columns, MeasuredLog, ReadColumns, read_measured};
 use crate::scenario::reader::Value;
 

@@ -27,8 +27,8 @@ use std::path::Path;
 
 use polhode_identify::IdentifyError;
 use polhode_identify::swing::SwingPlan;
+use polhode_source::{FormatError, FormatErrorKind};
 
-use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::reader::{Table, Value};
 use crate::scenario::source::Source;
 use crate::scenario::{document, text_of};

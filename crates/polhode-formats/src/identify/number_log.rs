@@ -1,11 +1,11 @@
 //! Logs of numbers, CSV or Parquet: which columns are read is found in the names, or told.
 
 use bytes::Bytes;
+use polhode_source::FormatError;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::read_log::ReadLog;
 use super::wrench_columns::{Columns, Header, Wrong};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::FormatError;
 use crate::run_log::{PARQUET, parquet};
 use crate::scenario::csv::{self, fields, missing};
 use crate::scenario::reader::Value;

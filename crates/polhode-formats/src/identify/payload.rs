@@ -3,14 +3,14 @@
 use polhode::infer::judge::AttitudeSense;
 use polhode::math::Acceleration;
 use polhode_identify::payload::{EdgeKind, MotionNoise, PayloadLog, WrenchNoise, WrenchSense};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::at;
 use super::gravity::Gravity;
 use super::read_log::ReadLog;
 use super::wrench_log;
-use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
-use crate::unit::Dimension;
 
 /// A payload, ready to be identified.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,13 +5,13 @@ use polhode::motion::{Motor, Wheel};
 use polhode_identify::tumble::{
     Flight, FlightSearch, GyroErrors, GyroRange, GyroReading, TumbleOptions, find_flights,
 };
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::gyro_log::{Logs, Measured};
 use super::read_log::ReadLog;
 use super::{at, effect};
-use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
-use crate::unit::Dimension;
 
 /// Tumbles of a body, ready to be identified.
 #[derive(Clone, Debug, PartialEq)]

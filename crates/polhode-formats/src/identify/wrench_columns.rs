@@ -2,15 +2,17 @@
 
 use std::ops::Range;
 
+use polhode_source::FormatError;
+use polhode_source::unit;
+use polhode_source::unit::{Dimension, UnitError};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
 use super::gravity::Gravity;
 use super::wrench_quantity::{
     ATTITUDE, GRAVITY, MEASURED, Quantity, TIME, rest, trailing_unit, written_unit,
 };
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::FormatError;
 use crate::scenario::csv::missing;
 use crate::scenario::reader::{Table, Value};
-use crate::unit::{self, Dimension, UnitError};
 
 const COLUMN_KEYS: [&str; 8] =
     ["time", "omega", "alpha", "acceleration", "gravity", "force", "torque", "attitude"];

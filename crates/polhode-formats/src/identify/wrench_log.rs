@@ -3,13 +3,13 @@
 use polhode::infer::judge::AttitudeSense;
 use polhode::math::{Acceleration, AngularAcceleration, AngularVelocity, Attitude, Body, Force, Torque};
 use polhode_identify::payload::{PayloadRow, gravity_along};
+use polhode_source::FormatError;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::gravity::Gravity;
 use super::number_log::{self, Row};
 use super::read_log::ReadLog;
 use super::wrench_columns::{Columns, Told};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
 
 /// A log that was read.

@@ -1,6 +1,7 @@
 //! What a log of wrenches has, by which names, and units in names: `fx_n`, `force_x_n`, `Fx [N]`.
 
-use crate::unit::{self, Dimension, UnitError};
+use polhode_source::unit;
+use polhode_source::unit::{Dimension, UnitError};
 
 /// What is logged.
 pub(super) struct Quantity {

@@ -2,8 +2,7 @@
 
 use polhode::body::BodyError;
 use polhode::body::mesh::TriangleMesh;
-
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 /// x' = A x + t.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,9 +5,9 @@ use std::path::Path;
 
 use polhode::body::mesh::{FilledMesh, HolesLeft};
 use polhode::body::{Finding, Severity};
+use polhode_source::FormatError;
 
 use super::{MeshContents, MeshLength, MeshPart, MeshRepair, RepairBound, solid};
-use crate::error::FormatError;
 
 impl MeshContents {
     /// The mesh with holes closed that are no larger than this: [`TriangleMesh::filled`](polhode::body::mesh::TriangleMesh::filled) of each part. Parts

@@ -1,8 +1,7 @@
 //! Why holes of a mesh file were not filled.
 
 use polhode::body::mesh::HolesLeft;
-
-use crate::text::counted;
+use polhode_source::text::counted;
 
 /// In words, if there were any.
 pub(super) fn why(left: HolesLeft) -> Option<String> {

@@ -2,7 +2,6 @@
 
 mod affine;
 mod assumed_unit;
-pub(crate) mod budget;
 pub mod collada;
 mod fill;
 pub mod gltf;
@@ -29,11 +28,11 @@ use std::path::Path;
 
 use polhode::body::mesh::TriangleMesh;
 use polhode::body::{BodyError, Finding, Severity};
+use polhode_source::FormatError;
+use polhode_source::file;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use crate::brep::BrepFormat;
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::FormatError;
-use crate::file;
 
 pub use assumed_unit::{AssumedMetres, longest_side};
 pub use repair::{MeshLength, MeshRepair};

@@ -1,8 +1,7 @@
 //! What was noticed while a file was read, counted: a file may repeat itself a million times.
 
 use polhode::body::{Finding, Severity};
-
-use crate::text::escaped;
+use polhode_source::text::escaped;
 
 /// Findings, one for each kind of thing.
 #[derive(Debug, Default)]

@@ -9,8 +9,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use polhode::body::{Finding, Severity};
-
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::MeshContents;
 use super::parts;
@@ -44,7 +43,7 @@ use super::scan::{Scan, integer};
 ///
 /// let error = read(b"v 0 0 0\nf 1 2 3").unwrap_err();
 /// assert_eq!(error.kind.to_string(), "vertex 2 does not exist: there are 1");
-/// # Ok::<(), polhode_formats::ContentError>(())
+/// # Ok::<(), polhode_source::ContentError>(())
 /// ```
 ///
 /// # Errors

@@ -4,7 +4,7 @@
 //! (`n a b c …`, from 0). Before `OFF`, `ST`, `C` and `N` say that texture, colour or normal follow the coordinates on
 //! their lines; a face may have a colour too. Nobody uses the number of edges.
 
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::MeshContents;
 use super::parts;
@@ -35,7 +35,7 @@ use super::scan::Scan;
 ///
 /// let error = read(&text[..text.len() - 8]).unwrap_err();
 /// assert_eq!(error.kind.to_string(), "4 faces are declared, and 3 are there");
-/// # Ok::<(), polhode_formats::ContentError>(())
+/// # Ok::<(), polhode_source::ContentError>(())
 /// ```
 ///
 /// # Errors

@@ -1,8 +1,7 @@
 //! Parts of a mesh file from vertices that they share.
 
 use polhode::body::mesh::TriangleMesh;
-
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::MeshPart;
 

@@ -8,8 +8,7 @@ mod header;
 mod values;
 
 use polhode::body::{Finding, Severity};
-
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::MeshContents;
 use super::parts;
@@ -50,7 +49,7 @@ use values::{Ascii, Binary, Stop, Values};
 ///
 /// let error = read(&text[..text.len() - 10]).unwrap_err();
 /// assert_eq!(error.kind.to_string(), "3 corners are declared, and 2 are there");
-/// # Ok::<(), polhode_formats::ContentError>(())
+/// # Ok::<(), polhode_source::ContentError>(())
 /// ```
 ///
 /// # Errors

@@ -8,9 +8,9 @@
 
 use polhode::body::mesh::TriangleMesh;
 use polhode::body::{Finding, Severity};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::{MeshContents, MeshPart};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 /// Points as a part without triangles.
 ///
@@ -91,7 +91,7 @@ impl Separator {
 /// let error = read(b"0 0 0\nC 1 2 3\n").unwrap_err();
 /// assert_eq!(error.kind.to_string(), "expected the three coordinates of a point, found \"C\"");
 /// assert!(read(b"0,5 0,25 0,75\n").unwrap_err().kind.to_string().contains("decimal comma?"));
-/// # Ok::<(), polhode_formats::ContentError>(())
+/// # Ok::<(), polhode_source::ContentError>(())
 /// ```
 ///
 /// # Errors

@@ -4,12 +4,13 @@ use std::path::Path;
 
 use polhode::body::mesh::{HolesLeft, MeshEffect, TriangleMesh, WeldedMesh};
 use polhode::body::{BodyError, Finding, Severity};
+use polhode_source::text::counted;
+use polhode_source::unit;
+use polhode_source::unit::{Dimension, UnitError};
+use polhode_source::{FormatError, FormatErrorKind};
 use serde_json::{Value, json};
 
 use super::{MeshContents, MeshPart, MeshSolid, RepairBound, holes_left, solid};
-use crate::error::{FormatError, FormatErrorKind};
-use crate::text::counted;
-use crate::unit::{self, Dimension, UnitError};
 
 /// A length beside a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -106,7 +107,7 @@ impl MeshRepair {
         file: &str,
     ) -> Vec<Finding> {
         let last = repairs.iter().rposition(Self::is_something);
-        let place = Some(crate::text::escaped(file));
+        let place = Some(polhode_source::text::escaped(file));
         let finding = |(k, repair): (usize, &Self)| {
             let mut message = repair.in_words();
             if Some(k) == last {

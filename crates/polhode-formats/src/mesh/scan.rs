@@ -1,6 +1,6 @@
 //! The text of a mesh file, word by word: where the next one starts, and what to say if it is the wrong one.
 
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 /// A place in a text: `at` is the offset of the next byte.
 #[derive(Clone, Copy, Debug)]

@@ -6,10 +6,10 @@ use polhode::body::mesh::{ClosedMesh, MeshFlaws, TriangleMesh};
 use polhode::body::shape::{Shape, Substance};
 use polhode::body::{BodyError, Finding, MassProperties, Severity};
 use polhode::math::Part;
+use polhode_source::text::{counted, escaped};
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::{MeshContents, MeshFormat, MeshLength, MeshPart, union_hint};
-use crate::error::{FormatError, FormatErrorKind};
-use crate::text::{counted, escaped};
 
 /// A mesh file as solids, in metres.
 #[derive(Clone, Debug)]

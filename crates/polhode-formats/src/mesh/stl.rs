@@ -15,12 +15,13 @@ use std::sync::Mutex;
 use std::thread;
 
 use polhode::body::mesh::{Triangle, TriangleMesh};
+use polhode_source::text::is_utf16;
+use polhode_source::{FormatError, FormatErrorKind, Place};
 
 use super::stl_error::{HEADER, PREAMBLE, RECORD};
-pub use super::stl_error::{StlError, StlPlace};
 use super::{MeshContents, MeshPart};
-use crate::error::{FormatError, FormatErrorKind, Place};
-use crate::text::is_utf16;
+
+pub use super::stl_error::{StlError, StlPlace};
 
 /// Bytes of the normal, with which a record begins.
 const NORMAL: usize = 12;

@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::fmt;
 
-use crate::text::counted;
+use polhode_source::text::counted;
 
 /// Bytes of a binary file before its records, and of a record.
 pub(super) const HEADER: usize = 80;

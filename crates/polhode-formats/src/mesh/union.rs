@@ -4,11 +4,11 @@ use std::path::Path;
 
 use polhode::body::mesh::MeshUnion;
 use polhode::body::{BodyError, Finding, Severity};
+use polhode_source::text::escaped;
+use polhode_source::{FormatError, FormatErrorKind};
 use serde_json::{Value, json};
 
 use super::{MeshContents, MeshRepair, RepairBound, solid};
-use crate::error::{FormatError, FormatErrorKind};
-use crate::text::escaped;
 
 /// A mesh file as the union of all its parts, in metres: what lies in several of them is there once.
 #[derive(Clone, Debug)]

@@ -5,9 +5,9 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use polhode::body::mesh::TriangleMesh;
+use polhode_source::FormatError;
 
 use super::{MeshContents, MeshFormat, MeshPart, MeshSolid};
-use crate::error::FormatError;
 
 impl MeshFormat {
     /// The formats that are written.

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 /// The lines that are left of a file. They end in `\n`, `\r\n` or `\r`.
 #[derive(Clone, Debug)]

@@ -21,14 +21,15 @@ use std::path::Path;
 use polhode::body::{BodyError, Finding, MassProperties, Particle, Severity, mass_properties_of_particles};
 use polhode::math::{Body, Position};
 use polhode::observe::RotationalConstants;
+use polhode_source::ContentError;
+use polhode_source::file;
+use polhode_source::{FormatError, FormatErrorKind};
 
-use crate::content::ContentError;
-use crate::error::{FormatError, FormatErrorKind};
-use crate::file;
-pub use element::Element;
-pub use isotope::{Isotope, Isotopes, Species};
 use isotope::{Label, label};
 use line::{Field, decimals};
+
+pub use element::Element;
+pub use isotope::{Isotope, Isotopes, Species};
 
 /// The ångström, m.
 const ANGSTROM: f64 = 1e-10;

@@ -8,11 +8,11 @@
 use std::collections::BTreeMap;
 
 use polhode::body::Severity;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::isotope::{Isotope, Species};
 use super::line::{Field, Lines};
 use super::{ANGSTROM, Builder, Element, Molecule, unknown_element, unknown_isotope};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 /// Reads every molecule of a MOL file or an SDF.
 ///
@@ -23,7 +23,7 @@ use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 ///   1  2  3\nM  ISO  1   1  13\nM  END\n";
 /// let molecules = mol::read(text)?;
 /// assert_eq!((molecules[0].name.as_str(), molecules[0].formula().as_str()), ("carbon monoxide", "[13C]O"));
-/// # Ok::<(), polhode_formats::ContentError>(())
+/// # Ok::<(), polhode_source::ContentError>(())
 /// ```
 ///
 /// # Errors

@@ -10,12 +10,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use polhode::body::Severity;
+use polhode_source::text::counted;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::isotope::{Label, Species, label};
 use super::line::{Field, Lines};
 use super::{ANGSTROM, Builder, Element, Molecule};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::text::counted;
 
 /// Reads the first model of a PDB file.
 ///
@@ -25,7 +25,7 @@ use crate::text::counted;
 /// HETATM    2  O   CMO A   1       0.000   0.000   1.128  1.00  0.00           O
 /// END\n";
 /// assert_eq!(pdb::read(text)?.formula(), "CO");
-/// # Ok::<(), polhode_formats::ContentError>(())
+/// # Ok::<(), polhode_source::ContentError>(())
 /// ```
 ///
 /// # Errors

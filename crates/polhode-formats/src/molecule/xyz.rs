@@ -5,11 +5,11 @@
 //! read. The number of atoms may be followed by the unit, `au` or `bohr`, as some programs write it.
 
 use polhode::body::Severity;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::isotope::Species;
 use super::line::{Field, Lines};
 use super::{ANGSTROM, Builder, Element, Molecule};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 /// The Bohr radius, m: CODATA 2018.
 const BOHR: f64 = 0.529_177_210_903e-10;
@@ -22,7 +22,7 @@ const BOHR: f64 = 0.529_177_210_903e-10;
 /// let molecule = xyz::read(text)?;
 /// assert_eq!(molecule.formula(), "[13C]O");
 /// assert_eq!(molecule.atoms[0].position_m, [0.0, 0.0, 0.6e-10]);
-/// # Ok::<(), polhode_formats::ContentError>(())
+/// # Ok::<(), polhode_source::ContentError>(())
 /// ```
 ///
 /// # Errors

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::unit;
+use polhode_source::unit;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 /// What stands between the fields of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,12 +3,13 @@
 use std::ops::Range;
 
 use polhode::body::Finding;
+use polhode_source::text::{cut, escaped};
+use polhode_source::unit;
+use polhode_source::unit::{Dimension, Scale};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::fields::text_of;
 use super::{ParticleOptions, finding, missing};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::text::{cut, escaped};
-use crate::unit::{self, Dimension, Scale};
 
 /// The numbers of a line, in this order wherever ten numbers stand.
 pub(super) const NAMES: [&str; 10] = ["mass", "x", "y", "z", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];

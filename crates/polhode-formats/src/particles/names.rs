@@ -4,11 +4,11 @@ use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 use polhode::body::Finding;
+use polhode_source::text::{cut, escaped};
+use polhode_source::{ContentError, ContentPlace};
 
 use super::fields::text_of;
 use super::{finding, value};
-use crate::content::{ContentError, ContentPlace};
-use crate::text::{cut, escaped};
 
 /// The places at which each name has stood so far.
 #[derive(Default)]

@@ -2,10 +2,11 @@
 
 use std::ops::Range;
 
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
 use super::fields::{Lines, Separator, fields, line_at, number, text_of};
 use super::header::{Column, Header, NAMES, Products, Role};
 use super::{ParticleOptions, missing, value};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 /// How the lines of a file are built.
 pub(super) struct Table {

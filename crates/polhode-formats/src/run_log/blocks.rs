@@ -3,9 +3,10 @@
 use std::io::{self, Read};
 use std::thread;
 
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
 use super::choice::Plan;
 use super::rows::{RowError, Rows};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 /// Bytes of a block; and of a part that a thread is worth.
 const BLOCK: usize = 8 << 20;

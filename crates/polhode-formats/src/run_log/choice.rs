@@ -4,6 +4,11 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use polhode::infer::judge::{AttitudeSense, DeclaredReading, OmegaAxes, QuaternionOrder};
+use polhode_source::nearest;
+use polhode_source::text::{cut, escaped};
+use polhode_source::unit;
+use polhode_source::unit::Scale;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::ReadColumns;
 use super::candidate::{Candidate, Numbers, attitudes, incomplete, omegas};
@@ -11,10 +16,6 @@ use super::columns::{Columns, Key, Said};
 use super::euler::Sequence;
 use super::head::Units;
 use super::name::{Kind, Name};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::scenario::suggestion::nearest;
-use crate::text::{cut, escaped};
-use crate::unit::{self, Scale};
 
 /// The columns that there are.
 #[derive(Debug, Default)]

@@ -4,12 +4,13 @@ use std::error::Error;
 use std::fmt;
 
 use polhode::infer::judge::{AttitudeSense, OmegaAxes, QuaternionOrder};
+use polhode_source::nearest;
+use polhode_source::text::{counted, cut};
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
 
 use super::euler::Sequence;
 use super::name::spelt_unit;
-use crate::scenario::suggestion::nearest;
-use crate::text::{counted, cut};
-use crate::unit::{self, Dimension};
 
 /// Which columns are what, as a user says it; what is not said is left to the columns' names.
 ///

@@ -2,11 +2,12 @@
 
 use std::ops::Range;
 
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
 use super::blocks::Lines;
 use super::choice::{Header, Plan};
 use super::head::Head;
 use super::rows::{MOST, Problem, RowError, Rows};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 /// What the first lines say, and where the rows begin.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 //! Files of other kinds, which programs write logs to.
 
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 /// How they begin, what they are, and what to do.
 const FOREIGN: [(&[u8], &str, &str); 9] = [

@@ -3,10 +3,12 @@
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
 use super::columns::{Columns, Key, unquoted};
 use super::name::spelt_unit;
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::unit::{self, Dimension};
 
 /// What the head of a log says.
 #[derive(Clone, Debug, Default)]

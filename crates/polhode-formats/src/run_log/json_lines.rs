@@ -4,6 +4,8 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::Mutex;
 
+use polhode_source::json_value;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use serde_json::{Map, Value};
 
 use super::blocks::Lines;
@@ -12,8 +14,6 @@ use super::columns::Columns;
 use super::head::Head;
 use super::name::{Kind, Name};
 use super::rows::{MOST, Problem, RowError, Rows};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::json::json_value;
 
 /// What the first lines say, and where the rows begin.
 #[derive(Debug, Default)]

@@ -74,10 +74,10 @@ use std::path::{Path, PathBuf};
 
 use ::bytes::Bytes;
 use polhode::infer::judge::{DeclaredReading, LogError, MotionLog};
+use polhode_source::FormatError;
+use polhode_source::file;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::FormatError;
-use crate::file;
 use blocks::{Blocks, Failure};
 use choice::{Plan, Wanted};
 use head::Head;
@@ -213,7 +213,7 @@ pub(crate) const PARQUET: &[u8] = b"PAR1";
 /// assert_eq!(read.says.omega_axes, Some(OmegaAxes::Body));
 /// assert_eq!(read.engine.as_deref(), Some("MuJoCo, RK4"));
 /// assert_eq!(read.ignored, ["note"]);
-/// # Ok::<(), polhode_formats::ContentError>(())
+/// # Ok::<(), polhode_source::ContentError>(())
 /// ```
 ///
 /// # Errors

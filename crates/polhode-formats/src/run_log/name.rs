@@ -48,7 +48,7 @@ const OTHERS: &str = "target desired des cmd command commanded ref reference set
                       cpu wall compute step solver std sigma cov covariance var variance accel acceleration torque moment";
 const SPACE: &str = "space world inertial global eci";
 
-/// Units as the ends of names write them, and as [`crate::unit`] reads them; longer ones first.
+/// Units as the ends of names write them, and as [`polhode_source::unit`] reads them; longer ones first.
 const UNITS: [(&str, &str); 33] = [
     ("rad per sec", "rad/s"),
     ("deg per sec", "deg/s"),
@@ -143,7 +143,7 @@ impl Name {
     }
 }
 
-/// A unit as [`crate::unit`] reads it, if it is spelt otherwise.
+/// A unit as [`polhode_source::unit`] reads it, if it is spelt otherwise.
 pub(super) fn spelt_unit(text: &str) -> String {
     let joined = words(text).join(" ");
     let known = UNITS.iter().find(|(written, _)| *written == joined);

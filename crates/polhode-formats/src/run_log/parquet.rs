@@ -9,12 +9,12 @@ use ::parquet::errors::ParquetError;
 use ::parquet::file::reader::{FileReader as _, SerializedFileReader};
 use ::parquet::schema::types::ColumnDescriptor;
 use bytes::Bytes;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::choice::{self, Header, Plan, Wanted};
 use super::columns::Columns;
 use super::head::Head;
 use super::rows::{MOST, Problem, RowError, Rows};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 /// Rows that are in memory beside the result.
 const BATCH: usize = 1 << 16;

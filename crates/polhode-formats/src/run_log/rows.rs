@@ -2,9 +2,10 @@
 
 use std::ops::Range;
 
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
 use super::choice::{Form, Plan};
 use super::matrix::{self, MatrixError};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 /// Numbers of a row: the time, nine of an attitude at most, and an angular velocity.
 pub(super) const MOST: usize = 13;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use polhode::body::{BodyPart, Finding, InertiaTensor, MassProperties};
 use polhode::math::{AngularVelocity, Body, Position};
 use polhode::motion::{ActingTorque, Event, MotionError, Rotor, Scenario};
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::body::Pivot;
 use super::pointing::References;
@@ -13,7 +14,6 @@ use super::source::Source;
 use super::torque::Torques;
 use super::tree::Entries;
 use super::{document, event, orbit, torque, wheel};
-use crate::error::{FormatError, FormatErrorKind};
 
 /// The torques on a body, the wheels in it and the events to detect, without the body: `[orbit]`, `[[torque]]`, `[[wheel]]` and `[[event]]`.
 ///
@@ -34,7 +34,7 @@ use crate::error::{FormatError, FormatErrorKind};
 /// let actions = Actions::parse(text.to_owned(), "top.toml".as_ref(), false)?;
 /// assert_eq!(actions.pivot(), Some(Position::new(0.0, 0.0, -0.1)));
 /// assert_eq!((actions.scenario().torques().len(), actions.scenario().events().len()), (1, 1));
-/// # Ok::<(), polhode_formats::FormatError>(())
+/// # Ok::<(), polhode_source::FormatError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Actions {

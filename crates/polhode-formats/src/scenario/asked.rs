@@ -4,7 +4,7 @@
 use std::cell::RefCell;
 use std::ops::Range;
 
-use crate::unit::Dimension;
+use polhode_source::unit::Dimension;
 
 /// What was asked, in the order of asking.
 #[derive(Debug, Default)]

@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use polhode::body::{BodyPart, Finding, MassProperties, PrincipalFrame, Severity, Symmetry};
 use polhode::math::{Body, Position};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::part::{assumes_metres, part};
 use super::reader::{Table, Value};
 use super::tree::{Known, Replacement};
-use crate::error::FormatError;
 use crate::mesh::{AssumedMetres, longest_side};
-use crate::unit::Dimension;
 
 /// All parts of a body, alone and together.
 #[derive(Debug)]

@@ -5,9 +5,10 @@
 
 use std::ops::Range;
 
+use polhode_source::unit;
+
 use super::asked::{Question, What};
 use super::reader::TOP;
-use crate::unit;
 
 /// What may stand at a place of a text.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -3,10 +3,11 @@
 use std::ops::Range;
 use std::path::Path;
 
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{FormatError, FormatErrorKind};
+use polhode_source::{file, unit};
+
 use super::reader::Value;
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::{FormatError, FormatErrorKind};
-use crate::{file, unit};
 
 /// A larger table has more rows than a motion has any use for.
 const LARGEST_FILE: u64 = 256 << 20;

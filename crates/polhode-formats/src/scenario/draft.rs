@@ -4,6 +4,8 @@ use std::collections::BTreeSet;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::{Path, PathBuf};
 
+use polhode_source::FormatError;
+
 use super::asked::{Asked, Question, What};
 use super::completion::{self, Completion};
 use super::known_mesh::KnownMesh;
@@ -11,7 +13,6 @@ use super::number::{self, WrittenNumber};
 use super::source::{Source, Watch};
 use super::tree::{self, Entries, Kind};
 use super::{ScenarioFile, document, file_of_root};
-use crate::error::FormatError;
 use crate::mesh::MeshSolid;
 
 /// A scenario whose text is being changed, and is read after each change.
@@ -30,7 +31,7 @@ use crate::mesh::MeshSolid;
 ///
 /// let other = text.replace("shape = \"sphere\"\nradius = \"20 mm\"", "shape = \"mesh\"\nfile = \"other.stl\"");
 /// assert!(draft.read(other).unwrap_err().to_string().contains("was opened with the scenario"));
-/// # Ok::<(), polhode_formats::FormatError>(())
+/// # Ok::<(), polhode_source::FormatError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Draft {

@@ -4,14 +4,14 @@ use std::f64::consts::PI;
 
 use polhode::math::Direction;
 use polhode::motion::{Event, EventAction, Measure, Reference, Sense};
+use polhode_source::expression::formula_of_state;
+use polhode_source::nearest;
+use polhode_source::unit::{Dimension, UnitError};
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::pointing::{NAMED, References, direction};
 use super::reader::{Table, Value};
-use super::suggestion::nearest;
 use super::torque::Torques;
-use crate::error::{FormatError, FormatErrorKind};
-use crate::expression::formula_of_state;
-use crate::unit::{Dimension, UnitError};
 
 /// What can be measured, as a file names it.
 const MEASURES: [&str; 16] = [

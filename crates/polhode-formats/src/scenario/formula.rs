@@ -4,12 +4,13 @@ use polhode::body::density::{Cubature, FieldError, mass_properties_of_field};
 use polhode::body::shape::Extent;
 use polhode::body::{BodyError, Finding, MassProperties, Severity};
 use polhode::math::Part;
+use polhode_source::FormatError;
+use polhode_source::expression::Expression;
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
 
 use super::reader::{Table, Value};
 use super::shape::Geometry;
-use crate::error::FormatError;
-use crate::expression::Expression;
-use crate::unit::{self, Dimension};
 
 /// The variables: m, along the part's own axes.
 const VARIABLES: [&str; 3] = ["x", "y", "z"];

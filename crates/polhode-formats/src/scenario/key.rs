@@ -1,6 +1,7 @@
 //! Keys of what varies: `body.part[0].size[2]`, `torque["wind"].from`, `start.spin.body`.
 
-use super::suggestion::nearest;
+use polhode_source::nearest;
+
 use super::tree::{Entries, Kind, Node, Step, Way};
 
 /// The value that a key leads to.

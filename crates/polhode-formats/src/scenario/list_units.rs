@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
+use polhode_source::text::cut;
+use polhode_source::unit::{bare_beside_units, measured, unit_of};
+use polhode_source::{FormatError, FormatErrorKind};
+
 use super::source::Source;
 use super::tree::{Entries, Kind, Node};
-use crate::error::{FormatError, FormatErrorKind};
-use crate::text::cut;
-use crate::unit::{bare_beside_units, measured, unit_of};
 
 /// Keys of one table whose values are of one kind: those of a distribution, or of a span of time.
 const TOGETHER: [&str; 6] = ["from", "to", "mode", "mean", "sd", "median"];

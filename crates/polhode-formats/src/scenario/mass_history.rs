@@ -5,12 +5,12 @@
 use polhode::body::{BodyPart, Finding, InertiaTensor, MassProperties, Severity};
 use polhode::math::{Body, Direction, Position};
 use polhode::motion::{Exit, MassHistory, MassRow, Outflow};
+use polhode_source::nearest;
+use polhode_source::unit::Dimension;
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::mass_table;
 use super::reader::{Table, Value};
-use super::suggestion::nearest;
-use crate::error::{FormatError, FormatErrorKind};
-use crate::unit::Dimension;
 
 /// A history, and what happens to which part.
 pub(super) struct PartHistory<'a> {

@@ -8,11 +8,11 @@ use std::ops::Range;
 use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{Body, Position, Velocity};
 use polhode::motion::{MassRates, MassRow};
+use polhode_source::FormatError;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::csv::{self, fields, missing};
 use super::reader::{Table, Value};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::FormatError;
 
 const NAMES: [&str; 11] = MassRow::COLUMNS;
 const RATES: [&str; 10] = MassRow::RATE_COLUMNS;

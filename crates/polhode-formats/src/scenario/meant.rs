@@ -1,6 +1,6 @@
 //! What was probably meant: words that books and other programs have, and what a scenario says instead.
 
-use crate::text::cut;
+use polhode_source::text::cut;
 
 /// A key of others, a key that has to be known in its place, and the advice.
 const KEYS: [(&str, &str, &str); 57] = [

@@ -56,7 +56,6 @@ pub(crate) mod shape;
 pub(crate) mod source;
 mod start;
 mod substance;
-pub(crate) mod suggestion;
 mod sweep;
 mod target;
 mod template;
@@ -67,26 +66,28 @@ mod wheel;
 
 use std::path::{Path, PathBuf};
 
-use crate::confinement::Confinement;
-use crate::error::{FormatError, FormatErrorKind, Place};
-use crate::file;
+use polhode::motion::{ActingTorque, MotionError, Rotor, Scenario};
+use polhode_source::Confinement;
+use polhode_source::file;
+use polhode_source::text::is_utf16;
+use polhode_source::{FormatError, FormatErrorKind, Place};
+
 use crate::mesh::stl;
-use crate::text::is_utf16;
+use mass_history::PartHistory;
+use pointing::References;
+use reader::{TOP, Table};
+use source::Source;
+use torque::TorquePlaces;
+use tree::Entries;
+
 pub use actions::Actions;
 pub use completion::{Completion, Suggested};
 pub use draft::Draft;
-use mass_history::PartHistory;
 pub use number::WrittenNumber;
-use pointing::References;
-use polhode::motion::{ActingTorque, MotionError, Rotor, Scenario};
-use reader::{TOP, Table};
 pub use run::TableFormat;
-use source::Source;
 pub use sweep::{Dispersion, Distribution, Law, Question, SOBOL_DIMENSIONS, Sampling, Spread, Sweep, Vary};
 pub use target::{Target, TargetColumn};
 pub use template::Template;
-use torque::TorquePlaces;
-use tree::Entries;
 
 /// A scenario larger than this is something else: a mesh or a table goes into a file of its own.
 const LARGEST_FILE: u64 = 64 << 20;
@@ -233,7 +234,7 @@ fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
 ///
 /// let error = scenario::parse(&text.replace("20 mm", "20 kg"), "ball.toml".as_ref()).unwrap_err();
 /// assert_eq!(error.to_string(), "ball.toml:4:10: \"kg\" is a mass where a length belongs");
-/// # Ok::<(), polhode_formats::FormatError>(())
+/// # Ok::<(), polhode_source::FormatError>(())
 /// ```
 ///
 /// # Errors

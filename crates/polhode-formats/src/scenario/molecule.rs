@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use polhode::body::{BodyPart, Finding, Form, Particle, mass_properties_of_particles};
 use polhode::math::{Part, Position};
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::placement::Placement;
 use super::reader::Table;
 use super::tree::Known;
-use crate::error::{FormatError, FormatErrorKind};
 use crate::molecule::{self, ATOMIC_MASS, Isotopes, MoleculeFormat};
 
 /// `file = "water.xyz"`, `isotopes = "average"`: the first molecule of the file.

@@ -9,13 +9,13 @@ use std::sync::Arc;
 use polhode::body::{Finding, Severity};
 use polhode::math::Attitude;
 use polhode::motion::{RateAxes, Uncertainty};
+use polhode_source::ContentError;
+use polhode_source::FormatError;
 
 use super::csv::{self, fields, missing};
 use super::reader::Value;
 use super::rows::Rows;
 use super::tree::Known;
-use crate::content::ContentError;
-use crate::error::FormatError;
 
 /// What a table can be of, in the order in which it is looked for.
 pub(super) const COLUMNS: [&str; 3] = ["attitude", "omega_body", "omega_space"];

@@ -3,8 +3,9 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use polhode_source::unit::{Dimension, unit_of};
+
 use super::tree::{Entries, Kind, Known, Node};
-use crate::unit::{Dimension, unit_of};
 
 /// A number of a scenario: its key, where and how it is written, and what it is.
 #[derive(Clone, Debug, PartialEq)]

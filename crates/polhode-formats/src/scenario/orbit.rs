@@ -3,10 +3,10 @@
 use polhode::body::{Finding, Severity};
 use polhode::math::{Direction, Position, Velocity};
 use polhode::motion::{Anomaly, MU_EARTH, MotionError, Orbit, OrbitalElements};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::reader::{Table, Value};
-use crate::error::FormatError;
-use crate::unit::Dimension;
 
 /// What to write where an orbit is missing.
 const EXAMPLE: &str = "[orbit] on a line of its own, and under it altitude = \"500 km\"";

@@ -7,6 +7,9 @@ use polhode::body::mesh::{ClosedMesh, MeshUnion};
 use polhode::body::shape::Extent;
 use polhode::body::{BodyPart, Finding, Particle, mass_properties_of_particles};
 use polhode::math::{Part, Position};
+use polhode_source::unit;
+use polhode_source::unit::{Dimension, UnitError};
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::molecule::molecule;
 use super::placement::Placement;
@@ -16,9 +19,7 @@ use super::substance::{self, Matter, matter};
 use super::tensor;
 use super::tree::Known;
 use crate::brep::BrepFormat;
-use crate::error::{FormatError, FormatErrorKind};
 use crate::mesh::{MeshContents, MeshFormat, MeshLength, MeshRepair, MeshSolid, UnitedMesh};
-use crate::unit::{self, Dimension, UnitError};
 
 /// Keys that every part may have.
 const COMMON: [&str; 4] = ["name", "shape", "position", "rotate"];

@@ -6,10 +6,10 @@ use polhode::body::{Finding, Severity};
 use polhode::math::Direction;
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{Pendulum, Scenario, Suspension, Swing};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::reader::Table;
-use crate::error::FormatError;
-use crate::unit::Dimension;
 
 /// Reads `[pendulum]` into a scenario that is complete but for it.
 pub(crate) fn pendulum(root: &Table<'_>, scenario: Scenario) -> Result<Scenario, FormatError> {

@@ -2,11 +2,11 @@
 
 use polhode::body::{Form, MassProperties, PlacedForm, PlacedPart};
 use polhode::math::{Body, Part, Position, Rotation};
+use polhode_source::unit::Dimension;
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::reader::Table;
 use super::rotation::rotation;
-use crate::error::{FormatError, FormatErrorKind};
-use crate::unit::Dimension;
 
 /// Where a part is and how it is turned.
 pub(super) struct Placement {

@@ -3,9 +3,9 @@
 use polhode::math::{Body, Direction, Frame};
 use polhode::motion::torque::MagneticField;
 use polhode::motion::{Orbit, Pointing, Reference};
+use polhode_source::FormatError;
 
 use super::reader::{Table, Value};
-use crate::error::FormatError;
 
 /// The directions that have names, and what gives them.
 pub(crate) const NAMED: [&str; 4] = ["nadir", "velocity", "orbit_normal", "field"];

@@ -4,14 +4,14 @@ use polhode::body::{Finding, Severity};
 use polhode::math::formula::Formula;
 use polhode::math::{Attitude, Direction};
 use polhode::motion::{MotionError, Prescribed, RateAxes, Run};
+use polhode_source::FormatError;
+use polhode_source::expression::formula_of_time;
+use polhode_source::unit::Dimension;
 
 use super::motion_table;
 use super::reader::{Table, Value};
 use super::rows::Rows;
 use super::start::Start;
-use crate::error::FormatError;
-use crate::expression::formula_of_time;
-use crate::unit::Dimension;
 
 /// The keys that say which motion it is.
 const FORMS: [&str; 6] = ["axis", "euler313", "angles", "quaternion", "omega", "table"];

@@ -3,18 +3,20 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use super::meant;
-use super::source::Source;
-use super::suggestion::nearest;
-use super::tree::{Entries, Kind, Known, Node, Replacement};
-use crate::confinement::NotOpened;
-use crate::error::{FormatError, FormatErrorKind, Place};
-use crate::expression::ExpressionError;
-use crate::text::{cut, visible};
-use crate::unit::{self, Dimension};
 use polhode::body::BodyError;
 use polhode::math::RotationError;
 use polhode::motion::MotionError;
+use polhode_source::NotOpened;
+use polhode_source::expression::ExpressionError;
+use polhode_source::nearest;
+use polhode_source::text::{cut, visible};
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
+use polhode_source::{FormatError, FormatErrorKind, Place};
+
+use super::meant;
+use super::source::Source;
+use super::tree::{Entries, Kind, Known, Node, Replacement};
 
 /// The keys of the file itself.
 pub(crate) const TOP: [&str; 16] = [

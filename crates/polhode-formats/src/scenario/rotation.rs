@@ -1,11 +1,11 @@
 //! A rotation: `rotate` of a part, `attitude` of the start.
 
 use polhode::math::{Direction, Frame, Rotation};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::reader::{Table, Value, each};
 use super::tree::{Known, Replacement};
-use crate::error::FormatError;
-use crate::unit::Dimension;
 
 const FORMS: [&str; 7] =
     ["axis", "quaternion", "quaternion_xyzw", "euler313", "roll_pitch_yaw", "mrp", "matrix"];

@@ -1,11 +1,12 @@
 //! The `[run]`: for how long, at which times, and how.
 
 use polhode::motion::{LOOSEST_TOLERANCE, Method, Orbit, Run, SplittingOrder, TIGHTEST_TOLERANCE};
+use polhode_source::times;
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::reader::{Table, Value};
-use crate::error::{FormatError, FormatErrorKind};
-use crate::times;
-use crate::unit::{self, Dimension};
 
 /// Samples of a run that says neither `samples` nor `every`.
 const SAMPLES: usize = 1001;

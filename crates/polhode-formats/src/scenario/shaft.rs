@@ -2,11 +2,11 @@
 
 use polhode::math::{Acceleration, Direction, Position};
 use polhode::motion::{MountedShaft, Scenario, Shaft};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::reader::{Table, Value};
 use super::start::Start;
-use crate::error::FormatError;
-use crate::unit::Dimension;
 
 /// Reads `[shaft]`: the body is held at a point of the line, and turns about it as a prescribed motion.
 pub(crate) fn shaft(

@@ -8,10 +8,10 @@ use polhode::body::shape::{
     BoxShape, BoxShell, Capsule, Cone, ConeShell, Cylinder, CylinderShell, Disk, Ellipsoid, Plate, Rod,
     Shape, Sphere, SphereShell, Tetrahedron, Torus, TriangularPlate, TriangularPrism,
 };
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::reader::{Table, Value, each};
-use crate::error::FormatError;
-use crate::unit::Dimension;
 
 /// Each shape's name and its own keys.
 pub(crate) const SHAPES: [(&str, &[&str]); 17] = [

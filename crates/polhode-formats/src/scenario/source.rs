@@ -5,12 +5,13 @@ use std::fmt;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use polhode_source::Confinement;
+use polhode_source::expression::ExpressionError;
+use polhode_source::{FormatError, FormatErrorKind, Place};
+
 use super::asked::Asked;
 use super::known_mesh::KnownMesh;
 use super::tree::{Kind, Node, Replacement};
-use crate::confinement::Confinement;
-use crate::error::{FormatError, FormatErrorKind, Place};
-use crate::expression::ExpressionError;
 
 /// The text of a file, and its path, for messages and for the files that it names.
 #[derive(Clone, Copy, Debug)]

@@ -2,11 +2,11 @@
 
 use polhode::math::{AngularMomentum, AngularVelocity, Attitude, Body, Orbital, Rotation, Space, Velocity};
 use polhode::motion::{Orbit, Rotor, State};
+use polhode_source::unit::Dimension;
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::reader::{Table, Value};
 use super::rotation::rotation;
-use crate::error::{FormatError, FormatErrorKind};
-use crate::unit::Dimension;
 
 /// The start of a motion.
 pub(crate) struct Start<'a> {

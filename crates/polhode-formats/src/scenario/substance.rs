@@ -2,12 +2,12 @@
 
 use polhode::body::Material;
 use polhode::body::shape::{Extent, Substance};
+use polhode_source::unit::{Dimension, UnitError};
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::formula::{self, Formula};
 use super::reader::{Table, Value};
-use crate::error::{FormatError, FormatErrorKind};
 use crate::material::{self, UnknownMaterial};
-use crate::unit::{Dimension, UnitError};
 
 /// Keys of every part that has a shape; a thin surface has its `thickness` too.
 pub(crate) const KEYS: [&str; 4] = ["density", "mass", "material", "density_tolerance"];

@@ -5,12 +5,12 @@ use std::ops::Range;
 use polhode::body::MassProperties;
 use polhode::math::Body;
 use polhode::motion::Scenario;
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::key::{Spot, mirrored};
 use super::reader::Value;
 use super::tree::{Entries, Kind, Known, Node, Step, Way};
-use crate::error::FormatError;
-use crate::unit::Dimension;
 
 /// What can differ from reading to reading, by its key: a number, three that are a vector, a rotation, mass properties.
 #[derive(Clone, Debug, PartialEq)]

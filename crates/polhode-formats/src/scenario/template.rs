@@ -6,15 +6,15 @@ use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::formula::Formula;
 use polhode::math::{Body, Position};
 use polhode::motion::Scenario;
+use polhode_source::expression::condition;
+use polhode_source::unit::Dimension;
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::source::Source;
 use super::sweep::{self, Question, Sweep};
 use super::target::{Target, Varied};
 use super::tree::{Entries, Node, Replacement, replace};
 use super::{document, read_root, text_of};
-use crate::error::{FormatError, FormatErrorKind};
-use crate::expression::condition;
-use crate::unit::Dimension;
 
 /// A scenario that is read many times, with some of its numbers changed.
 ///
@@ -39,7 +39,7 @@ use crate::unit::Dimension;
 /// let heavy = template.scenario([(&mass, &[0.6][..])])?;
 /// assert_eq!(heavy.body().mass(), 0.6);
 /// assert!(template.scenario([(&mass, &[-0.6][..])]).is_err());
-/// # Ok::<(), polhode_formats::FormatError>(())
+/// # Ok::<(), polhode_source::FormatError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Template {

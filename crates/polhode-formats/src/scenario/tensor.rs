@@ -2,10 +2,10 @@
 
 use polhode::body::{BodyError, InertiaAbout, InertiaTensor, MassProperties};
 use polhode::math::{Part, Position};
+use polhode_source::unit::Dimension;
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::reader::{Table, Value, each};
-use crate::error::{FormatError, FormatErrorKind};
-use crate::unit::Dimension;
 
 /// The keys of a tensor.
 pub(crate) const KEYS: [&str; 6] = ["mass", "center_of_mass", "inertia", "moments", "products", "about"];

@@ -11,12 +11,12 @@ use std::sync::{Arc, OnceLock};
 use polhode::body::mesh::ClosedMesh;
 use polhode::body::{BodyPart, Finding, MassProperties};
 use polhode::math::Body;
+use polhode_source::unit::Dimension;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
 use super::rows::{Rows, TorqueRows};
 use crate::molecule::Molecule;
-use crate::unit::Dimension;
 
 /// A value, its place, and what it was read as.
 #[derive(Clone, Debug)]

@@ -3,10 +3,10 @@
 use polhode::math::{AngularVelocity, Body, Direction};
 use polhode::motion::torque::Schedule;
 use polhode::motion::{MotionError, Motor, Rotor, Wheel};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::reader::{Table, Value};
-use crate::error::FormatError;
-use crate::unit::Dimension;
 
 /// A wheel as its table gives it. What a speed relative to the body comes to in space is known once the body's ω is.
 pub(crate) struct WheelTable<'a> {

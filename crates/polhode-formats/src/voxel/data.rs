@@ -8,10 +8,10 @@ use std::fs::{File, Metadata};
 use std::io::{self, BufReader, ErrorKind, Read, Seek, SeekFrom};
 
 use flate2::read::MultiGzDecoder;
+use polhode_source::file;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::{Layout, Voxels};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::file;
 
 /// Where the bytes of a file are.
 #[derive(Debug)]

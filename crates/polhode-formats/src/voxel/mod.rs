@@ -13,7 +13,7 @@
 //! // A value of 1 is 1000 kg/m³ here.
 //! let body = voxels.mass_properties(&grid, 1000.0)?.unwrap();
 //! assert!((body.properties.mass() - 4000.0 * 8e-6).abs() < 1e-17);
-//! # Ok::<(), polhode_formats::ContentError>(())
+//! # Ok::<(), polhode_source::ContentError>(())
 //! ```
 
 mod data;
@@ -26,10 +26,10 @@ use std::path::Path;
 
 use polhode::body::BodyError;
 use polhode::body::density::{VoxelGrid, VoxelMassProperties};
+use polhode_source::FormatError;
+use polhode_source::file;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::FormatError;
-use crate::file;
 use data::Source;
 
 pub use data::VoxelValues;

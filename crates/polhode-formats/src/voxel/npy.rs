@@ -5,8 +5,9 @@
 
 use std::ops::Range;
 
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
 use super::{Layout, Placement, Scalar, declared_bytes, require_length};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
 

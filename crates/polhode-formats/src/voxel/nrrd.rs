@@ -8,9 +8,11 @@
 
 use std::ops::Range;
 
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
 use super::{Layout, Placement, Scalar, declared_bytes, require_length};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::unit::{self, Dimension};
 
 pub(super) const MAGIC: &[u8] = b"NRRD";
 

@@ -6,10 +6,12 @@ use std::path::{Path, PathBuf};
 
 use polhode::body::Material;
 use polhode::motion::{ErrorEffort, Required, Scenario};
+use polhode_formats::scenario;
 use polhode_formats::table::columns;
 use polhode_formats::table::required::RequiredTable;
-use polhode_formats::unit::{self, Dimension};
-use polhode_formats::{FormatErrorKind, scenario};
+use polhode_source::FormatErrorKind;
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
 use toml::de::DeTable;
 
 const BALL: &str = "[[body.part]]\nshape = 'sphere'\nradius = 1\nmass = 1\n";

@@ -7,7 +7,8 @@ use polhode::math::{Body, Position};
 use polhode_formats::cad::{
     CadOptions, CadProduct, CadReport, DecimalMark, ProductConvention, SignSource, read,
 };
-use polhode_formats::{ContentError, ContentErrorKind};
+use polhode_source::{ContentError, ContentErrorKind};
+
 use programs::*;
 
 /// Three distinct moments, products of mixed signs, mass ≠ 1, a centre off every plane.

@@ -6,7 +6,7 @@ use polhode::math::{Body, Direction, Part, Position, Rotation};
 use polhode_formats::cad::{
     CadOptions, CadProduct, GeometryProgram, GeometryReport, ProductConvention, SignSource, read,
 };
-use polhode_formats::{ContentError, ContentErrorKind};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use crate::cad::programs::{Print, solidworks, two_decimals};
 

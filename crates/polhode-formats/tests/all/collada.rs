@@ -3,7 +3,7 @@
 use polhode::body::mesh::ClosedMesh;
 use polhode_formats::mesh::collada::{UpAxis, read, read_with_axis};
 use polhode_formats::mesh::{MeshContents, MeshFormat, MeshSolid};
-use polhode_formats::{ContentError, ContentErrorKind as Kind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind as Kind, ContentPlace};
 
 /// A slanted prism.
 const POINTS: [[f64; 3]; 6] = [

@@ -6,7 +6,8 @@ use polhode::motion::contact::{
     ContactPhase, Friction, Grip, GroundShape, GroundSide, StartVelocity, SurfaceShape,
 };
 use polhode::prelude::*;
-use polhode_formats::{FormatError, scenario};
+use polhode_formats::scenario;
+use polhode_source::FormatError;
 
 const BODY: &str = "[[body.part]]\nshape = 'tensor'\nmass = '1.3 kg'\n\
     inertia = [[0.011, 0.0004, -0.0003], [0.0004, 0.012, 0.0002], [-0.0003, 0.0002, 0.013]]\n";

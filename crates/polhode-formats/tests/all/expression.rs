@@ -2,10 +2,10 @@
 
 use polhode::body::density::{Cubature, DensityField, Solid, mass_properties_of_field};
 use polhode::body::shape::BoxShape;
-use polhode_formats::expression::{
+use polhode_source::expression::{
     Expression, ExpressionErrorKind, condition, formula_of_state, formula_of_time, measured,
 };
-use polhode_formats::unit::Dimension;
+use polhode_source::unit::Dimension;
 
 const XYZ: [&str; 3] = ["x", "y", "z"];
 

@@ -6,7 +6,10 @@ use std::path::{Path, PathBuf};
 use polhode::math::Position;
 use polhode_formats::mesh::{MeshContents, MeshFormat, MeshSolid};
 use polhode_formats::molecule::{self, MoleculeFormat};
-use polhode_formats::{FormatErrorKind, cad, particles, read_file, read_text_file, scenario, times};
+use polhode_formats::{cad, particles, scenario};
+use polhode_source::FormatErrorKind;
+use polhode_source::times;
+use polhode_source::{read_file, read_text_file};
 
 /// A folder of this test's own.
 fn folder(name: &str) -> PathBuf {
@@ -79,7 +82,7 @@ fn a_draft_that_knows_a_mesh_reads_no_file_in_the_unit_that_it_knows() {
     for _again in 0..2 {
         assert!((knowing.read(text("mm")).unwrap().scenario.body().mass() - 4e-6).abs() < 1e-20);
     }
-    let is_missing = |read: Result<_, polhode_formats::FormatError>| {
+    let is_missing = |read: Result<_, polhode_source::FormatError>| {
         matches!(read.map(|_: scenario::ScenarioFile| ()).unwrap_err().kind(), FormatErrorKind::Io { .. })
     };
     assert!(is_missing(draft().knowing(path.clone(), Some(0.001), solid.clone()).read(text("m"))));

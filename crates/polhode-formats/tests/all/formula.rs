@@ -5,7 +5,8 @@ use std::path::Path;
 
 use polhode::body::Severity;
 use polhode::prelude::*;
-use polhode_formats::{FormatError, scenario};
+use polhode_formats::scenario;
+use polhode_source::FormatError;
 
 fn parse(text: &str) -> Result<Scenario, FormatError> {
     scenario::parse(text, &Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/test.toml"))

@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use polhode::math::{Acceleration, Direction};
 use polhode::motion::gimbal::{Base, Gimbals, Hold, Spring};
 use polhode::prelude::*;
-use polhode_formats::{FormatError, scenario};
+use polhode_formats::scenario;
+use polhode_source::FormatError;
 
 const BODY: &str = "[[body.part]]\nshape = 'tensor'\nmass = '1.3 kg'\ncenter_of_mass = [0.01, -0.02, 0.03]\n\
     inertia = [[0.011, 0.0004, -0.0003], [0.0004, 0.012, 0.0002], [-0.0003, 0.0002, 0.013]]\n";

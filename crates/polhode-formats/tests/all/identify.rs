@@ -5,9 +5,9 @@ use std::fs;
 use std::path::PathBuf;
 
 use polhode::math::{Acceleration, Attitude, Direction};
-use polhode_formats::FormatError;
 use polhode_formats::identify::{Measurement, PayloadPlan, read};
 use polhode_identify::payload::{PayloadRow, gravity_along};
+use polhode_source::FormatError;
 
 /// A folder of its own, gone at the end.
 struct Folder(PathBuf);

@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::Path;
 
-use polhode_formats::FormatError;
 use polhode_formats::identify::{self, Measurement, Plan};
 use polhode_identify::swing::{Damping, Measurement as Measured, Rig, identify_swings};
+use polhode_source::FormatError;
 
 const GOOD: &str = r#"title = "A plate"
 [swing]

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 
 use polhode::motion::{MassHistory, MassRow, Outflow};
 use polhode::prelude::*;
-use polhode_formats::{FormatError, scenario};
+use polhode_formats::scenario;
+use polhode_source::FormatError;
 
 const PARTS: &str = "[[body.part]]\nname = 'hull'\nshape = 'tensor'\nmass = '3 kg'\ncenter_of_mass = [0.1, -0.05, 0.3]\n\
     inertia = [[0.31, 0.012, -0.02], [0.012, 0.36, 0.03], [-0.02, 0.03, 0.14]]\n\

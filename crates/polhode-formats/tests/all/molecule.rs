@@ -4,10 +4,10 @@ use std::path::Path;
 
 use polhode::body::Severity;
 use polhode::observe::{RotationalConstants, Top};
-use polhode_formats::FormatError;
 use polhode_formats::molecule::{
     Atom, Element, Isotope, Isotopes, Molecule, MoleculeFormat, Species, mol, parse, pdb, xyz,
 };
+use polhode_source::FormatError;
 
 const ANGSTROM: f64 = 1e-10;
 const BOHR: f64 = 0.529_177_210_903;

@@ -1,7 +1,7 @@
 //! OBJ: its statements, its groups, and every way to be broken.
 
 use polhode_formats::mesh::{MeshContents, obj::read};
-use polhode_formats::{ContentError, ContentErrorKind as Kind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind as Kind, ContentPlace};
 
 /// A slanted prism: two triangles and three quadrilaterals, one of them in negative indices.
 const PRISM: &str = "# a prism

@@ -1,7 +1,7 @@
 //! OFF: its headers, its counts, every way to be broken; and one solid in three formats.
 
 use polhode_formats::mesh::{MeshContents, obj, off::read, ply};
-use polhode_formats::{ContentError, ContentErrorKind as Kind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind as Kind, ContentPlace};
 
 /// A slanted prism: two triangles and three quadrilaterals.
 const PRISM: &str = "OFF

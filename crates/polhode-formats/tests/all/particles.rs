@@ -5,7 +5,7 @@ use std::fmt::Write;
 use polhode::body::Particle;
 use polhode::math::{Body, Position};
 use polhode_formats::particles::{ParticleFile, ParticleOptions, read};
-use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 /// Mass in kg, place in m.
 const GENERIC: [[f64; 4]; 3] =

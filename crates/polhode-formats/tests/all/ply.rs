@@ -1,7 +1,7 @@
 //! PLY: its encodings, types and elements, and every way to be broken.
 
 use polhode_formats::mesh::ply::read;
-use polhode_formats::{ContentErrorKind as Kind, ContentPlace};
+use polhode_source::{ContentErrorKind as Kind, ContentPlace};
 
 const VERTICES: [[f32; 3]; 6] = [
     [0.1, -2.5, 3.25],

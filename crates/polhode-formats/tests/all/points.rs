@@ -1,7 +1,7 @@
 //! Clouds of points: one separator in a file, and no column that counts the points.
 
 use polhode_formats::mesh::points::read;
-use polhode_formats::{ContentError, ContentErrorKind};
+use polhode_source::{ContentError, ContentErrorKind};
 
 fn points(text: &str) -> Vec<[f64; 3]> {
     read(text.as_bytes()).unwrap().parts[0].mesh.coordinates().to_vec()

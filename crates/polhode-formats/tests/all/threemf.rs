@@ -4,9 +4,9 @@ use std::io::{Cursor, Write};
 
 use polhode::body::Severity;
 use polhode::body::mesh::ClosedMesh;
-use polhode_formats::ContentError;
 use polhode_formats::mesh::MeshContents;
 use polhode_formats::mesh::threemf::read;
+use polhode_source::ContentError;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
 /// A crooked octahedron: 0 to 3 are a ring, 4 is above it and 5 below.

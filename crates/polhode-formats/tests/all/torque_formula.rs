@@ -4,8 +4,8 @@ use polhode::math::formula::Formula;
 use polhode::motion::torque::{Drag, DragLaw, FormulaTorque};
 use polhode::motion::{Ending, Motor};
 use polhode::prelude::*;
-use polhode_formats::expression::formula_of_state;
-use polhode_formats::unit::Dimension;
+use polhode_source::expression::formula_of_state;
+use polhode_source::unit::Dimension;
 
 const BOTH: [Method; 2] = [Method::Taylor, Method::Dop853];
 

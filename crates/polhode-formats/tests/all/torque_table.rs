@@ -4,7 +4,8 @@ use std::fs;
 use std::path::PathBuf;
 
 use polhode::prelude::*;
-use polhode_formats::{FormatError, scenario};
+use polhode_formats::scenario;
+use polhode_source::FormatError;
 
 const BODY: &str = "[[body.part]]\nshape = 'box'\nsize = ['0.3 m', '0.2 m', '0.1 m']\nmass = '4 kg'\n\
                     [run]\nduration = '4 s'\nsamples = 5\n";

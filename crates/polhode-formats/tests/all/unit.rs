@@ -1,6 +1,6 @@
 //! Units: one rounding, the official definitions, and every way to be wrong.
 
-use polhode_formats::unit::{Dimension, UnitError, parse};
+use polhode_source::unit::{Dimension, UnitError, parse};
 
 /// The generator of Knuth's MMIX; the high bits are good.
 struct Random(u64);

@@ -8,7 +8,7 @@ use polhode::body::shape::{BoxShape, Shape, Substance};
 use polhode::body::{MassProperties, PlacedPart, assemble};
 use polhode::math::{Part, Position, Rotation};
 use polhode_formats::voxel::{VoxelOptions, Voxels, read};
-use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 const COUNTS: [usize; 3] = [2, 3, 4];
 const SIZE: [f64; 3] = [0.02, 0.035, 0.05];

@@ -5,9 +5,7 @@
 use std::collections::HashMap;
 use std::sync::atomic::AtomicBool;
 
-use hyper::StatusCode;
 use polhode::body::PrincipalFrame;
-use polhode_formats::FormatError;
 use polhode_report::display::equivalent_box;
 use polhode_robot::body::{LinkMass, link_mass};
 use polhode_robot::finding::{Finding, Severity};
@@ -17,6 +15,7 @@ use polhode_robot::line_index::{FilePlace, Places};
 use polhode_robot::model::{Joint, Link, ModelFormat, Pose, RobotModel};
 use polhode_robot::read::{ReadOptions, read_model, read_text};
 use polhode_robot::repair::proved;
+use polhode_source::FormatError;
 use serde::Serialize;
 use serde_json::Value;
 
@@ -24,6 +23,7 @@ use super::links::{LinkShapes, NotShown};
 use crate::answer::Refusal;
 use crate::documents::Document;
 use crate::{limits, watch};
+use hyper::StatusCode;
 
 #[derive(Debug, Serialize)]
 pub(crate) struct RobotInspection {

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use polhode_formats::FormatError;
 use polhode_formats::scenario::Draft;
 use polhode_report::explain_motion;
+use polhode_source::FormatError;
 use toml::Spanned;
 
 use super::LessonStep;

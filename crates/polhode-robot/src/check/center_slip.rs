@@ -3,7 +3,7 @@
 //! A slip undone must bring all three coordinates to the geometry's centroid, and may change none that is there already.
 //! A centroid at the origin confirms no unit, as every large factor leads there. A fix follows if one result is left.
 
-use polhode_formats::xml::Number;
+use polhode_source::xml::Number;
 
 use super::body::Body;
 use super::edit::{center, multiplied};

@@ -3,7 +3,7 @@
 //! The element is read again from its own text. Where the numbers there are not those of the model,
 //! because another frame, a class of defaults or an entity stands between, nothing is edited.
 
-use polhode_formats::xml::{Element, Number, with_root};
+use polhode_source::xml::{Element, Number, with_root};
 
 use super::written::{restyled, shifted};
 use crate::model::{Geometry, GeometryShape, Inertial, ModelFormat, RobotModel, Span};

@@ -8,7 +8,7 @@ use polhode::body::shape::{Shape, Substance};
 use polhode::body::{BodyError, MassProperties};
 use polhode_formats::mesh::collada::{self, UpAxis};
 use polhode_formats::mesh::{MeshContents, MeshFormat};
-use polhode_formats::read_text_file;
+use polhode_source::read_text_file;
 
 use super::{ENDED, MeshReading, Solid, VolumeKind, z_up};
 
@@ -54,7 +54,7 @@ impl Mesh {
                 return Err(format!("polhode reads no .{ending} meshes"));
             }
         };
-        let words = |error: polhode_formats::FormatError| match error.hint() {
+        let words = |error: polhode_source::FormatError| match error.hint() {
             Some(hint) => format!("{}; {hint}", error.message()),
             None => error.message(),
         };

@@ -230,7 +230,7 @@ fn unknown(model: &RobotModel, name: &str) -> LumpError {
 
 /// The joint that was probably meant.
 fn meant<'a>(model: &'a RobotModel, name: &str) -> Option<&'a str> {
-    polhode_formats::nearest(name, movable(model))
+    polhode_source::nearest(name, movable(model))
 }
 
 /// The joints that take a value of their own.

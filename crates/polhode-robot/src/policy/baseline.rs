@@ -3,7 +3,9 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, FormatError, json_value};
+use polhode_source::FormatError;
+use polhode_source::json_value;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use serde_json::{Value, json};
 
 use super::{Judged, Reason};

@@ -175,7 +175,7 @@ fn understood(said: &str) -> Result<(Vec<&'static str>, String), String> {
     let mut known = Vec::new();
     for code in codes.split([',', ' ', '\t', '\n', '\r']).filter(|code| !code.is_empty()) {
         let Some(rule) = rule(code) else {
-            let meant = polhode_formats::nearest(code, rules().map(|rule| rule.code));
+            let meant = polhode_source::nearest(code, rules().map(|rule| rule.code));
             let meant = meant.map_or(String::new(), |meant| format!(": did you mean {meant}?"));
             return Err(format!("there is no rule {code}{meant}"));
         };

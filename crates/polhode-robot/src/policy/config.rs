@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::Path;
 
-use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, FormatError, nearest};
+use polhode_source::FormatError;
+use polhode_source::nearest;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 

@@ -4,8 +4,10 @@
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
-use polhode_formats::xml::{plain, second_root};
-use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, FormatError, read_text_file};
+use polhode_source::FormatError;
+use polhode_source::read_text_file;
+use polhode_source::xml::{plain, second_root};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use crate::model::{Note, Source, Span};
 use crate::read::uri::Roots;

@@ -11,7 +11,7 @@ mod frame;
 mod joint;
 mod transform;
 
-use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use crate::model::{Inertial, Link, Name, Pose, RobotModel, Slot, Tensor};
 use crate::read::pose::Reading;

@@ -11,7 +11,7 @@ mod gather;
 
 use std::path::Path;
 
-use polhode_formats::ContentError;
+use polhode_source::ContentError;
 
 use crate::coordinate::limits;
 use crate::finding::Severity;

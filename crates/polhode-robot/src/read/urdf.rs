@@ -5,7 +5,7 @@
 use std::collections::HashMap;
 use std::path::Path;
 
-use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use crate::coordinate::limits;
 use crate::finding::Severity;

@@ -3,12 +3,14 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::common::{read, refused};
-use polhode_formats::{ContentErrorKind, FormatErrorKind};
 use polhode_robot::geometry::Shapes;
 use polhode_robot::inspect::inspect;
 use polhode_robot::model::{GeometryShape, Link, Role, Slot, Tensor};
 use polhode_robot::read::{ReadOptions, format_of, read_model, read_text};
+use polhode_source::ContentErrorKind;
+use polhode_source::FormatErrorKind;
+
+use crate::common::{read, refused};
 
 #[test]
 fn document_types_are_refused_where_they_stand() {

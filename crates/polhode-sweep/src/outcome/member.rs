@@ -5,8 +5,8 @@ use polhode::motion::{
     Scenario, Solution, State, StateError, StepStatistics, Trajectory,
 };
 use polhode::observe::{Drift, FreeRegime};
-use polhode_formats::FormatError;
 use polhode_report::Periods;
+use polhode_source::FormatError;
 
 use super::extrema::Extrema;
 use super::free;

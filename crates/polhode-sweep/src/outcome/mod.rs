@@ -11,7 +11,7 @@ mod member;
 mod trajectory;
 
 use polhode::motion::{Method, Scenario};
-use polhode_formats::FormatError;
+use polhode_source::FormatError;
 
 use crate::batch::{Batch, BatchError, Column, Values};
 use crate::plan::Plan;

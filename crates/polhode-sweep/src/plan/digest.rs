@@ -3,7 +3,9 @@
 use std::fmt::Write as _;
 
 use polhode_formats::scenario::Template;
-use polhode_formats::{FormatError, read_file};
+use polhode_source::FormatError;
+use polhode_source::read_file;
+
 use sha2::{Digest, Sha256};
 
 /// Counted up when members of the same plan become others.

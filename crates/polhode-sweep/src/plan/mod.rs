@@ -19,14 +19,14 @@ use std::path::Path;
 
 use polhode::body::{Finding, Severity};
 use polhode::motion::Scenario;
-use polhode_formats::FormatError;
 use polhode_formats::scenario::{Distribution, Law, Template, Vary};
-
-pub use polhode_formats::scenario::Sampling;
+use polhode_source::FormatError;
 
 use draw::{Draw, MOST_COORDINATES};
-pub(crate) use question::Condition;
 use uniform::{Coordinate, Sets};
+
+pub use polhode_formats::scenario::Sampling;
+pub(crate) use question::Condition;
 
 /// A scenario, and what differs from member to member.
 ///
@@ -54,7 +54,7 @@ use uniform::{Coordinate, Sets};
 /// let values = plan.values(123_456);
 /// assert_eq!(plan.variables()[0].name, "start_spin_body_y_rad_s");
 /// assert_eq!(plan.scenario(&values)?.start().omega.to_array(), [0.1, values[0], -0.3]);
-/// # Ok::<(), polhode_formats::FormatError>(())
+/// # Ok::<(), polhode_source::FormatError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Plan {

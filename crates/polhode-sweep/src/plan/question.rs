@@ -1,9 +1,10 @@
 //! Questions of a plan: conditions on the columns of its members.
 
 use polhode::math::formula::Formula;
-use polhode_formats::FormatError;
 use polhode_formats::scenario::{Question, Template};
-use polhode_formats::unit::{self, Dimension};
+use polhode_source::FormatError;
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
 
 use super::Variable;
 use crate::batch::{Batch, Column, Values};

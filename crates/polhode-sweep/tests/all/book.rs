@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use polhode_formats::FormatErrorKind;
+use polhode_source::FormatErrorKind;
 use polhode_sweep::Plan;
 
 const BALL: &str = "[[body.part]]\nshape = 'sphere'\nradius = 1\nmass = 1\n";

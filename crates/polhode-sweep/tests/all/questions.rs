@@ -21,7 +21,7 @@ duration = "10 s"
 samples = 11
 "#;
 
-fn plan(sweep: &str) -> Result<Plan, polhode_formats::FormatError> {
+fn plan(sweep: &str) -> Result<Plan, polhode_source::FormatError> {
     Plan::parse(format!("{BODY}{sweep}"), "plan.toml".as_ref())
 }
 

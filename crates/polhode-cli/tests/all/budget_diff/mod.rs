@@ -5,9 +5,8 @@ mod rich;
 
 use std::collections::BTreeSet;
 
-use polhode_formats::FormatErrorKind;
 use polhode_formats::budget::from_text;
-
+use polhode_source::FormatErrorKind;
 use serde_json::{Value, json};
 
 use crate::common::{Scratch, json, stdout};

@@ -1,10 +1,12 @@
 //! `[cad]`: what reports of CAD programs leave open.
 
+use polhode_source::FormatError;
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
+
 use crate::budget::heading::no_unit;
 use crate::cad::{CadOptions, DecimalMark, ProductConvention};
-use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
-use crate::unit::{self, Dimension};
 
 /// Reads `[cad]`.
 pub(super) fn options(table: &Table<'_>) -> Result<CadOptions, FormatError> {

@@ -1,14 +1,14 @@
 //! How much is in a tank, and how well that is known: `mass = "12 ± 0.3 kg"`, `fill = "75 % ± 2 %"`, `density = "0.9 g/cm^3 ± 1 %"`, and `mass_sd`, `fill_sd`, `density_sd`.
 
 use polhode_budget::{LiquidErrors, Measured};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::fraction;
 use crate::budget::cells::{MOST_DEVIATION, too_uncertain};
 use crate::budget::measured::{Amount, MARKS, measured, percent};
 use crate::budget::number::{Unit, Wrong};
-use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
-use crate::unit::Dimension;
 
 /// A number and its standard deviation, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! `[[group]]`: rows whose errors go together.
 
 use polhode_budget::Group;
+use polhode_source::FormatError;
 
-use crate::error::FormatError;
 use crate::scenario::reader::Value;
 
 const KEYS: [&str; 8] =

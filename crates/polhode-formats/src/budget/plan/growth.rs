@@ -1,8 +1,8 @@
 //! `[growth]`: allowances by maturity code.
 
 use polhode_budget::GrowthTable;
+use polhode_source::{FormatError, FormatErrorKind};
 
-use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::reader::Value;
 
 /// What is said of a number above 1 without %, which may be either.

@@ -2,11 +2,11 @@
 
 use polhode::math::{Body, Direction, Position};
 use polhode_budget::{About, Basis, Limit, Measure, PrincipalAxis, ProductSign};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::{PRODUCTS, sign_of};
-use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
-use crate::unit::Dimension;
 
 /// kg·m
 const UNBALANCE: Dimension = Dimension::new(1, 1, 0, 0);

@@ -16,12 +16,12 @@ pub(super) mod tank;
 use std::path::PathBuf;
 
 use polhode_budget::{Ballast, Group, GrowthTable, Limit, ProductSign};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::Questions;
 use crate::cad::CadOptions;
-use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
-use crate::unit::Dimension;
 use sequence::PlannedSequence;
 use table_file::{Sheets, TableOrigin};
 use tank::PlannedTank;

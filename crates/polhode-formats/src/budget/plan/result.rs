@@ -2,12 +2,12 @@
 
 use polhode::math::Position;
 use polhode_budget::Basis;
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use crate::budget::{MOST_DRAWS, Questions};
-use crate::error::FormatError;
 use crate::scenario::reader::Table;
 use crate::scenario::rotation::rotation;
-use crate::unit::Dimension;
 
 /// Fewer draws determine no standard deviation.
 const LEAST_DRAWS: usize = 10;

@@ -3,14 +3,14 @@
 use polhode::math::{AngularVelocity, Body};
 use polhode::motion::Outflow;
 use polhode_budget::Burn;
+use polhode_source::FormatError;
+use polhode_source::nearest;
+use polhode_source::unit::Dimension;
 
 use super::names;
 use super::tank::PlannedTank;
-use crate::error::FormatError;
 use crate::scenario::mass_history;
 use crate::scenario::reader::{Table, Value};
-use crate::scenario::suggestion::nearest;
-use crate::unit::Dimension;
 
 /// kg/s
 const FLOW: Dimension = Dimension::new(1, 0, -1, 0);

@@ -1,11 +1,11 @@
 //! `[[site]]` and `[ballast]`: where ballast may be, and how much.
 
 use polhode_budget::{Ballast, BallastPlace, Round, Site};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::limit::{direction, point};
-use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
-use crate::unit::Dimension;
 
 const KEYS: [&str; 10] = ["name", "at", "to", "radius", "normal", "rim", "holes", "first", "most", "sizes"];
 

@@ -1,8 +1,9 @@
 //! Sizes of tanks, and densities of liquids.
 
-use crate::error::FormatError;
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
+
 use crate::scenario::reader::Value;
-use crate::unit::Dimension;
 
 pub(super) fn not_negative(value: &Value<'_>) -> Result<f64, FormatError> {
     let length = value.quantity(Dimension::LENGTH)?;

@@ -3,18 +3,18 @@
 use polhode::body::{BodyError, InertiaTensor, MassProperties};
 use polhode::math::{Part, Position};
 use polhode_budget::{LiquidTable, ProductSign};
+use polhode_source::nearest;
+use polhode_source::text::cut;
+use polhode_source::unit::{Dimension, unit_of};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::size::not_negative;
 use crate::budget::cell::{Cell, Content};
 use crate::budget::heading::{no_unit, plain, split};
 use crate::budget::number::Unit;
 use crate::budget::sheet::Sheet;
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::reader::Value;
-use crate::scenario::suggestion::nearest;
-use crate::text::cut;
-use crate::unit::{Dimension, unit_of};
 
 /// A row, SI.
 #[derive(Default)]

@@ -3,14 +3,14 @@
 use std::path::PathBuf;
 
 use polhode_budget::{LiquidTable, ProductSign};
+use polhode_source::text::counted;
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::states::{is_of_mass, of_sheet, of_tables};
 use crate::budget::sheet::Sheet;
 use crate::budget::{bytes_of, csv, text};
-use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::reader::Value;
 use crate::scenario::source::Source;
-use crate::text::counted;
 
 /// The sheets of a workbook by their names, and what is to be said of each.
 pub(in crate::budget) type Sheets<'a> = dyn Fn(&str) -> Option<(Sheet<'a>, Vec<String>)> + 'a;

@@ -1,15 +1,15 @@
 //! `[[tank]]`: what liquids are in, and how much of them.
 
 use polhode_budget::{Down, Liquid, LiquidErrors, TankShape, Vessel};
+use polhode_source::nearest;
+use polhode_source::unit::Dimension;
+use polhode_source::{FormatError, FormatErrorKind};
 
 use super::contents::{Known, contents, quantity, relative};
 use super::size::{DENSITIES, SIZES, in_range, not_negative};
 use super::table_file::{ReadTable, Sheets, table_of};
 use super::{PRODUCTS, Plan, names, sign_of};
-use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::reader::{Table, Value};
-use crate::scenario::suggestion::nearest;
-use crate::unit::Dimension;
 
 /// A tank as a file gives it: which row it stands in is not known yet.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,6 +4,8 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 
+use polhode_source::package::xml::{Token, Xml};
+use polhode_source::{ContentError, ContentErrorKind};
 use quick_xml::events::BytesStart;
 
 use super::format::Format;
@@ -11,8 +13,6 @@ use super::plain;
 use super::strings::{Strings, is};
 use super::value::{Kind, RawText, Written, truth, value};
 use crate::budget::cell::{Broken, Cell, Content, SheetRow};
-use crate::content::{ContentError, ContentErrorKind};
-use crate::package::xml::{Token, Xml};
 
 /// What a sheet may have at most, by the standard that its programs follow.
 const MOST_ROWS: usize = 1 << 20;

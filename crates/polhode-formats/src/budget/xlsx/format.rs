@@ -3,9 +3,10 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use polhode_source::ContentError;
+use polhode_source::package::xml::{Token, Xml};
+
 use super::strings::is;
-use crate::content::ContentError;
-use crate::package::xml::{Token, Xml};
 
 /// How the numbers of a cell are shown.
 #[derive(Clone, Debug, PartialEq, Eq)]

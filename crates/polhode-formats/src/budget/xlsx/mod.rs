@@ -13,11 +13,12 @@ mod value;
 
 use std::path::Path;
 
+use polhode_source::package::archive::Archive;
+use polhode_source::package::relation::{Relation, relations};
+use polhode_source::package::xml::{Token, Xml};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
 use super::sheet::{Body, Origin, Sheet};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::package::archive::Archive;
-use crate::package::relation::{Relation, relations};
-use crate::package::xml::{Token, Xml};
 use cells::RawSheet;
 use strings::Strings;
 

@@ -2,11 +2,12 @@
 
 use std::ops::Range;
 
+use polhode_source::FormatError;
+
 use crate::budget::cell::{Cell, Content};
 use crate::budget::plan;
 use crate::budget::shape::quoted;
 use crate::budget::sheet::Sheet;
-use crate::error::FormatError;
 
 /// The TOML that sheets stand for, and of which cell each part of it is.
 #[derive(Default)]

@@ -1,9 +1,8 @@
 //! The strings of a workbook, which its cells share.
 
+use polhode_source::ContentError;
+use polhode_source::package::xml::{Token, Xml};
 use quick_xml::events::BytesStart;
-
-use crate::content::ContentError;
-use crate::package::xml::{Token, Xml};
 
 /// The strings of a workbook, one behind the other.
 #[derive(Debug, Default)]

@@ -2,11 +2,12 @@
 
 use std::ops::Range;
 
+use polhode_source::ContentError;
+use polhode_source::package::xml::{Token, Xml};
+
 use super::format::Format;
 use super::strings::{inside, is};
 use crate::budget::cell::{Broken, Content};
-use crate::content::ContentError;
-use crate::package::xml::{Token, Xml};
 
 #[derive(Debug)]
 pub(super) enum RawText {

@@ -2,10 +2,12 @@
 
 use std::ops::Range;
 
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
 use super::super::units;
 use super::{Measures, Number, Once, bad, exactly, shortest};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::unit::{self, Dimension};
 
 const HINT: &str =
     "paste what FreeCAD's console shows of Shape.Volume, Shape.CenterOfMass and Shape.MatrixOfInertia";

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
+use polhode_source::ContentError;
+
 use super::{Measures, Number, Once, bad, exactly};
-use crate::content::ContentError;
 
 const HINT: &str = "paste MeshLab's log from \"Mesh Volume is\" to the last row of \"Inertia Tensor is\": Filters, Quality Measure and \
                     Computations, Compute Geometric Measures";

@@ -1,15 +1,15 @@
 //! `logged = { log = "swing.csv", … }`: the angle of a swing, or its rate, in the course of time; or `{ times = […], values = […], … }`.
 
 use polhode_identify::swing::{Damping, Logged, Signal};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::super::number_log;
 use super::super::read_log::ReadLog;
 use super::super::wrench_columns::{Columns, Header, Told, Wrong};
 use super::super::wrench_quantity::{Quantity, TIME};
 use super::damping;
-use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
-use crate::unit::Dimension;
 
 const ANGLE: Quantity = Quantity {
     key: "angle",

@@ -7,11 +7,11 @@ mod rig;
 use polhode_identify::swing::{
     AmplitudeReading, Counted, Damping, Interval, Measured, Measurement, SwingPlan, SwingTest,
 };
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::read_log::ReadLog;
-use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
-use crate::unit::Dimension;
 use number::{Numbers, measured};
 
 /// Reads `[swing]`.

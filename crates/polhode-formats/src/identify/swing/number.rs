@@ -2,11 +2,12 @@
 
 use polhode::math::Direction;
 use polhode_identify::swing::{Linear, Measured, NumberId, Point, SwingPlan};
+use polhode_source::nearest;
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
+use polhode_source::{FormatError, FormatErrorKind};
 
-use crate::error::{FormatError, FormatErrorKind};
 use crate::scenario::reader::{Table, Value};
-use crate::scenario::suggestion::nearest;
-use crate::unit::{self, Dimension};
 
 /// What a number of a rig may be.
 const UNITS: [(Dimension, &str); 4] = [

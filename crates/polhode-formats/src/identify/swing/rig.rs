@@ -2,11 +2,11 @@
 
 use polhode::math::{Body, Direction, Position, Rotation, Space};
 use polhode_identify::swing::{Air, Axis, Fixture, Linear, Measured, Placement, Rig, SwingTest, Wire, Wires};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::number::{Numbers, unit_vector};
-use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
-use crate::unit::Dimension;
 
 const RIGS: [&str; 6] = ["bifilar", "trifilar", "torsion", "wires", "compound", "spindle"];
 const COMMON: [&str; 8] = ["name", "comment", "rig", "body", "fixture", "air", "counted", "logged"];
@@ -180,7 +180,7 @@ fn placed(up: [f64; 3], across: [f64; 3], test: &Table<'_>) -> Result<Placement,
     let point = place.map_or(Ok([0.0; 3]), |point| point.quantities(Dimension::LENGTH))?;
     let origin = rows.map(|row| -row.iter().zip(&point).map(|(a, b)| a * b).sum::<f64>());
     let rotation: Rotation<Space, Body> = Rotation::from_matrix(rows)
-        .map_err(|error| test.error(crate::error::FormatErrorKind::Rotation(error)))?;
+        .map_err(|error| test.error(polhode_source::FormatErrorKind::Rotation(error)))?;
     Ok(Placement { rotation, origin: Position::from_array(origin) })
 }
 

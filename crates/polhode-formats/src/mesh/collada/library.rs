@@ -2,9 +2,10 @@
 
 use std::collections::HashMap;
 
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::unit::{self, Dimension};
-use crate::xml::Element;
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
+use polhode_source::xml::Element;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::value::{missing, positive, start, unsupported};
 

@@ -19,14 +19,14 @@ mod value;
 use std::collections::{HashMap, HashSet};
 
 use polhode::body::{Finding, Severity};
+use polhode_source::package::unfolding::Budget;
+use polhode_source::xml::{Element, with_root};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use super::affine::Affine;
-use super::budget::Budget;
 use super::notes::Notes;
 use super::polygon::Polygons;
 use super::{MeshContents, MeshPart};
-use crate::content::{ContentError, ContentErrorKind};
-use crate::xml::{Element, with_root};
 use library::{Library, meter};
 use surface::Surface;
 use value::{expected, missing, start, unsupported};
@@ -61,7 +61,7 @@ pub enum UpAxis {
 /// assert_eq!((contents.unit, contents.parts[1].name.as_str()), (Some(0.0254), "high"));
 /// let corners = contents.parts[1].mesh.corners().next();
 /// assert_eq!(corners, Some([[0.0, 1.0, 10.0], [3.0, 0.0, 10.0], [5.0, 0.0, 12.0]]));
-/// # Ok::<(), polhode_formats::ContentError>(())
+/// # Ok::<(), polhode_source::ContentError>(())
 /// ```
 ///
 /// # Errors
@@ -105,7 +105,7 @@ fn require_version(root: Element<'_>) -> Result<(), ContentError> {
     match root.attribute("version") {
         Some(version) if !version.value.starts_with("1.4") && !version.value.starts_with("1.5") => {
             let kind = ContentErrorKind::Unsupported { what: format!("COLLADA {}", version.value) };
-            Err(ContentError::new(kind, crate::ContentPlace::Text(version.span))
+            Err(ContentError::new(kind, polhode_source::ContentPlace::Text(version.span))
                 .hint("export it as COLLADA 1.4.1"))
         }
         _ => Ok(()),

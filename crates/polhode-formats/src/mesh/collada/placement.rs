@@ -1,10 +1,10 @@
 //! How a node is placed in the one above it.
 
-use crate::content::{ContentError, ContentErrorKind};
-use crate::mesh::affine::Affine;
-use crate::xml::Element;
+use polhode_source::xml::Element;
+use polhode_source::{ContentError, ContentErrorKind};
 
 use super::value::{array, missing, start, unsupported};
+use crate::mesh::affine::Affine;
 
 /// What an element of a node says of its place; `None` if it says nothing of it.
 pub(super) fn of(element: Element<'_>) -> Result<Option<Affine>, ContentError> {

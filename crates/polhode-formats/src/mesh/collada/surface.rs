@@ -1,12 +1,12 @@
 //! Geometries: positions, and the faces between them.
 
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::mesh::parts::index;
-use crate::mesh::polygon::Polygons;
-use crate::xml::Element;
+use polhode_source::xml::Element;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::library::Library;
 use super::value::{count, declared, expected, finite, missing, start, unsupported, whole};
+use crate::mesh::parts::index;
+use crate::mesh::polygon::Polygons;
 
 /// A mesh as the file has it, before it is placed.
 #[derive(Debug, Default)]

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::xml::{Element, Written};
+use polhode_source::xml::{Element, Written};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 /// What an attribute counts; the default if it is not there.
 pub(super) fn whole(element: Element<'_>, name: &str, default: usize) -> Result<usize, ContentError> {

@@ -1,9 +1,10 @@
 //! Accessors: what the bytes of a view mean.
 
+use polhode_source::package::unfolding::Budget;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
 use super::buffer::{Buffers, View};
 use super::json::Json;
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::mesh::budget::Budget;
 
 /// The type of one component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,11 +7,11 @@ use std::rc::Rc;
 
 use base64::engine::general_purpose::{GeneralPurpose, NO_PAD};
 use base64::{Engine as _, alphabet};
+use polhode_source::file;
+use polhode_source::{Confinement, NotOpened};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use super::json::Json;
-use crate::confinement::{Confinement, NotOpened};
-use crate::content::{ContentError, ContentErrorKind};
-use crate::file;
 
 /// The buffers of a document, each read when it is first needed.
 #[derive(Debug)]

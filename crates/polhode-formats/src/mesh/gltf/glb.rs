@@ -1,6 +1,6 @@
 //! GLB: a header of twelve bytes, a chunk of JSON, and a chunk of bytes for its first buffer.
 
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 /// The document of a glTF file, and the buffer that came with it.
 #[derive(Clone, Copy, Debug)]

@@ -1,8 +1,7 @@
 //! A value of a JSON document that knows where it stands.
 
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use serde_json::Value;
-
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
 /// A value and its place: `nodes[3].matrix`.
 #[derive(Clone, Debug)]

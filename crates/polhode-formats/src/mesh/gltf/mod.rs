@@ -24,14 +24,14 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use polhode::body::Severity;
+use polhode_source::json_value;
+use polhode_source::package::unfolding::Budget;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use serde_json::Value;
 
 use super::affine::Affine;
-use super::budget::Budget;
 use super::notes::Notes;
 use super::{MeshContents, MeshPart};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::json::json_value;
 use buffer::Buffers;
 use json::Json;
 use node::Forest;
@@ -57,7 +57,7 @@ use primitive::Surface;
 /// assert_eq!((contents.unit, contents.parts.len()), (Some(1.0), 2));
 /// let corners = contents.parts[1].mesh.corners().next();
 /// assert_eq!(corners, Some([[0.0, 1.0, 2.0], [3.0, 0.0, 2.0], [5.0, 0.0, 4.0]]));
-/// # Ok::<(), polhode_formats::ContentError>(())
+/// # Ok::<(), polhode_source::ContentError>(())
 /// ```
 ///
 /// # Errors

@@ -1,13 +1,13 @@
 //! Nodes: a forest, and where each of them is.
 
 use polhode::body::Severity;
+use polhode_source::package::unfolding::Budget;
+use polhode_source::{ContentError, ContentErrorKind};
 
 use super::accessor;
 use super::buffer::Buffers;
 use super::json::Json;
-use crate::content::{ContentError, ContentErrorKind};
 use crate::mesh::affine::Affine;
-use crate::mesh::budget::Budget;
 use crate::mesh::notes::Notes;
 
 /// The nodes of a document: each has one parent at most, and none is above itself.

@@ -3,12 +3,12 @@
 use std::collections::HashMap;
 
 use polhode::body::Severity;
+use polhode_source::package::unfolding::Budget;
+use polhode_source::{ContentError, ContentErrorKind};
 
 use super::accessor;
 use super::buffer::{Buffers, UNPACK, compressed};
 use super::json::Json;
-use crate::content::{ContentError, ContentErrorKind};
-use crate::mesh::budget::Budget;
 use crate::mesh::notes::Notes;
 
 /// A mesh: the triangles of all its primitives.

@@ -1,6 +1,6 @@
 //! The values of a PLY file, one after another, in its three encodings.
 
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::super::scan::Scan;
 use super::header::{Encoding, Scalar};

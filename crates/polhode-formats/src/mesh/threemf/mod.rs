@@ -20,15 +20,15 @@ use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 use polhode::body::Severity;
+use polhode_source::package::archive::{Archive, key};
+use polhode_source::package::relation::relations;
+use polhode_source::package::unfolding::Budget;
+use polhode_source::package::xml::Xml;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::affine::Affine;
-use super::budget::Budget;
 use super::notes::Notes;
 use super::{MeshContents, MeshPart};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::package::archive::{Archive, key};
-use crate::package::relation::relations;
-use crate::package::xml::Xml;
 use model::{Contents, Model, Use};
 
 /// Reads the bytes of a 3MF file.

@@ -5,13 +5,13 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use polhode::body::Severity;
+use polhode_source::package::xml::{Token, Xml};
+use polhode_source::{ContentError, ContentErrorKind};
 use quick_xml::events::BytesStart;
 use quick_xml::events::attributes::Attribute;
 
-use crate::content::{ContentError, ContentErrorKind};
 use crate::mesh::affine::Affine;
 use crate::mesh::notes::Notes;
-use crate::package::xml::{Token, Xml};
 
 const CORE: &str = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
 const PRODUCTION: &str = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";

@@ -2,11 +2,11 @@
 
 use polhode::math::{Acceleration, Direction, Position, Space};
 use polhode::motion::contact::{Ground, GroundShape, GroundSide};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::all_keys;
-use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
-use crate::unit::Dimension;
 
 const COMMON: [&str; 2] = ["shape", "rate"];
 

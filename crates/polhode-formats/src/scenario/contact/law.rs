@@ -1,11 +1,11 @@
 //! What holds a body at its point of contact, and what resists its motion there.
 
 use polhode::motion::contact::{ContactLaw, Friction, Resistance};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::not_negative;
-use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
-use crate::unit::Dimension;
 
 /// `law = "rolling"`, `"friction"` with its coefficients, or `"frictionless"`; and what resists rolling and pivoting.
 pub(super) fn law(table: &Table<'_>) -> Result<ContactLaw, FormatError> {

@@ -8,10 +8,10 @@ mod surface;
 use polhode::math::{Acceleration, Space, Velocity};
 use polhode::motion::contact::{Contact, Grip, GroundShape, StartVelocity, SurfaceShape};
 use polhode::motion::{GroundContact, Method, Scenario};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::reader::{Table, Value};
-use crate::error::FormatError;
-use crate::unit::Dimension;
 
 /// A body on the ground, and the file that says so.
 pub(super) struct OnGround<'a> {

@@ -2,9 +2,9 @@
 
 use polhode::motion::contact::StartVelocity;
 use polhode::motion::{Event, Measure, MotionError};
+use polhode_source::FormatError;
 
 use super::OnGround;
-use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
 
 /// What the core calls a number that it refuses, the table and the key where that stands, and what helps.

@@ -1,12 +1,12 @@
 //! The surface with which a body touches the ground.
 
 use polhode::motion::contact::{BodySurface, SurfaceShape};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::{all_keys, not_negative};
-use crate::error::FormatError;
 use crate::scenario::placement::Placement;
 use crate::scenario::reader::{Table, Value};
-use crate::unit::Dimension;
 
 /// What to write where a surface is missing.
 pub(super) const EXAMPLE: &str = "surface = { shape = \"sphere\", radius = \"20 mm\" }";

@@ -1,10 +1,10 @@
 //! One axis of the gimbals: how it stands at the start, what holds it, what turns it.
 
 use polhode::motion::gimbal::{Axis, Spring};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
-use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
-use crate::unit::Dimension;
 
 /// The keys of an axis.
 pub(super) const KEYS: [&str; 8] =

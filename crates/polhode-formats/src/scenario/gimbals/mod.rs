@@ -5,11 +5,11 @@ mod axis;
 use polhode::math::{Acceleration, AngularVelocity, Direction, Position};
 use polhode::motion::gimbal::{Axis, Base, Gimbal, Gimbals};
 use polhode::motion::{Method, MotionError, Scenario};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::reader::{Table, Value};
 use super::tensor;
-use crate::error::FormatError;
-use crate::unit::Dimension;
 
 /// The keys of a gimbal's mass, beside those of its axis.
 const MASS: [&str; 6] = tensor::KEYS;

@@ -1,12 +1,12 @@
 //! `correlated`: several numbers, or mass properties, that are drawn together.
 
 use polhode_budget::{Correlated, NotCovariance};
+use polhode_source::FormatError;
+use polhode_source::text::cut;
+use polhode_source::unit::{Dimension, unit_of};
 
-use crate::error::FormatError;
 use crate::scenario::reader::Value;
 use crate::scenario::target::Target;
-use crate::text::cut;
-use crate::unit::{Dimension, unit_of};
 
 /// Numbers that are drawn together have so many columns at most.
 const MOST: usize = 16;

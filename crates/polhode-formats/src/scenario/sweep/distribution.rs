@@ -1,8 +1,10 @@
 //! How a number is distributed.
 
-use crate::error::FormatError;
+use polhode_source::FormatError;
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
+
 use crate::scenario::reader::{Table, Value};
-use crate::unit::{self, Dimension};
 
 /// How a number is distributed, SI.
 #[derive(Clone, Debug, PartialEq)]

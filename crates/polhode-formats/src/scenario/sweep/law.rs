@@ -1,14 +1,14 @@
 //! The law of a `[[sweep.vary]]`: a distribution of a number, of a direction, of a rotation, of mass properties, of what is drawn together.
 
 use polhode_budget::Correlated;
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::Sampling;
 use super::correlated::Numbers;
 use super::distribution::{Distribution, FORMS, distribution};
-use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
 use crate::scenario::target::{Catalogue, Target};
-use crate::unit::Dimension;
 
 /// How something varies.
 #[derive(Clone, Debug, PartialEq)]

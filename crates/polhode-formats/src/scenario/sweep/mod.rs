@@ -7,16 +7,16 @@ mod question;
 
 use polhode::body::{Finding, Severity};
 use polhode::motion::Scenario;
-
-pub use distribution::Distribution;
-pub use law::{Dispersion, Law, Spread};
-pub use question::Question;
+use polhode_source::{FormatError, Place};
 
 use super::reader::{Table, Value};
 use super::source::Source;
 use super::target::{Catalogue, Target};
 use super::tree::Entries;
-use crate::error::{FormatError, Place};
+
+pub use distribution::Distribution;
+pub use law::{Dispersion, Law, Spread};
+pub use question::Question;
 
 /// How members are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -202,7 +202,7 @@ fn members(
         let product = vary.iter().try_fold(1_u64, |product, vary| product.checked_mul(count(vary)));
         return product.filter(|product| *product <= MOST_MEMBERS).ok_or_else(|| {
             let counts: Vec<String> = vary.iter().map(|vary| count(vary).to_string()).collect();
-            list.error(crate::error::FormatErrorKind::Value {
+            list.error(polhode_source::FormatErrorKind::Value {
                 key: "sweep.vary".to_owned(),
                 value: counts.join(" × "),
                 rule: format!("at most {MOST_MEMBERS} combinations"),

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use crate::error::FormatError;
+use polhode_source::FormatError;
+
 use crate::scenario::reader::Table;
 
 /// A condition on the columns of a sweep, by its name.

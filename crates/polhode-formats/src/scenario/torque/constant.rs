@@ -2,11 +2,11 @@
 
 use polhode::math::Torque;
 use polhode::motion::torque::{ConstantTorque, TorqueModel};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::allow;
-use crate::error::FormatError;
 use crate::scenario::reader::Table;
-use crate::unit::Dimension;
 
 /// `axes = "body" | "space"`, `torque = [3]`
 pub(super) fn constant(table: &Table<'_>) -> Result<TorqueModel, FormatError> {

@@ -1,11 +1,11 @@
 //! A `[[torque]]` of model `drag`.
 
 use polhode::motion::torque::{Drag, DragLaw, TorqueModel};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::allow;
-use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value, each};
-use crate::unit::Dimension;
 
 /// `law = "linear" | "quadratic"`; `coefficient`, a quantity, [3] along the body's axes, or a matrix.
 pub(super) fn drag(table: &Table<'_>) -> Result<TorqueModel, FormatError> {

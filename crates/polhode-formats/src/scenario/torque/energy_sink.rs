@@ -1,11 +1,11 @@
 //! A `[[torque]]` of model `energy_sink`: what the inside of the body loses.
 
 use polhode::motion::torque::{EnergySink, TorqueModel};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::allow;
-use crate::error::FormatError;
 use crate::scenario::reader::Table;
-use crate::unit::Dimension;
 
 /// 1/(N·m·s)
 const PER_ANGULAR_MOMENTUM: Dimension = Dimension::new(-1, -2, 1, 0);

@@ -2,12 +2,12 @@
 
 use polhode::math::formula::Formula;
 use polhode::motion::torque::{FormulaTorque, TorqueModel};
+use polhode_source::FormatError;
+use polhode_source::expression::{formula_of_state, formula_of_state_in_si};
+use polhode_source::unit::Dimension;
 
 use super::allow;
-use crate::error::FormatError;
-use crate::expression::{formula_of_state, formula_of_state_in_si};
 use crate::scenario::reader::{Table, Value};
-use crate::unit::Dimension;
 
 /// `axes = "body" | "space"`, `torque = [3]` of formulas, `units = "checked" | "SI"`.
 pub(super) fn formula(table: &Table<'_>) -> Result<TorqueModel, FormatError> {

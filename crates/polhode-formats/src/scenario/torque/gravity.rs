@@ -2,12 +2,12 @@
 
 use polhode::math::Acceleration;
 use polhode::motion::torque::{TorqueModel, UniformGravity};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::allow;
-use crate::error::FormatError;
 use crate::scenario::body::Pivot;
 use crate::scenario::reader::{Table, Value};
-use crate::unit::Dimension;
 
 /// `pivot = [3]` in the body; `acceleration = [3]` in space, standard gravity along −z by default.
 pub(super) fn gravity<'a>(

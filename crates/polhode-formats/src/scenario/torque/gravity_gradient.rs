@@ -3,9 +3,9 @@
 use polhode::body::BodyPart;
 use polhode::motion::Orbit;
 use polhode::motion::torque::{Attracted, GravityGradient, TorqueModel};
+use polhode_source::FormatError;
 
 use super::allow;
-use crate::error::FormatError;
 use crate::scenario::body::Pivot;
 use crate::scenario::orbit;
 use crate::scenario::reader::Table;

@@ -3,12 +3,12 @@
 use polhode::math::Direction;
 use polhode::motion::Orbit;
 use polhode::motion::torque::{Magnetic, MagneticField, TorqueModel};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::allow;
-use crate::error::FormatError;
 use crate::scenario::orbit;
 use crate::scenario::reader::Table;
-use crate::unit::Dimension;
 
 /// `moment = [3]` in the body; `field = [3]` in space, or `dipole = [3]` in space at the centre of the `[orbit]`.
 pub(super) fn magnetic(table: &Table<'_>, orbit: Option<&Orbit>) -> Result<TorqueModel, FormatError> {

@@ -17,10 +17,10 @@ use std::ops::Range;
 use polhode::body::BodyPart;
 use polhode::motion::Orbit;
 use polhode::motion::torque::{MagneticField, TorqueModel};
+use polhode_source::FormatError;
 
 use super::body::Pivot;
 use super::reader::{Table, Value};
-use crate::error::FormatError;
 
 /// The models, as a file names them.
 const MODELS: [&str; 10] = [

@@ -1,10 +1,10 @@
 //! When a `[[torque]]` acts: keys of every model.
 
 use polhode::motion::torque::{Schedule, Scheduled, TorqueModel};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
-use crate::error::FormatError;
 use crate::scenario::reader::{Table, Value};
-use crate::unit::Dimension;
 
 /// The keys that every torque may have.
 pub(in crate::scenario) const KEYS: [&str; 3] = ["from", "until", "pulses"];

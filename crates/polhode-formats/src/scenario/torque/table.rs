@@ -10,15 +10,16 @@ use ::parquet::file::reader::{FileReader as _, SerializedFileReader};
 use ::parquet::record::Field;
 use bytes::Bytes;
 use polhode::motion::torque::{Interpolation, Schedule, Tabulated, TorqueAxes, TorqueModel};
+use polhode_source::FormatError;
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::{allow, schedule};
-use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::error::FormatError;
 use crate::scenario::csv::{self, fields, missing};
 use crate::scenario::reader::{Table, Value};
 use crate::scenario::rows::TorqueRows;
 use crate::scenario::tree::Known;
-use crate::unit::{self, Dimension};
 
 /// `axes = "body" | "space"`, `table = "torques.csv"`, `interpolation = "steps" | "linear" | "spline"`, `scale`; the table has to cover
 /// the time in which it acts, up to the end of the run.

@@ -2,11 +2,11 @@
 
 use polhode::math::{Force, Position};
 use polhode::motion::torque::{Thruster, TorqueModel};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::allow;
-use crate::error::FormatError;
 use crate::scenario::reader::Table;
-use crate::unit::Dimension;
 
 /// `position = [3]` and `force = [3]`, both along body axes.
 pub(super) fn thruster(table: &Table<'_>) -> Result<TorqueModel, FormatError> {

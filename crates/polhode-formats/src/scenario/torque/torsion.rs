@@ -2,12 +2,12 @@
 
 use polhode::math::{Attitude, Direction};
 use polhode::motion::torque::{TorqueModel, Torsion};
+use polhode_source::FormatError;
+use polhode_source::unit::Dimension;
 
 use super::allow;
-use crate::error::FormatError;
 use crate::scenario::reader::Table;
 use crate::scenario::rotation::rotation;
-use crate::unit::Dimension;
 
 /// `stiffness`; `rest`, an attitude, body axes along those of space by default; a wire's `axis` in space.
 pub(super) fn torsion(table: &Table<'_>) -> Result<TorqueModel, FormatError> {

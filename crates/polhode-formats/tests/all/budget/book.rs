@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use polhode_formats::FormatErrorKind;
 use polhode_formats::budget::from_text;
+use polhode_source::FormatErrorKind;
 
 use super::{Folder, csv};
 

@@ -18,8 +18,8 @@ use std::path::{Path, PathBuf};
 
 use polhode::math::Body;
 use polhode_budget::{Basis, Budget, Estimate};
-use polhode_formats::FormatError;
 use polhode_formats::budget::{BudgetFile, from_text, read};
+use polhode_source::FormatError;
 
 /// A folder of its own, gone at the end.
 struct Folder(PathBuf);

@@ -286,7 +286,7 @@ fn containers_that_are_broken() {
     );
     let text = b"{\n  \"asset\": {\"version\": \"2.0\"},\n  \"nodes\": [1 2]\n}";
     let error = gltf::read(text, Path::new(".")).unwrap_err();
-    assert_eq!(error.place, polhode_formats::ContentPlace::Text(47..48));
+    assert_eq!(error.place, polhode_source::ContentPlace::Text(47..48));
     assert_eq!(&text[47..48], b"2");
     assert!(gltf::read(&[b'['; 100_000], Path::new(".")).is_err());
     assert!(gltf::read(format!("{{\"a\":{}", "[".repeat(100_000)).as_bytes(), Path::new(".")).is_err());

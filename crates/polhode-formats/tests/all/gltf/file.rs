@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
-use polhode_formats::ContentError;
 use polhode_formats::mesh::{MeshContents, gltf};
+use polhode_source::ContentError;
 use serde_json::{Value, json};
 
 pub(super) const I8: u64 = 5120;

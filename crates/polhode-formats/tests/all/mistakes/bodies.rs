@@ -1,7 +1,7 @@
 //! Bodies that cannot be.
 
 use polhode::body::BodyError;
-use polhode_formats::FormatErrorKind;
+use polhode_source::FormatErrorKind;
 
 use super::{parse, refuses};
 

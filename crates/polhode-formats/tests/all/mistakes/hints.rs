@@ -5,7 +5,8 @@ use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use polhode_formats::{FormatError, FormatErrorKind, scenario};
+use polhode_formats::scenario;
+use polhode_source::{FormatError, FormatErrorKind};
 
 /// An example that is read, its text, and what it says.
 struct Example {

@@ -9,7 +9,8 @@ use std::path::Path;
 
 use polhode::body::Material;
 use polhode::motion::Scenario;
-use polhode_formats::{FormatError, FormatErrorKind, scenario};
+use polhode_formats::scenario;
+use polhode_source::{FormatError, FormatErrorKind};
 
 const BALL: &str = "[[body.part]]\nshape = 'sphere'\nradius = '20 mm'\nmass = '0.5 kg'\n";
 const RUN: &str = "[run]\nduration = '1 s'\n";

@@ -1,6 +1,6 @@
 //! Mistakes in what turns a body: torques, wheels, events.
 
-use polhode_formats::FormatErrorKind;
+use polhode_source::FormatErrorKind;
 
 use super::{BALL, RUN, parse, refuses};
 

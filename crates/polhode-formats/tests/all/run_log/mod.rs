@@ -8,7 +8,8 @@ mod written;
 
 use polhode::prelude::*;
 use polhode_formats::run_log::{self, Columns, RunLog};
-use polhode_formats::{ContentError, FormatError};
+use polhode_source::ContentError;
+use polhode_source::FormatError;
 
 /// Attitudes at generic places, none small, continuous.
 fn attitudes(rows: usize) -> Vec<Attitude> {

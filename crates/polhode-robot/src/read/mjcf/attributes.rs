@@ -52,7 +52,7 @@ fn note(element: Element<'_>, attribute: &str, known: &str, body: &str) -> Optio
     }
     let lower = attribute.to_ascii_lowercase();
     let same = known.split_ascii_whitespace().find(|name| **name == lower);
-    let meant = same.or_else(|| polhode_formats::nearest(&lower, known.split_ascii_whitespace()));
+    let meant = same.or_else(|| polhode_source::nearest(&lower, known.split_ascii_whitespace()));
     let question = meant.map_or_else(String::new, |meant| format!("; {meant} is one"));
     let message =
         format!("{attribute}=… is no attribute of <{}>: MuJoCo refuses the file{question}", element.name());

@@ -1,14 +1,13 @@
 //! Joints, and what hangs without one.
 
-use polhode_formats::ContentError;
-
-use crate::coordinate::limits;
-use crate::model::{Coordinate, Joint, JointKind, Name, Pose, Span};
-use crate::read::xml::{Element, is_true};
+use polhode_source::ContentError;
 
 use super::compiler::Settings;
 use super::defaults::Source;
 use super::{Branch, Reader, made_up};
+use crate::coordinate::limits;
+use crate::model::{Coordinate, Joint, JointKind, Name, Pose, Span};
+use crate::read::xml::{Element, is_true};
 
 impl<'a> Reader<'_, 'a, '_> {
     pub(super) fn joint(&mut self, branch: &Branch<'a>) {

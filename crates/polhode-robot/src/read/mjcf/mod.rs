@@ -26,7 +26,7 @@ use std::collections::HashMap;
 use std::path::PathBuf;
 use std::rc::Rc;
 
-use polhode_formats::ContentError;
+use polhode_source::ContentError;
 
 use crate::finding::Severity;
 use crate::model::{Link, Name, Note, Pose, RobotModel, Span, UnreadBodies};

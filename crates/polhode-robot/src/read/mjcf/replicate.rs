@@ -2,13 +2,12 @@
 
 use std::rc::Rc;
 
-use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
-
-use crate::model::Pose;
-use crate::read::xml::Element;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::equality::Origin;
 use super::{Branch, Reader};
+use crate::model::Pose;
+use crate::read::xml::Element;
 
 /// Elements of a tree with all its copies. A file of a hundred bytes could ask for more than any memory holds.
 const MOST_ELEMENTS: usize = 300_000;

@@ -5,7 +5,7 @@
 //!
 //! Source: sdformat.org/spec, `<include>`, and its "Model composition"; libsdformat, where these say less.
 
-use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::frames::{FrameKind, Frames, Scope};
 use super::pose;

@@ -4,7 +4,7 @@
 
 use std::collections::HashMap;
 
-use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::token::{Token, TokenKind, tokens};
 use crate::model::{Name, Number, Span};

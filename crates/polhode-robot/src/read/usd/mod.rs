@@ -20,7 +20,7 @@ mod xform;
 
 use std::collections::HashMap;
 
-use polhode_formats::ContentError;
+use polhode_source::ContentError;
 
 use crate::finding::Severity;
 use crate::model::{Note, Pose, RobotModel};

@@ -1,6 +1,6 @@
 //! The words of USD's text.
 
-use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use crate::model::Span;
 

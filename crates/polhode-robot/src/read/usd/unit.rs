@@ -1,6 +1,6 @@
 //! The units of a layer, and numbers in SI.
 
-use polhode_formats::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::layer::{Layer, Value};
 use crate::model::{Note, Number};

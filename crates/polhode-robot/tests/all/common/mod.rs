@@ -4,9 +4,9 @@
 
 use std::path::PathBuf;
 
-use polhode_formats::FormatError;
 use polhode_robot::model::{RobotModel, Slot};
 use polhode_robot::read::{ReadOptions, read_text};
+use polhode_source::FormatError;
 
 pub(crate) type Matrix = [[f64; 3]; 3];
 

@@ -1,0 +1,486 @@
+//! Why a file could not be read, and exactly where.
+
+use std::error::Error;
+use std::fmt;
+use std::io;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use polhode::body::BodyError;
+use polhode::math::RotationError;
+use polhode::motion::MotionError;
+
+use crate::content::{ContentError, ContentPlace};
+use crate::expression::ExpressionError;
+use crate::text::{cut, escaped, is_utf16, visible};
+use crate::unit::UnitError;
+
+/// Why a file could not be read: which file, where in it, what stands there, the rule that it breaks, and what to
+/// write instead.
+///
+/// Prints as `path:line:column: message`; [`FormatError::place`] has the line itself for whoever draws a snippet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FormatError(Box<Report>);
+
+#[derive(Clone, Debug, PartialEq)]
+struct Report {
+    path: PathBuf,
+    place: Option<Spot>,
+    kind: FormatErrorKind,
+    hint: Option<String>,
+    named_in: Option<(PathBuf, Spot)>,
+}
+
+/// A place in a file.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Spot {
+    /// Of text.
+    Text(Place),
+    /// A cell of a workbook, as its programs write it: `parts!F12`.
+    Cell(String),
+}
+
+/// What is wrong with a file.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum FormatErrorKind {
+    /// The file cannot be opened or read.
+    Io {
+        /// The file, as its user wrote it.
+        file: String,
+        /// What kind of failure it was.
+        kind: io::ErrorKind,
+        /// In words.
+        why: String,
+    },
+    /// A text file that is not UTF-8.
+    NotUtf8 {
+        /// The first byte that does not belong.
+        byte: u8,
+    },
+    /// Text in UTF-16, where UTF-8 belongs.
+    Utf16,
+    /// The text does not follow TOML's grammar.
+    Toml {
+        /// What the parser says.
+        message: String,
+    },
+    /// A key that means nothing in its place.
+    UnknownKey {
+        /// The key.
+        key: String,
+        /// The table that it stands in.
+        table: String,
+        /// The key that was probably meant.
+        suggestion: Option<&'static str>,
+        /// All keys that mean something there.
+        known: Vec<&'static str>,
+    },
+    /// A key that has to be there and is not.
+    MissingKey {
+        /// The key.
+        key: &'static str,
+        /// The table that lacks it.
+        table: String,
+        /// A line that would do.
+        example: &'static str,
+    },
+    /// Two keys that exclude each other.
+    Conflict {
+        /// The keys, in the order of the file.
+        keys: [&'static str; 2],
+        /// Why they do.
+        rule: &'static str,
+    },
+    /// A value of the wrong type, or an array of the wrong length.
+    WrongType {
+        /// The key whose value it is.
+        key: String,
+        /// What belongs there.
+        expected: String,
+        /// What stands there.
+        found: String,
+    },
+    /// A value that breaks a rule.
+    Value {
+        /// The key whose value it is.
+        key: String,
+        /// The value, as it is written.
+        value: String,
+        /// What it has to be.
+        rule: String,
+    },
+    /// A text that is not the quantity that belongs there.
+    Unit(UnitError),
+    /// A text that is not a formula.
+    Formula(ExpressionError),
+    /// Numbers that are not a body.
+    Body(BodyError),
+    /// Triangles that bound no solid.
+    Mesh {
+        /// The part of the file, if it has a name.
+        part: Option<String>,
+        /// Why not.
+        error: BodyError,
+    },
+    /// Numbers that are not a motion.
+    Motion(MotionError),
+    /// Numbers that are not a rotation.
+    Rotation(RotationError),
+    /// Numbers that break a rule of the file's subject: of a budget, a measurement, a mesh.
+    Subject {
+        /// The rule in words, with the values.
+        message: String,
+        /// What to do about it.
+        hint: Option<String>,
+    },
+    /// Contents that are not what the format asks for.
+    Content(ContentError),
+}
+
+/// A place in a text file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// Line, from 1.
+    pub line: usize,
+    /// Character in the line, from 1.
+    pub column: usize,
+    /// Bytes in the file.
+    pub span: Range<usize>,
+    /// The line, one visible character for each of its own; of a very long one, the part around the place.
+    pub excerpt: String,
+    /// Characters of the excerpt that the place covers.
+    pub marked: Range<usize>,
+}
+
+impl FormatError {
+    /// Error in a file, at a place in its text if there is one.
+    pub fn new(path: &Path, place: Option<Place>, kind: FormatErrorKind) -> Self {
+        Self::at(path, place.map(Spot::Text), kind)
+    }
+
+    /// Error in a file, at a place in its text or at a cell.
+    pub fn at(path: &Path, place: Option<Spot>, kind: FormatErrorKind) -> Self {
+        Self(Box::new(Report { path: path.to_owned(), place, kind, hint: None, named_in: None }))
+    }
+
+    /// The same where a text that was made of cells is that of no file: its places become those of the cells.
+    pub fn moved(mut self, path: &Path, spot: impl Fn(&Place) -> Option<Spot>) -> Self {
+        let moved = |place: Spot| match place {
+            Spot::Text(place) => spot(&place),
+            cell @ Spot::Cell(_) => Some(cell),
+        };
+        if self.0.path == path {
+            self.0.place = self.0.place.and_then(moved);
+        } else if let Some((named_in, place)) = self.0.named_in.take() {
+            self.0.named_in = moved(place).map(|place| (named_in, place));
+        }
+        self
+    }
+
+    /// An error in the contents, with its line if they are text.
+    pub fn of_content(path: &Path, bytes: &[u8], error: ContentError) -> Self {
+        if is_utf16(bytes) {
+            return Self::new(path, None, FormatErrorKind::Utf16);
+        }
+        let place = match &error.place {
+            ContentPlace::Text(span) => Some(Place::in_bytes(bytes, span.clone())),
+            _ => None,
+        };
+        Self::new(path, place, FormatErrorKind::Content(error))
+    }
+
+    /// Text that is not UTF-8, from some byte on.
+    pub fn not_utf8(path: &Path, bytes: &[u8], valid: usize) -> Self {
+        if is_utf16(bytes) {
+            return Self::new(path, None, FormatErrorKind::Utf16);
+        }
+        let byte = bytes.get(valid).copied().unwrap_or_default();
+        // What stands before it is text, and shows the place.
+        let place = Place::in_text(&String::from_utf8_lossy(bytes), valid..valid);
+        Self::new(path, Some(place), FormatErrorKind::NotUtf8 { byte })
+    }
+
+    /// Something else that is wrong at the same place.
+    pub fn replaced(mut self, kind: FormatErrorKind) -> Self {
+        (self.0.kind, self.0.hint) = (kind, None);
+        self
+    }
+
+    /// The same with a hint that knows more than its kind does.
+    pub fn with_hint(mut self, hint: impl Into<String>) -> Self {
+        self.0.hint = Some(hint.into());
+        self
+    }
+
+    /// The same about a file that another file names.
+    pub fn named_in(self, path: &Path, place: Place) -> Self {
+        self.named_at(path, Spot::Text(place))
+    }
+
+    /// The same error in a file that another file names, at a place or a cell there.
+    pub fn named_at(mut self, path: &Path, place: Spot) -> Self {
+        self.0.named_in = Some((path.to_owned(), place));
+        self
+    }
+
+    /// The file that it is about.
+    pub fn path(&self) -> &Path {
+        &self.0.path
+    }
+
+    /// Where in the file; `None` if it is about the file as a whole, or the file is binary.
+    pub fn place(&self) -> Option<&Place> {
+        match &self.0.place {
+            Some(Spot::Text(place)) => Some(place),
+            _ => None,
+        }
+    }
+
+    /// The cell of a workbook, as its programs write it: `parts!F12`.
+    pub fn cell(&self) -> Option<&str> {
+        match &self.0.place {
+            Some(Spot::Cell(cell)) => Some(cell),
+            _ => None,
+        }
+    }
+
+    /// What is wrong.
+    pub fn kind(&self) -> &FormatErrorKind {
+        &self.0.kind
+    }
+
+    /// What is wrong, as a sentence without the place.
+    pub fn message(&self) -> String {
+        self.0.kind.to_string()
+    }
+
+    /// What to do about it, where there is something to say.
+    pub fn hint(&self) -> Option<String> {
+        self.0.hint.clone().or_else(|| self.0.kind.hint())
+    }
+
+    /// The file and the place that name the file that it is about: the `file = "part.stl"` of a scenario.
+    pub fn origin(&self) -> Option<(&Path, &Place)> {
+        match &self.0.named_in {
+            Some((path, Spot::Text(place))) => Some((path, place)),
+            _ => None,
+        }
+    }
+
+    /// The workbook and its cell that name the file that it is about.
+    pub fn origin_cell(&self) -> Option<(&Path, &str)> {
+        match &self.0.named_in {
+            Some((path, Spot::Cell(cell))) => Some((path, cell)),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for FormatError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let place = |f: &mut fmt::Formatter<'_>, path: &Path, place: Option<&Spot>| match place {
+            Some(Spot::Text(place)) => write!(f, "{}:{}:{}", shown(path), place.line, place.column),
+            Some(Spot::Cell(cell)) => write!(f, "{}: {}", shown(path), escaped(cell)),
+            None => f.write_str(&shown(path)),
+        };
+        place(f, self.path(), self.0.place.as_ref())?;
+        write!(f, ": {}", self.0.kind)?;
+        if let Some((path, at)) = &self.0.named_in {
+            f.write_str(" (named in ")?;
+            place(f, path, Some(at))?;
+            f.write_str(")")?;
+        }
+        Ok(())
+    }
+}
+
+impl Error for FormatError {}
+
+impl fmt::Display for FormatErrorKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Io { file, why, .. } => write!(f, "cannot read {file:?}: {why}"),
+            Self::NotUtf8 { byte } => {
+                write!(f, "the file is not UTF-8 text: the byte 0x{byte:02X} does not belong")
+            }
+            Self::Utf16 => f.write_str("the file is text in UTF-16; polhode reads UTF-8"),
+            Self::Toml { message } => f.write_str(message),
+            Self::UnknownKey { key, table, .. } => write!(f, "unknown key {:?} in {table}", cut(key)),
+            Self::MissingKey { key, table, .. } => write!(f, "the key {key} is missing in {table}"),
+            Self::Conflict { keys: [a, b], rule } => write!(f, "{a} and {b} are both given: {rule}"),
+            Self::WrongType { key, expected, found } => write!(f, "{key} must be {expected}, not {found}"),
+            Self::Value { key, value, rule } => write!(f, "{key} = {value} must be {rule}"),
+            Self::Unit(e) => e.fmt(f),
+            // The column is the error's own.
+            Self::Formula(e) => e.kind.fmt(f),
+            Self::Body(e) | Self::Mesh { part: None, error: e } => e.fmt(f),
+            Self::Mesh { part: Some(part), error } => write!(f, "part {part:?}: {error}"),
+            Self::Motion(e) => e.fmt(f),
+            Self::Rotation(e) => e.fmt(f),
+            Self::Subject { message, .. } => f.write_str(message),
+            Self::Content(e) if matches!(e.place, ContentPlace::Text(_)) => e.kind.fmt(f),
+            Self::Content(e) => e.fmt(f),
+        }
+    }
+}
+
+impl FormatErrorKind {
+    /// An error of a subject, with what to do about it.
+    pub fn subject(error: &impl fmt::Display, hint: Option<&str>) -> Self {
+        Self::Subject { message: error.to_string(), hint: hint.map(str::to_owned) }
+    }
+
+    fn hint(&self) -> Option<String> {
+        match self {
+            Self::Io { kind: io::ErrorKind::NotFound, .. } => {
+                Some("check the spelling; a relative path starts at the current folder".to_owned())
+            }
+            Self::Io { kind: io::ErrorKind::IsADirectory, .. } => Some("name a file in it".to_owned()),
+            Self::Io { kind: io::ErrorKind::UnexpectedEof, .. } => {
+                Some("let the program that writes it come to its end first".to_owned())
+            }
+            Self::Toml { .. } => {
+                Some("a line is key = value, [table] or [[table]]; text is in quotes".to_owned())
+            }
+            Self::Io { .. } | Self::WrongType { .. } | Self::Value { .. } => None,
+            Self::NotUtf8 { .. } => Some("save the file as UTF-8".to_owned()),
+            Self::Utf16 => Some("save the file as UTF-8, or iconv -f UTF-16 -t UTF-8 FILE > NEW".to_owned()),
+            Self::UnknownKey { suggestion, known, .. } => {
+                let meant = suggestion.map_or(String::new(), |key| format!("did you mean {key}? "));
+                Some(format!("{meant}the keys here are {}", known.join(", ")))
+            }
+            Self::MissingKey { example, .. } => Some(format!("write {example}")),
+            Self::Conflict { .. } => Some("leave one of them out".to_owned()),
+            Self::Unit(e) => e.hint(),
+            Self::Formula(e) => e.hint(),
+            Self::Mesh { error: BodyError::OpenMesh { .. } | BodyError::Unorientable { .. }, .. } => Some(
+                "close the surface in the tool that made it (vertices that only nearly coincide count as \
+                 different); or take its convex hull by --hull, or a sheet along it by --shell"
+                    .to_owned(),
+            ),
+            Self::Mesh { error: BodyError::OverlappingMesh { .. }, .. } => Some(
+                "unite the solids in the tool that made the mesh (boolean union); or take the convex hull of all of \
+                 it by --hull"
+                    .to_owned(),
+            ),
+            Self::Body(e) | Self::Mesh { error: e, .. } => {
+                Some(e.hint().unwrap_or_else(|| body_hint(e)).to_owned())
+            }
+            Self::Motion(e) => e.hint().map(str::to_owned),
+            Self::Rotation(e) => Some(rotation_hint(e).to_owned()),
+            Self::Subject { hint, .. } => hint.clone(),
+            Self::Content(e) => e.hint.clone(),
+        }
+    }
+}
+
+/// What a file's author can do about a body that the core has no advice for.
+fn body_hint(error: &BodyError) -> &'static str {
+    match error {
+        BodyError::Parameter { what: "the torus's tube radius", .. } => {
+            "ring_radius goes to the middle of the tube: a tube wider than its ring overlaps itself"
+        }
+        BodyError::Parameter { what: "the tetrahedron's volume", .. } => {
+            "four corners in one plane bound no solid: move one of them out of it"
+        }
+        BodyError::Parameter {
+            what: "the cylinder's inner radius" | "the sphere's inner radius", ..
+        } => {
+            "inner_radius is the radius of the cavity: the wall is radius − inner_radius thick; one without thickness is a cylinder_shell or a sphere_shell"
+        }
+        BodyError::Parameter {
+            what: "the triangular plate's area" | "the triangular prism's area", ..
+        } => "three corners on one line enclose no area: move one of them off it",
+        BodyError::Parameter {
+            what: "the larger radius of the cone" | "the larger radius of the conical shell",
+            ..
+        } => "a cone has a tip at one end at most: give radius or top_radius a length",
+        BodyError::Parameter { what: "the mesh's unit", .. } => "it is in metres: 0.001 for millimetres",
+        BodyError::Parameter { value, .. } if !value.is_finite() => {
+            "it is beyond the largest double, 1.8e308: check the units and the exponents"
+        }
+        BodyError::Parameter { value, .. } if value.abs() < f64::MIN_POSITIVE => {
+            "it is below the smallest double, 2.2e-308: check the units and the exponents"
+        }
+        BodyError::Empty { what: "particles" } => {
+            "give at least one: particles = [{ mass = \"1 kg\", position = [0, 0, \"0.5 m\"] }]"
+        }
+        BodyError::FlatMesh { .. } => {
+            "a solid has a thickness: export the solid body, not a sheet, and with enough digits for its unit"
+        }
+        BodyError::FlatPoints { .. } => "a hull needs four points that do not lie in one plane",
+        BodyError::Vertex { .. } => "export the mesh again, in a unit in which its coordinates are finite",
+        BodyError::Empty { .. } => "export the solid body, not the empty document",
+        _ => "check its sign and its unit",
+    }
+}
+
+fn rotation_hint(error: &RotationError) -> &'static str {
+    match error {
+        RotationError::Quaternion { .. } => {
+            "no turn at all is quaternion = [1, 0, 0, 0]: the scalar comes first"
+        }
+        RotationError::Axis { .. } => "the z axis is [0, 0, 1]; any length will do",
+        RotationError::Matrix { .. } => {
+            "its columns are the turned axes: of length 1, perpendicular, right-handed, with eight digits or more"
+        }
+        _ => "an angle is finite",
+    }
+}
+
+impl Place {
+    /// The bytes `span` of a file that is text, or nearly; lines end in \n, \r\n or \r.
+    pub fn in_bytes(bytes: &[u8], span: Range<usize>) -> Self {
+        let start = span.start.min(bytes.len());
+        let end = span.end.clamp(start, bytes.len());
+        let is_break =
+            |i: &usize| bytes[*i] == b'\n' || bytes[*i] == b'\r' && bytes.get(i + 1) != Some(&b'\n');
+        let line = 1 + (0..start).filter(is_break).count();
+        let line_start = (0..start).rev().find(is_break).map_or(0, |i| i + 1);
+        let rest = &bytes[line_start..];
+        let length = rest.iter().position(|b| b"\r\n".contains(b)).unwrap_or(rest.len());
+        let (before, after) = rest[..length].split_at((start - line_start).min(length));
+        let marked = (end - start).min(after.len());
+        let before = String::from_utf8_lossy(before);
+        let marked = String::from_utf8_lossy(&after[..marked]).len();
+        let text = format!("{before}{}", String::from_utf8_lossy(after));
+        let local = Self::in_text(&text, before.len()..before.len() + marked);
+        Self { line, span: start..end, ..local }
+    }
+
+    /// The bytes `span` of a text.
+    pub fn in_text(text: &str, span: Range<usize>) -> Self {
+        /// Characters that are shown of a line.
+        const SHOWN: usize = 160;
+        let start = text.floor_char_boundary(span.start.min(text.len()));
+        let end = text.floor_char_boundary(span.end.clamp(start, text.len()));
+        let line_start = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
+        let line_end = text[start..].find('\n').map_or(text.len(), |newline| start + newline);
+        // A byte order mark is no character of the first line.
+        let first = if line_start == 0 && text.starts_with('\u{feff}') { 3.min(start) } else { line_start };
+        let before = text[first..start].chars().count();
+        let width = text[start..end.min(line_end).max(start)].trim_end().chars().count().max(1);
+        let skipped = before.saturating_sub(SHOWN / 2);
+        let excerpt: String = text[first..line_end]
+            .trim_end_matches('\r')
+            .chars()
+            .skip(skipped)
+            .take(SHOWN)
+            .map(visible)
+            .collect();
+        let from = before - skipped;
+        Self {
+            line: 1 + text[..start].matches('\n').count(),
+            column: 1 + before,
+            span: start..end,
+            excerpt,
+            marked: from..(from + width).min(SHOWN.max(from + 1)),
+        }
+    }
+}
+
+/// A path as messages print it.
+fn shown(path: &Path) -> String {
+    escaped(&path.to_string_lossy())
+}

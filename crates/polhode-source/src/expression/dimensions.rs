@@ -1,0 +1,220 @@
+//! What the parts of a formula measure: from its variables and units to its value.
+
+use std::f64::consts::PI;
+
+use polhode::math::formula::{Binary, Instruction, Unary};
+
+use super::function::FUNCTIONS;
+use super::{ExpressionError, ExpressionErrorKind};
+use crate::unit::Dimension;
+
+/// An instruction, where the text has it, and, of a number, what its unit measures.
+#[derive(Clone, Copy, Debug)]
+pub struct Step {
+    pub instruction: Instruction,
+    pub column: usize,
+    pub dimension: Dimension,
+}
+
+/// What a value measures.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Measured {
+    /// Nothing yet: it is a 0 that fits everywhere.
+    Zero,
+    As(Dimension),
+}
+
+/// On the stack.
+#[derive(Clone, Copy, Debug)]
+struct Operand {
+    measured: Measured,
+    /// The value, if it is a number in the text.
+    number: Option<f64>,
+    angle: Angle,
+}
+
+/// Whether a plain number is an angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Angle {
+    /// A variable that is one, or a number with its unit.
+    Is,
+    /// A number without a unit, which may be meant in degrees.
+    Bare(f64),
+    /// An angle and a number without a unit, added or the like.
+    Mixed(f64),
+    Open,
+}
+
+impl Angle {
+    /// The number without a unit, of two of which at least one is an angle.
+    const fn bare_beside(self, other: Self) -> Option<f64> {
+        match (self, other) {
+            (Self::Mixed(x), _)
+            | (_, Self::Mixed(x))
+            | (Self::Is, Self::Bare(x))
+            | (Self::Bare(x), Self::Is) => Some(x),
+            _ => None,
+        }
+    }
+
+    /// Of a sum, or of the greater of two.
+    const fn joined(self, other: Self) -> Self {
+        match (self.bare_beside(other), self, other) {
+            (Some(x), ..) => Self::Mixed(x),
+            (None, Self::Is, _) | (None, _, Self::Is) => Self::Is,
+            _ => Self::Open,
+        }
+    }
+}
+
+/// What the value measures, angles not counted; everything is of the dimension that its place asks for.
+pub fn measure(steps: &[Step], variables: &[Dimension]) -> Result<Measured, ExpressionError> {
+    let mut stack: Vec<Operand> = Vec::new();
+    for step in steps {
+        let at = stack.len().saturating_sub(step.instruction.operands());
+        let operands = stack.split_off(at);
+        let result = step.result(&operands, variables);
+        stack.push(result.map_err(|kind| ExpressionError { kind, column: step.column })?);
+    }
+    Ok(stack.pop().map_or(Measured::Zero, |value| value.measured))
+}
+
+impl Step {
+    fn result(&self, operands: &[Operand], variables: &[Dimension]) -> Result<Operand, ExpressionErrorKind> {
+        let is_angle = |dimension: Dimension| {
+            if dimension == Dimension::ANGLE { Angle::Is } else { Angle::Open }
+        };
+        let measured = match (self.instruction, operands) {
+            (Instruction::Constant(value), _) => {
+                let is_bare = value != 0.0 && value != PI && self.dimension == Dimension::NONE;
+                let is_zero = value == 0.0 && self.dimension == Dimension::NONE;
+                let measured = Measured::As(self.dimension.without_angle());
+                return Ok(Operand {
+                    measured: if is_zero { Measured::Zero } else { measured },
+                    number: Some(value),
+                    angle: if is_bare { Angle::Bare(value) } else { is_angle(self.dimension) },
+                });
+            }
+            (Instruction::Variable(k), _) => {
+                let dimension = variables.get(k).copied().unwrap_or(Dimension::NONE);
+                let measured = Measured::As(dimension.without_angle());
+                return Ok(Operand { measured, number: None, angle: is_angle(dimension) });
+            }
+            (Instruction::Unary(Unary::Negate), &[a]) => {
+                return Ok(Operand { number: a.number.map(|x| -x), ..a });
+            }
+            (Instruction::Unary(Unary::Abs), &[a]) => return Ok(Operand { number: None, ..a }),
+            (Instruction::Unary(Unary::Asin | Unary::Acos | Unary::Atan), &[a]) => {
+                let measured = self.plain(a.measured)?;
+                return Ok(Operand { measured, number: None, angle: Angle::Is });
+            }
+            (Instruction::Unary(Unary::Sqrt), &[a]) => self.raised(a.measured, 0.5)?,
+            (Instruction::Unary(Unary::Power(n)), &[a]) => self.raised(a.measured, f64::from(n))?,
+            (Instruction::Unary(_), &[a]) => self.plain(a.measured)?,
+            // So many times an angle is one.
+            (Instruction::Binary(Binary::Multiply | Binary::Divide), &[a, b]) => {
+                let is_product = self.instruction == Instruction::Binary(Binary::Multiply);
+                let angle = match (a.angle, b.angle) {
+                    (Angle::Is | Angle::Mixed(_), _) if b.number.is_some() => a.angle,
+                    (_, Angle::Is | Angle::Mixed(_)) if a.number.is_some() && is_product => b.angle,
+                    _ => Angle::Open,
+                };
+                let measured = a.measured.times(b.measured, if is_product { 1 } else { -1 });
+                return Ok(Operand { measured, number: None, angle });
+            }
+            (Instruction::Binary(Binary::Power), &[a, b]) => {
+                self.plain(b.measured)?;
+                match b.number {
+                    Some(power) => self.raised(a.measured, power)?,
+                    None => self.plain(a.measured)?,
+                }
+            }
+            (Instruction::Binary(Binary::Add | Binary::Subtract), &[a, b])
+            | (Instruction::Binary(Binary::Min | Binary::Max | Binary::Hypot), &[a, b]) => {
+                let measured = self.equal(a.measured, b.measured)?;
+                return Ok(Operand { measured, number: None, angle: a.angle.joined(b.angle) });
+            }
+            (Instruction::Binary(Binary::And | Binary::Or), &[a, b]) => {
+                self.plain(a.measured)?;
+                self.plain(b.measured)?
+            }
+            (Instruction::Binary(Binary::Atan2), &[a, b]) => {
+                self.equal(a.measured, b.measured)?;
+                return Ok(Operand { measured: Measured::PLAIN, number: None, angle: Angle::Is });
+            }
+            // yes or no
+            (Instruction::Binary(_), &[a, b]) => {
+                if let Some(number) = a.angle.bare_beside(b.angle) {
+                    let (operation, found) = (self.name(), number.to_string());
+                    return Err(ExpressionErrorKind::BareAngle { operation, found });
+                }
+                self.equal(a.measured, b.measured)?;
+                Measured::PLAIN
+            }
+            (Instruction::If, &[condition, a, b]) => {
+                self.plain(condition.measured)?;
+                self.equal(a.measured, b.measured)?
+            }
+            _ => Measured::PLAIN,
+        };
+        Ok(Operand { measured, number: None, angle: Angle::Open })
+    }
+
+    fn equal(&self, a: Measured, b: Measured) -> Result<Measured, ExpressionErrorKind> {
+        match (a, b) {
+            (Measured::Zero, other) | (other, Measured::Zero) => Ok(other),
+            (Measured::As(a), Measured::As(b)) if a == b => Ok(Measured::As(a)),
+            (Measured::As(a), Measured::As(b)) => Err(ExpressionErrorKind::Unequal {
+                operation: self.name(),
+                left: a.with_angle(),
+                right: b.with_angle(),
+            }),
+        }
+    }
+
+    fn plain(&self, a: Measured) -> Result<Measured, ExpressionErrorKind> {
+        match a {
+            Measured::Zero | Measured::PLAIN => Ok(Measured::PLAIN),
+            Measured::As(found) => {
+                let (function, found) = (self.name(), found.with_angle());
+                Err(ExpressionErrorKind::NotPlain { function, found })
+            }
+        }
+    }
+
+    fn raised(&self, a: Measured, power: f64) -> Result<Measured, ExpressionErrorKind> {
+        let Measured::As(found) = a else { return Ok(if power > 0.0 { a } else { Measured::PLAIN }) };
+        let broken = || ExpressionErrorKind::BrokenPower { function: self.name(), found: found.with_angle() };
+        found.raised(power).map(Measured::As).ok_or_else(broken)
+    }
+
+    /// The function or the sign.
+    fn name(&self) -> &'static str {
+        match self.instruction {
+            Instruction::Binary(Binary::Add) => "+",
+            Instruction::Binary(Binary::Subtract) => "-",
+            Instruction::Binary(Binary::Power) => "^",
+            Instruction::Binary(Binary::Less) => "<",
+            Instruction::Binary(Binary::LessOrEqual) => "<=",
+            Instruction::Binary(Binary::Greater) => ">",
+            Instruction::Binary(Binary::GreaterOrEqual) => ">=",
+            Instruction::Binary(Binary::And) => "and",
+            Instruction::Binary(Binary::Or) => "or",
+            instruction => FUNCTIONS.iter().find(|f| f.op == instruction).map_or("a product", |f| f.name),
+        }
+    }
+}
+
+impl Measured {
+    const PLAIN: Self = Self::As(Dimension::NONE);
+
+    /// `self` × `other`^power
+    fn times(self, other: Self, power: i8) -> Self {
+        match (self, other) {
+            (Self::Zero, _) => Self::Zero,
+            (_, Self::Zero) if power > 0 => Self::Zero,
+            (a, Self::Zero) => a,
+            (Self::As(a), Self::As(b)) => Self::As(a.times(b, power)),
+        }
+    }
+}

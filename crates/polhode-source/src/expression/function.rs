@@ -1,0 +1,43 @@
+//! The functions of formulas, by name.
+
+use polhode::math::formula::{Binary, Instruction, Unary};
+
+/// A function by its name.
+#[derive(Clone, Copy, Debug)]
+pub struct Function {
+    pub name: &'static str,
+    pub op: Instruction,
+}
+
+pub const FUNCTIONS: [Function; 16] = {
+    const fn one(name: &'static str, op: Unary) -> Function {
+        Function { name, op: Instruction::Unary(op) }
+    }
+    const fn two(name: &'static str, op: Binary) -> Function {
+        Function { name, op: Instruction::Binary(op) }
+    }
+    [
+        one("sqrt", Unary::Sqrt),
+        one("exp", Unary::Exp),
+        one("log", Unary::Log),
+        one("sin", Unary::Sin),
+        one("cos", Unary::Cos),
+        one("tan", Unary::Tan),
+        one("asin", Unary::Asin),
+        one("acos", Unary::Acos),
+        one("atan", Unary::Atan),
+        one("abs", Unary::Abs),
+        two("atan2", Binary::Atan2),
+        two("min", Binary::Min),
+        two("max", Binary::Max),
+        two("hypot", Binary::Hypot),
+        two("pow", Binary::Power),
+        Function { name: "if", op: Instruction::If },
+    ]
+};
+
+impl Function {
+    pub const fn takes(self) -> usize {
+        self.op.operands()
+    }
+}

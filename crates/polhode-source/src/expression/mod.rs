@@ -1,0 +1,142 @@
+//! Formulas in text: numbers, variables, `+ − * / ^`, functions and `if`.
+//!
+//! | | |
+//! |---|---|
+//! | numbers | `2700`, `.5`, `1.5e-3`, `pi` |
+//! | variables | whatever the place of the formula offers: `x`, `y`, `z` in m for a density |
+//! | arithmetic | `+ - * /` from the left, `^` from the right; `-x^2` is −(x²), `2^-1` is ½ |
+//! | comparison | `< <= > >=`, below all arithmetic: 1 where it holds, else 0; joined by `and`, and below it `or` |
+//! | functions | `sqrt exp log sin cos tan asin acos atan abs`, of two `atan2(y, x) min max hypot pow` |
+//! | choice | `if(condition, then, else)`: *then* where the condition is not 0 |
+//! | units | `0.2 N m`, `30[deg/s]` where dimensions are checked: [`measured`] |
+//!
+//! Angles are in radians, `log` is the natural logarithm. A text is compiled into a [`Formula`] once, which runs over
+//! many points at a time. Functions are `libm`'s: the same bits on every platform.
+//!
+//! A density with steps is integrated slowly: `if` says it is one, so divide the body along the step where that is
+//! possible.
+
+mod dimensions;
+mod error;
+mod function;
+mod parse;
+mod state;
+
+use polhode::math::formula::Formula;
+
+use crate::unit::Dimension;
+
+pub use error::{ExpressionError, ExpressionErrorKind};
+pub use state::{formula_of_state, formula_of_state_in_si, formula_of_time};
+
+/// A formula of named variables, ready to be evaluated; numbers have no units, and dimensions are not checked.
+///
+/// ```
+/// use crate::expression::Expression;
+/// let density = Expression::parse("2700 - 300*hypot(x, y)^2 + if(z > 0.5, 40, 0)", &["x", "y", "z"])?;
+/// assert_eq!(density.evaluate([2.0, 0.0, 1.0]), 2700.0 - 1200.0 + 40.0);
+///
+/// let error = Expression::parse("2700 + sqr(x)", &["x", "y", "z"]).unwrap_err();
+/// assert_eq!(error.to_string(), "column 8: there is no function sqr");
+/// assert_eq!(error.hint().unwrap(), "did you mean sqrt?");
+/// # Ok::<(), crate::expression::ExpressionError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expression {
+    formula: Formula,
+    text: String,
+}
+
+impl Expression {
+    /// The formula in a text, of the variables by their names: the n-th is the n-th value of a point.
+    ///
+    /// # Errors
+    /// [`ExpressionError`]: the column, what is wrong there, and a hint.
+    pub fn parse(text: &str, variables: &[&str]) -> Result<Self, ExpressionError> {
+        Ok(Self { formula: parse::compile(text, variables)?, text: text.to_owned() })
+    }
+
+    /// The text that it was read from.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The formula itself, without its text.
+    pub fn formula(&self) -> &Formula {
+        &self.formula
+    }
+
+    /// Its value where the variables have these values; one that is not given is NaN.
+    pub fn evaluate<const N: usize>(&self, point: [f64; N]) -> f64 {
+        self.formula.evaluate(&point)
+    }
+
+    /// Its values at many points: the shorter of the two lists says how many.
+    pub fn evaluate_all<const N: usize>(&self, points: &[[f64; N]], values: &mut [f64]) {
+        self.formula.evaluate_all(points, values);
+    }
+}
+
+/// A density, kg/m³, of x, y and z, m, which must be its variables in this order.
+impl polhode::body::density::DensityField for Expression {
+    fn density(&self, point: [f64; 3]) -> f64 {
+        self.evaluate(point)
+    }
+
+    fn densities(&self, points: &[[f64; 3]], densities: &mut [f64]) {
+        self.evaluate_all(points, densities);
+    }
+}
+
+/// The formula in a text whose numbers may have units, of variables that have dimensions, and what its value measures.
+///
+/// Dimensions are checked as physics does: what is added or compared is of the same dimension, what functions take and give
+/// is a plain number. A bare number is a plain number, but 0 fits everywhere. An angle is a plain number too.
+/// `expected` is what the value has to measure, if that is known; the dimension that comes back has the angle in rates.
+///
+/// ```
+/// use crate::expression::measured;
+/// use crate::unit::Dimension;
+/// let variables = [("t", Dimension::TIME), ("wx", Dimension::ANGULAR_VELOCITY)];
+/// let (torque, dimension) = measured("-0.3[N m s]*wx + sin(90[deg/s]*t)*2[mN m]", &variables, None)?;
+/// assert_eq!(dimension, Dimension::TORQUE);
+/// assert!((torque.evaluate(&[1.0, 0.5]) - (-0.15 + 0.002)).abs() < 1e-16);
+///
+/// let error = measured("wx + 2", &variables, None).unwrap_err();
+/// assert_eq!(error.to_string(), "column 4: + joins an angular velocity and a plain number");
+/// assert_eq!(error.hint().unwrap(), "a number has its unit behind it, such as 30 deg/s");
+/// # Ok::<(), crate::expression::ExpressionError>(())
+/// ```
+///
+/// # Errors
+/// [`ExpressionError`]: the column, what is wrong there, and a hint.
+pub fn measured(
+    text: &str,
+    variables: &[(&str, Dimension)],
+    expected: Option<Dimension>,
+) -> Result<(Formula, Dimension), ExpressionError> {
+    parse::compile_measured(text, variables, expected)
+}
+
+/// The condition in a text, of variables that have dimensions: a formula that is 1 where it holds, else 0.
+///
+/// ```
+/// use crate::expression::condition;
+/// use crate::unit::Dimension;
+/// let variables = [("tilt", Dimension::ANGLE), ("t", Dimension::TIME)];
+/// let lost = condition("tilt > 90 deg and t < 2 h", &variables)?;
+/// assert_eq!([lost.evaluate(&[1.6, 7000.0]), lost.evaluate(&[1.5, 7000.0])], [1.0, 0.0]);
+/// assert!(condition("tilt > 90", &variables).is_err()); // of what?
+/// assert!(condition("tilt", &variables).is_err());
+/// # Ok::<(), crate::expression::ExpressionError>(())
+/// ```
+///
+/// # Errors
+/// [`ExpressionError`]: the column, what is wrong there, and a hint.
+pub fn condition(text: &str, variables: &[(&str, Dimension)]) -> Result<Formula, ExpressionError> {
+    let (formula, _) = measured(text, variables, None)?;
+    if formula.is_condition() {
+        return Ok(formula);
+    }
+    Err(ExpressionError { kind: ExpressionErrorKind::NoCondition, column: 1 })
+}

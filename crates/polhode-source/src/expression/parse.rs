@@ -1,0 +1,398 @@
+//! Text → instructions, by two stacks and no recursion: operators wait until one that binds less follows (Dijkstra's shunting
+//! yard). Depth costs memory in proportion to the text, and nothing else.
+
+use std::f64::consts::PI;
+
+use polhode::math::formula::{Binary, Formula, Instruction, Unary};
+
+use super::dimensions::{Measured, Step, measure};
+use super::function::{FUNCTIONS, Function};
+use super::{ExpressionError, ExpressionErrorKind};
+use crate::suggestion::nearest;
+use crate::unit::{self, Dimension};
+
+/// What waits on the stack of operators.
+#[derive(Clone, Copy)]
+enum Waiting {
+    /// An operator and how strongly it binds.
+    Operator { op: Instruction, binds: u8, column: usize },
+    /// An open parenthesis; of a function with the commas so far.
+    Open { column: usize, function: Option<(Function, usize)> },
+}
+
+const OR: u8 = 1;
+const AND: u8 = 2;
+const COMPARISON: u8 = 3;
+const SUM: u8 = 4;
+const PRODUCT: u8 = 5;
+const SIGN: u8 = 6;
+const POWER: u8 = 7;
+
+/// The most characters of a formula whose dimensions are checked: one that stands in a scenario.
+const LONGEST: usize = 4096;
+
+/// The formula in a text, all numbers in SI.
+pub fn compile(text: &str, variables: &[&str]) -> Result<Formula, ExpressionError> {
+    Parser::new(text, variables, false).read().map(|(formula, _)| formula)
+}
+
+/// The formula in a text whose dimensions are checked, and what its value measures.
+pub fn compile_measured(
+    text: &str,
+    variables: &[(&str, Dimension)],
+    expected: Option<Dimension>,
+) -> Result<(Formula, Dimension), ExpressionError> {
+    require_length(text, LONGEST)?;
+    let names: Vec<&str> = variables.iter().map(|&(name, _)| name).collect();
+    let dimensions: Vec<Dimension> = variables.iter().map(|(_, d)| *d).collect();
+    let mut parser = Parser::new(text, &names, true);
+    let (formula, steps) = parser.read()?;
+    let value = measure(&steps, &dimensions)?;
+    match (value, expected) {
+        (Measured::Zero, expected) => Ok((formula, expected.unwrap_or(Dimension::NONE))),
+        (Measured::As(found), None) => Ok((formula, found.with_angle())),
+        (Measured::As(found), Some(expected)) if found == expected.without_angle() => Ok((formula, expected)),
+        (Measured::As(found), Some(expected)) => {
+            let kind = ExpressionErrorKind::Value { found: found.with_angle(), expected };
+            Err(ExpressionError { kind, column: parser.start() })
+        }
+    }
+}
+
+/// # Errors
+/// An [`ExpressionError`] where a text has more characters than it may have.
+pub fn require_length(text: &str, most: usize) -> Result<(), ExpressionError> {
+    match text.chars().nth(most) {
+        Some(_) => Err(ExpressionError { kind: ExpressionErrorKind::TooLong { most }, column: most + 1 }),
+        None => Ok(()),
+    }
+}
+
+struct Parser<'a> {
+    rest: Vec<char>,
+    /// Characters before the place.
+    at: usize,
+    variables: &'a [&'a str],
+    /// Whether numbers may have units.
+    units: bool,
+    steps: Vec<Step>,
+    waiting: Vec<Waiting>,
+}
+
+impl<'a> Parser<'a> {
+    fn new(text: &str, variables: &'a [&'a str], units: bool) -> Self {
+        Self { rest: text.chars().collect(), at: 0, variables, units, steps: Vec::new(), waiting: Vec::new() }
+    }
+
+    /// The formula, and its instructions with their columns.
+    fn read(&mut self) -> Result<(Formula, Vec<Step>), ExpressionError> {
+        self.formula()?;
+        let steps = core::mem::take(&mut self.steps);
+        let formula = Formula::new(steps.iter().map(|step| step.instruction));
+        formula.map(|formula| (formula, steps)).map_err(|_| self.expected("a formula"))
+    }
+
+    /// The column that the text starts at.
+    fn start(&mut self) -> usize {
+        self.at = 0;
+        self.column()
+    }
+
+    fn push(&mut self, instruction: Instruction, column: usize) {
+        self.steps.push(Step { instruction, column, dimension: Dimension::NONE });
+    }
+
+    /// Operand, operator, operand, …, operand.
+    fn formula(&mut self) -> Result<(), ExpressionError> {
+        loop {
+            self.operand()?;
+            while !self.operator()? {
+                if self.peek().is_none() && self.waiting.is_empty() {
+                    return Ok(());
+                }
+            }
+        }
+    }
+
+    /// A number, a variable, or the start of a function or of parentheses; signs before it.
+    fn operand(&mut self) -> Result<(), ExpressionError> {
+        loop {
+            let column = self.column();
+            match self.peek() {
+                Some('-' | '−') => {
+                    self.at += 1;
+                    let op = Instruction::Unary(Unary::Negate);
+                    self.waiting.push(Waiting::Operator { op, binds: SIGN, column });
+                }
+                Some('+') => self.at += 1,
+                Some('(') => {
+                    self.at += 1;
+                    self.waiting.push(Waiting::Open { column, function: None });
+                }
+                Some(c) if c.is_ascii_digit() || c == '.' => return self.number(),
+                Some(c) if c.is_alphabetic() || c == '_' => {
+                    if self.name()? {
+                        return Ok(());
+                    }
+                }
+                _ => return Err(self.expected("a number, a name or (")),
+            }
+        }
+    }
+
+    /// What follows an operand: true if another operand has to follow it.
+    fn operator(&mut self) -> Result<bool, ExpressionError> {
+        let column = self.column();
+        let binary = |op, binds| Some((Instruction::Binary(op), binds));
+        let or_equal = self.rest.get(self.at + 1) == Some(&'=');
+        let orders = |strict, loose| binary(if or_equal { loose } else { strict }, COMPARISON);
+        let operator = match self.peek() {
+            Some('+') => binary(Binary::Add, SUM),
+            Some('-' | '−') => binary(Binary::Subtract, SUM),
+            Some('*' | '·' | '×') => binary(Binary::Multiply, PRODUCT),
+            Some('/') => binary(Binary::Divide, PRODUCT),
+            Some('^') => binary(Binary::Power, POWER),
+            Some('<') => orders(Binary::Less, Binary::LessOrEqual),
+            Some('>') => orders(Binary::Greater, Binary::GreaterOrEqual),
+            Some(')') => return self.close(),
+            Some(',') => return self.comma(),
+            None => return self.end(),
+            Some(_) => match self.word().as_str() {
+                "and" => binary(Binary::And, AND),
+                "or" => binary(Binary::Or, OR),
+                _ => None,
+            },
+        };
+        let Some((op, binds)) = operator else { return Err(self.expected("an operator, ) or the end")) };
+        self.at += match binds {
+            AND => "and".len(),
+            OR => "or".len(),
+            _ => 1,
+        };
+        if binds == COMPARISON && or_equal {
+            self.at += 1;
+        }
+        // From the left; ^ from the right, so that it never waits for its equal.
+        let chained = self.unwind(if binds == POWER { POWER + 1 } else { binds });
+        if binds == COMPARISON && chained {
+            return Err(ExpressionError { kind: ExpressionErrorKind::ChainedComparison, column });
+        }
+        self.waiting.push(Waiting::Operator { op, binds, column });
+        Ok(true)
+    }
+
+    /// Performs the operators that wait and bind at least as strongly; true if a comparison was among them.
+    fn unwind(&mut self, least: u8) -> bool {
+        let mut compared = false;
+        while let Some(&Waiting::Operator { op, binds, column }) = self.waiting.last()
+            && binds >= least
+        {
+            self.push(op, column);
+            self.waiting.pop();
+            compared |= binds == COMPARISON;
+        }
+        compared
+    }
+
+    fn close(&mut self) -> Result<bool, ExpressionError> {
+        self.unwind(0);
+        let Some(Waiting::Open { column, function }) = self.waiting.pop() else {
+            return Err(self.expected("an operator or the end"));
+        };
+        self.at += 1;
+        if let Some((function, commas)) = function {
+            let (takes, given) = (function.takes(), commas + 1);
+            if takes != given {
+                let kind = ExpressionErrorKind::Arguments { function: function.name, takes, given };
+                return Err(ExpressionError { kind, column });
+            }
+            self.push(function.op, column);
+        }
+        Ok(false)
+    }
+
+    fn comma(&mut self) -> Result<bool, ExpressionError> {
+        self.unwind(0);
+        match self.waiting.last_mut() {
+            Some(Waiting::Open { function: Some((_, commas)), .. }) => *commas += 1,
+            _ => return Err(self.expected("an operator, ) or the end")),
+        }
+        self.at += 1;
+        Ok(true)
+    }
+
+    fn end(&mut self) -> Result<bool, ExpressionError> {
+        self.unwind(0);
+        if self.waiting.is_empty() { Ok(false) } else { Err(self.expected("an operator or )")) }
+    }
+
+    fn number(&mut self) -> Result<(), ExpressionError> {
+        let (column, start) = (self.column(), self.at);
+        self.digits();
+        if self.rest.get(self.at) == Some(&'.') {
+            self.at += 1;
+            self.digits();
+        }
+        if let Some('e' | 'E') = self.rest.get(self.at) {
+            let sign = usize::from(matches!(self.rest.get(self.at + 1), Some('+' | '-')));
+            if self.rest.get(self.at + 1 + sign).is_some_and(char::is_ascii_digit) {
+                self.at += 1 + sign;
+                self.digits();
+            }
+        }
+        let found: String = self.rest[start..self.at].iter().collect();
+        match found.parse::<f64>() {
+            Ok(value) if value.is_finite() => {
+                if self.units && self.peek() == Some('[') {
+                    return self.unit(&found, column);
+                }
+                if self.units && self.bare_unit(&found, column)? {
+                    return Ok(());
+                }
+                self.push(Instruction::Constant(value), column);
+                Ok(())
+            }
+            Ok(_) => Err(ExpressionError { kind: ExpressionErrorKind::Number { found }, column }),
+            Err(_) => {
+                let kind = ExpressionErrorKind::Expected { what: "a number", found };
+                Err(ExpressionError { kind, column })
+            }
+        }
+    }
+
+    /// The `[N m]` after a number.
+    fn unit(&mut self, number: &str, column: usize) -> Result<(), ExpressionError> {
+        self.at += 1;
+        let unit_column = self.column();
+        let length = self.rest[self.at..].iter().position(|&c| c == ']');
+        let Some(length) = length else {
+            self.at = self.rest.len();
+            return Err(self.expected("] after a unit"));
+        };
+        let unit: String = self.rest[self.at..self.at + length].iter().collect();
+        if unit.trim().is_empty() {
+            return Err(self.expected("a unit"));
+        }
+        self.at += length + 1;
+        let (value, dimension) = unit::measured_apart(number, &unit)
+            .map_err(|e| ExpressionError { kind: ExpressionErrorKind::Unit(e), column: unit_column })?;
+        self.steps.push(Step { instruction: Instruction::Constant(value), column, dimension });
+        Ok(())
+    }
+
+    /// The `N m` right behind a number: words that are units, with powers, up to what is no unit; false if there is none.
+    fn bare_unit(&mut self, number: &str, column: usize) -> Result<bool, ExpressionError> {
+        self.peek();
+        let start = self.at;
+        let mut end = start;
+        loop {
+            let word = self.word();
+            let is_unit = word.chars().all(|c| c.is_alphabetic() || c == '°' || c == '%')
+                && !["and", "or", "if", "pi"].contains(&word.as_str())
+                && !self.variables.contains(&word.as_str())
+                && self.rest.get(self.at + word.chars().count()) != Some(&'(');
+            if word.is_empty() || !is_unit {
+                break;
+            }
+            self.at += word.chars().count();
+            if self.rest.get(self.at) == Some(&'^') {
+                let sign = usize::from(self.rest.get(self.at + 1) == Some(&'-'));
+                if self.rest.get(self.at + 1 + sign).is_some_and(char::is_ascii_digit) {
+                    self.at += 1 + sign;
+                    self.digits();
+                }
+            }
+            while self.rest.get(self.at).is_some_and(|c| "⁻¹²³⁴".contains(*c)) {
+                self.at += 1;
+            }
+            end = self.at;
+            // A factor follows a space, a point or a slash.
+            if let Some('/' | '·') = self.peek() {
+                self.at += 1;
+                self.peek();
+            }
+        }
+        self.at = end;
+        let unit: String = self.rest[start..end].iter().collect();
+        if unit.is_empty()
+            || unit::measured_apart("1", unit.split([' ', '/', '·', '^']).next().unwrap_or("")).is_err()
+        {
+            self.at = start;
+            return Ok(false);
+        }
+        let (value, dimension) = unit::measured_apart(number, &unit)
+            .map_err(|e| ExpressionError { kind: ExpressionErrorKind::Unit(e), column: start + 1 })?;
+        self.steps.push(Step { instruction: Instruction::Constant(value), column, dimension });
+        Ok(true)
+    }
+
+    /// The word at the place, up to what is no letter, digit or underscore; empty if there is none.
+    fn word(&self) -> String {
+        let is_letter = |c: &&char| c.is_alphanumeric() && !"¹²³⁴".contains(**c) || "_°%".contains(**c);
+        self.rest[self.at..].iter().take_while(is_letter).collect()
+    }
+
+    fn digits(&mut self) {
+        while self.rest.get(self.at).is_some_and(char::is_ascii_digit) {
+            self.at += 1;
+        }
+    }
+
+    /// A variable, a constant, or a function with its parenthesis: true if it is an operand already.
+    fn name(&mut self) -> Result<bool, ExpressionError> {
+        let (column, start) = (self.column(), self.at);
+        while self.rest.get(self.at).is_some_and(|&c| c.is_alphanumeric() || c == '_') {
+            self.at += 1;
+        }
+        let name: String = self.rest[start..self.at].iter().collect();
+        if self.peek() == Some('(') {
+            let Some(&function) = FUNCTIONS.iter().find(|f| f.name == name) else {
+                let suggestion = nearest(&name, FUNCTIONS.map(|f| f.name));
+                let kind = ExpressionErrorKind::UnknownFunction { name, suggestion };
+                return Err(ExpressionError { kind, column });
+            };
+            self.at += 1;
+            self.waiting.push(Waiting::Open { column, function: Some((function, 0)) });
+            return Ok(false);
+        }
+        if let Some(k) = self.variables.iter().position(|v| *v == name) {
+            self.push(Instruction::Variable(k), column);
+        } else if name == "pi" {
+            self.push(Instruction::Constant(PI), column);
+        } else if FUNCTIONS.iter().any(|f| f.name == name) {
+            return Err(self.expected("( after a function"));
+        } else {
+            let known: Vec<String> = self.variables.iter().map(|&v| v.to_owned()).collect();
+            // Every letter is one slip away from every other.
+            let near = |v: &&str| v.chars().count() > 1 || v.eq_ignore_ascii_case(&name);
+            let suggestion = nearest(&name, self.variables.iter().copied().filter(near)).map(str::to_owned);
+            let kind = ExpressionErrorKind::UnknownVariable { name, suggestion, known };
+            return Err(ExpressionError { kind, column });
+        }
+        Ok(true)
+    }
+
+    /// The next character that is not white space, if there is one; the place moves to it.
+    fn peek(&mut self) -> Option<char> {
+        while self.rest.get(self.at).is_some_and(|c| c.is_whitespace()) {
+            self.at += 1;
+        }
+        self.rest.get(self.at).copied()
+    }
+
+    /// Of the next character, from 1.
+    fn column(&mut self) -> usize {
+        self.peek();
+        self.at + 1
+    }
+
+    fn expected(&mut self, what: &'static str) -> ExpressionError {
+        let column = self.column();
+        let is_word = |c: &char| c.is_alphanumeric() || matches!(c, '_' | '.');
+        let rest = &self.rest[self.at..];
+        let word: String = rest.iter().copied().take_while(is_word).collect();
+        let found =
+            if word.is_empty() { rest.first().map(char::to_string).unwrap_or_default() } else { word };
+        ExpressionError { kind: ExpressionErrorKind::Expected { what, found }, column }
+    }
+}

@@ -1,0 +1,141 @@
+//! Bytes from files.
+//!
+//! A file is read, never mapped into memory: one that somebody shortens meanwhile is then an error and not a signal that ends the process.
+
+use std::fs::{self, File, Metadata};
+use std::io::{self, Read};
+use std::path::Path;
+
+use crate::error::FormatErrorKind;
+
+/// A pipe or a device can be endless, and has no length to know it by.
+const LARGEST_STREAM: u64 = 1 << 30;
+
+const SHORTER: &str = "it became shorter while it was read";
+
+/// All bytes of a file; `written` is the path as its user wrote it.
+///
+/// A directory is refused in words, a file of more than `limit` bytes before it fills the memory, one for which there is not enough memory
+/// instead of ending the process, and one that changes while it is read.
+pub fn bytes(path: &Path, written: &str, limit: u64) -> Result<Vec<u8>, FormatErrorKind> {
+    let failed = |error: io::Error| failed(written, &error);
+    let metadata = fs::metadata(path).map_err(failed)?;
+    if metadata.is_dir() {
+        return Err(failed(io::ErrorKind::IsADirectory.into()));
+    }
+    let limit = if metadata.is_file() { limit } else { limit.min(LARGEST_STREAM) };
+    let too_large =
+        || failed(io::Error::new(io::ErrorKind::FileTooLarge, format!("it has more than {limit} bytes")));
+    let file = File::open(path).map_err(failed)?;
+    // Of what was opened, which may be another file by now.
+    let before = file.metadata().map_err(failed)?;
+    if before.is_file() && before.len() > limit {
+        return Err(too_large());
+    }
+    let bytes = all(&file, limit.saturating_add(1), &before).map_err(failed)?;
+    if bytes.len() as u64 > limit {
+        return Err(too_large());
+    }
+    Ok(bytes)
+}
+
+/// The bytes of an open file, but no more than `most` of them; `before` is what the system said when it was opened.
+///
+/// # Errors
+/// What the system says; [`io::ErrorKind::OutOfMemory`]; and as [`unchanged`].
+pub fn all(file: &File, most: u64, before: &Metadata) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let expected = if before.is_file() { before.len().min(most) } else { 0 };
+    let reserved = usize::try_from(expected).is_ok_and(|expected| bytes.try_reserve_exact(expected).is_ok());
+    if !reserved {
+        let why = format!("out of memory: it has {expected} bytes");
+        return Err(io::Error::new(io::ErrorKind::OutOfMemory, why));
+    }
+    file.take(most).read_to_end(&mut bytes)?;
+    // Files that the system makes up as they are read, as in /proc, say that they have no bytes.
+    if expected > 0 {
+        if (bytes.len() as u64) < expected {
+            return Err(io::Error::new(io::ErrorKind::UnexpectedEof, SHORTER));
+        }
+        unchanged(file, before)?;
+    }
+    Ok(bytes)
+}
+
+/// Whether a file is what it was: its bytes were read one after another, and belong together only then.
+///
+/// # Errors
+/// What the system says; [`io::ErrorKind::UnexpectedEof`] if it is shorter now, another kind if it was written to otherwise.
+pub fn unchanged(file: &File, before: &Metadata) -> io::Result<()> {
+    let now = file.metadata()?;
+    if now.len() < before.len() {
+        return Err(io::Error::new(io::ErrorKind::UnexpectedEof, SHORTER));
+    }
+    let times = (before.modified(), now.modified());
+    let later = matches!(times, (Ok(before), Ok(now)) if before != now);
+    if later || now.len() != before.len() {
+        return Err(io::Error::other("it was written to while it was read"));
+    }
+    Ok(())
+}
+
+/// The error of a file that its user calls `written`.
+pub fn failed(written: &str, error: &io::Error) -> FormatErrorKind {
+    let why = match error.kind() {
+        io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
+        io::ErrorKind::IsADirectory => "it is a directory".to_owned(),
+        io::ErrorKind::UnexpectedEof => SHORTER.to_owned(),
+        _ => error.to_string(),
+    };
+    FormatErrorKind::Io { file: written.to_owned(), kind: error.kind(), why }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test may")]
+mod tests {
+    use std::io::{Seek as _, Write as _};
+
+    use polhode_formats::*;
+
+    /// What reading says of a file that is changed after the system was asked for its length.
+    fn changed(name: &str, change: impl Fn(&File)) -> io::Result<Vec<u8>> {
+        let path = std::env::temp_dir().join(format!("polhode-changed-{}-{name}", std::process::id()));
+        fs::write(&path, [7; 1000]).unwrap();
+        let file = File::options().read(true).write(true).open(&path).unwrap();
+        let before = file.metadata().unwrap();
+        change(&file);
+        let read = all(&file, u64::MAX, &before);
+        fs::remove_file(path).unwrap();
+        read
+    }
+
+    #[test]
+    fn a_file_that_changes_while_it_is_read_is_refused() {
+        assert_eq!(changed("not", |_| {}).unwrap(), [7; 1000]);
+        let shorter = changed("shorter", |file| file.set_len(999).unwrap()).unwrap_err();
+        assert_eq!(shorter.kind(), io::ErrorKind::UnexpectedEof);
+        assert!(failed("a.stl", &shorter).to_string().contains("\"a.stl\": it became shorter while"));
+        let longer = changed("longer", |file| file.set_len(1001).unwrap()).unwrap_err();
+        assert!(longer.to_string().contains("written to while"));
+        let rewritten = changed("rewritten", |mut file| {
+            file.write_all(&[8; 1000]).unwrap();
+            file.rewind().unwrap();
+            file.set_modified(std::time::UNIX_EPOCH).unwrap();
+        });
+        assert!(rewritten.unwrap_err().to_string().contains("written to while"));
+    }
+
+    #[test]
+    fn a_file_larger_than_the_memory_is_refused() {
+        let path = std::env::temp_dir().join(format!("polhode-huge-{}", std::process::id()));
+        let file = File::create(&path).unwrap();
+        // Without a byte on the disk, and more than any machine addresses.
+        let huge =
+            (0..63).rev().map(|bits| 1_u64 << bits).find(|&length| file.set_len(length).is_ok()).unwrap();
+        assert!(huge >= 1 << 40);
+        let error = bytes(&path, "huge.stl", 1 << 30).unwrap_err();
+        assert!(error.to_string().contains("more than 1073741824 bytes"));
+        fs::remove_file(path).unwrap();
+    }
+}

@@ -1,0 +1,35 @@
+//! Input text with places: what every reader of polhode needs, whatever the subject of its files.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`FormatError`] | path, line, column, what is there, the rule, what to write instead |
+//! | [`ContentError`] | the same of bytes whose file is not known yet |
+//! | [`read_file`], [`read_text_file`], [`Confinement`] | files, and the folders that data files may name files in |
+//! | [`mod@unit`] | quantities in text |
+//! | [`expression`] | formulas in text |
+//! | [`times`] | lists of times, one per line |
+//! | [`xml`] | elements, attributes and numbers with their places |
+//! | [`package`] | XML in ZIP archives, with limits on what they unfold to |
+//! | [`text`] | excerpts in which nothing is unseen |
+#![forbid(unsafe_code)]
+
+mod confinement;
+mod content;
+mod error;
+pub mod expression;
+mod file;
+mod json;
+pub mod package;
+mod reading;
+mod suggestion;
+pub mod text;
+pub mod times;
+pub mod unit;
+pub mod xml;
+
+pub use confinement::{Confinement, NotOpened};
+pub use content::{ContentError, ContentErrorKind, ContentPlace, told_unit};
+pub use error::{FormatError, FormatErrorKind, Place, Spot};
+pub use json::json_value;
+pub use reading::{read_file, read_text_file};
+pub use suggestion::nearest;

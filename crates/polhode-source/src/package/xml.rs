@@ -1,0 +1,167 @@
+//! XML as a stream of elements that know their line.
+
+use std::borrow::Cow;
+use std::io::BufRead;
+
+use quick_xml::events::attributes::Attribute;
+use quick_xml::events::{BytesStart, Event};
+use quick_xml::name::{QName, ResolveResult};
+use quick_xml::reader::NsReader;
+use quick_xml::{Error, XmlVersion};
+
+use super::archive::Stream;
+use crate::content::{ContentError, ContentErrorKind, ContentPlace};
+
+/// The reader of one entry.
+pub struct Xml<'s, 'a> {
+    reader: NsReader<Stream<'s, 'a>>,
+    entry: String,
+    depth: usize,
+}
+
+/// What stands next. An empty element is a start and an end.
+pub enum Token<'b> {
+    Start(BytesStart<'b>),
+    Text(Cow<'b, str>),
+    End,
+    /// A comment, an instruction.
+    Other,
+    /// The end of the document.
+    Eof,
+}
+
+impl<'s, 'a> Xml<'s, 'a> {
+    /// Reader of an entry.
+    pub fn new(stream: Stream<'s, 'a>, entry: &str) -> Self {
+        let mut reader = NsReader::from_reader(stream);
+        reader.config_mut().expand_empty_elements = true;
+        Self { reader, entry: entry.to_owned(), depth: 0 }
+    }
+
+    /// The line that has been reached.
+    pub fn line(&self) -> usize {
+        self.reader.get_ref().line
+    }
+
+    /// What stands next; the buffer keeps its text.
+    pub fn next<'b>(&mut self, buffer: &'b mut Vec<u8>) -> Result<Token<'b>, ContentError> {
+        buffer.clear();
+        match self.reader.read_event_into(buffer) {
+            Err(e) => Err(self.broken(&e)),
+            Ok(Event::Start(element)) => {
+                self.depth += 1;
+                Ok(Token::Start(element))
+            }
+            Ok(Event::End(_)) => {
+                self.depth = self.depth.saturating_sub(1);
+                Ok(Token::End)
+            }
+            Ok(Event::Eof) if self.depth > 0 => {
+                let (what, found) = ("the end of an element".to_owned(), String::new());
+                Err(self.error(ContentErrorKind::Expected { what, found }).hint("the file is cut short"))
+            }
+            Ok(Event::Eof) => Ok(Token::Eof),
+            Ok(Event::DocType(_)) => {
+                let what = "XML with a document type: packages forbid it".to_owned();
+                Err(self.error(ContentErrorKind::Unsupported { what }))
+            }
+            Ok(Event::Text(text)) => Ok(Token::Text(text.into_inner())),
+            Ok(Event::CData(text)) => Ok(Token::Text(text.into_inner())),
+            Ok(Event::GeneralRef(name)) => {
+                if let Ok(Some(character)) = name.resolve_char_ref() {
+                    return Ok(Token::Text(Cow::Owned(character.into())));
+                }
+                let character = quick_xml::escape::resolve_predefined_entity(&name);
+                Ok(Token::Text(Cow::Borrowed(character.unwrap_or("\u{fffd}"))))
+            }
+            Ok(Event::Empty(_) | Event::Comment(_) | Event::Decl(_) | Event::PI(_)) => Ok(Token::Other),
+        }
+    }
+
+    /// Bytes that come next and are unpacked already, where an element has just begun or ended.
+    pub fn ahead(&self) -> &[u8] {
+        self.reader.get_ref().unpacked()
+    }
+
+    /// Passes over so many of these: whole elements, and what stands between such.
+    pub fn pass(&mut self, count: usize) {
+        self.reader.get_mut().consume(count);
+    }
+
+    /// Passes over the rest of the element that was just entered.
+    pub fn skip(&mut self) -> Result<(), ContentError> {
+        let (outside, mut buffer) = (self.depth.saturating_sub(1), Vec::new());
+        while self.depth > outside {
+            self.next(&mut buffer)?;
+        }
+        Ok(())
+    }
+
+    /// The namespace of an element; empty if it has none.
+    pub fn namespace(&self, element: &BytesStart<'_>) -> &str {
+        name(&self.reader.resolver().resolve_element(element.name()).0)
+    }
+
+    /// The namespace of an attribute; empty if it has none.
+    pub fn namespace_of(&self, attribute: &Attribute<'_>) -> &str {
+        name(&self.reader.resolver().resolve_attribute(attribute.key).0)
+    }
+
+    /// The namespace that a prefix stands for.
+    pub fn prefixed(&self, prefix: &str) -> &str {
+        name(&self.reader.resolver().resolve_attribute(QName(&format!("{prefix}:x"))).0)
+    }
+
+    /// The attributes of an element, one by one.
+    pub fn attributes<'e>(
+        &self,
+        element: &'e BytesStart<'_>,
+    ) -> impl Iterator<Item = Result<Attribute<'e>, ContentError>> {
+        // A million attributes would be compared with each other; who reads one refuses it the second time.
+        let mut attributes = element.attributes();
+        attributes.with_checks(false);
+        attributes.map(|attribute| attribute.map_err(|e| self.broken(&Error::InvalidAttr(e))))
+    }
+
+    /// The text of an attribute, its entities resolved.
+    pub fn value<'e>(&self, attribute: &Attribute<'e>) -> Result<Cow<'e, str>, ContentError> {
+        attribute.normalized_value(XmlVersion::Implicit1_0).map_err(|e| self.broken(&e))
+    }
+
+    /// Something is wrong in the line that has been reached.
+    pub fn error(&self, kind: ContentErrorKind) -> ContentError {
+        ContentError::new(kind, ContentPlace::Within(self.place()))
+    }
+
+    /// Entry and line that have been reached.
+    pub fn place(&self) -> String {
+        format!("{}, line {}", self.entry, self.line())
+    }
+
+    /// A value breaks a rule.
+    pub fn refused(&self, what: &str, value: &str, rule: &str) -> ContentError {
+        let (what, value, rule) = (what.to_owned(), value.to_owned(), rule.to_owned());
+        self.error(ContentErrorKind::Value { what, value, rule })
+    }
+
+    /// Error of something that has to be there.
+    pub fn missing(&self, what: &str) -> ContentError {
+        self.error(ContentErrorKind::Missing { what: what.to_owned() })
+    }
+
+    fn broken(&self, error: &Error) -> ContentError {
+        let (what, rule) = match error {
+            Error::Io(_) => ("the entry", "one that unpacks to the end"),
+            Error::Encoding(_) => ("the text", "UTF-8"),
+            _ => ("the XML", "well-formed"),
+        };
+        self.refused(what, &error.to_string(), rule)
+    }
+}
+
+fn name<'r>(resolved: &ResolveResult<'r>) -> &'r str {
+    match resolved {
+        ResolveResult::Bound(namespace) => namespace.into_inner(),
+        ResolveResult::Unbound | ResolveResult::Unknown(_) => "",
+    }
+}

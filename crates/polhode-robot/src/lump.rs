@@ -82,8 +82,8 @@ pub struct Lump {
 /// ```
 ///
 /// # Errors
-/// [`LumpError`] if a link is no body, bodies are not read, the joints are no tree, a value has no joint or nothing to move, or a
-/// joint's value cannot be told.
+/// [`LumpError`] if a link is not a body, if bodies are not read, if the joints do not form a tree, or
+/// if a value has no joint, moves nothing or cannot be told.
 pub fn lump(
     model: &RobotModel,
     lumping: Lumping<'_>,

@@ -90,7 +90,7 @@ pub struct Source {
 pub struct UnreadBodies {
     /// Name of the element.
     pub element: String,
-    /// Name of the link that the element stands in; `None` in the world.
+    /// Name of the link that holds the element; `None` in the world.
     pub link: Option<String>,
     /// Place of the element in the model's text.
     pub span: Span,

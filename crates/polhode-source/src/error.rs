@@ -129,9 +129,9 @@ pub enum FormatErrorKind {
     Rotation(RotationError),
     /// Numbers that break a rule of the file's subject: of a budget, a measurement, a mesh.
     Subject {
-        /// The rule in words, with the values.
+        /// Rule in words, with the values.
         message: String,
-        /// What to do about it.
+        /// Advice for the user.
         hint: Option<String>,
     },
     /// Contents that are not what the format asks for.

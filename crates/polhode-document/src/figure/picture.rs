@@ -2,13 +2,10 @@
 
 #[cfg(feature = "png")]
 use super::png;
-use super::sheet::Sheet;
+use super::sheet::{MAKER, Sheet};
 use super::svg;
 
-/// The keyword of the text in a PNG that says how it was made.
-pub(super) const MAKER: &str = "Source";
-
-/// A picture that is drawn.
+/// Drawn picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
     /// Marks of the picture.
@@ -16,26 +13,26 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// As SVG; text stays text, in the reader's sans-serif.
+    /// Writes SVG. Text stays text, in the reader's sans-serif.
     pub fn to_svg(&self) -> String {
         svg::write(&self.sheet)
     }
 
-    /// With the command that makes it, which is written into the file.
+    /// Returns the picture with the command that makes it, which is written into the file.
     #[must_use]
     pub fn made_by(mut self, command: &str) -> Self {
         self.sheet.maker = Some(command.to_owned());
         self
     }
 
-    /// Whether the beginning of a file of a picture says that this command made it.
+    /// Returns true if the beginning of a file says that this command made the picture.
     pub fn is_made_by(head: &[u8], command: &str) -> bool {
         let holds = |text: &[u8]| head.windows(text.len()).any(|window| window == text);
         holds(format!("<desc>{}</desc>", svg::escaped(command)).as_bytes())
             || holds(&[MAKER.as_bytes(), &[0; 5], command.as_bytes(), b"\n"].concat())
     }
 
-    /// As PNG, 288 pixels to an inch, on white.
+    /// Writes PNG, 288 pixels to an inch, on white.
     ///
     /// # Errors
     /// [`png::PngError`] if the picture is too large for the memory.

@@ -9,18 +9,17 @@ use tiny_skia::{
 use ttf_parser::{Face, OutlineBuilder};
 
 use super::font;
-use super::picture::MAKER;
-use super::sheet::{Anchor, Colour, Mark, Pen, Point, Sheet, Text};
+use super::sheet::{Anchor, Colour, MAKER, Mark, Pen, Point, Sheet, Text};
 
 /// Pixels of a picture to a pixel of CSS, 1/96 in: 288 to an inch.
 const SCALE: f32 = 3.0;
 
-/// Why a picture cannot be written as PNG.
+/// Reason why a picture cannot be written as PNG.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PngError(String);
 
 impl PngError {
-    /// What to do about it.
+    /// Advice for the user.
     pub const fn hint(&self) -> &'static str {
         "write SVG"
     }

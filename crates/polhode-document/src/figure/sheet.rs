@@ -8,6 +8,9 @@ use super::line;
 
 pub use super::line::Point;
 
+/// Keyword of the text in a PNG that says how it was made.
+pub(super) const MAKER: &str = "Source";
+
 /// Red, green and blue, as 0xrrggbb.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Colour(pub u32);

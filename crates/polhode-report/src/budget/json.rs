@@ -24,7 +24,9 @@ impl BudgetReport {
         self.with_rows(&|case| (0..case.statements.len()).map(|k| row(case, k)).collect())
     }
 
-    /// Writes [`BudgetReport::to_json`] as [`pretty`](polhode_document::json::pretty) prints it. Rows are written one by one, to save memory.
+    /// Writes [`BudgetReport::to_json`] as [`pretty`](polhode_document::json::pretty) prints it.
+    ///
+    /// Rows are written one by one, to save memory.
     ///
     /// # Errors
     /// Those of `out`.

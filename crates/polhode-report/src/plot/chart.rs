@@ -1,8 +1,9 @@
 //! A chart: the curves of a figure against time, in panels under each other.
 //!
-//! Constants are said in words ([`super::constant`]). What varies shares a panel with what is of its size ([`polhode_document::figure::scale`]). Where a curve
-//! would fill its panel with stripes, the panel shows its envelope, and another beside it the beginning in full. Samples that do not
-//! resolve what they show are dots.
+//! Constants are stated in words ([`super::constant`]). Curves of one size share a panel
+//! ([`polhode_document::figure::scale`]). Where a curve would fill its panel with stripes, the panel
+//! shows its envelope, and another beside it the beginning in full. Samples that do not resolve what
+//! they show are dots.
 
 use polhode::motion::Ending;
 use polhode_document::figure::axes::{Area, Axes, Axis};

@@ -1,12 +1,7 @@
 //! Plots: the standard figures of a motion, for papers and slides.
 //!
-//! ```text
-//! MotionFigures → Sheet (lines, dots, text, in px) → SVG, or PNG
-//! ```
-//!
-//! A figure draws marks on a [`polhode_document::figure::sheet::Sheet`]; it does not know what becomes of them. One writer turns them into SVG, the
-//! other into pixels with letters of its own, so both show the same on every machine. Colours are those of Okabe and Ito,
-//! which differ to every eye, and each curve has dashes of its own, which differ in grey.
+//! Each figure draws marks on a [`polhode_document::figure::sheet::Sheet`], which is written as SVG or
+//! PNG.
 
 pub(crate) mod axis_path;
 mod chart;

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`FormatError`] | path, line, column, what is there, the rule, what to write instead |
 //! | [`ContentError`] | the same of bytes whose file is not known yet |
-//! | [`read_file`], [`read_text_file`], [`Confinement`] | files, and the folders that data files may name files in |
+//! | [`read_file`], [`read_text_file`], [`mod@file`], [`Confinement`] | files, and the folders that data files may name files in |
 //! | [`mod@unit`] | quantities in text |
 //! | [`expression`] | formulas in text |
 //! | [`times`] | lists of times, one per line |
@@ -17,7 +17,7 @@ mod confinement;
 mod content;
 mod error;
 pub mod expression;
-mod file;
+pub mod file;
 mod json;
 pub mod package;
 mod reading;

@@ -10,7 +10,7 @@ use crate::unit::Dimension;
 
 /// An instruction, where the text has it, and, of a number, what its unit measures.
 #[derive(Clone, Copy, Debug)]
-pub struct Step {
+pub(crate) struct Step {
     pub instruction: Instruction,
     pub column: usize,
     pub dimension: Dimension,
@@ -18,7 +18,7 @@ pub struct Step {
 
 /// What a value measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Measured {
+pub(crate) enum Measured {
     /// Nothing yet: it is a 0 that fits everywhere.
     Zero,
     As(Dimension),
@@ -68,7 +68,7 @@ impl Angle {
 }
 
 /// What the value measures, angles not counted; everything is of the dimension that its place asks for.
-pub fn measure(steps: &[Step], variables: &[Dimension]) -> Result<Measured, ExpressionError> {
+pub(crate) fn measure(steps: &[Step], variables: &[Dimension]) -> Result<Measured, ExpressionError> {
     let mut stack: Vec<Operand> = Vec::new();
     for step in steps {
         let at = stack.len().saturating_sub(step.instruction.operands());

@@ -4,12 +4,12 @@ use polhode::math::formula::{Binary, Instruction, Unary};
 
 /// A function by its name.
 #[derive(Clone, Copy, Debug)]
-pub struct Function {
+pub(crate) struct Function {
     pub name: &'static str,
     pub op: Instruction,
 }
 
-pub const FUNCTIONS: [Function; 16] = {
+pub(crate) const FUNCTIONS: [Function; 16] = {
     const fn one(name: &'static str, op: Unary) -> Function {
         Function { name, op: Instruction::Unary(op) }
     }
@@ -37,7 +37,7 @@ pub const FUNCTIONS: [Function; 16] = {
 };
 
 impl Function {
-    pub const fn takes(self) -> usize {
+    pub(crate) const fn takes(self) -> usize {
         self.op.operands()
     }
 }

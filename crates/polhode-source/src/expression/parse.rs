@@ -32,12 +32,12 @@ const POWER: u8 = 7;
 const LONGEST: usize = 4096;
 
 /// The formula in a text, all numbers in SI.
-pub fn compile(text: &str, variables: &[&str]) -> Result<Formula, ExpressionError> {
+pub(crate) fn compile(text: &str, variables: &[&str]) -> Result<Formula, ExpressionError> {
     Parser::new(text, variables, false).read().map(|(formula, _)| formula)
 }
 
 /// The formula in a text whose dimensions are checked, and what its value measures.
-pub fn compile_measured(
+pub(crate) fn compile_measured(
     text: &str,
     variables: &[(&str, Dimension)],
     expected: Option<Dimension>,
@@ -61,7 +61,7 @@ pub fn compile_measured(
 
 /// # Errors
 /// An [`ExpressionError`] where a text has more characters than it may have.
-pub fn require_length(text: &str, most: usize) -> Result<(), ExpressionError> {
+pub(crate) fn require_length(text: &str, most: usize) -> Result<(), ExpressionError> {
     match text.chars().nth(most) {
         Some(_) => Err(ExpressionError { kind: ExpressionErrorKind::TooLong { most }, column: most + 1 }),
         None => Ok(()),

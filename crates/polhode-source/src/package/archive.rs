@@ -1,6 +1,7 @@
 //! The ZIP archive around a package: its entries by name, as text that is inflated while it is read.
 
 use std::collections::HashMap;
+use std::fmt;
 use std::io::{self, BufRead, BufReader, Cursor, Read};
 
 use zip::read::ZipFile;
@@ -27,6 +28,18 @@ pub struct Stream<'s, 'a> {
     declared: u64,
     /// The line of the next byte, from 1.
     pub line: usize,
+}
+
+impl fmt::Debug for Archive<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Archive").field("entries", &self.numbers.len()).finish_non_exhaustive()
+    }
+}
+
+impl fmt::Debug for Stream<'_, '_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Stream").field("line", &self.line).finish_non_exhaustive()
+    }
 }
 
 impl<'a> Archive<'a> {

@@ -2,4 +2,5 @@
 
 pub mod archive;
 pub mod relation;
+pub mod unfolding;
 pub mod xml;

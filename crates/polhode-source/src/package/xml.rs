@@ -1,6 +1,7 @@
 //! XML as a stream of elements that know their line.
 
 use std::borrow::Cow;
+use std::fmt;
 use std::io::BufRead;
 
 use quick_xml::events::attributes::Attribute;
@@ -19,10 +20,20 @@ pub struct Xml<'s, 'a> {
     depth: usize,
 }
 
-/// What stands next. An empty element is a start and an end.
+impl fmt::Debug for Xml<'_, '_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Xml").field("entry", &self.entry).finish_non_exhaustive()
+    }
+}
+
+/// Next part of an entry. An empty element is a start and an end.
+#[derive(Debug)]
 pub enum Token<'b> {
+    /// An element begins.
     Start(BytesStart<'b>),
+    /// Text between tags, its entities resolved.
     Text(Cow<'b, str>),
+    /// An element ends.
     End,
     /// A comment, an instruction.
     Other,

@@ -20,7 +20,7 @@ const fn precision(n: usize) -> usize {
 const PI: (u64, u64) = (2_646_693_125_139_304_345, 842_468_587_426_513_207);
 
 /// limbs × 10^ten / Π divisors, limbs in base 10^18 with the lowest first.
-pub struct Exact {
+pub(crate) struct Exact {
     limbs: Vec<u64>,
     ten: i64,
     divisors: Vec<u64>,
@@ -28,7 +28,7 @@ pub struct Exact {
 
 impl Exact {
     /// An unsigned decimal number such as `12`, `.5` or `6.02e+23`, its form already checked.
-    pub fn new(decimal: &str) -> Self {
+    pub(crate) fn new(decimal: &str) -> Self {
         let (digits, exponent) = decimal.split_once(['e', 'E']).unwrap_or((decimal, "0"));
         let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
         let out_of_range = if exponent.starts_with('-') { i64::MIN / 2 } else { i64::MAX / 2 };
@@ -45,12 +45,12 @@ impl Exact {
         Self { limbs, ten: exponent - fraction.len() as i64, divisors: Vec::new() }
     }
 
-    pub fn is_zero(&self) -> bool {
+    pub(crate) fn is_zero(&self) -> bool {
         self.limbs.is_empty()
     }
 
     /// Multiplies by factor^power, the factor as the table of units writes it: `0.3048`, `pi/180`.
-    pub fn scale(&mut self, factor: &str, power: i8) {
+    pub(crate) fn scale(&mut self, factor: &str, power: i8) {
         for (place, part) in factor.split('/').enumerate() {
             let (mut above, mut below, mut ten) = match part {
                 "pi" => (PI.0, PI.1, 0),
@@ -84,7 +84,7 @@ impl Exact {
     }
 
     /// The nearest double; infinite where there is none.
-    pub fn nearest(mut self) -> f64 {
+    pub(crate) fn nearest(mut self) -> f64 {
         if !self.divisors.is_empty() {
             let zeros = precision(self.divisors.len());
             self.limbs.splice(0..0, std::iter::repeat_n(0, zeros));

@@ -11,7 +11,7 @@ const SPACES: [char; 4] = [' ', '\u{a0}', '\u{202f}', '\u{2009}'];
 
 /// A number in front of its unit.
 #[derive(Debug)]
-pub struct Split<'a> {
+pub(crate) struct Split<'a> {
     /// In ASCII and in one piece: `-8.273333e-5`.
     pub number: String,
     /// What follows it.
@@ -21,7 +21,7 @@ pub struct Split<'a> {
 }
 
 /// The number at the start of a text and the unit after it; `None` if the number does not end cleanly.
-pub fn split(text: &str) -> Option<Split<'_>> {
+pub(crate) fn split(text: &str) -> Option<Split<'_>> {
     let mut cursor = Cursor { rest: text, number: String::new(), spaced: false };
     cursor.sign();
     let mut count = cursor.digits();

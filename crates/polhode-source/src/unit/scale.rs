@@ -3,7 +3,9 @@
 /// A unit's value, so that powers of ten below one are divided by and round once only.
 #[derive(Clone, Copy, Debug)]
 pub enum Scale {
+    /// Multiplies by a factor.
     Times(f64),
+    /// Divides by a factor.
     Over(f64),
 }
 

@@ -9,7 +9,7 @@ use super::Dimension;
 
 /// A unit by name.
 #[derive(Clone, Copy)]
-pub struct Unit {
+pub(crate) struct Unit {
     /// Its value in SI: a decimal or π, or a ratio of two of these.
     pub factor: &'static str,
     pub dimension: Dimension,
@@ -17,7 +17,7 @@ pub struct Unit {
 
 impl Unit {
     /// The unit of that name; both micro signs (U+00B5, U+03BC) are read.
-    pub fn named(name: &str) -> Option<Self> {
+    pub(crate) fn named(name: &str) -> Option<Self> {
         let name = name.replace('\u{3bc}', "\u{b5}");
         UNITS
             .iter()
@@ -27,18 +27,18 @@ impl Unit {
 }
 
 /// The first name of each unit of a dimension.
-pub fn names_of(dimension: Dimension) -> impl Iterator<Item = &'static str> {
+pub(crate) fn names_of(dimension: Dimension) -> impl Iterator<Item = &'static str> {
     let of = UNITS.iter().filter(move |(.., found)| *found == dimension);
     of.filter_map(|(names, ..)| names.split(' ').next())
 }
 
 /// The unit that a word in lower case means.
-pub fn word(lower: &str) -> Option<&'static str> {
+pub(crate) fn word(lower: &str) -> Option<&'static str> {
     WORDS.iter().find(|(words, _)| words.split(' ').any(|word| word == lower)).map(|&(_, unit)| unit)
 }
 
 /// The unit that was probably meant.
-pub fn suggestion(name: &str) -> Option<String> {
+pub(crate) fn suggestion(name: &str) -> Option<String> {
     let base = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let power = &name[base.len()..];
     if power.len() == 1 && Unit::named(base).is_some() {

@@ -9,7 +9,7 @@ use crate::process::{cargo, output};
 /// The most external crates that each package may bring along on this platform, with these features.
 const MOST: [(&str, &[&str], usize); 3] = [
     ("polhode", &[], 10),
-    ("polhode-cli", &["--no-default-features", "--features", "png"], 100),
+    ("polhode-cli", &["--no-default-features", "--features", "png"], 101),
     ("polhode-cli", &[], 145), // with the server of `polhode live`, nalgebra for `polhode identify` and clarabel for ballast
 ];
 

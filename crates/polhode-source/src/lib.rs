@@ -4,7 +4,8 @@
 //! |---|---|
 //! | [`FormatError`] | path, line, column, what is there, the rule, what to write instead |
 //! | [`ContentError`] | the same of bytes whose file is not known yet |
-//! | [`read_file`], [`read_text_file`], [`mod@file`], [`Confinement`] | files, and the folders that data files may name files in |
+//! | [`read_file`], [`read_text_file`], [`mod@file`] | files, with limits |
+//! | [`Confinement`] | folders that data files may name files in |
 //! | [`mod@unit`] | quantities in text |
 //! | [`expression`] | formulas in text |
 //! | [`times`] | lists of times, one per line |

@@ -46,7 +46,7 @@ impl<'a> Archive<'a> {
     /// Opens a ZIP archive.
     ///
     /// # Errors
-    /// [`ContentError`] if the bytes are no archive.
+    /// [`ContentError`] if the bytes are not an archive.
     pub fn open(bytes: &'a [u8]) -> Result<Self, ContentError> {
         if !bytes.starts_with(b"PK") {
             let found = String::from_utf8_lossy(&bytes[..bytes.len().min(16)]).into_owned();

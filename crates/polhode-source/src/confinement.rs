@@ -13,7 +13,7 @@ use crate::file;
 /// A log, a parts list, a mesh or a robot model is data: it opens no other files, by whatever path, address or link.
 ///
 /// ```
-/// use polhode_formats::{Confinement, NotOpened};
+/// use polhode_source::{Confinement, NotOpened};
 /// let folder = std::env::temp_dir().join(format!("polhode-confined-{}", std::process::id()));
 /// std::fs::create_dir_all(folder.join("inner"))?;
 /// std::fs::write(folder.join("inner/a.stl"), "")?;

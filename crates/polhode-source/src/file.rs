@@ -96,7 +96,7 @@ pub fn failed(written: &str, error: &io::Error) -> FormatErrorKind {
 mod tests {
     use std::io::{Seek as _, Write as _};
 
-    use polhode_formats::*;
+    use super::*;
 
     /// What reading says of a file that is changed after the system was asked for its length.
     fn changed(name: &str, change: impl Fn(&File)) -> io::Result<Vec<u8>> {

@@ -8,9 +8,9 @@ use serde_json::{Map, Number, Value};
 /// Reads a document; an object in which a key stands twice is refused, as it is not known which of its values is meant.
 ///
 /// ```
-/// let read = crate::json::json_value(br#"{"mass": 1, "part": {"mass": 2}}"#)?;
+/// let read = polhode_source::json_value(br#"{"mass": 1, "part": {"mass": 2}}"#)?;
 /// assert_eq!(read["part"]["mass"], 2);
-/// let error = crate::json::json_value(br#"{"part": {"mass": 1, "mass": 2}}"#).unwrap_err();
+/// let error = polhode_source::json_value(br#"{"part": {"mass": 1, "mass": 2}}"#).unwrap_err();
 /// assert!(error.to_string().starts_with("the key \"mass\" stands twice in one object at line 1"));
 /// # Ok::<(), serde_json::Error>(())
 /// ```

@@ -9,11 +9,10 @@ use crate::file;
 /// Reads a file with a parser of bytes: an error in the contents gets its line.
 ///
 /// ```
-/// use polhode_formats::{particles, read_file};
-/// let path = std::env::temp_dir().join(format!("polhode-cloud-{}.csv", std::process::id()));
-/// std::fs::write(&path, "mass_kg,x_m,y_m,z_m\n1.5,0,0,2\n")?;
-/// let read = |bytes: &[u8]| particles::read(bytes, &particles::ParticleOptions::default());
-/// assert_eq!(read_file(&path, read)?.particles[0].mass(), 1.5);
+/// use polhode_source::{json_value, read_file};
+/// let path = std::env::temp_dir().join(format!("polhode-read-{}.json", std::process::id()));
+/// std::fs::write(&path, "{\"mass\": 1.5}")?;
+/// assert_eq!(read_file(&path, json_value)?["mass"], 1.5);
 /// # std::fs::remove_file(path)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

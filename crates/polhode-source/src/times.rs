@@ -44,7 +44,7 @@ pub fn read_from(stream: impl Read, path: &Path) -> Result<Vec<f64>, FormatError
 /// Reads times from text; `path` is for messages.
 ///
 /// ```
-/// use crate::times;
+/// use polhode_source::times;
 /// let list = "# nights of observation\n0\n36 h\n\n-2.5 d   # before the start\n";
 /// assert_eq!(times::parse(list, "nights.txt".as_ref()), Ok(vec![0.0, 129_600.0, -216_000.0]));
 /// let error = times::parse("0\n3 kg\n", "nights.txt".as_ref()).unwrap_err();
@@ -98,7 +98,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Vec<f64>, FormatError> {
 /// 0, `every`, 2 `every`, … and `duration`; both are positive, and there are at most [`MOST`], else `None`.
 ///
 /// ```
-/// use crate::times;
+/// use polhode_source::times;
 /// assert_eq!(times::every(0.5, 1.25), Some(vec![0.0, 0.5, 1.0, 1.25]));
 /// ```
 pub fn every(every: f64, duration: f64) -> Option<Vec<f64>> {
@@ -120,7 +120,7 @@ pub fn every(every: f64, duration: f64) -> Option<Vec<f64>> {
 /// `None`.
 ///
 /// ```
-/// use crate::times;
+/// use polhode_source::times;
 /// assert_eq!(times::range(0.5, -1.0, -0.5), Some(vec![0.5, 0.0, -0.5, -1.0]));
 /// assert_eq!(times::range(0.0, 1.0, -0.5), None);
 /// ```

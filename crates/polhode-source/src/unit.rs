@@ -34,7 +34,7 @@ pub use scale::Scale;
 /// Reads a number with an optional unit as a value in SI units: m, kg, s, rad and their products.
 ///
 /// ```
-/// use crate::unit::{Dimension, UnitError, parse};
+/// use polhode_source::unit::{Dimension, UnitError, parse};
 ///
 /// assert_eq!(parse("3 in", Dimension::LENGTH), Ok(0.0762)); // m
 /// assert_eq!(parse("2.7 g/cm³", Dimension::DENSITY), Ok(2700.0)); // kg/m³
@@ -61,7 +61,7 @@ pub fn parse(text: &str, expected: Dimension) -> Result<f64, UnitError> {
 /// One of a unit, in SI: of `mm` 0.001.
 ///
 /// ```
-/// use crate::unit::{Dimension, factor};
+/// use polhode_source::unit::{Dimension, factor};
 /// assert_eq!(factor("mm", Dimension::LENGTH), Ok(0.001));
 /// assert!(factor("kg", Dimension::LENGTH).is_err());
 /// ```
@@ -95,7 +95,7 @@ pub fn spelt(label: &str, expected: Dimension) -> Option<f64> {
 /// for all, or forgot it. What is no quantity is not looked at.
 ///
 /// ```
-/// use crate::unit::bare_beside_units;
+/// use polhode_source::unit::bare_beside_units;
 /// assert_eq!(bare_beside_units(["0 mm", "0", "150"]), Some(("150", "0 mm")));
 /// assert_eq!(bare_beside_units(["0", "2 deg", "−3.5 rad"]), None);
 /// ```
@@ -192,7 +192,7 @@ pub fn may_be_several(text: &str) -> bool {
 /// Reads a number with an optional unit of any dimension: its value in SI units, and what it measures.
 ///
 /// ```
-/// use crate::unit::{Dimension, measured};
+/// use polhode_source::unit::{Dimension, measured};
 /// assert_eq!(measured("3 in"), Ok((0.0762, Dimension::LENGTH)));
 /// assert_eq!(measured("3"), Ok((3.0, Dimension::NONE)));
 /// ```

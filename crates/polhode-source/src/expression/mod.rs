@@ -32,14 +32,14 @@ pub use state::{formula_of_state, formula_of_state_in_si, formula_of_time};
 /// A formula of named variables, ready to be evaluated; numbers have no units, and dimensions are not checked.
 ///
 /// ```
-/// use crate::expression::Expression;
+/// use polhode_source::expression::Expression;
 /// let density = Expression::parse("2700 - 300*hypot(x, y)^2 + if(z > 0.5, 40, 0)", &["x", "y", "z"])?;
 /// assert_eq!(density.evaluate([2.0, 0.0, 1.0]), 2700.0 - 1200.0 + 40.0);
 ///
 /// let error = Expression::parse("2700 + sqr(x)", &["x", "y", "z"]).unwrap_err();
 /// assert_eq!(error.to_string(), "column 8: there is no function sqr");
 /// assert_eq!(error.hint().unwrap(), "did you mean sqrt?");
-/// # Ok::<(), crate::expression::ExpressionError>(())
+/// # Ok::<(), polhode_source::expression::ExpressionError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expression {
@@ -95,8 +95,8 @@ impl polhode::body::density::DensityField for Expression {
 /// `expected` is what the value has to measure, if that is known; the dimension that comes back has the angle in rates.
 ///
 /// ```
-/// use crate::expression::measured;
-/// use crate::unit::Dimension;
+/// use polhode_source::expression::measured;
+/// use polhode_source::unit::Dimension;
 /// let variables = [("t", Dimension::TIME), ("wx", Dimension::ANGULAR_VELOCITY)];
 /// let (torque, dimension) = measured("-0.3[N m s]*wx + sin(90[deg/s]*t)*2[mN m]", &variables, None)?;
 /// assert_eq!(dimension, Dimension::TORQUE);
@@ -105,7 +105,7 @@ impl polhode::body::density::DensityField for Expression {
 /// let error = measured("wx + 2", &variables, None).unwrap_err();
 /// assert_eq!(error.to_string(), "column 4: + joins an angular velocity and a plain number");
 /// assert_eq!(error.hint().unwrap(), "a number has its unit behind it, such as 30 deg/s");
-/// # Ok::<(), crate::expression::ExpressionError>(())
+/// # Ok::<(), polhode_source::expression::ExpressionError>(())
 /// ```
 ///
 /// # Errors
@@ -121,14 +121,14 @@ pub fn measured(
 /// The condition in a text, of variables that have dimensions: a formula that is 1 where it holds, else 0.
 ///
 /// ```
-/// use crate::expression::condition;
-/// use crate::unit::Dimension;
+/// use polhode_source::expression::condition;
+/// use polhode_source::unit::Dimension;
 /// let variables = [("tilt", Dimension::ANGLE), ("t", Dimension::TIME)];
 /// let lost = condition("tilt > 90 deg and t < 2 h", &variables)?;
 /// assert_eq!([lost.evaluate(&[1.6, 7000.0]), lost.evaluate(&[1.5, 7000.0])], [1.0, 0.0]);
 /// assert!(condition("tilt > 90", &variables).is_err()); // of what?
 /// assert!(condition("tilt", &variables).is_err());
-/// # Ok::<(), crate::expression::ExpressionError>(())
+/// # Ok::<(), polhode_source::expression::ExpressionError>(())
 /// ```
 ///
 /// # Errors

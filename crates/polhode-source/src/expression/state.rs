@@ -12,11 +12,11 @@ use crate::unit::Dimension;
 /// value has to be of that dimension.
 ///
 /// ```
-/// use crate::expression::formula_of_state;
-/// use crate::unit::Dimension;
+/// use polhode_source::expression::formula_of_state;
+/// use polhode_source::unit::Dimension;
 /// let (speed, dimension) = formula_of_state("hypot(wx, hypot(wy, wz))", None)?;
 /// assert_eq!(dimension, Dimension::ANGULAR_VELOCITY);
-/// # Ok::<(), crate::expression::ExpressionError>(())
+/// # Ok::<(), polhode_source::expression::ExpressionError>(())
 /// ```
 ///
 /// # Errors

@@ -8,7 +8,7 @@ use std::fmt;
 /// `"3 N"` no angle. Energy and torque are the same here, as they are in SI.
 ///
 /// ```
-/// use crate::unit::Dimension;
+/// use polhode_source::unit::Dimension;
 /// assert_eq!(Dimension::INERTIA.to_string(), "a moment of inertia");
 /// assert_eq!(Dimension::new(1, 0, -1, 0).to_string(), "a quantity in kg s^-1");
 /// ```

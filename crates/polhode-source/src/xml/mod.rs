@@ -18,12 +18,12 @@ pub use written::{Name, Number, Written, is_true};
 /// Reads a text as a tree and makes something of its root element.
 ///
 /// ```
-/// use crate::xml::with_root;
+/// use polhode_source::xml::with_root;
 /// let sides = with_root("<box>\n  <size>0.3 1.7 2.2</size></box>", |root| {
 ///     Ok(root.child_text("size").and_then(|size| size.array()))
 /// })?;
 /// assert_eq!(sides, Some([0.3, 1.7, 2.2]));
-/// # Ok::<(), crate::content::ContentError>(())
+/// # Ok::<(), polhode_source::ContentError>(())
 /// ```
 ///
 /// # Errors

@@ -9,7 +9,7 @@ use crate::layout::is_unseen;
 ///
 /// ```
 /// let value = serde_json::json!({"mass": 1.5, "tensor": [[1.0, 0.0], [0.0, 2.0]]});
-/// let text = crate::json::pretty(&value);
+/// let text = polhode_document::json::pretty(&value);
 /// assert_eq!(text, "{\n  \"mass\": 1.5,\n  \"tensor\": [\n    [1.0, 0.0],\n    [0.0, 2.0]\n  ]\n}");
 /// ```
 ///

@@ -7,7 +7,7 @@ use crate::layout::printable;
 /// Where the input came from, and what it is.
 ///
 /// ```
-/// let source = crate::SourceInfo::new("bracket.stl", "stl")
+/// let source = polhode_document::SourceInfo::new("bracket.stl", "stl")
 ///     .described("STL binary, 20,480 triangles, closed, consistently wound")
 ///     .with("triangles", 20_480);
 /// assert_eq!(source.to_json()["triangles"], 20_480);

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use crate::finding::Severity;
-
 pub use crate::span::Span;
+pub use polhode_source::xml::{Name, Number};
 
 /// The languages of models.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -9,10 +9,10 @@ use crate::file;
 /// Reads a file with a parser of bytes: an error in the contents gets its line.
 ///
 /// ```
-/// use polhode_source::{json_value, read_file};
-/// let path = std::env::temp_dir().join(format!("polhode-read-{}.json", std::process::id()));
-/// std::fs::write(&path, "{\"mass\": 1.5}")?;
-/// assert_eq!(read_file(&path, json_value)?["mass"], 1.5);
+/// use polhode_source::read_file;
+/// let path = std::env::temp_dir().join(format!("polhode-read-{}.txt", std::process::id()));
+/// std::fs::write(&path, "1.5 kg")?;
+/// assert_eq!(read_file(&path, |bytes| Ok(bytes.len()))?, 6);
 /// # std::fs::remove_file(path)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -1,5 +1,7 @@
 //! XML as the languages of robots use it.
 
+pub(crate) use polhode_source::xml::{Document, Element, Forest, Links, Written, is_true, with_root};
+
 use crate::model::{Number, Slot};
 
 /// What an element's attribute says as a number, or that it lacks it.

@@ -6,7 +6,7 @@
 //! | [`drawing`], [`graph`] | pictures of a document, as data |
 //! | [`figure`] | a sheet of marks with axes and letters, written as SVG or PNG: a [`Picture`] |
 //! | [`mathml`] | formulas and matrices for a browser |
-//! | [`number`], [`unit`], [`si_prefix`] | numbers as text |
+//! | [`number`], [`mod@unit`], [`si_prefix`] | numbers as text |
 //! | [`layout`], [`sparkline`] | plain text for a terminal of 100 columns |
 //! | [`json`], [`finding`] | parts of JSON that many reports have |
 //!

@@ -9,7 +9,7 @@
 //! - [`SweepSummary`]: what many members come to;
 //! - [`IdentifyReport`]: what was found of a body by measuring it;
 //! - [`BudgetReport`]: what a parts list comes to;
-//! - [`explain()`]: the worked solution, step by step, as a [`Document`];
+//! - [`explain()`]: the worked solution, step by step, as a [`Document`](polhode_document::Document);
 //! - [`page()`]: all of it to look at, as one file for a browser.
 //!
 //! Text is plain Unicode for a terminal of 100 columns: the answer first, the convention in the heading, every number

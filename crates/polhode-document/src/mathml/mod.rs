@@ -1,7 +1,7 @@
 //! Formulas as MathML Core, which browsers set without help.
 //!
-//! A formula comes from its LaTeX ([`latex`]); one with something unknown in it stands as text. Only attributes of MathML are
-//! used, no styles: the viewer lets nothing else into the page.
+//! A formula comes from its LaTeX; one with something unknown in it is shown as text. Only attributes
+//! of MathML are used, no styles: the viewer lets nothing else into the page.
 
 mod latex;
 

@@ -1,7 +1,7 @@
 //! Numbers that are drawn together.
 
 use crate::covariance::{NotCovariance, factor};
-use crate::draw::possible;
+use crate::possible::possible;
 use crate::random::{Random, log_normal};
 
 /// Numbers with means and a covariance, as functions of independent standard normal ones.

@@ -55,6 +55,7 @@ mod group;
 mod growth;
 mod limit;
 mod list;
+mod possible;
 mod principal;
 mod random;
 mod row;

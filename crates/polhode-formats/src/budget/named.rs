@@ -8,9 +8,9 @@ use super::access::Access;
 use super::joined::Naming;
 use super::plan;
 use super::{BudgetFile, bytes_of, head, of_csv, text, workbook, xlsx};
-use crate::scenario::document;
 use crate::scenario::reader::Table;
 use crate::scenario::source::Source;
+use crate::scenario::text::document;
 
 /// Reads a plan from its text, and the parts that it names.
 pub(super) fn of_plan(path: &Path, plan_text: &str, access: Access<'_>) -> Result<BudgetFile, FormatError> {

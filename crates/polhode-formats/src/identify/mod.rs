@@ -31,7 +31,7 @@ use polhode_source::{FormatError, FormatErrorKind};
 
 use crate::scenario::reader::{Table, Value};
 use crate::scenario::source::Source;
-use crate::scenario::{document, text_of};
+use crate::scenario::text::{document, text_of};
 
 pub use payload::PayloadPlan;
 pub use read_log::ReadLog;

@@ -58,14 +58,15 @@ pub(crate) fn body<'a>(root: &Table<'a>, findings: &mut Vec<Finding>) -> Result<
         return Err(table.missing("part", EXAMPLE));
     }
     findings.extend(in_metres.iter().filter_map(|(k, mass_given)| absurd_metres(&parts, *k, *mass_given)));
-    let body = match (list.replacement(), list.known()) {
-        (Some(Replacement::MassProperties(_, body)), _) | (_, Some(Known::Body(body))) => *body,
+    let body = match (list.replacement(), list.known_as::<MassProperties<Body>>()) {
+        (Some(Replacement::MassProperties(_, body)), _) => *body,
+        (_, Some(body)) => *body,
         _ => {
             let placed: Vec<_> = parts.iter().map(|part| part.properties).collect();
             MassProperties::combined(&placed).map_err(|e| list.body(e))?
         }
     };
-    list.keep(Known::Body(body));
+    list.keep(Known::Value(Arc::new(body)));
     let pivot = table.get("pivot").map(Pivot::read).transpose()?;
     Ok(Assembly { parts, body, pivot })
 }
@@ -85,6 +86,9 @@ fn absurd_metres(parts: &[BodyPart], k: usize, mass_given: bool) -> Option<Findi
     assumed.finding(Some(format!("part \"{}\"", part.name)))
 }
 
+/// A part of the body without its shape for display, which no motion depends on, and what was noticed of it.
+pub(super) type KnownPart = (BodyPart, Vec<Finding>);
+
 /// Part `k`, from 0: as it was read, if it was.
 fn known_part(
     value: &Value<'_>,
@@ -92,15 +96,16 @@ fn known_part(
     k: usize,
     findings: &mut Vec<Finding>,
 ) -> Result<BodyPart, FormatError> {
-    if let (Some(Known::Part(known)), false) = (value.known(), table.is_shown()) {
-        let (part, noticed) = &**known;
+    if let (Some(known), false) = (value.known_as::<KnownPart>(), table.is_shown()) {
+        let (part, noticed) = &*known;
         findings.extend_from_slice(noticed);
         return Ok(part.clone());
     }
     let mut noticed = Vec::new();
     let part = part(table, k + 1, &mut noticed)?;
     findings.extend_from_slice(&noticed);
-    value.keep(Known::Part(Arc::new((BodyPart { form: None, ..part.clone() }, noticed))));
+    let known: KnownPart = (BodyPart { form: None, ..part.clone() }, noticed);
+    value.keep(Known::Value(Arc::new(known)));
     Ok(part)
 }
 

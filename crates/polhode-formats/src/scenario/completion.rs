@@ -7,8 +7,8 @@ use std::ops::Range;
 
 use polhode_source::unit;
 
+use super::TOP;
 use super::asked::{Question, What};
-use super::reader::TOP;
 
 /// What may stand at a place of a text.
 #[derive(Clone, Debug, PartialEq, Eq)]

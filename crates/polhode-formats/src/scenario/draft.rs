@@ -1,5 +1,6 @@
 //! A scenario whose text is being changed.
 
+use std::any::Any;
 use std::collections::BTreeSet;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::{Path, PathBuf};
@@ -12,7 +13,7 @@ use super::known_mesh::KnownMesh;
 use super::number::{self, WrittenNumber};
 use super::source::{Source, Watch};
 use super::tree::{self, Entries, Kind};
-use super::{ScenarioFile, document, file_of_root};
+use super::{ScenarioFile, TOP, document, file_of_root};
 use crate::mesh::MeshSolid;
 
 /// A scenario whose text is being changed, and is read after each change.
@@ -103,7 +104,8 @@ impl Draft {
     ) -> Result<ScenarioFile, FormatError> {
         let mesh = self.mesh.take();
         let (files, watch) = (Some(&self.files), Watch(goes_on));
-        let source = Source { files, watch, mesh: mesh.as_deref(), ..Source::new(&self.path, &text) };
+        let kept = mesh.as_deref().map(|mesh| mesh as &(dyn Any + Send + Sync));
+        let source = Source { files, watch, kept, headings: &TOP, ..Source::new(&self.path, &text) };
         let mut entries = document(source)?;
         tree::adopt(&mut entries, &self.last);
         let read = file_of_root(source, &entries);
@@ -148,7 +150,8 @@ impl Draft {
     fn asked(&self, text: &str) -> Option<Vec<Question>> {
         let asked = Asked::default();
         let nothing = BTreeSet::new();
-        let source = Source { files: Some(&nothing), asked: Some(&asked), ..Source::new(&self.path, text) };
+        let new = Source::new(&self.path, text);
+        let source = Source { files: Some(&nothing), asked: Some(&asked), headings: &TOP, ..new };
         let mut entries = tree::parse(text).ok()?;
         tree::adopt(&mut entries, &self.last);
         // Where it ends is beyond what was asked for.

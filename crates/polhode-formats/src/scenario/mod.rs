@@ -60,6 +60,7 @@ mod sweep;
 mod target;
 mod template;
 mod tensor;
+pub(crate) mod text;
 mod torque;
 pub(crate) mod tree;
 mod wheel;
@@ -69,13 +70,12 @@ use std::path::{Path, PathBuf};
 use polhode::motion::{ActingTorque, MotionError, Rotor, Scenario};
 use polhode_source::Confinement;
 use polhode_source::file;
-use polhode_source::text::is_utf16;
 use polhode_source::{FormatError, FormatErrorKind, Place};
 
 use crate::mesh::stl;
 use mass_history::PartHistory;
 use pointing::References;
-use reader::{TOP, Table};
+use reader::Table;
 use source::Source;
 use torque::TorquePlaces;
 use tree::Entries;
@@ -89,8 +89,25 @@ pub use sweep::{Dispersion, Distribution, Law, Question, SOBOL_DIMENSIONS, Sampl
 pub use target::{Target, TargetColumn};
 pub use template::Template;
 
-/// A scenario larger than this is something else: a mesh or a table goes into a file of its own.
-const LARGEST_FILE: u64 = 64 << 20;
+/// The keys of the file itself.
+pub(crate) const TOP: [&str; 16] = [
+    "title",
+    "body",
+    "orbit",
+    "start",
+    "torque",
+    "wheel",
+    "mass_history",
+    "event",
+    "pointing",
+    "prescribed",
+    "shaft",
+    "pendulum",
+    "contact",
+    "gimbals",
+    "run",
+    "sweep",
+];
 
 /// A scenario and the file that states it, in which errors of its motion have their places.
 ///
@@ -144,7 +161,7 @@ impl ScenarioFile {
     /// As [`read`], and of a file elsewhere.
     pub fn read_within(path: &Path, folders: &Confinement) -> Result<Self, FormatError> {
         let text = text_of(path)?;
-        let source = Source { within: Some(folders), ..Source::new(path, &text) };
+        let source = Source { within: Some(folders), headings: &TOP, ..Source::new(path, &text) };
         let (scenario, tables, torques) = file_of_root(source, &document(source)?)?;
         Ok(Self { scenario, tables, torques, path: path.to_owned(), text })
     }
@@ -154,7 +171,7 @@ impl ScenarioFile {
     /// # Errors
     /// As [`read`].
     pub fn parse(text: String, path: &Path) -> Result<Self, FormatError> {
-        let source = Source::new(path, &text);
+        let source = Source { headings: &TOP, ..Source::new(path, &text) };
         let (scenario, tables, torques) = file_of_root(source, &document(source)?)?;
         Ok(Self { scenario, tables, torques, path: path.to_owned(), text })
     }
@@ -192,19 +209,10 @@ pub fn read(path: &Path) -> Result<Scenario, FormatError> {
 /// # Errors
 /// [`FormatError`] if the file cannot be read, is larger, or is not UTF-8.
 pub fn text_of(path: &Path) -> Result<String, FormatError> {
-    let fail = |kind| FormatError::new(path, None, kind);
-    let bytes = file::bytes(path, &path.to_string_lossy(), LARGEST_FILE).map_err(fail)?;
-    if is_utf16(&bytes) {
-        return Err(fail(FormatErrorKind::Utf16));
-    }
-    match String::from_utf8(bytes) {
-        Ok(text) => Ok(text),
-        Err(error) => {
-            let (bytes, error) = (error.as_bytes().to_vec(), error.utf8_error());
-            let error = FormatError::not_utf8(path, &bytes, error.valid_up_to());
-            Err(perhaps_mesh(error, &bytes))
-        }
-    }
+    text::text_of(path).map_err(|error| match error.kind() {
+        FormatErrorKind::Io { .. } | FormatErrorKind::Utf16 => error,
+        _ => perhaps_mesh(error, &file::bytes(path, "", text::LARGEST_FILE).unwrap_or_default()),
+    })
 }
 
 /// An error about bytes that are no scenario, with the advice for those of a mesh.
@@ -244,11 +252,11 @@ pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
 }
 
 /// The tree of a file.
-pub(crate) fn document(source: Source<'_>) -> Result<Entries, FormatError> {
-    let entries = tree::parse(source.text)
-        .map_err(|error| perhaps_mesh(source.syntax(&error), source.text.as_bytes()))?;
-    list_units::check(source, &entries)?;
-    Ok(entries)
+fn document(source: Source<'_>) -> Result<Entries, FormatError> {
+    text::document(source).map_err(|error| match error.kind() {
+        FormatErrorKind::Toml { .. } => perhaps_mesh(error, source.text.as_bytes()),
+        _ => error,
+    })
 }
 
 /// What a file states whose tables are `entries`; of a plan, the scenario as it is written.

@@ -9,7 +9,7 @@ use polhode_source::{FormatError, FormatErrorKind};
 use super::placement::Placement;
 use super::reader::Table;
 use super::tree::Known;
-use crate::molecule::{self, ATOMIC_MASS, Isotopes, MoleculeFormat};
+use crate::molecule::{self, ATOMIC_MASS, Isotopes, Molecule, MoleculeFormat};
 
 /// `file = "water.xyz"`, `isotopes = "average"`: the first molecule of the file.
 pub(super) fn molecule(
@@ -40,12 +40,12 @@ pub(super) fn molecule(
         })?;
         let first = molecules.into_iter().next().ok_or_else(|| file.invalid("a molecule with atoms"))?;
         let first = Arc::new(first);
-        file.keep(Known::Molecule(first.clone()));
+        file.keep(Known::File(first.clone()));
         Ok(first)
     };
-    let first = match file.known() {
-        Some(Known::Molecule(first)) => first.clone(),
-        _ => read()?,
+    let first = match file.known_as::<Molecule>() {
+        Some(first) => first,
+        None => read()?,
     };
     findings.extend(first.findings_with(isotopes));
     let particle = |atom: &molecule::Atom| {

@@ -30,15 +30,15 @@ const NAMES: [&[&str]; 3] = [
 /// Reads the file that `table` names, relative to the scenario.
 pub(super) fn read(table: &Value<'_>, columns: Option<&str>) -> Result<Arc<Rows>, FormatError> {
     let path = table.path()?;
-    if let Some(Known::Rows(rows)) = table.known() {
-        return Ok(rows.clone());
+    if let Some(rows) = table.known_as::<Rows>() {
+        return Ok(rows);
     }
     let bytes = csv::bytes(table, &path)?;
     let rows = rows(&bytes, columns).map_err(|error| {
         FormatError::of_content(&path, &bytes, error).named_in(table.source().path, table.place())
     })?;
     let rows = Arc::new(rows);
-    table.keep(Known::Rows(rows.clone()));
+    table.keep(Known::File(rows.clone()));
     Ok(rows)
 }
 

@@ -1,5 +1,6 @@
 //! One `[[body.part]]`: a shape, a mesh, particles or a tensor, made of something, placed somewhere.
 
+use std::any::Any;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -11,6 +12,7 @@ use polhode_source::unit;
 use polhode_source::unit::{Dimension, UnitError};
 use polhode_source::{FormatError, FormatErrorKind};
 
+use super::known_mesh::KnownMesh;
 use super::molecule::molecule;
 use super::placement::Placement;
 use super::reader::{Table, Value};
@@ -123,20 +125,26 @@ fn particles(table: &Table<'_>, name: String, placement: &Placement) -> Result<B
     })
 }
 
+/// The mesh of a file, and what was noticed of it.
+struct KeptMesh {
+    mesh: Arc<ClosedMesh>,
+    noticed: Vec<Finding>,
+}
+
 /// The mesh of a part, read once.
 fn mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<Arc<ClosedMesh>, FormatError> {
     let file = table.require("file", "file = \"part.stl\"")?;
     // A weld or a fill may be varied, and then the same file is another mesh.
     let is_kept = table.get("weld").is_none() && table.get("fill").is_none();
-    if let Some(Known::Mesh(mesh, noticed)) = file.known().filter(|_| is_kept) {
-        findings.extend_from_slice(noticed);
-        return Ok(mesh.clone());
+    if let Some(known) = file.known_as::<KeptMesh>().filter(|_| is_kept) {
+        findings.extend_from_slice(&known.noticed);
+        return Ok(known.mesh.clone());
     }
     let mut noticed = Vec::new();
     let mesh = Arc::new(read_mesh(table, name, &mut noticed)?);
     findings.extend_from_slice(&noticed);
     if is_kept {
-        file.keep(Known::Mesh(mesh.clone(), noticed));
+        file.keep(Known::File(Arc::new(KeptMesh { mesh: mesh.clone(), noticed })));
     }
     Ok(mesh)
 }
@@ -203,7 +211,8 @@ fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Resu
     let file = MeshFile::of(table)?;
     let MeshFile { ref value, ref path, written, format, unit, weld, fill } = file;
     let is_as_read = weld.is_none() && fill.is_none();
-    let known = value.source().mesh.filter(|known| known.path == *path && known.unit == unit && is_as_read);
+    let known = value.source().kept.and_then(<dyn Any + Send + Sync>::downcast_ref::<KnownMesh>);
+    let known = known.filter(|known| known.path == *path && known.unit == unit && is_as_read);
     let mut repairs = Vec::new();
     let read = || {
         let (contents, done) = file.contents()?;

@@ -1,7 +1,9 @@
 //! TOML with places: tables and values that know where in the file they stand, so that every error can say it.
 
+use std::any::Any;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use polhode::body::BodyError;
 use polhode::math::RotationError;
@@ -17,26 +19,6 @@ use polhode_source::{FormatError, FormatErrorKind, Place};
 use super::meant;
 use super::source::Source;
 use super::tree::{Entries, Kind, Known, Node, Replacement};
-
-/// The keys of the file itself.
-pub(crate) const TOP: [&str; 16] = [
-    "title",
-    "body",
-    "orbit",
-    "start",
-    "torque",
-    "wheel",
-    "mass_history",
-    "event",
-    "pointing",
-    "prescribed",
-    "shaft",
-    "pendulum",
-    "contact",
-    "gimbals",
-    "run",
-    "sweep",
-];
 
 /// True for a table, and for a list of tables.
 fn is_table(kind: &Kind) -> bool {
@@ -85,7 +67,7 @@ impl<'a> Table<'a> {
             "torque" | "wheel" | "event" | "pointing" if is_table(&entry.node.kind) => {
                 Some(format!("write [[{key}]] on a line of its own"))
             }
-            key if TOP.contains(&key) && is_table(&entry.node.kind) => {
+            key if self.source.headings.contains(&key) && is_table(&entry.node.kind) => {
                 Some(format!("write [{key}] on a line of its own"))
             }
             _ => None,
@@ -198,6 +180,11 @@ impl<'a> Value<'a> {
         self.value.known.get()
     }
 
+    /// What is in the file that it names, or what its reader made of it, if that was a `T`.
+    pub(crate) fn known_as<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
+        self.known().and_then(Known::get)
+    }
+
     /// Keeps what it was read as, for later readings.
     pub(crate) fn keep(&self, known: Known) {
         // What is known already is the same.
@@ -253,7 +240,7 @@ impl<'a> Value<'a> {
         match meant::table(self.key, text, elements) {
             _ if self.is_element => meant::element(self.key, text, elements),
             Some(advice) => advice,
-            None if TOP.contains(&self.key) => {
+            None if self.source.headings.contains(&self.key) => {
                 format!("write [{}] on a line of its own, and its keys below", self.key)
             }
             None => self.write("{ key = value }"),

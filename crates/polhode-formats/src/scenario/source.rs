@@ -1,5 +1,6 @@
 //! The text of a scenario file: places in it, and errors at them.
 
+use std::any::Any;
 use std::collections::BTreeSet;
 use std::fmt;
 use std::ops::Range;
@@ -10,7 +11,6 @@ use polhode_source::expression::ExpressionError;
 use polhode_source::{FormatError, FormatErrorKind, Place};
 
 use super::asked::Asked;
-use super::known_mesh::KnownMesh;
 use super::tree::{Kind, Node, Replacement};
 
 /// The text of a file, and its path, for messages and for the files that it names.
@@ -28,8 +28,10 @@ pub(crate) struct Source<'a> {
     pub(crate) within: Option<&'a Confinement>,
     /// Where the reader writes down what it asks for, if somebody wants to know.
     pub(crate) asked: Option<&'a Asked>,
-    /// A mesh that it may name, whose file has been read.
-    pub(crate) mesh: Option<&'a KnownMesh>,
+    /// What the caller has read of a file that the text may name; its reader knows the type.
+    pub(crate) kept: Option<&'a (dyn Any + Send + Sync)>,
+    /// The keys of the file itself that are tables: messages say how these are written.
+    pub(crate) headings: &'a [&'static str],
     pub(crate) watch: Watch<'a>,
 }
 
@@ -54,7 +56,8 @@ impl<'a> Source<'a> {
             files: None,
             within: None,
             asked: None,
-            mesh: None,
+            kept: None,
+            headings: &[],
             watch: Watch(&|| true),
         }
     }

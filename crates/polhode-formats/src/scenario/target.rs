@@ -8,6 +8,7 @@ use polhode::motion::Scenario;
 use polhode_source::FormatError;
 use polhode_source::unit::Dimension;
 
+use super::body::KnownPart;
 use super::key::{Spot, mirrored};
 use super::reader::Value;
 use super::tree::{Entries, Kind, Known, Node, Step, Way};
@@ -262,9 +263,9 @@ impl Catalogue<'_> {
         } else {
             let spot = Spot::at(self.entries, whole).map_err(|(rule, hint)| refused(key, &rule, hint))?;
             let one_part = matches!(spot.node.kind, Kind::Table(_)) && spot.words.len() == 3;
-            match (spot.part, spot.node.known.get()) {
-                (Some(k), Some(Known::Part(known))) if one_part => {
-                    let (part, _) = &**known;
+            match (spot.part, spot.node.known.get().and_then(Known::get::<KnownPart>)) {
+                (Some(k), Some(known)) if one_part => {
+                    let (part, _) = &*known;
                     (Some(k), spot.words.join("_"), spot.way, part.name.clone(), part.properties)
                 }
                 _ => {

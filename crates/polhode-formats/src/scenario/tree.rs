@@ -3,20 +3,17 @@
 //! A node keeps what it was read as, for later readings. A tree in which something is replaced shares all nodes with the first but those above
 //! what is replaced, and these know nothing: so a later reading computes what depends on it, and nothing else.
 
+use std::any::Any;
 use std::collections::BTreeMap;
 use std::hash::{Hash as _, Hasher};
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
-use polhode::body::mesh::ClosedMesh;
-use polhode::body::{BodyPart, Finding, MassProperties};
+use polhode::body::MassProperties;
 use polhode::math::Body;
 use polhode_source::unit::Dimension;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
-
-use super::rows::{Rows, TorqueRows};
-use crate::molecule::Molecule;
 
 /// A value, its place, and what it was read as.
 #[derive(Clone, Debug)]
@@ -59,14 +56,19 @@ pub(crate) enum Known {
     /// The quaternion (w, x, y, z) of a rotation.
     Rotation([f64; 4]),
     /// What is in the file that it names.
-    Mesh(Arc<ClosedMesh>, Vec<Finding>),
-    Molecule(Arc<Molecule>),
-    Rows(Arc<Rows>),
-    Torques(Arc<TorqueRows>),
-    /// A part of the body, without its shape for display, which no motion depends on.
-    Part(Arc<(BodyPart, Vec<Finding>)>),
-    /// All parts together.
-    Body(MassProperties<Body>),
+    File(Arc<dyn Any + Send + Sync>),
+    /// What its reader made of it.
+    Value(Arc<dyn Any + Send + Sync>),
+}
+
+impl Known {
+    /// What is in a file, or what a reader made of a value, if it is a `T`.
+    pub(crate) fn get<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
+        match self {
+            Self::File(known) | Self::Value(known) => known.clone().downcast().ok(),
+            Self::Number(..) | Self::Rotation(_) => None,
+        }
+    }
 }
 
 /// One step of the way to a value.
@@ -113,10 +115,7 @@ impl Node {
     /// The name of a file, once that was read.
     pub(crate) fn file(&self) -> Option<&str> {
         match (&self.kind, self.known.get()) {
-            (
-                Kind::Text(name),
-                Some(Known::Mesh(..) | Known::Molecule(_) | Known::Rows(_) | Known::Torques(_)),
-            ) => Some(name),
+            (Kind::Text(name), Some(Known::File(_))) => Some(name),
             _ => None,
         }
     }

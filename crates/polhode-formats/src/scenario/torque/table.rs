@@ -72,8 +72,8 @@ fn covers(
 /// Reads the file that `table` names, relative to the scenario.
 fn read(table: &Value<'_>) -> Result<Arc<TorqueRows>, FormatError> {
     let path = table.path()?;
-    if let Some(Known::Torques(rows)) = table.known() {
-        return Ok(rows.clone());
+    if let Some(rows) = table.known_as::<TorqueRows>() {
+        return Ok(rows);
     }
     let bytes = csv::bytes(table, &path)?;
     let rows = if bytes.starts_with(b"PAR1") { of_parquet(&bytes) } else { of_text(&bytes) };
@@ -81,7 +81,7 @@ fn read(table: &Value<'_>) -> Result<Arc<TorqueRows>, FormatError> {
         FormatError::of_content(&path, &bytes, error).named_in(table.source().path, table.place())
     })?;
     let rows = Arc::new(rows);
-    table.keep(Known::Torques(rows.clone()));
+    table.keep(Known::File(rows.clone()));
     Ok(rows)
 }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 use polhode::body::mesh::{ConvexHull, TriangleMesh};
 use polhode::body::shape::{Shape as _, Substance};
 use polhode::math::Rotation;
-use polhode_formats::mesh::{MeshContents, MeshFormat, MeshSolid, points};
+use polhode_shape::mesh::{MeshContents, MeshFormat, MeshSolid, points};
 
 use super::physical::{assert_physical, assert_written_is_read};
 

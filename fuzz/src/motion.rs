@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 
 use polhode::infer::judge::{AttitudeSense, DeclaredReading, OmegaAxes, SignedAxes};
 use polhode::motion::{ErrorEffort, Scenario, Trajectory};
-use polhode_formats::suite::CASES;
-use polhode_formats::{run_log, scenario, table};
-use polhode_report::{JudgeReport, JudgedRun};
+use polhode_judge::suite::CASES;
+use polhode_judge::{JudgeReport, JudgedRun};
+use polhode_scenario::read as scenario;
 use polhode_sweep::Plan;
+use polhode_table::{log as run_log, output as table};
 
 use super::physical::assert_physical;
 

@@ -4,10 +4,12 @@ use std::path::Path;
 
 use polhode::body::MassProperties;
 use polhode::math::{Body, Frame};
-use polhode_formats::cad::{self, CadOptions};
-use polhode_report::{ExportBody, ExportFormat, export};
 use polhode_robot::lump::{Lumping, lump};
 use polhode_robot::read::{ReadOptions, read_text};
+use polhode_shape::cad;
+use polhode_shape::cad::CadOptions;
+use polhode_shape::export;
+use polhode_shape::{ExportBody, ExportFormat};
 
 /// What rounding may take from i1 + i2 − i3, as a part of i3.
 const ROUNDING: f64 = 1e-12;

@@ -3,10 +3,13 @@
 use std::path::Path;
 
 use polhode::body::mass_properties_of_particles;
-use polhode_formats::budget;
-use polhode_formats::molecule::{self, Isotopes, MoleculeFormat};
-use polhode_formats::particles::{self, ParticleOptions};
-use polhode_formats::voxel::{self, VoxelOptions};
+use polhode_budget::read as budget;
+use polhode_shape::molecule;
+use polhode_shape::molecule::{Isotopes, MoleculeFormat};
+use polhode_shape::particles;
+use polhode_shape::particles::ParticleOptions;
+use polhode_shape::voxel;
+use polhode_shape::voxel::VoxelOptions;
 
 use super::physical::{assert_physical, assert_written_is_read};
 

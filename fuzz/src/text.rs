@@ -3,10 +3,9 @@
 use std::path::Path;
 
 use polhode::body::shape::Substance;
-use polhode_formats::cad::{
-    self, CadOptions, DecimalMark, GeometryProgram, GeometryReport, ProductConvention,
-};
-use polhode_formats::identify;
+use polhode_identify::read as identify;
+use polhode_shape::cad;
+use polhode_shape::cad::{CadOptions, DecimalMark, GeometryProgram, GeometryReport, ProductConvention};
 use polhode_source::expression::{Expression, formula_of_state, formula_of_time};
 use polhode_source::unit;
 use polhode_source::unit::Dimension;

@@ -1,11 +1,11 @@
 //! A possible part, drawn from the errors of its row.
 
 use polhode::body::{BodyError, MassProperties};
+use polhode::infer::possible::possible;
+use polhode::infer::random::log_normal;
 use polhode::math::{Direction, Part, Position, Rotation};
 
 use crate::budget::PlacedPart;
-use crate::possible::possible;
-use crate::random::log_normal;
 use crate::row::Place;
 use crate::tank::UncertainLiquid;
 use crate::tensor::{mass_properties, plus, steiner};

@@ -1,13 +1,13 @@
 //! Bodies that the errors of a list allow, at random.
 
 use polhode::body::{BodyError, MassProperties};
+use polhode::infer::random::Random;
 use polhode::math::{Body, Direction, Part, Position, Rotation};
 
 use crate::budget::{Budget, PlacedPart};
 use crate::draw::mass_sd;
 use crate::error::BudgetError;
 use crate::growth::Basis;
-use crate::random::Random;
 use crate::row::CopyErrors;
 use crate::subtrees::combined;
 use crate::tensor::scaled;

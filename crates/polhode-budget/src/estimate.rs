@@ -1,10 +1,10 @@
 //! Mass properties with their covariance.
 
 use polhode::body::{InertiaAbout, MassProperties, MassPropertiesDerivative, MassPropertiesGradient};
+use polhode::infer::covariance::{add_square, form, mirrored};
 use polhode::math::{Body, Frame, Position, Rotation};
 
 use crate::budget::Budget;
-use crate::covariance::{add_square, form, mirrored};
 use crate::error::BudgetError;
 use crate::growth::Basis;
 use crate::tensor::{plus, steiner};

@@ -1,9 +1,9 @@
 //! Principal moments and axes with their errors.
 
 use polhode::body::{MassPropertiesGradient, PrincipalFrame};
+use polhode::infer::covariance::mirrored;
 use polhode::math::{Direction, Frame};
 
-use crate::covariance::mirrored;
 use crate::estimate::Estimate;
 
 /// Principal moments and axes, and how they depend on the tensor.

@@ -1,6 +1,7 @@
 //! How well the numbers of a row are known.
 
-use crate::covariance::{NotCovariance, columns};
+use polhode::infer::covariance::{NotCovariance, columns};
+
 use crate::tank::UncertainLiquid;
 
 /// Errors of the numbers of a row, with mean zero.
@@ -168,7 +169,7 @@ impl Uncertainty {
             }
             PartUncertainty::Joint(covariance) => {
                 let what = "mass, centre and tensor";
-                for (number, column) in columns(covariance).map_err(|error| error.of(what))? {
+                for (number, column) in columns(covariance).map_err(|error| no_covariance(what, error))? {
                     let [mass, x, y, z, elements @ ..] = column;
                     let error =
                         RowError { mass, center: [x, y, z], tensor: tensor(elements), ..RowError::default() };
@@ -214,7 +215,7 @@ impl<const N: usize> Spread<N> {
             }
             Self::Covariance(covariance) => {
                 columns(covariance)
-                    .map_err(|error| error.of(what))?
+                    .map_err(|error| no_covariance(what, error))?
                     .into_iter()
                     .for_each(|(k, column)| each(k, column));
             }
@@ -232,8 +233,6 @@ fn deviation(what: &'static str, value: f64) -> Result<Option<f64>, NotUncertain
     }
 }
 
-impl NotCovariance {
-    const fn of(self, what: &'static str) -> NotUncertainty {
-        NotUncertainty::Covariance { what, element: self.element }
-    }
+const fn no_covariance(what: &'static str, error: NotCovariance) -> NotUncertainty {
+    NotUncertainty::Covariance { what, element: error.element }
 }

@@ -5,8 +5,8 @@
 use std::error::Error;
 use std::path::Path;
 
-use polhode_formats::scenario;
-use polhode_report::{Figure, MotionFigures};
+use polhode_scenario::read as scenario;
+use polhode_scenario::report::{Figure, MotionFigures};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

@@ -5,15 +5,17 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use polhode::math::{Body, Part, Position, Rotation};
+use polhode_budget::read as budget;
+use polhode_budget::read::{BudgetFile, OverTime, Questions};
+use polhode_budget::report::{
+    BudgetDiff, BudgetOptions, BudgetReport, Cell as BudgetCell, NoConfiguration, PlanOptions,
+    Sheet as BudgetSheet,
+};
 use polhode_budget::{Basis, LimitError};
 use polhode_document::Document;
 use polhode_document::json::pretty;
 use polhode_document::layout::printable;
-use polhode_formats::budget::{self, BudgetFile, OverTime, Questions};
-use polhode_formats::table::workbook;
-use polhode_report::{
-    BudgetCell, BudgetDiff, BudgetOptions, BudgetReport, BudgetSheet, NoConfiguration, PlanOptions,
-};
+use polhode_table::output::workbook;
 use serde_json::Value;
 
 use crate::budget_history;

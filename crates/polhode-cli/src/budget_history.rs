@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use polhode::motion::Outflow;
+use polhode_budget::read::{BudgetFile, OverTime};
+use polhode_budget::report::{HistoryOptions, history_files};
 use polhode_budget::{Basis, SequenceError};
-use polhode_formats::budget::{BudgetFile, OverTime};
-use polhode_report::{HistoryOptions, history_files};
 
 use crate::failure::Failure;
 use crate::partial;

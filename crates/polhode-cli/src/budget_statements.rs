@@ -1,7 +1,7 @@
 //! What a parts list says besides its rows, for `polhode budget --diff`.
 
-use polhode_formats::budget::{BudgetFile, FilledTank, OverTime, PlannedChange};
-use polhode_report::{BudgetReport, BudgetStatements, StatedChange, StatedSequence, StatedTank};
+use polhode_budget::read::{BudgetFile, FilledTank, OverTime, PlannedChange};
+use polhode_budget::report::{BudgetReport, BudgetStatements, StatedChange, StatedSequence, StatedTank};
 
 /// All that it says besides its rows and its limits.
 pub(crate) fn statements(file: &BudgetFile) -> BudgetStatements {

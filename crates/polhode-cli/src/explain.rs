@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use polhode_document::json::pretty;
-use polhode_formats::scenario::ScenarioFile;
-use polhode_report::explain;
+use polhode_scenario::read::ScenarioFile;
+use polhode_scenario::report::explain;
 
 use crate::failure::Failure;
 use crate::stderr::shown;

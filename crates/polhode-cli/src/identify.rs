@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode_document::json::pretty;
-use polhode_formats::identify::{self, Measurement, Plan};
 use polhode_identify::IdentifyError;
-use polhode_report::{BodySize, IdentifyReport};
+use polhode_identify::read as identify;
+use polhode_identify::read::{Measurement, Plan};
+use polhode_identify::report::{BodySize, IdentifyReport};
 use polhode_source::unit::Dimension;
 
 use crate::failure::Failure;

@@ -11,11 +11,12 @@ use clap::Args;
 use polhode::infer::judge::JudgeError;
 use polhode_document::Document;
 use polhode_document::json::pretty;
-use polhode_formats::run_log::{self, RunLog};
-use polhode_formats::scenario::{ScenarioFile, text_of};
-use polhode_report::{JudgeReport, JudgedRun, judge_hint};
+use polhode_judge::{JudgeReport, JudgedRun, judge_hint};
+use polhode_scenario::read::{ScenarioFile, text_of};
 use polhode_source::unit::Dimension;
 use polhode_source::{Confinement, NotOpened};
+use polhode_table::log as run_log;
+use polhode_table::log::RunLog;
 use serde_json::Value;
 
 use crate::failure::Failure;

@@ -84,7 +84,7 @@ mod tests {
 
     use std::path::Path;
 
-    use polhode_formats::scenario;
+    use polhode_scenario::read as scenario;
 
     use super::*;
 

@@ -8,7 +8,7 @@ use polhode::body::PrincipalFrame;
 use polhode::math::Body;
 use polhode::motion::{Scenario, Trajectory};
 use polhode_document::VERSION;
-use polhode_report::{PageInput, PageSubject, explain_motion, page};
+use polhode_scenario::report::{PageInput, PageSubject, explain_motion, page};
 
 use crate::failure::Failure;
 use crate::folder::{Folder, PAGE};

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode_document::Picture;
-use polhode_report::{Figure, MotionFigures, PlotError};
+use polhode_scenario::report::{Figure, MotionFigures, PlotError};
 
 use crate::failure::Failure;
 use crate::partial;

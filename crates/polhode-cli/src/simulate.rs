@@ -7,8 +7,8 @@ use clap::Args;
 use polhode::motion::{Ending, ErrorEffort, Run, Sample, Scenario, Trajectory};
 use polhode_document::SourceInfo;
 use polhode_document::json::pretty;
-use polhode_formats::scenario::{ScenarioFile, TableFormat};
-use polhode_report::{MotionFigures, MotionReport};
+use polhode_scenario::read::{ScenarioFile, TableFormat};
+use polhode_scenario::report::{MotionFigures, MotionReport};
 
 use crate::browser::open;
 use crate::failure::Failure;

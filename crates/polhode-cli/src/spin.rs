@@ -13,7 +13,7 @@ use polhode::math::{Attitude, Body, Space};
 use polhode::motion::FreeMotion;
 use polhode::observe::{AxisConvention, TumblingPeriods};
 use polhode_document::json::pretty;
-use polhode_report::{MotionFigures, SpinReport, TumblerReport};
+use polhode_scenario::report::{MotionFigures, SpinReport, TumblerReport};
 use polhode_source::unit::Dimension;
 
 use crate::failure::Failure;

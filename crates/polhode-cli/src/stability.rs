@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 use polhode_document::SourceInfo;
 use polhode_document::json::pretty;
-use polhode_formats::scenario;
-use polhode_report::{GroundStabilityReport, StabilityReport};
+use polhode_scenario::read as scenario;
+use polhode_scenario::report::{GroundStabilityReport, StabilityReport};
 
 use crate::failure::Failure;
 use crate::stderr::shown;

@@ -2,8 +2,9 @@
 
 use clap::ValueEnum;
 use polhode::motion::Trajectory;
-use polhode_formats::scenario::TableFormat;
-use polhode_formats::table::{self, Surroundings};
+use polhode_scenario::read::TableFormat;
+use polhode_table::output as table;
+use polhode_table::output::Surroundings;
 
 use crate::failure::Failure;
 use crate::folder::Folder;

@@ -8,12 +8,12 @@ use polhode::math::{Body, Position};
 use polhode::motion::Scenario;
 use polhode_document::SourceInfo;
 use polhode_document::json::pretty;
-use polhode_formats::scenario;
-use polhode_formats::table::parquet;
-use polhode_formats::table::required::RequiredTable;
-use polhode_report::RequiredReport;
+use polhode_scenario::read as scenario;
+use polhode_scenario::report::RequiredReport;
 use polhode_source::unit;
 use polhode_source::unit::Dimension;
+use polhode_table::output::parquet;
+use polhode_table::output::required::RequiredTable;
 
 use crate::failure::Failure;
 use crate::numbers::{Times, positive, quantity, times};

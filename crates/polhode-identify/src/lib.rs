@@ -17,6 +17,8 @@ mod least_squares;
 mod next;
 pub mod payload;
 mod principal;
+pub mod read;
+pub mod report;
 mod residuals;
 pub mod swing;
 pub mod tumble;

@@ -7,9 +7,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use hyper::StatusCode;
-use polhode_formats::brep::BrepFormat;
-use polhode_formats::scenario::Draft;
+use polhode_scenario::read::Draft;
+use polhode_shape::brep::BrepFormat;
 
 use crate::answer::Refusal;
 use crate::inspect::MeshInspection;
@@ -18,6 +17,7 @@ use crate::mesh::{self, Mesh};
 use crate::opened::{scenario_of, scenario_of_mesh};
 use crate::protocol::DocumentInfo;
 use crate::{limits, watch};
+use hyper::StatusCode;
 
 /// The scenario of a session that was started without a file.
 const FIRST: &str = include_str!("../assets/first.toml");

@@ -2,10 +2,10 @@
 
 use polhode::body::{InertiaTensor, MassProperties, PrincipalFrame};
 use polhode::math::Body;
-use polhode_formats::scenario::ScenarioFile;
-use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, TableLike, Value};
+use polhode_scenario::read::ScenarioFile;
 
 use crate::protocol::Edit;
+use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 /// Why a change could not be made.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use polhode_formats::mesh::MeshFormat;
 use polhode_robot::read::format_of;
+use polhode_shape::mesh::MeshFormat;
 
 /// What a file is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

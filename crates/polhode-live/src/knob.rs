@@ -1,7 +1,7 @@
 //! The numbers of a scenario that can be turned on the page, and how far.
 
 use polhode::motion::Scenario;
-use polhode_formats::scenario::WrittenNumber;
+use polhode_scenario::read::WrittenNumber;
 use polhode_source::unit::Dimension;
 
 use crate::protocol::{Knob, Switch};
@@ -205,7 +205,7 @@ pub(crate) fn switches(scenario: &Scenario, text: &str) -> Vec<Switch> {
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests")]
 
-    use polhode_formats::scenario::Draft;
+    use polhode_scenario::read::Draft;
 
     use super::*;
 

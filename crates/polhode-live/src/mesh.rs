@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use polhode::body::mesh::{ClosedMesh, MeshFlaws, TriangleMesh};
-use polhode_formats::mesh::{MeshContents, MeshFormat, MeshSolid, SolidPart};
+use polhode_shape::mesh::{MeshContents, MeshFormat, MeshSolid, SolidPart};
 
 use crate::inspect::{MARKS, MeshInspection};
 

@@ -7,8 +7,8 @@ use std::time::{Duration, Instant};
 use polhode::body::{Finding, Severity};
 use polhode::motion::{ErrorEffort, MotionError, Run, Scenario, Trajectory};
 use polhode_document::VERSION;
-use polhode_formats::scenario::{Draft, ScenarioFile};
-use polhode_report::{PageInput, PageSubject, explain_motion, page_rows};
+use polhode_scenario::read::{Draft, ScenarioFile};
+use polhode_scenario::report::{PageInput, PageSubject, explain_motion, page_rows};
 use polhode_source::FormatError;
 
 use crate::answer::Refusal;

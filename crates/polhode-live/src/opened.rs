@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use polhode_formats::particles::{self, ParticleOptions};
+use polhode_shape::particles;
+use polhode_shape::particles::ParticleOptions;
 
 use crate::kind::Kind;
 

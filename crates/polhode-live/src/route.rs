@@ -189,7 +189,7 @@ fn inspection(mesh: &MeshInspection) -> Result<Answer, Refusal> {
     json_and_rows(&Inspection::Mesh { mesh }, mesh.rows.clone())
 }
 
-fn complete(request: &CompleteRequest, draft: &polhode_formats::scenario::Draft) -> CompleteAnswer {
+fn complete(request: &CompleteRequest, draft: &polhode_scenario::read::Draft) -> CompleteAnswer {
     let text = &request.text;
     let found = draft.complete(text, utf16::to_byte(text, request.at));
     let place =

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{Event, EventFunction, Member, Rotor, State};
-use polhode_formats::scenario::Actions;
+use polhode_scenario::read::Actions;
 use pyo3::prelude::*;
 
 use crate::error::{Raise, refused};

@@ -4,10 +4,11 @@ use std::path::{Path, PathBuf};
 
 use numpy::PyArray2;
 use polhode::math::{Body, Part, Position, Rotation};
+use polhode_budget::read as budget;
+use polhode_budget::read::BudgetFile;
+use polhode_budget::report::{BudgetOptions, BudgetReport, NoConfiguration};
 use polhode_budget::{Basis, LimitError};
 use polhode_document::layout::{WIDTH, printable};
-use polhode_formats::budget::{self, BudgetFile};
-use polhode_report::{BudgetOptions, BudgetReport, NoConfiguration};
 use polhode_source::FormatError;
 use pyo3::prelude::*;
 

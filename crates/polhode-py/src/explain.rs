@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use polhode_report::explain;
+use polhode_scenario::report::explain;
 use pyo3::prelude::*;
 
 use crate::error::Raise;

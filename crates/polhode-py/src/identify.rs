@@ -7,15 +7,16 @@ use polhode::math::{Acceleration, AngularAcceleration, AngularVelocity, Attitude
 use polhode::motion::torque::DragLaw;
 use polhode::motion::{Motor, Wheel};
 use polhode_document::layout::{WIDTH, printable};
-use polhode_formats::identify::{self, Measurement, Plan};
 use polhode_identify::IdentifyError;
 use polhode_identify::payload::{
     EdgeKind, MotionNoise, PayloadLog, PayloadRow, WrenchNoise, WrenchSense, gravity_along,
 };
+use polhode_identify::read as identify;
+use polhode_identify::read::{Measurement, Plan};
+use polhode_identify::report::IdentifyReport;
 use polhode_identify::tumble::{
     AttitudeReading, Flight, FlightSearch, GyroErrors, GyroReading, TumbleOptions,
 };
-use polhode_report::IdentifyReport;
 use pyo3::prelude::*;
 
 use crate::actions::read_torques;

@@ -7,9 +7,10 @@ use polhode::infer::judge::{
     AttitudeSense, DeclaredReading, JudgeError, LogError, MotionLog, OmegaAxes, QuaternionOrder, RateErrors,
     SignedAxes,
 };
-use polhode_formats::run_log::{self, Columns, RunLog, matrix_quaternion};
-use polhode_formats::scenario::ScenarioFile;
-use polhode_report::{JudgeReport, JudgedRun, judge_hint};
+use polhode_judge::{JudgeReport, JudgedRun, judge_hint};
+use polhode_scenario::read::ScenarioFile;
+use polhode_table::log as run_log;
+use polhode_table::log::{Columns, RunLog, matrix_quaternion};
 use pyo3::prelude::*;
 
 use crate::arrays::{Signs, matrix, numbers, rows};

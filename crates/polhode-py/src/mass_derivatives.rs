@@ -9,7 +9,7 @@ use polhode::body::{
 };
 use polhode::math::{Body, Direction, Part, Position, Rotation};
 use polhode_document::SourceInfo;
-use polhode_report::InertiaReport;
+use polhode_shape::report::InertiaReport;
 use pyo3::prelude::*;
 
 use crate::arrays::{cube, numbers, room, rows, table};

@@ -6,7 +6,9 @@ use polhode::body::{
 };
 use polhode::math::{Body, Part, Position, Rotation};
 use polhode_document::SourceInfo;
-use polhode_report::{ExportBody, ExportFormat, InertiaReport, export};
+use polhode_shape::export;
+use polhode_shape::report::InertiaReport;
+use polhode_shape::{ExportBody, ExportFormat};
 use pyo3::prelude::*;
 
 use crate::arrays::{finite_matrix, matrix, numbers, row, rows};

@@ -10,10 +10,10 @@ use polhode::motion::{
 };
 use polhode_document::SourceInfo;
 use polhode_document::VERSION;
-use polhode_formats::table::{Column, columns};
-use polhode_report::{
+use polhode_scenario::report::{
     MotionReport, PageInput, PageSubject, explain_motion, has_triangles, page_data, page_data_within, page_of,
 };
+use polhode_table::output::{Column, columns};
 use pyo3::prelude::*;
 
 use crate::arrays::{ErrorColumns, States, error_columns, numbers, table};

@@ -7,7 +7,7 @@ use polhode::body::{Finding, InertiaTensor, MassProperties, Severity};
 use polhode::math::Position;
 use polhode_document::Extra;
 use polhode_document::SourceInfo;
-use polhode_report::InertiaReport;
+use polhode_shape::report::InertiaReport;
 use pyo3::prelude::*;
 use serde_json::Value;
 

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use polhode::body::Particle;
 use polhode::math::{Body, Position};
-use polhode_formats::table::required::RequiredTable;
-use polhode_report::RequiredReport;
+use polhode_scenario::report::RequiredReport;
+use polhode_table::output::required::RequiredTable;
 use pyo3::prelude::*;
 
 use crate::arrays::{numbers, rows};
@@ -59,7 +59,7 @@ pub(crate) fn required_torque<'py>(
             Ok((report, table))
         })
         .map_err(placed)?;
-    let column = |column: &polhode_formats::table::required::RequiredColumn| {
+    let column = |column: &polhode_table::output::required::RequiredColumn| {
         (column.name.clone(), column.unit, column.description, PyArray1::from_slice(py, &column.values))
     };
     Ok(RequiredTorque {

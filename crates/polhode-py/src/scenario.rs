@@ -7,7 +7,7 @@ use numpy::{PyArray1, PyReadonlyArray2};
 use polhode::math::{Body, Space, Torque};
 use polhode::motion::torque::{MemberState, TorqueModel};
 use polhode::motion::{ActingTorque, Event, EventFunction, Measure, Method, Rotor, Run, Scenario, State};
-use polhode_formats::scenario::{Draft, ScenarioFile};
+use polhode_scenario::read::{Draft, ScenarioFile};
 use pyo3::prelude::*;
 
 use crate::arrays::{rows, table};

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use polhode_document::SourceInfo;
-use polhode_formats::scenario::ScenarioFile;
-use polhode_report::{GroundStabilityReport, StabilityReport};
+use polhode_scenario::read::ScenarioFile;
+use polhode_scenario::report::{GroundStabilityReport, StabilityReport};
 use pyo3::prelude::*;
 
 use crate::error::{Raise, refused};

@@ -2,7 +2,8 @@
 
 use polhode::body::Material;
 use polhode::body::shape::Substance;
-use polhode_formats::material::{self, UnknownMaterial};
+use polhode_shape::material;
+use polhode_shape::material::UnknownMaterial;
 use pyo3::prelude::*;
 
 use crate::error::refused;

@@ -2,7 +2,7 @@
 
 use polhode::body::{InertiaTensor, PrincipalFrame};
 use polhode::observe::{AxisConvention, TumblingPeriods};
-use polhode_report::TumblerReport;
+use polhode_scenario::report::TumblerReport;
 use pyo3::prelude::*;
 
 use crate::error::{Raise, refused};

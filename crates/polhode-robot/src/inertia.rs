@@ -8,7 +8,7 @@ use polhode::body::{Finding, Severity};
 use polhode::math::{Body, Rotation};
 use polhode_document::SourceInfo;
 use polhode_document::number::ungrouped as number;
-use polhode_report::InertiaReport;
+use polhode_shape::report::InertiaReport;
 use serde_json::{Map, Value, json};
 
 use crate::body::{LinkMass, link_mass};

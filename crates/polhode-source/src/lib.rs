@@ -8,6 +8,8 @@
 //! | [`Confinement`] | folders that data files may name files in |
 //! | [`mod@unit`] | quantities in text |
 //! | [`expression`] | formulas in text |
+//! | [`toml`] | TOML: tables, values and rotations with their places |
+//! | [`mod@csv`] | numbers with commas between them |
 //! | [`times`] | lists of times, one per line |
 //! | [`xml`] | elements, attributes and numbers with their places |
 //! | [`package`] | XML in ZIP archives, with limits on what they unfold to |
@@ -16,6 +18,7 @@
 
 mod confinement;
 mod content;
+pub mod csv;
 mod error;
 pub mod expression;
 pub mod file;
@@ -25,6 +28,7 @@ mod reading;
 mod suggestion;
 pub mod text;
 pub mod times;
+pub mod toml;
 pub mod unit;
 pub mod xml;
 

@@ -8,9 +8,11 @@
 mod batch;
 mod dataset;
 mod error;
+mod figures;
 mod outcome;
 mod parquet;
 mod plan;
+mod report;
 mod rows;
 mod sampling;
 mod statistics;
@@ -18,7 +20,11 @@ mod statistics;
 pub use batch::{Batch, BatchError, Column, Values};
 pub use dataset::{Dataset, Progress};
 pub use error::SweepError;
+pub use figures::SweepFigures;
 pub use outcome::{simulate, trajectories};
 pub use plan::{Plan, Sampling, Variable};
-pub use polhode_report::SweepSummary;
+pub use report::{
+    SweepAttitude, SweepCorrelation, SweepHistogram, SweepIntervals, SweepQuantile, SweepQuestion,
+    SweepSample, SweepShare, SweepStatistic, SweepStep, SweepSummary,
+};
 pub use rows::inputs;

@@ -1,8 +1,7 @@
 //! What a summary says of each way of drawing members.
 
-use polhode_report::SweepIntervals;
-
 use crate::plan::Sampling;
+use crate::report::SweepIntervals;
 
 /// Its name in files.
 pub(crate) const fn name(sampling: Sampling) -> &'static str {

@@ -177,7 +177,7 @@ impl Functional {
             }
             inner(w)
         });
-        let variance = crate::covariance::form(&gradient, &estimate.covariance, &gradient);
+        let variance = polhode::infer::covariance::form(&gradient, &estimate.covariance, &gradient);
         variance.max(0.0).sqrt()
     }
 }

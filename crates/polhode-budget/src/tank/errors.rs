@@ -1,10 +1,10 @@
 //! How well it is known what is in a tank.
 
 use polhode::body::{BodyError, MassProperties, MassPropertiesDerivative};
+use polhode::infer::random::log_normal;
 use polhode::math::{Part, Position};
 
 use super::{Fill, Liquid, Slice};
-use crate::random::log_normal;
 use crate::tensor::{elements, plus, scaled, steiner};
 
 /// Errors of what is in a tank.

@@ -3,7 +3,6 @@
 
 #[cfg(feature = "ballast")]
 mod ballast;
-#[cfg(feature = "ballast")]
 mod ballast_places;
 mod ballast_sizes;
 mod draws;
@@ -14,6 +13,8 @@ mod lists;
 mod masses;
 mod principal;
 mod published;
+mod read;
+mod report;
 mod rows;
 mod sequences;
 mod shares;

@@ -6,11 +6,13 @@ use clap::{Args, ValueEnum};
 use polhode::body::shape::{Extent, Substance};
 use polhode_document::Extra;
 use polhode_document::SourceInfo;
-use polhode_formats::cad::{
-    self, CadOptions, CadReport, DecimalMark, GeometryProgram, GeometryReport, ProductConvention,
+use polhode_scenario::report::sign_proof;
+use polhode_shape::cad;
+use polhode_shape::cad::{
+    CadOptions, CadReport, DecimalMark, GeometryProgram, GeometryReport, ProductConvention,
 };
-use polhode_formats::mesh::AssumedMetres;
-use polhode_report::{InertiaReport, sign_proof};
+use polhode_shape::mesh::AssumedMetres;
+use polhode_shape::report::InertiaReport;
 use polhode_source::read_text_file;
 
 use crate::failure::Failure;

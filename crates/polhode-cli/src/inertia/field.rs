@@ -4,8 +4,8 @@ use std::cell::RefCell;
 
 use polhode::body::density::{Cubature, DensityField, FieldError, Solid, mass_properties_of_field};
 use polhode_document::Extra;
-use polhode_formats::mesh::SolidPart;
-use polhode_report::{PartRow, error_estimate};
+use polhode_scenario::report::{PartRow, error_estimate};
+use polhode_shape::mesh::SolidPart;
 use polhode_source::expression::Expression;
 
 use super::voxel::in_body;

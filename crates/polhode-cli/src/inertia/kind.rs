@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
-use polhode_formats::mesh::MeshFormat;
+use polhode_shape::mesh::MeshFormat;
 
 use crate::model_file::is_model;
 

@@ -8,10 +8,11 @@ use polhode::body::mesh::{ConvexHull, MeshShell};
 use polhode::body::shape::{Extent, Shape, Substance};
 use polhode::body::{Finding, MassProperties};
 use polhode_document::SourceInfo;
-use polhode_formats::mesh::{
+use polhode_scenario::report::{PartRow, parts};
+use polhode_shape::mesh::{
     AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshRepair, MeshSolid, RepairBound, UnitedMesh,
 };
-use polhode_report::{InertiaReport, PartRow, parts};
+use polhode_shape::report::InertiaReport;
 use polhode_source::expression::Expression;
 use polhode_source::unit::Dimension;
 
@@ -237,8 +238,7 @@ fn model(
         Some(formula) => Some(field::found(&solid.parts, formula, flags.tolerance)?),
         None => None,
     };
-    let piece =
-        |part: polhode_formats::mesh::SolidPart| Piece { name: part.name, shape: Box::new(part.mesh) };
+    let piece = |part: polhode_shape::mesh::SolidPart| Piece { name: part.name, shape: Box::new(part.mesh) };
     Ok(Model { source, unit: solid.unit, pieces: solid.parts.into_iter().map(piece).collect(), field })
 }
 

@@ -5,8 +5,10 @@ use std::path::Path;
 use clap::{Args, ValueEnum};
 use polhode_document::Extra;
 use polhode_document::SourceInfo;
-use polhode_formats::molecule::{self, Isotopes, Molecule, MoleculeFormat};
-use polhode_report::{InertiaReport, MoleculeReport};
+use polhode_shape::molecule;
+use polhode_shape::molecule::{Isotopes, Molecule, MoleculeFormat};
+use polhode_shape::report::InertiaReport;
+use polhode_shape::report::MoleculeReport;
 
 use crate::failure::Failure;
 

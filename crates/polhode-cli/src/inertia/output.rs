@@ -7,8 +7,10 @@ use clap::builder::{PossibleValuesParser, TypedValueParser as _};
 use polhode::body::Finding;
 use polhode_document::json::pretty;
 use polhode_document::layout::printable;
-use polhode_report::{ExportBody, ExportFormat, InertiaReport, export};
 use polhode_robot::link_table::LinkTable;
+use polhode_shape::export;
+use polhode_shape::report::InertiaReport;
+use polhode_shape::{ExportBody, ExportFormat};
 use serde_json::Value;
 
 use crate::failure::Failure;

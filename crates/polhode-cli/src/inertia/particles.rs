@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use polhode_document::SourceInfo;
-use polhode_formats::particles::{self, ParticleOptions};
-use polhode_report::InertiaReport;
+use polhode_shape::particles;
+use polhode_shape::particles::ParticleOptions;
+use polhode_shape::report::InertiaReport;
 use polhode_source::read_file;
 
 use crate::failure::Failure;

@@ -4,13 +4,13 @@ use std::path::Path;
 
 use clap::{Args, ValueEnum};
 use polhode_document::layout::printable;
-use polhode_report::InertiaReport;
 use polhode_robot::inertia::{InertiaError, of_link, of_lumps};
 use polhode_robot::line_index::{FilePlace, Places};
 use polhode_robot::link_table::LinkTable;
 use polhode_robot::lump::{Lumping, slides};
 use polhode_robot::model::RobotModel;
 use polhode_robot::read::{ReadOptions, read_model};
+use polhode_shape::report::InertiaReport;
 use polhode_source::unit::Dimension;
 
 use crate::failure::Failure;

@@ -3,7 +3,8 @@
 use clap::Args;
 use polhode::body::shape::Substance;
 use polhode::body::{Finding, Material, Severity};
-use polhode_formats::material::{self, UnknownMaterial};
+use polhode_shape::material;
+use polhode_shape::material::UnknownMaterial;
 use polhode_source::unit::Dimension;
 
 use crate::numbers::{positive, quantity};

@@ -6,8 +6,10 @@ use clap::Args;
 use polhode::body::{BodyError, MassProperties, PlacedPart};
 use polhode::math::{Body, Part, Position, Rotation};
 use polhode_document::SourceInfo;
-use polhode_formats::voxel::{self, VoxelOptions};
-use polhode_report::{InertiaReport, error_estimate};
+use polhode_scenario::report::error_estimate;
+use polhode_shape::report::InertiaReport;
+use polhode_shape::voxel;
+use polhode_shape::voxel::VoxelOptions;
 use polhode_source::FormatError;
 use polhode_source::unit::Dimension;
 

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use polhode::body::shape::{Shape, Substance};
 use polhode::body::{Finding, Form, MassProperties, Severity};
 use polhode::math::Body;
-use polhode_formats::mesh::{MeshFormat, MeshPart};
+use polhode_shape::mesh::{MeshFormat, MeshPart};
 
 use super::model::{Piece, unfit};
 use super::voxel::in_body;

@@ -2,8 +2,8 @@
 
 use clap::{Args, ValueEnum};
 use polhode::infer::judge::{AttitudeSense, DeclaredReading, OmegaAxes, QuaternionOrder, SignedAxes};
-use polhode_formats::run_log::Columns;
 use polhode_source::unit::Dimension;
+use polhode_table::log::Columns;
 
 use crate::numbers::quantity;
 

@@ -8,10 +8,13 @@ use std::path::{Path, PathBuf};
 use polhode::infer::judge::{AttitudeSense, DeclaredByName, DeclaredReading, OmegaAxes, SignedAxes};
 use polhode_document::json::pretty;
 use polhode_document::number::ungrouped as number;
-use polhode_formats::run_log::{self, RunLog};
-use polhode_formats::suite::{self, CASES, SuiteCase};
-use polhode_formats::table::{self, Surroundings};
-use polhode_report::{Card, CardCase, CardRun};
+use polhode_judge::suite;
+use polhode_judge::suite::{CASES, SuiteCase};
+use polhode_judge::{Card, CardCase, CardRun};
+use polhode_table::log as run_log;
+use polhode_table::log::RunLog;
+use polhode_table::output as table;
+use polhode_table::output::Surroundings;
 
 use super::Judge;
 use crate::failure::Failure;

@@ -6,7 +6,7 @@ use polhode::body::{BodyError, Finding, InertiaTensor, MassProperties, Principal
 use polhode::math::{AngularMomentum, AngularVelocity, Attitude, Body, Position};
 use polhode::motion::{FreeMotion, Rotor, Scenario, State};
 use polhode_document::SourceInfo;
-use polhode_formats::scenario::ScenarioFile;
+use polhode_scenario::read::ScenarioFile;
 
 use crate::failure::Failure;
 use crate::page::{Page, Shown};

@@ -3,8 +3,8 @@
 use clap::Args;
 use polhode::motion::FreeMotion;
 use polhode::observe::{CurveError, Herpolhode, MomentumTrace, Polhode, RollingCones};
-use polhode_formats::table::curve;
 use polhode_source::unit::Dimension;
+use polhode_table::output::curve;
 
 use crate::failure::Failure;
 use crate::folder::Folder;

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode::motion::{FreeMotion, Method, Regime, Run, Trajectory};
-use polhode_formats::table::Surroundings;
 use polhode_source::times;
 use polhode_source::unit::Dimension;
+use polhode_table::output::Surroundings;
 
 use super::curves::CurveFlags;
 use crate::failure::Failure;

@@ -80,7 +80,7 @@ fn a_body_goes_on_to_other_commands() {
     let asked = ["budget", "cubesat.csv", "--configuration", "deployed"];
     let report = json(&scratch.run(&[&asked[..], &["--json"]].concat()));
     scratch.write("whole.toml", &stdout(&scratch.run(&[&asked[..], &["--body"]].concat())));
-    let read = polhode_formats::scenario::read(&scratch.0.join("whole.toml")).unwrap();
+    let read = polhode_scenario::read::read(&scratch.0.join("whole.toml")).unwrap();
     let estimate = &report["configurations"][0]["estimate"];
     assert_eq!(read.body().mass(), number(&estimate["mass"]));
     let rows: Vec<Vec<f64>> = estimate["inertia"].as_array().unwrap().iter().map(numbers).collect();

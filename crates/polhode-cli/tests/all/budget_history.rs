@@ -4,7 +4,7 @@ use std::fs;
 
 use polhode::math::{Attitude, Direction, Position};
 use polhode::motion::{Exit, Outflow, Simulation, State};
-use polhode_formats::budget;
+use polhode_budget::read as budget;
 
 use crate::common::{Scratch, example, json, number, refused, stdout};
 

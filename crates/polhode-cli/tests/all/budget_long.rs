@@ -7,7 +7,8 @@ use std::process::Stdio;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use polhode_formats::table::workbook::{self, Cell, Sheet};
+use polhode_table::output::workbook;
+use polhode_table::output::workbook::{Cell, Sheet};
 
 use crate::common::{Scratch, json, refused};
 

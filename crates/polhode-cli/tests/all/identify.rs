@@ -72,7 +72,7 @@ fn the_body_that_is_printed_is_the_one_that_was_found() {
     let report = json(&scratch.run(&["identify", &plan, "--json"]));
     let body = stdout(&scratch.run(&["identify", &plan, "--body"]));
     scratch.write("body.toml", &body);
-    let scenario = polhode_formats::scenario::read(&scratch.0.join("body.toml")).unwrap();
+    let scenario = polhode_scenario::read::read(&scratch.0.join("body.toml")).unwrap();
     let read = scenario.body();
     assert!((read.mass() / number(&report["body"]["mass"]) - 1.0).abs() < 1e-15);
     for (got, want) in read.center_of_mass().to_array().iter().zip(numbers(&report["body"]["center_of_mass"]))
@@ -209,7 +209,7 @@ fn plates_and_rods_are_at_the_edge() {
         assert!(text.contains(&format!("kind = \"{kind}\" in the plan finds it as one")), "{text}");
         for plan in ["plan.toml", "kind.toml"] {
             scratch.write("body.toml", &stdout(&scratch.run(&["identify", plan, "--body"])));
-            let body = polhode_formats::scenario::read(&scratch.0.join("body.toml"));
+            let body = polhode_scenario::read::read(&scratch.0.join("body.toml"));
             assert!((body.unwrap().body().mass() - mass).abs() < 0.01, "{kind} {plan}");
         }
     }

@@ -23,7 +23,7 @@ fn a_body_that_was_swung_is_a_scenario() {
     let report = json(&scratch.run(&["identify", &plan, "--json"]));
     scratch.write("body.toml", &stdout(&scratch.run(&["identify", &plan, "--body"])));
     near(&moments(&scratch, "body.toml"), &numbers(&report["principal"]["moments"]));
-    let read = polhode_formats::scenario::read(&scratch.0.join("body.toml")).unwrap();
+    let read = polhode_scenario::read::read(&scratch.0.join("body.toml")).unwrap();
     let of = |name: &str| {
         let all = report["estimate"]["numbers"].as_array().unwrap();
         number(&all.iter().find(|n| n["name"] == name).unwrap()["value"])
@@ -58,7 +58,7 @@ fn a_body_that_was_thrown_is_one_of_the_size_that_is_said() {
     // the first flight, from its start
     let run = scratch.run(&["simulate", "body.toml", "-o", "run"]);
     assert!(run.status.success(), "{run:?}");
-    let scenario = polhode_formats::scenario::read(&scratch.0.join("body.toml")).unwrap();
+    let scenario = polhode_scenario::read::read(&scratch.0.join("body.toml")).unwrap();
     assert!((scenario.body().mass() - 0.35).abs() < 1e-15);
     let flight = &report["flights"][0];
     assert!(text.contains(&format!("# As {} begins", flight["name"].as_str().unwrap())), "{text}");

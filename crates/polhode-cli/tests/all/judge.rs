@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use polhode_formats::suite::CASES;
+use polhode_judge::suite::CASES;
 use serde_json::Value;
 
 use crate::common::{Scratch, entries, example, json, number, numbers, refused, stdout};

@@ -4,6 +4,8 @@
 mod next;
 mod noise;
 mod payload;
+mod read;
+mod read_swing;
 mod residuals;
 mod tumble;
 mod tumble_flaws;

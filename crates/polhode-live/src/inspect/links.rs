@@ -7,9 +7,9 @@ use std::sync::Arc;
 use polhode::body::mesh::TriangleMesh;
 use polhode::body::{BodyError, Form, PlacedForm};
 use polhode::math::{Position, Rotation};
-use polhode_report::display::{decimated, shape_of};
 use polhode_robot::geometry::Shapes;
 use polhode_robot::model::{Geometry, GeometryShape, Link, RobotModel, Role, Span};
+use polhode_scenario::report::display::{decimated, shape_of};
 use serde_json::{Value, json};
 
 /// Triangles of a whole robot: of more, as many as look the same.

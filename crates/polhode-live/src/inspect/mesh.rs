@@ -12,8 +12,8 @@ use polhode::body::mesh::{
     TriangleMesh, TrianglePlace,
 };
 use polhode::body::{BodyError, Finding, Severity};
-use polhode_formats::mesh::MeshContents;
-use polhode_report::display::decimated;
+use polhode_scenario::report::display::decimated;
+use polhode_shape::mesh::MeshContents;
 use serde::Serialize;
 
 use crate::mesh::PartNames;

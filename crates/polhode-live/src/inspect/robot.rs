@@ -6,7 +6,6 @@ use std::collections::HashMap;
 use std::sync::atomic::AtomicBool;
 
 use polhode::body::PrincipalFrame;
-use polhode_report::display::equivalent_box;
 use polhode_robot::body::{LinkMass, link_mass};
 use polhode_robot::finding::{Finding, Severity};
 use polhode_robot::geometry::Shapes;
@@ -15,6 +14,7 @@ use polhode_robot::line_index::{FilePlace, Places};
 use polhode_robot::model::{Joint, Link, ModelFormat, Pose, RobotModel};
 use polhode_robot::read::{ReadOptions, read_model, read_text};
 use polhode_robot::repair::proved;
+use polhode_scenario::report::display::equivalent_box;
 use polhode_source::FormatError;
 use serde::Serialize;
 use serde_json::Value;

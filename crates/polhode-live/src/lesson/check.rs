@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use polhode_formats::scenario::Draft;
-use polhode_report::explain_motion;
+use polhode_scenario::read::Draft;
+use polhode_scenario::report::explain_motion;
 use polhode_source::FormatError;
 use toml::Spanned;
 

@@ -6,7 +6,7 @@ use polhode::math::{Body, Direction, Space};
 use polhode::motion::contact::{ContactChange, ContactSample, ContactTrajectory};
 use polhode::motion::{GroundContact, Scenario};
 use polhode::observe::{BallOnPlane, CirclingDisk, Place, SpinningEgg, SteadyOnGround, SteadyPath, TippeTop};
-use polhode_formats::scenario;
+use polhode_scenario::read as scenario;
 
 use crate::lessons::{Lesson, Step};
 

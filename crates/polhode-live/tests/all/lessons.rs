@@ -11,8 +11,8 @@ use polhode::body::PrincipalFrame;
 use polhode::math::{Body, Direction, Position, Space};
 use polhode::motion::{Sample, Scenario};
 use polhode::observe::{AxisConvention, RotationalConstants, TumblingPeriods};
-use polhode_formats::scenario;
 use polhode_live::{Live, LiveOptions, lessons};
+use polhode_scenario::read as scenario;
 use serde_json::Value;
 
 /// A lesson as the server gives it.

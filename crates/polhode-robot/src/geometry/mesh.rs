@@ -6,8 +6,9 @@ use std::sync::Arc;
 use polhode::body::mesh::{ClosedMesh, ConvexHull, TriangleMesh};
 use polhode::body::shape::{Shape, Substance};
 use polhode::body::{BodyError, MassProperties};
-use polhode_formats::mesh::collada::{self, UpAxis};
-use polhode_formats::mesh::{MeshContents, MeshFormat};
+use polhode_shape::mesh::collada;
+use polhode_shape::mesh::collada::UpAxis;
+use polhode_shape::mesh::{MeshContents, MeshFormat};
 use polhode_source::read_text_file;
 
 use super::{ENDED, MeshReading, Solid, VolumeKind, z_up};

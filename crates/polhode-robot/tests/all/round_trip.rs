@@ -4,9 +4,10 @@ use std::path::Path;
 
 use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{Body, Frame, Part, Position, Rotation};
-use polhode_report::{ExportBody, ExportFormat, export};
 use polhode_robot::body::{LinkMass, link_mass};
 use polhode_robot::read::{ReadOptions, read_text};
+use polhode_shape::export;
+use polhode_shape::{ExportBody, ExportFormat};
 
 const FORMATS: [ExportFormat; 4] =
     [ExportFormat::Urdf, ExportFormat::Sdf, ExportFormat::Mjcf, ExportFormat::MjcfPrincipal];

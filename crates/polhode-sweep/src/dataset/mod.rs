@@ -25,13 +25,14 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::thread;
 
 use polhode_document::json::pretty;
-use polhode_report::{SweepFigures, SweepSummary};
 
 use crate::batch::{Batch, Values};
 use crate::error::SweepError;
+use crate::figures::SweepFigures;
 use crate::outcome;
 use crate::parquet;
 use crate::plan::Plan;
+use crate::report::SweepSummary;
 use crate::rows::inputs;
 use crate::statistics;
 use folder::{

@@ -5,7 +5,7 @@ use polhode::motion::{
     Scenario, Solution, State, StateError, StepStatistics, Trajectory,
 };
 use polhode::observe::{Drift, FreeRegime};
-use polhode_report::Periods;
+use polhode_scenario::report::Periods;
 use polhode_source::FormatError;
 
 use super::extrema::Extrema;

@@ -12,7 +12,7 @@ use ::parquet::file::metadata::KeyValue;
 use ::parquet::file::properties::{EnabledStatistics, WriterProperties};
 use ::parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use ::parquet::schema::types::{ColumnPath, Type, TypePtr};
-use polhode_formats::table;
+use polhode_table::output as table;
 use serde_json::{Map, Value};
 
 use super::{CHECKSUM, CONVENTIONS, DESCRIPTIONS, Pairs, UNITS, VERSION, io_error, seal};

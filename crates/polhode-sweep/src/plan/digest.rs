@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use polhode_formats::scenario::Template;
+use polhode_scenario::read::Template;
 use polhode_source::FormatError;
 use polhode_source::read_file;
 

@@ -2,7 +2,7 @@
 //!
 //! All of them rise with the uniform number, so that layers and evenly spread points stay what they are.
 
-use polhode_formats::scenario::Distribution;
+use polhode_scenario::read::Distribution;
 
 use super::normal;
 

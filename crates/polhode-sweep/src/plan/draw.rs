@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use polhode::math::{Attitude, Body, Direction, Rotation};
-use polhode_formats::scenario::{Dispersion, Law, Spread, Vary};
+use polhode_scenario::read::{Dispersion, Law, Spread, Vary};
 
 use super::second_moments::Root;
 use super::{distribution, normal};

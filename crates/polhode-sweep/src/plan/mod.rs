@@ -19,13 +19,14 @@ use std::path::Path;
 
 use polhode::body::{Finding, Severity};
 use polhode::motion::Scenario;
-use polhode_formats::scenario::{Distribution, Law, Template, Vary};
+use polhode_scenario::read::{Distribution, Law, Template, Vary};
 use polhode_source::FormatError;
 
 use draw::{Draw, MOST_COORDINATES};
 use uniform::{Coordinate, Sets};
 
-pub use polhode_formats::scenario::Sampling;
+pub use polhode_scenario::read::Sampling;
+
 pub(crate) use question::Condition;
 
 /// A scenario, and what differs from member to member.
@@ -114,7 +115,7 @@ impl Plan {
                 coordinates.push(Coordinate::new(sweep.sampling, sets, sweep.seed, name, index, dimension));
             }
         }
-        let column = |column: &polhode_formats::scenario::TargetColumn| Variable {
+        let column = |column: &polhode_scenario::read::TargetColumn| Variable {
             name: column.name.clone(),
             unit: column.unit.clone(),
             description: column.description.clone(),

@@ -1,7 +1,7 @@
 //! Questions of a plan: conditions on the columns of its members.
 
 use polhode::math::formula::Formula;
-use polhode_formats::scenario::{Question, Template};
+use polhode_scenario::read::{Question, Template};
 use polhode_source::FormatError;
 use polhode_source::unit;
 use polhode_source::unit::Dimension;

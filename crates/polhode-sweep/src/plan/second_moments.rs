@@ -16,9 +16,9 @@
 
 use polhode::body::{MassProperties, PrincipalFrame};
 use polhode::math::Body;
+use polhode_scenario::read::Dispersion;
 
 use super::normal;
-use polhode_formats::scenario::Dispersion;
 
 /// A row or a column of E.
 type Row<const N: usize> = [f64; N];
@@ -58,7 +58,7 @@ impl Root {
         Self { root, mass: body.mass(), center: body.center_of_mass().to_array() }
     }
 
-    /// The body of uniform numbers, as many as [`Vary::coordinates`](polhode_formats::scenario::Vary::coordinates) says.
+    /// The body of uniform numbers, as many as [`Vary::coordinates`](polhode_scenario::read::Vary::coordinates) says.
     pub(crate) fn draw(&self, dispersion: Dispersion, uniform: &[f64]) -> Drawn {
         match (dispersion, uniform.len()) {
             (Dispersion::Together(d), 16) => self.together(d, uniform),
@@ -150,7 +150,7 @@ mod tests {
 
     use polhode::body::{BodyError, InertiaTensor};
     use polhode::math::{Direction, Position, Rotation};
-    use polhode_formats::scenario::Sampling;
+    use polhode_scenario::read::Sampling;
 
     use super::super::uniform::{Coordinate, Sets};
     use super::*;

@@ -1,6 +1,6 @@
 //! Sobol's sequence, scrambled as Owen does it: points that fill the cube more evenly than random ones, and are random nevertheless.
 
-use polhode_formats::scenario::SOBOL_DIMENSIONS;
+use polhode_scenario::read::SOBOL_DIMENSIONS;
 
 use super::mix::mix;
 

@@ -1,10 +1,10 @@
 //! Uniform numbers above 0 and below 1, each a function of a key and a member's number, and of nothing else.
 
-use sha2::{Digest, Sha256};
+use polhode_scenario::read::Sampling;
 
 use super::permutation::Permutation;
 use super::sobol;
-use polhode_formats::scenario::Sampling;
+use sha2::{Digest, Sha256};
 
 /// One of the uniform numbers that a member is made of.
 #[derive(Clone, Debug)]

@@ -1,10 +1,9 @@
 //! What members answer to the questions of a plan: how many fulfil a condition, and how that number settles.
 
-use polhode_report::{SweepQuestion, SweepStep};
-
 use super::interval;
 use super::{CONFIDENCE, Design};
 use crate::plan::Condition;
+use crate::report::{SweepQuestion, SweepStep};
 
 /// Stretches of members after which the share is told.
 const STEPS: u64 = 64;

@@ -1,12 +1,11 @@
 //! Histograms, over the part of the range that most numbers are in.
 
-use polhode_report::SweepHistogram;
-
 use super::passes::Parts;
 use super::selection::Selection;
 use super::tally::Moments;
 use super::{interval, values};
 use crate::error::SweepError;
+use crate::report::SweepHistogram;
 
 /// Bins of a histogram.
 const BINS: usize = 40;

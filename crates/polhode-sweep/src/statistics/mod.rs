@@ -20,22 +20,22 @@ mod tally;
 
 use std::ops::Range;
 
-use polhode_report::{
-    SweepAttitude, SweepCorrelation, SweepQuantile, SweepSample, SweepShare, SweepStatistic, SweepSummary,
-};
-
 use crate::batch::{Batch, Values};
 use crate::error::SweepError;
 use crate::plan::{Plan, Sampling};
+use crate::report::{
+    SweepAttitude, SweepCorrelation, SweepQuantile, SweepSample, SweepShare, SweepStatistic, SweepSummary,
+};
 use crate::rows::MEMBER;
 use crate::sampling;
 use answers::Count;
 use attitude::MeanAttitude;
 use interval::Interval;
 use passes::Parts;
-pub(crate) use passes::most_threads;
 use selection::Selection;
 use tally::{Moments, Tally};
+
+pub(crate) use passes::most_threads;
 
 /// Of the probability of each interval.
 const CONFIDENCE: f64 = 0.95;

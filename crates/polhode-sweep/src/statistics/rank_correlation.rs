@@ -1,6 +1,6 @@
 //! Which outcomes depend on which inputs: Spearman's rank correlation.
 
-use polhode_report::SweepSample;
+use crate::report::SweepSample;
 
 /// How many pairs are named, and of each input.
 const MOST: usize = 12;

@@ -1,8 +1,7 @@
 //! A few members, drawn by their numbers: for pictures and for what depends on what.
 
-use polhode_report::SweepSample;
-
 use crate::batch::{Batch, Values};
+use crate::report::SweepSample;
 use crate::rows::MEMBER;
 
 /// How many, about.

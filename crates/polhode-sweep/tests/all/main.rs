@@ -7,3 +7,4 @@ mod examples;
 mod outcomes;
 mod plan;
 mod questions;
+mod summary;

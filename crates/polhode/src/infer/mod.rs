@@ -2,4 +2,8 @@
 //!
 //! [`judge`] compares a motion that another program computed with the exact one.
 
+pub mod correlated;
+pub mod covariance;
 pub mod judge;
+pub mod possible;
+pub mod random;

@@ -5,7 +5,7 @@ mod rich;
 
 use std::collections::BTreeSet;
 
-use polhode_formats::budget::from_text;
+use polhode_budget::read::from_text;
 use polhode_source::FormatErrorKind;
 use serde_json::{Value, json};
 

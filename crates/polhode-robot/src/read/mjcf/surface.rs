@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use polhode_formats::mesh::{MeshContents, MeshFormat};
+use polhode_shape::mesh::{MeshContents, MeshFormat};
 
 use crate::read::xml::Element;
 

@@ -77,13 +77,13 @@ fn a_plan_says_how_many_and_how() {
 fn where_one_motion_is_asked_for_a_plan_is_its_scenario_as_written_and_says_so() {
     let text = format!("{SCENARIO}[sweep]\nmembers = 10\nsampling = 'monte carlo'\n{SPIN}");
     let path = "plan.toml".as_ref();
-    let scenario = polhode_formats::scenario::parse(&text, path).unwrap();
+    let scenario = polhode_scenario::read::parse(&text, path).unwrap();
     let finding = scenario.findings().last().unwrap();
     assert_eq!(finding.code, "sweep.nominal");
     assert!(finding.message.starts_with("a plan of 10 members: this is the scenario as it is written"));
-    assert_eq!(scenario, polhode_formats::scenario::parse(SCENARIO, path).unwrap().noting([finding.clone()]));
+    assert_eq!(scenario, polhode_scenario::read::parse(SCENARIO, path).unwrap().noting([finding.clone()]));
     // Nothing in it is ignored.
-    let wrong = polhode_formats::scenario::parse(&text.replace("= 10", "= 0"), path).unwrap_err();
+    let wrong = polhode_scenario::read::parse(&text.replace("= 10", "= 0"), path).unwrap_err();
     assert_eq!(wrong.to_string(), "plan.toml:19:11: members = 0 must be at least 1");
 }
 

@@ -1,0 +1,114 @@
+//! Where in a table an error of its parts list is.
+
+use polhode::body::BodyError;
+use polhode_source::nearest;
+use polhode_source::{FormatError, FormatErrorKind};
+
+use super::cell::Cell;
+use super::cells::Cells;
+use super::key::{
+    ABOUT, ALLOWABLE, AT_X, AT_Y, AT_Z, CAD, COPIES, FILE, GROUP, GROWTH, IXX, IXY, IXZ, IYY, IYZ, IZZ, MASS,
+    MATURITY, MESH, NAME, PARENT, PATH, QUANTITY, SCENARIO, SHAPE, SUBTOTAL, TURN_X, TURN_Y, TURN_Z, X, Y, Z,
+};
+use super::plan::Plan;
+use super::rows::Rows;
+use crate::BudgetError;
+
+/// What is known of the table that a list was read from.
+pub struct Blame<'r, 's, 'a> {
+    pub reader: &'r Rows<'s, 'a>,
+    pub plan: &'r Plan,
+    /// Which row of the table each row of the list is.
+    pub origins: &'r [u32],
+    pub configuration: Option<&'r str>,
+    /// Names of rows.
+    pub names: Vec<String>,
+}
+
+const FORM: [usize; 6] = [SHAPE, MESH, CAD, SCENARIO, FILE, MASS];
+const TENSOR: [usize; 12] = [IXX, IYY, IZZ, IXY, IXZ, IYZ, SHAPE, MESH, CAD, SCENARIO, FILE, MASS];
+
+impl<'a> Blame<'_, '_, 'a> {
+    /// The error at the cell that is to blame.
+    pub fn of(&self, error: &BudgetError) -> FormatError {
+        let keys: &[usize] = match error {
+            BudgetError::MissingFrame { frame, row } => {
+                let is_about = self.cell(row.row, &[ABOUT]).is_some_and(|cell| cell.text == *frame);
+                if is_about { &[ABOUT] } else { &[PARENT, NAME, PATH, ABOUT] }
+            }
+            BudgetError::Cycle { .. } | BudgetError::TwoRoots { .. } => &[PARENT, NAME, PATH],
+            BudgetError::Part { error, .. } => part_keys(error),
+            BudgetError::Deviation { what, .. } | BudgetError::Covariance { what, .. } => error_keys(what),
+            BudgetError::Value { what, .. } if what.contains("position") => &[AT_X, AT_Y, AT_Z],
+            BudgetError::Value { what, .. } if what.contains("quantity") => &[QUANTITY],
+            BudgetError::Value { what, .. } if what.contains("growth") => &[GROWTH, MATURITY],
+            BudgetError::Value { what, .. } if what.contains("allowable") => &[ALLOWABLE],
+            BudgetError::MaturityCode { .. } => &[MATURITY],
+            BudgetError::MissingGroup { .. } => &[GROUP],
+            BudgetError::IndependentAssembly { .. } => &[COPIES, QUANTITY],
+            BudgetError::Copies { .. } => &[QUANTITY],
+            BudgetError::Subtotal { .. } => &[SUBTOTAL],
+            _ => &[NAME, PATH],
+        };
+        let near = self.near(error);
+        let cell = error.row().and_then(|row| self.cell(row, keys).or_else(|| self.cell(row, &[NAME, PATH])));
+        let hint = error.hint();
+        let kind = FormatErrorKind::subject(error, error.hint());
+        let sheet = self.reader.reader.sheet;
+        let error = match cell {
+            Some(cell) => sheet.error(&cell, kind),
+            None => FormatError::new(sheet.path(), None, kind),
+        };
+        let suggestion = near.map(|near| format!("did you mean \"{near}\"?"));
+        let within = self.configuration.map(|name| format!("this is in the configuration \"{name}\""));
+        let hints: Vec<String> =
+            suggestion.into_iter().chain(hint.map(str::to_owned)).chain(within).collect();
+        if hints.is_empty() { error } else { error.with_hint(hints.join("; ")) }
+    }
+
+    /// The first cell of these keys in a row of the list.
+    pub fn cell(&self, row: usize, keys: &[usize]) -> Option<Cell<'a>> {
+        let reader = &self.reader.reader;
+        let row = reader.sheet.rows.get(*self.origins.get(row)? as usize)?;
+        let cells = reader.sheet.row(row);
+        let cells = Cells::of(reader.sheet, reader.columns, &cells).ok()??;
+        keys.iter().find_map(|key| cells.cell(*key)).cloned()
+    }
+
+    /// What was probably meant.
+    fn near(&self, error: &BudgetError) -> Option<String> {
+        let near = |word: &str, all: &mut dyn Iterator<Item = &str>| nearest(word, all).map(str::to_owned);
+        match error {
+            BudgetError::MaturityCode { code, .. } => {
+                near(code, &mut self.plan.codes.iter().map(String::as_str))
+            }
+            BudgetError::MissingGroup { group, .. } => {
+                near(group, &mut self.plan.groups.iter().map(|group| group.name.as_str()))
+            }
+            BudgetError::MissingFrame { frame, .. } => {
+                near(frame, &mut self.names.iter().map(String::as_str))
+            }
+            _ => None,
+        }
+    }
+}
+
+/// The columns of numbers whose errors cannot be.
+fn error_keys(what: &str) -> &'static [usize] {
+    match what {
+        "the centre of mass" => &[X, Y, Z],
+        "the inertia tensor" => &TENSOR,
+        "the position" => &[AT_X, AT_Y, AT_Z],
+        "the rotation" => &[TURN_X, TURN_Y, TURN_Z],
+        _ => &FORM,
+    }
+}
+
+/// The columns of what a body cannot be.
+fn part_keys(error: &BodyError) -> &'static [usize] {
+    match error {
+        BodyError::Parameter { what, .. } if what.contains("mass") => &FORM,
+        BodyError::Parameter { what, .. } if what.contains("centre") => &[X, Y, Z],
+        _ => &TENSOR,
+    }
+}

@@ -1,0 +1,100 @@
+//! Cells of a table, and the rows that they are in.
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+/// A row of a table.
+#[derive(Clone, Copy, Debug)]
+pub struct SheetRow {
+    /// Number of the row in the file, from 1.
+    pub number: u32,
+    /// Range of its bytes in a text, or of its cells in a workbook.
+    pub start: u32,
+    pub end: u32,
+    /// True if the row is hidden in the spreadsheet.
+    pub is_hidden: bool,
+}
+
+/// Non-empty cell, without the spaces around its text.
+#[derive(Clone, Debug)]
+pub struct Cell<'a> {
+    /// Column, counted from 0.
+    pub column: usize,
+    /// Row, as the file counts.
+    pub row: usize,
+    /// Range of its bytes, in a text file.
+    pub span: Range<usize>,
+    pub text: Cow<'a, str>,
+    pub content: Content,
+}
+
+/// Kind of content of a cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Content {
+    Text,
+    /// Number of a workbook, with the decimals that its format shows.
+    Number {
+        decimals: Option<u8>,
+    },
+    /// Content that cannot be read.
+    Broken(Broken),
+}
+
+/// Reason for which a cell of a workbook cannot be read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Broken {
+    NoResult,
+    Error,
+    Thousands,
+    Date,
+    Merged,
+}
+
+impl Broken {
+    /// Rule that the cell breaks.
+    pub const fn rule(self) -> &'static str {
+        match self {
+            Self::NoResult => {
+                "a value: it is a formula without its result; open the workbook in a spreadsheet program and save it"
+            }
+            Self::Error => "a value, where the spreadsheet has an error",
+            Self::Thousands => "a number that is shown as it is: its format shows it in thousands",
+            Self::Date => "a number or a text: it is shown as a date",
+            Self::Merged => "in a cell of its own: it is merged with others",
+        }
+    }
+}
+
+/// `parts!F12`, or `'my parts'!F12`
+pub fn cell_name(sheet: &str, column: usize, row: usize) -> String {
+    let is_plain = sheet.chars().all(|c| c.is_alphanumeric() || c == '_');
+    let sheet = if is_plain { sheet.to_owned() } else { format!("'{}'", sheet.replace('\'', "''")) };
+    format!("{sheet}!{}{row}", column_name(column))
+}
+
+/// Returns the name of a column as spreadsheets have it: A for 0, AB for 27.
+pub fn column_name(column: usize) -> String {
+    let mut letters = Vec::new();
+    let mut rest = column + 1;
+    while rest > 0 {
+        letters.push(char::from(b'A' + ((rest - 1) % 26) as u8));
+        rest = (rest - 1) / 26;
+    }
+    letters.iter().rev().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_have_the_names_that_spreadsheets_give_them() {
+        for (column, name) in
+            [(0, "A"), (25, "Z"), (26, "AA"), (27, "AB"), (701, "ZZ"), (702, "AAA"), (16383, "XFD")]
+        {
+            assert_eq!(column_name(column), name);
+        }
+        assert_eq!(cell_name("parts", 5, 12), "parts!F12");
+        assert_eq!(cell_name("Bob's parts", 5, 12), "'Bob''s parts'!F12");
+    }
+}

@@ -1,0 +1,78 @@
+//! The head of a CSV: lines in front of its table that begin with `#` and are TOML after that.
+
+use polhode_source::FormatError;
+use polhode_source::toml::source::Source;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
+/// What to do about a head that is no TOML.
+pub const SYNTAX: &str = "lines in front of the table are TOML behind their #: a remark begins with ##";
+
+/// The TOML of a head, byte for byte where it is in the file, and where the table begins.
+pub fn toml(source: Source<'_>) -> Result<(String, usize), FormatError> {
+    let mut toml = String::new();
+    let mut end = 0;
+    for line in source.text.split_inclusive('\n') {
+        let mark = if end == 0 && line.starts_with('\u{feff}') { 3 } else { 0 };
+        let content = &line[mark..];
+        let blank = |toml: &mut String, part: &str| {
+            toml.extend(part.chars().flat_map(|c| match c {
+                '\n' => std::iter::repeat_n('\n', 1),
+                other => std::iter::repeat_n(' ', other.len_utf8()),
+            }));
+        };
+        if let Some(rest) = content.trim_start().strip_prefix('#') {
+            // ## is for people.
+            if rest.starts_with('#') {
+                blank(&mut toml, line);
+            } else {
+                let kept = kept(rest);
+                blank(&mut toml, &line[..line.len() - rest.len()]);
+                toml.push_str(kept);
+                blank(&mut toml, &rest[kept.len()..]);
+            }
+        } else if content.trim().is_empty() {
+            blank(&mut toml, line);
+        } else if content.trim_start().starts_with("\"#") {
+            let (what, found) = ("a line that begins with #".to_owned(), "\"#".to_owned());
+            let at = end + mark;
+            let error =
+                ContentError::new(ContentErrorKind::Expected { what, found }, ContentPlace::Text(at..at + 2));
+            let error = error.hint("a spreadsheet has put the head in quotes: put it into a plan, a TOML file that has parts = \"FILE.csv\"");
+            return Err(FormatError::of_content(source.path, source.text.as_bytes(), error));
+        } else {
+            end += mark;
+            blank(&mut toml, &line[..mark]);
+            break;
+        }
+        end += line.len();
+    }
+    Ok((toml, end))
+}
+
+/// A line without the empty cells that spreadsheets put behind it; a single comma may be TOML's.
+fn kept(line: &str) -> &str {
+    let text = line.trim_end();
+    let kept = text.trim_end_matches([';', '\t']);
+    let fewer = kept.trim_end_matches(',');
+    if kept.len() - fewer.len() > 1 { fewer } else { kept }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    #[test]
+    fn a_head_stays_where_it_is() {
+        let text =
+            "\u{feff}# title = \"µ\"\r\n## for people\n\n#growth.C = 0.1,,,,\n# draws = 3;;\nname,mass\n";
+        let (toml, end) = toml(Source::new(Path::new("a.csv"), text)).unwrap();
+        assert_eq!(&text[end..], "name,mass\n");
+        assert_eq!(toml.len(), end);
+        for kept in ["title = \"µ\"", "growth.C = 0.1", "draws = 3"] {
+            assert_eq!(toml.find(kept), text.find(kept));
+        }
+        assert!(!toml.contains("people") && !toml.contains(",,") && !toml.contains(';'));
+    }
+}

@@ -1,0 +1,259 @@
+//! The headings of a parts list: what its columns are, and in which units.
+
+use std::collections::BTreeMap;
+
+use polhode_source::nearest;
+use polhode_source::text::{cut, visible};
+use polhode_source::unit::{Dimension, UnitError};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{FormatError, FormatErrorKind};
+
+use super::cell::{Cell, Content};
+use super::key::{COUNT, DENSITY, Holds, KEYS, NAME, PATH};
+use super::measured::{hundredths, percent};
+use super::number::{Unit, Wrong};
+use super::sheet::Sheet;
+
+/// A column that is read.
+#[derive(Clone, Debug)]
+pub struct Column {
+    /// Which of the [`KEYS`].
+    pub key: usize,
+    /// Whether it has the errors of that, and not the numbers.
+    pub spread: Option<Spread>,
+    /// Its heading, as it is written.
+    pub heading: String,
+    pub unit: ColumnUnit,
+}
+
+/// What a column of errors has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spread {
+    /// Standard deviations.
+    Deviation,
+    /// What stands after ±.
+    PlusMinus,
+}
+
+/// The unit of a column.
+#[derive(Clone, Debug)]
+pub enum ColumnUnit {
+    /// The heading has none.
+    None,
+    Unit(Unit),
+    Percent,
+}
+
+/// The columns of a table.
+#[derive(Debug)]
+pub struct Columns {
+    /// By their places; `None` of what is not read.
+    pub all: Vec<Option<Column>>,
+    /// Where the headings are, among the rows of the table.
+    pub row: usize,
+    /// Columns that are not read, and their headings.
+    pub ignored: BTreeMap<usize, String>,
+    /// By keys: their places.
+    pub places: [Option<usize>; COUNT],
+    /// Places of the columns of errors, by keys.
+    pub spreads: [Option<usize>; COUNT],
+}
+
+/// Whether a heading is that of the names, by which the headings are known.
+pub fn is_of_names(heading: &str) -> bool {
+    let name = plain(heading);
+    name == KEYS[NAME].name || name == KEYS[PATH].name
+}
+
+/// What the density of a thin surface or a rod may measure.
+const THIN_DENSITIES: [Dimension; 2] = [Dimension::AREA_DENSITY, Dimension::LINE_DENSITY];
+
+/// A name as columns are told apart: in lower case, with one space between words.
+pub fn plain(name: &str) -> String {
+    let name = name.to_lowercase().replace('_', " ");
+    name.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+impl Columns {
+    /// The columns by the headings: the first row that has one of names.
+    pub fn of(sheet: &Sheet<'_>, ignore: &[String]) -> Result<Self, FormatError> {
+        let row = sheet.rows.iter().position(|row| sheet.row(row).iter().any(|cell| is_of_names(&cell.text)));
+        let row = row.ok_or_else(|| nameless(sheet))?;
+        let mut columns = Self {
+            all: Vec::new(),
+            row,
+            ignored: BTreeMap::new(),
+            places: [None; COUNT],
+            spreads: [None; COUNT],
+        };
+        for cell in &sheet.rows.get(row).map(|row| sheet.row(row)).unwrap_or_default() {
+            columns.all.resize(cell.column, None);
+            let column = columns.column(sheet, cell, ignore)?;
+            if column.is_none() {
+                columns.ignored.insert(cell.column, shown(cell));
+            }
+            columns.all.push(column);
+        }
+        Ok(columns)
+    }
+
+    fn column(
+        &mut self,
+        sheet: &Sheet<'_>,
+        cell: &Cell<'_>,
+        ignore: &[String],
+    ) -> Result<Option<Column>, FormatError> {
+        let heading = cell.text.to_string();
+        if let Content::Broken(broken) = cell.content {
+            return Err(sheet.invalid(cell, "the heading", broken.rule()));
+        }
+        if ignore.iter().any(|name| plain(name) == plain(&heading)) {
+            return Ok(None);
+        }
+        let (name, unit) = split(&heading);
+        let (name, spread) = spread(plain(name));
+        let Some(key) = KEYS.iter().position(|key| key.name == name) else {
+            return Err(unknown(sheet, cell, &name));
+        };
+        let holds = KEYS[key].holds;
+        if holds == Holds::Remark {
+            return Ok(None);
+        }
+        if spread.is_some() && !holds.may_err() || spread.is_none() && matches!(holds, Holds::Errors(_)) {
+            return Err(unknown(sheet, cell, &plain(split(&heading).0)));
+        }
+        let unit = match (unit, holds.dimension()) {
+            (None, _) => ColumnUnit::None,
+            (Some("%"), Some(dimension)) if spread.is_some() || dimension == Dimension::NONE => {
+                ColumnUnit::Percent
+            }
+            (Some(unit), Some(dimension)) if dimension != Dimension::NONE => {
+                let others: &[Dimension] = if key == DENSITY { &THIN_DENSITIES } else { &[] };
+                let unit = Unit::new(unit, dimension).or_else(|error| {
+                    others.iter().find_map(|other| Unit::new(unit, *other).ok()).ok_or(error)
+                });
+                ColumnUnit::Unit(unit.map_err(|error| no_unit(error, |kind| sheet.error(cell, kind)))?)
+            }
+            _ => return Err(sheet.invalid(cell, "the heading", "without a unit: it has no quantities")),
+        };
+        let is_alike = |other: &&Column| {
+            let names = [NAME, PATH];
+            other.spread.is_some() == spread.is_some()
+                && (other.key == key || names.contains(&other.key) && names.contains(&key))
+        };
+        if let Some(other) = self.all.iter().flatten().find(is_alike) {
+            let rule = format!("another column than that with the heading \"{}\"", other.heading);
+            return Err(sheet.invalid(cell, "the heading", rule));
+        }
+        let places = if spread.is_none() { &mut self.places } else { &mut self.spreads };
+        places[key] = Some(cell.column);
+        Ok(Some(Column { key, spread, heading: shown(cell), unit }))
+    }
+
+    /// Whether a column has a heading, and is not read.
+    pub fn is_ignored(&self, column: usize) -> bool {
+        self.ignored.contains_key(&column)
+    }
+
+    pub fn get(&self, column: usize) -> Option<&Column> {
+        self.all.get(column)?.as_ref()
+    }
+}
+
+impl Column {
+    /// A number that has no error, in the unit of the column: SI, or a fraction.
+    pub fn number(&self, text: &str, dimension: Dimension) -> Result<(f64, bool), Wrong> {
+        let may_be_fraction = dimension == Dimension::NONE || self.spread.is_some();
+        if let Some(fraction) = percent(text).filter(|_| may_be_fraction) {
+            return fraction.map(|fraction| (fraction, true));
+        }
+        match &self.unit {
+            ColumnUnit::Percent => hundredths(text).map(|fraction| (fraction, true)),
+            ColumnUnit::None => Ok(Unit::SI.read(text, dimension).map(|read| (read.value, read.has_unit))?),
+            ColumnUnit::Unit(unit) => Ok(unit.read(text, dimension).map(|read| (read.value, true))?),
+        }
+    }
+}
+
+/// The error of a name that is no unit there.
+pub fn no_unit(error: UnitError, at: impl Fn(FormatErrorKind) -> FormatError) -> FormatError {
+    let hint = error.hint_for_name();
+    let error = at(FormatErrorKind::Unit(error));
+    match hint {
+        Some(hint) => error.with_hint(hint),
+        None => error,
+    }
+}
+
+/// A heading as messages print it.
+fn shown(cell: &Cell<'_>) -> String {
+    cut(&cell.text).chars().map(visible).collect()
+}
+
+/// `mass [kg]`, `mass (kg)`: name and unit.
+pub fn split(heading: &str) -> (&str, Option<&str>) {
+    for (open, close) in [('[', ']'), ('(', ')')] {
+        if let Some((name, rest)) = heading.split_once(open)
+            && let Some(unit) = rest.trim_end().strip_suffix(close)
+        {
+            return (name.trim(), Some(unit.trim()));
+        }
+    }
+    (heading.trim(), None)
+}
+
+/// `mass sd`, `mass ±`: of what it has errors.
+fn spread(name: String) -> (String, Option<Spread>) {
+    for (end, spread) in [
+        ("sd", Spread::Deviation),
+        ("±", Spread::PlusMinus),
+        ("+/-", Spread::PlusMinus),
+        ("+-", Spread::PlusMinus),
+    ] {
+        if let Some(of) = name.strip_suffix(end).and_then(|of| of.strip_suffix(' ')) {
+            return (of.to_owned(), Some(spread));
+        }
+    }
+    (name, None)
+}
+
+/// Columns that most parts lists have.
+const COMMON: &str =
+    "name, mass, x, y, z, ixx, iyy, izz, ixy, ixz, iyz, shape, mesh, material, quantity and others";
+
+fn unknown(sheet: &Sheet<'_>, cell: &Cell<'_>, name: &str) -> FormatError {
+    let known: Vec<&'static str> = KEYS.iter().map(|key| key.name).collect();
+    let suggestion = nearest(name, known.iter().copied());
+    let (key, table) = (cell.text.to_string(), "the headings".to_owned());
+    let error = sheet.error(cell, FormatErrorKind::UnknownKey { key, table, suggestion, known });
+    let hint = format!(
+        "or write ignore = [\"{}\"] into the head, if it is for people",
+        shown(cell).replace('"', "'")
+    );
+    // Keys that have a word of the heading: of another radius, all radii.
+    let has_word = |key: &&str| key.split(' ').any(|word| name.split(' ').any(|own| own == word));
+    let alike: Vec<&str> = KEYS.iter().map(|key| key.name).filter(has_word).collect();
+    match suggestion {
+        Some(near) => error.with_hint(format!("did you mean {near}? {hint}")),
+        None if alike.is_empty() => {
+            error.with_hint(format!("columns are {COMMON}; all are in the book, \"Parts lists\"; {hint}"))
+        }
+        None => error.with_hint(format!("keys like it are {}; {hint}", alike.join(", "))),
+    }
+}
+
+/// No row is one of headings.
+fn nameless(sheet: &Sheet<'_>) -> FormatError {
+    let first = sheet.rows.first().map(|row| sheet.row(row)).unwrap_or_default();
+    let slip =
+        first.iter().find(|cell| nearest(&plain(&cell.text), [KEYS[NAME].name, KEYS[PATH].name]).is_some());
+    if let Some(cell) = slip {
+        return unknown(sheet, cell, &plain(&cell.text));
+    }
+    let what = "column with the heading \"name\", or \"path\", by which its headings are known".to_owned();
+    let kind =
+        FormatErrorKind::Content(ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole));
+    sheet
+        .row_error(sheet.rows.first().map(|_| 0), kind)
+        .with_hint("write name,mass [kg] above the first part")
+}

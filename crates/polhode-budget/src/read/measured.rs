@@ -1,0 +1,128 @@
+//! Numbers with their errors: `1.2 ± 0.1 kg`, `1.2 kg ± 5 %`.
+
+use polhode_source::unit;
+use polhode_source::unit::{Dimension, UnitError};
+
+use super::number::{Unit, Wrong, is_parted};
+
+/// A number, and how well it is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// SI.
+    pub value: f64,
+    /// What stands after ±.
+    pub error: Option<Amount>,
+    /// Whether all its parts that need one have a unit in the cell.
+    pub has_unit: bool,
+}
+
+/// An amount of a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Amount {
+    /// SI.
+    Absolute(f64),
+    /// Of the number itself.
+    Relative(f64),
+}
+
+impl Amount {
+    /// Of this number; of zero a fraction is none.
+    pub fn of(self, value: f64) -> Option<f64> {
+        match self {
+            Self::Absolute(amount) => Some(amount),
+            Self::Relative(fraction) if value != 0.0 || fraction == 0.0 => Some(fraction * value.abs()),
+            Self::Relative(_) => None,
+        }
+    }
+}
+
+pub const MARKS: [&str; 3] = ["±", "+/-", "+-"];
+
+/// A number of a column, with its error if the cell has one.
+pub fn measured(text: &str, unit: &Unit, dimension: Dimension, heading: &str) -> Result<Measured, Wrong> {
+    // Most numbers have none, and a search for three marks costs more than all the rest.
+    let is_marked = text.bytes().any(|b| b == b'+' || !b.is_ascii());
+    let marked = || MARKS.iter().find_map(|mark| text.split_once(mark));
+    let Some((left, right)) = is_marked.then(marked).flatten() else {
+        let read = unit.read(text, dimension)?;
+        return Ok(Measured { value: read.value, error: None, has_unit: read.has_unit });
+    };
+    // (1.2 ± 0.1) kg
+    let (left, right) = match (left.trim().strip_prefix('('), right.split_once(')')) {
+        (Some(left), Some((right, unit))) => (left, format!("{right} {unit}")),
+        _ => (left, right.to_owned()),
+    };
+    let (left, right) = (left.trim(), right.trim());
+    if let Some(fraction) = percent(right) {
+        let read = unit.read(left, dimension)?;
+        let error = Some(Amount::Relative(fraction?));
+        return Ok(Measured { value: read.value, error, has_unit: read.has_unit });
+    }
+    let last = unit::unit_of(right);
+    let value = match (unit::unit_of(left).is_empty(), last.is_empty()) {
+        (true, false) => unit.read(&format!("{left} {last}"), dimension)?,
+        (false, true) => {
+            let rule = "a number and an error in one unit";
+            let hint = format!("write {left} ± {right} {}", unit::unit_of(left));
+            return Err(Wrong::rule(heading, text, rule, &hint));
+        }
+        _ => unit.read(left, dimension)?,
+    };
+    let error = unit.read(right, dimension)?;
+    Ok(Measured { value: value.value, error: Some(Amount::Absolute(error.value)), has_unit: error.has_unit })
+}
+
+/// A fraction that is written in percent; `None` of what is not.
+pub fn percent(text: &str) -> Option<Result<f64, Wrong>> {
+    text.trim().strip_suffix('%').map(|number| hundredths(number.trim_end()))
+}
+
+/// So many hundredths.
+pub fn hundredths(number: &str) -> Result<f64, Wrong> {
+    if is_parted(number) {
+        return Err(UnitError::NotANumber { text: number.to_owned() }.into());
+    }
+    unit::parse(&hundredth(number), Dimension::NONE).map_err(Wrong::from)
+}
+
+/// A hundredth of a number, as it is written.
+fn hundredth(number: &str) -> String {
+    match unit::number_of(number) {
+        // In one piece: 1.5e-2 has an exponent, and 1.5 has none.
+        Some(whole) if unit::unit_of(number).is_empty() => match whole.split_once('e') {
+            Some((digits, power)) => match power.parse::<i32>().ok().and_then(|power| power.checked_sub(2)) {
+                Some(power) => format!("{digits}e{power}"),
+                None => whole,
+            },
+            None => format!("{whole}e-2"),
+        },
+        _ => number.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_are_read_in_every_form() {
+        let grams = Unit::new("g", Dimension::MASS).unwrap();
+        let absolute = |value, error| (value, Some(Amount::Absolute(error)));
+        for (text, expected) in [
+            ("12.5", (0.0125, None)),
+            ("12.5 ± 0.5", absolute(0.0125, 0.0005)),
+            ("12.5±0.5", absolute(0.0125, 0.0005)),
+            ("1.25 ± 0.05 kg", absolute(1.25, 0.05)),
+            ("(1.25 +- 0.05) kg", absolute(1.25, 0.05)),
+            ("1.25 kg +/- 50 g", absolute(1.25, 0.05)),
+            ("1.25 kg ± 4 %", (1.25, Some(Amount::Relative(0.04)))),
+            ("12.5 ± 7%", (0.0125, Some(Amount::Relative(0.07)))),
+        ] {
+            let read = measured(text, &grams, Dimension::MASS, "mass").unwrap();
+            assert_eq!((read.value, read.error), expected, "{text}");
+        }
+        for text in ["1.25 kg ± 0.05", "1 ± 2 mm", "± 3", "3 ±", "1 ± 2 ± 3", "1 ± x %", "1,5", "%"] {
+            assert!(measured(text, &grams, Dimension::MASS, "mass").is_err(), "{text}");
+        }
+    }
+}

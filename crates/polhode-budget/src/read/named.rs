@@ -1,0 +1,53 @@
+//! Plans, TOML, that name the file of their parts.
+
+use std::path::Path;
+
+use polhode_source::toml::document;
+use polhode_source::toml::reader::Table;
+use polhode_source::toml::source::Source;
+use polhode_source::{FormatError, FormatErrorKind, Spot};
+
+use super::access::Access;
+use super::joined::Naming;
+use super::plan;
+use super::{BudgetFile, bytes_of, head, of_csv, text, workbook, xlsx};
+
+/// Reads a plan from its text, and the parts that it names.
+pub fn of_plan(path: &Path, plan_text: &str, access: Access<'_>) -> Result<BudgetFile, FormatError> {
+    let source = Source { files: access.files(), ..Source::new(path, plan_text) };
+    let entries = document(source)?;
+    let root = Table::root(source, &entries);
+    let value = root.require("parts", "parts = \"parts.csv\"")?;
+    if value.string()?.is_empty() || value.string()?.to_ascii_lowercase().ends_with(".toml") {
+        return Err(value.invalid("a file of parts, CSV or XLSX"));
+    }
+    let naming = Naming { source, entries: &entries };
+    // What is wrong with the plan itself comes before what is wrong with the file.
+    root.allow(&[&plan::KEYS[..], &["parts"]].concat())?;
+    let file = value.path()?;
+    let bytes = bytes_of(&file).map_err(|error| match error.kind() {
+        kind @ FormatErrorKind::Io { .. } => value
+            .error(kind.clone())
+            .with_hint(format!("paths are relative to the plan: this one is {file:?}")),
+        _ => error,
+    })?;
+    let read = || {
+        if xlsx::is_archive(&bytes) {
+            return workbook::read(&file, &bytes, Some(&naming), access);
+        }
+        let folders = access.folders(&file);
+        let parts = Source { within: Some(&folders), ..Source::new(&file, text(&file, &bytes)?) };
+        let (toml, from) = head::toml(parts)?;
+        // The head stands in it where it stands in the file, and errors show the file's own lines.
+        let shown = |error: FormatError| {
+            let is_syntax = matches!(error.kind(), FormatErrorKind::Toml { .. });
+            let error = error.moved(&file, |place| Some(Spot::Text(parts.place(place.span.clone()))));
+            if is_syntax { error.with_hint(head::SYNTAX) } else { error }
+        };
+        let plan = naming.plan(Source { text: &toml, ..parts }, None, &shown)?;
+        of_csv(parts, from, access.plan(plan))
+    };
+    // Of what both say the error names the place in the plan already.
+    let is_open = |error: &FormatError| error.path() == file && error.origin().is_none();
+    read().map_err(|error| if is_open(&error) { error.named_in(path, value.place()) } else { error })
+}

@@ -1,0 +1,152 @@
+//! Numbers in cells, and their units.
+
+use polhode_source::FormatErrorKind;
+use polhode_source::text::{cut, visible};
+use polhode_source::unit;
+use polhode_source::unit::{Dimension, UnitError};
+
+/// A unit, as a column has it.
+#[derive(Clone, Debug)]
+pub struct Unit {
+    pub name: String,
+    pub dimension: Dimension,
+    /// p × 10^t, if it is that with a small p: numbers in it need no more than one rounding then.
+    decimal: Option<(u64, i32)>,
+}
+
+/// Why a text is not the number that belongs there, and a hint.
+#[derive(Debug)]
+pub struct Wrong {
+    pub kind: FormatErrorKind,
+    pub hint: Option<String>,
+}
+
+/// A number as it was read.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Read {
+    /// SI.
+    pub value: f64,
+    /// Whether the cell has a unit of its own.
+    pub has_unit: bool,
+}
+
+impl Unit {
+    pub const SI: Self = Self { name: String::new(), dimension: Dimension::NONE, decimal: Some((1, 0)) };
+
+    pub fn new(name: &str, dimension: Dimension) -> Result<Self, UnitError> {
+        let factor = unit::factor(name, dimension)?;
+        Ok(Self { name: name.to_owned(), dimension, decimal: decimal(factor) })
+    }
+
+    /// What a number of it is in SI, as the cell has it.
+    pub fn read(&self, text: &str, dimension: Dimension) -> Result<Read, UnitError> {
+        if let Some(value) = self.plain(text) {
+            return Ok(Read { value, has_unit: false });
+        }
+        if is_parted(text) {
+            return Err(UnitError::NotANumber { text: text.to_owned() });
+        }
+        if !self.name.is_empty() && unit::number_of(text).is_some() && unit::unit_of(text).is_empty() {
+            let value = unit::parse(&format!("{text} {}", self.name), self.dimension)?;
+            return Ok(Read { value, has_unit: false });
+        }
+        let value = unit::parse(text, dimension)?;
+        Ok(Read { value, has_unit: !unit::unit_of(text).is_empty() })
+    }
+
+    /// What a number in plain digits is: the double nearest to the exact product, if it is found by one operation.
+    fn plain(&self, text: &str) -> Option<f64> {
+        let (p, mut ten) = self.decimal?;
+        let (digits, sign) = match text.strip_prefix('-') {
+            Some(digits) => (digits, -1.0),
+            None => (text, 1.0),
+        };
+        let mut integer: u64 = 0;
+        let mut point = false;
+        let mut count = 0;
+        for b in digits.bytes() {
+            match b {
+                b'0'..=b'9' => {
+                    integer = integer.checked_mul(10)?.checked_add(u64::from(b - b'0'))?;
+                    count += 1;
+                    ten -= i32::from(point);
+                }
+                b'.' if !point => point = true,
+                _ => return None,
+            }
+        }
+        let product = integer.checked_mul(p).filter(|product| count > 0 && *product < 1 << 53)?;
+        let product = product as f64;
+        let magnitude = match usize::try_from(ten.unsigned_abs()).ok().and_then(|k| POWERS.get(k))? {
+            power if ten < 0 => product / power,
+            power => product * power,
+        };
+        Some(sign * magnitude)
+    }
+}
+
+/// Whether a space parts two digits: 1 250 may be one number or two.
+pub fn is_parted(text: &str) -> bool {
+    let starts_with_digit = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
+    text.char_indices().any(|(k, c)| {
+        let rest = text[k + c.len_utf8()..].trim_start();
+        c.is_ascii_digit() && rest.len() < text.len() - k - c.len_utf8() && starts_with_digit(rest)
+    })
+}
+
+/// Powers of ten that are doubles.
+const POWERS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18,
+    1e19, 1e20, 1e21, 1e22,
+];
+
+/// A factor as p × 10^t with p < 10¹⁰: no unit but such comes that near to such a number.
+fn decimal(factor: f64) -> Option<(u64, i32)> {
+    POWERS.iter().zip(0..).take(13).find_map(|(power, t)| {
+        let p = (factor * power).round();
+        ((1.0..1e10).contains(&p) && p / power == factor).then_some((p as u64, -t))
+    })
+}
+
+impl Wrong {
+    /// A text that breaks a rule.
+    pub fn rule(heading: &str, text: &str, rule: &str, hint: &str) -> Self {
+        let value = cut(text).chars().map(visible).collect();
+        let (key, rule) = (heading.to_owned(), rule.to_owned());
+        Self { kind: FormatErrorKind::Value { key, value, rule }, hint: Some(hint.to_owned()) }
+    }
+}
+
+impl From<UnitError> for Wrong {
+    fn from(error: UnitError) -> Self {
+        Self { kind: FormatErrorKind::Unit(error), hint: None }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_in_a_column_is_the_double_that_it_is_with_its_unit() {
+        let mut seed = 1_u64;
+        for unit in ["kg", "g", "lb", "slug", "oz"] {
+            let column = Unit::new(unit, Dimension::MASS).unwrap();
+            for decimals in 0..9 {
+                for _ in 0..200 {
+                    seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                    let number = (seed >> 40) as f64 * 10_f64.powi(-decimals);
+                    let text = format!("{number:.*}", decimals as usize);
+                    let expected = unit::parse(&format!("{text} {unit}"), Dimension::MASS).unwrap();
+                    assert_eq!(column.read(&text, Dimension::MASS).unwrap().value, expected, "{text} {unit}");
+                }
+            }
+        }
+        assert_eq!(Unit::new("lb", Dimension::MASS).unwrap().decimal, Some((45_359_237, -8)));
+        assert_eq!(Unit::new("deg", Dimension::ANGLE).unwrap().decimal, None);
+        assert_eq!(Unit::SI.plain("-0.25"), Some(-0.25));
+        for text in ["", "-", ".", "1.2.3", "1e3", "+1", "9007199254740993"] {
+            assert_eq!(Unit::SI.plain(text), None, "{text}");
+        }
+    }
+}

@@ -1,0 +1,258 @@
+//! What a file says besides its parts, as TOML: one set of keys, in a plan as themselves, in a CSV as its head, in a workbook as further sheets.
+
+mod cad;
+mod contents;
+mod group;
+pub mod growth;
+mod limit;
+mod result;
+pub mod sequence;
+mod site;
+mod size;
+mod states;
+pub mod table_file;
+pub mod tank;
+
+use std::path::PathBuf;
+
+use polhode_shape::cad::CadOptions;
+use polhode_source::FormatError;
+use polhode_source::toml::reader::{Table, Value};
+use polhode_source::unit::Dimension;
+
+use super::Questions;
+use crate::{Ballast, Group, GrowthTable, Limit, ProductSign};
+use sequence::PlannedSequence;
+use table_file::{Sheets, TableOrigin};
+use tank::PlannedTank;
+
+/// What a file says besides its parts.
+#[derive(Debug, Default)]
+pub struct Plan {
+    pub title: Option<String>,
+    /// What products of inertia are, where a row does not say it.
+    pub products: Option<ProductSign>,
+    /// The point that tensors are about, where a row does not say it.
+    pub about: Option<About>,
+    /// How many standard deviations stand after ±.
+    pub coverage_factor: Option<f64>,
+    /// Whether numbers in text have a comma where others have a point.
+    pub decimal_comma: Option<bool>,
+    /// Columns and sheets that are for people.
+    pub ignore: Vec<String>,
+    /// All configurations, in the order that they are wanted in.
+    pub configurations: Option<Vec<String>>,
+    pub groups: Vec<Group>,
+    pub growth: GrowthTable,
+    /// Its codes.
+    pub codes: Vec<String>,
+    pub cad: CadOptions,
+    pub questions: Questions,
+    pub limits: Vec<Limit>,
+    pub ballast: Option<Ballast>,
+    pub tanks: Vec<PlannedTank>,
+    pub sequence: Option<PlannedSequence>,
+    pub places: Places,
+    /// Whether no other file may be opened: the text comes from where nobody is trusted.
+    pub is_alone: bool,
+    /// Folders that files of the parts may lie in, besides the list's own.
+    pub roots: Vec<PathBuf>,
+}
+
+/// Where things are declared that nothing may use: an error at each.
+#[derive(Debug, Default)]
+pub struct Places {
+    pub ignore: Vec<FormatError>,
+    pub groups: Vec<FormatError>,
+    pub cad: Option<FormatError>,
+}
+
+/// The point that a tensor is about.
+#[derive(Clone, Debug, PartialEq)]
+pub enum About {
+    Center,
+    /// Of the row's own frame, m.
+    Point([f64; 3]),
+    /// The origin of the frame of that row.
+    Frame(String),
+}
+
+/// The keys of a plan.
+pub const KEYS: [&str; 20] = [
+    "title",
+    "products",
+    "about",
+    "coverage_factor",
+    "decimal",
+    "ignore",
+    "configurations",
+    "growth",
+    "group",
+    "cad",
+    "result",
+    "limit",
+    "site",
+    "ballast",
+    "tank",
+    "sequence",
+    "burn",
+    "drop",
+    "deploy",
+    "exit",
+];
+
+/// Those whose values are tables, and lists of such: a workbook has a sheet for each.
+pub const TABLES: [&str; 5] = ["growth", "cad", "result", "ballast", "sequence"];
+pub const LISTS: [&str; 8] = ["group", "limit", "site", "tank", "burn", "drop", "deploy", "exit"];
+
+/// Reads all keys of a plan; `others` may stand beside them, and tables in sheets of its workbook, if it is one.
+pub fn plan(
+    root: &Table<'_>,
+    others: &[&'static str],
+    sheets: Option<&Sheets<'_>>,
+) -> Result<Plan, FormatError> {
+    root.allow(&[&KEYS[..], others].concat())?;
+    let mut plan = Plan {
+        title: root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?,
+        products: root.get("products").map(|value| products(&value)).transpose()?,
+        about: root.get("about").map(|value| about(&value)).transpose()?,
+        ignore: root.get("ignore").map_or(Ok(Vec::new()), |value| names(&value))?,
+        configurations: root.get("configurations").map(|value| names(&value)).transpose()?,
+        ..Plan::default()
+    };
+    if let Some(value) = root.get("ignore") {
+        let names = value.elements("an array of strings")?;
+        plan.places.ignore = names.iter().map(|name| name.invalid("right")).collect();
+    }
+    if let Some(value) = root.get("coverage_factor") {
+        let factor = value.number()?;
+        if !(factor > 0.0) {
+            return Err(value
+                .invalid("positive")
+                .with_hint("with 2, ± 0.4 g is a standard deviation of 0.2 g"));
+        }
+        plan.coverage_factor = Some(factor);
+    }
+    if let Some(value) = root.get("decimal") {
+        plan.decimal_comma = Some(value.choice(&["point", "comma"])? == "comma");
+    }
+    if let Some(value) = root.get("growth") {
+        (plan.growth, plan.codes) = growth::table(&value)?;
+    }
+    if let Some(value) = root.get("group") {
+        plan.groups = group::groups(&value)?;
+        let name = |table: Table<'_>| Ok(table.require("name", "name = \"wheels\"")?.invalid("right"));
+        plan.places.groups = value.tables("group")?.into_iter().map(name).collect::<Result<_, _>>()?;
+    }
+    if let Some(value) = root.get("cad") {
+        plan.cad = cad::options(&value.table()?)?;
+        plan.places.cad = Some(value.invalid("right"));
+    }
+    if let Some(value) = root.get("result") {
+        plan.questions = result::questions(&value.table()?)?;
+    }
+    if let Some(value) = root.get("limit") {
+        plan.limits = limit::limits(&value, plan.products)?;
+    }
+    if let Some(value) = root.get("tank") {
+        plan.tanks = tank::tanks(&value, &plan, sheets)?;
+    }
+    plan.sequence = sequence::sequence(root, &plan.tanks)?;
+    let asked = root.get("ballast");
+    match (root.get("site"), &asked) {
+        (Some(sites), _) => plan.ballast = Some(site::ballast(&sites, asked.as_ref())?),
+        (None, Some(_)) => return Err(root.missing("site", "[[site]] with name and at: where it may be")),
+        (None, None) => {}
+    }
+    if let Some(value) = root.get("site").filter(|_| plan.limits.is_empty()) {
+        return Err(value.invalid("with [[limit]], which the ballast is to meet"));
+    }
+    Ok(plan)
+}
+
+impl Plan {
+    /// Whether a sheet of the workbook is the table of a tank.
+    pub fn has_sheet(&self, name: &str) -> bool {
+        let tables = self.tanks.iter().filter_map(|tank| tank.table.as_ref());
+        tables.into_iter().any(|table| table.from == TableOrigin::Sheet(name.to_owned()))
+    }
+
+    /// The same where its text was made of others: its places become theirs.
+    pub fn moved(mut self, moved: impl Fn(FormatError) -> FormatError) -> Self {
+        let Places { ignore, groups, cad } = &mut self.places;
+        for place in ignore.iter_mut().chain(groups).chain(cad) {
+            *place = moved(place.clone());
+        }
+        for tank in &mut self.tanks {
+            tank.places = tank.places.clone().map(&moved);
+        }
+        if let Some(sequence) = &mut self.sequence {
+            let burns = sequence.burns.iter_mut().flat_map(|(_, places)| places);
+            let changes = sequence.changes.iter_mut().map(|(_, place)| place);
+            for place in burns.chain(changes).chain([&mut sequence.place]) {
+                *place = moved(place.clone());
+            }
+        }
+        self
+    }
+}
+
+/// `products = "tensor elements"`
+fn products(value: &Value<'_>) -> Result<ProductSign, FormatError> {
+    Ok(match value.choice(&PRODUCTS.map(|(name, _)| name))? {
+        "positive integrals" => ProductSign::PositiveIntegral,
+        _ => ProductSign::NegativeIntegral,
+    })
+}
+
+/// What a product of inertia may be.
+pub const PRODUCTS: [(&str, ProductSign); 2] = [
+    ("tensor elements", ProductSign::NegativeIntegral),
+    ("positive integrals", ProductSign::PositiveIntegral),
+];
+
+pub fn sign_of(name: &str) -> Option<ProductSign> {
+    PRODUCTS.iter().find(|(known, _)| *known == name).map(|(_, sign)| *sign)
+}
+
+/// `about = "center"`, `"origin"`, the name of a frame, or a point.
+fn about(value: &Value<'_>) -> Result<About, FormatError> {
+    if value.is_array() {
+        return Ok(About::Point(value.quantities(Dimension::LENGTH)?));
+    }
+    Ok(About::named(value.string()?))
+}
+
+impl About {
+    /// By its name.
+    pub fn named(name: &str) -> Self {
+        match name {
+            "center" => Self::Center,
+            "origin" => Self::Point([0.0; 3]),
+            frame => Self::Frame(frame.to_owned()),
+        }
+    }
+}
+
+/// Strings, none of them twice.
+fn names(value: &Value<'_>) -> Result<Vec<String>, FormatError> {
+    let mut names: Vec<String> = Vec::new();
+    for element in value.elements("an array of strings")? {
+        let name = element.string()?.trim();
+        if name.is_empty() || names.iter().any(|other| other == name) {
+            return Err(element.invalid("a name that does not stand there already"));
+        }
+        names.push(name.to_owned());
+    }
+    Ok(names)
+}
+
+/// A fraction: `0.15`, `"15 %"`.
+fn fraction(value: &Value<'_>) -> Result<f64, FormatError> {
+    let percent = value.string().ok().and_then(super::measured::percent);
+    match percent {
+        Some(Ok(fraction)) => Ok(fraction),
+        Some(Err(_)) => Err(value.invalid("a number in percent").with_hint("write \"15 %\"")),
+        None => value.quantity(Dimension::NONE),
+    }
+}

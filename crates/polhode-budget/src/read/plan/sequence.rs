@@ -1,0 +1,194 @@
+//! `[sequence]`, `[[burn]]`, `[[drop]]`, `[[deploy]]` and `[[exit]]`: what happens to the body over time.
+
+use polhode::math::{AngularVelocity, Body};
+use polhode::motion::Outflow;
+use polhode_scenario::read::mass_history;
+use polhode_source::FormatError;
+use polhode_source::nearest;
+use polhode_source::toml::reader::{Table, Value};
+use polhode_source::unit::Dimension;
+
+use super::names;
+use super::tank::PlannedTank;
+use crate::Burn;
+
+/// kg/s
+const FLOW: Dimension = Dimension::new(1, 0, -1, 0);
+
+/// What is to happen, as a file says it: rows and configurations are not known yet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlannedSequence {
+    /// The one that it begins as.
+    pub configuration: Option<String>,
+    /// s
+    pub until: f64,
+    pub spin: Option<AngularVelocity<Body>>,
+    pub outflow: Outflow,
+    /// Each with an error at its tank and at its flow.
+    pub burns: Vec<(Burn, [FormatError; 2])>,
+    /// Each with an error at its place.
+    pub changes: Vec<(PlannedChange, FormatError)>,
+    /// An error at `configuration`, or at the section.
+    pub place: FormatError,
+}
+
+/// What happens at once.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PlannedChange {
+    /// Rows go.
+    Drop {
+        /// s
+        time: f64,
+        /// Their names.
+        rows: Vec<String>,
+    },
+    /// Another configuration is taken.
+    Deploy {
+        /// s
+        time: f64,
+        /// Its name.
+        configuration: String,
+    },
+}
+
+impl PlannedChange {
+    pub const fn time(&self) -> f64 {
+        match self {
+            Self::Drop { time, .. } | Self::Deploy { time, .. } => *time,
+        }
+    }
+}
+
+/// Reads what is to happen, if anything is.
+pub fn sequence(root: &Table<'_>, tanks: &[PlannedTank]) -> Result<Option<PlannedSequence>, FormatError> {
+    let Some(section) = root.get("sequence") else {
+        return match ["burn", "drop", "deploy", "exit"].into_iter().find_map(|key| root.get(key)) {
+            Some(value) => Err(value
+                .invalid("with [sequence]")
+                .with_hint("write [sequence], and under it until = \"60 s\"")),
+            None => Ok(None),
+        };
+    };
+    let table = section.table()?;
+    table.allow(&["configuration", "until", "spin", "in_place"])?;
+    let configuration = table.get("configuration");
+    let spin = table.get("spin").map(|value| value.quantities(Dimension::ANGULAR_VELOCITY)).transpose()?;
+    let until = table.require("until", "until = \"60 s\"")?.positive(Dimension::TIME)?;
+    let burns = burns(root, tanks, until)?;
+    let outflow = outflow(root, &table)?;
+    if let Some(value) = root.get("exit").or(table.get("in_place")).filter(|_| burns.is_empty()) {
+        return Err(value.invalid("left out without [[burn]]"));
+    }
+    Ok(Some(PlannedSequence {
+        configuration: configuration
+            .as_ref()
+            .map(|value| value.string().map(|text| text.trim().to_owned()))
+            .transpose()?,
+        until,
+        spin: spin.map(AngularVelocity::from_array),
+        outflow,
+        burns,
+        changes: changes(root, until)?,
+        place: configuration.as_ref().unwrap_or(&section).invalid("right"),
+    }))
+}
+
+fn outflow(root: &Table<'_>, table: &Table<'_>) -> Result<Outflow, FormatError> {
+    let in_place = table.get("in_place");
+    match (root.get("exit"), &in_place) {
+        (Some(_), Some(value)) => {
+            Err(value.invalid("left out beside [[exit]]: what is left behind in place goes through none"))
+        }
+        (Some(value), None) => Ok(Outflow::Exits(mass_history::exits(&value, "exit")?)),
+        (None, Some(value)) if value.boolean()? => Ok(Outflow::InPlace),
+        (None, _) => Ok(Outflow::None),
+    }
+}
+
+fn burns(
+    root: &Table<'_>,
+    tanks: &[PlannedTank],
+    last: f64,
+) -> Result<Vec<(Burn, [FormatError; 2])>, FormatError> {
+    let Some(list) = root.get("burn") else { return Ok(Vec::new()) };
+    let burn = |table: Table<'_>| {
+        table.allow(&["tank", "from", "until", "flow", "mass"])?;
+        let tank = table.require("tank", "tank = \"fuel\"")?;
+        let name = tank.string()?.trim();
+        let names = tanks.iter().map(|tank| tank.name.as_str());
+        if !names.clone().any(|other| other == name) {
+            let error = tank.invalid("the name of a [[tank]]");
+            return Err(match nearest(name, names) {
+                Some(near) => error.with_hint(format!("did you mean \"{near}\"?")),
+                None => error,
+            });
+        }
+        let from = table.get("from").map_or(Ok(0.0), |from| time(&from))?;
+        let end = table.require("until", "until = \"40 s\"")?;
+        let until = end.quantity(Dimension::TIME)?;
+        if !(until > from) {
+            return Err(end.invalid(format!("after the burn begins, at {from} s")));
+        }
+        if until > last {
+            return Err(end.invalid(format!("within the sequence, which ends at {last} s")));
+        }
+        let given = table
+            .at_most_one(&["flow", "mass"], "mass is what leaves in all, flow what leaves in a second")?;
+        let given = given.ok_or_else(|| table.missing("flow", "flow = \"0.2 kg/s\", or mass = \"12 kg\""))?;
+        let flow = match given.key() {
+            "flow" => given.positive(FLOW)?,
+            _ => given.positive(Dimension::MASS)? / (until - from),
+        };
+        let places = [tank.invalid("right"), given.invalid("right")];
+        Ok((Burn { tank: name.to_owned(), from, until, flow }, places))
+    };
+    list.tables("burn")?.into_iter().map(burn).collect()
+}
+
+fn changes(root: &Table<'_>, last: f64) -> Result<Vec<(PlannedChange, FormatError)>, FormatError> {
+    let mut changes: Vec<(PlannedChange, FormatError)> = Vec::new();
+    let mut add = |change: PlannedChange, at: &Value<'_>, place: &Value<'_>| {
+        if changes.iter().any(|(other, _)| other.time() == change.time()) {
+            let hint = "what is dropped together stands in the rows of one [[drop]]";
+            return Err(at.invalid("the time of no other change").with_hint(hint));
+        }
+        changes.push((change, place.invalid("right")));
+        Ok(())
+    };
+    if let Some(list) = root.get("drop") {
+        for table in list.tables("drop")? {
+            table.allow(&["time", "rows"])?;
+            let rows = table.require("rows", "rows = [\"booster\"]")?;
+            let at = table.require("time", "time = \"70 s\"")?;
+            let all = if rows.is_array() { names(&rows)? } else { vec![rows.string()?.trim().to_owned()] };
+            if all.is_empty() {
+                return Err(rows.invalid("names of rows, one at least"));
+            }
+            add(PlannedChange::Drop { time: later(&at, last)?, rows: all }, &at, &rows)?;
+        }
+    }
+    if let Some(list) = root.get("deploy") {
+        for table in list.tables("deploy")? {
+            table.allow(&["time", "configuration"])?;
+            let to = table.require("configuration", "configuration = \"deployed\"")?;
+            let at = table.require("time", "time = \"70 s\"")?;
+            let configuration = to.string()?.trim().to_owned();
+            add(PlannedChange::Deploy { time: later(&at, last)?, configuration }, &at, &to)?;
+        }
+    }
+    Ok(changes)
+}
+
+fn time(value: &Value<'_>) -> Result<f64, FormatError> {
+    let time = value.quantity(Dimension::TIME)?;
+    if time >= 0.0 { Ok(time) } else { Err(value.invalid("not negative: the sequence starts at 0")) }
+}
+
+fn later(value: &Value<'_>, last: f64) -> Result<f64, FormatError> {
+    let time = value.quantity(Dimension::TIME)?;
+    if time > 0.0 && time < last {
+        Ok(time)
+    } else {
+        Err(value.invalid(format!("after 0, when the sequence starts, and before {last} s, when it ends")))
+    }
+}

@@ -1,0 +1,262 @@
+//! Rows of cells as rows of a parts list.
+
+use std::collections::HashMap;
+
+use polhode::body::MassProperties;
+use polhode::math::Part;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{FormatError, FormatErrorKind};
+
+use super::cell::Cell;
+use super::cells::{Cells, Reader};
+use super::heading::Columns;
+use super::key::{
+    ALLOWABLE, CONFIGURATION, COPIES, GROUP, GROWTH, MASS, MATURITY, NAME, PARENT, PATH, QUANTITY, SUBTOTAL,
+};
+use super::measured::Amount;
+use super::plan::Plan;
+use super::plan::growth::{BARE_GROWTH, BARE_GROWTH_HINT};
+use super::sheet::Sheet;
+use super::taken::Taken;
+use crate::{CopyErrors, Growth, Quantity, Row, Spread, Subtotal, Uncertainty};
+
+/// Reads rows one after another.
+pub struct Rows<'s, 'a> {
+    pub reader: Reader<'s, 'a>,
+    pub plan: &'s Plan,
+    pub taken: Taken,
+    /// What files and shapes came to, by what says them.
+    pub known: HashMap<String, MassProperties<Part>>,
+}
+
+/// Rows of a table as rows of a parts list.
+#[derive(Debug, Default)]
+pub struct ReadRows {
+    pub rows: crate::Rows,
+    /// Positions of the rows in the table.
+    pub origins: Vec<u32>,
+    /// Names of configurations: those of the plan first, then as rows name them.
+    pub configurations: Vec<String>,
+    /// Rows that are not in all configurations, in their order, each with the number of one in which it is.
+    pub members: Vec<(u32, u32)>,
+}
+
+/// Each has all rows of its own: more would fill the memory.
+const MOST_CONFIGURATIONS: u32 = 100;
+
+/// Names of rows that are sums of others.
+const TOTALS: [&str; 9] =
+    ["total", "totals", "grand total", "sum", "subtotal", "sub-total", "total mass", "summe", "gesamt"];
+
+impl ReadRows {
+    /// The number of a configuration; `None` of one more than there may be.
+    fn number_of(&mut self, name: String) -> Option<u32> {
+        let known = self.configurations.iter().position(|known| *known == name);
+        let number = known.unwrap_or(self.configurations.len());
+        if known.is_none() {
+            self.configurations.push(name);
+        }
+        u32::try_from(number).ok().filter(|number| known.is_some() || *number < MOST_CONFIGURATIONS)
+    }
+}
+
+impl<'s, 'a> Rows<'s, 'a> {
+    pub fn new(sheet: &'s Sheet<'a>, columns: &'s Columns, plan: &'s Plan) -> Self {
+        let reader = Reader::new(sheet, columns, plan.coverage_factor.unwrap_or(1.0));
+        Self { reader, plan, taken: Taken::default(), known: HashMap::new() }
+    }
+
+    /// All rows below the headings.
+    pub fn all(&mut self) -> Result<ReadRows, FormatError> {
+        let (sheet, columns) = (self.reader.sheet, self.reader.columns);
+        let configurations = self.plan.configurations.clone().unwrap_or_default();
+        let mut all = ReadRows { configurations, ..ReadRows::default() };
+        for (origin, row) in (0..).zip(sheet.rows.iter()).skip(columns.row + 1) {
+            let cells = sheet.row(row);
+            let Some(cells) = Cells::of(sheet, columns, &cells)? else { continue };
+            let (row, configurations) = self.row(&cells)?;
+            for name in configurations {
+                let number = all.number_of(name).ok_or_else(|| self.too_many(cells.first))?;
+                all.members.push((all.origins.len() as u32, number)); // A table has fewer than 2³² rows.
+            }
+            all.rows.push(row);
+            all.origins.push(origin);
+        }
+        Ok(all)
+    }
+
+    fn too_many(&self, cell: &Cell<'_>) -> FormatError {
+        let what = format!("more than {MOST_CONFIGURATIONS} configurations");
+        let error = ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Whole);
+        self.reader.sheet.error(cell, FormatErrorKind::Content(error))
+    }
+
+    fn row(&mut self, cells: &Cells<'_, 'a>) -> Result<(Row, Vec<String>), FormatError> {
+        let name = self.name(cells)?;
+        let parent = self.reader.label(cells, PARENT)?;
+        if let (Some(parent), Some(cell), Some((path, _))) =
+            (&parent, cells.cell(PARENT), name.rsplit_once('/'))
+            && parent != path
+        {
+            let error = self.reader.invalid(cell, format!("\"{path}\", as the path says, or left out"));
+            return Err(
+                error.with_hint("a name with / is a path: in front of it is the row that this one stands in")
+            );
+        }
+        let (place, position, rotation) = self.reader.place(cells)?;
+        let quantity = self.quantity(cells)?;
+        let (part, uncertainty) =
+            self.part(cells)?.map_or((None, None), |(part, own)| (Some(part), Some(own)));
+        if part.is_none() {
+            let errs = position != Spread::Exact || rotation != Spread::Exact;
+            let keys = if errs { &[GROWTH, MATURITY][..] } else { &[GROWTH, MATURITY, GROUP] };
+            if let Some(cell) = cells.any(keys.iter().copied()) {
+                let error = self.reader.invalid(cell, "left out of a row without mass");
+                return Err(error.with_hint("a frame has no mass of its own: give it to the rows in it"));
+            }
+        }
+        let subtotal = self.subtotal(cells)?;
+        let allowable = self.reader.number(cells, ALLOWABLE)?;
+        if let Some(given) = allowable.filter(|given| !(given.value > 0.0)) {
+            return Err(self.reader.invalid(given.cell, "positive"));
+        }
+        let row = Row {
+            parent,
+            quantity,
+            place,
+            part,
+            uncertainty: Uncertainty { part: uncertainty.unwrap_or_default(), position, rotation },
+            group: self.reader.label(cells, GROUP)?,
+            growth: self.growth(cells)?,
+            subtotal,
+            allowable: allowable.map(|given| given.value),
+            ..Row::frame(name)
+        };
+        Ok((row, self.configurations(cells)?))
+    }
+
+    fn name(&self, cells: &Cells<'_, 'a>) -> Result<String, FormatError> {
+        const TOTAL: &str = "write a sum into the column subtotal of the row that all its parts stand in";
+        let name = [NAME, PATH].iter().find_map(|key| cells.cell(*key));
+        let Some(cell) = name else {
+            let what = format!("name in row {}", cells.first.row);
+            let kind = ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole);
+            let error = self.reader.sheet.error(cells.first, FormatErrorKind::Content(kind));
+            let is_total = cells.cell(MASS).is_some() || cells.cell(SUBTOTAL).is_some();
+            return Err(if is_total { error.with_hint(TOTAL) } else { error });
+        };
+        if self.reader.sheet.is_remark(cells.first) {
+            let error = self.reader.invalid(cells.first, "without # in front, below the headings");
+            return Err(error.with_hint(
+                "remarks, ##, stand above the headings: delete the line; or put a name that begins with # in quotes",
+            ));
+        }
+        let name = self.reader.label_of(cell)?;
+        if name.split('/').any(|name| name.trim().is_empty()) {
+            return Err(self.reader.invalid(cell, "a name, or names with a / between each two"));
+        }
+        // Total (all): what is in brackets is a remark.
+        let plain = name.split(['(', '[', ':']).next().unwrap_or_default().trim().to_lowercase();
+        if TOTALS.contains(&plain.as_str()) && cells.cell(MASS).is_some() {
+            return Err(self
+                .reader
+                .invalid(cell, "the name of a part, and no sum of others")
+                .with_hint(TOTAL));
+        }
+        Ok(name)
+    }
+
+    fn quantity(&mut self, cells: &Cells<'_, 'a>) -> Result<Quantity, FormatError> {
+        let mut quantity = Quantity::ONE;
+        if let Some(given) = self.reader.number(cells, QUANTITY)? {
+            if !(given.value >= 1.0 && given.value <= f64::from(u32::MAX) && given.value.fract() == 0.0) {
+                let error = self.reader.invalid(given.cell, "a whole number, 1 at least");
+                return Err(error.with_hint("leave out the row of what is not there"));
+            }
+            quantity.count = given.value as u32;
+        }
+        if let (Some(text), Some(cell)) = (self.reader.text(cells, COPIES)?, cells.cell(COPIES)) {
+            quantity.errors = match text {
+                "alike" => CopyErrors::Alike,
+                "independent" => CopyErrors::Independent,
+                _ => {
+                    let error = self.reader.invalid(cell, "alike or independent");
+                    return Err(error.with_hint(
+                        "alike: one estimate stands for all; independent: each was weighed by itself",
+                    ));
+                }
+            };
+        }
+        self.taken.alike_copies += usize::from(quantity.count > 1 && cells.cell(COPIES).is_none());
+        Ok(quantity)
+    }
+
+    fn growth(&mut self, cells: &Cells<'_, 'a>) -> Result<Growth, FormatError> {
+        let code = self.reader.label(cells, MATURITY)?;
+        let fraction = self.reader.number(cells, GROWTH)?;
+        if let (Some(code), Some(_), Some(cell)) = (&code, fraction, cells.cell(MATURITY))
+            && self.plan.growth.get(code).is_none()
+        {
+            let error = self.reader.invalid(cell, "a code of the table of growth allowances, or left out");
+            return Err(
+                error.with_hint("add the code to growth, or leave it out where the row has its growth")
+            );
+        }
+        if let Some(given) = fraction.filter(|given| !(given.value >= 0.0)) {
+            return Err(self.reader.invalid(given.cell, "zero or positive"));
+        }
+        if let Some(given) = fraction.filter(|given| given.value > 1.0 && !self.reader.is_percent(given.cell))
+        {
+            return Err(self.reader.invalid(given.cell, BARE_GROWTH).with_hint(BARE_GROWTH_HINT));
+        }
+        let of_code = code.as_deref().and_then(|code| self.plan.growth.get(code));
+        if let (Some(given), Some(allowance)) = (fraction, of_code)
+            && (given.value - allowance).abs() > 1e-9
+        {
+            let rule = format!("that of its maturity code, {} %, or left out", 100.0 * allowance);
+            return Err(self.reader.invalid(given.cell, rule));
+        }
+        Ok(match (code, fraction) {
+            (_, Some(given)) => Growth::Fraction(given.value),
+            (Some(code), None) => Growth::Code(code),
+            (None, None) => Growth::None,
+        })
+    }
+
+    fn subtotal(&mut self, cells: &Cells<'_, 'a>) -> Result<Option<Subtotal>, FormatError> {
+        let Some(given) = self.reader.number(cells, SUBTOTAL)? else { return Ok(None) };
+        let tolerance = match self.reader.tolerance(cells, given)? {
+            Some(Amount::Absolute(tolerance)) => tolerance,
+            Some(Amount::Relative(fraction)) => fraction * given.value.abs(),
+            None => self.reader.half_digit(given.cell)?,
+        };
+        Ok(Some(Subtotal { mass: given.value, tolerance }))
+    }
+
+    fn configurations(&self, cells: &Cells<'_, 'a>) -> Result<Vec<String>, FormatError> {
+        let (Some(text), Some(cell)) = (self.reader.label(cells, CONFIGURATION)?, cells.cell(CONFIGURATION))
+        else {
+            return Ok(Vec::new());
+        };
+        let mut names: Vec<String> = Vec::new();
+        for name in text.split([',', ';']).map(str::trim) {
+            if name.is_empty() || names.iter().any(|other| other == name) {
+                return Err(self
+                    .reader
+                    .invalid(cell, "names of configurations, each once, with commas between"));
+            }
+            if let Some(known) = &self.plan.configurations
+                && !known.iter().any(|other| other == name)
+            {
+                let error = self.reader.invalid(cell, format!("of {}", known.join(", ")));
+                let near = polhode_source::nearest(name, known.iter().map(String::as_str));
+                return Err(match near {
+                    Some(near) => error.with_hint(format!("did you mean {near}?")),
+                    None => error.with_hint("configurations = [...] in the head has all of them"),
+                });
+            }
+            names.push(name.to_owned());
+        }
+        Ok(names)
+    }
+}

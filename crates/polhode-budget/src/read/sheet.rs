@@ -1,0 +1,112 @@
+//! Tables of cells that know where they stand.
+
+use std::borrow::Cow;
+use std::ops::Range;
+use std::path::Path;
+
+use polhode_source::text::{cut, visible};
+use polhode_source::toml::source::Source;
+use polhode_source::{FormatError, FormatErrorKind, Place, Spot};
+
+use super::cell::{Cell, SheetRow, cell_name};
+use super::fields;
+use super::xlsx::cells::Cells;
+
+/// A table. Cells that are empty are left out, and so are rows of such.
+///
+/// A million rows are common: cells are kept as text or packed, and made row by row.
+#[derive(Debug)]
+pub struct Sheet<'a> {
+    pub origin: Origin<'a>,
+    pub rows: Cow<'a, [SheetRow]>,
+    pub body: Body<'a>,
+    /// Whether numbers in text have a comma where others have a point.
+    pub decimal_comma: bool,
+}
+
+/// Storage of the cells of a table.
+#[derive(Clone, Copy, Debug)]
+pub enum Body<'a> {
+    /// Fields of a text, between separators.
+    Text {
+        text: &'a str,
+        separator: u8,
+    },
+    Workbook(Cells<'a>),
+}
+
+/// Where a table is from.
+#[derive(Clone, Debug)]
+pub enum Origin<'a> {
+    /// A text file.
+    Text(Source<'a>),
+    /// A sheet of a workbook.
+    Workbook { path: &'a Path, sheet: String },
+}
+
+impl<'a> Sheet<'a> {
+    pub fn path(&self) -> &Path {
+        match &self.origin {
+            Origin::Text(source) => source.path,
+            Origin::Workbook { path, .. } => path,
+        }
+    }
+
+    /// The cells of a row.
+    pub fn row(&self, row: &SheetRow) -> Vec<Cell<'a>> {
+        match &self.body {
+            Body::Text { text, separator } => fields::cells(text, *separator, row),
+            Body::Workbook(cells) => cells.row(row),
+        }
+    }
+
+    /// Where a cell is.
+    pub fn spot(&self, cell: &Cell<'_>) -> Spot {
+        match &self.origin {
+            Origin::Text(source) => Spot::Text(source.place(cell.span.clone())),
+            Origin::Workbook { sheet, .. } => Spot::Cell(cell_name(sheet, cell.column, cell.row)),
+        }
+    }
+
+    /// An error at a cell.
+    pub fn error(&self, cell: &Cell<'_>, kind: FormatErrorKind) -> FormatError {
+        FormatError::at(self.path(), Some(self.spot(cell)), kind)
+    }
+
+    /// An error about a value that breaks a rule.
+    pub fn invalid(&self, cell: &Cell<'_>, heading: &str, rule: impl Into<String>) -> FormatError {
+        let value = cut(&cell.text).chars().map(visible).collect();
+        let key = cut(heading).chars().map(visible).collect();
+        self.error(cell, FormatErrorKind::Value { key, value, rule: rule.into() })
+    }
+
+    /// Whether a line of a text begins with #, and not in quotes.
+    pub fn is_remark(&self, first: &Cell<'_>) -> bool {
+        match &self.origin {
+            Origin::Text(source) => {
+                first.column == 0 && source.text.as_bytes().get(first.span.start) == Some(&b'#')
+            }
+            Origin::Workbook { .. } => false,
+        }
+    }
+
+    /// An error at a row as a whole, or about the whole table.
+    pub fn row_error(&self, row: Option<usize>, kind: FormatErrorKind) -> FormatError {
+        let first = row.and_then(|row| self.rows.get(row)).and_then(|row| self.row(row).into_iter().next());
+        match first {
+            Some(cell) => self.error(&cell, kind),
+            None => FormatError::new(self.path(), None, kind),
+        }
+    }
+
+    /// An error of a text that was made of cells: at the cell of which that part of the text is, or else at this one.
+    pub fn moved(
+        &self,
+        error: FormatError,
+        cells: &[(Range<usize>, &Cell<'_>)],
+        otherwise: &Cell<'_>,
+    ) -> FormatError {
+        let of = |place: &Place| cells.iter().find(|(range, _)| range.contains(&place.span.start));
+        error.moved(self.path(), |place| Some(self.spot(of(place).map_or(otherwise, |(_, cell)| cell))))
+    }
+}

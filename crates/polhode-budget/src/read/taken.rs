@@ -1,0 +1,101 @@
+//! What was taken as given.
+
+use polhode_source::text::counted;
+
+use super::ReadParts;
+use super::cells::Reader;
+use super::heading::Columns;
+use super::plan::Plan;
+use super::plan::table_file::TableOrigin;
+use super::sheet::Sheet;
+
+/// What was taken as given while rows were read.
+#[derive(Debug, Default)]
+pub struct Taken {
+    /// Parts with mass and nothing else.
+    pub points: usize,
+    /// Tensors of which no column has products.
+    pub without_products: usize,
+    /// Tensors without errors of their own, of masses that have some.
+    pub following: usize,
+    /// Rows of several copies that do not say how their errors go together.
+    pub alike_copies: usize,
+    /// Tensors of which only elements make a possible body.
+    pub proved_elements: usize,
+    /// And those of which only positive integrals do.
+    pub proved_integrals: usize,
+    /// What was found in files.
+    pub findings: Vec<String>,
+}
+
+impl Taken {
+    /// A sentence each.
+    pub fn lines(self) -> impl Iterator<Item = String> {
+        let line = |count: usize, noun: &str, rest: &str| {
+            (count > 0).then(|| format!("{} {rest}", counted(count, noun)))
+        };
+        [
+            line(self.points, "part", "with neither tensor nor form: all mass at one point"),
+            line(self.without_products, "tensor", "without products of inertia: zero"),
+            line(
+                self.proved_elements,
+                "tensor",
+                "of which the products are elements, −∫xy dm, as no body is possible with the other sign",
+            ),
+            line(
+                self.proved_integrals,
+                "tensor",
+                "of which the products are positive integrals, +∫xy dm, as no body is possible with the other sign",
+            ),
+            line(self.following, "tensor", "without an error of its own: in proportion to the mass"),
+            line(self.alike_copies, "row", "of several copies that have the same error each"),
+        ]
+        .into_iter()
+        .flatten()
+        .chain(self.findings)
+    }
+}
+
+/// The files that were read: the list, and the tables of tanks.
+pub fn files(sheet: &Sheet<'_>, plan: &Plan, mut lines: Vec<String>) -> Vec<ReadParts> {
+    let mut files = Vec::new();
+    for table in plan.tanks.iter().filter_map(|tank| tank.table.clone()) {
+        match table.from {
+            TableOrigin::Sheet(_) => lines.extend(table.lines),
+            TableOrigin::File(path) => files.push(ReadParts { path, lines: table.lines }),
+        }
+    }
+    files.insert(0, ReadParts { path: sheet.path().to_owned(), lines });
+    files
+}
+
+/// What was taken as given of a table as a whole, a sentence each.
+pub fn of_sheet(sheet: &Sheet<'_>, columns: &Columns, plan: &Plan, reader: &Reader<'_, '_>) -> Vec<String> {
+    let mut lines = Vec::new();
+    if let Some(row) = sheet.rows.get(columns.row).filter(|_| columns.row > 0) {
+        lines.push(format!("what stands above the headings in row {} was not read", row.number));
+    }
+    if !columns.ignored.is_empty() {
+        let headings: Vec<&str> = columns.ignored.values().map(String::as_str).collect();
+        lines.push(format!("not read: {}", headings.join(", ")));
+    }
+    let hidden: Vec<String> =
+        sheet.rows.iter().filter(|row| row.is_hidden).map(|row| row.number.to_string()).collect();
+    if !hidden.is_empty() {
+        lines.push(format!("read although hidden: rows {}", hidden.join(", ")));
+    }
+    if sheet.decimal_comma && plan.decimal_comma.is_none() {
+        lines.push("numbers have a decimal comma, as their digits prove".to_owned());
+    }
+    let bare = reader.bare();
+    if !bare.is_empty() {
+        lines.push(format!("without a unit, so in SI (kg, m, rad): {}", bare.join(", ")));
+    }
+    if reader.plus_minus || plan.tanks.iter().any(|tank| tank.has_mark) {
+        lines.push(match plan.coverage_factor {
+            None => "± is one standard deviation, as no coverage_factor is given".to_owned(),
+            Some(k) => format!("± is {k} standard deviations, as coverage_factor says"),
+        });
+    }
+    lines
+}

@@ -1,0 +1,103 @@
+//! Parts lists in workbooks: a sheet of parts, and a sheet for each section of a plan.
+
+use std::path::Path;
+
+use polhode_source::FormatError;
+use polhode_source::toml::reader::Table;
+use polhode_source::toml::source::Source;
+use polhode_source::toml::{list_units, tree};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
+use super::access::Access;
+use super::heading::Columns;
+use super::joined::Naming;
+use super::plan::table_file::Sheets;
+use super::plan::{self, Plan};
+use super::sheet::Sheet;
+use super::xlsx::{Sections, Workbook, is_section};
+use super::{BudgetFile, of_table, unused};
+
+/// The sheet of the parts, where there are others beside it.
+const PARTS: &str = "parts";
+
+/// Reads a workbook; with what its sheets say besides what the plan says that names it, if one does.
+pub fn read(
+    path: &Path,
+    bytes: &[u8],
+    told: Option<&Naming<'_>>,
+    access: Access<'_>,
+) -> Result<BudgetFile, FormatError> {
+    let fail = |error| FormatError::of_content(path, bytes, error);
+    let workbook = Workbook::read(bytes).map_err(fail)?;
+    let names = workbook.names();
+    let (sections, others): (Vec<&str>, Vec<&str>) = names.iter().copied().partition(|name| is_section(name));
+    let sheets: Vec<(&str, Sheet<'_>)> =
+        sections.iter().filter_map(|name| Some((*name, workbook.sheet(path, name)?.0))).collect();
+    let plan = of_sections(path, &sheets, told, access, &|name| workbook.sheet(path, name))?;
+    let plan = access.plan(plan);
+    let wanted: Vec<&str> = others
+        .into_iter()
+        .filter(|name| !plan.ignore.iter().any(|other| other == name) && !plan.has_sheet(name))
+        .collect();
+    let name = match wanted[..] {
+        [one] => one,
+        [] => return Err(fail(missing(format!("sheet \"{PARTS}\"")))),
+        _ => {
+            let others: Vec<&str> = wanted.iter().copied().filter(|name| *name != PARTS).collect();
+            let question = format!("which of the sheets {} are the parts?", wanted.join(", "));
+            let kind = ContentErrorKind::Unclear { question, found: String::new() };
+            let hint = format!(
+                "call it \"{PARTS}\", and write ignore = {:?} into the sheet \"plan\", for those that are for people",
+                others
+            );
+            return Err(fail(ContentError::new(kind, ContentPlace::Whole).hint(hint)));
+        }
+    };
+    let Some((mut sheet, mut lines)) = workbook.sheet(path, name) else {
+        return Err(fail(missing(format!("sheet \"{name}\""))));
+    };
+    let not_read: Vec<&str> =
+        names.into_iter().filter(|name| plan.ignore.iter().any(|other| other == name)).collect();
+    if !not_read.is_empty() {
+        lines.push(format!("sheets that were not read: {}", not_read.join(", ")));
+    }
+    let columns = Columns::of(&sheet, &plan.ignore)?;
+    unused::ignored(&columns, &plan, &not_read)?;
+    sheet.decimal_comma = plan.decimal_comma.unwrap_or(false);
+    of_table(plan, &sheet, &columns, lines)
+}
+
+fn of_sections(
+    path: &Path,
+    sheets: &[(&str, Sheet<'_>)],
+    told: Option<&Naming<'_>>,
+    access: Access<'_>,
+    all: &Sheets<'_>,
+) -> Result<Plan, FormatError> {
+    let mut sections = Sections::default();
+    // Keys that stand in no table come before those that do.
+    let (first, then): (Vec<_>, Vec<_>) = sheets.iter().partition(|(name, _)| *name == "plan");
+    for (name, sheet) in first.into_iter().chain(then) {
+        sections.add(name, sheet)?;
+    }
+    let folders = access.folders(path);
+    let source =
+        Source { files: access.files(), within: Some(&folders), ..Source::new(path, &sections.toml) };
+    let tables = |name: &str| if is_section(name) { None } else { all(name) };
+    if let Some(told) = told {
+        return told.plan(source, Some(&tables), &|error| sections.moved(error));
+    }
+    let read = || {
+        let entries = tree::parse(&sections.toml).map_err(|error| source.syntax(&error))?;
+        list_units::check(source, &entries)?;
+        plan::plan(&Table::root(source, &entries), &[], Some(&tables))
+    };
+    match read() {
+        Ok(plan) => Ok(plan.moved(|error| sections.moved(error))),
+        Err(error) => Err(sections.moved(error)),
+    }
+}
+
+fn missing(what: String) -> ContentError {
+    ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole)
+}

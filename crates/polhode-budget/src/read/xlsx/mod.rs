@@ -1,0 +1,155 @@
+//! Workbooks, XLSX: sheets of cells, with the place of each, as their program shows them.
+//!
+//! Nothing is computed: a formula has the result that its program stored with it, or is refused where it is needed.
+//!
+//! Source: ECMA-376, Office Open XML, part 1, SpreadsheetML.
+
+pub mod cells;
+mod format;
+mod plain;
+mod sections;
+mod strings;
+mod value;
+
+use std::path::Path;
+
+use polhode_source::package::archive::Archive;
+use polhode_source::package::relation::{Relation, relations};
+use polhode_source::package::xml::{Token, Xml};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
+use super::sheet::{Body, Origin, Sheet};
+use cells::RawSheet;
+use strings::Strings;
+
+pub use cells::Cells;
+pub use sections::{Sections, is_section};
+
+/// A workbook.
+#[derive(Debug)]
+pub struct Workbook {
+    strings: Strings,
+    sheets: Vec<NamedSheet>,
+}
+
+#[derive(Debug)]
+struct NamedSheet {
+    name: String,
+    is_hidden: bool,
+    raw: RawSheet,
+}
+
+/// Whether bytes are those of a workbook, or of another archive.
+pub fn is_archive(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PK\x03\x04")
+}
+
+/// Whether bytes are those of a workbook before 2007, or of one that has a password.
+pub fn is_compound(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"\xd0\xcf\x11\xe0")
+}
+
+impl Workbook {
+    /// Reads the bytes of a workbook.
+    pub fn read(bytes: &[u8]) -> Result<Self, ContentError> {
+        let mut archive = Archive::open(bytes)?;
+        let root = of_kind(&relations(&mut archive, "_rels/.rels")?, "officeDocument", "");
+        let path = root.filter(|path| archive.has(path)).ok_or_else(|| {
+            missing("workbook")
+                .hint("it is an archive, but none of sheets: polhode budget reads CSV, XLSX and TOML")
+        })?;
+        let (folder, file) = path.rsplit_once('/').unwrap_or(("", &path));
+        let related = relations(&mut archive, &joined(folder, &format!("_rels/{file}.rels")))?;
+        let strings = match of_kind(&related, "sharedStrings", folder) {
+            Some(path) => strings::read(Xml::new(archive.stream(&path)?, &path))?,
+            None => Strings::default(),
+        };
+        let formats = match of_kind(&related, "styles", folder) {
+            Some(path) => format::read(Xml::new(archive.stream(&path)?, &path))?,
+            None => Vec::new(),
+        };
+        let listed = sheets(Xml::new(archive.stream(&path)?, &path))?;
+        let mut sheets = Vec::new();
+        for Listed { name, id, is_hidden } in listed {
+            let relation = related.iter().find(|relation| relation.id == id);
+            let Some(relation) = relation.filter(|relation| relation.kind.ends_with("/worksheet")) else {
+                // A sheet that is a chart has no cells.
+                continue;
+            };
+            let path = joined(folder, &relation.target);
+            let raw = RawSheet::read(Xml::new(archive.stream(&path)?, &path), &formats, &strings)?;
+            sheets.push(NamedSheet { name, is_hidden, raw });
+        }
+        Ok(Self { strings, sheets })
+    }
+
+    /// The names of sheets that are not empty.
+    pub fn names(&self) -> Vec<&str> {
+        self.sheets.iter().filter(|sheet| !sheet.raw.is_empty()).map(|sheet| sheet.name.as_str()).collect()
+    }
+
+    /// A sheet as a table, and what is to be said of it.
+    pub fn sheet<'a>(&'a self, path: &'a Path, name: &str) -> Option<(Sheet<'a>, Vec<String>)> {
+        let named = self.sheets.iter().find(|sheet| sheet.name == name)?;
+        let cells = Cells::of(&named.raw, &self.strings);
+        let origin = Origin::Workbook { path, sheet: named.name.clone() };
+        let mut lines = Vec::new();
+        if named.is_hidden {
+            lines.push(format!("read although hidden: the sheet {name}"));
+        }
+        lines.extend(named.raw.hidden_columns());
+        let (rows, body) = (named.raw.rows().into(), Body::Workbook(cells));
+        Some((Sheet { origin, rows, body, decimal_comma: false }, lines))
+    }
+}
+
+/// A sheet in the list of a workbook.
+struct Listed {
+    name: String,
+    id: String,
+    is_hidden: bool,
+}
+
+fn sheets(mut xml: Xml<'_, '_>) -> Result<Vec<Listed>, ContentError> {
+    let mut all = Vec::new();
+    let mut buffer = Vec::new();
+    loop {
+        match xml.next(&mut buffer)? {
+            Token::Start(element) if element.local_name().into_inner() == "sheet" => {
+                let mut sheet = Listed { name: String::new(), id: String::new(), is_hidden: false };
+                for attribute in xml.attributes(&element) {
+                    let attribute = attribute?;
+                    let value = xml.value(&attribute)?.into_owned();
+                    match attribute.key.local_name().into_inner() {
+                        "name" => sheet.name = value,
+                        "id" => sheet.id = value,
+                        "state" => sheet.is_hidden = value != "visible",
+                        _ => {}
+                    }
+                }
+                all.push(sheet);
+            }
+            Token::Eof => return Ok(all),
+            Token::Start(_) | Token::Text(_) | Token::End | Token::Other => {}
+        }
+    }
+}
+
+/// The name of the entry of a kind, which is the last word of its address.
+fn of_kind(relations: &[Relation], kind: &str, folder: &str) -> Option<String> {
+    let is_kind = |relation: &&Relation| relation.kind.rsplit('/').next() == Some(kind);
+    relations.iter().find(is_kind).map(|relation| joined(folder, &relation.target))
+}
+
+/// A name in a folder, unless it begins at the root.
+fn joined(folder: &str, name: &str) -> String {
+    match name.strip_prefix('/') {
+        Some(name) => name.to_owned(),
+        None if folder.is_empty() => name.to_owned(),
+        None => format!("{folder}/{name}"),
+    }
+}
+
+fn missing(what: &str) -> ContentError {
+    ContentError::new(ContentErrorKind::Missing { what: what.to_owned() }, ContentPlace::Whole)
+}

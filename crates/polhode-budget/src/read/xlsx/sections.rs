@@ -1,0 +1,125 @@
+//! Sheets that are no parts, as TOML: what they say is read as a plan's own keys are.
+
+use std::ops::Range;
+
+use polhode_source::FormatError;
+
+use crate::read::cell::{Cell, Content};
+use crate::read::plan;
+use crate::read::shape::quoted;
+use crate::read::sheet::Sheet;
+
+/// The TOML that sheets stand for, and of which cell each part of it is.
+#[derive(Default)]
+pub struct Sections<'s, 'a> {
+    pub toml: String,
+    cells: Vec<(Range<usize>, &'s Sheet<'a>, Cell<'a>)>,
+}
+
+/// The sheet of the keys that stand in no table.
+const PLAN: &str = "plan";
+
+/// Whether a sheet of this name is a section of a plan.
+pub fn is_section(name: &str) -> bool {
+    name == PLAN || plan::TABLES.contains(&name) || plan::LISTS.contains(&name)
+}
+
+impl<'s, 'a> Sections<'s, 'a> {
+    /// Adds a sheet; that of the plan has to be the first.
+    pub fn add(&mut self, name: &str, sheet: &'s Sheet<'a>) -> Result<(), FormatError> {
+        if plan::LISTS.contains(&name) {
+            return self.list(name, sheet);
+        }
+        if name != PLAN {
+            let start = self.toml.len();
+            self.toml += &format!("[{name}]\n");
+            let first = sheet.rows.first().and_then(|row| sheet.row(row).into_iter().next());
+            self.cells.extend(first.map(|cell| (start..self.toml.len(), sheet, cell)));
+        }
+        for (k, row) in sheet.rows.iter().enumerate() {
+            let cells = sheet.row(row);
+            let [key, value] = &cells[..] else {
+                let cell = cells.get(2).or(cells.first());
+                let Some(cell) = cell else { continue };
+                let error = sheet.invalid(cell, "the row", "a key and its value, in two cells");
+                return Err(error.with_hint("a list in one cell is written as [\"a\", \"b\"]"));
+            };
+            // Headings.
+            if k == 0 && ["key", "code"].contains(&key.text.to_lowercase().as_str()) {
+                continue;
+            }
+            let written = if name == PLAN { key_of(&key.text) } else { quoted(&key.text) };
+            self.put(&written, sheet, key, value)?;
+        }
+        Ok(())
+    }
+
+    /// A sheet of which the first row has the keys, and each other row one of the list.
+    fn list(&mut self, name: &str, sheet: &'s Sheet<'a>) -> Result<(), FormatError> {
+        let Some((headings, rows)) = sheet.rows.split_first() else { return Ok(()) };
+        let keys = sheet.row(headings);
+        for row in rows {
+            let cells = sheet.row(row);
+            let start = self.toml.len();
+            self.toml += &format!("[[{name}]]\n");
+            self.cells.extend(cells.first().map(|cell| (start..self.toml.len(), sheet, cell.clone())));
+            for cell in &cells {
+                let Some(key) = keys.iter().find(|key| key.column == cell.column) else {
+                    return Err(sheet.invalid(cell, "a cell beside the columns", "under a heading"));
+                };
+                self.put(&key_of(&key.text), sheet, key, cell)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn put(
+        &mut self,
+        written: &str,
+        sheet: &'s Sheet<'a>,
+        key: &Cell<'a>,
+        value: &Cell<'a>,
+    ) -> Result<(), FormatError> {
+        for cell in [key, value] {
+            if let Content::Broken(broken) = cell.content {
+                return Err(sheet.invalid(cell, &key.text, broken.rule()));
+            }
+        }
+        let start = self.toml.len();
+        self.toml += written;
+        self.cells.push((start..self.toml.len(), sheet, key.clone()));
+        self.toml += " = ";
+        let start = self.toml.len();
+        self.toml += &toml(value);
+        self.cells.push((start..self.toml.len(), sheet, value.clone()));
+        self.toml.push('\n');
+        Ok(())
+    }
+
+    /// An error of the TOML, at the cell that it is about.
+    pub fn moved(&self, error: FormatError) -> FormatError {
+        let Some((_, sheet, _)) = self.cells.first() else { return error };
+        error.moved(sheet.path(), |place| {
+            let at = |range: &Range<usize>| range.contains(&place.span.start);
+            self.cells.iter().find(|(range, ..)| at(range)).map(|(_, sheet, cell)| sheet.spot(cell))
+        })
+    }
+}
+
+/// A key, perhaps with dots, or in quotes if it has to be.
+fn key_of(text: &str) -> String {
+    let is_bare = text.chars().all(|c| c.is_ascii_alphanumeric() || "_-.".contains(c));
+    if is_bare { text.to_owned() } else { quoted(text) }
+}
+
+/// What a cell says, in TOML: numbers, truths, what is TOML in brackets already, and texts.
+fn toml(cell: &Cell<'_>) -> String {
+    let text = cell.text.as_ref();
+    match cell.content {
+        Content::Number { .. } if text.ends_with('%') || text.contains(' ') => quoted(text),
+        Content::Number { .. } => text.to_owned(),
+        _ if ["true", "false"].contains(&text) => text.to_owned(),
+        _ if text.starts_with(['[', '{']) => text.replace(['\n', '\r'], " "),
+        _ => quoted(text),
+    }
+}

@@ -1,0 +1,304 @@
+//! A configuration, and what is computed of it.
+
+use polhode::body::MassPropertiesGradient;
+use polhode::math::{Body, Direction};
+
+use super::BudgetOptions;
+use super::changing::Changing;
+use super::found::Found;
+use crate::{
+    Basis, Budget, BudgetError, ComparedNumber, Comparison, Draws, Estimate, Evidence, Limit, LimitAnswers,
+    LimitError, MassStatement, Measure, NUMBERS, PrincipalUncertainty, Sensitivities, Sensitivity, Subtotal,
+    Tilt,
+};
+
+pub use super::numbers::ten;
+
+/// A configuration, and what is computed of it.
+#[derive(Clone, Debug)]
+pub struct Case {
+    pub name: Option<String>,
+    pub budget: Budget,
+    /// Of each row.
+    pub statements: Vec<MassStatement>,
+    /// Of the basic masses, and of the predicted ones.
+    estimates: [Estimate<Body>; 2],
+    /// Of the basis that is asked for.
+    principal: PrincipalUncertainty<Body>,
+    /// Of each principal axis.
+    pub tilts: [AxisTilt; 3],
+    pub results: Vec<SpreadResult>,
+    pub drawn: Option<Drawn>,
+    /// Of each limit, if there are any and draws to try them by.
+    pub limits: Option<LimitAnswers>,
+    /// If it is asked for.
+    pub ballast: Option<Found>,
+    /// If it has tanks, or something happens to it.
+    pub changing: Option<Changing>,
+    /// The list without what is in its tanks, if it has some and differences are asked for.
+    pub dry: Option<Budget>,
+}
+
+/// A principal axis beside the axis of the frame to which it is nearest.
+#[derive(Clone, Debug)]
+pub struct AxisTilt {
+    /// 0 to 2: x, y, z.
+    pub from: usize,
+    pub direction: Direction<Body>,
+    pub tilt: Option<Tilt<Body>>,
+}
+
+/// A number, its standard deviation to first order, and what that comes from, the greatest first.
+#[derive(Clone, Debug)]
+pub struct SpreadResult {
+    pub name: String,
+    pub unit: &'static str,
+    pub of: ResultKind,
+    pub sd: f64,
+    pub by: Vec<Sensitivity>,
+    /// Variance by errors that are not among these.
+    pub rest: f64,
+}
+
+/// Of what a number is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ResultKind {
+    /// Mass and centre of mass.
+    Place,
+    /// The tensor.
+    Tensor,
+    /// Principal moments and tilts.
+    Principal,
+    /// What a limit is on.
+    Limit,
+}
+
+/// What draws show.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    pub draws: Draws,
+    pub comparison: Comparison,
+    /// Of the tilt of each principal axis: 5 %, 50 % and 95 % of the draws are below, rad.
+    pub tilts: [Option<[f64; 3]>; 3],
+}
+
+/// What [`Drawn::tilts`] are below of.
+const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
+
+impl Case {
+    /// `reached` is called with the number of bodies that are drawn.
+    pub fn new(
+        name: Option<String>,
+        budget: Budget,
+        limits: &[Limit],
+        options: &BudgetOptions,
+        reached: &mut dyn FnMut(usize),
+    ) -> Result<Self, LimitError> {
+        let statements = budget.mass_statements()?;
+        let estimates = [budget.estimate(Basis::Basic)?, budget.estimate(Basis::Predicted)?];
+        let estimate = &estimates[index(options.basis)];
+        let principal = estimate.principal();
+        let tilts = tilts(estimate, options);
+        let results = results(&budget, options.basis, estimate, &tilts, limits)?;
+        let drawn = if options.draws > 0 {
+            let draws = budget.draws_watched(options.basis, options.seed, options.draws, reached)?;
+            let comparison = draws.compare(estimate);
+            let is_finite = |one: &&ComparedNumber| one.sd.is_finite() && one.sd_error.is_finite();
+            if let Some(one) = comparison.numbers.iter().find(|one| !is_finite(one)) {
+                return Err(BudgetError::Variance { of: one.name }.into());
+            }
+            let quantiles = |k: usize| {
+                let mut all = draws.tilts(k, tilts[k].direction)?;
+                all.sort_by(f64::total_cmp);
+                let last = all.len().checked_sub(1)?;
+                Some(QUANTILES.map(|q| all[(q * last as f64).round() as usize]))
+            };
+            let tilts = [0, 1, 2].map(quantiles);
+            Some(Drawn { draws, comparison, tilts })
+        } else {
+            None
+        };
+        let limits = match &drawn {
+            Some(Drawn { draws, .. }) if !limits.is_empty() => {
+                Some(tried(&budget, limits, options, &estimates, draws, reached)?)
+            }
+            _ => None,
+        };
+        Ok(Self {
+            name,
+            budget,
+            statements,
+            estimates,
+            principal,
+            tilts,
+            results,
+            drawn,
+            limits,
+            ballast: None,
+            changing: None,
+            dry: None,
+        })
+    }
+
+    pub const fn estimate(&self, basis: Basis) -> &Estimate<Body> {
+        &self.estimates[index(basis)]
+    }
+
+    /// What the list states that a row comes to, whatever is in its tanks.
+    pub fn subtotal(&self, row: usize) -> Option<Subtotal> {
+        self.dry.as_ref().unwrap_or(&self.budget).rows().subtotal(row)
+    }
+
+    pub fn principal(&self, basis: Basis) -> PrincipalUncertainty<Body> {
+        self.estimate(basis).principal()
+    }
+
+    /// Of the basis that is drawn.
+    pub const fn drawn_principal(&self) -> &PrincipalUncertainty<Body> {
+        &self.principal
+    }
+
+    /// A row's name without the root's before it.
+    pub fn short(&self, row: usize) -> &str {
+        let rows = self.budget.rows();
+        let (name, root) = (rows.name(row), rows.name(self.budget.root()));
+        name.strip_prefix(root).and_then(|rest| rest.strip_prefix('/')).unwrap_or(name)
+    }
+
+    /// The masses of all; the root may have copies.
+    pub fn whole_statement(&self) -> MassStatement {
+        self.statements[self.budget.root()]
+    }
+
+    /// True if a part has a growth allowance.
+    pub fn grows(&self) -> bool {
+        self.statements.iter().any(|statement| statement.predicted != statement.basic)
+            || (0..self.budget.rows().len()).any(|row| self.budget.rows().grows(row))
+    }
+
+    /// Rows that with growth are heavier than allowed.
+    pub fn exceeded(&self) -> impl Iterator<Item = usize> + '_ {
+        let is_beyond = |k: &usize| self.statements[*k].margin().is_some_and(|margin| margin < 0.0);
+        (0..self.statements.len()).filter(is_beyond)
+    }
+
+    /// How many parts are taken as exact, and how many there are.
+    pub fn exact_parts(&self) -> (usize, usize) {
+        let rows = self.budget.rows();
+        let parts = || (0..rows.len()).filter(|row| rows.has_part(*row));
+        (parts().filter(|row| rows.is_exact(*row)).count(), parts().count())
+    }
+}
+
+/// Limits by the draws that there are, and those of the other basis where a limit is on that.
+fn tried(
+    budget: &Budget,
+    limits: &[Limit],
+    options: &BudgetOptions,
+    estimates: &[Estimate<Body>; 2],
+    draws: &Draws,
+    reached: &mut dyn FnMut(usize),
+) -> Result<LimitAnswers, LimitError> {
+    let other = match options.basis {
+        Basis::Basic => Basis::Predicted,
+        Basis::Predicted => Basis::Basic,
+    };
+    let others = if limits.iter().any(|limit| limit.basis == other) {
+        Some(budget.draws_watched(other, options.seed, options.draws, reached)?)
+    } else {
+        None
+    };
+    let evidence = |basis: Basis| {
+        let draws = if basis == options.basis { Some(draws) } else { others.as_ref() };
+        draws.map(|draws| Evidence { estimate: &estimates[index(basis)], draws })
+    };
+    LimitAnswers::new(limits, LEVEL, evidence(Basis::Basic), evidence(Basis::Predicted))
+}
+
+/// Level of confidence of the intervals of limits.
+pub const LEVEL: f64 = 0.95;
+
+pub const fn index(basis: Basis) -> usize {
+    match basis {
+        Basis::Basic => 0,
+        Basis::Predicted => 1,
+    }
+}
+
+/// Each principal axis beside another axis of the body, or of the asked axes, so that all are as near as can be.
+fn tilts(estimate: &Estimate<Body>, options: &BudgetOptions) -> [AxisTilt; 3] {
+    const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+    let principal = estimate.principal();
+    let unit = |k: usize| {
+        let mut axis = [0.0; 3];
+        axis[k] = 1.0;
+        match options.along {
+            Some(r) => r * Direction::from_array(axis),
+            None => Direction::from_array(axis),
+        }
+    };
+    let near = |order: &[usize; 3]| -> f64 {
+        (0..3).map(|k| principal.frame.axis(k).dot(unit(order[k])).abs()).sum()
+    };
+    let order = ORDERS
+        .into_iter()
+        .fold(ORDERS[0], |best, order| if near(&order) > near(&best) { order } else { best });
+    [0, 1, 2].map(|k| {
+        let direction = unit(order[k]);
+        AxisTilt { from: order[k], direction, tilt: principal.tilt(estimate, k, direction) }
+    })
+}
+
+fn results(
+    budget: &Budget,
+    basis: Basis,
+    estimate: &Estimate<Body>,
+    tilts: &[AxisTilt; 3],
+    limits: &[Limit],
+) -> Result<Vec<SpreadResult>, BudgetError> {
+    let principal = estimate.principal();
+    let mut asked: Vec<(String, &'static str, ResultKind, MassPropertiesGradient<Body>)> = NUMBERS
+        .iter()
+        .enumerate()
+        .map(|(k, (name, unit))| {
+            let of = if k < 4 { ResultKind::Place } else { ResultKind::Tensor };
+            ((*name).to_owned(), *unit, of, number_gradient(k))
+        })
+        .collect();
+    for k in (0..3).filter(|k| principal.is_first_order(*k)) {
+        asked.push((format!("i{}", k + 1), "kg·m²", ResultKind::Principal, principal.moment_gradient(k)));
+    }
+    for (k, AxisTilt { from, tilt, .. }) in tilts.iter().enumerate() {
+        if let Some(gradient) = tilt.and_then(|tilt| tilt.gradient) {
+            let name = format!("tilt of {} from {}", k + 1, AXES[*from]);
+            asked.push((name, "rad", ResultKind::Principal, gradient));
+        }
+    }
+    // Those on the mass are above.
+    for limit in limits.iter().filter(|limit| limit.basis == basis && limit.of != Measure::Mass) {
+        if let Ok(gradient) = limit.of.gradient(estimate) {
+            asked.push((limit.name.clone(), limit.of.unit(), ResultKind::Limit, gradient));
+        }
+    }
+    let gradients: Vec<_> = asked.iter().map(|(.., gradient)| *gradient).collect();
+    let found = budget.sensitivities(basis, &gradients, MOST_ERRORS)?;
+    let result = |((name, unit, of, gradient), by): ((String, _, _, _), Sensitivities)| {
+        let sd = estimate.sd_of(&gradient);
+        let Sensitivities { greatest, rest, .. } = if sd > 0.0 { by } else { Sensitivities::default() };
+        SpreadResult { name, unit, of, sd, by: greatest, rest }
+    };
+    Ok(asked.into_iter().zip(found).map(result).collect())
+}
+
+/// Errors of a result that are kept one by one: more than any report tells.
+const MOST_ERRORS: usize = 1000;
+
+pub const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// One of the ten numbers itself.
+fn number_gradient(k: usize) -> MassPropertiesGradient<Body> {
+    let mut all = [0.0; 10];
+    all[k] = 1.0;
+    let [by_mass, x, y, z, by_inertia @ ..] = all;
+    MassPropertiesGradient { by_mass, by_center_of_mass: Direction::new(x, y, z), by_inertia }
+}

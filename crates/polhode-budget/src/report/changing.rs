@@ -1,0 +1,355 @@
+//! A body whose tanks drain, and to which things happen: its numbers by fill and over time.
+
+use polhode_document::Section;
+use polhode_document::graph::Graph;
+use polhode_document::json::matrix;
+use polhode_document::layout::printable;
+use polhode_document::number::{number, tidy};
+use serde_json::{Value, json};
+
+use super::numbers::{rates, ten};
+use crate::{Burn, Change, Sequence, SequenceError, SequenceRow};
+
+/// Parts of a full tank in the tables, and in JSON and pictures.
+const SHOWN_FILLS: usize = 4;
+const FILLS: usize = 20;
+/// Pieces of each stretch in the tables, and in JSON and pictures.
+const SHOWN_PIECES: usize = 2;
+const PIECES: usize = 16;
+const DIGITS: usize = 5;
+
+/// What a body is by how full its tanks are, and over time.
+#[derive(Clone, Debug)]
+pub struct Changing {
+    tanks: Vec<FilledTank>,
+    over_time: Option<OverTime>,
+}
+
+/// The whole by what is in one tank.
+#[derive(Clone, Debug)]
+struct FilledTank {
+    name: String,
+    capacity: f64,
+    at_first: f64,
+    /// Parts of a full tank, ascending, with the levels that are known; rates are those of a kilogram more.
+    rows: Vec<(f64, Option<f64>, SequenceRow)>,
+}
+
+/// The body from 0 on.
+#[derive(Clone, Debug)]
+pub struct OverTime {
+    until: f64,
+    pub tanks: Vec<String>,
+    /// The configuration that it is, by how many changes have happened.
+    configurations: Vec<Option<String>>,
+    /// When something begins, ends or happens.
+    happenings: Vec<(f64, String)>,
+    shown: Vec<SequenceRow>,
+    pub all: Vec<SequenceRow>,
+}
+
+impl Changing {
+    /// Of a configuration, as which the sequence begins.
+    pub fn new(
+        configuration: Option<&str>,
+        sequence: &Sequence<'_>,
+        until: Option<f64>,
+    ) -> Result<Self, SequenceError> {
+        let tanks =
+            (0..sequence.tanks.len()).map(|k| FilledTank::new(sequence, k)).collect::<Result<_, _>>()?;
+        let over_time = until.map(|until| OverTime::new(configuration, sequence, until)).transpose()?;
+        Ok(Self { tanks, over_time })
+    }
+
+    pub fn sections(&self) -> Vec<Section> {
+        let mut sections = Vec::new();
+        if let Some(over_time) = &self.over_time {
+            sections.push(over_time.section());
+        }
+        if !self.tanks.is_empty() {
+            let mut section = Section::new(0, "By how full the tanks are");
+            section.say(
+                "The whole at first, with what is in one tank changed. Liquids are at rest in the tanks, with a plane surface, and turn with the body.",
+            );
+            self.tanks.iter().for_each(|tank| tank.add_to(&mut section));
+            sections.push(section);
+        }
+        sections
+    }
+
+    pub const fn over_time(&self) -> Option<&OverTime> {
+        self.over_time.as_ref()
+    }
+
+    /// Each tank with the part that it is full to, kg in it, its level, and the body, of which the rates are those of a kilogram more.
+    pub fn by_fill(&self) -> impl Iterator<Item = (&str, f64, f64, Option<f64>, &SequenceRow)> {
+        self.tanks.iter().flat_map(|tank| {
+            let rows = tank.rows.iter();
+            rows.map(|(fill, level, row)| (&*tank.name, *fill, fill * tank.capacity, *level, row))
+        })
+    }
+
+    /// `Over 60 s: 73.24 kg become 35.1 kg`
+    pub fn in_words(&self) -> Option<String> {
+        let over_time = self.over_time.as_ref()?;
+        let [first, last] = [over_time.all.first()?, over_time.all.last()?].map(|row| row.properties.mass());
+        let [first, last] = [first, last].map(|mass| number(mass, DIGITS));
+        Some(format!("In {} s {first} kg become {last} kg", number(over_time.until, DIGITS)))
+    }
+
+    pub fn to_json(&self) -> Value {
+        let tank = |tank: &FilledTank| {
+            let row = |(fill, level, row): &(f64, Option<f64>, SequenceRow)| {
+                let mut data = row_to_json(row);
+                data["fill"] = json!(fill);
+                data["liquid"] = json!(fill * tank.capacity);
+                data["level"] = json!(level);
+                data
+            };
+            json!({
+                "name": tank.name,
+                "capacity": tank.capacity,
+                "mass": tank.at_first,
+                "rows": tank.rows.iter().map(row).collect::<Value>(),
+            })
+        };
+        let over_time = self.over_time.as_ref().map(|over_time| {
+            let row = |row: &SequenceRow| {
+                let mut data = row_to_json(row);
+                data["configuration"] = json!(over_time.configuration(row));
+                data["time"] = json!(row.time);
+                data["liquid"] = json!(row.liquid);
+                data["rates"] = json!({
+                    "mass": row.rates.mass,
+                    "center_of_mass": row.rates.center_of_mass.to_array(),
+                    "inertia": symmetric(row.rates.inertia),
+                });
+                data
+            };
+            let what = |(time, what): &(f64, String)| json!({ "time": time, "what": what });
+            json!({
+                "until": over_time.until,
+                "tanks": over_time.tanks,
+                "events": over_time.happenings.iter().map(what).collect::<Value>(),
+                "rows": over_time.all.iter().map(row).collect::<Value>(),
+            })
+        });
+        json!({ "by_fill": self.tanks.iter().map(tank).collect::<Value>(), "over_time": over_time })
+    }
+}
+
+fn row_to_json(row: &SequenceRow) -> Value {
+    json!({
+        "mass": row.properties.mass(),
+        "center_of_mass": row.properties.center_of_mass().to_array(),
+        "inertia": matrix(row.properties.inertia().matrix()),
+    })
+}
+
+fn symmetric([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> Value {
+    matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+}
+
+/// Headings of mass and centre, and of the tensor about it; and of their rates.
+const PLACE: [&str; 4] = ["M (kg)", "x (mm)", "y (mm)", "z (mm)"];
+const PLACE_RATES: [&str; 4] = ["dM/dt (kg/s)", "dx/dt (mm/s)", "dy/dt (mm/s)", "dz/dt (mm/s)"];
+const TENSOR: [&str; 6] = ["Ixx (kg·m²)", "Iyy (kg·m²)", "Izz (kg·m²)", "Ixy", "Ixz", "Iyz"];
+const TENSOR_RATES: [&str; 6] = ["dIxx/dt (kg·m²/s)", "dIyy/dt", "dIzz/dt", "dIxy/dt", "dIxz/dt", "dIyz/dt"];
+
+/// The ten numbers as they are shown: rounding beside large ones is none.
+fn cells(values: [f64; 10]) -> [Vec<String>; 2] {
+    let [mass, x, y, z, xx, yy, zz, xy, xz, yz] = values;
+    let [x, y, z] = tidy([x, y, z]).map(|x| 1e3 * x);
+    let least = 1e-12 * xx.abs().max(yy.abs()).max(zz.abs());
+    let [xy, xz, yz] = [xy, xz, yz].map(|x| if x.abs() < least { 0.0 } else { x });
+    let shown = |numbers: &[f64]| numbers.iter().map(|x| number(*x, DIGITS)).collect();
+    [shown(&[mass, x, y, z]), shown(&[xx, yy, zz, xy, xz, yz])]
+}
+
+impl FilledTank {
+    fn new(sequence: &Sequence<'_>, k: usize) -> Result<Self, SequenceError> {
+        let mut base = Sequence::of(sequence.budget, sequence.basis, sequence.tanks.iter().cloned());
+        let (tank, at_first) = sequence.tanks.get(k).ok_or_else(|| missing(k))?;
+        let capacity = tank.liquid.capacity();
+        base.burns = vec![Burn { tank: tank.name.clone(), from: 0.0, until: 1.0, flow: 1.0 }];
+        let row = |j: usize| {
+            let fill = j as f64 / FILLS as f64;
+            let mass = fill * capacity;
+            if let Some(load) = base.tanks.get_mut(k) {
+                load.1 = mass;
+            }
+            let level = tank.liquid.at(mass).and_then(|fill| fill.level);
+            Ok((fill, level, more(base.at(0.0)?)))
+        };
+        let rows = (0..=FILLS).map(row).collect::<Result<_, SequenceError>>()?;
+        Ok(Self { name: tank.name.clone(), capacity, at_first: *at_first, rows })
+    }
+
+    fn add_to(&self, section: &mut Section) {
+        let shown = || self.rows.iter().step_by(FILLS / SHOWN_FILLS);
+        section.line(format!(
+            "{}: {} kg of {} kg",
+            printable(&self.name),
+            number(self.at_first, DIGITS),
+            number(self.capacity, DIGITS)
+        ));
+        let mut headers = vec!["full (%)", "in it (kg)"];
+        let has_level = shown().all(|(_, level, _)| level.is_some());
+        headers.extend(has_level.then_some("level (mm)"));
+        headers.extend(PLACE);
+        let row = |(fill, level, row): &(f64, Option<f64>, SequenceRow)| {
+            let mut line = vec![number(100.0 * fill, 3), number(fill * self.capacity, DIGITS)];
+            line.extend(level.filter(|_| has_level).map(|level| number(1e3 * level, DIGITS)));
+            let [place, _] = cells(ten(&row.properties));
+            line.extend(place);
+            line
+        };
+        section.table(&headers, shown().map(row).collect());
+        let headers: Vec<&str> = ["full (%)"].into_iter().chain(TENSOR).collect();
+        let row = |(fill, _, row): &(f64, Option<f64>, SequenceRow)| {
+            let [_, tensor] = cells(ten(&row.properties));
+            [number(100.0 * fill, 3)].into_iter().chain(tensor).collect()
+        };
+        section.table(&headers, shown().map(row).collect());
+        let across = |(fill, _, row): &(f64, Option<f64>, SequenceRow)| (100.0 * fill, ten(&row.properties));
+        let points: Vec<(f64, [f64; 10])> = self.rows.iter().map(across).collect();
+        let k = greatest(&points, 1..4, |_| 1.0);
+        let title = format!("Centre of mass by what is in {}", printable(&self.name));
+        section.graph(curve(title, ["full", "%"], ["x", "y", "z"][k - 1], "mm", &points, k, 1e3));
+    }
+}
+
+/// Of a kilogram that leaves in a second: what comes with one more.
+fn more(mut row: SequenceRow) -> SequenceRow {
+    let rates = &mut row.rates;
+    rates.mass = -rates.mass;
+    rates.center_of_mass = -rates.center_of_mass;
+    rates.inertia = rates.inertia.map(|x| 0.0 - x);
+    row
+}
+
+fn missing(k: usize) -> SequenceError {
+    SequenceError::MissingTank { tank: (k + 1).to_string() }
+}
+
+/// Which of some numbers changes most, relative to a size of it.
+fn greatest(
+    points: &[(f64, [f64; 10])],
+    among: core::ops::Range<usize>,
+    size: impl Fn(usize) -> f64,
+) -> usize {
+    let range = |k: usize| {
+        let values = || points.iter().map(|(_, all)| all[k]);
+        (values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)) / size(k)
+    };
+    let first = among.start;
+    among.fold(first, |best, k| if range(k) > range(best) { k } else { best })
+}
+
+fn curve(
+    title: String,
+    across: [&'static str; 2],
+    name: &'static str,
+    unit: &'static str,
+    points: &[(f64, [f64; 10])],
+    k: usize,
+    scale: f64,
+) -> Graph {
+    let points: Vec<[f64; 2]> = points.iter().map(|(x, all)| [*x, scale * all[k]]).collect();
+    let [first, last] = [points.first(), points.last()].map(|point| point.copied().unwrap_or_default());
+    let level = ([first[0], last[0], last[1]], "as it is at the end");
+    Graph { title, across, up: [name, unit], points, level }
+}
+
+impl OverTime {
+    fn new(configuration: Option<&str>, sequence: &Sequence<'_>, until: f64) -> Result<Self, SequenceError> {
+        let [shown, all] = [SHOWN_PIECES, PIECES].map(|pieces| sequence.rows([0.0, until], pieces));
+        let quoted = |name: &str| printable(name);
+        let mut happenings: Vec<(f64, String)> = Vec::new();
+        for burn in &sequence.burns {
+            let flow = number(burn.flow, DIGITS);
+            happenings.push((burn.from, format!("{flow} kg/s begin to leave {}", quoted(&burn.tank))));
+            happenings.push((burn.until, format!("{flow} kg/s cease to leave {}", quoted(&burn.tank))));
+        }
+        for change in &sequence.changes {
+            let what = match change {
+                Change::Drop { rows, .. } => {
+                    format!("{} dropped", rows.iter().map(|row| quoted(row)).collect::<Vec<_>>().join(", "))
+                }
+                Change::Become { name, .. } => format!("becomes {}", quoted(name)),
+            };
+            happenings.push((change.time(), what));
+        }
+        happenings.retain(|(time, _)| *time <= until);
+        happenings.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let tanks = sequence.tanks.iter().map(|(tank, _)| tank.name.clone()).collect();
+        let mut changes: Vec<&Change<'_>> = sequence.changes.iter().collect();
+        changes.sort_by(|a, b| a.time().total_cmp(&b.time()));
+        let mut configurations = vec![configuration.map(str::to_owned)];
+        for change in changes {
+            configurations.push(match change {
+                Change::Drop { .. } => configurations.last().cloned().flatten(),
+                Change::Become { name, .. } => Some(name.clone()),
+            });
+        }
+        Ok(Self { until, tanks, configurations, happenings, shown: shown?, all: all? })
+    }
+
+    /// The configuration that it is in a row.
+    pub fn configuration(&self, row: &SequenceRow) -> Option<&str> {
+        self.configurations.get(row.changes).and_then(Option::as_deref)
+    }
+
+    fn section(&self) -> Section {
+        let mut section = Section::new(0, "Over time");
+        let seconds = |time: f64| number(time, DIGITS);
+        section.table(
+            &["t (s)", "what happens"],
+            self.happenings.iter().map(|(time, what)| vec![seconds(*time), what.clone()]).collect(),
+        );
+        let mut shown: Vec<&SequenceRow> = Vec::new();
+        for row in &self.shown {
+            // Where a stretch ends and the next begins as it ended there is one row.
+            let again = shown.last().is_some_and(|last| {
+                last.time == row.time && last.properties == row.properties && last.rates == row.rates
+            });
+            if !again {
+                shown.push(row);
+            }
+        }
+        let mut table =
+            |headers: &[&'static str], of: &dyn Fn([Vec<String>; 2], [Vec<String>; 2]) -> Vec<String>| {
+                let headers: Vec<&str> = ["t (s)"].iter().chain(headers).copied().collect();
+                let line = |row: &&SequenceRow| {
+                    let numbers = of(cells(ten(&row.properties)), cells(rates(row)));
+                    [seconds(row.time)].into_iter().chain(numbers).collect()
+                };
+                section.table(&headers, shown.iter().map(line).collect());
+            };
+        table(&[PLACE, PLACE_RATES].concat(), &|[place, _], [rates, _]| [place, rates].concat());
+        table(&TENSOR, &|[_, tensor], _| tensor);
+        table(&TENSOR_RATES, &|_, [_, rates]| rates);
+        section.say(
+            "Two rows of one time are just before and just after. The tensor is about the centre of mass, along the axes of the body; rates are exact at each time, as what leaves a tank next is the surface of its liquid.",
+        );
+        let points: Vec<(f64, [f64; 10])> =
+            self.all.iter().map(|row| (row.time, ten(&row.properties))).collect();
+        let across = ["time", "s"];
+        section.graph(curve("Mass over time".to_owned(), across, "M", "kg", &points, 0, 1.0));
+        let k = greatest(&points, 1..4, |_| 1.0);
+        section.graph(curve(
+            "Centre of mass over time".to_owned(),
+            across,
+            ["x", "y", "z"][k - 1],
+            "mm",
+            &points,
+            k,
+            1e3,
+        ));
+        for k in 4..7 {
+            let name = ["Ixx", "Iyy", "Izz"][k - 4];
+            section.graph(curve(format!("{name} over time"), across, name, "kg·m²", &points, k, 1.0));
+        }
+        section
+    }
+}

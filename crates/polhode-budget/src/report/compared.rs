@@ -1,0 +1,70 @@
+//! First order beside draws.
+
+use polhode_document::Section;
+use polhode_document::number::{count, number};
+
+use super::case::{Case, Drawn};
+use crate::{ComparedNumber, NUMBERS};
+
+pub fn section(case: &Case) -> Option<Section> {
+    let Drawn { comparison, .. } = case.drawn.as_ref()?;
+    let mut section = Section::new(5, "First order and draws");
+    let draws = count(comparison.draws as u64);
+    section.say(format!(
+        "{draws} bodies, each made of possible parts, have errors as the list states them: masses are drawn log-normal, centres, places and tensors normal. What first order leaves out shows beside them."
+    ));
+    let row = |(k, n): (usize, &ComparedNumber)| {
+        let (unit, scale) = if n.unit == "m" { ("mm", 1e3) } else { (n.unit, 1.0) };
+        let shown = |x: f64, digits: usize| number(scale * x, digits);
+        vec![
+            n.name.to_owned(),
+            if is_comparable(case, k) { shown(n.first_order_sd, 3) } else { "none".to_owned() },
+            format!("{} ± {}", shown(n.sd, 3), shown(n.sd_error, 1)),
+            format!("{} ± {}", shown(n.bias(), 2), shown(n.mean_error, 1)),
+            unit.to_owned(),
+            if is_comparable(case, k) && n.differs() { "differs" } else { "" }.to_owned(),
+        ]
+    };
+    let headers = ["number", "sd to first order", "sd of draws", "mean of draws − value", "unit", ""];
+    section.table(&headers, comparison.numbers.iter().enumerate().map(row).collect());
+    if comparison.moved > 0 {
+        let tanks = if has_liquid(case) {
+            ", or some tank would have had more in it than it holds, and is full"
+        } else {
+            ""
+        };
+        section.say(format!(
+            "In {} of {draws} draws the tensor of some part had to be moved to the nearest that a body can have{tanks}.",
+            count(comparison.moved as u64)
+        ));
+    }
+    Some(section)
+}
+
+/// Which numbers draws say differently.
+pub fn difference_in_words(case: &Case) -> Option<String> {
+    let comparison = &case.drawn.as_ref()?.comparison;
+    let differs = |(k, n): &(usize, &ComparedNumber)| is_comparable(case, *k) && n.differs();
+    let names: Vec<&str> =
+        comparison.numbers.iter().enumerate().filter(differs).map(|(_, n)| n.name).collect();
+    (!names.is_empty()).then(|| {
+        // The mass is a sum: its mean and standard deviation are exact to first order, even where draws miss its long tail; but tanks hold no more than they do.
+        let of_mass = if names.contains(&"mass") && !has_liquid(case) { "; of the mass first order is exact" } else { "" };
+        format!(
+            "draws differ from first order by more than chance in {}: there numbers are not linear in the errors, or draws are too few for the tail of a distribution{of_mass}",
+            names.join(", ")
+        )
+    })
+}
+
+/// Whether there is a liquid with errors.
+fn has_liquid(case: &Case) -> bool {
+    let rows = case.budget.rows();
+    (0..rows.len()).any(|row| rows.is_uncertain_liquid(row))
+}
+
+/// Whether first order says what the error of a number is, by its place among those that are compared.
+fn is_comparable(case: &Case, k: usize) -> bool {
+    let Some(moment) = k.checked_sub(NUMBERS.len()) else { return true };
+    case.drawn_principal().is_first_order(moment)
+}

@@ -1,0 +1,84 @@
+//! Tanks in the words of the file.
+
+use polhode::body::MassProperties;
+use polhode::math::Part;
+use polhode_document::number::{number, vector};
+
+use super::item::Item;
+use super::words::{names, point};
+use crate::report::statements::StatedTank;
+use crate::{Down, Liquid, LiquidTable, Measured, TankShape, Vessel};
+
+/// What is said of a tank, item by item: what it is, and each row of its table. How much is in it, and how well that is known, shows in its row of the list.
+pub fn items(tank: &StatedTank, digits: usize) -> Vec<Item> {
+    let name = &tank.tank.name;
+    let mut words = vec![format!("frame {}", tank.tank.frame)];
+    if !tank.configurations.is_empty() {
+        words.push(format!("configuration {}", names(&tank.configurations)));
+    }
+    let mut rows = Vec::new();
+    match &tank.tank.liquid {
+        Liquid::Vessel(vessel) => words.extend(of_vessel(vessel, digits)),
+        Liquid::Table(table) => {
+            words.push("by a table".to_owned());
+            rows = of_table(table, digits);
+        }
+    }
+    // What an error of the density makes of it depends on this, which no deviation shows that is zero.
+    if tank.errors.density > 0.0 {
+        words.push(match tank.errors.measured {
+            Measured::Mass => "its mass is known".to_owned(),
+            Measured::Fill => "its fill is known".to_owned(),
+        });
+    }
+    // An empty one has no row.
+    if tank.mass == 0.0 && tank.errors.density > 0.0 {
+        words.push(format!("density_sd {} %", number(100.0 * tank.errors.density, digits)));
+        words.extend(tank.group.iter().map(|group| format!("group {group}")));
+    }
+    let of = format!(" of the table of the tank {name}");
+    let rows = rows.into_iter().map(|row| Item::of_several("row", of.clone(), row));
+    [Item::new(format!("tank {name}"), words.join("; "))].into_iter().chain(rows).collect()
+}
+
+fn of_vessel(vessel: &Vessel, digits: usize) -> [String; 3] {
+    let mm = |x: f64| number(1e3 * x, digits);
+    let shape = match *vessel.shape() {
+        TankShape::Box(size) => format!("box, size {} mm", size.map(mm).join(" × ")),
+        TankShape::Ellipsoid(axes) if axes == [axes[0]; 3] => format!("sphere, radius {} mm", mm(axes[0])),
+        TankShape::Ellipsoid(axes) => format!("ellipsoid, semi_axes {} mm", axes.map(mm).join(" × ")),
+        TankShape::Cylinder { radius, length, ends: [low, high] } => format!(
+            "cylinder, radius {} mm, length {} mm, ends {} and {} mm",
+            mm(radius),
+            mm(length),
+            mm(low),
+            mm(high)
+        ),
+    };
+    let settles = match vessel.down() {
+        Down::MinusX => "-x",
+        Down::MinusY => "-y",
+        Down::MinusZ => "-z",
+        Down::PlusX => "x",
+        Down::PlusY => "y",
+        Down::PlusZ => "z",
+    };
+    [shape, format!("density {} kg/m³", number(vessel.density(), digits)), format!("settles {settles}")]
+}
+
+fn of_table(table: &LiquidTable, digits: usize) -> Vec<String> {
+    let row = |(k, body): (usize, &MassProperties<Part>)| {
+        let [[xx, xy, xz], [_, yy, yz], [.., zz]] = body.inertia().matrix();
+        let level = table.levels().and_then(|levels| levels.get(k));
+        let level =
+            level.map_or_else(String::new, |level| format!(", level {} mm", number(1e3 * level, digits)));
+        format!(
+            "mass {} kg{level}, center {}, moments {} kg·m², products {} kg·m²",
+            number(body.mass(), digits),
+            point(body.center_of_mass().to_array(), digits),
+            vector([xx, yy, zz], digits),
+            vector([xy, xz, yz], digits)
+        )
+    };
+    table.rows().iter().enumerate().map(row).collect()
+}

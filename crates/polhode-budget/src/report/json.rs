@@ -1,0 +1,213 @@
+//! A budget as data.
+
+use std::io;
+
+use polhode::math::{Body, Position, Rotation};
+use polhode_document::VERSION;
+use polhode_document::finding;
+use polhode_document::json::{matrix, pretty, pretty_at};
+use serde_json::{Value, json};
+
+use super::case::{AXES, Case, Drawn, SpreadResult, ten};
+use super::changing::Changing;
+use super::influence::{kind_name, share, source_name};
+use super::whole::{asked, correlation};
+use super::{BudgetReport, ballast, basis_name, limits, parts, principal};
+use crate::{Basis, ComparedNumber, Estimate, MassStatement, NUMBERS};
+
+/// Errors of a number that are told one by one; the rest is told as a sum.
+const ERRORS: usize = 25;
+
+impl BudgetReport {
+    /// The report as data: SI, of each configuration.
+    pub fn to_json(&self) -> Value {
+        self.with_rows(&|case| (0..case.statements.len()).map(|k| row(case, k)).collect())
+    }
+
+    /// Writes [`BudgetReport::to_json`] as [`pretty`](polhode_document::json::pretty) prints it.
+    ///
+    /// Rows are written one by one, to save memory.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_json(&self, out: &mut dyn io::Write) -> io::Result<()> {
+        // The place of rows that are left out. Nothing else has this key without a value, and quotes in strings are escaped.
+        const LEFT_OUT: &str = "\"rows\": null";
+        let text = pretty(&self.with_rows(&|_| Value::Null));
+        let mut pieces = text.split(LEFT_OUT);
+        out.write_all(pieces.next().unwrap_or_default().as_bytes())?;
+        for (case, behind) in self.cases.iter().zip(pieces) {
+            out.write_all(b"\"rows\": [")?;
+            for k in 0..case.statements.len() {
+                let comma = if k > 0 { "," } else { "" };
+                // In the document, the list of configurations, a configuration and the list of rows.
+                let depth = 4;
+                write!(out, "{comma}\n{}{}", "  ".repeat(depth), pretty_at(&row(case, k), depth))?;
+            }
+            write!(out, "\n{}]{behind}", "  ".repeat(3))?;
+        }
+        Ok(())
+    }
+
+    fn with_rows(&self, rows: &dyn Fn(&Case) -> Value) -> Value {
+        json!({
+            "polhode": VERSION,
+            "kind": "budget",
+            "title": self.title,
+            "sources": self.sources,
+            "basis": basis_name(self.options.basis),
+            "configurations": self.cases.iter().map(|case| self.case_to_json(case, &rows(case))).collect::<Value>(),
+            "findings": finding::to_json(&self.findings()),
+        })
+    }
+
+    fn case_to_json(&self, case: &Case, rows: &Value) -> Value {
+        let basis = self.options.basis;
+        let estimate = case.estimate(basis);
+        json!({
+            "name": case.name,
+            "mass": statement(&case.whole_statement()),
+            "limits": limits::to_json(case, &self.limits),
+            "ballast": ballast::to_json(case, self.ballast.as_ref(), &self.limits),
+            "changing": case.changing.as_ref().map(Changing::to_json),
+            "estimate": estimate_to_json(estimate),
+            "basic": estimate_to_json(case.estimate(Basis::Basic)),
+            "predicted": estimate_to_json(case.estimate(Basis::Predicted)),
+            "asked": self.asked_to_json(estimate),
+            "principal": principal_to_json(case, basis),
+            "errors": case.results.iter().map(|result| errors(case, result)).collect::<Value>(),
+            "draws": case.drawn.as_ref().map(|drawn| self.drawn_to_json(drawn)),
+            "picture": parts::solids(case, basis).map(|solids| solids.to_json()),
+            "rows": rows,
+        })
+    }
+
+    fn asked_to_json(&self, estimate: &Estimate<Body>) -> Value {
+        asked(estimate, &self.options).map_or(Value::Null, |asked| {
+            let [xx, yy, zz, xy, xz, yz] = asked.inertia;
+            json!({
+                "about": self.options.about.map(Position::to_array),
+                "axes": self.options.along.map(Rotation::matrix),
+                "center_of_mass": asked.place[1..],
+                "inertia": matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]),
+                "covariance": asked.covariance,
+            })
+        })
+    }
+
+    fn drawn_to_json(&self, drawn: &Drawn) -> Value {
+        let comparison = &drawn.comparison;
+        let number = |n: &ComparedNumber| {
+            json!({
+                "name": n.name,
+                "unit": n.unit,
+                "value": n.value,
+                "first_order_sd": n.first_order_sd,
+                "mean": n.mean,
+                "mean_error": n.mean_error,
+                "sd": n.sd,
+                "sd_error": n.sd_error,
+                "differs": n.differs(),
+            })
+        };
+        json!({
+            "count": comparison.draws,
+            "seed": self.options.seed,
+            "moved": comparison.moved,
+            "numbers": comparison.numbers.iter().map(number).collect::<Value>(),
+            "covariance": comparison.covariance,
+            "tilt_quantiles": drawn.tilts,
+        })
+    }
+}
+
+fn statement(s: &MassStatement) -> Value {
+    json!({
+        "basic": s.basic,
+        "predicted": s.predicted,
+        "growth_allowance": s.growth_allowance(),
+        "allowable": s.allowable,
+        "margin": s.margin(),
+        "relative_margin": s.relative_margin(),
+    })
+}
+
+fn estimate_to_json(estimate: &Estimate<Body>) -> Value {
+    let values = ten(&estimate.properties);
+    let number = |k: usize| {
+        let (name, unit) = NUMBERS[k];
+        json!({ "name": name, "unit": unit, "value": values[k], "sd": estimate.sd(k) })
+    };
+    let correlations = |i: usize| -> Value {
+        (0..10).map(|j| correlation(&estimate.covariance, i, j).map_or(Value::Null, Value::from)).collect()
+    };
+    json!({
+        "mass": estimate.properties.mass(),
+        "center_of_mass": estimate.properties.center_of_mass().to_array(),
+        "inertia": matrix(estimate.properties.inertia().matrix()),
+        "numbers": (0..10).map(number).collect::<Value>(),
+        "covariance": estimate.covariance,
+        "correlation": (0..10).map(correlations).collect::<Value>(),
+    })
+}
+
+fn principal_to_json(case: &Case, basis: Basis) -> Value {
+    let found = case.principal(basis);
+    let ratios = principal::Ratios::of(&found);
+    let tilt = |k: usize| {
+        let axis = &case.tilts[k];
+        json!({
+            "from": AXES[axis.from],
+            "direction": axis.direction.to_array(),
+            "angle": axis.tilt.map(|tilt| tilt.angle),
+            "sd": axis.tilt.and_then(|tilt| tilt.sd),
+            "axis_sd": axis.tilt.map(|tilt| tilt.axis_sd),
+        })
+    };
+    let moment_sd = [0, 1, 2].map(|k| principal::moment_sd(&found, k));
+    let axes = [0, 1, 2].map(|k| found.frame.axis(k).to_array());
+    let tilts = [0, 1, 2].map(tilt);
+    json!({
+        "moments": found.frame.moments(),
+        "moment_sd": moment_sd,
+        "moment_covariance": found.moment_covariance,
+        "ratios": ratios.values,
+        "ratio_sd": ratios.sd,
+        "ratio_correlation": ratios.correlation,
+        "axes": axes,
+        "turn_sd": found.turn_sd,
+        "tilts": tilts,
+        "triangle": principal::triangle(case, &found).to_json(),
+    })
+}
+
+fn errors(case: &Case, result: &SpreadResult) -> Value {
+    let one = |by: &crate::Sensitivity| {
+        json!({
+            "source": source_name(case, by),
+            "of": kind_name(by.kind),
+            "variance": by.variance,
+            "share": share(result, by),
+        })
+    };
+    let rest = result.by.iter().skip(ERRORS).map(|by| by.variance).sum::<f64>() + result.rest;
+    json!({
+        "number": result.name,
+        "unit": result.unit,
+        "sd": result.sd,
+        "by": result.by.iter().take(ERRORS).map(one).collect::<Value>(),
+        "rest": rest,
+    })
+}
+
+fn row(case: &Case, k: usize) -> Value {
+    let rows = case.budget.rows();
+    let mut value = statement(&case.statements[k]);
+    if let Some(map) = value.as_object_mut() {
+        map.shift_insert(0, "name".to_owned(), Value::from(rows.name(k)));
+        let parent = case.budget.parent(k).map_or(Value::Null, |parent| Value::from(rows.name(parent)));
+        map.shift_insert(1, "in".to_owned(), parent);
+        map.shift_insert(2, "quantity".to_owned(), Value::from(rows.quantity(k).count));
+    }
+    value
+}

@@ -1,0 +1,159 @@
+//! Whether limits are met.
+
+use polhode_document::Section;
+use polhode_document::layout::printable;
+use polhode_document::number::{GROUP, count, number, with_error};
+use serde_json::{Value, json};
+
+use super::basis_name;
+use super::case::{Case, LEVEL};
+use crate::{Answer, Limit, LimitAnswers, Margin, Share};
+
+pub fn section(case: &Case, limits: &[Limit]) -> Option<Section> {
+    let answers = case.limits.as_ref()?;
+    let mut section = Section::new(0, "Limits");
+    let row = |(limit, answer): (&Limit, &Answer)| {
+        let (unit, scale) = shown_unit(limit.of.unit());
+        let value = match (answer.value, answer.sd) {
+            (Ok(value), Ok(sd)) => with_error(scale * value, scale * sd),
+            (Ok(value), Err(_)) => number(scale * value, 4),
+            (Err(why), _) => why.to_string(),
+        };
+        let unit = if unit.is_empty() { String::new() } else { format!("{GROUP}{unit}") };
+        vec![
+            printable(&limit.name),
+            format!("{}{unit}", allowed(limit, scale)),
+            value,
+            answer.least_margin().map_or_else(String::new, |margin| number(scale * margin.value, 3)),
+            if answer.met { "met" } else { "not met" }.to_owned(),
+            probability(&answer.share),
+        ]
+    };
+    let headers = ["limit", "allowed", "value ± sd", "margin", "", "probability"];
+    section.table(&headers, limits.iter().zip(&answers.answers).map(row).collect());
+    section.say(format!(
+        "A probability is the share of {} draws in which the limit is met, with the interval that has it with {} % (Clopper and Pearson). A limit is met or not by the list as it is given.",
+        count(answers.all.share.of as u64),
+        number(100.0 * LEVEL, 3)
+    ));
+    for (limit, answer) in limits.iter().zip(&answers.answers) {
+        if let (Some(true), Ok(first_order)) = (answer.differs, answer.first_order) {
+            section.say(format!(
+                "{}: first order, in which its value is normal, has {}.",
+                printable(&limit.name),
+                percent(first_order)
+            ));
+        }
+    }
+    if limits.len() > 1 {
+        section.line(format!("all limits at once: {}", probability(&answers.all.share)));
+    }
+    Some(section)
+}
+
+/// `All 5 limits are met; in 87.2 % (85.1 … 89.0 %) of possible bodies`
+pub fn answer_in_words(case: &Case) -> Option<String> {
+    let answers = case.limits.as_ref().filter(|answers| !answers.answers.is_empty())?;
+    let (met, all) = (answers.answers.iter().filter(|answer| answer.met).count(), answers.answers.len());
+    let share = format!("{} of possible bodies", probability(&answers.all.share));
+    Some(match (met == all, all) {
+        (true, 1) => format!("The limit is met; in {share}"),
+        (false, 1) => format!("The limit is not met; in {share} it is"),
+        (true, _) => format!("All {} limits are met; in {share}", count(all as u64)),
+        (false, _) => {
+            format!("{} of {} limits are met; all in {share}", count(met as u64), count(all as u64))
+        }
+    })
+}
+
+/// Names of those that are not met.
+pub fn broken<'a>(case: &'a Case, limits: &'a [Limit]) -> impl Iterator<Item = &'a str> {
+    let answers = case.limits.iter().flat_map(|answers| &answers.answers);
+    answers.zip(limits).filter(|(answer, _)| !answer.met).map(|(_, limit)| limit.name.as_str())
+}
+
+trait LeastMargin {
+    fn least_margin(&self) -> Option<Margin>;
+}
+
+impl LeastMargin for Answer {
+    fn least_margin(&self) -> Option<Margin> {
+        self.margins.into_iter().flatten().min_by(|a, b| a.value.total_cmp(&b.value))
+    }
+}
+
+pub fn shown_unit(unit: &'static str) -> (&'static str, f64) {
+    match unit {
+        "m" => ("mm", 1e3),
+        "rad" => ("deg", 1f64.to_degrees()),
+        unit => (unit, 1.0),
+    }
+}
+
+pub fn allowed(limit: &Limit, scale: f64) -> String {
+    let shown = |x: f64| number(scale * x, 6);
+    match (limit.least, limit.most) {
+        (Some(least), Some(most)) => format!("{} … {}", shown(least), shown(most)),
+        (Some(least), None) => format!("≥ {}", shown(least)),
+        (None, Some(most)) => format!("≤ {}", shown(most)),
+        (None, None) => String::new(),
+    }
+}
+
+/// `87.2 % (85.1 … 89.0 %)`
+fn probability(share: &Share) -> String {
+    let [low, high] = share.interval.map(end);
+    format!("{}{GROUP}({low} … {high}{GROUP}%)", percent(share.estimate()))
+}
+
+/// In percent: near 0 and 1 with the decimals in which it is neither.
+fn end(p: f64) -> String {
+    const NEAR: f64 = 1e-3;
+    /// Nearer than this only rounding keeps it from 0 or 1.
+    const ROUNDING: f64 = 1e-12;
+    let beside = p.min(1.0 - p);
+    if beside < ROUNDING {
+        return if p < 0.5 { "0" } else { "100" }.to_owned();
+    }
+    let decimals = if beside < NEAR { (-(100.0 * beside).log10().floor()).max(2.0) as usize } else { 1 };
+    format!("{:.decimals$}", 100.0 * p)
+}
+
+fn percent(p: f64) -> String {
+    format!("{}{GROUP}%", end(p))
+}
+
+pub fn to_json(case: &Case, limits: &[Limit]) -> Value {
+    let Some(LimitAnswers { answers, all }) = &case.limits else { return Value::Null };
+    let share = |share: &Share| {
+        json!({
+            "met": share.met,
+            "of": share.of,
+            "probability": share.estimate(),
+            "interval": share.interval,
+            "level": share.level,
+        })
+    };
+    let margin = |margin: &Margin| json!({ "value": margin.value, "deviations": margin.deviations });
+    let one = |(limit, answer): (&Limit, &Answer)| {
+        let [least, most] = answer.margins;
+        json!({
+            "name": limit.name,
+            "unit": limit.of.unit(),
+            "basis": basis_name(limit.basis),
+            "least": limit.least,
+            "most": limit.most,
+            "value": answer.value.ok(),
+            "sd": answer.sd.ok(),
+            "met": answer.met,
+            "margin": { "least": least.as_ref().map(margin), "most": most.as_ref().map(margin) },
+            "first_order": answer.first_order.ok(),
+            "draws": share(&answer.share),
+            "differs": answer.differs,
+        })
+    };
+    json!({
+        "each": limits.iter().zip(answers).map(one).collect::<Value>(),
+        "all": { "met": all.met, "draws": share(&all.share), "first_order": all.first_order },
+    })
+}

@@ -1,0 +1,207 @@
+//! The masses of a list: its tree, and what the whole is made of.
+
+use polhode_document::Section;
+use polhode_document::drawing::{Bar, BarPanel, Bars, Drawing};
+use polhode_document::layout::{INDENT, printable};
+use polhode_document::number::{GROUP, alike, count, number};
+
+use super::case::Case;
+use crate::MassStatement;
+
+/// Rows that are shown; all are in JSON and CSV.
+const SHOWN: usize = 60;
+/// Bars of the whole.
+const BARS: usize = 14;
+/// Digits of masses that stand below each other.
+const DIGITS: usize = 6;
+
+pub fn section(case: &Case) -> Section {
+    let mut section = Section::new(1, "Masses");
+    section.say("In kg, of each row with all that stands in it.");
+    let tree = Tree::of(case);
+    let shown = tree.shown(case);
+    table(&mut section, case, &tree, &shown);
+    let left_out = case.statements.len() - shown.len();
+    if left_out > 0 {
+        section.say(format!("{} more rows are in --json and --csv.", count(left_out as u64)));
+    }
+    let (budget, rows) = (&case.budget, case.budget.rows());
+    if (0..rows.len()).any(|k| budget.has_rows_in(k) && rows.quantity(k).count > 1) {
+        section.say("Each mass is of all copies of a row in one of the row in which it stands.");
+    }
+    section.draw(Drawing::Bars(waterfall(case, &tree)));
+    section
+}
+
+/// `Allowable 4.5 kg: the margin is 0.19 kg, 4.7 % of the basic mass`
+pub fn margin_in_words(case: &Case) -> Option<String> {
+    let whole = case.whole_statement();
+    let (allowable, margin, part) = (whole.allowable?, whole.margin()?, whole.relative_margin()?);
+    let words = format!(
+        "Allowable {} kg: the margin is {} kg, {}{GROUP}% of the basic mass",
+        number(allowable, DIGITS),
+        number(margin, 4),
+        number(100.0 * part, 3)
+    );
+    Some(if margin < 0.0 { format!("{words}: too heavy") } else { words })
+}
+
+/// Rows by the row in which they stand.
+struct Tree {
+    /// Start of the children of each row in `children`; they end at the next start.
+    starts: Vec<u32>,
+    children: Vec<u32>,
+    depth: Vec<u32>,
+    /// Each row before those in it, and all in it before its next sibling.
+    order: Vec<u32>,
+}
+
+impl Tree {
+    fn of(case: &Case) -> Self {
+        let (budget, count) = (&case.budget, case.statements.len());
+        let mut starts = vec![0; count + 1];
+        (0..count).filter_map(|k| budget.parent(k)).for_each(|parent| starts[parent + 1] += 1);
+        (0..count).for_each(|k| starts[k + 1] += starts[k]);
+        let mut children = vec![0; starts[count] as usize];
+        let mut next = starts.clone();
+        for k in 0..count {
+            if let Some(parent) = budget.parent(k) {
+                children[next[parent] as usize] = k as u32; // a budget has fewer than 2³² rows
+                next[parent] += 1;
+            }
+        }
+        let mut tree = Self { starts, children, depth: vec![0; count], order: Vec::with_capacity(count) };
+        let mut open = vec![budget.root()];
+        while let Some(k) = open.pop() {
+            tree.order.push(k as u32);
+            let depth = tree.depth[k] + 1;
+            for at in (tree.starts[k] as usize..tree.starts[k + 1] as usize).rev() {
+                let child = tree.children[at] as usize;
+                tree.depth[child] = depth;
+                open.push(child);
+            }
+        }
+        tree
+    }
+
+    /// The rows in a row.
+    fn inside(&self, row: usize) -> impl ExactSizeIterator<Item = usize> + '_ {
+        let range = self.starts[row] as usize..self.starts[row + 1] as usize;
+        self.children[range].iter().map(|child| *child as usize)
+    }
+
+    fn order(&self) -> impl Iterator<Item = usize> + '_ {
+        self.order.iter().map(|row| *row as usize)
+    }
+
+    /// So many levels as there is room for, of a level too long its heaviest rows, and whatever is too heavy.
+    fn shown(&self, case: &Case) -> Vec<usize> {
+        let deepest = self.depth.iter().copied().max().unwrap_or(0);
+        // How many rows are at most so deep.
+        let mut within = vec![0; deepest as usize + 1];
+        self.depth.iter().for_each(|depth| within[*depth as usize] += 1);
+        (1..within.len()).for_each(|level| within[level] += within[level - 1]);
+        let level = within.iter().rposition(|count| *count <= SHOWN).unwrap_or(0) as u32;
+        let mut is_shown: Vec<bool> = self.depth.iter().map(|depth| *depth <= level).collect();
+        let mut heaviest: Vec<usize> = self.order().filter(|&k| self.depth[k] == level + 1).collect();
+        heaviest.sort_by(|&a, &b| case.statements[b].predicted.total_cmp(&case.statements[a].predicted));
+        let room = SHOWN.saturating_sub(within[level as usize]);
+        heaviest
+            .iter()
+            .take(room)
+            .chain(&case.exceeded().take(SHOWN).collect::<Vec<_>>())
+            .for_each(|&k| is_shown[k] = true);
+        self.order().filter(|&k| is_shown[k]).collect()
+    }
+}
+
+fn table(section: &mut Section, case: &Case, tree: &Tree, shown: &[usize]) {
+    let rows = case.budget.rows();
+    let statements: Vec<&MassStatement> = shown.iter().map(|&k| &case.statements[k]).collect();
+    let is_quantity = shown.iter().any(|&k| rows.quantity(k).count > 1);
+    let is_allowed = statements.iter().any(|statement| statement.allowable.is_some());
+    let (mut headers, mut columns): (Vec<&str>, Vec<Vec<String>>) = (Vec::new(), Vec::new());
+    let mut column = |header, cells| {
+        headers.push(header);
+        columns.push(cells);
+    };
+    let name = |&k: &usize| {
+        let name = rows.name(k);
+        // What a path says before is said by where the row stands.
+        let parent = case.budget.parent(k).map(|parent| rows.name(parent));
+        let short = parent.and_then(|parent| name.strip_prefix(parent)?.strip_prefix('/')).unwrap_or(name);
+        format!("{}{}", INDENT.to_string().repeat(2 * tree.depth[k] as usize), printable(short))
+    };
+    let masses = |of: &dyn Fn(&MassStatement) -> Option<f64>| -> Vec<String> {
+        let values: Vec<Option<f64>> = statements.iter().map(|statement| of(statement)).collect();
+        let known: Vec<f64> = values.iter().copied().flatten().collect();
+        let mut texts = alike(&known, DIGITS).into_iter();
+        values.iter().map(|value| value.and_then(|_| texts.next()).unwrap_or_default()).collect()
+    };
+    column("part", shown.iter().map(name).collect());
+    if is_quantity {
+        let copies = |&k: &usize| match rows.quantity(k).count {
+            1 => String::new(),
+            n => format!("{} ×", count(u64::from(n))),
+        };
+        column("quantity", shown.iter().map(copies).collect());
+    }
+    column(if case.grows() { "basic" } else { "mass" }, masses(&|s| Some(s.basic)));
+    if case.grows() {
+        let growth = |s: &&MassStatement| match s.growth_allowance() / s.basic {
+            part if part.is_finite() => format!("{} %", number(100.0 * part, 3)),
+            _ => String::new(),
+        };
+        column("growth", statements.iter().map(growth).collect());
+        column("predicted", masses(&|s| Some(s.predicted)));
+    }
+    if is_allowed {
+        column("allowable", masses(&|s| s.allowable));
+        let margin = |s: &&MassStatement| s.margin().map_or_else(String::new, |margin| number(margin, 4));
+        column("margin", statements.iter().map(margin).collect());
+    }
+    let lines = (0..shown.len()).map(|k| columns.iter().map(|cells| cells[k].clone()).collect()).collect();
+    section.table(&headers, lines);
+}
+
+/// The greatest parts of the whole one after the other, then growth, then what is left.
+fn waterfall(case: &Case, tree: &Tree) -> Bars {
+    let rows = case.budget.rows();
+    let whole = case.whole_statement();
+    let mut front = vec![case.budget.root()];
+    // The heaviest assembly is opened while there is room for what is in it.
+    while let Some((place, &k)) = front
+        .iter()
+        .enumerate()
+        .filter(|(_, k)| tree.inside(**k).len() > 0 && !rows.has_part(**k) && rows.quantity(**k).count == 1)
+        .filter(|(_, k)| front.len() - 1 + tree.inside(**k).len() <= BARS)
+        .max_by(|(_, a), (_, b)| case.statements[**a].basic.total_cmp(&case.statements[**b].basic))
+    {
+        front.splice(place..=place, tree.inside(k));
+    }
+    let mut bars: Vec<Bar> = Vec::new();
+    let mut sum = 0.0;
+    let mut add = |name: String, mass: f64, kind: usize| {
+        let size = format!("{} kg", number(mass, 4));
+        bars.push(Bar { name, from: sum, to: sum + mass, size, kind });
+        sum += mass;
+    };
+    for k in front {
+        let mass = case.statements[k].basic;
+        if mass > 0.0 {
+            add(case.short(k).to_owned(), mass, 0);
+        }
+    }
+    if case.grows() {
+        add("growth allowance".to_owned(), whole.growth_allowance(), 1);
+    }
+    if let Some(margin) = whole.margin() {
+        add("margin".to_owned(), margin, if margin < 0.0 { 5 } else { 2 });
+    }
+    Bars {
+        title: "What the mass is made of".to_owned(),
+        caption: "Each bar begins where the one above ends: the basic masses, the growth allowance up to the predicted mass, the margin up to the allowable one.",
+        kinds: vec!["basic mass", "growth allowance", "margin", "", "", "negative margin"],
+        panels: vec![BarPanel { title: "What the mass is made of".to_owned(), across: ["mass", "kg"], bars }],
+    }
+}

@@ -1,0 +1,335 @@
+//! What a parts list comes to, for people and for programs.
+
+mod ballast;
+mod body;
+mod case;
+mod changing;
+mod compared;
+mod diff;
+mod found;
+mod history;
+mod influence;
+mod json;
+mod limits;
+mod masses;
+mod numbers;
+mod parts;
+mod principal;
+mod side_by_side;
+mod statements;
+mod states;
+mod table;
+mod whole;
+
+use polhode::body::{Finding, Severity};
+use polhode::math::{Body, Part, Position, Rotation};
+use polhode_document::layout::printable;
+use polhode_document::number::{GROUP, count, number, with_error};
+use polhode_document::{Document, Section};
+
+use crate::{
+    Ballast, BallastError, Basis, Budget, BudgetError, Limit, LimitError, RowName, Sequence, SequenceError,
+};
+use case::Case;
+use changing::Changing;
+use found::Found;
+
+pub use body::{NoConfiguration, NoPlan, PlanOptions};
+pub use diff::BudgetDiff;
+pub use history::{HistoryOptions, history_files};
+pub use statements::{BudgetStatements, StatedChange, StatedSequence, StatedTank};
+pub use table::{Cell, Sheet};
+
+/// What is asked of a parts list.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BudgetOptions {
+    /// Which masses count.
+    pub basis: Basis,
+    /// A point that the tensor is wanted about, besides the centre of mass.
+    pub about: Option<Position<Body>>,
+    /// Axes that it is wanted along, and that tilts are from: R_body_axes.
+    pub along: Option<Rotation<Body, Part>>,
+    /// How many possible bodies are drawn; none of 0.
+    pub draws: usize,
+    /// Of the draws.
+    pub seed: u64,
+}
+
+/// A mass budget: one of each configuration, ready to be read.
+#[derive(Clone, Debug)]
+pub struct BudgetReport {
+    title: String,
+    /// What was read, line by line.
+    sources: Vec<String>,
+    options: BudgetOptions,
+    limits: Vec<Limit>,
+    ballast: Option<Ballast>,
+    /// What it says besides, for differences.
+    stated: BudgetStatements,
+    cases: Vec<Case>,
+}
+
+impl BudgetReport {
+    /// Computes what is asked of each configuration, at least one, and tries the limits by its draws, if there are any; `sources` say what was read.
+    ///
+    /// # Errors
+    /// As [`Budget::estimate`], [`Budget::draws`] and [`Budget::limits`], and if the point of [`BudgetOptions::about`] is so far that the tensor about it is no number.
+    pub fn new(
+        title: Option<&str>,
+        sources: Vec<String>,
+        configurations: Vec<(Option<String>, Budget)>,
+        limits: Vec<Limit>,
+        options: BudgetOptions,
+    ) -> Result<Self, LimitError> {
+        Self::watched(title, sources, configurations, limits, options, &mut |_| ())
+    }
+
+    /// Computes the report as [`BudgetReport::new`] does, and calls `reached` with the number of
+    /// drawn bodies of a configuration.
+    ///
+    /// # Errors
+    /// As [`BudgetReport::new`].
+    pub fn watched(
+        title: Option<&str>,
+        sources: Vec<String>,
+        configurations: Vec<(Option<String>, Budget)>,
+        limits: Vec<Limit>,
+        options: BudgetOptions,
+        reached: &mut dyn FnMut(usize),
+    ) -> Result<Self, LimitError> {
+        let case = |(name, budget)| Case::new(name, budget, &limits, &options, reached);
+        let cases: Vec<Case> = configurations.into_iter().map(case).collect::<Result<_, _>>()?;
+        if cases.is_empty() {
+            return Err(BudgetError::Empty.into());
+        }
+        for case in &cases {
+            about_in_range(case, &options)?;
+        }
+        Ok(Self {
+            title: title.unwrap_or("a parts list").to_owned(),
+            sources,
+            options,
+            limits,
+            ballast: None,
+            stated: BudgetStatements::default(),
+            cases,
+        })
+    }
+
+    /// Bodies that are drawn of a list that is not long.
+    pub const DRAWS: usize = 10_000;
+
+    /// Default number of draws: [`Self::DRAWS`]; for long lists fewer, which take some ten seconds, and 200 at least.
+    pub fn affordable_draws(rows: usize) -> usize {
+        /// Rows times draws.
+        const ROWS: usize = 20_000_000;
+        const LEAST: usize = 200;
+        (ROWS / rows.max(1)).clamp(LEAST, Self::DRAWS)
+    }
+
+    /// With the least ballast by which each configuration meets the limits; those for which none can be sought are left out, and named.
+    ///
+    /// # Errors
+    /// As [`Budget::ballast`], and if it can be sought for none of them.
+    pub fn with_ballast(mut self, ballast: Ballast) -> Result<Self, BallastError> {
+        for case in &mut self.cases {
+            case.ballast = Some(Found::new(&case.budget, &ballast, &self.limits)?);
+        }
+        self.ballast = Some(ballast);
+        Ok(self)
+    }
+
+    /// With what the list says besides its rows and its limits, of which nothing is computed: differences are of that too.
+    #[must_use]
+    pub fn with_statements(mut self, statements: BudgetStatements) -> Self {
+        for (name, dry) in &statements.dry {
+            let cases = self.cases.iter_mut().filter(|case| case.name == *name);
+            cases.for_each(|case| case.dry = Some(dry.clone()));
+        }
+        self.stated = statements;
+        self
+    }
+
+    /// With what a configuration is by how full its tanks are, and, with a time, from 0 until then.
+    ///
+    /// # Errors
+    /// As [`Sequence::rows`].
+    pub fn with_sequence(
+        mut self,
+        configuration: Option<&str>,
+        sequence: &Sequence<'_>,
+        until: Option<f64>,
+    ) -> Result<Self, SequenceError> {
+        for case in self.cases.iter_mut().filter(|case| case.name.as_deref() == configuration) {
+            case.changing = Some(Changing::new(configuration, sequence, until)?);
+        }
+        Ok(self)
+    }
+
+    /// True if a limit is not met or an allowable mass exceeded.
+    pub fn is_beyond(&self) -> bool {
+        let is_beyond = |case: &Case| {
+            case.exceeded().next().is_some() || limits::broken(case, &self.limits).next().is_some()
+        };
+        self.cases.iter().any(is_beyond)
+    }
+
+    /// The names of the configurations.
+    pub fn names(&self) -> Vec<Option<String>> {
+        self.cases.iter().map(|case| case.name.clone()).collect()
+    }
+
+    /// The ten numbers of each drawn body, in the order of [`NUMBERS`](crate::NUMBERS), of each configuration; none without draws.
+    pub fn draws(&self) -> impl Iterator<Item = Vec<[f64; 10]>> + '_ {
+        let bodies = |case: &Case| match &case.drawn {
+            Some(drawn) => drawn.draws.bodies.iter().map(case::ten).collect(),
+            None => Vec::new(),
+        };
+        self.cases.iter().map(bodies)
+    }
+
+    /// The report as a document: text, Markdown, a page.
+    pub fn to_document(&self) -> Document {
+        let basis = self.options.basis;
+        let mut sections = Vec::new();
+        if self.cases.len() > 1 {
+            sections.push(side_by_side::section(&self.cases, basis));
+        }
+        for case in &self.cases {
+            let mut of_case: Vec<Section> = limits::section(case, &self.limits).into_iter().collect();
+            of_case.extend(self.ballast.as_ref().and_then(|all| ballast::section(case, all, &self.limits)));
+            of_case.extend([
+                masses::section(case),
+                whole::section(case, &self.options),
+                principal::section(case, &self.options),
+            ]);
+            of_case.extend(case.changing.iter().flat_map(Changing::sections));
+            of_case.extend(influence::section(case));
+            of_case.extend(compared::section(case));
+            of_case.extend(parts::section(case, basis));
+            if let Some(name) = case.name.as_ref().filter(|_| self.cases.len() > 1) {
+                for section in &mut of_case {
+                    section.title = format!("{}: {}", printable(name), section.title);
+                }
+            }
+            sections.extend(of_case);
+        }
+        if !self.sources.is_empty() {
+            let mut read = Section::new(0, "What was read, and taken as given");
+            self.sources.iter().for_each(|line| read.line(line));
+            sections.push(read);
+        }
+        for (k, section) in sections.iter_mut().enumerate() {
+            section.number = u8::try_from(k + 1).unwrap_or(u8::MAX);
+        }
+        let answer = self.cases.iter().flat_map(|case| self.answer(case)).collect();
+        Document { title: self.title.clone(), answer, sections, findings: self.findings() }
+    }
+
+    fn answer(&self, case: &Case) -> Vec<String> {
+        let basis = self.options.basis;
+        if let Some(name) = case.name.as_deref().filter(|_| self.cases.len() > 1) {
+            let estimate = case.estimate(basis);
+            let mass = with_error(estimate.properties.mass(), estimate.sd(0));
+            let mut parts =
+                vec![format!("{} mass {mass} kg", basis_name(basis)), whole::center_in_words(case, basis)];
+            parts.extend(limits::answer_in_words(case));
+            parts.extend(ballast::in_words(case, &self.limits));
+            parts.extend(case.changing.as_ref().and_then(Changing::in_words));
+            return vec![format!("{}: {}", printable(name), parts.join("; "))];
+        }
+        let mut lines = vec![mass_in_words(case), whole::center_in_words(case, basis)];
+        lines.push(principal::in_words(case, &case.principal(basis)));
+        lines.extend(masses::margin_in_words(case));
+        lines.extend(limits::answer_in_words(case));
+        lines.extend(ballast::in_words(case, &self.limits));
+        lines.extend(case.changing.as_ref().and_then(Changing::in_words));
+        lines
+    }
+
+    fn findings(&self) -> Vec<Finding> {
+        let named = |case: &Case| case.name.clone().filter(|_| self.cases.len() > 1);
+        let mut all = Vec::new();
+        for case in &self.cases {
+            let mut say = |code: &'static str, severity, message| {
+                all.push(Finding { code, severity, message, place: named(case) });
+            };
+            let exceeded: Vec<usize> = case.exceeded().collect();
+            if let [first, ..] = exceeded[..] {
+                let names = printable(case.budget.rows().name(first));
+                let others = match exceeded.len() {
+                    1 => String::new(),
+                    n => format!(" and {} more", count(n as u64 - 1)),
+                };
+                let verb = if exceeded.len() == 1 { "is" } else { "are" };
+                let message = format!("{names}{others} {verb} heavier with growth than allowed");
+                say("budget.margin", Severity::Warning, message);
+            }
+            let broken: Vec<String> = limits::broken(case, &self.limits).map(printable).collect();
+            if !broken.is_empty() {
+                let are = if broken.len() == 1 { "this limit is" } else { "these limits are" };
+                say("budget.limit", Severity::Warning, format!("{are} not met: {}", broken.join(", ")));
+            }
+            let (exact, parts) = case.exact_parts();
+            if exact == parts {
+                let message = "no part has an uncertainty: all numbers are taken as exact".to_owned();
+                say("budget.exact", Severity::Info, message);
+            } else if exact > 0 {
+                let of = format!("{} of {}", count(exact as u64), count(parts as u64));
+                let message = format!("{of} parts have no uncertainty, and are taken as exact");
+                say("budget.exact", Severity::Info, message);
+            }
+            if let Some(message) = principal::not_known(&case.principal(self.options.basis)) {
+                say("budget.axes", Severity::Warning, message);
+            }
+            if let Some(message) = compared::difference_in_words(case) {
+                say("budget.first-order", Severity::Info, message);
+            }
+        }
+        all
+    }
+}
+
+/// Refuses a point so far that the tensor about it, or its variance, is no number.
+fn about_in_range(case: &Case, options: &BudgetOptions) -> Result<(), BudgetError> {
+    let Some(point) = options.about else { return Ok(()) };
+    let asked = whole::asked(case.estimate(options.basis), options);
+    let is_finite = |asked: whole::Asked| {
+        asked.place.iter().chain(&asked.inertia).chain(asked.covariance.as_flattened()).all(|x| x.is_finite())
+    };
+    if asked.is_none_or(is_finite) {
+        return Ok(());
+    }
+    let row = case.budget.root();
+    let name = case.budget.rows().name(row).to_owned();
+    let what = "the greatest coordinate of the point that the tensor is wanted about";
+    let rule = "so small that mass times its square, and the variance of that, are numbers";
+    Err(BudgetError::Value { row: RowName { row, name }, what, value: point.max_abs(), rule })
+}
+
+/// `Predicted mass 4.312 ± 0.041 kg: basic 4.010 ± 0.039 kg and a growth allowance of 0.302 kg (7.5 %)`
+fn mass_in_words(case: &Case) -> String {
+    let of = |basis| {
+        let estimate = case.estimate(basis);
+        format!("{} kg", with_error(estimate.properties.mass(), estimate.sd(0)))
+    };
+    let basic = of(Basis::Basic);
+    if !case.grows() {
+        return format!("Mass {basic}");
+    }
+    let whole = case.whole_statement();
+    let allowance = whole.growth_allowance();
+    format!(
+        "Predicted mass {}: basic {basic}, and a growth allowance of {} kg ({}{GROUP}%)",
+        of(Basis::Predicted),
+        number(allowance, 4),
+        number(100.0 * allowance / whole.basic, 3)
+    )
+}
+
+const fn basis_name(basis: Basis) -> &'static str {
+    match basis {
+        Basis::Basic => "basic",
+        Basis::Predicted => "predicted",
+    }
+}

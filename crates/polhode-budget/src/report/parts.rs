@@ -1,0 +1,125 @@
+//! Where the parts are: a picture.
+
+use polhode::body::MassProperties;
+use polhode::math::Body;
+use polhode_document::Section;
+use polhode_document::drawing::{Drawing, Solid, Solids};
+use polhode_document::layout::printable;
+use polhode_document::number::{count, number, tidy};
+
+use super::case::Case;
+use crate::Basis;
+
+/// Parts that are drawn: more would hide each other.
+const MOST: usize = 150;
+/// Parts that are listed.
+const ROWS: usize = 20;
+/// Where lengths are read in mm, m.
+const SHORT: f64 = 10.0;
+/// Groups that have a colour.
+const GROUPS: usize = 7;
+
+/// `None` of a list whose parts are no numbers.
+pub fn section(case: &Case, basis: Basis) -> Option<Section> {
+    let mut section = Section::new(6, "Where the parts are");
+    let drawn = solids(case, basis)?;
+    let extent =
+        drawn.solids.iter().flat_map(|solid| solid.center).fold(0.0_f64, |most, x| most.max(x.abs()));
+    let (unit, scale) = if extent < SHORT { ("mm", 1e3) } else { ("m", 1.0) };
+    section.say(format!("The heaviest parts, with their centres of mass and the boxes that have their inertia tensors, along the box's own axes, in {unit}."));
+    let row = |solid: &Solid| {
+        let [x, y, z] = tidy(solid.center).map(|x| number(scale * x, 4));
+        let sides = solid.halves.map(|half| half.iter().map(|x| x * x).sum::<f64>().sqrt());
+        let is_point = sides.iter().all(|half| *half == 0.0);
+        let sides = sides.map(|half| number(2.0 * scale * half, 3)).join(" × ");
+        let sides = if is_point { "a point".to_owned() } else { sides };
+        vec![printable(&solid.name), x, y, z, sides]
+    };
+    section.table(&["part", "x", "y", "z", "box"], drawn.solids.iter().take(ROWS).map(row).collect());
+    // All the mass in the origin has no extent that could be drawn.
+    let is_somewhere = |solid: &Solid| solid.halves.iter().flatten().chain(&solid.center).any(|x| *x != 0.0);
+    if drawn.solids.iter().any(is_somewhere) {
+        section.draw(Drawing::Solids(drawn));
+    }
+    Some(section)
+}
+
+pub fn solids(case: &Case, basis: Basis) -> Option<Solids> {
+    let (left_out, all) = heaviest(case, basis)?;
+    let head = |(k, _): &(usize, MassProperties<Body>)| head(case, *k);
+    let heads: Vec<usize> = all.iter().map(head).collect();
+    let mut groups: Vec<usize> = Vec::new();
+    for head in &heads {
+        if !groups.contains(head) && groups.len() < GROUPS {
+            groups.push(*head);
+        }
+    }
+    let solid = |((k, part), own): (&(usize, MassProperties<Body>), &usize)| Solid {
+        name: case.short(*k).to_owned(),
+        center: part.center_of_mass().to_array(),
+        halves: halves(part),
+        group: groups.iter().position(|head| head == own).unwrap_or(GROUPS),
+    };
+    let whole = case.estimate(basis).properties;
+    let frame = whole.principal();
+    let of_many = match left_out {
+        0 => String::new(),
+        n => format!(" Of all parts the {MOST} heaviest are drawn, and {} are not.", count(n as u64)),
+    };
+    Some(Solids {
+        title: "Parts, centre of mass and principal axes".to_owned(),
+        caption: format!(
+            "Each part is drawn as the box that has its mass, centre of mass and inertia tensor; a point is a small cube. All views but the last have one scale.{of_many}"
+        ),
+        solids: all.iter().zip(&heads).map(solid).collect(),
+        groups: groups.iter().map(|&k| case.short(k).to_owned()).collect(),
+        center: whole.center_of_mass().to_array(),
+        axes: [0, 1, 2].map(|k| frame.axis(k).to_array()),
+    })
+}
+
+/// Row and mass properties of a part.
+type Part = (usize, MassProperties<Body>);
+
+/// The parts with the greatest masses, the greatest first, and how many others there are; `None` if one overflows.
+fn heaviest(case: &Case, basis: Basis) -> Option<(usize, Vec<Part>)> {
+    let (mut masses, mut count) = (Vec::new(), 0);
+    for k in 0..case.budget.rows().len() {
+        let Some(part) = case.budget.own(k, basis).ok()? else { continue };
+        count += 1;
+        masses.push((k, part.mass()));
+        if masses.len() > 2 * MOST {
+            shorten(&mut masses);
+        }
+    }
+    shorten(&mut masses);
+    let parts = masses.into_iter().map(|(k, _)| Some((k, case.budget.own(k, basis).ok()??)));
+    Some((count - count.min(MOST), parts.collect::<Option<_>>()?))
+}
+
+fn shorten(masses: &mut Vec<(usize, f64)>) {
+    masses.sort_by(|(_, a), (_, b)| b.total_cmp(a));
+    masses.truncate(MOST);
+}
+
+/// The row below the root in which a row is; the root itself of the root.
+fn head(case: &Case, row: usize) -> usize {
+    let root = case.budget.root();
+    let mut head = row;
+    while let Some(parent) = case.budget.parent(head).filter(|parent| *parent != root) {
+        head = parent;
+    }
+    head
+}
+
+/// Of the box with these mass properties: ∫x² dm = m h²/3 along each axis.
+fn halves(part: &MassProperties<Body>) -> [[f64; 3]; 3] {
+    let frame = part.principal();
+    let moments = frame.moments();
+    let sum: f64 = moments.iter().sum();
+    [0, 1, 2].map(|k| {
+        let second = (0.5 * sum - moments[k]).max(0.0);
+        let half = (3.0 * second / part.mass()).sqrt();
+        frame.axis(k).to_array().map(|x| half * x)
+    })
+}

@@ -1,0 +1,85 @@
+//! A body over time, and by what is in its tanks, as tables: a row each, of all digits.
+
+use polhode::motion::MassRow;
+
+use super::BudgetReport;
+use super::changing::Changing;
+use super::numbers::{rates, ten};
+use super::table::{Cell, to_csv};
+use crate::SequenceRow;
+
+/// What a kilogram more in the tank makes of all but the mass.
+const PER_KG: [&str; 9] = [
+    "center_x_m_per_kg",
+    "center_y_m_per_kg",
+    "center_z_m_per_kg",
+    "inertia_xx_kg_m2_per_kg",
+    "inertia_yy_kg_m2_per_kg",
+    "inertia_zz_kg_m2_per_kg",
+    "inertia_xy_kg_m2_per_kg",
+    "inertia_xz_kg_m2_per_kg",
+    "inertia_yz_kg_m2_per_kg",
+];
+
+/// Times, the ten numbers and their rates, with headings.
+pub fn history(rows: &[SequenceRow]) -> Vec<Vec<Cell>> {
+    let headings = MassRow::COLUMNS.iter().chain(&MassRow::RATE_COLUMNS).map(|name| Cell::of(name));
+    let row = |row: &SequenceRow| {
+        let numbers = [row.time].into_iter().chain(ten(&row.properties)).chain(rates(row));
+        numbers.map(Cell::Number).collect()
+    };
+    [headings.collect()].into_iter().chain(rows.iter().map(row)).collect()
+}
+
+impl BudgetReport {
+    /// CSV of the body over time, as far as that is known ([`BudgetReport::with_sequence`]): mass, centre, the tensor about it and their rates, along the axes of the body, and what
+    /// is left in each tank, each row with the configuration that it is then. Two rows of one time are before and after.
+    pub fn to_time_csv(&self) -> Option<String> {
+        self.over_time().map(|rows| to_csv(&rows))
+    }
+
+    /// CSV of the body by what is in each tank, and what a kilogram more in it makes of that.
+    pub fn to_fill_csv(&self) -> Option<String> {
+        self.by_fill().map(|rows| to_csv(&rows))
+    }
+
+    pub fn over_time(&self) -> Option<Vec<Vec<Cell>>> {
+        // A file has one sequence, of the configuration that it begins as.
+        let mut cases = self.cases.iter();
+        let all = cases.find_map(|case| case.changing.as_ref()?.over_time())?;
+        let mut table = history(&all.all);
+        for (k, line) in table.iter_mut().enumerate() {
+            let row = k.checked_sub(1).and_then(|k| all.all.get(k));
+            let configuration =
+                row.map_or_else(|| Cell::of("configuration"), |row| Cell::of_option(all.configuration(row)));
+            line.insert(0, configuration);
+            line.extend(all.tanks.iter().enumerate().map(|(j, tank)| match row {
+                Some(row) => row.liquid.get(j).map_or(Cell::Empty, |mass| Cell::Number(*mass)),
+                None => Cell::Text(format!("liquid_kg {tank}")),
+            }));
+        }
+        Some(table)
+    }
+
+    pub fn by_fill(&self) -> Option<Vec<Vec<Cell>>> {
+        let columns = ["configuration", "tank", "fill", "liquid_kg", "level_m"];
+        let mut table = vec![
+            columns.iter().chain(&MassRow::COLUMNS[1..]).chain(&PER_KG).map(|name| Cell::of(name)).collect(),
+        ];
+        for case in &self.cases {
+            let tanks = case.changing.iter().flat_map(Changing::by_fill);
+            table.extend(tanks.map(|(tank, fill, liquid, level, row)| {
+                let words = [Cell::of_option(case.name.as_deref()), Cell::of(tank)];
+                let level = level.map_or(Cell::Empty, Cell::Number);
+                let [_, slopes @ ..] = rates(row);
+                words
+                    .into_iter()
+                    .chain([Cell::Number(fill), Cell::Number(liquid), level])
+                    .chain(ten(&row.properties).map(Cell::Number))
+                    .chain(slopes.map(Cell::Number))
+                    .collect()
+            }));
+        }
+        (table.len() > 1).then_some(table)
+    }
+}

@@ -1,0 +1,188 @@
+//! The rows of a budget as a table, for spreadsheets.
+
+use std::io;
+
+use polhode_document::csv_name;
+use polhode_document::number::exact;
+
+use super::case::{Case, ten};
+use super::{BudgetReport, basis_name};
+use crate::{Basis, BudgetError, NUMBERS};
+
+/// What stands in a cell.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell {
+    /// Nothing.
+    Empty,
+    /// Words.
+    Text(String),
+    /// A number.
+    Number(f64),
+}
+
+/// What stands above the columns.
+const COLUMNS: [&str; 19] = [
+    "configuration",
+    "name",
+    "parent",
+    "quantity",
+    "basic_mass_kg",
+    "predicted_mass_kg",
+    "allowable_mass_kg",
+    "margin_kg",
+    "basis",
+    "mass_of_one_kg",
+    "center_of_mass_x_m",
+    "center_of_mass_y_m",
+    "center_of_mass_z_m",
+    "ixx_kg_m2",
+    "iyy_kg_m2",
+    "izz_kg_m2",
+    "ixy_kg_m2",
+    "ixz_kg_m2",
+    "iyz_kg_m2",
+];
+
+/// A sheet of a workbook.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sheet {
+    /// What stands on its tab.
+    pub name: &'static str,
+    /// The first row has headings.
+    pub rows: Vec<Vec<Cell>>,
+}
+
+impl BudgetReport {
+    /// CSV with a row for each row of each configuration: its masses, all copies counted, and the mass properties of one copy with all in it, along the axes of the body, the
+    /// tensor about its own centre of mass with Ixy = −∫ x y dm.
+    ///
+    /// # Errors
+    /// As [`crate::Budget::subtrees`].
+    pub fn to_csv(&self) -> Result<String, BudgetError> {
+        let mut text = line(&headings(&COLUMNS));
+        let written = self.each_row(&mut |row| {
+            text.push_str(&line(&row));
+            Ok(())
+        })?;
+        written.map_or_else(|_| Ok(String::new()), |()| Ok(text)) // a text takes all that is written
+    }
+
+    /// Writes [`BudgetReport::to_csv`] line by line.
+    ///
+    /// # Errors
+    /// As [`BudgetReport::to_csv`]; inside those of `out`.
+    pub fn write_csv(&self, out: &mut dyn io::Write) -> Result<io::Result<()>, BudgetError> {
+        if let Err(error) = out.write_all(line(&headings(&COLUMNS)).as_bytes()) {
+            return Ok(Err(error));
+        }
+        self.each_row(&mut |row| out.write_all(line(&row).as_bytes()))
+    }
+
+    /// The same as a workbook, and besides it the ten numbers of each configuration with their errors, and their covariance; and the body over time and by what is in its tanks, as far as
+    /// these are known.
+    ///
+    /// # Errors
+    /// As [`BudgetReport::to_csv`].
+    pub fn to_sheets(&self) -> Result<Vec<Sheet>, BudgetError> {
+        let mut parts = vec![headings(&COLUMNS)];
+        let written = self.each_row(&mut |row| {
+            parts.push(row);
+            Ok(())
+        })?;
+        if written.is_err() {
+            return Ok(Vec::new()); // a list takes all rows
+        }
+        let mut whole = vec![headings(&["configuration", "basis", "number", "unit", "value", "sd"])];
+        let mut names = vec!["configuration", "basis", "covariance of", "unit"];
+        names.extend(NUMBERS.iter().map(|(name, _)| *name));
+        let mut covariance = vec![headings(&names)];
+        let mut numbers = |case: &Case, basis| {
+            let estimate = case.estimate(basis);
+            let values = ten(&estimate.properties);
+            for (k, (name, unit)) in NUMBERS.iter().enumerate() {
+                let row = [
+                    Cell::of_option(case.name.as_deref()),
+                    Cell::of(basis_name(basis)),
+                    Cell::of(name),
+                    Cell::of(unit),
+                ];
+                whole.push([&row[..], &[values[k], estimate.sd(k)].map(Cell::Number)].concat());
+                covariance.push([&row[..], &estimate.covariance[k].map(Cell::Number)].concat());
+            }
+        };
+        for case in &self.cases {
+            numbers(case, Basis::Basic);
+            if case.grows() {
+                numbers(case, Basis::Predicted);
+            }
+        }
+        let sheet = |name, rows| Sheet { name, rows };
+        let mut all = vec![sheet("parts", parts), sheet("whole", whole), sheet("covariance", covariance)];
+        all.extend(self.over_time().map(|rows| sheet("over time", rows)));
+        all.extend(self.by_fill().map(|rows| sheet("by fill", rows)));
+        Ok(all)
+    }
+
+    fn each_row(
+        &self,
+        each: &mut dyn FnMut(Vec<Cell>) -> io::Result<()>,
+    ) -> Result<io::Result<()>, BudgetError> {
+        let basis = self.options.basis;
+        for case in &self.cases {
+            let subtrees = case.budget.subtrees(basis)?;
+            let rows = case.budget.rows();
+            for (k, statement) in case.statements.iter().enumerate() {
+                let number = |number: Option<f64>| number.map_or(Cell::Empty, Cell::Number);
+                let parent = case.budget.parent(k).map(|parent| rows.name(parent));
+                let mut cells = vec![
+                    Cell::of_option(case.name.as_deref()),
+                    Cell::of(rows.name(k)),
+                    Cell::of_option(parent),
+                    Cell::Number(f64::from(rows.quantity(k).count)),
+                    Cell::Number(statement.basic),
+                    Cell::Number(statement.predicted),
+                    number(statement.allowable),
+                    number(statement.margin()),
+                    Cell::of(basis_name(basis)),
+                ];
+                let numbers = subtrees.of(k)?.as_ref().map(ten);
+                cells.extend((0..10).map(|k| number(numbers.map(|numbers| numbers[k]))));
+                if let Err(error) = each(cells) {
+                    return Ok(Err(error));
+                }
+            }
+        }
+        Ok(Ok(()))
+    }
+}
+
+fn headings(names: &[&str]) -> Vec<Cell> {
+    names.iter().map(|name| Cell::of(name)).collect()
+}
+
+/// A line for each row.
+pub fn to_csv(rows: &[Vec<Cell>]) -> String {
+    rows.iter().map(|row| line(row)).collect()
+}
+
+fn line(row: &[Cell]) -> String {
+    row.iter().map(Cell::to_csv).collect::<Vec<_>>().join(",") + "\n"
+}
+
+impl Cell {
+    pub fn of(text: &str) -> Self {
+        Self::Text(text.to_owned())
+    }
+
+    pub fn of_option(text: Option<&str>) -> Self {
+        text.map_or(Self::Empty, Self::of)
+    }
+
+    fn to_csv(&self) -> String {
+        match self {
+            Self::Empty => String::new(),
+            Self::Text(text) => csv_name(text),
+            Self::Number(number) => exact(*number),
+        }
+    }
+}

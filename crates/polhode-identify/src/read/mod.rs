@@ -1,0 +1,122 @@
+//! What was measured of a body, and how: plans of `polhode identify`, as TOML.
+//!
+//! ```toml
+//! title = "A racket, thrown"
+//!
+//! [tumble]                            # or [swing], or [payload]
+//! log = "racket.csv"                  # times and rates of a gyro
+//! flights = "find"                    # or [[tumble.flight]] with from and to
+//! drag = "quadratic"
+//! ```
+//!
+//! A quantity is a string with its unit, or a number in SI. Whatever is unknown, impossible or ambiguous is an error that points at its place.
+
+mod effect;
+mod gravity;
+mod gyro_log;
+mod number_log;
+mod payload;
+mod read_log;
+mod swing;
+mod tumble;
+mod wrench_columns;
+mod wrench_log;
+mod wrench_quantity;
+
+use std::path::Path;
+
+use polhode_source::toml::reader::{Table, Value};
+use polhode_source::toml::source::Source;
+use polhode_source::toml::{document, text_of};
+use polhode_source::{FormatError, FormatErrorKind};
+
+use crate::IdentifyError;
+use crate::swing::SwingPlan;
+
+pub use payload::PayloadPlan;
+pub use read_log::ReadLog;
+pub use tumble::TumblePlan;
+
+/// A plan: what was measured, ready to be identified.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// Its title.
+    pub title: Option<String>,
+    /// What was measured.
+    pub measurement: Measurement,
+    /// Logs of swings that were read; those of other measurements are in them.
+    pub logs: Vec<ReadLog>,
+}
+
+impl Plan {
+    /// What was read of logs, line by line; `shown` writes a path.
+    pub fn sources(&self, shown: &dyn Fn(&Path) -> String) -> Vec<String> {
+        let lines = |logs: &[ReadLog]| logs.iter().flat_map(|log| log.lines(shown)).collect();
+        match &self.measurement {
+            Measurement::Tumble(plan) => {
+                let mut all: Vec<String> = lines(&plan.logs);
+                if plan.found {
+                    all.push("Flights were found where the body turns fast and nothing turns it".to_owned());
+                }
+                all.extend(plan.cut_off.iter().cloned());
+                all
+            }
+            Measurement::Payload(plan) => lines(std::slice::from_ref(&plan.source)),
+            Measurement::Swing(_) => lines(&self.logs),
+        }
+    }
+}
+
+/// What was measured of a body.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+#[allow(clippy::large_enum_variant, reason = "there is one of each plan")]
+pub enum Measurement {
+    /// Its free motion.
+    Tumble(TumblePlan),
+    /// The periods of its swings.
+    Swing(SwingPlan),
+    /// Wrenches at a wrist that carries it, and their motion.
+    Payload(PayloadPlan),
+}
+
+/// The tables, one of which a plan has.
+const KINDS: [&str; 3] = ["tumble", "swing", "payload"];
+
+/// Reads a plan.
+///
+/// # Errors
+/// [`FormatError`], with the place, if it, or a file that it names, cannot be read or describes nothing that could be measured.
+pub fn read(path: &Path) -> Result<Plan, FormatError> {
+    from_text(path, &text_of(path)?)
+}
+
+/// Reads a plan from its text; logs are relative to the path, which errors name.
+///
+/// # Errors
+/// As [`read()`].
+pub fn from_text(path: &Path, text: &str) -> Result<Plan, FormatError> {
+    let source = Source::new(path, text);
+    let entries = document(source)?;
+    let root = Table::root(source, &entries);
+    root.allow(&[&["title"], &KINDS[..]].concat())?;
+    let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
+    let kind = root.at_most_one(&KINDS, "a plan is of one kind of measurement")?;
+    let Some(kind) = kind else {
+        return Err(root
+            .missing("tumble", "[tumble], [swing] or [payload], such as [tumble] with log = \"gyro.csv\""));
+    };
+    let table = kind.table()?;
+    let mut logs = Vec::new();
+    let measurement = match kind.key() {
+        "payload" => Measurement::Payload(payload::plan(&table)?),
+        "swing" => Measurement::Swing(swing::plan(&table, &mut logs)?),
+        _ => Measurement::Tumble(tumble::plan(&table)?),
+    };
+    Ok(Plan { title, measurement, logs })
+}
+
+/// An error of what was to be measured, at a value.
+fn at(value: &Value<'_>, error: &IdentifyError) -> FormatError {
+    value.error(FormatErrorKind::subject(error, error.hint()))
+}

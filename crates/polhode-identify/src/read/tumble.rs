@@ -1,0 +1,256 @@
+//! `[tumble]`: the free motion of a thrown body, by a gyro on it or by tracked attitudes.
+
+use polhode::motion::torque::DragLaw;
+use polhode::motion::{Motor, Wheel};
+use polhode_source::FormatError;
+use polhode_source::toml::reader::{Table, Value};
+use polhode_source::unit::Dimension;
+
+use super::gyro_log::{Logs, Measured};
+use super::read_log::ReadLog;
+use super::{at, effect};
+use crate::tumble::{Flight, FlightSearch, GyroErrors, GyroRange, GyroReading, TumbleOptions, find_flights};
+
+/// Tumbles of a body, ready to be identified.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TumblePlan {
+    /// What was measured.
+    pub flights: Vec<Flight>,
+    /// How it is read.
+    pub options: TumbleOptions,
+    /// The logs that it was read from.
+    pub logs: Vec<ReadLog>,
+    /// True if the flights were found in the logs.
+    pub found: bool,
+    /// Flights that a log does not show to their beginning or end.
+    pub cut_off: Vec<String>,
+}
+
+const KEYS: [&str; 9] =
+    ["log", "columns", "flights", "flight", "gyro", "attitude", "drag", "outliers", "search"];
+const FLIGHT_KEYS: [&str; 7] = ["name", "log", "columns", "from", "to", "added", "wheel"];
+
+/// Reads `[tumble]`.
+pub fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
+    table.allow(&KEYS)?;
+    let mut options = options(table)?;
+    let mut search = search(table)?;
+    search.gyro_range = options.gyro_range;
+    let mut logs = Logs::default();
+    let mut cut_off = Vec::new();
+    let mut flights = Vec::new();
+    let given = table.at_most_one(&["flight", "flights"], "flights are given one by one, or found")?;
+    let found = match &given {
+        Some(value) if value.key() == "flight" => {
+            let tables = value.tables("tumble.flight")?;
+            let mut spans = Vec::new();
+            for flight in &tables {
+                flights.push(one(flight, table, &mut logs, &mut spans)?);
+            }
+            for key in ["log", "columns"] {
+                let is_own = !tables.is_empty() && tables.iter().all(|flight| flight.get(key).is_some());
+                if let Some(value) = table.get(key).filter(|_| is_own) {
+                    return Err(value.invalid("left out where each flight has its own"));
+                }
+            }
+            false
+        }
+        Some(value) => value.choice(&["find", "whole"])? == "find",
+        None => false,
+    };
+    // What would have no effect is a slip.
+    if let Some(value) = table.get("search").filter(|_| !found) {
+        return Err(value.invalid("beside flights = \"find\"").with_hint("nothing else is searched for"));
+    }
+    if let Some(value) = given.filter(|value| value.key() == "flight" && flights.is_empty()) {
+        return Err(value.invalid("a list with a flight in it").with_hint("leave it out for the whole log"));
+    }
+    if flights.is_empty() {
+        let log = table.require("log", "log = \"gyro.csv\"")?;
+        let each = if log.is_array() { log.elements("paths of logs")? } else { vec![log] };
+        for log in &each {
+            let known = logs.measured.len();
+            let number = logs.read(log, table.get("columns").as_ref())?;
+            if number < known {
+                return Err(log.invalid("another log than those before: each counts once"));
+            }
+            let measured = &logs.measured[number];
+            let several = if each.len() > 1 { format!("{}: ", log.string()?) } else { String::new() };
+            flights.extend(of_log(log, &several, measured, found.then_some(&search), &mut cut_off)?);
+        }
+        // What a hand does to a gyro shows its range as well.
+        let readings: Vec<GyroReading> =
+            logs.measured.iter().flat_map(|log| log.gyro.iter().copied()).collect();
+        options.gyro_range = options.gyro_range.or(found.then(|| GyroRange::shown_by(&readings)));
+        if flights.is_empty() {
+            let rule = "a log with flights: nowhere in it does the body turn fast and freely";
+            let hint = "are the rates in rad/s? Slow ones are found by search = { slowest = \"1 rad/s\" }";
+            return Err(log.invalid(rule).with_hint(hint));
+        }
+    }
+    effect::require(table, &flights)?;
+    Ok(TumblePlan { flights, options, logs: logs.read, found, cut_off })
+}
+
+/// The flights of a log: those that are found, or all of it.
+fn of_log(
+    log: &Value<'_>,
+    prefix: &str,
+    measured: &Measured,
+    search: Option<&FlightSearch>,
+    cut_off: &mut Vec<String>,
+) -> Result<Vec<Flight>, FormatError> {
+    let Some(search) = search else {
+        let whole = [f64::NEG_INFINITY, f64::INFINITY];
+        let flight = measured.flight(format!("{prefix}flight"), whole).map_err(|error| at(log, &error))?;
+        return Ok(vec![flight]);
+    };
+    if measured.gyro.is_empty() {
+        return Err(log
+            .invalid("a log of a gyro: flights are found in its rates")
+            .with_hint("say when each flight was: [[tumble.flight]] with from and to"));
+    }
+    let spans = find_flights(&measured.gyro, search).map_err(|error| at(log, &error))?;
+    let [begins, ends] = [measured.gyro.first(), measured.gyro.last()].map(|r| r.map(|r| r.time));
+    let mut flights = Vec::new();
+    for (k, span) in spans.iter().enumerate() {
+        let name = format!("{prefix}flight {}, {:.2} s", k + 1, span[0]);
+        for (is_cut, what) in [(begins == Some(span[0]), "begins"), (ends == Some(span[1]), "ends")] {
+            if is_cut {
+                cut_off.push(format!("The log {what} in mid-flight: {name}"));
+            }
+        }
+        flights.push(measured.flight(name, *span).map_err(|error| at(log, &error))?);
+    }
+    Ok(flights)
+}
+
+fn options(table: &Table<'_>) -> Result<TumbleOptions, FormatError> {
+    let mut options = TumbleOptions::default();
+    if let Some(gyro) = table.get("gyro") {
+        let gyro = gyro.table()?;
+        gyro.allow(&["bias", "scale", "skew", "clock", "noise", "range"])?;
+        let flag = |key, or| gyro.get(key).map_or(Ok(or), |value| value.boolean());
+        options.gyro = GyroErrors {
+            bias: flag("bias", true)?,
+            scale: flag("scale", false)?,
+            skew: flag("skew", false)?,
+            clock: flag("clock", false)?,
+        };
+        let noise = gyro.get("noise").map(|noise| noise.positive(Dimension::ANGULAR_VELOCITY));
+        options.gyro_noise = noise.transpose()?;
+        let range = gyro.get("range").map(|range| range.positive(Dimension::ANGULAR_VELOCITY));
+        options.gyro_range = range.transpose()?.map(GyroRange::within);
+    }
+    if let Some(attitude) = table.get("attitude") {
+        let attitude = attitude.table()?;
+        attitude.allow(&["noise"])?;
+        let noise = attitude.require("noise", "noise = \"0.2 deg\"")?;
+        options.attitude_noise = Some(noise.positive(Dimension::ANGLE)?);
+    }
+    if let Some(drag) = table.get("drag") {
+        options.drag = match drag.choice(&["none", "linear", "quadratic"])? {
+            "linear" => Some(DragLaw::Linear),
+            "quadratic" => Some(DragLaw::Quadratic),
+            _ => None,
+        };
+    }
+    if let Some(outliers) = table.get("outliers") {
+        options.outlier = outliers.positive(Dimension::NONE)?;
+    }
+    Ok(options)
+}
+
+fn search(table: &Table<'_>) -> Result<FlightSearch, FormatError> {
+    let mut search = FlightSearch::default();
+    if let Some(value) = table.get("search") {
+        let given = value.table()?;
+        given.allow(&["slowest", "shortest", "torque"])?;
+        if let Some(slowest) = given.get("slowest") {
+            search.slowest = slowest.positive(Dimension::ANGULAR_VELOCITY)?;
+        }
+        if let Some(shortest) = given.get("shortest") {
+            search.shortest = shortest.positive(Dimension::TIME)?;
+        }
+        if let Some(torque) = given.get("torque") {
+            search.torque = torque.positive(Dimension::NONE)?;
+        }
+    }
+    Ok(search)
+}
+
+/// Reads `[[tumble.flight]]`.
+fn one(
+    flight: &Table<'_>,
+    plan: &Table<'_>,
+    logs: &mut Logs,
+    spans: &mut Vec<(usize, [f64; 2])>,
+) -> Result<Flight, FormatError> {
+    flight.allow(&FLIGHT_KEYS)?;
+    let own = flight.get("log");
+    let log = match own {
+        Some(log) => log,
+        None => plan.require("log", "log = \"gyro.csv\"")?,
+    };
+    let columns = flight.get("columns").or_else(|| plan.get("columns"));
+    let number = logs.read(&log, columns.as_ref())?;
+    let time = |key, or| flight.get(key).map_or(Ok(or), |value| value.quantity(Dimension::TIME));
+    let (from, to) = (time("from", f64::NEG_INFINITY)?, time("to", f64::INFINITY)?);
+    if let Some(value) = flight.get("to").filter(|_| !(to > from)) {
+        return Err(value.invalid("later than from"));
+    }
+    if spans.iter().any(|(of, span)| *of == number && from.max(span[0]) < to.min(span[1])) {
+        let place = flight.get("from").or(flight.get("to")).unwrap_or(log);
+        return Err(place.invalid("after the end of the flights before: each reading counts once"));
+    }
+    spans.push((number, [from, to]));
+    let name = match flight.get("name") {
+        Some(name) => name.string()?.to_owned(),
+        None if from.is_finite() => format!("from {from} s"),
+        None => log.string()?.to_owned(),
+    };
+    let place = flight.get("from").or(own).unwrap_or(log);
+    let mut made = logs.measured[number].flight(name, [from, to]).map_err(|error| at(&place, &error))?;
+    if let Some(added) = flight.get("added") {
+        made = made.with_added(self::added(&added)?);
+    }
+    if let Some(wheel) = flight.get("wheel") {
+        made = made.with_wheels(vec![self::wheel(&wheel)?]);
+    }
+    Ok(made)
+}
+
+/// `added = { moments = […], products = […] }`: by how much the tensor about the common centre of mass is greater, along the sensor's axes.
+fn added(value: &Value<'_>) -> Result<[f64; 6], FormatError> {
+    let table = value.table()?;
+    table.allow(&["moments", "products"])?;
+    let moments =
+        table.require("moments", "moments = [\"1e-4 kg m^2\", \"1e-4 kg m^2\", \"2e-4 kg m^2\"]")?;
+    let [xx, yy, zz] = moments.quantities(Dimension::INERTIA)?;
+    let [xy, xz, yz] = match table.get("products") {
+        Some(products) => products.quantities(Dimension::INERTIA)?,
+        None => [0.0; 3],
+    };
+    if [xx, yy, zz, xy, xz, yz] == [0.0; 6] {
+        return Err(value
+            .invalid("something: a tensor that is not zero")
+            .with_hint("leave it out of a flight with nothing added"));
+    }
+    Ok([xx, yy, zz, xy, xz, yz])
+}
+
+/// `wheel = { axis = […], momentum = … }`: held at its speed in the body.
+fn wheel(value: &Value<'_>) -> Result<Wheel, FormatError> {
+    let table = value.table()?;
+    table.allow(&["axis", "momentum"])?;
+    let axis = table.require("axis", "axis = [0, 0, 1]")?;
+    let given = table.require("momentum", "momentum = \"0.02 kg m^2/s\"")?;
+    let momentum = given.quantity(Dimension::ANGULAR_MOMENTUM)?;
+    if momentum == 0.0 {
+        return Err(given
+            .invalid("other than zero")
+            .with_hint("a wheel that stands still is a part of the body"));
+    }
+    let direction = polhode::math::Direction::from_array(axis.numbers()?);
+    Wheel::new(direction, momentum, Motor::HeldSpeed).map_err(|error| axis.motion(error))
+}

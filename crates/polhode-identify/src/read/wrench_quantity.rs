@@ -1,0 +1,141 @@
+//! What a log of wrenches has, by which names, and units in names: `fx_n`, `force_x_n`, `Fx [N]`.
+
+use polhode_source::unit;
+use polhode_source::unit::{Dimension, UnitError};
+
+/// What is logged.
+pub struct Quantity {
+    /// Its key in `columns` and `units`.
+    pub key: &'static str,
+    pub what: &'static str,
+    pub dimension: Dimension,
+    pub axes: &'static [&'static str],
+    /// Names that it has before the axis.
+    pub names: &'static [&'static str],
+    /// Names of a header that would do.
+    pub example: &'static str,
+}
+
+const XYZ: &[&str] = &["x", "y", "z"];
+
+pub const TIME: Quantity = Quantity {
+    key: "time",
+    what: "the time",
+    dimension: Dimension::TIME,
+    axes: &[""],
+    names: &["time", "t"],
+    example: "time_s",
+};
+pub const MEASURED: [Quantity; 5] = [
+    Quantity {
+        key: "omega",
+        what: "the angular velocity",
+        dimension: Dimension::ANGULAR_VELOCITY,
+        axes: XYZ,
+        names: &["w", "omega", "omega_body", "gyro", "angular_velocity"],
+        example: "wx_rad_s,wy_rad_s,wz_rad_s",
+    },
+    Quantity {
+        key: "alpha",
+        what: "the angular acceleration",
+        dimension: Dimension::ANGULAR_ACCELERATION,
+        axes: XYZ,
+        names: &["alpha", "alpha_body", "angular_acceleration"],
+        example: "alphax_rad_s2,alphay_rad_s2,alphaz_rad_s2",
+    },
+    Quantity {
+        key: "acceleration",
+        what: "the acceleration",
+        dimension: Dimension::ACCELERATION,
+        axes: XYZ,
+        names: &["a", "acc", "acceleration"],
+        example: "ax_m_s2,ay_m_s2,az_m_s2",
+    },
+    Quantity {
+        key: "force",
+        what: "the force",
+        dimension: Dimension::FORCE,
+        axes: XYZ,
+        names: &["f", "force"],
+        example: "fx_n,fy_n,fz_n",
+    },
+    Quantity {
+        key: "torque",
+        what: "the torque",
+        dimension: Dimension::TORQUE,
+        axes: XYZ,
+        names: &["t", "tau", "torque"],
+        example: "tx_n_m,ty_n_m,tz_n_m",
+    },
+];
+pub const GRAVITY: Quantity = Quantity {
+    key: "gravity",
+    what: "gravity",
+    dimension: Dimension::ACCELERATION,
+    axes: XYZ,
+    names: &["g", "gravity"],
+    example: "gx_m_s2,gy_m_s2,gz_m_s2",
+};
+pub const ATTITUDE: Quantity = Quantity {
+    key: "attitude",
+    what: "the attitude",
+    dimension: Dimension::NONE,
+    axes: &["w", "x", "y", "z"],
+    names: &["q", "quaternion", "attitude"],
+    example: "qw,qx,qy,qz",
+};
+
+/// Units as names of columns have them.
+const SUFFIXES: [(&str, &str); 7] = [
+    ("rad_s", "rad/s"),
+    ("deg_s", "deg/s"),
+    ("rad_s2", "rad/s^2"),
+    ("deg_s2", "deg/s^2"),
+    ("m_s2", "m/s^2"),
+    ("n", "N"),
+    ("n_m", "N m"),
+];
+
+/// What stands behind the quantity and the axis in a name, if it begins with them.
+pub fn rest<'a>(name: &'a str, quantity: &Quantity, axis: &str) -> Option<&'a str> {
+    quantity.names.iter().find_map(|own| {
+        let (head, rest) = (name.get(..own.len())?, name.get(own.len()..)?);
+        // t is a time, and T a temperature
+        let is_own =
+            if *own == "t" && axis.is_empty() { head == *own } else { head.eq_ignore_ascii_case(own) };
+        let rest = if axis.is_empty() { rest } else { rest.strip_prefix('_').unwrap_or(rest) };
+        let (letter, rest) = (rest.get(..axis.len())?, rest.get(axis.len()..)?);
+        let ends = rest.is_empty() || rest.starts_with(['_', ' ', '[', '(']);
+        (is_own && letter.eq_ignore_ascii_case(axis) && ends).then_some(rest)
+    })
+}
+
+/// In SI; else the unit, and what is wrong with it.
+pub type Written = Result<Option<f64>, (String, UnitError)>;
+
+/// The unit at the end of a name: `_rad_s`, ` [rad/s]`; none if there is nothing.
+pub fn written_unit(rest: &str, dimension: Dimension) -> Written {
+    let rest = rest.trim();
+    let unit = match (rest.strip_prefix(['[', '(']), rest.strip_prefix('_')) {
+        (Some(inner), _) => inner.trim_end_matches([']', ')']).trim().to_owned(),
+        (None, Some(suffix)) => {
+            let known = SUFFIXES.iter().find(|(known, _)| *known == suffix);
+            known.map_or_else(|| suffix.replace('_', " "), |(_, unit)| (*unit).to_owned())
+        }
+        (None, None) if rest.is_empty() => return Ok(None),
+        (None, None) => rest.to_owned(),
+    };
+    if dimension == Dimension::NONE {
+        return Ok(None);
+    }
+    unit::factor(&unit, dimension).map(Some).map_err(|error| (unit, error))
+}
+
+/// The same of a name that may begin with anything.
+pub fn trailing_unit(name: &str, dimension: Dimension) -> Written {
+    if let Some(open) = name.find(['[', '(']) {
+        return written_unit(&name[open..], dimension);
+    }
+    let ends = name.match_indices('_').map(|(at, _)| &name[at..]);
+    Ok(ends.filter_map(|end| written_unit(end, dimension).ok()).flatten().next())
+}

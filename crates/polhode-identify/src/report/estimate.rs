@@ -1,0 +1,237 @@
+//! Numbers that were found, with their errors.
+
+use polhode::body::{Finding, Severity};
+use polhode_document::Section;
+use polhode_document::number::{count, number, with_error};
+use serde_json::{Value, json};
+
+use super::picture;
+use crate::{Estimate, Number, PrincipalEstimate, ResidualTest, Undetermined};
+
+pub fn cell(value: f64, sd: Option<f64>) -> String {
+    sd.map_or_else(|| "not known".to_owned(), |sd| with_error(value, sd))
+}
+
+/// The same of a number that may be beyond its range: `not determined` then.
+pub fn bounded_cell(value: f64, sd: Option<f64>, undetermined: Option<Undetermined>) -> String {
+    match undetermined {
+        Some(Undetermined::BeyondRange { .. }) => "not determined".to_owned(),
+        _ => cell(value, sd),
+    }
+}
+
+/// The value and the standard deviation of a number.
+pub fn number_cell(number: &Number) -> String {
+    bounded_cell(number.value, number.sd, number.undetermined())
+}
+
+/// i1/i3 (`k` = 0) or i2/i3 (`k` = 1).
+pub fn ratio_cell(p: &PrincipalEstimate, k: usize) -> String {
+    bounded_cell(p.ratios[k], p.ratio_sd[k], p.undetermined_ratio(k))
+}
+
+/// A row for each number: name, value ± sd, unit.
+pub fn table(section: &mut Section, numbers: &[Number]) {
+    let row = |number: &Number| vec![number.name.clone(), number_cell(number), number.unit.to_owned()];
+    section.table(&["number", "value ± sd", "unit"], numbers.iter().map(row).collect());
+}
+
+/// The pairs that hang together most, and the directions of which nothing is known.
+pub fn relations(section: &mut Section, estimate: &Estimate) {
+    const STRONG: f64 = 0.9;
+    const MOST: usize = 8;
+    let n = estimate.numbers.len();
+    let mut pairs: Vec<(f64, usize, usize)> = (0..n)
+        .flat_map(|i| (0..i).map(move |j| (j, i)))
+        .filter_map(|(i, j)| Some((estimate.correlation(i, j)?, i, j)))
+        .filter(|(r, ..)| r.abs() >= STRONG)
+        .collect();
+    pairs.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
+    let named = |k: usize| estimate.numbers[k].name.as_str();
+    for (r, i, j) in pairs.iter().take(MOST) {
+        section.line(format!("correlation of {} and {}: {}", named(*i), named(*j), number(*r, 3)));
+    }
+    if pairs.len() > MOST {
+        section.say(format!("{} more correlations are as strong.", pairs.len() - MOST));
+    }
+    picture::draw_correlations(section, estimate);
+    for direction in &estimate.unknown {
+        let largest = direction.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
+        let parts: Vec<String> = (0..n)
+            .filter(|&k| direction[k].abs() > 1e-3 * largest)
+            .map(|k| format!("{} {}", number(direction[k] / largest, 3), named(k)))
+            .collect();
+        section.say(format!("Nothing is known along {}.", parts.join(", ")));
+    }
+}
+
+pub fn residuals(section: &mut Section, tests: &[ResidualTest]) {
+    let row = |test: &ResidualTest| {
+        vec![
+            test.what.to_owned(),
+            count(test.count as u64),
+            number(test.noise, 3),
+            number(test.reduced_chi_square, 4),
+            test.lag_correlation.map_or_else(|| "—".to_owned(), |r| number(r, 3)),
+        ]
+    };
+    let headers = ["measured", "numbers", "noise (sd)", "χ²/degrees of freedom", "correlation with the next"];
+    section.table(&headers, tests.iter().map(row).collect());
+    for test in tests {
+        if test.is_too_large() {
+            section.say(format!(
+                "What is left of {} is {} times the noise: there is more in the motion than in the model.",
+                test.what,
+                number(test.reduced_chi_square.sqrt(), 3)
+            ));
+        }
+        if test.is_correlated() {
+            section.say(format!(
+                "Residuals of {} follow each other: they are no noise, and all errors are widened for it.",
+                test.what
+            ));
+        }
+    }
+}
+
+/// What is left that is no noise, or not the noise that was told.
+pub fn model_findings(tests: &[ResidualTest]) -> Vec<Finding> {
+    let widening = tests.iter().map(ResidualTest::widening).fold(1.0, f64::max);
+    let odd = tests.iter().filter(|test| test.is_too_large() || test.is_correlated());
+    odd.map(|test| Finding {
+        code: "identify.model",
+        severity: Severity::Warning,
+        message: format!(
+            "what is left of {} is no noise (χ² {} per degree of freedom): errors are widened {}-fold, and hold only if what is missing acts like noise",
+            test.what,
+            number(test.reduced_chi_square, 3),
+            number(widening, 3)
+        ),
+        place: None,
+    })
+    .chain(small_findings(tests))
+    .collect()
+}
+
+/// What is left that is less than the noise that was told.
+pub fn small_findings<'a>(tests: impl IntoIterator<Item = &'a ResidualTest>) -> Vec<Finding> {
+    let small = tests.into_iter().filter(|test| test.is_too_small());
+    small
+        .map(|test| Finding {
+            code: "identify.noise",
+            severity: Severity::Info,
+            message: format!(
+                "what is left of {} is {} of the noise that was told (χ² {} per degree of freedom): the errors are of that noise, and too wide if it is less",
+                test.what,
+                number(test.reduced_chi_square.sqrt(), 2),
+                number(test.reduced_chi_square, 2)
+            ),
+            place: None,
+        })
+        .collect()
+}
+
+pub fn principal(section: &mut Section, p: &PrincipalEstimate, unit: Option<&str>) {
+    if let Some(unit) = unit {
+        let row = |k: usize| vec![format!("i{}", k + 1), cell(p.moments[k], p.moment_sd[k]), unit.to_owned()];
+        section.table(&["moment", "value ± sd", "unit"], (0..3).map(row).collect());
+    }
+    section.line(format!("i1/i3 = {}", ratio_cell(p, 0)));
+    section.line(format!("i2/i3 = {}", ratio_cell(p, 1)));
+    if let Some(r) = p.ratio_correlation {
+        section.line(format!("correlation of the two: {}", number(r, 3)));
+    }
+    let thickness = bounded_cell(p.thickness, p.thickness_sd, p.undetermined_thickness());
+    section.line(format!("(i1 + i2 − i3)/i3 = {thickness}, zero of a lamina"));
+    let row = |k: usize| {
+        let [x, y, z] = p.axes[k];
+        let turn = match (p.turn_sd[k], p.undetermined_turn(k)) {
+            (Some(sd), None) => number(sd.to_degrees(), 2),
+            _ => "not determined".to_owned(),
+        };
+        vec![format!("axis {}", k + 1), number(x, 5), number(y, 5), number(z, 5), turn]
+    };
+    section.table(
+        &["axis of", "x", "y", "z", "all may be turned about it by (deg, sd)"],
+        (0..3).map(row).collect(),
+    );
+    picture::draw_triangle(section, p);
+}
+
+pub fn to_json(estimate: &Estimate) -> Value {
+    json!({
+        "numbers": numbers_to_json(&estimate.numbers),
+        "covariance": estimate.covariance,
+        "correlation": picture::correlations_to_json(estimate),
+        "unknown": estimate.unknown,
+    })
+}
+
+/// Numbers as data.
+///
+/// Value and error of a number beyond its range are null; each number that is not determined has a reason.
+pub fn numbers_to_json(numbers: &[Number]) -> Value {
+    let each = |number: &Number| {
+        let undetermined = number.undetermined();
+        let mut one = json!({
+            "name": number.name,
+            "unit": number.unit,
+            "value": in_range(Some(number.value), undetermined),
+            "sd": in_range(number.sd, undetermined),
+        });
+        if let Some(why) = undetermined {
+            one["reason"] = why.to_string().into();
+        }
+        one
+    };
+    numbers.iter().map(each).collect()
+}
+
+/// `None` of a number beyond its range.
+fn in_range(value: Option<f64>, undetermined: Option<Undetermined>) -> Option<f64> {
+    value.filter(|_| !matches!(undetermined, Some(Undetermined::BeyondRange { .. })))
+}
+
+pub fn principal_to_json(p: &PrincipalEstimate) -> Value {
+    let ratios = [0, 1].map(|k| p.undetermined_ratio(k));
+    let turns = [0, 1, 2].map(|k| p.undetermined_turn(k));
+    let thickness = p.undetermined_thickness();
+    let names =
+        ["i1/i3", "i2/i3", "thickness", "turn about axis 1", "turn about axis 2", "turn about axis 3"];
+    let all = ratios.into_iter().chain([thickness]).chain(turns);
+    let values = [0, 1].map(|k| in_range(Some(p.ratios[k]), ratios[k]));
+    let ratio_sd = [0, 1].map(|k| in_range(p.ratio_sd[k], ratios[k]));
+    let turn_sd = [0, 1, 2].map(|k| in_range(p.turn_sd[k], turns[k]));
+    let reasons = names.into_iter().zip(all).filter_map(|(name, why)| Some((name, why?.to_string())));
+    json!({
+        "moments": p.moments,
+        "moment_sd": p.moment_sd.map(|sd| sd.filter(|sd| sd.is_finite())),
+        "moment_covariance": p.moment_covariance,
+        "ratios": values,
+        "ratio_sd": ratio_sd,
+        "ratio_correlation": p.ratio_correlation,
+        "thickness": in_range(Some(p.thickness), thickness),
+        "thickness_sd": in_range(p.thickness_sd, thickness),
+        "axes": p.axes,
+        "turn_sd": turn_sd,
+        "not_determined": reasons.collect::<std::collections::BTreeMap<_, _>>(),
+        "triangle": picture::triangle_to_json(p),
+    })
+}
+
+pub fn residuals_to_json(tests: &[ResidualTest]) -> Value {
+    let each = |test: &ResidualTest| {
+        json!({
+            "what": test.what,
+            "count": test.count,
+            "degrees_of_freedom": test.degrees_of_freedom,
+            "noise": test.noise,
+            "noise_is_told": test.noise_is_told,
+            "reduced_chi_square": test.reduced_chi_square,
+            "lag_correlation": test.lag_correlation,
+            "is_too_large": test.is_too_large(),
+            "is_correlated": test.is_correlated(),
+        })
+    };
+    tests.iter().map(each).collect()
+}

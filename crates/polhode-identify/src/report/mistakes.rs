@@ -1,0 +1,81 @@
+//! Mistakes that could have been made in swing tests, and whether they would show.
+
+use polhode_document::Section;
+use polhode_document::layout::printable;
+use polhode_document::number::number;
+use serde_json::{Value, json};
+
+use crate::swing::{Mistake, MistakeKind, SwingEstimate};
+
+/// Mistakes that would not show, as a sentence; `None` if all would.
+pub fn unseen(found: &SwingEstimate) -> Option<String> {
+    const MOST: usize = 4;
+    let unseen: Vec<&Mistake> = found.mistakes.iter().filter(|mistake| mistake.is_hidden()).collect();
+    let named: Vec<String> = unseen.iter().take(MOST).map(|mistake| name(found, mistake)).collect();
+    let more = match unseen.len().saturating_sub(MOST) {
+        0 => String::new(),
+        n => format!("; and {n} more"),
+    };
+    (!named.is_empty()).then(|| {
+        format!(
+            "these mistakes would make the numbers wrong without showing in what is left: {}{more}",
+            named.join("; ")
+        )
+    })
+}
+
+/// All of them, with how far they would move what is left.
+pub fn table(section: &mut Section, found: &SwingEstimate) {
+    let Some(first) = found.mistakes.first() else { return };
+    section.say(format!(
+        "What a mistake would do, in standard deviations: it shows where it moves what is left by {}, and else goes into the numbers unseen.",
+        number(first.needed, 2)
+    ));
+    let row = |mistake: &Mistake| {
+        let shows = match (mistake.shows(), mistake.matters()) {
+            (true, _) => "yes",
+            (false, true) => "no",
+            (false, false) => "no, and does not matter",
+        };
+        vec![name(found, mistake), number(mistake.shift, 2), number(mistake.left, 2), shows.to_owned()]
+    };
+    section.table(
+        &["mistake", "moves the numbers by", "moves what is left by", "shows"],
+        found.mistakes.iter().map(row).collect(),
+    );
+}
+
+fn name(found: &SwingEstimate, mistake: &Mistake) -> String {
+    let what = match &mistake.kind {
+        MistakeKind::Miscount => "a swing more or less than counted",
+        MistakeKind::SideToSide => "amplitudes from side to side",
+        MistakeKind::Twice { number } => return format!("{} twice as long", printable(number)),
+        MistakeKind::Clock => "all times 1 % too long",
+    };
+    match mistake.test.and_then(|k| found.tests.get(k)) {
+        Some(test) => format!("{}: {what}", printable(&test.name)),
+        None => what.to_owned(),
+    }
+}
+
+pub fn to_json(mistakes: &[Mistake]) -> Value {
+    let each = |mistake: &Mistake| {
+        let (kind, of) = match &mistake.kind {
+            MistakeKind::Miscount => ("miscount", None),
+            MistakeKind::SideToSide => ("side to side", None),
+            MistakeKind::Twice { number } => ("twice as long", Some(number)),
+            MistakeKind::Clock => ("clock", None),
+        };
+        json!({
+            "kind": kind,
+            "number": of,
+            "test": mistake.test,
+            "shift": mistake.shift,
+            "left": mistake.left,
+            "needed": mistake.needed,
+            "matters": mistake.matters(),
+            "shows": mistake.shows(),
+        })
+    };
+    mistakes.iter().map(each).collect()
+}

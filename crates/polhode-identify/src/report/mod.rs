@@ -1,0 +1,136 @@
+//! What was found of a body by measuring it, for people and for programs.
+
+mod estimate;
+mod mistakes;
+mod motion;
+mod next;
+mod payload;
+mod picture;
+mod scenario;
+mod swing;
+mod tumble;
+
+use polhode::body::MassProperties;
+use polhode::math::Body;
+use polhode_document::Document;
+use serde_json::Value;
+
+use crate::IdentifyError;
+use crate::payload::{PayloadLog, identify_payload, next_motion};
+use crate::swing::{SwingPlan, identify_swings, next_swing};
+use crate::tumble::{Flight, TumbleOptions, identify_tumbles, next_flight};
+
+pub use payload::PayloadReport;
+pub use scenario::{BodySize, NoBody};
+pub use swing::SwingReport;
+pub use tumble::TumbleReport;
+
+/// What was found of a body, whatever was measured.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub enum IdentifyReport {
+    /// By its free motion.
+    Tumble(TumbleReport),
+    /// By wrenches at a wrist that carries it.
+    Payload(PayloadReport),
+    /// By its swings.
+    Swing(SwingReport),
+}
+
+impl IdentifyReport {
+    /// Identifies a body by its flights, and says which further one would help most; `sources` say what was read.
+    ///
+    /// # Errors
+    /// As [`identify_tumbles`].
+    pub fn of_flights(
+        title: Option<&str>,
+        sources: Vec<String>,
+        flights: &[Flight],
+        options: &TumbleOptions,
+    ) -> Result<Self, IdentifyError> {
+        let found = identify_tumbles(flights, options)?;
+        let next = next_flight(flights, options, &found)?;
+        Ok(Self::Tumble(TumbleReport::new(title, sources, found).with_next(next)))
+    }
+
+    /// Identifies a payload by the wrenches of a log, and says which further motion would help most.
+    ///
+    /// # Errors
+    /// As [`identify_payload`].
+    pub fn of_payload(
+        title: Option<&str>,
+        sources: Vec<String>,
+        log: &PayloadLog,
+    ) -> Result<Self, IdentifyError> {
+        let found = identify_payload(log)?;
+        let next = next_motion(log, &found)?;
+        let times = log.rows().iter().map(|row| row.time).collect();
+        Ok(Self::Payload(PayloadReport::new(title, sources, times, found).with_next(next)))
+    }
+
+    /// Identifies a body by its swings, and says which further test would help most.
+    ///
+    /// # Errors
+    /// As [`identify_swings`].
+    pub fn of_swings(
+        title: Option<&str>,
+        sources: Vec<String>,
+        plan: &SwingPlan,
+    ) -> Result<Self, IdentifyError> {
+        let found = identify_swings(plan)?;
+        let next = next_swing(plan, &found)?;
+        Ok(Self::Swing(SwingReport::new(title, sources, found).with_next(next)))
+    }
+
+    /// The body, where all of it is known.
+    pub fn body(&self) -> Option<MassProperties<Body>> {
+        match self {
+            Self::Tumble(_) => None,
+            Self::Payload(report) => report.found().body,
+            Self::Swing(report) => report.known(),
+        }
+    }
+
+    /// The report as data.
+    pub fn to_json(&self) -> Value {
+        match self {
+            Self::Tumble(report) => report.to_json(),
+            Self::Payload(report) => report.to_json(),
+            Self::Swing(report) => report.to_json(),
+        }
+    }
+
+    /// The report as a document: text, Markdown, a page.
+    pub fn to_document(&self) -> Document {
+        match self {
+            Self::Tumble(report) => report.to_document(),
+            Self::Payload(report) => report.to_document(),
+            Self::Swing(report) => report.to_document(),
+        }
+    }
+
+    /// The body as a part of a scenario file. Of a tumble that shows only ratios its size and its mass have to be said.
+    ///
+    /// # Errors
+    /// If not all of it is known, or what was found is said as well.
+    pub fn to_scenario(&self, size: &BodySize) -> Result<String, NoBody> {
+        match self {
+            Self::Tumble(report) => report.to_scenario(size),
+            Self::Payload(_) | Self::Swing(_) if size.mass.is_some() => Err(NoBody::Found { what: "mass" }),
+            Self::Payload(_) | Self::Swing(_) if size.greatest_moment.is_some() => {
+                Err(NoBody::Found { what: "greatest-moment" })
+            }
+            Self::Payload(report) => report.to_scenario(),
+            Self::Swing(report) => report.to_scenario(),
+        }
+    }
+
+    /// True if what is left is more than noise: the model is not all that moves the body.
+    pub fn has_model_error(&self) -> bool {
+        match self {
+            Self::Tumble(report) => report.has_model_error(),
+            Self::Payload(report) => report.has_model_error(),
+            Self::Swing(report) => report.has_model_error(),
+        }
+    }
+}

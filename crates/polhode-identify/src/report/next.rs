@@ -1,0 +1,171 @@
+//! The next experiment that would help most.
+
+use polhode_document::Section;
+use polhode_document::number::{count, number};
+use serde_json::{Value, json};
+
+use crate::{Candidate, Knowledge, NextExperiment};
+
+/// Experiments that are shown.
+const SHOWN: usize = 6;
+/// Parts of a direction below this are not named.
+const PART: f64 = 0.3;
+
+/// What an experiment is called: for people, and as data.
+pub trait Named {
+    /// What it is to do, in words that go on from "that helps most is".
+    fn name(&self) -> String;
+
+    /// What more is to be known to do it.
+    fn details(&self) -> Option<String>;
+
+    /// What it is as data.
+    fn to_json(&self) -> Value;
+}
+
+pub fn section<E: Named>(next: &NextExperiment<E>) -> Section {
+    let mut s = Section::new(0, "What to measure next");
+    let now = &next.now;
+    s.say(match now.unknown {
+        0 => format!("Least is known {}: ± {}.", direction(now), percent(now.largest_sd)),
+        1 => "One direction of the body's numbers is not known.".to_owned(),
+        n => format!("{n} directions of the body's numbers are not known."),
+    });
+    match next.best() {
+        Some(best) => {
+            s.say(format!("Most would help {}: {}.", in_full(&best.experiment), gain(now, &best.then)));
+        }
+        None if now.unknown > 0 => {
+            s.say("None of the experiments below makes known what is not: another kind is needed.");
+        }
+        None => s.say("None of the experiments below would help by more than 1 % alone."),
+    }
+    if next.together.len() > 1 {
+        let all: Vec<String> = next.together.iter().map(|&k| next.candidates[k].experiment.name()).collect();
+        s.say(format!("All would be known with {}.", all.join("; ")));
+    }
+    table(&mut s, next);
+    s.say("Errors are over the greatest moment i3, as they would be by the derivatives of what would be measured, with the same noise, of the body that was found.");
+    if next.candidates.len() > SHOWN {
+        s.say(format!("All {} are in the JSON.", next.candidates.len()));
+    }
+    if let Some((first, error)) = next.refused.first() {
+        s.say(format!(
+            "{} more cannot be made, as {}: {error}.",
+            count(next.refused.len() as u64),
+            first.name()
+        ));
+    }
+    s
+}
+
+/// The best candidates: where not all is known axes are not either, and moments along them mean nothing.
+fn table<E: Named>(s: &mut Section, next: &NextExperiment<E>) {
+    let is_known = next.now.unknown == 0;
+    let row = |name: String, known: &Knowledge| {
+        let mut row = vec![name];
+        if is_known {
+            row.push(percent(known.largest_sd));
+            row.extend(known.moment_sd.map(sd));
+        } else {
+            row.extend([count(known.unknown as u64), percent(known.mean_sd)]);
+        }
+        row
+    };
+    // two of one name differ in what more is to be known
+    let names: Vec<String> = next.candidates.iter().map(|c| c.experiment.name()).collect();
+    let is_clear = |name: &String| names.iter().filter(|other| *other == name).count() == 1;
+    let shown = next.candidates.iter().zip(&names).take(SHOWN).map(|(candidate, name)| {
+        let name = if is_clear(name) { name.clone() } else { in_full(&candidate.experiment) };
+        row(name, &candidate.then)
+    });
+    let headers: &[&str] = if is_known {
+        &["with", "least known", "sd i1", "sd i2", "sd i3"]
+    } else {
+        &["with", "directions not known", "mean sd of the rest"]
+    };
+    s.table(headers, core::iter::once(row("as it is".to_owned(), &next.now)).chain(shown).collect());
+}
+
+fn in_full(experiment: &impl Named) -> String {
+    let details = experiment.details().map(|details| format!(" ({details})"));
+    experiment.name() + &details.unwrap_or_default()
+}
+
+fn percent(sd: f64) -> String {
+    format!("{} %", number(100.0 * sd, 3))
+}
+
+fn sd(sd: Option<f64>) -> String {
+    sd.map_or_else(|| "not known".to_owned(), percent)
+}
+
+/// `along 0.71 i3, 0.61 i2`
+fn direction(now: &Knowledge) -> String {
+    let parts = now.least_known.iter().filter(|(_, part)| part.abs() >= PART);
+    let parts: Vec<String> =
+        parts.map(|(name, part)| format!("{} {}", number(*part, 2), meaning(name))).collect();
+    format!("along {}", parts.join(", "))
+}
+
+/// Elements off the diagonal, along principal axes, are turns of these.
+fn meaning(name: &str) -> &str {
+    match name {
+        "i12" => "i12 (a turn about axis 3)",
+        "i13" => "i13 (a turn about axis 2)",
+        "i23" => "i23 (a turn about axis 1)",
+        "center 1" => "centre along axis 1",
+        "center 2" => "centre along axis 2",
+        "center 3" => "centre along axis 3",
+        name => name,
+    }
+}
+
+fn gain(now: &Knowledge, then: &Knowledge) -> String {
+    if then.unknown < now.unknown {
+        return match then.unknown {
+            0 => "all would be known then".to_owned(),
+            n => format!("{n} directions would not be known then, where {} are not now", now.unknown),
+        };
+    }
+    format!(
+        "what is known least would be so to ± {}, where it is ± {} now",
+        percent(then.largest_sd),
+        percent(now.largest_sd)
+    )
+}
+
+/// `{"units": …, "now": {…}, "candidates": […], "refused": […]}`
+pub fn to_json<E: Named>(next: &NextExperiment<E>) -> Value {
+    let candidate = |candidate: &Candidate<E>| {
+        let mut json = candidate.experiment.to_json();
+        json["name"] = candidate.experiment.name().into();
+        json["then"] = known(&candidate.then);
+        json
+    };
+    let refused = |(experiment, error): &(E, crate::IdentifyError)| {
+        let mut json = experiment.to_json();
+        json["name"] = experiment.name().into();
+        json["error"] = error.to_string().into();
+        json
+    };
+    json!({
+        "units": "tensor over i3, mass over itself, centre over √(i3/mass), along the principal axes; off-diagonal elements times √2",
+        "now": known(&next.now),
+        "together": next.together,
+        "candidates": next.candidates.iter().map(candidate).collect::<Value>(),
+        "refused": next.refused.iter().map(refused).collect::<Value>(),
+    })
+}
+
+fn known(known: &Knowledge) -> Value {
+    let least: serde_json::Map<String, Value> =
+        known.least_known.iter().map(|(name, part)| ((*name).to_owned(), json!(part))).collect();
+    json!({
+        "unknown": known.unknown,
+        "largest_sd": known.largest_sd,
+        "least_known": least,
+        "mean_sd": known.mean_sd,
+        "moment_sd": known.moment_sd,
+    })
+}

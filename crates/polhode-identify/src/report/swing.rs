@@ -1,0 +1,369 @@
+//! Swing tests.
+
+use polhode::body::{Finding, MassProperties, Severity};
+use polhode::math::Body;
+use polhode_document::VERSION;
+use polhode_document::drawing::{Drawing, Scatter, Series};
+use polhode_document::finding;
+use polhode_document::layout::printable;
+use polhode_document::number::{count, number, with_error};
+use polhode_document::{Document, Section};
+use polhode_source::toml::BodyPart;
+use serde_json::{Value, json};
+
+use super::next::Named;
+use super::scenario::NoBody;
+use super::{estimate, mistakes, next};
+use crate::swing::{Measurement, NextSwing, SwingEstimate, SwingResult, SwingTest};
+use crate::{NextExperiment, Number, ON_EARTH, PrincipalEstimate};
+
+/// A body that was found by its swings.
+#[derive(Clone, Debug)]
+pub struct SwingReport {
+    title: String,
+    /// What was read, line by line.
+    sources: Vec<String>,
+    found: SwingEstimate,
+    principal: PrincipalEstimate,
+    next: Option<NextExperiment<NextSwing>>,
+}
+
+/// Where the tensor's elements begin among the numbers.
+const TENSOR: usize = 4;
+/// Standard deviations below zero from which on a negative damping is reported; identification itself refuses five.
+const GROWS: f64 = 3.0;
+/// The width that a test takes of the space between two.
+const WIDTH: f64 = 0.6;
+
+/// A number with its error and its unit, if it has one.
+fn with_unit(found: &Number, sd: f64) -> String {
+    let unit = if found.unit == "1" { String::new() } else { format!(" {}", found.unit) };
+    format!("{}{unit}", with_error(found.value, sd))
+}
+
+impl SwingReport {
+    /// Of what was found, and the lines that say what was read of logs.
+    pub fn new(title: Option<&str>, sources: Vec<String>, found: SwingEstimate) -> Self {
+        let principal = PrincipalEstimate::of_tensor(&found.estimate, TENSOR);
+        Self {
+            title: title.unwrap_or("a body that swings").to_owned(),
+            sources,
+            found,
+            principal,
+            next: None,
+        }
+    }
+
+    /// What was found.
+    pub fn found(&self) -> &SwingEstimate {
+        &self.found
+    }
+
+    /// With what could be measured next.
+    #[must_use]
+    pub fn with_next(self, next: Option<NextExperiment<NextSwing>>) -> Self {
+        Self { next, ..self }
+    }
+
+    /// The body as a part of a scenario file.
+    ///
+    /// # Errors
+    /// If not all of it is known.
+    pub fn to_scenario(&self) -> Result<String, NoBody> {
+        let body = self.known().ok_or(NoBody::Unknown { by: "what was swung" })?;
+        let meaning = "in kg, m, kg m^2, along the axes of the body, from their origin";
+        Ok(BodyPart::of_body(format!("{}: {meaning}", self.title), "body", &body).to_toml())
+    }
+
+    /// The body, if all of it is known.
+    pub fn known(&self) -> Option<MassProperties<Body>> {
+        let mut numbers = self.found.estimate.numbers.iter().take(TENSOR + 6);
+        numbers.all(|number| number.sd.is_some()).then_some(self.found.body)
+    }
+
+    /// True if what is left is more than noise.
+    pub fn has_model_error(&self) -> bool {
+        self.found.model_tests().any(|test| test.is_too_large() || test.is_correlated())
+    }
+
+    /// What is known of the tensor: its elements that have an error.
+    fn is_known(&self) -> bool {
+        self.found.estimate.numbers[TENSOR..].iter().take(6).all(|number| number.sd.is_some())
+    }
+
+    fn findings(&self) -> Vec<Finding> {
+        let mut findings = Vec::new();
+        let mut say = |code: &'static str, message: String| {
+            findings.push(Finding { code, severity: Severity::Warning, message, place: None });
+        };
+        if self.has_model_error() {
+            say(
+                "identify.model",
+                format!(
+                    "what is left is no noise: errors are widened {}-fold, and hold only if what is missing acts like noise",
+                    number(self.found.widening, 3)
+                ),
+            );
+        }
+        let unknown = self.found.estimate.unknown.len();
+        if unknown > 0 {
+            say(
+                "identify.unknown",
+                format!("{} are not determined by these tests: {}", directions(unknown), self.swung()),
+            );
+        }
+        if self.found.model_tests().next().is_none() {
+            say(
+                "identify.untested",
+                "as much is found as was measured: nothing is left that could show a wrong model".to_owned(),
+            );
+        }
+        for test in &self.found.tests {
+            for damping in test.own.iter().filter(|number| number.name.ends_with("damping")) {
+                let Some(sd) = damping.sd.filter(|sd| damping.value < -GROWS * sd) else { continue };
+                let message = format!(
+                    "the {} of {} is {}, {:.1} standard deviations below zero: an amplitude does not grow by itself",
+                    damping.name,
+                    test.name,
+                    with_unit(damping, sd),
+                    -damping.value / sd
+                );
+                say("identify.growing", message);
+            }
+        }
+        if let Some(message) = mistakes::unseen(&self.found) {
+            findings.push(Finding {
+                code: "identify.unchecked",
+                severity: Severity::Info,
+                message,
+                place: None,
+            });
+        }
+        findings.extend(estimate::small_findings(self.found.model_tests()));
+        let gravity = self.found.estimate.numbers.iter().find(|number| number.name == "gravity");
+        if let Some(gravity) = gravity.filter(|gravity| !ON_EARTH.contains(&gravity.value)) {
+            let message = format!("gravity is {} m/s²", number(gravity.value, 6));
+            findings.push(Finding {
+                code: "identify.gravity",
+                severity: Severity::Info,
+                message,
+                place: None,
+            });
+        }
+        findings
+    }
+
+    /// How many axes were swung.
+    fn swung(&self) -> String {
+        let axes = self.found.tests.iter().filter(|test| test.moment.is_some()).count();
+        match axes {
+            0 => "no test has the body".to_owned(),
+            1 => "only one axis was swung".to_owned(),
+            n => format!(
+                "{n} tests have the body, where a whole tensor takes six axes that are not all on one quadratic cone"
+            ),
+        }
+    }
+
+    /// The report as a document: text, Markdown, a page.
+    pub fn to_document(&self) -> Document {
+        let p = &self.principal;
+        let mut answer = Vec::new();
+        if self.is_known() {
+            let of = |k: usize| estimate::cell(p.moments[k], p.moment_sd[k]);
+            answer.push(format!("Principal moments {}; {}; {} kg·m²", of(0), of(1), of(2)));
+        } else {
+            answer.push(format!("The whole tensor is not known: {}", self.swung()));
+        }
+        for test in &self.found.tests {
+            if let Some(Number { value, sd, unit, .. }) = &test.moment {
+                answer.push(format!("{}: {} {unit}", printable(&test.name), estimate::cell(*value, *sd)));
+            }
+        }
+        let mut sections = vec![self.body(), self.each(), self.left()];
+        sections.extend(self.next.as_ref().map(next::section));
+        for (k, section) in sections.iter_mut().enumerate() {
+            section.number = u8::try_from(k + 1).unwrap_or(u8::MAX);
+        }
+        Document { title: self.title.clone(), answer, sections, findings: self.findings() }
+    }
+
+    fn body(&self) -> Section {
+        let mut s = Section::new(1, "The body");
+        for line in &self.sources {
+            s.say(format!("{line}."));
+        }
+        s.say("The tensor is about the centre of mass, along the body's axes; a number without an error was given as exact.");
+        let numbers: Vec<Number> = self
+            .found
+            .estimate
+            .numbers
+            .iter()
+            .map(|number| Number { name: printable(&number.name), ..number.clone() })
+            .collect();
+        estimate::table(&mut s, &numbers);
+        if self.is_known() {
+            estimate::principal(&mut s, &self.principal, Some("kg·m²"));
+        } else {
+            s.say("Principal moments and axes are left out: they need the whole tensor.");
+        }
+        estimate::relations(&mut s, &self.found.estimate);
+        s
+    }
+
+    fn each(&self) -> Section {
+        let mut s = Section::new(2, "Test by test");
+        s.say("The moment is nᵀ I n of the body alone, about the axis n of the swing through the body's centre of mass.");
+        let mut rows = Vec::new();
+        for test in &self.found.tests {
+            let name = printable(&test.name);
+            rows.extend(test.moment.iter().chain(&test.own).map(|number| {
+                let value = estimate::number_cell(number);
+                vec![name.clone(), number.name.clone(), value, number.unit.to_owned()]
+            }));
+        }
+        s.table(&["test", "number", "value ± sd", "unit"], rows);
+        s
+    }
+
+    fn left(&self) -> Section {
+        let mut s = Section::new(3, "What is left");
+        match &self.found.counted {
+            Some(test) => estimate::residuals(&mut s, core::slice::from_ref(test)),
+            None => s.say("As much was found as was measured: no residual tests the model."),
+        }
+        let row = |test: &SwingResult| {
+            let left = &test.residuals;
+            let rms = (left.reduced_chi_square * left.degrees_of_freedom / left.count.max(1) as f64).sqrt();
+            vec![printable(&test.name), count(left.count as u64), number(rms, 3)]
+        };
+        let headers = ["test", "numbers", "left (standard deviations, rms)"];
+        s.table(&headers, self.found.tests.iter().map(row).collect());
+        if let Some(scatter) = self.scatter() {
+            s.draw(Drawing::Scatter(scatter));
+        }
+        mistakes::table(&mut s, &self.found);
+        s
+    }
+
+    /// What is left, test by test: of logs all values, beside each other.
+    fn scatter(&self) -> Option<Scatter> {
+        let points = self.found.tests.iter().enumerate().flat_map(|(k, test)| {
+            let count = test.left.len().max(1) as f64;
+            let place = move |j: usize| (k + 1) as f64 + WIDTH * ((j as f64 + 0.5) / count - 0.5);
+            test.left.iter().enumerate().map(move |(j, r)| [place(j), *r])
+        });
+        let points: Vec<[f64; 2]> = points.collect();
+        let left = &self.found.left_of_numbers;
+        let place = |j: usize| WIDTH * ((j as f64 + 0.5) / left.len() as f64 - 0.5);
+        let numbers = left.iter().enumerate().map(|(j, r)| [place(j), *r]).collect();
+        (points.len() > 1).then(|| Scatter {
+            title: "What is left, test by test in their order".to_owned(),
+            across: ["test", "1"],
+            up: ["measured − predicted", "sd"],
+            series: vec![
+                Series { name: "times, then amplitudes; or a log".to_owned(), mark: '•', points },
+                Series {
+                    name: "at 0: mass, centre and other measured numbers".to_owned(),
+                    mark: 'o',
+                    points: numbers,
+                },
+            ],
+            band: 2.0,
+            band_name: "± 2 standard deviations",
+        })
+    }
+
+    /// The report as data.
+    pub fn to_json(&self) -> Value {
+        let found = &self.found;
+        let test = |test: &SwingResult| {
+            json!({
+                "name": test.name,
+                "moment": test.moment.as_ref().map(|moment| json!({
+                    "value": moment.value,
+                    "sd": moment.sd,
+                    "unit": moment.unit,
+                })),
+                "own": estimate::numbers_to_json(&test.own),
+                "residuals": estimate::residuals_to_json(core::slice::from_ref(&test.residuals))[0],
+                "left": test.left,
+            })
+        };
+        json!({
+            "polhode": VERSION,
+            "kind": "swing",
+            "title": self.title,
+            "estimate": estimate::to_json(&found.estimate),
+            "principal": self.is_known().then(|| estimate::principal_to_json(&self.principal)),
+            "left_of_numbers": found.left_of_numbers,
+            "widening": found.widening,
+            "mistakes": mistakes::to_json(&found.mistakes),
+            "residuals": found.counted.as_ref().map(|test| {
+                estimate::residuals_to_json(core::slice::from_ref(test))[0].clone()
+            }),
+            "tests": found.tests.iter().map(test).collect::<Value>(),
+            "next": self.next.as_ref().map(next::to_json),
+            "findings": finding::to_json(&self.findings()),
+        })
+    }
+}
+
+fn directions(count: usize) -> String {
+    if count == 1 {
+        "one direction of the numbers".to_owned()
+    } else {
+        format!("{count} directions of the numbers")
+    }
+}
+
+impl Named for NextSwing {
+    fn name(&self) -> String {
+        match self {
+            Self::Test { like, test, .. } => {
+                format!("a swing {} in the rig of “{}”", printable(&test.name), printable(like))
+            }
+            Self::Number { name, sd, unit } => {
+                format!("{} once more, to ± {} {unit}", printable(name), number(*sd, 2))
+            }
+        }
+    }
+
+    fn details(&self) -> Option<String> {
+        match self {
+            Self::Test { test, .. } => predicted(test),
+            Self::Number { .. } => None,
+        }
+    }
+
+    fn to_json(&self) -> Value {
+        match self {
+            Self::Test { about, like, test } => json!({
+                "kind": "test",
+                "about": about,
+                "like": like,
+                "predicted": counted(test),
+            }),
+            Self::Number { name, sd, unit } => {
+                json!({ "kind": "number", "number": name, "sd": sd, "unit": unit })
+            }
+        }
+    }
+}
+
+/// `40 swings would take 63.9 s`; of a log nothing.
+fn predicted(test: &SwingTest) -> Option<String> {
+    let Measurement::Counted(counted) = &test.measurement else { return None };
+    let first = counted.intervals.first()?;
+    Some(format!("{} swings would take {} s", number(first.to - first.from, 4), number(first.time, 4)))
+}
+
+/// Times and amplitudes as they would be; null of a log.
+fn counted(test: &SwingTest) -> Value {
+    let Measurement::Counted(counted) = &test.measurement else { return Value::Null };
+    json!({
+        "swings": counted.intervals.iter().map(|i| i.to - i.from).collect::<Vec<_>>(),
+        "time_s": counted.intervals.iter().map(|i| i.time).collect::<Vec<_>>(),
+        "amplitude_rad": counted.amplitudes.iter().map(|a| a.amplitude).collect::<Vec<_>>(),
+    })
+}

@@ -1,0 +1,304 @@
+//! Tumbles.
+
+use polhode::body::{Finding, Severity};
+use polhode_document::VERSION;
+use polhode_document::drawing::{Drawing, Scatter, Series};
+use polhode_document::finding;
+use polhode_document::layout::printable;
+use polhode_document::number::{count, counted, number};
+use polhode_document::{Document, Section};
+use polhode_source::toml::BodyPart;
+use serde_json::{Value, json};
+
+use super::next::Named;
+use super::scenario::{BodySize, NoBody};
+use super::{estimate, next};
+use crate::NextExperiment;
+use crate::tumble::{Flaw, FlightFit, NextFlight, Tumble};
+
+/// A body that was found by its tumbles, with what it was found from.
+#[derive(Clone, Debug)]
+pub struct TumbleReport {
+    title: String,
+    /// What was read, line by line.
+    sources: Vec<String>,
+    tumble: Tumble,
+    next: Option<NextExperiment<NextFlight>>,
+}
+
+/// Flights that are shown in a table.
+const SHOWN: usize = 40;
+/// Turns that a scenario has.
+const TURNS: f64 = 10.0;
+
+impl TumbleReport {
+    /// Of what was found, and the lines that say what was read.
+    pub fn new(title: Option<&str>, sources: Vec<String>, tumble: Tumble) -> Self {
+        Self { title: title.unwrap_or("a tumbling body").to_owned(), sources, tumble, next: None }
+    }
+
+    /// With the flights that could be made next.
+    #[must_use]
+    pub fn with_next(self, next: Option<NextExperiment<NextFlight>>) -> Self {
+        Self { next, ..self }
+    }
+
+    /// The body as a part of a scenario file, and where nothing else turned it its first flight.
+    ///
+    /// # Errors
+    /// If not all of it is known and said.
+    pub fn to_scenario(&self, size: &BodySize) -> Result<String, NoBody> {
+        let tumble = &self.tumble;
+        let is_known = [0, 1].iter().all(|&k| tumble.principal.undetermined_ratio(k).is_none())
+            && tumble.estimate.numbers.iter().take(6).all(|number| number.undetermined().is_none());
+        if !is_known {
+            return Err(NoBody::Unknown { by: "the motion" });
+        }
+        let greatest = match (tumble.scale_is_known, size.greatest_moment) {
+            (true, Some(_)) => return Err(NoBody::Found { what: "greatest-moment" }),
+            (true, None) => 1.0,
+            (false, given) => given.ok_or(NoBody::Size)?,
+        };
+        let mass = size.mass.ok_or(NoBody::Mass)?;
+        let mut comments = vec![format!("{}: in kg, m, kg m^2, along the axes of the sensor", self.title)];
+        comments.push(if tumble.scale_is_known {
+            "Free motion does not show the mass, which was said.".to_owned()
+        } else {
+            format!("Its motion showed the ratios of the moments. The greatest, {greatest:?} kg m^2, and the mass were said.")
+        });
+        comments.push("Where the centre of mass is does not show: it is put into the origin.".to_owned());
+        let inertia = core::array::from_fn(|k| greatest * tumble.estimate.numbers[k].value);
+        let part = BodyPart { comments, name: "body", mass, center: [0.0; 3], inertia };
+        Ok(part.to_toml() + &self.flown().unwrap_or_default())
+    }
+
+    /// The start of the first flight, if the body was free in all of them.
+    fn flown(&self) -> Option<String> {
+        let has_drag = self.tumble.estimate.numbers.iter().any(|number| number.name.starts_with("drag"));
+        let flight = self.tumble.flights.first().filter(|_| !self.tumble.scale_is_known && !has_drag)?;
+        let [x, y, z] = flight.state.omega.to_array();
+        let turns = TURNS * core::f64::consts::TAU / flight.state.omega.norm();
+        Some(format!(
+            "\n# As {} begins\n[start]\nspin = {{ body = [{x:?}, {y:?}, {z:?}] }}\n\n[run]\nduration = {turns:.3}\nsamples = 1001\n",
+            printable(&flight.name)
+        ))
+    }
+
+    /// True if what is left is more than noise.
+    pub fn has_model_error(&self) -> bool {
+        self.tumble.residuals.iter().any(|test| test.is_too_large() || test.is_correlated())
+    }
+
+    fn findings(&self) -> Vec<Finding> {
+        let mut findings = estimate::model_findings(&self.tumble.residuals);
+        let mut say = |code: &'static str, message: String| {
+            findings.push(Finding { code, severity: Severity::Warning, message, place: None });
+        };
+        for flaw in &self.tumble.flaws {
+            let code = match flaw {
+                Flaw::Saturated(_) => "identify.saturated",
+                Flaw::Gap { .. } => "identify.gap",
+                _ => "identify.hand",
+            };
+            say(code, flaw.to_string());
+        }
+        let left_out: usize = self.tumble.flights.iter().map(|flight| flight.left_out.len()).sum();
+        let used: usize = self.tumble.flights.iter().map(|flight| flight.used).sum();
+        if left_out > 0 {
+            say(
+                "identify.outliers",
+                format!("{left_out} of {} readings were left out as outliers", left_out + used),
+            );
+        }
+        let p = &self.tumble.principal;
+        if p.thickness_sd.is_some_and(|sd| p.thickness < sd) {
+            say(
+                "identify.lamina",
+                "within its error the body is a lamina: i1 + i2 = i3, the edge of what is possible"
+                    .to_owned(),
+            );
+        }
+        findings
+    }
+
+    /// The report as a document: text, Markdown, a page.
+    pub fn to_document(&self) -> Document {
+        let tumble = &self.tumble;
+        let p = &tumble.principal;
+        let mut answer = Vec::new();
+        if tumble.scale_is_known {
+            let of = |k: usize| estimate::cell(p.moments[k], p.moment_sd[k]);
+            answer.push(format!("Principal moments {}; {}; {} kg·m²", of(0), of(1), of(2)));
+        }
+        answer.push(format!(
+            "i1/i3 = {}, i2/i3 = {}",
+            estimate::ratio_cell(p, 0),
+            estimate::ratio_cell(p, 1)
+        ));
+        if !tumble.scale_is_known {
+            answer.push(
+                "How large the moments are does not show in free motion: throw the body once more with something known on it".to_owned(),
+            );
+        }
+        let mut sections = vec![self.read(), self.body(), self.left(), self.each()];
+        sections.extend(self.next.as_ref().map(next::section));
+        for (k, section) in sections.iter_mut().enumerate() {
+            section.number = u8::try_from(k + 1).unwrap_or(u8::MAX);
+        }
+        Document { title: self.title.clone(), answer, sections, findings: self.findings() }
+    }
+
+    fn read(&self) -> Section {
+        let mut s = Section::new(1, "What was measured");
+        for line in &self.sources {
+            s.say(format!("{line}."));
+        }
+        let readings: usize =
+            self.tumble.flights.iter().map(|flight| flight.used + flight.left_out.len()).sum();
+        s.say(format!("{}, {}.", counted(self.tumble.flights.len(), "flight"), counted(readings, "reading")));
+        s
+    }
+
+    fn body(&self) -> Section {
+        let mut s = Section::new(2, "The body");
+        s.formula("I ω̇ = I ω × ω + N", "I \\dot\\omega = I \\omega \\times \\omega + N");
+        let unit = self.tumble.scale_is_known.then_some("kg·m²");
+        estimate::principal(&mut s, &self.tumble.principal, unit);
+        if let Some([small, middle]) = self.tumble.left_handed_ratios() {
+            s.say(format!(
+                "The axes of the gyro are taken for right-handed. Free motion does not show it: with one reversed, i1/i3 = {} and i2/i3 = {}.",
+                number(small, 4),
+                number(middle, 4)
+            ));
+        }
+        s.say("The tensor along the axes of the sensor, and what else was found:");
+        estimate::table(&mut s, &self.tumble.estimate.numbers);
+        estimate::relations(&mut s, &self.tumble.estimate);
+        s
+    }
+
+    fn left(&self) -> Section {
+        let mut s = Section::new(3, "What is left");
+        estimate::residuals(&mut s, &self.tumble.residuals);
+        if let Some(scatter) = self.worst().and_then(|flight| self.scatter(flight)) {
+            s.draw(Drawing::Scatter(scatter));
+        }
+        s
+    }
+
+    fn worst(&self) -> Option<&FlightFit> {
+        self.tumble.flights.iter().max_by(|a, b| a.reduced_chi_square.total_cmp(&b.reduced_chi_square))
+    }
+
+    /// What is left of a flight, reading by reading.
+    fn scatter(&self, flight: &FlightFit) -> Option<Scatter> {
+        let is_gyro = !flight.gyro_residuals.is_empty();
+        let of = if is_gyro { &flight.gyro_residuals } else { &flight.attitude_residuals };
+        let test = if is_gyro { self.tumble.residuals.first() } else { self.tumble.residuals.last() }?;
+        let series = |i: usize| Series {
+            name: ["x", "y", "z"][i].to_owned(),
+            mark: ['x', 'y', 'z'][i],
+            points: of.iter().enumerate().map(|(k, r)| [(k + 1) as f64, r[i]]).collect(),
+        };
+        (of.len() > 2).then(|| Scatter {
+            title: format!("What is left of {}, the flight that fits worst", printable(&flight.name)),
+            across: ["reading", "1"],
+            up: ["measured − predicted", if is_gyro { "rad/s" } else { "rad" }],
+            series: vec![series(0), series(1), series(2)],
+            band: 2.0 * test.noise,
+            band_name: "± 2 standard deviations of the noise",
+        })
+    }
+
+    fn each(&self) -> Section {
+        let mut s = Section::new(4, "Flight by flight");
+        let row = |flight: &FlightFit| {
+            let [x, y, z] = flight.state.omega.to_array();
+            let omega = [x, y, z].map(|w| number(w, 5)).join(", ");
+            vec![
+                printable(&flight.name),
+                count(flight.used as u64),
+                count(flight.left_out.len() as u64),
+                omega,
+                number(rms(flight), 3),
+                number(flight.reduced_chi_square, 4),
+            ]
+        };
+        let headers =
+            ["flight", "readings", "left out", "ω at its start (rad/s)", "left (rad/s, rms)", "χ²/dof"];
+        s.table(&headers, self.tumble.flights.iter().take(SHOWN).map(row).collect());
+        if let Some(more) = self.tumble.flights.len().checked_sub(SHOWN + 1) {
+            s.say(format!("{} more are in the JSON.", more + 1));
+        }
+        s
+    }
+
+    /// The report as data.
+    pub fn to_json(&self) -> Value {
+        let tumble = &self.tumble;
+        let flight = |flight: &FlightFit| {
+            json!({
+                "name": flight.name,
+                "time": flight.state.time,
+                "omega": flight.state.omega.to_array(),
+                "omega_sd": flight.omega_sd.map(|sd| Some(sd).filter(|sd| sd.is_finite())),
+                "quaternion_wxyz": (!flight.attitude_residuals.is_empty())
+                    .then(|| flight.state.attitude.canonical_quaternion()),
+                "reduced_chi_square": flight.reduced_chi_square,
+                "used": flight.used,
+                "left_out": flight.left_out,
+                "gyro_residuals": flight.gyro_residuals,
+                "attitude_residuals": flight.attitude_residuals,
+            })
+        };
+        json!({
+            "polhode": VERSION,
+            "kind": "tumble",
+            "title": self.title,
+            "scale_is_known": tumble.scale_is_known,
+            "left_handed_ratios": tumble.left_handed_ratios(),
+            "estimate": estimate::to_json(&tumble.estimate),
+            "principal": estimate::principal_to_json(&tumble.principal),
+            "widening": tumble.widening,
+            "next": self.next.as_ref().map(next::to_json),
+            "residuals": estimate::residuals_to_json(&tumble.residuals),
+            "flights": tumble.flights.iter().map(flight).collect::<Value>(),
+            "findings": finding::to_json(&self.findings()),
+        })
+    }
+}
+
+/// The root of the mean square of what is left of a gyro's components, rad/s; of attitudes, rad, where there is no gyro.
+fn rms(flight: &FlightFit) -> f64 {
+    let of =
+        if flight.gyro_residuals.is_empty() { &flight.attitude_residuals } else { &flight.gyro_residuals };
+    let sum: f64 = of.iter().flatten().map(|r| r * r).sum();
+    (sum / (3 * of.len()).max(1) as f64).sqrt()
+}
+
+impl Named for NextFlight {
+    fn name(&self) -> String {
+        let axes = self.about.iter().map(|part| part.abs()).collect::<Vec<_>>();
+        let named = |least: f64| -> Vec<String> {
+            axes.iter()
+                .enumerate()
+                .filter(|(_, part)| **part > least)
+                .map(|(k, _)| format!("{}", k + 1))
+                .collect()
+        };
+        let about = match named(0.9)[..] {
+            [ref axis] => format!("about 10° off axis {axis}"),
+            _ => format!("between the axes {}", named(0.3).join(", ")),
+        };
+        format!("a flight {about}")
+    }
+
+    fn details(&self) -> Option<String> {
+        let omega = self.omega.map(|w| number(w, 3)).join(", ");
+        Some(format!("ω = ({omega}) rad/s at its start, and all else as in “{}”", printable(&self.like)))
+    }
+
+    fn to_json(&self) -> Value {
+        json!({ "kind": "flight", "about": self.about, "omega": self.omega, "like": self.like })
+    }
+}

@@ -1,0 +1,31 @@
+//! The error over the time.
+
+use polhode_document::graph::Graph;
+
+use super::JudgedRun;
+
+/// How many points are drawn: the largest error of each part of the time.
+const POINTS: usize = 240;
+
+/// lg of the attitude's error, rad, over the time; `None` where nothing can be told from zero.
+pub fn of_error(run: &JudgedRun) -> Option<Graph> {
+    let judgement = &run.judgement;
+    let (times, angles) = (&judgement.motion.times, judgement.errors.angles());
+    let floor = judgement.floor();
+    let rows = times.len();
+    let each = rows.div_ceil(POINTS).max(1);
+    let points: Vec<[f64; 2]> = (times.chunks(each).zip(angles.chunks(each)))
+        .filter_map(|(times, angles)| {
+            let largest = angles.iter().copied().fold(0.0, f64::max);
+            (largest > 0.0).then(|| [times[times.len() / 2], largest.max(0.1 * floor).log10()])
+        })
+        .collect();
+    let (first, last) = (*points.first()?, *points.last()?);
+    (points.len() > 2).then(|| Graph {
+        title: format!("The attitude's error: {}", run.name),
+        across: ["t", "s"],
+        up: ["lg of the error", "rad"],
+        level: ([first[0], last[0], floor.log10()], "what the exact motion may be wrong by"),
+        points,
+    })
+}

@@ -1,0 +1,123 @@
+//! Where in the file it stands what the core refuses of a body on the ground.
+
+use polhode::motion::contact::StartVelocity;
+use polhode::motion::{Event, Measure, MotionError};
+use polhode_source::FormatError;
+use polhode_source::toml::reader::{Table, Value};
+
+use super::OnGround;
+
+/// What the core calls a number that it refuses, the table and the key where that stands, and what helps.
+const PLACES: [(&str, &str, &str, &str); 17] = [
+    (
+        "the height of the point of contact above the ground",
+        "contact",
+        "at",
+        "at is a point of the ground: of a plane one with n · x = 0, of a sphere or a cylinder one at its radius",
+    ),
+    ("the point of contact from the axis of the ground", "contact", "at", ""),
+    ("the point of contact", "contact", "at", ""),
+    ("the velocity of the centre of mass along the normal", "start", "velocity", ALONG_THE_GROUND),
+    ("the velocity of the centre of mass", "start", "velocity", ""),
+    (
+        "the slip at the start",
+        "start",
+        "velocity",
+        "leave velocity out with law = \"rolling\", or write law = \"friction\" for what slips",
+    ),
+    ("the least principal moment about the centre of mass", "body", "part", "give the body a thickness"),
+    (
+        "the distance of the centre of mass from that of the surface",
+        "contact",
+        "surface",
+        "its position is that of its centre, in body axes",
+    ),
+    ("the radius of the ground", "contact", "ground", ""),
+    (
+        "the tilt of the disk",
+        "start",
+        "attitude",
+        "tilt it: attitude = { axis = [1, 0, 0], angle = \"80 deg\" }",
+    ),
+    ("the angular velocity of a cylinder across its axis", "start", "spin", ""),
+    (
+        "the tilt of a cylinder that lies",
+        "start",
+        "attitude",
+        "the z axis of the surface is the cylinder's: attitude = { axis = [1, 0, 0], angle = \"90 deg\" } lays it along y",
+    ),
+    ("the angle between two cylinders that touch", "start", "attitude", ""),
+    ("the ground of a cylinder that lies", "contact", "ground", ""),
+    (
+        "the products of inertia with the axis of a cylinder",
+        "contact",
+        "surface",
+        "rotate the surface onto a principal axis",
+    ),
+    (
+        "the rate of the ground below a cylinder that lies",
+        "contact",
+        "ground",
+        "a sphere may lie on ground that turns",
+    ),
+    ("the lever of pivoting friction", "contact", "pivoting_friction", ""),
+];
+
+const ALONG_THE_GROUND: &str =
+    "what it is along the normal follows from the spin: give the velocity along the ground";
+
+impl OnGround<'_> {
+    /// An error of the core at the key that it is about.
+    pub fn refused(&self, error: MotionError, events: &[Event]) -> FormatError {
+        let parameter = match &error {
+            MotionError::ParameterOutOfRange { parameter, .. }
+            | MotionError::NonFiniteParameter { parameter, .. }
+            | MotionError::NoDirection { parameter, .. } => *parameter,
+            MotionError::Exclusive { parts: ["contact", "event"], .. } => {
+                return self.event(events).unwrap_or(self.value).motion(error);
+            }
+            _ => return self.value.motion(error),
+        };
+        if parameter == "the rate of rolling" {
+            let value = self.table.get("rolling_friction").unwrap_or(self.value);
+            return value
+                .motion(error)
+                .with_hint("give the body a spin with which it rolls, or leave it out");
+        }
+        let Some((_, table, key, hint)) = PLACES.iter().find(|(name, ..)| *name == parameter) else {
+            return self.value.motion(error);
+        };
+        let placed = self.at(table, key).unwrap_or(self.value).motion(error);
+        if *hint == ALONG_THE_GROUND
+            && let Some([x, y, z]) = self.along_the_ground()
+        {
+            return placed.with_hint(format!("{hint}, velocity = [{x:?}, {y:?}, {z:?}]"));
+        }
+        if hint.is_empty() { placed } else { placed.with_hint(*hint) }
+    }
+
+    /// The part of the given velocity along the ground, m/s, space axes: v − (v · n) n.
+    fn along_the_ground(&self) -> Option<[f64; 3]> {
+        let StartVelocity::Along(velocity) = self.ground.velocity else { return None };
+        let normal = self.ground.contact.ground.normal_at(self.ground.at)?;
+        let (v, n, across) = (velocity.to_array(), normal.to_array(), velocity.dot(normal));
+        // Rounding of the difference is zero.
+        let rounding = 4.0 * f64::EPSILON * velocity.norm();
+        Some([0, 1, 2].map(|k| v[k] - across * n[k]).map(|x| if x.abs() <= rounding { 0.0 } else { x }))
+    }
+
+    /// The value of a key of a table of the file; the table, where it has no such key.
+    fn at(&self, table: &'static str, key: &'static str) -> Option<Value<'_>> {
+        let value = self.root.get(table)?;
+        let inside = value.table().ok().and_then(|table: Table<'_>| table.get(key));
+        Some(inside.unwrap_or(value))
+    }
+
+    /// The first event that a body on the ground cannot have.
+    fn event(&self, events: &[Event]) -> Option<Value<'_>> {
+        let k = events.iter().position(|event| matches!(event.measure(), Measure::TotalEnergy))?;
+        let event = self.root.get("event")?.elements("events").ok()?.get(k).copied()?;
+        let measure = event.table().ok().and_then(|table| table.get("measure"));
+        Some(measure.unwrap_or(event))
+    }
+}

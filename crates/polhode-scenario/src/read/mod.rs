@@ -1,0 +1,357 @@
+//! Scenario files: one body and one motion, as TOML.
+//!
+//! ```toml
+//! title = "T-handle in free fall"
+//!
+//! [[body.part]]                       # box, sphere, cylinder, …, mesh, particles, tensor
+//! shape = "cylinder"
+//! radius = "4 mm"
+//! length = "40 mm"
+//! material = "aluminium"              # or density = "2700 kg/m^3", or mass = "12 g"
+//! position = ["0 mm", "0 mm", "20 mm"]
+//! rotate = { axis = [0, 1, 0], angle = "90 deg" }
+//!
+//! [start]
+//! spin = { body = ["0.01 rad/s", "0 rad/s", "12 rad/s"] }     # or space = …, or momentum = …
+//!
+//! [run]
+//! duration = "20 s"
+//! samples = 2001                      # or every = "10 ms"
+//! ```
+//!
+//! A quantity is a string with its unit, or a number in SI. Whatever is unknown, impossible or ambiguous is an
+//! error that points at its place; nothing is ignored.
+
+mod actions;
+mod body;
+mod completion;
+mod contact;
+mod draft;
+mod event;
+mod formula;
+mod gimbals;
+mod key;
+mod known_mesh;
+pub mod mass_history;
+mod mass_table;
+mod molecule;
+mod motion_table;
+mod number;
+mod orbit;
+pub mod part;
+mod pendulum;
+mod placement;
+mod pointing;
+mod prescribed;
+mod rows;
+mod run;
+mod shaft;
+pub mod shape;
+mod start;
+mod substance;
+mod sweep;
+mod target;
+mod template;
+mod tensor;
+mod torque;
+mod wheel;
+
+use std::path::{Path, PathBuf};
+
+use polhode::motion::{ActingTorque, MotionError, Rotor, Scenario};
+use polhode_shape::mesh::stl;
+use polhode_source::Confinement;
+use polhode_source::file;
+use polhode_source::toml::reader::Table;
+use polhode_source::toml::source::Source;
+use polhode_source::toml::tree::Entries;
+use polhode_source::{FormatError, FormatErrorKind, Place};
+
+use mass_history::PartHistory;
+use pointing::References;
+use torque::TorquePlaces;
+
+pub use actions::Actions;
+pub use completion::{Completion, Suggested};
+pub use draft::Draft;
+pub use number::WrittenNumber;
+pub use run::TableFormat;
+pub use sweep::{Dispersion, Distribution, Law, Question, SOBOL_DIMENSIONS, Sampling, Spread, Sweep, Vary};
+pub use target::{Target, TargetColumn};
+pub use template::Template;
+
+/// The keys of the file itself.
+pub const TOP: [&str; 16] = [
+    "title",
+    "body",
+    "orbit",
+    "start",
+    "torque",
+    "wheel",
+    "mass_history",
+    "event",
+    "pointing",
+    "prescribed",
+    "shaft",
+    "pendulum",
+    "contact",
+    "gimbals",
+    "run",
+    "sweep",
+];
+
+/// A scenario and the file that states it, in which errors of its motion have their places.
+///
+/// ```
+/// use polhode_scenario::read::ScenarioFile;
+/// let text = r#"
+/// [[body.part]]
+/// shape = "sphere"
+/// radius = "20 mm"
+/// mass = "0.5 kg"
+/// [[torque]]
+/// model = "formula"
+/// axes = "body"
+/// torque = ["0", "1[N m]/t*1[s]", "0"]
+/// [run]
+/// duration = "1 s"
+/// samples = 2
+/// "#;
+/// let file = ScenarioFile::parse(text.to_owned(), "ball.toml".as_ref())?;
+/// let error = file.scenario.simulate().and_then(Result::err).ok_or("it is finite")?;
+/// let placed = file.placed(&error).ok_or("it has no place")?;
+/// assert_eq!(placed.to_string(), "ball.toml:9:16: torque 1 is not finite at the start: (0, inf, 0) N·m in body axes");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct ScenarioFile {
+    /// What the file states.
+    pub scenario: Scenario,
+    /// The text of the file.
+    pub text: String,
+    /// The formats of the table that `[run]` asks for; none where it says nothing.
+    pub tables: Vec<TableFormat>,
+    /// Where it is.
+    pub path: PathBuf,
+    torques: Vec<TorquePlaces>,
+}
+
+impl ScenarioFile {
+    /// Reads a scenario file; the files that it names are found relative to it.
+    ///
+    /// # Errors
+    /// As [`read`].
+    pub fn read(path: &Path) -> Result<Self, FormatError> {
+        Self::parse(text_of(path)?, path)
+    }
+
+    /// Reads a scenario that a data file names: its own files have to lie in these folders.
+    ///
+    /// # Errors
+    /// As [`read`], and of a file elsewhere.
+    pub fn read_within(path: &Path, folders: &Confinement) -> Result<Self, FormatError> {
+        let text = text_of(path)?;
+        let source = Source { within: Some(folders), headings: &TOP, ..Source::new(path, &text) };
+        let (scenario, tables, torques) = file_of_root(source, &document(source)?)?;
+        Ok(Self { scenario, tables, torques, path: path.to_owned(), text })
+    }
+
+    /// Reads a scenario from its text; `path` is for messages, and for the files that the scenario names.
+    ///
+    /// # Errors
+    /// As [`read`].
+    pub fn parse(text: String, path: &Path) -> Result<Self, FormatError> {
+        let source = Source { headings: &TOP, ..Source::new(path, &text) };
+        let (scenario, tables, torques) = file_of_root(source, &document(source)?)?;
+        Ok(Self { scenario, tables, torques, path: path.to_owned(), text })
+    }
+
+    /// An error of the scenario's motion at its place in the file, if it is about one of the torques.
+    pub fn placed(&self, error: &MotionError) -> Option<FormatError> {
+        let (torque, value) = match *error {
+            MotionError::TorqueNotFinite { torque, value } => (torque, value),
+            MotionError::NotSmooth { torque, .. }
+            | MotionError::TooManyPulses { torque: Some(torque), .. } => (torque, [0.0; 3]),
+            _ => return None,
+        };
+        let places = self.torques.get(torque)?;
+        let is_of_pulses = matches!(error, MotionError::TooManyPulses { .. });
+        let pulses = places.pulses.as_ref().filter(|_| is_of_pulses);
+        // The component that is NaN, along the axes of the formulas themselves.
+        let wrong = value.iter().position(|c| !c.is_finite());
+        let component = wrong.and_then(|k| places.along_body.get(k));
+        let span = pulses.or(component).or(places.formulas.as_ref()).unwrap_or(&places.model).clone();
+        let kind = FormatErrorKind::Motion(error.clone());
+        Some(FormatError::new(&self.path, Some(Place::in_text(&self.text, span)), kind))
+    }
+}
+
+/// Reads a scenario file; the files that it names are found relative to it.
+///
+/// # Errors
+/// [`FormatError`] if it, or a file that it names, cannot be read or describes no body or no motion.
+pub fn read(path: &Path) -> Result<Scenario, FormatError> {
+    ScenarioFile::read(path).map(|file| file.scenario)
+}
+
+/// Reads the text of a scenario file, of up to 64 MiB.
+///
+/// # Errors
+/// [`FormatError`] if the file cannot be read, is larger, or is not UTF-8.
+pub fn text_of(path: &Path) -> Result<String, FormatError> {
+    polhode_source::toml::text_of(path).map_err(|error| match error.kind() {
+        FormatErrorKind::Io { .. } | FormatErrorKind::Utf16 => error,
+        _ => perhaps_mesh(
+            error,
+            &file::bytes(path, "", polhode_source::toml::LARGEST_FILE).unwrap_or_default(),
+        ),
+    })
+}
+
+/// An error about bytes that are no scenario, with the advice for those of a mesh.
+fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
+    let named = error.path().extension().is_some_and(|extension| extension.eq_ignore_ascii_case("stl"));
+    let head = bytes.trim_ascii_start().get(..6).unwrap_or_default();
+    if named || head.eq_ignore_ascii_case(b"solid ") || stl::read(bytes).is_ok() {
+        return error.with_hint("a mesh is no scenario: polhode inertia reads it if its name ends in .stl");
+    }
+    error
+}
+
+/// Reads a scenario from its text; `path` is for messages, and for the files that the scenario names.
+///
+/// Of a plan, which has a `[sweep]`, it is the scenario as it is written, and a finding says so.
+///
+/// ```
+/// use polhode_scenario::read;
+/// let text = r#"
+/// [[body.part]]
+/// shape = "sphere"
+/// radius = "20 mm"
+/// mass = "0.5 kg"
+/// "#;
+/// let scenario = scenario::parse(text, "ball.toml".as_ref())?;
+/// assert!((scenario.body().inertia().matrix()[0][0] - 0.4 * 0.5 * 0.02 * 0.02).abs() < 1e-19);
+///
+/// let error = scenario::parse(&text.replace("20 mm", "20 kg"), "ball.toml".as_ref()).unwrap_err();
+/// assert_eq!(error.to_string(), "ball.toml:4:10: \"kg\" is a mass where a length belongs");
+/// # Ok::<(), polhode_source::FormatError>(())
+/// ```
+///
+/// # Errors
+/// As [`read`].
+pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
+    ScenarioFile::parse(text.to_owned(), path).map(|file| file.scenario)
+}
+
+/// The tree of a file.
+fn document(source: Source<'_>) -> Result<Entries, FormatError> {
+    polhode_source::toml::document(source).map_err(|error| match error.kind() {
+        FormatErrorKind::Toml { .. } => perhaps_mesh(error, source.text.as_bytes()),
+        _ => error,
+    })
+}
+
+/// What a file states whose tables are `entries`; of a plan, the scenario as it is written.
+fn file_of_root(
+    source: Source<'_>,
+    entries: &Entries,
+) -> Result<(Scenario, Vec<TableFormat>, Vec<TorquePlaces>), FormatError> {
+    let (mut scenario, torques) = read_root(source, entries)?;
+    if entries.contains_key("sweep") {
+        let members = sweep::sweep(source, entries, &scenario)?.members;
+        scenario = scenario.noting([sweep::nominal(members)]);
+    }
+    Ok((scenario, run::tables(&Table::root(source, entries))?, torques))
+}
+
+/// The scenario of a file whose tables are `entries`, and where it has its torques.
+fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<TorquePlaces>), FormatError> {
+    let root = Table::root(source, entries);
+    root.allow(&TOP)?;
+    for (a, b, why) in Scenario::EXCLUSIVE {
+        root.at_most_one(&[a, b], why)?;
+    }
+
+    root.at_most_one(&["mass_history", "sweep"], "the members of a sweep are bodies that stay as they are")?;
+    root.at_most_one(
+        &["contact", "sweep"],
+        "what becomes of a body on the ground is no column of a dataset",
+    )?;
+    root.at_most_one(&["gimbals", "sweep"], "what becomes of a rotor in gimbals is no column of a dataset")?;
+    root.at_most_one(
+        &["gimbals", "start"],
+        "the angles and rates of the axes say how a rotor in gimbals starts",
+    )?;
+
+    let mut findings = Vec::new();
+    let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
+    let body::Assembly { parts, mut body, mut pivot } = body::body(&root, &mut findings)?;
+    let history = mass_history::read(&root, &parts, &body)?;
+    if let Some(PartHistory { history, value, .. }) = &history {
+        body = history.at(0.0).map_err(|error| value.motion(error))?.0;
+    }
+    let shared = orbit::read(&root)?;
+    let orbit = shared.as_ref().map(|shared| &shared.orbit);
+    let run = run::run(&root, orbit)?;
+    run::tables(&root)?;
+    let end = run.as_ref().and_then(|run| run.times.last().copied());
+    findings.extend(history.iter().flat_map(|history| history.idle(end.unwrap_or(f64::INFINITY))));
+    let torques = torque::torques(&root, &parts, orbit, end, &mut pivot)?;
+    let references = References { orbit, field: torques.field() };
+    let events = event::events(&root, &torques, &references)?;
+    let pointings = pointing::pointings(&root, &references)?;
+    let point = pivot.map(|pivot| pivot.point);
+    let rotor = point.map_or_else(|| Rotor::free(&body), |point| Rotor::pivoted(&body, point));
+    findings.extend(match point {
+        None => body::thinness(rotor.principal()),
+        Some(_) => body::thinness(&body.principal()),
+    });
+    let wheels = wheel::wheels(&root)?;
+    let start = start::start(&root, &wheel::locked(&rotor, &wheels)?, orbit)?;
+    let ground = contact::contact(&root, start.velocity)?;
+    let prescribed = prescribed::prescribed(&root, &start, run.as_ref(), &mut findings)?;
+    let named = torques.names.into_iter().enumerate();
+    let acting = torques.models.into_iter().zip(named).map(|(model, (k, name))| {
+        let is_on = !torques.switched_off.contains(&k);
+        ActingTorque { model, name, is_on }
+    });
+    let wheel_names = wheels.iter().map(|wheel| wheel.name.clone()).collect();
+    let wheels = wheel::turning(&rotor, &wheels, start.state.omega)?;
+    // What can be wrong has been found above, at its place.
+    let whole = |error: MotionError| root.error(FormatErrorKind::Motion(error));
+    let mut scenario = Scenario::new(body).made_of(parts).starting(start.state).map_err(whole)?;
+    if let Some(title) = title {
+        scenario = scenario.titled(title);
+    }
+    if let Some(point) = point {
+        scenario = scenario.held_at(point).map_err(whole)?;
+    } else if let Some(velocity) = start.velocity {
+        scenario = scenario.moving(velocity).map_err(whole)?;
+    }
+    if let Some(orbit) = orbit {
+        scenario = scenario.in_orbit(orbit.clone()).map_err(whole)?;
+    }
+    scenario =
+        scenario.pointing(pointings).with_wheels(&wheels).and_then(|s| s.under(acting)).map_err(whole)?;
+    scenario = scenario.naming_wheels(wheel_names).watching(events).map_err(whole)?;
+    if let Some(PartHistory { history, value, .. }) = history {
+        scenario = scenario.changing(history).map_err(|error| value.motion(error))?;
+    }
+    if let Some(motion) = prescribed {
+        scenario = scenario.prescribed_as(motion).map_err(whole)?;
+    }
+    if let Some(run) = run {
+        scenario = scenario.sampled(run);
+    }
+    if let Some(ground) = ground {
+        scenario = ground.under(scenario, pivot.as_ref().map(|pivot| pivot.value))?;
+    }
+    scenario = gimbals::gimbals(&root, scenario, pivot.as_ref().map(|pivot| pivot.value))?;
+    scenario = shaft::shaft(&root, &start, scenario)?;
+    scenario = pendulum::pendulum(&root, scenario.noting(findings))?;
+    let noticed = scenario.check();
+    let scenario = scenario.noting(noticed).noting(shared.and_then(|shared| shared.underground()));
+    Ok((scenario, torques.places))
+}

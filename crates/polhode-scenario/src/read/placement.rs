@@ -1,0 +1,38 @@
+//! Where a part of the body is, and how it is turned.
+
+use polhode::body::{Form, MassProperties, PlacedForm, PlacedPart};
+use polhode::math::{Body, Part, Position, Rotation};
+use polhode_source::toml::reader::Table;
+use polhode_source::toml::rotation;
+use polhode_source::unit::Dimension;
+use polhode_source::{FormatError, FormatErrorKind};
+
+/// Where a part is and how it is turned.
+pub struct Placement {
+    pub position: Position<Body>,
+    pub rotation: Rotation<Body, Part>,
+}
+
+impl Placement {
+    pub fn read(table: &Table<'_>) -> Result<Self, FormatError> {
+        let position = match table.get("position") {
+            Some(position) => Position::from_array(position.quantities(Dimension::LENGTH)?),
+            None => Position::ZERO,
+        };
+        let rotation = table.get("rotate").map_or(Ok(Rotation::identity()), |value| rotation(&value))?;
+        Ok(Self { position, rotation })
+    }
+
+    pub fn place(
+        &self,
+        table: &Table<'_>,
+        part: MassProperties<Part>,
+    ) -> Result<MassProperties<Body>, FormatError> {
+        let placed = PlacedPart::new(part, self.position, self.rotation);
+        placed.map(|part| part.in_body()).map_err(|e| table.error(FormatErrorKind::Body(e)))
+    }
+
+    pub const fn form(&self, form: Form) -> PlacedForm {
+        PlacedForm { form, position: self.position, rotation: self.rotation }
+    }
+}

@@ -1,0 +1,158 @@
+//! The `[run]`: for how long, at which times, and how.
+
+use polhode::motion::{LOOSEST_TOLERANCE, Method, Orbit, Run, SplittingOrder, TIGHTEST_TOLERANCE};
+use polhode_source::times;
+use polhode_source::toml::reader::{Table, Value};
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
+use polhode_source::{FormatError, FormatErrorKind};
+
+/// Samples of a run that says neither `samples` nor `every`.
+const SAMPLES: usize = 1001;
+
+/// Tolerance of a run that says none.
+const TOLERANCE: f64 = 1e-13;
+
+/// Reads `[run]`; `None` without one.
+pub fn run(root: &Table<'_>, orbit: Option<&Orbit>) -> Result<Option<Run>, FormatError> {
+    let Some(value) = root.get("run") else { return Ok(None) };
+    let table = value.table()?;
+    table.allow(&["duration", "samples", "every", "method", "tolerance", "order", "step", "table"])?;
+    if (root.get("prescribed").is_some() || root.get("shaft").is_some())
+        && let Some(value) = ["method", "tolerance", "order", "step"].iter().find_map(|key| table.get(key))
+    {
+        let hint = "a prescribed motion is given, not computed: nothing depends on it";
+        return Err(value.invalid("left out").with_hint(hint));
+    }
+    let duration = time(&table.require("duration", "duration = \"20 s\"")?, orbit)?;
+    let given = table.at_most_one(&["samples", "every"], "each of them alone says when to sample")?;
+    let method = method(&table)?;
+    let tolerance = table.get("tolerance").map_or(Ok(TOLERANCE), |value| tolerance(&value))?;
+    Ok(Some(match given {
+        None => Run::evenly(duration, SAMPLES, method, tolerance),
+        Some(value) if value.key() == "samples" => Run::evenly(duration, samples(&value)?, method, tolerance),
+        Some(value) => Run { times: sampled_every(duration, &value, orbit)?, method, tolerance },
+    }))
+}
+
+/// A format of the table of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum TableFormat {
+    /// Apache Parquet.
+    Parquet,
+    /// Comma-separated text.
+    Csv,
+}
+
+/// The formats that `[run]` asks for: `table = "csv"`, or `["csv", "parquet"]`; none where it says nothing.
+pub fn tables(root: &Table<'_>) -> Result<Vec<TableFormat>, FormatError> {
+    let value = root.get("run").map(|run| run.table()).transpose()?.and_then(|table| table.get("table"));
+    let Some(value) = value else { return Ok(Vec::new()) };
+    let format = |value: &Value<'_>| {
+        value.choice(&["parquet", "csv"]).map(|name| match name {
+            "csv" => TableFormat::Csv,
+            _ => TableFormat::Parquet,
+        })
+    };
+    match value.is_array() {
+        false => Ok(vec![format(&value)?]),
+        true => value.elements("formats, \"csv\" or \"parquet\"")?.iter().map(format).collect(),
+    }
+}
+
+/// A time above zero, s, or so many `"orbits"`.
+fn time(value: &Value<'_>, orbit: Option<&Orbit>) -> Result<f64, FormatError> {
+    let text = value.string().unwrap_or_default().trim_end();
+    let Some(number) = text.strip_suffix("orbits").or_else(|| text.strip_suffix("orbit")) else {
+        return value.positive(Dimension::TIME);
+    };
+    let Some(orbit) = orbit else {
+        let hint = "write [orbit] on a line of its own, and under it altitude = \"500 km\"";
+        return Err(value.invalid("a time, since there is no [orbit]").with_hint(hint));
+    };
+    let Some(period) = orbit.period() else {
+        let rule = "a time: a parabola or a hyperbola is not run through twice";
+        return Err(value.invalid(rule).with_hint("write duration = \"3 h\""));
+    };
+    let count = unit::parse(number, Dimension::NONE);
+    let count = count.map_err(|error| value.error(FormatErrorKind::Unit(error)))?;
+    match count * period {
+        time if time > 0.0 && time.is_finite() => Ok(time),
+        _ => Err(value.invalid("positive").with_hint("time runs forward from 0")),
+    }
+}
+
+fn samples(value: &Value<'_>) -> Result<usize, FormatError> {
+    match value.count()? {
+        count @ 2..=times::MOST => Ok(count as usize),
+        0 | 1 => {
+            Err(value.invalid("at least 2").with_hint("the first sample is the start, the last one the end"))
+        }
+        _ => Err(too_many(value)),
+    }
+}
+
+/// 0, every, 2 every, … and the end.
+fn sampled_every(duration: f64, value: &Value<'_>, orbit: Option<&Orbit>) -> Result<Vec<f64>, FormatError> {
+    let every = time(value, orbit)?;
+    if every > duration {
+        let rule = format!("at most the duration, {duration} s");
+        return Err(value
+            .invalid(rule)
+            .with_hint("give a shorter interval, or samples = 2 for start and end"));
+    }
+    times::every(every, duration).ok_or_else(|| too_many(value))
+}
+
+fn too_many(value: &Value<'_>) -> FormatError {
+    let rule = format!("such that there are at most {} samples", times::MOST);
+    value.invalid(rule).with_hint("all samples are held in memory: sample less often, or run in pieces")
+}
+
+/// The method with what it alone needs: steps of a given length have no tolerance, and only they an order.
+fn method(table: &Table<'_>) -> Result<Method, FormatError> {
+    let named =
+        table.get("method").map(|value| value.choice(&["auto", "exact", "taylor", "dop853", "splitting"]));
+    let name = named.transpose()?.unwrap_or("auto");
+    if name == "splitting" {
+        if let Some(value) = table.get("tolerance") {
+            let hint = "splitting has steps of one length: step = \"10 ms\" says how long";
+            return Err(value.invalid("left out of a run by splitting").with_hint(hint));
+        }
+        let order = table.get("order").map_or(Ok(SplittingOrder::default()), |value| order(&value))?;
+        let step = table.require("step", "step = \"10 ms\"")?.positive(Dimension::TIME)?;
+        return Ok(Method::Splitting { order, step });
+    }
+    if let Some(value) = table.get("order").or_else(|| table.get("step")) {
+        let hint = "other methods choose their steps by the tolerance: write method = \"splitting\" with it";
+        return Err(value.invalid("left out without method = \"splitting\"").with_hint(hint));
+    }
+    Ok(match name {
+        "exact" => Method::Exact,
+        "taylor" => Method::Taylor,
+        "dop853" => Method::Dop853,
+        _ => Method::Auto,
+    })
+}
+
+fn order(value: &Value<'_>) -> Result<SplittingOrder, FormatError> {
+    let number = value.count()?;
+    let order = SplittingOrder::ALL.into_iter().find(|order| u64::from(order.number()) == number);
+    order.ok_or_else(|| {
+        value
+            .invalid("2, 4 or 6")
+            .with_hint("halving the step divides the error by 2 to this power; 4 is the default")
+    })
+}
+
+fn tolerance(value: &Value<'_>) -> Result<f64, FormatError> {
+    let tolerance = value.number()?;
+    if (TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&tolerance) {
+        return Ok(tolerance);
+    }
+    let rule = format!("from {TIGHTEST_TOLERANCE:e} to {LOOSEST_TOLERANCE:e}");
+    Err(value
+        .invalid(rule)
+        .with_hint(format!("it bounds the error of a step, in rad; {TOLERANCE:e} is the default")))
+}

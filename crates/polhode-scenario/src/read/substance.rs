@@ -1,0 +1,111 @@
+//! What a part is made of: a density, a mass, or a material by name.
+
+use polhode::body::Material;
+use polhode::body::shape::{Extent, Substance};
+use polhode_shape::material;
+use polhode_shape::material::UnknownMaterial;
+use polhode_source::toml::reader::{Table, Value};
+use polhode_source::unit::{Dimension, UnitError};
+use polhode_source::{FormatError, FormatErrorKind};
+
+use super::formula::{self, Formula};
+
+/// Keys of every part that has a shape; a thin surface has its `thickness` too.
+pub const KEYS: [&str; 4] = ["density", "mass", "material", "density_tolerance"];
+
+/// What a part is made of.
+pub enum Matter {
+    /// Of the same everywhere.
+    Uniform(Substance),
+    /// Of a density that is a formula of the place.
+    Varying(Formula),
+}
+
+const THIN_ROD: &str = "give density = \"0.3 kg/m\" or mass = \"12 g\", or make it a cylinder";
+
+/// What a part of that extent is made of, and the value that says it.
+pub fn matter<'a>(table: &Table<'a>, extent: Extent) -> Result<(Matter, Value<'a>), FormatError> {
+    let density = table.get("density");
+    if let Some((given, formula)) = density.and_then(|given| Some((given, formula::text(&given)?))) {
+        table.at_most_one(&KINDS, ALONE)?;
+        let formula = Formula::read(table, &given, formula, extent)?;
+        return Ok((Matter::Varying(formula), given));
+    }
+    if let Some(tolerance) = table.get("density_tolerance") {
+        return Err(tolerance
+            .invalid("left out where the density is no formula")
+            .with_hint("write density = \"2700*(1 + 0.1*x)\", or leave out density_tolerance"));
+    }
+    let (substance, given) = substance(table, extent)?;
+    Ok((Matter::Uniform(substance), given))
+}
+
+const KINDS: [&str; 3] = ["density", "mass", "material"];
+
+const ALONE: &str = "each of them alone says how heavy the part is";
+
+/// The substance of a part of that extent, and the value that says it.
+///
+/// Of a thin part, density is per area, or per volume if a `thickness` goes with it; a material needs one.
+fn substance<'a>(table: &Table<'a>, extent: Extent) -> Result<(Substance, Value<'a>), FormatError> {
+    let given = table.at_most_one(&KINDS, ALONE)?;
+    let Some(given) = given else {
+        return Err(table.missing(
+            "density",
+            "density = \"2700 kg/m^3\", or mass = \"12 g\", or material = \"aluminium\"",
+        ));
+    };
+    let thickness = table.get("thickness");
+    if given.key() == "mass" {
+        table.at_most_one(&["mass", "thickness"], "the mass alone says how heavy the part is")?;
+    }
+    let thickness = thickness.map(|t| t.positive(Dimension::LENGTH)).transpose()?;
+    let substance = match (given.key(), extent, thickness) {
+        ("mass", ..) => Substance::Mass(given.positive(Dimension::MASS)?),
+        ("density", Extent::Volume(_), _) => Substance::Density(given.positive(Dimension::DENSITY)?),
+        ("density", Extent::Length(_), _) => {
+            Substance::LineDensity(density(&given, Dimension::LINE_DENSITY, THIN_ROD)?)
+        }
+        ("density", Extent::Area(_), None) => {
+            let hint =
+                "a thin part has a density per area: add its thickness = \"2 mm\", and it may be per volume";
+            Substance::AreaDensity(density(&given, Dimension::AREA_DENSITY, hint)?)
+        }
+        ("density", Extent::Area(_), Some(t)) => {
+            let hint =
+                "with a thickness, the density is per volume: leave out the thickness, and it is per area";
+            Substance::AreaDensity(density(&given, Dimension::DENSITY, hint)? * t)
+        }
+        (_, Extent::Volume(_), _) => Substance::Density(material(&given)?.density),
+        (_, Extent::Area(_), Some(t)) => Substance::AreaDensity(material(&given)?.density * t),
+        (_, Extent::Area(_), None) => {
+            material(&given)?;
+            return Err(
+                table.missing("thickness", "thickness = \"2 mm\": a material has a density per volume")
+            );
+        }
+        (_, Extent::Length(_), _) => {
+            material(&given)?;
+            return Err(given.invalid("left out for a rod, which has no cross-section").with_hint(THIN_ROD));
+        }
+    };
+    Ok((substance, given))
+}
+
+/// A density in that dimension; in the dimension of another kind of part it is refused with that hint.
+fn density(value: &Value<'_>, dimension: Dimension, hint: &str) -> Result<f64, FormatError> {
+    value.positive(dimension).map_err(|error| match error.kind() {
+        FormatErrorKind::Unit(UnitError::WrongDimension {
+            found: Dimension::DENSITY | Dimension::AREA_DENSITY | Dimension::LINE_DENSITY,
+            ..
+        }) => error.with_hint(hint),
+        _ => error,
+    })
+}
+
+fn material(value: &Value<'_>) -> Result<Material, FormatError> {
+    material::named(value.string()?).map_err(|unknown| {
+        let hint = unknown.hint_or("give density = \"2700 kg/m^3\" for a material without a name");
+        value.invalid(format!("a known material: {}", UnknownMaterial::known())).with_hint(hint)
+    })
+}

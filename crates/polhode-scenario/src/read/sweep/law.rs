@@ -1,0 +1,268 @@
+//! The law of a `[[sweep.vary]]`: a distribution of a number, of a direction, of a rotation, of mass properties, of what is drawn together.
+
+use polhode::infer::correlated::Correlated;
+use polhode_source::FormatError;
+use polhode_source::toml::reader::{Table, Value};
+use polhode_source::unit::Dimension;
+
+use super::Sampling;
+use super::correlated::Numbers;
+use super::distribution::{Distribution, FORMS, distribution};
+use crate::read::target::{Catalogue, Target};
+
+/// How something varies.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Law {
+    /// A number.
+    Number(Distribution),
+    /// A vector: its direction, and its length, which is as it was if `None`.
+    Vector {
+        /// Of the direction.
+        direction: Spread,
+        /// Of the length; as it is written if `None`.
+        magnitude: Option<Distribution>,
+    },
+    /// A rotation.
+    Rotation(Spread),
+    /// Mass properties.
+    MassProperties(Dispersion),
+    /// Several numbers, or mass properties, by their covariance.
+    Correlated(Correlated),
+}
+
+impl Law {
+    /// How many values it lists.
+    pub const fn listed(&self) -> usize {
+        match self {
+            Self::Number(Distribution::List(list))
+            | Self::Vector { magnitude: Some(Distribution::List(list)), .. } => list.len(),
+            _ => 0,
+        }
+    }
+
+    /// How many independent numbers it draws; `columns` of values come of them.
+    pub const fn coordinates(&self, columns: usize) -> usize {
+        match self {
+            Self::Number(_) => 1,
+            Self::Vector { magnitude: None, .. } => 2,
+            Self::Vector { .. } | Self::Rotation(_) => 3,
+            // a matrix of three rows and columns; the same with a row and a column more; mass, place and matrix
+            Self::MassProperties(Dispersion::Together(_)) if columns == 6 => 9,
+            Self::MassProperties(Dispersion::Together(_)) => 16,
+            Self::MassProperties(Dispersion::Apart { .. }) => 13,
+            Self::Correlated(law) => law.variables(),
+        }
+    }
+}
+
+/// How directions or rotations are spread.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Spread {
+    /// All alike.
+    Uniform,
+    /// Directions: all alike within so many rad of the one written.
+    Within(f64),
+    /// Rotations: the one written, turned by a vector whose components along the axes of its second frame are normal with this
+    /// standard deviation, rad.
+    Normal(f64),
+}
+
+/// How mass properties are dispersed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Dispersion {
+    /// All second moments together, each with this relative standard deviation: of a tensor its three, of a body or a part also
+    /// its mass and its centre of mass.
+    Together(f64),
+    /// Mass, centre of mass and tensor, each for itself: relative, m, relative. Zero is not at all.
+    Apart {
+        /// Relative standard deviation of the mass.
+        mass: f64,
+        /// Standard deviation of each coordinate of the centre of mass, m.
+        center_of_mass: f64,
+        /// Relative standard deviation of the tensor's second moments.
+        inertia: f64,
+    },
+}
+
+/// The key that says what is dispersed beside those of numbers.
+const OTHERS: [&str; 4] = ["random", "direction", "dispersion", CORRELATED];
+
+/// The one that is of several keys, or of mass properties.
+const CORRELATED: &str = "correlated";
+
+/// A greater dispersion no longer means what it says.
+const MOST_DISPERSION: f64 = 0.5;
+
+/// The law of a table, and what varies by it.
+pub fn law(
+    table: &Table<'_>,
+    key: &Value<'_>,
+    catalogue: &Catalogue<'_>,
+    sampling: Sampling,
+) -> Result<(Target, Law), FormatError> {
+    let forms = [&FORMS[..], &OTHERS[..]].concat();
+    table.allow(&[&["key", "magnitude"], &forms[..]].concat())?;
+    let Some(form) = table.at_most_one(&forms, "a number varies in one way")? else {
+        return Err(
+            table.missing("normal", "normal = { mean = 3, sd = 0.1 }, or uniform = { from = 0, to = 1 }")
+        );
+    };
+    if form.key() != "direction" {
+        table.at_most_one(&[form.key(), "magnitude"], "only a direction goes with a magnitude")?;
+    }
+    if sampling == Sampling::Grid && !["list", "grid"].contains(&form.key()) {
+        let error = form.invalid("list or grid: a grid has no distributions");
+        return Err(error.with_hint("write grid = { from = 0, to = 1, count = 11 }, or another sampling"));
+    }
+    let keys = keys(key)?;
+    if form.key() == CORRELATED {
+        let (target, numbers) = together(key, &keys, catalogue)?;
+        let law = numbers.law(&form)?;
+        return Ok((target, Law::Correlated(law)));
+    }
+    let [key, others @ ..] = keys.as_slice() else { return Err(key.invalid("the key of a number")) };
+    if let Some(other) = others.first().filter(|_| OTHERS.contains(&form.key())) {
+        let error = other.invalid(format!("one key: what has {} is no number", form.key()));
+        return Err(error.with_hint("give each [[sweep.vary]] its own key"));
+    }
+    Ok(match form.key() {
+        "random" => (catalogue.rotation(key)?, Law::Rotation(rotation(&form)?)),
+        "direction" => {
+            let target = catalogue.vector(key)?;
+            let direction = direction(&form)?;
+            let magnitude = table.get("magnitude").map(|value| magnitude(&value, &target)).transpose()?;
+            let is_zero = target.nominal().iter().all(|value| *value == 0.0);
+            if is_zero && (magnitude.is_none() || direction != Spread::Uniform) {
+                let error =
+                    form.invalid("\"uniform\", with a magnitude, since the vector is written as zero");
+                return Err(error.with_hint("magnitude = { uniform = { from = 0, to = 1 } }"));
+            }
+            (target, Law::Vector { direction, magnitude })
+        }
+        "dispersion" => {
+            let target = catalogue.mass_properties(key)?;
+            let dispersion = dispersion(&form, &target)?;
+            (target, Law::MassProperties(dispersion))
+        }
+        _ => {
+            let mut target = catalogue.number(key)?;
+            for other in others {
+                target = target.joined(catalogue.number(other)?, other)?;
+            }
+            let nominal = target.nominal().first().copied().unwrap_or_default();
+            let law = distribution(&form, target.dimension(), nominal)?;
+            (target, Law::Number(law))
+        }
+    })
+}
+
+/// What is drawn together: mass properties by one key, or several numbers.
+fn together(
+    key: &Value<'_>,
+    keys: &[Value<'_>],
+    catalogue: &Catalogue<'_>,
+) -> Result<(Target, Numbers), FormatError> {
+    if let [only] = keys {
+        let hint = "write key = \"body\" or \"body.inertia\", or an array of the keys of numbers";
+        let is_number = || catalogue.number(only).is_ok();
+        let target = catalogue
+            .mass_properties(only)
+            .map_err(|error| if is_number() { error.with_hint(hint) } else { error })?;
+        let numbers = Numbers::of_body(&target);
+        return Ok((target, numbers));
+    }
+    let targets = keys.iter().map(|key| Ok((catalogue.number(key)?, *key)));
+    Numbers::of_keys(key, targets.collect::<Result<_, FormatError>>()?)
+}
+
+/// One key, or the keys of several numbers: that are one and the same, or drawn together.
+fn keys<'a>(key: &Value<'a>) -> Result<Vec<Value<'a>>, FormatError> {
+    if !key.is_array() {
+        return Ok(vec![*key]);
+    }
+    let keys = key.elements("a key, or an array of keys")?;
+    if keys.len() < 2 {
+        let error = key.invalid("one key, or an array of the keys of several numbers that vary as one");
+        return Err(error.with_hint("write key = [\"body.part[0].mass\", \"body.part[1].mass\"]"));
+    }
+    Ok(keys)
+}
+
+/// `random = "uniform"`, or `{ sd = "2 deg" }`
+fn rotation(value: &Value<'_>) -> Result<Spread, FormatError> {
+    if value.string().is_ok() {
+        return value.choice(&["uniform"]).map(|_| Spread::Uniform);
+    }
+    let table = value.table()?;
+    table.allow(&["sd"])?;
+    let sd = table.require("sd", "sd = \"2 deg\"")?;
+    sd.positive(Dimension::ANGLE).map(Spread::Normal)
+}
+
+/// `direction = "uniform"`, or `{ within = "5 deg" }`
+fn direction(value: &Value<'_>) -> Result<Spread, FormatError> {
+    if value.string().is_ok() {
+        return value.choice(&["uniform"]).map(|_| Spread::Uniform);
+    }
+    let table = value.table()?;
+    table.allow(&["within"])?;
+    let within = table.require("within", "within = \"5 deg\"")?;
+    let angle = within.positive(Dimension::ANGLE)?;
+    if angle > std::f64::consts::PI {
+        return Err(within.invalid("at most 180 deg").with_hint("which is direction = \"uniform\""));
+    }
+    Ok(Spread::Within(angle))
+}
+
+/// `magnitude = { log_normal = { … } }`
+fn magnitude(value: &Value<'_>, target: &Target) -> Result<Distribution, FormatError> {
+    let table = value.table()?;
+    table.allow(&FORMS)?;
+    let Some(form) = table.at_most_one(&FORMS, "a number varies in one way")? else {
+        return Err(table.missing("uniform", "magnitude = { uniform = { from = 0, to = 1 } }"));
+    };
+    // |v|
+    let norm = target.nominal().iter().fold(0.0, |norm: f64, c| norm.hypot(*c));
+    let magnitude = distribution(&form, target.dimension(), norm)?;
+    if magnitude.least() < 0.0 {
+        return Err(form
+            .invalid("of what is not negative: a magnitude has no sign")
+            .with_hint("add from = 0 to a normal distribution, or take a log_normal one"));
+    }
+    Ok(magnitude)
+}
+
+/// `dispersion = "10 %"`, or `{ mass = "2 %", center_of_mass = "5 mm", inertia = "10 %" }`
+fn dispersion(value: &Value<'_>, target: &Target) -> Result<Dispersion, FormatError> {
+    let Ok(table) = value.table() else {
+        return share(value).map(Dispersion::Together);
+    };
+    table.allow(&["mass", "center_of_mass", "inertia"])?;
+    if target.columns().len() == 6 {
+        let error = value.invalid("one number for a tensor alone");
+        return Err(
+            error.with_hint("write dispersion = \"10 %\", or the body's or the part's key without .inertia")
+        );
+    }
+    let relative = |key| table.get(key).map_or(Ok(0.0), |value| share(&value));
+    let center = table.get("center_of_mass");
+    let dispersion = Dispersion::Apart {
+        mass: relative("mass")?,
+        center_of_mass: center.map_or(Ok(0.0), |value| value.positive(Dimension::LENGTH))?,
+        inertia: relative("inertia")?,
+    };
+    if dispersion == (Dispersion::Apart { mass: 0.0, center_of_mass: 0.0, inertia: 0.0 }) {
+        return Err(table.missing("inertia", "dispersion = { mass = \"2 %\", inertia = \"10 %\" }"));
+    }
+    Ok(dispersion)
+}
+
+/// A share above zero, `"10 %"` or 0.1.
+fn share(value: &Value<'_>) -> Result<f64, FormatError> {
+    let share = super::distribution::percentage(value)?;
+    if share > 0.0 && share <= MOST_DISPERSION {
+        return Ok(share);
+    }
+    Err(value.invalid("above 0 and at most 50 %").with_hint("a standard deviation, relative: \"10 %\""))
+}

@@ -1,0 +1,31 @@
+//! A `[[torque]]` of model `magnetic`.
+
+use polhode::math::Direction;
+use polhode::motion::Orbit;
+use polhode::motion::torque::{Magnetic, MagneticField, TorqueModel};
+use polhode_source::FormatError;
+use polhode_source::toml::reader::Table;
+use polhode_source::unit::Dimension;
+
+use super::allow;
+use crate::read::orbit;
+
+/// `moment = [3]` in the body; `field = [3]` in space, or `dipole = [3]` in space at the centre of the `[orbit]`.
+pub fn magnetic(table: &Table<'_>, orbit: Option<&Orbit>) -> Result<TorqueModel, FormatError> {
+    allow(table, &["moment", "field", "dipole"])?;
+    let moment = table.require("moment", "moment = [0, 0, \"5 A m^2\"]")?;
+    let moment = Direction::from_array(moment.quantities(Dimension::MAGNETIC_MOMENT)?);
+    let Some(given) = table.at_most_one(&["field", "dipole"], "the field is given once")? else {
+        return Err(table.missing(
+            "field",
+            "field = [\"20 µT\", 0, \"-40 µT\"], or dipole = [0, 0, -7.7e22] and an [orbit]",
+        ));
+    };
+    let field = if given.key() == "field" {
+        MagneticField::Uniform(Direction::from_array(given.quantities(Dimension::MAGNETIC_FIELD)?))
+    } else {
+        let dipole = Direction::from_array(given.quantities(Dimension::MAGNETIC_MOMENT)?);
+        MagneticField::Dipole { dipole, orbit: orbit::require(table, orbit)?.clone() }
+    };
+    Ok(TorqueModel::Magnetic(Box::new(Magnetic { moment, field })))
+}

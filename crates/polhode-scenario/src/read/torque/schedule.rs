@@ -1,0 +1,44 @@
+//! When a `[[torque]]` acts: keys of every model.
+
+use polhode::motion::torque::{Schedule, Scheduled, TorqueModel};
+use polhode_source::FormatError;
+use polhode_source::toml::reader::{Table, Value};
+use polhode_source::unit::Dimension;
+
+/// The keys that every torque may have.
+pub const KEYS: [&str; 3] = ["from", "until", "pulses"];
+
+/// The torque at its times: always without `from`, `until` and `pulses`.
+pub fn scheduled(table: &Table<'_>, torque: TorqueModel) -> Result<TorqueModel, FormatError> {
+    Ok(match schedule(table)? {
+        None => torque,
+        Some(schedule) => TorqueModel::Scheduled(Box::new(Scheduled { torque, schedule })),
+    })
+}
+
+/// `from` and `until`, or `pulses = { first, width, period, count }`.
+pub fn schedule(table: &Table<'_>) -> Result<Option<Schedule>, FormatError> {
+    const TWICE: &str = "the pulses alone say when it acts";
+    let (from, until) = (table.get("from"), table.get("until"));
+    for key in ["from", "until"] {
+        table.at_most_one(&[key, "pulses"], TWICE)?;
+    }
+    if let Some(value) = table.get("pulses") {
+        return pulses(&value).map(Some);
+    }
+    // The error stands at the end of the window, or at its start if that is all there is.
+    let Some(value) = until.or(from) else { return Ok(None) };
+    let time = |value: Option<Value<'_>>, or: f64| value.map_or(Ok(or), |v| v.quantity(Dimension::TIME));
+    let (from, until) = (time(from, f64::NEG_INFINITY)?, time(until, f64::INFINITY)?);
+    Schedule::window(from, until).map(Some).map_err(|error| value.motion(error))
+}
+
+fn pulses(value: &Value<'_>) -> Result<Schedule, FormatError> {
+    let table = value.table()?;
+    table.allow(&["first", "width", "period", "count"])?;
+    let first = table.get("first").map_or(Ok(0.0), |first| first.quantity(Dimension::TIME))?;
+    let width = table.require("width", "width = \"0.2 s\"")?.positive(Dimension::TIME)?;
+    let count = table.get("count").map(|count| count.count()).transpose()?;
+    let period = table.require("period", "period = \"5 s\"")?.positive(Dimension::TIME)?;
+    Schedule::pulses(first, width, period, count).map_err(|error| value.motion(error))
+}

@@ -1,0 +1,164 @@
+//! The `[[wheel]]`s: what spins inside the body.
+
+use polhode::math::{AngularVelocity, Body, Direction};
+use polhode::motion::torque::Schedule;
+use polhode::motion::{MotionError, Motor, Rotor, Wheel};
+use polhode_source::FormatError;
+use polhode_source::toml::reader::{Table, Value};
+use polhode_source::unit::Dimension;
+
+/// A wheel as its table gives it. What a speed relative to the body comes to in space is known once the body's ω is.
+pub struct WheelTable<'a> {
+    pub name: Option<String>,
+    axis: Direction<Body>,
+    given: Given,
+    motor: Motor,
+    /// Where to say that the wheel does not fit.
+    value: Value<'a>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Given {
+    /// Angular momentum: relative to the body if the speed is held, else relative to space.
+    Momentum(f64),
+    /// J and Ω relative to the body.
+    Speed(f64, f64),
+}
+
+/// Reads all wheels.
+pub fn wheels<'a>(root: &Table<'a>) -> Result<Vec<WheelTable<'a>>, FormatError> {
+    let Some(list) = root.get("wheel") else { return Ok(Vec::new()) };
+    list.tables("wheel")?.iter().map(wheel).collect()
+}
+
+/// `name`; `axis`; `momentum`, or `inertia` and `speed`; `motor_torque`, which needs `inertia`, `from` and `until`.
+fn wheel<'a>(table: &Table<'a>) -> Result<WheelTable<'a>, FormatError> {
+    table.allow(&["name", "axis", "momentum", "inertia", "speed", "motor_torque", "from", "until"])?;
+    let axis = table.require("axis", "axis = [0, 0, 1]")?;
+    let direction = Direction::from_array(axis.numbers()?);
+    let rule = "each of them alone says how much angular momentum the wheel starts with";
+    let Some(start) = table.at_most_one(&["momentum", "speed"], rule)? else {
+        return Err(match table.get("inertia") {
+            Some(_) => table.missing("speed", "speed = \"600 rpm\""),
+            None => table.missing("momentum", "momentum = \"4 N m s\", or inertia and speed"),
+        });
+    };
+    let is_speed = start.key() == "speed";
+    let motor_torque = table.get("motor_torque");
+    if !is_speed
+        && motor_torque.is_none()
+        && let Some(value) = table.get("inertia")
+    {
+        let hint = "with momentum and without motor_torque, nothing depends on it";
+        return Err(value.invalid("left out").with_hint(hint));
+    }
+    // Without either the inertia does not matter, and it is the axis at which something does not fit.
+    let (mut inertia, mut value) = (0.0, axis);
+    if is_speed || motor_torque.is_some() {
+        value = table.require("inertia", "inertia = \"0.02 kg m^2\", about the wheel's axis")?;
+        inertia = positive_inertia(&value)?;
+    }
+    let given = if is_speed {
+        Given::Speed(inertia, start.quantity(Dimension::ANGULAR_VELOCITY)?)
+    } else {
+        Given::Momentum(start.quantity(Dimension::ANGULAR_MOMENTUM)?)
+    };
+    let motor = motor(table, motor_torque, inertia)?;
+    // What is wrong with the axis or with the sizes is said where they stand.
+    Wheel::new(direction, 0.0, motor)
+        .map_err(|error| axis.motion(error).with_hint("the z axis is [0, 0, 1]; any length will do"))?;
+    let name = table.get("name").map(|name| name.string().map(str::to_owned)).transpose()?;
+    let wheel = WheelTable { name, axis: direction, given, motor, value };
+    wheel.locked().map_err(|error| start.motion(error))?;
+    Ok(wheel)
+}
+
+fn positive_inertia(value: &Value<'_>) -> Result<f64, FormatError> {
+    let inertia = value.quantity(Dimension::INERTIA)?;
+    if inertia > 0.0 {
+        return Ok(inertia);
+    }
+    Err(value.invalid("positive").with_hint("it is the wheel's moment of inertia about its own axis"))
+}
+
+/// Without `motor_torque` the speed is held.
+fn motor(table: &Table<'_>, torque: Option<Value<'_>>, inertia: f64) -> Result<Motor, FormatError> {
+    let times = ["from", "until"].map(|key| table.get(key));
+    let Some(torque) = torque else {
+        let Some(value) = times.iter().flatten().next() else { return Ok(Motor::HeldSpeed) };
+        let hint = "it is the time of a motor_torque; without one the wheel's speed is held";
+        return Err(value.invalid("left out").with_hint(hint));
+    };
+    let size = torque.quantity(Dimension::TORQUE)?;
+    let time = |value: &Value<'_>| value.quantity(Dimension::TIME);
+    let [from, until] = times;
+    let first = from.as_ref().map_or(Ok(f64::NEG_INFINITY), time)?;
+    let last = until.as_ref().map_or(Ok(f64::INFINITY), time)?;
+    if let Some(value) = until.filter(|_| !(last > first.max(0.0))) {
+        let hint = "a run starts at 0; the motor works from `from`, else from then, until `until`";
+        return Err(value.invalid("later than the start of the motor's work").with_hint(hint));
+    }
+    let always = from.is_none() && until.is_none();
+    let window = || Schedule::window(first, last).map_err(|error| torque.motion(error));
+    let schedule = (!always).then(window).transpose()?;
+    Ok(Motor::Torque { inertia, torque: size, schedule })
+}
+
+impl WheelTable<'_> {
+    /// The wheel for L = I ω + h at the start: at a speed relative to the body it counts as held, with its inertia left to the body.
+    fn locked(&self) -> Result<Wheel, MotionError> {
+        match self.given {
+            Given::Momentum(momentum) => Wheel::new(self.axis, momentum, self.motor),
+            Given::Speed(inertia, speed) => Wheel::new(self.axis, inertia * speed, Motor::HeldSpeed),
+        }
+    }
+
+    fn turning(&self, omega: AngularVelocity<Body>) -> Result<Wheel, MotionError> {
+        match self.given {
+            Given::Speed(_, speed) if self.motor != Motor::HeldSpeed => {
+                Wheel::turning(self.axis, speed, self.motor, omega)
+            }
+            _ => self.locked(),
+        }
+    }
+}
+
+/// The body with its wheels as they are at the start, for which L = I ω + h says what ω is.
+pub fn locked(rotor: &Rotor, wheels: &[WheelTable<'_>]) -> Result<Rotor, FormatError> {
+    fitted(rotor, wheels, WheelTable::locked).map(|(rotor, _)| rotor)
+}
+
+/// The wheels in a body that starts at ω.
+pub fn turning(
+    rotor: &Rotor,
+    wheels: &[WheelTable<'_>],
+    omega: AngularVelocity<Body>,
+) -> Result<Vec<Wheel>, FormatError> {
+    fitted(rotor, wheels, |wheel| wheel.turning(omega)).map(|(_, wheels)| wheels)
+}
+
+/// Puts in one wheel after the other, so that what does not fit has its place.
+fn fitted<'a>(
+    rotor: &Rotor,
+    tables: &[WheelTable<'a>],
+    wheel: impl Fn(&WheelTable<'a>) -> Result<Wheel, MotionError>,
+) -> Result<(Rotor, Vec<Wheel>), FormatError> {
+    let (mut wheels, mut with) = (Vec::new(), rotor.clone());
+    for table in tables {
+        let refuse = |error| {
+            table
+                .value
+                .motion(error)
+                .with_hint("the inertia of [body] holds that of the wheels, as if they were locked")
+        };
+        wheels.push(wheel(table).map_err(refuse)?);
+        // What is held at its speed stays with the body; that it is no more than the body is looked at as if it were free.
+        if let (Given::Speed(inertia, _), Motor::HeldSpeed) = (table.given, table.motor) {
+            let free = Motor::Torque { inertia, torque: 0.0, schedule: None };
+            let part = Wheel::new(table.axis, 0.0, free).map_err(refuse)?;
+            rotor.clone().with_wheels(&[part]).map_err(refuse)?;
+        }
+        with = rotor.clone().with_wheels(&wheels).map_err(refuse)?;
+    }
+    Ok((with, wheels))
+}

@@ -1,0 +1,157 @@
+//! Events, and how a motion ended, as reports show them.
+
+use polhode::motion::{Crossing, Ending, Event, EventAction, Measure, Reference, Scenario, Trajectory};
+use polhode_document::json::{numbers, vector};
+use polhode_document::layout::{columns, labelled, printable};
+use polhode_document::number::{count, number, vector as triple};
+use polhode_document::unit::DIGITS;
+use serde_json::{Value, json};
+
+/// More events than these fill the screen: JSON has them all.
+const MOST: usize = 12;
+
+/// How a motion ended, if not at the end of the run, for people; with the time, and the event or the cause.
+pub fn ending_in_words(trajectory: &Trajectory, scenario: &Scenario) -> Option<String> {
+    match trajectory.ending() {
+        Ending::Complete => None,
+        Ending::Stopped { event, time } => {
+            let name = scenario.events().get(*event).map_or("", Event::name);
+            Some(format!("stopped at t = {} s by the event \"{name}\"", number(*time, DIGITS)))
+        }
+        Ending::Contact { change, time } => {
+            Some(format!("ended at t = {} s: {change}", number(*time, DIGITS)))
+        }
+        Ending::Failed { time, cause } => {
+            Some(format!("incomplete, and ends at t = {} s: {cause}", number(*time, DIGITS)))
+        }
+    }
+}
+
+/// `time_s`, `reason` (`end_of_run`, `event`, `contact`, `failure`), and `event` or `cause`.
+pub fn ending_json(trajectory: &Trajectory, scenario: &Scenario) -> Value {
+    let last = trajectory.samples().last().map(|sample| sample.state.time);
+    match trajectory.ending() {
+        Ending::Complete => json!({ "time_s": last, "reason": "end_of_run", "event": null, "cause": null }),
+        Ending::Stopped { event, time } => {
+            let name = scenario.events().get(*event).map(Event::name);
+            json!({ "time_s": time, "reason": "event", "event": name, "cause": null })
+        }
+        Ending::Contact { change, time } => {
+            json!({ "time_s": time, "reason": "contact", "event": null, "cause": change.to_string() })
+        }
+        Ending::Failed { time, cause } => {
+            json!({ "time_s": time, "reason": "failure", "event": null, "cause": cause.to_string() })
+        }
+    }
+}
+
+/// The events that happened, as a table: when, what, in which direction, and ω there; and those that did not.
+pub fn table(trajectory: &Trajectory, scenario: &Scenario) -> String {
+    happened(trajectory) + &never(trajectory, scenario)
+}
+
+/// What was looked out for, and did not happen.
+fn never(trajectory: &Trajectory, scenario: &Scenario) -> String {
+    let has_happened = |k: usize| trajectory.events().iter().any(|crossing| crossing.event == k);
+    let missing = scenario.events().iter().enumerate().filter(|(k, _)| !has_happened(*k));
+    let names: Vec<String> = missing.map(|(_, event)| format!("\"{}\"", printable(event.name()))).collect();
+    let text = match names.as_slice() {
+        [] => return String::new(),
+        [one] => format!("the event {one}"),
+        many => format!("{} events: {}", many.len(), many.join(", ")),
+    };
+    labelled("never happened", &text)
+}
+
+fn happened(trajectory: &Trajectory) -> String {
+    let crossings = trajectory.events();
+    if crossings.is_empty() {
+        return String::new();
+    }
+    let row = |crossing: &Crossing| {
+        vec![
+            format!("t = {} s", number(crossing.state.time, 12)),
+            printable(&crossing.name),
+            if crossing.rising { "rising" } else { "falling" }.to_owned(),
+            format!("ω = {} rad/s", triple(crossing.state.omega.to_array(), 6)),
+        ]
+    };
+    let shown: Vec<Vec<String>> = crossings.iter().take(MOST).map(row).collect();
+    let mut text = format!("events ({})\n", count(crossings.len() as u64));
+    for line in columns(&shown) {
+        text.push_str(&format!("  {line}\n"));
+    }
+    if crossings.len() > MOST {
+        text.push_str("  …: summary.json has all\n");
+    }
+    text
+}
+
+/// Every event of the scenario, and when it happened.
+pub fn json(trajectory: &Trajectory, scenario: &Scenario) -> Value {
+    let happened = |k: usize| -> Value {
+        trajectory.events().iter().filter(|crossing| crossing.event == k).map(crossing).collect()
+    };
+    let one = |(k, event): (usize, &Event)| {
+        json!({
+            "name": event.name(),
+            "measure": measure(event.measure()),
+            "value": event.value(),
+            "unit": event.measure().unit(),
+            "direction": event.sense().name(),
+            "then": action(event.action(), scenario),
+            "happened": happened(k),
+        })
+    };
+    scenario.events().iter().enumerate().map(one).collect()
+}
+
+fn crossing(crossing: &Crossing) -> Value {
+    let state = &crossing.state;
+    json!({
+        "time_s": state.time,
+        "direction": if crossing.rising { "rising" } else { "falling" },
+        "attitude_wxyz": numbers(&state.attitude.canonical_quaternion()),
+        "omega_body": vector(state.omega),
+    })
+}
+
+fn action(action: EventAction, scenario: &Scenario) -> Value {
+    match action {
+        EventAction::Switch { torque, on } => {
+            let name = scenario.torque_names().get(torque).cloned().flatten();
+            json!({ "switch": name, "torque": torque, "on": on })
+        }
+        EventAction::Stop => "stop".into(),
+        _ => "record".into(),
+    }
+}
+
+/// What is measured, as a scenario file names it, and along which directions.
+fn measure(measure: &Measure) -> Value {
+    let along = |axes: &str, n: [f64; 3]| json!({ "of": "omega", "axes": axes, "along": numbers(&n) });
+    match measure {
+        Measure::Time => "time".into(),
+        Measure::OmegaBody(n) => along("body", n.to_array()),
+        Measure::OmegaSpace(n) => along("space", n.to_array()),
+        Measure::Rate => "omega".into(),
+        Measure::KineticEnergy => "kinetic_energy".into(),
+        Measure::TotalEnergy => "total_energy".into(),
+        Measure::Momentum => "momentum".into(),
+        Measure::Tilt { body, space } => {
+            let body = vector(*body);
+            match space {
+                Reference::Space(space) => json!({ "of": "angle", "body": body, "space": vector(*space) }),
+                other => json!({ "of": "angle", "body": body, "to": other.name() }),
+            }
+        }
+        Measure::OmegaAngle(n) => json!({ "of": "angle", "body": vector(*n), "to": "omega" }),
+        Measure::MomentumAngle(n) => json!({ "of": "angle", "body": vector(*n), "to": "momentum" }),
+        Measure::Nutation => "nutation".into(),
+        Measure::Precession => "precession".into(),
+        Measure::Spin => "spin".into(),
+        Measure::Formula(_) => "formula".into(),
+        Measure::Function(_) => "function".into(),
+        _ => Value::Null,
+    }
+}

@@ -1,0 +1,334 @@
+//! Step 5 of a ball on a plane: it slides until its slip is gone, and then rolls straight, down a slope or in a circle.
+
+use polhode::math::{Acceleration, Position, Space, Velocity};
+use polhode::motion::contact::{ContactChange, Friction, Grip};
+use polhode::observe::{BallOnPlane, SlipEnd};
+use polhode_document::Section;
+use polhode_document::number::tidy_beside;
+use polhode_document::unit::angle;
+
+use super::super::free::once_in;
+use super::super::working::{exactly, factor, n, v};
+use super::OnGround;
+
+pub fn solve(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
+    s.say(
+        "A ball with its centre of mass in its middle and three equal moments: r = −a n, and ω × {I} ω = 0. What counts of it is how its moment compares with m a²:",
+    );
+    s.formula("k = I/(m a²),   σ = k/(1 + k)", r"k = \frac{I}{m a^2}, \qquad \sigma = \frac{k}{1 + k}");
+    ratio(ball, "I", s);
+    if g.is_rolling() { rolls(g, ball, s) } else { slips(g, ball, s) }
+}
+
+/// What slips at the start, or has nothing that could hold it.
+pub fn slips(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
+    if g.is_frictionless() { frictionless(ball, s) } else { slides(g, ball, s) }
+}
+
+/// k and σ in numbers; and 2/7 where it is that.
+pub fn ratio(ball: &BallOnPlane, moment: &str, s: &mut Section) {
+    let square = ball.mass * ball.radius * ball.radius;
+    let known = match ball.moment / square {
+        k if (k - 0.4).abs() < 1e-9 => ": 2/5 and 2/7, those of a homogeneous ball",
+        k if (k - 2.0 / 3.0).abs() < 1e-9 => ": 2/3 and 2/5, those of a thin shell",
+        k if (k - 0.5).abs() < 1e-9 => ": 1/2 and 1/3, those of a homogeneous cylinder",
+        _ => "",
+    };
+    s.line(format!(
+        "m a² = {}·{}² = {} kg·m²,  {moment} = {} kg·m²",
+        n(ball.mass),
+        n(ball.radius),
+        n(square),
+        n(ball.moment)
+    ));
+    s.line(format!("k = {},  σ = {}{known}", n(ball.moment / square), n(ball.share())));
+}
+
+fn frictionless(ball: &BallOnPlane, s: &mut Section) -> String {
+    s.say(
+        "Without friction nothing turns it: ω stays in space, and the centre of mass moves as a point does.",
+    );
+    let downhill = ball.downhill();
+    s.line(format!("v\u{307} = g_t = {} m/s²", acceleration(downhill)));
+    format!("It slides without friction, with v\u{307} = {} m/s² and constant ω.", acceleration(downhill))
+}
+
+/// Until the slip has gone.
+fn slides(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
+    let (friction, slip, velocity) = (g.friction(), g.start.slip, g.start.velocity);
+    s.say("It slips, so F is known, and both v and the slip u = v − a ω × n change by it; ω changes as −a n × F turns it:");
+    s.formula(
+        "v\u{307} = g_t + F/m,   a (ω\u{307} × n) = −F/(k m),   u\u{307} = g_t + F/(σ m)",
+        r"\dot{\mathbf v} = \mathbf g_t + \frac{\mathbf F}{m}, \qquad a \dot{\boldsymbol\omega} \times \mathbf n = -\frac{\mathbf F}{k m}, \qquad \dot{\mathbf u} = \mathbf g_t + \frac{\mathbf F}{\sigma m}",
+    );
+    s.say(
+        "Friction takes the slip away faster than the velocity, 1/σ times: it slows what slips, and turns it. With g_n the part of g across the plane and g_t that along it:",
+    );
+    let steep = ball.downhill().norm();
+    s.line(format!("g_n = {} m/s²,  g_t = {} m/s²", n(ball.pressing()), acceleration(ball.downhill())));
+    s.line(format!("u0 = {} m/s,  |u0| = {} m/s", vector(slip, velocity), n(slip.norm())));
+    if g.is_resisted() {
+        s.say("Torques that resist rolling change ω too, in a direction of their own: with them no closed form is known here, and the formulas below are without them.");
+    }
+    let end = ball.slip_end(slip, &friction);
+    if end != SlipEnd::Unknown {
+        law(ball, &friction, steep, s);
+    }
+    match end {
+        SlipEnd::At(time) => ends(g, ball, time, s),
+        SlipEnd::Never => {
+            let text = if steep > 0.0 && friction.kinetic > 0.0 {
+                "The slope is too steep for this friction, κ < |g_t|: the slip grows without end."
+            } else {
+                "The slip becomes ever less and does not end: viscous friction is as small as the slip is."
+            };
+            s.say(text);
+            format!("It slides on {}: the slip does not end.", slope(ball))
+        }
+        SlipEnd::Unknown => {
+            s.say("On a plane that turns, where u\u{307} has −Ω n × v besides, and with viscous friction on a slope, no closed form is known here; it is integrated (step 6).");
+            let gripped = gripped(g)
+                .map_or_else(String::new, |time| format!(" In the run it grips at t = {} s.", n(time)));
+            format!("It slips at |u| = {} m/s at first.{gripped}", n(slip.norm()))
+        }
+    }
+}
+
+/// The equation of the slip, and κ.
+fn law(ball: &BallOnPlane, friction: &Friction, steep: f64, s: &mut Section) {
+    let kappa = ball.slip_deceleration(friction);
+    match (friction.viscous > 0.0, steep > 0.0) {
+        (false, false) => s.formula(
+            "u\u{307} = −κ û,   κ = µ g/σ,   |u| = |u0| − κ t,   T = |u0|/κ",
+            r"\dot{\mathbf u} = -\kappa \hat{\mathbf u}, \qquad \kappa = \frac{\mu g}{\sigma}, \qquad |\mathbf u| = |\mathbf u_0| - \kappa t, \qquad T = \frac{|\mathbf u_0|}{\kappa}",
+        ),
+        (true, false) => s.formula(
+            "d|u|/dt = −κ − λ |u|,   κ = µ g/σ,   λ = c/(σ m),   T = ln(1 + λ |u0|/κ)/λ",
+            r"\frac{d|\mathbf u|}{dt} = -\kappa - \lambda |\mathbf u|, \qquad \kappa = \frac{\mu g}{\sigma}, \qquad \lambda = \frac{c}{\sigma m}, \qquad T = \frac{1}{\lambda} \ln\left(1 + \frac{\lambda |\mathbf u_0|}{\kappa}\right)",
+        ),
+        (_, true) => {
+            s.say("On a slope the slip turns downhill on its way. But κ |u| + g_t · u falls evenly, whatever its direction:");
+            s.formula(
+                "u\u{307} = g_t − κ û,   κ = µ g_n/σ,   d(κ |u| + g_t · u)/dt = −(κ² − g_t²),   T = (κ |u0| + g_t · u0)/(κ² − g_t²)",
+                r"\dot{\mathbf u} = \mathbf g_t - \kappa \hat{\mathbf u}, \qquad \kappa = \frac{\mu g_n}{\sigma}, \qquad \frac{d}{dt}\left(\kappa |\mathbf u| + \mathbf g_t \cdot \mathbf u\right) = -(\kappa^2 - g_t^2), \qquad T = \frac{\kappa |\mathbf u_0| + \mathbf g_t \cdot \mathbf u_0}{\kappa^2 - g_t^2}",
+            );
+        }
+    }
+    s.line(format!(
+        "κ = {}·{}/{} = {} m/s²",
+        n(friction.kinetic),
+        n(ball.pressing()),
+        n(ball.share()),
+        n(kappa)
+    ));
+    if friction.viscous > 0.0 {
+        s.line(format!(
+            "λ = {}/({}·{}) = {} /s",
+            n(friction.viscous),
+            n(ball.share()),
+            n(ball.mass),
+            n(ball.slip_decay(friction))
+        ));
+    }
+}
+
+/// What is left when the slip has gone after a time.
+fn ends(g: &OnGround<'_, '_>, ball: &BallOnPlane, time: f64, s: &mut Section) -> String {
+    let (friction, slip, velocity) = (g.friction(), g.start.slip, g.start.velocity);
+    let (steep, share) = (ball.downhill().norm(), ball.share());
+    let rolling = ball.rolls_off(velocity, slip, time);
+    s.line(format!("T = {} s", n(time)));
+    if steep == 0.0 && friction.viscous == 0.0 && cross(velocity, slip) {
+        s.say("F is constant, so until then the path is a parabola, as of a stone that is thrown; its axis is along −u0. The velocity changes by σ u0 in all, whatever friction is:");
+    } else if steep == 0.0 {
+        s.say(
+            "The velocity changes by σ u0 in all, whatever friction is: more friction only makes it sooner.",
+        );
+    } else {
+        s.say("As v\u{307} − σ u\u{307} = (1 − σ) g_t has no friction in it, the velocity at that time does not depend on the way:");
+    }
+    s.formula(
+        "v(T) = v0 − σ u0 + (1 − σ) g_t T",
+        r"\mathbf v(T) = \mathbf v_0 - \sigma \mathbf u_0 + (1 - \sigma) \mathbf g_t T",
+    );
+    let shown = vector(rolling, velocity);
+    let gained = if steep == 0.0 {
+        String::new()
+    } else {
+        format!(" + {}", acceleration(ball.rolling_acceleration() * time))
+    };
+    s.line(format!(
+        "v(T) = {} − {}·{}{gained} = {shown} m/s",
+        vector(velocity, velocity),
+        n(share),
+        vector(slip, velocity)
+    ));
+    s.line(format!("|v(T)| = {} m/s", n(rolling.norm())));
+    if rolling.norm() > 0.0 && velocity.norm() > 0.0 && steep == 0.0 {
+        let part = rolling.norm() / velocity.norm();
+        let known = if (part - 5.0 / 7.0).abs() < 1e-9 {
+            ": 5/7, as of each homogeneous ball that is thrown without spin"
+        } else {
+            ""
+        };
+        s.line(format!("       = {} |v0|{known}", n(part)));
+        if rolling.dot(velocity) < -1e-12 * rolling.norm() * velocity.norm() {
+            s.say("It comes back: it was spun so much that what is left of the velocity is against it, as a billiard ball drawn back has it.");
+        }
+    }
+    if steep == 0.0 {
+        let moved = ball.displacement(velocity, slip, &friction, time);
+        s.line(format!("it has come {} m, {} m from where it began", v(moved.to_array()), n(moved.norm())));
+    }
+    let lost = 0.5 * ball.mass * share * slip.dot(slip);
+    if steep == 0.0 {
+        s.line(format!("friction has taken ½ σ m u0² = {} J", n(lost)));
+    }
+    if let Some(run) = gripped(g) {
+        s.line(format!("the run finds T = {} s", n(run - g.start.state.time)));
+    }
+    if ball.friction_to_roll() > friction.sticking {
+        s.say(
+            "There it is at rest for a moment, but friction is too small to hold it: it slips on, downhill.",
+        );
+        return format!("It slides uphill for {} s, and then down: friction does not hold it.", n(time));
+    }
+    s.say("From then on it rolls:");
+    let after = rolling_on(g, ball, s);
+    format!(
+        "It slides for {} s, and then rolls at {} m/s{}.",
+        n(time),
+        n(rolling.norm()),
+        if after.is_empty() { String::new() } else { format!("; {after}") }
+    )
+}
+
+/// When the run's slip ends first.
+fn gripped(g: &OnGround<'_, '_>) -> Option<f64> {
+    let changes = g.motion()?.changes();
+    changes.first().filter(|event| event.change == ContactChange::Grips).map(|event| event.time)
+}
+
+/// From the start on.
+pub fn rolls(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
+    if ball.turning != 0.0 {
+        return turntable(g, ball, s);
+    }
+    let after = rolling_on(g, ball, s);
+    let speed = n(g.start.velocity.norm());
+    if after.is_empty() {
+        format!("It rolls straight on at {speed} m/s: nothing slows it.")
+    } else {
+        format!("It rolls at {speed} m/s; {after}.")
+    }
+}
+
+/// The equation of what rolls on a plane at rest.
+fn rolling_on(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
+    let resistance = g.contact().law.resistance();
+    let gained = ball.rolling_acceleration();
+    s.say("Rolling, u = 0 stays, so F = −σ m g_t, and 1 − σ of g_t is left:");
+    s.formula(
+        "v\u{307} = (1 − σ) g_t,   F = −σ m g_t",
+        r"\dot{\mathbf v} = (1 - \sigma) \mathbf g_t, \qquad \mathbf F = -\sigma m \mathbf g_t",
+    );
+    if resistance.rolling > 0.0 {
+        // µᵣ g_n/(a (1 + k))
+        let slowed = resistance.rolling * ball.pressing() / ball.radius * (1.0 - ball.share());
+        s.say("Rolling friction, of the torque µr N against the rolling, takes (1 − σ) µr g_n/a from that, along v:");
+        s.line(format!("(1 − σ) µr g_n/a = {} m/s²", n(slowed)));
+        if gained.norm() == 0.0 && g.is_rolling() {
+            let speed = g.start.velocity.norm();
+            s.line(format!(
+                "it stops after v/that = {} s, and {} m",
+                n(speed / slowed),
+                n(0.5 * speed * speed / slowed)
+            ));
+            return format!("rolling friction stops it after {} s", n(speed / slowed));
+        }
+    }
+    if gained.norm() == 0.0 {
+        s.line("g_t = 0: v and ω are constant, and F = 0");
+        return String::new();
+    }
+    let incline = ball.normal.angle_to(-ball.gravity);
+    s.line(format!("slope α = {},  |g_t| = g sin α = {} m/s²", angle(incline), n(ball.downhill().norm())));
+    s.line(format!(
+        "v\u{307} = {} m/s²,  |v\u{307}| = (1 − σ) g sin α = {} m/s²",
+        acceleration(gained),
+        n(gained.norm())
+    ));
+    let needed = ball.friction_to_roll();
+    s.say("That takes friction of σ tan α of the normal force:");
+    let have = g.friction().sticking;
+    let verdict = if !matches!(g.contact().law.grip(), Grip::Friction(_)) {
+        String::new()
+    } else if have >= needed {
+        format!(", and µs = {} suffices", n(have))
+    } else {
+        format!(", and µs = {} is less: it slips", n(have))
+    };
+    s.line(format!("|F|/N = σ tan α = {}{verdict}", n(needed)));
+    format!("down the slope it gains {} m/s each second", n(gained.norm()))
+}
+
+fn turntable(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
+    s.say("The table turns at Ω about n, and the ball's point of contact has its velocity, v = Ω n × x + a ω × n. The derivative of that, with both equations, leaves v alone:");
+    s.formula(
+        "v\u{307} = σ Ω n × v + (1 − σ) g_t",
+        r"\dot{\mathbf v} = \sigma \Omega \mathbf n \times \mathbf v + (1 - \sigma) \mathbf g_t",
+    );
+    s.say("v turns at σ Ω, whatever it is, and wherever the ball is: it runs on a circle, which need not be about the middle of the table. Nothing holds it, and it does not fly outward.");
+    s.line(format!("Ω = {} rad/s{}", n(ball.turning), once_in(ball.turning)));
+    s.line(format!(
+        "σ Ω = {}·{} = {} rad/s{}",
+        n(ball.share()),
+        factor(ball.turning),
+        n(ball.circle_rate()),
+        once_in(ball.circle_rate())
+    ));
+    let drift = ball.drift();
+    let (place, velocity) = (g.start.contact, g.start.velocity);
+    let center = ball.circle_center(place, velocity);
+    let radius = (velocity - drift).norm() / ball.circle_rate().abs();
+    if drift.norm() > 0.0 {
+        s.say("On a slope the circle drifts across it, along the level, at a velocity with which v\u{307} is zero:");
+        s.line(format!("drift = n × g_t (1 − σ)/(σ Ω) = {} m/s", vector(drift, velocity)));
+    }
+    s.line(format!("v0 = {} m/s at x0 = {} m", vector(velocity, velocity), point(place)));
+    s.line(format!("middle x0 + n × (v0 − drift)/(σ Ω) = {} m", point(center)));
+    s.line(format!("radius |v0 − drift|/|σ Ω| = {} m", n(radius)));
+    if g.is_resisted() {
+        s.say("Torques that resist rolling or pivoting change ω besides, and the circle with it.");
+    }
+    let moves =
+        if drift.norm() > 0.0 { format!(", which drifts at {} m/s", n(drift.norm())) } else { String::new() };
+    format!(
+        "It runs on a circle of the radius {} m in {} s{moves}.",
+        n(radius),
+        n(std::f64::consts::TAU / ball.circle_rate().abs())
+    )
+}
+
+fn slope(ball: &BallOnPlane) -> &'static str {
+    if ball.downhill().norm() > 0.0 { "the slope" } else { "the level" }
+}
+
+fn acceleration(a: Acceleration<Space>) -> String {
+    v(a.to_array())
+}
+
+fn point(x: Position<Space>) -> String {
+    v(x.to_array())
+}
+
+/// A velocity, without what is rounding beside another one.
+fn vector(x: Velocity<Space>, beside: Velocity<Space>) -> String {
+    exactly(tidy_beside(x.to_array(), x.norm().max(beside.norm())))
+}
+
+/// True of velocities that are not along one line.
+fn cross(a: Velocity<Space>, b: Velocity<Space>) -> bool {
+    let [a, b] = [a, b].map(|v| super::direction(v.to_array()));
+    a.cross(b).norm() > 1e-9 * a.norm() * b.norm()
+}

@@ -1,0 +1,175 @@
+//! The worked solution of a body on the ground, in the same six steps: what touches, what holds it there, {I}, the equations with the constraint, what can be solved of
+//! them, and what the run shows.
+//!
+//! Each kind of body whose motion has a closed form, or a law that says where it goes, has its file.
+
+mod ball;
+mod bowl;
+mod constants;
+mod cylinder;
+mod disk;
+mod egg;
+mod ellipsoid;
+mod equations;
+mod rattleback;
+mod run;
+mod setting;
+mod tippe_top;
+mod vertex;
+mod wheel;
+
+use polhode::math::{AngularVelocity, Body, Direction, Position, Space};
+use polhode::motion::GroundContact;
+use polhode::motion::contact::{
+    Contact, ContactLaw, ContactPhase, ContactSample, ContactStart, ContactTrajectory, Friction, Grip,
+    GroundShape, StartVelocity, SurfaceShape,
+};
+use polhode::observe::{BallOnPlane, CirclingDisk, SteadyOnGround, TippeTop};
+use polhode_document::{Document, Section};
+
+use super::working::Working;
+use super::{answer, body};
+
+/// What all steps need to know.
+struct OnGround<'a, 'b> {
+    w: &'a Working<'b>,
+    ground: &'a GroundContact,
+    start: ContactSample,
+    /// n along body axes.
+    up: Direction<Body>,
+    /// From the centre of mass to the point of contact.
+    arm: Position<Body>,
+}
+
+/// The solution of a body on the ground; `None` of any other.
+pub fn document(w: &Working<'_>) -> Option<Document> {
+    let g = OnGround::of(w)?;
+    let mut solved = Section::new(5, "Solve for the motion");
+    let mut answer = vec![answer::body(w)];
+    answer.extend(solve(&g, &mut solved));
+    Some(Document {
+        findings: w.findings(),
+        title: w.title(),
+        answer,
+        sections: vec![
+            body::section(w),
+            setting::axes(&g),
+            setting::forces(&g),
+            equations::inertia(&g),
+            equations::section(&g),
+            solved,
+            run::section(&g),
+        ],
+    })
+}
+
+/// Step 5, by what the body is; and the answer, in a sentence.
+fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
+    let (body, contact) = (g.w.body(), &g.ground.contact);
+    if let Some(ball) = BallOnPlane::of(body, contact) {
+        return Some(ball::solve(g, &ball, s));
+    }
+    if let Some(answer) = wheel::solve(g, s) {
+        return Some(answer);
+    }
+    if let Some((disk, axis)) = CirclingDisk::of(body, contact, g.up) {
+        return disk::solve(g, &disk, axis, s);
+    }
+    if let Some((top, axis)) = TippeTop::of(body, contact) {
+        return Some(tippe_top::solve(g, &top, axis, s));
+    }
+    match contact.surface.shape() {
+        SurfaceShape::Cylinder { .. } => cylinder::solve(g, s),
+        SurfaceShape::Ellipsoid { .. } => ellipsoid::solve(g, s),
+        _ => bowl::solve(g, s).or_else(|| {
+            unsolved(g, s);
+            None
+        }),
+    }
+}
+
+/// What is said where no formula is known here.
+fn unsolved(g: &OnGround<'_, '_>, s: &mut Section) {
+    s.say(
+        "No closed form is known here for such a body on such a ground: the equations of step 4 are integrated (step 6). What can be said without that are the constants of \
+         step 4, and that the force at the contact is whatever the constraint takes.",
+    );
+    if matches!(g.ground.contact.ground.shape(), GroundShape::Plane) && g.is_rolling() && g.axis().is_some() {
+        s.say(
+            "A symmetric body that rolls on level ground has two constants more, linear in ω, as Chaplygin found (1897): but of most surfaces they are solutions of a linear equation of the \
+             second order in cos θ, no formulas.",
+        );
+    }
+}
+
+impl<'a, 'b> OnGround<'a, 'b> {
+    fn of(w: &'a Working<'b>) -> Option<Self> {
+        let (ground, start) = (w.scenario.ground()?, w.contact?);
+        let up = start.state.attitude.inverse() * start.normal;
+        let arm = start.contact_in_body - w.body().center_of_mass();
+        Some(Self { w, ground, start, up, arm })
+    }
+
+    fn motion(&self) -> Option<&ContactTrajectory> {
+        self.w.trajectory.as_deref()?.contact()
+    }
+
+    fn contact(&self) -> &Contact {
+        &self.ground.contact
+    }
+
+    /// Friction of what slips; none of what never does.
+    fn friction(&self) -> Friction {
+        match *self.contact().law.grip() {
+            Grip::Friction(friction) => friction,
+            _ => Friction::default(),
+        }
+    }
+
+    fn is_rolling(&self) -> bool {
+        self.start.phase == ContactPhase::Rolling
+    }
+
+    fn is_frictionless(&self) -> bool {
+        matches!(*self.contact().law.grip(), Grip::Friction(friction) if friction == Friction::default())
+    }
+
+    /// True if torques resist rolling or pivoting.
+    fn is_resisted(&self) -> bool {
+        let resistance = self.contact().law.resistance();
+        resistance.rolling > 0.0 || resistance.pivoting > 0.0
+    }
+
+    fn axis(&self) -> Option<Direction<Body>> {
+        self.contact().symmetry_axis(self.w.body())
+    }
+
+    /// The same contact without torques that resist.
+    fn unresisted(&self) -> Contact {
+        let law = match *self.contact().law.grip() {
+            Grip::Friction(friction) => ContactLaw::with_friction(friction).unwrap_or(ContactLaw::ROLLING),
+            _ => ContactLaw::ROLLING,
+        };
+        Contact { law, ..*self.contact() }
+    }
+
+    /// The steady motion that a start is near to, if nothing resisted it.
+    fn steady(&self, start: &ContactStart) -> Option<SteadyOnGround> {
+        SteadyOnGround::near(self.w.body(), &self.unresisted(), start).ok()
+    }
+
+    /// The start, rolling: the steady motion that a body may come to.
+    fn rolling_start(&self) -> ContactStart {
+        ContactStart { state: self.start.state, at: self.ground.at, velocity: StartVelocity::Rolling }
+    }
+}
+
+/// A vector along other axes, or of another quantity, by its components.
+fn direction(components: [f64; 3]) -> Direction<Space> {
+    Direction::from_array(components)
+}
+
+/// The rate about an axis.
+fn about(omega: AngularVelocity<Body>, axis: Direction<Body>) -> f64 {
+    axis.dot(omega)
+}

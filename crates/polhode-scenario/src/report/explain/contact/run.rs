@@ -1,0 +1,113 @@
+//! Step 6 on the ground: what the run shows, and how good it is.
+
+use polhode::math::{Body, Direction};
+use polhode::motion::Trajectory;
+use polhode::motion::contact::{ContactEvent, ContactSample};
+use polhode_document::Section;
+use polhode_document::number::error;
+
+use super::super::attitude;
+use super::super::working::{cells, n};
+use super::OnGround;
+use crate::report::event;
+
+/// More changes than these are not listed.
+const MOST: usize = 12;
+
+/// Rows of the table.
+const ROWS: usize = 9;
+
+pub fn section(g: &OnGround<'_, '_>) -> Section {
+    let mut s = Section::new(6, "What the run shows");
+    let Some(motion) = g.motion().filter(|motion| !motion.samples().is_empty()) else {
+        s.say("Without a [run] the motion is followed no further.");
+        attitude::attitude(&g.start.state, 0.0, "t0", &mut s);
+        return s;
+    };
+    s.say(format!(
+        "The equations of step 4 are integrated, with the attitude by x\u{307} = ω × x of its axes, by {}; where rolling, sliding and flying change is found as a root of a series.",
+        motion.solver().title()
+    ));
+    changes(g, motion.changes(), &mut s);
+    if let Some(ending) = g.w.trajectory.as_deref().and_then(|t| event::ending_in_words(t, g.w.scenario)) {
+        s.say(format!("The run is {ending}."));
+    }
+    table(g, motion.samples(), &mut s);
+    if let Some(last) = motion.samples().last() {
+        attitude::attitude(&last.state, g.w.error().attitude, "end", &mut s);
+    }
+    s.say("Evidence: what must hold whatever the solution is, relative, at the worst sample of the run:");
+    s.line(format!(
+        "T + U less the work of friction and of the ground constant to {}",
+        error(motion.energy_drift())
+    ));
+    if let Some(estimate) = g.w.trajectory.as_deref().and_then(Trajectory::error) {
+        let end = estimate.end();
+        s.line(format!(
+            "estimated error at the end: attitude {} rad, ω {} of itself",
+            error(end.attitude),
+            error(end.omega)
+        ));
+    }
+    s
+}
+
+fn changes(g: &OnGround<'_, '_>, all: &[ContactEvent], s: &mut Section) {
+    let phase = g.start.phase.name();
+    if all.is_empty() {
+        s.say(format!("It is {phase} throughout."));
+        return;
+    }
+    s.say(format!("It is {phase} at first, and then:"));
+    for event in all.iter().take(MOST) {
+        s.line(format!("t = {} s: {}", n(event.time), event.change));
+    }
+    if all.len() > MOST {
+        s.line(format!("… and {} more", all.len() - MOST));
+    }
+}
+
+/// At a few times: how the axis stands, how fast the body turns about it and about the normal, the forces and the energy.
+fn table(g: &OnGround<'_, '_>, samples: &[ContactSample], s: &mut Section) {
+    let few: Vec<ContactSample> = if samples.len() <= ROWS {
+        samples.to_vec()
+    } else {
+        (0..ROWS).map(|k| samples[k * (samples.len() - 1) / (ROWS - 1)]).collect()
+    };
+    s.say(format!(
+        "{} samples, evenly spread over the run; the motion between them is not shown:",
+        few.len()
+    ));
+    let axis = g.axis().filter(|_| !super::bowl::is_even_ball(g));
+    let tilt = |x: &ContactSample, e: Direction<Body>| (x.state.attitude * e).angle_to(x.normal).to_degrees();
+    let rows: Vec<Vec<f64>> = few
+        .iter()
+        .map(|x| {
+            let up = x.state.attitude.inverse() * x.normal;
+            let mut row = vec![x.state.time];
+            if let Some(e) = axis {
+                row.extend([tilt(x, e), e.dot(x.state.omega)]);
+            }
+            row.extend([
+                up.dot(x.state.omega),
+                x.velocity.norm(),
+                x.slip.norm(),
+                x.normal_force,
+                x.kinetic_energy + x.potential_energy,
+            ]);
+            row
+        })
+        .map(tidied)
+        .collect();
+    let mut headers = vec!["t (s)"];
+    if axis.is_some() {
+        headers.extend(["(e, n) (°)", "ω·e (rad/s)"]);
+    }
+    headers.extend(["ω·n (rad/s)", "|v| (m/s)", "|u| (m/s)", "N (N)", "T + U (J)"]);
+    s.table(&headers, cells(&rows));
+}
+
+/// Rounding of what is zero, beside numbers of everyday things.
+fn tidied(row: Vec<f64>) -> Vec<f64> {
+    row.into_iter().map(|x| if x.abs() < 1e-13 { 0.0 } else { x }).collect()
+}

@@ -1,0 +1,110 @@
+//! Step 5 with torque, or with the motion given.
+
+use polhode::body::Symmetry;
+use polhode::motion::{Sample, Solution, Solver, Trajectory};
+use polhode_document::Section;
+use polhode_document::number::{tidy_beside, ungrouped, without_noise};
+
+use super::working::{Working, cells, n, v};
+use crate::report::event;
+
+/// The motion is given: there is nothing to solve, but the torque may change along it.
+pub fn given(w: &Working<'_>, s: &mut Section) {
+    s.say("The motion is given, so ω(t) is known (step 2); the equations gave the torque instead.");
+    if !w.rows.samples.is_empty() {
+        s.say(format!("The torque along the motion, in body axes{}:", w.rows.words));
+        table(w, true, s);
+    }
+}
+
+/// Numerical integration.
+pub fn integrate(w: &Working<'_>, s: &mut Section) {
+    if w.rotor.principal().symmetry() == Symmetry::Point {
+        s.say("There is nothing to solve: all the mass is in the point that it would turn about.");
+        return;
+    }
+    // A closed form has been told.
+    if !matches!(w.trajectory.as_deref().map(Trajectory::solution), Some(Solution::Exact(_))) {
+        s.say("What is integrated:");
+        s.formula(
+            "dω/dt = {I}⁻¹ (N − ω × {I} ω)",
+            r"\dot{\boldsymbol\omega} = \lbrace \mathbf I \rbrace^{-1} \left( \mathbf N - \boldsymbol\omega \times \lbrace \mathbf I \rbrace \boldsymbol\omega \right)",
+        );
+    }
+    match how(w) {
+        Some(how) => {
+            let held = if w.pendulum.is_some() { "With the pivot held, in three dimensions: " } else { "" };
+            s.say(format!("{held}ω(t) {how}{}:", w.rows.words));
+            let ending = w.trajectory.as_deref().and_then(|t| event::ending_in_words(t, w.scenario));
+            if let Some(ending) = ending {
+                s.say(format!("The run is {ending}."));
+            }
+            table(w, true, s);
+            work(w, s);
+        }
+        None => {
+            s.say(format!(
+                "ω changes at {} rad/s² at first (step 4). Give the scenario a [run] to have it integrated.",
+                v(w.acceleration.to_array())
+            ));
+        }
+    }
+}
+
+/// How the numbers were found, in words that follow `ω(t)`.
+pub fn how(w: &Working<'_>) -> Option<String> {
+    Some(match w.trajectory.as_ref()?.solution() {
+        Solution::Exact(_) => "in closed form".to_owned(),
+        Solution::Prescribed(_) => "as given".to_owned(),
+        Solution::Integrated { solver, tolerance, .. } => {
+            let error = match (solver, tolerance) {
+                (Solver::Splitting { order, step }, _) => {
+                    format!("order {}, steps of {} s", order.number(), ungrouped(*step, 3))
+                }
+                (_, Some(tolerance)) => format!("error of each step below {}", ungrouped(*tolerance, 3)),
+                (_, None) => String::new(),
+            };
+            format!("by numerical integration ({}, {error})", solver.title())
+        }
+    })
+}
+
+/// ω, and N where there is one, at the instants of [`Working::rows`].
+pub fn table(w: &Working<'_>, torque: bool, s: &mut Section) {
+    let samples = &w.rows.samples;
+    // Rows before the end have smaller errors than the end.
+    let error = w.error();
+    let [omega_noise, torque_noise] = [error.omega, error.attitude].map(|error| error.min(MOST_NOISE));
+    let largest = |f: &dyn Fn(&Sample) -> f64| samples.iter().map(f).fold(0.0, f64::max);
+    let (most_omega, most_torque) = (largest(&|x| x.state.omega.norm()), largest(&|x| x.torque.norm()));
+    let most_energy = largest(&|x| x.kinetic_energy);
+    let row = |x: &Sample| {
+        let mut row = vec![x.state.time];
+        row.extend(without_noise(x.state.omega.to_array(), most_omega, omega_noise));
+        if torque {
+            row.extend(without_noise(x.torque.to_array(), most_torque, torque_noise));
+        }
+        row.push(without_noise([x.kinetic_energy, 0.0, 0.0], most_energy, omega_noise)[0]);
+        row
+    };
+    let rows: Vec<Vec<f64>> = samples.iter().map(row).collect();
+    let headers: &[&str] = if torque {
+        &["t (s)", "ωx (rad/s)", "ωy", "ωz", "Nx (N·m)", "Ny", "Nz", "T (J)"]
+    } else {
+        &["t (s)", "ωx (rad/s)", "ωy (rad/s)", "ωz (rad/s)", "T (J)"]
+    };
+    s.table(headers, cells(&rows));
+}
+
+/// Relative errors above this are not taken for noise of all rows.
+const MOST_NOISE: f64 = 1e-9;
+
+/// The work of the torque is the gain in kinetic energy.
+fn work(w: &Working<'_>, s: &mut Section) {
+    let samples = w.trajectory.as_ref().map_or(&[][..], |trajectory| trajectory.samples());
+    let (Some(first), Some(last)) = (samples.first(), samples.last()) else { return };
+    let gain = last.kinetic_energy - first.kinetic_energy;
+    let scale = last.kinetic_energy.max(first.kinetic_energy);
+    let [work, gain] = [last.work, gain].map(|x| tidy_beside([x, 0.0, 0.0], scale)[0]);
+    s.line(format!("work of the torque ∫ N · ω dt = {} J;  T(end) - T(start) = {} J", n(work), n(gain)));
+}

@@ -1,0 +1,122 @@
+//! The worked solution: from mass to motion in the six steps of the lecture notes.
+//!
+//! Each step has its file; `working` holds what they share, `document` what they write into; `text`, `markdown`,
+//! `html` and `latex` are how it is shown.
+
+mod answer;
+mod attitude;
+mod axes;
+mod body;
+mod contact;
+mod driven;
+mod elliptic;
+mod euler;
+mod free;
+mod inside;
+mod linear;
+mod pendulum;
+mod rows;
+mod shape;
+mod shape_formula;
+mod spin;
+mod tensor;
+mod top;
+mod working;
+
+use std::borrow::Cow;
+
+use polhode::motion::{MotionError, Scenario, Trajectory};
+use polhode_document::Document;
+
+use inside::Inside;
+use working::Working;
+
+/// The worked solution of a scenario, in the order of the lecture notes: 0 the body; 1 the axes; 2 ω and N; 3 the
+/// inertia tensor and its principal axes; 4 Euler's equations; 5 their solution; 6 the attitude. Of a body on the ground: 2 with the constraint and the
+/// forces; 4 the equations with them; 6 what the run shows.
+///
+/// ```
+/// use polhode::prelude::*;
+/// use polhode::motion::Prescribed;
+/// use polhode::body::BodyPart;
+/// let particles = vec![
+///     Particle::new(1.2, Position::new(0.0, 0.0, 0.5))?,
+///     Particle::new(0.7, Position::new(0.0, 0.0, -0.5))?,
+/// ];
+/// let body = mass_properties_of_particles(&particles)?;
+/// let part = BodyPart {
+///     name: "masses".to_owned(),
+///     kind: "particles",
+///     properties: body,
+///     extent: None,
+///     surface_area: None,
+///     particles,
+///     form: None,
+/// };
+/// let led = Prescribed::fixed_axis(Attitude::identity(), Direction::new(0.0, 3.0, 4.0), 2.0, 0.0)?;
+/// let scenario =
+///     Scenario::new(body).titled("A dumbbell").made_of(vec![part]).held_at(Position::ZERO)?.prescribed_as(led)?;
+/// let solution = polhode_scenario::report::explain(&scenario)?;
+/// // N = −(m1 + m2) b² ω² sin α cos α = −1.9 · 0.25 · 4 · 0.48
+/// assert!(solution.to_text(100).contains("N = (-0.912, 0, 0) N·m"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`MotionError`] if the scenario's run cannot be computed, or its pendulum cannot hang.
+pub fn explain(scenario: &Scenario) -> Result<Document, MotionError> {
+    Ok(solved(&Working::of(scenario)?))
+}
+
+/// The worked solution of a scenario whose motion is known: as [`explain`], without computing it again.
+///
+/// # Errors
+/// [`MotionError`] if the scenario's pendulum cannot hang.
+pub fn explain_motion(scenario: &Scenario, trajectory: &Trajectory) -> Result<Document, MotionError> {
+    Ok(solved(&Working::with(scenario, Some(Cow::Borrowed(trajectory)))?))
+}
+
+fn solved(w: &Working<'_>) -> Document {
+    if let Some(document) = contact::document(w) {
+        return document;
+    }
+    let inside = Inside::of(w);
+    let equations = inside.as_ref().map_or_else(|| euler::section(w), Inside::equations);
+    let solution = inside.as_ref().map_or_else(|| solution(w), Inside::solution);
+    Document {
+        findings: w.findings(),
+        title: w.title(),
+        answer: answer::lines(w, inside.as_ref()),
+        sections: vec![
+            body::section(w),
+            axes::section(w),
+            spin::section(w),
+            tensor::section(w, inside.as_ref()),
+            equations,
+            solution,
+            attitude::section(w, inside.as_ref()),
+        ],
+    }
+}
+
+/// Step 5, by the kind of motion.
+fn solution(w: &Working<'_>) -> polhode_document::Section {
+    let mut section = polhode_document::Section::new(5, "Solve for ω(t)");
+    if let Some(pendulum) = &w.pendulum {
+        pendulum::solve(w, pendulum, &mut section);
+    }
+    if let Some(top) = top::of(w) {
+        top::solve(w, &top, &mut section);
+    }
+    if w.needed.is_some() {
+        driven::given(w, &mut section);
+    } else if w.is_free() {
+        free::solve(w, &mut section);
+    } else {
+        if w.pendulum.is_none() && top::of(w).is_none() {
+            linear::solve(w, &mut section);
+        }
+        driven::integrate(w, &mut section);
+    }
+    section
+}

@@ -1,0 +1,266 @@
+//! What the steps of a solution share: asked of the core once.
+
+use std::borrow::Cow;
+use std::f64::consts::TAU;
+
+use polhode::body::{Finding, MassProperties, Particle};
+use polhode::math::{
+    AngularAcceleration, AngularVelocity, Body, Direction, Position, Space, Torque, Velocity,
+};
+use polhode::motion::contact::{ContactSample, ContactSimulation, ContactStart};
+use polhode::motion::torque::TorqueModel;
+use polhode::motion::{
+    Ending, ErrorEffort, GlobalError, MotionError, MovingParticle, Pendulum, Required, Rotor, Scenario,
+    State, StateError, Swing, Trajectory, rigid_velocity,
+};
+use polhode_document::number::{alike, number, tidy_beside};
+
+use super::rows::Rows;
+use crate::report::free_facts::FreeFacts;
+use crate::report::motion;
+
+/// The state of the solution at t0, and the motion after it where there is one.
+pub struct Working<'a> {
+    pub scenario: &'a Scenario,
+    pub rotor: &'a Rotor,
+    pub start: State,
+    /// At t0, body axes: given, or for a prescribed motion needed.
+    pub torque: Torque<Body>,
+    /// dω/dt at t0, body axes.
+    pub acceleration: AngularAcceleration<Body>,
+    /// For a prescribed motion.
+    pub needed: Option<Required>,
+    pub pendulum: Option<Pendulum>,
+    /// The free motion that the start would have without torque.
+    pub at_start: Option<FreeFacts>,
+    /// At t0, of a body on the ground.
+    pub contact: Option<ContactSample>,
+    /// `None` without a run.
+    pub trajectory: Option<Cow<'a, Trajectory>>,
+    /// Rows of the table of step 5: none without a run, or on the ground.
+    pub rows: Rows,
+}
+
+impl<'a> Working<'a> {
+    /// What was noticed about the scenario, and about its motion if that is known.
+    pub fn findings(&self) -> Vec<Finding> {
+        match self.trajectory.as_deref() {
+            Some(trajectory) => motion::findings(self.scenario, trajectory),
+            None => self.scenario.findings().to_vec(),
+        }
+    }
+
+    pub fn of(scenario: &'a Scenario) -> Result<Self, MotionError> {
+        if scenario.gimbals().is_some() {
+            return Self::with(scenario, None);
+        }
+        let trajectory = match scenario.simulate_with_error(ErrorEffort::Auto, &mut |_| true) {
+            // A point has no rotation to compute; all else about it can be told.
+            None | Some(Err(MotionError::NotSpinnable)) => None,
+            Some(result) => Some(Cow::Owned(result?)),
+        };
+        // Half a solution is none: `explain_motion` is for those who have it already. What is on the ground has its formulas at any rate.
+        if scenario.ground().is_none()
+            && let Some(Ending::Failed { cause, .. }) = trajectory.as_deref().map(Trajectory::ending)
+        {
+            return Err(cause.clone());
+        }
+        Self::with(scenario, trajectory)
+    }
+
+    /// As [`Working::of`], where the motion is known.
+    pub fn with(
+        scenario: &'a Scenario,
+        trajectory: Option<Cow<'a, Trajectory>>,
+    ) -> Result<Self, MotionError> {
+        if scenario.history().is_some() {
+            let (time, why) = (
+                scenario.start().time,
+                "has no worked solution: the steps are those of a body that stays as it is",
+            );
+            return Err(MotionError::MassHistory { time, why });
+        }
+        if scenario.gimbals().is_some() {
+            let why = "the steps of a worked solution are those of a body that is free or held at a point";
+            return Err(MotionError::InGimbals { why });
+        }
+        let rotor = scenario.rotor();
+        let pendulum = scenario.pendulum().transpose()?;
+        let needed = scenario
+            .prescribed()
+            .map(|motion| Required::by(rotor, motion, scenario.start().time))
+            .transpose()?;
+        let start = needed.map_or(scenario.start(), |needed| needed.state);
+        let contact = touching(scenario, trajectory.as_deref())?;
+        let given = || acting(scenario).fold(Torque::ZERO, |sum, model| sum + model.torque(rotor, &start));
+        let torque = needed.map_or_else(given, |needed| needed.torque);
+        let torque = contact.map_or(torque, |contact| contact.torque);
+        let acceleration =
+            needed.map_or_else(|| rotor.acceleration(start.omega, torque), |needed| needed.acceleration);
+        let at_start = FreeFacts::from_start(rotor, start);
+        let rows = match trajectory.as_deref().filter(|_| scenario.ground().is_none()) {
+            Some(trajectory) => {
+                Rows::of(scenario, trajectory, period(scenario, pendulum.as_ref(), at_start.as_ref()))?
+            }
+            None => Rows::default(),
+        };
+        Ok(Self {
+            scenario,
+            rotor,
+            start,
+            torque,
+            acceleration,
+            needed,
+            pendulum,
+            at_start,
+            contact,
+            trajectory,
+            rows,
+        })
+    }
+
+    pub fn title(&self) -> String {
+        self.scenario.title().map_or_else(|| "A rigid body".to_owned(), str::to_owned)
+    }
+
+    pub const fn body(&self) -> &MassProperties<Body> {
+        self.scenario.body()
+    }
+
+    /// The point that the body turns about.
+    pub fn point(&self) -> Position<Body> {
+        self.scenario.pivot().unwrap_or(self.body().center_of_mass())
+    }
+
+    pub const fn point_name(&self) -> &'static str {
+        if self.scenario.pivot().is_some() { "the pivot" } else { "the centre of mass" }
+    }
+
+    /// True if no torque acts, no wheel spins, and the motion is not given.
+    pub fn is_free(&self) -> bool {
+        self.scenario.is_free()
+    }
+
+    /// True if friction inside makes the axes turn at Ω and not at ω.
+    pub fn has_sink(&self) -> bool {
+        self.scenario.torques().iter().any(|torque| matches!(torque, TorqueModel::EnergySink(_)))
+    }
+
+    pub fn is_turning(&self) -> bool {
+        self.start.omega.norm() > 0.0
+    }
+
+    /// The velocity of the centre of mass at t0.
+    pub fn center_velocity(&self) -> Velocity<Space> {
+        if self.scenario.pivot().is_some() {
+            self.start.attitude * self.start.omega.cross(self.rotor.lever())
+        } else {
+            self.scenario.velocity()
+        }
+    }
+
+    /// Particles that stand for the body, moving in space as it does at t0, their places seen from its centre of mass.
+    ///
+    /// Its own particles where it is made of them, else one for each part, at the part's centre of mass.
+    pub fn moving_particles(&self) -> Vec<MovingParticle<Space>> {
+        let at_parts =
+            || self.scenario.parts().iter().map(|p| (p.properties.mass(), p.properties.center_of_mass()));
+        let places: Vec<(f64, Position<Body>)> = if self.scenario.is_all_particles() {
+            self.scenario.particles().iter().map(|p| (p.mass(), p.position())).collect()
+        } else {
+            at_parts().collect()
+        };
+        let attitude = self.start.attitude;
+        let omega = attitude * self.start.omega;
+        let velocity = self.center_velocity();
+        let moving = |(mass, place): (f64, Position<Body>)| {
+            let r = attitude * (place - self.body().center_of_mass());
+            let particle = Particle::new(mass, r).ok()?;
+            Some(MovingParticle { particle, velocity: rigid_velocity(velocity, omega, r) })
+        };
+        places.into_iter().filter_map(moving).collect()
+    }
+
+    /// Estimated error at the end of the run: relative of ω, rad of the attitude; zero without an estimate.
+    pub fn error(&self) -> StateError {
+        let end = self.trajectory.as_deref().and_then(Trajectory::error).map(GlobalError::end);
+        end.unwrap_or(StateError { attitude: 0.0, omega: 0.0 })
+    }
+}
+
+/// True if a run that holds only the pivot leaves the axis.
+pub fn leaves(scenario: &Scenario, axis: Direction<Body>) -> bool {
+    let axial = scenario.rotor().angular_momentum(AngularVelocity::from_array(axis.to_array()));
+    let omega = scenario.start().omega;
+    axial.angle_to(axis) > 1e-9 || omega.cross(axis).norm() > 1e-9 * omega.norm()
+}
+
+/// The period of ω in the body, s, of a free motion or of a pendulum that gravity alone swings.
+fn period(scenario: &Scenario, pendulum: Option<&Pendulum>, at_start: Option<&FreeFacts>) -> Option<f64> {
+    if scenario.is_free() {
+        let free = at_start?;
+        return match &free.top {
+            Some((top, _)) => Some(TAU / top.body_rate().abs()).filter(|period| period.is_finite()),
+            None => free.motion.period(),
+        };
+    }
+    let axis = scenario.suspension()?.axis.direction()?;
+    let is_gravity_alone = matches!(scenario.torques(), [TorqueModel::Gravity(_)]);
+    let pendulum = pendulum.filter(|_| is_gravity_alone && !leaves(scenario, axis))?;
+    match pendulum.swing(pendulum.angle(), axis.dot(scenario.start().omega)) {
+        Swing::Oscillation { period, .. } | Swing::Revolution { period } => Some(period),
+        Swing::Rest | Swing::Separatrix => None,
+    }
+}
+
+/// What a body on the ground does at t0.
+fn touching(
+    scenario: &Scenario,
+    trajectory: Option<&Trajectory>,
+) -> Result<Option<ContactSample>, MotionError> {
+    let Some(ground) = scenario.ground() else { return Ok(None) };
+    if let Some(motion) = trajectory.and_then(Trajectory::contact) {
+        return Ok(Some(*motion.start()));
+    }
+    let start = ContactStart { state: scenario.start(), at: ground.at, velocity: ground.velocity };
+    let motion = ContactSimulation::new(scenario.body(), &ground.contact, start, &[]).run()?;
+    Ok(Some(*motion.start()))
+}
+
+/// Significant digits of a worked solution.
+pub const DIGITS: usize = 6;
+
+/// A number as a worked solution shows it.
+pub fn n(x: f64) -> String {
+    number(x, DIGITS)
+}
+
+/// A number as a factor: negative ones in brackets.
+pub fn factor(x: f64) -> String {
+    if x < 0.0 { format!("({})", n(x)) } else { n(x) }
+}
+
+/// `(x, y, z)` without what rounding left of its zeros.
+pub fn v(values: [f64; 3]) -> String {
+    let scale = values.iter().fold(0.0, |max, x| f64::max(max, x.abs()));
+    polhode_document::number::vector(tidy_beside(values, scale), DIGITS)
+}
+
+/// `(x, y, z)` as it is: of numbers whose smallness matters.
+pub fn exactly(values: [f64; 3]) -> String {
+    polhode_document::number::vector(values, DIGITS)
+}
+
+/// Rows of numbers as cells; each column alike.
+pub fn cells(rows: &[Vec<f64>]) -> Vec<Vec<String>> {
+    let count = rows.first().map_or(0, Vec::len);
+    let columns: Vec<Vec<String>> =
+        (0..count).map(|k| alike(&rows.iter().map(|row| row[k]).collect::<Vec<_>>(), DIGITS)).collect();
+    (0..rows.len()).map(|r| columns.iter().map(|column| column[r].clone()).collect()).collect()
+}
+
+/// The torques that are not switched off at the start.
+pub fn acting(scenario: &Scenario) -> impl Iterator<Item = &TorqueModel> {
+    let all = scenario.torques().iter().enumerate();
+    all.filter(|(k, _)| !scenario.switched_off().contains(k)).map(|(_, torque)| torque)
+}

@@ -1,0 +1,82 @@
+//! A body on the ground: the ground, where the body touches it, the forces there, and its phases.
+
+use polhode::math::{Direction, Space};
+use polhode::motion::contact::{
+    ContactChange, ContactSample, ContactTrajectory, Ground, GroundShape, GroundSide,
+};
+use polhode::motion::{Scenario, Trajectory};
+use polhode_document::json::{finite, numbers};
+use serde_json::{Value, json};
+
+use super::PageSubject;
+use super::motion::Shown;
+use super::rows::Rows;
+use super::surface;
+
+/// Null of any other motion.
+pub fn json(trajectory: &Trajectory, subject: &PageSubject<'_>, shown: &Shown<'_>, rows: &mut Rows) -> Value {
+    let (PageSubject::Scenario(scenario), Some(motion)) = (subject, trajectory.contact()) else {
+        return Value::Null;
+    };
+    let Some(ground) = scenario.ground() else { return Value::Null };
+    let mut row = |of: &dyn Fn(&ContactSample) -> f64| rows.put(shown.contact.iter().map(|s| finite(of(s))));
+    let [normal_force, slip, friction] =
+        [row(&|s| s.normal_force), row(&|s| s.slip.norm()), row(&|s| s.friction.norm())];
+    let [friction_work, ground_work] = [row(&|s| s.friction_work), row(&|s| s.ground_work)];
+    let up = Direction::<Space>::from_array(ground.contact.gravity.to_array()).direction().map(|down| -down);
+    json!({
+        "ground": of_ground(&ground.contact.ground),
+        "up": up.map(|up| numbers(&up.to_array())),
+        "surface": surface_beside(scenario),
+        "center": rows.put(shown.contact.iter().flat_map(|s| s.center.to_array())),
+        "point": rows.put(shown.contact.iter().flat_map(|s| s.contact.to_array())),
+        "normalForce": normal_force,
+        "friction": friction,
+        "slip": slip,
+        "frictionWork": friction_work,
+        "groundWork": ground_work,
+        "phases": phases(motion),
+    })
+}
+
+fn of_ground(ground: &Ground) -> Value {
+    let (kind, radius, side) = match *ground.shape() {
+        GroundShape::Sphere { radius, side } => ("sphere", radius, Some(side)),
+        GroundShape::Cylinder { radius, side } => ("cylinder", radius, Some(side)),
+        _ => ("plane", 0.0, None),
+    };
+    json!({
+        "form": kind,
+        "radius": radius,
+        "inside": side == Some(GroundSide::Inside),
+        "axis": numbers(&ground.axis().to_array()),
+        "rate": ground.turning(),
+    })
+}
+
+/// The surface of the body, unless its parts show it.
+fn surface_beside(scenario: &Scenario) -> Option<Value> {
+    let ground = scenario.ground()?;
+    let is_shown =
+        !surface::has_forms(scenario.parts()) || surface::is_shown(&ground.contact.surface, scenario.parts());
+    if is_shown { None } else { surface::shape(&ground.contact.surface, scenario.body().center_of_mass()) }
+}
+
+/// The phases one after the other, each from when to when.
+fn phases(motion: &ContactTrajectory) -> Value {
+    let end = motion.samples().last().unwrap_or(motion.start()).state.time;
+    let mut all: Vec<(&str, f64)> = vec![(motion.start().phase.name(), motion.start().state.time)];
+    for event in motion.changes() {
+        let begins = match event.change {
+            ContactChange::Slips | ContactChange::SlipsAnew => "sliding",
+            ContactChange::Grips => "rolling",
+            ContactChange::LiftsOff => "flying",
+            _ => continue,
+        };
+        if all.last().is_some_and(|(name, _)| *name != begins) {
+            all.push((begins, event.time));
+        }
+    }
+    let ends = all.iter().skip(1).map(|(_, from)| *from).chain([end]);
+    all.iter().zip(ends).map(|((name, from), to)| json!({ "name": name, "from": from, "to": to })).collect()
+}

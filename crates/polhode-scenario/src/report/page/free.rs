@@ -1,0 +1,134 @@
+//! The geometry of a free motion: the curves that ω and L draw.
+
+use polhode::math::Vector;
+use polhode::motion::{ClosedForm, FreeMotion, Regime, Solution};
+use polhode::observe::{CurveError, Herpolhode, MomentumTrace, Polhode};
+use serde_json::{Value, json};
+
+use super::cones::ConeAngles;
+use super::motion::Shown;
+use super::rows::Rows;
+use super::{PageInput, PageSubject};
+use crate::report::free_facts::FreeFacts;
+
+/// Chords are so near to their curves, relative to the largest vector: no eye sees more.
+const CHORD: f64 = 1e-3;
+
+/// Other motions of the body round each end of its axes.
+const SISTERS: usize = 5;
+
+/// Of ω, which the herpolhode has at most.
+const MOST_PERIODS: f64 = 12.0;
+
+/// Points of the herpolhode: what is longer is cut off.
+const MOST_POINTS: usize = 4_000;
+
+/// The free motion that is shown; `None` if a torque acts or wheels spin, if the motion is given, or at rest.
+pub fn facts(input: &PageInput<'_>) -> Option<FreeFacts> {
+    let motion = match (input.trajectory.solution(), input.subject) {
+        (Solution::Exact(ClosedForm::Free(motion)), _) => **motion,
+        (Solution::Integrated { .. }, PageSubject::Scenario(scenario)) if scenario.is_free() => {
+            FreeMotion::of(scenario.rotor(), input.trajectory.start().state).ok()?
+        }
+        _ => return None,
+    };
+    (motion.regime() != Regime::AtRest).then(|| FreeFacts::of(motion))
+}
+
+/// The curves; null where one of them cannot be drawn. Other motions of the body only if it is `whole`.
+pub fn json(free: &FreeFacts, shown: &Shown<'_>, whole: bool, rows: &mut Rows) -> Value {
+    curves(free, shown, whole, rows).unwrap_or(Value::Null)
+}
+
+fn curves(free: &FreeFacts, shown: &Shown<'_>, whole: bool, rows: &mut Rows) -> Result<Value, CurveError> {
+    let motion = &free.motion;
+    let polhode = Polhode::of(motion, CHORD)?;
+    let trace = MomentumTrace::of(motion, CHORD)?;
+    let herpolhode = herpolhode(motion, shown)?;
+    let Family { sisters, separatrices } = if whole { Family::of(motion)? } else { Family::default() };
+    let mut row = |points: &mut dyn Iterator<Item = [f64; 3]>| rows.put(points.flatten());
+    Ok(json!({
+        "regime": motion.regime().description(),
+        "period": motion.period(),
+        "momentum": motion.momentum().norm(),
+        "energy": motion.kinetic_energy(),
+        "polhode": row(&mut polhode.curve.points().iter().map(|p| p.to_array())),
+        "herpolhode": row(&mut herpolhode.into_iter()),
+        "separatrix": separatrices.into_iter().map(|line| row(&mut line.into_iter())).collect::<Vec<_>>(),
+        "family": sisters.into_iter().map(|line| row(&mut line.into_iter())).collect::<Vec<_>>(),
+        "cones": ConeAngles::of(free).json(),
+        "trace": row(&mut trace.curve.points().iter().map(|l| in_principal_axes(motion, *l))),
+    }))
+}
+
+/// ω in space over the time that is shown, from one period to [`MOST_PERIODS`].
+fn herpolhode(motion: &FreeMotion, shown: &Shown<'_>) -> Result<Vec<[f64; 3]>, CurveError> {
+    let time = |sample: Option<&&polhode::motion::Sample>| sample.map_or(0.0, |s| s.state.time);
+    let duration = time(shown.samples.last()) - time(shown.samples.first());
+    let wanted = motion.period().map_or(1.0, |period| (duration / period).clamp(1.0, MOST_PERIODS));
+    // Where ω goes round L far oftener than in the body even a period is too much to draw.
+    let fits = |periods: f64| Herpolhode::of(motion, periods, CHORD);
+    let curve = match fits(wanted) {
+        Err(CurveError::TooManyPoints { .. }) => fits(1e-3)?,
+        curve => curve?,
+    };
+    let along = curve.normal * curve.height;
+    let point = |p: &polhode::math::AngularVelocity<polhode::math::Space>| {
+        let ([x, y, z], [a, b, c]) = (p.to_array(), along.to_array());
+        [x + a, y + b, z + c]
+    };
+    Ok(curve.curve.points().iter().take(MOST_POINTS).map(point).collect())
+}
+
+/// Lines on the momentum sphere: where else L could run. They depend on the principal moments alone.
+#[derive(Default)]
+struct Family {
+    sisters: Vec<Vec<[f64; 3]>>,
+    separatrices: Vec<Vec<[f64; 3]>>,
+}
+
+impl Family {
+    fn of(motion: &FreeMotion) -> Result<Self, CurveError> {
+        let (mut sisters, mut halves) = (Vec::new(), Vec::new());
+        for sister in Polhode::family(motion, SISTERS, CHORD)? {
+            let line: Vec<[f64; 3]> =
+                sister.curve.points().iter().map(|omega| direction(motion, *omega)).collect();
+            if sister.regime == Regime::Separatrix { halves.push(line) } else { sisters.push(line) }
+        }
+        // The halves come as (+, +), (+, −), (−, +), (−, −): the first and the last are one circle, as are the others.
+        let separatrices = match halves.as_slice() {
+            [first, second, third, fourth] => vec![circle(first, fourth), circle(second, third)],
+            _ => Vec::new(),
+        };
+        Ok(Self { sisters, separatrices })
+    }
+}
+
+/// Two halves with the same ends as one closed line.
+fn circle(there: &[[f64; 3]], back: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    there.iter().chain(back.iter().rev()).chain(there.first()).copied().collect()
+}
+
+/// L/|L| of an angular velocity in the body, principal axes: (i1 ω1, i2 ω2, i3 ω3) / |…|.
+fn direction(motion: &FreeMotion, omega: polhode::math::AngularVelocity<polhode::math::Body>) -> [f64; 3] {
+    let principal = motion.principal();
+    let omega = (principal.rotation().inverse() * omega).to_array();
+    let [i1, i2, i3] = principal.moments();
+    unit([i1 * omega[0], i2 * omega[1], i3 * omega[2]])
+}
+
+fn in_principal_axes<Q>(motion: &FreeMotion, l: Vector<Q, polhode::math::Body>) -> [f64; 3] {
+    let to_principal = motion.principal().rotation().inverse();
+    unit((to_principal * l).to_array())
+}
+
+/// The vector divided by its length; zero stays.
+fn unit(v: [f64; 3]) -> [f64; 3] {
+    let largest = v.iter().fold(0.0, |max, x| f64::max(max, x.abs()));
+    if !(largest > 0.0 && largest.is_finite()) {
+        return [0.0; 3];
+    }
+    let v = v.map(|x| x / largest);
+    let norm = v.iter().map(|x| x * x).sum::<f64>().sqrt();
+    v.map(|x| x / norm)
+}

@@ -1,0 +1,199 @@
+//! The motion as rows of numbers.
+
+use polhode::motion::contact::{ContactSample, ContactTrajectory};
+use polhode::motion::{Crossing, Pointing, Sample, Trajectory, Wheel};
+use polhode_document::json::finite;
+use polhode_document::layout::printable;
+use serde_json::{Value, json};
+
+use super::PageSubject;
+use super::rows::Rows;
+use crate::report::balance::{Balance, Driven, balances, has_potential};
+use crate::report::plot::series;
+use crate::report::torque::named_wheels;
+
+/// A page of more samples would be large and show no more.
+const MOST: usize = 2_001;
+
+/// The samples that a page shows.
+#[derive(Debug)]
+pub struct Shown<'a> {
+    pub samples: Vec<&'a Sample>,
+    /// What they are on the ground; none of any other body.
+    pub contact: Vec<&'a ContactSample>,
+    /// How many there are.
+    pub of: usize,
+    driven: Driven,
+    drift: Vec<Balance>,
+    pub method: &'static str,
+    wheels: Vec<(String, Wheel)>,
+    pointings: Vec<Pointing>,
+    events: Vec<(f64, String)>,
+    is_complete: bool,
+}
+
+impl<'a> Shown<'a> {
+    /// All samples, or [`MOST`] evenly chosen with the first and the last; the start where there are none.
+    pub fn of(trajectory: &'a Trajectory, subject: &PageSubject<'a>) -> Self {
+        let all = trajectory.samples();
+        let (driven, wheels, pointings) = match *subject {
+            PageSubject::Scenario(scenario) => {
+                (Driven::of(scenario), named_wheels(scenario), series::pointings(scenario))
+            }
+            PageSubject::Moments(_) => (Driven::default(), Vec::new(), Vec::new()),
+        };
+        let mut drift = balances(trajectory, driven);
+        let mut samples = vec![trajectory.start()];
+        let mut contact: Vec<_> = trajectory.contact().map(ContactTrajectory::start).into_iter().collect();
+        if !all.is_empty() {
+            let chosen = chosen(all.len());
+            samples = chosen.iter().filter_map(|&k| all.get(k)).collect();
+            let on_ground = trajectory.contact().map_or(&[][..], ContactTrajectory::samples);
+            contact = chosen.iter().filter_map(|&k| on_ground.get(k)).collect();
+            for balance in &mut drift {
+                balance.values = chosen.iter().filter_map(|&k| balance.values.get(k)).copied().collect();
+            }
+        }
+        Self {
+            samples,
+            contact,
+            of: all.len().max(1),
+            driven,
+            drift,
+            method: trajectory.solution().name(),
+            wheels,
+            pointings,
+            events: events(trajectory),
+            is_complete: trajectory.ending().is_complete(),
+        }
+    }
+
+    fn row<const N: usize>(&self, rows: &mut Rows, of: impl Fn(&Sample) -> [f64; N]) -> Value {
+        rows.put(self.samples.iter().flat_map(|sample| of(sample)))
+    }
+
+    /// Lines of the drift plot: what should stay the same.
+    fn drift(&self, rows: &mut Rows) -> Value {
+        let line = |balance: &Balance| json!({ "name": balance.name, "values": rows.put(balance.values.iter().map(|&d| finite(d))) });
+        self.drift.iter().map(line).collect()
+    }
+
+    /// What each wheel does; `null` for a speed that is held.
+    fn wheels(&self, rows: &mut Rows) -> Value {
+        let one = |(name, wheel): &(String, Wheel)| {
+            let speeds: Option<Vec<f64>> =
+                self.samples.iter().map(|s| wheel.speed_at(s.state.time, s.state.omega)).collect();
+            json!({
+                "name": printable(name),
+                "axis": wheel.axis().to_array(),
+                "motor": wheel.is_driven().then(|| self.row(rows, |s| [wheel.torque_at(s.state.time)])),
+                "momentum": self.row(rows, |s| [wheel.momentum_at(s.state.time)]),
+                "speed": speeds.map(|speeds| rows.put(speeds)),
+            })
+        };
+        self.wheels.iter().map(one).collect()
+    }
+
+    /// The angles of directions of the body to nadir, velocity or what else is of interest.
+    fn pointings(&self, rows: &mut Rows) -> Value {
+        let one = |pointing: &Pointing| {
+            let angle = |s: &Sample| [finite(pointing.angle(&s.state))];
+            json!({ "name": printable(pointing.name()), "values": self.row(rows, angle) })
+        };
+        self.pointings.iter().map(one).collect()
+    }
+
+    /// What the torques or the motors have done since the start; null where there is a potential to tell instead, or nothing acts.
+    fn work(&self, has_potential: bool, rows: &mut Rows) -> Value {
+        if has_potential || !self.driven.at_all() || !self.contact.is_empty() {
+            return Value::Null;
+        }
+        json!({ "name": self.driven.work(), "values": self.row(rows, |s| [finite(s.work)]) })
+    }
+
+    /// T; of a body on the ground with that of its centre of mass.
+    fn kinetic(&self, rows: &mut Rows) -> Value {
+        if self.contact.is_empty() {
+            return self.row(rows, |s| [s.kinetic_energy]);
+        }
+        rows.put(self.contact.iter().map(|s| s.kinetic_energy))
+    }
+
+    /// U of the torques, or of the weight of a body on the ground.
+    fn potential(&self, has_potential: bool, rows: &mut Rows) -> Value {
+        match has_potential {
+            _ if !self.contact.is_empty() => rows.put(self.contact.iter().map(|s| s.potential_energy)),
+            true => self.row(rows, |s| [s.potential_energy.unwrap_or_default()]),
+            false => Value::Null,
+        }
+    }
+
+    /// The first of the events that happened: more would hide the curves.
+    fn events(&self) -> Value {
+        const MOST: usize = 40;
+        let one = |(time, name): &(f64, String)| json!({ "time": time, "name": name });
+        self.events.iter().take(MOST).map(one).collect()
+    }
+
+    /// True if some torque acts.
+    fn is_turned(&self) -> bool {
+        self.samples.iter().any(|s| s.torque.norm() > 0.0)
+    }
+}
+
+/// When something happened, and what, in the order of time: the events, and the changes of a contact.
+fn events(trajectory: &Trajectory) -> Vec<(f64, String)> {
+    let one = |crossing: &Crossing| (crossing.state.time, printable(&crossing.name));
+    let mut all: Vec<_> = trajectory.events().iter().map(one).collect();
+    let changes = trajectory.contact().map_or(&[][..], ContactTrajectory::changes);
+    all.extend(changes.iter().map(|event| (event.time, event.change.name().to_owned())));
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all
+}
+
+/// Which of so many samples are shown.
+fn chosen(count: usize) -> Vec<usize> {
+    if count <= MOST {
+        return (0..count).collect();
+    }
+    (0..MOST).map(|k| k * (count - 1) / (MOST - 1)).collect()
+}
+
+/// `contact`: of a body on the ground what else there is to show.
+pub fn json(shown: &Shown<'_>, contact: &Value, rows: &mut Rows) -> Value {
+    let has_potential = has_potential(shown.samples.iter().copied());
+    json!({
+        "count": shown.samples.len(),
+        "method": shown.method,
+        "times": shown.row(rows, |s| [s.state.time]),
+        "attitude": shown.row(rows, |s| s.state.attitude.quaternion()),
+        "omega": shown.row(rows, |s| s.state.omega.to_array()),
+        "momentum": shown.row(rows, |s| s.momentum.to_array()),
+        "torque": shown.is_turned().then(|| shown.row(rows, |s| s.torque.to_array())),
+        "kinetic": shown.kinetic(rows),
+        "potential": shown.potential(has_potential, rows),
+        "work": shown.work(has_potential, rows),
+        "drift": shown.drift(rows),
+        "wheels": shown.wheels(rows),
+        "pointings": shown.pointings(rows),
+        "events": shown.events(),
+        "eventCount": shown.events.len(),
+        "contact": contact,
+        "complete": shown.is_complete,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_and_the_last_sample_are_shown() {
+        assert_eq!(chosen(3), [0, 1, 2]);
+        for count in [MOST, MOST + 1, 2 * MOST - 1, 123_457] {
+            let chosen = chosen(count);
+            assert_eq!((chosen.len(), chosen[0], chosen[MOST - 1]), (MOST, 0, count - 1));
+            assert!(chosen.windows(2).all(|pair| pair[0] < pair[1]));
+        }
+    }
+}

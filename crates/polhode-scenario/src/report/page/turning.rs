@@ -1,0 +1,136 @@
+//! The body that turns, and the point that it turns about.
+
+use polhode::body::{BodyPart, PrincipalFrame};
+use polhode::math::{Body, Direction, Position};
+use polhode::motion::contact::BodySurface;
+use polhode_document::json::finite;
+
+use super::PageSubject;
+
+/// A body and the point that it turns about.
+#[derive(Debug)]
+pub struct Turning<'a> {
+    /// kg; `None` if only the moments are known.
+    pub mass: Option<f64>,
+    /// About the point.
+    pub principal: PrincipalFrame<Body>,
+    pub tensor: [[f64; 3]; 3],
+    pub is_pivoted: bool,
+    /// From the point to the centre of mass.
+    pub lever: Position<Body>,
+    /// The point.
+    pub point: Position<Body>,
+    /// With which it touches the ground, if it does.
+    pub surface: Option<&'a BodySurface>,
+    pub parts: &'a [BodyPart],
+    /// About the centre of mass.
+    pub central: PrincipalFrame<Body>,
+    /// Is it so at the start only?
+    pub is_changing: bool,
+}
+
+impl<'a> Turning<'a> {
+    pub fn of(subject: &PageSubject<'a>) -> Self {
+        match *subject {
+            PageSubject::Scenario(scenario) => {
+                let (rotor, body) = (scenario.rotor(), scenario.body());
+                Self {
+                    mass: Some(rotor.mass()),
+                    principal: *rotor.principal(),
+                    tensor: rotor.inertia().matrix(),
+                    is_pivoted: rotor.is_pivoted(),
+                    lever: rotor.lever(),
+                    point: scenario.pivot().unwrap_or(body.center_of_mass()),
+                    surface: scenario.ground().map(|ground| &ground.contact.surface),
+                    parts: scenario.parts(),
+                    central: PrincipalFrame::of(body.inertia()),
+                    is_changing: scenario.history().is_some(),
+                }
+            }
+            PageSubject::Moments(principal) => Self {
+                mass: None,
+                principal: *principal,
+                tensor: tensor(principal),
+                is_pivoted: false,
+                lever: Position::ZERO,
+                point: Position::ZERO,
+                surface: None,
+                parts: &[],
+                central: *principal,
+                is_changing: false,
+            },
+        }
+    }
+
+    pub const fn about(&self) -> &'static str {
+        if self.is_pivoted { "pivot" } else { "centre of mass" }
+    }
+}
+
+/// Semi-axes of the uniform ellipsoid of this mass and these moments: i1 = m (b² + c²) / 5, …
+///
+/// Unphysical moments leave a semi-axis without length.
+pub fn ellipsoid([i1, i2, i3]: [f64; 3], mass: f64) -> [f64; 3] {
+    let semi_axis = |others: f64, own: f64| finite((2.5 / mass * (others - own).max(0.0)).sqrt());
+    [semi_axis(i2 + i3, i1), semi_axis(i1 + i3, i2), semi_axis(i1 + i2, i3)]
+}
+
+/// Edges of the uniform box of this mass and these moments: i1 = m (b² + c²) / 12, …
+///
+/// `None` if no box has them, or f64 does not hold it.
+pub fn equivalent_box([i1, i2, i3]: [f64; 3], mass: f64) -> Option<[f64; 3]> {
+    // A plate's thickness is zero but for rounding.
+    let rounding = 1e-12 * i3;
+    let square = |others: f64, own: f64| {
+        let excess = others - own;
+        let excess = if excess.abs() <= rounding { 0.0 } else { excess };
+        6.0 * excess / mass
+    };
+    let squares = [square(i2 + i3, i1), square(i1 + i3, i2), square(i1 + i2, i3)];
+    squares.iter().all(|square| *square >= 0.0 && square.is_finite()).then(|| squares.map(f64::sqrt))
+}
+
+/// Σ i_k e_k e_kᵀ
+fn tensor(principal: &PrincipalFrame<Body>) -> [[f64; 3]; 3] {
+    let axes = principal.axes().map(Direction::to_array);
+    let moments = principal.moments();
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| moments.iter().zip(&axes).map(|(moment, e)| moment * e[i] * e[j]).sum())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_box_has_the_moments() {
+        // ∫ (x² + y²) dm over a uniform box by Gauss's rule of two points on each axis, ±½a/√3: exact for squares.
+        let ([a, b, c], mass) = ([0.31, 0.53, 0.74_f64], 2.3);
+        let signs = |k: u32| [k & 1, k >> 1 & 1, k >> 2 & 1].map(|bit| 2.0 * f64::from(bit) - 1.0);
+        let point = |k: u32| -> [f64; 3] {
+            std::array::from_fn(|i| signs(k)[i] * 0.5 * [a, b, c][i] / 3.0_f64.sqrt())
+        };
+        let moment = |i: usize, j: usize| {
+            (0..8).map(|k| mass / 8.0 * (point(k)[i].powi(2) + point(k)[j].powi(2))).sum::<f64>()
+        };
+        let moments = [moment(0, 1), moment(0, 2), moment(1, 2)];
+        let edges = equivalent_box(moments, mass).unwrap();
+        for (found, edge) in edges.iter().zip([c, b, a]) {
+            assert!((found - edge).abs() < 1e-14, "{edges:?}");
+        }
+        assert_eq!(equivalent_box([1.0, 2.0, 3.0], 1.0), Some([24.0_f64.sqrt(), 12.0_f64.sqrt(), 0.0]));
+        assert_eq!(equivalent_box([1.0, 1.0, 2.5], 1.0), None);
+    }
+
+    #[test]
+    fn the_ellipsoid_has_the_moments() {
+        let [a, b, c] = [0.3, 0.5, 0.7_f64];
+        let moments = [b * b + c * c, a * a + c * c, a * a + b * b].map(|sum| 2.3 / 5.0 * sum);
+        let semi_axes = ellipsoid([moments[2], moments[1], moments[0]], 2.3);
+        for (found, wanted) in semi_axes.into_iter().zip([c, b, a]) {
+            assert!((found - wanted).abs() < 1e-15, "{found} {wanted}");
+        }
+        assert_eq!(ellipsoid([1.0, 2.0, 5.0], 1.0)[2], 0.0);
+    }
+}

@@ -1,0 +1,59 @@
+//! The two periods of a free motion, each in the convention of its own mode.
+
+use std::f64::consts::TAU;
+
+use polhode::motion::{FreeMotion, Regime};
+use polhode::observe::{AxisConvention, Cones, SymmetricTop, TumblingPeriods};
+use polhode_document::layout::labelled;
+use polhode_document::unit::duration;
+
+/// How long the axis that L circles takes about L, on average, and how long the body takes about that axis, s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Periods {
+    /// Of the axis about L; of a motion that has one.
+    pub precession: Option<f64>,
+    /// Of the body about the axis; of a permanent rotation, of the body.
+    pub rotation: Option<f64>,
+}
+
+impl Periods {
+    /// Those of a motion; a permanent rotation has no precession, the separatrix and a body at rest have neither.
+    pub fn of(motion: &FreeMotion) -> Self {
+        let turn = |rate: f64| (rate != 0.0).then(|| TAU / rate.abs());
+        let (precession, rotation) = match motion.regime() {
+            Regime::Permanent(_) => (None, turn(motion.start().omega.norm())),
+            Regime::Symmetric => {
+                let cones = SymmetricTop::of_motion(motion).map(|top| Cones::of(&top));
+                (cones.and_then(|c| turn(c.space_rate)), cones.and_then(|c| turn(c.body_rate)))
+            }
+            Regime::LongAxis => tumbling(motion, AxisConvention::LongAxis),
+            Regime::ShortAxis => tumbling(motion, AxisConvention::ShortAxis),
+            Regime::AtRest | Regime::Separatrix => (None, None),
+        };
+        Self { precession, rotation }
+    }
+}
+
+fn tumbling(motion: &FreeMotion, convention: AxisConvention) -> (Option<f64>, Option<f64>) {
+    let periods = TumblingPeriods::of(motion, convention);
+    (periods.map(|p| p.precession), periods.map(|p| p.rotation))
+}
+
+/// P_φ and P_ψ as lines of text, to so many digits, in both conventions of a body with two extreme axes; nothing of others.
+pub fn in_both_conventions(motion: &FreeMotion, digits: usize) -> String {
+    let of = |convention| TumblingPeriods::of(motion, convention);
+    let (Some(long), Some(short)) = (of(AxisConvention::LongAxis), of(AxisConvention::ShortAxis)) else {
+        return String::new();
+    };
+    let round = |axis: u8, periods: TumblingPeriods, convention: &str| {
+        let period = duration(periods.precession, digits);
+        format!("axis {axis} goes round L in {period} on average ({convention}-axis\u{a0}P_φ)")
+    };
+    let (circled, other) = if motion.circles_least() { (1, 3) } else { (3, 1) };
+    let rotation = format!(
+        "about axis {circled} the body turns once in a period of ω (P_ψ), about axis {other} it rocks"
+    );
+    labelled("precession", &round(1, long, "long"))
+        + &labelled("", &round(3, short, "short"))
+        + &labelled("rotation", &rotation)
+}

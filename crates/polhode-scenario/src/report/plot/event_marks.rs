@@ -1,0 +1,116 @@
+//! Where events happen: dotted lines over the curves, letters above the frame, and names in the legend.
+
+use polhode::motion::Trajectory;
+use polhode_document::figure::axes::Axes;
+use polhode_document::figure::font;
+use polhode_document::figure::legend::Key;
+use polhode_document::figure::sheet::{Anchor, Colour, Mark, Pen, SMALL, Sheet, Text};
+use polhode_document::layout::printable;
+
+/// More lines than these would hide the curves: then there are short marks at the upper edge alone.
+const MOST_LINES: usize = 40;
+
+/// The length of a short mark, px.
+const SHORT: f64 = 7.0;
+
+const PEN: Pen = Pen::solid(Colour::FAINT, 1.0).dashed(&[2.0, 3.0]);
+
+/// The events of a motion, each with all its times.
+#[derive(Clone, Debug, Default)]
+pub struct EventMarks {
+    events: Vec<Marked>,
+}
+
+#[derive(Clone, Debug)]
+struct Marked {
+    number: usize,
+    name: String,
+    /// When it happens, s.
+    times: Vec<f64>,
+}
+
+impl EventMarks {
+    pub fn of(trajectory: &Trajectory) -> Self {
+        let mut events: Vec<Marked> = Vec::new();
+        for crossing in trajectory.events() {
+            let time = crossing.state.time;
+            match events.iter_mut().find(|marked| marked.number == crossing.event) {
+                Some(marked) => marked.times.push(time),
+                None => events.push(Marked {
+                    number: crossing.event,
+                    name: printable(&crossing.name),
+                    times: vec![time],
+                }),
+            }
+        }
+        Self { events }
+    }
+
+    /// Letters tell events apart if there are several.
+    pub fn has_letters(&self) -> bool {
+        self.events.len() > 1
+    }
+
+    /// The letter of an event, from 0; behind z they are numbers.
+    fn letter(k: usize) -> String {
+        match u8::try_from(k) {
+            Ok(k) if k < 26 => char::from(b'a' + k).to_string(),
+            _ => (k + 1).to_string(),
+        }
+    }
+
+    /// `a: 7 × camera 12° off`
+    pub fn keys(&self) -> impl Iterator<Item = Key> {
+        self.events.iter().enumerate().map(|(k, Marked { name, times, .. })| {
+            let letter = if self.has_letters() { format!("{}: ", Self::letter(k)) } else { String::new() };
+            let count = if times.len() > 1 { format!("{} × ", times.len()) } else { String::new() };
+            Key::line(PEN, format!("{letter}{count}{name}"))
+        })
+    }
+
+    /// Draws the marks over axes whose unit of time is so many seconds; the letters stand above their frame.
+    pub fn draw(&self, axes: &Axes, scale: f64, lettered: bool, sheet: &mut Sheet) {
+        let across = |time: f64| axes.at([time / scale, 0.0])[0];
+        let mut places: Vec<(f64, usize)> = Vec::new();
+        for (k, marked) in self.events.iter().enumerate() {
+            places.extend(marked.times.iter().map(|&time| (across(time), k)));
+        }
+        places.retain(|(x, _)| (axes.area.left - 0.5..=axes.area.right + 0.5).contains(x));
+        places.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let end = if places.len() > MOST_LINES { axes.area.top + SHORT } else { axes.area.bottom };
+        let mut drawn = f64::NEG_INFINITY;
+        for (x, _) in &places {
+            if *x - drawn > 0.5 {
+                sheet.line(vec![[*x, axes.area.top], [*x, end]], PEN);
+                drawn = *x;
+            }
+        }
+        if !(lettered && self.has_letters()) {
+            return;
+        }
+        // Letters that would touch stand together, each once.
+        let mut groups: Vec<(f64, Vec<usize>)> = Vec::new();
+        for (x, k) in places {
+            let width = |letters: &[usize]| font::width(&joined(letters), SMALL) + 4.0;
+            match groups.last_mut() {
+                Some((from, letters)) if x - *from < width(letters) => {
+                    if !letters.contains(&k) {
+                        letters.push(k);
+                    }
+                }
+                _ => groups.push((x, vec![k])),
+            }
+        }
+        for (x, letters) in groups {
+            // The first stands over its mark.
+            let shift = 0.5 * letters.first().map_or(0.0, |&k| font::width(&Self::letter(k), SMALL));
+            let at = [x - shift, axes.area.top - 4.0];
+            sheet.marks.push(Mark::Text(Text::small(at, Anchor::Start, Colour::FAINT, &joined(&letters))));
+        }
+    }
+}
+
+/// `a,b`
+fn joined(letters: &[usize]) -> String {
+    letters.iter().map(|&k| EventMarks::letter(k)).collect::<Vec<_>>().join(",")
+}

@@ -1,0 +1,137 @@
+//! How a curve oscillates: where it turns, and whether its samples show that.
+
+use polhode_document::figure::line::Point;
+use polhode_document::figure::range::range;
+
+/// A turn by less of the curve's range is none.
+const RIPPLE: f64 = 0.01;
+
+/// Samples from a turning point to the next that show a smooth oscillation; with fewer its extrema are missed by more than a tenth.
+const RESOLVED: f64 = 4.0;
+
+/// Fewer turning points than these are no oscillation.
+const FEW: usize = 5;
+
+/// Pixels from a turning point to the next with which a curve is read as one.
+const STRIPE: f64 = 6.0;
+
+/// The turning points of a curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Oscillation {
+    /// When it turns.
+    pub times: Vec<f64>,
+    /// Samples from one turning point to the next: the median.
+    samples: f64,
+    /// The part of the turning points that is one sample between two far away: a pulse that was hit once.
+    spikes: f64,
+}
+
+impl Oscillation {
+    /// That of a curve in pieces.
+    pub fn of(pieces: &[Vec<Point>]) -> Self {
+        let [least, greatest] = range(pieces.iter().flatten().map(|p| p[1]));
+        let spread = greatest - least;
+        let (mut times, mut gaps, mut spikes) = (Vec::new(), Vec::new(), 0);
+        for piece in pieces {
+            let turns = turning_points(piece, RIPPLE * spread);
+            gaps.extend(turns.windows(2).filter_map(|pair| Some(pair.last()? - pair.first()?)));
+            for k in turns {
+                let value = |k: usize| piece.get(k).map(|p| p[1]);
+                let far = |other: Option<f64>| {
+                    other.zip(value(k)).is_some_and(|(a, b)| (a - b).abs() > 0.5 * spread)
+                };
+                spikes += usize::from(far(k.checked_sub(1).and_then(value)) && far(value(k + 1)));
+                times.extend(piece.get(k).map(|p| p[0]));
+            }
+        }
+        gaps.sort_unstable();
+        let samples = gaps.get(gaps.len() / 2).map_or(f64::INFINITY, |&gap| gap as f64);
+        let spikes = if times.is_empty() { 0.0 } else { f64::from(spikes as u32) / times.len() as f64 };
+        Self { times, samples, spikes }
+    }
+
+    /// False if the samples are too few for what they show.
+    pub fn is_resolved(&self) -> bool {
+        self.times.len() < FEW || (self.samples >= RESOLVED && self.spikes <= 0.25)
+    }
+
+    /// True if the curve fills its frame of this width (px) with stripes.
+    pub fn is_striped(&self, width: f64) -> bool {
+        self.times.len() > FEW && width < STRIPE * self.times.len() as f64
+    }
+}
+
+/// The places at which a curve turns by more than `ripple`.
+pub fn turning_points(piece: &[Point], ripple: f64) -> Vec<usize> {
+    let mut turns = Vec::new();
+    let mut rising = None;
+    // The last extreme point so far, upward and downward.
+    let (mut high, mut low) = ((0, f64::NEG_INFINITY), (0, f64::INFINITY));
+    for (k, &[_, value]) in piece.iter().enumerate().filter(|(_, p)| p[1].is_finite()) {
+        if value > high.1 {
+            high = (k, value);
+        }
+        if value < low.1 {
+            low = (k, value);
+        }
+        if rising != Some(false) && value < high.1 - ripple {
+            // The beginning of a curve is not a turn.
+            if rising.is_some() {
+                turns.push(high.0);
+            }
+            (rising, low, high) = (Some(false), (k, value), (k, f64::NEG_INFINITY));
+        } else if rising != Some(true) && value > low.1 + ripple {
+            if rising.is_some() {
+                turns.push(low.0);
+            }
+            (rising, high, low) = (Some(true), (k, value), (k, f64::INFINITY));
+        }
+    }
+    turns
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 0.7 sin(2π t/1.3 + 0.4) over 20 s.
+    fn wave(step: f64) -> Vec<Vec<Point>> {
+        let at = |k: i32| {
+            let t = step * f64::from(k);
+            [t, 0.7 * (std::f64::consts::TAU * t / 1.3 + 0.4).sin()]
+        };
+        vec![(0..=(20.0 / step) as i32).map(at).collect()]
+    }
+
+    #[test]
+    fn a_wave_turns_twice_in_a_period() {
+        let wave = Oscillation::of(&wave(0.01));
+        // From a quarter less 0.4/2π of a period on.
+        let first = 1.3 * (0.25 - 0.4 / std::f64::consts::TAU);
+        for (k, time) in wave.times.iter().enumerate() {
+            assert!((time - first - 0.65 * k as f64).abs() < 0.006, "{k}: {time}");
+        }
+        assert_eq!(wave.times.len(), 31);
+        assert!(wave.is_resolved() && wave.is_striped(180.0) && !wave.is_striped(190.0));
+    }
+
+    #[test]
+    fn ripples_and_plain_curves_do_not_turn() {
+        let slope = |t: f64| [t, 2.0 * t + 0.005 * (40.0 * t).sin()];
+        let slope = vec![(0..400).map(|k| slope(0.01 * f64::from(k))).collect()];
+        assert!(Oscillation::of(&slope).times.is_empty());
+        assert!(!Oscillation::of(&slope).is_striped(1.0) && Oscillation::of(&[]).is_resolved());
+    }
+
+    #[test]
+    fn few_samples_do_not_resolve_a_wave() {
+        assert!(Oscillation::of(&wave(0.13)).is_resolved());
+        assert!(!Oscillation::of(&wave(0.21)).is_resolved());
+        // A pulse of one sample in twenty is not resolved; one of five is.
+        let pulses = |long: i32| {
+            let at = |k: i32| [0.25 * f64::from(k), if k % 20 < long { 1.2 } else { 0.0 }];
+            Oscillation::of(&[(0..600).map(at).collect::<Vec<_>>()])
+        };
+        assert!(!pulses(1).is_resolved() && pulses(5).is_resolved());
+    }
+}

@@ -1,0 +1,38 @@
+//! What figures of a motion are drawn from.
+
+use polhode::body::PrincipalFrame;
+use polhode::math::Body;
+use polhode::motion::{FreeMotion, Pointing, Sample, Solution, Trajectory, Wheel};
+
+use crate::report::balance::Driven;
+
+/// A motion, and what its figures ask of it.
+#[derive(Clone, Debug)]
+pub struct PlottedMotion<'a> {
+    pub title: String,
+    pub trajectory: &'a Trajectory,
+    /// About the point that the body turns about.
+    pub principal: PrincipalFrame<Body>,
+    pub free: Option<FreeMotion>,
+    pub driven: Driven,
+    pub wheels: Vec<(String, Wheel)>,
+    pub pointings: Vec<Pointing>,
+}
+
+impl<'a> PlottedMotion<'a> {
+    pub fn samples(&self) -> &'a [Sample] {
+        self.trajectory.samples()
+    }
+
+    pub fn is_prescribed(&self) -> bool {
+        matches!(self.trajectory.solution(), Solution::Prescribed(_))
+    }
+
+    /// From the first to the last sample, s.
+    pub fn duration(&self) -> f64 {
+        match self.samples() {
+            [first, .., last] => last.state.time - first.state.time,
+            _ => 0.0,
+        }
+    }
+}

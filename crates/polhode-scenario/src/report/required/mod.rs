@@ -1,0 +1,169 @@
+//! The report of `polhode torque`: what a prescribed motion needs, from motion to torque.
+
+mod shaft;
+mod summary;
+mod text;
+
+use polhode::body::Particle;
+use polhode::math::{Body, Torque};
+use polhode::motion::{MotionError, Required, Rotor, Scenario};
+use polhode_document::SourceInfo;
+use serde_json::Value;
+
+use shaft::ShaftReport;
+
+/// The torque, the power, the work and the forces that a prescribed motion needs.
+///
+/// ```
+/// # use polhode::prelude::*;
+/// # use polhode::motion::Prescribed;
+/// # use polhode::body::BodyPart;
+/// # let inertia = InertiaTensor::diagonal([1.0, 2.0, 2.5])?;
+/// # let body = MassProperties::new(1.0, Position::ZERO, inertia)?;
+/// # let part = BodyPart {
+/// #     name: "body".to_owned(), kind: "tensor", properties: body, extent: None, surface_area: None,
+/// #     particles: Vec::new(), form: None,
+/// # };
+/// # let attitude = Attitude::identity();
+/// # let led = Prescribed::fixed_axis(attitude, Direction::new(0.0, 3.0, 4.0), 2.0, 0.0)?;
+/// # let scenario = Scenario::new(body).made_of(vec![part]).prescribed_as(led)?;
+/// use polhode_document::SourceInfo;
+/// use polhode_scenario::report::RequiredReport;
+/// let report = RequiredReport::new(SourceInfo::new("body.toml", "scenario"), &scenario, &[], &[])?;
+/// // N = ω × I ω = 4 (3/5) (4/5) (2.5 − 2)
+/// assert!(report.to_text().contains("N = (0.96, 0, 0) N·m"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct RequiredReport<'a> {
+    source: SourceInfo,
+    scenario: &'a Scenario,
+    start: Required,
+    /// At the times of the run; at the start only without one.
+    samples: Vec<Required>,
+    /// At the times that were asked for.
+    at: Vec<Required>,
+    /// The particles whose forces are asked for.
+    points: Vec<Particle<Body>>,
+    shaft: Option<ShaftReport>,
+}
+
+impl<'a> RequiredReport<'a> {
+    /// The report of a scenario, with the torque at more times, s, and the forces on more points: on the particles of the body,
+    /// where it has no other parts, and on these.
+    ///
+    /// # Errors
+    /// A parameter's error ([`MotionError::is_parameter`]) if the scenario prescribes no motion, or none at one of the times; [`MotionError::NotFinite`]
+    /// where a formula is not finite.
+    pub fn new(
+        source: SourceInfo,
+        scenario: &'a Scenario,
+        at: &[f64],
+        points: &[Particle<Body>],
+    ) -> Result<Self, MotionError> {
+        let rotor = scenario.rotor();
+        let Some(motion) = scenario.prescribed() else {
+            let (parameter, rule) =
+                ("the number of prescribed motions", "at least 1: [prescribed] or [shaft]");
+            return Err(MotionError::ParameterOutOfRange { parameter, value: 0.0, rule });
+        };
+        let needed = |time: &f64| Required::by(rotor, motion, *time);
+        let times = scenario.run().map_or(&[][..], |run| &run.times);
+        let start = needed(&scenario.start().time)?;
+        let mut samples = times.iter().map(needed).collect::<Result<Vec<_>, _>>()?;
+        for k in 1..samples.len() {
+            // Along a table the quaternion is continuous.
+            let before = samples[k - 1].state.attitude;
+            samples[k].state.attitude = samples[k].state.attitude.continuous_with(before);
+        }
+        if samples.is_empty() {
+            samples.push(start);
+        }
+        let at = at.iter().map(needed).collect::<Result<_, _>>()?;
+        let own = if scenario.is_all_particles() { scenario.particles() } else { Vec::new() };
+        let points = [own.as_slice(), points].concat();
+        let shaft = scenario.shaft().map(|mounted| ShaftReport::new(mounted, &samples)).transpose()?;
+        Ok(Self { source, scenario, start, samples, at, points, shaft })
+    }
+
+    /// What the motion needs at the times of the run; at the start only without a run.
+    pub fn samples(&self) -> &[Required] {
+        &self.samples
+    }
+
+    /// The points whose forces are asked for.
+    pub fn points(&self) -> &[Particle<Body>] {
+        &self.points
+    }
+
+    /// The body and the point that it turns about.
+    pub const fn rotor(&self) -> &Rotor {
+        self.scenario.rotor()
+    }
+
+    /// One screen for people, and a line for each time that was asked for.
+    pub fn to_text(&self) -> String {
+        text::write(self)
+    }
+
+    /// One object with the same keys for every motion.
+    pub fn to_json(&self) -> Value {
+        summary::of(self)
+    }
+
+    /// The sample with the largest torque; of several the first.
+    fn largest(&self) -> &Required {
+        self.samples
+            .iter()
+            .fold(&self.start, |most, s| if s.torque.norm() > most.torque.norm() { s } else { most })
+    }
+
+    /// The sample that takes or gives the most power.
+    fn most_power(&self) -> &Required {
+        self.samples
+            .iter()
+            .fold(&self.start, |most, s| if s.power.abs() > most.power.abs() { s } else { most })
+    }
+
+    /// √⟨Nₖ²⟩ of each component over the time of the run (trapezoids), in body axes and in space.
+    fn rms(&self) -> [[f64; 3]; 2] {
+        let squares =
+            |s: &Required| [s.torque.to_array(), s.torque_space().to_array()].map(|n| n.map(|x| x * x));
+        let (mut sums, mut duration) = ([[0.0; 3]; 2], 0.0);
+        for pair in self.samples.windows(2) {
+            let step = pair[1].state.time - pair[0].state.time;
+            let (a, b) = (squares(&pair[0]), squares(&pair[1]));
+            duration += step;
+            for (sum, (a, b)) in
+                sums.as_flattened_mut().iter_mut().zip(a.as_flattened().iter().zip(b.as_flattened()))
+            {
+                *sum += 0.5 * step * (a + b);
+            }
+        }
+        if duration > 0.0 {
+            sums.map(|sum| sum.map(|x| (x / duration).sqrt()))
+        } else {
+            squares(&self.start).map(|n| n.map(f64::sqrt))
+        }
+    }
+
+    /// Sizes below a rounding of this are nothing, N·m.
+    fn scale(&self) -> f64 {
+        let inertial =
+            |s: &Required| self.rotor().angular_momentum(s.state.omega).norm() * s.state.omega.norm();
+        self.samples.iter().map(|s| inertial(s).max(s.torque.norm())).fold(0.0, f64::max)
+    }
+
+    fn last(&self) -> &Required {
+        self.samples.last().unwrap_or(&self.start)
+    }
+
+    fn first(&self) -> &Required {
+        self.samples.first().unwrap_or(&self.start)
+    }
+}
+
+/// The components of a torque without what rounding left of zeros.
+fn tidy<F>(torque: Torque<F>, scale: f64) -> [f64; 3] {
+    polhode_document::number::tidy_beside(torque.to_array(), scale)
+}

@@ -1,0 +1,36 @@
+//! How far apart the samples of a motion are.
+
+use polhode::motion::Sample;
+
+/// A body that turns farther than this from a sample to the next may oscillate unseen, rad.
+const FAR: f64 = std::f64::consts::FRAC_PI_2;
+
+/// ω and L include an angle, in radians, where a body nutates.
+const PARALLEL: f64 = 1e-6;
+
+/// The largest |ω| Δt, rad.
+pub fn largest_turn<'a>(samples: impl IntoIterator<Item = &'a Sample>) -> f64 {
+    let mut samples = samples.into_iter();
+    let Some(mut before) = samples.next() else { return 0.0 };
+    let mut largest = 0.0;
+    for sample in samples {
+        let rate = before.state.omega.norm().max(sample.state.omega.norm());
+        largest = f64::max(largest, rate * (sample.state.time - before.state.time));
+        before = sample;
+    }
+    largest
+}
+
+/// The largest turn of a body from a sample to the next if it is far, and the body nutates.
+pub fn turn_that_hides(samples: &[Sample]) -> Option<f64> {
+    let turn = largest_turn(samples);
+    let nutates = samples.iter().any(|s| {
+        let omega = s.state.omega_space();
+        let angle = omega.to_array().into_iter().zip(s.momentum.to_array());
+        let along = angle.map(|(a, b)| a * b).sum::<f64>();
+        let size = omega.norm() * s.momentum.norm();
+        // cos α = 1 − α²/2
+        size > 0.0 && 1.0 - (along / size).abs() > 0.5 * PARALLEL * PARALLEL + 4.0 * f64::EPSILON
+    });
+    (turn > FAR && nutates).then_some(turn)
+}

@@ -1,0 +1,55 @@
+//! The body: its principal moments, along which axes, and whether a body can have them.
+
+use polhode::body::{InertiaTensor, PrincipalFrame, Symmetry};
+use polhode::math::{Body, Direction};
+use polhode_document::number::{GROUP, number};
+use polhode_document::unit::DIGITS;
+
+/// True if some distribution of mass has these moments.
+pub fn is_possible(principal: &PrincipalFrame<Body>) -> bool {
+    InertiaTensor::<Body>::diagonal(principal.moments()).is_ok()
+}
+
+/// `1, 2, 3 kg·m²: possible (1 + 2 = 3: a flat plate)`
+pub fn in_words(principal: &PrincipalFrame<Body>) -> String {
+    let possibility = possibility(principal).replace(' ', &GROUP.to_string());
+    format!("{}: {possibility}", moments(principal))
+}
+
+/// The moments in ascending order, each with its axis if that is not the body axis of the same number.
+fn moments(principal: &PrincipalFrame<Body>) -> String {
+    let [i1, i2, i3] = principal.moments().map(|i| number(i, DIGITS));
+    match principal.axes().map(name) {
+        [Some("x"), Some("y"), Some("z")] => format!("{i1}, {i2}, {i3} kg·m²"),
+        [Some(n1), Some(n2), Some(n3)] => {
+            format!("axis 1 ({n1}) {i1}, axis 2 ({n2}) {i2}, axis 3 ({n3}) {i3} kg·m²")
+        }
+        _ => format!("axis 1 {i1}, axis 2 {i2}, axis 3 {i3} kg·m², principal"),
+    }
+}
+
+/// The body axis that a principal axis lies along.
+fn name(axis: Direction<Body>) -> Option<&'static str> {
+    let along = axis.to_array().iter().position(|c| c.abs() == 1.0)?;
+    ["x", "y", "z"].get(along).copied()
+}
+
+fn possibility(principal: &PrincipalFrame<Body>) -> String {
+    /// A body whose moments miss equality by less of the greatest is shown as a plate, nearly.
+    const NEARLY: f64 = 1e-6;
+    /// The rounding of a plate's moments.
+    const ROUNDING: f64 = 64.0 * f64::EPSILON;
+    let [i1, i2, i3] = principal.moments();
+    let [n1, n2, n3] = principal.moments().map(|i| number(i, DIGITS));
+    let spare = ((i1 + i2) - i3) / i3;
+    match principal.symmetry() {
+        Symmetry::Rod => "possible (a rod)".to_owned(),
+        _ if !is_possible(principal) => {
+            let sum = number(i1 + i2, DIGITS);
+            format!("unphysical ({n1} + {n2} = {sum} < {n3}: violates the triangle inequality)")
+        }
+        _ if spare.abs() <= ROUNDING => format!("possible ({n1} + {n2} = {n3}: a flat plate)"),
+        _ if spare < NEARLY => "possible (very nearly a flat plate)".to_owned(),
+        _ => format!("possible ({n1} + {n2} > {n3})"),
+    }
+}

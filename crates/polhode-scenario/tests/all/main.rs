@@ -1,0 +1,32 @@
+//! The integration tests of `polhode-scenario`, as one program: each links the whole library.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may")]
+
+mod book;
+mod common;
+mod contact;
+mod contact_examples;
+mod examples;
+mod explain;
+mod explain_rows;
+mod export;
+mod files;
+mod formula;
+mod gimbal_examples;
+mod gimbals;
+mod golden;
+mod json;
+mod mass_history;
+mod mistakes;
+mod motion_errors;
+mod page;
+mod page_contact;
+mod page_contract;
+mod page_gimbals;
+mod page_scene;
+mod prescribed;
+mod scenario;
+mod tables;
+mod torque_formula;
+mod torque_table;
+mod worked;
+mod worked_ground;

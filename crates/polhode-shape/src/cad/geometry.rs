@@ -1,0 +1,350 @@
+//! Measures of a shape without mass, as MeshLab and FreeCAD print them: volume, centre and the tensor of density 1.
+//!
+//! MeshLab's filter "Compute Geometric Measures" logs, in the unit of the mesh's coordinates,
+//!
+//! ```text
+//! Mesh Surface Area is 98.211000
+//! Mesh Volume is 36.789902
+//! Center of Mass is 0.012000 -0.000300 0.941000
+//! Inertia Tensor is :
+//! | 68.811394  0.000714  0.918281 |
+//! ```
+//!
+//! The tensor is about the centre of mass, with products −∫xy dV. Source: `InertiaTensor` in
+//! vcg/complex/algorithms/inertia.h of VCGLib, after Mirtich, J. Graphics Tools 1 (1996) 31.
+//!
+//! FreeCAD's console shows `Shape.Volume`, `Shape.CenterOfMass` and `Shape.MatrixOfInertia`, in mm,
+//! as `1000.0`, `Vector (1.0, 2.0, 3.0)` and `Matrix ((…),(…),(…),(0,0,0,1))`: about the centre of
+//! mass, along the axes of the document, with products −∫xy dV. Source: `GProp_GProps` of Open
+//! CASCADE, whose `MatrixOfInertia` this is.
+
+mod freecad;
+mod meshlab;
+
+use std::f64::consts::PI;
+use std::ops::Range;
+
+use polhode::body::shape::Substance;
+use polhode::body::{BodyError, Finding, InertiaTensor, MassProperties, Severity};
+use polhode::math::{Body, Position};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace, told_unit};
+
+use super::numbers;
+
+/// A program that prints the measures of a shape without mass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum GeometryProgram {
+    /// MeshLab, Visual Computing Lab.
+    MeshLab,
+    /// FreeCAD.
+    FreeCad,
+}
+
+impl GeometryProgram {
+    /// The program whose measures a text has; `None` for reports that have a mass.
+    pub fn of_text(text: &str) -> Option<Self> {
+        if meshlab::is_of(text) {
+            Some(Self::MeshLab)
+        } else if freecad::is_of(text) {
+            Some(Self::FreeCad)
+        } else {
+            None
+        }
+    }
+
+    /// `MeshLab` or `FreeCAD`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::MeshLab => "MeshLab",
+            Self::FreeCad => "FreeCAD",
+        }
+    }
+}
+
+/// The measures of a shape, in SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GeometryReport {
+    /// Program that printed them.
+    pub program: GeometryProgram,
+    /// m³
+    pub volume: f64,
+    /// m²
+    pub surface_area: Option<f64>,
+    /// Metres in the unit of length.
+    pub unit: f64,
+    /// True if neither the text nor the caller says the unit, and it is taken as the metre.
+    pub unit_assumed: bool,
+    /// Notes and warnings: rounding, a mesh that is wound inward.
+    pub findings: Vec<Finding>,
+    center: Position<Body>,
+    /// About the centre of mass at density 1, m⁵: xx, yy, zz, and the products −∫xy dV, −∫xz dV, −∫yz dV.
+    tensor: [f64; 6],
+}
+
+/// Measures as a text has them, in its own unit of length.
+struct Measures {
+    volume: Number,
+    surface_area: Option<Number>,
+    center: [Number; 3],
+    /// Row by row.
+    tensor: [Number; 9],
+    /// Principal moments, where the text has them.
+    moments: Option<[Number; 3]>,
+    /// Metres in the unit, if the program has only one.
+    unit: Option<f64>,
+}
+
+/// A printed number, the bound on its rounding, and its place.
+#[derive(Clone, Debug, Default)]
+struct Number {
+    value: f64,
+    half: f64,
+    span: Range<usize>,
+}
+
+/// Relative rounding of the tensor above which it is reported.
+const ROUGH: f64 = 1e-3;
+
+/// Relative rounding of a moment above which no digit of it is certain.
+const LOST: f64 = 0.4;
+
+/// Relative accuracy of single precision with a margin, in which MeshLab computes.
+const SINGLE: f64 = 1e-5;
+
+impl GeometryReport {
+    /// Reads the measures of a program; `unit` is metres in the unit of length of a mesh, a metre without it.
+    ///
+    /// ```
+    /// use polhode::body::shape::Substance;
+    /// use polhode_shape::cad::{GeometryProgram, GeometryReport};
+    /// let text = "Volume = 6000.0\nCenterOfMass = Vector (5.0, 10.0, 15.0)\nMatrixOfInertia = Matrix ((650000.0,0.0,0.0,0.0),\
+    ///             (0.0,500000.0,0.0,0.0),(0.0,0.0,250000.0,0.0),(0.0,0.0,0.0,1.0))";
+    /// let brick = GeometryReport::read(GeometryProgram::FreeCad, text, None)?;
+    /// let body = brick.mass_properties(Substance::Mass(0.6)).unwrap(); // kg
+    /// // m (b² + c²)/12 of edges 20 mm and 30 mm
+    /// assert!((body.inertia().matrix()[0][0] - 0.6 * 1300e-6 / 12.0).abs() < 1e-19);
+    /// # Ok::<(), polhode_source::ContentError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ContentError`] if a measure is missing, given twice, not a number, or contradicts another,
+    /// or if the tensor has no digits left.
+    pub fn read(program: GeometryProgram, text: &str, unit: Option<f64>) -> Result<Self, ContentError> {
+        told_unit("the unit of length", unit)?;
+        let measures = match program {
+            GeometryProgram::MeshLab => meshlab::read(text)?,
+            GeometryProgram::FreeCad => freecad::read(text)?,
+        };
+        let mut findings = Vec::new();
+        let sign = inward(&measures, &mut findings)?;
+        symmetric(text, &measures)?;
+        traced(text, &measures)?;
+        compact(text, &measures)?;
+        rounded(text, program, &measures, &mut findings)?;
+        let length = measures.unit.or(unit).unwrap_or(1.0);
+        let scaled = |number: &Number, power: i32| sign * number.value * length.powi(power);
+        let [xx, xy, xz, _, yy, yz, _, _, zz] = measures.tensor.each_ref().map(|number| scaled(number, 5));
+        Ok(Self {
+            program,
+            volume: scaled(&measures.volume, 3),
+            surface_area: measures.surface_area.map(|area| area.value * length * length),
+            unit: length,
+            unit_assumed: measures.unit.is_none() && unit.is_none(),
+            findings,
+            center: Position::from_array(measures.center.map(|number| number.value * length)),
+            tensor: [xx, yy, zz, xy, xz, yz],
+        })
+    }
+
+    /// The body of a substance: I = (M/V) I₁ with the tensor I₁ of density 1.
+    ///
+    /// # Errors
+    /// [`BodyError`] if the substance is not that of a solid, or if the printed tensor is impossible.
+    pub fn mass_properties(&self, substance: Substance) -> Result<MassProperties<Body>, BodyError> {
+        let (mass, density) = match substance {
+            Substance::Mass(mass) => (mass, mass / self.volume),
+            Substance::Density(density) => (density * self.volume, density),
+            Substance::AreaDensity(value) | Substance::LineDensity(value) => {
+                let rule = "in kg/m³, since the shape is solid";
+                return Err(BodyError::Parameter { what: "the density", value, rule });
+            }
+        };
+        let [xx, yy, zz, xy, xz, yz] = self.tensor.map(|element| density * element);
+        let tensor = InertiaTensor::with_negative_products([xx, yy, zz], [xy, xz, yz])?;
+        MassProperties::new(mass, self.center, tensor)
+    }
+}
+
+/// The sign of the volume and of the tensor: −1 of a mesh that is wound inward as a whole.
+fn inward(measures: &Measures, findings: &mut Vec<Finding>) -> Result<f64, ContentError> {
+    let Number { value, span, .. } = &measures.volume;
+    if *value > 0.0 {
+        return Ok(1.0);
+    }
+    if *value == 0.0 {
+        let rule =
+            "not zero: the shape is not a solid, or too small for the digits that are printed".to_owned();
+        return Err(bad("the volume", value.to_string(), rule, span.clone()));
+    }
+    let message = "the volume is negative: the mesh is wound inward as a whole, and was turned".to_owned();
+    findings.push(Finding { code: "cad.inward", severity: Severity::Info, message, place: None });
+    Ok(-1.0)
+}
+
+/// Refuses a tensor whose two halves differ.
+fn symmetric(text: &str, measures: &Measures) -> Result<(), ContentError> {
+    let tensor = &measures.tensor;
+    let size = [0, 4, 8].map(|k| tensor[k].value.abs()).into_iter().fold(0.0, f64::max);
+    for (above, below) in [(1, 3), (2, 6), (5, 7)] {
+        let [a, b] = [&tensor[above], &tensor[below]];
+        if (a.value - b.value).abs() > 2.0 * (a.half + b.half) + SINGLE * size {
+            let rule = format!("equal to its opposite, {}", &text[a.span.clone()]);
+            let value = text[b.span.clone()].to_owned();
+            return Err(bad("the element of the inertia tensor", value, rule, b.span.clone()));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses principal moments whose sum is not the trace: they are of another shape.
+fn traced(text: &str, measures: &Measures) -> Result<(), ContentError> {
+    let Some(moments) = &measures.moments else { return Ok(()) };
+    let diagonal = [0, 4, 8].map(|k| &measures.tensor[k]);
+    let sum = |numbers: [&Number; 3]| numbers.into_iter().map(|number| number.value).sum::<f64>();
+    let halves: f64 = moments.iter().chain(diagonal).map(|number| number.half).sum();
+    let (moments_sum, trace) = (sum(moments.each_ref()), sum(diagonal));
+    if (moments_sum - trace).abs() <= 2.0 * halves + SINGLE * trace.abs() {
+        return Ok(());
+    }
+    let span = moments[0].span.start..moments[2].span.end;
+    let rule = format!("with the sum {trace} of the diagonal of the inertia tensor");
+    Err(bad("the principal moments", text[span.clone()].to_owned(), rule, span))
+}
+
+/// Refuses a volume that is too large for the tensor.
+///
+/// The ball of radius R = (3V/4π)^⅓ has the least ∫r² dV about the centre of mass of all bodies of volume V: ⅗ V R². Each
+/// piece of another body outside the ball is farther from the centre than a piece of the ball that the body lacks. As
+/// tr I = 2 ∫r² dV at density 1,
+///
+/// ½ tr I ≥ ⅗ (3/4π)^⅔ V^(5/3)
+///
+/// Source: Lieb & Loss, Analysis, 2nd ed. (2001), theorem 1.14, the bathtub principle.
+fn compact(text: &str, measures: &Measures) -> Result<(), ContentError> {
+    let factor = 0.6 * (0.75 / PI).cbrt().powi(2);
+    let volume = &measures.volume;
+    let diagonal = [0, 4, 8].map(|k| &measures.tensor[k]);
+    let sum = |of: fn(&Number) -> f64| diagonal.into_iter().map(of).sum::<f64>();
+    let half_trace = 0.5 * sum(|number| number.value).abs();
+    let smallest = (volume.value.abs() - volume.half).max(0.0);
+    let least = factor * smallest.cbrt().powi(5);
+    if half_trace + 0.5 * sum(|number| number.half) >= least * (1.0 - SINGLE) {
+        return Ok(());
+    }
+    let most = (half_trace / factor).powf(0.6);
+    let rule = format!(
+        "at most {}: of all shapes of one volume the ball has the least moments, and those of this tensor are less",
+        super::six(most)
+    );
+    let error = bad("the volume", text[volume.span.clone()].to_owned(), rule, volume.span.clone());
+    Err(error.hint("paste the volume and the tensor of one shape, in one unit"))
+}
+
+/// Reports how far the printed digits leave the tensor open; refuses one without digits.
+fn rounded(
+    text: &str,
+    program: GeometryProgram,
+    measures: &Measures,
+    findings: &mut Vec<Finding>,
+) -> Result<(), ContentError> {
+    let relative = |number: &Number| number.half / number.value.abs().max(f64::MIN_POSITIVE);
+    let moments = [0, 4, 8].map(|k| &measures.tensor[k]);
+    let remedy = format!("scale the shape up in {}, to mm say, and print again", program.name());
+    if let Some(lost) = moments.into_iter().chain([&measures.volume]).find(|number| relative(number) > LOST) {
+        let what = if lost.span == measures.volume.span { "the volume" } else { "the moment of inertia" };
+        let rule = "printed with more digits: rounding leaves none of it".to_owned();
+        let error = bad(what, text[lost.span.clone()].to_owned(), rule, lost.span.clone());
+        return Err(error.hint(remedy));
+    }
+    let rounding = moments.into_iter().map(relative).fold(0.0, f64::max) + relative(&measures.volume);
+    if rounding > ROUGH {
+        let message = format!(
+            "the printed digits leave the moments of inertia open by up to {:.2} %: {remedy}",
+            100.0 * rounding
+        );
+        findings.push(Finding { code: "cad.rounding", severity: Severity::Warning, message, place: None });
+    }
+    Ok(())
+}
+
+/// A slot for a measure that a text has once.
+#[derive(Default)]
+struct Once<T>(Option<T>);
+
+impl<T> Once<T> {
+    /// Fills it, if it is empty.
+    fn put(&mut self, what: &str, value: T, place: Range<usize>) -> Result<(), ContentError> {
+        if self.0.is_some() {
+            let rule = "given once: the text has the measures of more than one shape".to_owned();
+            return Err(bad(what, "two values".to_owned(), rule, place).hint("paste one at a time"));
+        }
+        self.0 = Some(value);
+        Ok(())
+    }
+
+    /// Returns the measure, or an error that it is missing.
+    fn require(self, what: &str, hint: &str) -> Result<T, ContentError> {
+        self.0.ok_or_else(|| {
+            let kind = ContentErrorKind::Missing { what: what.to_owned() };
+            ContentError::new(kind, ContentPlace::Whole).hint(hint)
+        })
+    }
+}
+
+/// Exactly `N` numbers in a part of a text, with these characters between them.
+fn exactly<const N: usize>(
+    what: &str,
+    text: &str,
+    part: Range<usize>,
+    between: &[char],
+) -> Result<[Number; N], ContentError> {
+    let expected = |found: &str, span: Range<usize>| {
+        let what = format!("{N} {} for {what}", if N == 1 { "number" } else { "numbers" });
+        let kind = ContentErrorKind::Expected { what, found: found.trim().to_owned() };
+        ContentError::new(kind, ContentPlace::Text(span))
+    };
+    let is_between = |c: char| c.is_whitespace() || between.contains(&c);
+    let mut all = Vec::with_capacity(N);
+    let mut at = part.start;
+    for word in text[part.clone()].split(is_between) {
+        let span = at..at + word.len();
+        at = span.end + text[span.end..].chars().next().map_or(0, char::len_utf8);
+        if word.is_empty() {
+            continue;
+        }
+        let plain = numbers::read(text, &span, super::DecimalMark::Point).ok();
+        let number = plain.and_then(|plain| {
+            let value: f64 = plain.digits.parse().ok()?;
+            let half = plain.half.max(f64::EPSILON * value.abs());
+            value.is_finite().then_some(Number { value, half, span: span.clone() })
+        });
+        all.push(number.ok_or_else(|| expected(word, span))?);
+    }
+    all.try_into().map_err(|_| expected(&text[part.clone()], part))
+}
+
+/// Numbers as Python prints them: shortest doubles, which have no rounding but their own. They all have a point or a
+/// power of ten, as 1.0; streams of C++ write 1 and round to six digits.
+fn shortest<const N: usize>(text: &str, numbers: [Number; N]) -> [Number; N] {
+    let is_shortest = |number: &Number| text[number.span.clone()].contains(['.', 'e', 'E']);
+    if !numbers.iter().all(is_shortest) {
+        return numbers;
+    }
+    numbers.map(|number| Number { half: f64::EPSILON * number.value.abs(), ..number })
+}
+
+fn bad(what: &str, value: String, rule: String, span: Range<usize>) -> ContentError {
+    let kind = ContentErrorKind::Value { what: what.to_owned(), value, rule };
+    ContentError::new(kind, ContentPlace::Text(span))
+}

@@ -1,0 +1,568 @@
+//! Mass-property reports of CAD programs, pasted as text: SolidWorks, Fusion, Creo, Onshape, and
+//! others that label their numbers alike. [`GeometryReport`] reads the measures of shapes without
+//! mass, by MeshLab and FreeCAD. The words are English ones; numbers and units are those of any
+//! country. Headings of other languages are recognised, and refused by name.
+//!
+//! Three things are read or proved, and never guessed:
+//!
+//! - units, from the report's own unit words;
+//! - the decimal mark, from numbers that have one reading only;
+//! - the sign of the products of inertia, from the parallel-axis theorem or the principal axes ([`SignProof`]).
+//!
+//! What the report leaves open is refused with a question, and [`CadOptions`] answers it.
+
+mod geometry;
+mod language;
+mod numbers;
+mod proof;
+mod scan;
+mod units;
+
+use std::ops::Range;
+
+use polhode::body::{BodyError, Finding, InertiaAbout, InertiaTensor, MassProperties, Severity};
+use polhode::math::{Body, Position};
+use polhode_source::unit;
+use polhode_source::unit::{Dimension, UnitError};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace, told_unit};
+
+use proof::{Evidence, PLACES, Printed, Tensor};
+use scan::{CENTRAL, Group, ORIGIN, SCALARS, Scan};
+
+pub use geometry::{GeometryProgram, GeometryReport};
+pub use proof::{SignProof, SignSource};
+
+/// Answers to what a report may leave open; by default none.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CadOptions {
+    /// The decimal mark, where the numbers leave it open.
+    pub decimal: Option<DecimalMark>,
+    /// The sign of the products of inertia, where nothing proves it.
+    pub products: Option<ProductConvention>,
+    /// Kilograms in the unit of mass, where the report names none.
+    pub mass_unit: Option<f64>,
+    /// Metres in the unit of length, where the report names none.
+    pub length_unit: Option<f64>,
+}
+
+/// The mark between the whole and its fraction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DecimalMark {
+    /// 1.5
+    Point,
+    /// 1,5
+    Comma,
+}
+
+impl DecimalMark {
+    /// `point` or `comma`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Point => "point",
+            Self::Comma => "comma",
+        }
+    }
+
+    const fn character(self) -> char {
+        match self {
+            Self::Point => '.',
+            Self::Comma => ',',
+        }
+    }
+}
+
+/// What a product of inertia is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ProductConvention {
+    /// −∫xy dm: the element of the tensor.
+    Negative,
+    /// +∫xy dm
+    Positive,
+}
+
+impl ProductConvention {
+    /// `negative` or `positive`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Negative => "negative",
+            Self::Positive => "positive",
+        }
+    }
+}
+
+/// The program that wrote a report, by its headings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CadProduct {
+    /// SolidWorks, Dassault Systèmes.
+    SolidWorks,
+    /// Fusion, Autodesk.
+    Fusion,
+    /// Creo Parametric, PTC.
+    Creo,
+    /// Onshape, PTC.
+    Onshape,
+    /// None of these headings.
+    Unknown,
+}
+
+impl CadProduct {
+    /// `SolidWorks`, `Fusion`, `Creo`, `Onshape` or `an unknown program`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::SolidWorks => "SolidWorks",
+            Self::Fusion => "Fusion",
+            Self::Creo => "Creo",
+            Self::Onshape => "Onshape",
+            Self::Unknown => "an unknown program",
+        }
+    }
+}
+
+/// A report that has been read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CadReport {
+    /// Who wrote it.
+    pub product: CadProduct,
+    /// The body, in SI, along the axes and about the origin of the report's coordinate system.
+    pub properties: MassProperties<Body>,
+    /// m³
+    pub volume: Option<f64>,
+    /// m²
+    pub surface_area: Option<f64>,
+    /// kg/m³; `None` also where the report rounds it to zero.
+    pub density: Option<f64>,
+    /// How the sign of the products is known.
+    pub proof: SignProof,
+    /// What was noticed on the way.
+    pub findings: Vec<Finding>,
+}
+
+/// Reads a report.
+///
+/// Values are the nearest doubles to what is printed, in SI; the answer is as accurate as the report's
+/// digits. Several tensors are used for the proof, and the one about the centre of mass for the answer.
+///
+/// ```
+/// use polhode_shape::cad::{self, CadOptions, ProductConvention, SignSource};
+/// let report = "
+/// Mass = 2.50 kilograms
+/// Center of mass: ( meters )
+///     X = 1.00  Y = -2.00  Z = 0.50
+/// Moments of inertia: ( kilograms * square meters )
+/// Taken at the center of mass and aligned with the output coordinate system.
+///     Lxx = 10.00  Lxy = 1.00   Lxz = -0.50
+///     Lyx = 1.00   Lyy = 8.00   Lyz = 0.75
+///     Lzx = -0.50  Lzy = 0.75   Lzz = 5.00
+/// Moments of inertia: ( kilograms * square meters )
+/// Taken at the output coordinate system.
+///     Ixx = 20.63  Ixy = -4.00  Ixz = 0.75
+///     Iyx = -4.00  Iyy = 11.13  Iyz = -1.75
+///     Izx = 0.75   Izy = -1.75  Izz = 17.50
+/// ";
+/// let report = cad::read(report, &CadOptions::default())?;
+/// // -4 = 1 + 2.5 × 1 × (-2): these products are +∫xy dm
+/// assert_eq!(report.proof.by, SignSource::ParallelAxis);
+/// assert_eq!(report.proof.convention, ProductConvention::Positive);
+/// assert!(report.proof.residual_positive < 1.0 && report.proof.residual_negative > 50.0);
+/// assert_eq!(report.properties.inertia().matrix()[0][1], -1.0); // the tensor has minus the integral
+/// # Ok::<(), polhode_source::ContentError>(())
+/// ```
+///
+/// # Errors
+/// [`ContentError`] if a quantity is missing, given twice or not a number; with a question if a unit, the
+/// decimal mark or the sign is open; with both residuals if the report contradicts itself.
+pub fn read(text: &str, options: &CadOptions) -> Result<CadReport, ContentError> {
+    told_unit("the unit of mass", options.mass_unit)?;
+    told_unit("the unit of length", options.length_unit)?;
+    let scan = scan::scan(text)?;
+    let mut numbers: Vec<_> = spans(&scan).collect();
+    numbers.sort_by_key(|span| span.start);
+    let mark = numbers::decimal_mark(text, &numbers, options.decimal)?;
+    let reader = Reader { text, mark, options };
+
+    let (_, mass_name, mass_dimension) = SCALARS[0];
+    if let Some(program) = GeometryProgram::of_text(text)
+        && !scan.scalars[0].is_some()
+    {
+        return Err(without_mass(program));
+    }
+    let untold = |error: ContentError| in_its_language(text, error);
+    let [mass] = reader.whole(&scan.scalars[0], mass_dimension, |_| mass_name.to_owned()).map_err(untold)?;
+    let central = reader.tensor(&scan.tensors[CENTRAL], CENTRAL).map_err(untold)?;
+    let origin = reader.tensor(&scan.tensors[ORIGIN], ORIGIN).map_err(untold)?;
+    if central.is_none() && origin.is_none() {
+        let what = "moments of inertia".to_owned();
+        let error = ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole);
+        return Err(untold(
+            error.hint("paste the whole report, from the mass to the last moment of inertia"),
+        ));
+    }
+    // The tensor about the centre of mass is one wherever that is: a block of Creo's alone, say.
+    let nowhere = !scan.center.is_some()
+        && central.is_some()
+        && origin.is_none()
+        && !scan.names_center
+        && language::foreign(text).is_none();
+    let center = match nowhere {
+        true => [Printed::default(); 3],
+        false => reader
+            .whole(&scan.center, Dimension::LENGTH, |k| scan::center_name(k).to_owned())
+            .map_err(untold)?,
+    };
+    let evidence = Evidence {
+        mass,
+        center,
+        central,
+        origin,
+        moments: reader.if_whole(&scan.moments, Dimension::INERTIA)?,
+        axes: reader.if_whole(&scan.axes, Dimension::NONE)?,
+        stated: scan.stated,
+        told: options.products,
+    };
+    let proof = proof::prove(&evidence)?;
+    let properties = body(&evidence, proof.convention).map_err(impossible)?;
+    let mut findings = findings(&evidence, &proof);
+    if nowhere {
+        let message = "the report has no centre of mass: it is taken as the origin, and only the tensor about it is known";
+        findings.push(finding("cad.no-center", Severity::Warning, message.to_owned()));
+    }
+    let mut scalar = |k: usize| -> Result<Option<Printed>, ContentError> {
+        let (group, (_, name, dimension)) = (&scan.scalars[k], SCALARS[k]);
+        let value: Option<[Printed; 1]> = reader.if_whole(group, dimension)?;
+        if group.is_some() && value.is_none() {
+            let message = format!("{name} has no unit and was not read");
+            findings.push(finding("cad.no-unit", Severity::Info, message));
+        }
+        Ok(value.map(|[p]| p).filter(|p| p.value > 0.0))
+    };
+    let [volume, surface_area, density] = [scalar(1)?, scalar(2)?, scalar(3)?];
+    if let (Some(volume), Some(density)) = (volume, density)
+        && let Some(product) = other_mass(mass, volume, density)
+    {
+        // SolidWorks marks values that its user has set by hand.
+        if text.to_lowercase().contains("overrid") {
+            let message = format!(
+                "the mass is overridden: density × volume, {} kg/m³ × {} m³, is {} kg",
+                six(density.value),
+                six(volume.value),
+                six(product)
+            );
+            findings.push(finding("cad.overridden", Severity::Warning, message));
+        } else {
+            return Err(contradictory(text, &scan.scalars[0], [density, volume].map(|p| p.value), product));
+        }
+    }
+    Ok(CadReport {
+        product: scan.product,
+        properties,
+        volume: volume.map(|p| p.value),
+        surface_area: surface_area.map(|p| p.value),
+        density: density.map(|p| p.value),
+        findings,
+        proof,
+    })
+}
+
+/// The mass by density and volume, if it is not that of the report: m = ρ V within twice the rounding of all three.
+fn other_mass(mass: Printed, volume: Printed, density: Printed) -> Option<f64> {
+    let product = density.value * volume.value;
+    let rounding = mass.half + density.half * volume.value + volume.half * density.value;
+    ((mass.value - product).abs() > 2.0 * rounding + 1e-9 * product).then_some(product)
+}
+
+fn contradictory(text: &str, mass: &Group<1>, [density, volume]: [f64; 2], product: f64) -> ContentError {
+    let [found] = &mass.numbers;
+    let span = found.as_ref().map_or(0..0, |found| found.span.clone());
+    let kind = ContentErrorKind::Value {
+        what: "the mass".to_owned(),
+        value: text[span.clone()].to_owned(),
+        rule: format!(
+            "density × volume of the report: {} kg/m³ × {} m³ = {} kg",
+            six(density),
+            six(volume),
+            six(product)
+        ),
+    };
+    ContentError::new(kind, ContentPlace::Text(span)).hint(
+        "paste the numbers of one body, with their units; leave out a density or volume that is not its own",
+    )
+}
+
+/// A number with six significant digits.
+fn six(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    if (1e-4..1e7).contains(&rounded.abs()) { rounded.to_string() } else { format!("{rounded:e}") }
+}
+
+/// The numbers that are used, wherever they stand.
+fn spans(scan: &Scan) -> impl Iterator<Item = std::ops::Range<usize>> {
+    let nine = scan.tensors.iter().chain([&scan.axes]).flat_map(|group| &group.numbers);
+    let three = [&scan.center, &scan.moments].into_iter().flat_map(|group| &group.numbers);
+    let one = scan.scalars.iter().flat_map(|group| &group.numbers);
+    nine.chain(three).chain(one).flatten().map(|found| found.span.clone())
+}
+
+/// The body, from the tensor about its centre of mass if there is one.
+fn body(evidence: &Evidence, convention: ProductConvention) -> Result<MassProperties<Body>, BodyError> {
+    let mass = evidence.mass.value;
+    let center = Position::from_array(evidence.center.map(|p| p.value));
+    let sign = if convention == ProductConvention::Positive { -1.0 } else { 1.0 };
+    let Some(tensor) = evidence.central else {
+        let [xx, yy, zz, xy, xz, yz] = evidence.origin.unwrap_or_default().map(|p| p.value);
+        let [xy, xz, yz] = [xy, xz, yz].map(|p| sign * p);
+        let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+        let about = InertiaAbout::from_matrix(Position::ZERO, rows)?;
+        return MassProperties::from_inertia_about(mass, center, &about);
+    };
+    let [xx, yy, zz, products @ ..] = tensor.map(|p| p.value);
+    let tensor = match convention {
+        ProductConvention::Negative => InertiaTensor::with_negative_products([xx, yy, zz], products)?,
+        ProductConvention::Positive => InertiaTensor::with_positive_products([xx, yy, zz], products)?,
+    };
+    MassProperties::new(mass, center, tensor)
+}
+
+fn impossible(error: BodyError) -> ContentError {
+    let hint = match error {
+        BodyError::NegativeMoment { .. }
+        | BodyError::TriangleInequality { .. }
+        | BodyError::ImpossibleAtCenter { .. } => Some(
+            "if the body is a rod or a plate, print more digits: rounding alone can make its tensor impossible",
+        ),
+        _ => error.hint(),
+    };
+    let hint = hint.map(str::to_owned);
+    ContentError { kind: ContentErrorKind::Body(Box::new(error)), place: ContentPlace::Whole, hint }
+}
+
+fn finding(code: &'static str, severity: Severity, message: String) -> Finding {
+    Finding { code, severity, message, place: None }
+}
+
+fn findings(evidence: &Evidence, proof: &SignProof) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    if evidence.central.is_none() {
+        let message =
+            "the tensor was moved from the origin to the centre of mass, which costs digits".to_owned();
+        findings.push(finding("cad.moved", Severity::Info, message));
+    }
+    if let Some(stated) = evidence.stated
+        && stated != proof.convention
+        && proof.by != SignSource::NoProducts
+    {
+        let message = format!(
+            "the report says {} products of inertia, but by {} they are {}",
+            stated.name(),
+            proof.by.name(),
+            proof.convention.name()
+        );
+        findings.push(finding("cad.notation", Severity::Warning, message));
+    }
+    let worst = proof.residual_negative.max(proof.residual_positive);
+    if worst < proof::FAILS
+        && !matches!(proof.by, SignSource::Told | SignSource::Stated | SignSource::NoProducts)
+    {
+        let message = format!(
+            "the sign of the products is decided by rounding: with {} products the report is off by {:.1} times its rounding, with the other \
+             sign by {worst:.1}",
+            proof.convention.name(),
+            proof.residual_negative.min(proof.residual_positive),
+        );
+        findings.push(finding("cad.narrow-sign", Severity::Info, message));
+    }
+    // Told, although no sign fits.
+    let least = proof.residual_negative.min(proof.residual_positive);
+    if least > proof::FITS {
+        let message = format!(
+            "the report contradicts itself: with either sign it is off by {least:.2e} times its rounding"
+        );
+        findings.push(finding("cad.contradiction", Severity::Warning, message));
+    }
+    findings
+}
+
+/// Numbers and units of one report.
+struct Reader<'a> {
+    text: &'a str,
+    mark: DecimalMark,
+    options: &'a CadOptions,
+}
+
+impl Reader<'_> {
+    /// All numbers of a group that the answer needs.
+    fn whole<const N: usize>(
+        &self,
+        group: &Group<N>,
+        dimension: Dimension,
+        name: impl Fn(usize) -> String,
+    ) -> Result<[Printed; N], ContentError> {
+        let numbers = self.group(group, dimension, &name)?;
+        let mut all = [Printed::default(); N];
+        for (k, (slot, number)) in all.iter_mut().zip(numbers).enumerate() {
+            *slot = number.ok_or_else(|| missing(&name(k)))?;
+        }
+        Ok(all)
+    }
+
+    /// All numbers of a group that the answer can do without; `None` if one of them, or their unit, is
+    /// missing.
+    fn if_whole<const N: usize>(
+        &self,
+        group: &Group<N>,
+        dimension: Dimension,
+    ) -> Result<Option<[Printed; N]>, ContentError> {
+        let no_unit = dimension != Dimension::NONE && group.unit.is_none() && self.told(dimension).is_none();
+        if no_unit || group.numbers.iter().any(Option::is_none) {
+            return Ok(None);
+        }
+        self.whole(group, dimension, |_| String::new()).map(Some)
+    }
+
+    /// A tensor of nine numbers, or of six; `None` if there is none at all.
+    fn tensor(&self, group: &Group<9>, which: usize) -> Result<Option<Tensor>, ContentError> {
+        if !group.is_some() {
+            return Ok(None);
+        }
+        let numbers = self.group(group, Dimension::INERTIA, &|k| scan::element_name(which, k))?;
+        let mut tensor = Tensor::default();
+        for (slot, [i, j]) in tensor.iter_mut().zip(PLACES) {
+            let (above, below) = (numbers[3 * i + j], numbers[3 * j + i]);
+            *slot = above.or(below).ok_or_else(|| missing(&scan::element_name(which, 3 * i + j)))?;
+            let (Some(a), Some(b), Some(found)) = (above, below, &group.numbers[3 * j + i]) else { continue };
+            if (a.value - b.value).abs() > 2.0 * (a.half + b.half) {
+                let what = scan::element_name(which, 3 * j + i);
+                let value = self.text[found.span.clone()].to_owned();
+                let rule = format!("equal to {}", scan::element_name(which, 3 * i + j));
+                let kind = ContentErrorKind::Value { what, value, rule };
+                return Err(ContentError::new(kind, ContentPlace::Text(found.span.clone())));
+            }
+        }
+        Ok(Some(tensor))
+    }
+
+    /// The numbers that are there, in SI.
+    fn group<const N: usize>(
+        &self,
+        group: &Group<N>,
+        dimension: Dimension,
+        name: &impl Fn(usize) -> String,
+    ) -> Result<[Option<Printed>; N], ContentError> {
+        let mut decimals = None;
+        for found in group.numbers.iter().flatten() {
+            let number = numbers::read(self.text, &found.span, self.mark)?;
+            let fewest = [decimals, number.decimals].into_iter().flatten().filter(|d| *d > 0).min();
+            decimals = fewest.or(decimals);
+        }
+        let mut all = [None; N];
+        for (k, (slot, found)) in all.iter_mut().zip(&group.numbers).enumerate() {
+            let Some(found) = found else { continue };
+            let number = numbers::read(self.text, &found.span, self.mark)?;
+            // Beside 1.25 a bare 3 is 3.00 with its zeros left out.
+            let half = match (number.decimals, decimals) {
+                (Some(0), Some(decimals)) => 0.5 * 10f64.powi(-i32::try_from(decimals).unwrap_or(i32::MAX)),
+                _ => number.half,
+            };
+            let place = || ContentPlace::Text(found.span.clone());
+            let parse = |text: &str| {
+                unit::parse(text, dimension).map_err(|error| {
+                    ContentError::new(out_of_range(&name(k), &number.digits, &error), place())
+                })
+            };
+            *slot = Some(match (found.unit.as_ref().or(group.unit.as_ref()), self.told(dimension)) {
+                (Some(unit), _) => Printed {
+                    value: parse(&format!("{} {unit}", number.digits))?,
+                    half: half * parse(&format!("1 {unit}"))?,
+                },
+                (None, Some(factor)) => {
+                    Printed { value: parse(&number.digits)? * factor, half: half * factor }
+                }
+                (None, None) => {
+                    let error = unknown_unit(self.text, &name(k), dimension, &found.span);
+                    return Err(error.unwrap_or_else(|| no_unit(&name(k), dimension, place())));
+                }
+            });
+        }
+        Ok(all)
+    }
+
+    /// The told unit of a dimension.
+    fn told(&self, dimension: Dimension) -> Option<f64> {
+        let CadOptions { mass_unit, length_unit, .. } = *self.options;
+        match dimension {
+            Dimension::NONE => Some(1.0),
+            Dimension::MASS => mass_unit,
+            Dimension::LENGTH => length_unit,
+            Dimension::VOLUME => length_unit.map(|l| l * l * l),
+            Dimension::INERTIA => Some(mass_unit? * length_unit? * length_unit?),
+            Dimension::DENSITY => Some(mass_unit? / (length_unit? * length_unit? * length_unit?)),
+            _ => length_unit.map(|l| l * l), // the surface area
+        }
+    }
+}
+
+/// Measures of a shape are read by [`GeometryReport`], with a substance.
+fn without_mass(program: GeometryProgram) -> ContentError {
+    let kind = ContentErrorKind::Missing { what: "mass".to_owned() };
+    ContentError::new(kind, ContentPlace::Whole).hint(format!(
+        "{} prints volume, centre and a tensor of density 1: say what the shape is made of, as by polhode inertia FILE --density \"2700 kg/m^3\"",
+        program.name()
+    ))
+}
+
+/// What is missing may stand there in another language.
+fn in_its_language(text: &str, error: ContentError) -> ContentError {
+    let foreign = language::foreign(text).filter(|_| matches!(error.kind, ContentErrorKind::Missing { .. }));
+    let Some((language, heading)) = foreign else { return error };
+    let what = format!("{language} headings such as {heading:?}");
+    ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Whole).hint(format!(
+        "let the program print in English, or translate; headings that are read: {}",
+        language::KNOWN
+    ))
+}
+
+fn missing(name: &str) -> ContentError {
+    let what = name.strip_prefix("the ").unwrap_or(name).to_owned();
+    ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole).hint(format!(
+        "paste the whole report, from the mass to the last moment of inertia, in English; headings that are read: {}",
+        language::KNOWN
+    ))
+}
+
+/// The error of a word behind a number that ends its line and is not a unit.
+fn unknown_unit(text: &str, name: &str, dimension: Dimension, number: &Range<usize>) -> Option<ContentError> {
+    let rest = text[number.end..].lines().next().unwrap_or_default();
+    let word = rest.trim();
+    if !word.starts_with(char::is_alphabetic) || word.contains(char::is_whitespace) {
+        return None;
+    }
+    let start = number.end + (rest.len() - rest.trim_start().len());
+    let (what, found) = (format!("a unit of {}", name.strip_prefix("the ").unwrap_or(name)), word.to_owned());
+    let place = ContentPlace::Text(start..start + word.len());
+    let error = ContentError::new(ContentErrorKind::Expected { what, found }, place);
+    Some(match dimension {
+        Dimension::MASS if word.eq_ignore_ascii_case("mg") => {
+            error.hint("MG may be the milligram or the megagram: write mg or t")
+        }
+        Dimension::MASS => error.hint("write mg, g, kg, t, lb, oz or slug"),
+        _ => error,
+    })
+}
+
+fn no_unit(name: &str, dimension: Dimension, place: ContentPlace) -> ContentError {
+    let question = format!("in which unit is {name}?");
+    let example = match dimension {
+        Dimension::MASS => "paste the line with the unit, or answer with --mass-unit, such as --mass-unit g",
+        Dimension::LENGTH => "paste the line with the unit, or answer with --unit, such as --unit mm",
+        _ => {
+            "paste the line with the unit, or answer with --unit and --mass-unit, such as --unit mm --mass-unit g"
+        }
+    };
+    let kind = ContentErrorKind::Unclear { question, found: String::new() };
+    ContentError::new(kind, place).hint(example)
+}
+
+fn out_of_range(what: &str, number: &str, error: &UnitError) -> ContentErrorKind {
+    let value = number.to_owned();
+    let rule = format!("a number in range: {error}");
+    ContentErrorKind::Value { what: what.to_owned(), value, rule }
+}

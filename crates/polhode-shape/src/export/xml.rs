@@ -1,0 +1,63 @@
+//! Names and warnings in XML.
+
+use std::collections::BTreeSet;
+
+use polhode::body::Symmetry;
+use polhode_document::layout::is_unseen;
+
+use super::{ExportBody, ExportError, ExportFormat};
+
+/// The text as an attribute's value, between double quotes.
+///
+/// Line breaks, tabs, other controls and what turns the writing around become references, which read back. XML 1.0 has no way to say the rest of the
+/// controls: they are shown as in Rust, `\u{7}`.
+pub fn attribute(text: &str) -> String {
+    let mut value = String::new();
+    for c in text.chars() {
+        match c {
+            '&' => value.push_str("&amp;"),
+            '<' => value.push_str("&lt;"),
+            '>' => value.push_str("&gt;"),
+            '"' => value.push_str("&quot;"),
+            '\t' | '\n' | '\r' => value.push_str(&format!("&#{};", u32::from(c))),
+            '\u{0}'..'\u{20}' | '\u{fffe}' | '\u{ffff}' => value.extend(c.escape_unicode()),
+            _ if is_unseen(c) => value.push_str(&format!("&#{};", u32::from(c))),
+            _ => value.push(c),
+        }
+    }
+    value
+}
+
+/// The name of a model: that of its only body.
+pub fn model(bodies: &[ExportBody]) -> String {
+    match bodies {
+        [body] => attribute(&body.name),
+        _ => "bodies".to_owned(),
+    }
+}
+
+/// Every body has a name, and each another.
+pub fn check_names(format: ExportFormat, bodies: &[ExportBody]) -> Result<(), ExportError> {
+    let refused = |body: &ExportBody, rule| ExportError::Name { format, name: body.name.clone(), rule };
+    let mut seen = BTreeSet::new();
+    for body in bodies {
+        if body.name.is_empty() {
+            return Err(refused(body, "it has to have a letter at least"));
+        }
+        if !seen.insert(&body.name) {
+            return Err(refused(body, "another body has it too, and each needs its own"));
+        }
+    }
+    Ok(())
+}
+
+/// What the numbers are of, and what a simulator may stumble over, as comments on lines of their own; most bodies have no such thing.
+pub fn warning(indent: &str, body: &ExportBody) -> String {
+    let refused = |what| format!("{what}, and many simulators refuse that");
+    let stumbles = match body.properties.principal().symmetry() {
+        Symmetry::Point => Some(refused("a point: it has no moments of inertia")),
+        Symmetry::Rod => Some(refused("a rod: it has no moment of inertia about its own line")),
+        _ => None,
+    };
+    body.remark().into_iter().chain(stumbles).map(|text| format!("{indent}<!-- {text} -->\n")).collect()
+}

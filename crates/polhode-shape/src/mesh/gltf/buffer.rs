@@ -1,0 +1,256 @@
+//! Buffers: bytes beside the document, in the GLB, in the document as base64, or in a file of its folder.
+
+use std::fs::File;
+use std::io;
+use std::path::{Component, Path, PathBuf};
+use std::rc::Rc;
+
+use base64::engine::general_purpose::{GeneralPurpose, NO_PAD};
+use base64::{Engine as _, alphabet};
+use polhode_source::file;
+use polhode_source::{Confinement, NotOpened};
+use polhode_source::{ContentError, ContentErrorKind};
+
+use super::json::Json;
+
+/// The buffers of a document, each read when it is first needed.
+#[derive(Debug)]
+pub struct Buffers<'a> {
+    root: Json<'a>,
+    chunk: Option<&'a [u8]>,
+    folder: &'a Path,
+    loaded: Vec<Option<Bytes<'a>>>,
+    files: Vec<(PathBuf, Rc<Vec<u8>>)>,
+}
+
+#[derive(Clone, Debug)]
+enum Bytes<'a> {
+    Here(&'a [u8]),
+    Loaded(Rc<Vec<u8>>),
+}
+
+/// A part of a buffer.
+#[derive(Clone, Debug)]
+pub struct View<'a> {
+    buffer: Bytes<'a>,
+    start: usize,
+    length: usize,
+    /// From one element to the next, if the view says so.
+    pub stride: Option<u64>,
+}
+
+impl View<'_> {
+    pub fn bytes(&self) -> &[u8] {
+        let all = match &self.buffer {
+            Bytes::Here(bytes) => bytes,
+            Bytes::Loaded(bytes) => bytes.as_slice(),
+        };
+        all.get(self.start..).and_then(|rest| rest.get(..self.length)).unwrap_or_default()
+    }
+}
+
+impl<'a> Buffers<'a> {
+    pub fn new(root: Json<'a>, chunk: Option<&'a [u8]>, folder: &'a Path) -> Self {
+        let loaded = vec![None; root.count("buffers")];
+        Self { root, chunk, folder, loaded, files: Vec::new() }
+    }
+
+    /// The view that this value, an index, means.
+    pub fn view(&mut self, index: &Json<'a>) -> Result<View<'a>, ContentError> {
+        let (_, view) = index.referred(&self.root, "bufferViews", "buffer view")?;
+        if let Some(packed) = view.get("extensions").and_then(|e| e.get("EXT_meshopt_compression")) {
+            return Err(packed.error(compressed("EXT_meshopt_compression")).hint(UNPACK));
+        }
+        let (k, buffer) = view.need("buffer")?.referred(&self.root, "buffers", "buffer")?;
+        let declared = buffer.need("byteLength")?.whole()?;
+        let bytes = self.buffer(k, &buffer, declared)?;
+        let start = view.whole_or("byteOffset", 0)?;
+        let length = view.need("byteLength")?.whole()?;
+        if start.checked_add(length).is_none_or(|end| end > declared) {
+            let kind = ContentErrorKind::Count {
+                what: "bytes of the view".to_owned(),
+                declared: length,
+                present: declared.saturating_sub(start),
+            };
+            return Err(view.error(kind).hint(format!("buffers[{k}] ends before the view does")));
+        }
+        let stride = view.get("byteStride").map(|stride| stride.whole()).transpose()?;
+        Ok(View { buffer: bytes, start: start as usize, length: length as usize, stride })
+    }
+
+    /// All the bytes that the buffer declares.
+    fn buffer(&mut self, k: usize, buffer: &Json<'a>, declared: u64) -> Result<Bytes<'a>, ContentError> {
+        let bytes = match self.loaded.get(k) {
+            Some(Some(bytes)) => bytes.clone(),
+            _ => self.load(k, buffer)?,
+        };
+        let present = match &bytes {
+            Bytes::Here(bytes) => bytes.len(),
+            Bytes::Loaded(bytes) => bytes.len(),
+        };
+        if present as u64 >= declared {
+            if let Some(slot) = self.loaded.get_mut(k) {
+                *slot = Some(bytes.clone());
+            }
+            return Ok(bytes);
+        }
+        let kind = ContentErrorKind::Count { what: "bytes".to_owned(), declared, present: present as u64 };
+        Err(buffer.error(kind).hint("the buffer is cut short"))
+    }
+
+    fn load(&mut self, k: usize, buffer: &Json<'a>) -> Result<Bytes<'a>, ContentError> {
+        match (buffer.get("uri"), self.chunk) {
+            (Some(uri), _) => match uri.text()?.strip_prefix("data:") {
+                Some(data) => Ok(Bytes::Loaded(Rc::new(decoded(data, &uri)?))),
+                None => Ok(Bytes::Loaded(self.file(&uri)?)),
+            },
+            (None, Some(chunk)) if k == 0 => Ok(Bytes::Here(chunk)),
+            (None, _)
+                if buffer.get("extensions").is_some_and(|e| e.get("EXT_meshopt_compression").is_some()) =>
+            {
+                Err(buffer.error(compressed("EXT_meshopt_compression")).hint(UNPACK))
+            }
+            (None, _) => Err(buffer.error(ContentErrorKind::Missing { what: "uri".to_owned() })),
+        }
+    }
+
+    /// The bytes of a file inside the document's folder.
+    fn file(&mut self, uri: &Json<'a>) -> Result<Rc<Vec<u8>>, ContentError> {
+        let outside = || {
+            uri.refused("uri", "a file in the folder of the document, or below it").hint(
+            "polhode opens no other files and no addresses: put the buffer beside the .gltf, or export a .glb",
+        )
+        };
+        let failed = |e: &std::io::Error| uri.refused("uri", &format!("a file that can be read ({e})"));
+        let path = inside(uri.text()?).ok_or_else(outside)?;
+        let folder = if self.folder.as_os_str().is_empty() { Path::new(".") } else { self.folder };
+        let confinement = Confinement::within([folder.to_owned()]);
+        let path = confinement.file(folder, &path).map_err(|why| match why {
+            NotOpened::Outside => outside(),
+            NotOpened::Missing => failed(&io::ErrorKind::NotFound.into()),
+            NotOpened::NotRegular => uri.refused("uri", "an ordinary file"),
+        })?;
+        if let Some((_, bytes)) = self.files.iter().find(|(known, _)| *known == path) {
+            return Ok(bytes.clone());
+        }
+        let file = File::open(&path).map_err(|e| failed(&e))?;
+        let bytes =
+            file.metadata().and_then(|before| file::all(&file, u64::MAX, &before)).map_err(|e| failed(&e))?;
+        let bytes = Rc::new(bytes);
+        self.files.push((path, bytes.clone()));
+        Ok(bytes)
+    }
+}
+
+pub const UNPACK: &str = "export it without compression, or unpack it first";
+
+pub fn compressed(name: &str) -> ContentErrorKind {
+    ContentErrorKind::Unsupported { what: format!("compressed meshes ({name})") }
+}
+
+/// The relative path of a URI, if it is one and does not climb.
+fn inside(uri: &str) -> Option<PathBuf> {
+    let text = percent_decoded(uri)?;
+    let has_scheme = |text: &str| text.split('/').next().is_some_and(|first| first.contains(':'));
+    if text.is_empty() || has_scheme(uri) || has_scheme(&text) || text.contains(['\\', '\0']) {
+        return None;
+    }
+    let path = PathBuf::from(text);
+    path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)).then_some(path)
+}
+
+/// %41 is A; `None` if two hexadecimal digits do not follow, or the result is not UTF-8.
+fn percent_decoded(text: &str) -> Option<String> {
+    let mut bytes = Vec::new();
+    let mut rest = text.bytes();
+    while let Some(byte) = rest.next() {
+        let mut digit = || (rest.next()? as char).to_digit(16);
+        bytes.push(if byte == b'%' { (digit()? * 16 + digit()?) as u8 } else { byte });
+    }
+    String::from_utf8(bytes).ok()
+}
+
+/// Base64 (RFC 4648 §4) without padding. The unused bits of the last digit may have any value.
+static BASE64: GeneralPurpose =
+    GeneralPurpose::new(&alphabet::STANDARD, NO_PAD.with_decode_allow_trailing_bits(true));
+
+/// The bytes after `data:`; the padding may be missing.
+fn decoded(data: &str, uri: &Json<'_>) -> Result<Vec<u8>, ContentError> {
+    let text = match data.split_once(',') {
+        Some((kind, text)) if kind.ends_with(";base64") => text,
+        _ => return Err(uri.refused("uri", "data:…;base64,… if it is data")),
+    };
+    let digits = text.trim_end_matches('=').as_bytes();
+    BASE64.decode(digits).map_err(|_| {
+        let is_digit = |b: &u8| b.is_ascii_alphanumeric() || b"+/".contains(b);
+        match digits.iter().enumerate().find(|(_, b)| !is_digit(b)) {
+            Some((at, &byte)) => {
+                let what = format!("a base64 digit at {at} of the data");
+                uri.error(ContentErrorKind::Expected { what, found: char::from(byte).to_string() })
+            }
+            None => uri.refused("uri", "base64 of whole bytes: one digit is left over"),
+        }
+    })
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test may")]
+mod tests {
+    use serde_json::Value;
+
+    use super::{Json, decoded, inside};
+
+    #[test]
+    fn base64_may_lack_padding_and_have_any_unused_bits() {
+        let null = Value::Null;
+        let read = |data: &str| decoded(data, &Json::root(&null)).map_err(|error| error.kind.to_string());
+        for data in ["", "=", "===="] {
+            assert_eq!(read(&format!(";base64,{data}")), Ok(Vec::new()));
+        }
+        for data in ["Zm9vYg==", "Zm9vYg=", "Zm9vYg", "Zm9vYh==", "Zm9vYg======="] {
+            assert_eq!(read(&format!("application/octet-stream;base64,{data}")).unwrap(), b"foob", "{data}");
+        }
+        assert_eq!(read(";base64,+/9"), Ok(vec![0xfb, 0xff]));
+        for (bad, message) in [
+            (";base64,Zg=g", "a base64 digit at 2 of the data"),
+            (";base64,Zm 9v?", "a base64 digit at 2 of the data"),
+            (";base64,Zm9v-_", "a base64 digit at 4 of the data"),
+            (";base64,Z", "one digit is left over"),
+            (",Zg==", "if it is data"),
+            ("Zg==", "if it is data"),
+        ] {
+            assert!(read(bad).unwrap_err().contains(message), "{bad}");
+        }
+    }
+
+    #[test]
+    fn a_path_stays_inside_its_folder() {
+        for good in ["a.bin", "./a.bin", "b/a.bin", "a%20b.bin", "..a/b", "a..bin", "b/a:1.bin"] {
+            assert!(inside(good).is_some(), "{good}");
+        }
+        for bad in [
+            "",
+            "/a.bin",
+            "//host/a",
+            "../a.bin",
+            "b/../../a",
+            "b/..",
+            "%2e%2e/a",
+            "b/%2E%2e/a",
+            "%2Fa",
+            "a\\b",
+            "a%5Cb",
+            "http://host/a",
+            "file:///a",
+            "C:/a",
+            "C%3A/a",
+            "a%00b",
+            "a%2",
+            "a%zz",
+            "%ff",
+        ] {
+            assert!(inside(bad).is_none(), "{bad}");
+        }
+        assert_eq!(inside("a%20b.bin").unwrap().to_str(), Some("a b.bin"));
+    }
+}

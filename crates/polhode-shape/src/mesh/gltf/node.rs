@@ -1,0 +1,182 @@
+//! Nodes: a forest, and where each of them is.
+
+use polhode::body::Severity;
+use polhode_source::package::unfolding::Budget;
+use polhode_source::{ContentError, ContentErrorKind};
+
+use super::accessor;
+use super::buffer::Buffers;
+use super::json::Json;
+use crate::mesh::affine::Affine;
+use crate::mesh::notes::Notes;
+
+/// The nodes of a document: each has one parent at most, and none is above itself.
+pub struct Forest<'a> {
+    pub nodes: Vec<Node<'a>>,
+}
+
+/// A node and the indices of its children.
+pub struct Node<'a> {
+    pub json: Json<'a>,
+    pub children: Vec<usize>,
+    parent: Option<usize>,
+}
+
+impl<'a> Forest<'a> {
+    pub fn of(root: &Json<'a>) -> Result<Self, ContentError> {
+        let nodes = root.list("nodes")?.map(|json| Node { json, children: Vec::new(), parent: None });
+        let mut nodes: Vec<_> = nodes.collect();
+        for k in 0..nodes.len() {
+            for child in nodes[k].json.clone().list("children")? {
+                let (index, _) = child.referred(root, "nodes", "node")?;
+                if let Some(other) = nodes[index].parent.replace(k) {
+                    let rule = format!("the child of one node only: nodes[{other}] has it too");
+                    return Err(child.refused("the child", &rule));
+                }
+                nodes[k].children.push(index);
+            }
+        }
+        let forest = Self { nodes };
+        forest.require_roots()?;
+        Ok(forest)
+    }
+
+    /// With one parent each, whatever no root reaches goes round in a circle.
+    fn require_roots(&self) -> Result<(), ContentError> {
+        let mut reached = vec![false; self.nodes.len()];
+        let mut stack = self.roots();
+        while let Some(k) = stack.pop() {
+            reached[k] = true;
+            stack.extend(&self.nodes[k].children);
+        }
+        match reached.iter().position(|reached| !reached) {
+            None => Ok(()),
+            Some(k) => {
+                let (what, value) = ("the node".to_owned(), k.to_string());
+                let rule = "a tree: it is, or hangs under, a node that is its own ancestor".to_owned();
+                Err(self.nodes[k].json.error(ContentErrorKind::Value { what, value, rule }))
+            }
+        }
+    }
+
+    fn roots(&self) -> Vec<usize> {
+        (0..self.nodes.len()).filter(|&k| self.nodes[k].parent.is_none()).collect()
+    }
+
+    /// The name of the scene to read and its roots: the default one, or the first, or all there is.
+    pub fn scene(&self, root: &Json<'a>) -> Result<(String, Vec<usize>), ContentError> {
+        let scene = match root.get("scene") {
+            Some(index) => Some(index.referred(root, "scenes", "scene")?.1),
+            None => root.list("scenes")?.next(),
+        };
+        let Some(scene) = scene else { return Ok((String::new(), self.roots())) };
+        let mut taken = vec![false; self.nodes.len()];
+        let mut roots = Vec::new();
+        for node in scene.list("nodes")? {
+            let (index, _) = node.referred(root, "nodes", "node")?;
+            if self.nodes[index].parent.is_some() || std::mem::replace(&mut taken[index], true) {
+                return Err(node.refused("the node", "a root, and named once"));
+            }
+            roots.push(index);
+        }
+        Ok((scene.text_or_empty("name")?.to_owned(), roots))
+    }
+}
+
+/// Where a node is in its parent.
+pub fn transform(node: &Json<'_>, notes: &mut Notes) -> Result<Affine, ContentError> {
+    let parts = [node.get("translation"), node.get("rotation"), node.get("scale")];
+    let Some(matrix) = node.get("matrix") else {
+        let [translation, rotation, scale] = parts;
+        let translation = translation.map_or(Ok([0.0; 3]), |json| json.numbers())?;
+        let scale = scale.map_or(Ok([1.0; 3]), |json| json.numbers())?;
+        let rotation = rotation.map_or(Ok([0.0, 0.0, 0.0, 1.0]), |json| {
+            let rotation = json.numbers()?;
+            unit(rotation, || json.place().to_owned(), Some(notes))
+                .ok_or_else(|| json.refused("rotation", "a quaternion of length 1"))
+        })?;
+        return Ok(Affine::of_parts(translation, rotation, scale));
+    };
+    if let Some(part) = parts.iter().flatten().next() {
+        return Err(part.refused("this", "left out where there is a matrix"));
+    }
+    // Sixteen numbers, column by column; the last row is (0, 0, 0, 1).
+    let m: [f64; 16] = matrix.numbers()?;
+    if [m[3], m[7], m[11], m[15]] != [0.0, 0.0, 0.0, 1.0] {
+        return Err(matrix.refused("matrix", "affine: 0, 0, 0 and 1 at the ends of its columns"));
+    }
+    Ok(Affine {
+        columns: [[m[0], m[1], m[2]], [m[4], m[5], m[6]], [m[8], m[9], m[10]]],
+        origin: [m[12], m[13], m[14]],
+    })
+}
+
+/// The places at which a node puts its mesh: its own, or those of `EXT_mesh_gpu_instancing` in its frame.
+pub fn instances<'a>(
+    node: &Json<'a>,
+    map: Affine,
+    root: &Json<'a>,
+    buffers: &mut Buffers<'a>,
+    budget: &mut Budget,
+) -> Result<Vec<Affine>, ContentError> {
+    let Some(instancing) = node.get("extensions").and_then(|e| e.get("EXT_mesh_gpu_instancing")) else {
+        return Ok(vec![map]);
+    };
+    let attributes = instancing.need("attributes")?;
+    let [translations, scales] = ["TRANSLATION", "SCALE"].map(|name| {
+        attributes.get(name).map(|index| {
+            accessor::vectors::<3>(&index.referred(root, "accessors", "accessor")?.1, buffers, budget)
+        })
+    });
+    let (translations, scales) = (translations.transpose()?, scales.transpose()?);
+    let rotations = attributes.get("ROTATION").map(|index| {
+        accessor::vectors::<4>(&index.referred(root, "accessors", "accessor")?.1, buffers, budget)
+    });
+    let rotations = rotations.transpose()?;
+    let counts = [
+        translations.as_ref().map(Vec::len),
+        scales.as_ref().map(Vec::len),
+        rotations.as_ref().map(Vec::len),
+    ];
+    let count = counts.into_iter().flatten().max().unwrap_or(0);
+    if let Some(fewer) = counts.into_iter().flatten().find(|&other| other != count) {
+        let (declared, present) = (count as u64, fewer as u64);
+        return Err(attributes.error(ContentErrorKind::Count {
+            what: "instances".to_owned(),
+            declared,
+            present,
+        }));
+    }
+    budget.spend(count, size_of::<Affine>(), || instancing.place().to_owned())?;
+    let instance = |k: usize| {
+        let translation = translations.as_ref().map_or([0.0; 3], |all| all[k]);
+        let scale = scales.as_ref().map_or([1.0; 3], |all| all[k]);
+        let rotation = rotations.as_ref().map_or([0.0, 0.0, 0.0, 1.0], |all| all[k]);
+        let rotation = unit(rotation, String::new, None).ok_or_else(|| {
+            let (what, value) = (format!("the rotation of instance {k}"), format!("{rotation:?}"));
+            let rule = "a quaternion of length 1".to_owned();
+            attributes.error(ContentErrorKind::Value { what, value, rule })
+        })?;
+        Ok(map.after(&Affine::of_parts(translation, rotation, scale)))
+    };
+    (0..count).map(instance).collect()
+}
+
+/// The quaternion of length 1 that was meant: a file has rounded it. Far from length 1, something else was.
+fn unit(q: [f64; 4], place: impl FnOnce() -> String, notes: Option<&mut Notes>) -> Option<[f64; 4]> {
+    const SENTENCE: [&str; 2] = [
+        "a rotation was not of unit length and was normalised",
+        "rotations were not of unit length and were normalised",
+    ];
+    let square: f64 = q.iter().map(|x| x * x).sum();
+    let off = (square - 1.0).abs();
+    if !(off < 0.1) {
+        return None;
+    }
+    // Single precision leaves 1e-7.
+    if let Some(notes) = notes.filter(|_| off > 1e-5) {
+        notes.add("mesh.rotation_normalised", Severity::Info, SENTENCE, place);
+    }
+    let norm = square.sqrt();
+    Some(if norm == 1.0 { q } else { q.map(|x| x / norm) })
+}

@@ -1,0 +1,257 @@
+//! Triangle meshes: files in, closed solids out.
+
+mod affine;
+mod assumed_unit;
+pub mod collada;
+mod fill;
+pub mod gltf;
+mod holes_left;
+mod notes;
+pub mod obj;
+pub mod off;
+mod parts;
+pub mod ply;
+pub mod points;
+mod polygon;
+mod repair;
+mod repair_bound;
+mod scan;
+mod solid;
+pub mod stl;
+pub mod stl_error;
+pub mod threemf;
+mod union;
+mod union_hint;
+mod write;
+
+use std::path::Path;
+
+use polhode::body::mesh::TriangleMesh;
+use polhode::body::{BodyError, Finding, Severity};
+use polhode_source::FormatError;
+use polhode_source::file;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
+use crate::brep::BrepFormat;
+
+pub use assumed_unit::{AssumedMetres, longest_side};
+pub use repair::{MeshLength, MeshRepair};
+pub use repair_bound::RepairBound;
+pub use solid::{MeshSolid, SolidPart};
+pub use union::UnitedMesh;
+
+/// What a mesh file says: parts and their triangles, in the file's own unit of length.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshContents {
+    /// How the file is encoded, in a word or two: `"binary"`, `"ascii"`, `"binary, big-endian"`.
+    pub encoding: &'static str,
+    /// The name that the file gives itself; often empty.
+    pub name: String,
+    /// Metres in the unit of length, if the file or the format says so.
+    pub unit: Option<f64>,
+    /// At least one, none without triangles: groups, nodes, build items, in the file's order.
+    pub parts: Vec<MeshPart>,
+    /// What was noticed on the way: faces left out, elements not read.
+    pub findings: Vec<Finding>,
+}
+
+/// One part of a mesh file, placed where the file places it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshPart {
+    /// Its name in the file; often empty.
+    pub name: String,
+    /// Its triangles.
+    pub mesh: TriangleMesh,
+}
+
+/// How the bytes of a file are read; the path is for messages, and its folder for the files that it names.
+type Reader = fn(&[u8], &Path) -> Result<MeshContents, FormatError>;
+
+/// The formats: name in lower case, name as its makers write it, file extensions, reader. All that reads meshes follows from this list.
+macro_rules! formats {
+    ($($(#[doc = $about:literal])* $format:ident: $name:literal, $title:literal, $extensions:expr, $reader:expr;)*) => {
+        /// The formats of mesh files that polhode reads.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum MeshFormat {
+            $($(#[doc = $about])* $format,)*
+        }
+
+        impl MeshFormat {
+            /// All of them.
+            pub const ALL: &[Self] = &[$(Self::$format),*];
+
+            /// Its name in lower case, as `source.format` has it.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$format => $name,)*
+                }
+            }
+
+            /// Its name as its makers write it.
+            pub const fn title(self) -> &'static str {
+                match self {
+                    $(Self::$format => $title,)*
+                }
+            }
+
+            /// What it is, in a line.
+            pub fn about(self) -> &'static str {
+                match self {
+                    $(Self::$format => concat!($($about),*).trim(),)*
+                }
+            }
+
+            /// How its files end, after the dot, in lower case.
+            pub const fn extensions(self) -> &'static [&'static str] {
+                match self {
+                    $(Self::$format => &$extensions,)*
+                }
+            }
+
+            const fn reader(self) -> Reader {
+                match self {
+                    $(Self::$format => $reader,)*
+                }
+            }
+        }
+    };
+}
+
+formats! {
+    /// STL, binary or ASCII.
+    Stl: "stl", "STL", ["stl"], stl::contents;
+    /// Wavefront OBJ; its groups are parts.
+    Obj: "obj", "OBJ", ["obj"], |bytes, path| located(obj::read(bytes), bytes, path);
+    /// Stanford PLY, ASCII or binary of either endianness.
+    Ply: "ply", "PLY", ["ply"], |bytes, path| located(ply::read(bytes), bytes, path);
+    /// Points, one in a line, for their convex hull.
+    Points: "points", "points", [], |bytes, path| {
+        located(points::read(bytes).and_then(points::with_faces), bytes, path)
+    };
+    /// Geomview OFF.
+    Off: "off", "OFF", ["off"], |bytes, path| located(off::read(bytes), bytes, path);
+    /// glTF 2.0, as JSON or GLB; its nodes are parts.
+    Gltf: "gltf", "glTF", ["gltf", "glb"], |bytes, path| {
+        located(gltf::read(bytes, path.parent().unwrap_or(Path::new(""))), bytes, path)
+    };
+    /// 3MF; its build items are parts.
+    ThreeMf: "3mf", "3MF", ["3mf"], |bytes, path| located(threemf::read(bytes), bytes, path);
+    /// COLLADA; the geometries of its scene are parts.
+    Collada: "dae", "COLLADA", ["dae"], |bytes, path| {
+        let text = str::from_utf8(bytes).map_err(|e| FormatError::not_utf8(path, bytes, e.valid_up_to()))?;
+        located(collada::read(text), bytes, path)
+    };
+}
+
+/// What was read has triangles; an error has its place in the file.
+fn located(
+    contents: Result<MeshContents, ContentError>,
+    bytes: &[u8],
+    path: &Path,
+) -> Result<MeshContents, FormatError> {
+    contents.and_then(MeshContents::with_parts).map_err(|error| FormatError::of_content(path, bytes, error))
+}
+
+impl MeshFormat {
+    /// The format of files with this extension, in any case.
+    pub fn of_path(path: &Path) -> Option<Self> {
+        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+        Self::ALL.iter().copied().find(|format| format.extensions().contains(&extension.as_str()))
+    }
+}
+
+impl MeshContents {
+    /// Reads what a mesh file says.
+    ///
+    /// # Errors
+    /// [`FormatError`] if the file cannot be read or does not follow its format.
+    pub fn read(path: &Path, format: MeshFormat) -> Result<Self, FormatError> {
+        Self::read_as(path, &path.to_string_lossy(), format)
+    }
+
+    /// Reads a mesh file of which only the convex hull is needed: a PLY or OBJ file may have points alone.
+    ///
+    /// # Errors
+    /// [`FormatError`] if the file cannot be read or does not follow its format.
+    pub fn read_for_hull(path: &Path, format: MeshFormat) -> Result<Self, FormatError> {
+        let read = match format {
+            MeshFormat::Points => points::read,
+            MeshFormat::Ply => ply::read_or_cloud,
+            MeshFormat::Obj => obj::read_or_cloud,
+            _ => return Self::read(path, format),
+        };
+        let bytes = file::bytes(path, &path.to_string_lossy(), u64::MAX)
+            .map_err(|kind| FormatError::new(path, None, kind))?;
+        located(read(&bytes), &bytes, path)
+    }
+
+    /// Reads the mesh that a user calls `written`.
+    pub fn read_as(path: &Path, written: &str, format: MeshFormat) -> Result<Self, FormatError> {
+        let is_text = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gltf"));
+        let limit = if is_text { gltf::LARGEST_TEXT } else { u64::MAX };
+        let bytes = file::bytes(path, written, limit).map_err(|kind| FormatError::new(path, None, kind))?;
+        Self::parse(&bytes, path, format)
+    }
+
+    /// Reads the bytes of a mesh file; `path` is for messages, and its folder for the files that a glTF names.
+    ///
+    /// # Errors
+    /// [`FormatError`] if the bytes do not follow the format.
+    pub fn parse(bytes: &[u8], path: &Path, format: MeshFormat) -> Result<Self, FormatError> {
+        if let Some(shapes) = BrepFormat::of_bytes(bytes) {
+            let what = format!("{}, whatever the file is called: its shapes are exact", shapes.title());
+            let kind = ContentErrorKind::Unsupported { what };
+            let error = ContentError::new(kind, ContentPlace::Whole).hint(shapes.hint(path));
+            return Err(FormatError::of_content(path, bytes, error));
+        }
+        format.reader()(bytes, path)
+    }
+
+    fn with_parts(self) -> Result<Self, ContentError> {
+        if !self.parts.is_empty() {
+            return Ok(self);
+        }
+        let missing = ContentErrorKind::Missing { what: "triangles".to_owned() };
+        Err(ContentError::new(missing, ContentPlace::Whole)
+            .hint("export the solid body, not the empty document"))
+    }
+
+    /// Triangles in all parts.
+    pub fn triangles(&self) -> usize {
+        self.parts.iter().map(|part| part.mesh.triangles().len()).sum()
+    }
+
+    /// All parts as one, without a name.
+    ///
+    /// # Errors
+    /// [`BodyError::Parameter`] for more vertices than can be numbered.
+    pub fn as_one(mut self) -> Result<Self, BodyError> {
+        let mesh = match self.parts.as_mut_slice() {
+            [only] => std::mem::take(&mut only.mesh),
+            parts => solid::joined(&*parts)?,
+        };
+        let parts = vec![MeshPart { name: String::new(), mesh }];
+        Ok(Self { parts, ..self })
+    }
+
+    /// The same in metres: by the unit that the user gives, else by the file's own, else it is in metres already.
+    ///
+    /// A user's unit that differs from the file's own is a finding.
+    #[must_use]
+    pub fn in_metres(mut self, given: Option<f64>) -> Self {
+        let unit = given.or(self.unit).unwrap_or(1.0);
+        if let Some(own) = self.unit.filter(|own| *own != unit) {
+            self.findings.push(Finding {
+                code: "mesh.unit",
+                severity: Severity::Warning,
+                message: format!("the file's own unit is {own} m, and {unit} m was used as you said"),
+                place: None,
+            });
+        }
+        for part in &mut self.parts {
+            part.mesh = std::mem::take(&mut part.mesh).scaled(unit);
+        }
+        self.unit = Some(unit);
+        self
+    }
+}

@@ -1,0 +1,45 @@
+//! What was noticed while a file was read, counted: a file may repeat itself a million times.
+
+use polhode::body::{Finding, Severity};
+use polhode_source::text::escaped;
+
+/// Findings, one for each kind of thing.
+#[derive(Debug, Default)]
+pub struct Notes(Vec<Note>);
+
+#[derive(Debug)]
+struct Note {
+    code: &'static str,
+    severity: Severity,
+    sentence: [&'static str; 2],
+    count: usize,
+    first: String,
+}
+
+impl Notes {
+    /// Notes it at a place; the sentence is given for one, and for many to follow their number.
+    pub fn add(
+        &mut self,
+        code: &'static str,
+        severity: Severity,
+        sentence: [&'static str; 2],
+        place: impl FnOnce() -> String,
+    ) {
+        match self.0.iter_mut().find(|note| note.code == code && note.sentence == sentence) {
+            Some(note) => note.count += 1,
+            None => self.0.push(Note { code, severity, sentence, count: 1, first: place() }),
+        }
+    }
+
+    /// The findings, in the order in which they first appeared; their place is the first.
+    pub fn findings(self) -> Vec<Finding> {
+        let finding = |note: Note| {
+            let message = match (note.count, note.sentence) {
+                (1, [one, _]) => one.to_owned(),
+                (count, [_, many]) => format!("{count} {many}"),
+            };
+            Finding { code: note.code, severity: note.severity, message, place: Some(escaped(&note.first)) }
+        };
+        self.0.into_iter().map(finding).collect()
+    }
+}

@@ -1,0 +1,324 @@
+//! Wavefront OBJ: vertices, faces of any number of corners, groups.
+//!
+//! One statement a line: `v x y z`, `f a b c …` with indices from 1, or from −1 backwards, each perhaps with those of a
+//! texture and a normal behind slashes. The faces under one `o` and one `g` are a part; a name that comes again goes on
+//! with its part. What dresses a surface is skipped; lines and points are counted; curved surfaces are refused, for
+//! their shape is not in the vertices.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use polhode::body::{Finding, Severity};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
+use super::MeshContents;
+use super::parts;
+use super::points;
+use super::polygon::Polygons;
+use super::scan::{Scan, integer};
+
+/// Reads the bytes of an OBJ file.
+///
+/// Coordinates are the doubles nearest to what is written. A polygon of n corners becomes n − 2 triangles.
+///
+/// ```
+/// use polhode_shape::mesh::obj::read;
+///
+/// let text = b"# a tetrahedron
+/// v 0.1 0.2 0
+/// v 1.7 0 -2.5e-3
+/// v 0.3 1.1 0.4
+/// v 0.5 0.6 1.9
+/// g base
+/// f 1 3 2
+/// g sides
+/// f 1/1 2/2 -1/3
+/// f 2//1 3//2 4//3
+/// f 3 1 4";
+/// let contents = read(text)?;
+/// let [base, sides] = contents.parts.as_slice() else { panic!() };
+/// assert_eq!((base.name.as_str(), base.mesh.triangles()), ("base", [[0, 2, 1]].as_slice()));
+/// assert_eq!((sides.name.as_str(), sides.mesh.triangles().len()), ("sides", 3));
+/// assert_eq!(sides.mesh.coordinates()[1], [1.7, 0.0, -2.5e-3]);
+///
+/// let error = read(b"v 0 0 0\nf 1 2 3").unwrap_err();
+/// assert_eq!(error.kind.to_string(), "vertex 2 does not exist: there are 1");
+/// # Ok::<(), polhode_source::ContentError>(())
+/// ```
+///
+/// # Errors
+/// A statement that is none or is cut short, a coordinate that is not finite, a face with fewer than three corners or with
+/// a vertex that is not there yet, curved surfaces, and a file without a face. The place is a span of bytes.
+pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
+    points::with_faces(read_or_cloud(bytes)?)
+}
+
+/// Reads the bytes of a file that may have no faces: then its vertices are a part without triangles.
+pub fn read_or_cloud(bytes: &[u8]) -> Result<MeshContents, ContentError> {
+    let mut reader = Reader::default();
+    let mut scan = Scan::new(bytes);
+    while !scan.is_done() {
+        if scan.at_line_end() {
+            scan.skip_line();
+            continue;
+        }
+        let start = scan.at;
+        match scan.word() {
+            b"v" => reader.vertex(&mut scan)?,
+            b"f" => reader.face(&mut scan)?,
+            word => scan = reader.other(word, scan.moved(start), scan)?,
+        }
+    }
+    reader.contents()
+}
+
+/// What has been read. The scan stays outside, in the registers of the processor.
+#[derive(Default)]
+struct Reader<'a> {
+    vertices: Vec<[f64; 3]>,
+    triangles: Vec<[u32; 3]>,
+    groups: Groups<'a>,
+    polygons: Polygons,
+    /// The corners of the face that is being read.
+    corners: Vec<u32>,
+    lines: usize,
+    points: usize,
+}
+
+impl<'a> Reader<'a> {
+    /// `v x y z`, then perhaps a weight, a colour, or both.
+    #[inline(always)]
+    fn vertex(&mut self, scan: &mut Scan) -> Result<(), ContentError> {
+        let mut next = || {
+            scan.skip_blanks();
+            scan.float("coordinate")
+        };
+        let vertex = [next()?, next()?, next()?];
+        if !scan.at_line_end() {
+            *scan = weight_and_colour(*scan)?;
+        }
+        self.vertices.push(vertex);
+        scan.skip_line();
+        Ok(())
+    }
+
+    /// `f a b c …`.
+    #[inline(always)]
+    fn face(&mut self, scan: &mut Scan) -> Result<(), ContentError> {
+        if let Some((triangle, end)) = plain_triangle(scan, self.vertices.len()) {
+            self.triangles.push(triangle);
+            scan.at = end;
+            return Ok(());
+        }
+        self.corners.clear();
+        while !scan.at_line_end() {
+            let corner = self.corner(scan)?;
+            self.corners.push(corner);
+        }
+        match *self.corners.as_slice() {
+            [a, b, c] => self.triangles.push([a, b, c]),
+            [] | [_] | [_, _] => return Err(scan.expected("a third corner of the face")),
+            _ => self.polygons.split(&self.vertices, &self.corners, &mut self.triangles),
+        }
+        scan.skip_line();
+        Ok(())
+    }
+
+    /// `v`, `v/vt`, `v/vt/vn` or `v//vn`, of which the first counts.
+    #[inline(always)]
+    fn corner(&self, scan: &mut Scan) -> Result<u32, ContentError> {
+        let start = scan.at;
+        let Some((written, mut end)) = integer(scan.bytes, start) else {
+            return Err(no_index(*scan, start));
+        };
+        for _ in 0..2 {
+            if scan.bytes.get(end) == Some(&b'/') {
+                end += 1;
+                end = integer(scan.bytes, end).map_or(end, |(_, end)| end);
+            }
+        }
+        if !scan.pass(end) {
+            return Err(no_index(*scan, start));
+        }
+        let count = self.vertices.len();
+        let from_zero = if written < 0 { written + count as i64 } else { written - 1 };
+        parts::index(from_zero, count).ok_or_else(|| no_vertex(scan.moved(start), written, count))
+    }
+
+    /// Any statement but a vertex and a face.
+    fn other(&mut self, word: &[u8], start: Scan<'a>, mut scan: Scan<'a>) -> Result<Scan<'a>, ContentError> {
+        match word {
+            b"o" | b"g" => {
+                self.groups.end(self.triangles.len());
+                scan.skip_blanks();
+                let name = scan.line();
+                let name = name.split(|b| *b == b'#').next().unwrap_or_default().trim_ascii();
+                if word == b"o" {
+                    (self.groups.object, self.groups.group) = (name, &[]);
+                } else {
+                    self.groups.group = name;
+                }
+                return Ok(scan);
+            }
+            b"l" => self.lines += 1,
+            b"p" => self.points += 1,
+            _ if SKIPPED.contains(&word) => {}
+            _ if REFUSED.contains(&word) => {
+                let what = format!("{:?} of OBJ: curved surfaces and included files", start.found());
+                return Err(start
+                    .error(ContentErrorKind::Unsupported { what })
+                    .hint("export the body as a mesh of triangles, in one file"));
+            }
+            _ => {
+                return Err(start
+                    .expected("a statement of OBJ")
+                    .hint("a vertex is v x y z, a face f 1 2 3, a comment starts with #"));
+            }
+        }
+        scan.skip_line();
+        Ok(scan)
+    }
+
+    fn contents(mut self) -> Result<MeshContents, ContentError> {
+        self.groups.end(self.triangles.len());
+        if self.vertices.is_empty() {
+            let what = "vertices and no faces".to_owned();
+            return Err(ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole)
+                .hint("export the body as a mesh, with its faces"));
+        }
+        if self.triangles.is_empty() {
+            return Ok(MeshContents { encoding: "text", ..points::cloud(self.vertices)? });
+        }
+        let mut findings = Vec::new();
+        if self.lines + self.points > 0 {
+            let message =
+                format!("{} lines and {} points bound no solid and were left out", self.lines, self.points);
+            findings.push(Finding {
+                code: "mesh.not_a_surface",
+                severity: Severity::Info,
+                message,
+                place: None,
+            });
+        }
+        findings.extend(self.polygons.finding());
+        let parts = parts::of_shared(self.vertices, self.groups.parts(self.triangles))?;
+        Ok(MeshContents { encoding: "text", name: String::new(), unit: None, parts, findings })
+    }
+}
+
+/// ` a b c` and the end of the line, one blank before each: what most files have, and what is read fastest. The indices, and the offset
+/// behind the line; `None` if anything is otherwise.
+#[inline(always)]
+fn plain_triangle(scan: &Scan, count: usize) -> Option<([u32; 3], usize)> {
+    let (mut at, mut triangle) = (scan.at, [0; 3]);
+    for corner in &mut triangle {
+        let (written, end) = integer(scan.bytes, at + 1)?;
+        if scan.bytes.get(at) != Some(&b' ') {
+            return None;
+        }
+        (*corner, at) = (parts::index(written - 1, count)?, end);
+    }
+    scan.is_line_end(at).then_some((triangle, at + 1))
+}
+
+/// The numbers behind x, y, z: none counts.
+fn weight_and_colour(mut scan: Scan) -> Result<Scan, ContentError> {
+    for _ in 0..5 {
+        if !scan.at_line_end() {
+            scan.float("weight or colour")?;
+        }
+    }
+    if scan.at_line_end() { Ok(scan) } else { Err(scan.expected("the end of the line")) }
+}
+
+#[cold]
+fn no_index(scan: Scan, at: usize) -> ContentError {
+    scan.moved(at).expected("the index of a vertex")
+}
+
+#[cold]
+fn no_vertex(at: Scan, written: i64, count: usize) -> ContentError {
+    let error = at.error(ContentErrorKind::Index { what: "vertex".to_owned(), index: written, count });
+    match written {
+        0 => error.hint("indices start at 1"),
+        1.. => error.hint("a face comes behind its vertices"),
+        _ => error.hint("-1 is the vertex before the face, and so on back to the first"),
+    }
+}
+
+/// What says nothing about the shape.
+const SKIPPED: [&[u8]; 18] = [
+    b"vn",
+    b"vt",
+    b"vp",
+    b"s",
+    b"usemtl",
+    b"mtllib",
+    b"usemap",
+    b"maplib",
+    b"mg",
+    b"bevel",
+    b"lod",
+    b"c_interp",
+    b"d_interp",
+    b"shadow_obj",
+    b"trace_obj",
+    b"ctech",
+    b"stech",
+    b"end",
+];
+
+/// Free-form curves and surfaces, the older forms of them, and what another file or program says.
+const REFUSED: [&[u8]; 21] = [
+    b"cstype", b"deg", b"bmat", b"step", b"curv", b"curv2", b"surf", b"parm", b"trim", b"hole", b"scrv",
+    b"sp", b"con", b"bsp", b"bzp", b"cdc", b"cdp", b"res", b"call", b"csh", b"lib",
+];
+
+/// The names in force, and which triangles were made under which.
+#[derive(Default)]
+struct Groups<'a> {
+    object: &'a [u8],
+    group: &'a [u8],
+    /// Numbers of the parts, in the order of their first triangles.
+    numbers: HashMap<(&'a [u8], &'a [u8]), usize>,
+    names: Vec<(&'a [u8], &'a [u8])>,
+    runs: Vec<(usize, Range<usize>)>,
+    /// The first triangle under the names in force.
+    start: usize,
+}
+
+impl Groups<'_> {
+    /// Names change, and there are so many triangles.
+    fn end(&mut self, triangles: usize) {
+        let run = self.start..triangles;
+        if !run.is_empty() {
+            let names = (self.object, self.group);
+            let number = *self.numbers.entry(names).or_insert(self.names.len());
+            if number == self.names.len() {
+                self.names.push(names);
+            }
+            self.runs.push((number, run));
+        }
+        self.start = triangles;
+    }
+
+    fn parts(self, triangles: Vec<[u32; 3]>) -> Vec<(String, Vec<[u32; 3]>)> {
+        let name = |&(object, group): &(&[u8], &[u8])| {
+            let words = match (object, group) {
+                (object, []) => vec![object],
+                ([], group) => vec![group],
+                (object, group) if object == group => vec![group],
+                (object, group) => vec![object, group],
+            };
+            words.into_iter().map(String::from_utf8_lossy).collect::<Vec<_>>().join("/")
+        };
+        if let [names] = self.names.as_slice() {
+            return vec![(name(names), triangles)];
+        }
+        let mut parts: Vec<_> = self.names.iter().map(|names| (name(names), Vec::new())).collect();
+        for (number, run) in self.runs {
+            parts[number].1.extend_from_slice(&triangles[run]);
+        }
+        parts
+    }
+}

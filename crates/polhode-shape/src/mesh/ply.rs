@@ -1,0 +1,326 @@
+//! PLY: the polygon file format of Stanford, ASCII and binary of both endians.
+//!
+//! A header in text declares elements and their properties; then come their values, in that order. What is read is
+//! `x`, `y`, `z` of the element `vertex`, and the lists `vertex_indices` (or `vertex_index`) of `face` and `tristrips`;
+//! everything else is passed over. No count is trusted: lists grow with the values that are there.
+
+mod header;
+mod values;
+
+use polhode::body::{Finding, Severity};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
+use super::MeshContents;
+use super::parts;
+use super::points;
+use super::polygon::Polygons;
+use header::{Element, Encoding, Header, Property, Scalar};
+use values::{Ascii, Binary, Stop, Values};
+
+/// Reads the bytes of a PLY file.
+///
+/// Coordinates are doubles: the nearest ones to what an ASCII file writes, and exactly those of a binary file. A polygon
+/// of n corners becomes n − 2 triangles.
+///
+/// ```
+/// use polhode_shape::mesh::ply::read;
+///
+/// let text = b"ply
+/// format ascii 1.0
+/// element vertex 4
+/// property float x
+/// property float y
+/// property float z
+/// element face 4
+/// property list uchar int vertex_indices
+/// end_header
+/// 0.1 0.2 0
+/// 1.7 0 -2.5e-3
+/// 0.3 1.1 0.4
+/// 0.5 0.6 1.9
+/// 3 0 2 1
+/// 3 0 1 3
+/// 3 1 2 3
+/// 3 2 0 3
+/// ";
+/// let contents = read(text)?;
+/// assert_eq!(contents.encoding, "ascii");
+/// assert_eq!(contents.parts[0].mesh.coordinates()[1], [1.7, 0.0, -2.5e-3]);
+///
+/// let error = read(&text[..text.len() - 10]).unwrap_err();
+/// assert_eq!(error.kind.to_string(), "3 corners are declared, and 2 are there");
+/// # Ok::<(), polhode_source::ContentError>(())
+/// ```
+///
+/// # Errors
+/// A header that does not follow the grammar or lacks vertices or faces, counts that the file does not fill or runs
+/// over, a coordinate that is not finite, a face with fewer than three corners, and an index of no vertex.
+pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
+    points::with_faces(read_or_cloud(bytes)?)
+}
+
+/// Reads the bytes of a file that may have no faces: then its vertices are a part without triangles.
+pub fn read_or_cloud(bytes: &[u8]) -> Result<MeshContents, ContentError> {
+    let header = header::read(bytes)?;
+    match header.encoding {
+        Encoding::Ascii => elements(&header, Ascii::new(bytes, header.end)),
+        Encoding::LittleEndian => elements(&header, Binary::<false>::new(bytes, header.end)),
+        Encoding::BigEndian => elements(&header, Binary::<true>::new(bytes, header.end)),
+    }
+}
+
+/// All elements, one after another.
+fn elements(header: &Header, mut values: impl Values) -> Result<MeshContents, ContentError> {
+    let mut surface = Surface::default();
+    let mut findings = Vec::new();
+    // Faces before the vertices are passed over, and read when the vertices are there.
+    let (mut waiting, mut has_vertices) = (Vec::new(), false);
+    for element in &header.elements {
+        match element.name.as_str() {
+            "vertex" => {
+                surface.read_vertices(element, &mut values)?;
+                for (element, mut values) in waiting.drain(..) {
+                    surface.read_faces(element, &mut values)?;
+                }
+                has_vertices = true;
+            }
+            "face" | "tristrips" if has_vertices => surface.read_faces(element, &mut values)?,
+            name => {
+                if matches!(name, "face" | "tristrips") {
+                    waiting.push((element, values));
+                } else if name == "edge" && element.count > 0 {
+                    let message = format!("{} edges bound no solid and were left out", element.count);
+                    let (code, severity) = ("mesh.not_a_surface", Severity::Info);
+                    findings.push(Finding { code, severity, message, place: None });
+                }
+                pass_over(element, &mut values)?;
+            }
+        }
+    }
+    let missing = |what: &str| {
+        ContentError::new(ContentErrorKind::Missing { what: what.to_owned() }, ContentPlace::Whole)
+    };
+    if !has_vertices {
+        return Err(missing("element vertex"));
+    }
+    if values.rest() > 0 {
+        let (what, declared) = ("bytes behind the last element".to_owned(), 0);
+        let kind = ContentErrorKind::Count { what, declared, present: values.rest() as u64 };
+        // To the place of the first of them.
+        let _ = values.skip(Scalar::U8, 1);
+        return Err(ContentError::new(kind, values.last(String::new()).1)
+            .hint("a count in the header is too small, or the file has been damaged"));
+    }
+    let encoding = header.encoding.name();
+    if surface.triangles.is_empty() {
+        let cloud = points::cloud(surface.vertices)?;
+        return Ok(MeshContents { encoding, findings, ..cloud });
+    }
+    findings.extend(surface.polygons.finding());
+    let parts = parts::of_shared(surface.vertices, vec![(String::new(), surface.triangles)])?;
+    Ok(MeshContents { encoding, name: String::new(), unit: None, parts, findings })
+}
+
+/// What has been read.
+#[derive(Default)]
+struct Surface {
+    vertices: Vec<[f64; 3]>,
+    triangles: Vec<[u32; 3]>,
+    polygons: Polygons,
+    /// The corners of the face that is being read.
+    corners: Vec<u32>,
+}
+
+impl Surface {
+    fn read_vertices(&mut self, element: &Element, values: &mut impl Values) -> Result<(), ContentError> {
+        let mut axes = vec![None; element.properties.len()];
+        for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+            match element.property(name) {
+                Some((place, property)) if property.length.is_none() => axes[place] = Some(axis),
+                found => return Err(no_property(element, found, &format!("property {name}"), "a number")),
+            }
+        }
+        for row in 0..element.count {
+            let mut vertex = [0.0; 3];
+            for (property, axis) in element.properties.iter().zip(&axes) {
+                match axis {
+                    Some(axis) => {
+                        let value = values.number(property.scalar);
+                        vertex[*axis] = value.map_err(|stop| stop.or(|| ended(element, row, values)))?;
+                        if !vertex[*axis].is_finite() {
+                            let (found, place) = values.last(format!("vertex {row}"));
+                            let what = format!("the coordinate {}", property.name);
+                            return Err(ContentError::new(
+                                ContentErrorKind::NotFinite { what, found },
+                                place,
+                            ));
+                        }
+                    }
+                    None => pass_over_one(property, values)
+                        .map_err(|stop| stop.or(|| ended(element, row, values)))?,
+                }
+            }
+            self.vertices.push(vertex);
+        }
+        Ok(())
+    }
+
+    /// Polygons, or strips of triangles.
+    fn read_faces(&mut self, element: &Element, values: &mut impl Values) -> Result<(), ContentError> {
+        let found = element.property("vertex_indices").or_else(|| element.property("vertex_index"));
+        let place = match found {
+            Some((place, property)) if property.length.is_some() && property.scalar.is_integer() => place,
+            _ if element.count == 0 => return Ok(()),
+            _ => return Err(no_property(element, found, "property vertex_indices", "a list of integers")),
+        };
+        for row in 0..element.count {
+            for (k, property) in element.properties.iter().enumerate() {
+                if k != place {
+                    pass_over_one(property, values)
+                        .map_err(|stop| stop.or(|| ended(element, row, values)))?;
+                } else if element.name == "face" {
+                    self.face(element, row, property, values)?;
+                } else {
+                    self.strips(element, row, property, values)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The corners of a polygon.
+    #[inline]
+    fn face(
+        &mut self,
+        element: &Element,
+        row: u64,
+        list: &Property,
+        values: &mut impl Values,
+    ) -> Result<(), ContentError> {
+        let count = length(list, values).map_err(|stop| stop.or(|| ended(element, row, values)))?;
+        if count < 3 {
+            let (value, place) = values.last(format!("face {row}"));
+            let (what, rule) = ("the number of a face's corners".to_owned(), "3 or more".to_owned());
+            return Err(ContentError::new(ContentErrorKind::Value { what, value, rule }, place));
+        }
+        self.corners.clear();
+        for k in 0..count {
+            let index = item(element, row, list, [count, k], values)?;
+            self.corners.push(self.vertex(index).ok_or_else(|| self.no_vertex(element, row, index, values))?);
+        }
+        match *self.corners.as_slice() {
+            [a, b, c] => self.triangles.push([a, b, c]),
+            _ => self.polygons.split(&self.vertices, &self.corners, &mut self.triangles),
+        }
+        Ok(())
+    }
+
+    /// Strips with −1 between them: each corner makes a triangle with the two before it, every second one the other way
+    /// round. One with two equal corners only leads on to the next.
+    fn strips(
+        &mut self,
+        element: &Element,
+        row: u64,
+        list: &Property,
+        values: &mut impl Values,
+    ) -> Result<(), ContentError> {
+        let count = length(list, values).map_err(|stop| stop.or(|| ended(element, row, values)))?;
+        let (mut before, mut corners) = ([0; 2], 0_usize);
+        for k in 0..count {
+            let index = item(element, row, list, [count, k], values)?;
+            if index == -1 {
+                corners = 0;
+                continue;
+            }
+            let c = self.vertex(index).ok_or_else(|| self.no_vertex(element, row, index, values))?;
+            let [a, b] = before;
+            if corners >= 2 && a != b && b != c && c != a {
+                self.triangles.push(if corners % 2 == 0 { [a, b, c] } else { [b, a, c] });
+            }
+            (before, corners) = ([b, c], corners + 1);
+        }
+        Ok(())
+    }
+
+    #[inline]
+    fn vertex(&self, index: i64) -> Option<u32> {
+        parts::index(index, self.vertices.len())
+    }
+
+    #[cold]
+    fn no_vertex(&self, element: &Element, row: u64, index: i64, values: &impl Values) -> ContentError {
+        let (_, place) = values.last(format!("{} {row}", element.name));
+        let kind = ContentErrorKind::Index { what: "vertex".to_owned(), index, count: self.vertices.len() };
+        ContentError::new(kind, place).hint("indices start at 0")
+    }
+}
+
+/// Goes over all of an element.
+fn pass_over(element: &Element, values: &mut impl Values) -> Result<(), ContentError> {
+    if element.properties.is_empty() {
+        return Ok(());
+    }
+    for row in 0..element.count {
+        for property in &element.properties {
+            pass_over_one(property, values).map_err(|stop| stop.or(|| ended(element, row, values)))?;
+        }
+    }
+    Ok(())
+}
+
+fn pass_over_one(property: &Property, values: &mut impl Values) -> Result<(), Stop> {
+    let count = if property.length.is_some() { length(property, values)? } else { 1 };
+    values.skip(property.scalar, count)
+}
+
+/// How many items a list has.
+#[inline]
+fn length(list: &Property, values: &mut impl Values) -> Result<u64, Stop> {
+    let length = values.integer(list.length.unwrap_or(list.scalar))?;
+    u64::try_from(length).map_err(|_| {
+        let (value, place) = values.last(format!("the list {}", list.name));
+        let (what, rule) = ("the length of a list".to_owned(), "0 or more".to_owned());
+        Stop::Wrong(ContentError::new(ContentErrorKind::Value { what, value, rule }, place))
+    })
+}
+
+/// An index, the k-th of so many.
+#[inline]
+fn item(
+    element: &Element,
+    row: u64,
+    list: &Property,
+    [count, k]: [u64; 2],
+    values: &mut impl Values,
+) -> Result<i64, ContentError> {
+    values.integer(list.scalar).map_err(|stop| {
+        let place = || values.last(format!("{} {row}", element.name)).1;
+        stop.or(|| values::short("corners".to_owned(), count, k, place()))
+    })
+}
+
+/// The file has ended in the middle of an element.
+#[cold]
+fn ended(element: &Element, row: u64, values: &impl Values) -> ContentError {
+    let (_, place) = values.last(format!("{} {row}", element.name));
+    values::short(element.plural(), element.count, row, place)
+}
+
+/// An element lacks a property, or has one of another type.
+fn no_property(element: &Element, found: Option<(usize, &Property)>, what: &str, rule: &str) -> ContentError {
+    let name = &element.name;
+    match found {
+        None => {
+            let what = format!("{what} of the element {name}");
+            ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Text(element.span.clone()))
+        }
+        Some((_, property)) => {
+            let value = if property.length.is_some() { "a list" } else { "a number" };
+            let integer = if property.scalar.is_integer() { "integer" } else { "floating-point" };
+            let value = format!("{value} of {integer} type");
+            let (what, rule) = (format!("{what} of the element {name}"), rule.to_owned());
+            let place = ContentPlace::Text(property.span.clone());
+            ContentError::new(ContentErrorKind::Value { what, value, rule }, place)
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! The values of a PLY file, one after another, in its three encodings.
+
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
+use super::super::scan::Scan;
+use super::header::{Encoding, Scalar};
+
+/// Where values come from; `Copy`, to come back to a place.
+pub trait Values: Copy {
+    /// A number.
+    fn number(&mut self, scalar: Scalar) -> Result<f64, Stop>;
+    /// A number of an integer type.
+    fn integer(&mut self, scalar: Scalar) -> Result<i64, Stop>;
+    /// Goes over so many values.
+    fn skip(&mut self, scalar: Scalar, count: u64) -> Result<(), Stop>;
+    /// The value that has been read last, as it is written, and where it is; `what` is what stands there.
+    fn last(&self, what: String) -> (String, ContentPlace);
+    /// What is left of the file when all is read.
+    fn rest(&self) -> usize;
+}
+
+/// Why there is no value.
+#[derive(Debug)]
+pub enum Stop {
+    /// The file has ended.
+    Ended,
+    /// Something else stands there.
+    Wrong(ContentError),
+}
+
+/// Numbers in the bytes of one order or the other.
+#[derive(Clone, Copy, Debug)]
+pub struct Binary<'a, const BIG: bool> {
+    bytes: &'a [u8],
+    at: usize,
+    last: (usize, Scalar),
+}
+
+impl<'a, const BIG: bool> Binary<'a, BIG> {
+    pub const fn new(bytes: &'a [u8], at: usize) -> Self {
+        Self { bytes, at, last: (at, Scalar::U8) }
+    }
+
+    #[inline]
+    fn take<const N: usize>(&mut self) -> Result<[u8; N], Stop> {
+        let mut bytes = *self.bytes.get(self.at..).and_then(<[u8]>::first_chunk::<N>).ok_or(Stop::Ended)?;
+        self.at += N;
+        if BIG {
+            bytes.reverse();
+        }
+        Ok(bytes)
+    }
+
+    #[inline]
+    fn read_number(&mut self, scalar: Scalar) -> Result<f64, Stop> {
+        Ok(match scalar {
+            Scalar::F32 => f64::from(f32::from_le_bytes(self.take()?)),
+            Scalar::F64 => f64::from_le_bytes(self.take()?),
+            _ => self.read_integer(scalar)? as f64,
+        })
+    }
+
+    #[inline]
+    fn read_integer(&mut self, scalar: Scalar) -> Result<i64, Stop> {
+        Ok(match scalar {
+            Scalar::I8 => i64::from(i8::from_le_bytes(self.take()?)),
+            Scalar::U8 => i64::from(u8::from_le_bytes(self.take()?)),
+            Scalar::I16 => i64::from(i16::from_le_bytes(self.take()?)),
+            Scalar::U16 => i64::from(u16::from_le_bytes(self.take()?)),
+            Scalar::I32 => i64::from(i32::from_le_bytes(self.take()?)),
+            Scalar::U32 => i64::from(u32::from_le_bytes(self.take()?)),
+            // No header with such a type gets this far.
+            Scalar::F32 => f32::from_le_bytes(self.take()?) as i64,
+            Scalar::F64 => f64::from_le_bytes(self.take()?) as i64,
+        })
+    }
+}
+
+impl<const BIG: bool> Values for Binary<'_, BIG> {
+    #[inline]
+    fn number(&mut self, scalar: Scalar) -> Result<f64, Stop> {
+        self.last = (self.at, scalar);
+        self.read_number(scalar)
+    }
+
+    #[inline]
+    fn integer(&mut self, scalar: Scalar) -> Result<i64, Stop> {
+        self.last = (self.at, scalar);
+        self.read_integer(scalar)
+    }
+
+    #[inline]
+    fn skip(&mut self, scalar: Scalar, count: u64) -> Result<(), Stop> {
+        self.last = (self.at, scalar);
+        let length = usize::try_from(count).ok().and_then(|count| count.checked_mul(scalar.size()));
+        match length {
+            Some(length) if length <= self.rest() => self.at += length,
+            _ => return Err(Stop::Ended),
+        }
+        Ok(())
+    }
+
+    fn last(&self, what: String) -> (String, ContentPlace) {
+        let (offset, scalar) = self.last;
+        let value = Self { at: offset, ..*self }.read_number(scalar);
+        let value = value.map_or_else(|_| String::new(), |value| value.to_string());
+        (value, ContentPlace::Byte { offset: offset as u64, what })
+    }
+
+    fn rest(&self) -> usize {
+        self.bytes.len().saturating_sub(self.at)
+    }
+}
+
+/// Numbers in text, between white space of any kind.
+#[derive(Clone, Copy, Debug)]
+pub struct Ascii<'a> {
+    scan: Scan<'a>,
+    last: usize,
+}
+
+impl<'a> Ascii<'a> {
+    pub fn new(bytes: &'a [u8], at: usize) -> Self {
+        Self { scan: Scan::new(bytes).moved(at), last: at }
+    }
+
+    #[inline]
+    fn start(&mut self) -> Result<(), Stop> {
+        self.scan.skip_space();
+        self.last = self.scan.at;
+        if self.scan.is_done() { Err(Stop::Ended) } else { Ok(()) }
+    }
+}
+
+impl Values for Ascii<'_> {
+    #[inline]
+    fn number(&mut self, _: Scalar) -> Result<f64, Stop> {
+        self.start()?;
+        self.scan.float("coordinate").map_err(Stop::Wrong)
+    }
+
+    #[inline]
+    fn integer(&mut self, _: Scalar) -> Result<i64, Stop> {
+        self.start()?;
+        self.scan.integer("an integer").map_err(Stop::Wrong)
+    }
+
+    #[inline]
+    fn skip(&mut self, _: Scalar, count: u64) -> Result<(), Stop> {
+        for _ in 0..count {
+            self.start()?;
+            self.scan.word();
+            // No value starts with a control character, nor stands still.
+            if self.scan.at == self.last {
+                return Err(Stop::Wrong(self.scan.expected("a number")));
+            }
+        }
+        Ok(())
+    }
+
+    fn last(&self, _: String) -> (String, ContentPlace) {
+        let scan = self.scan.moved(self.last);
+        let length = { scan }.word().len();
+        (scan.found(), ContentPlace::Text(self.last..self.last + length))
+    }
+
+    fn rest(&self) -> usize {
+        self.scan.bytes[self.scan.at..].trim_ascii().len()
+    }
+}
+
+impl Encoding {
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Ascii => "ascii",
+            Self::LittleEndian => "binary, little-endian",
+            Self::BigEndian => "binary, big-endian",
+        }
+    }
+}
+
+impl Stop {
+    /// The end of the file, as something else sees it.
+    pub fn or(self, ended: impl FnOnce() -> ContentError) -> ContentError {
+        match self {
+            Self::Ended => ended(),
+            Self::Wrong(error) => error,
+        }
+    }
+}
+
+/// A count that the file does not fill.
+pub fn short(what: String, declared: u64, present: u64, place: ContentPlace) -> ContentError {
+    ContentError::new(ContentErrorKind::Count { what, declared, present }, place)
+        .hint("the file is cut short")
+}

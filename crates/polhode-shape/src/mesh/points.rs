@@ -1,0 +1,182 @@
+//! Clouds of points: meshes without triangles, for their convex hull.
+//!
+//! A file of points has one in a line, `x y z`. Its separators are blanks and tabs, or commas, or
+//! semicolons, the same in all lines; `#` and `//` start a comment. A comma together with another
+//! separator may be a decimal comma, and is refused. So is a first column that counts the points,
+//! in front of three others. Other columns behind the third are colours, intensities or normals,
+//! and are not read; a finding says so.
+
+use polhode::body::mesh::TriangleMesh;
+use polhode::body::{Finding, Severity};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
+use super::{MeshContents, MeshPart};
+
+/// Points as a part without triangles.
+///
+/// # Errors
+/// [`ContentError`] without a point, or for more points than can be numbered.
+pub fn cloud(points: Vec<[f64; 3]>) -> Result<MeshContents, ContentError> {
+    if points.is_empty() {
+        let kind = ContentErrorKind::Missing { what: "points".to_owned() };
+        return Err(ContentError::new(kind, ContentPlace::Whole).hint("export the cloud again: it is empty"));
+    }
+    let mesh = TriangleMesh::new(points, Vec::new()).map_err(|error| {
+        let kind = ContentErrorKind::Body(Box::new(error));
+        ContentError::new(kind, ContentPlace::Whole)
+    })?;
+    let parts = vec![MeshPart { name: String::new(), mesh }];
+    Ok(MeshContents { encoding: "text", name: String::new(), unit: None, parts, findings: Vec::new() })
+}
+
+/// The contents, if they have faces.
+///
+/// # Errors
+/// [`ContentErrorKind::Missing`] of points alone.
+pub fn with_faces(contents: MeshContents) -> Result<MeshContents, ContentError> {
+    if contents.parts.is_empty() || contents.triangles() > 0 {
+        return Ok(contents);
+    }
+    let kind = ContentErrorKind::Missing { what: "faces".to_owned() };
+    let hint = "a cloud of points bounds no solid: export a mesh, or take the convex hull by --hull";
+    Err(ContentError::new(kind, ContentPlace::Whole).hint(hint))
+}
+
+/// Character between the numbers of a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Separator {
+    Blank,
+    Comma,
+    Semicolon,
+}
+
+impl Separator {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Blank => "blanks",
+            Self::Comma => "commas",
+            Self::Semicolon => "semicolons",
+        }
+    }
+
+    /// Returns the separator of a line; `None` if it has several.
+    fn of(line: &str) -> Option<Self> {
+        let separator = match (line.contains(','), line.contains(';')) {
+            (false, false) => return Some(Self::Blank),
+            (true, false) => Self::Comma,
+            (false, true) => Self::Semicolon,
+            (true, true) => return None,
+        };
+        let is_mixed = separator.fields(line).any(|field| field.contains(char::is_whitespace));
+        (!is_mixed).then_some(separator)
+    }
+
+    fn fields(self, line: &str) -> impl Iterator<Item = &str> {
+        let is_between = move |c: char| match self {
+            Self::Blank => c.is_whitespace(),
+            Self::Comma => c == ',',
+            Self::Semicolon => c == ';',
+        };
+        line.split(is_between).map(str::trim).filter(move |field| self != Self::Blank || !field.is_empty())
+    }
+}
+
+/// Reads lines of `x y z`.
+///
+/// ```
+/// use polhode_shape::mesh::points::read;
+/// let contents = read(b"# a scan\n0, 0, 0, 7\n1.5,0,0,12\n0,2e-1,0,9\n0,0,-3,7\n")?;
+/// assert_eq!(contents.parts[0].mesh.coordinates()[2], [0.0, 0.2, 0.0]);
+/// assert!(contents.findings[0].message.contains("behind the third"));
+/// let error = read(b"0 0 0\nC 1 2 3\n").unwrap_err();
+/// assert_eq!(error.kind.to_string(), "expected the three coordinates of a point, found \"C\"");
+/// assert!(read(b"0,5 0,25 0,75\n").unwrap_err().kind.to_string().contains("decimal comma?"));
+/// # Ok::<(), polhode_source::ContentError>(())
+/// ```
+///
+/// # Errors
+/// [`ContentError`] for a line that does not start with three finite numbers, with its place; for
+/// different separators; for a first column that counts the points.
+pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
+    let text = str::from_utf8(bytes).map_err(|error| {
+        let (what, found) = ("text".to_owned(), String::new());
+        let place = ContentPlace::Text(error.valid_up_to()..error.valid_up_to());
+        ContentError::new(ContentErrorKind::Expected { what, found }, place)
+    })?;
+    let (mut points, mut more, mut start) = (Vec::new(), 0_usize, 0);
+    let mut separator = None;
+    for line in text.split_inclusive('\n') {
+        let content = line.split("//").next().unwrap_or_default();
+        let content = content.split('#').next().unwrap_or_default();
+        let content = content.trim_start_matches('\u{feff}').trim();
+        let place = || ContentPlace::Text(start..start + line.trim_end().len());
+        if !content.is_empty() {
+            let own = Separator::of(content).ok_or_else(|| mixed(content, place()))?;
+            let first = *separator.get_or_insert(own);
+            if own != first {
+                let what = format!("{} between the numbers, as in the first line", first.name());
+                let kind = ContentErrorKind::Expected { what, found: content.to_owned() };
+                return Err(ContentError::new(kind, place()).hint(ONE_KIND));
+            }
+            let mut fields = own.fields(content);
+            let mut point = [0.0; 3];
+            for coordinate in &mut point {
+                *coordinate = coordinate_of(fields.next()).map_err(|kind| {
+                    ContentError::new(kind, place())
+                        .hint("a file of points has lines of x y z; a molecule is read without --hull")
+                })?;
+            }
+            more += usize::from(fields.any(|field| !field.is_empty()));
+            points.push(point);
+        }
+        start += line.len();
+    }
+    if more == points.len() {
+        require_coordinates(&points)?;
+    }
+    let mut contents = cloud(points)?;
+    if more > 0 {
+        let message =
+            format!("columns behind the third, of {more} lines, are not coordinates and were not read");
+        let (code, severity) = ("mesh.unread_columns", Severity::Info);
+        contents.findings.push(Finding { code, severity, message, place: None });
+    }
+    Ok(contents)
+}
+
+const ONE_KIND: &str =
+    "write decimal points, and between the numbers only blanks, or only commas, or only semicolons";
+
+/// The error of a line with several separators.
+fn mixed(line: &str, place: ContentPlace) -> ContentError {
+    let found = line.to_owned();
+    let kind = if line.contains(',') {
+        ContentErrorKind::Unclear { question: "is this comma a decimal comma?".to_owned(), found }
+    } else {
+        let what = "one kind of separator between the numbers".to_owned();
+        ContentErrorKind::Expected { what, found }
+    };
+    ContentError::new(kind, place).hint(ONE_KIND)
+}
+
+/// Refuses a first column of 1, 2, 3, … or 0, 1, 2, … in front of three others: it counts the points.
+fn require_coordinates(points: &[[f64; 3]]) -> Result<(), ContentError> {
+    let counts_from = |first: f64| points.iter().enumerate().all(|(k, [x, ..])| *x == first + k as f64);
+    if points.len() < 2 || !counts_from(0.0) && !counts_from(1.0) {
+        return Ok(());
+    }
+    let question = "is the first column a number of the point, or x?".to_owned();
+    let found = format!("{}, {}, … in the first of four columns or more", points[0][0], points[1][0]);
+    let kind = ContentErrorKind::Unclear { question, found };
+    Err(ContentError::new(kind, ContentPlace::Whole)
+        .hint("delete the column that counts the points; if it is x, delete the columns behind the third"))
+}
+
+/// A finite number.
+fn coordinate_of(word: Option<&str>) -> Result<f64, ContentErrorKind> {
+    let number = word.and_then(|word| word.parse::<f64>().ok()).filter(|number| number.is_finite());
+    number.ok_or_else(|| {
+        let (what, found) = ("the three coordinates of a point", word.unwrap_or_default());
+        ContentErrorKind::Expected { what: what.to_owned(), found: found.to_owned() }
+    })
+}

@@ -1,0 +1,317 @@
+//! What a mesh is mended by where somebody asks for it, and what that may change.
+
+use std::path::Path;
+
+use polhode::body::mesh::{HolesLeft, MeshEffect, TriangleMesh, WeldedMesh};
+use polhode::body::{BodyError, Finding, Severity};
+use polhode_source::text::counted;
+use polhode_source::unit;
+use polhode_source::unit::{Dimension, UnitError};
+use polhode_source::{FormatError, FormatErrorKind};
+use serde_json::{Value, json};
+
+use super::{MeshContents, MeshPart, MeshSolid, RepairBound, holes_left, solid};
+
+/// A length beside a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MeshLength {
+    /// In m.
+    Metres(f64),
+    /// In parts of the mesh's size: the diagonal of the box about all of its triangles.
+    OfSize(f64),
+}
+
+impl MeshLength {
+    /// A length with its unit, or a plain number for a part of the mesh's size.
+    ///
+    /// ```
+    /// use polhode_shape::mesh::MeshLength;
+    /// assert_eq!(MeshLength::parse("0.01 mm"), Ok(MeshLength::Metres(0.00001)));
+    /// assert_eq!(MeshLength::parse("3e-7"), Ok(MeshLength::OfSize(3e-7)));
+    /// assert!(MeshLength::parse("2 kg").is_err());
+    /// ```
+    ///
+    /// # Errors
+    /// [`UnitError`] for what is neither.
+    pub fn parse(text: &str) -> Result<Self, UnitError> {
+        if let Ok(part) = text.trim().parse() {
+            return Ok(Self::OfSize(part));
+        }
+        unit::parse(text, Dimension::LENGTH).map(Self::Metres)
+    }
+
+    /// The number itself.
+    pub const fn value(self) -> f64 {
+        match self {
+            Self::Metres(value) | Self::OfSize(value) => value,
+        }
+    }
+
+    /// In the mesh's own unit.
+    pub fn beside(self, diagonal: f64, unit: f64) -> f64 {
+        match self {
+            Self::Metres(length) => length / unit,
+            Self::OfSize(part) => part * diagonal,
+        }
+    }
+}
+
+/// What was mended of a mesh file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum MeshRepair {
+    /// Vertices of open edges were joined.
+    Welded {
+        /// Vertices that were joined.
+        vertices: usize,
+        /// Points that became of them.
+        points: usize,
+        /// The largest distance between two vertices that were joined, m.
+        largest_distance: f64,
+        /// Triangles of which two corners became one.
+        vanished: usize,
+        /// What it may be off.
+        bound: RepairBound,
+    },
+    /// Small holes were closed with triangles.
+    Filled {
+        /// Holes that were closed.
+        holes: usize,
+        /// Triangles that close them.
+        triangles: usize,
+        /// The largest distance between two vertices of such a hole, m.
+        largest: f64,
+        /// Holes that were not closed.
+        left: HolesLeft,
+        /// What it may be off, if what is missing lies within the balls about the holes.
+        bound: RepairBound,
+    },
+}
+
+impl MeshRepair {
+    /// What was done, and what all of it together means for the solids that came of it: warnings, or notes of what was asked for in vain.
+    pub fn findings(repairs: &[Self], solid: &MeshSolid, file: &str) -> Vec<Finding> {
+        let whole = solid.parts.iter().map(|part| part.mesh.volume()).sum();
+        let effect = |bound: RepairBound| match solid.parts.as_slice() {
+            [only] => Some(only.mesh.effect(bound.volume, bound.beyond)),
+            _ => None,
+        };
+        Self::findings_on(repairs, whole, effect, file)
+    }
+
+    /// The same for what encloses so much, m³, and of which a bound says so much.
+    pub fn findings_on(
+        repairs: &[Self],
+        whole: f64,
+        effect: impl Fn(RepairBound) -> Option<MeshEffect>,
+        file: &str,
+    ) -> Vec<Finding> {
+        let last = repairs.iter().rposition(Self::is_something);
+        let place = Some(polhode_source::text::escaped(file));
+        let finding = |(k, repair): (usize, &Self)| {
+            let mut message = repair.in_words();
+            if Some(k) == last {
+                let together = if repairs[..k].iter().any(Self::is_something) { " all together" } else { "" };
+                let bound = RepairBound::of(repairs);
+                let at_most = at_most(bound.volume, whole, effect(bound), together);
+                message += &format!("; {}{at_most}", repair.proviso());
+            }
+            let severity = if repair.is_something() { Severity::Warning } else { Severity::Info };
+            Finding { code: repair.code(), severity, message, place: place.clone() }
+        };
+        repairs.iter().enumerate().map(finding).collect()
+    }
+
+    /// The error of a mesh that is open still, with why its holes were not filled.
+    #[must_use]
+    pub fn explained(repairs: &[Self], error: FormatError) -> FormatError {
+        let is_open = matches!(error.kind(), FormatErrorKind::Mesh { error: BodyError::OpenMesh { .. }, .. });
+        let left = repairs.iter().find_map(|repair| match repair {
+            Self::Filled { left, .. } => holes_left::why(*left),
+            Self::Welded { .. } => None,
+        });
+        match left.filter(|_| is_open) {
+            None => error,
+            Some(left) => {
+                let hint = error.hint().map_or(String::new(), |hint| format!("; {hint}"));
+                error.with_hint(format!("not all of it was filled: {left}{hint}"))
+            }
+        }
+    }
+
+    /// Whether there was something to mend.
+    const fn is_something(&self) -> bool {
+        matches!(self, Self::Welded { points: 1.., .. } | Self::Filled { holes: 1.., .. })
+    }
+
+    /// What the bound supposes.
+    const fn proviso(&self) -> &'static str {
+        match self {
+            Self::Welded { .. } => "",
+            Self::Filled { .. } => "if what is missing lies within the balls about the holes, ",
+        }
+    }
+
+    /// Its name and numbers, for programs.
+    pub fn for_programs(&self) -> (&'static str, Value) {
+        match *self {
+            Self::Welded { vertices, points, largest_distance, vanished, bound } => (
+                "weld",
+                json!({
+                    "vertices": vertices,
+                    "points": points,
+                    "largest_distance_m": largest_distance,
+                    "triangles_vanished": vanished,
+                    "volume_bound_m3": bound.volume,
+                }),
+            ),
+            Self::Filled { holes, triangles, largest, bound, .. } => (
+                "fill",
+                json!({
+                    "holes": holes,
+                    "triangles": triangles,
+                    "largest_m": largest,
+                    "volume_bound_m3": bound.volume,
+                }),
+            ),
+        }
+    }
+
+    /// What it alone may be off.
+    pub const fn bound(&self) -> RepairBound {
+        let (Self::Welded { bound, .. } | Self::Filled { bound, .. }) = self;
+        *bound
+    }
+
+    const fn code(&self) -> &'static str {
+        match self {
+            Self::Welded { .. } => "mesh.welded",
+            Self::Filled { .. } => "mesh.filled",
+        }
+    }
+
+    fn in_words(&self) -> String {
+        match *self {
+            Self::Welded { points: 0, .. } => {
+                "nothing was welded: no vertices of open edges are so near each other".to_owned()
+            }
+            Self::Welded { vertices, points, largest_distance, vanished, .. } => format!(
+                "{} welded to {}, as was asked, at most {largest_distance:.2e} m apart; {} vanished",
+                if vertices == 1 { "1 vertex was".to_owned() } else { format!("{vertices} vertices were") },
+                counted(points, "point"),
+                if vanished == 0 { "no triangle".to_owned() } else { counted(vanished, "triangle") }
+            ),
+            Self::Filled { holes: 0, left, .. } => {
+                let why = holes_left::why(left).unwrap_or_else(|| "the mesh has no open edges".to_owned());
+                format!("nothing was filled: {why}")
+            }
+            Self::Filled { holes, triangles, largest, .. } => format!(
+                "{} of up to {largest:.2e} m across {} filled with {}, as was asked",
+                counted(holes, "hole"),
+                if holes == 1 { "was" } else { "were" },
+                counted(triangles, "triangle")
+            ),
+        }
+    }
+}
+
+/// "the volume may be off by …, at most", perhaps "all together"
+fn at_most(volume: f64, whole: f64, effect: Option<MeshEffect>, together: &str) -> String {
+    let off = format!("the volume may be off by {volume:.1e} m³ ({:.1e} of it)", volume / whole);
+    match effect {
+        None => format!("{off}, at most{together}"),
+        Some(effect) if effect.center.is_finite() => format!(
+            "{off}, the centre of mass by {:.1e} m, the tensor at one density by {:.1e} of its largest moment, at most{together}",
+            effect.center, effect.inertia
+        ),
+        Some(_) => format!(
+            "{off}, at most{together}: so much that nothing is known of the centre of mass and of the tensor"
+        ),
+    }
+}
+
+impl MeshContents {
+    /// The mesh with torn edges joined: [`TriangleMesh::welded`] of each part; of all together, if that
+    /// does not close each. `unit` is as in [`MeshSolid::read`].
+    ///
+    /// # Errors
+    /// [`FormatError`] for a tolerance that is not positive or would join what is farther apart.
+    pub fn welded(
+        mut self,
+        tolerance: MeshLength,
+        unit: Option<f64>,
+        path: &Path,
+    ) -> Result<(Self, MeshRepair), FormatError> {
+        let unit = unit.or(self.unit).unwrap_or(1.0);
+        let refused = |part: &str, error| solid::no_solid(path, part, error);
+        let all = solid::joined(&self.parts).map_err(|error| refused("", error))?;
+        let tolerance = tolerance.beside(all.diagonal(), unit);
+        let each: Result<Vec<_>, _> = self.parts.iter().map(|part| part.mesh.welded(tolerance)).collect();
+        let welded = match each {
+            Ok(each) if each.iter().all(|mesh| mesh.open_edges == 0) => each,
+            Err(error) if self.parts.len() == 1 => return Err(refused(&self.parts[0].name, error)),
+            Ok(each) if self.parts.len() == 1 => each,
+            _ => {
+                let together = all.welded(tolerance).map_err(|error| refused("", error))?;
+                let parts = divided(&together, &self.parts).map_err(|error| refused("", error))?;
+                for (part, mesh) in self.parts.iter_mut().zip(parts) {
+                    part.mesh = mesh;
+                }
+                return Ok((self, repair(&[together], unit)));
+            }
+        };
+        let repair = repair(&welded, unit);
+        for (part, welded) in self.parts.iter_mut().zip(welded) {
+            part.mesh = welded.mesh;
+        }
+        Ok((self, repair))
+    }
+
+    /// The mesh welded and then filled, as far as that is asked for, and what was done.
+    ///
+    /// # Errors
+    /// As [`MeshContents::welded`] and [`MeshContents::filled`].
+    pub fn mended(
+        mut self,
+        weld: Option<MeshLength>,
+        fill: Option<MeshLength>,
+        unit: Option<f64>,
+        path: &Path,
+    ) -> Result<(Self, Vec<MeshRepair>), FormatError> {
+        let mut repairs = Vec::new();
+        if let Some(tolerance) = weld {
+            let (welded, repair) = self.welded(tolerance, unit, path)?;
+            self = welded;
+            repairs.push(repair);
+        }
+        if let Some(size) = fill {
+            let (filled, repair) = self.filled(size, unit, path)?;
+            self = filled;
+            repairs.push(repair);
+        }
+        Ok((self, repairs))
+    }
+}
+
+/// The triangles of each part, of all together.
+fn divided(together: &WeldedMesh, parts: &[MeshPart]) -> Result<Vec<TriangleMesh>, BodyError> {
+    let mut corners = together.mesh.corners();
+    let own = |part: &MeshPart| {
+        let triangles = corners.by_ref().take(part.mesh.triangles().len()).collect();
+        TriangleMesh::of_soup(triangles)
+    };
+    parts.iter().map(own).collect()
+}
+
+fn repair(welded: &[WeldedMesh], unit: f64) -> MeshRepair {
+    let count = |of: fn(&WeldedMesh) -> usize| welded.iter().map(of).sum();
+    let most = |of: fn(&WeldedMesh) -> f64| unit * welded.iter().map(of).fold(0.0, f64::max);
+    let volume = welded.iter().map(|mesh| mesh.volume_bound).sum::<f64>() * unit.powi(3);
+    MeshRepair::Welded {
+        vertices: count(|mesh| mesh.joined),
+        points: count(|mesh| mesh.points),
+        largest_distance: most(|mesh| mesh.largest_distance),
+        vanished: count(|mesh| mesh.vanished),
+        bound: RepairBound { volume, beyond: most(|mesh| mesh.farthest_move) },
+    }
+}

@@ -1,0 +1,277 @@
+//! The solids that the parts of a mesh file bound.
+
+use std::path::Path;
+
+use polhode::body::mesh::{ClosedMesh, MeshFlaws, TriangleMesh};
+use polhode::body::shape::{Shape, Substance};
+use polhode::body::{BodyError, Finding, MassProperties, Severity};
+use polhode::math::Part;
+use polhode_source::text::{counted, escaped};
+use polhode_source::{FormatError, FormatErrorKind};
+
+use super::{MeshContents, MeshFormat, MeshLength, MeshPart, union_hint};
+
+/// A mesh file as solids, in metres.
+#[derive(Clone, Debug)]
+pub struct MeshSolid {
+    /// The format of the file.
+    pub format: MeshFormat,
+    /// How it is encoded, in a word or two.
+    pub encoding: &'static str,
+    /// The name that the file gives itself; often empty.
+    pub name: String,
+    /// Metres in the file's unit of length.
+    pub unit: f64,
+    /// Triangles in the file, degenerate ones too.
+    pub triangles: usize,
+    /// The solids, at least one.
+    pub parts: Vec<SolidPart>,
+    /// What had to be turned, joined or left out.
+    pub findings: Vec<Finding>,
+}
+
+/// One solid of a mesh file.
+#[derive(Clone, Debug)]
+pub struct SolidPart {
+    /// Its name in the file; often empty.
+    pub name: String,
+    /// What it is.
+    pub mesh: ClosedMesh,
+}
+
+impl MeshSolid {
+    /// Reads a mesh file as solids; `unit` is what one is in metres, 0.001 for millimetres, if the file does not say or is wrong.
+    ///
+    /// Each part is a solid of its own if it is closed. Else all parts together are one: the groups of an OBJ file often divide
+    /// a surface, not a body.
+    ///
+    /// # Errors
+    /// [`FormatError`] if the file cannot be read, does not follow its format, or does not bound a solid.
+    pub fn read(path: &Path, format: MeshFormat, unit: Option<f64>) -> Result<Self, FormatError> {
+        Self::read_as(path, &path.to_string_lossy(), format, unit)
+    }
+
+    /// Reads the mesh that a user calls `written`.
+    pub fn read_as(
+        path: &Path,
+        written: &str,
+        format: MeshFormat,
+        unit: Option<f64>,
+    ) -> Result<Self, FormatError> {
+        Self::of(MeshContents::read_as(path, written, format)?, path, format, unit)
+    }
+
+    /// Mass, centre and tensor of all solids together, of one density; a mass is that of all.
+    ///
+    /// # Errors
+    /// [`BodyError`] for a density or a mass that is not positive and finite.
+    pub fn mass_properties(&self, substance: Substance) -> Result<MassProperties<Part>, BodyError> {
+        let substance = match substance {
+            Substance::Mass(mass) => {
+                Substance::Density(mass / self.parts.iter().map(|part| part.mesh.volume()).sum::<f64>())
+            }
+            density => density,
+        };
+        let of_part = |part: &SolidPart| part.mesh.mass_properties(substance);
+        MassProperties::combined(&self.parts.iter().map(of_part).collect::<Result<Vec<_>, _>>()?)
+    }
+
+    /// The solids of what has been read.
+    ///
+    /// # Errors
+    /// [`FormatError`] if the parts do not bound solids: by the numbers as they stand in the file.
+    pub fn of(
+        contents: MeshContents,
+        path: &Path,
+        format: MeshFormat,
+        unit: Option<f64>,
+    ) -> Result<Self, FormatError> {
+        Self::watched(contents, path, format, unit, &|| true)
+    }
+
+    /// The same as long as it `goes_on`, which is asked often: of what would take longer it is undecided whether it bounds a solid.
+    ///
+    /// # Errors
+    /// As [`MeshSolid::of`].
+    pub fn watched(
+        mut contents: MeshContents,
+        path: &Path,
+        format: MeshFormat,
+        unit: Option<f64>,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Self, FormatError> {
+        let (solids, joined) = solids(&contents.parts, goes_on)
+            .map_err(|unsound| open_or_unsound(&contents, unsound, path, goes_on))?;
+        contents.findings.extend(joined);
+        Self::of_solids(contents, solids, path, format, unit)
+    }
+
+    /// Of what has been read, where it is known what solids its parts bound, in the file's unit.
+    ///
+    /// # Errors
+    /// [`FormatError`] for a unit that is none, and if f64 does not hold a volume in metres.
+    pub fn of_solids(
+        contents: MeshContents,
+        solids: Vec<SolidPart>,
+        path: &Path,
+        format: MeshFormat,
+        unit: Option<f64>,
+    ) -> Result<Self, FormatError> {
+        if let Some(value) = unit.filter(|unit| !(*unit > 0.0 && unit.is_finite())) {
+            let error = BodyError::Parameter { what: "the mesh's unit", value, rule: "positive and finite" };
+            return Err(FormatError::new(path, None, FormatErrorKind::Body(error)));
+        }
+        let triangles = contents.triangles();
+        let contents = contents.in_metres(unit);
+        let unit = contents.unit.unwrap_or(1.0);
+        let in_metres = |SolidPart { name, mesh }: SolidPart| match mesh.scaled(unit) {
+            Ok(mesh) => Ok(SolidPart { name, mesh }),
+            Err(error) => Err(no_solid(path, &name, error)),
+        };
+        let parts = solids.into_iter().map(in_metres).collect::<Result<Vec<_>, _>>()?;
+        let mut findings = contents.findings;
+        findings.extend(overlap(&contents.parts, &parts));
+        for part in &parts {
+            let place = (!part.name.is_empty()).then(|| format!("part \"{}\"", escaped(&part.name)));
+            findings.extend(part.mesh.findings().iter().map(|finding| Finding {
+                place: finding.place.clone().or_else(|| place.clone()),
+                ..finding.clone()
+            }));
+        }
+        Ok(Self {
+            format,
+            encoding: contents.encoding,
+            name: contents.name,
+            unit,
+            triangles,
+            parts,
+            findings,
+        })
+    }
+
+    /// The findings, each with the file that it is about.
+    pub fn findings_in(&self, file: &str) -> Vec<Finding> {
+        let file = escaped(file);
+        let place = |own: &Option<String>| match own {
+            Some(own) => format!("{file}, {own}"),
+            None => file.clone(),
+        };
+        self.findings.iter().map(|f| Finding { place: Some(place(&f.place)), ..f.clone() }).collect()
+    }
+}
+
+/// Why a part bounds no solid.
+pub fn no_solid(path: &Path, part: &str, error: BodyError) -> FormatError {
+    let part = (!part.is_empty()).then(|| escaped(part));
+    FormatError::new(path, None, FormatErrorKind::Mesh { part, error })
+}
+
+/// The same of one of the parts, with the weld or the fill that closes an open mesh, and whether parts that overlap can be united.
+fn open_or_unsound(
+    contents: &MeshContents,
+    Unsound { part, flaws }: Unsound,
+    path: &Path,
+    goes_on: &(dyn Fn() -> bool + Sync),
+) -> FormatError {
+    let is_open = matches!(flaws.first, BodyError::OpenMesh { .. });
+    let all = joined(&contents.parts).ok();
+    let union = all.as_ref().and_then(|all| union_hint::hint(all, &flaws, goes_on));
+    let name = contents.parts.get(part).map_or("", |part| &part.name);
+    let error = no_solid(path, name, flaws.first);
+    if let Some(union) = union {
+        return error.with_hint(union);
+    }
+    let Some(all) = all.filter(|_| is_open) else { return error };
+    const ELSE: &str = "or take its convex hull by --hull, or a sheet along it by --shell";
+    if let Some(weld) = all.closing_weld(goes_on) {
+        return error.with_hint(format!(
+            "it closes if welded at {:.1e} of its size: --weld {:e} ({} vertices become {}), or weld = {:e} in a scenario; {ELSE}",
+            weld.least, weld.tolerance, weld.joined, weld.points, weld.tolerance
+        ));
+    }
+    let fill = all.closing_fill(goes_on).filter(|fill| {
+        let filled = contents.clone().filled(MeshLength::OfSize(fill.size), None, path);
+        filled.is_ok_and(|(filled, _)| solids(&filled.parts, goes_on).is_ok())
+    });
+    match fill {
+        Some(fill) => error.with_hint(format!(
+            "it closes if holes of up to {:.1e} of its size are filled: --fill {:e} ({}, {}), or fill = {:e} in a scenario; {ELSE}",
+            fill.largest,
+            fill.size,
+            counted(fill.holes, "hole"),
+            counted(fill.triangles, "triangle"),
+            fill.size
+        )),
+        None => error,
+    }
+}
+
+/// Which part bounds no solid, and why.
+struct Unsound {
+    part: usize,
+    flaws: Box<MeshFlaws>,
+}
+
+/// Each part's solid, or that of all together; else which part is none, and why.
+fn solids(
+    parts: &[MeshPart],
+    goes_on: &(dyn Fn() -> bool + Sync),
+) -> Result<(Vec<SolidPart>, Option<Finding>), Unsound> {
+    let mut solids = Vec::new();
+    for (part, MeshPart { name, mesh }) in parts.iter().enumerate() {
+        match ClosedMesh::or_flaws(mesh, 0, goes_on) {
+            Ok((mesh, _)) => solids.push(SolidPart { name: name.clone(), mesh }),
+            Err(flaws) => {
+                // not a solid alone: one of a surface's pieces?
+                let one = if parts.len() > 1 {
+                    joined(parts).and_then(|all| ClosedMesh::watched(&all, goes_on)).ok()
+                } else {
+                    None
+                };
+                let Some(mesh) = one else { return Err(Unsound { part, flaws }) };
+                let finding = Finding {
+                    code: "mesh.joined",
+                    severity: Severity::Info,
+                    message: format!("the {} parts of the file bound one solid together", parts.len()),
+                    place: None,
+                };
+                return Ok((vec![SolidPart { name: String::new(), mesh }], Some(finding)));
+            }
+        }
+    }
+    Ok((solids, None))
+}
+
+/// Parts that go through each other, or lie in each other: what they share counts for each of them.
+fn overlap(parts: &[MeshPart], solids: &[SolidPart]) -> Option<Finding> {
+    if parts.len() < 2 || solids.len() < 2 {
+        return None;
+    }
+    // One that was turned is a solid like the others, not a cavity in them.
+    let outward = solids.iter().zip(parts).map(|(solid, part)| MeshPart {
+        name: String::new(),
+        mesh: if solid.mesh.inverted() { solid.mesh.surface().clone() } else { part.mesh.clone() },
+    });
+    let error = joined(&outward.collect::<Vec<_>>()).and_then(|all| ClosedMesh::of(&all)).err()?;
+    let say =
+        |message| Finding { code: "mesh.parts_overlap", severity: Severity::Warning, message, place: None };
+    if matches!(error, BodyError::OverlapsUndecided { .. }) {
+        return Some(say(error.to_string()));
+    }
+    let twice = matches!(
+        error,
+        BodyError::OverlappingMesh { .. }
+            | BodyError::NestedSolid { .. }
+            | BodyError::DuplicateTriangle { .. }
+    );
+    twice.then(|| {
+        say(format!(
+            "what parts share counts for each of them, if not united by --union: {error} (triangles numbered through all parts)"
+        ))
+    })
+}
+
+/// The triangles of all parts as one mesh.
+pub fn joined<'a>(parts: impl IntoIterator<Item = &'a MeshPart>) -> Result<TriangleMesh, BodyError> {
+    parts.into_iter().try_fold(TriangleMesh::default(), |all, part| all.joined(&part.mesh))
+}

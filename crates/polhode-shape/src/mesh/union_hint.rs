@@ -1,0 +1,23 @@
+//! Whether parts that overlap can be united.
+
+use polhode::body::BodyError;
+use polhode::body::mesh::{MeshFlaws, MeshUnion, TriangleMesh};
+
+/// How a mesh that bounds no solid is taken all the same, if the union of all of it is one: that was tried.
+pub fn hint(
+    all: &TriangleMesh,
+    flaws: &MeshFlaws,
+    goes_on: &(dyn Fn() -> bool + Sync),
+) -> Option<&'static str> {
+    let may_be = matches!(
+        flaws.first,
+        BodyError::OverlappingMesh { .. }
+            | BodyError::NestedSolid { .. }
+            | BodyError::DuplicateTriangle { .. }
+            | BodyError::OverlapsUndecided { .. }
+    ) && MeshUnion::is_possible(&flaws.diagnosis);
+    (may_be && MeshUnion::watched(all, goes_on).is_ok()).then_some(
+        "--union takes what lies in several parts once, or union = true in a scenario; or unite the solids in the tool that made the mesh; \
+         or take the convex hull of all of it by --hull",
+    )
+}

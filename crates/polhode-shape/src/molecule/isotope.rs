@@ -1,0 +1,258 @@
+//! Isotopes and their masses, and how files write them.
+
+use std::fmt;
+
+use super::element::Element;
+
+/// An isotope of known mass.
+///
+/// Those that occur in nature, all others that live at least a minute, and of every element the longest-lived one.
+/// Masses are those of neutral atoms in their ground state.
+///
+/// ```
+/// use polhode_shape::molecule::{Element, Isotope};
+/// let carbon = Element::from_symbol("C").unwrap();
+/// let heavy = Isotope::new(carbon, 13).unwrap();
+/// assert_eq!(heavy.mass(), 13.00335483534);
+/// assert_eq!(heavy.to_string(), "13C");
+/// assert_eq!(Isotope::first(carbon).mass(), 12.0);
+/// assert!(Isotope::new(carbon, 25).is_none());
+/// ```
+///
+/// # Source
+/// AME2020: Wang et al., Chinese Physics C 45 (2021) 030003; which are abundant or long-lived from NUBASE2020: Kondev et
+/// al., Chinese Physics C 45 (2021) 030001.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Isotope {
+    element: Element,
+    mass_number: u16,
+    mass: f64,
+}
+
+impl Isotope {
+    /// The isotope of a mass number; `None` if its mass is not known here.
+    pub fn new(element: Element, mass_number: u16) -> Option<Self> {
+        let found = element.row().isotopes.iter().find(|(number, _)| *number == mass_number);
+        found.map(|&(mass_number, mass)| Self { element, mass_number, mass })
+    }
+
+    /// The most abundant isotope; of elements without a standard atomic weight, the longest-lived one.
+    pub fn first(element: Element) -> Self {
+        let mass_number = element.row().first;
+        Self::new(element, mass_number).unwrap_or(Self { element, mass_number, mass: f64::from(mass_number) })
+    }
+
+    /// All isotopes of an element that are known here, the lightest first.
+    pub fn all(element: Element) -> impl Iterator<Item = Self> {
+        element.row().isotopes.iter().map(move |&(mass_number, mass)| Self { element, mass_number, mass })
+    }
+
+    /// Which element.
+    pub const fn element(self) -> Element {
+        self.element
+    }
+
+    /// Protons and neutrons.
+    pub const fn mass_number(self) -> u16 {
+        self.mass_number
+    }
+
+    /// Atomic mass, u.
+    pub const fn mass(self) -> f64 {
+        self.mass
+    }
+}
+
+impl fmt::Display for Isotope {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}", self.mass_number, self.element)
+    }
+}
+
+/// What an atom is: an element, or one isotope of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Species {
+    /// An element: which isotope is the user's choice, see [`Isotopes`].
+    Element(Element),
+    /// The isotope that the file names.
+    Isotope(Isotope),
+}
+
+/// Which masses the atoms have whose isotope the file does not name.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Isotopes {
+    /// The mass of the most abundant isotope: what a spectrum's strongest lines belong to.
+    #[default]
+    Abundant,
+    /// The standard atomic weight.
+    Average,
+}
+
+impl Isotopes {
+    /// The name in lower case, as JSON and flags have it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Abundant => "abundant",
+            Self::Average => "average",
+        }
+    }
+}
+
+impl Species {
+    /// Which element.
+    pub const fn element(self) -> Element {
+        match self {
+            Self::Element(element) => element,
+            Self::Isotope(isotope) => isotope.element(),
+        }
+    }
+
+    /// The mass of one atom, u. An element without a standard atomic weight has the mass of its longest-lived isotope.
+    pub fn mass(self, isotopes: Isotopes) -> f64 {
+        match (self, isotopes) {
+            (Self::Isotope(isotope), _) => isotope.mass(),
+            (Self::Element(element), Isotopes::Abundant) => Isotope::first(element).mass(),
+            (Self::Element(element), Isotopes::Average) => {
+                element.weight().unwrap_or_else(|| Isotope::first(element).mass())
+            }
+        }
+    }
+
+    /// The species of an element and a mass number; `None` if that isotope's mass is not known.
+    pub fn with_mass_number(element: Element, mass_number: Option<u16>) -> Option<Self> {
+        match mass_number {
+            None => Some(Self::Element(element)),
+            Some(number) => Isotope::new(element, number).map(Self::Isotope),
+        }
+    }
+}
+
+/// How a formula writes it: `C`, `[13C]`, `D`.
+impl fmt::Display for Species {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Element(element) => element.fmt(f),
+            Self::Isotope(isotope) => match (isotope.element().number(), isotope.mass_number()) {
+                (1, 2) => f.write_str("D"),
+                (1, 3) => f.write_str("T"),
+                _ => write!(f, "[{isotope}]"),
+            },
+        }
+    }
+}
+
+/// What a label of an atom says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Label {
+    /// An element or an isotope.
+    Atom(Species),
+    /// An element, and a number of the atom behind it: `C13` is the thirteenth atom.
+    Numbered(Element),
+    /// An isotope whose mass is not known.
+    UnknownIsotope(Element, u16),
+    /// A point without a mass: a ghost atom, a lone pair, a centre.
+    Massless,
+}
+
+/// Reads `C`, `D`, `13C`, `C-13`, `[13C]`, `^13C`, `C(Iso=13)`, `C7` (the seventh), `X`.
+pub fn label(text: &str) -> Option<Label> {
+    const MASSLESS: [&str; 7] = ["X", "Xx", "Bq", "Du", "Lp", "Ep", "Gh"];
+    if MASSLESS.iter().any(|name| name.eq_ignore_ascii_case(text)) {
+        return Some(Label::Massless);
+    }
+    let bare = text.strip_prefix('[').and_then(|t| t.strip_suffix(']')).unwrap_or(text);
+    let bare = bare.strip_prefix('^').unwrap_or(bare);
+    let (front, rest) = digits(bare);
+    let letters = rest.len() - rest.trim_start_matches(|c: char| c.is_ascii_alphabetic()).len();
+    let (symbol, back) = rest.split_at(letters);
+    if !front.is_empty() && back.is_empty() {
+        return isotope_label(symbol, front);
+    }
+    if !front.is_empty() {
+        return None;
+    }
+    if back.is_empty() {
+        return Some(Label::Atom(match symbol {
+            "D" | "d" => Species::Isotope(hydrogen(2)?),
+            "T" | "t" => Species::Isotope(hydrogen(3)?),
+            _ => Species::Element(Element::from_symbol(symbol)?),
+        }));
+    }
+    let lower = back.to_ascii_lowercase();
+    let isotope = lower.strip_prefix("(iso=").and_then(|t| t.strip_suffix(')'));
+    if let Some(number) = isotope.or_else(|| lower.strip_prefix('-')) {
+        return isotope_label(symbol, number);
+    }
+    if !back.bytes().all(|b| b.is_ascii_digit()) {
+        return None;
+    }
+    Element::from_symbol(symbol).map(Label::Numbered)
+}
+
+fn isotope_label(symbol: &str, number: &str) -> Option<Label> {
+    let element = Element::from_symbol(symbol)?;
+    let number = number.parse().ok()?;
+    Some(match Isotope::new(element, number) {
+        Some(isotope) => Label::Atom(Species::Isotope(isotope)),
+        None => Label::UnknownIsotope(element, number),
+    })
+}
+
+fn hydrogen(mass_number: u16) -> Option<Isotope> {
+    Isotope::new(Element::from_number(1)?, mass_number)
+}
+
+/// The digits at the start, and what follows.
+fn digits(text: &str) -> (&str, &str) {
+    text.split_at(text.len() - text.trim_start_matches(|c: char| c.is_ascii_digit()).len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn mass(text: &str) -> Option<f64> {
+        match label(text) {
+            Some(Label::Atom(species)) => Some(species.mass(Isotopes::Abundant)),
+            _ => None,
+        }
+    }
+
+    #[test]
+    fn labels_say_element_and_isotope() {
+        for text in ["13C", "C-13", "[13C]", "^13C", "C(Iso=13)", "13c"] {
+            assert_eq!(mass(text), Some(13.003_354_835_34), "{text}");
+        }
+        assert_eq!(mass("D"), Some(2.014_101_777_844));
+        assert_eq!(mass("T"), Some(3.016_049_281_32));
+        assert_eq!(mass("2H"), mass("D"));
+        assert_eq!(mass("CL"), Some(34.968_852_694));
+        assert_eq!(label("C13"), Element::from_symbol("C").map(Label::Numbered));
+        assert_eq!(label("25C"), Element::from_symbol("C").map(|c| Label::UnknownIsotope(c, 25)));
+        assert_eq!(label("Bq"), Some(Label::Massless));
+        for text in ["", "Qq", "13", "1C3", "C-", "C+", "[C", "C(Iso=)", "99999C", "Ω"] {
+            assert_eq!(label(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn every_element_has_its_first_isotope_and_a_mass_near_its_number() {
+        for number in 1..=118 {
+            let element = Element::from_number(number).unwrap();
+            assert_eq!(Element::from_symbol(element.symbol()), Some(element));
+            let first = Isotope::first(element);
+            assert!(Isotope::all(element).any(|i| i == first));
+            for isotope in Isotope::all(element) {
+                assert!((isotope.mass() - f64::from(isotope.mass_number())).abs() < 0.25);
+            }
+            if let Some(weight) = element.weight() {
+                let mut masses = Isotope::all(element).map(Isotope::mass);
+                assert!(
+                    masses.next().unwrap() <= weight * (1.0 + 1e-8)
+                        && weight * (1.0 - 1e-8) <= masses.last().unwrap()
+                );
+            }
+        }
+        assert_eq!((Element::from_number(0), Element::from_number(119)), (None, None));
+    }
+}

@@ -1,0 +1,153 @@
+//! Lines of a text file, and fields in them that know where they stand.
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
+/// The lines that are left of a file. They end in `\n`, `\r\n` or `\r`.
+#[derive(Clone, Debug)]
+pub struct Lines<'a> {
+    bytes: &'a [u8],
+    at: usize,
+}
+
+impl<'a> Lines<'a> {
+    /// All lines, behind a byte order mark.
+    pub fn new(bytes: &'a [u8]) -> Self {
+        Self { bytes, at: if bytes.starts_with("\u{feff}".as_bytes()) { 3 } else { 0 } }
+    }
+
+    /// An error where the file ends.
+    pub fn ended(&self, what: impl Into<String>) -> ContentError {
+        let kind = ContentErrorKind::Expected { what: what.into(), found: String::new() };
+        let end = self.bytes.len();
+        ContentError::new(kind, ContentPlace::Text(end..end)).hint("the file is cut short")
+    }
+}
+
+impl<'a> Iterator for Lines<'a> {
+    type Item = Field<'a>;
+
+    fn next(&mut self) -> Option<Field<'a>> {
+        let rest = self.bytes.get(self.at..).filter(|rest| !rest.is_empty())?;
+        let length = rest.iter().position(|b| b"\r\n".contains(b)).unwrap_or(rest.len());
+        let line = Field { start: self.at, bytes: &rest[..length] };
+        let ending = match &rest[length..] {
+            [b'\r', b'\n', ..] => 2,
+            [] => 0,
+            _ => 1,
+        };
+        self.at += length + ending;
+        Some(line)
+    }
+}
+
+/// Bytes of a file: a line, or a part of one.
+#[derive(Clone, Copy, Debug)]
+pub struct Field<'a> {
+    /// Where it starts in the file.
+    pub start: usize,
+    pub bytes: &'a [u8],
+}
+
+impl<'a> Field<'a> {
+    pub fn span(&self) -> Range<usize> {
+        self.start..self.start + self.bytes.len()
+    }
+
+    pub fn text(&self) -> Cow<'a, str> {
+        String::from_utf8_lossy(self.bytes)
+    }
+
+    pub fn is_blank(&self) -> bool {
+        self.bytes.trim_ascii().is_empty()
+    }
+
+    /// Without the white space around it.
+    pub fn trimmed(&self) -> Self {
+        let left = self.bytes.len() - self.bytes.trim_ascii_start().len();
+        Self { start: self.start + left, bytes: self.bytes.trim_ascii() }
+    }
+
+    /// The bytes of these columns, counted from 0, as far as the line has them; without the blanks around them.
+    pub fn columns(&self, columns: Range<usize>) -> Self {
+        let end = columns.end.min(self.bytes.len());
+        let start = columns.start.min(end);
+        Self { start: self.start + start, bytes: &self.bytes[start..end] }.trimmed()
+    }
+
+    /// Its words.
+    pub fn words(self) -> impl Iterator<Item = Field<'a>> + Clone {
+        let mut at = 0;
+        std::iter::from_fn(move || {
+            let rest = self.bytes.get(at..)?;
+            at += rest.len() - rest.trim_ascii_start().len();
+            let rest = rest.trim_ascii_start();
+            let length = rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len());
+            let word = Field { start: self.start + at, bytes: &rest[..length] };
+            at += length;
+            (length > 0).then_some(word)
+        })
+    }
+
+    /// A whole number.
+    pub fn integer<T: std::str::FromStr>(&self, what: &str) -> Result<T, ContentError> {
+        let text = self.text();
+        text.trim().parse().map_err(|_| self.expected(what))
+    }
+
+    /// A finite number; Fortran's `1.5D-3` is one.
+    pub fn number(&self, what: &str) -> Result<f64, ContentError> {
+        let text = self.text();
+        let text = text.trim();
+        let starts_like_one = text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+        let value = text.parse().or_else(|error| {
+            if starts_like_one { text.replace(['D', 'd'], "e").parse::<f64>() } else { Err(error) }
+        });
+        match value {
+            Ok(value) if value.is_finite() => Ok(value),
+            Ok(_) => {
+                let kind = ContentErrorKind::NotFinite { what: what.to_owned(), found: text.to_owned() };
+                Err(ContentError::new(kind, ContentPlace::Text(self.span())))
+            }
+            Err(_) => Err(self.expected(what)),
+        }
+    }
+
+    /// An error: something else belongs here.
+    pub fn expected(&self, what: &str) -> ContentError {
+        let found = self.text().into_owned();
+        let hint = if found.contains(',') {
+            Some("the decimal sign is a point")
+        } else if found.contains("**") {
+            Some("the program that wrote the number had no room for it")
+        } else {
+            None
+        };
+        let found = if found.is_empty() { " ".to_owned() } else { found };
+        let kind = ContentErrorKind::Expected { what: what.to_owned(), found };
+        let error = ContentError::new(kind, ContentPlace::Text(self.span()));
+        match hint {
+            Some(hint) => error.hint(hint),
+            None => error,
+        }
+    }
+
+    /// An error: this value breaks a rule.
+    pub fn wrong(&self, what: &str, rule: impl Into<String>) -> ContentError {
+        let value = self.text().into_owned();
+        let kind = ContentErrorKind::Value { what: what.to_owned(), value, rule: rule.into() };
+        ContentError::new(kind, ContentPlace::Text(self.span()))
+    }
+}
+
+/// Decimals behind the point of a number as it is written: 4 of `-0.1234`; fewer by its exponent.
+pub fn decimals(number: &[u8]) -> i32 {
+    let (mantissa, exponent) = match number.iter().position(|b| b"eEdD".contains(b)) {
+        Some(at) => (&number[..at], str::from_utf8(&number[at + 1..]).ok().and_then(|e| e.parse().ok())),
+        None => (number, Some(0)),
+    };
+    let fraction = mantissa.iter().position(|b| *b == b'.').map_or(0, |at| mantissa.len() - at - 1);
+    i32::try_from(fraction).unwrap_or(i32::MAX).saturating_sub(exponent.unwrap_or(0))
+}

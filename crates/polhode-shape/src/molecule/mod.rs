@@ -1,0 +1,314 @@
+//! Molecules: atoms and where they are, from XYZ, MOL, SDF and PDB files.
+//!
+//! The unit of length of all these formats is the ångström. An atom is an element or, where the file says so, one
+//! isotope of it; what an atom of an element weighs is a choice that the files leave open, see [`Isotopes`].
+//!
+//! - [`xyz`]: a count, a comment, and a line for each atom; also extended XYZ
+//! - [`mol`]: MDL's connection tables V2000 and V3000, one in a MOL file, several in an SDF
+//! - [`pdb`]: the columns of the Protein Data Bank
+
+mod element;
+mod isotope;
+mod isotope_table;
+mod line;
+pub mod mol;
+pub mod pdb;
+pub mod xyz;
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use polhode::body::{BodyError, Finding, MassProperties, Particle, Severity, mass_properties_of_particles};
+use polhode::math::{Body, Position};
+use polhode::observe::RotationalConstants;
+use polhode_source::ContentError;
+use polhode_source::file;
+use polhode_source::{FormatError, FormatErrorKind};
+
+use isotope::{Label, label};
+use line::{Field, decimals};
+
+pub use element::Element;
+pub use isotope::{Isotope, Isotopes, Species};
+
+/// The ångström, m.
+const ANGSTROM: f64 = 1e-10;
+
+/// The atomic mass constant, kg: CODATA 2018.
+pub const ATOMIC_MASS: f64 = 1.660_539_066_60e-27;
+
+/// Atoms rigidly joined, as a file has them.
+///
+/// ```
+/// use polhode::observe::Top;
+/// use polhode_shape::molecule::{Isotopes, xyz};
+/// let text = b"3\nwater, calculated\nO 0 0 0.120823\nH 0 0.761688 -0.483292\nH 0 -0.761688 -0.483292\n";
+/// let water = xyz::read(text)?;
+/// assert_eq!(water.formula(), "H2O");
+/// let constants = water.rotational_constants(Isotopes::Abundant)?.ok_or("an atom")?;
+/// assert_eq!(constants.top(), Top::Asymmetric);
+/// let [a, b, c] = constants.gigahertz().map(Option::unwrap);
+/// assert!((a - 773.585).abs() < 0.01 && (b - 432.163).abs() < 0.01 && (c - 277.268).abs() < 0.01);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Molecule {
+    /// What the file calls it; often empty.
+    pub name: String,
+    /// Its atoms, at least one.
+    pub atoms: Vec<Atom>,
+    /// One in the last decimal of the coordinates, m: how finely the file says where the atoms are.
+    pub step_m: f64,
+    /// What was noticed on the way.
+    pub findings: Vec<Finding>,
+}
+
+/// One atom of a molecule.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Atom {
+    /// Its element or isotope.
+    pub species: Species,
+    /// Where it is, m.
+    pub position_m: [f64; 3],
+}
+
+impl Molecule {
+    /// Mass (kg), centre of mass and inertia tensor.
+    ///
+    /// Each atom is a point at its nucleus with the mass of the neutral atom, as is usual; charges change no mass.
+    ///
+    /// # Errors
+    /// [`BodyError::Empty`] without atoms, [`BodyError::Parameter`] if a place or a sum is not finite.
+    pub fn mass_properties(&self, isotopes: Isotopes) -> Result<MassProperties<Body>, BodyError> {
+        let particle = |atom: &Atom| {
+            let mass = atom.species.mass(isotopes) * ATOMIC_MASS;
+            Particle::new(mass, Position::from_array(atom.position_m))
+        };
+        let particles: Vec<_> = self.atoms.iter().map(particle).collect::<Result<_, _>>()?;
+        mass_properties_of_particles(&particles)
+    }
+
+    /// Its rotational constants; `None` of a single atom.
+    ///
+    /// Moments count as equal, and atoms as on one line, as far as the coordinates' own rounding is from telling them
+    /// apart: with radius of gyration r and last decimal s, τ = 2 s/r, at least [`RotationalConstants::TOLERANCE`] and at
+    /// most a hundredth.
+    ///
+    /// # Errors
+    /// As [`Self::mass_properties`].
+    pub fn rotational_constants(&self, isotopes: Isotopes) -> Result<Option<RotationalConstants>, BodyError> {
+        const MOST: f64 = 1e-2;
+        let body = self.mass_properties(isotopes)?;
+        let [_, _, radius] = body.gyration_radii();
+        let tolerance = (2.0 * self.step_m / radius).clamp(RotationalConstants::TOLERANCE, MOST);
+        RotationalConstants::with_tolerance(&body, tolerance)
+    }
+
+    /// The formula in Hill's order: carbon, hydrogen, then the rest by the alphabet; by the alphabet altogether without
+    /// carbon. Isotopes that the file names stand behind their element: `C[13C]H5DO`.
+    pub fn formula(&self) -> String {
+        let carbon = self.atoms.iter().any(|atom| atom.species.element().number() == 6);
+        let mut counts = BTreeMap::new();
+        for Atom { species, .. } in &self.atoms {
+            let first = match species.element().number() {
+                6 => 0,
+                1 if carbon => 1,
+                _ => 2,
+            };
+            let mass_number = match species {
+                Species::Element(_) => 0,
+                Species::Isotope(isotope) => isotope.mass_number(),
+            };
+            let key = (first, species.element().symbol(), mass_number);
+            counts.entry(key).or_insert((species, 0_usize)).1 += 1;
+        }
+        let one = |(species, count): &(&Species, usize)| match count {
+            1 => species.to_string(),
+            _ => format!("{species}{count}"),
+        };
+        counts.values().map(one).collect()
+    }
+
+    /// What was noticed in the file, and what the choice of masses adds: which elements have no isotope but short-lived
+    /// ones, so that the mass is that of the longest-lived.
+    pub fn findings_with(&self, isotopes: Isotopes) -> Vec<Finding> {
+        let mut findings = self.findings.clone();
+        let open = self.atoms.iter().filter_map(|atom| match atom.species {
+            Species::Element(element) if element.weight().is_none() => Some(element),
+            _ => None,
+        });
+        let elements: std::collections::BTreeSet<Element> = open.collect();
+        for element in elements {
+            let first = Isotope::first(element);
+            let instead = match isotopes {
+                Isotopes::Abundant => "most abundant isotope",
+                Isotopes::Average => "standard atomic weight",
+            };
+            let message = format!(
+                "{element} has no {instead}: the mass is that of {first}, the longest-lived that NUBASE2020 has"
+            );
+            findings.push(noticed("molecule.longest_lived", Severity::Info, message));
+        }
+        findings
+    }
+}
+
+/// The formats of molecules.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MoleculeFormat {
+    /// XYZ and extended XYZ.
+    Xyz,
+    /// One connection table.
+    Mol,
+    /// Connection tables with data, one after another.
+    Sdf,
+    /// Protein Data Bank.
+    Pdb,
+}
+
+impl MoleculeFormat {
+    /// The format that a file's name ends in: `.xyz`, `.extxyz`, `.mol`, `.sdf`, `.sd`, `.pdb`, `.ent`, in any case.
+    pub fn of_path(path: &Path) -> Option<Self> {
+        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+        Some(match extension.as_str() {
+            "xyz" | "extxyz" => Self::Xyz,
+            "mol" => Self::Mol,
+            "sdf" | "sd" => Self::Sdf,
+            "pdb" | "ent" => Self::Pdb,
+            _ => return None,
+        })
+    }
+
+    /// Its name in lower case, as JSON has it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Xyz => "xyz",
+            Self::Mol => "mol",
+            Self::Sdf => "sdf",
+            Self::Pdb => "pdb",
+        }
+    }
+}
+
+/// Reads the molecules of a file: all of an SDF, else one.
+///
+/// # Errors
+/// [`FormatError`] if the file cannot be read or is not in its format.
+pub fn read(path: &Path, format: MoleculeFormat) -> Result<Vec<Molecule>, FormatError> {
+    let bytes = file::bytes(path, &path.to_string_lossy(), u64::MAX);
+    parse(&bytes.map_err(|kind| FormatError::new(path, None, kind))?, format, path)
+}
+
+/// Reads the molecules of a file's bytes; `path` is for messages.
+///
+/// ```
+/// use polhode_shape::molecule::{MoleculeFormat, parse};
+/// let text = b"2\ncarbon monoxide\nC 0,0 0,0 0,0\nO 0,0 0,0 1,128\n";
+/// let error = parse(text, MoleculeFormat::Xyz, "co.xyz".as_ref()).unwrap_err();
+/// assert_eq!(error.to_string(), "co.xyz:3:3: expected the coordinate x, found \"0,0\"");
+/// assert_eq!(error.hint().as_deref(), Some("the decimal sign is a point"));
+/// ```
+///
+/// # Errors
+/// [`FormatError`] if they are not in the format.
+pub fn parse(bytes: &[u8], format: MoleculeFormat, path: &Path) -> Result<Vec<Molecule>, FormatError> {
+    let molecules = match format {
+        MoleculeFormat::Xyz => xyz::read(bytes).map(|molecule| vec![molecule]),
+        MoleculeFormat::Mol | MoleculeFormat::Sdf => mol::read(bytes),
+        MoleculeFormat::Pdb => pdb::read(bytes).map(|molecule| vec![molecule]),
+    };
+    let molecules = molecules.map_err(|error| FormatError::of_content(path, bytes, error))?;
+    for molecule in &molecules {
+        // Places that are finite and yet too far apart for their squares.
+        molecule
+            .mass_properties(Isotopes::Abundant)
+            .map_err(|error| FormatError::new(path, None, FormatErrorKind::Body(error)))?;
+    }
+    Ok(molecules)
+}
+
+/// A remark about a molecule.
+fn noticed(code: &'static str, severity: Severity, message: String) -> Finding {
+    Finding { code, severity, message, place: None }
+}
+
+/// Atoms as they are read, and what is noticed about them.
+#[derive(Debug, Default)]
+struct Builder {
+    atoms: Vec<Atom>,
+    decimals: Option<i32>,
+    massless: usize,
+    numbered: usize,
+    findings: Vec<Finding>,
+}
+
+impl Builder {
+    /// The atom of a label, or of a point without mass, at three fields that are numbers of `unit` metres.
+    fn push(
+        &mut self,
+        species: Option<Species>,
+        place: [Field<'_>; 3],
+        unit: f64,
+    ) -> Result<(), ContentError> {
+        let mut position_m = [0.0; 3];
+        for ((coordinate, field), axis) in position_m.iter_mut().zip(&place).zip(["x", "y", "z"]) {
+            *coordinate = field.number(&format!("the coordinate {axis}"))? * unit;
+            self.decimals = self.decimals.max(Some(decimals(field.bytes)));
+        }
+        match species {
+            Some(species) => self.atoms.push(Atom { species, position_m }),
+            None => self.massless += 1,
+        }
+        Ok(())
+    }
+
+    /// What a field's label says; `None` is a point without mass.
+    fn species(&mut self, field: &Field<'_>) -> Result<Option<Species>, ContentError> {
+        match label(&field.text()) {
+            Some(Label::Atom(species)) => Ok(Some(species)),
+            Some(Label::Massless) => Ok(None),
+            Some(Label::Numbered(element)) => {
+                self.numbered += 1;
+                Ok(Some(Species::Element(element)))
+            }
+            Some(Label::UnknownIsotope(element, _)) => Err(unknown_isotope(field, element)),
+            None => Err(unknown_element(field)),
+        }
+    }
+
+    fn notice(&mut self, code: &'static str, severity: Severity, message: String) {
+        self.findings.push(noticed(code, severity, message));
+    }
+
+    /// The molecule of at least one atom; `None` without any. `unit` is that of [`Self::push`].
+    fn finish(mut self, name: &str, unit: f64) -> Option<Molecule> {
+        if self.numbered > 0 {
+            let message = format!(
+                "{} labels such as C13 were read as an element and a number of the atom; an isotope is written 13C",
+                self.numbered
+            );
+            self.notice("molecule.numbered_atoms", Severity::Warning, message);
+        }
+        if self.massless > 0 {
+            let message = format!("{} points without mass (ghost atoms) were left out", self.massless);
+            self.notice("molecule.massless_points", Severity::Warning, message);
+        }
+        let step_m = 10_f64.powi(-self.decimals.unwrap_or(0).clamp(-300, 300)) * unit;
+        let name = name.trim().to_owned();
+        (!self.atoms.is_empty()).then_some(Molecule {
+            name,
+            atoms: self.atoms,
+            step_m,
+            findings: self.findings,
+        })
+    }
+}
+
+fn unknown_element(field: &Field<'_>) -> ContentError {
+    field.wrong("the element", "a chemical symbol").hint("such as C, Cl or D; an isotope is written 13C")
+}
+
+fn unknown_isotope(field: &Field<'_>, element: Element) -> ContentError {
+    let known: Vec<String> = Isotope::all(element).map(|isotope| isotope.to_string()).collect();
+    field.wrong("the isotope", "one whose mass is known").hint(format!("these are: {}", known.join(", ")))
+}

@@ -1,0 +1,198 @@
+//! Particles, point clouds and parts with tensors, as CSV.
+//!
+//! The header names the columns, with their units: `mass_kg,x_m,y_m,z_m`, or `mass [g]; x [mm]; y [mm]; z
+//! [mm]`. Fields are separated by semicolons, tabs, commas or spaces, whichever of these comes first in this
+//! list and stands in the first line; with semicolons or tabs the decimal mark may be a comma. Thousands are
+//! not separated. Blank lines and what follows a `#` are for people, but a comment line right above the
+//! numbers may be the header, as NumPy writes it, and one above it may declare the sign of products.
+//!
+//! A line is a particle, or a part: then six columns `Ixx`, `Iyy`, `Izz`, `Ixy`, `Ixz`, `Iyz` are its tensor about
+//! its own centre of mass (x, y, z), along the axes of the table. What products are is not guessed: a line
+//! `# products = negative_integral` (elements of the tensor, −∫xy dm) or `# products = positive_integral`
+//! (+∫xy dm) stands above the header, unless all of them are zero.
+//!
+//! A line is one piece: a column `quantity` other than 1 is refused, as pieces have a place each, and so are two parts of
+//! one name at one place. A column that is not read is named in a finding if it is a label, and refused if it
+//! says something of mass, inertia, numbers or units.
+//!
+//! Units are read and not guessed: a column without one, or a file without a header, needs
+//! [`ParticleOptions`].
+
+mod fields;
+mod header;
+mod names;
+mod table;
+
+use std::ops::Range;
+
+use polhode::body::{
+    BodyError, Finding, InertiaTensor, MassProperties, Particle, Severity, mass_properties_of_particles,
+};
+use polhode::math::{Body, Position};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace, told_unit};
+
+use header::{MASS, Products, TENSOR};
+use names::Names;
+use table::{Row, Table};
+
+/// What a file may leave open; by default nothing is answered.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ParticleOptions {
+    /// Kilograms in the unit of mass, where the header names none.
+    pub mass_unit: Option<f64>,
+    /// Metres in the unit of length, where the header names none.
+    pub length_unit: Option<f64>,
+    /// Mass of the whole, kg, shared equally by points without masses.
+    pub total_mass: Option<f64>,
+}
+
+/// A file of particles that has been read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParticleFile {
+    /// At least one, in the order of the file, in SI.
+    pub particles: Vec<Particle<Body>>,
+    /// The tensor of each about its own place; empty if they are points.
+    pub tensors: Vec<InertiaTensor<Body>>,
+    /// What was decided on the way.
+    pub findings: Vec<Finding>,
+}
+
+impl ParticleFile {
+    /// All of them rigidly joined, with their own tensors where they have some.
+    ///
+    /// # Errors
+    /// [`BodyError::Parameter`] if a sum is not finite.
+    pub fn mass_properties(&self) -> Result<MassProperties<Body>, BodyError> {
+        if self.tensors.is_empty() {
+            return mass_properties_of_particles(&self.particles);
+        }
+        let parts = self.particles.iter().zip(&self.tensors);
+        let parts: Result<Vec<_>, _> =
+            parts.map(|(p, tensor)| MassProperties::new(p.mass(), p.position(), *tensor)).collect();
+        MassProperties::combined(&parts?)
+    }
+
+    /// `"3 particles"`, or `"3 parts"` if they have tensors.
+    pub fn described(&self) -> String {
+        let what = if self.tensors.is_empty() { "particles" } else { "parts with tensors" };
+        format!("{} {what}", self.particles.len())
+    }
+}
+
+/// Reads particles from the bytes of a file.
+///
+/// A value is the nearest double to the number times its unit where the unit is a power of ten, and within
+/// one unit in the last place elsewhere.
+///
+/// ```
+/// use polhode_shape::particles::{self, ParticleOptions};
+/// let file = b"name; mass [g]; x [mm]; y [mm]; z [mm]\nA; 1,5; 10; -20,5; 3\nB; 2; 0; 4; -7\n";
+/// let read = particles::read(file, &ParticleOptions::default())?;
+/// assert_eq!(read.particles[0].mass(), 0.0015);
+/// assert_eq!(read.particles[0].position().to_array(), [0.01, -0.0205, 0.003]);
+///
+/// let cloud = ParticleOptions { total_mass: Some(3.0), ..ParticleOptions::default() };
+/// let read = particles::read(b"x_m,y_m,z_m\n1,2,3\n-1,0,2\n", &cloud)?;
+/// assert_eq!(read.particles[1].mass(), 1.5);
+///
+/// // Two parts of 10 kg at y = ±1 m: Izz = 2 (2.5 + 10 · 1²)
+/// let parts = b"mass_kg,x_m,y_m,z_m,Ixx_kg_m2,Iyy_kg_m2,Izz_kg_m2,Ixy_kg_m2,Ixz_kg_m2,Iyz_kg_m2
+/// 10,0,1,0,1,2,2.5,0,0,0
+/// 10,0,-1,0,1,2,2.5,0,0,0";
+/// let read = particles::read(parts, &ParticleOptions::default())?;
+/// assert_eq!(read.mass_properties().unwrap().inertia().matrix()[2][2], 25.0);
+/// # Ok::<(), polhode_source::ContentError>(())
+/// ```
+///
+/// # Errors
+/// [`ContentError`] with its place if a column or a unit is missing, a column that is not read says something of mass or
+/// number, the sign of products is not declared, a line has more or fewer fields than the first, a field is no
+/// finite number, a mass is not positive, or a tensor is that of no body.
+pub fn read(bytes: &[u8], options: &ParticleOptions) -> Result<ParticleFile, ContentError> {
+    told_unit("the unit of mass", options.mass_unit)?;
+    told_unit("the unit of length", options.length_unit)?;
+    let start = if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
+    let (table, data) = Table::of(bytes, start, options)?;
+    let has_masses = table.header.has(MASS);
+    if has_masses && let Some(total) = options.total_mass {
+        let rule = "left out, as the file has a column of masses".to_owned();
+        return Err(value("the total mass", total.to_string(), rule, ContentPlace::Whole));
+    }
+    if !has_masses && (options.total_mass.is_none() || table.header.has_tensors()) {
+        let hint = match table.header.has_tensors() {
+            true => "a part with a tensor has a mass of its own: add a column mass_kg",
+            false => {
+                "add a column mass_kg, or give the mass of the whole, which the points then share equally"
+            }
+        };
+        return Err(missing("column of masses", hint));
+    }
+    let mut names = Names::default();
+    let (mut points, mut tensors) = (Vec::new(), Vec::new());
+    table.each_row(bytes, data, |line, row| {
+        let place = [row.numbers[1], row.numbers[2], row.numbers[3]];
+        if let Some(name) = &row.name {
+            names.add(bytes, name, place)?;
+        }
+        if table.header.has_tensors() {
+            tensors.push(tensor(bytes, &line, row, table.header.products)?);
+        }
+        points.push((line, row.numbers[MASS], place));
+        Ok(())
+    })?;
+    if points.is_empty() {
+        return Err(missing("lines of numbers", "a line is a mass and a place, such as 1.5,0,0.2,-3"));
+    }
+    let mut findings = table.header.findings;
+    findings.extend(names.finding());
+    let share = options.total_mass.map(|total| total / points.len() as f64);
+    if let Some(total) = options.total_mass {
+        let message = format!("{} points without masses share {total} kg equally", points.len());
+        findings.push(finding("particles.equal-masses", message));
+    }
+    let particles = points.into_iter().map(|(line, mass, [x, y, z])| {
+        Particle::new(share.unwrap_or(mass), Position::new(x, y, z)).map_err(|e| body_error(e, line))
+    });
+    Ok(ParticleFile { particles: particles.collect::<Result<_, _>>()?, tensors, findings })
+}
+
+/// The tensor of a line; products other than zero need a declared sign.
+fn tensor(
+    bytes: &[u8],
+    line: &Range<usize>,
+    row: &Row,
+    products: Option<Products>,
+) -> Result<InertiaTensor<Body>, ContentError> {
+    let mut six = [0.0; 6];
+    six.copy_from_slice(&row.numbers[TENSOR]);
+    let [xx, yy, zz, integrals @ ..] = six;
+    let tensor = match products {
+        Some(Products::Positive) => InertiaTensor::with_positive_products([xx, yy, zz], integrals),
+        None if integrals != [0.0; 3] => {
+            let question = "are the products of inertia −∫xy dm or +∫xy dm?".to_owned();
+            let kind = ContentErrorKind::Unclear { question, found: fields::text_of(bytes, line) };
+            return Err(ContentError::new(kind, ContentPlace::Text(line.clone())).hint(
+                "write a line # products = negative_integral (the elements of the tensor) or \
+                 # products = positive_integral above the header",
+            ));
+        }
+        _ => InertiaTensor::with_negative_products([xx, yy, zz], integrals),
+    };
+    tensor.map_err(|error| body_error(error, line.clone()))
+}
+
+fn body_error(error: BodyError, line: Range<usize>) -> ContentError {
+    ContentError::new(ContentErrorKind::Body(Box::new(error)), ContentPlace::Text(line))
+}
+
+fn value(what: &str, value: String, rule: String, place: ContentPlace) -> ContentError {
+    ContentError::new(ContentErrorKind::Value { what: what.to_owned(), value, rule }, place)
+}
+
+fn missing(what: &str, hint: &str) -> ContentError {
+    ContentError::new(ContentErrorKind::Missing { what: what.to_owned() }, ContentPlace::Whole).hint(hint)
+}
+
+fn finding(code: &'static str, message: String) -> Finding {
+    Finding { code, severity: Severity::Info, message, place: None }
+}

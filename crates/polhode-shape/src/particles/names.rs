@@ -1,0 +1,52 @@
+//! Names of parts: each line counts, and two that say the same are one too many.
+
+use std::collections::{HashMap, HashSet};
+use std::ops::Range;
+
+use polhode::body::Finding;
+use polhode_source::text::{cut, escaped};
+use polhode_source::{ContentError, ContentPlace};
+
+use super::fields::text_of;
+use super::{finding, value};
+
+/// The places at which each name has stood so far.
+#[derive(Default)]
+pub struct Names {
+    places: HashMap<String, HashSet<[u64; 3]>>,
+}
+
+impl Names {
+    /// Adds a part; one of the same name at the same place is refused.
+    pub fn add(&mut self, bytes: &[u8], name: &Range<usize>, place: [f64; 3]) -> Result<(), ContentError> {
+        if name.is_empty() {
+            return Ok(());
+        }
+        let places = self.places.entry(text_of(bytes, name)).or_default();
+        // -0 is where 0 is
+        if !places.insert(place.map(|c| (c + 0.0).to_bits())) {
+            let rule = "in one line only: another part of this name is at the same place".to_owned();
+            let error = value("the part", text_of(bytes, name), rule, ContentPlace::Text(name.clone()));
+            return Err(error.hint("delete one of the two lines, or give the parts names of their own"));
+        }
+        Ok(())
+    }
+
+    /// Names that stand in more than one line, if there are any.
+    pub fn finding(&self) -> Option<Finding> {
+        let repeated = self.places.iter().filter(|(_, places)| places.len() > 1);
+        let mut repeated: Vec<_> = repeated.map(|(name, places)| (name, places.len())).collect();
+        repeated.sort();
+        let (name, lines) = repeated.first()?;
+        let others = match repeated.len() - 1 {
+            0 => String::new(),
+            1 => ", and another name does so too".to_owned(),
+            more => format!(", and {more} other names do so too"),
+        };
+        let message = format!(
+            "{:?} stands in {lines} lines{others}: every line counts as a part of its own",
+            cut(&escaped(name))
+        );
+        Some(finding("particles.repeated-names", message))
+    }
+}

@@ -1,0 +1,169 @@
+//! The numbers of a voxel file, one after another, compressed or not.
+//!
+//! They are read in blocks, from memory or from an open file, as often as they are asked for from the first on; so memory does not grow with
+//! their number, however few bytes they were compressed to.
+
+use std::borrow::Cow;
+use std::fs::{File, Metadata};
+use std::io::{self, BufReader, ErrorKind, Read, Seek, SeekFrom};
+
+use flate2::read::MultiGzDecoder;
+use polhode_source::file;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
+use super::{Layout, Voxels};
+
+/// Where the bytes of a file are.
+#[derive(Debug)]
+pub enum Source<'a> {
+    Memory(Cow<'a, [u8]>),
+    /// An open file, and what the system said of it at first.
+    File(File, Box<Metadata>),
+}
+
+/// Bytes that are read at once: a multiple of those of any number.
+const BLOCK: u64 = 1 << 16;
+
+/// The values of voxels, in the order of their numbers.
+pub struct VoxelValues<'v> {
+    voxels: &'v Voxels<'v>,
+    stream: Option<Stream<'v>>,
+    count: usize,
+}
+
+/// The bytes of the numbers, as far as they have been read.
+struct Stream<'v> {
+    input: Box<dyn Read + 'v>,
+    block: Vec<u8>,
+    /// The next byte of the block.
+    at: usize,
+    /// Bytes behind the block.
+    left: u64,
+    /// The number of the next voxel.
+    next: usize,
+}
+
+impl std::fmt::Debug for VoxelValues<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("VoxelValues").field("voxels", &self.voxels).finish_non_exhaustive()
+    }
+}
+
+impl<'v> VoxelValues<'v> {
+    pub fn of(voxels: &'v Voxels<'v>) -> Self {
+        // That it is a usize has been looked at.
+        let count = voxels.layout.counts.iter().product();
+        Self { voxels, stream: None, count }
+    }
+
+    /// The value of a voxel by its number in the grid; NaN beyond the last. It takes little time for the voxel after the last that was asked for;
+    /// for one before it the file is read from its beginning.
+    ///
+    /// # Errors
+    /// [`ContentError`] if the file does not have as many numbers as it declares, or more, or cannot be decompressed; this comes out with the
+    /// last of them.
+    #[inline]
+    pub fn at(&mut self, voxel: usize) -> Result<f64, ContentError> {
+        if voxel >= self.count {
+            return Ok(f64::NAN);
+        }
+        let layout = &self.voxels.layout;
+        let size = layout.scalar.size();
+        let mut stream = match self.stream.take() {
+            Some(stream) if stream.next <= voxel => stream,
+            _ => Stream::start(layout, &self.voxels.source)?,
+        };
+        loop {
+            if stream.at == stream.block.len() {
+                stream.read_block(layout, &self.voxels.source)?;
+            }
+            let (bytes, number) = (stream.at..stream.at + size, stream.next);
+            (stream.at, stream.next) = (bytes.end, number + 1);
+            if number == voxel {
+                let value = layout.scalar.decode(&stream.block[bytes], layout.big_endian);
+                self.stream = Some(stream);
+                return Ok(value);
+            }
+        }
+    }
+}
+
+impl<'v> Stream<'v> {
+    fn start(layout: &Layout, source: &'v Source<'_>) -> Result<Self, ContentError> {
+        let input: Box<dyn Read + 'v> = match source {
+            Source::Memory(bytes) => {
+                let start = usize::try_from(layout.start).unwrap_or(usize::MAX);
+                Box::new(bytes.get(start..).unwrap_or_default())
+            }
+            Source::File(file, _) => {
+                let mut file = file;
+                file.seek(SeekFrom::Start(layout.start)).map_err(|e| layout.broken(&e, 0))?;
+                Box::new(BufReader::with_capacity(BLOCK as usize, file))
+            }
+        };
+        let input = match layout.compressed {
+            None => input,
+            Some(skip) => {
+                let mut decoder = MultiGzDecoder::new(input);
+                io::copy(&mut decoder.by_ref().take(skip), &mut io::sink())
+                    .map_err(|e| layout.broken(&e, 0))?;
+                Box::new(decoder)
+            }
+        };
+        Ok(Self { input, block: Vec::new(), at: 0, left: layout.declared, next: 0 })
+    }
+
+    fn read_block(&mut self, layout: &Layout, source: &Source<'_>) -> Result<(), ContentError> {
+        let length = self.left.min(BLOCK);
+        self.block.clear();
+        let before = layout.declared - self.left;
+        let read = self.input.by_ref().take(length).read_to_end(&mut self.block);
+        let present = before + self.block.len() as u64;
+        read.map_err(|error| layout.broken(&error, present))?;
+        if (self.block.len() as u64) < length {
+            return Err(layout.wrong_count(present, "the file is cut short"));
+        }
+        (self.at, self.left) = (0, self.left - length);
+        if self.left == 0 {
+            // All that was written is read, so that its check sum is compared.
+            let more = self.input.read(&mut [0]).map_err(|error| layout.broken(&error, present))?;
+            if more > 0 {
+                let hint = "the compressed data hold more bytes than the sizes say";
+                return Err(layout.wrong_count(present + 1, hint));
+            }
+            if let Source::File(file, before) = source {
+                file::unchanged(file, before).map_err(|error| layout.broken(&error, present))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Layout {
+    fn place(&self) -> ContentPlace {
+        let what = if self.compressed.is_some() { "the compressed voxels" } else { "the first voxel" };
+        ContentPlace::Byte { offset: self.start, what: what.to_owned() }
+    }
+
+    fn wrong_count(&self, present: u64, hint: &str) -> ContentError {
+        let (what, declared) = ("bytes of voxels".to_owned(), self.declared);
+        ContentError::new(ContentErrorKind::Count { what, declared, present }, self.place()).hint(hint)
+    }
+
+    fn broken(&self, error: &io::Error, present: u64) -> ContentError {
+        match (error.kind(), self.compressed) {
+            (ErrorKind::UnexpectedEof, Some(_)) => {
+                self.wrong_count(present, "the compressed data are cut short")
+            }
+            (_, Some(_)) => {
+                let (what, found) = ("data that gzip has compressed".to_owned(), error.to_string());
+                ContentError::new(ContentErrorKind::Expected { what, found }, self.place())
+                    .hint("the file is damaged: save it again, or with the encoding raw")
+            }
+            (_, None) => {
+                let (what, found) = ("voxels that can be read".to_owned(), error.to_string());
+                ContentError::new(ContentErrorKind::Expected { what, found }, self.place())
+            }
+        }
+    }
+}

@@ -1,0 +1,335 @@
+//! Voxel grids: one number for each box of a lattice, as NPY and NRRD.
+//!
+//! The numbers are read and decoded in blocks as they are asked for, and never kept: a few bytes can be compressed from very many. NRRD says
+//! where its voxels are, mostly; NPY never does, so the spacing has to be given.
+//!
+//! ```
+//! use polhode_shape::voxel::{self, VoxelOptions};
+//!
+//! let file = b"NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 1 1\nencoding: raw\n\
+//!     space directions: (2,0,0) (0,2,0) (0,0,2)\nspace dimension: 3\nspace units: \"cm\" \"cm\" \"cm\"\n\n\x03\x01";
+//! let mut voxels = voxel::read(file)?;
+//! let grid = voxels.grid(&VoxelOptions::default())?;
+//! // A value of 1 is 1000 kg/m³ here.
+//! let body = voxels.mass_properties(&grid, 1000.0)?.unwrap();
+//! assert!((body.properties.mass() - 4000.0 * 8e-6).abs() < 1e-17);
+//! # Ok::<(), polhode_source::ContentError>(())
+//! ```
+
+mod data;
+mod npy;
+mod nrrd;
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+use polhode::body::BodyError;
+use polhode::body::density::{VoxelGrid, VoxelMassProperties};
+use polhode_source::FormatError;
+use polhode_source::file;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
+use data::Source;
+
+pub use data::VoxelValues;
+
+/// A voxel file: what its header says, and its numbers, which are read when they are asked for.
+#[derive(Debug)]
+pub struct Voxels<'a> {
+    layout: Layout,
+    source: Source<'a>,
+}
+
+/// What a header says.
+#[derive(Clone, Debug, PartialEq)]
+struct Layout {
+    /// Along the axes in the file's order.
+    counts: [usize; 3],
+    /// The file's axes in the order of memory: the first varies fastest.
+    order: [usize; 3],
+    scalar: Scalar,
+    big_endian: bool,
+    placement: Placement,
+    /// The first byte of the numbers, or of what they are compressed to.
+    start: u64,
+    /// Bytes in front of the numbers that are compressed with them, if they are compressed.
+    compressed: Option<u64>,
+    /// Bytes of the numbers.
+    declared: u64,
+}
+
+/// Where a file says that its voxels are, in its own unit.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Placement {
+    /// From a voxel to the next along each of the file's axes.
+    steps: Option<[[f64; 3]; 3]>,
+    /// The middle of the first voxel.
+    origin: Option<[f64; 3]>,
+    /// The name of the unit, and what it is in m.
+    unit: Option<(String, f64)>,
+}
+
+/// What a voxel file does not say, and its user may.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct VoxelOptions {
+    /// From a voxel to the next along each of the file's axes, m; for files that have no spacing.
+    pub spacing: Option<[f64; 3]>,
+    /// Unit of the file's spacing, m; for files that have a spacing and no unit.
+    pub unit: Option<f64>,
+    /// The middle of the first voxel, m. Without it, and where the file says nothing, it is the origin.
+    pub origin: Option<[f64; 3]>,
+}
+
+/// As much of a file as its header may have.
+const HEAD: u64 = 1 << 20;
+
+/// Reads the bytes of an NPY or NRRD file; which one it is, its first bytes say.
+///
+/// # Errors
+/// [`ContentError`] for anything that is not exactly such a file of three dimensions: what, where, and a hint. Whether numbers that are
+/// compressed are as many as declared comes out when they are asked for.
+pub fn read(bytes: &[u8]) -> Result<Voxels<'_>, ContentError> {
+    let layout = layout(bytes, bytes.len() as u64)?;
+    Ok(Voxels { layout, source: Source::Memory(bytes.into()) })
+}
+
+/// Opens an NPY or NRRD file, and reads its header.
+///
+/// # Errors
+/// [`FormatError`] if it cannot be read, and as [`read()`].
+pub fn open(path: &Path) -> Result<Voxels<'static>, FormatError> {
+    let written = path.to_string_lossy();
+    let failed = |error| FormatError::new(path, None, file::failed(&written, &error));
+    let before = std::fs::metadata(path).map_err(failed)?;
+    if !before.is_file() {
+        // A pipe is read once, the numbers are twice.
+        let bytes =
+            file::bytes(path, &written, u64::MAX).map_err(|kind| FormatError::new(path, None, kind))?;
+        let layout =
+            layout(&bytes, bytes.len() as u64).map_err(|e| FormatError::of_content(path, &bytes, e))?;
+        return Ok(Voxels { layout, source: Source::Memory(bytes.into()) });
+    }
+    let file = File::open(path).map_err(failed)?;
+    let before = file.metadata().map_err(failed)?;
+    let mut head = Vec::new();
+    (&file).take(HEAD).read_to_end(&mut head).map_err(failed)?;
+    if (head.len() as u64) < before.len().min(HEAD) {
+        return Err(failed(io::ErrorKind::UnexpectedEof.into()));
+    }
+    let layout = layout(&head, before.len()).map_err(|e| FormatError::of_content(path, &head, e))?;
+    Ok(Voxels { layout, source: Source::File(file, Box::new(before)) })
+}
+
+/// What the first bytes of a file of this length say.
+fn layout(head: &[u8], length: u64) -> Result<Layout, ContentError> {
+    if head.starts_with(npy::MAGIC) {
+        npy::read(head, length)
+    } else if head.starts_with(nrrd::MAGIC) {
+        nrrd::read(head, length)
+    } else {
+        let found = String::from_utf8_lossy(&head[..head.len().min(6)]).into_owned();
+        let kind = ContentErrorKind::Expected { what: "the start of an NPY or NRRD file".to_owned(), found };
+        Err(ContentError::new(kind, ContentPlace::Whole).hint("voxels are read from .npy, .nrrd"))
+    }
+}
+
+impl Voxels<'_> {
+    /// How many voxels there are along each of the file's axes.
+    pub const fn counts(&self) -> [usize; 3] {
+        self.layout.counts
+    }
+
+    /// The file's word for the type of its numbers: `float`, `uint8`.
+    pub const fn type_name(&self) -> &'static str {
+        self.layout.scalar.name()
+    }
+
+    /// The values of the voxels by their numbers, which are those in the grid. One at a time reads an open file, so it is borrowed whole.
+    pub fn values(&mut self) -> VoxelValues<'_> {
+        VoxelValues::of(self)
+    }
+
+    /// The mass properties of the voxels, if a value of 1 stands for the density `per_value`, kg/m³; or why they are no body.
+    ///
+    /// # Errors
+    /// [`ContentError`] if the file does not have as many numbers as it declares, or more, or cannot be decompressed.
+    pub fn mass_properties(
+        &mut self,
+        grid: &VoxelGrid,
+        per_value: f64,
+    ) -> Result<Result<VoxelMassProperties, BodyError>, ContentError> {
+        /// What ends the sums.
+        enum End {
+            Content(ContentError),
+            Body(BodyError),
+        }
+        impl From<BodyError> for End {
+            fn from(error: BodyError) -> Self {
+                Self::Body(error)
+            }
+        }
+        let mut values = self.values();
+        match grid.try_mass_properties(|voxel| Ok(per_value * values.at(voxel).map_err(End::Content)?)) {
+            Ok(body) => Ok(Ok(body)),
+            Err(End::Body(error)) => Ok(Err(error)),
+            Err(End::Content(error)) => Err(error),
+        }
+    }
+
+    /// Where the voxels are, numbered as [`Voxels::values`] numbers them.
+    ///
+    /// # Errors
+    /// [`ContentErrorKind::Missing`], with a question as its hint, if neither the file nor the options say the spacing or
+    /// its unit; [`ContentErrorKind::Value`] if both do, or if no grid has such steps.
+    pub fn grid(&self, options: &VoxelOptions) -> Result<VoxelGrid, ContentError> {
+        let whole = |kind| ContentError::new(kind, ContentPlace::Whole);
+        let missing = |what: &str| whole(ContentErrorKind::Missing { what: what.to_owned() });
+        let twice = |what: &str, value: String| {
+            let rule = "left out, since the file says it itself".to_owned();
+            whole(ContentErrorKind::Value { what: what.to_owned(), value, rule })
+        };
+        let Layout { placement: Placement { steps, origin, unit }, order, counts, .. } = &self.layout;
+        if let (None, None, Some(given)) = (steps, origin, options.unit) {
+            let (what, rule) =
+                ("the unit".to_owned(), "left out, since no length of the file is without one".to_owned());
+            let refused = whole(ContentErrorKind::Value { what, value: given.to_string(), rule });
+            return Err(refused.hint("the spacing and the origin that are given have units of their own"));
+        }
+        let unit = match (unit, options.unit) {
+            (Some(_), Some(given)) => return Err(twice("the unit", given.to_string())),
+            (unit, given) => unit.as_ref().map(|(_, metres)| *metres).or(given),
+        };
+        let needed = || {
+            unit.ok_or_else(|| {
+                missing("unit of length").hint("in which unit is the spacing of the voxels? give it")
+            })
+        };
+        let steps = match (steps, options.spacing) {
+            (Some(_), Some(given)) => return Err(twice("the spacing", format!("{given:?}"))),
+            (Some(steps), None) => {
+                let unit = needed()?;
+                steps.map(|step| step.map(|c| c * unit))
+            }
+            (None, Some([a, b, c])) => [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]],
+            (None, None) => {
+                let hint = "how far is it from one voxel to the next, along each axis? give the spacing";
+                return Err(missing("spacing of its voxels").hint(hint));
+            }
+        };
+        let origin = match (origin, options.origin) {
+            (Some(_), Some(given)) => return Err(twice("the origin", format!("{given:?}"))),
+            (Some(origin), None) => {
+                let unit = needed()?;
+                origin.map(|c| c * unit)
+            }
+            (None, given) => given.unwrap_or_default(),
+        };
+        let refused = |error: BodyError| {
+            let (what, value, rule) = match error {
+                BodyError::Parameter { what, value, rule } => (what, value.to_string(), rule.to_owned()),
+                other => ("the grid", format!("{counts:?}"), other.to_string()),
+            };
+            whole(ContentErrorKind::Value { what: what.to_owned(), value, rule })
+        };
+        VoxelGrid::new(origin, order.map(|axis| steps[axis]), order.map(|axis| counts[axis])).map_err(refused)
+    }
+}
+
+/// The type of a file's numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Scalar {
+    Bool,
+    U8,
+    I8,
+    U16,
+    I16,
+    U32,
+    I32,
+    U64,
+    I64,
+    F32,
+    F64,
+}
+
+impl Scalar {
+    const fn size(self) -> usize {
+        match self {
+            Self::Bool | Self::U8 | Self::I8 => 1,
+            Self::U16 | Self::I16 => 2,
+            Self::U32 | Self::I32 | Self::F32 => 4,
+            Self::U64 | Self::I64 | Self::F64 => 8,
+        }
+    }
+
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Bool => "bool",
+            Self::U8 => "uint8",
+            Self::I8 => "int8",
+            Self::U16 => "uint16",
+            Self::I16 => "int16",
+            Self::U32 => "uint32",
+            Self::I32 => "int32",
+            Self::U64 => "uint64",
+            Self::I64 => "int64",
+            Self::F32 => "float",
+            Self::F64 => "double",
+        }
+    }
+
+    /// The nearest f64; integers beyond 2⁵³ are rounded.
+    fn decode(self, bytes: &[u8], big_endian: bool) -> f64 {
+        let pick = |little: u64, big: u64| if big_endian { big } else { little };
+        let bits = match *bytes {
+            [a] => a.into(),
+            [a, b] => pick(u16::from_le_bytes([a, b]).into(), u16::from_be_bytes([a, b]).into()),
+            [a, b, c, d] => {
+                pick(u32::from_le_bytes([a, b, c, d]).into(), u32::from_be_bytes([a, b, c, d]).into())
+            }
+            [a, b, c, d, e, f, g, h] => {
+                let word = [a, b, c, d, e, f, g, h];
+                pick(u64::from_le_bytes(word), u64::from_be_bytes(word))
+            }
+            _ => return f64::NAN,
+        };
+        match self {
+            Self::Bool => f64::from(u8::from(bits != 0)),
+            Self::U8 | Self::U16 | Self::U32 | Self::U64 => bits as f64,
+            Self::I8 => f64::from(bits as u8 as i8),
+            Self::I16 => f64::from(bits as u16 as i16),
+            Self::I32 => f64::from(bits as u32 as i32),
+            Self::I64 => bits as i64 as f64,
+            Self::F32 => f64::from(f32::from_bits(bits as u32)),
+            Self::F64 => f64::from_bits(bits),
+        }
+    }
+}
+
+/// How many bytes the voxels take.
+fn declared_bytes(counts: [usize; 3], scalar: Scalar) -> Result<u64, ContentError> {
+    let declared = counts.iter().try_fold(scalar.size() as u64, |all, &n| all.checked_mul(n as u64));
+    declared.ok_or_else(|| {
+        let value = counts.map(|n| n.to_string()).join(" × ");
+        let rule = "addressable".to_owned();
+        let kind = ContentErrorKind::Value { what: "the number of voxels".to_owned(), value, rule };
+        ContentError::new(kind, ContentPlace::Whole)
+    })
+}
+
+/// The voxels must be there, and take the bytes that are there, if those are known.
+fn require_length(declared: u64, present: Option<u64>, start: u64) -> Result<(), ContentError> {
+    if declared == 0 {
+        let kind = ContentErrorKind::Missing { what: "voxels".to_owned() };
+        return Err(ContentError::new(kind, ContentPlace::Whole));
+    }
+    let Some(present) = present.filter(|&present| present != declared) else { return Ok(()) };
+    let kind = ContentErrorKind::Count { what: "bytes of voxels".to_owned(), declared, present };
+    let hint = if present < declared {
+        "the file is cut short"
+    } else {
+        "the file has bytes that belong to no voxel"
+    };
+    let place = ContentPlace::Byte { offset: start, what: "the first voxel".to_owned() };
+    Err(ContentError::new(kind, place).hint(hint))
+}

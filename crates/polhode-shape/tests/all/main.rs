@@ -1,0 +1,16 @@
+//! The integration tests of `polhode-shape`, as one program: each links the whole library.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may")]
+
+mod cad;
+mod cad_geometry;
+mod collada;
+mod gltf;
+mod molecule;
+mod obj;
+mod off;
+mod particles;
+mod ply;
+mod points;
+mod stl;
+mod threemf;
+mod voxel;

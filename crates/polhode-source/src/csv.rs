@@ -1,0 +1,109 @@
+//! Tables of numbers in text: a header, then rows, separated by commas; blank lines and what follows a `#` are for people.
+
+use std::ops::Range;
+use std::path::Path;
+
+use super::toml::reader::Value;
+use crate::{ContentError, ContentErrorKind, ContentPlace};
+use crate::{FormatError, FormatErrorKind};
+use crate::{file, unit};
+
+/// A larger table has more rows than a motion has any use for.
+const LARGEST_FILE: u64 = 256 << 20;
+
+/// The bytes of the file that a value names, relative to the scenario.
+pub fn bytes(table: &Value<'_>, path: &Path) -> Result<Vec<u8>, FormatError> {
+    file::bytes(path, table.string()?, LARGEST_FILE).map_err(|kind| {
+        let missing = matches!(kind, FormatErrorKind::Io { .. });
+        let error = table.error(kind);
+        let hint = format!("paths are relative to the scenario: this one is {path:?}");
+        if missing { error.with_hint(hint) } else { error }
+    })
+}
+
+/// The bytes as text.
+pub fn text(bytes: &[u8]) -> Result<&str, ContentError> {
+    str::from_utf8(bytes).map_err(|error| {
+        let place = ContentPlace::Text(error.valid_up_to()..error.valid_up_to() + 1);
+        let kind = ContentErrorKind::Unsupported { what: "text that is not UTF-8".to_owned() };
+        ContentError::new(kind, place).hint("save the table as UTF-8")
+    })
+}
+
+/// The numbers at these places of a row, which has as many fields as the header.
+pub fn numbers<const N: usize>(
+    text: &str,
+    line: &Range<usize>,
+    fields: &[Range<usize>],
+    width: usize,
+    places: &[usize],
+) -> Result<[f64; N], ContentError> {
+    if fields.len() != width {
+        let rule = format!("{width} fields long, as the header is; it has {}", fields.len());
+        return Err(value("the line", &text[line.clone()], &rule, line.clone()));
+    }
+    let mut row = [0.0; N];
+    for (slot, place) in row.iter_mut().zip(places) {
+        *slot = number(text, fields.get(*place).cloned().unwrap_or_default())?;
+    }
+    Ok(row)
+}
+
+/// Refuses a row whose time is not after that of the row before.
+pub fn ascending(times: &[f64], time: f64, line: Range<usize>) -> Result<(), ContentError> {
+    match times.last().is_some_and(|last| time <= *last) {
+        true => Err(value("time_s", &time.to_string(), "after that of the row before", line)),
+        false => Ok(()),
+    }
+}
+
+/// A value that breaks a rule.
+pub fn value(what: &str, value: &str, rule: &str, place: Range<usize>) -> ContentError {
+    let (what, value, rule) = (what.to_owned(), value.to_owned(), rule.to_owned());
+    ContentError::new(ContentErrorKind::Value { what, value, rule }, ContentPlace::Text(place))
+}
+
+/// The lines that are not blank, each with its fields, all as places in the text.
+pub fn fields(text: &str) -> impl Iterator<Item = (Range<usize>, Vec<Range<usize>>)> {
+    let mut at = if text.starts_with('\u{feff}') { 3 } else { 0 };
+    let next = move || {
+        while at < text.len() {
+            let start = at;
+            let line = text[start..].split_inclusive('\n').next().unwrap_or_default();
+            at += line.len();
+            let line = line.split('#').next().unwrap_or_default();
+            if !line.trim().is_empty() {
+                let mut from = start;
+                let mut all = Vec::new();
+                for field in line.trim_end().split(',') {
+                    let left = from + (field.len() - field.trim_start().len());
+                    all.push(left..left + field.trim().len());
+                    from += field.len() + 1;
+                }
+                return Some((start..start + line.trim_end().len(), all));
+            }
+        }
+        None
+    };
+    std::iter::from_fn(next)
+}
+
+fn number(text: &str, field: Range<usize>) -> Result<f64, ContentError> {
+    let written = &text[field.clone()];
+    let fail = |kind| Err(ContentError::new(kind, ContentPlace::Text(field.clone())));
+    match written.parse::<f64>().ok().or_else(|| unit::bare(written)) {
+        Some(number) if number.is_finite() => Ok(number),
+        Some(_) => {
+            let (what, found) = ("the number".to_owned(), written.to_owned());
+            fail(ContentErrorKind::NotFinite { what, found })
+        }
+        None => {
+            let found = if written.is_empty() { "nothing".to_owned() } else { written.to_owned() };
+            fail(ContentErrorKind::Expected { what: "a number".to_owned(), found })
+        }
+    }
+}
+
+pub fn missing(what: &str) -> ContentError {
+    ContentError::new(ContentErrorKind::Missing { what: what.to_owned() }, ContentPlace::Whole)
+}

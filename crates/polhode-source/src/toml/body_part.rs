@@ -1,0 +1,50 @@
+//! A body as a part of a scenario file.
+
+use core::fmt::Write as _;
+
+use polhode::body::MassProperties;
+use polhode::math::Body;
+
+/// A body as it stands in a scenario file.
+pub struct BodyPart<'a> {
+    /// What it is, and what its numbers mean: each line becomes a comment.
+    pub comments: Vec<String>,
+    pub name: &'a str,
+    pub mass: f64,
+    pub center: [f64; 3],
+    /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz about the centre of mass.
+    pub inertia: [f64; 6],
+}
+
+impl<'a> BodyPart<'a> {
+    pub fn of_body(comment: String, name: &'a str, body: &MassProperties<Body>) -> Self {
+        let [[xx, xy, xz], [_, yy, yz], [.., zz]] = body.inertia().matrix();
+        Self {
+            comments: vec![comment],
+            name,
+            mass: body.mass(),
+            center: body.center_of_mass().to_array(),
+            inertia: [xx, yy, zz, xy, xz, yz],
+        }
+    }
+
+    /// `[[body.part]]`
+    pub fn to_toml(&self) -> String {
+        let mut text = String::new();
+        for line in &self.comments {
+            let line: String = line.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+            let _ = writeln!(text, "# {line}");
+        }
+        let [x, y, z] = self.center;
+        let [xx, yy, zz, xy, xz, yz] = self.inertia;
+        let rows: String = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
+            .map(|[x, y, z]| format!("    [{x:?}, {y:?}, {z:?}],\n"))
+            .concat();
+        let _ = write!(
+            text,
+            "[[body.part]]\nname = \"{}\"\nshape = \"tensor\"\nmass = {:?}\ncenter_of_mass = [{x:?}, {y:?}, {z:?}]\ninertia = [\n{rows}]\n",
+            self.name, self.mass
+        );
+        text
+    }
+}

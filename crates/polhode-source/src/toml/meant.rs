@@ -1,0 +1,219 @@
+//! What was probably meant: words that books and other programs have, and what a scenario says instead.
+
+use crate::text::cut;
+
+/// A key of others, a key that has to be known in its place, and the advice.
+const KEYS: [(&str, &str, &str); 57] = [
+    ("euler", "euler313", EULER),
+    ("roll", "euler313", ROLL),
+    ("rpy", "euler313", ROLL),
+    ("ypr", "euler313", ROLL),
+    ("yaw", "euler313", ROLL),
+    ("pitch", "euler313", ROLL),
+    ("xyzw", "euler313", "write quaternion_xyzw = [x, y, z, w], or quaternion = [w, x, y, z]"),
+    ("wxyz", "euler313", "write quaternion = [w, x, y, z]"),
+    ("rotation_matrix", "matrix", "write matrix: rows of three, v_space = R v_body"),
+    ("dcm", "matrix", "write matrix: rows of three, v_space = R v_body"),
+    (
+        "height",
+        "semi_major_axis",
+        "write altitude = \"400 km\": above the Earth's equatorial radius, 6378.137 km",
+    ),
+    ("central_body", "mu", "write mu = \"398600.44 km^3/s^2\", of the body that it goes round"),
+    ("raan", "node", "write node: the longitude of the ascending node"),
+    ("period", "semi_major_axis", "write rate = \"0.0011 rad/s\", of a circle: 2π over the period"),
+    ("mean_motion", "rate", "write rate = \"0.0011 rad/s\", of a circle"),
+    ("diameter", "radius", "write radius, half of the diameter"),
+    ("scale", "unit", "write unit = \"mm\", the unit of length of the file"),
+    ("units", "unit", "write unit = \"mm\", the unit of length of the file"),
+    ("orientation", "rotate", "write rotate = { axis = [0, 0, 1], angle = \"90 deg\" }"),
+    ("rotation", "rotate", "write rotate = { axis = [0, 0, 1], angle = \"90 deg\" }"),
+    ("orientation", "attitude", "write attitude = { axis = [0, 0, 1], angle = \"90 deg\" }"),
+    ("rotation", "attitude", "write attitude = { axis = [0, 0, 1], angle = \"90 deg\" }"),
+    ("omega", "spin", SPIN),
+    ("angular_velocity", "spin", SPIN),
+    ("angular_momentum", "spin", "write spin = { momentum = [0, 0, \"4 N m s\"] }, along the axes of space"),
+    ("com", "center_of_mass", "write center_of_mass = [0, 0, \"10 mm\"]"),
+    ("principal_moments", "moments", "write moments = [\"1 kg m^2\", \"2 kg m^2\", \"2.5 kg m^2\"]"),
+    ("tensor", "inertia", "write inertia, a matrix of three rows"),
+    ("t_end", "duration", "write duration = \"20 s\""),
+    ("time", "duration", "write duration = \"20 s\""),
+    ("dt", "every", "write every = \"10 ms\": when it is sampled; its steps the method chooses"),
+    ("time_step", "every", "write every = \"10 ms\": when it is sampled; its steps the method chooses"),
+    ("integrator", "method", "write method = \"auto\""),
+    ("type", "model", "write model = \"constant\", or another model"),
+    ("kind", "model", "write model = \"constant\", or another model"),
+    ("type", "shape", "write shape = \"box\", or another shape"),
+    ("kind", "shape", "write shape = \"box\", or another shape"),
+    ("runs", "members", "write members = 1000"),
+    ("samples", "members", "write members = 1000"),
+    ("altitude", "attitude", ORBIT),
+    ("height", "attitude", ORBIT),
+    ("altitude", "model", ORBIT),
+    ("height", "model", ORBIT),
+    ("altitude", "body", ORBIT),
+    ("frame", "relative_to", RELATIVE),
+    ("reference", "relative_to", RELATIVE),
+    ("lvlh", "relative_to", RELATIVE),
+    ("axis", "to", "write body = [0, 0, 1]: a direction of the body"),
+    ("target", "to", "write to = \"nadir\""),
+    ("euler", "attitude", IN_ATTITUDE),
+    ("roll", "attitude", IN_ATTITUDE),
+    ("damping", "attitude", DAMPING_OF_TORQUE),
+    ("mu", "static_friction", "write friction = 0.3"),
+    ("mu_s", "static_friction", "write static_friction = 0.35"),
+    (
+        "body",
+        "torque",
+        "write axes = \"body\" and, on the next line, torque = [\"0 N m\", \"0 N m\", \"0.1 N m\"]",
+    ),
+    (
+        "space",
+        "torque",
+        "write axes = \"space\" and, on the next line, torque = [\"0 N m\", \"0 N m\", \"0.1 N m\"]",
+    ),
+    ("damping", "coefficient", "how much a torque damps is its coefficient"),
+];
+
+const ORBIT: &str = "write [orbit] on a line of its own, and under it altitude = \"400 km\"";
+const RELATIVE: &str = "write relative_to = \"orbit\": attitude and spin are then relative to its axes (x ahead, y against the normal, z to the nadir)";
+const IN_ATTITUDE: &str = "angles stand in attitude = { … }: euler313, about z, x and z in turn, or roll_pitch_yaw, with yaw about z first";
+const DAMPING_OF_TORQUE: &str = "damping is a torque: a [[torque]] with model = \"drag\" and its coefficient, or \"energy_sink\" for friction inside the body";
+
+const EULER: &str = "angles are read as euler313 = [\"30 deg\", \"20 deg\", \"10 deg\"], about z, x and z in turn, or as roll_pitch_yaw = [φ, θ, ψ], \
+                     3-2-1: ψ about z, θ about the new y, φ about the new x; what other sequences come to, give as quaternion = [w, x, y, z] or as a matrix";
+const ROLL: &str = "write roll_pitch_yaw = [\"10 deg\", \"20 deg\", \"30 deg\"], 3-2-1: yaw about z, then pitch about the new y, then roll about the new x";
+const SPIN: &str = "write spin = { body = [0, 0, \"12 rad/s\"] }, or spin = { space = [0, 0, \"12 rad/s\"] } along the axes of space";
+
+/// A name of others, a name that has to be among the choices, and the advice.
+const NAMES: [(&str, &str, &str); 42] = [
+    ("lhs", "latin hypercube", ""),
+    ("lhc", "latin hypercube", ""),
+    ("latin", "latin hypercube", ""),
+    ("mc", "monte carlo", ""),
+    ("random", "monte carlo", ""),
+    ("montecarlo", "monte carlo", ""),
+    ("qmc", "sobol", ""),
+    ("factorial", "grid", ""),
+    ("full factorial", "grid", ""),
+    ("rk4", "dop853", RUNGE_KUTTA),
+    ("rk45", "dop853", RUNGE_KUTTA),
+    ("runge-kutta", "dop853", RUNGE_KUTTA),
+    ("dopri5", "dop853", RUNGE_KUTTA),
+    ("symplectic", "splitting", ""),
+    ("leapfrog", "splitting", ""),
+    ("damping", "drag", DAMPING),
+    ("friction", "drag", DAMPING),
+    ("viscous", "drag", DAMPING),
+    ("spring", "torsion", ""),
+    ("weight", "gravity", ""),
+    ("jet", "thruster", ""),
+    ("dipole", "magnetic", ""),
+    ("cube", "box", ""),
+    ("cuboid", "box", ""),
+    ("brick", "box", ""),
+    ("ball", "sphere", ""),
+    ("tube", "cylinder", TUBE),
+    ("pipe", "cylinder", TUBE),
+    ("hollow_cylinder", "cylinder", TUBE),
+    ("hollow_sphere", "sphere", HOLLOW_SPHERE),
+    ("triangle", "triangular_plate", ""),
+    ("prism", "triangular_prism", ""),
+    ("wedge", "triangular_prism", ""),
+    ("ring", "torus", ""),
+    ("point", "particles", ""),
+    ("disk", "rim", ""),
+    ("hoop", "rim", ""),
+    ("ring", "rim", ""),
+    ("coulomb", "friction", ""),
+    ("no slip", "rolling", ""),
+    ("stl", "mesh", ""),
+    ("inertia", "tensor", ""),
+];
+
+const RUNGE_KUTTA: &str =
+    "the method of Runge and Kutta here is \"dop853\", of order 8; \"auto\" takes what suits the motion";
+const TUBE: &str = "write shape = \"cylinder\" with its inner_radius, or \"cylinder_shell\" for a thin wall";
+const HOLLOW_SPHERE: &str =
+    "write shape = \"sphere\" with its inner_radius, or \"sphere_shell\" for a thin wall";
+const DAMPING: &str =
+    "what the air damps is model = \"drag\"; what friction inside the body does, \"energy_sink\"";
+
+/// Advice for an unknown key where these are known.
+pub fn key(word: &str, known: &[&str]) -> Option<&'static str> {
+    // Whatever the sequence is, euler123 or euler_zyx, it is one of the three angles that are not read.
+    let word = if word.to_lowercase().starts_with("euler") { "euler" } else { word };
+    let meant = KEYS.iter().find(|(others, ours, _)| same(word, others) && known.contains(ours));
+    meant.map(|(.., advice)| *advice)
+}
+
+/// Advice for an unknown name where these are known.
+pub fn name(word: &str, known: &[&str]) -> Option<String> {
+    let (_, ours, advice) =
+        NAMES.iter().find(|(others, ours, _)| same(word, others) && known.contains(ours))?;
+    Some(if advice.is_empty() { format!("did you mean \"{ours}\"?") } else { (*advice).to_owned() })
+}
+
+/// What to write in the place of a value that ought to be a table; `text` is what stands there, and how many elements it has.
+pub fn table(key: &str, text: &str, elements: usize) -> Option<String> {
+    let text = cut(text);
+    let whole = !text.contains(['…', '\n']);
+    Some(match (key, elements) {
+        ("spin", 3) if whole => format!(
+            "write spin = {{ body = {text} }}, or spin = {{ space = {text} }} along the axes of space"
+        ),
+        ("omega", 3) if whole => format!(
+            "write omega = {{ body = {text} }}, or omega = {{ space = {text} }} along the axes of space"
+        ),
+        ("attitude" | "rotate", 4) if whole => {
+            format!("write {key} = {{ quaternion = {text} }}: the scalar comes first")
+        }
+        _ => {
+            let example = TABLES.iter().find(|(keys, _)| keys.split(' ').any(|other| other == key))?.1;
+            format!("write {key} = {example}")
+        }
+    })
+}
+
+/// What to write in the place of an element that ought to be a table.
+pub fn element(key: &str, text: &str, elements: usize) -> String {
+    let text = cut(text);
+    match (key, elements) {
+        ("between", 3) if !text.contains(['…', '\n']) => {
+            format!("write {{ body = {text} }}, or {{ space = {text} }} along the axes of space")
+        }
+        ("between", _) => "write { body = [0, 0, 1] }, or \"momentum\"".to_owned(),
+        ("particles", _) => "write { mass = \"1 kg\", position = [0, 0, \"0.5 m\"] }".to_owned(),
+        _ => "write { ... }".to_owned(),
+    }
+}
+
+/// Keys, and a table that may stand there.
+const TABLES: [(&str, &str); 21] = [
+    ("surface", "{ shape = \"sphere\", radius = \"20 mm\" }"),
+    ("ground", "{ shape = \"plane\", slope = \"10 deg\" }"),
+    ("outer inner", "{ angle = \"10 deg\" }"),
+    ("rotor", "{ rate = \"6000 rpm\" }"),
+    ("base", "{ latitude = \"52 deg\" }"),
+    ("to", "\"nadir\", or { space = [1, 0, 0] }"),
+    ("then", "\"stop\", or { switch = \"thruster\", on = false }"),
+    ("spin", "{ body = [0, 0, \"12 rad/s\"] }"),
+    ("omega", "{ body = [\"0\", \"0\", \"2*t\"] }"),
+    ("attitude rotate", "{ axis = [0, 0, 1], angle = \"90 deg\" }"),
+    ("pulses", "{ width = \"0.2 s\", period = \"5 s\" }"),
+    ("balance", "{ planes = [0, \"0.2 m\"], radii = [\"50 mm\", \"50 mm\"] }"),
+    ("normal", "{ mean = 3, sd = 0.1 }"),
+    ("uniform log_uniform", "{ from = 0.1, to = 0.5 }"),
+    ("log_normal", "{ median = 0.3, sigma = 0.5 }"),
+    ("triangular", "{ from = 0.1, mode = 0.2, to = 0.5 }"),
+    ("grid", "{ from = 0, to = 1, count = 11 }"),
+    ("magnitude", "{ uniform = { from = 0, to = 1 } }"),
+    ("random", "\"uniform\", or { sd = \"2 deg\" }"),
+    ("direction", "\"uniform\", or { within = \"5 deg\" }"),
+    ("particles", "[{ mass = \"1 kg\", position = [0, 0, \"0.5 m\"] }]"),
+];
+
+fn same(word: &str, other: &str) -> bool {
+    let letters = |text: &str| text.to_lowercase().replace(['-', ' '], "_");
+    letters(word) == letters(other)
+}

@@ -1,0 +1,492 @@
+//! TOML with places: tables and values that know where in the file they stand, so that every error can say it.
+
+use std::any::Any;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use polhode::body::BodyError;
+use polhode::math::RotationError;
+use polhode::motion::MotionError;
+
+use super::meant;
+use super::source::Source;
+use super::tree::{Entries, Kind, Known, Node, Replacement};
+use crate::NotOpened;
+use crate::expression::ExpressionError;
+use crate::nearest;
+use crate::text::{cut, visible};
+use crate::unit;
+use crate::unit::Dimension;
+use crate::{FormatError, FormatErrorKind, Place};
+
+/// True for a table, and for a list of tables.
+fn is_table(kind: &Kind) -> bool {
+    match kind {
+        Kind::Table(_) => true,
+        Kind::List(elements) => elements.iter().any(|element| matches!(element.kind, Kind::Table(_))),
+        _ => false,
+    }
+}
+
+/// A table, its place, and what to call it.
+#[derive(Clone, Debug)]
+pub struct Table<'a> {
+    source: Source<'a>,
+    entries: &'a Entries,
+    span: Range<usize>,
+    name: String,
+}
+
+impl<'a> Table<'a> {
+    /// The table that is the whole file.
+    pub fn root(source: Source<'a>, entries: &'a Entries) -> Self {
+        Self { source, entries, span: 0..0, name: "the file".to_owned() }
+    }
+
+    pub fn is_shown(&self) -> bool {
+        self.source.is_shown
+    }
+
+    /// Says what the table is where its header alone does not.
+    pub fn called(self, name: String) -> Self {
+        Self { name, ..self }
+    }
+
+    /// Refuses the first key that is none of `known`.
+    pub fn allow(&self, known: &[&'static str]) -> Result<(), FormatError> {
+        self.source.asked.into_iter().for_each(|asked| asked.keys(&self.span, &self.name, known));
+        let unknown = self.entries.iter().filter(|(key, _)| !known.contains(&key.as_ref()));
+        let Some((key, entry)) = unknown.min_by_key(|(_, entry)| entry.key.start) else { return Ok(()) };
+        let key = key.to_string();
+        let advice = meant::key(&key, known).map(str::to_owned);
+        let suggestion = if advice.is_some() { None } else { nearest(&key, known.iter().copied()) };
+        let misplaced = match key.as_str() {
+            "title" => Some("title stands above the first table".to_owned()),
+            // Only a table can be a top-level table in the wrong place.
+            "torque" | "wheel" | "event" | "pointing" if is_table(&entry.node.kind) => {
+                Some(format!("write [[{key}]] on a line of its own"))
+            }
+            key if self.source.headings.contains(&key) && is_table(&entry.node.kind) => {
+                Some(format!("write [{key}] on a line of its own"))
+            }
+            _ => None,
+        };
+        let kind =
+            FormatErrorKind::UnknownKey { key, table: self.name.clone(), suggestion, known: known.to_vec() };
+        let error = self.source.error(entry.key.clone(), kind);
+        Err(match advice.or(misplaced) {
+            Some(hint) => error.with_hint(hint),
+            None => error,
+        })
+    }
+
+    /// The value of a key, if it is there.
+    pub fn get(&self, key: &'static str) -> Option<Value<'a>> {
+        self.entries.get(key).map(|entry| Value {
+            source: self.source,
+            key,
+            value: &entry.node,
+            is_element: false,
+        })
+    }
+
+    /// The value of a key that has to be there.
+    pub fn require(&self, key: &'static str, example: &'static str) -> Result<Value<'a>, FormatError> {
+        self.get(key).ok_or_else(|| self.missing(key, example))
+    }
+
+    /// Every key with its value, in the file's order, and what to call them.
+    pub fn each(&self, called: &'static str) -> impl Iterator<Item = (&'a str, Value<'a>)> {
+        let source = self.source;
+        let mut all: Vec<_> = self.entries.iter().collect();
+        all.sort_by_key(|(_, entry)| entry.node.span.start);
+        all.into_iter().map(move |(key, entry)| {
+            (key.as_ref(), Value { source, key: called, value: &entry.node, is_element: false })
+        })
+    }
+
+    /// The value of the one key of several that is there; none or one may be.
+    pub fn at_most_one(
+        &self,
+        keys: &[&'static str],
+        rule: &'static str,
+    ) -> Result<Option<Value<'a>>, FormatError> {
+        let mut given: Vec<Value<'a>> = keys.iter().filter_map(|key| self.get(key)).collect();
+        given.sort_by_key(|value| value.span().start);
+        match given[..] {
+            [first, second, ..] => {
+                Err(second.error(FormatErrorKind::Conflict { keys: [first.key, second.key], rule }))
+            }
+            _ => Ok(given.pop()),
+        }
+    }
+
+    pub fn missing(&self, key: &'static str, example: &'static str) -> FormatError {
+        // A key that is nearly the missing one is a slip of the pen.
+        let slip =
+            self.entries.iter().find(|(other, _)| other.as_ref() != key && nearest(other, [key]).is_some());
+        if let Some((other, entry)) = slip {
+            let (table, suggestion) = (self.name.clone(), Some(key));
+            let kind =
+                FormatErrorKind::UnknownKey { key: other.to_string(), table, suggestion, known: vec![key] };
+            return self.source.error(entry.key.clone(), kind).with_hint(format!("did you mean {key}?"));
+        }
+        self.error(FormatErrorKind::MissingKey { key, table: self.name.clone(), example })
+    }
+
+    /// An error at the table's header.
+    pub fn error(&self, kind: FormatErrorKind) -> FormatError {
+        self.source.error(self.span.clone(), kind)
+    }
+}
+
+/// A value, its place, and the key that it belongs to, perhaps as an element of an array.
+#[derive(Clone, Copy, Debug)]
+pub struct Value<'a> {
+    source: Source<'a>,
+    key: &'static str,
+    value: &'a Node,
+    is_element: bool,
+}
+
+impl<'a> Value<'a> {
+    pub fn key(&self) -> &'static str {
+        self.key
+    }
+
+    pub fn span(&self) -> Range<usize> {
+        self.value.span.clone()
+    }
+
+    pub fn place(&self) -> Place {
+        self.source.place(self.span())
+    }
+
+    pub fn source(&self) -> Source<'a> {
+        self.source
+    }
+
+    /// What stands in its place, if it is replaced.
+    pub fn replacement(&self) -> Option<&'a Replacement> {
+        match &self.value.kind {
+            Kind::Replaced(replacement) => Some(replacement),
+            _ => None,
+        }
+    }
+
+    /// What it was read as.
+    pub fn known(&self) -> Option<&'a Known> {
+        self.value.known.get()
+    }
+
+    /// What is in the file that it names, or what its reader made of it, if that was a `T`.
+    pub fn known_as<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
+        self.known().and_then(Known::get)
+    }
+
+    /// Keeps what it was read as, for later readings.
+    pub fn keep(&self, known: Known) {
+        // What is known already is the same.
+        let _ = self.value.known.set(known);
+    }
+
+    /// The path of the file that it names, relative to the file in which it stands.
+    pub fn path(&self) -> Result<PathBuf, FormatError> {
+        let of = self.source.rest.filter(|(from, _)| self.span().start >= *from);
+        let source = Source { path: of.map_or(self.source.path, |(_, path)| path), ..self.source };
+        let path = source.beside(self.string()?);
+        if self.source.files.is_some_and(|files| !files.contains(&path)) {
+            let error = self.invalid("a file that was opened with the scenario, or dropped beside it");
+            return Err(error.with_hint("no other file is opened for a text that comes from a page"));
+        }
+        // Of a plan and a data file in one text only the values of the latter are confined.
+        if let Some(within) = self.source.within.filter(|_| self.source.rest.is_none() || of.is_some()) {
+            let folder = source.path.parent().unwrap_or(Path::new(""));
+            match within.file(folder, Path::new(self.string()?)) {
+                Err(NotOpened::Outside) => {
+                    let error =
+                        self.invalid("a file in the folder of the data file that names it, or below it");
+                    return Err(error.with_hint("--root DIR allows files in another folder"));
+                }
+                Err(NotOpened::NotRegular) => return Err(self.invalid("a regular file")),
+                // The reader of the file says that it is missing.
+                Ok(_) | Err(NotOpened::Missing) => {}
+            }
+        }
+        Ok(path)
+    }
+
+    pub fn is_array(&self) -> bool {
+        matches!(self.value.kind, Kind::List(_))
+    }
+
+    pub fn table(&self) -> Result<Table<'a>, FormatError> {
+        match &self.value.kind {
+            Kind::Table(entries) => {
+                // `[start]` is called so; `{ body = … }` by its key.
+                let text = self.source.text.get(self.span()).unwrap_or_default();
+                let name = if text.starts_with('[') { cut(text) } else { self.key.to_owned() };
+                Ok(Table { source: self.source, entries, span: self.span(), name })
+            }
+            _ => Err(self.wrong_type("a table", &self.as_table())),
+        }
+    }
+
+    /// The advice to write a table in the place of the value.
+    fn as_table(&self) -> String {
+        let elements = if let Kind::List(elements) = &self.value.kind { elements.len() } else { 0 };
+        let text = self.source.text.get(self.span()).unwrap_or_default();
+        match meant::table(self.key, text, elements) {
+            _ if self.is_element => meant::element(self.key, text, elements),
+            Some(advice) => advice,
+            None if self.source.headings.contains(&self.key) => {
+                format!("write [{}] on a line of its own, and its keys below", self.key)
+            }
+            None => self.write("{ key = value }"),
+        }
+    }
+
+    /// The tables of an array whose headers are `[[header]]`.
+    pub fn tables(&self, header: &str) -> Result<Vec<Table<'a>>, FormatError> {
+        self.array_of_tables(header)?.iter().map(Value::table).collect()
+    }
+
+    /// The same as values.
+    pub fn array_of_tables(&self, header: &str) -> Result<Vec<Self>, FormatError> {
+        let hint = || format!("write [[{header}]] on a line of its own, once for each");
+        let elements = self.elements(&format!("an array of tables: [[{header}]]"));
+        let is_table = |value: &Self| matches!(value.value.kind, Kind::Table(_) | Kind::Replaced(_));
+        elements
+            .and_then(|elements| match elements.iter().find(|element| !is_table(element)) {
+                Some(other) => other.table().map(|_| elements),
+                None => Ok(elements),
+            })
+            .map_err(|error| error.with_hint(hint()))
+    }
+
+    /// All elements of an array.
+    pub fn elements(&self, expected: &str) -> Result<Vec<Self>, FormatError> {
+        match &self.value.kind {
+            Kind::List(elements) => {
+                Ok(elements.iter().map(|value| Self { value, is_element: true, ..*self }).collect())
+            }
+            _ => Err(self.wrong_type(expected, &self.write("[...]"))),
+        }
+    }
+
+    /// The elements of an array of N.
+    pub fn fixed<const N: usize>(&self, of: &str) -> Result<[Self; N], FormatError> {
+        let expected = format!("an array of {N} {of}");
+        let elements = self.elements(&expected)?;
+        let found = elements.len();
+        let hint = || self.write(&format!("[{}]", ["..."; N].join(", ")));
+        elements
+            .try_into()
+            .map_err(|_| self.mismatch(expected, format!("an array of {found}")).with_hint(hint()))
+    }
+
+    pub fn string(&self) -> Result<&'a str, FormatError> {
+        match &self.value.kind {
+            Kind::Text(text) => Ok(text),
+            _ => Err(self.wrong_type("a string", "put it in quotes")),
+        }
+    }
+
+    pub fn boolean(&self) -> Result<bool, FormatError> {
+        match &self.value.kind {
+            Kind::Truth(value) => Ok(*value),
+            _ => Err(self.wrong_type("true or false", &self.write("true"))),
+        }
+    }
+
+    /// One of several names.
+    pub fn choice(&self, names: &[&'static str]) -> Result<&'static str, FormatError> {
+        self.source.asked.into_iter().for_each(|asked| asked.choice(&self.value.span, names));
+        let text = self.string()?;
+        match names.iter().find(|name| **name == text) {
+            Some(name) => Ok(name),
+            None => {
+                let error = self.invalid(format!("one of {}", names.join(", ")));
+                let near =
+                    || nearest(text, names.iter().copied()).map(|name| format!("did you mean \"{name}\"?"));
+                let only = || {
+                    names.first().filter(|_| names.len() == 1).map(|name| self.write(&format!("\"{name}\"")))
+                };
+                Err(match meant::name(text, names).or_else(near).or_else(only) {
+                    Some(hint) => error.with_hint(hint),
+                    None => error,
+                })
+            }
+        }
+    }
+
+    /// A whole number.
+    pub fn count(&self) -> Result<u64, FormatError> {
+        match &self.value.kind {
+            Kind::Whole { digits, radix } => u64::from_str_radix(digits, *radix)
+                .map_err(|_| self.invalid("a whole number, not negative, below 2^64"))
+                .map_err(|error| error.with_hint(self.write("1000"))),
+            _ => Err(self.wrong_type("a whole number", &self.write("1000"))),
+        }
+    }
+
+    /// A plain number, finite.
+    pub fn number(&self) -> Result<f64, FormatError> {
+        self.varying(Dimension::NONE, || self.written_number())
+    }
+
+    fn written_number(&self) -> Result<f64, FormatError> {
+        let digits = match &self.value.kind {
+            Kind::Float(digits) | Kind::Whole { digits, radix: 10 } => digits.clone(),
+            Kind::Whole { digits, radix } => {
+                u128::from_str_radix(digits, *radix).map_err(|_| self.invalid("below 2^128"))?.to_string()
+            }
+            _ => return Err(self.wrong_type("a number", "it has no unit and no quotes")),
+        };
+        if digits.ends_with(['n', 'f']) {
+            return Err(self.invalid("finite").with_hint("nan and inf are no quantities: write a number"));
+        }
+        unit::parse(&digits, Dimension::NONE).map_err(|e| self.error(FormatErrorKind::Unit(e)))
+    }
+
+    /// A number in SI, or a string with a unit.
+    pub fn quantity(&self, dimension: Dimension) -> Result<f64, FormatError> {
+        self.varying(dimension, || self.written_quantity(dimension))
+    }
+
+    fn written_quantity(&self, dimension: Dimension) -> Result<f64, FormatError> {
+        match &self.value.kind {
+            Kind::Text(text) => {
+                unit::parse(text, dimension).map_err(|e| self.error(FormatErrorKind::Unit(e)))
+            }
+            Kind::Float(_) | Kind::Whole { .. } => self.written_number(),
+            _ => {
+                let example = dimension.example().unwrap_or("1");
+                Err(self.wrong_type(&dimension.to_string(), &self.write(&format!("\"{example}\""))))
+            }
+        }
+    }
+
+    /// The number that replaces it, or that is known, or else the one that is written.
+    fn varying(
+        &self,
+        dimension: Dimension,
+        written: impl FnOnce() -> Result<f64, FormatError>,
+    ) -> Result<f64, FormatError> {
+        self.source.asked.into_iter().for_each(|asked| asked.quantity(&self.value.span, dimension));
+        if let Some(Replacement::Number(value)) = self.replacement() {
+            return Ok(*value);
+        }
+        match self.known() {
+            Some(Known::Number(value, known)) if *known == dimension => Ok(*value),
+            _ => written().inspect(|value| self.keep(Known::Number(*value, dimension))),
+        }
+    }
+
+    /// A quantity above zero.
+    pub fn positive(&self, dimension: Dimension) -> Result<f64, FormatError> {
+        let value = self.quantity(dimension)?;
+        if value > 0.0 {
+            return Ok(value);
+        }
+        let error = self.invalid("positive");
+        Err(match dimension {
+            Dimension::LENGTH => error.with_hint("a size has no sign; position and rotate say where it is"),
+            Dimension::TIME => error.with_hint("time runs forward from 0"),
+            Dimension::ANGLE => error.with_hint("it is measured to either side"),
+            Dimension::MASS | Dimension::DENSITY | Dimension::AREA_DENSITY | Dimension::LINE_DENSITY => error
+                .with_hint(
+                    "a hole is not a part of negative mass: leave it out of the shape, or give the body as a mesh",
+                ),
+            _ => error,
+        })
+    }
+
+    /// N quantities.
+    pub fn quantities<const N: usize>(&self, dimension: Dimension) -> Result<[f64; N], FormatError> {
+        each(self.fixed("numbers or strings with units")?, |value| value.quantity(dimension))
+    }
+
+    /// N quantities above zero.
+    pub fn positives<const N: usize>(&self, dimension: Dimension) -> Result<[f64; N], FormatError> {
+        each(self.fixed("numbers or strings with units")?, |value| value.positive(dimension))
+    }
+
+    /// N plain numbers.
+    pub fn numbers<const N: usize>(&self) -> Result<[f64; N], FormatError> {
+        each(self.fixed("numbers")?, Value::number)
+    }
+
+    /// The elements of N rows of K, two or three.
+    pub fn rows<const N: usize, const K: usize>(&self) -> Result<[[Self; K]; N], FormatError> {
+        let mut rows = [[*self; K]; N];
+        let of = if K == 2 { "rows of two" } else { "rows of three" };
+        for (slot, row) in rows.iter_mut().zip(self.fixed::<N>(of)?) {
+            *slot = row.fixed("values")?;
+        }
+        Ok(rows)
+    }
+
+    pub fn error(&self, kind: FormatErrorKind) -> FormatError {
+        self.source.error(self.span(), kind)
+    }
+
+    /// An error in a string that is a formula, at its place there; of a string with escapes, at the string.
+    pub fn formula(&self, error: ExpressionError) -> FormatError {
+        self.source.formula(self.span(), self.string().unwrap_or_default(), error)
+    }
+
+    pub fn body(&self, error: BodyError) -> FormatError {
+        self.error(FormatErrorKind::Body(error))
+    }
+
+    pub fn motion(&self, error: MotionError) -> FormatError {
+        self.error(FormatErrorKind::Motion(error))
+    }
+
+    pub fn rotation(&self, error: RotationError) -> FormatError {
+        self.error(FormatErrorKind::Rotation(error))
+    }
+
+    /// An error about a value that breaks a rule; the message cites it as it stands in the file.
+    pub fn invalid(&self, rule: impl Into<String>) -> FormatError {
+        let value = cut(&self.source.current(self.value)).chars().map(visible).collect();
+        self.error(FormatErrorKind::Value { key: self.key.to_owned(), value, rule: rule.into() })
+    }
+
+    /// The advice to write something in the place of the value.
+    fn write(&self, what: &str) -> String {
+        if self.is_element { format!("write {what}") } else { format!("write {} = {what}", self.key) }
+    }
+
+    fn wrong_type(&self, expected: &str, hint: &str) -> FormatError {
+        let found = match &self.value.kind {
+            Kind::Text(_) => "a string",
+            Kind::Whole { .. } | Kind::Float(_) => "a number",
+            Kind::Truth(_) => "true or false",
+            Kind::Date => "a date",
+            Kind::List(_) => "an array",
+            Kind::Table(_) => "a table",
+            Kind::Replaced(Replacement::Number(_)) => "a number",
+            Kind::Replaced(_) => "a value in its place",
+        };
+        self.mismatch(expected.to_owned(), found.to_owned()).with_hint(hint)
+    }
+
+    fn mismatch(&self, expected: String, found: String) -> FormatError {
+        self.error(FormatErrorKind::WrongType { key: self.key.to_owned(), expected, found })
+    }
+}
+
+/// One number for each of N values; the first error ends it.
+pub fn each<'a, const N: usize>(
+    values: [Value<'a>; N],
+    read: impl Fn(&Value<'a>) -> Result<f64, FormatError>,
+) -> Result<[f64; N], FormatError> {
+    let mut numbers = [0.0; N];
+    for (number, value) in numbers.iter_mut().zip(&values) {
+        *number = read(value)?;
+    }
+    Ok(numbers)
+}

@@ -1,0 +1,74 @@
+//! A rotation: `rotate` of a part, `attitude` of the start.
+
+use polhode::math::{Direction, Frame, Rotation};
+
+use super::reader::{Table, Value, each};
+use super::tree::{Known, Replacement};
+use crate::FormatError;
+use crate::unit::Dimension;
+
+const FORMS: [&str; 7] =
+    ["axis", "quaternion", "quaternion_xyzw", "euler313", "roll_pitch_yaw", "mrp", "matrix"];
+
+/// R_AB from one of its forms.
+///
+/// `{ axis = [3], angle = "90 deg" }`, `{ quaternion = [w, x, y, z] }`, `{ quaternion_xyzw = [x, y, z, w] }`,
+/// `{ euler313 = [φ, θ, ψ] }`, `{ roll_pitch_yaw = [φ, θ, ψ] }`, `{ mrp = [σ1, σ2, σ3] }`, `{ matrix = [[3], [3], [3]] }`
+/// with v_A = R v_B.
+pub fn rotation<A: Frame, B: Frame>(value: &Value<'_>) -> Result<Rotation<A, B>, FormatError> {
+    if let Some(Replacement::Rotation(quaternion)) = value.replacement() {
+        return Rotation::from_quaternion(*quaternion).map_err(|e| value.rotation(e));
+    }
+    let rotation = written(value)?;
+    value.keep(Known::Rotation(rotation.quaternion()));
+    Ok(rotation)
+}
+
+fn written<A: Frame, B: Frame>(value: &Value<'_>) -> Result<Rotation<A, B>, FormatError> {
+    let table = value.table()?;
+    table.allow(&[
+        "axis",
+        "angle",
+        "quaternion",
+        "quaternion_xyzw",
+        "euler313",
+        "roll_pitch_yaw",
+        "mrp",
+        "matrix",
+    ])?;
+    let form = table.at_most_one(&FORMS, "a rotation is given once")?;
+    let Some(form) = form else {
+        return Err(table.missing("axis", "{ axis = [0, 0, 1], angle = \"90 deg\" }"));
+    };
+    if form.key() != "axis" {
+        table.at_most_one(&[form.key(), "angle"], "only an axis takes an angle")?;
+    }
+    match form.key() {
+        "axis" => about(&table, &form),
+        "quaternion" => Rotation::from_quaternion(form.numbers()?).map_err(|e| form.rotation(e)),
+        "quaternion_xyzw" => {
+            let [x, y, z, w] = form.numbers()?;
+            Rotation::from_quaternion([w, x, y, z]).map_err(|e| form.rotation(e))
+        }
+        "roll_pitch_yaw" => {
+            let angles = form.quantities(Dimension::ANGLE)?;
+            Rotation::from_roll_pitch_yaw(angles).map_err(|e| form.rotation(e))
+        }
+        "mrp" => Rotation::from_mrp(form.numbers()?).map_err(|e| form.rotation(e)),
+        "euler313" => {
+            Rotation::from_euler313(form.quantities(Dimension::ANGLE)?).map_err(|e| form.rotation(e))
+        }
+        _ => {
+            let mut matrix = [[0.0; 3]; 3];
+            for (row, values) in matrix.iter_mut().zip(form.rows::<3, 3>()?) {
+                *row = each(values, Value::number)?;
+            }
+            Rotation::from_matrix(matrix).map_err(|e| form.rotation(e))
+        }
+    }
+}
+
+fn about<A: Frame, B: Frame>(table: &Table<'_>, axis: &Value<'_>) -> Result<Rotation<A, B>, FormatError> {
+    let angle = table.require("angle", "angle = \"90 deg\"")?.quantity(Dimension::ANGLE)?;
+    Rotation::about(Direction::from_array(axis.numbers()?), angle).map_err(|e| axis.rotation(e))
+}

@@ -1,0 +1,129 @@
+//! The text of a scenario file: places in it, and errors at them.
+
+use std::any::Any;
+use std::collections::BTreeSet;
+use std::fmt;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use super::asked::Asked;
+use super::tree::{Kind, Node, Replacement};
+use crate::Confinement;
+use crate::expression::ExpressionError;
+use crate::{FormatError, FormatErrorKind, Place};
+
+/// The text of a file, and its path, for messages and for the files that it names.
+#[derive(Clone, Copy, Debug)]
+pub struct Source<'a> {
+    pub path: &'a Path,
+    pub text: &'a str,
+    /// From which byte on the text is another file's, and that file: paths there are relative to it.
+    pub rest: Option<(usize, &'a Path)>,
+    /// Whether the scenario will be looked at: members of sweeps are not.
+    pub is_shown: bool,
+    /// The only files that it may name; `None` where it may name any.
+    pub files: Option<&'a BTreeSet<PathBuf>>,
+    /// The folders that files which it names may lie in; `None` where they may lie anywhere.
+    pub within: Option<&'a Confinement>,
+    /// Where the reader writes down what it asks for, if somebody wants to know.
+    pub asked: Option<&'a Asked>,
+    /// What the caller has read of a file that the text may name; its reader knows the type.
+    pub kept: Option<&'a (dyn Any + Send + Sync)>,
+    /// The keys of the file itself that are tables: messages say how these are written.
+    pub headings: &'a [&'static str],
+    pub watch: Watch<'a>,
+}
+
+/// Asked again and again by what takes time: false ends it.
+#[derive(Clone, Copy)]
+pub struct Watch<'a>(pub &'a (dyn Fn() -> bool + Sync));
+
+impl fmt::Debug for Watch<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Watch")
+    }
+}
+
+impl<'a> Source<'a> {
+    /// Of a scenario that will be looked at, and may name any file.
+    pub const fn new(path: &'a Path, text: &'a str) -> Self {
+        Self {
+            path,
+            text,
+            rest: None,
+            is_shown: true,
+            files: None,
+            within: None,
+            asked: None,
+            kept: None,
+            headings: &[],
+            watch: Watch(&|| true),
+        }
+    }
+
+    pub fn place(&self, span: Range<usize>) -> Place {
+        Place::in_text(self.text, span)
+    }
+
+    /// The path of a file that the scenario names.
+    pub fn beside(&self, name: &str) -> PathBuf {
+        self.path.parent().unwrap_or(Path::new("")).join(name)
+    }
+
+    /// The text of a value, with the numbers that are replaced.
+    pub fn current(&self, node: &Node) -> String {
+        let mut replaced = Vec::new();
+        node.each_leaf(&mut |leaf| {
+            if let Kind::Replaced(Replacement::Number(value)) = leaf.kind {
+                replaced.push((&leaf.span, value));
+            }
+        });
+        replaced.sort_by_key(|(place, _)| place.start);
+        let (mut text, mut at) = (String::new(), node.span.start);
+        for (place, value) in replaced {
+            text += self.text.get(at..place.start).unwrap_or_default();
+            text += &format!("{value:?}");
+            at = place.end;
+        }
+        text + self.text.get(at..node.span.end).unwrap_or_default()
+    }
+
+    pub fn error(&self, span: Range<usize>, kind: FormatErrorKind) -> FormatError {
+        FormatError::new(self.path, Some(self.place(span)), kind)
+    }
+
+    /// An error in a formula that stands at a place, at its own place there; of a string with escapes, at the string.
+    pub fn formula(&self, span: Range<usize>, text: &str, error: ExpressionError) -> FormatError {
+        let raw = self.text.get(span.clone()).unwrap_or_default();
+        let mut place = span.clone();
+        if let Some(offset) = raw.find(text).filter(|_| !text.is_empty()) {
+            let start =
+                text.char_indices().nth(error.column.saturating_sub(1)).map_or(text.len(), |(at, _)| at);
+            let word = |c: char| c.is_alphanumeric() || c == '_';
+            let end = text[start..].find(|c| !word(c)).map_or(text.len(), |length| start + length);
+            let one = text[start..].chars().next().map_or(0, char::len_utf8);
+            let end = end.max(start + one);
+            place = span.start + offset + start..span.start + offset + end;
+        }
+        self.error(place, FormatErrorKind::Formula(error))
+    }
+
+    /// What the TOML parser refuses.
+    pub fn syntax(&self, error: &toml::de::Error) -> FormatError {
+        let message = error.message().to_owned();
+        let hint = match message.as_str() {
+            "duplicate key" => Some(
+                "a key stands once in its table; one more part, torque or event begins with its own [[body.part]], [[torque]] or [[event]]",
+            ),
+            m if m.starts_with("string values must be quoted") => {
+                Some("a quantity with a unit is a string in quotes, such as \"25 mm\"")
+            }
+            _ => None,
+        };
+        let fail = self.error(error.span().unwrap_or_default(), FormatErrorKind::Toml { message });
+        match hint {
+            Some(hint) => fail.with_hint(hint),
+            None => fail,
+        }
+    }
+}

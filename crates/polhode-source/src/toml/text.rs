@@ -1,0 +1,39 @@
+//! The text of a TOML file, and its tree.
+
+use std::path::Path;
+
+use super::list_units;
+use super::source::Source;
+use super::tree::{self, Entries};
+use crate::file;
+use crate::text::is_utf16;
+use crate::{FormatError, FormatErrorKind};
+
+/// A file larger than this is something else: a mesh or a table goes into a file of its own.
+pub const LARGEST_FILE: u64 = 64 << 20;
+
+/// Reads the text of a file, of up to 64 MiB.
+///
+/// # Errors
+/// [`FormatError`] if the file cannot be read, is larger, or is not UTF-8.
+pub fn text_of(path: &Path) -> Result<String, FormatError> {
+    let fail = |kind| FormatError::new(path, None, kind);
+    let bytes = file::bytes(path, &path.to_string_lossy(), LARGEST_FILE).map_err(fail)?;
+    if is_utf16(&bytes) {
+        return Err(fail(FormatErrorKind::Utf16));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let (bytes, error) = (error.as_bytes().to_vec(), error.utf8_error());
+        FormatError::not_utf8(path, &bytes, error.valid_up_to())
+    })
+}
+
+/// Reads the tree of a text, in which numbers that stand together have their units together.
+///
+/// # Errors
+/// [`FormatError`] if it is no TOML, or a number has no unit beside others that have one.
+pub fn document(source: Source<'_>) -> Result<Entries, FormatError> {
+    let entries = tree::parse(source.text).map_err(|error| source.syntax(&error))?;
+    list_units::check(source, &entries)?;
+    Ok(entries)
+}

@@ -1,0 +1,303 @@
+//! The notation in which a user says which columns are what: `time ms = t, quaternion xyzw = q0 q1 q2 q3, omega space deg/s = wx wy wz`.
+
+use std::error::Error;
+use std::fmt;
+
+use polhode::infer::judge::{AttitudeSense, OmegaAxes, QuaternionOrder};
+use polhode_source::nearest;
+use polhode_source::text::{counted, cut};
+use polhode_source::unit;
+use polhode_source::unit::Dimension;
+
+use super::euler::Sequence;
+use super::name::spelt_unit;
+
+/// Which columns are what, as a user says it; what is not said is left to the columns' names.
+///
+/// ```
+/// use polhode_table::log::Columns;
+/// assert!(Columns::parse("t = time, q xyzw = q0 q1 q2 q3, w body deg/s = gx gy gz").is_ok());
+/// assert!(Columns::parse("euler 3-2-1 deg = psi theta phi, omega = none").is_ok());
+/// let error = Columns::parse("quaternion wzyx = q0 q1 q2 q3").unwrap_err();
+/// assert_eq!(error.to_string(), "\"wzyx\" says nothing of quaternion");
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Columns {
+    pub time: Option<Said>,
+    pub attitude: Option<Said>,
+    /// No columns: there is no angular velocity, or it is not to be read.
+    pub omega: Option<Said>,
+}
+
+/// What is said of some columns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Said {
+    pub key: Key,
+    /// In the order of their meaning: as the words say, row by row, turn by turn.
+    pub columns: Vec<String>,
+    pub order: Option<QuaternionOrder>,
+    pub sense: Option<AttitudeSense>,
+    pub axes: Option<OmegaAxes>,
+    pub sequence: Option<Sequence>,
+    pub unit: Option<String>,
+}
+
+/// What columns can be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Key {
+    Time,
+    Quaternion,
+    Matrix,
+    Euler,
+    Omega,
+}
+
+/// Why a text does not say which columns are what.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ColumnsError {
+    /// A part without `=`, or with nothing behind it.
+    Form {
+        /// The part.
+        part: String,
+    },
+    /// A quote that is not closed.
+    Quote,
+    /// A word before the `=` that is none of the things which columns can be.
+    Key {
+        /// The word.
+        key: String,
+        /// What was probably meant.
+        suggestion: Option<&'static str>,
+    },
+    /// A word that says nothing of such columns.
+    Word {
+        /// What the columns are.
+        key: &'static str,
+        /// The word.
+        word: String,
+        /// Words that do.
+        known: &'static str,
+    },
+    /// Too few or too many columns.
+    Count {
+        /// What the columns are.
+        key: &'static str,
+        /// How many it has.
+        expected: usize,
+        /// How many are named.
+        found: usize,
+    },
+    /// Two parts that are about the same.
+    Twice {
+        /// What they are about.
+        what: &'static str,
+    },
+}
+
+impl Key {
+    const ALL: [Self; 5] = [Self::Time, Self::Quaternion, Self::Matrix, Self::Euler, Self::Omega];
+
+    /// How it is written, and in short.
+    const fn names(self) -> [&'static str; 2] {
+        match self {
+            Self::Time => ["time", "t"],
+            Self::Quaternion => ["quaternion", "q"],
+            Self::Matrix => ["matrix", "R"],
+            Self::Euler => ["euler", "e"],
+            Self::Omega => ["omega", "w"],
+        }
+    }
+
+    pub const fn count(self) -> usize {
+        match self {
+            Self::Time => 1,
+            Self::Quaternion => 4,
+            Self::Matrix => 9,
+            Self::Euler | Self::Omega => 3,
+        }
+    }
+
+    pub const fn dimension(self) -> Dimension {
+        match self {
+            Self::Time => Dimension::TIME,
+            Self::Quaternion | Self::Matrix => Dimension::NONE,
+            Self::Euler => Dimension::ANGLE,
+            Self::Omega => Dimension::ANGULAR_VELOCITY,
+        }
+    }
+
+    const fn words(self) -> &'static str {
+        match self {
+            Self::Time => "a unit, such as ms",
+            Self::Quaternion => "wxyz, xyzw, body-to-space and space-to-body",
+            Self::Matrix => "body-to-space and space-to-body",
+            Self::Euler => "a sequence such as 3-2-1, extrinsic, deg, rad, body-to-space and space-to-body",
+            Self::Omega => "body, space and a unit, such as deg/s",
+        }
+    }
+}
+
+impl Columns {
+    /// Reads the notation: parts with commas or semicolons between them, each `KEY WORDS… = COLUMNS…`. [`super`] says which there are.
+    ///
+    /// # Errors
+    /// [`ColumnsError`], which says what does not belong.
+    pub fn parse(text: &str) -> Result<Self, ColumnsError> {
+        let mut columns = Self::default();
+        for part in split(text, &[',', ';'])? {
+            if part.trim().is_empty() {
+                continue;
+            }
+            let said = Said::parse(part.trim())?;
+            let (slot, what) = match said.key {
+                Key::Time => (&mut columns.time, "the time"),
+                Key::Omega => (&mut columns.omega, "the angular velocity"),
+                _ => (&mut columns.attitude, "the attitude"),
+            };
+            if slot.replace(said).is_some() {
+                return Err(ColumnsError::Twice { what });
+            }
+        }
+        Ok(columns)
+    }
+}
+
+impl Said {
+    fn parse(part: &str) -> Result<Self, ColumnsError> {
+        let form = || ColumnsError::Form { part: part.to_owned() };
+        let (before, after) = part.split_once('=').ok_or_else(form)?;
+        let mut words = before.split_whitespace();
+        let key = words.next().ok_or_else(form)?;
+        let known = Key::ALL.into_iter().find(|k| k.names().contains(&key));
+        let key = known.ok_or_else(|| {
+            let suggestion = nearest(key, Key::ALL.iter().map(|k| k.names()[0]));
+            ColumnsError::Key { key: key.to_owned(), suggestion }
+        })?;
+        let mut said = Self {
+            key,
+            columns: Vec::new(),
+            order: None,
+            sense: None,
+            axes: None,
+            sequence: None,
+            unit: None,
+        };
+        let mut extrinsic = false;
+        for word in words {
+            if key == Key::Euler && matches!(word, "intrinsic" | "extrinsic") {
+                extrinsic = word == "extrinsic";
+            } else if !said.word(word) {
+                let (key, known) = (key.names()[0], key.words());
+                return Err(ColumnsError::Word { key, word: word.to_owned(), known });
+            }
+        }
+        said.sequence = said.sequence.map(|sequence| Sequence { extrinsic, ..sequence });
+        let names =
+            split(after.trim(), &[' ', '\t'])?.into_iter().map(|name| unquoted(name.trim()).to_owned());
+        said.columns = names.filter(|name| !name.is_empty()).collect();
+        match said.columns.as_slice() {
+            [] => return Err(form()),
+            [none] if key == Key::Omega && none == "none" => said.columns.clear(),
+            // An array of JSON, and the first and the last of neighbours, stand for several.
+            [_] if key != Key::Time => {}
+            all if all.len() == key.count() => {}
+            all => {
+                let (expected, found) = (key.count(), all.len());
+                return Err(ColumnsError::Count { key: key.names()[0], expected, found });
+            }
+        }
+        Ok(said)
+    }
+
+    /// Whether a word says something of such columns; then it is kept.
+    fn word(&mut self, word: &str) -> bool {
+        let is_attitude = matches!(self.key, Key::Quaternion | Key::Matrix | Key::Euler);
+        match (self.key, word) {
+            (Key::Quaternion, "wxyz") => self.order = Some(QuaternionOrder::ScalarFirst),
+            (Key::Quaternion, "xyzw") => self.order = Some(QuaternionOrder::ScalarLast),
+            (Key::Omega, "body") => self.axes = Some(OmegaAxes::Body),
+            (Key::Omega, "space") => self.axes = Some(OmegaAxes::Space),
+            (_, "body-to-space") if is_attitude => self.sense = Some(AttitudeSense::BodyToSpace),
+            (_, "space-to-body") if is_attitude => self.sense = Some(AttitudeSense::SpaceToBody),
+            (Key::Quaternion | Key::Matrix, _) => return false,
+            _ => {
+                let sequence = Sequence::parse(word).filter(|_| self.key == Key::Euler);
+                let unit = spelt_unit(word);
+                match (sequence, unit::factor(&unit, self.key.dimension())) {
+                    (Some(sequence), _) => self.sequence = Some(sequence),
+                    (None, Ok(_)) => self.unit = Some(unit),
+                    (None, Err(_)) => return false,
+                }
+            }
+        }
+        true
+    }
+}
+
+/// The parts of a text between separators that are not in quotes.
+fn split<'a>(text: &'a str, separators: &[char]) -> Result<Vec<&'a str>, ColumnsError> {
+    let (mut parts, mut start, mut quote) = (Vec::new(), 0, None);
+    for (at, c) in text.char_indices() {
+        match quote {
+            Some(open) if c == open => quote = None,
+            None if c == '"' || c == '\'' => quote = Some(c),
+            None if separators.contains(&c) => {
+                parts.push(&text[start..at]);
+                start = at + c.len_utf8();
+            }
+            _ => {}
+        }
+    }
+    parts.push(&text[start..]);
+    if quote.is_some() { Err(ColumnsError::Quote) } else { Ok(parts) }
+}
+
+/// A text without the quotes around it.
+pub fn unquoted(text: &str) -> &str {
+    let within = |quote: char| text.strip_prefix(quote)?.strip_suffix(quote);
+    within('"').or_else(|| within('\'')).unwrap_or(text)
+}
+
+impl fmt::Display for ColumnsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Form { part } => write!(f, "{:?} does not say which columns are what", cut(part)),
+            Self::Quote => f.write_str("a quote is not closed"),
+            Self::Key { key, .. } => write!(f, "{:?} is nothing that columns can be", cut(key)),
+            Self::Word { key, word, .. } => write!(f, "{:?} says nothing of {key}", cut(word)),
+            Self::Count { key, expected, found } => {
+                write!(f, "{key} has {}, not {found}", counted(*expected, "column"))
+            }
+            Self::Twice { what } => write!(f, "{what} is named twice"),
+        }
+    }
+}
+
+impl ColumnsError {
+    /// What to write instead.
+    pub fn hint(&self) -> String {
+        match self {
+            Self::Form { .. } => {
+                "a part is what they are, = and their names: quaternion xyzw = q0 q1 q2 q3".to_owned()
+            }
+            Self::Quote => "a name with blanks or commas stands in quotes: t = \"time, s\"".to_owned(),
+            Self::Key { suggestion, .. } => {
+                let meant = suggestion.map_or(String::new(), |key| format!("did you mean {key}? "));
+                format!(
+                    "{meant}columns can be time, quaternion, matrix, euler and omega, or in short t, q, R, e and w"
+                )
+            }
+            Self::Word { known, .. } => format!("the words are {known}"),
+            Self::Count { key: "time", .. } => "name one column".to_owned(),
+            Self::Count { .. } => {
+                "name them one by one with blanks between, or neighbours by the first and the last: \
+                                   q0..q3"
+                    .to_owned()
+            }
+            Self::Twice { .. } => "name it once".to_owned(),
+        }
+    }
+}
+
+impl Error for ColumnsError {}

@@ -1,0 +1,328 @@
+//! Text with a line for each row: names in the first, and `# key = value` above it.
+
+use std::ops::Range;
+
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
+use super::blocks::Lines;
+use super::choice::{Header, Plan};
+use super::head::Head;
+use super::rows::{MOST, Problem, RowError, Rows};
+
+/// What the first lines say, and where the rows begin.
+#[derive(Debug)]
+pub struct Opening {
+    pub head: Head,
+    pub header: Header,
+    pub separator: Separator,
+    pub rows: usize,
+}
+
+/// What parts the fields of a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Separator {
+    Byte(u8),
+    Blanks,
+}
+
+impl Separator {
+    /// The first of semicolon, tab and comma that stands in a line outside quotes, else blanks.
+    fn of(line: &[u8]) -> Self {
+        let mut quoted = false;
+        let is_open = |byte: &&u8| {
+            quoted ^= **byte == b'"';
+            !quoted
+        };
+        let open: Vec<u8> = line.iter().filter(is_open).copied().collect();
+        [b';', b'\t', b','].into_iter().find(|byte| open.contains(byte)).map_or(Self::Blanks, Self::Byte)
+    }
+
+    fn is_blank(self, byte: u8) -> bool {
+        byte == b' ' || byte == b'\r' || byte == b'\t' && self != Self::Byte(b'\t')
+    }
+
+    /// Behind the blanks at a place.
+    #[inline(always)]
+    fn skip_blanks(self, bytes: &[u8], mut at: usize) -> usize {
+        while bytes.get(at).is_some_and(|b| *b <= b' ' && self.is_blank(*b)) {
+            at += 1;
+        }
+        at
+    }
+
+    /// The end of the field that begins there, without what parts it from the next; of a quoted one behind the quote, if it has one.
+    fn field_end(self, bytes: &[u8], start: usize) -> Option<usize> {
+        if bytes.get(start) == Some(&b'"') {
+            let mut at = start + 1;
+            loop {
+                match bytes.get(at)? {
+                    b'\n' => return None,
+                    b'"' if bytes.get(at + 1) == Some(&b'"') => at += 2,
+                    b'"' => return Some(at + 1),
+                    _ => at += 1,
+                }
+            }
+        }
+        let ends = |byte: &u8| match self {
+            Self::Byte(separator) => *byte == separator || *byte == b'\n',
+            // as `skip_blanks`: a form feed ends no field, or nothing would lead beyond it
+            Self::Blanks => self.is_blank(*byte) || *byte == b'\n',
+        };
+        let rest = bytes.get(start..).unwrap_or_default();
+        Some(start + rest.iter().position(ends).unwrap_or(rest.len()))
+    }
+
+    /// The fields of a line that stands there, without their quotes.
+    fn fields(self, bytes: &[u8], line: &Range<usize>) -> Result<Vec<(String, Range<usize>)>, ContentError> {
+        let text = &bytes[..line.end];
+        let (mut at, mut fields) = (self.skip_blanks(text, line.start), Vec::new());
+        loop {
+            let end = self.field_end(text, at).ok_or_else(|| {
+                let what = "a closing quote".to_owned();
+                let found = String::from_utf8_lossy(&text[at..]).into_owned();
+                let kind = ContentErrorKind::Expected { what, found };
+                ContentError::new(kind, ContentPlace::Text(at..line.end))
+            })?;
+            let written = String::from_utf8_lossy(&text[at..end]);
+            let written = written.trim();
+            let plain = written.strip_prefix('"').and_then(|name| name.strip_suffix('"'));
+            let name = plain.map_or_else(|| written.to_owned(), |name| name.replace("\"\"", "\""));
+            fields.push((name, at..at + written.len()));
+            let next = self.skip_blanks(text, end);
+            at = match self {
+                _ if next >= text.len() => return Ok(fields),
+                Self::Byte(_) => self.skip_blanks(text, next + 1),
+                Self::Blanks => next,
+            };
+        }
+    }
+}
+
+/// Reads the lines up to the first row; a file whose columns its user told may be without names: they are numbers then.
+pub fn opening(bytes: &[u8], is_told: bool) -> Result<Opening, ContentError> {
+    let (mut at, mut head, mut comment) = (0, Head::default(), None);
+    if bytes.starts_with(b"\xef\xbb\xbf") {
+        at = 3;
+    }
+    if bytes.contains(&b'\r') && !bytes.contains(&b'\n') {
+        let kind = ContentErrorKind::Unsupported { what: "lines that end in \\r alone".to_owned() };
+        return Err(ContentError::new(kind, ContentPlace::Whole).hint("end them in \\n or \\r\\n"));
+    }
+    while at < bytes.len() {
+        let end = bytes[at..].iter().position(|b| *b == b'\n').map_or(bytes.len(), |length| at + length);
+        let line = trimmed(bytes, at..end);
+        let next = (end + 1).min(bytes.len());
+        if bytes[line.clone()].starts_with(b"#") {
+            let text = String::from_utf8_lossy(&bytes[line.clone()]);
+            match Head::pair(&text) {
+                Some((key, value)) => head.add(key, value, &ContentPlace::Text(line.clone()))?,
+                None => {
+                    let hashes = bytes[line.clone()].iter().take_while(|b| **b == b'#').count();
+                    comment = Some(line.start + hashes..line.end);
+                }
+            }
+        } else if !line.is_empty() {
+            let separator = Separator::of(&bytes[line.clone()]);
+            let fields = separator.fields(bytes, &line)?;
+            if !fields.iter().all(|(field, _)| field.parse::<f64>().is_ok()) {
+                let header = header(fields);
+                return Ok(Opening { head, header, separator, rows: next });
+            }
+            // NumPy writes the names as a comment.
+            let names = comment.map(|comment| Separator::of(&bytes[comment.clone()]).fields(bytes, &comment));
+            let names = names.and_then(Result::ok).filter(|names| names.len() == fields.len());
+            if names.is_none() && !is_told && head.columns.is_none() {
+                let kind = ContentErrorKind::Missing { what: "names of its columns".to_owned() };
+                return Err(ContentError::new(kind, ContentPlace::Text(line)).hint(
+                    "write them in the first line, or say what the columns are by their numbers: --columns \"time = 1, quaternion \
+                     wxyz = 2..5\"",
+                ));
+            }
+            let numbered =
+                || (1..).zip(&fields).map(|(k, (_, span))| (format!("{k}"), span.clone())).collect();
+            let header = header(names.unwrap_or_else(numbered));
+            return Ok(Opening { head, header, separator, rows: at });
+        }
+        at = next;
+    }
+    let kind = ContentErrorKind::Missing { what: "rows".to_owned() };
+    Err(ContentError::new(kind, ContentPlace::Whole).hint(
+        "a log has a line of names and one for each time: time_s,attitude_w,attitude_x,attitude_y,attitude_z",
+    ))
+}
+
+fn header(fields: Vec<(String, Range<usize>)>) -> Header {
+    let (names, spans) = fields.into_iter().unzip();
+    Header { names, spans, is_in_order: true, ..Header::default() }
+}
+
+fn trimmed(bytes: &[u8], span: Range<usize>) -> Range<usize> {
+    let text = &bytes[span.clone()];
+    let start = span.start + (text.len() - text.trim_ascii_start().len());
+    start..start + text.trim_ascii().len()
+}
+
+/// The rows of a text.
+#[derive(Debug)]
+pub struct Table<'a> {
+    plan: &'a Plan,
+    separator: Separator,
+    /// The slot of each column, if it is read.
+    slots: Vec<Option<u8>>,
+}
+
+impl<'a> Table<'a> {
+    pub fn new(plan: &'a Plan, opening: &Opening) -> Self {
+        let mut slots = vec![None; opening.header.names.len()];
+        for (slot, column) in (0..).zip(&plan.slots) {
+            slots[column.column] = Some(slot);
+        }
+        Self { plan, separator: opening.separator, slots }
+    }
+
+    /// Adds the row at a place to others; gives the place behind its line.
+    #[inline]
+    fn row(
+        &self,
+        text: &[u8],
+        offset: usize,
+        start: usize,
+        rows: &mut Rows,
+        numbers: &mut [f64; MOST],
+    ) -> Result<usize, Error> {
+        let separator = self.separator;
+        let (mut at, mut width, mut time) = (start, 0, start..start);
+        loop {
+            let field = at;
+            if let Some(Some(slot)) = self.slots.get(width) {
+                let slot = usize::from(*slot);
+                let (number, end) = self.number(text, field, slot)?;
+                numbers[slot] = number;
+                if slot == 0 {
+                    time = field..end;
+                }
+                at = separator.skip_blanks(text, end);
+            } else {
+                let end = separator.field_end(text, field).ok_or_else(|| open_quote(text, field))?;
+                at = separator.skip_blanks(text, end);
+            }
+            width += 1;
+            match (text.get(at), separator) {
+                (None | Some(b'\n'), _) => break,
+                (Some(byte), Separator::Byte(own)) if *byte == own => {
+                    at = separator.skip_blanks(text, at + 1);
+                }
+                (_, Separator::Blanks) if at > field => {}
+                _ => {
+                    let wrong = self.slots.get(width - 1).copied().flatten();
+                    let wrong = wrong.and_then(|slot| self.rare_number(text, field, slot.into()).err());
+                    return Err(wrong.unwrap_or_else(|| open_quote(text, field)));
+                }
+            }
+        }
+        if width != self.slots.len() {
+            let at = start..line_end(text, start);
+            let line = shown(text, at.clone());
+            return Err(Error {
+                at,
+                problem: Problem::Width { expected: self.slots.len(), found: width, line },
+            });
+        }
+        let place = offset + time.start..offset + time.end;
+        let pushed = rows.push(self.plan, &numbers[..self.plan.slots.len()], place);
+        pushed.map_err(|problem| {
+            let is_late = matches!(problem, Problem::NotLater { .. });
+            Error { at: if is_late { time } else { start..line_end(text, start) }, problem }
+        })?;
+        Ok(at + 1)
+    }
+
+    /// The number of a slot that stands there, and the place behind it.
+    #[inline(always)]
+    fn number(&self, text: &[u8], at: usize, slot: usize) -> Result<(f64, usize), Error> {
+        let rest = text.get(at..).unwrap_or_default();
+        let length = rest.iter().position(|b| self.ends_number(*b)).unwrap_or(rest.len());
+        match str::from_utf8(&rest[..length]).ok().and_then(|number| number.parse::<f64>().ok()) {
+            Some(number) if number.is_finite() => Ok((number, at + length)),
+            _ => self.rare_number(text, at, slot),
+        }
+    }
+
+    /// Returns true for a byte that ends a number.
+    #[inline(always)]
+    fn ends_number(&self, byte: u8) -> bool {
+        byte == b'\n' || self.separator == Separator::Byte(byte) || self.separator.is_blank(byte)
+    }
+
+    /// A number in quotes; else what is wrong.
+    #[cold]
+    fn rare_number(&self, text: &[u8], at: usize, slot: usize) -> Result<(f64, usize), Error> {
+        let end = self.separator.field_end(text, at).ok_or_else(|| open_quote(text, at))?;
+        let span = trimmed(text, at..end);
+        let found = shown(text, span.clone());
+        let plain = found.trim_matches('"').trim();
+        match plain.parse::<f64>() {
+            Ok(number) if number.is_finite() && found.starts_with('"') => Ok((number, end)),
+            Ok(number) if !number.is_finite() => {
+                Err(Error { at: span, problem: Problem::NotFinite { slot, found: plain.to_owned() } })
+            }
+            _ => Err(Error { at: span, problem: Problem::NotNumber { slot, found: plain.to_owned() } }),
+        }
+    }
+}
+
+/// What is wrong with a line, and where in the text.
+struct Error {
+    at: Range<usize>,
+    problem: Problem,
+}
+
+impl Lines for Table<'_> {
+    fn rows(&self, text: &[u8], offset: usize) -> Result<Rows, RowError> {
+        let (mut rows, mut at, mut numbers) = (Rows::default(), 0, [0.0; MOST]);
+        while at < text.len() {
+            let start = self.separator.skip_blanks(text, at);
+            match text.get(start) {
+                None => break,
+                Some(b'\n') => at = start + 1,
+                Some(b'#') => {
+                    let line = start..line_end(text, start);
+                    at = line.end + 1;
+                    if let Some((key, _)) = Head::pair(&String::from_utf8_lossy(&text[line.clone()])) {
+                        let place = ContentPlace::Text(offset + line.start..offset + line.end);
+                        let problem = Problem::LateKey { key: key.to_owned() };
+                        return Err(RowError { row: rows.times.len(), place, problem });
+                    }
+                }
+                Some(_) => {
+                    let row = rows.times.len();
+                    at = self.row(text, offset, start, &mut rows, &mut numbers).map_err(|error| {
+                        let place = ContentPlace::Text(offset + error.at.start..offset + error.at.end);
+                        RowError { row, place, problem: error.problem }
+                    })?;
+                }
+            }
+        }
+        Ok(rows)
+    }
+}
+
+/// A field that begins with a quote and does not end with one.
+#[cold]
+fn open_quote(text: &[u8], at: usize) -> Error {
+    let line = at..line_end(text, at);
+    Error { problem: Problem::OpenQuote { line: shown(text, line.clone()) }, at: line }
+}
+
+/// The end of the line of a place, without what ends it.
+fn line_end(text: &[u8], at: usize) -> usize {
+    let rest = text.get(at..).unwrap_or_default();
+    at + rest.iter().position(|b| *b == b'\n').unwrap_or(rest.len())
+}
+
+/// A part of a text, not more of it than a message shows.
+fn shown(text: &[u8], span: Range<usize>) -> String {
+    const MOST: usize = 256;
+    let part = text.get(span).unwrap_or_default();
+    String::from_utf8_lossy(&part[..part.len().min(MOST)]).trim().to_owned()
+}

@@ -1,0 +1,241 @@
+//! Parquet: a column of doubles, floats or integers for each number, and `polhode.scenario` in the metadata of the file.
+
+use std::thread;
+
+use ::parquet::basic::{ConvertedType, LogicalType, TimeUnit, Type as Physical};
+use ::parquet::column::reader::{ColumnReader, ColumnReaderImpl};
+use ::parquet::data_type::DataType;
+use ::parquet::errors::ParquetError;
+use ::parquet::file::reader::{FileReader as _, SerializedFileReader};
+use ::parquet::schema::types::ColumnDescriptor;
+use bytes::Bytes;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+
+use super::choice::{self, Header, Plan, Wanted};
+use super::columns::Columns;
+use super::head::Head;
+use super::rows::{MOST, Problem, RowError, Rows};
+
+/// Rows that are in memory beside the result.
+const BATCH: usize = 1 << 16;
+
+/// Reads a file.
+pub fn read(
+    bytes: Bytes,
+    told: Option<&Columns>,
+    wanted: Wanted,
+) -> Result<(Head, Plan, Rows), ContentError> {
+    let length = bytes.len();
+    let file = SerializedFileReader::new(bytes).map_err(|error| broken(&error))?;
+    let head = head(&file)?;
+    let columns = told.or(head.columns.as_ref()).cloned().unwrap_or_default();
+    let plan = choice::choose(&header(&file), &columns, &head.units, wanted)?;
+    let schema = file.metadata().file_metadata().schema_descr();
+    for slot in &plan.slots {
+        numeric(&schema.column(slot.column), &slot.name)?;
+    }
+    let mut rows = Rows::default();
+    let expected = usize::try_from(file.metadata().file_metadata().num_rows()).unwrap_or(0);
+    // A file may say what it likes.
+    rows.reserve(&plan, expected.min(length));
+    for group in 0..file.num_row_groups() {
+        let group = file.get_row_group(group).map_err(|error| broken(&error))?;
+        let left = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
+        let readers = plan.slots.iter().map(|slot| {
+            let chunk = group.metadata().column(slot.column);
+            let start = chunk.dictionary_page_offset().unwrap_or_else(|| chunk.data_page_offset());
+            if start.min(chunk.data_page_offset()).min(chunk.compressed_size()) < 0 {
+                return Err(ParquetError::General("a column begins before the file".to_owned()));
+            }
+            let nulls = schema.column(slot.column).max_def_level();
+            Ok((group.get_column_reader(slot.column)?, nulls))
+        });
+        let readers: Result<Vec<_>, ParquetError> = readers.collect();
+        let mut readers = readers.map_err(|error| broken(&error))?;
+        for first in (0..left).step_by(BATCH) {
+            let count = BATCH.min(left - first);
+            let batch = batch(&mut readers, count).map_err(|error| broken(&error))?;
+            append(&mut rows, &plan, &batch, count).map_err(|error| error.told(&plan))?;
+        }
+    }
+    Ok((head, plan, rows))
+}
+
+/// The names of a file's columns.
+pub fn names(bytes: &Bytes) -> Result<Vec<String>, ContentError> {
+    let file = SerializedFileReader::new(bytes.clone()).map_err(|error| broken(&error))?;
+    Ok(header(&file).names)
+}
+
+/// The numbers of some columns, row by row.
+pub fn table(bytes: &Bytes, places: &[usize]) -> Result<Vec<Vec<f64>>, ContentError> {
+    let file = SerializedFileReader::new(bytes.clone()).map_err(|error| broken(&error))?;
+    let schema = file.metadata().file_metadata().schema_descr();
+    let names = header(&file).names;
+    for &place in places {
+        numeric(&schema.column(place), &names[place])?;
+    }
+    let mut rows = Vec::new();
+    for group in 0..file.num_row_groups() {
+        let group = file.get_row_group(group).map_err(|error| broken(&error))?;
+        let left = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
+        let readers = places
+            .iter()
+            .map(|&place| Ok((group.get_column_reader(place)?, schema.column(place).max_def_level())));
+        let readers: Result<Vec<_>, ParquetError> = readers.collect();
+        let mut readers = readers.map_err(|error| broken(&error))?;
+        for first in (0..left).step_by(BATCH) {
+            let count = BATCH.min(left - first);
+            let columns = batch(&mut readers, count).map_err(|error| broken(&error))?;
+            for row in 0..count {
+                let numbers = columns.iter().map(|(column, _)| column.get(row).copied().unwrap_or(f64::NAN));
+                let numbers: Vec<f64> = numbers.collect();
+                if let Some(wrong) = numbers.iter().position(|number| !number.is_finite()) {
+                    let what = format!("{} of row {}", names[places[wrong]], rows.len() + 1);
+                    let kind = ContentErrorKind::NotFinite { what, found: numbers[wrong].to_string() };
+                    return Err(ContentError::new(kind, ContentPlace::Whole)
+                        .hint("leave out rows that are not complete"));
+                }
+                rows.push(numbers);
+            }
+        }
+    }
+    Ok(rows)
+}
+
+fn broken(error: &ParquetError) -> ContentError {
+    let kind = ContentErrorKind::Unsupported { what: format!("this Parquet file ({error})") };
+    ContentError::new(kind, ContentPlace::Whole).hint("write it without compression, or with LZ4 or Snappy")
+}
+
+fn head(file: &SerializedFileReader<Bytes>) -> Result<Head, ContentError> {
+    let mut head = Head::default();
+    for pair in file.metadata().file_metadata().key_value_metadata().into_iter().flatten() {
+        let own = ["scenario", "step", "engine", "units", "columns"];
+        if let (Some(key), Some(value)) = (pair.key.strip_prefix("polhode."), pair.value.as_deref())
+            && own.contains(&key)
+        {
+            head.add(&pair.key, value, &ContentPlace::Within("the metadata".to_owned()))?;
+        }
+    }
+    Ok(head)
+}
+
+fn header(file: &SerializedFileReader<Bytes>) -> Header {
+    let mut header = Header { is_in_order: true, ..Header::default() };
+    for (k, column) in file.metadata().file_metadata().schema_descr().columns().iter().enumerate() {
+        header.names.push(column.path().parts().join("."));
+        header.units.extend(unit(column).map(|unit| (k, unit)));
+    }
+    header
+}
+
+/// The unit of a time, where the type of a column has one.
+fn unit(column: &ColumnDescriptor) -> Option<&'static str> {
+    match (column.logical_type_ref(), column.converted_type()) {
+        (Some(LogicalType::Timestamp(time) | LogicalType::Time(time)), _) => Some(match time.unit {
+            TimeUnit::MILLIS => "ms",
+            TimeUnit::MICROS => "us",
+            TimeUnit::NANOS => "ns",
+        }),
+        (_, ConvertedType::TIMESTAMP_MILLIS | ConvertedType::TIME_MILLIS) => Some("ms"),
+        (_, ConvertedType::TIMESTAMP_MICROS | ConvertedType::TIME_MICROS) => Some("us"),
+        _ => None,
+    }
+}
+
+/// Refuses a column that is not a number in each row.
+fn numeric(column: &ColumnDescriptor, name: &str) -> Result<(), ContentError> {
+    let unsupported = |what: String| {
+        let kind = ContentErrorKind::Unsupported { what };
+        Err(ContentError::new(kind, ContentPlace::Whole).hint("write a column of doubles for each number"))
+    };
+    let is_decimal = matches!(column.logical_type_ref(), Some(LogicalType::Decimal(_)))
+        || column.converted_type() == ConvertedType::DECIMAL;
+    match column.physical_type() {
+        _ if column.max_rep_level() > 0 => unsupported(format!("the lists of the column {name}")),
+        _ if is_decimal => unsupported(format!("the decimals of the column {name}")),
+        Physical::DOUBLE | Physical::FLOAT | Physical::INT32 | Physical::INT64 => Ok(()),
+        other => unsupported(format!("the column {name} of type {other}")),
+    }
+}
+
+/// The numbers of a column; NaN where there is none, and where the first of these is.
+type Numbers = (Vec<f64>, Option<usize>);
+
+/// The next rows of each column, half of the columns beside the other half.
+fn batch(readers: &mut [(ColumnReader, i16)], count: usize) -> Result<Vec<Numbers>, ParquetError> {
+    let next = |readers: &mut [(ColumnReader, i16)]| -> Result<Vec<Numbers>, ParquetError> {
+        readers.iter_mut().map(|(reader, level)| numbers(reader, *level, count)).collect()
+    };
+    let (one, other) = readers.split_at_mut(readers.len() / 2);
+    // Where pages are not what their headers say, the reader of the parquet crate panics.
+    let contradicts = |_| ParquetError::General("its pages contradict their headers".to_owned());
+    thread::scope(|scope| {
+        let halves = [scope.spawn(|| next(one)), scope.spawn(|| next(other))];
+        let mut all = Vec::new();
+        for half in halves.map(|half| half.join().map_err(contradicts)) {
+            all.append(&mut half??);
+        }
+        Ok(all)
+    })
+}
+
+fn numbers(reader: &mut ColumnReader, level: i16, count: usize) -> Result<Numbers, ParquetError> {
+    match reader {
+        ColumnReader::DoubleColumnReader(reader) => next(reader, level, count, |x| x),
+        ColumnReader::FloatColumnReader(reader) => next(reader, level, count, f64::from),
+        ColumnReader::Int32ColumnReader(reader) => next(reader, level, count, f64::from),
+        ColumnReader::Int64ColumnReader(reader) => next(reader, level, count, |n| n as f64),
+        _ => Err(ParquetError::General("a column that holds no numbers".to_owned())),
+    }
+}
+
+fn next<T: DataType>(
+    reader: &mut ColumnReaderImpl<T>,
+    level: i16,
+    count: usize,
+    number: impl Fn(T::T) -> f64,
+) -> Result<Numbers, ParquetError> {
+    let (mut values, mut levels, mut found) = (Vec::with_capacity(count), Vec::new(), 0);
+    while found < count {
+        let levels = (level > 0).then_some(&mut levels);
+        let (records, ..) = reader.read_records(count - found, levels, None, &mut values)?;
+        if records == 0 {
+            return Err(ParquetError::General(format!("a column ends after {found} of {count} rows")));
+        }
+        found += records;
+    }
+    let missing = levels.iter().position(|own| *own < level);
+    let mut values = values.into_iter().map(number);
+    let numbers = match missing {
+        None => values.collect(),
+        Some(_) => levels
+            .iter()
+            .map(|own| if *own < level { None } else { values.next() }.unwrap_or(f64::NAN))
+            .collect(),
+    };
+    Ok((numbers, missing))
+}
+
+/// Adds the rows of a batch.
+fn append(rows: &mut Rows, plan: &Plan, batch: &[Numbers], count: usize) -> Result<(), RowError> {
+    let mut numbers = [0.0; MOST];
+    for row in 0..count {
+        let error = |problem| RowError { row: rows.times.len(), place: ContentPlace::Whole, problem };
+        for (slot, (column, missing)) in batch.iter().enumerate() {
+            numbers[slot] = column.get(row).copied().unwrap_or(f64::NAN);
+            if *missing == Some(row) {
+                return Err(error(Problem::NotNumber { slot, found: String::new() }));
+            }
+            if !numbers[slot].is_finite() {
+                let found = numbers[slot].to_string();
+                return Err(error(Problem::NotFinite { slot, found }));
+            }
+        }
+        let at = rows.times.len();
+        let pushed = rows.push(plan, &numbers[..plan.slots.len()], 0..0);
+        pushed.map_err(|problem| RowError { row: at, place: ContentPlace::Whole, problem })?;
+    }
+    Ok(())
+}

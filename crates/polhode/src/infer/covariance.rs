@@ -1,0 +1,126 @@
+//! Covariances of a few numbers.
+
+use core::fmt;
+
+/// That a matrix is no covariance: it is not symmetric, or some combination of the numbers would have a negative variance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NotCovariance {
+    /// The row and column, from 1, of the element that cannot be.
+    pub element: [usize; 2],
+}
+
+impl fmt::Display for NotCovariance {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [i, j] = self.element;
+        write!(f, "the matrix is no covariance, by its element {i}, {j}")
+    }
+}
+
+impl std::error::Error for NotCovariance {}
+
+/// What is left of a variance counts as nothing below this part of it: rounding, also of ten printed digits.
+const ROUNDING: f64 = 1e-9;
+
+/// The columns of L in L Lᵀ = C that are not zero, each with its number. A combination of the numbers may have no error.
+pub fn columns<const N: usize>(c: &[[f64; N]; N]) -> Result<Vec<(usize, [f64; N])>, NotCovariance> {
+    let array = |(k, column): (usize, Vec<f64>)| (k, core::array::from_fn(|i| column[i]));
+    Ok(factor(c)?.into_iter().map(array).collect())
+}
+
+/// The same of a square matrix of any size.
+pub fn factor(c: &[impl AsRef<[f64]>]) -> Result<Vec<(usize, Vec<f64>)>, NotCovariance> {
+    let n = c.len();
+    let c: Vec<&[f64]> = c.iter().map(AsRef::as_ref).collect();
+    let wrong = |i: usize, j: usize| NotCovariance { element: [i + 1, j + 1] };
+    if let Some(i) = c.iter().position(|row| row.len() != n) {
+        return Err(wrong(i, n.min(c[i].len())));
+    }
+    for i in 0..n {
+        if !(c[i][i] >= 0.0 && c[i][i].is_finite()) {
+            return Err(wrong(i, i));
+        }
+        for j in 0..i {
+            let size = (c[i][i] * c[j][j]).sqrt();
+            if !((c[i][j] - c[j][i]).abs() <= ROUNDING * size && c[i][j].abs() <= size * (1.0 + ROUNDING)) {
+                return Err(wrong(i, j));
+            }
+        }
+    }
+    let mut all: Vec<(usize, Vec<f64>)> = Vec::new();
+    for j in 0..n {
+        let left = |i: usize| c[i][j] - all.iter().map(|(_, l)| l[i] * l[j]).sum::<f64>();
+        let variance = left(j);
+        if variance < -ROUNDING * c[j][j] {
+            return Err(wrong(j, j));
+        }
+        if variance <= ROUNDING * c[j][j] {
+            // What has no variance of its own left has no covariance left either; |left| ≤ √(left_ii left_jj).
+            if let Some(i) = (j + 1..n).find(|&i| left(i).abs() > 2.0 * (ROUNDING * c[i][i] * c[j][j]).sqrt())
+            {
+                return Err(wrong(i, j));
+            }
+            continue;
+        }
+        let root = variance.sqrt();
+        let column = (0..n).map(|i| if i < j { 0.0 } else { left(i) / root }).collect();
+        all.push((j, column));
+    }
+    Ok(all)
+}
+
+/// gᵀ C h
+pub fn form<const N: usize>(g: &[f64; N], c: &[[f64; N]; N], h: &[f64; N]) -> f64 {
+    g.iter().zip(c).map(|(g, row)| g * dot(row, h)).sum()
+}
+
+pub fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// C += v vᵀ, of which only the lower triangle is kept.
+pub fn add_square<const N: usize>(c: &mut [[f64; N]; N], v: &[f64; N]) {
+    for (i, row) in c.iter_mut().enumerate() {
+        for (element, other) in row[..=i].iter_mut().zip(v) {
+            *element += v[i] * other;
+        }
+    }
+}
+
+/// The whole matrix of its lower triangle.
+pub fn mirrored<const N: usize>(c: &[[f64; N]; N]) -> [[f64; N]; N] {
+    core::array::from_fn(|i| core::array::from_fn(|j| if j <= i { c[i][j] } else { c[j][i] }))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test may")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_columns_make_the_matrix_again() {
+        // Rank 2 of 3: the third number is 2 a − b.
+        let (a, b) = ([0.3, -0.7, 0.0], [1.1, 0.2, 0.0]);
+        let rows = [a, b, core::array::from_fn(|k| 2.0 * a[k] - b[k])];
+        let c: [[f64; 3]; 3] = core::array::from_fn(|i| core::array::from_fn(|j| dot(&rows[i], &rows[j])));
+        let factors = columns(&c).unwrap();
+        assert_eq!(factors.len(), 2);
+        for i in 0..3 {
+            for j in 0..3 {
+                let again: f64 = factors.iter().map(|(_, l)| l[i] * l[j]).sum();
+                assert!((again - c[i][j]).abs() < 1e-15);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_covariance_is_found() {
+        let at = |c: [[f64; 3]; 3]| columns(&c).unwrap_err().element;
+        assert_eq!(at([[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]), [2, 2]);
+        assert_eq!(at([[1.0, 0.2, 0.0], [0.3, 1.0, 0.0], [0.0, 0.0, 1.0]]), [2, 1]);
+        assert_eq!(at([[1.0, 0.0, 3.0], [0.0, 1.0, 0.0], [3.0, 0.0, 4.0]]), [3, 1]);
+        // each pair can be, all three cannot
+        assert_eq!(at([[1.0, 0.9, -0.9], [0.9, 1.0, 0.9], [-0.9, 0.9, 1.0]]), [3, 3]);
+        // the second is the first again, and the third goes with one of them alone
+        assert_eq!(at([[1.0, 1.0, 0.0], [1.0, 1.0, 0.5], [0.0, 0.5, 1.0]]), [3, 2]);
+    }
+}

@@ -9,7 +9,7 @@ use super::plan::Plan;
 
 /// The files that a parts list may open: it is data, and opens none outside its folder and the roots.
 #[derive(Clone, Copy, Debug)]
-pub struct Access<'a> {
+pub(crate) struct Access<'a> {
     /// True if it may open none at all: its source is not trusted.
     is_alone: bool,
     roots: &'a [PathBuf],
@@ -17,26 +17,26 @@ pub struct Access<'a> {
 
 impl<'a> Access<'a> {
     /// No other file.
-    pub const ALONE: Self = Self { is_alone: true, roots: &[] };
+    pub(crate) const ALONE: Self = Self { is_alone: true, roots: &[] };
 
     /// Files in the list's own folder, and in these.
-    pub const fn within(roots: &'a [PathBuf]) -> Self {
+    pub(crate) const fn within(roots: &'a [PathBuf]) -> Self {
         Self { is_alone: false, roots }
     }
 
     /// The only files that may be named; `None` where the folder decides.
-    pub fn files(self) -> Option<&'static BTreeSet<PathBuf>> {
+    pub(crate) fn files(self) -> Option<&'static BTreeSet<PathBuf>> {
         static NOTHING: BTreeSet<PathBuf> = BTreeSet::new();
         self.is_alone.then_some(&NOTHING)
     }
 
     /// The folders of the files that a parts list may name.
-    pub fn folders(self, list: &Path) -> Confinement {
+    pub(crate) fn folders(self, list: &Path) -> Confinement {
         Confinement::of(list, self.roots)
     }
 
     /// A plan under which parts have this access.
-    pub fn plan(self, plan: Plan) -> Plan {
+    pub(crate) fn plan(self, plan: Plan) -> Plan {
         Plan { is_alone: self.is_alone, roots: self.roots.to_vec(), ..plan }
     }
 }

@@ -16,7 +16,7 @@ use crate::{Budget, BudgetError, Row};
 const WHOLE: &str = "whole";
 
 /// A budget of each configuration; lines are added about what was taken as given.
-pub fn budgets(
+pub(crate) fn budgets(
     read: ReadRows,
     plan: &Plan,
     reader: &Rows<'_, '_>,

@@ -15,7 +15,7 @@ use super::rows::Rows;
 use crate::BudgetError;
 
 /// What is known of the table that a list was read from.
-pub struct Blame<'r, 's, 'a> {
+pub(crate) struct Blame<'r, 's, 'a> {
     pub reader: &'r Rows<'s, 'a>,
     pub plan: &'r Plan,
     /// Which row of the table each row of the list is.
@@ -30,7 +30,7 @@ const TENSOR: [usize; 12] = [IXX, IYY, IZZ, IXY, IXZ, IYZ, SHAPE, MESH, CAD, SCE
 
 impl<'a> Blame<'_, '_, 'a> {
     /// The error at the cell that is to blame.
-    pub fn of(&self, error: &BudgetError) -> FormatError {
+    pub(crate) fn of(&self, error: &BudgetError) -> FormatError {
         let keys: &[usize] = match error {
             BudgetError::MissingFrame { frame, row } => {
                 let is_about = self.cell(row.row, &[ABOUT]).is_some_and(|cell| cell.text == *frame);
@@ -67,7 +67,7 @@ impl<'a> Blame<'_, '_, 'a> {
     }
 
     /// The first cell of these keys in a row of the list.
-    pub fn cell(&self, row: usize, keys: &[usize]) -> Option<Cell<'a>> {
+    pub(crate) fn cell(&self, row: usize, keys: &[usize]) -> Option<Cell<'a>> {
         let reader = &self.reader.reader;
         let row = reader.sheet.rows.get(*self.origins.get(row)? as usize)?;
         let cells = reader.sheet.row(row);

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 /// A row of a table.
 #[derive(Clone, Copy, Debug)]
-pub struct SheetRow {
+pub(crate) struct SheetRow {
     /// Number of the row in the file, from 1.
     pub number: u32,
     /// Range of its bytes in a text, or of its cells in a workbook.
@@ -17,7 +17,7 @@ pub struct SheetRow {
 
 /// Non-empty cell, without the spaces around its text.
 #[derive(Clone, Debug)]
-pub struct Cell<'a> {
+pub(crate) struct Cell<'a> {
     /// Column, counted from 0.
     pub column: usize,
     /// Row, as the file counts.
@@ -30,7 +30,7 @@ pub struct Cell<'a> {
 
 /// Kind of content of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Content {
+pub(crate) enum Content {
     Text,
     /// Number of a workbook, with the decimals that its format shows.
     Number {
@@ -42,7 +42,7 @@ pub enum Content {
 
 /// Reason for which a cell of a workbook cannot be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Broken {
+pub(crate) enum Broken {
     NoResult,
     Error,
     Thousands,
@@ -52,7 +52,7 @@ pub enum Broken {
 
 impl Broken {
     /// Rule that the cell breaks.
-    pub const fn rule(self) -> &'static str {
+    pub(crate) const fn rule(self) -> &'static str {
         match self {
             Self::NoResult => {
                 "a value: it is a formula without its result; open the workbook in a spreadsheet program and save it"
@@ -66,14 +66,14 @@ impl Broken {
 }
 
 /// `parts!F12`, or `'my parts'!F12`
-pub fn cell_name(sheet: &str, column: usize, row: usize) -> String {
+pub(crate) fn cell_name(sheet: &str, column: usize, row: usize) -> String {
     let is_plain = sheet.chars().all(|c| c.is_alphanumeric() || c == '_');
     let sheet = if is_plain { sheet.to_owned() } else { format!("'{}'", sheet.replace('\'', "''")) };
     format!("{sheet}!{}{row}", column_name(column))
 }
 
 /// Returns the name of a column as spreadsheets have it: A for 0, AB for 27.
-pub fn column_name(column: usize) -> String {
+pub(crate) fn column_name(column: usize) -> String {
     let mut letters = Vec::new();
     let mut rest = column + 1;
     while rest > 0 {

@@ -14,7 +14,7 @@ use super::number::{Unit, Wrong};
 use super::sheet::Sheet;
 
 /// The cells of a row, at least one of which is read.
-pub struct Cells<'c, 'a> {
+pub(crate) struct Cells<'c, 'a> {
     cells: &'c [Cell<'a>],
     columns: &'c Columns,
     /// The first that is read.
@@ -23,7 +23,7 @@ pub struct Cells<'c, 'a> {
 
 /// A number of a row.
 #[derive(Clone, Copy)]
-pub struct Given<'s, 'a> {
+pub(crate) struct Given<'s, 'a> {
     pub value: f64,
     /// What stands after ± in the cell, as standard deviation.
     error: Option<Amount>,
@@ -32,13 +32,13 @@ pub struct Given<'s, 'a> {
 
 /// How well a number of a row is known.
 #[derive(Clone, Copy)]
-pub struct Deviation<'s, 'a> {
+pub(crate) struct Deviation<'s, 'a> {
     pub amount: Amount,
     pub cell: &'s Cell<'a>,
 }
 
 /// Reads numbers of rows, and looks after their units.
-pub struct Reader<'s, 'a> {
+pub(crate) struct Reader<'s, 'a> {
     pub sheet: &'s Sheet<'a>,
     pub columns: &'s Columns,
     coverage_factor: f64,
@@ -57,7 +57,7 @@ struct Used<'a> {
 
 impl<'c, 'a> Cells<'c, 'a> {
     /// Of a row; what stands beside all columns is refused.
-    pub fn of(
+    pub(crate) fn of(
         sheet: &Sheet<'a>,
         columns: &'c Columns,
         cells: &'c [Cell<'a>],
@@ -76,11 +76,11 @@ impl<'c, 'a> Cells<'c, 'a> {
         Ok(first.map(|first| Self { cells, columns, first }))
     }
 
-    pub fn cell(&self, key: usize) -> Option<&'c Cell<'a>> {
+    pub(crate) fn cell(&self, key: usize) -> Option<&'c Cell<'a>> {
         self.under(self.columns.places.get(key).copied().flatten()?)
     }
 
-    pub fn spread(&self, key: usize) -> Option<&'c Cell<'a>> {
+    pub(crate) fn spread(&self, key: usize) -> Option<&'c Cell<'a>> {
         self.under(self.columns.spreads.get(key).copied().flatten()?)
     }
 
@@ -89,24 +89,24 @@ impl<'c, 'a> Cells<'c, 'a> {
     }
 
     /// The first cell of one of these keys, or of its errors.
-    pub fn any(&self, keys: impl IntoIterator<Item = usize>) -> Option<&'c Cell<'a>> {
+    pub(crate) fn any(&self, keys: impl IntoIterator<Item = usize>) -> Option<&'c Cell<'a>> {
         keys.into_iter().find_map(|key| self.cell(key).or(self.spread(key)))
     }
 }
 
 impl<'s, 'a> Reader<'s, 'a> {
-    pub fn new(sheet: &'s Sheet<'a>, columns: &'s Columns, coverage_factor: f64) -> Self {
+    pub(crate) fn new(sheet: &'s Sheet<'a>, columns: &'s Columns, coverage_factor: f64) -> Self {
         let units = core::array::from_fn(|_| Used::default());
         Self { sheet, columns, coverage_factor, units, plus_minus: false }
     }
 
     /// The heading over a cell.
-    pub fn heading(&self, cell: &Cell<'_>) -> &'s str {
+    pub(crate) fn heading(&self, cell: &Cell<'_>) -> &'s str {
         self.columns.get(cell.column).map_or("", |column| column.heading.as_str())
     }
 
     /// An error about a cell that breaks a rule.
-    pub fn invalid(&self, cell: &Cell<'_>, rule: impl Into<String>) -> FormatError {
+    pub(crate) fn invalid(&self, cell: &Cell<'_>, rule: impl Into<String>) -> FormatError {
         self.sheet.invalid(cell, self.heading(cell), rule)
     }
 
@@ -119,7 +119,7 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// The text of a cell, unless there is nothing in it that could be read.
-    pub fn whole<'c>(&self, cell: &'c Cell<'a>) -> Result<&'c str, FormatError> {
+    pub(crate) fn whole<'c>(&self, cell: &'c Cell<'a>) -> Result<&'c str, FormatError> {
         match cell.content {
             Content::Broken(broken) => Err(self.invalid(cell, broken.rule())),
             _ => Ok(cell.text.as_ref()),
@@ -127,17 +127,17 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// What stands under a key.
-    pub fn text<'c>(&self, cells: &Cells<'c, 'a>, key: usize) -> Result<Option<&'c str>, FormatError> {
+    pub(crate) fn text<'c>(&self, cells: &Cells<'c, 'a>, key: usize) -> Result<Option<&'c str>, FormatError> {
         cells.cell(key).map(|cell| self.whole(cell)).transpose()
     }
 
     /// A name: with one space between its words, and without what cannot be seen.
-    pub fn label(&self, cells: &Cells<'_, 'a>, key: usize) -> Result<Option<String>, FormatError> {
+    pub(crate) fn label(&self, cells: &Cells<'_, 'a>, key: usize) -> Result<Option<String>, FormatError> {
         cells.cell(key).map(|cell| self.label_of(cell)).transpose()
     }
 
     /// The name in a cell.
-    pub fn label_of(&self, cell: &Cell<'a>) -> Result<String, FormatError> {
+    pub(crate) fn label_of(&self, cell: &Cell<'a>) -> Result<String, FormatError> {
         let text = self.whole(cell)?;
         if text.chars().any(|c| is_unseen(c) && !c.is_whitespace()) {
             return Err(self.invalid(cell, "a name of characters that can be seen"));
@@ -146,7 +146,7 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// A number with a decimal point.
-    pub fn pointed<'c>(&self, cell: &'c Cell<'a>) -> Result<Cow<'c, str>, FormatError> {
+    pub(crate) fn pointed<'c>(&self, cell: &'c Cell<'a>) -> Result<Cow<'c, str>, FormatError> {
         self.whole(cell)?;
         if !self.sheet.decimal_comma || cell.content != Content::Text || !cell.text.contains([',', '.']) {
             return Ok(Cow::Borrowed(&cell.text));
@@ -159,7 +159,7 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// A number.
-    pub fn number<'c>(
+    pub(crate) fn number<'c>(
         &mut self,
         cells: &Cells<'c, 'a>,
         key: usize,
@@ -220,7 +220,7 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// How well a number is known, as its cell says it or one beside it.
-    pub fn deviation<'c>(
+    pub(crate) fn deviation<'c>(
         &mut self,
         cells: &Cells<'c, 'a>,
         key: usize,
@@ -250,7 +250,7 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// What stands after ± of a number that is stated, or in a column of its own: as it is, whatever the coverage factor.
-    pub fn tolerance<'c>(
+    pub(crate) fn tolerance<'c>(
         &mut self,
         cells: &Cells<'c, 'a>,
         given: Given<'c, 'a>,
@@ -269,7 +269,7 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// Whether a number is in percent, by its cell or by its heading.
-    pub fn is_percent(&self, cell: &Cell<'_>) -> bool {
+    pub(crate) fn is_percent(&self, cell: &Cell<'_>) -> bool {
         let column = self.columns.get(cell.column);
         cell.text.contains('%') || column.is_some_and(|column| matches!(column.unit, ColumnUnit::Percent))
     }
@@ -302,17 +302,17 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// Headings under which numbers had no unit.
-    pub fn bare(&self) -> Vec<&'s str> {
+    pub(crate) fn bare(&self) -> Vec<&'s str> {
         self.units.iter().filter_map(|used| used.bare.as_ref()).map(|cell| self.heading(cell)).collect()
     }
 }
 
 /// Of any number, SI; and of a mass, relative to it.
-pub const MOST_DEVIATION: f64 = 1e100;
+pub(crate) const MOST_DEVIATION: f64 = 1e100;
 
 impl Deviation<'_, '_> {
     /// Of this number.
-    pub fn of(&self, value: f64, reader: &Reader<'_, '_>) -> Result<f64, FormatError> {
+    pub(crate) fn of(&self, value: f64, reader: &Reader<'_, '_>) -> Result<f64, FormatError> {
         let sd = self.amount.of(value).ok_or_else(|| {
             let error = reader.invalid(self.cell, "an amount, as a fraction of zero is none");
             error.with_hint("write it with a unit")
@@ -322,7 +322,7 @@ impl Deviation<'_, '_> {
     }
 
     /// Refuses a standard deviation of which squares are no numbers.
-    pub fn within(&self, sd: f64, most: f64, reader: &Reader<'_, '_>) -> Result<(), FormatError> {
+    pub(crate) fn within(&self, sd: f64, most: f64, reader: &Reader<'_, '_>) -> Result<(), FormatError> {
         if sd <= most {
             return Ok(());
         }
@@ -333,7 +333,7 @@ impl Deviation<'_, '_> {
 }
 
 /// An error about a standard deviation that is too large.
-pub fn too_uncertain(error: FormatError, coverage_factor: f64) -> FormatError {
+pub(crate) fn too_uncertain(error: FormatError, coverage_factor: f64) -> FormatError {
     match coverage_factor {
         1.0 => error.with_hint("check its exponent"),
         k => error.with_hint(format!("what stands after ± is divided by the coverage_factor, {k:e}")),

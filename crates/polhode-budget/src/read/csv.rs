@@ -12,7 +12,7 @@ use super::sheet::{Body, Origin, Sheet};
 const MOST_CELLS: usize = 16_000_000;
 
 /// The table in a text from this byte on, and what parts its fields: by whichever a heading is one.
-pub fn sheet(
+pub(crate) fn sheet(
     source: Source<'_>,
     from: usize,
     is_heading: fn(&str) -> bool,

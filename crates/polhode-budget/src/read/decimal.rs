@@ -11,7 +11,12 @@ use super::plan::Plan;
 use super::sheet::Sheet;
 
 /// Whether a comma is the decimal mark; `separator` is what parts the fields.
-pub fn comma(sheet: &Sheet<'_>, columns: &Columns, plan: &Plan, separator: u8) -> Result<bool, FormatError> {
+pub(crate) fn comma(
+    sheet: &Sheet<'_>,
+    columns: &Columns,
+    plan: &Plan,
+    separator: u8,
+) -> Result<bool, FormatError> {
     if let Some(comma) = plan.decimal_comma {
         return Ok(comma);
     }

@@ -8,19 +8,19 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use super::cell::{Cell, Content, SheetRow};
 
 /// Reader of the fields of a text, from a byte on.
-pub struct Fields<'a> {
+pub(crate) struct Fields<'a> {
     pub text: &'a str,
     pub at: usize,
 }
 
-pub struct Field<'a> {
+pub(crate) struct Field<'a> {
     pub span: Range<usize>,
     pub text: Cow<'a, str>,
 }
 
 impl<'a> Fields<'a> {
     /// The next field, and whether it is the last of its line.
-    pub fn next(&mut self, separator: u8) -> Result<(Field<'a>, bool), ContentError> {
+    pub(crate) fn next(&mut self, separator: u8) -> Result<(Field<'a>, bool), ContentError> {
         let bytes = self.text.as_bytes();
         while matches!(bytes.get(self.at), Some(b' ' | b'\t')) {
             self.at += 1;
@@ -80,7 +80,7 @@ impl<'a> Fields<'a> {
 }
 
 /// The cells of a row, all fields of which can be read.
-pub fn cells<'a>(text: &'a str, separator: u8, row: &SheetRow) -> Vec<Cell<'a>> {
+pub(crate) fn cells<'a>(text: &'a str, separator: u8, row: &SheetRow) -> Vec<Cell<'a>> {
     let mut fields = Fields { text, at: row.start as usize };
     let mut cells = Vec::new();
     let mut column = 0;

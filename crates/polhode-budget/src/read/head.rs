@@ -5,10 +5,11 @@ use polhode_source::toml::source::Source;
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 /// What to do about a head that is no TOML.
-pub const SYNTAX: &str = "lines in front of the table are TOML behind their #: a remark begins with ##";
+pub(crate) const SYNTAX: &str =
+    "lines in front of the table are TOML behind their #: a remark begins with ##";
 
 /// The TOML of a head, byte for byte where it is in the file, and where the table begins.
-pub fn toml(source: Source<'_>) -> Result<(String, usize), FormatError> {
+pub(crate) fn toml(source: Source<'_>) -> Result<(String, usize), FormatError> {
     let mut toml = String::new();
     let mut end = 0;
     for line in source.text.split_inclusive('\n') {

@@ -16,7 +16,7 @@ use super::sheet::Sheet;
 
 /// A column that is read.
 #[derive(Clone, Debug)]
-pub struct Column {
+pub(crate) struct Column {
     /// Which of the [`KEYS`].
     pub key: usize,
     /// Whether it has the errors of that, and not the numbers.
@@ -28,7 +28,7 @@ pub struct Column {
 
 /// What a column of errors has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Spread {
+pub(crate) enum Spread {
     /// Standard deviations.
     Deviation,
     /// What stands after ±.
@@ -37,7 +37,7 @@ pub enum Spread {
 
 /// The unit of a column.
 #[derive(Clone, Debug)]
-pub enum ColumnUnit {
+pub(crate) enum ColumnUnit {
     /// The heading has none.
     None,
     Unit(Unit),
@@ -46,7 +46,7 @@ pub enum ColumnUnit {
 
 /// The columns of a table.
 #[derive(Debug)]
-pub struct Columns {
+pub(crate) struct Columns {
     /// By their places; `None` of what is not read.
     pub all: Vec<Option<Column>>,
     /// Where the headings are, among the rows of the table.
@@ -60,7 +60,7 @@ pub struct Columns {
 }
 
 /// Whether a heading is that of the names, by which the headings are known.
-pub fn is_of_names(heading: &str) -> bool {
+pub(crate) fn is_of_names(heading: &str) -> bool {
     let name = plain(heading);
     name == KEYS[NAME].name || name == KEYS[PATH].name
 }
@@ -69,14 +69,14 @@ pub fn is_of_names(heading: &str) -> bool {
 const THIN_DENSITIES: [Dimension; 2] = [Dimension::AREA_DENSITY, Dimension::LINE_DENSITY];
 
 /// A name as columns are told apart: in lower case, with one space between words.
-pub fn plain(name: &str) -> String {
+pub(crate) fn plain(name: &str) -> String {
     let name = name.to_lowercase().replace('_', " ");
     name.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 impl Columns {
     /// The columns by the headings: the first row that has one of names.
-    pub fn of(sheet: &Sheet<'_>, ignore: &[String]) -> Result<Self, FormatError> {
+    pub(crate) fn of(sheet: &Sheet<'_>, ignore: &[String]) -> Result<Self, FormatError> {
         let row = sheet.rows.iter().position(|row| sheet.row(row).iter().any(|cell| is_of_names(&cell.text)));
         let row = row.ok_or_else(|| nameless(sheet))?;
         let mut columns = Self {
@@ -151,18 +151,18 @@ impl Columns {
     }
 
     /// Whether a column has a heading, and is not read.
-    pub fn is_ignored(&self, column: usize) -> bool {
+    pub(crate) fn is_ignored(&self, column: usize) -> bool {
         self.ignored.contains_key(&column)
     }
 
-    pub fn get(&self, column: usize) -> Option<&Column> {
+    pub(crate) fn get(&self, column: usize) -> Option<&Column> {
         self.all.get(column)?.as_ref()
     }
 }
 
 impl Column {
     /// A number that has no error, in the unit of the column: SI, or a fraction.
-    pub fn number(&self, text: &str, dimension: Dimension) -> Result<(f64, bool), Wrong> {
+    pub(crate) fn number(&self, text: &str, dimension: Dimension) -> Result<(f64, bool), Wrong> {
         let may_be_fraction = dimension == Dimension::NONE || self.spread.is_some();
         if let Some(fraction) = percent(text).filter(|_| may_be_fraction) {
             return fraction.map(|fraction| (fraction, true));
@@ -176,7 +176,7 @@ impl Column {
 }
 
 /// The error of a name that is no unit there.
-pub fn no_unit(error: UnitError, at: impl Fn(FormatErrorKind) -> FormatError) -> FormatError {
+pub(crate) fn no_unit(error: UnitError, at: impl Fn(FormatErrorKind) -> FormatError) -> FormatError {
     let hint = error.hint_for_name();
     let error = at(FormatErrorKind::Unit(error));
     match hint {
@@ -191,7 +191,7 @@ fn shown(cell: &Cell<'_>) -> String {
 }
 
 /// `mass [kg]`, `mass (kg)`: name and unit.
-pub fn split(heading: &str) -> (&str, Option<&str>) {
+pub(crate) fn split(heading: &str) -> (&str, Option<&str>) {
     for (open, close) in [('[', ']'), ('(', ')')] {
         if let Some((name, rest)) = heading.split_once(open)
             && let Some(unit) = rest.trim_end().strip_suffix(close)

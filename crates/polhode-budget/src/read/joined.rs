@@ -11,14 +11,14 @@ use super::plan::table_file::Sheets;
 use super::plan::{self, Plan};
 
 /// A plan that names a file of parts.
-pub struct Naming<'a> {
+pub(crate) struct Naming<'a> {
     pub source: Source<'a>,
     pub entries: &'a Entries,
 }
 
 impl Naming<'_> {
     /// The plan with what the file of parts says as TOML, of which no key may be the plan's; `moved` puts an error in that text where its reader looks for it.
-    pub fn plan(
+    pub(crate) fn plan(
         &self,
         beside: Source<'_>,
         sheets: Option<&Sheets<'_>>,

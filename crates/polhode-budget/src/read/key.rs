@@ -4,14 +4,14 @@ use polhode_source::unit::Dimension;
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Key {
+pub(crate) struct Key {
     pub name: &'static str,
     pub holds: Holds,
 }
 
 /// What stands in the cells of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Holds {
+pub(crate) enum Holds {
     Text,
     /// Numbers that are exact.
     Number(Dimension),
@@ -33,10 +33,10 @@ macro_rules! keys {
         enum Number { $($key,)* }
 
         /// All keys.
-        pub const KEYS: &[Key] = &[$(Key { name: $name, holds: $holds },)*];
+        pub(crate) const KEYS: &[Key] = &[$(Key { name: $name, holds: $holds },)*];
 
         $(#[allow(dead_code, reason = "some are found by their names alone")]
-        pub const $key: usize = Number::$key as usize;)*
+        pub(crate) const $key: usize = Number::$key as usize;)*
     };
 }
 
@@ -111,10 +111,10 @@ keys! {
 }
 
 /// The number of keys.
-pub const COUNT: usize = KEYS.len();
+pub(crate) const COUNT: usize = KEYS.len();
 
 /// Columns of the sizes of shapes: lengths and numbers.
-pub const SIZES: [usize; 11] = [
+pub(crate) const SIZES: [usize; 11] = [
     SIZE,
     RADIUS,
     INNER_RADIUS,
@@ -130,7 +130,7 @@ pub const SIZES: [usize; 11] = [
 
 impl Holds {
     /// What its numbers measure.
-    pub const fn dimension(self) -> Option<Dimension> {
+    pub(crate) const fn dimension(self) -> Option<Dimension> {
         match self {
             Exact(dimension) | Measured(dimension) | Errors(dimension) | Sizes(dimension) => Some(dimension),
             Text | Remark => None,
@@ -138,7 +138,7 @@ impl Holds {
     }
 
     /// Whether a column of errors may go with it.
-    pub const fn may_err(self) -> bool {
+    pub(crate) const fn may_err(self) -> bool {
         matches!(self, Measured(_) | Errors(_))
     }
 }

@@ -7,7 +7,7 @@ use super::number::{Unit, Wrong, is_parted};
 
 /// A number, and how well it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Measured {
+pub(crate) struct Measured {
     /// SI.
     pub value: f64,
     /// What stands after ±.
@@ -18,7 +18,7 @@ pub struct Measured {
 
 /// An amount of a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Amount {
+pub(crate) enum Amount {
     /// SI.
     Absolute(f64),
     /// Of the number itself.
@@ -27,7 +27,7 @@ pub enum Amount {
 
 impl Amount {
     /// Of this number; of zero a fraction is none.
-    pub fn of(self, value: f64) -> Option<f64> {
+    pub(crate) fn of(self, value: f64) -> Option<f64> {
         match self {
             Self::Absolute(amount) => Some(amount),
             Self::Relative(fraction) if value != 0.0 || fraction == 0.0 => Some(fraction * value.abs()),
@@ -36,10 +36,15 @@ impl Amount {
     }
 }
 
-pub const MARKS: [&str; 3] = ["±", "+/-", "+-"];
+pub(crate) const MARKS: [&str; 3] = ["±", "+/-", "+-"];
 
 /// A number of a column, with its error if the cell has one.
-pub fn measured(text: &str, unit: &Unit, dimension: Dimension, heading: &str) -> Result<Measured, Wrong> {
+pub(crate) fn measured(
+    text: &str,
+    unit: &Unit,
+    dimension: Dimension,
+    heading: &str,
+) -> Result<Measured, Wrong> {
     // Most numbers have none, and a search for three marks costs more than all the rest.
     let is_marked = text.bytes().any(|b| b == b'+' || !b.is_ascii());
     let marked = || MARKS.iter().find_map(|mark| text.split_once(mark));
@@ -73,12 +78,12 @@ pub fn measured(text: &str, unit: &Unit, dimension: Dimension, heading: &str) ->
 }
 
 /// A fraction that is written in percent; `None` of what is not.
-pub fn percent(text: &str) -> Option<Result<f64, Wrong>> {
+pub(crate) fn percent(text: &str) -> Option<Result<f64, Wrong>> {
     text.trim().strip_suffix('%').map(|number| hundredths(number.trim_end()))
 }
 
 /// So many hundredths.
-pub fn hundredths(number: &str) -> Result<f64, Wrong> {
+pub(crate) fn hundredths(number: &str) -> Result<f64, Wrong> {
     if is_parted(number) {
         return Err(UnitError::NotANumber { text: number.to_owned() }.into());
     }

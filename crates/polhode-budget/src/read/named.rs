@@ -13,7 +13,7 @@ use super::plan;
 use super::{BudgetFile, bytes_of, head, of_csv, text, workbook, xlsx};
 
 /// Reads a plan from its text, and the parts that it names.
-pub fn of_plan(path: &Path, plan_text: &str, access: Access<'_>) -> Result<BudgetFile, FormatError> {
+pub(crate) fn of_plan(path: &Path, plan_text: &str, access: Access<'_>) -> Result<BudgetFile, FormatError> {
     let source = Source { files: access.files(), ..Source::new(path, plan_text) };
     let entries = document(source)?;
     let root = Table::root(source, &entries);

@@ -7,7 +7,7 @@ use polhode_source::unit::{Dimension, UnitError};
 
 /// A unit, as a column has it.
 #[derive(Clone, Debug)]
-pub struct Unit {
+pub(crate) struct Unit {
     pub name: String,
     pub dimension: Dimension,
     /// p × 10^t, if it is that with a small p: numbers in it need no more than one rounding then.
@@ -16,14 +16,14 @@ pub struct Unit {
 
 /// Why a text is not the number that belongs there, and a hint.
 #[derive(Debug)]
-pub struct Wrong {
+pub(crate) struct Wrong {
     pub kind: FormatErrorKind,
     pub hint: Option<String>,
 }
 
 /// A number as it was read.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Read {
+pub(crate) struct Read {
     /// SI.
     pub value: f64,
     /// Whether the cell has a unit of its own.
@@ -31,15 +31,16 @@ pub struct Read {
 }
 
 impl Unit {
-    pub const SI: Self = Self { name: String::new(), dimension: Dimension::NONE, decimal: Some((1, 0)) };
+    pub(crate) const SI: Self =
+        Self { name: String::new(), dimension: Dimension::NONE, decimal: Some((1, 0)) };
 
-    pub fn new(name: &str, dimension: Dimension) -> Result<Self, UnitError> {
+    pub(crate) fn new(name: &str, dimension: Dimension) -> Result<Self, UnitError> {
         let factor = unit::factor(name, dimension)?;
         Ok(Self { name: name.to_owned(), dimension, decimal: decimal(factor) })
     }
 
     /// What a number of it is in SI, as the cell has it.
-    pub fn read(&self, text: &str, dimension: Dimension) -> Result<Read, UnitError> {
+    pub(crate) fn read(&self, text: &str, dimension: Dimension) -> Result<Read, UnitError> {
         if let Some(value) = self.plain(text) {
             return Ok(Read { value, has_unit: false });
         }
@@ -86,7 +87,7 @@ impl Unit {
 }
 
 /// Whether a space parts two digits: 1 250 may be one number or two.
-pub fn is_parted(text: &str) -> bool {
+pub(crate) fn is_parted(text: &str) -> bool {
     let starts_with_digit = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
     text.char_indices().any(|(k, c)| {
         let rest = text[k + c.len_utf8()..].trim_start();
@@ -110,7 +111,7 @@ fn decimal(factor: f64) -> Option<(u64, i32)> {
 
 impl Wrong {
     /// A text that breaks a rule.
-    pub fn rule(heading: &str, text: &str, rule: &str, hint: &str) -> Self {
+    pub(crate) fn rule(heading: &str, text: &str, rule: &str, hint: &str) -> Self {
         let value = cut(text).chars().map(visible).collect();
         let (key, rule) = (heading.to_owned(), rule.to_owned());
         Self { kind: FormatErrorKind::Value { key, value, rule }, hint: Some(hint.to_owned()) }

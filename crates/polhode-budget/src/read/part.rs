@@ -13,9 +13,9 @@ use super::place::spread;
 use super::rows::Rows;
 use crate::{GivenPart, GivenTensor, PartUncertainty, ProductSign, TensorPoint};
 
-pub const MOMENTS: [usize; 3] = [IXX, IYY, IZZ];
-pub const PRODUCTS: [usize; 3] = [IXY, IXZ, IYZ];
-pub const CENTER: [usize; 3] = [X, Y, Z];
+pub(crate) const MOMENTS: [usize; 3] = [IXX, IYY, IZZ];
+pub(crate) const PRODUCTS: [usize; 3] = [IXY, IXZ, IYZ];
+pub(crate) const CENTER: [usize; 3] = [X, Y, Z];
 
 /// Columns that say what a part is, each alone.
 const FORMS: [usize; 5] = [SHAPE, MESH, CAD, SCENARIO, FILE];
@@ -29,7 +29,7 @@ fn of_shapes() -> impl Iterator<Item = usize> {
 const OF_MESHES: [usize; 4] = [UNIT, WELD, FILL, UNION];
 
 /// What a row's part is, in its own columns or elsewhere.
-pub enum Told {
+pub(crate) enum Told {
     /// Its shape, its mesh or its file.
     Properties(MassProperties<Part>),
     Columns {
@@ -42,7 +42,7 @@ pub enum Told {
 
 impl<'s, 'a> Rows<'s, 'a> {
     /// The part of a row and how well it is known; `None` of a frame.
-    pub fn part(
+    pub(crate) fn part(
         &mut self,
         cells: &Cells<'_, 'a>,
     ) -> Result<Option<(GivenPart, PartUncertainty)>, FormatError> {

@@ -17,7 +17,10 @@ const ANGLES: [usize; 3] = [ROLL, PITCH, YAW];
 
 impl<'s, 'a> Reader<'s, 'a> {
     /// The place of a row's frame, and how well its position and its rotation are known.
-    pub fn place(&mut self, cells: &Cells<'_, 'a>) -> Result<(Place, Spread<3>, Spread<3>), FormatError> {
+    pub(crate) fn place(
+        &mut self,
+        cells: &Cells<'_, 'a>,
+    ) -> Result<(Place, Spread<3>, Spread<3>), FormatError> {
         let (position, position_spread) = self.triple(cells, [AT_X, AT_Y, AT_Z], None)?;
         let place = Place {
             position: position.map_or(Position::ZERO, Position::from_array),
@@ -33,7 +36,7 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// Three numbers that stand together, and how well they are known; the errors may also be those of numbers that are known otherwise.
-    pub fn triple(
+    pub(crate) fn triple(
         &mut self,
         cells: &Cells<'_, 'a>,
         keys: [usize; 3],
@@ -53,7 +56,7 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     /// Numbers that stand together: a cell that is empty where others are not is refused; a column that is not there is zero.
-    pub fn all_or_none<'c, const N: usize>(
+    pub(crate) fn all_or_none<'c, const N: usize>(
         &mut self,
         cells: &Cells<'c, 'a>,
         keys: [usize; N],
@@ -127,6 +130,6 @@ impl<'s, 'a> Reader<'s, 'a> {
 }
 
 /// Standard deviations, if any is not zero.
-pub fn spread<const N: usize>(deviations: [f64; N]) -> Spread<N> {
+pub(crate) fn spread<const N: usize>(deviations: [f64; N]) -> Spread<N> {
     if deviations == [0.0; N] { Spread::Exact } else { Spread::Deviations(deviations) }
 }

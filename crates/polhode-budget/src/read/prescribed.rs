@@ -104,7 +104,7 @@ impl OverTime {
 }
 
 /// Adds what is in the tanks to each configuration; lines are added about what was taken as given.
-pub fn with_liquid(
+pub(crate) fn with_liquid(
     configurations: Vec<NamedBudget>,
     plan: &Plan,
     lines: &mut Vec<String>,

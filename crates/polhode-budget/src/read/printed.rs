@@ -12,7 +12,7 @@ use super::number::Unit;
 
 impl<'s, 'a> Reader<'s, 'a> {
     /// Half of the last digit that is printed of a number, in SI.
-    pub fn half_digit(&self, cell: &Cell<'a>) -> Result<f64, FormatError> {
+    pub(crate) fn half_digit(&self, cell: &Cell<'a>) -> Result<f64, FormatError> {
         let Some(column) = self.columns.get(cell.column) else { return Ok(0.0) };
         let text = self.pointed(cell)?;
         let decimals = match cell.content {

@@ -21,7 +21,7 @@ use super::taken::Taken;
 use crate::{CopyErrors, Growth, Quantity, Row, Spread, Subtotal, Uncertainty};
 
 /// Reads rows one after another.
-pub struct Rows<'s, 'a> {
+pub(crate) struct Rows<'s, 'a> {
     pub reader: Reader<'s, 'a>,
     pub plan: &'s Plan,
     pub taken: Taken,
@@ -31,7 +31,7 @@ pub struct Rows<'s, 'a> {
 
 /// Rows of a table as rows of a parts list.
 #[derive(Debug, Default)]
-pub struct ReadRows {
+pub(crate) struct ReadRows {
     pub rows: crate::Rows,
     /// Positions of the rows in the table.
     pub origins: Vec<u32>,
@@ -61,13 +61,13 @@ impl ReadRows {
 }
 
 impl<'s, 'a> Rows<'s, 'a> {
-    pub fn new(sheet: &'s Sheet<'a>, columns: &'s Columns, plan: &'s Plan) -> Self {
+    pub(crate) fn new(sheet: &'s Sheet<'a>, columns: &'s Columns, plan: &'s Plan) -> Self {
         let reader = Reader::new(sheet, columns, plan.coverage_factor.unwrap_or(1.0));
         Self { reader, plan, taken: Taken::default(), known: HashMap::new() }
     }
 
     /// All rows below the headings.
-    pub fn all(&mut self) -> Result<ReadRows, FormatError> {
+    pub(crate) fn all(&mut self) -> Result<ReadRows, FormatError> {
         let (sheet, columns) = (self.reader.sheet, self.reader.columns);
         let configurations = self.plan.configurations.clone().unwrap_or_default();
         let mut all = ReadRows { configurations, ..ReadRows::default() };

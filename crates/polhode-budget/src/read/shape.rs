@@ -53,7 +53,7 @@ impl<'s, 'a> Written<'s, 'a> {
 
 impl<'s, 'a> Rows<'s, 'a> {
     /// A part that has a shape, a mesh or a file, and the mass that its row gives.
-    pub fn formed<'c>(
+    pub(crate) fn formed<'c>(
         &mut self,
         cells: &Cells<'c, 'a>,
         mass: Option<Given<'c, 'a>>,
@@ -254,7 +254,10 @@ impl<'s, 'a> Rows<'s, 'a> {
 
 impl<'s, 'a> Reader<'s, 'a> {
     /// The density of a part; `None` if it has none, or one that is a formula.
-    pub fn given_density<'c>(&mut self, cells: &Cells<'c, 'a>) -> Result<Option<Given<'c, 'a>>, FormatError> {
+    pub(crate) fn given_density<'c>(
+        &mut self,
+        cells: &Cells<'c, 'a>,
+    ) -> Result<Option<Given<'c, 'a>>, FormatError> {
         let Some(cell) = cells.cell(DENSITY) else { return Ok(None) };
         let pointed = self.pointed(cell)?;
         let first = pointed.split(['±', '+']).next().unwrap_or_default();
@@ -317,7 +320,7 @@ fn in_part<F: Frame>(body: &MassProperties<F>) -> Result<MassProperties<Part>, p
 }
 
 /// A TOML string.
-pub fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     let mut quoted = String::from("\"");
     for c in text.chars() {
         match c {

@@ -16,7 +16,7 @@ use super::xlsx::cells::Cells;
 ///
 /// A million rows are common: cells are kept as text or packed, and made row by row.
 #[derive(Debug)]
-pub struct Sheet<'a> {
+pub(crate) struct Sheet<'a> {
     pub origin: Origin<'a>,
     pub rows: Cow<'a, [SheetRow]>,
     pub body: Body<'a>,
@@ -26,7 +26,7 @@ pub struct Sheet<'a> {
 
 /// Storage of the cells of a table.
 #[derive(Clone, Copy, Debug)]
-pub enum Body<'a> {
+pub(crate) enum Body<'a> {
     /// Fields of a text, between separators.
     Text {
         text: &'a str,
@@ -37,7 +37,7 @@ pub enum Body<'a> {
 
 /// Where a table is from.
 #[derive(Clone, Debug)]
-pub enum Origin<'a> {
+pub(crate) enum Origin<'a> {
     /// A text file.
     Text(Source<'a>),
     /// A sheet of a workbook.
@@ -45,7 +45,7 @@ pub enum Origin<'a> {
 }
 
 impl<'a> Sheet<'a> {
-    pub fn path(&self) -> &Path {
+    pub(crate) fn path(&self) -> &Path {
         match &self.origin {
             Origin::Text(source) => source.path,
             Origin::Workbook { path, .. } => path,
@@ -53,7 +53,7 @@ impl<'a> Sheet<'a> {
     }
 
     /// The cells of a row.
-    pub fn row(&self, row: &SheetRow) -> Vec<Cell<'a>> {
+    pub(crate) fn row(&self, row: &SheetRow) -> Vec<Cell<'a>> {
         match &self.body {
             Body::Text { text, separator } => fields::cells(text, *separator, row),
             Body::Workbook(cells) => cells.row(row),
@@ -61,7 +61,7 @@ impl<'a> Sheet<'a> {
     }
 
     /// Where a cell is.
-    pub fn spot(&self, cell: &Cell<'_>) -> Spot {
+    pub(crate) fn spot(&self, cell: &Cell<'_>) -> Spot {
         match &self.origin {
             Origin::Text(source) => Spot::Text(source.place(cell.span.clone())),
             Origin::Workbook { sheet, .. } => Spot::Cell(cell_name(sheet, cell.column, cell.row)),
@@ -69,19 +69,19 @@ impl<'a> Sheet<'a> {
     }
 
     /// An error at a cell.
-    pub fn error(&self, cell: &Cell<'_>, kind: FormatErrorKind) -> FormatError {
+    pub(crate) fn error(&self, cell: &Cell<'_>, kind: FormatErrorKind) -> FormatError {
         FormatError::at(self.path(), Some(self.spot(cell)), kind)
     }
 
     /// An error about a value that breaks a rule.
-    pub fn invalid(&self, cell: &Cell<'_>, heading: &str, rule: impl Into<String>) -> FormatError {
+    pub(crate) fn invalid(&self, cell: &Cell<'_>, heading: &str, rule: impl Into<String>) -> FormatError {
         let value = cut(&cell.text).chars().map(visible).collect();
         let key = cut(heading).chars().map(visible).collect();
         self.error(cell, FormatErrorKind::Value { key, value, rule: rule.into() })
     }
 
     /// Whether a line of a text begins with #, and not in quotes.
-    pub fn is_remark(&self, first: &Cell<'_>) -> bool {
+    pub(crate) fn is_remark(&self, first: &Cell<'_>) -> bool {
         match &self.origin {
             Origin::Text(source) => {
                 first.column == 0 && source.text.as_bytes().get(first.span.start) == Some(&b'#')
@@ -91,7 +91,7 @@ impl<'a> Sheet<'a> {
     }
 
     /// An error at a row as a whole, or about the whole table.
-    pub fn row_error(&self, row: Option<usize>, kind: FormatErrorKind) -> FormatError {
+    pub(crate) fn row_error(&self, row: Option<usize>, kind: FormatErrorKind) -> FormatError {
         let first = row.and_then(|row| self.rows.get(row)).and_then(|row| self.row(row).into_iter().next());
         match first {
             Some(cell) => self.error(&cell, kind),
@@ -100,7 +100,7 @@ impl<'a> Sheet<'a> {
     }
 
     /// An error of a text that was made of cells: at the cell of which that part of the text is, or else at this one.
-    pub fn moved(
+    pub(crate) fn moved(
         &self,
         error: FormatError,
         cells: &[(Range<usize>, &Cell<'_>)],

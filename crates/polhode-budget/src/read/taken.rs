@@ -11,7 +11,7 @@ use super::sheet::Sheet;
 
 /// What was taken as given while rows were read.
 #[derive(Debug, Default)]
-pub struct Taken {
+pub(crate) struct Taken {
     /// Parts with mass and nothing else.
     pub points: usize,
     /// Tensors of which no column has products.
@@ -30,7 +30,7 @@ pub struct Taken {
 
 impl Taken {
     /// A sentence each.
-    pub fn lines(self) -> impl Iterator<Item = String> {
+    pub(crate) fn lines(self) -> impl Iterator<Item = String> {
         let line = |count: usize, noun: &str, rest: &str| {
             (count > 0).then(|| format!("{} {rest}", counted(count, noun)))
         };
@@ -57,7 +57,7 @@ impl Taken {
 }
 
 /// The files that were read: the list, and the tables of tanks.
-pub fn files(sheet: &Sheet<'_>, plan: &Plan, mut lines: Vec<String>) -> Vec<ReadParts> {
+pub(crate) fn files(sheet: &Sheet<'_>, plan: &Plan, mut lines: Vec<String>) -> Vec<ReadParts> {
     let mut files = Vec::new();
     for table in plan.tanks.iter().filter_map(|tank| tank.table.clone()) {
         match table.from {
@@ -70,7 +70,12 @@ pub fn files(sheet: &Sheet<'_>, plan: &Plan, mut lines: Vec<String>) -> Vec<Read
 }
 
 /// What was taken as given of a table as a whole, a sentence each.
-pub fn of_sheet(sheet: &Sheet<'_>, columns: &Columns, plan: &Plan, reader: &Reader<'_, '_>) -> Vec<String> {
+pub(crate) fn of_sheet(
+    sheet: &Sheet<'_>,
+    columns: &Columns,
+    plan: &Plan,
+    reader: &Reader<'_, '_>,
+) -> Vec<String> {
     let mut lines = Vec::new();
     if let Some(row) = sheet.rows.get(columns.row).filter(|_| columns.row > 0) {
         lines.push(format!("what stands above the headings in row {} was not read", row.number));

@@ -18,7 +18,7 @@ use crate::{GivenTensor, ProductSign, TensorPoint};
 
 impl<'s, 'a> Rows<'s, 'a> {
     /// The tensor of a part with this mass and centre; `None` if no column gives one.
-    pub fn tensor(
+    pub(crate) fn tensor(
         &mut self,
         cells: &Cells<'_, 'a>,
         mass: f64,

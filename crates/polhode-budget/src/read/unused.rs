@@ -11,7 +11,7 @@ use super::key::{CAD, FILE};
 use super::plan::Plan;
 
 /// Refuses names of `ignore` that are neither columns nor sheets.
-pub fn ignored(columns: &Columns, plan: &Plan, sheets: &[&str]) -> Result<(), FormatError> {
+pub(crate) fn ignored(columns: &Columns, plan: &Plan, sheets: &[&str]) -> Result<(), FormatError> {
     let is_known = |name: &str| {
         sheets.contains(&name) || columns.ignored.values().any(|heading| plain(heading) == plain(name))
     };
@@ -24,7 +24,11 @@ pub fn ignored(columns: &Columns, plan: &Plan, sheets: &[&str]) -> Result<(), Fo
 }
 
 /// Refuses groups that no row names, and answers about reports where there are none.
-pub fn declared(columns: &Columns, plan: &Plan, configurations: &[NamedBudget]) -> Result<(), FormatError> {
+pub(crate) fn declared(
+    columns: &Columns,
+    plan: &Plan,
+    configurations: &[NamedBudget],
+) -> Result<(), FormatError> {
     let of_rows: HashSet<&str> = configurations
         .iter()
         .map(|one| one.budget.rows())

@@ -21,7 +21,7 @@ use super::{BudgetFile, of_table, unused};
 const PARTS: &str = "parts";
 
 /// Reads a workbook; with what its sheets say besides what the plan says that names it, if one does.
-pub fn read(
+pub(crate) fn read(
     path: &Path,
     bytes: &[u8],
     told: Option<&Naming<'_>>,

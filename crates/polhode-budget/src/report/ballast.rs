@@ -10,7 +10,7 @@ use super::found::Found;
 use super::limits::{allowed, shown_unit};
 use crate::{Ballast, BallastAnswer, FoundBallast, Limit, UndecidedBallast};
 
-pub fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Option<Section> {
+pub(crate) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Option<Section> {
     let Found { answer, left_out } = case.ballast.as_ref()?;
     let mut section = Section::new(0, "Ballast");
     let mut reasons: Vec<&str> = left_out.iter().map(|(_, why)| *why).collect();
@@ -95,7 +95,7 @@ pub fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Option<Secti
 }
 
 /// `Least ballast 0.123 kg, in 2 pieces: proved`, of the limits that it was sought for.
-pub fn in_words(case: &Case, limits: &[Limit]) -> Option<String> {
+pub(crate) fn in_words(case: &Case, limits: &[Limit]) -> Option<String> {
     let Found { answer, left_out } = case.ballast.as_ref()?;
     let sought = sought(left_out, limits);
     Some(match answer {
@@ -185,7 +185,7 @@ fn regions(n: usize) -> String {
     if n == 1 { "one region".to_owned() } else { format!("{} regions", count(n as u64)) }
 }
 
-pub fn to_json(case: &Case, ballast: Option<&Ballast>, limits: &[Limit]) -> Value {
+pub(crate) fn to_json(case: &Case, ballast: Option<&Ballast>, limits: &[Limit]) -> Value {
     let (Some(Found { answer, left_out }), Some(ballast)) = (case.ballast.as_ref(), ballast) else {
         return Value::Null;
     };

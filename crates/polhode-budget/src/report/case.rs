@@ -12,11 +12,11 @@ use crate::{
     Tilt,
 };
 
-pub use super::numbers::ten;
+pub(crate) use super::numbers::ten;
 
 /// A configuration, and what is computed of it.
 #[derive(Clone, Debug)]
-pub struct Case {
+pub(crate) struct Case {
     pub name: Option<String>,
     pub budget: Budget,
     /// Of each row.
@@ -41,7 +41,7 @@ pub struct Case {
 
 /// A principal axis beside the axis of the frame to which it is nearest.
 #[derive(Clone, Debug)]
-pub struct AxisTilt {
+pub(crate) struct AxisTilt {
     /// 0 to 2: x, y, z.
     pub from: usize,
     pub direction: Direction<Body>,
@@ -50,7 +50,7 @@ pub struct AxisTilt {
 
 /// A number, its standard deviation to first order, and what that comes from, the greatest first.
 #[derive(Clone, Debug)]
-pub struct SpreadResult {
+pub(crate) struct SpreadResult {
     pub name: String,
     pub unit: &'static str,
     pub of: ResultKind,
@@ -62,7 +62,7 @@ pub struct SpreadResult {
 
 /// Of what a number is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ResultKind {
+pub(crate) enum ResultKind {
     /// Mass and centre of mass.
     Place,
     /// The tensor.
@@ -75,7 +75,7 @@ pub enum ResultKind {
 
 /// What draws show.
 #[derive(Clone, Debug)]
-pub struct Drawn {
+pub(crate) struct Drawn {
     pub draws: Draws,
     pub comparison: Comparison,
     /// Of the tilt of each principal axis: 5 %, 50 % and 95 % of the draws are below, rad.
@@ -87,7 +87,7 @@ const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
 
 impl Case {
     /// `reached` is called with the number of bodies that are drawn.
-    pub fn new(
+    pub(crate) fn new(
         name: Option<String>,
         budget: Budget,
         limits: &[Limit],
@@ -140,50 +140,50 @@ impl Case {
         })
     }
 
-    pub const fn estimate(&self, basis: Basis) -> &Estimate<Body> {
+    pub(crate) const fn estimate(&self, basis: Basis) -> &Estimate<Body> {
         &self.estimates[index(basis)]
     }
 
     /// What the list states that a row comes to, whatever is in its tanks.
-    pub fn subtotal(&self, row: usize) -> Option<Subtotal> {
+    pub(crate) fn subtotal(&self, row: usize) -> Option<Subtotal> {
         self.dry.as_ref().unwrap_or(&self.budget).rows().subtotal(row)
     }
 
-    pub fn principal(&self, basis: Basis) -> PrincipalUncertainty<Body> {
+    pub(crate) fn principal(&self, basis: Basis) -> PrincipalUncertainty<Body> {
         self.estimate(basis).principal()
     }
 
     /// Of the basis that is drawn.
-    pub const fn drawn_principal(&self) -> &PrincipalUncertainty<Body> {
+    pub(crate) const fn drawn_principal(&self) -> &PrincipalUncertainty<Body> {
         &self.principal
     }
 
     /// A row's name without the root's before it.
-    pub fn short(&self, row: usize) -> &str {
+    pub(crate) fn short(&self, row: usize) -> &str {
         let rows = self.budget.rows();
         let (name, root) = (rows.name(row), rows.name(self.budget.root()));
         name.strip_prefix(root).and_then(|rest| rest.strip_prefix('/')).unwrap_or(name)
     }
 
     /// The masses of all; the root may have copies.
-    pub fn whole_statement(&self) -> MassStatement {
+    pub(crate) fn whole_statement(&self) -> MassStatement {
         self.statements[self.budget.root()]
     }
 
     /// True if a part has a growth allowance.
-    pub fn grows(&self) -> bool {
+    pub(crate) fn grows(&self) -> bool {
         self.statements.iter().any(|statement| statement.predicted != statement.basic)
             || (0..self.budget.rows().len()).any(|row| self.budget.rows().grows(row))
     }
 
     /// Rows that with growth are heavier than allowed.
-    pub fn exceeded(&self) -> impl Iterator<Item = usize> + '_ {
+    pub(crate) fn exceeded(&self) -> impl Iterator<Item = usize> + '_ {
         let is_beyond = |k: &usize| self.statements[*k].margin().is_some_and(|margin| margin < 0.0);
         (0..self.statements.len()).filter(is_beyond)
     }
 
     /// How many parts are taken as exact, and how many there are.
-    pub fn exact_parts(&self) -> (usize, usize) {
+    pub(crate) fn exact_parts(&self) -> (usize, usize) {
         let rows = self.budget.rows();
         let parts = || (0..rows.len()).filter(|row| rows.has_part(*row));
         (parts().filter(|row| rows.is_exact(*row)).count(), parts().count())
@@ -216,9 +216,9 @@ fn tried(
 }
 
 /// Level of confidence of the intervals of limits.
-pub const LEVEL: f64 = 0.95;
+pub(crate) const LEVEL: f64 = 0.95;
 
-pub const fn index(basis: Basis) -> usize {
+pub(crate) const fn index(basis: Basis) -> usize {
     match basis {
         Basis::Basic => 0,
         Basis::Predicted => 1,
@@ -293,7 +293,7 @@ fn results(
 /// Errors of a result that are kept one by one: more than any report tells.
 const MOST_ERRORS: usize = 1000;
 
-pub const AXES: [&str; 3] = ["x", "y", "z"];
+pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// One of the ten numbers itself.
 fn number_gradient(k: usize) -> MassPropertiesGradient<Body> {

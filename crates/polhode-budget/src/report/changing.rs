@@ -20,7 +20,7 @@ const DIGITS: usize = 5;
 
 /// What a body is by how full its tanks are, and over time.
 #[derive(Clone, Debug)]
-pub struct Changing {
+pub(crate) struct Changing {
     tanks: Vec<FilledTank>,
     over_time: Option<OverTime>,
 }
@@ -37,7 +37,7 @@ struct FilledTank {
 
 /// The body from 0 on.
 #[derive(Clone, Debug)]
-pub struct OverTime {
+pub(crate) struct OverTime {
     until: f64,
     pub tanks: Vec<String>,
     /// The configuration that it is, by how many changes have happened.
@@ -50,7 +50,7 @@ pub struct OverTime {
 
 impl Changing {
     /// Of a configuration, as which the sequence begins.
-    pub fn new(
+    pub(crate) fn new(
         configuration: Option<&str>,
         sequence: &Sequence<'_>,
         until: Option<f64>,
@@ -61,7 +61,7 @@ impl Changing {
         Ok(Self { tanks, over_time })
     }
 
-    pub fn sections(&self) -> Vec<Section> {
+    pub(crate) fn sections(&self) -> Vec<Section> {
         let mut sections = Vec::new();
         if let Some(over_time) = &self.over_time {
             sections.push(over_time.section());
@@ -77,12 +77,12 @@ impl Changing {
         sections
     }
 
-    pub const fn over_time(&self) -> Option<&OverTime> {
+    pub(crate) const fn over_time(&self) -> Option<&OverTime> {
         self.over_time.as_ref()
     }
 
     /// Each tank with the part that it is full to, kg in it, its level, and the body, of which the rates are those of a kilogram more.
-    pub fn by_fill(&self) -> impl Iterator<Item = (&str, f64, f64, Option<f64>, &SequenceRow)> {
+    pub(crate) fn by_fill(&self) -> impl Iterator<Item = (&str, f64, f64, Option<f64>, &SequenceRow)> {
         self.tanks.iter().flat_map(|tank| {
             let rows = tank.rows.iter();
             rows.map(|(fill, level, row)| (&*tank.name, *fill, fill * tank.capacity, *level, row))
@@ -90,14 +90,14 @@ impl Changing {
     }
 
     /// `Over 60 s: 73.24 kg become 35.1 kg`
-    pub fn in_words(&self) -> Option<String> {
+    pub(crate) fn in_words(&self) -> Option<String> {
         let over_time = self.over_time.as_ref()?;
         let [first, last] = [over_time.all.first()?, over_time.all.last()?].map(|row| row.properties.mass());
         let [first, last] = [first, last].map(|mass| number(mass, DIGITS));
         Some(format!("In {} s {first} kg become {last} kg", number(over_time.until, DIGITS)))
     }
 
-    pub fn to_json(&self) -> Value {
+    pub(crate) fn to_json(&self) -> Value {
         let tank = |tank: &FilledTank| {
             let row = |(fill, level, row): &(f64, Option<f64>, SequenceRow)| {
                 let mut data = row_to_json(row);
@@ -296,7 +296,7 @@ impl OverTime {
     }
 
     /// The configuration that it is in a row.
-    pub fn configuration(&self, row: &SequenceRow) -> Option<&str> {
+    pub(crate) fn configuration(&self, row: &SequenceRow) -> Option<&str> {
         self.configurations.get(row.changes).and_then(Option::as_deref)
     }
 

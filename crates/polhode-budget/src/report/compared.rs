@@ -6,7 +6,7 @@ use polhode_document::number::{count, number};
 use super::case::{Case, Drawn};
 use crate::{ComparedNumber, NUMBERS};
 
-pub fn section(case: &Case) -> Option<Section> {
+pub(crate) fn section(case: &Case) -> Option<Section> {
     let Drawn { comparison, .. } = case.drawn.as_ref()?;
     let mut section = Section::new(5, "First order and draws");
     let draws = count(comparison.draws as u64);
@@ -42,7 +42,7 @@ pub fn section(case: &Case) -> Option<Section> {
 }
 
 /// Which numbers draws say differently.
-pub fn difference_in_words(case: &Case) -> Option<String> {
+pub(crate) fn difference_in_words(case: &Case) -> Option<String> {
     let comparison = &case.drawn.as_ref()?.comparison;
     let differs = |(k, n): &(usize, &ComparedNumber)| is_comparable(case, *k) && n.differs();
     let names: Vec<&str> =

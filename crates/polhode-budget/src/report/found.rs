@@ -4,14 +4,14 @@ use crate::{Ballast, BallastAnswer, BallastError, Budget, Limit};
 
 /// What ballast there is to be, and for what it was not sought.
 #[derive(Clone, Debug)]
-pub struct Found {
+pub(crate) struct Found {
     pub answer: BallastAnswer,
     /// Limits, and why no ballast can be sought for them.
     pub left_out: Vec<(String, &'static str)>,
 }
 
 impl Found {
-    pub fn new(budget: &Budget, ballast: &Ballast, limits: &[Limit]) -> Result<Self, BallastError> {
+    pub(crate) fn new(budget: &Budget, ballast: &Ballast, limits: &[Limit]) -> Result<Self, BallastError> {
         let (mut sought, mut left_out) = (limits.to_vec(), Vec::new());
         loop {
             match budget.ballast(ballast, &sought) {

@@ -13,7 +13,7 @@ use crate::{ErrorKind, Sensitivity, Source};
 const BARS: usize = 6;
 const CELLS: usize = 2;
 
-pub fn section(case: &Case) -> Option<Section> {
+pub(crate) fn section(case: &Case) -> Option<Section> {
     let results: Vec<&SpreadResult> = case.results.iter().filter(|result| !result.by.is_empty()).collect();
     if results.is_empty() {
         return None;
@@ -95,12 +95,12 @@ const fn kind_place(kind: ErrorKind) -> usize {
 }
 
 /// `mass`, `center`, …, as JSON has it.
-pub const fn kind_name(kind: ErrorKind) -> &'static str {
+pub(crate) const fn kind_name(kind: ErrorKind) -> &'static str {
     ["mass", "center", "tensor", "position", "rotation", "density"][kind_place(kind)]
 }
 
 /// A row or a group.
-pub fn source_name(case: &Case, by: &Sensitivity) -> String {
+pub(crate) fn source_name(case: &Case, by: &Sensitivity) -> String {
     match by.source {
         Source::Row(k) => case.short(k).to_owned(),
         Source::Group(k) => format!("group {}", case.budget.groups()[k].name),
@@ -112,6 +112,6 @@ fn named(case: &Case, by: &Sensitivity) -> String {
     format!("{}, {}", source_name(case, by), KINDS[kind_place(by.kind)])
 }
 
-pub fn share(result: &SpreadResult, by: &Sensitivity) -> f64 {
+pub(crate) fn share(result: &SpreadResult, by: &Sensitivity) -> f64 {
     by.variance / (result.sd * result.sd)
 }

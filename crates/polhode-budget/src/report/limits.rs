@@ -9,7 +9,7 @@ use super::basis_name;
 use super::case::{Case, LEVEL};
 use crate::{Answer, Limit, LimitAnswers, Margin, Share};
 
-pub fn section(case: &Case, limits: &[Limit]) -> Option<Section> {
+pub(crate) fn section(case: &Case, limits: &[Limit]) -> Option<Section> {
     let answers = case.limits.as_ref()?;
     let mut section = Section::new(0, "Limits");
     let row = |(limit, answer): (&Limit, &Answer)| {
@@ -52,7 +52,7 @@ pub fn section(case: &Case, limits: &[Limit]) -> Option<Section> {
 }
 
 /// `All 5 limits are met; in 87.2 % (85.1 … 89.0 %) of possible bodies`
-pub fn answer_in_words(case: &Case) -> Option<String> {
+pub(crate) fn answer_in_words(case: &Case) -> Option<String> {
     let answers = case.limits.as_ref().filter(|answers| !answers.answers.is_empty())?;
     let (met, all) = (answers.answers.iter().filter(|answer| answer.met).count(), answers.answers.len());
     let share = format!("{} of possible bodies", probability(&answers.all.share));
@@ -67,7 +67,7 @@ pub fn answer_in_words(case: &Case) -> Option<String> {
 }
 
 /// Names of those that are not met.
-pub fn broken<'a>(case: &'a Case, limits: &'a [Limit]) -> impl Iterator<Item = &'a str> {
+pub(crate) fn broken<'a>(case: &'a Case, limits: &'a [Limit]) -> impl Iterator<Item = &'a str> {
     let answers = case.limits.iter().flat_map(|answers| &answers.answers);
     answers.zip(limits).filter(|(answer, _)| !answer.met).map(|(_, limit)| limit.name.as_str())
 }
@@ -82,7 +82,7 @@ impl LeastMargin for Answer {
     }
 }
 
-pub fn shown_unit(unit: &'static str) -> (&'static str, f64) {
+pub(crate) fn shown_unit(unit: &'static str) -> (&'static str, f64) {
     match unit {
         "m" => ("mm", 1e3),
         "rad" => ("deg", 1f64.to_degrees()),
@@ -90,7 +90,7 @@ pub fn shown_unit(unit: &'static str) -> (&'static str, f64) {
     }
 }
 
-pub fn allowed(limit: &Limit, scale: f64) -> String {
+pub(crate) fn allowed(limit: &Limit, scale: f64) -> String {
     let shown = |x: f64| number(scale * x, 6);
     match (limit.least, limit.most) {
         (Some(least), Some(most)) => format!("{} … {}", shown(least), shown(most)),
@@ -123,7 +123,7 @@ fn percent(p: f64) -> String {
     format!("{}{GROUP}%", end(p))
 }
 
-pub fn to_json(case: &Case, limits: &[Limit]) -> Value {
+pub(crate) fn to_json(case: &Case, limits: &[Limit]) -> Value {
     let Some(LimitAnswers { answers, all }) = &case.limits else { return Value::Null };
     let share = |share: &Share| {
         json!({

@@ -15,7 +15,7 @@ const BARS: usize = 14;
 /// Digits of masses that stand below each other.
 const DIGITS: usize = 6;
 
-pub fn section(case: &Case) -> Section {
+pub(crate) fn section(case: &Case) -> Section {
     let mut section = Section::new(1, "Masses");
     section.say("In kg, of each row with all that stands in it.");
     let tree = Tree::of(case);
@@ -34,7 +34,7 @@ pub fn section(case: &Case) -> Section {
 }
 
 /// `Allowable 4.5 kg: the margin is 0.19 kg, 4.7 % of the basic mass`
-pub fn margin_in_words(case: &Case) -> Option<String> {
+pub(crate) fn margin_in_words(case: &Case) -> Option<String> {
     let whole = case.whole_statement();
     let (allowable, margin, part) = (whole.allowable?, whole.margin()?, whole.relative_margin()?);
     let words = format!(

@@ -6,14 +6,14 @@ use polhode::math::Body;
 use crate::SequenceRow;
 
 /// How fast they change.
-pub fn rates(row: &SequenceRow) -> [f64; 10] {
+pub(crate) fn rates(row: &SequenceRow) -> [f64; 10] {
     let [x, y, z] = row.rates.center_of_mass.to_array();
     let [xx, yy, zz, xy, xz, yz] = row.rates.inertia;
     [row.rates.mass, x, y, z, xx, yy, zz, xy, xz, yz]
 }
 
 /// The ten numbers.
-pub fn ten(body: &MassProperties<Body>) -> [f64; 10] {
+pub(crate) fn ten(body: &MassProperties<Body>) -> [f64; 10] {
     let [[xx, xy, xz], [_, yy, yz], [.., zz]] = body.inertia().matrix();
     let [x, y, z] = body.center_of_mass().to_array();
     [body.mass(), x, y, z, xx, yy, zz, xy, xz, yz]

@@ -20,7 +20,7 @@ const SHORT: f64 = 10.0;
 const GROUPS: usize = 7;
 
 /// `None` of a list whose parts are no numbers.
-pub fn section(case: &Case, basis: Basis) -> Option<Section> {
+pub(crate) fn section(case: &Case, basis: Basis) -> Option<Section> {
     let mut section = Section::new(6, "Where the parts are");
     let drawn = solids(case, basis)?;
     let extent =
@@ -44,7 +44,7 @@ pub fn section(case: &Case, basis: Basis) -> Option<Section> {
     Some(section)
 }
 
-pub fn solids(case: &Case, basis: Basis) -> Option<Solids> {
+pub(crate) fn solids(case: &Case, basis: Basis) -> Option<Solids> {
     let (left_out, all) = heaviest(case, basis)?;
     let head = |(k, _): &(usize, MassProperties<Body>)| head(case, *k);
     let heads: Vec<usize> = all.iter().map(head).collect();

@@ -19,7 +19,7 @@ const DOTS: usize = 800;
 /// From this turn on (rad) first order says nothing of axes.
 const FAR: f64 = 0.3;
 
-pub fn section(case: &Case, options: &BudgetOptions) -> Section {
+pub(crate) fn section(case: &Case, options: &BudgetOptions) -> Section {
     let mut section = Section::new(3, "Principal moments and axes");
     let principal = case.principal(options.basis);
     let row = |k: usize| vec![format!("i{}", k + 1), moment(case, &principal, k), "kg·m²".to_owned()];
@@ -78,13 +78,13 @@ pub fn section(case: &Case, options: &BudgetOptions) -> Section {
 }
 
 /// `Principal moments a ± b; c ± d; e ± f kg·m²`
-pub fn in_words(case: &Case, principal: &PrincipalUncertainty<Body>) -> String {
+pub(crate) fn in_words(case: &Case, principal: &PrincipalUncertainty<Body>) -> String {
     let each = [0, 1, 2].map(|k| moment(case, principal, k));
     format!("Principal moments {} kg·m²", each.join("; "))
 }
 
 /// Which axes first order does not know.
-pub fn not_known(principal: &PrincipalUncertainty<Body>) -> Option<String> {
+pub(crate) fn not_known(principal: &PrincipalUncertainty<Body>) -> Option<String> {
     let k = (0..3).find(|&k| principal.turn_sd[k] > FAR)?;
     let [i, j] = [(k + 1) % 3, (k + 2) % 3].map(|k| k + 1);
     let [i, j] = [i.min(j), i.max(j)];
@@ -98,7 +98,7 @@ pub fn not_known(principal: &PrincipalUncertainty<Body>) -> Option<String> {
 const UNKNOWN: &str = "its error not to first order";
 
 /// `1.234 ± 0.012`; by draws where two moments are equal within their errors.
-pub fn moment(case: &Case, principal: &PrincipalUncertainty<Body>, k: usize) -> String {
+pub(crate) fn moment(case: &Case, principal: &PrincipalUncertainty<Body>, k: usize) -> String {
     let value = principal.frame.moments()[k];
     match (moment_sd(principal, k), &case.drawn) {
         (Some(sd), _) => with_error(value, sd),
@@ -108,12 +108,12 @@ pub fn moment(case: &Case, principal: &PrincipalUncertainty<Body>, k: usize) -> 
 }
 
 /// To first order, where that says what it is.
-pub fn moment_sd(principal: &PrincipalUncertainty<Body>, k: usize) -> Option<f64> {
+pub(crate) fn moment_sd(principal: &PrincipalUncertainty<Body>, k: usize) -> Option<f64> {
     principal.is_first_order(k).then(|| principal.moment_covariance[k][k].max(0.0).sqrt())
 }
 
 /// Where an axis may be that symmetry does not determine.
-pub const fn freedom(symmetry: Symmetry, k: usize) -> Option<&'static str> {
+pub(crate) const fn freedom(symmetry: Symmetry, k: usize) -> Option<&'static str> {
     match (symmetry, k) {
         (Symmetry::Point | Symmetry::Spherical, _) => Some("any direction"),
         (Symmetry::Rod | Symmetry::Prolate, 1 | 2) => Some("any direction across axis 1"),
@@ -123,7 +123,7 @@ pub const fn freedom(symmetry: Symmetry, k: usize) -> Option<&'static str> {
 }
 
 /// i1/i3 and i2/i3.
-pub struct Ratios {
+pub(crate) struct Ratios {
     pub values: [f64; 2],
     pub sd: [f64; 2],
     pub correlation: f64,
@@ -131,7 +131,7 @@ pub struct Ratios {
 
 impl Ratios {
     /// Zero of a body without extent.
-    pub fn of(principal: &PrincipalUncertainty<Body>) -> Self {
+    pub(crate) fn of(principal: &PrincipalUncertainty<Body>) -> Self {
         let [i1, i2, i3] = principal.frame.moments();
         if i3 == 0.0 {
             return Self { values: [0.0; 2], sd: [0.0; 2], correlation: 0.0 };
@@ -154,7 +154,7 @@ impl Ratios {
 }
 
 /// The body on the triangle of moments, with draws around it.
-pub fn triangle(case: &Case, principal: &PrincipalUncertainty<Body>) -> Triangle {
+pub(crate) fn triangle(case: &Case, principal: &PrincipalUncertainty<Body>) -> Triangle {
     let Ratios { values, sd, correlation } = Ratios::of(principal);
     let region = |p: f64| Some((p, ratio_region(values, sd, correlation, p)?));
     let bodies = case.drawn.as_ref().map_or(&[][..], |drawn| &drawn.draws.bodies);

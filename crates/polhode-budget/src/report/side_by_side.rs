@@ -9,7 +9,7 @@ use super::principal;
 use super::whole::length;
 use crate::{Basis, NUMBERS};
 
-pub fn section(cases: &[Case], basis: Basis) -> Section {
+pub(crate) fn section(cases: &[Case], basis: Basis) -> Section {
     let mut section = Section::new(1, "The configurations beside each other");
     let names: Vec<String> =
         cases.iter().map(|case| case.name.as_deref().map_or_else(String::new, printable)).collect();

@@ -22,7 +22,7 @@ const PER_KG: [&str; 9] = [
 ];
 
 /// Times, the ten numbers and their rates, with headings.
-pub fn history(rows: &[SequenceRow]) -> Vec<Vec<Cell>> {
+pub(crate) fn history(rows: &[SequenceRow]) -> Vec<Vec<Cell>> {
     let headings = MassRow::COLUMNS.iter().chain(&MassRow::RATE_COLUMNS).map(|name| Cell::of(name));
     let row = |row: &SequenceRow| {
         let numbers = [row.time].into_iter().chain(ten(&row.properties)).chain(rates(row));

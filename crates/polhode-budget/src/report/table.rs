@@ -161,7 +161,7 @@ fn headings(names: &[&str]) -> Vec<Cell> {
 }
 
 /// A line for each row.
-pub fn to_csv(rows: &[Vec<Cell>]) -> String {
+pub(crate) fn to_csv(rows: &[Vec<Cell>]) -> String {
     rows.iter().map(|row| line(row)).collect()
 }
 

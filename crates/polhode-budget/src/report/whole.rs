@@ -12,7 +12,7 @@ use crate::{Basis, Estimate, EstimateAbout, NUMBERS};
 /// Where lengths are read in mm, m.
 const SHORT: f64 = 10.0;
 
-pub fn section(case: &Case, options: &BudgetOptions) -> Section {
+pub(crate) fn section(case: &Case, options: &BudgetOptions) -> Section {
     let mut section = Section::new(2, "Mass properties of the whole");
     let estimate = case.estimate(options.basis);
     if case.grows() {
@@ -33,7 +33,7 @@ pub fn section(case: &Case, options: &BudgetOptions) -> Section {
 }
 
 /// `Centre of mass (1.2 ± 0.3, −0.4 ± 0.3, 102.1 ± 0.8) mm`
-pub fn center_in_words(case: &Case, basis: Basis) -> String {
+pub(crate) fn center_in_words(case: &Case, basis: Basis) -> String {
     let estimate = case.estimate(basis);
     let (unit, scale) = length(estimate);
     let center = tidy(estimate.properties.center_of_mass().to_array());
@@ -42,12 +42,12 @@ pub fn center_in_words(case: &Case, basis: Basis) -> String {
 }
 
 /// The unit of the centre, and how many of it are one m.
-pub fn length<F: Frame>(estimate: &Estimate<F>) -> (&'static str, f64) {
+pub(crate) fn length<F: Frame>(estimate: &Estimate<F>) -> (&'static str, f64) {
     if estimate.properties.center_of_mass().max_abs() < SHORT { ("mm", 1e3) } else { ("m", 1.0) }
 }
 
 /// What is wanted about another point or along other axes.
-pub struct Asked {
+pub(crate) struct Asked {
     /// Mass and centre of mass, along the axes, from the body's origin.
     pub place: [f64; 4],
     /// xx, yy, zz, xy, xz, yz
@@ -55,7 +55,7 @@ pub struct Asked {
     pub covariance: [[f64; 10]; 10],
 }
 
-pub fn asked(estimate: &Estimate<polhode::math::Body>, options: &BudgetOptions) -> Option<Asked> {
+pub(crate) fn asked(estimate: &Estimate<polhode::math::Body>, options: &BudgetOptions) -> Option<Asked> {
     if options.about.is_none() && options.along.is_none() {
         return None;
     }
@@ -103,7 +103,7 @@ fn numbers(section: &mut Section, values: &[f64; 10], covariance: &[[f64; 10]; 1
 }
 
 /// Of numbers that have an error.
-pub fn correlation(covariance: &[[f64; 10]; 10], i: usize, j: usize) -> Option<f64> {
+pub(crate) fn correlation(covariance: &[[f64; 10]; 10], i: usize, j: usize) -> Option<f64> {
     let size = (covariance[i][i] * covariance[j][j]).sqrt();
     (size > 0.0).then(|| covariance[i][j] / size)
 }

@@ -6,7 +6,7 @@ use polhode_source::toml::reader::Table;
 use crate::tumble::Flight;
 
 /// Of `[tumble]`: what is said of readings that no flight has.
-pub fn require(tumble: &Table<'_>, flights: &[Flight]) -> Result<(), FormatError> {
+pub(crate) fn require(tumble: &Table<'_>, flights: &[Flight]) -> Result<(), FormatError> {
     let has_gyro = flights.iter().any(|flight| !flight.gyro().is_empty());
     let has_attitudes = flights.iter().any(|flight| !flight.attitudes().is_empty());
     if let Some(gyro) = tumble.get("gyro") {

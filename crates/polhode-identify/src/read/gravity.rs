@@ -5,7 +5,7 @@ use polhode::math::{Acceleration, Space};
 use polhode_source::toml::reader::Value;
 
 /// Where gravity comes from.
-pub enum Gravity<'a> {
+pub(crate) enum Gravity<'a> {
     /// Columns, along the sensor's axes.
     Logged,
     /// There is none.

@@ -13,20 +13,20 @@ use crate::tumble::{AttitudeReading, Flight, GyroReading};
 
 /// Logs, each read once.
 #[derive(Default)]
-pub struct Logs {
+pub(crate) struct Logs {
     pub read: Vec<ReadLog>,
     pub measured: Vec<Measured>,
     keys: Vec<(PathBuf, Option<String>)>,
 }
 
 /// Readings of a log.
-pub struct Measured {
+pub(crate) struct Measured {
     pub gyro: Vec<GyroReading>,
     pub attitudes: Vec<AttitudeReading>,
 }
 
 impl Measured {
-    pub fn flight(&self, name: String, [from, to]: [f64; 2]) -> Result<Flight, crate::IdentifyError> {
+    pub(crate) fn flight(&self, name: String, [from, to]: [f64; 2]) -> Result<Flight, crate::IdentifyError> {
         let inside = |time: f64| (from..=to).contains(&time);
         let gyro = self.gyro.iter().copied().filter(|r| inside(r.time)).collect();
         Flight::new(name, gyro, self.attitudes.iter().copied().filter(|r| inside(r.time)).collect())
@@ -35,7 +35,11 @@ impl Measured {
 
 impl Logs {
     /// Its number; each log is read once.
-    pub fn read(&mut self, log: &Value<'_>, columns: Option<&Value<'_>>) -> Result<usize, FormatError> {
+    pub(crate) fn read(
+        &mut self,
+        log: &Value<'_>,
+        columns: Option<&Value<'_>>,
+    ) -> Result<usize, FormatError> {
         let path = log.path()?;
         let told = columns.map(Value::string).transpose()?;
         let key = (path.clone(), told.map(str::to_owned));

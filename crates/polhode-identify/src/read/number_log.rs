@@ -12,13 +12,13 @@ use super::read_log::ReadLog;
 use super::wrench_columns::{Columns, Header, Wrong};
 
 /// Numbers of a row at most: the time, six vectors or five and a quaternion.
-pub const MOST: usize = 20;
+pub(crate) const MOST: usize = 20;
 
 /// A row in SI: the numbers of its columns, in the order in which they were found, the time first.
-pub type Row = [f64; MOST];
+pub(crate) type Row = [f64; MOST];
 
 /// Reads the file that a value names: the columns by its header, then each row, with its place.
-pub fn read(
+pub(crate) fn read(
     log: &Value<'_>,
     find: impl Fn(&Header<'_>) -> Result<Columns, Wrong>,
     mut row: impl FnMut(&Row, ContentPlace) -> Result<(), ContentError>,

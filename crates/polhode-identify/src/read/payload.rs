@@ -25,7 +25,7 @@ const KEYS: [&str; 10] =
     ["log", "columns", "units", "wrench", "gravity", "attitude", "bias", "noise", "motion_noise", "kind"];
 
 /// Reads `[payload]`.
-pub fn plan(table: &Table<'_>) -> Result<PayloadPlan, FormatError> {
+pub(crate) fn plan(table: &Table<'_>) -> Result<PayloadPlan, FormatError> {
     table.allow(&KEYS)?;
     let sense = match table
         .require("wrench", "wrench = \"on sensor\" if the force at rest points down, \"on payload\" if up")?

@@ -31,7 +31,7 @@ const KEYS: [&str; 9] =
 const FLIGHT_KEYS: [&str; 7] = ["name", "log", "columns", "from", "to", "added", "wheel"];
 
 /// Reads `[tumble]`.
-pub fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
+pub(crate) fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
     table.allow(&KEYS)?;
     let mut options = options(table)?;
     let mut search = search(table)?;

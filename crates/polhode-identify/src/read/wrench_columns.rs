@@ -19,19 +19,19 @@ const COLUMN_KEYS: [&str; 8] =
 const UNIT_KEYS: [&str; 7] = ["time", "omega", "alpha", "acceleration", "gravity", "force", "torque"];
 
 /// What the plan says of columns.
-pub struct Told<'a> {
+pub(crate) struct Told<'a> {
     pub columns: Option<Table<'a>>,
     pub units: Option<Table<'a>>,
 }
 
 /// An error in the plan, or in the log.
-pub enum Wrong {
+pub(crate) enum Wrong {
     Plan(FormatError),
     Log(ContentError),
 }
 
 impl Wrong {
-    pub fn into_error(self, of_log: impl Fn(ContentError) -> FormatError) -> FormatError {
+    pub(crate) fn into_error(self, of_log: impl Fn(ContentError) -> FormatError) -> FormatError {
         match self {
             Self::Plan(error) => error,
             Self::Log(error) => of_log(error),
@@ -53,7 +53,7 @@ impl From<ContentError> for Wrong {
 
 /// Where numbers stand, and what one of each unit is in SI: the time, ω, α, a, f, τ, then gravity or the quaternion.
 #[derive(Default)]
-pub struct Columns {
+pub(crate) struct Columns {
     pub places: Vec<usize>,
     pub units: Vec<f64>,
     pub read: Vec<String>,
@@ -62,7 +62,7 @@ pub struct Columns {
 
 impl Columns {
     /// In a header.
-    pub fn find(header: &Header<'_>, told: &Told<'_>, gravity: &Gravity<'_>) -> Result<Self, Wrong> {
+    pub(crate) fn find(header: &Header<'_>, told: &Told<'_>, gravity: &Gravity<'_>) -> Result<Self, Wrong> {
         if let Some(columns) = &told.columns {
             columns.allow(&COLUMN_KEYS)?;
         }
@@ -117,13 +117,18 @@ impl Columns {
     }
 
     /// What is left of a header is not read.
-    pub fn ignore_others(&mut self, header: &Header<'_>) {
+    pub(crate) fn ignore_others(&mut self, header: &Header<'_>) {
         let others = header.names.iter().enumerate().filter(|(k, _)| !self.places.contains(k));
         self.ignored = others.map(|(_, name)| (*name).to_owned()).collect();
     }
 
     /// The columns of a quantity.
-    pub fn add(&mut self, quantity: &Quantity, header: &Header<'_>, told: &Told<'_>) -> Result<(), Wrong> {
+    pub(crate) fn add(
+        &mut self,
+        quantity: &Quantity,
+        header: &Header<'_>,
+        told: &Told<'_>,
+    ) -> Result<(), Wrong> {
         let places = match told.columns.as_ref().and_then(|columns| columns.get(quantity.key)) {
             Some(value) => header.told(quantity, &value)?,
             None => header.named(quantity)?,
@@ -145,7 +150,7 @@ impl Columns {
 }
 
 /// Names of columns, and where they stand in a text.
-pub struct Header<'a> {
+pub(crate) struct Header<'a> {
     pub names: Vec<&'a str>,
     pub places: &'a [Range<usize>],
 }

@@ -13,13 +13,13 @@ use super::wrench_columns::{Columns, Told};
 use crate::payload::{PayloadRow, gravity_along};
 
 /// A log that was read.
-pub struct Read {
+pub(crate) struct Read {
     pub rows: Vec<PayloadRow>,
     pub source: ReadLog,
 }
 
 /// Reads the file that a value names.
-pub fn read(
+pub(crate) fn read(
     log: &Value<'_>,
     columns: Option<Table<'_>>,
     units: Option<Table<'_>>,

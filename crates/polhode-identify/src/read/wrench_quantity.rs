@@ -4,7 +4,7 @@ use polhode_source::unit;
 use polhode_source::unit::{Dimension, UnitError};
 
 /// What is logged.
-pub struct Quantity {
+pub(crate) struct Quantity {
     /// Its key in `columns` and `units`.
     pub key: &'static str,
     pub what: &'static str,
@@ -18,7 +18,7 @@ pub struct Quantity {
 
 const XYZ: &[&str] = &["x", "y", "z"];
 
-pub const TIME: Quantity = Quantity {
+pub(crate) const TIME: Quantity = Quantity {
     key: "time",
     what: "the time",
     dimension: Dimension::TIME,
@@ -26,7 +26,7 @@ pub const TIME: Quantity = Quantity {
     names: &["time", "t"],
     example: "time_s",
 };
-pub const MEASURED: [Quantity; 5] = [
+pub(crate) const MEASURED: [Quantity; 5] = [
     Quantity {
         key: "omega",
         what: "the angular velocity",
@@ -68,7 +68,7 @@ pub const MEASURED: [Quantity; 5] = [
         example: "tx_n_m,ty_n_m,tz_n_m",
     },
 ];
-pub const GRAVITY: Quantity = Quantity {
+pub(crate) const GRAVITY: Quantity = Quantity {
     key: "gravity",
     what: "gravity",
     dimension: Dimension::ACCELERATION,
@@ -76,7 +76,7 @@ pub const GRAVITY: Quantity = Quantity {
     names: &["g", "gravity"],
     example: "gx_m_s2,gy_m_s2,gz_m_s2",
 };
-pub const ATTITUDE: Quantity = Quantity {
+pub(crate) const ATTITUDE: Quantity = Quantity {
     key: "attitude",
     what: "the attitude",
     dimension: Dimension::NONE,
@@ -97,7 +97,7 @@ const SUFFIXES: [(&str, &str); 7] = [
 ];
 
 /// What stands behind the quantity and the axis in a name, if it begins with them.
-pub fn rest<'a>(name: &'a str, quantity: &Quantity, axis: &str) -> Option<&'a str> {
+pub(crate) fn rest<'a>(name: &'a str, quantity: &Quantity, axis: &str) -> Option<&'a str> {
     quantity.names.iter().find_map(|own| {
         let (head, rest) = (name.get(..own.len())?, name.get(own.len()..)?);
         // t is a time, and T a temperature
@@ -111,10 +111,10 @@ pub fn rest<'a>(name: &'a str, quantity: &Quantity, axis: &str) -> Option<&'a st
 }
 
 /// In SI; else the unit, and what is wrong with it.
-pub type Written = Result<Option<f64>, (String, UnitError)>;
+pub(crate) type Written = Result<Option<f64>, (String, UnitError)>;
 
 /// The unit at the end of a name: `_rad_s`, ` [rad/s]`; none if there is nothing.
-pub fn written_unit(rest: &str, dimension: Dimension) -> Written {
+pub(crate) fn written_unit(rest: &str, dimension: Dimension) -> Written {
     let rest = rest.trim();
     let unit = match (rest.strip_prefix(['[', '(']), rest.strip_prefix('_')) {
         (Some(inner), _) => inner.trim_end_matches([']', ')']).trim().to_owned(),
@@ -132,7 +132,7 @@ pub fn written_unit(rest: &str, dimension: Dimension) -> Written {
 }
 
 /// The same of a name that may begin with anything.
-pub fn trailing_unit(name: &str, dimension: Dimension) -> Written {
+pub(crate) fn trailing_unit(name: &str, dimension: Dimension) -> Written {
     if let Some(open) = name.find(['[', '(']) {
         return written_unit(&name[open..], dimension);
     }

@@ -8,12 +8,12 @@ use serde_json::{Value, json};
 use super::picture;
 use crate::{Estimate, Number, PrincipalEstimate, ResidualTest, Undetermined};
 
-pub fn cell(value: f64, sd: Option<f64>) -> String {
+pub(crate) fn cell(value: f64, sd: Option<f64>) -> String {
     sd.map_or_else(|| "not known".to_owned(), |sd| with_error(value, sd))
 }
 
 /// The same of a number that may be beyond its range: `not determined` then.
-pub fn bounded_cell(value: f64, sd: Option<f64>, undetermined: Option<Undetermined>) -> String {
+pub(crate) fn bounded_cell(value: f64, sd: Option<f64>, undetermined: Option<Undetermined>) -> String {
     match undetermined {
         Some(Undetermined::BeyondRange { .. }) => "not determined".to_owned(),
         _ => cell(value, sd),
@@ -21,23 +21,23 @@ pub fn bounded_cell(value: f64, sd: Option<f64>, undetermined: Option<Undetermin
 }
 
 /// The value and the standard deviation of a number.
-pub fn number_cell(number: &Number) -> String {
+pub(crate) fn number_cell(number: &Number) -> String {
     bounded_cell(number.value, number.sd, number.undetermined())
 }
 
 /// i1/i3 (`k` = 0) or i2/i3 (`k` = 1).
-pub fn ratio_cell(p: &PrincipalEstimate, k: usize) -> String {
+pub(crate) fn ratio_cell(p: &PrincipalEstimate, k: usize) -> String {
     bounded_cell(p.ratios[k], p.ratio_sd[k], p.undetermined_ratio(k))
 }
 
 /// A row for each number: name, value ± sd, unit.
-pub fn table(section: &mut Section, numbers: &[Number]) {
+pub(crate) fn table(section: &mut Section, numbers: &[Number]) {
     let row = |number: &Number| vec![number.name.clone(), number_cell(number), number.unit.to_owned()];
     section.table(&["number", "value ± sd", "unit"], numbers.iter().map(row).collect());
 }
 
 /// The pairs that hang together most, and the directions of which nothing is known.
-pub fn relations(section: &mut Section, estimate: &Estimate) {
+pub(crate) fn relations(section: &mut Section, estimate: &Estimate) {
     const STRONG: f64 = 0.9;
     const MOST: usize = 8;
     let n = estimate.numbers.len();
@@ -65,7 +65,7 @@ pub fn relations(section: &mut Section, estimate: &Estimate) {
     }
 }
 
-pub fn residuals(section: &mut Section, tests: &[ResidualTest]) {
+pub(crate) fn residuals(section: &mut Section, tests: &[ResidualTest]) {
     let row = |test: &ResidualTest| {
         vec![
             test.what.to_owned(),
@@ -95,7 +95,7 @@ pub fn residuals(section: &mut Section, tests: &[ResidualTest]) {
 }
 
 /// What is left that is no noise, or not the noise that was told.
-pub fn model_findings(tests: &[ResidualTest]) -> Vec<Finding> {
+pub(crate) fn model_findings(tests: &[ResidualTest]) -> Vec<Finding> {
     let widening = tests.iter().map(ResidualTest::widening).fold(1.0, f64::max);
     let odd = tests.iter().filter(|test| test.is_too_large() || test.is_correlated());
     odd.map(|test| Finding {
@@ -114,7 +114,7 @@ pub fn model_findings(tests: &[ResidualTest]) -> Vec<Finding> {
 }
 
 /// What is left that is less than the noise that was told.
-pub fn small_findings<'a>(tests: impl IntoIterator<Item = &'a ResidualTest>) -> Vec<Finding> {
+pub(crate) fn small_findings<'a>(tests: impl IntoIterator<Item = &'a ResidualTest>) -> Vec<Finding> {
     let small = tests.into_iter().filter(|test| test.is_too_small());
     small
         .map(|test| Finding {
@@ -131,7 +131,7 @@ pub fn small_findings<'a>(tests: impl IntoIterator<Item = &'a ResidualTest>) -> 
         .collect()
 }
 
-pub fn principal(section: &mut Section, p: &PrincipalEstimate, unit: Option<&str>) {
+pub(crate) fn principal(section: &mut Section, p: &PrincipalEstimate, unit: Option<&str>) {
     if let Some(unit) = unit {
         let row = |k: usize| vec![format!("i{}", k + 1), cell(p.moments[k], p.moment_sd[k]), unit.to_owned()];
         section.table(&["moment", "value ± sd", "unit"], (0..3).map(row).collect());
@@ -158,7 +158,7 @@ pub fn principal(section: &mut Section, p: &PrincipalEstimate, unit: Option<&str
     picture::draw_triangle(section, p);
 }
 
-pub fn to_json(estimate: &Estimate) -> Value {
+pub(crate) fn to_json(estimate: &Estimate) -> Value {
     json!({
         "numbers": numbers_to_json(&estimate.numbers),
         "covariance": estimate.covariance,
@@ -170,7 +170,7 @@ pub fn to_json(estimate: &Estimate) -> Value {
 /// Numbers as data.
 ///
 /// Value and error of a number beyond its range are null; each number that is not determined has a reason.
-pub fn numbers_to_json(numbers: &[Number]) -> Value {
+pub(crate) fn numbers_to_json(numbers: &[Number]) -> Value {
     let each = |number: &Number| {
         let undetermined = number.undetermined();
         let mut one = json!({
@@ -192,7 +192,7 @@ fn in_range(value: Option<f64>, undetermined: Option<Undetermined>) -> Option<f6
     value.filter(|_| !matches!(undetermined, Some(Undetermined::BeyondRange { .. })))
 }
 
-pub fn principal_to_json(p: &PrincipalEstimate) -> Value {
+pub(crate) fn principal_to_json(p: &PrincipalEstimate) -> Value {
     let ratios = [0, 1].map(|k| p.undetermined_ratio(k));
     let turns = [0, 1, 2].map(|k| p.undetermined_turn(k));
     let thickness = p.undetermined_thickness();
@@ -219,7 +219,7 @@ pub fn principal_to_json(p: &PrincipalEstimate) -> Value {
     })
 }
 
-pub fn residuals_to_json(tests: &[ResidualTest]) -> Value {
+pub(crate) fn residuals_to_json(tests: &[ResidualTest]) -> Value {
     let each = |test: &ResidualTest| {
         json!({
             "what": test.what,

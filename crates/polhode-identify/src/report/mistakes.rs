@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use crate::swing::{Mistake, MistakeKind, SwingEstimate};
 
 /// Mistakes that would not show, as a sentence; `None` if all would.
-pub fn unseen(found: &SwingEstimate) -> Option<String> {
+pub(crate) fn unseen(found: &SwingEstimate) -> Option<String> {
     const MOST: usize = 4;
     let unseen: Vec<&Mistake> = found.mistakes.iter().filter(|mistake| mistake.is_hidden()).collect();
     let named: Vec<String> = unseen.iter().take(MOST).map(|mistake| name(found, mistake)).collect();
@@ -25,7 +25,7 @@ pub fn unseen(found: &SwingEstimate) -> Option<String> {
 }
 
 /// All of them, with how far they would move what is left.
-pub fn table(section: &mut Section, found: &SwingEstimate) {
+pub(crate) fn table(section: &mut Section, found: &SwingEstimate) {
     let Some(first) = found.mistakes.first() else { return };
     section.say(format!(
         "What a mistake would do, in standard deviations: it shows where it moves what is left by {}, and else goes into the numbers unseen.",
@@ -58,7 +58,7 @@ fn name(found: &SwingEstimate, mistake: &Mistake) -> String {
     }
 }
 
-pub fn to_json(mistakes: &[Mistake]) -> Value {
+pub(crate) fn to_json(mistakes: &[Mistake]) -> Value {
     let each = |mistake: &Mistake| {
         let (kind, of) = match &mistake.kind {
             MistakeKind::Miscount => ("miscount", None),

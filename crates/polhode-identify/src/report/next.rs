@@ -12,7 +12,7 @@ const SHOWN: usize = 6;
 const PART: f64 = 0.3;
 
 /// What an experiment is called: for people, and as data.
-pub trait Named {
+pub(crate) trait Named {
     /// What it is to do, in words that go on from "that helps most is".
     fn name(&self) -> String;
 
@@ -23,7 +23,7 @@ pub trait Named {
     fn to_json(&self) -> Value;
 }
 
-pub fn section<E: Named>(next: &NextExperiment<E>) -> Section {
+pub(crate) fn section<E: Named>(next: &NextExperiment<E>) -> Section {
     let mut s = Section::new(0, "What to measure next");
     let now = &next.now;
     s.say(match now.unknown {
@@ -136,7 +136,7 @@ fn gain(now: &Knowledge, then: &Knowledge) -> String {
 }
 
 /// `{"units": …, "now": {…}, "candidates": […], "refused": […]}`
-pub fn to_json<E: Named>(next: &NextExperiment<E>) -> Value {
+pub(crate) fn to_json<E: Named>(next: &NextExperiment<E>) -> Value {
     let candidate = |candidate: &Candidate<E>| {
         let mut json = candidate.experiment.to_json();
         json["name"] = candidate.experiment.name().into();

@@ -10,7 +10,7 @@ use crate::{Estimate, PrincipalEstimate};
 const PROBABILITIES: [f64; 2] = [0.68, 0.95];
 
 /// The body on the triangle of moments, if its ratios are known.
-pub fn triangle(p: &PrincipalEstimate) -> Option<Triangle> {
+pub(crate) fn triangle(p: &PrincipalEstimate) -> Option<Triangle> {
     if p.ratio_sd.iter().any(Option::is_none) {
         return None;
     }
@@ -19,14 +19,14 @@ pub fn triangle(p: &PrincipalEstimate) -> Option<Triangle> {
     Some(Triangle { ratios: p.ratios, regions, cloud: Vec::new() })
 }
 
-pub fn draw_triangle(section: &mut Section, p: &PrincipalEstimate) {
+pub(crate) fn draw_triangle(section: &mut Section, p: &PrincipalEstimate) {
     if let Some(triangle) = triangle(p) {
         section.draw(Drawing::Triangle(triangle));
     }
 }
 
 /// The ellipse by its covariance, and where it is on the triangle.
-pub fn triangle_to_json(p: &PrincipalEstimate) -> Value {
+pub(crate) fn triangle_to_json(p: &PrincipalEstimate) -> Value {
     triangle(p).map_or(Value::Null, |triangle| triangle.to_json())
 }
 
@@ -40,7 +40,7 @@ fn correlations(estimate: &Estimate) -> Correlations {
     }
 }
 
-pub fn draw_correlations(section: &mut Section, estimate: &Estimate) {
+pub(crate) fn draw_correlations(section: &mut Section, estimate: &Estimate) {
     let correlations = correlations(estimate);
     if correlations.names.len() > 1 {
         section.draw(Drawing::Correlations(correlations));
@@ -48,7 +48,7 @@ pub fn draw_correlations(section: &mut Section, estimate: &Estimate) {
 }
 
 /// Row by row, in the order of the numbers; null where a number has no error.
-pub fn correlations_to_json(estimate: &Estimate) -> Value {
+pub(crate) fn correlations_to_json(estimate: &Estimate) -> Value {
     let n = estimate.numbers.len();
     let row = |i: usize| (0..n).map(|j| estimate.correlation(i, j)).collect::<Vec<_>>();
     json!((0..n).map(row).collect::<Vec<_>>())

@@ -8,7 +8,7 @@ use super::JudgedRun;
 const POINTS: usize = 240;
 
 /// lg of the attitude's error, rad, over the time; `None` where nothing can be told from zero.
-pub fn of_error(run: &JudgedRun) -> Option<Graph> {
+pub(crate) fn of_error(run: &JudgedRun) -> Option<Graph> {
     let judgement = &run.judgement;
     let (times, angles) = (&judgement.motion.times, judgement.errors.angles());
     let floor = judgement.floor();

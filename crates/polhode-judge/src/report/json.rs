@@ -13,7 +13,12 @@ use serde_json::{Value, json};
 use super::{JudgedRun, words};
 
 /// `{"polhode": …, "title": …, "runs": […], "order_of_accuracy": …, "findings": […]}`
-pub fn report(title: &str, runs: &[JudgedRun], order: Option<&AccuracyOrder>, findings: &[Finding]) -> Value {
+pub(crate) fn report(
+    title: &str,
+    runs: &[JudgedRun],
+    order: Option<&AccuracyOrder>,
+    findings: &[Finding],
+) -> Value {
     json!({
         "polhode": VERSION,
         "title": title,
@@ -24,7 +29,7 @@ pub fn report(title: &str, runs: &[JudgedRun], order: Option<&AccuracyOrder>, fi
 }
 
 /// Of one run, without its rows.
-pub fn run(run: &JudgedRun) -> Value {
+pub(crate) fn run(run: &JudgedRun) -> Value {
     let judgement = &run.judgement;
     let times = &judgement.motion.times;
     json!({

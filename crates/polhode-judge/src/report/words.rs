@@ -7,7 +7,7 @@ use polhode_document::number::{error, number, vector};
 use super::JudgedRun;
 
 /// `2.1e-9 rad off at the end, 3.2e-9 rad at most; grows as t^1.00`
-pub fn how_far(run: &JudgedRun) -> String {
+pub(crate) fn how_far(run: &JudgedRun) -> String {
     let judgement = &run.judgement;
     if run.is_exact() {
         let floor = error(judgement.floor());
@@ -32,7 +32,7 @@ pub fn how_far(run: &JudgedRun) -> String {
 const LATE: f64 = 1e-7;
 
 /// How it was read, where that is not the plain way: so that a mistake that looks like another meaning is seen.
-pub fn read_as(run: &JudgedRun) -> Option<String> {
+pub(crate) fn read_as(run: &JudgedRun) -> Option<String> {
     let readings = &run.judgement.readings;
     let Reading { sense, axes, time_origin, time_factor, .. } = readings.reading;
     let is_plain = sense == AttitudeSense::BodyToSpace
@@ -52,7 +52,7 @@ pub fn read_as(run: &JudgedRun) -> Option<String> {
 }
 
 /// `ω × I ω is left out: explains 99.9 % of the error`
-pub fn why(run: &JudgedRun) -> String {
+pub(crate) fn why(run: &JudgedRun) -> String {
     let causes = &run.causes;
     let mistakes: Vec<String> = run.judgement.readings.mistakes.iter().map(ToString::to_string).collect();
     if !mistakes.is_empty() {
@@ -89,7 +89,7 @@ pub fn why(run: &JudgedRun) -> String {
 }
 
 /// `99.7 %`: not rounded to all.
-pub fn share(part: f64) -> String {
+pub(crate) fn share(part: f64) -> String {
     let percent = 100.0 * part;
     if percent > 99.9 && percent < 100.0 {
         "more than 99.9 %".to_owned()
@@ -99,7 +99,7 @@ pub fn share(part: f64) -> String {
 }
 
 /// `it turns too fast, by 1.2e-7 of ω`
-pub fn part(part: &SplitPart) -> String {
+pub(crate) fn part(part: &SplitPart) -> String {
     let Some(value) = part.value else { return "none, or it looks like larger parts".to_owned() };
     match part.kind {
         PartKind::Start => format!("it starts turned by {} rad in space", vector(value, 3)),
@@ -113,7 +113,7 @@ pub fn part(part: &SplitPart) -> String {
 }
 
 /// `start`
-pub const fn part_name(kind: PartKind) -> &'static str {
+pub(crate) const fn part_name(kind: PartKind) -> &'static str {
     match kind {
         PartKind::Start => "start",
         PartKind::BodyAxes => "body axes",
@@ -124,7 +124,7 @@ pub const fn part_name(kind: PartKind) -> &'static str {
 }
 
 /// `0.002 s`, `0.01 s (of the rows)`
-pub fn step(run: &JudgedRun) -> String {
+pub(crate) fn step(run: &JudgedRun) -> String {
     match (run.step, run.step_is_said) {
         (Some(step), true) => format!("{} s", number(step, 6)),
         (Some(step), false) => format!("{} s (of the rows)", number(step, 6)),

@@ -14,7 +14,7 @@ use super::part::{assumes_metres, part};
 
 /// All parts of a body, alone and together.
 #[derive(Debug)]
-pub struct Assembly<'a> {
+pub(crate) struct Assembly<'a> {
     pub parts: Vec<BodyPart>,
     pub body: MassProperties<Body>,
     pub pivot: Option<Pivot<'a>>,
@@ -22,19 +22,19 @@ pub struct Assembly<'a> {
 
 /// The point of the body that is held fixed, and the value that says so.
 #[derive(Clone, Copy, Debug)]
-pub struct Pivot<'a> {
+pub(crate) struct Pivot<'a> {
     pub point: Position<Body>,
     pub value: Value<'a>,
 }
 
 impl<'a> Pivot<'a> {
-    pub fn read(value: Value<'a>) -> Result<Self, FormatError> {
+    pub(crate) fn read(value: Value<'a>) -> Result<Self, FormatError> {
         Ok(Self { point: Position::from_array(value.quantities(Dimension::LENGTH)?), value })
     }
 }
 
 /// Reads `[body]` and its `[[body.part]]`s.
-pub fn body<'a>(root: &Table<'a>, findings: &mut Vec<Finding>) -> Result<Assembly<'a>, FormatError> {
+pub(crate) fn body<'a>(root: &Table<'a>, findings: &mut Vec<Finding>) -> Result<Assembly<'a>, FormatError> {
     const EXAMPLE: &str =
         "[[body.part]], and under it shape = \"sphere\", radius = \"20 mm\" and mass = \"12 g\", a line each";
     let table = root.require("body", EXAMPLE)?.table()?;
@@ -87,7 +87,7 @@ fn absurd_metres(parts: &[BodyPart], k: usize, mass_given: bool) -> Option<Findi
 }
 
 /// A part of the body without its shape for display, which no motion depends on, and what was noticed of it.
-pub type KnownPart = (BodyPart, Vec<Finding>);
+pub(crate) type KnownPart = (BodyPart, Vec<Finding>);
 
 /// Part `k`, from 0: as it was read, if it was.
 fn known_part(
@@ -123,7 +123,7 @@ fn of_properties(name: String, properties: MassProperties<Body>) -> BodyPart {
 }
 
 /// A body without inertia about some axis moves, but not every start and torque make sense.
-pub fn thinness(principal: &PrincipalFrame<Body>) -> Option<Finding> {
+pub(crate) fn thinness(principal: &PrincipalFrame<Body>) -> Option<Finding> {
     let (code, message) = match principal.symmetry() {
         Symmetry::Point => ("body.point", "all the mass is at one point: the body has no inertia of its own"),
         Symmetry::Rod => (

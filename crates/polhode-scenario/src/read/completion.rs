@@ -35,7 +35,11 @@ const SEVERAL: [&str; 4] = ["torque", "wheel", "event", "pointing"];
 const NOTHING: &str = "0";
 
 /// What may stand at byte `at` of a text; `ask` gives what the reader asks a text for, or nothing if it is no TOML.
-pub fn complete(text: &str, at: usize, ask: impl Fn(&str) -> Option<Vec<Question>>) -> Option<Completion> {
+pub(crate) fn complete(
+    text: &str,
+    at: usize,
+    ask: impl Fn(&str) -> Option<Vec<Question>>,
+) -> Option<Completion> {
     let before = text.get(..at)?;
     let start = before.rfind('\n').map_or(0, |end| end + 1);
     let end = text[at..].find('\n').map_or(text.len(), |length| at + length);

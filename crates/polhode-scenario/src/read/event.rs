@@ -34,7 +34,7 @@ const MEASURES: [&str; 16] = [
 ];
 
 /// Reads all events; the torques that they switch are found by their names.
-pub fn events(
+pub(crate) fn events(
     root: &Table<'_>,
     torques: &Torques,
     references: &References<'_>,
@@ -48,7 +48,7 @@ pub fn events(
 }
 
 /// The same for bodies whose run is given elsewhere.
-pub fn events_of(
+pub(crate) fn events_of(
     root: &Table<'_>,
     torques: &Torques,
     references: &References<'_>,

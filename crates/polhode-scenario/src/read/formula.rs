@@ -18,7 +18,7 @@ const VARIABLES: [&str; 3] = ["x", "y", "z"];
 const UNREACHED: &str = "give a larger density_tolerance, or make two parts where the density jumps";
 
 /// ρ(x, y, z), kg/m³, and how well it is to be integrated.
-pub struct Formula {
+pub(crate) struct Formula {
     expression: Expression,
     cubature: Cubature,
 }
@@ -27,7 +27,7 @@ pub struct Formula {
 ///
 /// What can be read as a quantity is one. Of what can be read as neither, a formula is what has a variable as a word of its
 /// own, a sum, or does not begin with a number: no unit has any of these.
-pub fn text<'a>(value: &Value<'a>) -> Option<&'a str> {
+pub(crate) fn text<'a>(value: &Value<'a>) -> Option<&'a str> {
     let text = value.string().ok()?;
     let error = [Dimension::DENSITY, Dimension::AREA_DENSITY, Dimension::LINE_DENSITY]
         .into_iter()
@@ -43,7 +43,7 @@ pub fn text<'a>(value: &Value<'a>) -> Option<&'a str> {
 
 impl Formula {
     /// The formula of `density`, and its `density_tolerance`, for a part of that extent.
-    pub fn read(
+    pub(crate) fn read(
         table: &Table<'_>,
         value: &Value<'_>,
         text: &str,
@@ -72,7 +72,7 @@ impl Formula {
     }
 
     /// The mass properties of a solid of this density; how far they may be off goes to `findings`.
-    pub fn integrate(
+    pub(crate) fn integrate(
         &self,
         form: &Geometry,
         value: &Value<'_>,

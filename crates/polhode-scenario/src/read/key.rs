@@ -4,7 +4,7 @@ use polhode_source::nearest;
 use polhode_source::toml::tree::{Entries, Kind, Node, Step, Way};
 
 /// The value that a key leads to.
-pub struct Spot<'a> {
+pub(crate) struct Spot<'a> {
     pub node: &'a Node,
     /// The way to it.
     pub way: Way,
@@ -15,11 +15,11 @@ pub struct Spot<'a> {
 }
 
 /// Why there is nothing at a key: the rule that it breaks, and a hint.
-pub type Nowhere = (String, Option<String>);
+pub(crate) type Nowhere = (String, Option<String>);
 
 impl<'a> Spot<'a> {
     /// The value of a key of the file.
-    pub fn at(entries: &'a Entries, key: &str) -> Result<Self, Nowhere> {
+    pub(crate) fn at(entries: &'a Entries, key: &str) -> Result<Self, Nowhere> {
         let mut rest = key;
         let mut spot: Option<Self> = None;
         while !rest.is_empty() {
@@ -121,7 +121,7 @@ fn element<'a>(from: Spot<'a>, done: &str, index: &str, after: &str) -> Result<S
 }
 
 /// The key of the element beyond the diagonal of a tensor, which is the same number.
-pub fn mirrored(key: &str) -> Option<String> {
+pub(crate) fn mirrored(key: &str) -> Option<String> {
     let (rest, j) = key.strip_suffix(']')?.rsplit_once('[')?;
     let (matrix, i) = rest.strip_suffix(']')?.rsplit_once('[')?;
     (matrix.ends_with(".inertia") && i != j).then(|| format!("{matrix}[{j}][{i}]"))

@@ -6,7 +6,7 @@ use polhode_shape::mesh::MeshSolid;
 
 /// A mesh that was read from its file, in a unit that was given.
 #[derive(Clone, Debug)]
-pub struct KnownMesh {
+pub(crate) struct KnownMesh {
     pub path: PathBuf,
     pub unit: Option<f64>,
     pub solid: MeshSolid,

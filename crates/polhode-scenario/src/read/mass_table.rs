@@ -21,7 +21,7 @@ const RATES: [&str; 10] = MassRow::RATE_COLUMNS;
 const SAME: f64 = 1e-6;
 
 /// Reads the file that `table` names; `products` says what its products are, as that of a tensor does.
-pub fn rows(value: &Value<'_>, table: &Table<'_>) -> Result<Vec<MassRow>, FormatError> {
+pub(crate) fn rows(value: &Value<'_>, table: &Table<'_>) -> Result<Vec<MassRow>, FormatError> {
     let sign = match table.get("products") {
         Some(name) if name.choice(&["negative_integral", "positive_integral"])? == "positive_integral" => {
             -1.0
@@ -37,7 +37,7 @@ pub fn rows(value: &Value<'_>, table: &Table<'_>) -> Result<Vec<MassRow>, Format
 }
 
 /// Are they two bodies, beyond the digits of a table?
-pub fn differs(a: &MassProperties<Body>, b: &MassProperties<Body>) -> bool {
+pub(crate) fn differs(a: &MassProperties<Body>, b: &MassProperties<Body>) -> bool {
     let size = (b.inertia().matrix()[0][0] / b.mass()).sqrt() + b.gyration_radii()[2];
     let elements = |body: &MassProperties<Body>| body.inertia().matrix();
     let [p, q] = [elements(a), elements(b)];

@@ -13,7 +13,7 @@ use polhode_source::{FormatError, FormatErrorKind};
 use super::placement::Placement;
 
 /// `file = "water.xyz"`, `isotopes = "average"`: the first molecule of the file.
-pub fn molecule(
+pub(crate) fn molecule(
     table: &Table<'_>,
     name: String,
     placement: &Placement,

@@ -19,7 +19,7 @@ use polhode_source::toml::tree::Known;
 use super::rows::Rows;
 
 /// What a table can be of, in the order in which it is looked for.
-pub const COLUMNS: [&str; 3] = ["attitude", "omega_body", "omega_space"];
+pub(crate) const COLUMNS: [&str; 3] = ["attitude", "omega_body", "omega_space"];
 
 /// The names of the columns of each.
 const NAMES: [&[&str]; 3] = [
@@ -29,7 +29,7 @@ const NAMES: [&[&str]; 3] = [
 ];
 
 /// Reads the file that `table` names, relative to the scenario.
-pub fn read(table: &Value<'_>, columns: Option<&str>) -> Result<Arc<Rows>, FormatError> {
+pub(crate) fn read(table: &Value<'_>, columns: Option<&str>) -> Result<Arc<Rows>, FormatError> {
     let path = table.path()?;
     if let Some(rows) = table.known_as::<Rows>() {
         return Ok(rows);
@@ -44,7 +44,7 @@ pub fn read(table: &Value<'_>, columns: Option<&str>) -> Result<Arc<Rows>, Forma
 }
 
 /// What is known of the motion between the rows.
-pub fn finding(uncertainty: &Uncertainty) -> Finding {
+pub(crate) fn finding(uncertainty: &Uncertainty) -> Finding {
     /// Beyond this the torque is a guess.
     const COARSE: f64 = 0.01;
     let Uncertainty { attitude, omega, acceleration, relative, time, is_noisy } = *uncertainty;

@@ -31,7 +31,7 @@ impl WrittenNumber {
 }
 
 /// Every number of a scenario that was read, in the order of the text.
-pub fn numbers(entries: &Entries) -> Vec<WrittenNumber> {
+pub(crate) fn numbers(entries: &Entries) -> Vec<WrittenNumber> {
     let mut found = Vec::new();
     inside(entries, "", None, &mut found);
     found.sort_by_key(|number| number.place.start);

@@ -27,27 +27,27 @@ const EARTH: f64 = 6_378_137.0;
 
 /// The orbit of a scenario.
 #[derive(Debug)]
-pub struct SharedOrbit {
+pub(crate) struct SharedOrbit {
     pub orbit: Orbit,
     /// Given by its rate: nothing but that matters to the gravity gradient on a circle.
     by_rate: bool,
 }
 
 /// Reads `[orbit]`, if there is one.
-pub fn read(root: &Table<'_>) -> Result<Option<SharedOrbit>, FormatError> {
+pub(crate) fn read(root: &Table<'_>) -> Result<Option<SharedOrbit>, FormatError> {
     let Some(value) = root.get("orbit") else { return Ok(None) };
     let by_rate = value.table()?.get("rate").is_some();
     Ok(Some(SharedOrbit { orbit: orbit(&value)?, by_rate }))
 }
 
 /// The orbit that something needs, of a table that cannot do without.
-pub fn require<'a>(table: &Table<'_>, orbit: Option<&'a Orbit>) -> Result<&'a Orbit, FormatError> {
+pub(crate) fn require<'a>(table: &Table<'_>, orbit: Option<&'a Orbit>) -> Result<&'a Orbit, FormatError> {
     orbit.ok_or_else(|| table.missing("orbit", EXAMPLE))
 }
 
 impl SharedOrbit {
     /// An orbit about the Earth that goes through it: a height where a radius belongs, or a rate in another unit.
-    pub fn underground(&self) -> Option<Finding> {
+    pub(crate) fn underground(&self) -> Option<Finding> {
         /// The Earth's least radius, at the poles, m (WGS 84).
         const POLES: f64 = 6_356_752.3;
         let is_earth = (self.orbit.mu() / MU_EARTH - 1.0).abs() < 1e-2;

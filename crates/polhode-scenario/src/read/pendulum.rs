@@ -11,7 +11,7 @@ use polhode_source::toml::reader::Table;
 use polhode_source::unit::Dimension;
 
 /// Reads `[pendulum]` into a scenario that is complete but for it.
-pub fn pendulum(root: &Table<'_>, scenario: Scenario) -> Result<Scenario, FormatError> {
+pub(crate) fn pendulum(root: &Table<'_>, scenario: Scenario) -> Result<Scenario, FormatError> {
     let Some(value) = root.get("pendulum") else { return Ok(scenario) };
     let table = value.table()?;
     table.allow(&["axis", "amplitude"])?;

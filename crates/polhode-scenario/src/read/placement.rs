@@ -8,13 +8,13 @@ use polhode_source::unit::Dimension;
 use polhode_source::{FormatError, FormatErrorKind};
 
 /// Where a part is and how it is turned.
-pub struct Placement {
+pub(crate) struct Placement {
     pub position: Position<Body>,
     pub rotation: Rotation<Body, Part>,
 }
 
 impl Placement {
-    pub fn read(table: &Table<'_>) -> Result<Self, FormatError> {
+    pub(crate) fn read(table: &Table<'_>) -> Result<Self, FormatError> {
         let position = match table.get("position") {
             Some(position) => Position::from_array(position.quantities(Dimension::LENGTH)?),
             None => Position::ZERO,
@@ -23,7 +23,7 @@ impl Placement {
         Ok(Self { position, rotation })
     }
 
-    pub fn place(
+    pub(crate) fn place(
         &self,
         table: &Table<'_>,
         part: MassProperties<Part>,
@@ -32,7 +32,7 @@ impl Placement {
         placed.map(|part| part.in_body()).map_err(|e| table.error(FormatErrorKind::Body(e)))
     }
 
-    pub const fn form(&self, form: Form) -> PlacedForm {
+    pub(crate) const fn form(&self, form: Form) -> PlacedForm {
         PlacedForm { form, position: self.position, rotation: self.rotation }
     }
 }

@@ -7,17 +7,17 @@ use polhode_source::FormatError;
 use polhode_source::toml::reader::{Table, Value};
 
 /// The directions that have names, and what gives them.
-pub const NAMED: [&str; 4] = ["nadir", "velocity", "orbit_normal", "field"];
+pub(crate) const NAMED: [&str; 4] = ["nadir", "velocity", "orbit_normal", "field"];
 
 /// What gives directions their names.
-pub struct References<'a> {
+pub(crate) struct References<'a> {
     pub orbit: Option<&'a Orbit>,
     /// That of the magnetic torques.
     pub field: Option<&'a MagneticField>,
 }
 
 /// Reads all pointings.
-pub fn pointings(root: &Table<'_>, references: &References<'_>) -> Result<Vec<Pointing>, FormatError> {
+pub(crate) fn pointings(root: &Table<'_>, references: &References<'_>) -> Result<Vec<Pointing>, FormatError> {
     let Some(list) = root.get("pointing") else { return Ok(Vec::new()) };
     let mut pointings: Vec<Pointing> = Vec::new();
     for table in list.tables("pointing")? {
@@ -54,7 +54,7 @@ pub fn pointings(root: &Table<'_>, references: &References<'_>) -> Result<Vec<Po
 }
 
 /// A direction that is not all zero.
-pub fn direction<F: Frame>(value: &Value<'_>) -> Result<Direction<F>, FormatError> {
+pub(crate) fn direction<F: Frame>(value: &Value<'_>) -> Result<Direction<F>, FormatError> {
     let direction = Direction::from_array(value.numbers()?);
     match direction.direction() {
         Some(_) => Ok(direction),
@@ -66,7 +66,7 @@ pub fn direction<F: Frame>(value: &Value<'_>) -> Result<Direction<F>, FormatErro
 
 impl References<'_> {
     /// One of [`NAMED`].
-    pub fn named(&self, value: &Value<'_>, name: &str) -> Result<Reference, FormatError> {
+    pub(crate) fn named(&self, value: &Value<'_>, name: &str) -> Result<Reference, FormatError> {
         if name == "field" {
             let field = self.field.ok_or_else(|| {
                 let rule = "left out, since no [[torque]] of model \"magnetic\" says what the field is, or two differ";

@@ -18,7 +18,7 @@ const FORMS: [&str; 6] = ["axis", "euler313", "angles", "quaternion", "omega", "
 
 /// Reads `[prescribed]`: exactly one of [`FORMS`], with the keys that belong to it. A motion that is integrated or read from a
 /// table has to last as long as the run.
-pub fn prescribed(
+pub(crate) fn prescribed(
     root: &Table<'_>,
     start: &Start<'_>,
     run: Option<&Run>,

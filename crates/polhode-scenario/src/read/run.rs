@@ -14,7 +14,7 @@ const SAMPLES: usize = 1001;
 const TOLERANCE: f64 = 1e-13;
 
 /// Reads `[run]`; `None` without one.
-pub fn run(root: &Table<'_>, orbit: Option<&Orbit>) -> Result<Option<Run>, FormatError> {
+pub(crate) fn run(root: &Table<'_>, orbit: Option<&Orbit>) -> Result<Option<Run>, FormatError> {
     let Some(value) = root.get("run") else { return Ok(None) };
     let table = value.table()?;
     table.allow(&["duration", "samples", "every", "method", "tolerance", "order", "step", "table"])?;
@@ -46,7 +46,7 @@ pub enum TableFormat {
 }
 
 /// The formats that `[run]` asks for: `table = "csv"`, or `["csv", "parquet"]`; none where it says nothing.
-pub fn tables(root: &Table<'_>) -> Result<Vec<TableFormat>, FormatError> {
+pub(crate) fn tables(root: &Table<'_>) -> Result<Vec<TableFormat>, FormatError> {
     let value = root.get("run").map(|run| run.table()).transpose()?.and_then(|table| table.get("table"));
     let Some(value) = value else { return Ok(Vec::new()) };
     let format = |value: &Value<'_>| {

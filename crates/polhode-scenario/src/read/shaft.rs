@@ -9,7 +9,11 @@ use polhode_source::unit::Dimension;
 use super::start::Start;
 
 /// Reads `[shaft]`: the body is held at a point of the line, and turns about it as a prescribed motion.
-pub fn shaft(root: &Table<'_>, start: &Start<'_>, scenario: Scenario) -> Result<Scenario, FormatError> {
+pub(crate) fn shaft(
+    root: &Table<'_>,
+    start: &Start<'_>,
+    scenario: Scenario,
+) -> Result<Scenario, FormatError> {
     let Some(value) = root.get("shaft") else { return Ok(scenario) };
     let table = value.table()?;
     table.allow(&["axis", "point", "bearings", "rate", "acceleration", "gravity", "balance"])?;

@@ -8,7 +8,7 @@ use polhode_source::unit::Dimension;
 use polhode_source::{FormatError, FormatErrorKind};
 
 /// The start of a motion.
-pub struct Start<'a> {
+pub(crate) struct Start<'a> {
     pub state: State,
     pub velocity: Option<Velocity<Space>>,
     /// The values that a prescribed motion has no room for.
@@ -19,7 +19,11 @@ pub struct Start<'a> {
 /// Reads `[start]`; without it the body is at rest with its axes along those of space.
 ///
 /// With `relative_to = "orbit"` the attitude is that in axes along the local vertical and horizontal, and the spin relative to them.
-pub fn start<'a>(root: &Table<'a>, rotor: &Rotor, orbit: Option<&Orbit>) -> Result<Start<'a>, FormatError> {
+pub(crate) fn start<'a>(
+    root: &Table<'a>,
+    rotor: &Rotor,
+    orbit: Option<&Orbit>,
+) -> Result<Start<'a>, FormatError> {
     let mut start = Start {
         state: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO },
         velocity: None,

@@ -11,10 +11,10 @@ use polhode_source::{FormatError, FormatErrorKind};
 use super::formula::{self, Formula};
 
 /// Keys of every part that has a shape; a thin surface has its `thickness` too.
-pub const KEYS: [&str; 4] = ["density", "mass", "material", "density_tolerance"];
+pub(crate) const KEYS: [&str; 4] = ["density", "mass", "material", "density_tolerance"];
 
 /// What a part is made of.
-pub enum Matter {
+pub(crate) enum Matter {
     /// Of the same everywhere.
     Uniform(Substance),
     /// Of a density that is a formula of the place.
@@ -24,7 +24,7 @@ pub enum Matter {
 const THIN_ROD: &str = "give density = \"0.3 kg/m\" or mass = \"12 g\", or make it a cylinder";
 
 /// What a part of that extent is made of, and the value that says it.
-pub fn matter<'a>(table: &Table<'a>, extent: Extent) -> Result<(Matter, Value<'a>), FormatError> {
+pub(crate) fn matter<'a>(table: &Table<'a>, extent: Extent) -> Result<(Matter, Value<'a>), FormatError> {
     let density = table.get("density");
     if let Some((given, formula)) = density.and_then(|given| Some((given, formula::text(&given)?))) {
         table.at_most_one(&KINDS, ALONE)?;

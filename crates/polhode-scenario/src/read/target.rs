@@ -146,14 +146,14 @@ impl Target {
 
 /// What a scenario has, to be looked up by keys.
 #[derive(Clone, Copy, Debug)]
-pub struct Catalogue<'a> {
+pub(crate) struct Catalogue<'a> {
     pub entries: &'a Entries,
     pub nominal: &'a Scenario,
 }
 
 impl Catalogue<'_> {
     /// One number.
-    pub fn number(&self, key: &Value<'_>) -> Result<Target, FormatError> {
+    pub(crate) fn number(&self, key: &Value<'_>) -> Result<Target, FormatError> {
         let spot = self.spot(key)?;
         if let Kind::List(_) | Kind::Table(_) = spot.node.kind {
             let inside = match &spot.node.kind {
@@ -177,7 +177,7 @@ impl Catalogue<'_> {
     }
 
     /// Three numbers that are a vector.
-    pub fn vector(&self, key: &Value<'_>) -> Result<Target, FormatError> {
+    pub(crate) fn vector(&self, key: &Value<'_>) -> Result<Target, FormatError> {
         let spot = self.spot(key)?;
         let elements = match &spot.node.kind {
             Kind::List(elements) if elements.len() == 3 => elements,
@@ -226,7 +226,7 @@ impl Catalogue<'_> {
     }
 
     /// A rotation: an attitude, or how a part is turned.
-    pub fn rotation(&self, key: &Value<'_>) -> Result<Target, FormatError> {
+    pub(crate) fn rotation(&self, key: &Value<'_>) -> Result<Target, FormatError> {
         let spot = self.spot(key)?;
         let Some(Known::Rotation(quaternion)) = spot.node.known.get() else {
             let error = key.invalid("a rotation of the scenario");
@@ -251,7 +251,7 @@ impl Catalogue<'_> {
     }
 
     /// The mass properties of the body, `body`, or of a part, `body.part[0]`; with `.inertia` behind it the tensor alone.
-    pub fn mass_properties(&self, key: &Value<'_>) -> Result<Target, FormatError> {
+    pub(crate) fn mass_properties(&self, key: &Value<'_>) -> Result<Target, FormatError> {
         let written = key.string()?;
         let (whole, tensor_only) = match written.strip_suffix(".inertia") {
             Some(whole) => (whole, true),

@@ -7,11 +7,11 @@ use polhode_source::unit::Dimension;
 use polhode_source::{FormatError, FormatErrorKind};
 
 /// The keys of a tensor.
-pub const KEYS: [&str; 6] = ["mass", "center_of_mass", "inertia", "moments", "products", "about"];
+pub(crate) const KEYS: [&str; 6] = ["mass", "center_of_mass", "inertia", "moments", "products", "about"];
 
 /// Mass properties from `mass`, `center_of_mass`, and `inertia` (a matrix) or `moments` (along the part's axes),
 /// `about` the centre of mass or another point of the part.
-pub fn mass_properties(table: &Table<'_>) -> Result<MassProperties<Part>, FormatError> {
+pub(crate) fn mass_properties(table: &Table<'_>) -> Result<MassProperties<Part>, FormatError> {
     let mass_value = table.require("mass", "mass = \"12 kg\"")?;
     let mass = mass_value.positive(Dimension::MASS)?;
     let center = match table.get("center_of_mass") {
@@ -30,7 +30,7 @@ pub fn mass_properties(table: &Table<'_>) -> Result<MassProperties<Part>, Format
 }
 
 /// The tensor alone, about the centre of mass of what it is of.
-pub fn tensor(table: &Table<'_>) -> Result<InertiaTensor<Part>, FormatError> {
+pub(crate) fn tensor(table: &Table<'_>) -> Result<InertiaTensor<Part>, FormatError> {
     matrix(table)?.1.tensor(InertiaTensor::from_matrix)
 }
 

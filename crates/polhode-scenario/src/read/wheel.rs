@@ -8,7 +8,7 @@ use polhode_source::toml::reader::{Table, Value};
 use polhode_source::unit::Dimension;
 
 /// A wheel as its table gives it. What a speed relative to the body comes to in space is known once the body's ω is.
-pub struct WheelTable<'a> {
+pub(crate) struct WheelTable<'a> {
     pub name: Option<String>,
     axis: Direction<Body>,
     given: Given,
@@ -26,7 +26,7 @@ enum Given {
 }
 
 /// Reads all wheels.
-pub fn wheels<'a>(root: &Table<'a>) -> Result<Vec<WheelTable<'a>>, FormatError> {
+pub(crate) fn wheels<'a>(root: &Table<'a>) -> Result<Vec<WheelTable<'a>>, FormatError> {
     let Some(list) = root.get("wheel") else { return Ok(Vec::new()) };
     list.tables("wheel")?.iter().map(wheel).collect()
 }
@@ -124,12 +124,12 @@ impl WheelTable<'_> {
 }
 
 /// The body with its wheels as they are at the start, for which L = I ω + h says what ω is.
-pub fn locked(rotor: &Rotor, wheels: &[WheelTable<'_>]) -> Result<Rotor, FormatError> {
+pub(crate) fn locked(rotor: &Rotor, wheels: &[WheelTable<'_>]) -> Result<Rotor, FormatError> {
     fitted(rotor, wheels, WheelTable::locked).map(|(rotor, _)| rotor)
 }
 
 /// The wheels in a body that starts at ω.
-pub fn turning(
+pub(crate) fn turning(
     rotor: &Rotor,
     wheels: &[WheelTable<'_>],
     omega: AngularVelocity<Body>,

@@ -38,20 +38,20 @@ impl Driven {
 }
 
 /// True if all samples have a finite potential energy.
-pub fn has_potential<'a>(samples: impl IntoIterator<Item = &'a Sample>) -> bool {
+pub(crate) fn has_potential<'a>(samples: impl IntoIterator<Item = &'a Sample>) -> bool {
     samples.into_iter().all(|sample| sample.potential_energy.is_some_and(f64::is_finite))
 }
 
 /// One balance, and how far it fails at each sample, relative to its size.
 #[derive(Clone, Debug)]
-pub struct Balance {
+pub(crate) struct Balance {
     pub name: &'static str,
     pub values: Vec<f64>,
 }
 
 /// The balances that a motion keeps, and that say something of how it was computed; with the estimated error of the attitude, if
 /// there is one. None of a prescribed motion.
-pub fn balances(trajectory: &Trajectory, driven: Driven) -> Vec<Balance> {
+pub(crate) fn balances(trajectory: &Trajectory, driven: Driven) -> Vec<Balance> {
     let error = trajectory.error().map(|error| Balance {
         name: "attitude error, rad (estimate)",
         values: error.computation().iter().map(|e| e.attitude).collect(),

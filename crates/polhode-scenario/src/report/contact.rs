@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 const MOST: usize = 12;
 
 /// `it rolls without slipping on a level plane`
-pub fn how(ground: &GroundContact) -> String {
+pub(crate) fn how(ground: &GroundContact) -> String {
     let contact = &ground.contact;
     let law = match contact.law.grip() {
         Grip::NoSlip => "it rolls without slipping",
@@ -26,7 +26,7 @@ pub fn how(ground: &GroundContact) -> String {
 }
 
 /// What touches what, how, what changed about that, and where the body went; `None` of any other motion.
-pub fn facts(scenario: &Scenario, trajectory: &Trajectory) -> Option<Vec<(&'static str, String)>> {
+pub(crate) fn facts(scenario: &Scenario, trajectory: &Trajectory) -> Option<Vec<(&'static str, String)>> {
     let (ground, motion) = (scenario.ground()?, trajectory.contact()?);
     let mut facts = given(ground);
     facts.push(("at the start", motion.start().phase.name().to_owned()));
@@ -54,7 +54,7 @@ fn given(ground: &GroundContact) -> Vec<(&'static str, String)> {
 }
 
 /// The same on the screen, with the balance of energy, where the centre of mass went, and what became of the energy.
-pub fn to_text(scenario: &Scenario, trajectory: &Trajectory) -> String {
+pub(crate) fn to_text(scenario: &Scenario, trajectory: &Trajectory) -> String {
     let (Some(ground), Some(motion)) = (scenario.ground(), trajectory.contact()) else {
         return String::new();
     };
@@ -85,7 +85,7 @@ fn changes(motion: &ContactTrajectory) -> String {
 }
 
 /// Where the centre of mass went, and what became of the energy.
-pub fn ends(motion: &ContactTrajectory) -> String {
+pub(crate) fn ends(motion: &ContactTrajectory) -> String {
     let (Some(first), Some(last)) = (motion.samples().first(), motion.samples().last()) else {
         return String::new();
     };
@@ -104,7 +104,7 @@ pub fn ends(motion: &ContactTrajectory) -> String {
 }
 
 /// `ellipsoid, semi-axes (200, 30, 20) mm, centred at (0, 0, 10) mm`
-pub fn surface(surface: &BodySurface) -> String {
+pub(crate) fn surface(surface: &BodySurface) -> String {
     let center = surface.center().to_array();
     let shape = match *surface.shape() {
         SurfaceShape::Sphere { radius } => format!("sphere, radius {}", length(radius)),
@@ -135,7 +135,7 @@ fn place_of(ground: &Ground) -> String {
 }
 
 /// `a level plane that turns at 3 rad/s`
-pub fn form(ground: &Ground) -> String {
+pub(crate) fn form(ground: &Ground) -> String {
     let axis = triple(ground.axis().to_array(), 6);
     let inside = |side: GroundSide| if side == GroundSide::Inside { "the inside" } else { "the outside" };
     let shape = match *ground.shape() {
@@ -188,7 +188,7 @@ fn law(ground: &GroundContact) -> String {
 }
 
 /// What touches what, what changed about it, energies, the state of the contact at both ends.
-pub fn to_json(scenario: &Scenario, trajectory: &Trajectory) -> Value {
+pub(crate) fn to_json(scenario: &Scenario, trajectory: &Trajectory) -> Value {
     let (Some(ground), Some(motion)) = (scenario.ground(), trajectory.contact()) else { return Value::Null };
     let contact = &ground.contact;
     let change = |event: &ContactEvent| json!({ "time_s": event.time, "change": event.change.name(), "what": event.change.to_string() });

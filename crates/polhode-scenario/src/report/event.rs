@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 const MOST: usize = 12;
 
 /// How a motion ended, if not at the end of the run, for people; with the time, and the event or the cause.
-pub fn ending_in_words(trajectory: &Trajectory, scenario: &Scenario) -> Option<String> {
+pub(crate) fn ending_in_words(trajectory: &Trajectory, scenario: &Scenario) -> Option<String> {
     match trajectory.ending() {
         Ending::Complete => None,
         Ending::Stopped { event, time } => {
@@ -28,7 +28,7 @@ pub fn ending_in_words(trajectory: &Trajectory, scenario: &Scenario) -> Option<S
 }
 
 /// `time_s`, `reason` (`end_of_run`, `event`, `contact`, `failure`), and `event` or `cause`.
-pub fn ending_json(trajectory: &Trajectory, scenario: &Scenario) -> Value {
+pub(crate) fn ending_json(trajectory: &Trajectory, scenario: &Scenario) -> Value {
     let last = trajectory.samples().last().map(|sample| sample.state.time);
     match trajectory.ending() {
         Ending::Complete => json!({ "time_s": last, "reason": "end_of_run", "event": null, "cause": null }),
@@ -46,7 +46,7 @@ pub fn ending_json(trajectory: &Trajectory, scenario: &Scenario) -> Value {
 }
 
 /// The events that happened, as a table: when, what, in which direction, and ω there; and those that did not.
-pub fn table(trajectory: &Trajectory, scenario: &Scenario) -> String {
+pub(crate) fn table(trajectory: &Trajectory, scenario: &Scenario) -> String {
     happened(trajectory) + &never(trajectory, scenario)
 }
 
@@ -88,7 +88,7 @@ fn happened(trajectory: &Trajectory) -> String {
 }
 
 /// Every event of the scenario, and when it happened.
-pub fn json(trajectory: &Trajectory, scenario: &Scenario) -> Value {
+pub(crate) fn json(trajectory: &Trajectory, scenario: &Scenario) -> Value {
     let happened = |k: usize| -> Value {
         trajectory.events().iter().filter(|crossing| crossing.event == k).map(crossing).collect()
     };

@@ -3,7 +3,7 @@
 use polhode::motion::{ParticleForce, Required, Scenario};
 
 /// The force on each particle; empty unless particles are all that the body is made of.
-pub fn on_particles(scenario: &Scenario, needed: &Required) -> Vec<ParticleForce> {
+pub(crate) fn on_particles(scenario: &Scenario, needed: &Required) -> Vec<ParticleForce> {
     if !scenario.is_all_particles() {
         return Vec::new();
     }

@@ -7,7 +7,7 @@ use crate::report::periods::Periods;
 
 /// A free motion, its kind, its periods, and the constants of a symmetric top.
 #[derive(Clone, Copy, Debug)]
-pub struct FreeFacts {
+pub(crate) struct FreeFacts {
     pub motion: FreeMotion,
     pub regime: FreeRegime,
     pub periods: Periods,
@@ -15,14 +15,14 @@ pub struct FreeFacts {
 }
 
 impl FreeFacts {
-    pub fn of(motion: FreeMotion) -> Self {
+    pub(crate) fn of(motion: FreeMotion) -> Self {
         let regime = FreeRegime::of_motion(&motion);
         let top = SymmetricTop::of_motion(&motion).map(|top| (top, Cones::of(&top)));
         Self { motion, regime, periods: Periods::of(&motion), top }
     }
 
     /// Of the free motion that a start would have without torque; `None` if it has none.
-    pub fn from_start(rotor: &Rotor, start: State) -> Option<Self> {
+    pub(crate) fn from_start(rotor: &Rotor, start: State) -> Option<Self> {
         FreeMotion::of(rotor, start).ok().map(Self::of)
     }
 }

@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 const NAMES: [&str; 3] = ["outer", "inner", "rotor"];
 
 /// `it hangs in two gimbals on a base that turns`
-pub fn how(gimbals: &Gimbals) -> String {
+pub(crate) fn how(gimbals: &Gimbals) -> String {
     let base = if turning(gimbals) == 0.0 { "at rest" } else { "that turns" };
     format!("it hangs in two gimbals on a base {base}")
 }
@@ -22,7 +22,7 @@ fn turning(gimbals: &Gimbals) -> f64 {
 }
 
 /// The base, the axes and how they are held, the gimbals.
-pub fn facts(gimbals: &Gimbals) -> Vec<(&'static str, String)> {
+pub(crate) fn facts(gimbals: &Gimbals) -> Vec<(&'static str, String)> {
     let gravity = triple(gimbals.gravity().to_array(), 6);
     let base = match turning(gimbals) {
         0.0 => "at rest".to_owned(),
@@ -73,7 +73,7 @@ fn mass(gimbal: &Gimbal) -> String {
 }
 
 /// The same on the screen, with the balance of energy.
-pub fn to_text(scenario: &Scenario, trajectory: &Trajectory) -> String {
+pub(crate) fn to_text(scenario: &Scenario, trajectory: &Trajectory) -> String {
     let (Some(gimbals), Some(motion)) = (scenario.gimbals(), trajectory.gimbals()) else {
         return String::new();
     };
@@ -85,7 +85,7 @@ pub fn to_text(scenario: &Scenario, trajectory: &Trajectory) -> String {
 }
 
 /// Where the axes went, what held them, and what became of the energy.
-pub fn ends(motion: &GimbalTrajectory) -> String {
+pub(crate) fn ends(motion: &GimbalTrajectory) -> String {
     let (Some(first), Some(last)) = (motion.samples().first(), motion.samples().last()) else {
         return String::new();
     };
@@ -117,7 +117,7 @@ pub fn ends(motion: &GimbalTrajectory) -> String {
 }
 
 /// The suspension, and the state of it at both ends.
-pub fn to_json(scenario: &Scenario, trajectory: &Trajectory) -> Value {
+pub(crate) fn to_json(scenario: &Scenario, trajectory: &Trajectory) -> Value {
     let (Some(gimbals), Some(motion)) = (scenario.gimbals(), trajectory.gimbals()) else {
         return Value::Null;
     };

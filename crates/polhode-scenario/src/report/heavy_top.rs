@@ -8,7 +8,7 @@ use polhode_document::unit::{DIGITS, rate};
 use serde_json::{Value, json};
 
 /// The top that a scenario's body is, if gravity alone acts on it and it is symmetric about its arm.
-pub fn of(scenario: &Scenario, start: State) -> Option<HeavyTop> {
+pub(crate) fn of(scenario: &Scenario, start: State) -> Option<HeavyTop> {
     let [TorqueModel::Gravity(gravity)] = scenario.torques() else { return None };
     if scenario.prescribed().is_some() || scenario.suspension().is_some() || scenario.history().is_some() {
         return None;
@@ -17,7 +17,7 @@ pub fn of(scenario: &Scenario, start: State) -> Option<HeavyTop> {
 }
 
 /// `summary.json`, key `heavy_top`.
-pub fn to_json(top: &HeavyTop) -> Value {
+pub(crate) fn to_json(top: &HeavyTop) -> Value {
     let [across, along] = top.moments();
     let [highest, lowest] = top.nutation_bounds();
     let steady = steady(top);
@@ -39,7 +39,7 @@ pub fn to_json(top: &HeavyTop) -> Value {
 }
 
 /// The lines of the screen.
-pub fn to_text(top: &HeavyTop) -> String {
+pub(crate) fn to_text(top: &HeavyTop) -> String {
     let mut text = String::new();
     for Fact { label, value, unit, note } in facts(top) {
         let unit = if unit.is_empty() || unit == "°" { unit.to_owned() } else { format!(" {unit}") };
@@ -50,7 +50,7 @@ pub fn to_text(top: &HeavyTop) -> String {
 }
 
 /// One number or word, for the screen and the page.
-pub struct Fact {
+pub(crate) struct Fact {
     pub label: &'static str,
     pub value: String,
     pub unit: &'static str,
@@ -58,7 +58,7 @@ pub struct Fact {
 }
 
 /// What there is to say, in order.
-pub fn facts(top: &HeavyTop) -> Vec<Fact> {
+pub(crate) fn facts(top: &HeavyTop) -> Vec<Fact> {
     let fact = |label, value, unit, note: &str| Fact { label, value, unit, note: note.to_owned() };
     let shown = |x: f64| number(x, DIGITS);
     let mut facts = vec![fact("heavy top", top.path().description().to_owned(), "", "")];

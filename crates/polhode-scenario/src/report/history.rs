@@ -7,7 +7,7 @@ use polhode_document::unit::DIGITS;
 use serde_json::{Value, json};
 
 /// `12.5 → 8.3 kg, through an exit, with jet damping; d(I ω)/dt + ω × I ω = N − Σ µ ρ × (ω × ρ)`
-pub fn in_words(history: &MassHistory, [from, to]: [f64; 2]) -> String {
+pub(crate) fn in_words(history: &MassHistory, [from, to]: [f64; 2]) -> String {
     /// With no mass lost on the way.
     const KEPT: &str = "d(I ω)/dt + ω × I ω = N";
     let [Ok((first, _)), Ok((last, _))] = [from, at_end(to)].map(|time| history.at(time)) else {
@@ -59,7 +59,7 @@ const fn at_end(end: f64) -> f64 {
 }
 
 /// The body at the end, and when something changes.
-pub fn to_json(history: &MassHistory, end: f64) -> Value {
+pub(crate) fn to_json(history: &MassHistory, end: f64) -> Value {
     let how = match history.outflow() {
         Outflow::None => "none",
         Outflow::InPlace => "in_place",

@@ -6,7 +6,7 @@ use polhode::motion::State;
 use polhode_document::number::number;
 
 /// The angle between ω and the line of axis 2, in degrees.
-pub fn degrees_off(principal: &PrincipalFrame<Body>, start: &State) -> String {
+pub(crate) fn degrees_off(principal: &PrincipalFrame<Body>, start: &State) -> String {
     let angle = start.omega.angle_to(principal.axis(1));
     number(angle.min(std::f64::consts::PI - angle).to_degrees(), 3)
 }

@@ -12,7 +12,7 @@ use serde_json::{Map, Value, json};
 use crate::report::global_error::LARGEST_ATTITUDE;
 
 /// The orbit, and each of the angles that are of interest; of the attitude at the end, which has an error (rad), the digits that are right.
-pub fn to_text(scenario: &Scenario, samples: &[Sample], error: f64) -> String {
+pub(crate) fn to_text(scenario: &Scenario, samples: &[Sample], error: f64) -> String {
     let is_known = has_digits(LARGEST_ATTITUDE, error);
     let mut text = scenario.orbit().map_or_else(String::new, |orbit| labelled("orbit", &in_words(orbit)));
     if let (Some(orbit), [first, .., last]) = (scenario.orbit(), samples) {
@@ -37,7 +37,7 @@ pub fn to_text(scenario: &Scenario, samples: &[Sample], error: f64) -> String {
 }
 
 /// The orbit as an object; `null` without one.
-pub fn to_json(scenario: &Scenario) -> Value {
+pub(crate) fn to_json(scenario: &Scenario) -> Value {
     scenario.orbit().map_or(Value::Null, |orbit| {
         json!({
             "mu_m3_s2": orbit.mu(),
@@ -52,7 +52,7 @@ pub fn to_json(scenario: &Scenario) -> Value {
 }
 
 /// Each of the angles that are of interest, at the start, at the end and where it is largest.
-pub fn pointings(scenario: &Scenario, samples: &[Sample]) -> Value {
+pub(crate) fn pointings(scenario: &Scenario, samples: &[Sample]) -> Value {
     let one = |pointing: &Pointing| {
         let angles = Angles::of(pointing, samples);
         let space = match pointing.reference() {
@@ -73,7 +73,7 @@ pub fn pointings(scenario: &Scenario, samples: &[Sample]) -> Value {
 }
 
 /// An attitude in every convention; on an orbit that relative to its axes too.
-pub fn attitude(scenario: &Scenario, state: &State) -> Value {
+pub(crate) fn attitude(scenario: &Scenario, state: &State) -> Value {
     let of = |attitude: polhode::math::Attitude| {
         let [w, x, y, z] = attitude.canonical_quaternion();
         let mut object = Map::new();
@@ -95,7 +95,7 @@ pub fn attitude(scenario: &Scenario, state: &State) -> Value {
 }
 
 /// Roll, pitch and yaw in the orbit's axes, in degrees; `None` without an orbit.
-pub fn angles_in_words(scenario: &Scenario, state: &State) -> Option<String> {
+pub(crate) fn angles_in_words(scenario: &Scenario, state: &State) -> Option<String> {
     scenario.orbit().map(|orbit| degrees(on_orbit(orbit, state)))
 }
 

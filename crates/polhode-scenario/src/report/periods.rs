@@ -40,7 +40,7 @@ fn tumbling(motion: &FreeMotion, convention: AxisConvention) -> (Option<f64>, Op
 }
 
 /// P_φ and P_ψ as lines of text, to so many digits, in both conventions of a body with two extreme axes; nothing of others.
-pub fn in_both_conventions(motion: &FreeMotion, digits: usize) -> String {
+pub(crate) fn in_both_conventions(motion: &FreeMotion, digits: usize) -> String {
     let of = |convention| TumblingPeriods::of(motion, convention);
     let (Some(long), Some(short)) = (of(AxisConvention::LongAxis), of(AxisConvention::ShortAxis)) else {
         return String::new();

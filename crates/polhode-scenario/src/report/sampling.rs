@@ -9,7 +9,7 @@ const FAR: f64 = std::f64::consts::FRAC_PI_2;
 const PARALLEL: f64 = 1e-6;
 
 /// The largest |ω| Δt, rad.
-pub fn largest_turn<'a>(samples: impl IntoIterator<Item = &'a Sample>) -> f64 {
+pub(crate) fn largest_turn<'a>(samples: impl IntoIterator<Item = &'a Sample>) -> f64 {
     let mut samples = samples.into_iter();
     let Some(mut before) = samples.next() else { return 0.0 };
     let mut largest = 0.0;
@@ -22,7 +22,7 @@ pub fn largest_turn<'a>(samples: impl IntoIterator<Item = &'a Sample>) -> f64 {
 }
 
 /// The largest turn of a body from a sample to the next if it is far, and the body nutates.
-pub fn turn_that_hides(samples: &[Sample]) -> Option<f64> {
+pub(crate) fn turn_that_hides(samples: &[Sample]) -> Option<f64> {
     let turn = largest_turn(samples);
     let nutates = samples.iter().any(|s| {
         let omega = s.state.omega_space();

@@ -5,7 +5,7 @@ use polhode_document::json::vector;
 use serde_json::{Map, Value};
 
 /// Axis, moments, rates and cones.
-pub fn to_json(top: &SymmetricTop, cones: &Cones) -> Map<String, Value> {
+pub(crate) fn to_json(top: &SymmetricTop, cones: &Cones) -> Map<String, Value> {
     let [axial, transverse] = top.moments();
     let numbers = [
         ("axial_moment", axial),

@@ -13,7 +13,7 @@ use serde_json::{Map, Value, json};
 
 /// A torque, or a wheel, ready to be shown.
 #[derive(Clone, Debug)]
-pub struct Description {
+pub(crate) struct Description {
     /// The model's name in scenario files.
     pub model: &'static str,
     /// What it is, in a few words.
@@ -27,7 +27,7 @@ pub struct Description {
 
 /// A number of a torque, or several.
 #[derive(Clone, Debug)]
-pub struct Parameter {
+pub(crate) struct Parameter {
     /// In JSON, with its unit.
     key: &'static str,
     /// In text.
@@ -44,7 +44,7 @@ enum Shown {
 }
 
 impl Description {
-    pub fn of(model: &TorqueModel) -> Self {
+    pub(crate) fn of(model: &TorqueModel) -> Self {
         let name = model.name();
         match model {
             TorqueModel::Constant(ConstantTorque::Body(n)) => Self::new(name, "constant in body axes")
@@ -145,7 +145,7 @@ impl Description {
     }
 
     /// What a wheel is and has.
-    pub fn of_wheel(wheel: &Wheel) -> Self {
+    pub(crate) fn of_wheel(wheel: &Wheel) -> Self {
         let (title, schedule, motor) = match wheel.motor() {
             Motor::Torque { inertia, torque, schedule } => {
                 ("a wheel that its motor turns", schedule, Some([inertia, torque]))
@@ -201,7 +201,7 @@ impl Description {
     }
 
     /// `gravity, g = (0, 0, -9.80665) m/s² in space axes, from 1 s to 3 s`
-    pub fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         let numbers = self
             .parameters
             .iter()
@@ -210,7 +210,7 @@ impl Description {
     }
 
     /// When it acts; `None`: always.
-    pub fn when(&self) -> Option<String> {
+    pub(crate) fn when(&self) -> Option<String> {
         let n = |x: f64| number(x, DIGITS);
         let schedule = self.schedule?;
         if let Some(([first, width, period], count)) = schedule.as_pulses() {
@@ -232,7 +232,7 @@ impl Description {
     }
 
     /// `model`, what has a name, the numbers, the `schedule`.
-    pub fn json(&self) -> Map<String, Value> {
+    pub(crate) fn json(&self) -> Map<String, Value> {
         let mut object = Map::new();
         object.insert("model".to_owned(), self.model.into());
         for (key, word) in &self.words {
@@ -247,7 +247,7 @@ impl Description {
 }
 
 /// What a wheel is called: by its scenario, else by its number if there are several.
-pub fn wheel_name(scenario: &Scenario, k: usize) -> String {
+pub(crate) fn wheel_name(scenario: &Scenario, k: usize) -> String {
     match scenario.wheel_name(k) {
         Some(name) => name.to_owned(),
         None if scenario.wheels().len() > 1 => format!("wheel {}", k + 1),
@@ -256,12 +256,12 @@ pub fn wheel_name(scenario: &Scenario, k: usize) -> String {
 }
 
 /// The wheels, each with what it is called.
-pub fn named_wheels(scenario: &Scenario) -> Vec<(String, Wheel)> {
+pub(crate) fn named_wheels(scenario: &Scenario) -> Vec<(String, Wheel)> {
     scenario.wheels().iter().enumerate().map(|(k, wheel)| (wheel_name(scenario, k), *wheel)).collect()
 }
 
 /// When a torque acts that does not from the start: `off until the event "spun down"`.
-pub fn off_at_start(scenario: &Scenario, torque: usize) -> Option<String> {
+pub(crate) fn off_at_start(scenario: &Scenario, torque: usize) -> Option<String> {
     if !scenario.switched_off().contains(&torque) {
         return None;
     }

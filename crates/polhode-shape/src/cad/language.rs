@@ -117,11 +117,11 @@ const LANGUAGES: [(&str, &[&str]); 13] = [
 ];
 
 /// Headings that are read, for whoever translates a report.
-pub const KNOWN: &str = "Mass, Volume, Surface area, Density, Center of mass (or of gravity, centroid), Moments of \
+pub(crate) const KNOWN: &str = "Mass, Volume, Surface area, Density, Center of mass (or of gravity, centroid), Moments of \
      inertia … at the center of mass (or origin, coordinate system), Principal axes and moments of inertia";
 
 /// The language of headings that stand in a text and are not English, and one of them.
-pub fn foreign(text: &str) -> Option<(&'static str, &'static str)> {
+pub(crate) fn foreign(text: &str) -> Option<(&'static str, &'static str)> {
     let lower = text.to_lowercase();
     let stands = |word: &str| {
         // A whole word where words are parted by blanks: "masse" is not in "massen".

@@ -11,7 +11,7 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use super::DecimalMark;
 
 /// The span of the number at byte `at` of a line, which starts no word and continues none.
-pub fn number_at(line: &str, at: usize) -> Option<Range<usize>> {
+pub(crate) fn number_at(line: &str, at: usize) -> Option<Range<usize>> {
     let before = line[..at].chars().next_back();
     if before.is_some_and(|c| c.is_alphanumeric() || "_^.,'*/\u{b7}+-\u{2212}".contains(c)) {
         return None;
@@ -65,7 +65,7 @@ enum Evidence {
 ///
 /// # Errors
 /// [`ContentErrorKind::Unclear`] if they leave it open, or contradict each other.
-pub fn decimal_mark(
+pub(crate) fn decimal_mark(
     text: &str,
     numbers: &[Range<usize>],
     told: Option<DecimalMark>,
@@ -131,7 +131,7 @@ fn evidence(number: &str) -> Option<Evidence> {
 }
 
 /// A number in the form that everyone reads, and the size of its last digit.
-pub struct Plain {
+pub(crate) struct Plain {
     /// Sign, digits, point, exponent.
     pub digits: String,
     /// Digits behind the decimal mark; `None` in scientific notation.
@@ -141,7 +141,7 @@ pub struct Plain {
 }
 
 /// Reads a number whose decimal mark is known.
-pub fn read(text: &str, span: &Range<usize>, mark: DecimalMark) -> Result<Plain, ContentError> {
+pub(crate) fn read(text: &str, span: &Range<usize>, mark: DecimalMark) -> Result<Plain, ContentError> {
     plain(&text[span.clone()], mark).ok_or_else(|| not_a_number(text, span))
 }
 

@@ -22,10 +22,10 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use super::ProductConvention;
 
 /// Up to here a residual is rounding.
-pub const FITS: f64 = 3.0;
+pub(crate) const FITS: f64 = 3.0;
 
 /// From here on it is not.
-pub const FAILS: f64 = 10.0;
+pub(crate) const FAILS: f64 = 10.0;
 
 /// The bound that rounding to the nearest keeps.
 const ROUNDED: f64 = 1.0;
@@ -80,19 +80,19 @@ impl SignSource {
 
 /// A printed number in SI, and half a unit of its last digit.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Printed {
+pub(crate) struct Printed {
     pub value: f64,
     pub half: f64,
 }
 
 /// xx, yy, zz, xy, xz, yz.
-pub type Tensor = [Printed; 6];
+pub(crate) type Tensor = [Printed; 6];
 
 /// Row and column of the elements of a [`Tensor`].
-pub const PLACES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
+pub(crate) const PLACES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
 
 /// What a report has that depends on the sign.
-pub struct Evidence {
+pub(crate) struct Evidence {
     pub mass: Printed,
     pub center: [Printed; 3],
     pub central: Option<Tensor>,
@@ -104,7 +104,7 @@ pub struct Evidence {
 }
 
 /// Finds the sign, by the strongest proof that the report has.
-pub fn prove(evidence: &Evidence) -> Result<SignProof, ContentError> {
+pub(crate) fn prove(evidence: &Evidence) -> Result<SignProof, ContentError> {
     let trials = [parallel_axes(evidence), principal_axes(evidence), principal_moments(evidence)];
     let (mut undecided, mut narrow) = (None, Vec::new());
     for trial in trials.into_iter().flatten() {

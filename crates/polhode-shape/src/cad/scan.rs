@@ -14,14 +14,14 @@ use super::{CadProduct, ProductConvention, numbers, units};
 
 /// A number of the report: where, and in which unit if it has one of its own.
 #[derive(Clone, Debug)]
-pub struct Found {
+pub(crate) struct Found {
     pub span: Range<usize>,
     pub unit: Option<String>,
 }
 
 /// Numbers under one heading, and the unit that it gives them.
 #[derive(Clone, Debug)]
-pub struct Group<const N: usize> {
+pub(crate) struct Group<const N: usize> {
     pub numbers: [Option<Found>; N],
     pub unit: Option<String>,
 }
@@ -30,14 +30,14 @@ impl<const N: usize> Group<N> {
     const EMPTY: Self = Self { numbers: [const { None }; N], unit: None };
 
     /// Whether there is any number at all.
-    pub fn is_some(&self) -> bool {
+    pub(crate) fn is_some(&self) -> bool {
         self.numbers.iter().any(Option::is_some)
     }
 }
 
 /// Everything that a report says, as it is written.
 #[derive(Clone, Debug)]
-pub struct Scan {
+pub(crate) struct Scan {
     pub product: CadProduct,
     /// What the report itself says of its sign.
     pub stated: Option<ProductConvention>,
@@ -54,15 +54,15 @@ pub struct Scan {
 }
 
 /// The four scalars in the order of [`Scan::scalars`]: labels, name, dimension.
-pub const SCALARS: [(&[&str], &str, Dimension); 4] = [
+pub(crate) const SCALARS: [(&[&str], &str, Dimension); 4] = [
     (&["mass"], "the mass", Dimension::MASS),
     (&["volume"], "the volume", Dimension::VOLUME),
     (&["surface area", "area"], "the surface area", Dimension::new(0, 2, 0, 0)),
     (&["density"], "the density", Dimension::DENSITY),
 ];
 
-pub const CENTRAL: usize = 0;
-pub const ORIGIN: usize = 1;
+pub(crate) const CENTRAL: usize = 0;
+pub(crate) const ORIGIN: usize = 1;
 
 /// What the labels of the lines below a heading mean.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,7 +86,7 @@ enum Target {
 }
 
 /// Reads the whole report.
-pub fn scan(text: &str) -> Result<Scan, ContentError> {
+pub(crate) fn scan(text: &str) -> Result<Scan, ContentError> {
     let mut scanner = Scanner {
         text,
         section: Section::Other,
@@ -354,12 +354,12 @@ fn name(target: Target) -> String {
     }
 }
 
-pub fn center_name(k: usize) -> &'static str {
+pub(crate) fn center_name(k: usize) -> &'static str {
     ["x of the centre of mass", "y of the centre of mass", "z of the centre of mass"][k]
 }
 
 /// `Ixy about the centre of mass`.
-pub fn element_name(which: usize, k: usize) -> String {
+pub(crate) fn element_name(which: usize, k: usize) -> String {
     let point = if which == CENTRAL { "the centre of mass" } else { "the origin" };
     let letter = |k: usize| ["x", "y", "z"][k];
     format!("I{}{} about {point}", letter(k / 3), letter(k % 3))

@@ -21,7 +21,7 @@ const NAMES: &[(&str, &str)] = &[
 ];
 
 /// The unit in the grammar of [`unit::parse`], if it measures `dimension`.
-pub fn read(phrase: &str, dimension: Dimension) -> Option<String> {
+pub(crate) fn read(phrase: &str, dimension: Dimension) -> Option<String> {
     let unit = rewritten(phrase)?;
     unit::factor(&unit, dimension).is_ok().then_some(unit)
 }

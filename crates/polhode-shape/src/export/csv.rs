@@ -35,7 +35,7 @@ const COLUMNS: [&str; 24] = [
 ];
 
 /// The whole table.
-pub fn write(bodies: &[ExportBody]) -> String {
+pub(crate) fn write(bodies: &[ExportBody]) -> String {
     // A mesh that was taken as something other than its solid adds a column to the table.
     let taken_as = bodies.iter().any(|body| body.taken_as.is_some()).then_some("mesh_taken_as");
     let columns: Vec<_> = COLUMNS.into_iter().chain(taken_as).collect();

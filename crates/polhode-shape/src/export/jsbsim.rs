@@ -18,7 +18,7 @@ const INCH: f64 = 0.0254;
 const SLUG_FT2: f64 = POUND * 9.806_65 * 0.3048;
 
 /// The whole file.
-pub fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
+pub(crate) fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
     let format = ExportFormat::JsbSim;
     let [body] = bodies else { return Err(ExportError::Several { format, bodies: bodies.len() }) };
     check_names(format, bodies)?;

@@ -8,7 +8,7 @@ use super::xml::{attribute, check_names, model, warning};
 use super::{ExportBody, ExportError, ExportFormat, elements, number, numbers};
 
 /// The whole file.
-pub fn write(format: ExportFormat, bodies: &[ExportBody]) -> Result<String, ExportError> {
+pub(crate) fn write(format: ExportFormat, bodies: &[ExportBody]) -> Result<String, ExportError> {
     check_names(format, bodies)?;
     if let Some(ExportBody { name, .. }) = bodies.iter().find(|body| body.name == "world") {
         let rule = "MuJoCo's own first body has it";

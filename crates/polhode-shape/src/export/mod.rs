@@ -15,7 +15,7 @@
 //! The frame of a link, prim, hub or output coordinate system is the body's. All is SI, but for JSBSim. Text around the numbers is ASCII: these
 //! files meet old tools.
 
-pub mod csv;
+pub(crate) mod csv;
 mod error;
 mod jsbsim;
 mod mjcf;

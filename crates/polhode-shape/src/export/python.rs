@@ -18,7 +18,7 @@ fn one(format: ExportFormat, bodies: &[ExportBody]) -> Result<(&ExportBody, Stri
 ///
 /// The tensor is about the centre of mass, along axes of which the third is the rocket's; I_12 is an element of it (its documentation, and the parallel-axis theorem of its `tools`). The coordinate along that axis is
 /// positive towards the nose as `tail_to_nose` has it.
-pub fn rocketpy(bodies: &[ExportBody]) -> Result<String, ExportError> {
+pub(crate) fn rocketpy(bodies: &[ExportBody]) -> Result<String, ExportError> {
     let (body, name) = one(ExportFormat::RocketPy, bodies)?;
     let properties = &body.properties;
     let [i11, i12, i13, i22, i23, i33] = elements(properties);
@@ -42,7 +42,7 @@ center_of_mass_eccentricity = ({x}, {y})
 /// The hub of Basilisk's `spacecraft.Spacecraft()`.
 ///
 /// `IHubPntBc_B` is the tensor about the hub's centre of mass Bc in the frame B, a matrix: its elements (the description of HubEffector). `r_BcB_B` leads from B's origin to Bc.
-pub fn basilisk(bodies: &[ExportBody]) -> Result<String, ExportError> {
+pub(crate) fn basilisk(bodies: &[ExportBody]) -> Result<String, ExportError> {
     let (body, name) = one(ExportFormat::Basilisk, bodies)?;
     let properties = &body.properties;
     let mass = number(properties.mass());

@@ -9,7 +9,7 @@ use super::xml::{attribute, check_names, model, warning};
 use super::{ExportBody, ExportError, ExportFormat, elements, number, numbers};
 
 /// The whole file.
-pub fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
+pub(crate) fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
     let format = ExportFormat::Sdf;
     check_names(format, bodies)?;
     for ExportBody { name, .. } in bodies {

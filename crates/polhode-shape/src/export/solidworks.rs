@@ -11,7 +11,7 @@ use polhode_document::layout::printable;
 use super::{ExportBody, ExportError, ExportFormat, number, numbers};
 
 /// One report after the other.
-pub fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
+pub(crate) fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
     let reports: Vec<String> = bodies.iter().map(report).collect::<Result<_, _>>()?;
     let reports = reports.join("\n");
     Ok(format!(

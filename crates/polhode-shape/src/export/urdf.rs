@@ -8,7 +8,7 @@ use super::xml::{attribute, check_names, warning};
 use super::{ExportBody, ExportError, ExportFormat, elements, number, numbers};
 
 /// The whole file.
-pub fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
+pub(crate) fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
     let format = ExportFormat::Urdf;
     let [body] = bodies else { return Err(ExportError::Several { format, bodies: bodies.len() }) };
     check_names(format, bodies)?;

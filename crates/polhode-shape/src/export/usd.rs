@@ -11,7 +11,7 @@ use polhode_document::layout::printable;
 use super::{ExportBody, ExportError, ExportFormat, number, numbers};
 
 /// The whole file.
-pub fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
+pub(crate) fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
     let mut taken = BTreeSet::new();
     let mut prims = String::new();
     let mut default = String::new();

@@ -11,7 +11,7 @@ use super::{ExportBody, ExportError, ExportFormat};
 ///
 /// Line breaks, tabs, other controls and what turns the writing around become references, which read back. XML 1.0 has no way to say the rest of the
 /// controls: they are shown as in Rust, `\u{7}`.
-pub fn attribute(text: &str) -> String {
+pub(crate) fn attribute(text: &str) -> String {
     let mut value = String::new();
     for c in text.chars() {
         match c {
@@ -29,7 +29,7 @@ pub fn attribute(text: &str) -> String {
 }
 
 /// The name of a model: that of its only body.
-pub fn model(bodies: &[ExportBody]) -> String {
+pub(crate) fn model(bodies: &[ExportBody]) -> String {
     match bodies {
         [body] => attribute(&body.name),
         _ => "bodies".to_owned(),
@@ -37,7 +37,7 @@ pub fn model(bodies: &[ExportBody]) -> String {
 }
 
 /// Every body has a name, and each another.
-pub fn check_names(format: ExportFormat, bodies: &[ExportBody]) -> Result<(), ExportError> {
+pub(crate) fn check_names(format: ExportFormat, bodies: &[ExportBody]) -> Result<(), ExportError> {
     let refused = |body: &ExportBody, rule| ExportError::Name { format, name: body.name.clone(), rule };
     let mut seen = BTreeSet::new();
     for body in bodies {
@@ -52,7 +52,7 @@ pub fn check_names(format: ExportFormat, bodies: &[ExportBody]) -> Result<(), Ex
 }
 
 /// What the numbers are of, and what a simulator may stumble over, as comments on lines of their own; most bodies have no such thing.
-pub fn warning(indent: &str, body: &ExportBody) -> String {
+pub(crate) fn warning(indent: &str, body: &ExportBody) -> String {
     let refused = |what| format!("{what}, and many simulators refuse that");
     let stumbles = match body.properties.principal().symmetry() {
         Symmetry::Point => Some(refused("a point: it has no moments of inertia")),

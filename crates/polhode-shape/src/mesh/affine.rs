@@ -6,7 +6,7 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 /// x' = A x + t.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Affine {
+pub(crate) struct Affine {
     /// The columns of A: where the three axes go.
     pub columns: [[f64; 3]; 3],
     /// t: where the origin goes.
@@ -14,13 +14,13 @@ pub struct Affine {
 }
 
 impl Affine {
-    pub const IDENTITY: Self =
+    pub(crate) const IDENTITY: Self =
         Self { columns: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], origin: [0.0; 3] };
 
     /// Translation, rotation and scale, the last applied first: A = R(q) diag(s).
     ///
     /// q = (x, y, z, w) is of unit length, scalar last.
-    pub fn of_parts(translation: [f64; 3], [x, y, z, w]: [f64; 4], scale: [f64; 3]) -> Self {
+    pub(crate) fn of_parts(translation: [f64; 3], [x, y, z, w]: [f64; 4], scale: [f64; 3]) -> Self {
         // R = | 1 − 2(yy + zz)   2(xy − zw)       2(xz + yw)     |
         //     | 2(xy + zw)       1 − 2(xx + zz)   2(yz − xw)     |
         //     | 2(xz − yw)       2(yz + xw)       1 − 2(xx + yy) |
@@ -34,12 +34,12 @@ impl Affine {
     }
 
     /// This map after another.
-    pub fn after(&self, first: &Self) -> Self {
+    pub(crate) fn after(&self, first: &Self) -> Self {
         Self { columns: first.columns.map(|column| self.turned(column)), origin: self.point(first.origin) }
     }
 
     /// x' = A x + t.
-    pub fn point(&self, x: [f64; 3]) -> [f64; 3] {
+    pub(crate) fn point(&self, x: [f64; 3]) -> [f64; 3] {
         let turned = self.turned(x);
         [0, 1, 2].map(|k| turned[k] + self.origin[k])
     }
@@ -61,7 +61,7 @@ impl Affine {
     }
 
     /// The mesh in its place, its outside still outside; `place` says what places it there.
-    pub fn placed(
+    pub(crate) fn placed(
         &self,
         vertices: &[[f64; 3]],
         triangles: &[[u32; 3]],

@@ -4,7 +4,7 @@ use polhode::body::mesh::HolesLeft;
 use polhode_source::text::counted;
 
 /// In words, if there were any.
-pub fn why(left: HolesLeft) -> Option<String> {
+pub(crate) fn why(left: HolesLeft) -> Option<String> {
     let reasons = [
         (left.larger, "hole", "is larger", "are larger"),
         (left.many_edged, "hole", "has more than 256 edges", "have more than 256 edges"),

@@ -5,7 +5,7 @@ use polhode_source::text::escaped;
 
 /// Findings, one for each kind of thing.
 #[derive(Debug, Default)]
-pub struct Notes(Vec<Note>);
+pub(crate) struct Notes(Vec<Note>);
 
 #[derive(Debug)]
 struct Note {
@@ -18,7 +18,7 @@ struct Note {
 
 impl Notes {
     /// Notes it at a place; the sentence is given for one, and for many to follow their number.
-    pub fn add(
+    pub(crate) fn add(
         &mut self,
         code: &'static str,
         severity: Severity,
@@ -32,7 +32,7 @@ impl Notes {
     }
 
     /// The findings, in the order in which they first appeared; their place is the first.
-    pub fn findings(self) -> Vec<Finding> {
+    pub(crate) fn findings(self) -> Vec<Finding> {
         let finding = |note: Note| {
             let message = match (note.count, note.sentence) {
                 (1, [one, _]) => one.to_owned(),

@@ -9,7 +9,7 @@ use super::MeshPart;
 ///
 /// # Errors
 /// Never, as long as all indices exist and all vertices are finite.
-pub fn of_shared(
+pub(crate) fn of_shared(
     vertices: Vec<[f64; 3]>,
     parts: Vec<(String, Vec<[u32; 3]>)>,
 ) -> Result<Vec<MeshPart>, ContentError> {
@@ -63,7 +63,7 @@ fn mesh(vertices: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Result<TriangleMes
 
 /// The index of a vertex as meshes keep it, if a file of `count` vertices has it.
 #[inline]
-pub fn index(index: i64, count: usize) -> Option<u32> {
+pub(crate) fn index(index: i64, count: usize) -> Option<u32> {
     let index = u32::try_from(index).ok()?;
     ((index as usize) < count && index != UNSEEN).then_some(index)
 }

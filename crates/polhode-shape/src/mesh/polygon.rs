@@ -22,7 +22,7 @@ const SMALL: usize = 16;
 
 /// Splits polygons; keeps its lists from one to the next.
 #[derive(Debug, Default)]
-pub struct Polygons {
+pub(crate) struct Polygons {
     /// Polygons so far whose triangles overlap.
     pub crossed: usize,
     /// The corners in the plane.
@@ -32,7 +32,7 @@ pub struct Polygons {
 
 impl Polygons {
     /// Appends the triangles of the polygon with these corners; all of them exist.
-    pub fn split(&mut self, vertices: &[[f64; 3]], corners: &[u32], triangles: &mut Vec<[u32; 3]>) {
+    pub(crate) fn split(&mut self, vertices: &[[f64; 3]], corners: &[u32], triangles: &mut Vec<[u32; 3]>) {
         match *corners {
             [] | [_] | [_, _] => return,
             [a, b, c] => return triangles.push([a, b, c]),
@@ -51,7 +51,7 @@ impl Polygons {
     }
 
     /// What is to be said about them all.
-    pub fn finding(&self) -> Option<Finding> {
+    pub(crate) fn finding(&self) -> Option<Finding> {
         if self.crossed == 0 {
             return None;
         }

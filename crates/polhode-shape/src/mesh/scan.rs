@@ -4,7 +4,7 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 /// A place in a text: `at` is the offset of the next byte.
 #[derive(Clone, Copy, Debug)]
-pub struct Scan<'a> {
+pub(crate) struct Scan<'a> {
     pub bytes: &'a [u8],
     /// Up to the length of the text.
     pub at: usize,
@@ -14,35 +14,35 @@ pub struct Scan<'a> {
 
 impl<'a> Scan<'a> {
     /// At the first byte, or behind a byte order mark.
-    pub fn new(bytes: &'a [u8]) -> Self {
+    pub(crate) fn new(bytes: &'a [u8]) -> Self {
         let at = if bytes.starts_with("\u{feff}".as_bytes()) { 3 } else { 0 };
         Self { bytes, at, line_end: if bytes.contains(&b'\n') { b'\n' } else { b'\r' } }
     }
 
     /// The same at another place.
-    pub const fn moved(self, at: usize) -> Self {
+    pub(crate) const fn moved(self, at: usize) -> Self {
         Self { at, ..self }
     }
 
     /// The same in other bytes.
-    pub const fn within(self, bytes: &'a [u8], at: usize) -> Self {
+    pub(crate) const fn within(self, bytes: &'a [u8], at: usize) -> Self {
         Self { bytes, at, ..self }
     }
 
     #[inline(always)]
-    pub fn is_done(&self) -> bool {
+    pub(crate) fn is_done(&self) -> bool {
         self.at >= self.bytes.len()
     }
 
     /// The next byte; a line end behind the last one.
     #[inline(always)]
-    pub fn peek(&self) -> u8 {
+    pub(crate) fn peek(&self) -> u8 {
         self.bytes.get(self.at).copied().unwrap_or(self.line_end)
     }
 
     /// Behind the blanks of this line, at the byte that it gives; a line that ends in `\` goes on in the next.
     #[inline(always)]
-    pub fn skip_blanks(&mut self) -> u8 {
+    pub(crate) fn skip_blanks(&mut self) -> u8 {
         loop {
             let byte = self.peek();
             if byte > b' ' && byte != b'\\' || byte == self.line_end {
@@ -68,20 +68,20 @@ impl<'a> Scan<'a> {
 
     /// Whether the line has nothing more to say: its end, or a comment.
     #[inline(always)]
-    pub fn at_line_end(&mut self) -> bool {
+    pub(crate) fn at_line_end(&mut self) -> bool {
         let byte = self.skip_blanks();
         byte == self.line_end || byte == b'#'
     }
 
     /// Whether a line ends at that byte.
     #[inline(always)]
-    pub fn is_line_end(&self, at: usize) -> bool {
+    pub(crate) fn is_line_end(&self, at: usize) -> bool {
         self.bytes.get(at) == Some(&self.line_end)
     }
 
     /// Behind the end of this line; gives what was left of it.
     #[inline]
-    pub fn line(&mut self) -> &'a [u8] {
+    pub(crate) fn line(&mut self) -> &'a [u8] {
         let rest = &self.bytes[self.at..];
         let length = rest.iter().position(|b| *b == self.line_end).unwrap_or(rest.len());
         let (line, end) = (&rest[..length], self.at + length);
@@ -91,7 +91,7 @@ impl<'a> Scan<'a> {
 
     /// Behind the end of this line and of those that it goes on in; a comment goes on in none.
     #[inline(always)]
-    pub fn skip_line(&mut self) {
+    pub(crate) fn skip_line(&mut self) {
         if self.bytes.get(self.at) == Some(&self.line_end) {
             self.at += 1;
         } else {
@@ -110,7 +110,7 @@ impl<'a> Scan<'a> {
     }
 
     /// Behind the blanks, line ends and comments.
-    pub fn skip_empty_lines(&mut self) {
+    pub(crate) fn skip_empty_lines(&mut self) {
         while !self.is_done() && self.at_line_end() {
             self.skip_line();
         }
@@ -118,7 +118,7 @@ impl<'a> Scan<'a> {
 
     /// Behind white space of every kind, line ends too.
     #[inline]
-    pub fn skip_space(&mut self) {
+    pub(crate) fn skip_space(&mut self) {
         while self.bytes.get(self.at).is_some_and(u8::is_ascii_whitespace) {
             self.at += 1;
         }
@@ -126,7 +126,7 @@ impl<'a> Scan<'a> {
 
     /// The run of bytes up to the next white space; empty at a line end.
     #[inline(always)]
-    pub fn word(&mut self) -> &'a [u8] {
+    pub(crate) fn word(&mut self) -> &'a [u8] {
         let start = self.at;
         while self.bytes.get(self.at).is_some_and(|b| *b > b' ') {
             self.at += 1;
@@ -136,7 +136,7 @@ impl<'a> Scan<'a> {
 
     /// The finite number that starts here.
     #[inline(always)]
-    pub fn float(&mut self, what: &str) -> Result<f64, ContentError> {
+    pub(crate) fn float(&mut self, what: &str) -> Result<f64, ContentError> {
         let rest = &self.bytes[self.at..];
         let length = rest.iter().position(|b| ends_number(*b)).unwrap_or(rest.len());
         match str::from_utf8(&rest[..length]).ok().and_then(|number| number.parse::<f64>().ok()) {
@@ -150,7 +150,7 @@ impl<'a> Scan<'a> {
 
     /// The integer that starts here.
     #[inline(always)]
-    pub fn integer(&mut self, what: &str) -> Result<i64, ContentError> {
+    pub(crate) fn integer(&mut self, what: &str) -> Result<i64, ContentError> {
         match integer(self.bytes, self.at) {
             Some((value, end)) if self.pass(end) => Ok(value),
             _ => Err(self.expected(what)),
@@ -159,7 +159,7 @@ impl<'a> Scan<'a> {
 
     /// Behind a word that ends here, if one does, and the blank that it ends with.
     #[inline(always)]
-    pub fn pass(&mut self, end: usize) -> bool {
+    pub(crate) fn pass(&mut self, end: usize) -> bool {
         match self.bytes.get(end) {
             Some(b' ') => self.at = end + 1,
             Some(byte) if !ends_number(*byte) => return false,
@@ -183,7 +183,7 @@ impl<'a> Scan<'a> {
 
     /// Something else stands here.
     #[cold]
-    pub fn expected(self, what: &str) -> ContentError {
+    pub(crate) fn expected(self, what: &str) -> ContentError {
         let found = self.found();
         let what = what.to_owned();
         let is_cut = found.is_empty() && self.bytes[self.at..].iter().all(|b| b" \t".contains(b));
@@ -194,12 +194,12 @@ impl<'a> Scan<'a> {
 
     /// Something is wrong with the word that starts here.
     #[cold]
-    pub fn error(self, kind: ContentErrorKind) -> ContentError {
+    pub(crate) fn error(self, kind: ContentErrorKind) -> ContentError {
         ContentError::new(kind, ContentPlace::Text(self.at..self.at + { self }.word().len()))
     }
 
     /// The word that starts here, not more of it than a message shows.
-    pub fn found(self) -> String {
+    pub(crate) fn found(self) -> String {
         const MOST: usize = 256;
         let word = { self }.word();
         String::from_utf8_lossy(&word[..word.len().min(MOST)]).into_owned()
@@ -215,7 +215,7 @@ const fn ends_number(byte: u8) -> bool {
 /// Reads the integer that starts at `start`. Returns it, saturated at ±`i64::MAX`, and the offset
 /// of the next byte.
 #[inline(always)]
-pub fn integer(bytes: &[u8], start: usize) -> Option<(i64, usize)> {
+pub(crate) fn integer(bytes: &[u8], start: usize) -> Option<(i64, usize)> {
     let sign = bytes.get(start);
     let first = start + usize::from(matches!(sign, Some(b'+' | b'-')));
     let (mut magnitude, mut end) = (0_i64, first);

@@ -161,7 +161,7 @@ impl MeshSolid {
 }
 
 /// Why a part bounds no solid.
-pub fn no_solid(path: &Path, part: &str, error: BodyError) -> FormatError {
+pub(crate) fn no_solid(path: &Path, part: &str, error: BodyError) -> FormatError {
     let part = (!part.is_empty()).then(|| escaped(part));
     FormatError::new(path, None, FormatErrorKind::Mesh { part, error })
 }
@@ -272,6 +272,6 @@ fn overlap(parts: &[MeshPart], solids: &[SolidPart]) -> Option<Finding> {
 }
 
 /// The triangles of all parts as one mesh.
-pub fn joined<'a>(parts: impl IntoIterator<Item = &'a MeshPart>) -> Result<TriangleMesh, BodyError> {
+pub(crate) fn joined<'a>(parts: impl IntoIterator<Item = &'a MeshPart>) -> Result<TriangleMesh, BodyError> {
     parts.into_iter().try_fold(TriangleMesh::default(), |all, part| all.joined(&part.mesh))
 }

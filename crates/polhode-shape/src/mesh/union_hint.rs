@@ -4,7 +4,7 @@ use polhode::body::BodyError;
 use polhode::body::mesh::{MeshFlaws, MeshUnion, TriangleMesh};
 
 /// How a mesh that bounds no solid is taken all the same, if the union of all of it is one: that was tried.
-pub fn hint(
+pub(crate) fn hint(
     all: &TriangleMesh,
     flaws: &MeshFlaws,
     goes_on: &(dyn Fn() -> bool + Sync),

@@ -143,7 +143,7 @@ impl fmt::Display for Species {
 
 /// What a label of an atom says.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Label {
+pub(crate) enum Label {
     /// An element or an isotope.
     Atom(Species),
     /// An element, and a number of the atom behind it: `C13` is the thirteenth atom.
@@ -155,7 +155,7 @@ pub enum Label {
 }
 
 /// Reads `C`, `D`, `13C`, `C-13`, `[13C]`, `^13C`, `C(Iso=13)`, `C7` (the seventh), `X`.
-pub fn label(text: &str) -> Option<Label> {
+pub(crate) fn label(text: &str) -> Option<Label> {
     const MASSLESS: [&str; 7] = ["X", "Xx", "Bq", "Du", "Lp", "Ep", "Gh"];
     if MASSLESS.iter().any(|name| name.eq_ignore_ascii_case(text)) {
         return Some(Label::Massless);

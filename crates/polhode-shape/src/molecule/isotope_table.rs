@@ -16,7 +16,7 @@ pub struct Row {
 
 /// By atomic number, from hydrogen.
 #[rustfmt::skip]
-pub static ROWS: [Row; 118] = [
+pub(crate) static ROWS: [Row; 118] = [
     Row { symbol: "H", weight: Some(1.008), first: 1, isotopes: &[(1, 1.007825031898), (2, 2.014101777844),
         (3, 3.01604928132)] },
     Row { symbol: "He", weight: Some(4.002602), first: 4, isotopes: &[(3, 3.01602932197),

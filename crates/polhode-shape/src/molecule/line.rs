@@ -7,19 +7,19 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 /// The lines that are left of a file. They end in `\n`, `\r\n` or `\r`.
 #[derive(Clone, Debug)]
-pub struct Lines<'a> {
+pub(crate) struct Lines<'a> {
     bytes: &'a [u8],
     at: usize,
 }
 
 impl<'a> Lines<'a> {
     /// All lines, behind a byte order mark.
-    pub fn new(bytes: &'a [u8]) -> Self {
+    pub(crate) fn new(bytes: &'a [u8]) -> Self {
         Self { bytes, at: if bytes.starts_with("\u{feff}".as_bytes()) { 3 } else { 0 } }
     }
 
     /// An error where the file ends.
-    pub fn ended(&self, what: impl Into<String>) -> ContentError {
+    pub(crate) fn ended(&self, what: impl Into<String>) -> ContentError {
         let kind = ContentErrorKind::Expected { what: what.into(), found: String::new() };
         let end = self.bytes.len();
         ContentError::new(kind, ContentPlace::Text(end..end)).hint("the file is cut short")
@@ -45,40 +45,40 @@ impl<'a> Iterator for Lines<'a> {
 
 /// Bytes of a file: a line, or a part of one.
 #[derive(Clone, Copy, Debug)]
-pub struct Field<'a> {
+pub(crate) struct Field<'a> {
     /// Where it starts in the file.
     pub start: usize,
     pub bytes: &'a [u8],
 }
 
 impl<'a> Field<'a> {
-    pub fn span(&self) -> Range<usize> {
+    pub(crate) fn span(&self) -> Range<usize> {
         self.start..self.start + self.bytes.len()
     }
 
-    pub fn text(&self) -> Cow<'a, str> {
+    pub(crate) fn text(&self) -> Cow<'a, str> {
         String::from_utf8_lossy(self.bytes)
     }
 
-    pub fn is_blank(&self) -> bool {
+    pub(crate) fn is_blank(&self) -> bool {
         self.bytes.trim_ascii().is_empty()
     }
 
     /// Without the white space around it.
-    pub fn trimmed(&self) -> Self {
+    pub(crate) fn trimmed(&self) -> Self {
         let left = self.bytes.len() - self.bytes.trim_ascii_start().len();
         Self { start: self.start + left, bytes: self.bytes.trim_ascii() }
     }
 
     /// The bytes of these columns, counted from 0, as far as the line has them; without the blanks around them.
-    pub fn columns(&self, columns: Range<usize>) -> Self {
+    pub(crate) fn columns(&self, columns: Range<usize>) -> Self {
         let end = columns.end.min(self.bytes.len());
         let start = columns.start.min(end);
         Self { start: self.start + start, bytes: &self.bytes[start..end] }.trimmed()
     }
 
     /// Its words.
-    pub fn words(self) -> impl Iterator<Item = Field<'a>> + Clone {
+    pub(crate) fn words(self) -> impl Iterator<Item = Field<'a>> + Clone {
         let mut at = 0;
         std::iter::from_fn(move || {
             let rest = self.bytes.get(at..)?;
@@ -92,13 +92,13 @@ impl<'a> Field<'a> {
     }
 
     /// A whole number.
-    pub fn integer<T: std::str::FromStr>(&self, what: &str) -> Result<T, ContentError> {
+    pub(crate) fn integer<T: std::str::FromStr>(&self, what: &str) -> Result<T, ContentError> {
         let text = self.text();
         text.trim().parse().map_err(|_| self.expected(what))
     }
 
     /// A finite number; Fortran's `1.5D-3` is one.
-    pub fn number(&self, what: &str) -> Result<f64, ContentError> {
+    pub(crate) fn number(&self, what: &str) -> Result<f64, ContentError> {
         let text = self.text();
         let text = text.trim();
         let starts_like_one = text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
@@ -116,7 +116,7 @@ impl<'a> Field<'a> {
     }
 
     /// An error: something else belongs here.
-    pub fn expected(&self, what: &str) -> ContentError {
+    pub(crate) fn expected(&self, what: &str) -> ContentError {
         let found = self.text().into_owned();
         let hint = if found.contains(',') {
             Some("the decimal sign is a point")
@@ -135,7 +135,7 @@ impl<'a> Field<'a> {
     }
 
     /// An error: this value breaks a rule.
-    pub fn wrong(&self, what: &str, rule: impl Into<String>) -> ContentError {
+    pub(crate) fn wrong(&self, what: &str, rule: impl Into<String>) -> ContentError {
         let value = self.text().into_owned();
         let kind = ContentErrorKind::Value { what: what.to_owned(), value, rule: rule.into() };
         ContentError::new(kind, ContentPlace::Text(self.span()))
@@ -143,7 +143,7 @@ impl<'a> Field<'a> {
 }
 
 /// Decimals behind the point of a number as it is written: 4 of `-0.1234`; fewer by its exponent.
-pub fn decimals(number: &[u8]) -> i32 {
+pub(crate) fn decimals(number: &[u8]) -> i32 {
     let (mantissa, exponent) = match number.iter().position(|b| b"eEdD".contains(b)) {
         Some(at) => (&number[..at], str::from_utf8(&number[at + 1..]).ok().and_then(|e| e.parse().ok())),
         None => (number, Some(0)),

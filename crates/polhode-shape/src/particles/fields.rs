@@ -7,14 +7,14 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 /// What stands between the fields of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Separator {
+pub(crate) enum Separator {
     Byte(u8),
     Spaces,
 }
 
 impl Separator {
     /// The separator of the first line; quoted names and comments may contain any.
-    pub fn of(line: &[u8]) -> Self {
+    pub(crate) fn of(line: &[u8]) -> Self {
         let mut quoted = false;
         let mut open = Vec::new();
         for byte in line {
@@ -30,7 +30,7 @@ impl Separator {
     }
 
     /// Whether a comma can be the decimal mark.
-    pub const fn leaves_the_comma(self) -> bool {
+    pub(crate) const fn leaves_the_comma(self) -> bool {
         matches!(self, Self::Byte(b';' | b'\t'))
     }
 
@@ -43,7 +43,7 @@ impl Separator {
 }
 
 /// The lines of a file from some byte on.
-pub struct Lines<'a> {
+pub(crate) struct Lines<'a> {
     bytes: &'a [u8],
     separator: Separator,
     /// Where the next line starts.
@@ -53,7 +53,7 @@ pub struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    pub fn new(bytes: &'a [u8], at: usize, separator: Separator) -> Self {
+    pub(crate) fn new(bytes: &'a [u8], at: usize, separator: Separator) -> Self {
         let mark = |byte: usize| {
             u8::try_from(byte).is_ok_and(|b| matches!(b, b'\n' | b'"' | b'#') || separator.separates(b))
         };
@@ -62,7 +62,7 @@ impl<'a> Lines<'a> {
 
     /// Calls `visit` with each field of the next line, trimmed, and goes on to the line after it. What is quoted is
     /// one field; a line that is blank but for a comment has none. The answer is the line; `None` at the end.
-    pub fn each_field(
+    pub(crate) fn each_field(
         &mut self,
         mut visit: impl FnMut(Range<usize>) -> Result<(), ContentError>,
     ) -> Result<Option<Range<usize>>, ContentError> {
@@ -107,7 +107,11 @@ impl<'a> Lines<'a> {
 }
 
 /// All fields of the line that starts at byte `at`.
-pub fn fields(bytes: &[u8], at: usize, separator: Separator) -> Result<Vec<Range<usize>>, ContentError> {
+pub(crate) fn fields(
+    bytes: &[u8],
+    at: usize,
+    separator: Separator,
+) -> Result<Vec<Range<usize>>, ContentError> {
     let mut all: Vec<Range<usize>> = Vec::new();
     Lines::new(bytes, at, separator).each_field(|field| {
         // Between spaces, a unit in brackets belongs to the name before it.
@@ -131,7 +135,7 @@ fn is_open(field: &[u8]) -> bool {
 }
 
 /// The line at byte `at`, trimmed, and where the next one starts; `None` at the end.
-pub fn line_at(bytes: &[u8], at: usize) -> Option<(Range<usize>, usize)> {
+pub(crate) fn line_at(bytes: &[u8], at: usize) -> Option<(Range<usize>, usize)> {
     let rest = bytes.get(at..).filter(|rest| !rest.is_empty())?;
     let length = rest.iter().position(|b| *b == b'\n').unwrap_or(rest.len());
     Some((trimmed(bytes, at..at + length), at + length + 1))
@@ -144,7 +148,7 @@ fn trimmed(bytes: &[u8], span: Range<usize>) -> Range<usize> {
 }
 
 /// A number, and its decimal mark where that may be either.
-pub fn number(field: &[u8], separator: Separator) -> Option<(f64, Option<u8>)> {
+pub(crate) fn number(field: &[u8], separator: Separator) -> Option<(f64, Option<u8>)> {
     let text = std::str::from_utf8(field).ok()?;
     // What is printed in groups of digits is read where nothing but a separator parts two numbers.
     let parsed = |text: &str| text.parse().ok().or_else(|| unit::bare(text));
@@ -159,6 +163,6 @@ pub fn number(field: &[u8], separator: Separator) -> Option<(f64, Option<u8>)> {
     parsed(text).map(|value| (value, point))
 }
 
-pub fn text_of(bytes: &[u8], span: &Range<usize>) -> String {
+pub(crate) fn text_of(bytes: &[u8], span: &Range<usize>) -> String {
     String::from_utf8_lossy(&bytes[span.clone()]).into_owned()
 }

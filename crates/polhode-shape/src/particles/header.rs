@@ -12,9 +12,9 @@ use super::fields::text_of;
 use super::{ParticleOptions, finding, missing};
 
 /// The numbers of a line, in this order wherever ten numbers stand.
-pub const NAMES: [&str; 10] = ["mass", "x", "y", "z", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
-pub const MASS: usize = 0;
-pub const TENSOR: Range<usize> = 4..10;
+pub(crate) const NAMES: [&str; 10] = ["mass", "x", "y", "z", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
+pub(crate) const MASS: usize = 0;
+pub(crate) const TENSOR: Range<usize> = 4..10;
 
 /// Columns as a header would name them.
 const EXAMPLES: [&str; 10] = [
@@ -32,7 +32,7 @@ const EXAMPLES: [&str; 10] = [
 
 /// What a column is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Role {
+pub(crate) enum Role {
     /// One of [`NAMES`].
     Number(usize),
     /// How many pieces a line stands for.
@@ -45,7 +45,7 @@ pub enum Role {
 
 /// What the products of inertia are, as the keys of a scenario say it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Products {
+pub(crate) enum Products {
     /// −∫xy dm
     Negative,
     /// +∫xy dm
@@ -53,7 +53,7 @@ pub enum Products {
 }
 
 /// The columns of a table.
-pub struct Header {
+pub(crate) struct Header {
     pub roles: Vec<Role>,
     pub scales: [Scale; 10],
     pub products: Option<Products>,
@@ -61,17 +61,17 @@ pub struct Header {
 }
 
 impl Header {
-    pub fn has(&self, number: usize) -> bool {
+    pub(crate) fn has(&self, number: usize) -> bool {
         self.roles.contains(&Role::Number(number))
     }
 
     /// All six elements are there, or none.
-    pub fn has_tensors(&self) -> bool {
+    pub(crate) fn has_tensors(&self) -> bool {
         self.has(TENSOR.start)
     }
 
     /// The columns that a line of names names.
-    pub fn named(
+    pub(crate) fn named(
         bytes: &[u8],
         header: &[Range<usize>],
         products: Option<Products>,
@@ -134,7 +134,7 @@ impl Header {
     }
 
     /// A file of numbers only: three columns are places, four are masses and places.
-    pub fn nameless(
+    pub(crate) fn nameless(
         line: &Range<usize>,
         columns: usize,
         options: &ParticleOptions,
@@ -174,7 +174,7 @@ impl Header {
 
 impl Products {
     /// What a comment declares: `products = negative_integral`; `None` if it is about something else.
-    pub fn declared(bytes: &[u8], comment: &Range<usize>) -> Option<Result<Self, ContentError>> {
+    pub(crate) fn declared(bytes: &[u8], comment: &Range<usize>) -> Option<Result<Self, ContentError>> {
         let text = text_of(bytes, comment).to_lowercase();
         let rest = text.trim_start_matches(['#', ' ', '\t']).strip_prefix("products")?;
         let value = rest.trim_start().strip_prefix(['=', ':'])?;
@@ -190,7 +190,7 @@ impl Products {
 }
 
 /// A column by its name.
-pub struct Column {
+pub(crate) struct Column {
     pub role: Role,
     unit: Option<String>,
     name: String,
@@ -230,7 +230,7 @@ const TURNS: &str = "roll pitch yaw rx ry rz qw qx qy qz rotation orientation rp
 
 impl Column {
     /// `x_mm`, `x [mm]`, `x (mm)` or `x`; anything else is a column that is not read.
-    pub fn of(bytes: &[u8], field: &Range<usize>) -> Self {
+    pub(crate) fn of(bytes: &[u8], field: &Range<usize>) -> Self {
         let whole = text_of(bytes, field);
         let name = whole.trim_matches('"').trim();
         // I_xx is Ixx.

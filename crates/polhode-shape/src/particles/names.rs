@@ -12,13 +12,18 @@ use super::{finding, value};
 
 /// The places at which each name has stood so far.
 #[derive(Default)]
-pub struct Names {
+pub(crate) struct Names {
     places: HashMap<String, HashSet<[u64; 3]>>,
 }
 
 impl Names {
     /// Adds a part; one of the same name at the same place is refused.
-    pub fn add(&mut self, bytes: &[u8], name: &Range<usize>, place: [f64; 3]) -> Result<(), ContentError> {
+    pub(crate) fn add(
+        &mut self,
+        bytes: &[u8],
+        name: &Range<usize>,
+        place: [f64; 3],
+    ) -> Result<(), ContentError> {
         if name.is_empty() {
             return Ok(());
         }
@@ -33,7 +38,7 @@ impl Names {
     }
 
     /// Names that stand in more than one line, if there are any.
-    pub fn finding(&self) -> Option<Finding> {
+    pub(crate) fn finding(&self) -> Option<Finding> {
         let repeated = self.places.iter().filter(|(_, places)| places.len() > 1);
         let mut repeated: Vec<_> = repeated.map(|(name, places)| (name, places.len())).collect();
         repeated.sort();

@@ -9,13 +9,13 @@ use super::header::{Column, Header, NAMES, Products, Role};
 use super::{ParticleOptions, missing, value};
 
 /// How the lines of a file are built.
-pub struct Table {
+pub(crate) struct Table {
     separator: Separator,
     pub header: Header,
 }
 
 /// What a line says.
-pub struct Row {
+pub(crate) struct Row {
     /// In SI; 0 where there is no column.
     pub numbers: [f64; 10],
     /// Where the name stands.
@@ -24,7 +24,11 @@ pub struct Row {
 
 impl Table {
     /// The table that the header describes, and where its numbers begin.
-    pub fn of(bytes: &[u8], start: usize, options: &ParticleOptions) -> Result<(Self, usize), ContentError> {
+    pub(crate) fn of(
+        bytes: &[u8],
+        start: usize,
+        options: &ParticleOptions,
+    ) -> Result<(Self, usize), ContentError> {
         let (mut at, mut comment, mut products) = (start, None, None);
         while let Some((line, next)) = line_at(bytes, at) {
             if bytes[line.clone()].starts_with(b"#") {
@@ -57,7 +61,7 @@ impl Table {
     }
 
     /// Calls `visit` with every line from byte `at` on, and what it says.
-    pub fn each_row(
+    pub(crate) fn each_row(
         &self,
         bytes: &[u8],
         at: usize,

@@ -15,7 +15,7 @@ use super::{Layout, Voxels};
 
 /// Where the bytes of a file are.
 #[derive(Debug)]
-pub enum Source<'a> {
+pub(crate) enum Source<'a> {
     Memory(Cow<'a, [u8]>),
     /// An open file, and what the system said of it at first.
     File(File, Box<Metadata>),

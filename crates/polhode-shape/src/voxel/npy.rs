@@ -9,10 +9,10 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::{Layout, Placement, Scalar, declared_bytes, require_length};
 
-pub const MAGIC: &[u8] = b"\x93NUMPY";
+pub(crate) const MAGIC: &[u8] = b"\x93NUMPY";
 
 /// What the header says of a file of this length that begins with these bytes.
-pub fn read(bytes: &[u8], file_length: u64) -> Result<Layout, ContentError> {
+pub(crate) fn read(bytes: &[u8], file_length: u64) -> Result<Layout, ContentError> {
     let version = bytes.get(6..8).ok_or_else(|| cut("the version", bytes.len()))?;
     let (start, length) = match version[0] {
         1 => (10, bytes.get(8..10).map(|b| usize::from(b[0]) | usize::from(b[1]) << 8)),

@@ -14,7 +14,7 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::{Layout, Placement, Scalar, declared_bytes, require_length};
 
-pub const MAGIC: &[u8] = b"NRRD";
+pub(crate) const MAGIC: &[u8] = b"NRRD";
 
 /// Fields without a bearing on mass: what the numbers look like, or are called.
 const PASSED_OVER: [&str; 18] = [
@@ -39,7 +39,7 @@ const PASSED_OVER: [&str; 18] = [
 ];
 
 /// What the header says of a file of this length that begins with these bytes.
-pub fn read(bytes: &[u8], length: u64) -> Result<Layout, ContentError> {
+pub(crate) fn read(bytes: &[u8], length: u64) -> Result<Layout, ContentError> {
     let header = Header::read(bytes)?;
     header.require_density()?;
     let scalar = header.scalar()?;

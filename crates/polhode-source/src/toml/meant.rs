@@ -140,7 +140,7 @@ const DAMPING: &str =
     "what the air damps is model = \"drag\"; what friction inside the body does, \"energy_sink\"";
 
 /// Advice for an unknown key where these are known.
-pub fn key(word: &str, known: &[&str]) -> Option<&'static str> {
+pub(crate) fn key(word: &str, known: &[&str]) -> Option<&'static str> {
     // Whatever the sequence is, euler123 or euler_zyx, it is one of the three angles that are not read.
     let word = if word.to_lowercase().starts_with("euler") { "euler" } else { word };
     let meant = KEYS.iter().find(|(others, ours, _)| same(word, others) && known.contains(ours));
@@ -148,14 +148,14 @@ pub fn key(word: &str, known: &[&str]) -> Option<&'static str> {
 }
 
 /// Advice for an unknown name where these are known.
-pub fn name(word: &str, known: &[&str]) -> Option<String> {
+pub(crate) fn name(word: &str, known: &[&str]) -> Option<String> {
     let (_, ours, advice) =
         NAMES.iter().find(|(others, ours, _)| same(word, others) && known.contains(ours))?;
     Some(if advice.is_empty() { format!("did you mean \"{ours}\"?") } else { (*advice).to_owned() })
 }
 
 /// What to write in the place of a value that ought to be a table; `text` is what stands there, and how many elements it has.
-pub fn table(key: &str, text: &str, elements: usize) -> Option<String> {
+pub(crate) fn table(key: &str, text: &str, elements: usize) -> Option<String> {
     let text = cut(text);
     let whole = !text.contains(['…', '\n']);
     Some(match (key, elements) {
@@ -176,7 +176,7 @@ pub fn table(key: &str, text: &str, elements: usize) -> Option<String> {
 }
 
 /// What to write in the place of an element that ought to be a table.
-pub fn element(key: &str, text: &str, elements: usize) -> String {
+pub(crate) fn element(key: &str, text: &str, elements: usize) -> String {
     let text = cut(text);
     match (key, elements) {
         ("between", 3) if !text.contains(['…', '\n']) => {

@@ -9,7 +9,7 @@ use super::{
     SweepSummary,
 };
 
-pub fn of(summary: &SweepSummary) -> Value {
+pub(crate) fn of(summary: &SweepSummary) -> Value {
     let (confidence, why) = match summary.intervals {
         SweepIntervals::Given { confidence } => (Some(confidence), None),
         SweepIntervals::OfSets { confidence, .. } => (Some(confidence), None),

@@ -13,7 +13,7 @@ const MOST_CORRELATIONS: usize = 6;
 const DRIFT: [&str; 2] = ["energy_drift", "momentum_drift"];
 const ERROR: [&str; 2] = ["error_attitude_rad", "error_omega"];
 
-pub fn write(summary: &SweepSummary) -> String {
+pub(crate) fn write(summary: &SweepSummary) -> String {
     let title = printable(summary.title.as_deref().unwrap_or("sweep"));
     let noun = if summary.members == 1 { "member" } else { "members" };
     let drawn = match summary.sampling {

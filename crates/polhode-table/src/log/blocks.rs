@@ -18,7 +18,7 @@ const LONGEST_LINE: usize = 64 << 20;
 
 /// Why rows could not be read.
 #[derive(Debug)]
-pub enum Failure {
+pub(crate) enum Failure {
     Io(io::Error),
     Content(ContentError),
 }
@@ -36,13 +36,13 @@ impl From<ContentError> for Failure {
 }
 
 /// Reads whole lines as rows.
-pub trait Lines: Sync {
+pub(crate) trait Lines: Sync {
     /// The rows of a text that stands there in the file.
     fn rows(&self, text: &[u8], offset: usize) -> Result<Rows, RowError>;
 }
 
 /// A text of which some bytes are in memory.
-pub struct Blocks<R> {
+pub(crate) struct Blocks<R> {
     stream: R,
     bytes: Vec<u8>,
     /// Where they stand in the file.
@@ -52,19 +52,19 @@ pub struct Blocks<R> {
 
 impl<R: Read> Blocks<R> {
     /// With the first block.
-    pub fn new(stream: R) -> io::Result<Self> {
+    pub(crate) fn new(stream: R) -> io::Result<Self> {
         let mut blocks = Self { stream, bytes: Vec::new(), offset: 0, ended: false };
         blocks.refill()?;
         Ok(blocks)
     }
 
     /// The first block, or all that there is.
-    pub fn first(&self) -> &[u8] {
+    pub(crate) fn first(&self) -> &[u8] {
         &self.bytes
     }
 
     /// All rows from a byte of the first block on, where a line begins; the text has so many bytes, if that is known.
-    pub fn rows(
+    pub(crate) fn rows(
         mut self,
         start: usize,
         length: Option<u64>,

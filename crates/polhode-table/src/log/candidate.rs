@@ -8,7 +8,7 @@ use super::name::{Kind, Name};
 
 /// Columns that may be one of the three.
 #[derive(Clone, Debug)]
-pub struct Candidate {
+pub(crate) struct Candidate {
     /// The least is taken: how far the names are from plain ones, then which of several forms.
     pub rank: (u8, u8),
     pub numbers: Numbers,
@@ -24,7 +24,7 @@ pub struct Candidate {
 
 /// What the numbers of columns are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Numbers {
+pub(crate) enum Numbers {
     /// A time, or an angular velocity.
     Vector,
     Quaternion(Option<QuaternionOrder>),
@@ -58,7 +58,7 @@ const VECTORS: [&str; 3] = ["x y z", "0 1 2", "1 2 3"];
 
 impl Candidate {
     /// A column that is a time.
-    pub fn time(column: usize, names: &[Option<Name>]) -> Self {
+    pub(crate) fn time(column: usize, names: &[Option<Name>]) -> Self {
         let distance = names[column].as_ref().map_or(u8::MAX, |name| name.distance);
         Self::of(&[column], names, Numbers::Vector, (distance, 0))
     }
@@ -81,7 +81,11 @@ impl Candidate {
     }
 
     /// What a user says of columns; what is left open is what their names say. Else angles in another order than their names.
-    pub fn said(said: &Said, columns: Vec<usize>, names: &[Option<Name>]) -> Result<Self, (String, String)> {
+    pub(crate) fn said(
+        said: &Said,
+        columns: Vec<usize>,
+        names: &[Option<Name>],
+    ) -> Result<Self, (String, String)> {
         let labels: Vec<&str> =
             columns.iter().map(|c| names[*c].as_ref().map_or("", |name| name.label.as_str())).collect();
         let (numbers, columns) = match said.key {
@@ -118,7 +122,7 @@ impl Candidate {
     ///
     /// A header may name numbers in the order w, x, y, z so. In the order of the file they are a
     /// quaternion, which the motion finds.
-    pub fn in_file_order(self) -> Self {
+    pub(crate) fn in_file_order(self) -> Self {
         let is_scalar_first = self.numbers == Numbers::Quaternion(Some(QuaternionOrder::ScalarFirst));
         match self.columns[..] {
             [w, x, y, z]
@@ -136,7 +140,7 @@ impl Candidate {
     }
 
     /// The order of a quaternion, which that of another form has once it is one.
-    pub const fn order(&self) -> Option<QuaternionOrder> {
+    pub(crate) const fn order(&self) -> Option<QuaternionOrder> {
         match self.numbers {
             Numbers::Quaternion(order) => order,
             _ => Some(QuaternionOrder::ScalarFirst),
@@ -151,7 +155,7 @@ fn agrees(sequence: Sequence, labels: &[&str]) -> bool {
 }
 
 /// Columns that may be the attitude.
-pub fn attitudes(names: &[Option<Name>]) -> Vec<Candidate> {
+pub(crate) fn attitudes(names: &[Option<Name>]) -> Vec<Candidate> {
     let mut found = Vec::new();
     for group in groups(names, Kind::Attitude) {
         for (labels, order) in QUATERNIONS {
@@ -170,7 +174,7 @@ pub fn attitudes(names: &[Option<Name>]) -> Vec<Candidate> {
 }
 
 /// What is missing of an attitude whose other columns are there, and these.
-pub fn incomplete(names: &[Option<Name>]) -> Option<(&'static str, Vec<usize>)> {
+pub(crate) fn incomplete(names: &[Option<Name>]) -> Option<(&'static str, Vec<usize>)> {
     let groups = groups(names, Kind::Attitude).into_iter().chain(groups(names, Kind::Euler));
     groups
         .filter_map(|group| {
@@ -188,7 +192,7 @@ pub fn incomplete(names: &[Option<Name>]) -> Option<(&'static str, Vec<usize>)> 
 }
 
 /// Columns that may be the angular velocity: along body axes rather than along space axes, and rather than along unknown ones.
-pub fn omegas(names: &[Option<Name>]) -> Vec<Candidate> {
+pub(crate) fn omegas(names: &[Option<Name>]) -> Vec<Candidate> {
     let mut found = Vec::new();
     for group in groups(names, Kind::Omega) {
         for labels in VECTORS {

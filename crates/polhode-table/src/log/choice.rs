@@ -19,7 +19,7 @@ use super::name::{Kind, Name};
 
 /// The columns that there are.
 #[derive(Debug, Default)]
-pub struct Header {
+pub(crate) struct Header {
     pub names: Vec<String>,
     /// Where each name stands, in a text.
     pub spans: Vec<Range<usize>>,
@@ -199,7 +199,7 @@ pub enum Wanted {
 }
 
 /// Which columns are read: those that the user names, then those whose names say what they are.
-pub fn choose(
+pub(crate) fn choose(
     header: &Header,
     columns: &Columns,
     units: &Units,

@@ -254,7 +254,7 @@ fn split<'a>(text: &'a str, separators: &[char]) -> Result<Vec<&'a str>, Columns
 }
 
 /// A text without the quotes around it.
-pub fn unquoted(text: &str) -> &str {
+pub(crate) fn unquoted(text: &str) -> &str {
     let within = |quote: char| text.strip_prefix(quote)?.strip_suffix(quote);
     within('"').or_else(|| within('\'')).unwrap_or(text)
 }

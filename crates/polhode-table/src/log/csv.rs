@@ -11,7 +11,7 @@ use super::rows::{MOST, Problem, RowError, Rows};
 
 /// What the first lines say, and where the rows begin.
 #[derive(Debug)]
-pub struct Opening {
+pub(crate) struct Opening {
     pub head: Head,
     pub header: Header,
     pub separator: Separator,
@@ -20,7 +20,7 @@ pub struct Opening {
 
 /// What parts the fields of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Separator {
+pub(crate) enum Separator {
     Byte(u8),
     Blanks,
 }
@@ -99,7 +99,7 @@ impl Separator {
 }
 
 /// Reads the lines up to the first row; a file whose columns its user told may be without names: they are numbers then.
-pub fn opening(bytes: &[u8], is_told: bool) -> Result<Opening, ContentError> {
+pub(crate) fn opening(bytes: &[u8], is_told: bool) -> Result<Opening, ContentError> {
     let (mut at, mut head, mut comment) = (0, Head::default(), None);
     if bytes.starts_with(b"\xef\xbb\xbf") {
         at = 3;
@@ -164,7 +164,7 @@ fn trimmed(bytes: &[u8], span: Range<usize>) -> Range<usize> {
 
 /// The rows of a text.
 #[derive(Debug)]
-pub struct Table<'a> {
+pub(crate) struct Table<'a> {
     plan: &'a Plan,
     separator: Separator,
     /// The slot of each column, if it is read.
@@ -172,7 +172,7 @@ pub struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    pub fn new(plan: &'a Plan, opening: &Opening) -> Self {
+    pub(crate) fn new(plan: &'a Plan, opening: &Opening) -> Self {
         let mut slots = vec![None; opening.header.names.len()];
         for (slot, column) in (0..).zip(&plan.slots) {
             slots[column.column] = Some(slot);

@@ -24,7 +24,7 @@ const FOREIGN: [(&[u8], &str, &str); 9] = [
 ];
 
 /// Why a file of another kind is refused, if it is one.
-pub fn refusal(bytes: &[u8]) -> Option<ContentError> {
+pub(crate) fn refusal(bytes: &[u8]) -> Option<ContentError> {
     let refused = |what: &str, hint: &str| {
         let kind = ContentErrorKind::Unsupported { what: what.to_owned() };
         ContentError::new(kind, ContentPlace::Whole).hint(hint)

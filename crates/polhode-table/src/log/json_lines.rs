@@ -17,7 +17,7 @@ use super::rows::{MOST, Problem, RowError, Rows};
 
 /// What the first lines say, and where the rows begin.
 #[derive(Debug, Default)]
-pub struct Opening {
+pub(crate) struct Opening {
     pub head: Head,
     pub header: Header,
     paths: Vec<Path>,
@@ -38,7 +38,7 @@ enum Step {
 const MOST_VALUES: usize = 10_000;
 
 /// Reads the lines up to the first row: a first line without a time is the head.
-pub fn opening(bytes: &[u8], columns: &Columns) -> Result<Opening, ContentError> {
+pub(crate) fn opening(bytes: &[u8], columns: &Columns) -> Result<Opening, ContentError> {
     let mut opening =
         Opening { rows: if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 }, ..Opening::default() };
     let mut has_head = false;
@@ -126,7 +126,7 @@ fn shown(line: &[u8]) -> String {
 
 /// The rows of a text.
 #[derive(Debug)]
-pub struct Objects<'a> {
+pub(crate) struct Objects<'a> {
     plan: &'a Plan,
     /// Of each slot.
     paths: Vec<&'a [Step]>,
@@ -136,13 +136,13 @@ pub struct Objects<'a> {
 }
 
 impl<'a> Objects<'a> {
-    pub fn new(plan: &'a Plan, opening: &'a Opening) -> Self {
+    pub(crate) fn new(plan: &'a Plan, opening: &'a Opening) -> Self {
         let paths = plan.slots.iter().map(|slot| opening.paths[slot.column].as_slice()).collect();
         Self { plan, paths, keys: &opening.keys, others: Mutex::default() }
     }
 
     /// Keys that some row has and the first has not.
-    pub fn others(self) -> BTreeSet<String> {
+    pub(crate) fn others(self) -> BTreeSet<String> {
         self.others.into_inner().unwrap_or_default()
     }
 

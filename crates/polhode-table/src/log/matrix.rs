@@ -6,7 +6,7 @@ use std::fmt;
 use polhode::math::{Body, Rotation};
 
 /// The largest element of |RᵀR − 1| at which a matrix still is a rotation: single precision, and six printed digits.
-pub const TOLERANCE: f64 = 1e-5;
+pub(crate) const TOLERANCE: f64 = 1e-5;
 
 /// Why a matrix is no rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,7 +4,7 @@ use polhode::infer::judge::{AttitudeSense, OmegaAxes};
 
 /// A name, taken apart.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Name {
+pub(crate) struct Name {
     /// What its columns have in common: the name without the part that tells them apart, and without the unit.
     pub group: String,
     /// What its numbers may be.
@@ -23,7 +23,7 @@ pub struct Name {
 
 /// What the numbers of a group of columns may be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub(crate) enum Kind {
     Time,
     /// A quaternion or a matrix: how many there are tells.
     Attitude,
@@ -87,7 +87,7 @@ const UNITS: [(&str, &str); 33] = [
 
 impl Name {
     /// `None` of a name that says nothing of a motion.
-    pub fn of(text: &str) -> Option<Self> {
+    pub(crate) fn of(text: &str) -> Option<Self> {
         let (text, bracketed) = split_bracket(text.trim());
         let mut words = words(text);
         let unit = match bracketed {
@@ -138,13 +138,13 @@ impl Name {
     }
 
     /// Whether a time of this name needs a unit.
-    pub fn is_stamp(&self) -> bool {
+    pub(crate) fn is_stamp(&self) -> bool {
         self.kind == Kind::Time && self.group.rsplit('_').next().is_some_and(|word| has(STAMPS, word))
     }
 }
 
 /// A unit as [`polhode_source::unit`] reads it, if it is spelt otherwise.
-pub fn spelt_unit(text: &str) -> String {
+pub(crate) fn spelt_unit(text: &str) -> String {
     let joined = words(text).join(" ");
     let known = UNITS.iter().find(|(written, _)| *written == joined);
     known.map_or_else(|| text.to_owned(), |(_, unit)| (*unit).to_owned())

@@ -8,7 +8,7 @@ use super::choice::{Form, Plan};
 use super::matrix::{self, MatrixError};
 
 /// Numbers of a row: the time, nine of an attitude at most, and an angular velocity.
-pub const MOST: usize = 13;
+pub(crate) const MOST: usize = 13;
 
 /// Rows of a motion in SI.
 #[derive(Debug, Default)]

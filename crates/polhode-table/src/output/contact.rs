@@ -3,7 +3,7 @@
 use polhode::motion::contact::{ContactPhase, ContactSample};
 
 /// Name, unit, what it is, and its number.
-pub type OfContact = (&'static str, &'static str, &'static str, fn(&ContactSample) -> f64);
+pub(crate) type OfContact = (&'static str, &'static str, &'static str, fn(&ContactSample) -> f64);
 
 const PHASE: &str = "0 rolling, 1 sliding, 2 flying";
 const POSITION: &str = "centre of mass, along space axes";
@@ -14,7 +14,7 @@ const IN_BODY: &str = "the point that touches the ground, in body axes";
 const FRICTION: &str =
     "force of friction on the body, along space axes; of what rolls the force that holds it";
 
-pub const COLUMNS: [OfContact; 22] = [
+pub(crate) const COLUMNS: [OfContact; 22] = [
     ("contact_phase", "1", PHASE, |s| phase(s.phase)),
     ("position_space_x_m", "m", POSITION, |s| s.center.x),
     ("position_space_y_m", "m", POSITION, |s| s.center.y),

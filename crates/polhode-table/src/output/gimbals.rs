@@ -3,14 +3,14 @@
 use polhode::motion::gimbal::GimbalSample;
 
 /// Name, unit, what it is, and its number.
-pub type OfGimbals = (&'static str, &'static str, &'static str, fn(&GimbalSample) -> f64);
+pub(crate) type OfGimbals = (&'static str, &'static str, &'static str, fn(&GimbalSample) -> f64);
 
 const ANGLE: &str = "angle of the axis";
 const RATE: &str = "rate of the axis";
 const HOLDING: &str = "torque of the lock or the motor that holds the axis; zero of a free one";
 const MOMENTUM: &str = "angular momentum of rotor and gimbals about the crossing, along space axes";
 
-pub const COLUMNS: [OfGimbals; 19] = [
+pub(crate) const COLUMNS: [OfGimbals; 19] = [
     ("outer_angle_rad", "rad", ANGLE, |s| s.angles[0]),
     ("inner_angle_rad", "rad", ANGLE, |s| s.angles[1]),
     ("rotor_angle_rad", "rad", ANGLE, |s| s.angles[2]),

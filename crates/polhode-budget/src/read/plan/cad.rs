@@ -9,7 +9,7 @@ use polhode_source::unit::Dimension;
 use crate::read::heading::no_unit;
 
 /// Reads `[cad]`.
-pub fn options(table: &Table<'_>) -> Result<CadOptions, FormatError> {
+pub(crate) fn options(table: &Table<'_>) -> Result<CadOptions, FormatError> {
     table.allow(&["decimal", "products", "mass_unit", "length_unit"])?;
     let unit = |key, dimension| table.get(key).map(|value| factor(&value, dimension)).transpose();
     let mut options = CadOptions {

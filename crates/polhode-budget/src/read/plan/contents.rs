@@ -12,7 +12,7 @@ use crate::{LiquidErrors, Measured};
 
 /// A number and its standard deviation, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Known {
+pub(crate) struct Known {
     pub value: f64,
     pub sd: f64,
     /// Whether the error stands after ±.
@@ -21,11 +21,11 @@ pub struct Known {
 
 impl Known {
     /// What is not given.
-    pub const EXACT: Self = Self { value: 1.0, sd: 0.0, is_after_mark: false };
+    pub(crate) const EXACT: Self = Self { value: 1.0, sd: 0.0, is_after_mark: false };
 }
 
 /// What is in a tank that holds so much, kg, if its density is known so well; with the number that says it.
-pub fn contents<'a>(
+pub(crate) fn contents<'a>(
     table: &Table<'a>,
     capacity: f64,
     density: f64,
@@ -63,7 +63,7 @@ pub fn contents<'a>(
 }
 
 /// A quantity with its error, in it or beside it.
-pub fn quantity(
+pub(crate) fn quantity(
     value: &Value<'_>,
     beside: Option<&Value<'_>>,
     dimension: Dimension,
@@ -97,7 +97,7 @@ pub fn quantity(
 }
 
 /// How well a number is known that is not given: `5 %` of it.
-pub fn relative(value: &Value<'_>) -> Result<Known, FormatError> {
+pub(crate) fn relative(value: &Value<'_>) -> Result<Known, FormatError> {
     let Some(fraction) = value.string().ok().and_then(percent) else {
         return Err(value
             .invalid("in percent beside a table, which has no density")

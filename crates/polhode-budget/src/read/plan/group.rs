@@ -9,7 +9,7 @@ const KEYS: [&str; 8] =
     ["name", "correlation", "mass", "center", "tensor", "position", "rotation", "density"];
 
 /// Reads all groups.
-pub fn groups(value: &Value<'_>) -> Result<Vec<Group>, FormatError> {
+pub(crate) fn groups(value: &Value<'_>) -> Result<Vec<Group>, FormatError> {
     let mut groups: Vec<Group> = Vec::new();
     for table in value.tables("group")? {
         table.allow(&KEYS)?;

@@ -6,11 +6,11 @@ use polhode_source::{FormatError, FormatErrorKind};
 use crate::GrowthTable;
 
 /// What is said of a number above 1 without %, which may be either.
-pub const BARE_GROWTH: &str = "in percent, as it is above 1";
-pub const BARE_GROWTH_HINT: &str = "15 % is 0.15, and 15 is 1500 %";
+pub(crate) const BARE_GROWTH: &str = "in percent, as it is above 1";
+pub(crate) const BARE_GROWTH_HINT: &str = "15 % is 0.15, and 15 is 1500 %";
 
 /// `E = "25 %"`, `C = 0.15`: the table, and its codes.
-pub fn table(value: &Value<'_>) -> Result<(GrowthTable, Vec<String>), FormatError> {
+pub(crate) fn table(value: &Value<'_>) -> Result<(GrowthTable, Vec<String>), FormatError> {
     let mut codes = Vec::new();
     for (code, allowance) in value.table()?.each("growth") {
         let fraction = super::fraction(&allowance)?;

@@ -36,7 +36,7 @@ const MEASURES: [(&str, Dimension, &[&str]); 12] = [
 const DETAILS: [&str; 7] = ["along", "from", "about", "axes", "products", "number", "numbers"];
 
 /// Reads all limits; `products` says what products are where a limit does not.
-pub fn limits(value: &Value<'_>, products: Option<ProductSign>) -> Result<Vec<Limit>, FormatError> {
+pub(crate) fn limits(value: &Value<'_>, products: Option<ProductSign>) -> Result<Vec<Limit>, FormatError> {
     let mut limits: Vec<Limit> = Vec::new();
     for table in value.tables("limit")? {
         let limit = limit(&table, products)?;
@@ -181,12 +181,12 @@ fn about(table: &Table<'_>) -> Result<About, FormatError> {
     }
 }
 
-pub fn point(value: &Value<'_>) -> Result<Position<Body>, FormatError> {
+pub(crate) fn point(value: &Value<'_>) -> Result<Position<Body>, FormatError> {
     value.quantities(Dimension::LENGTH).map(Position::from_array)
 }
 
 /// `"z"`, `"-x"`, or three numbers.
-pub fn direction(value: &Value<'_>) -> Result<Direction<Body>, FormatError> {
+pub(crate) fn direction(value: &Value<'_>) -> Result<Direction<Body>, FormatError> {
     if !value.is_array() {
         let name = value.choice(&["x", "y", "z", "-x", "-y", "-z"])?;
         let size = if name.starts_with('-') { -1.0 } else { 1.0 };

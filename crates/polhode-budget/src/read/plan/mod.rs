@@ -3,15 +3,15 @@
 mod cad;
 mod contents;
 mod group;
-pub mod growth;
+pub(crate) mod growth;
 mod limit;
 mod result;
-pub mod sequence;
+pub(crate) mod sequence;
 mod site;
 mod size;
 mod states;
-pub mod table_file;
-pub mod tank;
+pub(crate) mod table_file;
+pub(crate) mod tank;
 
 use std::path::PathBuf;
 
@@ -28,7 +28,7 @@ use tank::PlannedTank;
 
 /// What a file says besides its parts.
 #[derive(Debug, Default)]
-pub struct Plan {
+pub(crate) struct Plan {
     pub title: Option<String>,
     /// What products of inertia are, where a row does not say it.
     pub products: Option<ProductSign>,
@@ -61,7 +61,7 @@ pub struct Plan {
 
 /// Where things are declared that nothing may use: an error at each.
 #[derive(Debug, Default)]
-pub struct Places {
+pub(crate) struct Places {
     pub ignore: Vec<FormatError>,
     pub groups: Vec<FormatError>,
     pub cad: Option<FormatError>,
@@ -69,7 +69,7 @@ pub struct Places {
 
 /// The point that a tensor is about.
 #[derive(Clone, Debug, PartialEq)]
-pub enum About {
+pub(crate) enum About {
     Center,
     /// Of the row's own frame, m.
     Point([f64; 3]),
@@ -78,7 +78,7 @@ pub enum About {
 }
 
 /// The keys of a plan.
-pub const KEYS: [&str; 20] = [
+pub(crate) const KEYS: [&str; 20] = [
     "title",
     "products",
     "about",
@@ -102,11 +102,11 @@ pub const KEYS: [&str; 20] = [
 ];
 
 /// Those whose values are tables, and lists of such: a workbook has a sheet for each.
-pub const TABLES: [&str; 5] = ["growth", "cad", "result", "ballast", "sequence"];
-pub const LISTS: [&str; 8] = ["group", "limit", "site", "tank", "burn", "drop", "deploy", "exit"];
+pub(crate) const TABLES: [&str; 5] = ["growth", "cad", "result", "ballast", "sequence"];
+pub(crate) const LISTS: [&str; 8] = ["group", "limit", "site", "tank", "burn", "drop", "deploy", "exit"];
 
 /// Reads all keys of a plan; `others` may stand beside them, and tables in sheets of its workbook, if it is one.
-pub fn plan(
+pub(crate) fn plan(
     root: &Table<'_>,
     others: &[&'static str],
     sheets: Option<&Sheets<'_>>,
@@ -172,13 +172,13 @@ pub fn plan(
 
 impl Plan {
     /// Whether a sheet of the workbook is the table of a tank.
-    pub fn has_sheet(&self, name: &str) -> bool {
+    pub(crate) fn has_sheet(&self, name: &str) -> bool {
         let tables = self.tanks.iter().filter_map(|tank| tank.table.as_ref());
         tables.into_iter().any(|table| table.from == TableOrigin::Sheet(name.to_owned()))
     }
 
     /// The same where its text was made of others: its places become theirs.
-    pub fn moved(mut self, moved: impl Fn(FormatError) -> FormatError) -> Self {
+    pub(crate) fn moved(mut self, moved: impl Fn(FormatError) -> FormatError) -> Self {
         let Places { ignore, groups, cad } = &mut self.places;
         for place in ignore.iter_mut().chain(groups).chain(cad) {
             *place = moved(place.clone());
@@ -206,12 +206,12 @@ fn products(value: &Value<'_>) -> Result<ProductSign, FormatError> {
 }
 
 /// What a product of inertia may be.
-pub const PRODUCTS: [(&str, ProductSign); 2] = [
+pub(crate) const PRODUCTS: [(&str, ProductSign); 2] = [
     ("tensor elements", ProductSign::NegativeIntegral),
     ("positive integrals", ProductSign::PositiveIntegral),
 ];
 
-pub fn sign_of(name: &str) -> Option<ProductSign> {
+pub(crate) fn sign_of(name: &str) -> Option<ProductSign> {
     PRODUCTS.iter().find(|(known, _)| *known == name).map(|(_, sign)| *sign)
 }
 
@@ -225,7 +225,7 @@ fn about(value: &Value<'_>) -> Result<About, FormatError> {
 
 impl About {
     /// By its name.
-    pub fn named(name: &str) -> Self {
+    pub(crate) fn named(name: &str) -> Self {
         match name {
             "center" => Self::Center,
             "origin" => Self::Point([0.0; 3]),

@@ -13,7 +13,7 @@ use crate::read::{MOST_DRAWS, Questions};
 const LEAST_DRAWS: usize = 10;
 
 /// Reads `[result]`.
-pub fn questions(table: &Table<'_>) -> Result<Questions, FormatError> {
+pub(crate) fn questions(table: &Table<'_>) -> Result<Questions, FormatError> {
     table.allow(&["about", "axes", "draws", "seed", "basis"])?;
     let mut questions = Questions::default();
     if let Some(value) = table.get("about") {

@@ -17,7 +17,7 @@ const FLOW: Dimension = Dimension::new(1, 0, -1, 0);
 
 /// What is to happen, as a file says it: rows and configurations are not known yet.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PlannedSequence {
+pub(crate) struct PlannedSequence {
     /// The one that it begins as.
     pub configuration: Option<String>,
     /// s
@@ -60,7 +60,10 @@ impl PlannedChange {
 }
 
 /// Reads what is to happen, if anything is.
-pub fn sequence(root: &Table<'_>, tanks: &[PlannedTank]) -> Result<Option<PlannedSequence>, FormatError> {
+pub(crate) fn sequence(
+    root: &Table<'_>,
+    tanks: &[PlannedTank],
+) -> Result<Option<PlannedSequence>, FormatError> {
     let Some(section) = root.get("sequence") else {
         return match ["burn", "drop", "deploy", "exit"].into_iter().find_map(|key| root.get(key)) {
             Some(value) => Err(value

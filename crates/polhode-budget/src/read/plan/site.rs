@@ -10,7 +10,7 @@ use crate::{Ballast, BallastPlace, Round, Site};
 const KEYS: [&str; 10] = ["name", "at", "to", "radius", "normal", "rim", "holes", "first", "most", "sizes"];
 
 /// Reads all sites, and what is asked of the ballast at them.
-pub fn ballast(sites: &Value<'_>, asked: Option<&Value<'_>>) -> Result<Ballast, FormatError> {
+pub(crate) fn ballast(sites: &Value<'_>, asked: Option<&Value<'_>>) -> Result<Ballast, FormatError> {
     let mut ballast = Ballast::default();
     for table in sites.tables("site")? {
         let all = of_table(&table)?;

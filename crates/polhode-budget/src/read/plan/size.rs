@@ -4,7 +4,7 @@ use polhode_source::FormatError;
 use polhode_source::toml::reader::Value;
 use polhode_source::unit::Dimension;
 
-pub fn not_negative(value: &Value<'_>) -> Result<f64, FormatError> {
+pub(crate) fn not_negative(value: &Value<'_>) -> Result<f64, FormatError> {
     let length = value.quantity(Dimension::LENGTH)?;
     match length {
         0.0 => Ok(length),
@@ -14,10 +14,10 @@ pub fn not_negative(value: &Value<'_>) -> Result<f64, FormatError> {
 }
 
 /// Of tanks, m, and of liquids, kg/m³: beyond them levels are rounding.
-pub const SIZES: [f64; 2] = [1e-6, 1e6];
-pub const DENSITIES: [f64; 2] = [1e-6, 1e6];
+pub(crate) const SIZES: [f64; 2] = [1e-6, 1e6];
+pub(crate) const DENSITIES: [f64; 2] = [1e-6, 1e6];
 
-pub fn in_range(value: &Value<'_>, number: f64, [least, most]: [f64; 2]) -> Result<f64, FormatError> {
+pub(crate) fn in_range(value: &Value<'_>, number: f64, [least, most]: [f64; 2]) -> Result<f64, FormatError> {
     if number >= least && number <= most {
         return Ok(number);
     }

@@ -76,7 +76,7 @@ impl States {
 }
 
 /// `[[tank.table]]`: `mass`, `level`, `center`, `moments` and `products` about the centre.
-pub fn of_tables(value: &Value<'_>, sign: Option<ProductSign>) -> Result<LiquidTable, FormatError> {
+pub(crate) fn of_tables(value: &Value<'_>, sign: Option<ProductSign>) -> Result<LiquidTable, FormatError> {
     let mut states = States::default();
     let mut with_levels = None;
     for table in value.tables("tank.table")? {
@@ -128,7 +128,7 @@ fn dimension(key: usize) -> Dimension {
 }
 
 /// Whether a heading is one by which a table of a liquid is known.
-pub fn is_of_mass(heading: &str) -> bool {
+pub(crate) fn is_of_mass(heading: &str) -> bool {
     plain(split(heading).0) == NAMES[MASS]
 }
 
@@ -142,7 +142,7 @@ struct Column {
 }
 
 /// A table whose first row has the headings `mass`, perhaps `level`, `x`, `y`, `z`, and perhaps `ixx` to `iyz` about that, with their units.
-pub fn of_sheet(sheet: &Sheet<'_>, sign: Option<ProductSign>) -> Result<LiquidTable, FormatError> {
+pub(crate) fn of_sheet(sheet: &Sheet<'_>, sign: Option<ProductSign>) -> Result<LiquidTable, FormatError> {
     let mut rows = sheet.rows.iter();
     let headings = rows.next().map(|row| sheet.row(row)).unwrap_or_default();
     let mut columns = columns(sheet, &headings)?;

@@ -13,23 +13,23 @@ use crate::read::{bytes_of, csv, text};
 use crate::{LiquidTable, ProductSign};
 
 /// The sheets of a workbook by their names, and what is to be said of each.
-pub type Sheets<'a> = dyn Fn(&str) -> Option<(Sheet<'a>, Vec<String>)> + 'a;
+pub(crate) type Sheets<'a> = dyn Fn(&str) -> Option<(Sheet<'a>, Vec<String>)> + 'a;
 
 /// A file or a sheet that was read.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ReadTable {
+pub(crate) struct ReadTable {
     pub from: TableOrigin,
     /// What is to be said of it.
     pub lines: Vec<String>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub enum TableOrigin {
+pub(crate) enum TableOrigin {
     File(PathBuf),
     Sheet(String),
 }
 
-pub fn table_of(
+pub(crate) fn table_of(
     value: &Value<'_>,
     sign: Option<ProductSign>,
     decimal_comma: Option<bool>,

@@ -13,7 +13,7 @@ use crate::{Down, Liquid, LiquidErrors, TankShape, Vessel};
 
 /// A tank as a file gives it: which row it stands in is not known yet.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PlannedTank {
+pub(crate) struct PlannedTank {
     pub name: String,
     /// The row in whose frame it is; that of all without.
     pub frame: Option<String>,
@@ -75,7 +75,7 @@ const DOWN: [(&str, Down); 6] = [
 ];
 
 /// Reads all tanks, of what the plan says besides, and perhaps of sheets of its workbook.
-pub fn tanks(
+pub(crate) fn tanks(
     value: &Value<'_>,
     plan: &Plan,
     sheets: Option<&Sheets<'_>>,

@@ -26,7 +26,7 @@ const MOST_TEXT: usize = 1 << 31;
 
 /// A sheet, as its entry has it, without cells that are empty.
 #[derive(Debug, Default)]
-pub struct RawSheet {
+pub(crate) struct RawSheet {
     rows: Vec<SheetRow>,
     /// In the order of rows, and in them of columns.
     cells: Vec<RawCell>,
@@ -51,7 +51,7 @@ const SHARED: u32 = u32::MAX;
 
 /// The cells of a sheet and the strings that they share.
 #[derive(Clone, Copy, Debug)]
-pub struct Cells<'a> {
+pub(crate) struct Cells<'a> {
     sheet: &'a RawSheet,
     strings: &'a Strings,
 }
@@ -66,12 +66,12 @@ struct Position {
 }
 
 impl<'a> Cells<'a> {
-    pub const fn of(sheet: &'a RawSheet, strings: &'a Strings) -> Self {
+    pub(crate) const fn of(sheet: &'a RawSheet, strings: &'a Strings) -> Self {
         Self { sheet, strings }
     }
 
     /// The cells of a row.
-    pub fn row(&self, row: &SheetRow) -> Vec<Cell<'a>> {
+    pub(crate) fn row(&self, row: &SheetRow) -> Vec<Cell<'a>> {
         let cells = self.sheet.cells.get(row.start as usize..row.end as usize).unwrap_or_default();
         let cell = |RawCell { start, length, column, content }: &RawCell| {
             let start = *start as usize;
@@ -88,7 +88,11 @@ impl<'a> Cells<'a> {
 
 impl RawSheet {
     /// Reads the entry of a sheet.
-    pub fn read(mut xml: Xml<'_, '_>, formats: &[Format], strings: &Strings) -> Result<Self, ContentError> {
+    pub(crate) fn read(
+        mut xml: Xml<'_, '_>,
+        formats: &[Format],
+        strings: &Strings,
+    ) -> Result<Self, ContentError> {
         let mut sheet = Self::default();
         let mut at = Position::default();
         let mut buffer = Vec::new();
@@ -199,12 +203,12 @@ impl RawSheet {
         }
     }
 
-    pub const fn is_empty(&self) -> bool {
+    pub(crate) const fn is_empty(&self) -> bool {
         self.cells.is_empty()
     }
 
     /// The rows that are not empty.
-    pub fn rows(&self) -> &[SheetRow] {
+    pub(crate) fn rows(&self) -> &[SheetRow] {
         &self.rows
     }
 
@@ -221,7 +225,7 @@ impl RawSheet {
     }
 
     /// Which columns are hidden, as a sentence.
-    pub fn hidden_columns(&self) -> Option<String> {
+    pub(crate) fn hidden_columns(&self) -> Option<String> {
         let used: BTreeSet<usize> = self.cells.iter().map(|cell| usize::from(cell.column) + 1).collect();
         let has_cells = |range: &&RangeInclusive<usize>| used.iter().any(|column| range.contains(column));
         let names: Vec<String> = self

@@ -10,7 +10,7 @@ use super::strings::is;
 
 /// How the numbers of a cell are shown.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Format {
+pub(crate) enum Format {
     /// As a number, with so many decimals, if that is told.
     Number {
         decimals: Option<u8>,
@@ -30,7 +30,7 @@ pub enum Format {
 const DIGITS: [char; 4] = ['0', '#', '?', 'g'];
 
 impl Format {
-    pub const GENERAL: Self = Self::Number { decimals: None };
+    pub(crate) const GENERAL: Self = Self::Number { decimals: None };
 
     /// By its code: `0.00`, `#,##0.0" kg"`, `yyyy-mm-dd`.
     fn of_code(code: &str) -> Self {
@@ -92,7 +92,7 @@ impl Format {
 }
 
 /// The formats by the numbers that cells have.
-pub fn read(mut xml: Xml<'_, '_>) -> Result<Vec<Format>, ContentError> {
+pub(crate) fn read(mut xml: Xml<'_, '_>) -> Result<Vec<Format>, ContentError> {
     let (mut codes, mut formats) = (HashMap::new(), Vec::new());
     let mut buffer = Vec::new();
     let mut is_of_cells = false;

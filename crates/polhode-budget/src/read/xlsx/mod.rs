@@ -4,7 +4,7 @@
 //!
 //! Source: ECMA-376, Office Open XML, part 1, SpreadsheetML.
 
-pub mod cells;
+pub(crate) mod cells;
 mod format;
 mod plain;
 mod sections;
@@ -22,12 +22,12 @@ use super::sheet::{Body, Origin, Sheet};
 use cells::RawSheet;
 use strings::Strings;
 
-pub use cells::Cells;
-pub use sections::{Sections, is_section};
+pub(crate) use cells::Cells;
+pub(crate) use sections::{Sections, is_section};
 
 /// A workbook.
 #[derive(Debug)]
-pub struct Workbook {
+pub(crate) struct Workbook {
     strings: Strings,
     sheets: Vec<NamedSheet>,
 }
@@ -40,18 +40,18 @@ struct NamedSheet {
 }
 
 /// Whether bytes are those of a workbook, or of another archive.
-pub fn is_archive(bytes: &[u8]) -> bool {
+pub(crate) fn is_archive(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK\x03\x04")
 }
 
 /// Whether bytes are those of a workbook before 2007, or of one that has a password.
-pub fn is_compound(bytes: &[u8]) -> bool {
+pub(crate) fn is_compound(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\xd0\xcf\x11\xe0")
 }
 
 impl Workbook {
     /// Reads the bytes of a workbook.
-    pub fn read(bytes: &[u8]) -> Result<Self, ContentError> {
+    pub(crate) fn read(bytes: &[u8]) -> Result<Self, ContentError> {
         let mut archive = Archive::open(bytes)?;
         let root = of_kind(&relations(&mut archive, "_rels/.rels")?, "officeDocument", "");
         let path = root.filter(|path| archive.has(path)).ok_or_else(|| {
@@ -84,12 +84,12 @@ impl Workbook {
     }
 
     /// The names of sheets that are not empty.
-    pub fn names(&self) -> Vec<&str> {
+    pub(crate) fn names(&self) -> Vec<&str> {
         self.sheets.iter().filter(|sheet| !sheet.raw.is_empty()).map(|sheet| sheet.name.as_str()).collect()
     }
 
     /// A sheet as a table, and what is to be said of it.
-    pub fn sheet<'a>(&'a self, path: &'a Path, name: &str) -> Option<(Sheet<'a>, Vec<String>)> {
+    pub(crate) fn sheet<'a>(&'a self, path: &'a Path, name: &str) -> Option<(Sheet<'a>, Vec<String>)> {
         let named = self.sheets.iter().find(|sheet| sheet.name == name)?;
         let cells = Cells::of(&named.raw, &self.strings);
         let origin = Origin::Workbook { path, sheet: named.name.clone() };

@@ -4,7 +4,7 @@
 //! the reader of XML has it then, and says what is wrong with it.
 
 /// A cell, as it is written.
-pub struct PlainCell<'b> {
+pub(crate) struct PlainCell<'b> {
     /// `F12`
     pub name: &'b str,
     pub style: Option<&'b str>,
@@ -16,7 +16,7 @@ pub struct PlainCell<'b> {
 }
 
 /// The cell that bytes begin with, and the bytes behind it.
-pub fn cell(bytes: &[u8]) -> Option<(PlainCell<'_>, &[u8])> {
+pub(crate) fn cell(bytes: &[u8]) -> Option<(PlainCell<'_>, &[u8])> {
     let (name, rest) = word(bytes.trim_ascii_start().strip_prefix(b"<c r=\"")?)?;
     let (style, rest) = optional(rest, b" s=\"", word)?;
     let (kind, rest) = optional(rest, b" t=\"", word)?;

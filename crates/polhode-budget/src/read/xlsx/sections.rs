@@ -11,7 +11,7 @@ use crate::read::sheet::Sheet;
 
 /// The TOML that sheets stand for, and of which cell each part of it is.
 #[derive(Default)]
-pub struct Sections<'s, 'a> {
+pub(crate) struct Sections<'s, 'a> {
     pub toml: String,
     cells: Vec<(Range<usize>, &'s Sheet<'a>, Cell<'a>)>,
 }
@@ -20,13 +20,13 @@ pub struct Sections<'s, 'a> {
 const PLAN: &str = "plan";
 
 /// Whether a sheet of this name is a section of a plan.
-pub fn is_section(name: &str) -> bool {
+pub(crate) fn is_section(name: &str) -> bool {
     name == PLAN || plan::TABLES.contains(&name) || plan::LISTS.contains(&name)
 }
 
 impl<'s, 'a> Sections<'s, 'a> {
     /// Adds a sheet; that of the plan has to be the first.
-    pub fn add(&mut self, name: &str, sheet: &'s Sheet<'a>) -> Result<(), FormatError> {
+    pub(crate) fn add(&mut self, name: &str, sheet: &'s Sheet<'a>) -> Result<(), FormatError> {
         if plan::LISTS.contains(&name) {
             return self.list(name, sheet);
         }
@@ -97,7 +97,7 @@ impl<'s, 'a> Sections<'s, 'a> {
     }
 
     /// An error of the TOML, at the cell that it is about.
-    pub fn moved(&self, error: FormatError) -> FormatError {
+    pub(crate) fn moved(&self, error: FormatError) -> FormatError {
         let Some((_, sheet, _)) = self.cells.first() else { return error };
         error.moved(sheet.path(), |place| {
             let at = |range: &Range<usize>| range.contains(&place.span.start);

@@ -6,14 +6,14 @@ use quick_xml::events::BytesStart;
 
 /// The strings of a workbook, one behind the other.
 #[derive(Debug, Default)]
-pub struct Strings {
+pub(crate) struct Strings {
     text: String,
     ends: Vec<usize>,
 }
 
 impl Strings {
     /// A string by its number.
-    pub fn get(&self, number: usize) -> Option<&str> {
+    pub(crate) fn get(&self, number: usize) -> Option<&str> {
         let start = match number.checked_sub(1) {
             Some(before) => *self.ends.get(before)?,
             None => 0,
@@ -21,13 +21,13 @@ impl Strings {
         self.text.get(start..*self.ends.get(number)?)
     }
 
-    pub const fn len(&self) -> usize {
+    pub(crate) const fn len(&self) -> usize {
         self.ends.len()
     }
 }
 
 /// All of them, in their order.
-pub fn read(mut xml: Xml<'_, '_>) -> Result<Strings, ContentError> {
+pub(crate) fn read(mut xml: Xml<'_, '_>) -> Result<Strings, ContentError> {
     let mut all = Strings::default();
     let mut buffer = Vec::new();
     loop {
@@ -43,7 +43,7 @@ pub fn read(mut xml: Xml<'_, '_>) -> Result<Strings, ContentError> {
 }
 
 /// The text in an element that was just entered, in however many runs; not how it is pronounced.
-pub fn inside(xml: &mut Xml<'_, '_>) -> Result<String, ContentError> {
+pub(crate) fn inside(xml: &mut Xml<'_, '_>) -> Result<String, ContentError> {
     let mut text = String::new();
     let mut buffer = Vec::new();
     let (mut depth, mut is_text) = (1, false);
@@ -69,6 +69,6 @@ pub fn inside(xml: &mut Xml<'_, '_>) -> Result<String, ContentError> {
     Ok(text)
 }
 
-pub fn is(element: &BytesStart<'_>, name: &str) -> bool {
+pub(crate) fn is(element: &BytesStart<'_>, name: &str) -> bool {
     element.local_name().into_inner() == name
 }

@@ -10,7 +10,7 @@ use super::strings::{inside, is};
 use crate::read::cell::{Broken, Content};
 
 #[derive(Debug)]
-pub enum RawText {
+pub(crate) enum RawText {
     /// A part of the sheet's texts.
     Own(Range<usize>),
     /// One of the workbook's strings.
@@ -19,7 +19,7 @@ pub enum RawText {
 
 /// What kind of value a cell says that it has.
 #[derive(Clone, Copy, PartialEq)]
-pub enum Kind {
+pub(crate) enum Kind {
     Number,
     Shared,
     Text,
@@ -29,7 +29,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    pub fn named(name: &str) -> Self {
+    pub(crate) fn named(name: &str) -> Self {
         match name {
             "s" => Self::Shared,
             "str" | "inlineStr" => Self::Text,
@@ -42,7 +42,7 @@ impl Kind {
 }
 
 /// A cell of which the text stands behind the sheet's other texts.
-pub struct Written<'f> {
+pub(crate) struct Written<'f> {
     pub kind: Kind,
     pub format: Format,
     pub formula: Option<&'f str>,
@@ -53,10 +53,10 @@ pub struct Written<'f> {
 }
 
 /// The number of a string that the workbook does not have.
-pub struct NoString(pub String);
+pub(crate) struct NoString(pub String);
 
 /// What stands in a cell that was just entered; its text goes behind `texts`.
-pub fn value(
+pub(crate) fn value(
     xml: &mut Xml<'_, '_>,
     buffer: &mut Vec<u8>,
     kind: Kind,
@@ -99,7 +99,11 @@ pub fn value(
 
 impl Written<'_> {
     /// What the cell has to say; `strings` are as many as the workbook has.
-    pub fn content(self, strings: usize, texts: &mut String) -> Result<Option<(RawText, Content)>, NoString> {
+    pub(crate) fn content(
+        self,
+        strings: usize,
+        texts: &mut String,
+    ) -> Result<Option<(RawText, Content)>, NoString> {
         let Self { kind, format, formula, is_text, start } = self;
         let result = texts.get(start..).unwrap_or_default().trim();
         let content = match (kind, format) {
@@ -145,7 +149,7 @@ impl Written<'_> {
     }
 }
 
-pub fn truth(text: &str) -> bool {
+pub(crate) fn truth(text: &str) -> bool {
     matches!(text.trim(), "1" | "true")
 }
 

@@ -9,14 +9,14 @@ use crate::{CopyErrors, Subtotal};
 
 /// What became of a row.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Change {
+pub(crate) struct Change {
     pub row: String,
     pub what: What,
 }
 
 /// One thing that became of it.
 #[derive(Clone, Debug, PartialEq)]
-pub enum What {
+pub(crate) enum What {
     /// All copies of its own part, kg: what stands in it has a row of its own.
     Added(f64),
     Removed(f64),
@@ -47,7 +47,7 @@ pub enum What {
 }
 
 impl What {
-    pub fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         let known = |x: &Option<f64>| x.map_or_else(none, |x| format!("{} kg", number(x, 6)));
         match self {
             Self::Added(0.0) => "added, a frame".to_owned(),
@@ -108,7 +108,7 @@ impl What {
     }
 
     /// What it is, before, after, by how much.
-    pub fn to_json(&self) -> (&'static str, Value, Value, Value) {
+    pub(crate) fn to_json(&self) -> (&'static str, Value, Value, Value) {
         let pair = |what, [before, after]: [Value; 2]| (what, before, after, Value::Null);
         let by = |what, by: f64| (what, Value::Null, Value::Null, Value::from(by));
         match self {
@@ -151,11 +151,11 @@ const fn copies(errors: CopyErrors) -> &'static str {
     }
 }
 
-pub fn from_to(before: f64, after: f64, unit: &str) -> String {
+pub(crate) fn from_to(before: f64, after: f64, unit: &str) -> String {
     format!("{} to {} {unit}, by {} {unit}", number(before, 6), number(after, 6), signed(after - before))
 }
 
-pub fn signed(x: f64) -> String {
+pub(crate) fn signed(x: f64) -> String {
     let shown = number(x, 3);
     if x > 0.0 { format!("+{shown}") } else { shown }
 }

@@ -6,7 +6,7 @@ use crate::{LiquidErrors, Measured, PartUncertainty, Row, Spread, Uncertainty};
 
 /// The standard deviation of a number of a row, before and after, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Deviation {
+pub(crate) struct Deviation {
     /// The column of the number.
     pub name: &'static str,
     pub sd: [f64; 2],
@@ -43,7 +43,7 @@ const NUMBERS: [(&str, &str, f64); COUNT] = [
 const ROUNDING: f64 = 1e-12;
 
 /// Standard deviations that are others; none of them where only correlations are, or the point of the tensor that they are of. `None` where nothing is.
-pub fn changed(rows: [&Row; 2]) -> Option<Vec<Deviation>> {
+pub(crate) fn changed(rows: [&Row; 2]) -> Option<Vec<Deviation>> {
     let sd = rows.map(|row| deviations(&row.uncertainty));
     let mut all = Vec::new();
     for (k, (name, unit, scale)) in NUMBERS.into_iter().enumerate() {
@@ -114,7 +114,7 @@ const fn is_joint(of: &Uncertainty) -> bool {
 
 impl Deviation {
     /// `mass 0.06 to 0.002 kg`
-    pub fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         let [before, after] = self.sd.map(|sd| number(self.scale * sd, 4));
         format!("{} {before} to {after} {}", self.name, self.unit)
     }

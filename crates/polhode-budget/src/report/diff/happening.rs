@@ -8,7 +8,7 @@ use super::words::{direction, names, point};
 use crate::report::statements::{StatedChange, StatedSequence};
 
 /// What is said of a sequence, item by item.
-pub fn items(sequence: &StatedSequence, digits: usize) -> Vec<Item> {
+pub(crate) fn items(sequence: &StatedSequence, digits: usize) -> Vec<Item> {
     let seconds = |time: f64| format!("{} s", number(time, digits));
     let mut all = vec![Item::new("sequence, until", seconds(sequence.until))];
     let configuration = sequence.configuration.iter();

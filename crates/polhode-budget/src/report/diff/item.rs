@@ -2,19 +2,19 @@
 
 /// Something that is stated, in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Item {
+pub(crate) struct Item {
     /// What it is called; where several are called alike their number stands between.
     pub name: [String; 2],
     pub value: String,
 }
 
 impl Item {
-    pub fn new(name: impl Into<String>, value: impl Into<String>) -> Self {
+    pub(crate) fn new(name: impl Into<String>, value: impl Into<String>) -> Self {
         Self { name: [name.into(), String::new()], value: value.into() }
     }
 
     /// One of perhaps several: `burn`, ` of the tank fuel`.
-    pub fn of_several(name: &str, of: impl Into<String>, value: impl Into<String>) -> Self {
+    pub(crate) fn of_several(name: &str, of: impl Into<String>, value: impl Into<String>) -> Self {
         Self { name: [name.to_owned(), of.into()], value: value.into() }
     }
 }

@@ -8,7 +8,7 @@ use crate::report::limits::shown_unit;
 use crate::{About, Limit, Measure, PrincipalAxis, ProductSign};
 
 /// `center distance along z: most 2 mm, of predicted masses`
-pub fn in_words(limit: &Limit, digits: usize) -> String {
+pub(crate) fn in_words(limit: &Limit, digits: usize) -> String {
     let (unit, scale) = shown_unit(limit.of.unit());
     let bound = |word: &str, bound: Option<f64>| {
         bound.map(|x| format!("{word} {} {unit}", number(scale * x, digits)).trim_end().to_owned())

@@ -14,7 +14,7 @@ use crate::{GivenTensor, Growth, Row};
 const ROUNDING: f64 = 1e-12;
 
 /// In the order of the rows of the second, then what is no more.
-pub fn changes([before, after]: [&Case; 2]) -> Vec<Change> {
+pub(crate) fn changes([before, after]: [&Case; 2]) -> Vec<Change> {
     let (old, new) = (before.budget.rows(), after.budget.rows());
     let old_names: HashMap<&str, usize> = (0..old.len()).map(|k| (old.name(k), k)).collect();
     let new_names: HashSet<&str> = (0..new.len()).map(|k| new.name(k)).collect();

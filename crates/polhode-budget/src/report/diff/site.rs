@@ -6,7 +6,7 @@ use super::words::{direction, point};
 use crate::{BallastPlace, Round, Site};
 
 /// `at (0, 0, -10) mm, radius 80 mm, normal z, rim; most 0.2 kg`
-pub fn in_words(site: &Site, digits: usize) -> String {
+pub(crate) fn in_words(site: &Site, digits: usize) -> String {
     let round = |round: &Round| {
         format!(
             "at {}, radius {} mm, normal {}",

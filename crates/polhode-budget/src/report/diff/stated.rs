@@ -16,7 +16,7 @@ use crate::report::{BudgetReport, basis_name};
 
 /// Something that is stated differently, in words; `None` where it is not stated.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Stated {
+pub(crate) struct Stated {
     what: String,
     values: [Option<String>; 2],
 }
@@ -25,7 +25,7 @@ pub struct Stated {
 const DIGITS: [usize; 2] = [6, 12];
 
 /// What is stated differently of all configurations.
-pub fn of_reports(reports: [&BudgetReport; 2]) -> Vec<Stated> {
+pub(crate) fn of_reports(reports: [&BudgetReport; 2]) -> Vec<Stated> {
     let mut all = compared(reports.map(|report| in_digits(|digits| of_report(report, digits))));
     let names = reports.map(|report| report.names().into_iter().flatten().collect::<Vec<_>>());
     let [mut before, mut after] = names.clone();
@@ -68,7 +68,7 @@ fn of_report(report: &BudgetReport, digits: usize) -> Vec<Item> {
 }
 
 /// The name of a configuration, if it is another.
-pub fn of_cases(cases: [&Case; 2]) -> Vec<Stated> {
+pub(crate) fn of_cases(cases: [&Case; 2]) -> Vec<Stated> {
     let name = |case: &Case| case.name.iter().map(|name| Item::new("configuration", name)).collect();
     compared(cases.map(|case| in_digits(|_| name(case))))
 }
@@ -170,7 +170,7 @@ fn group_in_words(group: &Group, digits: usize) -> String {
 }
 
 /// What differs, as a section.
-pub fn section(all: &[Stated], title: &str) -> Section {
+pub(crate) fn section(all: &[Stated], title: &str) -> Section {
     let mut section = Section::new(0, title);
     let row = |one: &Stated| {
         let [before, after] =
@@ -182,12 +182,12 @@ pub fn section(all: &[Stated], title: &str) -> Section {
 }
 
 /// `changed besides the rows: group wings, limit mass`
-pub fn in_words(all: &[Stated]) -> String {
+pub(crate) fn in_words(all: &[Stated]) -> String {
     let names: Vec<String> = all.iter().map(|one| printable(&one.what)).collect();
     format!("changed besides the rows: {}", names.join(", "))
 }
 
-pub fn to_json(all: &[Stated]) -> Value {
+pub(crate) fn to_json(all: &[Stated]) -> Value {
     let one = |one: &Stated| json!({ "what": one.what, "before": one.values[0], "after": one.values[1] });
     all.iter().map(one).collect()
 }

@@ -10,7 +10,7 @@ use crate::report::statements::StatedTank;
 use crate::{Down, Liquid, LiquidTable, Measured, TankShape, Vessel};
 
 /// What is said of a tank, item by item: what it is, and each row of its table. How much is in it, and how well that is known, shows in its row of the list.
-pub fn items(tank: &StatedTank, digits: usize) -> Vec<Item> {
+pub(crate) fn items(tank: &StatedTank, digits: usize) -> Vec<Item> {
     let name = &tank.tank.name;
     let mut words = vec![format!("frame {}", tank.tank.frame)];
     if !tank.configurations.is_empty() {

@@ -4,12 +4,12 @@ use polhode::math::{Body, Direction};
 use polhode_document::number::vector;
 
 /// `(10, 0, -2.5) mm`
-pub fn point(at: [f64; 3], digits: usize) -> String {
+pub(crate) fn point(at: [f64; 3], digits: usize) -> String {
     format!("{} mm", vector(at.map(|x| 1e3 * x), digits))
 }
 
 /// `z`, `-x`, or three numbers.
-pub fn direction(along: Direction<Body>, digits: usize) -> String {
+pub(crate) fn direction(along: Direction<Body>, digits: usize) -> String {
     const NAMES: [(&str, [f64; 3]); 6] = [
         ("x", [1.0, 0.0, 0.0]),
         ("y", [0.0, 1.0, 0.0]),
@@ -24,7 +24,7 @@ pub fn direction(along: Direction<Body>, digits: usize) -> String {
 }
 
 /// Names in no order, with commas between; one that has a comma itself in quotes.
-pub fn names(all: &[String]) -> String {
+pub(crate) fn names(all: &[String]) -> String {
     let quoted = |name: &String| if name.contains(',') { format!("\"{name}\"") } else { name.clone() };
     let mut all: Vec<String> = all.iter().map(quoted).collect();
     all.sort();

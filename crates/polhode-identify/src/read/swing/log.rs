@@ -32,7 +32,7 @@ const RATE: Quantity = Quantity {
 const OF_FILE: [&str; 4] = ["columns", "units", "from", "to"];
 
 /// Reads `logged = { log, signal, sd, columns, units, from, to, damping }`, or with `times` and `values` in place of the file.
-pub fn logged(value: &Value<'_>) -> Result<(Logged, Option<ReadLog>), FormatError> {
+pub(crate) fn logged(value: &Value<'_>) -> Result<(Logged, Option<ReadLog>), FormatError> {
     let table = value.table()?;
     table.allow(&[&["log", "times", "values", "signal", "sd", "damping"], &OF_FILE[..]].concat())?;
     let signal = table.require("signal", "signal = \"angle\", or \"rate\" of a gyro along the axis")?;

@@ -15,7 +15,7 @@ use crate::swing::{
 use number::{Numbers, measured};
 
 /// Reads `[swing]`.
-pub fn plan(table: &Table<'_>, logs: &mut Vec<ReadLog>) -> Result<SwingPlan, FormatError> {
+pub(crate) fn plan(table: &Table<'_>, logs: &mut Vec<ReadLog>) -> Result<SwingPlan, FormatError> {
     table.allow(&["mass", "center", "gravity", "numbers", "test"])?;
     let mass = table.require("mass", "mass = { value = \"3.2 kg\", sd = \"1 g\" }")?;
     let mass_measured = measured(&mass, Dimension::MASS)?;

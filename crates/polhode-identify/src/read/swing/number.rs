@@ -21,7 +21,7 @@ const UNITS: [(Dimension, &str); 4] = [
 const OWN: [&str; 8] = ["mass", "gravity", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
 
 /// `"3.2 kg"`, exact; `{ value = "3.2 kg", sd = "1 g" }`; or `{ about = "3 kg" }`, to be found.
-pub fn measured(value: &Value<'_>, dimension: Dimension) -> Result<Measured, FormatError> {
+pub(crate) fn measured(value: &Value<'_>, dimension: Dimension) -> Result<Measured, FormatError> {
     let measured = read(value, dimension)?;
     let is_plausible = measured.value.abs() <= LARGEST && !(measured.sd.is_finite() && measured.sd > LARGEST);
     match is_plausible {
@@ -54,7 +54,7 @@ fn read(value: &Value<'_>, dimension: Dimension) -> Result<Measured, FormatError
 }
 
 /// The plan as it grows, with the numbers that it has by name.
-pub struct Numbers<'a> {
+pub(crate) struct Numbers<'a> {
     pub plan: SwingPlan,
     named: Vec<Named<'a>>,
 }
@@ -69,7 +69,7 @@ struct Named<'a> {
 
 impl<'a> Numbers<'a> {
     /// Reads `[swing.numbers]`.
-    pub fn new(plan: SwingPlan, table: Option<&Table<'a>>) -> Result<Self, FormatError> {
+    pub(crate) fn new(plan: SwingPlan, table: Option<&Table<'a>>) -> Result<Self, FormatError> {
         let mut numbers = Self { plan, named: Vec::new() };
         for (name, value) in table.into_iter().flat_map(|table| table.each("a number")) {
             let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic())
@@ -87,7 +87,7 @@ impl<'a> Numbers<'a> {
     }
 
     /// That every number has a part in a test.
-    pub fn all_used(&self) -> Result<(), FormatError> {
+    pub(crate) fn all_used(&self) -> Result<(), FormatError> {
         match self.named.iter().find(|named| !named.is_used) {
             Some(Named { name, value, .. }) => Err(value
                 .invalid("used in a test")
@@ -98,7 +98,7 @@ impl<'a> Numbers<'a> {
 
     /// A quantity of a test: a number, exact or measured or to be found; the name of a shared one, perhaps after a minus; or
     /// `{ number = "r", times = 0.5, plus = "1 cm" }`.
-    pub fn linear(
+    pub(crate) fn linear(
         &mut self,
         value: &Value<'a>,
         dimension: Dimension,
@@ -126,7 +126,7 @@ impl<'a> Numbers<'a> {
     }
 
     /// A quantity that is 0 where it is not given.
-    pub fn or_zero(
+    pub(crate) fn or_zero(
         &mut self,
         table: &Table<'a>,
         key: &'static str,
@@ -139,7 +139,7 @@ impl<'a> Numbers<'a> {
     }
 
     /// `["1 cm", "r", "-r"]`, or `{ at = […], along = [0, 1, 0], distance = "r" }`.
-    pub fn point(&mut self, value: &Value<'a>, called: &str) -> Result<Point, FormatError> {
+    pub(crate) fn point(&mut self, value: &Value<'a>, called: &str) -> Result<Point, FormatError> {
         let Ok(table) = value.table() else {
             let elements = value.fixed::<3>("lengths, or names of numbers")?;
             let mut point: [Linear; 3] = Default::default();
@@ -229,7 +229,7 @@ fn dimension_of(value: &Value<'_>) -> Result<(Dimension, &'static str), FormatEr
 }
 
 /// A direction of length 1.
-pub fn unit_vector(value: &Value<'_>) -> Result<[f64; 3], FormatError> {
+pub(crate) fn unit_vector(value: &Value<'_>) -> Result<[f64; 3], FormatError> {
     let given: Direction<polhode::math::Body> = Direction::from_array(value.numbers()?);
     match given.direction() {
         Some(unit) => Ok(unit.to_array()),

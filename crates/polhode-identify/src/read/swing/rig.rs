@@ -14,7 +14,7 @@ const COMMON: [&str; 8] = ["name", "comment", "rig", "body", "fixture", "air", "
 const PLACE: [&str; 3] = ["up", "across", "point"];
 
 /// The rig, and the body's place in it, if the body hangs there.
-pub fn rig<'a>(
+pub(crate) fn rig<'a>(
     test: &Table<'a>,
     name: &str,
     numbers: &mut Numbers<'a>,
@@ -185,7 +185,7 @@ fn placed(up: [f64; 3], across: [f64; 3], test: &Table<'_>) -> Result<Placement,
 }
 
 /// That a body alone on two wires is below the line of their lower ends, as far as its centre is known: otherwise it turns over.
-pub fn hangs(test: &Table<'_>, made: &SwingTest, center: [Measured; 3]) -> Result<(), FormatError> {
+pub(crate) fn hangs(test: &Table<'_>, made: &SwingTest, center: [Measured; 3]) -> Result<(), FormatError> {
     /// Standard deviations that are no chance.
     const NO_CHANCE: f64 = 5.0;
     let (Some(placement), None) = (made.body, &made.fixture) else { return Ok(()) };
@@ -207,7 +207,7 @@ pub fn hangs(test: &Table<'_>, made: &SwingTest, center: [Measured; 3]) -> Resul
 }
 
 /// `fixture = { mass, center, moments, products }`, along the axes of the rig.
-pub fn fixture<'a>(
+pub(crate) fn fixture<'a>(
     test: &Table<'a>,
     name: &str,
     numbers: &mut Numbers<'a>,
@@ -231,7 +231,7 @@ pub fn fixture<'a>(
 }
 
 /// `air = { moment, displaced }`
-pub fn air<'a>(test: &Table<'a>, name: &str, numbers: &mut Numbers<'a>) -> Result<Air, FormatError> {
+pub(crate) fn air<'a>(test: &Table<'a>, name: &str, numbers: &mut Numbers<'a>) -> Result<Air, FormatError> {
     let Some(value) = test.get("air") else { return Ok(Air::default()) };
     let table = value.table()?;
     table.allow(&["moment", "displaced"])?;

@@ -18,7 +18,7 @@ const SHAPES: [(&str, &[&str]); 3] = [
 ];
 
 /// `{ shape = "plane", slope = "10 deg", rate = "3 rad/s" }`; a level plane without it.
-pub fn ground(value: Option<&Value<'_>>) -> Result<Ground, FormatError> {
+pub(crate) fn ground(value: Option<&Value<'_>>) -> Result<Ground, FormatError> {
     let Some(value) = value else { return Ok(Ground::LEVEL) };
     let table = value.table()?;
     if table.get("shape").is_none() {
@@ -74,7 +74,7 @@ fn axis(table: &Table<'_>, kind: &str) -> Result<Direction<Space>, FormatError> 
 
 /// The point that is touched: `at`, else the origin of a plane, the lowest point of a bowl or a trough, and the highest of what is touched from
 /// outside.
-pub fn touched(
+pub(crate) fn touched(
     table: &Table<'_>,
     ground: &Ground,
     gravity: Acceleration<Space>,

@@ -8,7 +8,7 @@ use polhode_source::unit::Dimension;
 use super::not_negative;
 
 /// `law = "rolling"`, `"friction"` with its coefficients, or `"frictionless"`; and what resists rolling and pivoting.
-pub fn law(table: &Table<'_>) -> Result<ContactLaw, FormatError> {
+pub(crate) fn law(table: &Table<'_>) -> Result<ContactLaw, FormatError> {
     const OF_FRICTION: [&str; 3] = ["friction", "static_friction", "viscous"];
     let rubs = OF_FRICTION.iter().any(|key| table.get(key).is_some()) || table.get("rolls").is_some();
     let value = table.require("law", if rubs { "law = \"friction\"" } else { "law = \"rolling\"" })?;

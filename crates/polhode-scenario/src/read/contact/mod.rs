@@ -13,7 +13,7 @@ use polhode_source::toml::reader::{Table, Value};
 use polhode_source::unit::Dimension;
 
 /// A body on the ground, and the file that says so.
-pub struct OnGround<'a> {
+pub(crate) struct OnGround<'a> {
     ground: GroundContact,
     root: Table<'a>,
     table: Table<'a>,
@@ -21,7 +21,7 @@ pub struct OnGround<'a> {
 }
 
 /// Reads `[contact]`, if there is one; `velocity` is that of the start.
-pub fn contact<'a>(
+pub(crate) fn contact<'a>(
     root: &Table<'a>,
     velocity: Option<Velocity<Space>>,
 ) -> Result<Option<OnGround<'a>>, FormatError> {
@@ -100,7 +100,11 @@ fn start_velocity(
 
 impl OnGround<'_> {
     /// The scenario on the ground; `pivot` is the point of the body that is held, where one is.
-    pub fn under(&self, scenario: Scenario, pivot: Option<Value<'_>>) -> Result<Scenario, FormatError> {
+    pub(crate) fn under(
+        &self,
+        scenario: Scenario,
+        pivot: Option<Value<'_>>,
+    ) -> Result<Scenario, FormatError> {
         if let Some(pivot) = pivot {
             let hint = "the body is held at its point of contact alone: leave out the pivot, or [contact]";
             return Err(pivot.invalid("left out beside [contact]").with_hint(hint));

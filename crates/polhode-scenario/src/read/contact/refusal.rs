@@ -68,7 +68,7 @@ const ALONG_THE_GROUND: &str =
 
 impl OnGround<'_> {
     /// An error of the core at the key that it is about.
-    pub fn refused(&self, error: MotionError, events: &[Event]) -> FormatError {
+    pub(crate) fn refused(&self, error: MotionError, events: &[Event]) -> FormatError {
         let parameter = match &error {
             MotionError::ParameterOutOfRange { parameter, .. }
             | MotionError::NonFiniteParameter { parameter, .. }

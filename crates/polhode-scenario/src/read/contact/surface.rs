@@ -9,7 +9,7 @@ use super::{all_keys, not_negative};
 use crate::read::placement::Placement;
 
 /// What to write where a surface is missing.
-pub const EXAMPLE: &str = "surface = { shape = \"sphere\", radius = \"20 mm\" }";
+pub(crate) const EXAMPLE: &str = "surface = { shape = \"sphere\", radius = \"20 mm\" }";
 
 const COMMON: [&str; 3] = ["shape", "position", "rotate"];
 
@@ -22,7 +22,7 @@ const SHAPES: [(&str, &[&str]); 4] = [
 ];
 
 /// `{ shape = "ellipsoid", semi_axes = [3], position = [3], rotate = { … } }`
-pub fn surface(value: &Value<'_>) -> Result<BodySurface, FormatError> {
+pub(crate) fn surface(value: &Value<'_>) -> Result<BodySurface, FormatError> {
     let table = value.table()?;
     if table.get("shape").is_none() {
         // A misspelt `shape` is a key that no surface has.

@@ -6,11 +6,12 @@ use polhode_source::toml::reader::{Table, Value};
 use polhode_source::unit::Dimension;
 
 /// The keys of an axis.
-pub const KEYS: [&str; 8] = ["angle", "rate", "locked", "driven", "damping", "spring", "rest", "torque"];
+pub(crate) const KEYS: [&str; 8] =
+    ["angle", "rate", "locked", "driven", "damping", "spring", "rest", "torque"];
 
 /// `{ angle = "10 deg", rate = "2 deg/s", damping = "0.1 N m s/rad", spring = "2 N m/rad", rest = "5 deg", torque = "3 N m" }`, with `locked = true` or
 /// `driven = true` where it is.
-pub fn axis(value: &Value<'_>, table: &Table<'_>) -> Result<Axis, FormatError> {
+pub(crate) fn axis(value: &Value<'_>, table: &Table<'_>) -> Result<Axis, FormatError> {
     let quantity = |key, dimension| table.get(key).map_or(Ok(0.0), |value| value.quantity(dimension));
     let angle = quantity("angle", Dimension::ANGLE)?;
     let rate = quantity("rate", Dimension::ANGULAR_VELOCITY)?;

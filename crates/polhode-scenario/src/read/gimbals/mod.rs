@@ -15,7 +15,7 @@ use super::tensor;
 const MASS: [&str; 6] = tensor::KEYS;
 
 /// Reads `[gimbals]`, if there is one, and hangs the scenario's body in them; `pivot` is the point of the body that is held, where one is.
-pub fn gimbals(
+pub(crate) fn gimbals(
     root: &Table<'_>,
     scenario: Scenario,
     pivot: Option<Value<'_>>,

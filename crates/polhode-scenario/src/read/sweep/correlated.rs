@@ -27,7 +27,7 @@ const NUMBERS: [(&str, Dimension); 10] = [
 ];
 
 /// What is drawn together: its numbers by name, what each measures, and what they are as they are written.
-pub struct Numbers {
+pub(crate) struct Numbers {
     names: Vec<(String, Dimension)>,
     nominal: Vec<f64>,
     is_body: bool,
@@ -35,14 +35,14 @@ pub struct Numbers {
 
 impl Numbers {
     /// Of mass properties.
-    pub fn of_body(target: &Target) -> Self {
+    pub(crate) fn of_body(target: &Target) -> Self {
         let nominal = target.nominal().to_vec();
         let names = NUMBERS.iter().skip(NUMBERS.len() - nominal.len());
         Self { names: names.map(|(name, of)| ((*name).to_owned(), *of)).collect(), nominal, is_body: true }
     }
 
     /// Of numbers of the scenario, each a target of its own; all of them as one target.
-    pub fn of_keys(
+    pub(crate) fn of_keys(
         key: &Value<'_>,
         targets: Vec<(Target, Value<'_>)>,
     ) -> Result<(Target, Self), FormatError> {
@@ -60,7 +60,7 @@ impl Numbers {
     }
 
     /// `correlated = { covariance = [[…], …] }`, or `{ sd = […], correlation = [[…], …] }`; of numbers perhaps with their `mean`, of mass properties with what becomes of `impossible` ones.
-    pub fn law(&self, form: &Value<'_>) -> Result<Correlated, FormatError> {
+    pub(crate) fn law(&self, form: &Value<'_>) -> Result<Correlated, FormatError> {
         let table = form.table()?;
         table.allow(&["mean", "covariance", "sd", "correlation", "impossible"])?;
         let rule = "sd goes with correlation, and covariance says both";

@@ -69,14 +69,14 @@ impl Distribution {
 }
 
 /// The keys of distributions.
-pub const FORMS: [&str; 8] =
+pub(crate) const FORMS: [&str; 8] =
     ["normal", "uniform", "log_normal", "log_uniform", "triangular", "relative", "list", "grid"];
 
 /// More values of one number are a slip of the pen.
 const MOST_VALUES: u64 = 1_000_000;
 
 /// The distribution of a number of this dimension that is `nominal` as it is written.
-pub fn distribution(
+pub(crate) fn distribution(
     form: &Value<'_>,
     dimension: Dimension,
     nominal: f64,
@@ -214,7 +214,7 @@ fn relative(form: &Value<'_>, nominal: f64) -> Result<Distribution, FormatError>
 }
 
 /// `"5 %"`, or 0.05
-pub fn percentage(value: &Value<'_>) -> Result<f64, FormatError> {
+pub(crate) fn percentage(value: &Value<'_>) -> Result<f64, FormatError> {
     let Ok(text) = value.string() else { return value.number() };
     let wrong = || value.invalid("a percentage").with_hint("write \"5 %\", or 0.05");
     let number = text.trim_end().strip_suffix('%').ok_or_else(wrong)?;

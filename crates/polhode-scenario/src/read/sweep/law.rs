@@ -95,7 +95,7 @@ const CORRELATED: &str = "correlated";
 const MOST_DISPERSION: f64 = 0.5;
 
 /// The law of a table, and what varies by it.
-pub fn law(
+pub(crate) fn law(
     table: &Table<'_>,
     key: &Value<'_>,
     catalogue: &Catalogue<'_>,

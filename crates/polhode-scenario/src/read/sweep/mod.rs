@@ -81,7 +81,7 @@ const MOST_LISTED: usize = 10_000_000;
 const MOST_SOBOL: u64 = 1 << 32;
 
 /// That of a plan the scenario as it is written is shown.
-pub fn nominal(members: u64) -> Finding {
+pub(crate) fn nominal(members: u64) -> Finding {
     let message = format!(
         "a plan of {members} members: this is the scenario as it is written, polhode sweep runs them"
     );
@@ -89,7 +89,7 @@ pub fn nominal(members: u64) -> Finding {
 }
 
 /// Reads `[sweep]`.
-pub fn sweep(source: Source<'_>, entries: &Entries, nominal: &Scenario) -> Result<Sweep, FormatError> {
+pub(crate) fn sweep(source: Source<'_>, entries: &Entries, nominal: &Scenario) -> Result<Sweep, FormatError> {
     let root = Table::root(source, entries);
     let table = root
         .require("sweep", "[sweep], and under it members = 1000 and sampling = \"monte carlo\"")?

@@ -17,7 +17,7 @@ pub struct Question {
 }
 
 /// `lost = "largest_angle_to_axis_3_rad > 90 deg"`, and so on.
-pub fn questions(sweep: &Table<'_>) -> Result<Vec<Question>, FormatError> {
+pub(crate) fn questions(sweep: &Table<'_>) -> Result<Vec<Question>, FormatError> {
     let Some(value) = sweep.get("questions") else { return Ok(Vec::new()) };
     let table = value.table()?;
     let question = |(name, value): (&str, super::Value<'_>)| {

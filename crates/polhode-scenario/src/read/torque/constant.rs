@@ -9,7 +9,7 @@ use polhode_source::unit::Dimension;
 use super::allow;
 
 /// `axes = "body" | "space"`, `torque = [3]`
-pub fn constant(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
+pub(crate) fn constant(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
     allow(table, &["axes", "torque"])?;
     let axes = table.require("axes", "axes = \"body\"")?.choice(&["body", "space"])?;
     let torque = table.require("torque", "torque = [\"0 N m\", \"0 N m\", \"0.1 N m\"]")?;

@@ -8,7 +8,7 @@ use polhode_source::unit::Dimension;
 use super::allow;
 
 /// `law = "linear" | "quadratic"`; `coefficient`, a quantity, [3] along the body's axes, or a matrix.
-pub fn drag(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
+pub(crate) fn drag(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
     allow(table, &["law", "coefficient"])?;
     let law = match table.require("law", "law = \"linear\"")?.choice(&["linear", "quadratic"])? {
         "linear" => DragLaw::Linear,

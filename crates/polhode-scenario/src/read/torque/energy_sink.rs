@@ -11,7 +11,7 @@ use super::allow;
 const PER_ANGULAR_MOMENTUM: Dimension = Dimension::new(-1, -2, 1, 0);
 
 /// `coefficient`
-pub fn energy_sink(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
+pub(crate) fn energy_sink(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
     allow(table, &["coefficient"])?;
     let value = table.require("coefficient", "coefficient = \"0.002 /(N m s)\"")?;
     let hint =

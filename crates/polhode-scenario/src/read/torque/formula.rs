@@ -10,7 +10,7 @@ use polhode_source::unit::Dimension;
 use super::allow;
 
 /// `axes = "body" | "space"`, `torque = [3]` of formulas, `units = "checked" | "SI"`.
-pub fn formula(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
+pub(crate) fn formula(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
     allow(table, &["axes", "torque", "units"])?;
     let units = table.get("units").map(|units| units.choice(&["checked", "SI"])).transpose()?;
     let component = if units == Some("SI") { component_in_si } else { component };

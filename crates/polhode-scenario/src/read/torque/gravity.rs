@@ -10,7 +10,10 @@ use super::allow;
 use crate::read::body::Pivot;
 
 /// `pivot = [3]` in the body; `acceleration = [3]` in space, standard gravity along −z by default.
-pub fn gravity<'a>(table: &Table<'a>, pivot: &mut Option<Pivot<'a>>) -> Result<TorqueModel, FormatError> {
+pub(crate) fn gravity<'a>(
+    table: &Table<'a>,
+    pivot: &mut Option<Pivot<'a>>,
+) -> Result<TorqueModel, FormatError> {
     allow(table, &["pivot", "acceleration"])?;
     match (table.get("pivot"), pivot.as_ref()) {
         (None, Some(_)) => {}

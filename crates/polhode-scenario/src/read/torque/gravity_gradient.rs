@@ -11,7 +11,7 @@ use crate::read::body::Pivot;
 use crate::read::orbit;
 
 /// On the `[orbit]`; `mass = "tensor" | "points"`, the latter for a body that is all particles.
-pub fn gravity_gradient(
+pub(crate) fn gravity_gradient(
     table: &Table<'_>,
     parts: &[BodyPart],
     orbit: Option<&Orbit>,
@@ -32,7 +32,7 @@ pub fn gravity_gradient(
 }
 
 /// Refuses it beside a pivot, wherever that is given: it acts on what falls freely along an orbit.
-pub fn refuse_pivot(table: &Table<'_>, pivot: &Pivot<'_>) -> Result<(), FormatError> {
+pub(crate) fn refuse_pivot(table: &Table<'_>, pivot: &Pivot<'_>) -> Result<(), FormatError> {
     match table.get("model") {
         Some(model) if model.string()? == "gravity_gradient" => {
             let line = pivot.value.place().line;

@@ -11,7 +11,7 @@ use super::allow;
 use crate::read::orbit;
 
 /// `moment = [3]` in the body; `field = [3]` in space, or `dipole = [3]` in space at the centre of the `[orbit]`.
-pub fn magnetic(table: &Table<'_>, orbit: Option<&Orbit>) -> Result<TorqueModel, FormatError> {
+pub(crate) fn magnetic(table: &Table<'_>, orbit: Option<&Orbit>) -> Result<TorqueModel, FormatError> {
     allow(table, &["moment", "field", "dipole"])?;
     let moment = table.require("moment", "moment = [0, 0, \"5 A m^2\"]")?;
     let moment = Direction::from_array(moment.quantities(Dimension::MAGNETIC_MOMENT)?);

@@ -7,7 +7,7 @@ mod formula;
 mod gravity;
 mod gravity_gradient;
 mod magnetic;
-pub mod schedule;
+pub(crate) mod schedule;
 mod table;
 mod thruster;
 mod torsion;
@@ -38,7 +38,7 @@ const MODELS: [&str; 10] = [
 
 /// All torques of a file.
 #[derive(Debug, Default)]
-pub struct Torques {
+pub(crate) struct Torques {
     pub models: Vec<TorqueModel>,
     /// The name of each that has one.
     pub names: Vec<Option<String>>,
@@ -49,7 +49,7 @@ pub struct Torques {
 
 /// Where errors of the motion have their places in a torque.
 #[derive(Clone, Debug)]
-pub struct TorquePlaces {
+pub(crate) struct TorquePlaces {
     pub model: Range<usize>,
     pub pulses: Option<Range<usize>>,
     pub formulas: Option<Range<usize>>,
@@ -75,7 +75,7 @@ impl TorquePlaces {
 const KEYS: [&str; 3] = ["model", "name", "on"];
 
 /// Reads all torques on a body of these parts, on an orbit, until the end of the run; gravity may bring the pivot with it, or repeat it.
-pub fn torques<'a>(
+pub(crate) fn torques<'a>(
     root: &Table<'a>,
     parts: &[BodyPart],
     orbit: Option<&Orbit>,
@@ -116,7 +116,7 @@ pub fn torques<'a>(
 
 impl Torques {
     /// The field that magnets are in, if there is one and the same.
-    pub fn field(&self) -> Option<&MagneticField> {
+    pub(crate) fn field(&self) -> Option<&MagneticField> {
         let mut fields = self.models.iter().filter_map(|model| {
             let model = if let TorqueModel::Scheduled(scheduled) = model { &scheduled.torque } else { model };
             if let TorqueModel::Magnetic(magnetic) = model { Some(&magnetic.field) } else { None }

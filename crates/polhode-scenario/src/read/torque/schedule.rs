@@ -6,10 +6,10 @@ use polhode_source::toml::reader::{Table, Value};
 use polhode_source::unit::Dimension;
 
 /// The keys that every torque may have.
-pub const KEYS: [&str; 3] = ["from", "until", "pulses"];
+pub(crate) const KEYS: [&str; 3] = ["from", "until", "pulses"];
 
 /// The torque at its times: always without `from`, `until` and `pulses`.
-pub fn scheduled(table: &Table<'_>, torque: TorqueModel) -> Result<TorqueModel, FormatError> {
+pub(crate) fn scheduled(table: &Table<'_>, torque: TorqueModel) -> Result<TorqueModel, FormatError> {
     Ok(match schedule(table)? {
         None => torque,
         Some(schedule) => TorqueModel::Scheduled(Box::new(Scheduled { torque, schedule })),
@@ -17,7 +17,7 @@ pub fn scheduled(table: &Table<'_>, torque: TorqueModel) -> Result<TorqueModel, 
 }
 
 /// `from` and `until`, or `pulses = { first, width, period, count }`.
-pub fn schedule(table: &Table<'_>) -> Result<Option<Schedule>, FormatError> {
+pub(crate) fn schedule(table: &Table<'_>) -> Result<Option<Schedule>, FormatError> {
     const TWICE: &str = "the pulses alone say when it acts";
     let (from, until) = (table.get("from"), table.get("until"));
     for key in ["from", "until"] {

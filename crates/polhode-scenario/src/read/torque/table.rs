@@ -24,7 +24,7 @@ use crate::read::rows::TorqueRows;
 
 /// `axes = "body" | "space"`, `table = "torques.csv"`, `interpolation = "steps" | "linear" | "spline"`, `scale`; the table has to cover
 /// the time in which it acts, up to the end of the run.
-pub fn table(table: &Table<'_>, end: Option<f64>) -> Result<TorqueModel, FormatError> {
+pub(crate) fn table(table: &Table<'_>, end: Option<f64>) -> Result<TorqueModel, FormatError> {
     allow(table, &["axes", "table", "interpolation", "scale"])?;
     let axes = match table.require("axes", "axes = \"body\"")?.choice(&["body", "space"])? {
         "body" => TorqueAxes::Body,

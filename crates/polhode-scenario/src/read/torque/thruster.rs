@@ -9,7 +9,7 @@ use polhode_source::unit::Dimension;
 use super::allow;
 
 /// `position = [3]` and `force = [3]`, both along body axes.
-pub fn thruster(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
+pub(crate) fn thruster(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
     allow(table, &["position", "force"])?;
     let position = table.require("position", "position = [\"0.5 m\", \"0 m\", \"-0.3 m\"]")?;
     let force = table.require("force", "force = [\"0 N\", \"1 N\", \"0 N\"]")?;

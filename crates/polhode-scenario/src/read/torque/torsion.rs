@@ -10,7 +10,7 @@ use polhode_source::unit::Dimension;
 use super::allow;
 
 /// `stiffness`; `rest`, an attitude, body axes along those of space by default; a wire's `axis` in space.
-pub fn torsion(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
+pub(crate) fn torsion(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
     allow(table, &["stiffness", "rest", "axis"])?;
     let stiffness = table.require("stiffness", "stiffness = \"0.1 N m/rad\"")?;
     let rest = table.get("rest").map_or(Ok(Attitude::identity()), |rest| rotation(&rest))?;

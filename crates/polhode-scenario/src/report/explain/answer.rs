@@ -11,7 +11,7 @@ use crate::report::forces;
 /// Forces on more particles than this are left to step 4.
 const MOST_PARTICLES: usize = 4;
 
-pub fn lines(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Vec<String> {
+pub(crate) fn lines(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Vec<String> {
     let mut lines = vec![body(w)];
     if let Some(pendulum) = &w.pendulum {
         let (frequency, period) = (pendulum.small_frequency(), pendulum.period(0.0));
@@ -38,7 +38,7 @@ pub fn lines(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Vec<String> {
     lines
 }
 
-pub fn body(w: &Working<'_>) -> String {
+pub(crate) fn body(w: &Working<'_>) -> String {
     let principal = w.rotor.principal();
     let mass = n(w.body().mass());
     if principal.symmetry() == Symmetry::Point {

@@ -12,7 +12,7 @@ use polhode_document::number::{error, quaternion, without_noise};
 use super::inside::Inside;
 use super::working::{DIGITS, Working, n, v};
 
-pub fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Section {
+pub(crate) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Section {
     let mut s = Section::new(6, "Solve for the attitude");
     if w.rotor.principal().symmetry() == Symmetry::Point {
         s.say("A point has no attitude.");
@@ -130,7 +130,7 @@ fn asymmetric_angles(w: &Working<'_>, motion: &FreeMotion, circled: usize, s: &m
 }
 
 /// The attitude of a state with an error, rad: what the error covers is 0.
-pub fn attitude(state: &State, error: f64, when: &str, s: &mut Section) {
+pub(crate) fn attitude(state: &State, error: f64, when: &str, s: &mut Section) {
     s.matrix(format!("R({when})"), state.attitude.matrix().map(|row| without_noise(row, 1.0, error)), "");
     if when == "end" {
         s.line(format!("t = {} s", n(state.time)));

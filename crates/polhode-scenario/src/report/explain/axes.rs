@@ -5,7 +5,7 @@ use polhode_document::Section;
 
 use super::working::{Working, v};
 
-pub fn section(w: &Working<'_>) -> Section {
+pub(crate) fn section(w: &Working<'_>) -> Section {
     let mut s = Section::new(1, "Choose the axes");
     s.say(
         "Body axes x, y, z: fixed in the body, so that {I} is constant; they turn with it at ω. Their directions are \

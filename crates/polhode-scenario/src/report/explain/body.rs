@@ -12,7 +12,7 @@ const MOST_ROWS: usize = 20;
 /// More terms of a sum than this are left to the table.
 const MOST_TERMS: usize = 6;
 
-pub fn section(w: &Working<'_>) -> Section {
+pub(crate) fn section(w: &Working<'_>) -> Section {
     let mut s = Section::new(0, "The body");
     let masses = if w.scenario.is_all_particles() && !w.scenario.parts().is_empty() {
         particles(w, &mut s)
@@ -93,7 +93,7 @@ fn more(all: usize, s: &mut Section) {
 }
 
 /// The rows with their numbers, from 1, in front.
-pub fn numbered(rows: Vec<Vec<String>>) -> Vec<Vec<String>> {
+pub(crate) fn numbered(rows: Vec<Vec<String>>) -> Vec<Vec<String>> {
     let with_number = |(k, row): (usize, Vec<String>)| {
         let mut cells = vec![(k + 1).to_string()];
         cells.extend(row);

@@ -9,7 +9,7 @@ use super::working::{Working, cells, n, v};
 use crate::report::event;
 
 /// The motion is given: there is nothing to solve, but the torque may change along it.
-pub fn given(w: &Working<'_>, s: &mut Section) {
+pub(crate) fn given(w: &Working<'_>, s: &mut Section) {
     s.say("The motion is given, so ω(t) is known (step 2); the equations gave the torque instead.");
     if !w.rows.samples.is_empty() {
         s.say(format!("The torque along the motion, in body axes{}:", w.rows.words));
@@ -18,7 +18,7 @@ pub fn given(w: &Working<'_>, s: &mut Section) {
 }
 
 /// Numerical integration.
-pub fn integrate(w: &Working<'_>, s: &mut Section) {
+pub(crate) fn integrate(w: &Working<'_>, s: &mut Section) {
     if w.rotor.principal().symmetry() == Symmetry::Point {
         s.say("There is nothing to solve: all the mass is in the point that it would turn about.");
         return;
@@ -52,7 +52,7 @@ pub fn integrate(w: &Working<'_>, s: &mut Section) {
 }
 
 /// How the numbers were found, in words that follow `ω(t)`.
-pub fn how(w: &Working<'_>) -> Option<String> {
+pub(crate) fn how(w: &Working<'_>) -> Option<String> {
     Some(match w.trajectory.as_ref()?.solution() {
         Solution::Exact(_) => "in closed form".to_owned(),
         Solution::Prescribed(_) => "as given".to_owned(),
@@ -70,7 +70,7 @@ pub fn how(w: &Working<'_>) -> Option<String> {
 }
 
 /// ω, and N where there is one, at the instants of [`Working::rows`].
-pub fn table(w: &Working<'_>, torque: bool, s: &mut Section) {
+pub(crate) fn table(w: &Working<'_>, torque: bool, s: &mut Section) {
     let samples = &w.rows.samples;
     // Rows before the end have smaller errors than the end.
     let error = w.error();

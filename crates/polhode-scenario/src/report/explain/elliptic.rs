@@ -9,7 +9,7 @@ use super::working::{factor, n};
 /// A modulus below this is worth a word about the symmetric limit.
 const NEARLY_CIRCULAR: f64 = 0.1;
 
-pub fn closed_form(form: &JacobiForm, free: &FreeRegime, s: &mut Section) {
+pub(crate) fn closed_form(form: &JacobiForm, free: &FreeRegime, s: &mut Section) {
     s.say(
         "With 2T and L² the squares of ω1 and ω3 are linear in ω2², so ω\u{307}2 = (i3 − i1) ω3 ω1 / i2 is the equation of \
          Jacobi's sn, and ω(t) is known in closed form, with u = λ (t − t0) + u0:",

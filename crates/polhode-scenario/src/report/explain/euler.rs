@@ -13,7 +13,7 @@ use crate::report::forces;
 /// Forces on more particles than this are not listed.
 const MOST_PARTICLES: usize = 12;
 
-pub fn section(w: &Working<'_>) -> Section {
+pub(crate) fn section(w: &Working<'_>) -> Section {
     let mut s = Section::new(4, "Euler's equations");
     if w.rotor.principal().symmetry() == Symmetry::Point {
         s.say("Without inertia they say only N = 0.");

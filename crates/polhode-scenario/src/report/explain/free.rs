@@ -12,7 +12,7 @@ use super::working::{Working, factor, n, v};
 use super::{driven, elliptic, tensor};
 use crate::report::intermediate;
 
-pub fn solve(w: &Working<'_>, s: &mut Section) {
+pub(crate) fn solve(w: &Working<'_>, s: &mut Section) {
     if w.rotor.principal().symmetry() == Symmetry::Point {
         s.say("There is nothing to solve: all the mass is in one point, which has no rotation.");
         return;
@@ -203,6 +203,6 @@ fn growth_rate(growth: f64, s: &mut Section) {
 }
 
 /// `, once in 3 s`
-pub fn once_in(rate: f64) -> String {
+pub(crate) fn once_in(rate: f64) -> String {
     if rate == 0.0 { String::new() } else { format!(", once in {} s", n(TAU / rate.abs())) }
 }

@@ -11,7 +11,7 @@ use super::driven;
 use super::working::{Working, exactly, factor, n, v};
 
 /// The numbers at the start.
-pub struct Inside<'a, 'w> {
+pub(crate) struct Inside<'a, 'w> {
     w: &'a Working<'w>,
     /// Σ α
     alpha: f64,
@@ -28,7 +28,7 @@ pub struct Inside<'a, 'w> {
 
 impl<'a, 'w> Inside<'a, 'w> {
     /// `None` if nothing moves inside the body.
-    pub fn of(w: &'a Working<'w>) -> Option<Self> {
+    pub(crate) fn of(w: &'a Working<'w>) -> Option<Self> {
         let coefficient = |torque: &TorqueModel| match torque {
             TorqueModel::EnergySink(sink) => sink.coefficient(),
             _ => 0.0,
@@ -88,7 +88,7 @@ impl<'a, 'w> Inside<'a, 'w> {
     }
 
     /// h and L, after {I} ω: step 3.
-    pub fn momentum(&self, s: &mut Section) {
+    pub(crate) fn momentum(&self, s: &mut Section) {
         let w = self.w;
         if self.has_wheels() {
             s.say(
@@ -114,7 +114,7 @@ impl<'a, 'w> Inside<'a, 'w> {
     }
 
     /// Step 4.
-    pub fn equations(&self) -> Section {
+    pub(crate) fn equations(&self) -> Section {
         let w = self.w;
         let mut s = Section::new(4, "Euler's equations");
         let [name, _] = self.turning_name();
@@ -185,7 +185,7 @@ impl<'a, 'w> Inside<'a, 'w> {
     }
 
     /// Step 5.
-    pub fn solution(&self) -> Section {
+    pub(crate) fn solution(&self) -> Section {
         let mut s = Section::new(5, "Solve for ω(t)");
         self.balances(&mut s);
         self.end(&mut s);
@@ -200,7 +200,7 @@ impl<'a, 'w> Inside<'a, 'w> {
     }
 
     /// Step 6: at which rate R turns.
-    pub fn attitude_formula(&self, s: &mut Section) {
+    pub(crate) fn attitude_formula(&self, s: &mut Section) {
         let [name, latex] = self.turning_name();
         s.formula(
             &format!("dR/dt = R [{name}]×   or   dq/dt = ½ q {name}      ({name} in body axes)"),
@@ -357,7 +357,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         s.line(format!("ω = −{{I}}⁻¹ h = {} rad/s", v(omega.to_array())));
     }
 
-    pub fn answer(&self) -> String {
+    pub(crate) fn answer(&self) -> String {
         let l = v(self.momentum.to_array());
         let energy = n(self.w.rotor.kinetic_energy(self.omega));
         let rest = match (self.is_free(), self.has_sink()) {

@@ -11,7 +11,7 @@ use polhode_document::number::tidy_matrix;
 use super::working::{Working, acting, cells, n, v};
 
 /// What the linear equations say, if there is a steady motion to linearise about.
-pub fn solve(w: &Working<'_>, s: &mut Section) {
+pub(crate) fn solve(w: &Working<'_>, s: &mut Section) {
     let torques: Vec<TorqueModel> = acting(w.scenario).cloned().collect();
     // Beside other torques drag changes what they do, and not the body's spin alone.
     if let [TorqueModel::Drag(drag)] = &torques[..] {

@@ -12,7 +12,7 @@ use super::working::{Working, factor, leaves, n, v};
 /// Sums of more particles than this are not written out.
 const MOST_TERMS: usize = 6;
 
-pub fn solve(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
+pub(crate) fn solve(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
     let Some(axis) = w.scenario.suspension().and_then(|hanging| hanging.axis.direction()) else { return };
     let mass = w.rotor.mass();
     s.say(

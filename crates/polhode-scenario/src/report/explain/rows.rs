@@ -12,7 +12,7 @@ use polhode_document::number::number;
 
 /// Instants, and the words for them.
 #[derive(Clone, Debug, Default)]
-pub struct Rows {
+pub(crate) struct Rows {
     pub samples: Vec<Sample>,
     /// `, one period (1.58 s) in eighths`
     pub words: String,
@@ -34,7 +34,7 @@ impl Rows {
     ///
     /// # Errors
     /// [`MotionError`] if the motion cannot be computed at these instants.
-    pub fn of(
+    pub(crate) fn of(
         scenario: &Scenario,
         trajectory: &Trajectory,
         period: Option<f64>,

@@ -13,7 +13,7 @@ use super::working::n;
 const AGREES: f64 = 1e-9;
 
 /// Derives the tensors of parts: the integral of each kind of shape once, and how the others are found.
-pub fn derive(parts: &[BodyPart], s: &mut Section) {
+pub(crate) fn derive(parts: &[BodyPart], s: &mut Section) {
     let derived = |part: &BodyPart| of(part).filter(|derived| agrees(part, derived));
     let (shapes, others): (Vec<_>, Vec<_>) =
         parts.iter().map(|part| (part, derived(part))).partition(|(_, derived)| derived.is_some());

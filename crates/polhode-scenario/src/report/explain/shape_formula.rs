@@ -7,7 +7,7 @@ use polhode::body::{BodyPart, Form};
 use super::working::n;
 
 /// A shape's own tensor as its formulas have it, along its own axes from its centroid.
-pub struct Derived {
+pub(crate) struct Derived {
     /// The kind of shape, `:   `, and the integral with its result; the same in LaTeX.
     pub formula: [&'static str; 2],
     /// The measures, in words: `a, b, c = 1, 2, 3 m`.
@@ -17,7 +17,7 @@ pub struct Derived {
 }
 
 /// The formulas of a part's tensor, if its shape has them and no products along its own axes.
-pub fn of(part: &BodyPart) -> Option<Derived> {
+pub(crate) fn of(part: &BodyPart) -> Option<Derived> {
     let m = part.properties.mass();
     let sq = |x: f64| x * x;
     Some(match (&part.form.as_ref()?.form, part.kind) {

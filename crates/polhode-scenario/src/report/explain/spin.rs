@@ -13,7 +13,7 @@ use crate::report::torque::Description;
 /// Velocities of more particles than this are left out.
 const MOST_PARTICLES: usize = 12;
 
-pub fn section(w: &Working<'_>) -> Section {
+pub(crate) fn section(w: &Working<'_>) -> Section {
     let mut s = Section::new(2, "Note ω and N at t0");
     omega(w, &mut s);
     torque(w, &mut s);

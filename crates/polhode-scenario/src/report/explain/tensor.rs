@@ -19,7 +19,7 @@ const MOST_TERMS: usize = 6;
 /// More parts than this are not listed one by one.
 const MOST_PARTS: usize = 20;
 
-pub fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Section {
+pub(crate) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Section {
     let mut s = Section::new(3, "Calculate {I}, its principal moments and axes");
     s.formula(
         "Iij = Σ mα (δij Σk xα,k² − xα,i xα,j)      for a continuous body  ∫ ρ (δij Σk xk² − xi xj) dV",
@@ -205,7 +205,7 @@ fn axes(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
 }
 
 /// `x̂`, `−x̂` … of a direction along a body axis.
-pub fn along_body_axis(direction: Direction<Body>) -> Option<String> {
+pub(crate) fn along_body_axis(direction: Direction<Body>) -> Option<String> {
     const UNITS: [&str; 3] = ["x̂", "ŷ", "ẑ"];
     let exact = |(k, c): (usize, f64)| {
         (c.abs() == 1.0).then(|| format!("{}{}", if c < 0.0 { "−" } else { "" }, UNITS[k]))

@@ -15,7 +15,7 @@ use super::working::{Working, factor, n, v};
 use crate::report::heavy_top;
 
 /// The top that the scenario's body is.
-pub fn of(w: &Working<'_>) -> Option<HeavyTop> {
+pub(crate) fn of(w: &Working<'_>) -> Option<HeavyTop> {
     heavy_top::of(w.scenario, w.start)
 }
 
@@ -59,7 +59,7 @@ impl Constants {
     }
 }
 
-pub fn solve(w: &Working<'_>, top: &HeavyTop, s: &mut Section) {
+pub(crate) fn solve(w: &Working<'_>, top: &HeavyTop, s: &mut Section) {
     let Some(constants) = Constants::of(w, top) else { return };
     let Some(e) = w.rotor.lever().direction() else { return };
     let [a, c] = constants.moments;

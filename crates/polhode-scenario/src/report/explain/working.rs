@@ -20,7 +20,7 @@ use crate::report::free_facts::FreeFacts;
 use crate::report::motion;
 
 /// The state of the solution at t0, and the motion after it where there is one.
-pub struct Working<'a> {
+pub(crate) struct Working<'a> {
     pub scenario: &'a Scenario,
     pub rotor: &'a Rotor,
     pub start: State,
@@ -43,14 +43,14 @@ pub struct Working<'a> {
 
 impl<'a> Working<'a> {
     /// What was noticed about the scenario, and about its motion if that is known.
-    pub fn findings(&self) -> Vec<Finding> {
+    pub(crate) fn findings(&self) -> Vec<Finding> {
         match self.trajectory.as_deref() {
             Some(trajectory) => motion::findings(self.scenario, trajectory),
             None => self.scenario.findings().to_vec(),
         }
     }
 
-    pub fn of(scenario: &'a Scenario) -> Result<Self, MotionError> {
+    pub(crate) fn of(scenario: &'a Scenario) -> Result<Self, MotionError> {
         if scenario.gimbals().is_some() {
             return Self::with(scenario, None);
         }
@@ -69,7 +69,7 @@ impl<'a> Working<'a> {
     }
 
     /// As [`Working::of`], where the motion is known.
-    pub fn with(
+    pub(crate) fn with(
         scenario: &'a Scenario,
         trajectory: Option<Cow<'a, Trajectory>>,
     ) -> Result<Self, MotionError> {
@@ -119,39 +119,39 @@ impl<'a> Working<'a> {
         })
     }
 
-    pub fn title(&self) -> String {
+    pub(crate) fn title(&self) -> String {
         self.scenario.title().map_or_else(|| "A rigid body".to_owned(), str::to_owned)
     }
 
-    pub const fn body(&self) -> &MassProperties<Body> {
+    pub(crate) const fn body(&self) -> &MassProperties<Body> {
         self.scenario.body()
     }
 
     /// The point that the body turns about.
-    pub fn point(&self) -> Position<Body> {
+    pub(crate) fn point(&self) -> Position<Body> {
         self.scenario.pivot().unwrap_or(self.body().center_of_mass())
     }
 
-    pub const fn point_name(&self) -> &'static str {
+    pub(crate) const fn point_name(&self) -> &'static str {
         if self.scenario.pivot().is_some() { "the pivot" } else { "the centre of mass" }
     }
 
     /// True if no torque acts, no wheel spins, and the motion is not given.
-    pub fn is_free(&self) -> bool {
+    pub(crate) fn is_free(&self) -> bool {
         self.scenario.is_free()
     }
 
     /// True if friction inside makes the axes turn at Ω and not at ω.
-    pub fn has_sink(&self) -> bool {
+    pub(crate) fn has_sink(&self) -> bool {
         self.scenario.torques().iter().any(|torque| matches!(torque, TorqueModel::EnergySink(_)))
     }
 
-    pub fn is_turning(&self) -> bool {
+    pub(crate) fn is_turning(&self) -> bool {
         self.start.omega.norm() > 0.0
     }
 
     /// The velocity of the centre of mass at t0.
-    pub fn center_velocity(&self) -> Velocity<Space> {
+    pub(crate) fn center_velocity(&self) -> Velocity<Space> {
         if self.scenario.pivot().is_some() {
             self.start.attitude * self.start.omega.cross(self.rotor.lever())
         } else {
@@ -162,7 +162,7 @@ impl<'a> Working<'a> {
     /// Particles that stand for the body, moving in space as it does at t0, their places seen from its centre of mass.
     ///
     /// Its own particles where it is made of them, else one for each part, at the part's centre of mass.
-    pub fn moving_particles(&self) -> Vec<MovingParticle<Space>> {
+    pub(crate) fn moving_particles(&self) -> Vec<MovingParticle<Space>> {
         let at_parts =
             || self.scenario.parts().iter().map(|p| (p.properties.mass(), p.properties.center_of_mass()));
         let places: Vec<(f64, Position<Body>)> = if self.scenario.is_all_particles() {
@@ -182,14 +182,14 @@ impl<'a> Working<'a> {
     }
 
     /// Estimated error at the end of the run: relative of ω, rad of the attitude; zero without an estimate.
-    pub fn error(&self) -> StateError {
+    pub(crate) fn error(&self) -> StateError {
         let end = self.trajectory.as_deref().and_then(Trajectory::error).map(GlobalError::end);
         end.unwrap_or(StateError { attitude: 0.0, omega: 0.0 })
     }
 }
 
 /// True if a run that holds only the pivot leaves the axis.
-pub fn leaves(scenario: &Scenario, axis: Direction<Body>) -> bool {
+pub(crate) fn leaves(scenario: &Scenario, axis: Direction<Body>) -> bool {
     let axial = scenario.rotor().angular_momentum(AngularVelocity::from_array(axis.to_array()));
     let omega = scenario.start().omega;
     axial.angle_to(axis) > 1e-9 || omega.cross(axis).norm() > 1e-9 * omega.norm()
@@ -228,31 +228,31 @@ fn touching(
 }
 
 /// Significant digits of a worked solution.
-pub const DIGITS: usize = 6;
+pub(crate) const DIGITS: usize = 6;
 
 /// A number as a worked solution shows it.
-pub fn n(x: f64) -> String {
+pub(crate) fn n(x: f64) -> String {
     number(x, DIGITS)
 }
 
 /// A number as a factor: negative ones in brackets.
-pub fn factor(x: f64) -> String {
+pub(crate) fn factor(x: f64) -> String {
     if x < 0.0 { format!("({})", n(x)) } else { n(x) }
 }
 
 /// `(x, y, z)` without what rounding left of its zeros.
-pub fn v(values: [f64; 3]) -> String {
+pub(crate) fn v(values: [f64; 3]) -> String {
     let scale = values.iter().fold(0.0, |max, x| f64::max(max, x.abs()));
     polhode_document::number::vector(tidy_beside(values, scale), DIGITS)
 }
 
 /// `(x, y, z)` as it is: of numbers whose smallness matters.
-pub fn exactly(values: [f64; 3]) -> String {
+pub(crate) fn exactly(values: [f64; 3]) -> String {
     polhode_document::number::vector(values, DIGITS)
 }
 
 /// Rows of numbers as cells; each column alike.
-pub fn cells(rows: &[Vec<f64>]) -> Vec<Vec<String>> {
+pub(crate) fn cells(rows: &[Vec<f64>]) -> Vec<Vec<String>> {
     let count = rows.first().map_or(0, Vec::len);
     let columns: Vec<Vec<String>> =
         (0..count).map(|k| alike(&rows.iter().map(|row| row[k]).collect::<Vec<_>>(), DIGITS)).collect();
@@ -260,7 +260,7 @@ pub fn cells(rows: &[Vec<f64>]) -> Vec<Vec<String>> {
 }
 
 /// The torques that are not switched off at the start.
-pub fn acting(scenario: &Scenario) -> impl Iterator<Item = &TorqueModel> {
+pub(crate) fn acting(scenario: &Scenario) -> impl Iterator<Item = &TorqueModel> {
     let all = scenario.torques().iter().enumerate();
     all.filter(|(k, _)| !scenario.switched_off().contains(k)).map(|(_, torque)| torque)
 }

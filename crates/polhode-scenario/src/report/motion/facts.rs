@@ -12,7 +12,7 @@ use crate::report::free_facts::FreeFacts;
 
 /// Everything that is asked of the core for one motion.
 #[derive(Clone, Debug)]
-pub struct Facts<'a> {
+pub(crate) struct Facts<'a> {
     /// At the first sample too, if it changes.
     pub rotor: Cow<'a, Rotor>,
     /// At the first sample; that of the scenario if there is none.
@@ -31,7 +31,7 @@ pub struct Facts<'a> {
 
 /// A free symmetric top, its cones, and how well L, ω and the axis keep to one plane.
 #[derive(Clone, Copy, Debug)]
-pub struct Top {
+pub(crate) struct Top {
     pub motion: SymmetricTop,
     pub cones: Cones,
     pub coplanarity: f64,
@@ -39,7 +39,7 @@ pub struct Top {
 
 /// What a prescribed motion needs.
 #[derive(Clone, Debug)]
-pub struct Needed {
+pub(crate) struct Needed {
     pub at_start: Required,
     /// The sample with the largest torque.
     pub largest: Option<Sample>,
@@ -48,7 +48,7 @@ pub struct Needed {
 }
 
 impl<'a> Facts<'a> {
-    pub fn of(scenario: &'a Scenario, trajectory: &Trajectory) -> Self {
+    pub(crate) fn of(scenario: &'a Scenario, trajectory: &Trajectory) -> Self {
         let start = trajectory.samples().first().map_or(scenario.start(), |sample| sample.state);
         let then = |history: &MassHistory| history.rotor(start.time, scenario.pivot()).ok();
         let rotor = scenario.history().and_then(then).map_or(Cow::Borrowed(scenario.rotor()), Cow::Owned);
@@ -71,7 +71,7 @@ impl<'a> Facts<'a> {
 
 impl Facts<'_> {
     /// The free motion, if it is one.
-    pub fn free(&self) -> Option<&FreeFacts> {
+    pub(crate) fn free(&self) -> Option<&FreeFacts> {
         self.at_start.as_ref().filter(|_| self.is_free)
     }
 }

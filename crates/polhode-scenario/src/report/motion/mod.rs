@@ -73,7 +73,7 @@ impl<'a> MotionReport<'a> {
 }
 
 /// What was noticed about a scenario, its motion, and the error of that.
-pub fn findings(scenario: &Scenario, trajectory: &Trajectory) -> Vec<Finding> {
+pub(crate) fn findings(scenario: &Scenario, trajectory: &Trajectory) -> Vec<Finding> {
     let of_motion = underflow::finding(scenario, trajectory).into_iter().chain(trajectory.findings());
     scenario.findings().iter().cloned().chain(of_motion).collect()
 }

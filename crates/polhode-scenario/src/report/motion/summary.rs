@@ -20,7 +20,7 @@ use crate::report::{
     VERSION, contact, event, gimbals, global_error, heavy_top, history, orbit, symmetric_top,
 };
 
-pub fn of(report: &MotionReport<'_>) -> Value {
+pub(crate) fn of(report: &MotionReport<'_>) -> Value {
     let (scenario, samples) = (report.scenario, report.trajectory.samples());
     let facts = Facts::of(scenario, report.trajectory);
     let mut object = Map::new();

@@ -21,7 +21,7 @@ use crate::report::{contact, event, gimbals, global_error, heavy_top, history, i
 const MOST_PARTICLES: usize = 8;
 
 /// The motion, with a picture of ω of so many columns.
-pub fn write(report: &MotionReport<'_>, picture: usize) -> String {
+pub(crate) fn write(report: &MotionReport<'_>, picture: usize) -> String {
     let facts = Facts::of(report.scenario, report.trajectory);
     let samples = report.trajectory.samples();
     let mut text = heading(report, samples);

@@ -4,7 +4,7 @@ use polhode::body::{Finding, Severity};
 use polhode::motion::{Sample, Scenario, Trajectory};
 
 /// `motion.underflow`: T of some sample is below the range of numbers, and not that of the start, of which the scenario's findings tell.
-pub fn finding(scenario: &Scenario, trajectory: &Trajectory) -> Option<Finding> {
+pub(crate) fn finding(scenario: &Scenario, trajectory: &Trajectory) -> Option<Finding> {
     let rotor = scenario.rotor();
     let small = |sample: &&Sample| rotor.kinetic_energy_underflows(sample.state.omega);
     let samples = trajectory.samples();

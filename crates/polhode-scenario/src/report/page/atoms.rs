@@ -17,7 +17,7 @@ const BOUND: f64 = 1.25;
 const MOST: usize = 2000;
 
 /// `None` if a number does not fit.
-pub fn balls(part: &BodyPart, symbols: &[&str], point: Position<Body>) -> Option<Value> {
+pub(crate) fn balls(part: &BodyPart, symbols: &[&str], point: Position<Body>) -> Option<Value> {
     let atoms: Vec<([f64; 3], &str)> = part
         .particles
         .iter()

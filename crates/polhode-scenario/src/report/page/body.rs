@@ -7,7 +7,7 @@ use super::shapes::{self, Budget};
 use super::turning::{Turning, ellipsoid, equivalent_box};
 
 /// Without `budget` it has no shapes.
-pub fn json(turning: &Turning<'_>, budget: Option<&mut Budget>) -> Value {
+pub(crate) fn json(turning: &Turning<'_>, budget: Option<&mut Budget>) -> Value {
     let moments = turning.principal.moments();
     let central = turning.central.moments();
     let quaternion = numbers(&turning.central.rotation().canonical_quaternion());

@@ -19,13 +19,13 @@ const DIGITS: usize = 4;
 
 /// The captions of the pictures; those of the last three are of free motions.
 #[derive(Clone, Debug)]
-pub struct Captions {
+pub(crate) struct Captions {
     body: String,
     free: Option<[String; 3]>,
 }
 
 impl Captions {
-    pub fn of(
+    pub(crate) fn of(
         scenario: Option<&Scenario>,
         trajectory: &Trajectory,
         top: Option<&HeavyTop>,
@@ -40,7 +40,7 @@ impl Captions {
         Self { body, free: free.map(|free| [poinsot(&free.motion), cones(free), sphere(free)]) }
     }
 
-    pub fn json(&self) -> Value {
+    pub(crate) fn json(&self) -> Value {
         let free = |k: usize| self.free.as_ref().and_then(|all| all.get(k)).map(|text| typeset(text));
         json!({ "body": typeset(&self.body), "poinsot": free(0), "cones": free(1), "sphere": free(2) })
     }

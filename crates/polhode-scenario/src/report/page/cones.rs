@@ -8,7 +8,7 @@ use crate::report::free_facts::FreeFacts;
 
 /// How far ω is from the axis that L circles, and from L.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ConeAngles {
+pub(crate) struct ConeAngles {
     /// Between ω and ± the axis that L circles: the least and the greatest, rad. Equal if the cone is circular.
     pub body: [f64; 2],
     /// Between ω and L, rad.
@@ -19,7 +19,7 @@ pub struct ConeAngles {
 
 /// Whether a free symmetric top turns about its axis e in the sense of its precession about L (ψ̇ and φ̇ cos θ of one sign) or against it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Precession {
+pub(crate) enum Precession {
     /// Prolate, I_e < I_t: the body cone rolls outside on the space cone.
     Prograde,
     /// Oblate, I_e > I_t: ψ̇ = −(I_e − I_t) ω_e / I_t is against ω_e; the space cone is inside the body cone, which rolls around it.
@@ -29,7 +29,7 @@ pub enum Precession {
 impl ConeAngles {
     /// ω = (a1 cn, a2 sn, a3 dn) along the labelled axes: its angles are extreme where sn = 0, at (a1, 0, a3), and where |sn| = 1, at
     /// (0, a2, k₁ a3).
-    pub fn of(free: &FreeFacts) -> Self {
+    pub(crate) fn of(free: &FreeFacts) -> Self {
         let motion = &free.motion;
         let [a1, a2, a3] = motion.amplitudes().map(f64::abs);
         let [i1, i2, i3] = motion.labelled_moments();
@@ -48,7 +48,7 @@ impl ConeAngles {
         Self { body: ascending(body), space: ascending(space), precession }
     }
 
-    pub fn json(&self) -> Value {
+    pub(crate) fn json(&self) -> Value {
         json!({
             "body": self.body,
             "space": self.space,
@@ -58,7 +58,7 @@ impl ConeAngles {
 }
 
 impl Precession {
-    pub const fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Prograde => "prograde",
             Self::Retrograde => "retrograde",
@@ -67,7 +67,7 @@ impl Precession {
 }
 
 /// True unless ω keeps its place in the body.
-pub const fn is_moving(motion: &FreeMotion) -> bool {
+pub(crate) const fn is_moving(motion: &FreeMotion) -> bool {
     !matches!(motion.regime(), Regime::Permanent(_) | Regime::AtRest)
 }
 

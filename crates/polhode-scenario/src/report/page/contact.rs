@@ -14,7 +14,12 @@ use super::rows::Rows;
 use super::surface;
 
 /// Null of any other motion.
-pub fn json(trajectory: &Trajectory, subject: &PageSubject<'_>, shown: &Shown<'_>, rows: &mut Rows) -> Value {
+pub(crate) fn json(
+    trajectory: &Trajectory,
+    subject: &PageSubject<'_>,
+    shown: &Shown<'_>,
+    rows: &mut Rows,
+) -> Value {
     let (PageSubject::Scenario(scenario), Some(motion)) = (subject, trajectory.contact()) else {
         return Value::Null;
     };

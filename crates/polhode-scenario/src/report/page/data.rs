@@ -17,7 +17,7 @@ const LEAST_MESH: usize = 240_000;
 
 /// What triangles may have of a page, bytes.
 #[derive(Clone, Copy, Debug)]
-pub enum Room {
+pub(crate) enum Room {
     /// What is left of a page whose frame has so many bytes without its data.
     Beside(usize),
     /// So many.
@@ -25,7 +25,7 @@ pub enum Room {
 }
 
 /// The data of a page.
-pub fn json(input: &PageInput<'_>, room: Room, rows: &mut Rows) -> Value {
+pub(crate) fn json(input: &PageInput<'_>, room: Room, rows: &mut Rows) -> Value {
     let turning = Turning::of(&input.subject);
     let shown = Shown::of(input.trajectory, &input.subject);
     let free_facts = free::facts(input);

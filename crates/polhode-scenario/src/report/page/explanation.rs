@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 /// Digits of a matrix element.
 const DIGITS: usize = 6;
 
-pub fn json(document: &Document) -> Value {
+pub(crate) fn json(document: &Document) -> Value {
     let mut blocks = vec![heading(1, &document.title)];
     blocks.extend(document.answer.iter().map(|line| text(line)));
     for section in &document.sections {

@@ -68,7 +68,7 @@ impl Row {
     }
 }
 
-pub fn json(
+pub(crate) fn json(
     input: &PageInput<'_>,
     turning: &Turning<'_>,
     free: Option<&FreeFacts>,

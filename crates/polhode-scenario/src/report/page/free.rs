@@ -24,7 +24,7 @@ const MOST_PERIODS: f64 = 12.0;
 const MOST_POINTS: usize = 4_000;
 
 /// The free motion that is shown; `None` if a torque acts or wheels spin, if the motion is given, or at rest.
-pub fn facts(input: &PageInput<'_>) -> Option<FreeFacts> {
+pub(crate) fn facts(input: &PageInput<'_>) -> Option<FreeFacts> {
     let motion = match (input.trajectory.solution(), input.subject) {
         (Solution::Exact(ClosedForm::Free(motion)), _) => **motion,
         (Solution::Integrated { .. }, PageSubject::Scenario(scenario)) if scenario.is_free() => {
@@ -36,7 +36,7 @@ pub fn facts(input: &PageInput<'_>) -> Option<FreeFacts> {
 }
 
 /// The curves; null where one of them cannot be drawn. Other motions of the body only if it is `whole`.
-pub fn json(free: &FreeFacts, shown: &Shown<'_>, whole: bool, rows: &mut Rows) -> Value {
+pub(crate) fn json(free: &FreeFacts, shown: &Shown<'_>, whole: bool, rows: &mut Rows) -> Value {
     curves(free, shown, whole, rows).unwrap_or(Value::Null)
 }
 

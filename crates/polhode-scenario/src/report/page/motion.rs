@@ -17,7 +17,7 @@ const MOST: usize = 2_001;
 
 /// The samples that a page shows.
 #[derive(Debug)]
-pub struct Shown<'a> {
+pub(crate) struct Shown<'a> {
     pub samples: Vec<&'a Sample>,
     /// What they are on the ground; none of any other body.
     pub contact: Vec<&'a ContactSample>,
@@ -34,7 +34,7 @@ pub struct Shown<'a> {
 
 impl<'a> Shown<'a> {
     /// All samples, or [`MOST`] evenly chosen with the first and the last; the start where there are none.
-    pub fn of(trajectory: &'a Trajectory, subject: &PageSubject<'a>) -> Self {
+    pub(crate) fn of(trajectory: &'a Trajectory, subject: &PageSubject<'a>) -> Self {
         let all = trajectory.samples();
         let (driven, wheels, pointings) = match *subject {
             PageSubject::Scenario(scenario) => {
@@ -160,7 +160,7 @@ fn chosen(count: usize) -> Vec<usize> {
 }
 
 /// `contact`: of a body on the ground what else there is to show.
-pub fn json(shown: &Shown<'_>, contact: &Value, rows: &mut Rows) -> Value {
+pub(crate) fn json(shown: &Shown<'_>, contact: &Value, rows: &mut Rows) -> Value {
     let has_potential = has_potential(shown.samples.iter().copied());
     json!({
         "count": shown.samples.len(),

@@ -10,7 +10,7 @@ use super::placed::THIN;
 const ROUND: u32 = 64;
 
 /// The wall of a frustum without ends, of a thickness that can be seen; one of the radii may be zero.
-pub fn cone_wall(base: f64, top: f64, height: f64) -> TriangleMesh {
+pub(crate) fn cone_wall(base: f64, top: f64, height: f64) -> TriangleMesh {
     let wall = THIN * base.max(top);
     // The inner side is the outer one, a wall nearer the axis; it ends where it meets the axis.
     let inner = |z: f64, own: f64, other: f64| {
@@ -40,7 +40,7 @@ fn revolved(profile: &[[f64; 2]]) -> TriangleMesh {
 }
 
 /// A prism about z = 0; one without length is shown as a plate.
-pub fn prism(vertices: [[f64; 2]; 3], length: f64) -> TriangleMesh {
+pub(crate) fn prism(vertices: [[f64; 2]; 3], length: f64) -> TriangleMesh {
     let [o, p, q] = vertices;
     let edges = [[o, p], [p, q], [q, o]].map(|[a, b]| (b[0] - a[0]).hypot(b[1] - a[1]));
     let length = if length > 0.0 { length } else { THIN * edges.into_iter().fold(f64::INFINITY, f64::min) };

@@ -3,17 +3,17 @@
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 
 /// Each number as an f64.
-pub fn f64s(numbers: impl IntoIterator<Item = f64>) -> String {
+pub(crate) fn f64s(numbers: impl IntoIterator<Item = f64>) -> String {
     arrays(numbers.into_iter().map(f64::to_le_bytes))
 }
 
 /// Each number as an f32.
-pub fn f32s(numbers: impl IntoIterator<Item = f32>) -> String {
+pub(crate) fn f32s(numbers: impl IntoIterator<Item = f32>) -> String {
     arrays(numbers.into_iter().map(f32::to_le_bytes))
 }
 
 /// Each number as a u32.
-pub fn u32s(numbers: impl IntoIterator<Item = u32>) -> String {
+pub(crate) fn u32s(numbers: impl IntoIterator<Item = u32>) -> String {
     arrays(numbers.into_iter().map(u32::to_le_bytes))
 }
 

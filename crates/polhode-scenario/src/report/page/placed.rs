@@ -4,10 +4,10 @@ use polhode_document::json::{finite, numbers};
 use serde_json::{Value, json};
 
 /// What is thin is shown with a thickness, so that it can be seen: this part of its smallest size.
-pub const THIN: f64 = 1.0 / 40.0;
+pub(crate) const THIN: f64 = 1.0 / 40.0;
 
 /// A shape, and where it is.
-pub fn at(own: Value, name: &str, position: [f64; 3], quaternion: [f64; 4]) -> Value {
+pub(crate) fn at(own: Value, name: &str, position: [f64; 3], quaternion: [f64; 4]) -> Value {
     let mut shape = json!({
         "name": name,
         "position": numbers(&position.map(finite)),

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::packed::f64s;
 /// Rows of f64: in the JSON as base64, or beside it as bytes.
 #[derive(Debug)]
-pub enum Rows {
+pub(crate) enum Rows {
     /// Of a page that is one file.
     Inside,
     /// Little-endian numbers, one row after the other; the JSON has `{"f64": [at, count]}`, counted in numbers.
@@ -14,7 +14,7 @@ pub enum Rows {
 
 impl Rows {
     /// What the JSON has for a row.
-    pub fn put(&mut self, numbers: impl IntoIterator<Item = f64>) -> Value {
+    pub(crate) fn put(&mut self, numbers: impl IntoIterator<Item = f64>) -> Value {
         match self {
             Self::Inside => f64s(numbers).into(),
             Self::Beside(bytes) => {
@@ -26,7 +26,7 @@ impl Rows {
     }
 
     /// Those beside the JSON.
-    pub fn bytes(self) -> Vec<u8> {
+    pub(crate) fn bytes(self) -> Vec<u8> {
         match self {
             Self::Inside => Vec::new(),
             Self::Beside(bytes) => bytes,
@@ -34,7 +34,7 @@ impl Rows {
     }
 
     /// How many bytes stand beside the JSON.
-    pub const fn beside(&self) -> usize {
+    pub(crate) const fn beside(&self) -> usize {
         match self {
             Self::Inside => 0,
             Self::Beside(bytes) => bytes.len(),

@@ -13,7 +13,7 @@ use crate::report::free_facts::FreeFacts;
 /// A precession of more nutations is not what the eye follows.
 const MOST_NUTATIONS: f64 = 100.0;
 
-pub fn json(input: &PageInput<'_>, free: Option<&FreeFacts>) -> Value {
+pub(crate) fn json(input: &PageInput<'_>, free: Option<&FreeFacts>) -> Value {
     let scenario = match input.subject {
         PageSubject::Scenario(scenario) => Some(scenario),
         PageSubject::Moments(_) => None,

@@ -25,18 +25,18 @@ const BALL_COLOR: &str = "#4477aa";
 
 /// Bytes that are left for triangles, and what had to be left out.
 #[derive(Debug)]
-pub struct Budget {
+pub(crate) struct Budget {
     bytes: usize,
     notes: Vec<String>,
 }
 
 impl Budget {
-    pub const fn new(bytes: usize) -> Self {
+    pub(crate) const fn new(bytes: usize) -> Self {
         Self { bytes, notes: Vec::new() }
     }
 
     /// What the page shows of the body, where that is not all.
-    pub fn notes(&self) -> &[String] {
+    pub(crate) fn notes(&self) -> &[String] {
         &self.notes
     }
 
@@ -50,7 +50,7 @@ impl Budget {
 }
 
 /// The shapes of all parts; where nothing is known of them the surface that touches the ground, if there is one.
-pub fn json(turning: &Turning<'_>, budget: &mut Budget) -> Value {
+pub(crate) fn json(turning: &Turning<'_>, budget: &mut Budget) -> Value {
     let triangles = turning.parts.iter().map(triangles).sum();
     if !surface::has_forms(turning.parts) {
         return turning.surface.iter().filter_map(|own| surface::shape(own, turning.point)).collect();
@@ -59,7 +59,7 @@ pub fn json(turning: &Turning<'_>, budget: &mut Budget) -> Value {
 }
 
 /// True of a body that a page may have to show coarser than it is.
-pub fn has_triangles(turning: &Turning<'_>) -> bool {
+pub(crate) fn has_triangles(turning: &Turning<'_>) -> bool {
     turning.parts.iter().any(|part| triangles(part) > 0)
 }
 

@@ -6,26 +6,26 @@ use polhode_document::unit;
 use polhode_document::unit::DIGITS;
 
 /// A number, and its unit.
-pub type Sized = (String, String);
+pub(crate) type Sized = (String, String);
 
 /// `1.945 152`, `µJ`
-pub fn energy(joule: f64) -> Sized {
+pub(crate) fn energy(joule: f64) -> Sized {
     prefixed(joule, "J")
 }
 
 /// `1.109 695`, `mrad/s`; large rates stay in rad/s.
-pub fn rate(rad_per_s: f64) -> Sized {
+pub(crate) fn rate(rad_per_s: f64) -> Sized {
     prefixed(rad_per_s, "rad/s")
 }
 
 /// Three rates in one unit.
-pub fn rates(rad_per_s: [f64; 3]) -> Sized {
+pub(crate) fn rates(rad_per_s: [f64; 3]) -> Sized {
     let (prefix, size) = fitting(largest(rad_per_s), "rad/s").unwrap_or(("", 1.0));
     (vector(rad_per_s.map(|x| x / size), DIGITS), format!("{prefix}rad/s"))
 }
 
 /// From one rate to another, in one unit: `10.2665 … 10.5486`, `µrad/s`.
-pub fn rate_range([least, most]: [f64; 2]) -> Sized {
+pub(crate) fn rate_range([least, most]: [f64; 2]) -> Sized {
     let (prefix, size) = fitting(most, "rad/s").unwrap_or(("", 1.0));
     let [least, most] = [least, most].map(|rate| number(rate / size, 6));
     let value = if least == most { least } else { format!("{least} … {most}") };
@@ -33,7 +33,7 @@ pub fn rate_range([least, most]: [f64; 2]) -> Sized {
 }
 
 /// `5.634 747`, `ps`; what is long in days or hours too: `463 841 s`, `(5.368 53 d)`.
-pub fn duration(seconds: f64) -> Sized {
+pub(crate) fn duration(seconds: f64) -> Sized {
     match unit::longer(seconds) {
         Some(_) => (unit::duration(seconds, DIGITS), String::new()),
         None => prefixed(seconds, "s"),
@@ -41,7 +41,7 @@ pub fn duration(seconds: f64) -> Sized {
 }
 
 /// Three numbers with one power of ten before the unit, where they are small or large: `(4.3, 4.3, 1.2)`, `×10⁻⁴ kg·m²`.
-pub fn three(values: [f64; 3], unit: &str) -> Sized {
+pub(crate) fn three(values: [f64; 3], unit: &str) -> Sized {
     let size = largest(values);
     let exponent = if size > 0.0 && size.is_finite() { size.log10().floor() } else { 0.0 };
     if (-2.0..=4.0).contains(&exponent) {

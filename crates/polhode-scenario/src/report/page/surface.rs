@@ -15,7 +15,7 @@ const ALIKE: f64 = 1e-3;
 const ENDLESS: f64 = 4.0;
 
 /// The surface at its place, seen from a point of the body.
-pub fn shape(surface: &BodySurface, point: Position<Body>) -> Option<Value> {
+pub(crate) fn shape(surface: &BodySurface, point: Position<Body>) -> Option<Value> {
     let own = match *surface.shape() {
         SurfaceShape::Sphere { radius } => json!({ "kind": "ellipsoid", "half": numbers(&[radius; 3]) }),
         SurfaceShape::Ellipsoid { semi_axes } => json!({ "kind": "ellipsoid", "half": numbers(&semi_axes) }),
@@ -35,12 +35,12 @@ fn cylinder(radius: f64, height: f64) -> Value {
 }
 
 /// True if the page knows what some part looks like.
-pub fn has_forms(parts: &[BodyPart]) -> bool {
+pub(crate) fn has_forms(parts: &[BodyPart]) -> bool {
     parts.iter().any(|part| part.form.is_some() || !part.particles.is_empty())
 }
 
 /// True if some part has the surface for its own.
-pub fn is_shown(surface: &BodySurface, parts: &[BodyPart]) -> bool {
+pub(crate) fn is_shown(surface: &BodySurface, parts: &[BodyPart]) -> bool {
     parts.iter().filter_map(|part| part.form.as_ref()).any(|form| is_like(surface, form))
 }
 

@@ -10,7 +10,7 @@ use super::PageSubject;
 use crate::report::plot::axis_path::TopAxis;
 
 /// Null where `--plot axis` does not exist.
-pub fn json(subject: &PageSubject<'_>) -> Value {
+pub(crate) fn json(subject: &PageSubject<'_>) -> Value {
     let PageSubject::Scenario(scenario) = subject else { return Value::Null };
     let Some(top) = TopAxis::of(scenario, scenario.rotor()) else { return Value::Null };
     json!({
@@ -23,7 +23,7 @@ pub fn json(subject: &PageSubject<'_>) -> Value {
 
 /// The mean time in which the axis goes round the vertical, s. `None` where it passes through it: there its azimuth jumps by half a turn,
 /// which the mean precession does not count.
-pub fn time_round(top: &HeavyTop) -> Option<f64> {
+pub(crate) fn time_round(top: &HeavyTop) -> Option<f64> {
     let goes_round = !matches!(top.path(), TopPath::Planar | TopPath::ThroughVertical);
     top.mean_precession().filter(|rate| goes_round && *rate != 0.0).map(|rate| TAU / rate.abs())
 }

@@ -9,7 +9,7 @@ use super::PageSubject;
 
 /// A body and the point that it turns about.
 #[derive(Debug)]
-pub struct Turning<'a> {
+pub(crate) struct Turning<'a> {
     /// kg; `None` if only the moments are known.
     pub mass: Option<f64>,
     /// About the point.
@@ -30,7 +30,7 @@ pub struct Turning<'a> {
 }
 
 impl<'a> Turning<'a> {
-    pub fn of(subject: &PageSubject<'a>) -> Self {
+    pub(crate) fn of(subject: &PageSubject<'a>) -> Self {
         match *subject {
             PageSubject::Scenario(scenario) => {
                 let (rotor, body) = (scenario.rotor(), scenario.body());
@@ -62,7 +62,7 @@ impl<'a> Turning<'a> {
         }
     }
 
-    pub const fn about(&self) -> &'static str {
+    pub(crate) const fn about(&self) -> &'static str {
         if self.is_pivoted { "pivot" } else { "centre of mass" }
     }
 }
@@ -70,7 +70,7 @@ impl<'a> Turning<'a> {
 /// Semi-axes of the uniform ellipsoid of this mass and these moments: i1 = m (b² + c²) / 5, …
 ///
 /// Unphysical moments leave a semi-axis without length.
-pub fn ellipsoid([i1, i2, i3]: [f64; 3], mass: f64) -> [f64; 3] {
+pub(crate) fn ellipsoid([i1, i2, i3]: [f64; 3], mass: f64) -> [f64; 3] {
     let semi_axis = |others: f64, own: f64| finite((2.5 / mass * (others - own).max(0.0)).sqrt());
     [semi_axis(i2 + i3, i1), semi_axis(i1 + i3, i2), semi_axis(i1 + i2, i3)]
 }

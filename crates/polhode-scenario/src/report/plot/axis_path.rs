@@ -40,7 +40,7 @@ const FINE: f64 = 0.03;
 
 /// An axis of a body that gravity turns about a pivot.
 #[derive(Clone, Copy, Debug)]
-pub struct TopAxis {
+pub(crate) struct TopAxis {
     /// From the pivot to the centre of mass.
     pub axis: Direction<Body>,
     /// Against gravity, and two directions across it.
@@ -52,7 +52,7 @@ pub struct TopAxis {
 
 impl TopAxis {
     /// `None` for a free body, without gravity, and where gravity has no arm.
-    pub fn of(scenario: &Scenario, rotor: &Rotor) -> Option<Self> {
+    pub(crate) fn of(scenario: &Scenario, rotor: &Rotor) -> Option<Self> {
         let gravity = scenario.torques().iter().find_map(|torque| match torque {
             TorqueModel::Gravity(gravity) => Some(gravity.acceleration),
             _ => None,
@@ -118,7 +118,7 @@ impl TopAxis {
     }
 }
 
-pub fn draw(
+pub(crate) fn draw(
     motion: &PlottedMotion<'_>,
     top: &TopAxis,
     sheet: &mut Sheet,

@@ -24,7 +24,7 @@ use super::time::{time_axis, unit_of_time};
 use crate::report::sampling::turn_that_hides;
 
 /// Writes the heading of a figure with its keys; gives the area below.
-pub type Heading<'a> = &'a dyn Fn(&mut Sheet, &[Key]) -> Area;
+pub(crate) type Heading<'a> = &'a dyn Fn(&mut Sheet, &[Key]) -> Area;
 
 /// Panels of one quantity, at most, and of one of several.
 const MOST: usize = 3;
@@ -40,7 +40,7 @@ const FOOT: f64 = 37.0;
 
 /// Curves of one quantity.
 #[derive(Clone, Debug)]
-pub struct Quantity {
+pub(crate) struct Quantity {
     name: &'static str,
     unit: &'static str,
     curves: Vec<Curve>,
@@ -49,19 +49,19 @@ pub struct Quantity {
 
 impl Quantity {
     /// A quantity without a name has those of its curves.
-    pub fn new(name: &'static str, unit: &'static str, curves: Vec<Curve>) -> Self {
+    pub(crate) fn new(name: &'static str, unit: &'static str, curves: Vec<Curve>) -> Self {
         Self { name, unit, curves, made_of: 0.0 }
     }
 
     /// The size of its parts, where these may add up to nothing: that of its rounding errors is ε times as large.
-    pub fn made_of(self, size: f64) -> Self {
+    pub(crate) fn made_of(self, size: f64) -> Self {
         Self { made_of: size, ..self }
     }
 }
 
 /// What is drawn, and what is said.
 #[derive(Clone, Debug)]
-pub struct Chart<'a> {
+pub(crate) struct Chart<'a> {
     motion: &'a PlottedMotion<'a>,
     panels: Vec<Panel>,
     words: Vec<String>,
@@ -74,7 +74,7 @@ pub struct Chart<'a> {
 }
 
 impl<'a> Chart<'a> {
-    pub fn new(motion: &'a PlottedMotion<'a>, quantities: Vec<Quantity>) -> Self {
+    pub(crate) fn new(motion: &'a PlottedMotion<'a>, quantities: Vec<Quantity>) -> Self {
         let events = EventMarks::of(motion.trajectory);
         let (mut panels, mut words, mut is_zero) = (Vec::new(), Vec::new(), true);
         let most = if quantities.len() > 1 { MOST_OF_SEVERAL } else { MOST };
@@ -128,18 +128,18 @@ impl<'a> Chart<'a> {
     }
 
     /// The same with something that is said.
-    pub fn saying(mut self, words: &str) -> Self {
+    pub(crate) fn saying(mut self, words: &str) -> Self {
         self.words.insert(0, words.to_owned());
         self
     }
 
     /// The same with the names of events in its legend.
-    pub fn naming_events(self, names_events: bool) -> Self {
+    pub(crate) fn naming_events(self, names_events: bool) -> Self {
         Self { names_events, ..self }
     }
 
     /// True if all of it is zero, but for rounding.
-    pub const fn is_zero(&self) -> bool {
+    pub(crate) const fn is_zero(&self) -> bool {
         self.is_zero
     }
 
@@ -148,12 +148,12 @@ impl<'a> Chart<'a> {
     }
 
     /// True if nothing of it varies.
-    pub fn is_words(&self) -> bool {
+    pub(crate) fn is_words(&self) -> bool {
         self.panels.is_empty()
     }
 
     /// The height of its frames with what stands around them, if two panels have `two`: more have more, and words alone none.
-    pub fn height(&self, two: f64) -> f64 {
+    pub(crate) fn height(&self, two: f64) -> f64 {
         match self.panels.len() {
             0 => 0.0,
             count => two * (1.0 + 0.33 * count.saturating_sub(2) as f64),
@@ -161,7 +161,7 @@ impl<'a> Chart<'a> {
     }
 
     /// The names of the curves, of events, and what is said.
-    pub fn keys(&self) -> Vec<Key> {
+    pub(crate) fn keys(&self) -> Vec<Key> {
         let curves = self.panels.iter().flat_map(|panel| &panel.curves);
         let mut keys: Vec<Key> = curves.map(|(curve, _)| Key::line(curve.pen, curve.name.as_str())).collect();
         if self.names_events && !self.panels.is_empty() {
@@ -171,7 +171,7 @@ impl<'a> Chart<'a> {
         keys
     }
 
-    pub fn draw(&self, sheet: &mut Sheet, heading: Heading<'_>) {
+    pub(crate) fn draw(&self, sheet: &mut Sheet, heading: Heading<'_>) {
         let area = heading(sheet, &self.keys());
         if self.panels.is_empty() {
             return;

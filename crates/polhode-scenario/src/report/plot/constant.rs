@@ -14,7 +14,7 @@ const DIGITS: usize = 6;
 
 /// The value of a curve that is constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Constant {
+pub(crate) enum Constant {
     /// Zero; the largest deviation from it.
     Zero(f64),
     /// Another value, and the difference between the greatest and the least value relative to it.
@@ -26,7 +26,7 @@ pub enum Constant {
 impl Constant {
     /// `None` if the values vary, or if one of them is not finite; `scale` is the size of the quantity, on which rounding
     /// depends.
-    pub fn of(values: impl Iterator<Item = f64>, scale: f64) -> Option<Self> {
+    pub(crate) fn of(values: impl Iterator<Item = f64>, scale: f64) -> Option<Self> {
         let [mut least, mut greatest] = [f64::INFINITY, f64::NEG_INFINITY];
         let mut count = 0_usize;
         for x in values {
@@ -51,7 +51,7 @@ impl Constant {
     }
 
     /// `T = 3.737 84 J, constant to 6.8×10⁻¹⁷`; of samples that may miss an oscillation no more than what they are.
-    pub fn said(self, name: &str, unit: &str, is_sampled: bool) -> String {
+    pub(crate) fn said(self, name: &str, unit: &str, is_sampled: bool) -> String {
         let samples = if is_sampled { " at all samples" } else { "" };
         match self {
             Self::Zero(0.0) => format!("{name} = 0{samples}"),

@@ -6,7 +6,7 @@ use polhode_document::figure::sheet::Pen;
 
 /// A curve, and what it is called.
 #[derive(Clone, Debug)]
-pub struct Curve {
+pub(crate) struct Curve {
     pub pen: Pen,
     /// With what it is, for a legend.
     pub name: String,
@@ -18,17 +18,17 @@ pub struct Curve {
 
 impl Curve {
     /// Its values, in the order of time.
-    pub fn values(&self) -> impl Iterator<Item = f64> {
+    pub(crate) fn values(&self) -> impl Iterator<Item = f64> {
         self.pieces.iter().flatten().map(|p| p[1])
     }
 
     /// Its least and its greatest value up to a time.
-    pub fn range_until(&self, end: f64) -> [f64; 2] {
+    pub(crate) fn range_until(&self, end: f64) -> [f64; 2] {
         range(self.pieces.iter().flatten().filter(|p| p[0] <= end).map(|p| p[1]))
     }
 
     /// The part of it in an interval of time; the first points outside belong to it, so that its ends are straight lines.
-    pub fn within(&self, [from, to]: [f64; 2]) -> Vec<Vec<Point>> {
+    pub(crate) fn within(&self, [from, to]: [f64; 2]) -> Vec<Vec<Point>> {
         let part = |piece: &Vec<Point>| {
             let first = piece.partition_point(|p| p[0] < from);
             let end = (piece.partition_point(|p| p[0] <= to) + 1).min(piece.len());

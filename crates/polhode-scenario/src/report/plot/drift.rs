@@ -13,7 +13,7 @@ use super::plotted::PlottedMotion;
 use super::time::time_axis;
 use crate::report::balance::balances;
 
-pub fn draw(motion: &PlottedMotion<'_>, sheet: &mut Sheet, heading: Heading<'_>) {
+pub(crate) fn draw(motion: &PlottedMotion<'_>, sheet: &mut Sheet, heading: Heading<'_>) {
     const PENS: [Colour; 3] = [Colour::AXES[1], Colour::AXES[0], Colour::AXES[2]];
     const DASHES: [&[f64]; 3] = [&[], &[7.0, 2.5], &[1.6, 2.4]];
     let pen = |k: usize| {

@@ -6,7 +6,7 @@ use polhode_document::figure::range::range;
 use super::oscillation::turning_points;
 
 /// The upper and the lower edge of a band.
-pub type Band = [Vec<Point>; 2];
+pub(crate) type Band = [Vec<Point>; 2];
 
 /// The least and the greatest value in an interval, if a sample lies in it.
 type Bounds = Option<[f64; 2]>;
@@ -16,7 +16,7 @@ const RIPPLE: f64 = 0.03;
 
 /// The envelope of a curve in pieces; broken where it is. Its intervals are at least so long, and so long that its edges turn at most
 /// so often: of a beat too fast to be drawn the envelope is that of its envelope.
-pub fn smooth(pieces: &[Vec<Point>], interval: f64, most: usize) -> Vec<Band> {
+pub(crate) fn smooth(pieces: &[Vec<Point>], interval: f64, most: usize) -> Vec<Band> {
     let [least, greatest] = range(pieces.iter().flatten().map(|p| p[1]));
     let turns = |band: &Band| {
         band.iter().map(|edge| turning_points(edge, RIPPLE * (greatest - least)).len()).max().unwrap_or(0)

@@ -32,7 +32,7 @@ type Pieces = Vec<Vec<Point>>;
 ///
 /// # Errors
 /// [`PlotError::TooCoarse`] where the body turns too far from a sample to the next.
-pub fn chart<'a>(motion: &'a PlottedMotion<'a>) -> Result<Chart<'a>, PlotError> {
+pub(crate) fn chart<'a>(motion: &'a PlottedMotion<'a>) -> Result<Chart<'a>, PlotError> {
     // A turn that is missed would be drawn as a slower one.
     let turn = largest_turn(motion.samples());
     if !(turn <= FRAC_PI_2) {

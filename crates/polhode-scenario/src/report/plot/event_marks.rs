@@ -17,7 +17,7 @@ const PEN: Pen = Pen::solid(Colour::FAINT, 1.0).dashed(&[2.0, 3.0]);
 
 /// The events of a motion, each with all its times.
 #[derive(Clone, Debug, Default)]
-pub struct EventMarks {
+pub(crate) struct EventMarks {
     events: Vec<Marked>,
 }
 
@@ -30,7 +30,7 @@ struct Marked {
 }
 
 impl EventMarks {
-    pub fn of(trajectory: &Trajectory) -> Self {
+    pub(crate) fn of(trajectory: &Trajectory) -> Self {
         let mut events: Vec<Marked> = Vec::new();
         for crossing in trajectory.events() {
             let time = crossing.state.time;
@@ -47,7 +47,7 @@ impl EventMarks {
     }
 
     /// Letters tell events apart if there are several.
-    pub fn has_letters(&self) -> bool {
+    pub(crate) fn has_letters(&self) -> bool {
         self.events.len() > 1
     }
 
@@ -60,7 +60,7 @@ impl EventMarks {
     }
 
     /// `a: 7 × camera 12° off`
-    pub fn keys(&self) -> impl Iterator<Item = Key> {
+    pub(crate) fn keys(&self) -> impl Iterator<Item = Key> {
         self.events.iter().enumerate().map(|(k, Marked { name, times, .. })| {
             let letter = if self.has_letters() { format!("{}: ", Self::letter(k)) } else { String::new() };
             let count = if times.len() > 1 { format!("{} × ", times.len()) } else { String::new() };
@@ -69,7 +69,7 @@ impl EventMarks {
     }
 
     /// Draws the marks over axes whose unit of time is so many seconds; the letters stand above their frame.
-    pub fn draw(&self, axes: &Axes, scale: f64, lettered: bool, sheet: &mut Sheet) {
+    pub(crate) fn draw(&self, axes: &Axes, scale: f64, lettered: bool, sheet: &mut Sheet) {
         let across = |time: f64| axes.at([time / scale, 0.0])[0];
         let mut places: Vec<(f64, usize)> = Vec::new();
         for (k, marked) in self.events.iter().enumerate() {

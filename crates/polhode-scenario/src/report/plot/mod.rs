@@ -3,7 +3,7 @@
 //! Each figure draws marks on a [`polhode_document::figure::sheet::Sheet`], which is written as SVG or
 //! PNG.
 
-pub mod axis_path;
+pub(crate) mod axis_path;
 mod chart;
 mod constant;
 mod curve;
@@ -18,7 +18,7 @@ mod oscillation;
 mod panel;
 mod plane;
 mod plotted;
-pub mod series;
+pub(crate) mod series;
 mod sphere;
 #[cfg(test)]
 mod tests;

@@ -17,7 +17,7 @@ const STRIPE: f64 = 6.0;
 
 /// The turning points of a curve.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Oscillation {
+pub(crate) struct Oscillation {
     /// When it turns.
     pub times: Vec<f64>,
     /// Samples from one turning point to the next: the median.
@@ -28,7 +28,7 @@ pub struct Oscillation {
 
 impl Oscillation {
     /// That of a curve in pieces.
-    pub fn of(pieces: &[Vec<Point>]) -> Self {
+    pub(crate) fn of(pieces: &[Vec<Point>]) -> Self {
         let [least, greatest] = range(pieces.iter().flatten().map(|p| p[1]));
         let spread = greatest - least;
         let (mut times, mut gaps, mut spikes) = (Vec::new(), Vec::new(), 0);
@@ -51,18 +51,18 @@ impl Oscillation {
     }
 
     /// False if the samples are too few for what they show.
-    pub fn is_resolved(&self) -> bool {
+    pub(crate) fn is_resolved(&self) -> bool {
         self.times.len() < FEW || (self.samples >= RESOLVED && self.spikes <= 0.25)
     }
 
     /// True if the curve fills its frame of this width (px) with stripes.
-    pub fn is_striped(&self, width: f64) -> bool {
+    pub(crate) fn is_striped(&self, width: f64) -> bool {
         self.times.len() > FEW && width < STRIPE * self.times.len() as f64
     }
 }
 
 /// The places at which a curve turns by more than `ripple`.
-pub fn turning_points(piece: &[Point], ripple: f64) -> Vec<usize> {
+pub(crate) fn turning_points(piece: &[Point], ripple: f64) -> Vec<usize> {
     let mut turns = Vec::new();
     let mut rising = None;
     // The last extreme point so far, upward and downward.

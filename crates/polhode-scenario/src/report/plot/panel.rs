@@ -21,7 +21,7 @@ const NARROW: f64 = 1.5;
 
 /// Curves that share a vertical axis, at least one.
 #[derive(Clone, Debug)]
-pub struct Panel {
+pub(crate) struct Panel {
     /// Of the quantity.
     name: &'static str,
     unit: &'static str,
@@ -33,7 +33,12 @@ pub struct Panel {
 }
 
 impl Panel {
-    pub fn new([name, unit]: [&'static str; 2], has_all: bool, curves: Vec<Curve>, until: f64) -> Self {
+    pub(crate) fn new(
+        [name, unit]: [&'static str; 2],
+        has_all: bool,
+        curves: Vec<Curve>,
+        until: f64,
+    ) -> Self {
         let mut panel = Self { name, unit, has_all, curves: Vec::new(), until };
         // An angle of many turns is counted in turns.
         let largest = curves.iter().flat_map(Curve::values).map(f64::abs).fold(0.0, f64::max);
@@ -64,13 +69,13 @@ impl Panel {
     }
 
     /// The axis of its values.
-    pub fn axis(&self, height: f64) -> Axis {
+    pub(crate) fn axis(&self, height: f64) -> Axis {
         let ranges = self.curves.iter().flat_map(|(curve, _)| curve.range_until(self.until));
         self.axis_for(range(ranges), height)
     }
 
     /// The axis of what lies in an interval of time: that of a whole panel where it is filled at least by half.
-    pub fn axis_within(&self, window: [f64; 2], whole: &Self, height: f64) -> Axis {
+    pub(crate) fn axis_within(&self, window: [f64; 2], whole: &Self, height: f64) -> Axis {
         let values = self.curves.iter().flat_map(|(curve, _)| curve.within(window)).flatten();
         let part = range(values.map(|p| p[1]));
         let all = range(whole.curves.iter().flat_map(|(curve, _)| curve.range_until(self.until)));
@@ -81,13 +86,13 @@ impl Panel {
     }
 
     /// False if the samples are too few for what they show.
-    pub fn is_resolved(&self) -> bool {
+    pub(crate) fn is_resolved(&self) -> bool {
         self.curves.iter().all(|(_, oscillation)| oscillation.is_resolved())
     }
 
     /// Draws the whole of its curves over axes whose unit of time is so many seconds: those that oscillate too fast for a frame of
     /// `width` px as envelopes, those whose samples are too few as dots.
-    pub fn draw(&self, sheet: &mut Sheet, axes: &Axes, scale: f64, width: f64, is_sampled: bool) {
+    pub(crate) fn draw(&self, sheet: &mut Sheet, axes: &Axes, scale: f64, width: f64, is_sampled: bool) {
         let striped = |curve: &&(Curve, Oscillation)| curve.1.is_striped(width);
         let span =
             range(self.curves.iter().flat_map(|(curve, _)| curve.pieces.iter().flatten()).map(|p| p[0]));
@@ -121,14 +126,14 @@ impl Panel {
     }
 
     /// What is shown in full beside an envelope: the curves with stripes, or all if there are none.
-    pub fn in_full(&self, width: f64) -> Self {
+    pub(crate) fn in_full(&self, width: f64) -> Self {
         let striped: Vec<_> = self.curves.iter().filter(|(_, o)| o.is_striped(width)).cloned().collect();
         let curves = if striped.is_empty() { self.curves.clone() } else { striped };
         Self { has_all: self.has_all && curves.len() == self.curves.len(), curves, ..*self }
     }
 
     /// Draws the part of its curves in an interval of time, in full.
-    pub fn draw_within(
+    pub(crate) fn draw_within(
         &self,
         sheet: &mut Sheet,
         axes: &Axes,

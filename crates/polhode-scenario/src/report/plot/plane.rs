@@ -15,7 +15,7 @@ const MOST_PERIODS: f64 = 12.0;
 const MOST_TURNS: f64 = 60.0;
 
 /// Draws what ω draws during `duration`, s.
-pub fn draw(
+pub(crate) fn draw(
     motion: &FreeMotion,
     duration: f64,
     sheet: &mut Sheet,

@@ -14,7 +14,7 @@ use super::plotted::PlottedMotion;
 use crate::report::balance::has_potential;
 
 /// The curves of ω, an energy, L, a torque or angles.
-pub fn quantity(motion: &PlottedMotion<'_>, figure: Figure) -> Quantity {
+pub(crate) fn quantity(motion: &PlottedMotion<'_>, figure: Figure) -> Quantity {
     match figure {
         Figure::Energy => Quantity::new("energy", "J", energy(motion)),
         Figure::Momentum => {
@@ -27,7 +27,7 @@ pub fn quantity(motion: &PlottedMotion<'_>, figure: Figure) -> Quantity {
 }
 
 /// The angles that a plan asks for; on an orbit without any those of x, −y and z to velocity, normal and nadir.
-pub fn pointings(scenario: &Scenario) -> Vec<Pointing> {
+pub(crate) fn pointings(scenario: &Scenario) -> Vec<Pointing> {
     let Some(orbit) = scenario.orbit().filter(|_| scenario.pointings().is_empty()) else {
         return scenario.pointings().to_vec();
     };

@@ -19,12 +19,12 @@ use super::view::View;
 /// The curves about an axis divide the way to the separatrix into so many parts.
 const RINGS: u32 = 5;
 
-pub const TRACE: Pen = Pen::solid(Colour::BLACK, 2.0);
+pub(crate) const TRACE: Pen = Pen::solid(Colour::BLACK, 2.0);
 const SEPARATRIX: Pen = Pen::solid(Colour::ORANGE, 4.0);
 /// Of what is behind.
-pub const FAR: f64 = 0.22;
+pub(crate) const FAR: f64 = 0.22;
 
-pub fn draw(motion: &FreeMotion, sheet: &mut Sheet, heading: Heading<'_>) -> Result<(), CurveError> {
+pub(crate) fn draw(motion: &FreeMotion, sheet: &mut Sheet, heading: Heading<'_>) -> Result<(), CurveError> {
     let trace = trace(motion)?;
     let symmetry = motion.principal().symmetry();
     let asymmetric = symmetry == Symmetry::Asymmetric;
@@ -157,7 +157,7 @@ fn ends_of_axes(view: &View<Principal>, sheet: &mut Sheet) {
 }
 
 /// The head of an arrow between two points.
-pub fn arrow([x0, y0]: Point, [x1, y1]: Point, sheet: &mut Sheet) {
+pub(crate) fn arrow([x0, y0]: Point, [x1, y1]: Point, sheet: &mut Sheet) {
     let length = (x1 - x0).hypot(y1 - y0);
     if length > 0.0 {
         let (tx, ty) = ((x1 - x0) / length, (y1 - y0) / length);

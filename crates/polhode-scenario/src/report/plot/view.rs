@@ -4,7 +4,7 @@ use polhode::math::{Direction, Frame};
 use polhode_document::figure::sheet::Point;
 
 /// From where a sphere is seen, and where its picture is.
-pub struct View<F: Frame> {
+pub(crate) struct View<F: Frame> {
     pub center: Point,
     /// Of the picture, px.
     pub radius: f64,
@@ -15,23 +15,23 @@ pub struct View<F: Frame> {
 
 impl<F: Frame> View<F> {
     /// From the side of `viewer`, with `up` upward: neither is zero, and they are not along one line.
-    pub fn new(center: Point, radius: f64, viewer: Direction<F>, up: Direction<F>) -> Self {
+    pub(crate) fn new(center: Point, radius: f64, viewer: Direction<F>, up: Direction<F>) -> Self {
         let toward = viewer.direction().unwrap_or(viewer);
         let right = up.cross(toward).direction().unwrap_or(up);
         Self { center, radius, right, up: toward.cross(right), toward }
     }
 
-    pub fn at(&self, v: Direction<F>) -> Point {
+    pub(crate) fn at(&self, v: Direction<F>) -> Point {
         let [x, y] = self.center;
         [x + self.radius * v.dot(self.right), y - self.radius * v.dot(self.up)]
     }
 
-    pub fn is_near(&self, v: Direction<F>) -> bool {
+    pub(crate) fn is_near(&self, v: Direction<F>) -> bool {
         v.dot(self.toward) >= 0.0
     }
 
     /// The parts of a curve on the near or the far side.
-    pub fn side(&self, near: bool, curve: &[Direction<F>]) -> Vec<Vec<Point>> {
+    pub(crate) fn side(&self, near: bool, curve: &[Direction<F>]) -> Vec<Vec<Point>> {
         let parts = curve.chunk_by(|a, b| self.is_near(*a) == self.is_near(*b));
         let wanted = parts.filter(|part| part.first().is_some_and(|v| self.is_near(*v) == near));
         wanted.map(|part| part.iter().map(|v| self.at(*v)).collect()).collect()

@@ -8,7 +8,7 @@ use super::chart::Quantity;
 use super::curve::Curve;
 use super::plotted::PlottedMotion;
 
-pub fn quantities(motion: &PlottedMotion<'_>) -> Vec<Quantity> {
+pub(crate) fn quantities(motion: &PlottedMotion<'_>) -> Vec<Quantity> {
     let momenta = curves(motion, ["h", "momentum"], |wheel, s| Some(wheel.momentum_at(s.state.time)));
     let speeds =
         curves(motion, ["Ω", "speed in the body"], |wheel, s| wheel.speed_at(s.state.time, s.state.omega));

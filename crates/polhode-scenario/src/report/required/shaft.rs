@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 /// The bearings and the balance of a shaft.
 #[derive(Clone, Debug)]
-pub struct ShaftReport {
+pub(crate) struct ShaftReport {
     mounted: MountedShaft,
     attitude: Attitude,
     /// Of the unbalance alone, at the start.
@@ -30,7 +30,7 @@ pub struct ShaftReport {
 const DIGITS: usize = 7;
 
 impl ShaftReport {
-    pub fn new(mounted: &MountedShaft, samples: &[Required]) -> Result<Self, MotionError> {
+    pub(crate) fn new(mounted: &MountedShaft, samples: &[Required]) -> Result<Self, MotionError> {
         let MountedShaft { shaft, rate, acceleration, .. } = mounted;
         let attitude = samples.first().map_or(Attitude::identity(), |s| s.state.attitude);
         let g = attitude.inverse() * mounted.gravity;
@@ -58,7 +58,7 @@ impl ShaftReport {
         })
     }
 
-    pub fn to_text(&self) -> String {
+    pub(crate) fn to_text(&self) -> String {
         let shaft = &self.mounted.shaft;
         let [z1, z2] = shaft.bearings().map(unit::length);
         let line = format!(
@@ -141,7 +141,7 @@ impl ShaftReport {
         text
     }
 
-    pub fn to_json(&self) -> Value {
+    pub(crate) fn to_json(&self) -> Value {
         let shaft = &self.mounted.shaft;
         let center = shaft.axis().dot(shaft.body().center_of_mass() - shaft.point());
         let space = |f: Force<polhode::math::Body>| -> Force<Space> { self.attitude * f };

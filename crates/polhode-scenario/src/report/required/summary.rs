@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::RequiredReport;
 
-pub fn of(report: &RequiredReport<'_>) -> Value {
+pub(crate) fn of(report: &RequiredReport<'_>) -> Value {
     let (first, last) = (report.first(), report.last());
     let [rms_body, rms_space] = report.rms();
     json!({

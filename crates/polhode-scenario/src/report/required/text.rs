@@ -11,7 +11,7 @@ use super::{RequiredReport, tidy};
 /// Digits of a number that stands alone.
 const DIGITS: usize = 7;
 
-pub fn write(report: &RequiredReport<'_>) -> String {
+pub(crate) fn write(report: &RequiredReport<'_>) -> String {
     let (samples, scale) = (report.samples(), report.scale());
     let first = report.first();
     let mut text = heading(report);

@@ -6,12 +6,12 @@ use polhode_document::number::{GROUP, number};
 use polhode_document::unit::DIGITS;
 
 /// True if some distribution of mass has these moments.
-pub fn is_possible(principal: &PrincipalFrame<Body>) -> bool {
+pub(crate) fn is_possible(principal: &PrincipalFrame<Body>) -> bool {
     InertiaTensor::<Body>::diagonal(principal.moments()).is_ok()
 }
 
 /// `1, 2, 3 kg·m²: possible (1 + 2 = 3: a flat plate)`
-pub fn in_words(principal: &PrincipalFrame<Body>) -> String {
+pub(crate) fn in_words(principal: &PrincipalFrame<Body>) -> String {
     let possibility = possibility(principal).replace(' ', &GROUP.to_string());
     format!("{}: {possibility}", moments(principal))
 }

@@ -11,7 +11,7 @@ use crate::report::global_error;
 
 /// A state with the sign that its quaternion is printed with.
 #[derive(Clone, Copy, Debug)]
-pub struct Printed {
+pub(crate) struct Printed {
     time: f64,
     omega: AngularVelocity<Body>,
     wxyz: [f64; 4],
@@ -21,7 +21,7 @@ pub struct Printed {
 
 impl Printed {
     /// Standing alone, or the first of a list, w ≥ 0; after another, the sign nearest to that one's.
-    pub fn new(state: &State, errors: [StateError; 2], before: Option<&Self>) -> Self {
+    pub(crate) fn new(state: &State, errors: [StateError; 2], before: Option<&Self>) -> Self {
         let q = state.attitude.canonical_quaternion();
         let cosine = before.map_or(1.0, |before| q.iter().zip(before.wxyz).map(|(a, b)| a * b).sum());
         let wxyz = if cosine < 0.0 { q.map(|c| 0.0 - c) } else { q };
@@ -29,7 +29,7 @@ impl Printed {
     }
 }
 
-pub fn to_json(states: &[Printed]) -> Value {
+pub(crate) fn to_json(states: &[Printed]) -> Value {
     let one = |s: &Printed| {
         let [mut error, inputs] = s.errors.map(global_error::state_json);
         error["inputs"] = inputs;
@@ -39,7 +39,7 @@ pub fn to_json(states: &[Printed]) -> Value {
 }
 
 /// Two tables, since a row of all eight numbers is wider than a terminal; every number reads back bit for bit.
-pub fn to_text(states: &[Printed]) -> String {
+pub(crate) fn to_text(states: &[Printed]) -> String {
     if states.is_empty() {
         return String::new();
     }

@@ -15,7 +15,7 @@ use crate::report::free_facts::FreeFacts;
 use crate::report::periods::Periods;
 use crate::report::{VERSION, symmetric_top};
 
-pub fn of(report: &SpinReport) -> Value {
+pub(crate) fn of(report: &SpinReport) -> Value {
     let principal = report.motion.principal();
     json!({
         "polhode": VERSION,
@@ -89,7 +89,7 @@ fn periods(motion: &FreeMotion) -> Value {
 }
 
 /// `{"precession_period_s": P_φ, "rotation_period_s": P_ψ}`
-pub fn tumbling(periods: TumblingPeriods) -> Value {
+pub(crate) fn tumbling(periods: TumblingPeriods) -> Value {
     json!({ "precession_period_s": periods.precession, "rotation_period_s": periods.rotation })
 }
 

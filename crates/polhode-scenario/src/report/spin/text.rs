@@ -16,7 +16,7 @@ use crate::report::free_facts::FreeFacts;
 use crate::report::{intermediate, omega, periods as conventions};
 
 /// The motion, with a picture of ω of so many columns if there is to be one.
-pub fn write(report: &SpinReport, picture: Option<usize>) -> String {
+pub(crate) fn write(report: &SpinReport, picture: Option<usize>) -> String {
     let free = FreeFacts::of(report.motion);
     let motion = &free.motion;
     let mut text = heading(report.source.as_ref());
@@ -41,7 +41,7 @@ pub fn write(report: &SpinReport, picture: Option<usize>) -> String {
 }
 
 /// The file, if there is one, and its title.
-pub fn heading(source: Option<&SourceInfo>) -> String {
+pub(crate) fn heading(source: Option<&SourceInfo>) -> String {
     source.map_or_else(String::new, |source| format!("{}\n", source.heading()))
 }
 

@@ -9,7 +9,7 @@ use super::Acting;
 
 /// Small oscillations, and how their equilibrium was found.
 #[derive(Clone, Debug)]
-pub struct Found {
+pub(crate) struct Found {
     pub start: State,
     pub place: Place,
     /// The turn from the start's attitude, rad; of a top that of its axis.
@@ -22,7 +22,7 @@ pub struct Found {
 }
 
 #[derive(Clone, Debug)]
-pub enum Place {
+pub(crate) enum Place {
     /// The start is an equilibrium.
     Start,
     /// The nearest one that keeps its place relative to the orbit.
@@ -39,7 +39,7 @@ pub enum Place {
 
 /// Why there is no equilibrium.
 #[derive(Clone, Debug)]
-pub struct Prevented {
+pub(crate) struct Prevented {
     /// What the search ended with.
     pub error: MotionError,
     /// The names of the torques without which there is one; empty where leaving out any two of them does not help.
@@ -49,7 +49,7 @@ pub struct Prevented {
 }
 
 /// The oscillations under all torques; where there is no equilibrium, those without as few of them as possible, one or two.
-pub fn search(rotor: &Rotor, torques: &[&Acting], start: State) -> Result<Found, Box<Prevented>> {
+pub(crate) fn search(rotor: &Rotor, torques: &[&Acting], start: State) -> Result<Found, Box<Prevented>> {
     let without = |left_out: &[usize]| {
         let kept = torques.iter().enumerate().filter(|(k, _)| !left_out.contains(k));
         let kept: Vec<TorqueModel> = kept.map(|(_, torque)| torque.model.clone()).collect();

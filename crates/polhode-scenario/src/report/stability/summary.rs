@@ -13,7 +13,7 @@ use super::search::{Found, Place};
 use super::{Judged, StabilityReport};
 use crate::report::VERSION;
 
-pub fn of(report: &StabilityReport) -> Value {
+pub(crate) fn of(report: &StabilityReport) -> Value {
     let mut later = report.judged.iter().map(|judged| at(report, judged));
     let mut object = json!({
         "polhode": VERSION,

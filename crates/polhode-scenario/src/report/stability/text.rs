@@ -13,7 +13,7 @@ use polhode_document::number::{number, tidy_beside, vector};
 use super::search::Prevented;
 use super::{Judged, StabilityReport};
 
-pub fn write(report: &StabilityReport) -> String {
+pub(crate) fn write(report: &StabilityReport) -> String {
     let mut text = report.source.heading() + "\n";
     let point = if report.rotor.is_pivoted() { "the pivot" } else { "the centre of mass" };
     let moments = report.rotor.principal().moments().map(|moment| number(moment, 7)).join(", ");

@@ -16,7 +16,7 @@ const HINT: &str =
 const MILLIMETRE: f64 = 1e-3;
 
 /// True if a text has a matrix of inertia as FreeCAD shows matrices.
-pub fn is_of(text: &str) -> bool {
+pub(crate) fn is_of(text: &str) -> bool {
     text.contains("Matrix (") && text.lines().any(|line| label(line) == Some(Label::Inertia))
 }
 
@@ -59,7 +59,7 @@ struct Found {
     tensor: Once<[Number; 9]>,
 }
 
-pub fn read(text: &str) -> Result<Measures, ContentError> {
+pub(crate) fn read(text: &str) -> Result<Measures, ContentError> {
     let mut found = Found::default();
     let (mut waiting, mut start) = (None, 0);
     while start < text.len() {

@@ -10,7 +10,7 @@ const HINT: &str = "paste MeshLab's log from \"Mesh Volume is\" to the last row 
                     Computations, Compute Geometric Measures";
 
 /// True if a text is such a log.
-pub fn is_of(text: &str) -> bool {
+pub(crate) fn is_of(text: &str) -> bool {
     text.lines().any(|line| {
         let line = words(line);
         line.starts_with("mesh volume is") || line.starts_with("inertia tensor is")
@@ -39,7 +39,7 @@ enum Rows {
     Moments,
 }
 
-pub fn read(text: &str) -> Result<Measures, ContentError> {
+pub(crate) fn read(text: &str) -> Result<Measures, ContentError> {
     let (mut volume, mut area, mut center) = (Once::default(), Once::default(), Once::default());
     let (mut tensor, mut moments) = (Once::default(), Once::default());
     let (mut rows, mut start) = (Rows::None, 0);

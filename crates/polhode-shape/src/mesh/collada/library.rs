@@ -13,11 +13,11 @@ use super::value::{missing, positive, start, unsupported};
 const NAMED: [&str; 6] = ["visual_scene", "node", "geometry", "vertices", "source", "float_array"];
 
 /// The elements that others name, by their names and ids: the first that has both, and another if there is one.
-pub struct Library<'a>(HashMap<(&'a str, &'a str), (Element<'a>, Option<Element<'a>>)>);
+pub(crate) struct Library<'a>(HashMap<(&'a str, &'a str), (Element<'a>, Option<Element<'a>>)>);
 
 impl<'a> Library<'a> {
     /// Those of a document in one unit: an `<asset>` inside may say another, which no program that writes it is known to do.
-    pub fn of(root: Element<'a>, unit: f64) -> Result<Self, ContentError> {
+    pub(crate) fn of(root: Element<'a>, unit: f64) -> Result<Self, ContentError> {
         let mut named = HashMap::new();
         let mut waiting = vec![root];
         while let Some(element) = waiting.pop() {
@@ -39,7 +39,7 @@ impl<'a> Library<'a> {
     }
 
     /// The element of this name that an attribute of another names: `url="#id"`.
-    pub fn named(
+    pub(crate) fn named(
         &self,
         by: Element<'a>,
         attribute: &str,
@@ -66,7 +66,7 @@ impl<'a> Library<'a> {
 /// Metres in the unit that an `<asset>` states.
 ///
 /// A number that contradicts the name is an error: programs read the number, but either may be meant.
-pub fn meter(asset: Element<'_>) -> Result<Option<f64>, ContentError> {
+pub(crate) fn meter(asset: Element<'_>) -> Result<Option<f64>, ContentError> {
     /// Numbers are rounded to three digits or more.
     const EQUAL: f64 = 0.002;
     let Some(element) = asset.child("unit") else { return Ok(None) };

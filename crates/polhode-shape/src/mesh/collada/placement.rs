@@ -7,7 +7,7 @@ use super::value::{array, missing, start, unsupported};
 use crate::mesh::affine::Affine;
 
 /// What an element of a node says of its place; `None` if it says nothing of it.
-pub fn of(element: Element<'_>) -> Result<Option<Affine>, ContentError> {
+pub(crate) fn of(element: Element<'_>) -> Result<Option<Affine>, ContentError> {
     const NO_TURN: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
     Ok(Some(match element.name() {
         "matrix" => {

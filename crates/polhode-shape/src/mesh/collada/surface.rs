@@ -10,7 +10,7 @@ use crate::mesh::polygon::Polygons;
 
 /// A mesh as the file has it, before it is placed.
 #[derive(Debug, Default)]
-pub struct Surface {
+pub(crate) struct Surface {
     pub vertices: Vec<[f64; 3]>,
     /// None, if the geometry has lines alone.
     pub triangles: Vec<[u32; 3]>,
@@ -28,7 +28,7 @@ enum Joining<'a> {
 }
 
 impl Surface {
-    pub fn of<'a>(
+    pub(crate) fn of<'a>(
         geometry: Element<'a>,
         library: &Library<'a>,
         polygons: &mut Polygons,

@@ -6,25 +6,25 @@ use polhode_source::xml::{Element, Written};
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 /// What an attribute counts; the default if it is not there.
-pub fn whole(element: Element<'_>, name: &str, default: usize) -> Result<usize, ContentError> {
+pub(crate) fn whole(element: Element<'_>, name: &str, default: usize) -> Result<usize, ContentError> {
     let Some(written) = element.attribute(name) else { return Ok(default) };
     written.value.parse().map_err(|_| expected("a whole number", written.value, written.span))
 }
 
 /// What an element declares as its `count` is what it has: a file that was cut short, or edited, has something else.
-pub fn declared(element: Element<'_>, what: &str, present: usize) -> Result<(), ContentError> {
+pub(crate) fn declared(element: Element<'_>, what: &str, present: usize) -> Result<(), ContentError> {
     match whole(element, "count", present)? {
         declared if declared == present => Ok(()),
         declared => Err(count(element, what, declared, present)),
     }
 }
 
-pub fn count(element: Element<'_>, what: &str, declared: usize, present: usize) -> ContentError {
+pub(crate) fn count(element: Element<'_>, what: &str, declared: usize, present: usize) -> ContentError {
     let (what, declared, present) = (what.to_owned(), declared as u64, present as u64);
     ContentError::new(ContentErrorKind::Count { what, declared, present }, start(element))
 }
 
-pub fn positive(written: &Written<'_>) -> Result<f64, ContentError> {
+pub(crate) fn positive(written: &Written<'_>) -> Result<f64, ContentError> {
     match finite(written)?[..] {
         [number] if number > 0.0 => Ok(number),
         [] => Err(expected("a positive number", "nothing", written.span.clone())),
@@ -33,7 +33,7 @@ pub fn positive(written: &Written<'_>) -> Result<f64, ContentError> {
 }
 
 /// As many numbers as are asked for, in an element.
-pub fn array<const N: usize>(element: Element<'_>) -> Result<[f64; N], ContentError> {
+pub(crate) fn array<const N: usize>(element: Element<'_>) -> Result<[f64; N], ContentError> {
     let written = element.text().ok_or_else(|| missing("numbers", element))?;
     let values = finite(&written)?;
     let unlike =
@@ -42,7 +42,7 @@ pub fn array<const N: usize>(element: Element<'_>) -> Result<[f64; N], ContentEr
 }
 
 /// Numbers with blanks between them.
-pub fn finite(written: &Written<'_>) -> Result<Vec<f64>, ContentError> {
+pub(crate) fn finite(written: &Written<'_>) -> Result<Vec<f64>, ContentError> {
     let values: Vec<f64> = written.values().collect();
     if values.iter().all(|value| value.is_finite()) {
         return Ok(values);
@@ -53,23 +53,23 @@ pub fn finite(written: &Written<'_>) -> Result<Vec<f64>, ContentError> {
     Err(expected("a finite number", &found, at))
 }
 
-pub fn expected(what: &str, found: &str, at: Range<usize>) -> ContentError {
+pub(crate) fn expected(what: &str, found: &str, at: Range<usize>) -> ContentError {
     let (what, found) = (what.to_owned(), found.to_owned());
     ContentError::new(ContentErrorKind::Expected { what, found }, ContentPlace::Text(at))
 }
 
-pub fn missing(what: &str, at: Element<'_>) -> ContentError {
+pub(crate) fn missing(what: &str, at: Element<'_>) -> ContentError {
     ContentError::new(ContentErrorKind::Missing { what: what.to_owned() }, start(at))
 }
 
 /// What polhode does not read of COLLADA: an element, or more words about it.
-pub fn unsupported(element: Element<'_>, what: &str) -> ContentError {
+pub(crate) fn unsupported(element: Element<'_>, what: &str) -> ContentError {
     let what = format!("<{}> of COLLADA{what}", element.name());
     ContentError::new(ContentErrorKind::Unsupported { what }, start(element))
 }
 
 /// Where an element begins.
-pub fn start(element: Element<'_>) -> ContentPlace {
+pub(crate) fn start(element: Element<'_>) -> ContentPlace {
     let start = element.span().start;
     ContentPlace::Text(start..start + 1)
 }

@@ -117,7 +117,7 @@ impl<'a, const N: usize> Elements<'a, N> {
 }
 
 /// Vectors of N finite numbers, integers of up to 16 bits among them, normalised where the file says so.
-pub fn vectors<'a, const N: usize>(
+pub(crate) fn vectors<'a, const N: usize>(
     json: &Json<'a>,
     buffers: &mut Buffers<'a>,
     budget: &mut Budget,
@@ -140,7 +140,7 @@ pub fn vectors<'a, const N: usize>(
 }
 
 /// Indices of vertices, each below `vertices`.
-pub fn indices<'a>(
+pub(crate) fn indices<'a>(
     json: &Json<'a>,
     vertices: usize,
     buffers: &mut Buffers<'a>,

@@ -15,7 +15,7 @@ use super::json::Json;
 
 /// The buffers of a document, each read when it is first needed.
 #[derive(Debug)]
-pub struct Buffers<'a> {
+pub(crate) struct Buffers<'a> {
     root: Json<'a>,
     chunk: Option<&'a [u8]>,
     folder: &'a Path,
@@ -31,7 +31,7 @@ enum Bytes<'a> {
 
 /// A part of a buffer.
 #[derive(Clone, Debug)]
-pub struct View<'a> {
+pub(crate) struct View<'a> {
     buffer: Bytes<'a>,
     start: usize,
     length: usize,
@@ -40,7 +40,7 @@ pub struct View<'a> {
 }
 
 impl View<'_> {
-    pub fn bytes(&self) -> &[u8] {
+    pub(crate) fn bytes(&self) -> &[u8] {
         let all = match &self.buffer {
             Bytes::Here(bytes) => bytes,
             Bytes::Loaded(bytes) => bytes.as_slice(),
@@ -50,13 +50,13 @@ impl View<'_> {
 }
 
 impl<'a> Buffers<'a> {
-    pub fn new(root: Json<'a>, chunk: Option<&'a [u8]>, folder: &'a Path) -> Self {
+    pub(crate) fn new(root: Json<'a>, chunk: Option<&'a [u8]>, folder: &'a Path) -> Self {
         let loaded = vec![None; root.count("buffers")];
         Self { root, chunk, folder, loaded, files: Vec::new() }
     }
 
     /// The view that this value, an index, means.
-    pub fn view(&mut self, index: &Json<'a>) -> Result<View<'a>, ContentError> {
+    pub(crate) fn view(&mut self, index: &Json<'a>) -> Result<View<'a>, ContentError> {
         let (_, view) = index.referred(&self.root, "bufferViews", "buffer view")?;
         if let Some(packed) = view.get("extensions").and_then(|e| e.get("EXT_meshopt_compression")) {
             return Err(packed.error(compressed("EXT_meshopt_compression")).hint(UNPACK));
@@ -142,9 +142,9 @@ impl<'a> Buffers<'a> {
     }
 }
 
-pub const UNPACK: &str = "export it without compression, or unpack it first";
+pub(crate) const UNPACK: &str = "export it without compression, or unpack it first";
 
-pub fn compressed(name: &str) -> ContentErrorKind {
+pub(crate) fn compressed(name: &str) -> ContentErrorKind {
     ContentErrorKind::Unsupported { what: format!("compressed meshes ({name})") }
 }
 

@@ -4,14 +4,14 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 /// The document of a glTF file, and the buffer that came with it.
 #[derive(Clone, Copy, Debug)]
-pub struct Container<'a> {
+pub(crate) struct Container<'a> {
     pub json: &'a [u8],
     pub chunk: Option<&'a [u8]>,
     pub is_binary: bool,
 }
 
 /// A GLB, or a file that is all JSON.
-pub fn open(bytes: &[u8]) -> Result<Container<'_>, ContentError> {
+pub(crate) fn open(bytes: &[u8]) -> Result<Container<'_>, ContentError> {
     if bytes.starts_with(b"glTF") {
         return binary(bytes);
     }

@@ -5,29 +5,29 @@ use serde_json::Value;
 
 /// A value and its place: `nodes[3].matrix`.
 #[derive(Clone, Debug)]
-pub struct Json<'a> {
+pub(crate) struct Json<'a> {
     value: &'a Value,
     place: String,
 }
 
 impl<'a> Json<'a> {
-    pub fn root(value: &'a Value) -> Self {
+    pub(crate) fn root(value: &'a Value) -> Self {
         Self { value, place: String::new() }
     }
 
-    pub fn place(&self) -> &str {
+    pub(crate) fn place(&self) -> &str {
         &self.place
     }
 
     /// The member of an object, if it is there.
-    pub fn get(&self, key: &str) -> Option<Self> {
+    pub(crate) fn get(&self, key: &str) -> Option<Self> {
         let value = self.value.get(key)?;
         let place = if self.place.is_empty() { key.to_owned() } else { format!("{}.{key}", self.place) };
         Some(Self { value, place })
     }
 
     /// The member of an object that has to be there.
-    pub fn need(&self, key: &str) -> Result<Self, ContentError> {
+    pub(crate) fn need(&self, key: &str) -> Result<Self, ContentError> {
         self.get(key).ok_or_else(|| {
             let kind = ContentErrorKind::Missing { what: key.to_owned() };
             ContentError::new(kind, self.content_place())
@@ -35,7 +35,10 @@ impl<'a> Json<'a> {
     }
 
     /// The elements of an array; none if the member is not there.
-    pub fn list(&self, key: &str) -> Result<impl ExactSizeIterator<Item = Self> + use<'a>, ContentError> {
+    pub(crate) fn list(
+        &self,
+        key: &str,
+    ) -> Result<impl ExactSizeIterator<Item = Self> + use<'a>, ContentError> {
         let list = self.get(key);
         let values = match &list {
             Some(list) => list.value.as_array().ok_or_else(|| list.expected("an array"))?.as_slice(),
@@ -46,12 +49,12 @@ impl<'a> Json<'a> {
     }
 
     /// How many elements the array has; 0 if it is not there.
-    pub fn count(&self, key: &str) -> usize {
+    pub(crate) fn count(&self, key: &str) -> usize {
         self.value.get(key).and_then(Value::as_array).map_or(0, Vec::len)
     }
 
     /// The element of a list of the document that this value, an index, means.
-    pub fn referred(&self, root: &Self, list: &str, one: &str) -> Result<(usize, Self), ContentError> {
+    pub(crate) fn referred(&self, root: &Self, list: &str, one: &str) -> Result<(usize, Self), ContentError> {
         let index = self.whole()?;
         let values = root.value.get(list).and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
         match usize::try_from(index).ok().and_then(|k| Some((k, values.get(k)?))) {
@@ -64,7 +67,7 @@ impl<'a> Json<'a> {
     }
 
     /// A whole number from 0.
-    pub fn whole(&self) -> Result<u64, ContentError> {
+    pub(crate) fn whole(&self) -> Result<u64, ContentError> {
         // JSON does not tell 3 from 3.0, and some writers write the latter.
         let fractional = |x: f64| (x >= 0.0 && x < 2f64.powi(53) && x.fract() == 0.0).then_some(x as u64);
         let whole = self.value.as_u64().or_else(|| self.value.as_f64().and_then(fractional));
@@ -72,32 +75,32 @@ impl<'a> Json<'a> {
     }
 
     /// The same of a member, or a default.
-    pub fn whole_or(&self, key: &str, default: u64) -> Result<u64, ContentError> {
+    pub(crate) fn whole_or(&self, key: &str, default: u64) -> Result<u64, ContentError> {
         self.get(key).map_or(Ok(default), |value| value.whole())
     }
 
     /// True or false; false if the member is not there.
-    pub fn flag(&self, key: &str) -> Result<bool, ContentError> {
+    pub(crate) fn flag(&self, key: &str) -> Result<bool, ContentError> {
         self.get(key)
             .map_or(Ok(false), |flag| flag.value.as_bool().ok_or_else(|| flag.expected("true or false")))
     }
 
-    pub fn text(&self) -> Result<&'a str, ContentError> {
+    pub(crate) fn text(&self) -> Result<&'a str, ContentError> {
         self.value.as_str().ok_or_else(|| self.expected("a text"))
     }
 
     /// The text of a member, empty if it is not there.
-    pub fn text_or_empty(&self, key: &str) -> Result<&'a str, ContentError> {
+    pub(crate) fn text_or_empty(&self, key: &str) -> Result<&'a str, ContentError> {
         self.get(key).map_or(Ok(""), |text| text.text())
     }
 
     /// One finite number.
-    pub fn number(&self) -> Result<f64, ContentError> {
+    pub(crate) fn number(&self) -> Result<f64, ContentError> {
         self.value.as_f64().ok_or_else(|| self.expected("a number"))
     }
 
     /// Exactly N finite numbers.
-    pub fn numbers<const N: usize>(&self) -> Result<[f64; N], ContentError> {
+    pub(crate) fn numbers<const N: usize>(&self) -> Result<[f64; N], ContentError> {
         let expected = || self.expected(&format!("{N} numbers"));
         let values = self.value.as_array().ok_or_else(expected)?;
         let values: &[Value; N] = values.as_slice().try_into().map_err(|_| expected())?;
@@ -109,16 +112,16 @@ impl<'a> Json<'a> {
     }
 
     /// What is wrong with this value.
-    pub fn error(&self, kind: ContentErrorKind) -> ContentError {
+    pub(crate) fn error(&self, kind: ContentErrorKind) -> ContentError {
         ContentError::new(kind, self.content_place())
     }
 
-    pub fn expected(&self, what: &str) -> ContentError {
+    pub(crate) fn expected(&self, what: &str) -> ContentError {
         self.error(ContentErrorKind::Expected { what: what.to_owned(), found: self.shown() })
     }
 
     /// This value breaks a rule.
-    pub fn refused(&self, what: &str, rule: &str) -> ContentError {
+    pub(crate) fn refused(&self, what: &str, rule: &str) -> ContentError {
         self.error(ContentErrorKind::Value {
             what: what.to_owned(),
             value: self.shown(),

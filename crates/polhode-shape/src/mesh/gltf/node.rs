@@ -11,19 +11,19 @@ use crate::mesh::affine::Affine;
 use crate::mesh::notes::Notes;
 
 /// The nodes of a document: each has one parent at most, and none is above itself.
-pub struct Forest<'a> {
+pub(crate) struct Forest<'a> {
     pub nodes: Vec<Node<'a>>,
 }
 
 /// A node and the indices of its children.
-pub struct Node<'a> {
+pub(crate) struct Node<'a> {
     pub json: Json<'a>,
     pub children: Vec<usize>,
     parent: Option<usize>,
 }
 
 impl<'a> Forest<'a> {
-    pub fn of(root: &Json<'a>) -> Result<Self, ContentError> {
+    pub(crate) fn of(root: &Json<'a>) -> Result<Self, ContentError> {
         let nodes = root.list("nodes")?.map(|json| Node { json, children: Vec::new(), parent: None });
         let mut nodes: Vec<_> = nodes.collect();
         for k in 0..nodes.len() {
@@ -64,7 +64,7 @@ impl<'a> Forest<'a> {
     }
 
     /// The name of the scene to read and its roots: the default one, or the first, or all there is.
-    pub fn scene(&self, root: &Json<'a>) -> Result<(String, Vec<usize>), ContentError> {
+    pub(crate) fn scene(&self, root: &Json<'a>) -> Result<(String, Vec<usize>), ContentError> {
         let scene = match root.get("scene") {
             Some(index) => Some(index.referred(root, "scenes", "scene")?.1),
             None => root.list("scenes")?.next(),
@@ -84,7 +84,7 @@ impl<'a> Forest<'a> {
 }
 
 /// Where a node is in its parent.
-pub fn transform(node: &Json<'_>, notes: &mut Notes) -> Result<Affine, ContentError> {
+pub(crate) fn transform(node: &Json<'_>, notes: &mut Notes) -> Result<Affine, ContentError> {
     let parts = [node.get("translation"), node.get("rotation"), node.get("scale")];
     let Some(matrix) = node.get("matrix") else {
         let [translation, rotation, scale] = parts;
@@ -112,7 +112,7 @@ pub fn transform(node: &Json<'_>, notes: &mut Notes) -> Result<Affine, ContentEr
 }
 
 /// The places at which a node puts its mesh: its own, or those of `EXT_mesh_gpu_instancing` in its frame.
-pub fn instances<'a>(
+pub(crate) fn instances<'a>(
     node: &Json<'a>,
     map: Affine,
     root: &Json<'a>,

@@ -13,13 +13,13 @@ use crate::mesh::notes::Notes;
 
 /// A mesh: the triangles of all its primitives.
 #[derive(Debug, Default)]
-pub struct Surface {
+pub(crate) struct Surface {
     pub vertices: Vec<[f64; 3]>,
     pub triangles: Vec<[u32; 3]>,
 }
 
 /// Refuses weights that change the shape before anything moves.
-pub fn is_unmorphed(holder: &Json<'_>) -> Result<(), ContentError> {
+pub(crate) fn is_unmorphed(holder: &Json<'_>) -> Result<(), ContentError> {
     let weights = holder.list("weights")?;
     for weight in weights {
         if weight.number()? != 0.0 {
@@ -33,7 +33,7 @@ pub fn is_unmorphed(holder: &Json<'_>) -> Result<(), ContentError> {
 }
 
 impl Surface {
-    pub fn of<'a>(
+    pub(crate) fn of<'a>(
         mesh: &Json<'a>,
         root: &Json<'a>,
         buffers: &mut Buffers<'a>,

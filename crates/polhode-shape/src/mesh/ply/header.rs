@@ -9,7 +9,7 @@ use super::super::scan::Scan;
 
 /// What the header says.
 #[derive(Clone, Debug)]
-pub struct Header {
+pub(crate) struct Header {
     pub encoding: Encoding,
     pub elements: Vec<Element>,
     /// The first byte behind the header.
@@ -18,7 +18,7 @@ pub struct Header {
 
 /// How the elements are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Encoding {
+pub(crate) enum Encoding {
     Ascii,
     LittleEndian,
     BigEndian,
@@ -26,7 +26,7 @@ pub enum Encoding {
 
 /// Things of one kind.
 #[derive(Clone, Debug)]
-pub struct Element {
+pub(crate) struct Element {
     pub name: String,
     /// How many the header declares; not to be trusted.
     pub count: u64,
@@ -37,7 +37,7 @@ pub struct Element {
 
 /// What every one of an element's things has.
 #[derive(Clone, Debug)]
-pub struct Property {
+pub(crate) struct Property {
     pub name: String,
     /// The type of a list's length, if it is a list.
     pub length: Option<Scalar>,
@@ -48,7 +48,7 @@ pub struct Property {
 
 /// The eight types of numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Scalar {
+pub(crate) enum Scalar {
     I8,
     U8,
     I16,
@@ -76,7 +76,7 @@ impl Scalar {
     }
 
     /// Bytes in a binary file.
-    pub const fn size(self) -> usize {
+    pub(crate) const fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
             Self::I16 | Self::U16 => 2,
@@ -85,14 +85,14 @@ impl Scalar {
         }
     }
 
-    pub const fn is_integer(self) -> bool {
+    pub(crate) const fn is_integer(self) -> bool {
         !matches!(self, Self::F32 | Self::F64)
     }
 }
 
 impl Element {
     /// The thing's name in a message, for many of them.
-    pub fn plural(&self) -> String {
+    pub(crate) fn plural(&self) -> String {
         match self.name.as_str() {
             "vertex" => "vertices".to_owned(),
             "face" => "faces".to_owned(),
@@ -100,7 +100,7 @@ impl Element {
         }
     }
 
-    pub fn property(&self, name: &str) -> Option<(usize, &Property)> {
+    pub(crate) fn property(&self, name: &str) -> Option<(usize, &Property)> {
         self.properties.iter().enumerate().find(|(_, property)| property.name == name)
     }
 }
@@ -109,7 +109,7 @@ impl Element {
 const LONGEST_LINE: usize = 1 << 16;
 
 /// Reads the header; the lines of one file all end alike.
-pub fn read(bytes: &[u8]) -> Result<Header, ContentError> {
+pub(crate) fn read(bytes: &[u8]) -> Result<Header, ContentError> {
     let start = &bytes[..bytes.len().min(LONGEST_LINE + 1)];
     let first = start.iter().position(|b| b"\r\n".contains(b)).unwrap_or(start.len());
     if bytes[..first].trim_ascii() != b"ply" {

@@ -6,7 +6,7 @@ use super::super::scan::Scan;
 use super::header::{Encoding, Scalar};
 
 /// Where values come from; `Copy`, to come back to a place.
-pub trait Values: Copy {
+pub(crate) trait Values: Copy {
     /// A number.
     fn number(&mut self, scalar: Scalar) -> Result<f64, Stop>;
     /// A number of an integer type.
@@ -21,7 +21,7 @@ pub trait Values: Copy {
 
 /// Why there is no value.
 #[derive(Debug)]
-pub enum Stop {
+pub(crate) enum Stop {
     /// The file has ended.
     Ended,
     /// Something else stands there.
@@ -30,14 +30,14 @@ pub enum Stop {
 
 /// Numbers in the bytes of one order or the other.
 #[derive(Clone, Copy, Debug)]
-pub struct Binary<'a, const BIG: bool> {
+pub(crate) struct Binary<'a, const BIG: bool> {
     bytes: &'a [u8],
     at: usize,
     last: (usize, Scalar),
 }
 
 impl<'a, const BIG: bool> Binary<'a, BIG> {
-    pub const fn new(bytes: &'a [u8], at: usize) -> Self {
+    pub(crate) const fn new(bytes: &'a [u8], at: usize) -> Self {
         Self { bytes, at, last: (at, Scalar::U8) }
     }
 
@@ -114,13 +114,13 @@ impl<const BIG: bool> Values for Binary<'_, BIG> {
 
 /// Numbers in text, between white space of any kind.
 #[derive(Clone, Copy, Debug)]
-pub struct Ascii<'a> {
+pub(crate) struct Ascii<'a> {
     scan: Scan<'a>,
     last: usize,
 }
 
 impl<'a> Ascii<'a> {
-    pub fn new(bytes: &'a [u8], at: usize) -> Self {
+    pub(crate) fn new(bytes: &'a [u8], at: usize) -> Self {
         Self { scan: Scan::new(bytes).moved(at), last: at }
     }
 
@@ -170,7 +170,7 @@ impl Values for Ascii<'_> {
 }
 
 impl Encoding {
-    pub const fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Ascii => "ascii",
             Self::LittleEndian => "binary, little-endian",
@@ -181,7 +181,7 @@ impl Encoding {
 
 impl Stop {
     /// The end of the file, as something else sees it.
-    pub fn or(self, ended: impl FnOnce() -> ContentError) -> ContentError {
+    pub(crate) fn or(self, ended: impl FnOnce() -> ContentError) -> ContentError {
         match self {
             Self::Ended => ended(),
             Self::Wrong(error) => error,
@@ -190,7 +190,7 @@ impl Stop {
 }
 
 /// A count that the file does not fill.
-pub fn short(what: String, declared: u64, present: u64, place: ContentPlace) -> ContentError {
+pub(crate) fn short(what: String, declared: u64, present: u64, place: ContentPlace) -> ContentError {
     ContentError::new(ContentErrorKind::Count { what, declared, present }, place)
         .hint("the file is cut short")
 }

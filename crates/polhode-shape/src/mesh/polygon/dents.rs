@@ -4,7 +4,7 @@ use super::turn;
 
 /// Points in a tree of boxes, halved along the longer side until they are few.
 #[derive(Debug, Default)]
-pub struct Dents {
+pub(crate) struct Dents {
     /// The points, each half of the tree in one stretch.
     order: Vec<u32>,
     /// By point: its place in the order.
@@ -50,7 +50,7 @@ impl Range {
 }
 
 impl Dents {
-    pub fn start(&mut self, points: &[[f64; 2]], dents: impl Iterator<Item = u32>) {
+    pub(crate) fn start(&mut self, points: &[[f64; 2]], dents: impl Iterator<Item = u32>) {
         let Self { order, place, boxes, waiting } = self;
         order.clear();
         order.extend(dents);
@@ -85,7 +85,7 @@ impl Dents {
     }
 
     /// Takes a point out; whether it was there.
-    pub fn remove(&mut self, k: u32) -> bool {
+    pub(crate) fn remove(&mut self, k: u32) -> bool {
         let at = std::mem::replace(&mut self.place[k as usize], NONE);
         if at == NONE {
             return false;
@@ -102,7 +102,7 @@ impl Dents {
     /// there a polygon touches itself, as one with a hole does along its cut.
     ///
     /// `steps` are taken for boxes and points looked at.
-    pub fn inside(&mut self, points: &[[f64; 2]], corners: [u32; 3], steps: &mut u64) -> Option<u32> {
+    pub(crate) fn inside(&mut self, points: &[[f64; 2]], corners: [u32; 3], steps: &mut u64) -> Option<u32> {
         let triangle @ [a, b, c] = corners.map(|k| points[k as usize]);
         let edges = [[a, b], [b, c], [c, a]];
         let low: [f64; 2] = std::array::from_fn(|i| a[i].min(b[i]).min(c[i]));

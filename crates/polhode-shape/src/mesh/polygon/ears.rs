@@ -7,7 +7,7 @@ use super::turn;
 
 /// The lists of one polygon, kept for the next.
 #[derive(Debug, Default)]
-pub struct Ears {
+pub(crate) struct Ears {
     /// Of each corner that is left, the one before and the one after.
     ring: Vec<[u32; 2]>,
     state: Vec<State>,
@@ -40,7 +40,7 @@ const MOST_STEPS: u64 = 1 << 29;
 
 impl Ears {
     /// Gives all n − 2 triangles, by numbers of points; whether none overlaps another.
-    pub fn cut(&mut self, points: &[[f64; 2]], mut give: impl FnMut([u32; 3])) -> bool {
+    pub(crate) fn cut(&mut self, points: &[[f64; 2]], mut give: impl FnMut([u32; 3])) -> bool {
         let n = points.len() as u32;
         self.start(points);
         let mut steps = PATIENCE.saturating_mul(n.into()).min(MOST_STEPS);

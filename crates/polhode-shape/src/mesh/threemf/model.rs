@@ -23,7 +23,7 @@ const LOOKS: [&str; 2] = [
 
 /// A model file.
 #[derive(Debug)]
-pub struct Model {
+pub(crate) struct Model {
     /// The name of the unit of length, and metres in it.
     pub unit: (&'static str, f64),
     pub title: String,
@@ -32,7 +32,7 @@ pub struct Model {
 }
 
 #[derive(Debug)]
-pub struct Object {
+pub(crate) struct Object {
     /// Its name, or else its part number.
     pub name: String,
     /// `model`, `support`, `other` and others.
@@ -42,7 +42,7 @@ pub struct Object {
 }
 
 #[derive(Debug)]
-pub enum Contents {
+pub(crate) enum Contents {
     Nothing,
     Mesh { vertices: Vec<[f64; 3]>, triangles: Vec<[u32; 3]> },
     Components(Rc<[Use]>),
@@ -50,7 +50,7 @@ pub enum Contents {
 
 /// An object in its place: a build item, or a component of another object.
 #[derive(Clone, Debug)]
-pub struct Use {
+pub(crate) struct Use {
     /// The model file that has the object, if it is another one.
     pub path: Option<String>,
     pub object: u32,
@@ -61,7 +61,7 @@ pub struct Use {
 
 impl Model {
     /// Reads a model file to its end.
-    pub fn read(mut xml: Xml<'_, '_>, notes: &mut Notes) -> Result<Self, ContentError> {
+    pub(crate) fn read(mut xml: Xml<'_, '_>, notes: &mut Notes) -> Result<Self, ContentError> {
         let mut buffer = Vec::new();
         let mut model = None;
         loop {

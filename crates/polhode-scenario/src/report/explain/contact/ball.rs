@@ -11,7 +11,7 @@ use super::super::free::once_in;
 use super::super::working::{exactly, factor, n, v};
 use super::OnGround;
 
-pub fn solve(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
+pub(crate) fn solve(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
     s.say(
         "A ball with its centre of mass in its middle and three equal moments: r = −a n, and ω × {I} ω = 0. What counts of it is how its moment compares with m a²:",
     );
@@ -21,12 +21,12 @@ pub fn solve(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> Strin
 }
 
 /// What slips at the start, or has nothing that could hold it.
-pub fn slips(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
+pub(crate) fn slips(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
     if g.is_frictionless() { frictionless(ball, s) } else { slides(g, ball, s) }
 }
 
 /// k and σ in numbers; and 2/7 where it is that.
-pub fn ratio(ball: &BallOnPlane, moment: &str, s: &mut Section) {
+pub(crate) fn ratio(ball: &BallOnPlane, moment: &str, s: &mut Section) {
     let square = ball.mass * ball.radius * ball.radius;
     let known = match ball.moment / square {
         k if (k - 0.4).abs() < 1e-9 => ": 2/5 and 2/7, those of a homogeneous ball",
@@ -210,7 +210,7 @@ fn gripped(g: &OnGround<'_, '_>) -> Option<f64> {
 }
 
 /// From the start on.
-pub fn rolls(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
+pub(crate) fn rolls(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
     if ball.turning != 0.0 {
         return turntable(g, ball, s);
     }

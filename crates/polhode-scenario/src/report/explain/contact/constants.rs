@@ -16,7 +16,7 @@ struct Constant {
     why: &'static str,
 }
 
-pub fn list(g: &OnGround<'_, '_>, s: &mut Section) {
+pub(crate) fn list(g: &OnGround<'_, '_>, s: &mut Section) {
     let all = constants(g);
     if all.is_empty() {
         s.say("Nothing stays constant: friction takes energy, and its torque changes L. What holds is a balance: T + U less the work of friction and of the ground.");
@@ -117,7 +117,7 @@ fn of_spheres(g: &OnGround<'_, '_>, is_level: bool) -> Vec<Constant> {
 }
 
 /// L about the point of contact, body axes.
-pub fn about_contact(g: &OnGround<'_, '_>) -> Direction<Body> {
+pub(crate) fn about_contact(g: &OnGround<'_, '_>) -> Direction<Body> {
     let own = Direction::<Body>::from_array(g.w.rotor.angular_momentum(g.start.state.omega).to_array());
     let velocity = g.start.state.attitude.inverse() * Direction::from_array(g.start.velocity.to_array());
     let arm = Direction::<Body>::from_array(g.arm.to_array());

@@ -8,7 +8,7 @@ use polhode_document::Section;
 use super::super::working::n;
 use super::{OnGround, ball, unsolved, wheel};
 
-pub fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
+pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     let surface = &g.contact().surface;
     let e: Direction<Body> = surface.axes() * Direction::new(0.0, 0.0, 1.0);
     let axis: Direction<Space> = g.start.state.attitude * e;

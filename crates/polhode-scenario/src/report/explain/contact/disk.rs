@@ -38,7 +38,7 @@ impl Motion {
     }
 }
 
-pub fn solve(
+pub(crate) fn solve(
     g: &OnGround<'_, '_>,
     disk: &CirclingDisk,
     e: Direction<Body>,
@@ -167,7 +167,7 @@ fn circles(g: &OnGround<'_, '_>, disk: &CirclingDisk, at: &Motion, s: &mut Secti
 }
 
 /// What becomes of small departures.
-pub fn departures(g: &OnGround<'_, '_>, steady: &SteadyOnGround, s: &mut Section) {
+pub(crate) fn departures(g: &OnGround<'_, '_>, steady: &SteadyOnGround, s: &mut Section) {
     let without = if g.is_resisted() { ", without what resists it," } else { "" };
     s.say(format!(
         "A small departure from it{without} obeys linear equations, whose eigenvalues σ ± iϖ are:"

@@ -11,7 +11,12 @@ use super::super::tensor::along_body_axis;
 use super::super::working::{n, v};
 use super::{OnGround, disk, vertex};
 
-pub fn solve(g: &OnGround<'_, '_>, egg: &SpinningEgg, e: Direction<Body>, s: &mut Section) -> Option<String> {
+pub(crate) fn solve(
+    g: &OnGround<'_, '_>,
+    egg: &SpinningEgg,
+    e: Direction<Body>,
+    s: &mut Section,
+) -> Option<String> {
     let l = g.w.rotor.angular_momentum(g.start.state.omega);
     let jellett = -Direction::<Body>::from_array(g.arm.to_array()).dot(l);
     let tilt = e.angle_to(g.up);

@@ -5,7 +5,7 @@ use polhode_document::Section;
 
 use super::{OnGround, egg, rattleback, unsolved, vertex};
 
-pub fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
+pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     let steady = g.steady(&g.rolling_start());
     let vertex = steady.as_ref().and_then(|steady| match steady.path {
         SteadyPath::OnVertex(vertex) => Some(vertex),

@@ -9,7 +9,7 @@ use super::super::working::{exactly, n, v};
 use super::{OnGround, constants};
 
 /// Step 3.
-pub fn inertia(g: &OnGround<'_, '_>) -> Section {
+pub(crate) fn inertia(g: &OnGround<'_, '_>) -> Section {
     let mut s = tensor::section(g.w, None);
     s.say("About the point of contact, by parallel axes; it holds at t0, as r changes:");
     s.formula(
@@ -31,7 +31,7 @@ pub fn inertia(g: &OnGround<'_, '_>) -> Section {
 }
 
 /// Step 4.
-pub fn section(g: &OnGround<'_, '_>) -> Section {
+pub(crate) fn section(g: &OnGround<'_, '_>) -> Section {
     let mut s = Section::new(4, "The equations of motion");
     let resisted = g.is_resisted();
     s.say(

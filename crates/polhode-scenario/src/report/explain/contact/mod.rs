@@ -42,7 +42,7 @@ struct OnGround<'a, 'b> {
 }
 
 /// The solution of a body on the ground; `None` of any other.
-pub fn document(w: &Working<'_>) -> Option<Document> {
+pub(crate) fn document(w: &Working<'_>) -> Option<Document> {
     let g = OnGround::of(w)?;
     let mut solved = Section::new(5, "Solve for the motion");
     let mut answer = vec![answer::body(w)];

@@ -9,7 +9,7 @@ use polhode_document::unit::{angle, rate};
 use super::super::working::{factor, n};
 use super::{OnGround, disk, vertex};
 
-pub fn solve(
+pub(crate) fn solve(
     g: &OnGround<'_, '_>,
     steady: &SteadyOnGround,
     spin: &VertexSpin,

@@ -17,7 +17,7 @@ const MOST: usize = 12;
 /// Rows of the table.
 const ROWS: usize = 9;
 
-pub fn section(g: &OnGround<'_, '_>) -> Section {
+pub(crate) fn section(g: &OnGround<'_, '_>) -> Section {
     let mut s = Section::new(6, "What the run shows");
     let Some(motion) = g.motion().filter(|motion| !motion.samples().is_empty()) else {
         s.say("Without a [run] the motion is followed no further.");

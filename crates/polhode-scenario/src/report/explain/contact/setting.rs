@@ -11,7 +11,7 @@ use super::OnGround;
 use crate::report::contact;
 
 /// Step 1.
-pub fn axes(g: &OnGround<'_, '_>) -> Section {
+pub(crate) fn axes(g: &OnGround<'_, '_>) -> Section {
     let mut s = Section::new(1, "Choose the axes");
     s.say(
         "Body axes x, y, z: fixed in the body, so that {I} is constant; they turn with it at ω. Origin: the centre of mass C, about which the equations of the rotation hold however C \
@@ -70,7 +70,7 @@ pub fn axes(g: &OnGround<'_, '_>) -> Section {
 }
 
 /// Step 2.
-pub fn forces(g: &OnGround<'_, '_>) -> Section {
+pub(crate) fn forces(g: &OnGround<'_, '_>) -> Section {
     let mut s = Section::new(2, "Note ω, the constraint and the forces at t0");
     let (start, omega) = (&g.start, g.start.state.omega);
     s.line(format!("t0 = {} s", n(start.state.time)));

@@ -13,7 +13,7 @@ use super::super::tensor::along_body_axis;
 use super::super::working::{cells, factor, n, v};
 use super::OnGround;
 
-pub fn solve(g: &OnGround<'_, '_>, top: &TippeTop, e: Direction<Body>, s: &mut Section) -> String {
+pub(crate) fn solve(g: &OnGround<'_, '_>, top: &TippeTop, e: Direction<Body>, s: &mut Section) -> String {
     let l = g.w.rotor.angular_momentum(g.start.state.omega);
     let jellett = -Direction::<Body>::from_array(g.arm.to_array()).dot(l);
     s.say(

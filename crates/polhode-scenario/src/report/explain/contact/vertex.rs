@@ -10,7 +10,12 @@ use super::super::working::n;
 use super::{OnGround, disk};
 
 /// Its height, its radii, and at which spins it stays.
-pub fn stands(g: &OnGround<'_, '_>, steady: &SteadyOnGround, vertex: &VertexSpin, s: &mut Section) -> String {
+pub(crate) fn stands(
+    g: &OnGround<'_, '_>,
+    steady: &SteadyOnGround,
+    vertex: &VertexSpin,
+    s: &mut Section,
+) -> String {
     s.say(
         "Near to the start is a steady motion: the body spins about the vertical at Ω on a point below its centre of mass, at the height h; R are the radii of curvature there, S the moments across the vertical, C that about it (matrices along two axes \
          of the body across n). Small departures q of n obey",
@@ -39,7 +44,7 @@ pub fn stands(g: &OnGround<'_, '_>, steady: &SteadyOnGround, vertex: &VertexSpin
 }
 
 /// h, C, S and R.
-pub fn numbers(vertex: &VertexSpin, s: &mut Section) {
+pub(crate) fn numbers(vertex: &VertexSpin, s: &mut Section) {
     let matrix = |[[a, b], [_, d]]: [[f64; 2]; 2]| {
         let [a, b, d] = tidy_beside([a, b, d], a.abs().max(d.abs())).map(n);
         format!("({a}, {b}; {b}, {d})")
@@ -51,7 +56,7 @@ pub fn numbers(vertex: &VertexSpin, s: &mut Section) {
 }
 
 /// The law of the stable spins, and where it puts its bounds.
-pub fn law(spins: &StableSpins, s: &mut Section) {
+pub(crate) fn law(spins: &StableSpins, s: &mut Section) {
     let one = |[from, to]: &[f64; 2]| match (from.is_finite(), to.is_finite()) {
         (true, true) => format!("{} to {} rad/s", n(*from), n(*to)),
         (true, false) => format!("above {} rad/s", n(*from)),

@@ -8,7 +8,7 @@ use polhode_document::Section;
 use super::{OnGround, ball};
 
 /// A rim upright on a slope, its axis across it.
-pub fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
+pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     let contact = g.contact();
     if !matches!(contact.surface.shape(), SurfaceShape::Rim { thickness: 0.0, .. })
         || !matches!(contact.ground.shape(), GroundShape::Plane)
@@ -37,7 +37,7 @@ pub fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
 }
 
 /// What rolls about an axis that keeps its direction, with the part of gravity across that.
-pub fn straight(g: &OnGround<'_, '_>, e: Direction<Body>) -> Option<BallOnPlane> {
+pub(crate) fn straight(g: &OnGround<'_, '_>, e: Direction<Body>) -> Option<BallOnPlane> {
     let contact = g.contact();
     let rows = g.w.body().inertia().matrix();
     let image = Direction::<Body>::from_array(rows.map(|row| Direction::<Body>::from_array(row).dot(e)));

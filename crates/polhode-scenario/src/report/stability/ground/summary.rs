@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::GroundStabilityReport;
 
-pub fn of(report: &GroundStabilityReport) -> Value {
+pub(crate) fn of(report: &GroundStabilityReport) -> Value {
     let steady = &report.steady;
     let spins = steady.stable_spins.as_ref();
     let threshold = spins.and_then(|spins| spins.nearest(steady.spin));

@@ -11,7 +11,7 @@ use polhode_document::unit::rate;
 
 use super::GroundStabilityReport;
 
-pub fn write(report: &GroundStabilityReport) -> String {
+pub(crate) fn write(report: &GroundStabilityReport) -> String {
     let steady = &report.steady;
     let mut text = report.source.heading() + "\n";
     text.push_str(&labelled("contact", contact(report)));

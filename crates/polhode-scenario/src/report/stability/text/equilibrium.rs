@@ -11,7 +11,7 @@ use polhode_document::unit::rate;
 use super::indented;
 use crate::report::stability::search::{Found, Place};
 
-pub fn write(found: &Found) -> String {
+pub(crate) fn write(found: &Found) -> String {
     let oscillations = &found.oscillations;
     let mut text = labelled("small swings", &format!("{}: {}", place(found), verdict(oscillations)));
     text.push_str(&indented(&modes(&oscillations.modes)));

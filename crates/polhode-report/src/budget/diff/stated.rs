@@ -49,8 +49,6 @@ fn of_report(report: &BudgetReport, digits: usize) -> Vec<Item> {
         let most = ballast.most.map(|most| format!("{} kg", number(most, digits)));
         all.extend(most.map(|most| Item::new("ballast, most", most)));
         all.push(Item::new("ballast, deviations", number(ballast.deviations, digits)));
-        let effort = ballast.effort.map(|effort| count(effort as u64));
-        all.extend(effort.map(|effort| Item::new("ballast, effort", effort)));
     }
     all.extend(stated.tanks.iter().flat_map(|one| tank::items(one, digits)));
     all.extend(stated.sequence.iter().flat_map(|one| happening::items(one, digits)));

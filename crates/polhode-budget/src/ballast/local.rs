@@ -28,6 +28,9 @@ const LIGHTER: f64 = 1e-14;
 /// The most tangents of cones that are kept besides those where ballast is.
 const CUTS: usize = 12;
 
+/// A broken limit costs this many times its price.
+const PENALTY: f64 = 4.0;
+
 /// The most steps.
 const STEPS: usize = 100;
 
@@ -108,9 +111,8 @@ impl Problem {
             let step = self.step(&lots, &rows, reach);
             cuts.extend(self.cuts(&step.lots));
             cuts.drain(..cuts.len().saturating_sub(CUTS));
-            // An exact penalty: broken limits cost more than their prices.
             let prices = rows.iter().zip(&step.prices).map(|(row, price)| price.abs() * row.scale);
-            weight = 2.0 * prices.fold(total(&lots).max(0.5 * weight), f64::max);
+            weight = prices.fold(total(&lots).max(weight / PENALTY), f64::max) * PENALTY;
             let merit = |lots: &[Lot], broken: f64| {
                 if step.is_feasible { total(lots) / weight + broken } else { broken }
             };

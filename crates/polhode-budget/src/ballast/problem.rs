@@ -40,10 +40,10 @@ pub(super) struct Lot {
 /// The most ballast that is looked for, in masses of the body.
 const CAP: f64 = 1e3;
 
-/// Noise of a limit: these parts of its terms, and of what its constant is the difference of. Limits are kept inside by it,
-/// and are met if they are broken by no more than the multiple.
-const NOISE: [f64; 2] = [1e-13, 4.0 * f64::EPSILON];
-const BROKEN: f64 = 50.0;
+/// Noise of a limit: these parts of its terms, and of what its constant is the difference of. Limits are kept inside by it, and are
+/// met if they are broken by no more than these multiples of it: others than equalities, and equalities.
+const NOISE: [f64; 2] = [1e-12, 8.0 * f64::EPSILON];
+const BROKEN: [f64; 2] = [0.01, 10.0];
 
 /// A sum of sizes may exceed the most of a site by this part.
 pub(super) const ROUNDING: f64 = 1e-14;
@@ -175,11 +175,11 @@ impl Problem {
         terms.fold(start, |[value, noise], term| [value + term, noise + NOISE[0] * term.abs()])
     }
 
-    /// Returns by how much limits are broken: the sum over all, as parts of their magnitudes.
+    /// Returns by how much limits are broken, or nearly so: the sum over all, as parts of their magnitudes.
     pub(super) fn broken(&self, lots: &[Lot]) -> f64 {
         let broken = |row: &Row| {
             let [value, noise] = self.value(row, lots);
-            ((if row.is_zero { value.abs() } else { -value }) - noise).max(0.0) / row.scale
+            (if row.is_zero { value.abs() - noise } else { 0.5 * noise - value }).max(0.0) / row.scale
         };
         self.tangents(lots).iter().map(broken).sum()
     }
@@ -188,7 +188,7 @@ impl Problem {
     pub(super) fn is_met(&self, lots: &[Lot]) -> bool {
         let holds = |row: &Row| {
             let [value, noise] = self.value(row, lots);
-            (if row.is_zero { value.abs() } else { -value }) <= BROKEN * noise
+            (if row.is_zero { value.abs() } else { -value }) <= BROKEN[usize::from(row.is_zero)] * noise
         };
         self.fits(lots) && self.tangents(lots).iter().all(holds)
     }

@@ -286,9 +286,9 @@ pub(super) fn rules(
         let cone = core::iter::once(&first).chain(&rows).map(|row| row.added_to(&body));
         return Ok(sides.chain([Rule::Cone(cone.collect())]).collect());
     }
-    let above = least.iter().flat_map(|least| rows.iter().map(|row| row.plus(-least, &by)));
-    let below = most.iter().flat_map(|most| rows.iter().map(|row| most.plus(-1.0, row)));
-    Ok(above.chain(below).map(|row| linear(side(row, 0.0), false)).collect())
+    let above = least.map(|least| rows[0].plus(-least, &by));
+    let below = most.map(|most| most.plus(-1.0, &rows[0]));
+    Ok(above.into_iter().chain(below).map(|row| linear(side(row, 0.0), false)).collect())
 }
 
 pub(super) const ONE: Functional = Functional { constant: 1.0, ..Functional::ZERO };

@@ -5,8 +5,8 @@ use super::problem::{Lot, Problem, ROUNDING, total};
 /// Masses of the ballast that starts have at a single place where products are limited, as parts of the body.
 const ALONE: [f64; 3] = [0.2, 2.0, 20.0];
 
-/// The most trials of exchanges; one in which lots move counts as this many for each of them.
-const WORK: usize = 1_000_000;
+/// The most exchanges; one in which lots move counts as this many for each of them.
+const WORK: usize = 500_000;
 const MOVES: usize = 16;
 
 /// Shares of the least piece from which on a remainder is one.
@@ -95,11 +95,12 @@ impl<'a> Search<'a> {
                     break;
                 }
                 all = all.iter().flat_map(|(site, one)| problem.exchanged(one, *site)).collect();
+                self.work += all.len();
                 let keyed = all.iter().filter_map(|(_, lots)| Some((key(lots)?, lots)));
                 let mut tried: Vec<(f64, &Vec<Lot>)> = keyed.collect();
                 tried.sort_by(|a, b| a.0.total_cmp(&b.0));
                 for (_, trial) in tried {
-                    self.work += if moves { MOVES * trial.len() } else { 1 };
+                    self.work += if moves { MOVES * trial.len() } else { 0 };
                     if self.work > WORK {
                         return;
                     }

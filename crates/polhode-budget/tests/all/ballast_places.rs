@@ -1,4 +1,4 @@
-//! Ballast on lines, discs and circles, of sizes, with margins, and about the moving centre; proofs that are not.
+//! Ballast on lines, discs and circles, of sizes, with margins, and about the moving centre; and refusals.
 
 use polhode::math::{Body, Direction, Position, Rotation};
 use polhode_budget::{
@@ -6,7 +6,7 @@ use polhode_budget::{
     PartUncertainty, PartsList, PrincipalAxis, Round, Row, Site, Spread, Trial, Uncertainty,
 };
 
-use crate::ballast::{Random, at, body, center, least, limit, product, sites};
+use crate::ballast::{Random, at, body, center, least, limit, product, sites, sought};
 
 const X: Direction<Body> = Direction::new(1.0, 0.0, 0.0);
 const Y: Direction<Body> = Direction::new(0.0, 1.0, 0.0);
@@ -153,7 +153,7 @@ fn sizes_are_those_of_all_combinations() {
                 best = Some(total);
             }
         }
-        match (best, least(&budget, &sites(all), &limits)) {
+        match (best, sought(&budget, &sites(all), &limits)) {
             (None, None) => none += 1,
             (Some(best), Some(got)) => {
                 found += usize::from(best > 0.0);
@@ -174,7 +174,7 @@ fn products_about_the_moving_center_are_those_of_a_fine_search() {
         let whole = budget.mass_properties(Basis::Basic).unwrap();
         let points: Vec<Position<Body>> = (0..3).map(|_| random.point()).collect();
         let limits = [product([X, Z], About::CenterOfMass, 0.03), product([Y, Z], About::CenterOfMass, 0.05)];
-        let found = least(&budget, &sites(at(&points)), &limits);
+        let found = sought(&budget, &sites(at(&points)), &limits);
         // Masses on a grid that becomes finer about the best.
         let none = polhode::body::InertiaTensor::diagonal([0.0; 3]).unwrap();
         let broken = |masses: [f64; 3]| {
@@ -342,7 +342,7 @@ fn questions_that_cannot_be_answered_are_refused() {
     for (most, deviations) in [(Some(-1.0), 0.0), (Some(f64::NAN), 0.0), (None, -1.0), (None, f64::INFINITY)]
     {
         let question = Ballast { most, deviations, ..points.clone() };
-        assert!(matches!(refused(&question, mass()), BallastError::Question { .. }));
+        assert!(matches!(refused(&question, mass()), BallastError::Value { site: None, .. }));
     }
     let nowhere = Position::new(0.0, f64::NAN, 0.0);
     let origin = Position::ZERO;
@@ -358,7 +358,7 @@ fn questions_that_cannot_be_answered_are_refused() {
     for site in bad {
         let name = site.name.clone();
         let error = refused(&sites(vec![site]), mass());
-        assert!(matches!(&error, BallastError::Value { site, .. } if *site == name), "{error}");
+        assert!(matches!(&error, BallastError::Value { site: Some(site), .. } if *site == name), "{error}");
     }
 }
 
@@ -384,8 +384,8 @@ fn turned_and_moved_questions_have_the_same_answer() {
             product([v, w], About::CenterOfMass, 0.02),
         ]
     };
-    let one = least(&budget, &sites(at(&points)), &limits(X, Y, Z, Position::ZERO)).unwrap();
+    let one = sought(&budget, &sites(at(&points)), &limits(X, Y, Z, Position::ZERO)).unwrap();
     let other = limits(turn * X, turn * Y, turn * Z, away);
-    let two = least(&turned, &sites(at(&points.map(moved))), &other).unwrap();
+    let two = sought(&turned, &sites(at(&points.map(moved))), &other).unwrap();
     assert!((one.mass / two.mass - 1.0).abs() < 2e-6 && one.mass > 0.1, "{} {}", one.mass, two.mass);
 }

@@ -1,9 +1,7 @@
 //! The integration tests of `polhode-budget`, as one program: each links the whole library.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
-#[cfg(feature = "ballast")]
 mod ballast;
-#[cfg(feature = "ballast")]
 mod ballast_places;
 mod ballast_sizes;
 mod draws;

@@ -3,7 +3,6 @@
 
     pip install numpy trimesh scipy cadquery-ocp
     python3 benches/mass.py
-    python3 benches/mass.py kernel     # only the table of the STL kernel
 
 Accuracy: a deformed icosphere whose vertices are integers, so that exact rational arithmetic gives the truth; moved by 0, 1e3 and
 1e6 of its sizes, which f64 coordinates still carry exactly. Error: that of the central inertia tensor, in units of half its trace.
@@ -170,42 +169,6 @@ def processor():
     return platform.processor()
 
 
-KERNEL = "`cargo bench -p polhode-stl --bench quick` measures"
-
-
-def kernel(rounds=5):
-    """The time of the STL kernel: medians of so many runs."""
-    command = ["cargo", "bench", "-q", "-p", "polhode-stl", "--bench", "quick"]
-    times = {}
-    for _ in range(rounds):
-        for line in subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout.splitlines():
-            cells = [cell.strip() for cell in line.strip("| ").split("|")]
-            if len(cells) == 7 and cells[0].isdigit():
-                triangles, written, threads, what, _, ns, _ = cells
-                times.setdefault((int(triangles), written, int(threads)), {}).setdefault(what, []).append(float(ns))
-    middle = lambda values: f"{sorted(values)[rounds // 2]:.1f}"
-    rows = "\n".join(f"| {(case[0] * 50 + 84) / 1e6:.0f} MB, {case[1]}, {case[2]} | {middle(of['moments'])} | {middle(of['moments and edges'])} |"
-                     for case, of in times.items())
-    return f"""{KERNEL} the time of the moments of a file that the system has in its memory, read in pieces of 200 KiB,
-in nanoseconds a triangle, the least of many rounds; the middle of {rounds} such runs.
-
-| file, threads | moments | with the verdict |
-|---|---|---|
-{rows}
-
-How fast a file is read depends on how the system keeps it: written at once it lies in pages of megabytes, written in pieces of 64 KiB, as most
-programs write, in small ones.
-
-From the cache the moments take 1.2 ns a triangle and 0.7 µs a call (AVX-512, AMD Zen 5). The rest is the system's copy, of a file in large pages
-1.7 to 2.0 ns: it copies, and only then are there sums; one thread cannot do both. A file mapped into memory needs no copy, and took half of the time
-in large pages and a tenth more in small ones; but one that another program shortens meanwhile ends the process by a signal, so files are read.
-Two loops, columns of 128 triangles and then their sums, an octet's terms added a turn after they were found, are faster than one (its registers
-do not suffice). Loads are scarcer than shuffles: a pair of records is loaded twice, not four times. Tried and left: larger buffers, and one in a
-large page as far from a line's begin as the file's bytes (no change).
-
-"""
-
-
 def main():
     import importlib.metadata as metadata
 
@@ -239,17 +202,17 @@ def main():
             path = folder / "mesh.stl"
             write_stl(path, vertices, faces)
             megabytes = path.stat().st_size / 1e6
-            mine = [least(lambda: run(polhode, "inertia", path, "--json", *flags)) for flags in (["--quick"], [])]
+            mine = least(lambda: run(polhode, "inertia", path, "--json"))
             rust = least(lambda: run(peers, "stl", path), 3)
             python = least(lambda: trimesh.load(path).moment_inertia, 2)
             kernel = least(lambda: occt_of_stl(path), 2)
-            times.append((len(faces), megabytes, [*mine, rust, python, kernel]))
+            times.append((len(faces), megabytes, [mine, rust, python, kernel]))
 
     def shown(e):
         return e if isinstance(e, str) else f"{e:.0e}"
 
     accuracy = "\n".join(f"| {n:,} | {'0' if s == 0 else f'{s:.0e}'} | " + " | ".join(map(shown, e)) + " |" for n, s, e in rows)
-    speed = "\n".join(f"| {n:,} | {mb:.0f} MB | " + " | ".join(f"{t:.3f}" for t in ts) + f" | {ts[2] / ts[1]:.0f}, {ts[3] / ts[1]:.0f}, {ts[4] / ts[1]:.0f} |"
+    speed = "\n".join(f"| {n:,} | {mb:.0f} MB | " + " | ".join(f"{t:.3f}" for t in ts) + f" | {ts[1] / ts[0]:.0f}, {ts[2] / ts[0]:.0f}, {ts[3] / ts[0]:.0f} |"
                       for n, mb, ts in times)
     first = lambda *c: run(*c).strip()
     page = f"""# Mass properties beside others
@@ -271,14 +234,13 @@ OCCT integrates a face for every triangle, so it was run on the small mesh only.
 ## Time
 
 A whole answer from a binary STL file, seconds: start of the process, reading, integrating, printing; of the Python packages the call alone.
-`--quick` leaves out the diagnosis of the mesh.
 
-| triangles | file | polhode --quick | polhode | stl_io + parry | trimesh | OCCT | times polhode |
-|---|---|---|---|---|---|---|---|
+| triangles | file | polhode | stl_io + parry | trimesh | OCCT | times polhode |
+|---|---|---|---|---|---|---|
 {speed}
 
-{kernel()}The full diagnosis of 1.3 million triangles (edges, components, cavities, duplicates, overlaps; `cargo bench -p polhode --bench mesh`) takes 0.25 s
-on one thread and 0.17 s on two; without indices 0.34 and 0.24 s. OBJ is read at 0.77 to 1.05 GB/s on one thread
+The full diagnosis of 1.3 million triangles (edges, components, cavities, duplicates, overlaps; `cargo bench -p polhode --bench mesh`) takes 0.25 s
+on one thread and 0.17 s on two; without indices 0.34 and 0.24 s. OBJ is read at 0.3 to 0.4 GB/s on one thread of a busy machine
 (`cargo bench -p polhode-formats --bench obj`).
 """
     (ROOT / "book/mass-properties.md").write_text(page)
@@ -286,9 +248,4 @@ on one thread and 0.17 s on two; without indices 0.34 and 0.24 s. OBJ is read at
 
 
 if __name__ == "__main__":
-    if sys.argv[1:] == ["kernel"]:
-        path = ROOT / "book/mass-properties.md"
-        before, rest = path.read_text().split(KERNEL)
-        path.write_text(before + kernel() + rest[rest.index("The full diagnosis"):])
-    else:
-        main()
+    main()

@@ -1,13 +1,11 @@
 //! Meshes: what is accepted is finite, is the same when it is read again or from another format, and bounds a possible body.
 
 use std::fmt::Write as _;
-use std::num::NonZeroUsize;
 use std::path::Path;
 
 use polhode::body::mesh::{ConvexHull, TriangleMesh};
 use polhode::body::shape::{Shape as _, Substance};
 use polhode::math::Rotation;
-use polhode_formats::mesh::stl_quick::{self, QuickOptions};
 use polhode_formats::mesh::{MeshContents, MeshFormat, MeshSolid, points};
 
 use super::physical::{assert_physical, assert_written_is_read};
@@ -17,16 +15,6 @@ const MOST: usize = 2000;
 
 pub fn stl(data: &[u8]) {
     mesh(data, MeshFormat::Stl);
-    let options = QuickOptions { threads: NonZeroUsize::MIN, verdict: true };
-    let quick = stl_quick::parse(data, Path::new("a.stl"), &options);
-    assert_eq!(quick, stl_quick::parse(data, Path::new("a.stl"), &options));
-    if let Ok(Some(quick)) = quick
-        && quick.closed == Some(true)
-        && let Ok(solid) = quick.solid(0.001)
-        && let Ok(body) = solid.mass_properties(Substance::Density(2.5))
-    {
-        assert_physical(&body);
-    }
 }
 
 pub fn obj(data: &[u8]) {

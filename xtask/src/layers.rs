@@ -25,7 +25,7 @@ const MODULES: [&str; 13] = [
 ];
 
 /// What files below a path may not say, and why.
-const FORBIDDEN: [(&str, &[&str], &str); 5] = [
+const FORBIDDEN: [(&str, &[&str], &str); 6] = [
     (
         "crates/polhode/src/",
         &[
@@ -50,6 +50,11 @@ const FORBIDDEN: [(&str, &[&str], &str); 5] = [
         "crates/polhode/src/observe/",
         &["propagate::", "Stepper", "Trajectory::compute"],
         "observe never integrates",
+    ),
+    (
+        "crates/polhode-document/src/",
+        &["std::fs", "std::env", "std::time", "print!", "println!", "polhode_formats", "polhode_report"],
+        "a document knows no file and no subject",
     ),
     (
         "crates/polhode-report/src/",

@@ -33,7 +33,7 @@ pub(crate) fn notices(target: &str) -> Result<String, String> {
             texts.entry(text).or_default().push(format!("{name} {version} ({licence})"));
         }
     }
-    for file in files(&root().join("crates/polhode-report/assets"), "txt")? {
+    for file in files(&root().join("crates/polhode-document/assets"), "txt")? {
         let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         texts.entry(read(&file)?).or_default().push(name);
     }

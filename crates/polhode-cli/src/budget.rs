@@ -6,12 +6,13 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use polhode::math::{Body, Part, Position, Rotation};
 use polhode_budget::{Basis, LimitError};
+use polhode_document::Document;
+use polhode_document::json::pretty;
+use polhode_document::layout::printable;
 use polhode_formats::budget::{self, BudgetFile, OverTime, Questions};
 use polhode_formats::table::workbook;
-use polhode_report::plain::printable;
 use polhode_report::{
-    BudgetCell, BudgetDiff, BudgetOptions, BudgetReport, BudgetSheet, Document, NoConfiguration, PlanOptions,
-    pretty,
+    BudgetCell, BudgetDiff, BudgetOptions, BudgetReport, BudgetSheet, NoConfiguration, PlanOptions,
 };
 use serde_json::Value;
 
@@ -199,7 +200,7 @@ impl BudgetCommand {
         } else if self.html {
             document().to_html()
         } else {
-            document().to_text(columns().unwrap_or(polhode_report::plain::WIDTH))
+            document().to_text(columns().unwrap_or(polhode_document::layout::WIDTH))
         }
     }
 

@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use polhode_document::json::pretty;
 use polhode_formats::scenario::ScenarioFile;
-use polhode_report::{explain, pretty};
+use polhode_report::explain;
 
 use crate::failure::Failure;
 use crate::stderr::shown;

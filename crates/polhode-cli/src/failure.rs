@@ -5,8 +5,8 @@ use std::io;
 use std::path::Path;
 
 use polhode::motion::MotionError;
+use polhode_document::VERSION;
 use polhode_formats::{FormatError, Place};
-use polhode_report::VERSION;
 use polhode_sweep::SweepError;
 use serde_json::{Value, json};
 

@@ -5,10 +5,11 @@ mod simple;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use polhode_document::json::pretty;
 use polhode_formats::identify::{self, Measurement, Plan};
 use polhode_formats::unit::Dimension;
 use polhode_identify::IdentifyError;
-use polhode_report::{BodySize, IdentifyReport, pretty};
+use polhode_report::{BodySize, IdentifyReport};
 
 use crate::failure::Failure;
 use crate::numbers::{positive, quantity};
@@ -92,7 +93,7 @@ impl Identify {
         } else if self.html {
             report.to_document().to_html()
         } else {
-            report.to_document().to_text(columns().unwrap_or(polhode_report::plain::WIDTH))
+            report.to_document().to_text(columns().unwrap_or(polhode_document::layout::WIDTH))
         })?;
         if self.strict && report.has_model_error() { Err(Failure::Findings) } else { Ok(()) }
     }

@@ -8,7 +8,6 @@ mod model;
 mod molecule;
 mod output;
 mod particles;
-mod quick;
 mod robot;
 mod substance;
 mod voxel;
@@ -18,13 +17,14 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode::math::{Body, Part, Position, Rotation};
+use polhode_document::SourceInfo;
 use polhode_formats::brep::BrepFormat;
 use polhode_formats::mesh::MeshFormat;
 use polhode_formats::molecule::MoleculeFormat;
 use polhode_formats::scenario;
 use polhode_formats::unit::Dimension;
 use polhode_formats::{ContentError, ContentErrorKind, ContentPlace, read_file};
-use polhode_report::{InertiaReport, SourceInfo};
+use polhode_report::InertiaReport;
 
 use self::cad::CadFlags;
 use self::kind::Kind;
@@ -99,12 +99,6 @@ pub(crate) struct Inertia {
 
 impl Inertia {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        if self.mesh.is_quick() && self.output.is_for_another_program() {
-            return Err(Failure::usage(
-                "--as does not go with --quick: another program's file would not say that the mesh was not checked",
-                "leave --quick out",
-            ));
-        }
         self.mesh.check_output(self.files.len())?;
         if self.robot.table {
             return self.tables();

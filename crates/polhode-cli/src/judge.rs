@@ -9,18 +9,19 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode::infer::judge::JudgeError;
+use polhode_document::Document;
+use polhode_document::json::pretty;
 use polhode_formats::run_log::{self, RunLog};
 use polhode_formats::scenario::{ScenarioFile, text_of};
 use polhode_formats::unit::Dimension;
 use polhode_formats::{Confinement, NotOpened};
-use polhode_report::{Document, JudgeReport, JudgedRun, judge_hint, pretty};
+use polhode_report::{JudgeReport, JudgedRun, judge_hint};
 use serde_json::Value;
 
 use crate::failure::Failure;
 use crate::numbers::{positive, quantity};
 use crate::stderr::shown;
 use crate::stdout::{columns, print};
-
 use read_as::ReadAs;
 
 /// Check the motion that another program computed, and find the cause of its error.
@@ -112,7 +113,7 @@ impl Judge {
         } else if self.html {
             document.to_html()
         } else {
-            document.to_text(columns().unwrap_or(polhode_report::plain::WIDTH))
+            document.to_text(columns().unwrap_or(polhode_document::layout::WIDTH))
         })
     }
 

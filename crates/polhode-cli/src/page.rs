@@ -7,7 +7,8 @@ use std::path::Path;
 use polhode::body::PrincipalFrame;
 use polhode::math::Body;
 use polhode::motion::{Scenario, Trajectory};
-use polhode_report::{PageInput, PageSubject, VERSION, explain_motion, page};
+use polhode_document::VERSION;
+use polhode_report::{PageInput, PageSubject, explain_motion, page};
 
 use crate::failure::Failure;
 use crate::folder::{Folder, PAGE};

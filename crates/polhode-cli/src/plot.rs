@@ -5,7 +5,8 @@ use std::io::{self, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use polhode_report::{Figure, MotionFigures, Picture, PlotError};
+use polhode_document::Picture;
+use polhode_report::{Figure, MotionFigures, PlotError};
 
 use crate::failure::Failure;
 use crate::partial;

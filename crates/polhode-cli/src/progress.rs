@@ -4,7 +4,7 @@ use std::io::{self, IsTerminal as _, Write as _};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use polhode_report::plain::printable;
+use polhode_document::layout::printable;
 
 /// A run shorter than this shows nothing, and the line changes no more often.
 const PATIENCE: Duration = Duration::from_millis(500);

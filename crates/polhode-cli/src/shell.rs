@@ -1,7 +1,7 @@
 //! What shells and `man` want: both made from the same definitions as `--help`.
 
 use clap::{Args, Command};
-use polhode_report::VERSION;
+use polhode_document::VERSION;
 
 use crate::failure::Failure;
 use crate::stdout::print_script;

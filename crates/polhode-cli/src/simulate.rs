@@ -5,8 +5,10 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode::motion::{Ending, ErrorEffort, Run, Sample, Scenario, Trajectory};
+use polhode_document::SourceInfo;
+use polhode_document::json::pretty;
 use polhode_formats::scenario::{ScenarioFile, TableFormat};
-use polhode_report::{MotionFigures, MotionReport, SourceInfo, pretty};
+use polhode_report::{MotionFigures, MotionReport};
 
 use crate::browser::open;
 use crate::failure::Failure;

@@ -12,8 +12,9 @@ use polhode::body::InertiaTensor;
 use polhode::math::{Attitude, Body, Space};
 use polhode::motion::FreeMotion;
 use polhode::observe::{AxisConvention, TumblingPeriods};
+use polhode_document::json::pretty;
 use polhode_formats::unit::Dimension;
-use polhode_report::{MotionFigures, SpinReport, TumblerReport, pretty};
+use polhode_report::{MotionFigures, SpinReport, TumblerReport};
 
 use crate::failure::Failure;
 use crate::numbers::{numbers, positive, rotation};

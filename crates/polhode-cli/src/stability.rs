@@ -3,8 +3,10 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use polhode_document::SourceInfo;
+use polhode_document::json::pretty;
 use polhode_formats::scenario;
-use polhode_report::{GroundStabilityReport, SourceInfo, StabilityReport, pretty};
+use polhode_report::{GroundStabilityReport, StabilityReport};
 
 use crate::failure::Failure;
 use crate::stderr::shown;

@@ -3,7 +3,7 @@
 use std::io::{self, Write as _};
 use std::path::Path;
 
-use polhode_report::plain::{printable, printable_lines};
+use polhode_document::layout::{printable, printable_lines};
 
 /// Writes lines for people to standard error: no name in it can steer the terminal. Where it is closed there is nobody left to tell.
 pub(crate) fn tell(text: &str) {

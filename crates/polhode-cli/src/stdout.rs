@@ -3,7 +3,7 @@
 use std::io::{self, IsTerminal as _, Write as _};
 
 use clap::builder::StyledStr;
-use polhode_report::plain::printable_lines;
+use polhode_document::layout::printable_lines;
 
 use crate::failure::Failure;
 

@@ -11,8 +11,8 @@ use std::thread::available_parallelism;
 
 use clap::Args;
 use polhode::body::Severity;
-use polhode_report::plain::printable;
-use polhode_report::pretty;
+use polhode_document::json::pretty;
+use polhode_document::layout::printable;
 use polhode_sweep::{Dataset, Plan};
 
 use crate::failure::Failure;

@@ -6,11 +6,13 @@ use clap::Args;
 use polhode::body::Particle;
 use polhode::math::{Body, Position};
 use polhode::motion::Scenario;
+use polhode_document::SourceInfo;
+use polhode_document::json::pretty;
 use polhode_formats::scenario;
 use polhode_formats::table::parquet;
 use polhode_formats::table::required::RequiredTable;
 use polhode_formats::unit::{self, Dimension};
-use polhode_report::{RequiredReport, SourceInfo, pretty};
+use polhode_report::RequiredReport;
 
 use crate::failure::Failure;
 use crate::numbers::{Times, positive, quantity, times};

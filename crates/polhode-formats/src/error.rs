@@ -9,12 +9,9 @@ use std::path::{Path, PathBuf};
 use polhode::body::BodyError;
 use polhode::math::RotationError;
 use polhode::motion::MotionError;
-use polhode_budget::{BudgetError, SequenceError};
-use polhode_identify::IdentifyError;
 
 use crate::content::{ContentError, ContentPlace};
 use crate::expression::ExpressionError;
-use crate::mesh::stl_error::{StlError, StlPlace};
 use crate::text::{cut, escaped, is_utf16, visible};
 use crate::unit::UnitError;
 
@@ -130,14 +127,13 @@ pub enum FormatErrorKind {
     Motion(MotionError),
     /// Numbers that are not a rotation.
     Rotation(RotationError),
-    /// Measurements from which no body can be found.
-    Identify(IdentifyError),
-    /// Parts that make no possible body.
-    Budget(BudgetError),
-    /// Tanks, or what is to happen over time, that cannot be.
-    Sequence(SequenceError),
-    /// Bytes that are not an STL file.
-    Stl(StlError),
+    /// Numbers that break a rule of the file's subject: of a budget, a measurement, a mesh.
+    Subject {
+        /// Rule in words, with the values.
+        message: String,
+        /// Advice for the user.
+        hint: Option<String>,
+    },
     /// Contents that are not what the format asks for.
     Content(ContentError),
 }
@@ -319,12 +315,7 @@ impl fmt::Display for FormatErrorKind {
             Self::Mesh { part: Some(part), error } => write!(f, "part {part:?}: {error}"),
             Self::Motion(e) => e.fmt(f),
             Self::Rotation(e) => e.fmt(f),
-            Self::Identify(e) => e.fmt(f),
-            Self::Budget(e) => e.fmt(f),
-            Self::Sequence(e) => e.fmt(f),
-            // A line and a column are the error's own; a record has to be said.
-            Self::Stl(e) if matches!(e.place(), Some(StlPlace::Text { .. })) => f.write_str(&e.message()),
-            Self::Stl(e) => e.fmt(f),
+            Self::Subject { message, .. } => f.write_str(message),
             Self::Content(e) if matches!(e.place, ContentPlace::Text(_)) => e.kind.fmt(f),
             Self::Content(e) => e.fmt(f),
         }
@@ -332,6 +323,11 @@ impl fmt::Display for FormatErrorKind {
 }
 
 impl FormatErrorKind {
+    /// An error of a subject, with what to do about it.
+    pub fn subject(error: &impl fmt::Display, hint: Option<&str>) -> Self {
+        Self::Subject { message: error.to_string(), hint: hint.map(str::to_owned) }
+    }
+
     fn hint(&self) -> Option<String> {
         match self {
             Self::Io { kind: io::ErrorKind::NotFound, .. } => {
@@ -370,10 +366,7 @@ impl FormatErrorKind {
             }
             Self::Motion(e) => e.hint().map(str::to_owned),
             Self::Rotation(e) => Some(rotation_hint(e).to_owned()),
-            Self::Identify(e) => e.hint().map(str::to_owned),
-            Self::Budget(e) => e.hint().map(str::to_owned),
-            Self::Sequence(e) => e.hint().map(str::to_owned),
-            Self::Stl(e) => e.hint().map(str::to_owned),
+            Self::Subject { hint, .. } => hint.clone(),
             Self::Content(e) => e.hint.clone(),
         }
     }

@@ -26,7 +26,6 @@ pub mod budget;
 pub mod cad;
 mod confinement;
 mod content;
-mod decimal;
 mod error;
 pub mod expression;
 mod file;

@@ -17,7 +17,6 @@ mod least_squares;
 mod next;
 pub mod payload;
 mod principal;
-mod region;
 mod residuals;
 pub mod swing;
 pub mod tumble;
@@ -27,7 +26,6 @@ pub use estimate::{ANGLE, Estimate, Number, Undetermined};
 pub use knowledge::Knowledge;
 pub use next::{Candidate, NextExperiment};
 pub use principal::PrincipalEstimate;
-pub use region::{TRIANGLE, on_triangle, possible_ratios, ratio_region};
 pub use residuals::ResidualTest;
 
 /// Gravity at the Earth's surface, m/s²: 9.780 at the equator, 9.832 at the poles, and less on mountains.

@@ -1,5 +1,6 @@
 //! Principal moments and axes of a tensor that was found, with their errors.
 
+use polhode::body::ratio_region;
 use polhode::math::symmetric_eigen;
 
 use crate::estimate::{ANGLE, Estimate, Undetermined};
@@ -37,6 +38,12 @@ const RATIO_RANGES: [f64; 2] = [1.0, 0.5];
 const THICKNESS_RANGE: f64 = 1.0;
 
 impl PrincipalEstimate {
+    /// [`ratio_region`] of the ratios that were found; `None` where they are not known.
+    pub fn ratio_region(&self, probability: f64) -> Option<Vec<[f64; 2]>> {
+        let [Some(first), Some(second)] = self.ratio_sd else { return None };
+        ratio_region(self.ratios, [first, second], self.ratio_correlation.unwrap_or(0.0), probability)
+    }
+
     /// Returns the reason if i1/i3 (`k` = 0) or i2/i3 (`k` = 1) is not determined.
     ///
     /// # Panics
@@ -127,4 +134,28 @@ impl PrincipalEstimate {
 pub(crate) fn element_row(u: [f64; 3], v: [f64; 3]) -> [f64; 6] {
     let off = |i: usize, j: usize| u[i] * v[j] + u[j] * v[i];
     [u[0] * v[0], u[1] * v[1], u[2] * v[2], off(0, 1), off(0, 2), off(1, 2)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::PrincipalEstimate;
+
+    #[test]
+    fn ratios_that_are_not_known_have_no_region() {
+        let mut estimate = PrincipalEstimate {
+            moments: [0.6, 0.8, 1.0],
+            moment_sd: [None; 3],
+            moment_covariance: None,
+            ratios: [0.6, 0.8],
+            ratio_sd: [Some(0.01), Some(0.02)],
+            ratio_correlation: Some(0.0),
+            thickness: 0.4,
+            thickness_sd: None,
+            axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+            turn_sd: [None; 3],
+        };
+        assert!(estimate.ratio_region(0.95).is_some());
+        estimate.ratio_sd[1] = None;
+        assert_eq!(estimate.ratio_region(0.95), None);
+    }
 }

@@ -7,9 +7,10 @@ use std::time::{Duration, Instant};
 use hyper::StatusCode;
 use polhode::body::{Finding, Severity};
 use polhode::motion::{ErrorEffort, MotionError, Run, Scenario, Trajectory};
+use polhode_document::VERSION;
 use polhode_formats::FormatError;
 use polhode_formats::scenario::{Draft, ScenarioFile};
-use polhode_report::{PageInput, PageSubject, VERSION, explain_motion, page_rows};
+use polhode_report::{PageInput, PageSubject, explain_motion, page_rows};
 
 use crate::answer::Refusal;
 use crate::edit::edited;

@@ -3,7 +3,8 @@
 use polhode::body::shape::Substance;
 use polhode::body::{Finding, InertiaTensor, MassProperties, Severity};
 use polhode::math::{Body, Position};
-use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
+use polhode_document::SourceInfo;
+use polhode_report::{InertiaReport, PartRow, parts};
 use pyo3::prelude::*;
 
 use crate::error::Raise;

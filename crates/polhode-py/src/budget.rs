@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 use numpy::PyArray2;
 use polhode::math::{Body, Part, Position, Rotation};
 use polhode_budget::{Basis, LimitError};
+use polhode_document::layout::{WIDTH, printable};
 use polhode_formats::FormatError;
 use polhode_formats::budget::{self, BudgetFile};
-use polhode_report::{BudgetOptions, BudgetReport, NoConfiguration, plain};
+use polhode_report::{BudgetOptions, BudgetReport, NoConfiguration};
 use pyo3::prelude::*;
 
 use crate::arrays::matrix;
@@ -70,13 +71,13 @@ pub(crate) fn budget_list(
     let [json, text, markdown, page] = py.detach(|| {
         let document = report.to_document();
         let json = report.to_json().to_string();
-        [json, document.to_text(plain::WIDTH), document.to_markdown(), document.to_html()]
+        [json, document.to_text(WIDTH), document.to_markdown(), document.to_html()]
     });
     Ok(Budgeted { json, text, markdown, page, is_beyond: report.is_beyond(), draws, scenarios })
 }
 
 fn report(file: BudgetFile, asked: &Asked, axes: Option<Rotation<Body, Part>>) -> PyResult<BudgetReport> {
-    let sources = file.sources(&|path: &Path| plain::printable(&path.to_string_lossy()));
+    let sources = file.sources(&|path: &Path| printable(&path.to_string_lossy()));
     let BudgetFile { title, configurations, questions, limits, ballast, prescribed, .. } = file;
     let mut all: Vec<_> = configurations.into_iter().map(|one| (one.name, one.budget)).collect();
     if let Some(wanted) = &asked.configuration {

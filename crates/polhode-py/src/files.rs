@@ -3,12 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use polhode::body::BodyError;
+use polhode_document::Extra;
+use polhode_document::SourceInfo;
 use polhode_formats::cad::{self, CadOptions, CadReport, DecimalMark, ProductConvention};
 use polhode_formats::molecule::{self, Isotopes, MoleculeFormat};
 use polhode_formats::particles::{self, ParticleOptions};
 use polhode_formats::voxel::{self, VoxelOptions};
 use polhode_formats::{FormatError, read_file, read_text_file, scenario};
-use polhode_report::{Extra, InertiaReport, MoleculeReport, SourceInfo, error_estimate, sign_proof};
+use polhode_report::{InertiaReport, MoleculeReport, error_estimate, sign_proof};
 use pyo3::prelude::*;
 
 use crate::error::{Raise, refused};

@@ -5,7 +5,8 @@ use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{AngularVelocity, Attitude, Body, Position};
 use polhode::motion::{FreeMotion, FreeMotionDerivatives, Method, Rotor, Run, State, Trajectory};
 use polhode::observe::FreeRegime;
-use polhode_report::{PageInput, PageSubject, SpinReport, VERSION, page};
+use polhode_document::VERSION;
+use polhode_report::{PageInput, PageSubject, SpinReport, page};
 use pyo3::prelude::*;
 
 use crate::arrays::{ErrorColumns, Signs, error_columns, numbers, row, rows_mut};

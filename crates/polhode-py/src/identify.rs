@@ -6,6 +6,7 @@ use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use polhode::math::{Acceleration, AngularAcceleration, AngularVelocity, Attitude, Direction, Force, Torque};
 use polhode::motion::torque::DragLaw;
 use polhode::motion::{Motor, Wheel};
+use polhode_document::layout::{WIDTH, printable};
 use polhode_formats::identify::{self, Measurement, Plan};
 use polhode_identify::IdentifyError;
 use polhode_identify::payload::{
@@ -14,7 +15,7 @@ use polhode_identify::payload::{
 use polhode_identify::tumble::{
     AttitudeReading, Flight, FlightSearch, GyroErrors, GyroReading, TumbleOptions,
 };
-use polhode_report::{IdentifyReport, plain};
+use polhode_report::IdentifyReport;
 use pyo3::prelude::*;
 
 use crate::actions::read_torques;
@@ -69,7 +70,7 @@ pub(crate) fn identify_plan<'py>(
 
 /// As `polhode identify` does it.
 fn found(plan: &Plan) -> Result<IdentifyReport, IdentifyError> {
-    let shown = |path: &Path| plain::printable(&path.to_string_lossy());
+    let shown = |path: &Path| printable(&path.to_string_lossy());
     let (title, sources) = (plan.title.as_deref(), plan.sources(&shown));
     match &plan.measurement {
         Measurement::Tumble(plan) => IdentifyReport::of_flights(title, sources, &plan.flights, &plan.options),
@@ -83,7 +84,7 @@ fn identified(py: Python<'_>, report: IdentifyReport) -> PyResult<Identified<'_>
     let [json, text, markdown, page] = py.detach(|| {
         let document = report.to_document();
         let json = report.to_json().to_string();
-        [json, document.to_text(plain::WIDTH), document.to_markdown(), document.to_html()]
+        [json, document.to_text(WIDTH), document.to_markdown(), document.to_html()]
     });
     let payload = if let IdentifyReport::Payload(payload) = &report { Some(payload) } else { None };
     let tests = if let IdentifyReport::Swing(swings) = &report { &swings.found().tests[..] } else { &[] };

@@ -219,7 +219,7 @@ fn judged<'py>(py: Python<'py>, file: &ScenarioFile, run: JudgedRun) -> PyResult
         is_exact,
         findings: remarks(file.scenario.findings()),
         json: report.to_json().to_string(),
-        text: document.to_text(polhode_report::plain::WIDTH),
+        text: document.to_text(polhode_document::layout::WIDTH),
         markdown: document.to_markdown(),
         page: document.to_html(),
     })

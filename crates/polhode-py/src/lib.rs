@@ -99,6 +99,6 @@ mod _native {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
-        module.add("VERSION", polhode_report::VERSION)
+        module.add("VERSION", polhode_document::VERSION)
     }
 }

@@ -8,7 +8,8 @@ use polhode::body::{
     PartDerivatives, Particle, ParticleDerivatives, PlacedPart,
 };
 use polhode::math::{Body, Direction, Part, Position, Rotation};
-use polhode_report::{InertiaReport, SourceInfo};
+use polhode_document::SourceInfo;
+use polhode_report::InertiaReport;
 use pyo3::prelude::*;
 
 use crate::arrays::{cube, numbers, room, rows, table};

@@ -5,7 +5,8 @@ use polhode::body::{
     InertiaAbout, InertiaTensor, MassProperties, Particle, PrincipalFrame, mass_properties_of_particles,
 };
 use polhode::math::{Body, Part, Position, Rotation};
-use polhode_report::{ExportBody, ExportFormat, InertiaReport, SourceInfo, export};
+use polhode_document::SourceInfo;
+use polhode_report::{ExportBody, ExportFormat, InertiaReport, export};
 use pyo3::prelude::*;
 
 use crate::arrays::{finite_matrix, matrix, numbers, row, rows};

@@ -7,12 +7,14 @@ use polhode::body::density::{Cubature, FieldError, Solid, mass_properties_of_fie
 use polhode::body::mesh::{ConvexHull, MeshShell, TriangleMesh};
 use polhode::body::shape::{Extent, Shape, Substance};
 use polhode::body::{BodyError, Finding, MassProperties, Severity};
+use polhode_document::Extra;
+use polhode_document::SourceInfo;
 use polhode_formats::expression::Expression;
 use polhode_formats::mesh::{
     AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshPart, MeshRepair, MeshSolid, RepairBound,
     SolidPart, UnitedMesh,
 };
-use polhode_report::{Extra, InertiaReport, PartRow, SourceInfo, error_estimate, parts};
+use polhode_report::{InertiaReport, PartRow, error_estimate, parts};
 use pyo3::prelude::*;
 
 use crate::arrays::rows;

@@ -8,10 +8,11 @@ use polhode::motion::torque::TorqueModel;
 use polhode::motion::{
     Ending, ErrorEffort, Event, Measure, MotionError, Run, Scenario, Trajectory, TrajectoryDerivatives,
 };
+use polhode_document::SourceInfo;
+use polhode_document::VERSION;
 use polhode_formats::table::{Column, columns};
 use polhode_report::{
-    MotionReport, PageInput, PageSubject, SourceInfo, VERSION, explain_motion, has_triangles, page_data,
-    page_data_within, page_of,
+    MotionReport, PageInput, PageSubject, explain_motion, has_triangles, page_data, page_data_within, page_of,
 };
 use pyo3::prelude::*;
 

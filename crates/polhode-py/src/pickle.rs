@@ -5,7 +5,9 @@ use std::sync::{Mutex, PoisonError};
 
 use polhode::body::{Finding, InertiaTensor, MassProperties, Severity};
 use polhode::math::Position;
-use polhode_report::{Extra, InertiaReport, SourceInfo};
+use polhode_document::Extra;
+use polhode_document::SourceInfo;
+use polhode_report::InertiaReport;
 use pyo3::prelude::*;
 use serde_json::Value;
 
@@ -29,8 +31,8 @@ pub(crate) type Values = (Numbers, Source, Geometry, Vec<Block>, Vec<Remark>);
 
 /// The values of a report.
 pub(crate) fn values(report: &InertiaReport) -> Values {
-    // All fields by name, so that a new one is not forgotten. Other axes, axes in the text, and files that are looked at in part, are
-    // for the command only.
+    // All fields by name, so that a new one is not forgotten. Other axes, and axes in the text, are for the
+    // command only.
     let InertiaReport {
         source,
         properties,
@@ -42,7 +44,6 @@ pub(crate) fn values(report: &InertiaReport) -> Values {
         findings,
         axes: _,
         show_axes: _,
-        not_checked: _,
     } = report;
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = properties.inertia().matrix();
     let SourceInfo { path, format, description, fields } = source.clone();

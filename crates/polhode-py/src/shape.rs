@@ -6,7 +6,8 @@ use polhode::body::shape::{
 };
 use polhode::body::{BodyError, MassProperties, PlacedPart};
 use polhode::math::{Body, Part, Position, Rotation};
-use polhode_report::{InertiaReport, SourceInfo};
+use polhode_document::SourceInfo;
+use polhode_report::InertiaReport;
 use pyo3::prelude::*;
 
 use crate::error::{Raise, refused};

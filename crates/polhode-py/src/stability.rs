@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use polhode_document::SourceInfo;
 use polhode_formats::scenario::ScenarioFile;
-use polhode_report::{GroundStabilityReport, SourceInfo, StabilityReport};
+use polhode_report::{GroundStabilityReport, StabilityReport};
 use pyo3::prelude::*;
 
 use crate::error::{Raise, refused};

@@ -2,9 +2,8 @@
 
 use polhode::body::{BodyPart, MassProperties, PrincipalFrame};
 use polhode::math::{Body, Frame};
+use polhode_document::json::{matrix, numbers, vector};
 use serde_json::{Map, Value, json};
-
-use crate::json::{matrix, numbers, vector};
 
 /// What the shape of a body gives besides its mass properties.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

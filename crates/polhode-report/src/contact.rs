@@ -5,12 +5,11 @@ use polhode::motion::contact::{
     GroundSide, SurfaceShape,
 };
 use polhode::motion::{GroundContact, Scenario, Trajectory};
+use polhode_document::json::vector;
+use polhode_document::layout::{columns, labelled};
+use polhode_document::number::{count, error, number, vector as triple};
+use polhode_document::unit::{DIGITS, angle, length, place};
 use serde_json::{Value, json};
-
-use crate::json::vector;
-use crate::layout::{columns, labelled};
-use crate::number::{count, error, number, vector as triple};
-use crate::unit::{DIGITS, angle, length, place};
 
 /// More changes than these fill the screen: JSON has them all.
 const MOST: usize = 12;

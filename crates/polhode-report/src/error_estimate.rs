@@ -1,11 +1,10 @@
 //! How far computed mass properties may be off.
 
 use polhode::body::density::FieldError;
+use polhode_document::Extra;
+use polhode_document::layout::labelled;
+use polhode_document::number::error;
 use serde_json::json;
-
-use crate::extra::Extra;
-use crate::layout::labelled;
-use crate::number::error;
 
 /// The block `error_estimate`: of the mass, kg, of the centre of mass, m, and of the tensor's elements relative to half its trace;
 /// `by` says what it is an estimate of.

@@ -1,12 +1,11 @@
 //! Events, and how a motion ended, as reports show them.
 
 use polhode::motion::{Crossing, Ending, Event, EventAction, Measure, Reference, Scenario, Trajectory};
+use polhode_document::json::{numbers, vector};
+use polhode_document::layout::{columns, labelled, printable};
+use polhode_document::number::{count, number, vector as triple};
+use polhode_document::unit::DIGITS;
 use serde_json::{Value, json};
-
-use crate::json::{numbers, vector};
-use crate::layout::{columns, labelled, printable};
-use crate::number::{count, number, vector as triple};
-use crate::unit::DIGITS;
 
 /// More events than these fill the screen: JSON has them all.
 const MOST: usize = 12;

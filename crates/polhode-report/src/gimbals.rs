@@ -2,12 +2,11 @@
 
 use polhode::motion::gimbal::{Axis, Gimbal, GimbalSample, GimbalTrajectory, Gimbals, Hold};
 use polhode::motion::{Scenario, Trajectory};
+use polhode_document::json::{matrix, numbers, vector};
+use polhode_document::layout::labelled;
+use polhode_document::number::{error, number, vector as triple};
+use polhode_document::unit::{DIGITS, angle, rate};
 use serde_json::{Value, json};
-
-use crate::json::{matrix, numbers, vector};
-use crate::layout::labelled;
-use crate::number::{error, number, vector as triple};
-use crate::unit::{DIGITS, angle, rate};
 
 /// What the axes are of.
 const NAMES: [&str; 3] = ["outer", "inner", "rotor"];

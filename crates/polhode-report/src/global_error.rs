@@ -1,10 +1,9 @@
 //! The estimated error of a motion, for people and for programs.
 
 use polhode::motion::{GlobalError, StateError, Trajectory};
+use polhode_document::layout::labelled;
+use polhode_document::number::error;
 use serde_json::{Value, json};
-
-use crate::layout::labelled;
-use crate::number::error;
 
 /// An attitude with an error beyond this, rad, has no digit that is right: the finding `motion.error` begins there too.
 pub(crate) const LARGEST_ATTITUDE: f64 = 0.1;

@@ -2,11 +2,10 @@
 
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{HeavyTop, Scenario, State, SteadyPrecession, TopPath};
+use polhode_document::layout::labelled;
+use polhode_document::number::number;
+use polhode_document::unit::{DIGITS, rate};
 use serde_json::{Value, json};
-
-use crate::layout::labelled;
-use crate::number::number;
-use crate::unit::{DIGITS, rate};
 
 /// The top that a scenario's body is, if gravity alone acts on it and it is symmetric about its arm.
 pub(crate) fn of(scenario: &Scenario, start: State) -> Option<HeavyTop> {

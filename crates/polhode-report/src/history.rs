@@ -1,11 +1,10 @@
 //! A body whose mass properties change, in text and JSON.
 
 use polhode::motion::{MassHistory, Outflow};
+use polhode_document::json::{matrix, vector};
+use polhode_document::number::number;
+use polhode_document::unit::DIGITS;
 use serde_json::{Value, json};
-
-use crate::json::{matrix, vector};
-use crate::number::number;
-use crate::unit::DIGITS;
 
 /// `12.5 → 8.3 kg, through an exit, with jet damping; d(I ω)/dt + ω × I ω = N − Σ µ ρ × (ω × ρ)`
 pub(crate) fn in_words(history: &MassHistory, [from, to]: [f64; 2]) -> String {

@@ -5,23 +5,26 @@ use std::fmt::Write as _;
 use polhode::body::{Finding, MassProperties, PrincipalFrame, Symmetry};
 use polhode::math::{Body, Frame, Part, Position, Rotation};
 use polhode::motion::Scenario;
+use polhode_document::Extra;
+use polhode_document::SourceInfo;
+use polhode_document::finding;
+use polhode_document::json::{matrix, numbers, vector};
+use polhode_document::layout::{WIDTH, columns, labelled, matrix_rows, plain_spaces, wrap};
+use polhode_document::number::{alike, number, tidy, tidy_beside, tidy_matrix};
+use polhode_document::unit;
+use polhode_document::unit::DIGITS;
 use serde_json::{Map, Value, json};
 
 use crate::block::{self, Geometry};
-use crate::extra::Extra;
-use crate::json::{matrix, numbers, vector};
-use crate::layout::{WIDTH, columns, labelled, matrix_rows, plain_spaces, wrap};
-use crate::number::{alike, number, tidy, tidy_beside, tidy_matrix};
-use crate::source::SourceInfo;
-use crate::unit::{self, DIGITS};
-use crate::{VERSION, finding};
+use polhode_document::VERSION;
 
 /// A body's mass properties, ready to be read.
 ///
 /// ```
 /// use polhode::body::{InertiaTensor, MassProperties};
 /// use polhode::math::Position;
-/// use polhode_report::{InertiaReport, SourceInfo};
+/// use polhode_document::SourceInfo;
+/// use polhode_report::InertiaReport;
 /// let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2])?;
 /// let body = MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia)?;
 /// let report = InertiaReport::new(SourceInfo::new("body.toml", "scenario"), body);
@@ -51,8 +54,6 @@ pub struct InertiaReport {
     pub extras: Vec<Extra>,
     /// What was noticed on the way.
     pub findings: Vec<Finding>,
-    /// What was not looked at because the user said so: `closed`, `overlaps`, … It comes before everything else.
-    pub not_checked: &'static [&'static str],
 }
 
 impl InertiaReport {
@@ -82,7 +83,6 @@ impl InertiaReport {
             show_axes: false,
             extras: Vec::new(),
             findings: Vec::new(),
-            not_checked: &[],
         }
     }
 
@@ -99,12 +99,9 @@ impl InertiaReport {
         }
     }
 
-    /// One object with the stable keys of the JSON contract; `not_checked`, `inertia_about` and `inertia_in_axes` only where asked for.
+    /// One object with the stable keys of the JSON contract; `inertia_about` and `inertia_in_axes` only where asked for.
     pub fn to_json(&self) -> Value {
         let mut object = Map::new();
-        if !self.not_checked.is_empty() {
-            object.insert("not_checked".to_owned(), self.not_checked.into());
-        }
         object.insert("polhode".to_owned(), VERSION.into());
         object.insert("source".to_owned(), self.source.to_json());
         block::insert(&mut object, &self.properties, self.geometry());

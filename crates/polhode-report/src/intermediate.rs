@@ -3,8 +3,7 @@
 use polhode::body::PrincipalFrame;
 use polhode::math::Body;
 use polhode::motion::State;
-
-use crate::number::number;
+use polhode_document::number::number;
 
 /// The angle between ω and the line of axis 2, in degrees.
 pub(crate) fn degrees_off(principal: &PrincipalFrame<Body>, start: &State) -> String {

@@ -9,7 +9,7 @@
 //! - [`SweepSummary`]: what many members come to;
 //! - [`IdentifyReport`]: what was found of a body by measuring it;
 //! - [`BudgetReport`]: what a parts list comes to;
-//! - [`explain()`]: the worked solution, step by step, as a [`Document`];
+//! - [`explain()`]: the worked solution, step by step, as a [`Document`](polhode_document::Document);
 //! - [`page()`]: all of it to look at, as one file for a browser.
 //!
 //! Text is plain Unicode for a terminal of 100 columns: the answer first, the convention in the heading, every number
@@ -18,7 +18,6 @@
 #![forbid(unsafe_code)]
 
 mod balance;
-mod base64;
 mod block;
 mod body_part;
 mod budget;
@@ -28,8 +27,6 @@ mod error_estimate;
 mod event;
 mod explain;
 mod export;
-mod extra;
-mod finding;
 mod forces;
 mod free_facts;
 mod gimbals;
@@ -39,32 +36,23 @@ mod history;
 mod identify;
 mod inertia;
 mod intermediate;
-mod json;
 mod judge;
-mod layout;
-mod mathml;
 mod molecule;
 mod motion;
-mod number;
 mod omega;
 mod orbit;
 mod page;
 mod parts;
 mod periods;
-pub mod plain;
 mod plot;
 mod required;
 mod sampling;
-mod si_prefix;
 mod sign_proof;
-mod source;
-mod sparkline;
 mod spin;
 mod stability;
 mod sweep;
 mod symmetric_top;
 mod torque;
-mod unit;
 
 pub use budget::{
     BudgetDiff, BudgetOptions, BudgetReport, BudgetStatements, Cell as BudgetCell, HistoryOptions,
@@ -72,17 +60,13 @@ pub use budget::{
     history_files,
 };
 pub use error_estimate::error_estimate;
-pub use explain::document::{Block, Document, Section};
-pub use explain::drawing::{
-    Bar, BarPanel, Bars, Correlations, Drawing, Scatter, Series, Solid, Solids, Triangle,
-};
-pub use explain::graph::Graph;
+
 pub use explain::{explain, explain_motion};
 pub use export::{ExportBody, ExportError, ExportFormat, export};
-pub use extra::Extra;
+
 pub use identify::{BodySize, IdentifyReport, NoBody, PayloadReport, SwingReport, TumbleReport};
 pub use inertia::InertiaReport;
-pub use json::pretty;
+
 pub use judge::{Card, CardCase, CardRun, JudgeReport, JudgedRun, judge_hint};
 pub use molecule::MoleculeReport;
 pub use motion::MotionReport;
@@ -91,10 +75,10 @@ pub use page::{
 };
 pub use parts::{PartRow, parts};
 pub use periods::Periods;
-pub use plot::{Figure, MotionFigures, Picture, PlotError, SweepFigures};
+pub use plot::{Figure, MotionFigures, PlotError, SweepFigures};
 pub use required::RequiredReport;
 pub use sign_proof::sign_proof;
-pub use source::SourceInfo;
+
 pub use spin::{SpinReport, TumblerReport};
 pub use stability::{GroundStabilityReport, StabilityReport};
 

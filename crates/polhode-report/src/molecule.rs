@@ -1,11 +1,10 @@
 //! A molecule: what spectroscopists ask of its moments.
 
 use polhode::observe::{RotationalConstants, Top};
+use polhode_document::layout::{labelled, printable};
+use polhode_document::number::{alike, number};
+use polhode_document::unit::DIGITS;
 use serde_json::{Value, json};
-
-use crate::layout::{labelled, printable};
-use crate::number::{alike, number};
-use crate::unit::DIGITS;
 
 /// The part of a report that only a molecule has: rotational constants, and what they are those of.
 ///
@@ -154,7 +153,7 @@ mod tests {
 
     #[test]
     fn the_text_says_masses_constants_and_tolerance() {
-        let plain = |moments| crate::layout::plain_spaces(&report(moments).to_text());
+        let plain = |moments| polhode_document::layout::plain_spaces(&report(moments).to_text());
         let text = plain([1.5e-45, 8.3e-45, 9.3e-45]);
         for part in
             ["CHN, 3 atoms", "average: ", "A = ", "C = ", "GHz", "cm⁻¹", "asymmetric: no two", "Ray's κ"]
@@ -163,6 +162,8 @@ mod tests {
         }
         assert!(plain([0.0, 1.9e-46, 1.9e-46]).contains("B = 44.1685 GHz"));
         assert!(plain([0.0; 3]).contains("a single atom"));
-        assert!(text.lines().all(|line| crate::layout::width(line) <= crate::layout::WIDTH));
+        assert!(
+            text.lines().all(|line| polhode_document::layout::width(line) <= polhode_document::layout::WIDTH)
+        );
     }
 }

@@ -1,9 +1,8 @@
 //! An angular velocity in words.
 
 use polhode::math::{AngularVelocity, Body};
-
-use crate::number::{has_digits, tidy, vector_within};
-use crate::unit::{DIGITS, rate_within};
+use polhode_document::number::{has_digits, tidy, vector_within};
+use polhode_document::unit::{DIGITS, rate_within};
 
 /// `ω = (0.01, 1, 0.01) rad/s in body axes, |ω| = 1.0001 rad/s (57.3015 deg/s)`
 pub(crate) fn in_words(omega: AngularVelocity<Body>) -> String {

@@ -3,13 +3,13 @@
 use std::f64::consts::TAU;
 
 use polhode::motion::{Orbit, Pointing, Reference, Sample, Scenario, State};
+use polhode_document::json::{numbers, vector};
+use polhode_document::layout::labelled;
+use polhode_document::number::vector as shown;
+use polhode_document::number::{has_digits, number};
 use serde_json::{Map, Value, json};
 
 use crate::global_error::LARGEST_ATTITUDE;
-use crate::json::{numbers, vector};
-use crate::layout::labelled;
-use crate::number::vector as shown;
-use crate::number::{has_digits, number};
 
 /// The orbit, and each of the angles that are of interest; of the attitude at the end, which has an error (rad), the digits that are right.
 pub(crate) fn to_text(scenario: &Scenario, samples: &[Sample], error: f64) -> String {
@@ -83,7 +83,7 @@ pub(crate) fn attitude(scenario: &Scenario, state: &State) -> Value {
         put("euler313_rad", numbers(&attitude.euler313()));
         put("roll_pitch_yaw_rad", numbers(&attitude.roll_pitch_yaw()));
         put("mrp", numbers(&attitude.mrp()));
-        put("matrix", crate::json::matrix(attitude.matrix()));
+        put("matrix", polhode_document::json::matrix(attitude.matrix()));
         object
     };
     let mut object = of(state.attitude);

@@ -2,13 +2,12 @@
 
 use polhode::body::MassProperties;
 use polhode::math::Body;
+use polhode_document::Extra;
+use polhode_document::json::vector;
+use polhode_document::layout::{columns, printable};
+use polhode_document::number::tidy;
+use polhode_document::unit;
 use serde_json::{Value, json};
-
-use crate::extra::Extra;
-use crate::json::vector;
-use crate::layout::{columns, printable};
-use crate::number::tidy;
-use crate::unit;
 
 /// One part of a body.
 #[derive(Clone, Debug, PartialEq)]

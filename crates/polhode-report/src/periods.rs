@@ -4,9 +4,8 @@ use std::f64::consts::TAU;
 
 use polhode::motion::{FreeMotion, Regime};
 use polhode::observe::{AxisConvention, Cones, SymmetricTop, TumblingPeriods};
-
-use crate::layout::labelled;
-use crate::unit::duration;
+use polhode_document::layout::labelled;
+use polhode_document::unit::duration;
 
 /// How long the axis that L circles takes about L, on average, and how long the body takes about that axis, s.
 #[derive(Clone, Copy, Debug, PartialEq)]

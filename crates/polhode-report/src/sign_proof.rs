@@ -1,10 +1,9 @@
 //! How the sign of a report's products of inertia is known.
 
+use polhode_document::Extra;
+use polhode_document::layout::labelled;
+use polhode_document::number::error;
 use serde_json::json;
-
-use crate::extra::Extra;
-use crate::layout::labelled;
-use crate::number::error;
 
 /// The block `products_of_inertia`: what the products in a CAD report are (`negative` or `positive` integrals), what decided it,
 /// how far the report is off under each of the two signs, in units of its rounding, and that rounding, relative.

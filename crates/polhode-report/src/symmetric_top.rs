@@ -1,9 +1,8 @@
 //! The constants of a free symmetric top, for programs.
 
 use polhode::observe::{Cones, SymmetricTop};
+use polhode_document::json::vector;
 use serde_json::{Map, Value};
-
-use crate::json::vector;
 
 /// Axis, moments, rates and cones.
 pub(crate) fn to_json(top: &SymmetricTop, cones: &Cones) -> Map<String, Value> {

@@ -5,12 +5,11 @@ use polhode::motion::torque::{
     Tabulated, TorqueAxes, TorqueModel,
 };
 use polhode::motion::{EventAction, Motor, Orbit, Scenario, Wheel};
+use polhode_document::json;
+use polhode_document::layout::printable;
+use polhode_document::number::{number, tidy, tidy_matrix, vector};
+use polhode_document::unit::DIGITS;
 use serde_json::{Map, Value, json};
-
-use crate::json;
-use crate::layout::printable;
-use crate::number::{number, tidy, tidy_matrix, vector};
-use crate::unit::DIGITS;
 
 /// A torque, or a wheel, ready to be shown.
 #[derive(Clone, Debug)]

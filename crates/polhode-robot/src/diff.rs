@@ -6,7 +6,7 @@
 use std::fmt::Write as _;
 use std::ops::Range;
 
-use polhode_report::plain::printable;
+use polhode_document::layout::printable;
 
 use crate::finding::Finding;
 use crate::line_index::{FilePlace, Places};

@@ -6,8 +6,9 @@ use std::fmt::Write as _;
 
 use polhode::body::{Finding, Severity};
 use polhode::math::{Body, Rotation};
-use polhode_report::plain::number;
-use polhode_report::{InertiaReport, SourceInfo};
+use polhode_document::SourceInfo;
+use polhode_document::number::ungrouped as number;
+use polhode_report::InertiaReport;
 use serde_json::{Map, Value, json};
 
 use crate::body::{LinkMass, link_mass};

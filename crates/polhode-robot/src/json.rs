@@ -24,7 +24,7 @@ impl CheckReport {
         let finding = |f: &Finding, id: &str| finding(&places, &self.model.text, f, id);
         let mut object = Map::new();
         let mut insert = |key: &str, value: Value| object.insert(key.to_owned(), value);
-        insert("polhode", polhode_report::VERSION.into());
+        insert("polhode", polhode_document::VERSION.into());
         insert("file", self.model.path.to_string_lossy().into());
         insert("format", format_name(self.model.format).to_ascii_lowercase().into());
         insert("name", self.model.name.clone().into());

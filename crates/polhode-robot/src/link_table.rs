@@ -4,9 +4,12 @@ use std::fmt::Write as _;
 
 use polhode::body::{Finding, MassProperties};
 use polhode::math::{Body, Rotation};
-use polhode_report::plain::exact as decimal;
-use polhode_report::plain::{columns, csv_name, number, plain_spaces, printable};
-use polhode_report::{InertiaReport, SourceInfo};
+use polhode_document::SourceInfo;
+use polhode_document::csv_name;
+use polhode_document::layout::{columns, plain_spaces, printable};
+use polhode_document::number::exact as decimal;
+use polhode_document::number::ungrouped as number;
+use polhode_report::InertiaReport;
 use serde_json::{Map, Value, json};
 
 use crate::body::{LinkMass, link_mass};
@@ -133,7 +136,7 @@ impl LinkTable {
     pub fn to_json(&self) -> Value {
         let links: Vec<Value> = self.rows.iter().map(|row| row.to_json(&self.whole.source)).collect();
         json!({
-            "polhode": polhode_report::VERSION,
+            "polhode": polhode_document::VERSION,
             "file": self.whole.source.path,
             "links": links,
             "whole": self.whole.to_json(),

@@ -12,6 +12,8 @@ mod error;
 mod position;
 mod tree;
 
+use std::collections::HashSet;
+
 use polhode::body::{BodyError, MassProperties, PlacedPart, assemble};
 use polhode::math::{Body, Rotation};
 
@@ -22,7 +24,7 @@ use self::position::Positions;
 pub use self::position::{JointPosition, PositionBy, slides};
 use self::tree::{Above, Tree};
 use crate::body::{LinkMass, link_mass};
-use crate::model::{JointKind, Link, ModelFormat, Pose, RobotModel};
+use crate::model::{JointKind, Link, ModelFormat, Pose, RobotModel, UnreadBodies};
 use crate::placement::Placement;
 
 /// Which links become one body.
@@ -79,8 +81,8 @@ pub struct Lump {
 /// ```
 ///
 /// # Errors
-/// [`LumpError`] if a link is no body, the joints are no tree, a value has no joint or nothing to move, or a joint's value cannot be
-/// told.
+/// [`LumpError`] if a link is not a body, if bodies are not read, if the joints do not form a tree, or
+/// if a value has no joint, moves nothing or cannot be told.
 pub fn lump(
     model: &RobotModel,
     lumping: Lumping<'_>,
@@ -132,6 +134,9 @@ pub fn lump(
         Lumping::Subtree(name) => Some(name),
         Lumping::Fixed | Lumping::All => None,
     };
+    let joined = model.links.iter().zip(&places).filter(|(_, place)| place.is_some());
+    let joined: HashSet<&str> = joined.map(|(link, _)| link.name.text.as_str()).collect();
+    require_bodies(model, subtree.map(|_| &joined))?;
     let held: Vec<String> = held(model, &moving);
     let positions = positions.of_joints(moving.into_iter(), subtree)?;
     let lumps = groups
@@ -146,6 +151,21 @@ pub fn lump(
         Err(LumpError::Massless { subtree: subtree.map(str::to_owned) })
     } else {
         Ok(lumps)
+    }
+}
+
+/// Refuses bodies that are not read in these links; `None` for all links and the world.
+fn require_bodies(model: &RobotModel, links: Option<&HashSet<&str>>) -> Result<(), LumpError> {
+    let is_in = |unread: &&UnreadBodies| match (links, &unread.link) {
+        (None, _) => true,
+        (Some(links), Some(link)) => links.contains(link.as_str()),
+        (Some(_), None) => false,
+    };
+    match model.unread_bodies.iter().find(is_in) {
+        Some(UnreadBodies { element, span, .. }) => {
+            Err(LumpError::UnreadBodies { element: element.clone(), span: span.clone() })
+        }
+        None => Ok(()),
     }
 }
 

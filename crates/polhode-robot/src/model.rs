@@ -40,6 +40,8 @@ pub struct RobotModel {
     pub links: Vec<Link>,
     /// In the order of the file.
     pub joints: Vec<Joint>,
+    /// Elements whose bodies are not read. The mass of these bodies is missing in `links`.
+    pub unread_bodies: Vec<UnreadBodies>,
     /// What the reader left out or had to decide.
     pub notes: Vec<Note>,
 }
@@ -66,6 +68,7 @@ impl RobotModel {
             name: None,
             links: Vec::new(),
             joints: Vec::new(),
+            unread_bodies: Vec::new(),
             notes: Vec::new(),
         }
     }
@@ -80,6 +83,17 @@ pub struct Source {
     pub text: String,
     /// The place of its first byte: a [`Span`] of it, less this, counts bytes of its text.
     pub start: usize,
+}
+
+/// An element from which a program makes bodies that are not read: `<composite>` and `<flexcomp>` of MJCF.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnreadBodies {
+    /// Name of the element.
+    pub element: String,
+    /// Name of the link that holds the element; `None` in the world.
+    pub link: Option<String>,
+    /// Place of the element in the model's text.
+    pub span: Span,
 }
 
 /// Something that a reader left out of a model, or had to decide.

@@ -13,7 +13,7 @@ mod tree;
 
 use std::fmt::Write as _;
 
-use polhode_report::plain::{WIDTH, wrap};
+use polhode_document::layout::{WIDTH, wrap};
 
 use crate::finding::Severity;
 

@@ -4,7 +4,7 @@
 
 use std::fmt::Write as _;
 
-use polhode_report::plain::{WIDTH, plain_spaces, printable, wrap};
+use polhode_document::layout::{WIDTH, plain_spaces, printable, wrap};
 
 use crate::finding::{Finding, Severity};
 use crate::line_index::{FilePlace, Places};

@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use polhode_report::plain::printable;
+use polhode_document::layout::printable;
 
 use crate::batch::BatchError;
 

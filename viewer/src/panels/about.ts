@@ -1,6 +1,6 @@
 /** What the page is, its conventions, and the licences of what is in it. */
 import { element } from "../dom";
-import OFL from "../../../crates/polhode-report/assets/stix-two-math.OFL.txt";
+import OFL from "../../../crates/polhode-document/assets/stix-two-math.OFL.txt";
 
 declare const THREE_VERSION: string;
 declare const UPLOT_VERSION: string;

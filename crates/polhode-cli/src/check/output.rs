@@ -5,8 +5,8 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use polhode_report::plain::printable_lines;
-use polhode_report::pretty;
+use polhode_document::json::pretty;
+use polhode_document::layout::printable_lines;
 use polhode_robot::finding::Severity;
 use polhode_robot::format::{FileResult, Run, Unreadable};
 use polhode_robot::policy::Remark;

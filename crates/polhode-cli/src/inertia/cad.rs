@@ -4,12 +4,14 @@ use std::path::Path;
 
 use clap::{Args, ValueEnum};
 use polhode::body::shape::{Extent, Substance};
+use polhode_document::Extra;
+use polhode_document::SourceInfo;
 use polhode_formats::cad::{
     self, CadOptions, CadReport, DecimalMark, GeometryProgram, GeometryReport, ProductConvention,
 };
 use polhode_formats::mesh::AssumedMetres;
 use polhode_formats::read_text_file;
-use polhode_report::{Extra, InertiaReport, SourceInfo, sign_proof};
+use polhode_report::{InertiaReport, sign_proof};
 
 use crate::failure::Failure;
 

@@ -3,9 +3,10 @@
 use std::cell::RefCell;
 
 use polhode::body::density::{Cubature, DensityField, FieldError, Solid, mass_properties_of_field};
+use polhode_document::Extra;
 use polhode_formats::expression::Expression;
 use polhode_formats::mesh::SolidPart;
-use polhode_report::{Extra, PartRow, error_estimate};
+use polhode_report::{PartRow, error_estimate};
 
 use super::voxel::in_body;
 use crate::failure::Failure;

@@ -7,16 +7,16 @@ use clap::Args;
 use polhode::body::mesh::{ConvexHull, MeshShell};
 use polhode::body::shape::{Extent, Shape, Substance};
 use polhode::body::{Finding, MassProperties};
+use polhode_document::SourceInfo;
 use polhode_formats::expression::Expression;
 use polhode_formats::mesh::{
     AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshRepair, MeshSolid, RepairBound, UnitedMesh,
 };
 use polhode_formats::unit::Dimension;
-use polhode_report::{InertiaReport, PartRow, SourceInfo, parts};
+use polhode_report::{InertiaReport, PartRow, parts};
 
 use super::field;
 use super::model::{Model, Piece, unfit};
-use super::quick;
 use super::substance::{PartSubstance, SubstanceFlags, assumed, part};
 use super::voxel::in_body;
 use super::written::{MeshFile, written_format};
@@ -26,7 +26,7 @@ use crate::page;
 
 /// What says a mesh's density otherwise than --field, or leaves no solid for it, and so for --tolerance: of an option that requires
 /// another, clap asks nothing where that other conflicts with what is given.
-const WITHOUT_FIELD: [&str; 6] = ["density", "mass", "material", "part", "shell", "quick"];
+const WITHOUT_FIELD: [&str; 5] = ["density", "mass", "material", "part", "shell"];
 
 /// Flags for meshes.
 #[derive(Debug, Args)]
@@ -49,33 +49,26 @@ pub(super) struct MeshFlags {
     tolerance: Option<f64>,
     /// Join vertices of open edges that are at most so far apart: a length such as "0.01 mm", or a plain number, a part of the mesh's size (the
     /// diagonal of its box).
-    #[arg(long, value_name = "TOL", value_parser = beside_mesh, conflicts_with_all = ["hull", "shell", "quick"])]
+    #[arg(long, value_name = "TOL", value_parser = beside_mesh, conflicts_with_all = ["hull", "shell"])]
     weld: Option<MeshLength>,
     /// Close holes that are at most so large across, after a weld: a length such as "2 mm", or a plain number, a part of the mesh's size.
-    #[arg(long, value_name = "SIZE", value_parser = beside_mesh, conflicts_with_all = ["hull", "shell", "quick"])]
+    #[arg(long, value_name = "SIZE", value_parser = beside_mesh, conflicts_with_all = ["hull", "shell"])]
     fill: Option<MeshLength>,
     /// Take what lies in several parts of a mesh, or more than once in one, once: parts that overlap or repeat are one body, after a weld and a
     /// fill.
-    #[arg(long, conflicts_with_all = ["shell", "quick", "part", "field", "tolerance", "write_mesh", "force"])]
+    #[arg(long, conflicts_with_all = ["shell", "part", "field", "tolerance", "write_mesh", "force"])]
     union: bool,
     /// Write the mesh as it was used, welded, filled and wound outward, in the file's unit: .stl (binary), .obj or .ply.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["shell", "quick"])]
+    #[arg(long, value_name = "FILE", conflicts_with = "shell")]
     write_mesh: Option<PathBuf>,
     /// Replace what --write-mesh names, if it is there.
-    #[arg(long, requires = "write_mesh", conflicts_with_all = ["shell", "quick"])]
+    #[arg(long, requires = "write_mesh", conflicts_with = "shell")]
     force: bool,
-    /// Leave out all checks of a binary STL file, as fast as its bytes are read; the answer's first line says what was not looked at.
-    #[arg(long, conflicts_with_all = ["hull", "shell", "part"])]
-    quick: bool,
 }
 
 impl MeshFlags {
     pub(super) const fn is_hull(&self) -> bool {
         self.hull
-    }
-
-    pub(super) const fn is_quick(&self) -> bool {
-        self.quick
     }
 
     /// Where the mesh goes, and in which format; of one file.
@@ -102,7 +95,6 @@ impl MeshFlags {
             (self.fill.is_some(), "--fill"),
             (self.union, "--union"),
             (self.write_mesh.is_some(), "--write-mesh"),
-            (self.quick, "--quick"),
         ];
         flags.into_iter().find(|(given, _)| *given).map(|(_, flag)| flag)
     }
@@ -116,11 +108,7 @@ pub(super) fn report(
     flags: &MeshFlags,
 ) -> Result<(InertiaReport, Option<MeshFile>), Failure> {
     let mut findings = Vec::new();
-    let Model { source, unit: in_m, pieces, field } = if flags.quick {
-        quick::model(file, format, unit.unwrap_or(1.0), &mut findings)?
-    } else {
-        whole(file, format, unit, flags, &mut findings)?
-    };
+    let Model { source, unit: in_m, pieces, field } = model(file, format, unit, flags, &mut findings)?;
     let rows = weighed(&pieces, substance, flags, &mut findings, field.is_some())?;
     let rows = match &field {
         Some(found) => found.rows.clone(),
@@ -154,14 +142,13 @@ pub(super) fn report(
         surface_area: Some(pieces.iter().map(|piece| piece.shape.surface_area()).sum()),
         extras,
         findings,
-        not_checked: if flags.quick { quick::NOT_CHECKED } else { &[] },
         ..InertiaReport::new(source, properties).with_volume(Some(volume))
     };
     Ok((report, written))
 }
 
-/// The model of a mesh that is read whole.
-fn whole(
+/// The model of a mesh file.
+fn model(
     file: &Path,
     format: MeshFormat,
     unit: Option<f64>,

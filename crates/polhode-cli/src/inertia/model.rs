@@ -1,10 +1,8 @@
 //! What a mesh file is taken as, before it has a mass.
 
-use std::path::Path;
-
+use polhode::body::BodyError;
 use polhode::body::shape::Shape;
-use polhode::body::{BodyError, Finding, Severity};
-use polhode_report::SourceInfo;
+use polhode_document::SourceInfo;
 
 use super::field;
 use crate::failure::Failure;
@@ -37,9 +35,4 @@ pub(super) fn unfit(error: BodyError) -> Failure {
         _ => "check --density, --mass, --part and --unit",
     };
     Failure::usage(error.to_string(), hint)
-}
-
-/// A remark about a file.
-pub(super) fn remark(file: &Path, code: &'static str, severity: Severity, message: &str) -> Finding {
-    Finding { code, severity, message: message.to_owned(), place: Some(file.display().to_string()) }
 }

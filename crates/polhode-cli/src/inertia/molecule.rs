@@ -3,8 +3,10 @@
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
+use polhode_document::Extra;
+use polhode_document::SourceInfo;
 use polhode_formats::molecule::{self, Isotopes, Molecule, MoleculeFormat};
-use polhode_report::{Extra, InertiaReport, MoleculeReport, SourceInfo};
+use polhode_report::{InertiaReport, MoleculeReport};
 
 use crate::failure::Failure;
 

@@ -5,8 +5,9 @@ use std::path::Path;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser as _};
 use polhode::body::Finding;
-use polhode_report::plain::printable;
-use polhode_report::{ExportBody, ExportFormat, InertiaReport, export, pretty};
+use polhode_document::json::pretty;
+use polhode_document::layout::printable;
+use polhode_report::{ExportBody, ExportFormat, InertiaReport, export};
 use polhode_robot::link_table::LinkTable;
 use serde_json::Value;
 
@@ -34,11 +35,6 @@ fn formats() -> impl clap::builder::TypedValueParser<Value = ExportFormat> {
 }
 
 impl OutputFlags {
-    /// Is the answer for another program, whose files have no room for remarks?
-    pub(super) fn is_for_another_program(&self) -> bool {
-        self.as_format.is_some_and(|format| format != ExportFormat::Csv)
-    }
-
     /// Says on standard error what was noticed, where the answer's form has no room for it.
     pub(super) fn warn(&self, answers: &[Answer<'_>]) {
         if !self.csv && self.as_format.is_none() {

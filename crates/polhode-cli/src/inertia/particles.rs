@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
+use polhode_document::SourceInfo;
 use polhode_formats::particles::{self, ParticleOptions};
 use polhode_formats::read_file;
-use polhode_report::{InertiaReport, SourceInfo};
+use polhode_report::InertiaReport;
 
 use crate::failure::Failure;
 

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
+use polhode_document::layout::printable;
 use polhode_formats::unit::Dimension;
 use polhode_report::InertiaReport;
-use polhode_report::plain::printable;
 use polhode_robot::inertia::{InertiaError, of_link, of_lumps};
 use polhode_robot::line_index::{FilePlace, Places};
 use polhode_robot::link_table::LinkTable;

@@ -5,10 +5,11 @@ use std::path::Path;
 use clap::Args;
 use polhode::body::{BodyError, MassProperties, PlacedPart};
 use polhode::math::{Body, Part, Position, Rotation};
+use polhode_document::SourceInfo;
 use polhode_formats::FormatError;
 use polhode_formats::unit::Dimension;
 use polhode_formats::voxel::{self, VoxelOptions};
-use polhode_report::{InertiaReport, SourceInfo, error_estimate};
+use polhode_report::{InertiaReport, error_estimate};
 
 use crate::failure::Failure;
 use crate::numbers::{list, numbers, positive, quantity};

@@ -6,11 +6,12 @@ use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
 use polhode::infer::judge::{AttitudeSense, DeclaredByName, DeclaredReading, OmegaAxes, SignedAxes};
+use polhode_document::json::pretty;
+use polhode_document::number::ungrouped as number;
 use polhode_formats::run_log::{self, RunLog};
 use polhode_formats::suite::{self, CASES, SuiteCase};
 use polhode_formats::table::{self, Surroundings};
-use polhode_report::plain::number;
-use polhode_report::{Card, CardCase, CardRun, pretty};
+use polhode_report::{Card, CardCase, CardRun};
 
 use super::Judge;
 use crate::failure::Failure;

@@ -5,8 +5,8 @@ use std::path::Path;
 use polhode::body::{BodyError, Finding, InertiaTensor, MassProperties, PrincipalFrame, Symmetry};
 use polhode::math::{AngularMomentum, AngularVelocity, Attitude, Body, Position};
 use polhode::motion::{FreeMotion, Rotor, Scenario, State};
+use polhode_document::SourceInfo;
 use polhode_formats::scenario::ScenarioFile;
-use polhode_report::SourceInfo;
 
 use crate::failure::Failure;
 use crate::page::{Page, Shown};

@@ -170,32 +170,8 @@ fn other_programs_words_state_their_frame() {
 }
 
 #[test]
-fn a_quick_answer_is_the_same_answer() {
-    let scratch = Scratch::new("quick");
-    let stl = example("bracket.stl");
-    let flags = ["inertia", &stl, "--unit", "mm", "--density", "2700 kg/m^3", "--json"];
-    let (whole, quick) =
-        (json(&scratch.run(&flags)), json(&scratch.run(&[&flags[..], &["--quick"]].concat())));
-    near(&quick["mass"], number(&whole["mass"]));
-    for k in 0..3 {
-        near(&quick["principal"]["moments"][k], number(&whole["principal"]["moments"][k]));
-    }
-    assert_eq!(quick["findings"][0]["code"], "mesh.not_checked");
-    // what was not looked at comes first, in every form
-    let left_out = ["closed", "winding", "duplicates", "nesting", "overlaps"];
-    assert_eq!(quick.as_object().unwrap().iter().next().unwrap().1, &Value::from(left_out.to_vec()));
-    for form in [&["--quick"][..], &["--quick", "--csv"], &["--quick", "--as", "csv"]] {
-        let text = stdout(&scratch.run(&[&flags[..6], form].concat()));
-        let first = text.lines().next().unwrap();
-        assert!(left_out.iter().all(|what| first.contains(what)) && first.contains("not"), "{first}");
-    }
-    assert!(!stdout(&scratch.run(&[&flags[..6], &["--csv"]].concat())).contains("not_checked"));
-    let text = refused(&scratch.run(&[&flags[..6], &["--quick", "--as", "urdf"]].concat()), 2);
-    assert!(text.contains("--quick"), "{text}");
-    scratch.write("two.obj", TWO);
-    let text = refused(&scratch.run(&["inertia", "two.obj", "--quick"]), 2);
-    assert!(text.contains("binary STL"), "{text}");
-    // solids that go through each other are refused with the place
+fn overlapping_parts_are_a_finding_and_overlapping_solids_of_one_part_are_refused() {
+    let scratch = Scratch::new("overlap");
     let twice = TWO.replace(
         "v 10 0 0\nv 12 0 0\nv 10 3 0\nv 10 0 1",
         "v 0.5 0.1 0.1\nv 2.5 0.1 0.1\nv 0.5 3.1 0.1\nv 0.5 0.1 1.1",

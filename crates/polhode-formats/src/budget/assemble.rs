@@ -95,14 +95,14 @@ fn one(
     let names = rows.iter().take(MOST_SUGGESTED).map(|row| row.name).collect();
     let blame = Blame { reader, plan, origins, configuration, names };
     let budget = Budget::new(rows, plan.groups.clone(), plan.growth.clone());
-    let budget = budget.map_err(|error| blame.of(error))?;
+    let budget = budget.map_err(|error| blame.of(&error))?;
     double_counting(&budget, &blame)?;
-    budget.mass_properties(plan.questions.basis).map_err(|error| too_large(error, &budget, &blame))?;
+    budget.mass_properties(plan.questions.basis).map_err(|error| too_large(&error, &budget, &blame))?;
     Ok(budget)
 }
 
 /// The error of a sum that overflows, at the largest number that the list has.
-fn too_large(error: BudgetError, budget: &Budget, blame: &Blame<'_, '_, '_>) -> FormatError {
+fn too_large(error: &BudgetError, budget: &Budget, blame: &Blame<'_, '_, '_>) -> FormatError {
     let numbers = |row: Row| {
         let part = row.part.as_ref();
         let mass = part.map_or(0.0, |part| part.mass);
@@ -116,8 +116,8 @@ fn too_large(error: BudgetError, budget: &Budget, blame: &Blame<'_, '_, '_>) -> 
         .flat_map(|(k, row)| numbers(row).into_iter().zip(keys).map(move |(number, key)| (number, k, key)));
     let cell = all.max_by(|a, b| a.0.total_cmp(&b.0)).and_then(|(_, k, key)| blame.cell(k, &[key]));
     match (cell, error.hint()) {
-        (Some(cell), Some(hint)) => {
-            blame.reader.reader.sheet.error(&cell, FormatErrorKind::Budget(error)).with_hint(hint)
+        (Some(cell), hint @ Some(_)) => {
+            blame.reader.reader.sheet.error(&cell, FormatErrorKind::subject(error, hint))
         }
         _ => blame.of(error),
     }
@@ -151,7 +151,7 @@ fn double_counting(budget: &Budget, blame: &Blame<'_, '_, '_>) -> Result<(), For
         return Ok(());
     }
     found.sort_by_key(|(row, _)| *row);
-    let statements = budget.mass_statements().map_err(|error| blame.of(error))?;
+    let statements = budget.mass_statements().map_err(|error| blame.of(&error))?;
     for (k, (direct, count)) in found {
         let (Some(own), Some(statement)) = (rows.mass(k), statements.get(k)) else { continue };
         let Some(cell) = blame.cell(k, &[MASS]) else { continue };

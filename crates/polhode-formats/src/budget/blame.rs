@@ -30,8 +30,8 @@ const TENSOR: [usize; 12] = [IXX, IYY, IZZ, IXY, IXZ, IYZ, SHAPE, MESH, CAD, SCE
 
 impl<'a> Blame<'_, '_, 'a> {
     /// The error at the cell that is to blame.
-    pub(super) fn of(&self, error: BudgetError) -> FormatError {
-        let keys: &[usize] = match &error {
+    pub(super) fn of(&self, error: &BudgetError) -> FormatError {
+        let keys: &[usize] = match error {
             BudgetError::MissingFrame { frame, row } => {
                 let is_about = self.cell(row.row, &[ABOUT]).is_some_and(|cell| cell.text == *frame);
                 if is_about { &[ABOUT] } else { &[PARENT, NAME, PATH, ABOUT] }
@@ -50,10 +50,10 @@ impl<'a> Blame<'_, '_, 'a> {
             BudgetError::Subtotal { .. } => &[SUBTOTAL],
             _ => &[NAME, PATH],
         };
-        let near = self.near(&error);
+        let near = self.near(error);
         let cell = error.row().and_then(|row| self.cell(row, keys).or_else(|| self.cell(row, &[NAME, PATH])));
         let hint = error.hint();
-        let kind = FormatErrorKind::Budget(error);
+        let kind = FormatErrorKind::subject(error, error.hint());
         let sheet = self.reader.reader.sheet;
         let error = match cell {
             Some(cell) => sheet.error(&cell, kind),

@@ -140,7 +140,7 @@ pub(super) fn with_liquid(
         if let Some(of_file) = prescribed.sequence(configuration.as_deref(), plan.questions.basis) {
             // Two places between corners: what is wrong with a tank is so at an end.
             let tried = of_file.rows([0.0, sequence.until], 2);
-            tried.map_err(|error| blame(error, sequence, &plan.tanks))?;
+            tried.map_err(|error| blame(&error, sequence, &plan.tanks))?;
         }
     }
     Ok((wet, Some(prescribed)))
@@ -297,7 +297,7 @@ fn filled(dry: &Budget, tanks: &[(&PlannedTank, Tank)]) -> Result<Budget, Format
             _ => 0,
         };
         if let Some(error) = in_copies {
-            return Err(tank.places[place].clone().replaced(FormatErrorKind::Sequence(error)));
+            return Err(tank.places[place].clone().replaced(FormatErrorKind::subject(&error, error.hint())));
         }
         if let Some(mut row) = placed.row(tank.mass, tank.errors) {
             row.group.clone_from(&tank.group);
@@ -306,8 +306,8 @@ fn filled(dry: &Budget, tanks: &[(&PlannedTank, Tank)]) -> Result<Budget, Format
     }
     let budget = Budget::new(rows, dry.groups().to_vec(), dry.growth_table().clone());
     budget.map_err(|error| match tanks.first() {
-        Some((tank, _)) => tank.places[2].clone().replaced(FormatErrorKind::Budget(error)),
-        None => FormatError::new("".as_ref(), None, FormatErrorKind::Budget(error)),
+        Some((tank, _)) => tank.places[2].clone().replaced(FormatErrorKind::subject(&error, error.hint())),
+        None => FormatError::new("".as_ref(), None, FormatErrorKind::subject(&error, error.hint())),
     })
 }
 
@@ -352,7 +352,7 @@ fn over_time(sequence: &PlannedSequence, names: &[&str]) -> Result<OverTime, For
 }
 
 /// The error at what is to blame.
-fn blame(error: SequenceError, sequence: &PlannedSequence, tanks: &[PlannedTank]) -> FormatError {
+fn blame(error: &SequenceError, sequence: &PlannedSequence, tanks: &[PlannedTank]) -> FormatError {
     let of_burn = |tank: &str, until: f64| {
         let mut burns = sequence.burns.iter().rev();
         burns.find(|(burn, _)| burn.tank == tank && burn.from <= until).map(|(_, [_, flow])| flow)
@@ -368,7 +368,7 @@ fn blame(error: SequenceError, sequence: &PlannedSequence, tanks: &[PlannedTank]
         changes.find(|(change, _)| drops(change)).map(|(_, place)| place)
     };
     let of_tank = |name: &str| tanks.iter().find(|tank| tank.name == name).map(|tank| &tank.places[0]);
-    let place = match &error {
+    let place = match error {
         SequenceError::Fill { tank, time, .. } => of_burn(tank, *time),
         SequenceError::MissingRow { row, .. } => dropping(row),
         SequenceError::Copies { tank, .. } => of_tank(tank),
@@ -378,5 +378,5 @@ fn blame(error: SequenceError, sequence: &PlannedSequence, tanks: &[PlannedTank]
         | SequenceError::Nothing { time } => at_time(*time),
         _ => None,
     };
-    place.unwrap_or(&sequence.place).clone().replaced(FormatErrorKind::Sequence(error))
+    place.unwrap_or(&sequence.place).clone().replaced(FormatErrorKind::subject(error, error.hint()))
 }

@@ -117,6 +117,6 @@ pub fn from_text(path: &Path, text: &str) -> Result<Plan, FormatError> {
 }
 
 /// An error of what was to be measured, at a value.
-fn at(value: &Value<'_>, error: IdentifyError) -> FormatError {
-    value.error(FormatErrorKind::Identify(error))
+fn at(value: &Value<'_>, error: &IdentifyError) -> FormatError {
+    value.error(FormatErrorKind::subject(error, error.hint()))
 }

@@ -41,15 +41,15 @@ pub(super) fn plan(table: &Table<'_>) -> Result<PayloadPlan, FormatError> {
         table.get("units").map(|units| units.table()).transpose()?,
         &gravity(table)?,
     )?;
-    let mut log = PayloadLog::new(read.rows, sense).map_err(|error| at(&value, error))?;
+    let mut log = PayloadLog::new(read.rows, sense).map_err(|error| at(&value, &error))?;
     if table.get("bias").map_or(Ok(false), |bias| bias.boolean())? {
         log = log.with_bias();
     }
     if let Some(noise) = table.get("noise") {
-        log = log.with_noise(wrench_noise(&noise)?).map_err(|error| at(&noise, error))?;
+        log = log.with_noise(wrench_noise(&noise)?).map_err(|error| at(&noise, &error))?;
     }
     if let Some(noise) = table.get("motion_noise") {
-        log = log.with_motion_noise(motion_noise(&noise)?).map_err(|error| at(&noise, error))?;
+        log = log.with_motion_noise(motion_noise(&noise)?).map_err(|error| at(&noise, &error))?;
     }
     if let Some(kind) = table.get("kind") {
         log = log.with_kind(match kind.choice(&["plate", "rod"])? {

@@ -104,7 +104,7 @@ fn of_log(
 ) -> Result<Vec<Flight>, FormatError> {
     let Some(search) = search else {
         let whole = [f64::NEG_INFINITY, f64::INFINITY];
-        let flight = measured.flight(format!("{prefix}flight"), whole).map_err(|error| at(log, error))?;
+        let flight = measured.flight(format!("{prefix}flight"), whole).map_err(|error| at(log, &error))?;
         return Ok(vec![flight]);
     };
     if measured.gyro.is_empty() {
@@ -112,7 +112,7 @@ fn of_log(
             .invalid("a log of a gyro: flights are found in its rates")
             .with_hint("say when each flight was: [[tumble.flight]] with from and to"));
     }
-    let spans = find_flights(&measured.gyro, search).map_err(|error| at(log, error))?;
+    let spans = find_flights(&measured.gyro, search).map_err(|error| at(log, &error))?;
     let [begins, ends] = [measured.gyro.first(), measured.gyro.last()].map(|r| r.map(|r| r.time));
     let mut flights = Vec::new();
     for (k, span) in spans.iter().enumerate() {
@@ -122,7 +122,7 @@ fn of_log(
                 cut_off.push(format!("The log {what} in mid-flight: {name}"));
             }
         }
-        flights.push(measured.flight(name, *span).map_err(|error| at(log, error))?);
+        flights.push(measured.flight(name, *span).map_err(|error| at(log, &error))?);
     }
     Ok(flights)
 }
@@ -212,7 +212,7 @@ fn one(
         None => log.string()?.to_owned(),
     };
     let place = flight.get("from").or(own).unwrap_or(log);
-    let mut made = logs.measured[number].flight(name, [from, to]).map_err(|error| at(&place, error))?;
+    let mut made = logs.measured[number].flight(name, [from, to]).map_err(|error| at(&place, &error))?;
     if let Some(added) = flight.get("added") {
         made = made.with_added(self::added(&added)?);
     }

@@ -20,7 +20,6 @@ mod scan;
 mod solid;
 pub mod stl;
 pub(crate) mod stl_error;
-pub mod stl_quick;
 pub mod threemf;
 mod union;
 mod union_hint;

@@ -16,8 +16,7 @@ use super::MeshContents;
 use super::parts;
 use super::points;
 use super::polygon::Polygons;
-use super::scan::Scan;
-use crate::decimal;
+use super::scan::{Scan, integer};
 
 /// Reads the bytes of an OBJ file.
 ///
@@ -130,13 +129,13 @@ impl<'a> Reader<'a> {
     #[inline(always)]
     fn corner(&self, scan: &mut Scan) -> Result<u32, ContentError> {
         let start = scan.at;
-        let Some((written, mut end)) = decimal::integer(scan.bytes, start) else {
+        let Some((written, mut end)) = integer(scan.bytes, start) else {
             return Err(no_index(*scan, start));
         };
         for _ in 0..2 {
             if scan.bytes.get(end) == Some(&b'/') {
                 end += 1;
-                end = decimal::integer(scan.bytes, end).map_or(end, |(_, end)| end);
+                end = integer(scan.bytes, end).map_or(end, |(_, end)| end);
             }
         }
         if !scan.pass(end) {
@@ -214,13 +213,11 @@ impl<'a> Reader<'a> {
 fn plain_triangle(scan: &Scan, count: usize) -> Option<([u32; 3], usize)> {
     let (mut at, mut triangle) = (scan.at, [0; 3]);
     for corner in &mut triangle {
-        let (written, end) = decimal::short_integer(scan.bytes, at + 1)?;
-        // 0 becomes larger than any count
-        let index = (written as u32).wrapping_sub(1);
-        if scan.bytes.get(at) != Some(&b' ') || index as usize >= count {
+        let (written, end) = integer(scan.bytes, at + 1)?;
+        if scan.bytes.get(at) != Some(&b' ') {
             return None;
         }
-        (*corner, at) = (index, end);
+        (*corner, at) = (parts::index(written - 1, count)?, end);
     }
     scan.is_line_end(at).then_some((triangle, at + 1))
 }

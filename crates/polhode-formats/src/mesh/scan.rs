@@ -2,8 +2,6 @@
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
-use crate::decimal;
-
 /// A place in a text: `at` is the offset of the next byte.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scan<'a> {
@@ -84,8 +82,9 @@ impl<'a> Scan<'a> {
     /// Behind the end of this line; gives what was left of it.
     #[inline]
     pub(super) fn line(&mut self) -> &'a [u8] {
-        let end = find(self.bytes, self.at, self.line_end);
-        let line = &self.bytes[self.at..end];
+        let rest = &self.bytes[self.at..];
+        let length = rest.iter().position(|b| *b == self.line_end).unwrap_or(rest.len());
+        let (line, end) = (&rest[..length], self.at + length);
         self.at = (end + 1).min(self.bytes.len());
         line
     }
@@ -138,8 +137,13 @@ impl<'a> Scan<'a> {
     /// The finite number that starts here.
     #[inline(always)]
     pub(super) fn float(&mut self, what: &str) -> Result<f64, ContentError> {
-        match decimal::float(self.bytes, self.at) {
-            Some((value, end)) if value.is_finite() && self.pass(end) => Ok(value),
+        let rest = &self.bytes[self.at..];
+        let length = rest.iter().position(|b| ends_number(*b)).unwrap_or(rest.len());
+        match str::from_utf8(&rest[..length]).ok().and_then(|number| number.parse::<f64>().ok()) {
+            Some(value) if value.is_finite() => {
+                self.pass(self.at + length);
+                Ok(value)
+            }
             _ => Err(self.no_float(what)),
         }
     }
@@ -147,7 +151,7 @@ impl<'a> Scan<'a> {
     /// The integer that starts here.
     #[inline(always)]
     pub(super) fn integer(&mut self, what: &str) -> Result<i64, ContentError> {
-        match decimal::integer(self.bytes, self.at) {
+        match integer(self.bytes, self.at) {
             Some((value, end)) if self.pass(end) => Ok(value),
             _ => Err(self.expected(what)),
         }
@@ -158,7 +162,7 @@ impl<'a> Scan<'a> {
     pub(super) fn pass(&mut self, end: usize) -> bool {
         match self.bytes.get(end) {
             Some(b' ') => self.at = end + 1,
-            Some(byte) if *byte > b' ' && *byte != b'\\' => return false,
+            Some(byte) if !ends_number(*byte) => return false,
             _ => self.at = end,
         }
         true
@@ -202,22 +206,24 @@ impl<'a> Scan<'a> {
     }
 }
 
-/// The first `byte` at `start` or behind it; the length if there is none. Eight bytes at a time.
-#[inline]
-fn find(bytes: &[u8], start: usize, byte: u8) -> usize {
-    const ONES: u64 = 0x0101_0101_0101_0101;
-    let wanted = u64::from(byte) * ONES;
-    let mut at = start;
-    while at < bytes.len() {
-        // The lowest zero of x is found surely: no borrow reaches it from below.
-        let x = decimal::word(bytes, at) ^ wanted;
-        let zeros = x.wrapping_sub(ONES) & !x & (0x80 * ONES);
-        if zeros != 0 {
-            return at + zeros.trailing_zeros() as usize / 8;
-        }
-        at += 8;
+/// Returns true for a byte that ends a number: white space, or the `\` of a continued line.
+#[inline(always)]
+const fn ends_number(byte: u8) -> bool {
+    byte <= b' ' || byte == b'\\'
+}
+
+/// Reads the integer that starts at `start`. Returns it, saturated at ±`i64::MAX`, and the offset
+/// of the next byte.
+#[inline(always)]
+pub(super) fn integer(bytes: &[u8], start: usize) -> Option<(i64, usize)> {
+    let sign = bytes.get(start);
+    let first = start + usize::from(matches!(sign, Some(b'+' | b'-')));
+    let (mut magnitude, mut end) = (0_i64, first);
+    while let Some(digit @ b'0'..=b'9') = bytes.get(end) {
+        magnitude = magnitude.saturating_mul(10).saturating_add(i64::from(digit - b'0'));
+        end += 1;
     }
-    bytes.len()
+    (end > first).then(|| (if sign == Some(&b'-') { -magnitude } else { magnitude }, end))
 }
 
 #[cfg(test)]
@@ -225,16 +231,42 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_first_byte_is_found_wherever_it_stands() {
-        for length in 0..40 {
-            for place in 0..=length {
-                let mut text = vec![b'\x0b'; length];
-                text.iter_mut().skip(place).step_by(3).for_each(|b| *b = b'\n');
-                for start in 0..=place {
-                    assert_eq!(find(&text, start, b'\n'), place);
-                }
-                assert_eq!(find(&text, 0, b'\r'), length);
+    fn only_finite_decimals_that_end_with_the_word_are_numbers() {
+        let read = |text: &str| {
+            let mut scan = Scan::new(text.as_bytes());
+            scan.float("coordinate").ok().map(|value| (value, scan.at))
+        };
+        for (number, value) in [
+            ("1.", 1.0),
+            (".5", 0.5),
+            ("+1", 1.0),
+            ("-0.25", -0.25),
+            ("1e5", 1e5),
+            ("1.5E-03", 1.5e-3),
+            ("1e-999", 0.0),
+        ] {
+            for (end, length) in [("", 0), (" 2", 1), ("\t2", 0), ("\n", 0), ("\\\n2", 0), ("\0", 0)] {
+                let text = format!("{number}{end}");
+                assert_eq!(read(&text), Some((value, number.len() + length)), "{text:?}");
             }
+        }
+        for text in [
+            "", "-", "+", ".", "-.", "e5", "x", "nan", "inf", "-inf", "infinity", "1e", "1e+", "1.5e-",
+            "--1", "+-1", " 1", "1e999", "0x10", "1_000", "1.5.2", "1,5", "1/2", "1#", "1f64", "１",
+        ] {
+            assert_eq!(read(text), None, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn integers_end_before_the_first_other_byte_and_saturate() {
+        let read = |text: &str| integer(text.as_bytes(), 0);
+        assert_eq!(read("-120345/7"), Some((-120_345, 7)));
+        assert_eq!(read("+123456789012345678 "), Some((123_456_789_012_345_678, 19)));
+        assert_eq!(read("000000000000000000000042"), Some((42, 24)));
+        assert_eq!(read("-99999999999999999999"), Some((-i64::MAX, 21)));
+        for text in ["", "-", "/", "a1", ":1", "+-1"] {
+            assert_eq!(read(text), None, "{text:?}");
         }
     }
 

@@ -90,7 +90,7 @@ pub fn read(bytes: &[u8]) -> Result<Stl, StlError> {
 
 /// What the bytes of an STL file say; `path` is for messages.
 pub(super) fn contents(bytes: &[u8], path: &Path) -> Result<MeshContents, FormatError> {
-    let Stl { kind, name, triangles, .. } = read(bytes).map_err(|error| refused(path, bytes, error))?;
+    let Stl { kind, name, triangles, .. } = read(bytes).map_err(|error| refused(path, bytes, &error))?;
     let mesh = TriangleMesh::of_soup(triangles)
         .map_err(|error| FormatError::new(path, None, FormatErrorKind::Body(error)))?;
     let encoding = match kind {
@@ -102,10 +102,18 @@ pub(super) fn contents(bytes: &[u8], path: &Path) -> Result<MeshContents, Format
 }
 
 /// The error of a file that starts with these bytes.
-pub(super) fn refused(path: &Path, bytes: &[u8], error: StlError) -> FormatError {
+fn refused(path: &Path, bytes: &[u8], error: &StlError) -> FormatError {
     match is_utf16(bytes) {
         true => FormatError::new(path, None, FormatErrorKind::Utf16),
-        false => FormatError::new(path, place(bytes, &error), FormatErrorKind::Stl(error)),
+        false => {
+            // A line and a column are the error's place; a record has to be said.
+            let message = match error.place() {
+                Some(StlPlace::Text { .. }) => error.message(),
+                _ => error.to_string(),
+            };
+            let kind = FormatErrorKind::Subject { message, hint: error.hint().map(str::to_owned) };
+            FormatError::new(path, place(bytes, error), kind)
+        }
     }
 }
 

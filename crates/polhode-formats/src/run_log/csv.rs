@@ -7,7 +7,6 @@ use super::choice::{Header, Plan};
 use super::head::Head;
 use super::rows::{MOST, Problem, RowError, Rows};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
-use crate::decimal;
 
 /// What the first lines say, and where the rows begin.
 #[derive(Debug)]
@@ -124,7 +123,7 @@ pub(super) fn opening(bytes: &[u8], is_told: bool) -> Result<Opening, ContentErr
         } else if !line.is_empty() {
             let separator = Separator::of(&bytes[line.clone()]);
             let fields = separator.fields(bytes, &line)?;
-            if !fields.iter().all(|(field, _)| is_number(field)) {
+            if !fields.iter().all(|(field, _)| field.parse::<f64>().is_ok()) {
                 let header = header(fields);
                 return Ok(Opening { head, header, separator, rows: next });
             }
@@ -154,12 +153,6 @@ pub(super) fn opening(bytes: &[u8], is_told: bool) -> Result<Opening, ContentErr
 fn header(fields: Vec<(String, Range<usize>)>) -> Header {
     let (names, spans) = fields.into_iter().unzip();
     Header { names, spans, is_in_order: true, ..Header::default() }
-}
-
-/// Whether a field could be the number of a row.
-fn is_number(field: &str) -> bool {
-    let is_decimal = decimal::float(field.as_bytes(), 0).is_some_and(|(_, end)| end == field.len());
-    is_decimal || field.parse::<f64>().is_ok()
 }
 
 fn trimmed(bytes: &[u8], span: Range<usize>) -> Range<usize> {
@@ -246,19 +239,18 @@ impl<'a> Table<'a> {
     /// The number of a slot that stands there, and the place behind it.
     #[inline(always)]
     fn number(&self, text: &[u8], at: usize, slot: usize) -> Result<(f64, usize), Error> {
-        match decimal::float(text, at) {
-            Some((number, end)) if number.is_finite() && self.ends(text, end) => Ok((number, end)),
+        let rest = text.get(at..).unwrap_or_default();
+        let length = rest.iter().position(|b| self.ends_number(*b)).unwrap_or(rest.len());
+        match str::from_utf8(&rest[..length]).ok().and_then(|number| number.parse::<f64>().ok()) {
+            Some(number) if number.is_finite() => Ok((number, at + length)),
             _ => self.rare_number(text, at, slot),
         }
     }
 
-    /// Whether a field ends there.
+    /// Returns true for a byte that ends a number.
     #[inline(always)]
-    fn ends(&self, text: &[u8], at: usize) -> bool {
-        match text.get(at) {
-            None | Some(b'\n') => true,
-            Some(byte) => self.separator == Separator::Byte(*byte) || self.separator.is_blank(*byte),
-        }
+    fn ends_number(&self, byte: u8) -> bool {
+        byte == b'\n' || self.separator == Separator::Byte(byte) || self.separator.is_blank(byte)
     }
 
     /// A number in quotes; else what is wrong.

@@ -30,7 +30,6 @@ mod prescribed;
 mod run_log;
 mod scenario;
 mod stl;
-mod stl_quick;
 mod table;
 mod threemf;
 mod torque_formula;

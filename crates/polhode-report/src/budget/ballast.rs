@@ -1,14 +1,14 @@
 //! Ballast by which limits are met.
 
 use polhode_budget::{Ballast, BallastAnswer, FoundBallast, Limit};
+use polhode_document::Section;
+use polhode_document::layout::printable;
+use polhode_document::number::{count, number, tidy};
 use serde_json::{Value, json};
 
 use super::case::Case;
 use super::found::Found;
 use super::limits::{allowed, shown_unit};
-use crate::explain::document::Section;
-use crate::layout::printable;
-use crate::number::{count, number, tidy};
 
 pub(super) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Option<Section> {
     let Found { answer, left_out } = case.ballast.as_ref()?;

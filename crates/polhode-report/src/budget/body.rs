@@ -5,11 +5,11 @@ use core::fmt::{self, Write as _};
 use polhode::body::MassProperties;
 use polhode::math::{AngularVelocity, Body};
 use polhode_budget::{Correlated, Estimate};
+use polhode_document::layout::printable;
 
 use super::case::{Case, ten};
 use super::{BudgetReport, basis_name};
 use crate::body_part::BodyPart;
-use crate::layout::printable;
 
 /// What a plan of a sweep has besides the body and its errors.
 #[derive(Clone, Copy, Debug, PartialEq)]

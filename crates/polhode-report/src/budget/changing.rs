@@ -1,14 +1,14 @@
 //! A body whose tanks drain, and to which things happen: its numbers by fill and over time.
 
 use polhode_budget::{Burn, Change, Sequence, SequenceError, SequenceRow};
+use polhode_document::Section;
+use polhode_document::graph::Graph;
+use polhode_document::json::matrix;
+use polhode_document::layout::printable;
+use polhode_document::number::{number, tidy};
 use serde_json::{Value, json};
 
 use super::numbers::{rates, ten};
-use crate::explain::document::Section;
-use crate::explain::graph::Graph;
-use crate::json::matrix;
-use crate::layout::printable;
-use crate::number::{number, tidy};
 
 /// Parts of a full tank in the tables, and in JSON and pictures.
 const SHOWN_FILLS: usize = 4;

@@ -1,10 +1,10 @@
 //! First order beside draws.
 
 use polhode_budget::{ComparedNumber, NUMBERS};
+use polhode_document::Section;
+use polhode_document::number::{count, number};
 
 use super::case::{Case, Drawn};
-use crate::explain::document::Section;
-use crate::number::{count, number};
 
 pub(super) fn section(case: &Case) -> Option<Section> {
     let Drawn { comparison, .. } = case.drawn.as_ref()?;

@@ -1,13 +1,13 @@
 //! Whose errors matter.
 
 use polhode_budget::{ErrorKind, Sensitivity, Source};
+use polhode_document::drawing::{Bar, BarPanel, Bars, Drawing};
+use polhode_document::layout::printable;
+use polhode_document::number::{GROUP, number};
+use polhode_document::{Block, Section};
 
 use super::case::{Case, ResultKind, SpreadResult};
 use super::limits::shown_unit;
-use crate::explain::document::{Block, Section};
-use crate::explain::drawing::{Bar, BarPanel, Bars, Drawing};
-use crate::layout::printable;
-use crate::number::{GROUP, number};
 
 /// Bars of a result, and cells of the table.
 const BARS: usize = 6;

@@ -4,6 +4,8 @@ use std::io;
 
 use polhode::math::{Body, Position, Rotation};
 use polhode_budget::{Basis, ComparedNumber, Estimate, MassStatement, NUMBERS};
+use polhode_document::finding;
+use polhode_document::json::{matrix, pretty, pretty_at};
 use serde_json::{Value, json};
 
 use super::case::{AXES, Case, Drawn, SpreadResult, ten};
@@ -11,8 +13,7 @@ use super::changing::Changing;
 use super::influence::{kind_name, share, source_name};
 use super::whole::{asked, correlation};
 use super::{BudgetReport, ballast, basis_name, limits, parts, principal};
-use crate::json::{matrix, pretty, pretty_at};
-use crate::{VERSION, finding};
+use polhode_document::VERSION;
 
 /// Errors of a number that are told one by one; the rest is told as a sum.
 const ERRORS: usize = 25;
@@ -23,7 +24,9 @@ impl BudgetReport {
         self.with_rows(&|case| (0..case.statements.len()).map(|k| row(case, k)).collect())
     }
 
-    /// Writes [`BudgetReport::to_json`] as [`pretty`](crate::pretty) prints it. Rows are written one by one, to save memory.
+    /// Writes [`BudgetReport::to_json`] as [`pretty`](polhode_document::json::pretty) prints it.
+    ///
+    /// Rows are written one by one, to save memory.
     ///
     /// # Errors
     /// Those of `out`.

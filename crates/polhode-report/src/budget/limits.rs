@@ -1,13 +1,13 @@
 //! Whether limits are met.
 
 use polhode_budget::{Answer, Limit, LimitAnswers, Margin, Share};
+use polhode_document::Section;
+use polhode_document::layout::printable;
+use polhode_document::number::{GROUP, count, number, with_error};
 use serde_json::{Value, json};
 
 use super::basis_name;
 use super::case::{Case, LEVEL};
-use crate::explain::document::Section;
-use crate::layout::printable;
-use crate::number::{GROUP, count, number, with_error};
 
 pub(super) fn section(case: &Case, limits: &[Limit]) -> Option<Section> {
     let answers = case.limits.as_ref()?;

@@ -1,12 +1,12 @@
 //! The masses of a list: its tree, and what the whole is made of.
 
 use polhode_budget::MassStatement;
+use polhode_document::Section;
+use polhode_document::drawing::{Bar, BarPanel, Bars, Drawing};
+use polhode_document::layout::{INDENT, printable};
+use polhode_document::number::{GROUP, alike, count, number};
 
 use super::case::Case;
-use crate::explain::document::Section;
-use crate::explain::drawing::{Bar, BarPanel, Bars, Drawing};
-use crate::layout::{INDENT, printable};
-use crate::number::{GROUP, alike, count, number};
 
 /// Rows that are shown; all are in JSON and CSV.
 const SHOWN: usize = 60;

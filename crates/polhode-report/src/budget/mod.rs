@@ -26,10 +26,10 @@ use polhode::math::{Body, Part, Position, Rotation};
 use polhode_budget::{
     Ballast, BallastError, Basis, Budget, BudgetError, Limit, LimitError, RowName, Sequence, SequenceError,
 };
+use polhode_document::layout::printable;
+use polhode_document::number::{GROUP, count, number, with_error};
+use polhode_document::{Document, Section};
 
-use crate::explain::document::{Document, Section};
-use crate::layout::printable;
-use crate::number::{GROUP, count, number, with_error};
 use case::Case;
 use changing::Changing;
 use found::Found;

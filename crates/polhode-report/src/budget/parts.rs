@@ -3,12 +3,12 @@
 use polhode::body::MassProperties;
 use polhode::math::Body;
 use polhode_budget::Basis;
+use polhode_document::Section;
+use polhode_document::drawing::{Drawing, Solid, Solids};
+use polhode_document::layout::printable;
+use polhode_document::number::{count, number, tidy};
 
 use super::case::Case;
-use crate::explain::document::Section;
-use crate::explain::drawing::{Drawing, Solid, Solids};
-use crate::layout::printable;
-use crate::number::{count, number, tidy};
 
 /// Parts that are drawn: more would hide each other.
 const MOST: usize = 150;

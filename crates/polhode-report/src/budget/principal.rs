@@ -1,15 +1,14 @@
 //! Principal moments and axes of the whole.
 
-use polhode::body::Symmetry;
+use polhode::body::{Symmetry, ratio_region};
 use polhode::math::Body;
 use polhode_budget::PrincipalUncertainty;
-use polhode_identify::ratio_region;
+use polhode_document::Section;
+use polhode_document::drawing::{Drawing, Triangle};
+use polhode_document::number::{number, with_error};
 
 use super::BudgetOptions;
 use super::case::{AXES, Case};
-use crate::explain::document::Section;
-use crate::explain::drawing::{Drawing, Triangle};
-use crate::number::{number, with_error};
 
 /// Probabilities of the regions of moments: one and two standard deviations of one number.
 const PROBABILITIES: [f64; 2] = [0.68, 0.95];

@@ -1,13 +1,13 @@
 //! Configurations beside each other.
 
 use polhode_budget::{Basis, NUMBERS};
+use polhode_document::Section;
+use polhode_document::layout::printable;
+use polhode_document::number::{tidy, with_error};
 
 use super::case::{Case, ten};
 use super::principal;
 use super::whole::length;
-use crate::explain::document::Section;
-use crate::layout::printable;
-use crate::number::{tidy, with_error};
 
 pub(super) fn section(cases: &[Case], basis: Basis) -> Section {
     let mut section = Section::new(1, "The configurations beside each other");

@@ -3,11 +3,11 @@
 use std::io;
 
 use polhode_budget::{Basis, BudgetError, NUMBERS};
+use polhode_document::number::exact;
 
 use super::case::{Case, ten};
 use super::{BudgetReport, basis_name};
-use crate::export::csv::quoted;
-use crate::number::exact;
+use polhode_document::csv_name;
 
 /// What stands in a cell.
 #[derive(Clone, Debug, PartialEq)]
@@ -181,7 +181,7 @@ impl Cell {
     fn to_csv(&self) -> String {
         match self {
             Self::Empty => String::new(),
-            Self::Text(text) => quoted(text),
+            Self::Text(text) => csv_name(text),
             Self::Number(number) => exact(*number),
         }
     }

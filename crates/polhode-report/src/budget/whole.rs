@@ -2,12 +2,12 @@
 
 use polhode::math::{Frame, Rotation};
 use polhode_budget::{Basis, Estimate, EstimateAbout, NUMBERS};
+use polhode_document::Section;
+use polhode_document::drawing::{Correlations, Drawing};
+use polhode_document::number::{number, tidy, with_error};
 
 use super::case::{Case, ten};
 use super::{BudgetOptions, basis_name};
-use crate::explain::document::Section;
-use crate::explain::drawing::{Correlations, Drawing};
-use crate::number::{number, tidy, with_error};
 
 /// Where lengths are read in mm, m.
 const SHORT: f64 = 10.0;

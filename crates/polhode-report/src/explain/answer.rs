@@ -1,12 +1,12 @@
 //! The answer, before the working.
 
 use polhode::body::Symmetry;
+use polhode_document::number::tidy_beside;
+use polhode_document::unit::{CLOSED, rate};
 
 use super::inside::Inside;
 use super::working::{Working, exactly, n, v};
 use crate::forces;
-use crate::number::tidy_beside;
-use crate::unit::{CLOSED, rate};
 
 /// Forces on more particles than this are left to step 4.
 const MOST_PARTICLES: usize = 4;

@@ -6,11 +6,11 @@ use polhode::body::Symmetry;
 use polhode::math::Attitude;
 use polhode::motion::{FreeMotion, Regime, State, Trajectory};
 use polhode::observe::{Drift, SymmetricTop};
+use polhode_document::Section;
+use polhode_document::number::{error, quaternion, without_noise};
 
-use super::document::Section;
 use super::inside::Inside;
 use super::working::{DIGITS, Working, n, v};
-use crate::number::{error, quaternion, without_noise};
 
 pub(super) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Section {
     let mut s = Section::new(6, "Solve for the attitude");

@@ -1,8 +1,8 @@
 //! Step 1: the axes.
 
 use polhode::math::Attitude;
+use polhode_document::Section;
 
-use super::document::Section;
 use super::working::{Working, v};
 
 pub(super) fn section(w: &Working<'_>) -> Section {

@@ -1,10 +1,10 @@
 //! Step 0: the body.
 
 use polhode::body::Particle;
+use polhode_document::Section;
+use polhode_document::number::tidy;
 
-use super::document::Section;
 use super::working::{Working, cells, n, v};
-use crate::number::tidy;
 
 /// More rows than this are not listed.
 const MOST_ROWS: usize = 20;

@@ -2,11 +2,11 @@
 
 use polhode::body::Symmetry;
 use polhode::motion::{Sample, Solution, Solver, Trajectory};
+use polhode_document::Section;
+use polhode_document::number::{tidy_beside, ungrouped, without_noise};
 
-use super::document::Section;
 use super::working::{Working, cells, n, v};
 use crate::event;
-use crate::number::{tidy_beside, ungrouped, without_noise};
 
 /// The motion is given: there is nothing to solve, but the torque may change along it.
 pub(super) fn given(w: &Working<'_>, s: &mut Section) {

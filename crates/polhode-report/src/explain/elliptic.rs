@@ -2,8 +2,8 @@
 
 use polhode::motion::Regime;
 use polhode::observe::{FreeRegime, JacobiForm, JacobiFunction};
+use polhode_document::Section;
 
-use super::document::Section;
 use super::working::{factor, n};
 
 /// A modulus below this is worth a word about the symmetric limit.

@@ -3,12 +3,12 @@
 use polhode::body::{Particle, Symmetry};
 use polhode::math::{Body, Principal, Torque, Vector};
 use polhode::motion::ParticleForce;
+use polhode_document::Section;
+use polhode_document::number::{tidy, tidy_beside};
 
 use super::body::numbered;
-use super::document::Section;
 use super::working::{Working, cells, exactly, factor, n, v};
 use crate::forces;
-use crate::number::{tidy, tidy_beside};
 
 /// Forces on more particles than this are not listed.
 const MOST_PARTICLES: usize = 12;

@@ -5,12 +5,12 @@ use std::f64::consts::TAU;
 use polhode::body::Symmetry;
 use polhode::motion::{FreeMotion, Regime};
 use polhode::observe::{Cones, FreeRegime, JacobiForm, SymmetricTop};
+use polhode_document::Section;
+use polhode_document::unit::{CLOSED, cone, rate};
 
-use super::document::Section;
 use super::working::{Working, factor, n, v};
 use super::{driven, elliptic, tensor};
 use crate::intermediate;
-use crate::unit::{CLOSED, cone, rate};
 
 pub(super) fn solve(w: &Working<'_>, s: &mut Section) {
     if w.rotor.principal().symmetry() == Symmetry::Point {
@@ -125,7 +125,10 @@ fn cones(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut Secti
         .iter()
         .map(|x| Cones::coplanarity(top, &x.state))
         .fold(Cones::coplanarity(top, &motion.at(w.start.time + 1.0)), f64::max);
-    s.line(format!("e · (ω × L) / |ω||L| = {} at worst: one plane", crate::number::error(departure)));
+    s.line(format!(
+        "e · (ω × L) / |ω||L| = {} at worst: one plane",
+        polhode_document::number::error(departure)
+    ));
     if let Some(how) = driven::how(w) {
         s.say(format!("ω(t) {how}{}:", w.rows.words));
         driven::table(w, false, s);

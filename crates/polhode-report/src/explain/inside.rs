@@ -4,11 +4,11 @@ use polhode::math::{AngularMomentum, AngularVelocity, Body, Torque};
 use polhode::motion::torque::{EnergySink, TorqueModel};
 use polhode::motion::{Motor, Wheel};
 use polhode::observe::{DissipativeLimit, PermanentRotation};
+use polhode_document::Section;
+use polhode_document::number::tidy_beside;
 
-use super::document::Section;
 use super::driven;
 use super::working::{Working, exactly, factor, n, v};
-use crate::number::tidy_beside;
 
 /// The numbers at the start.
 pub(super) struct Inside<'a, 'w> {

@@ -5,10 +5,10 @@ use std::f64::consts::TAU;
 use polhode::motion::State;
 use polhode::motion::torque::{Drag, DragLaw, TorqueModel};
 use polhode::observe::{Libration, OrbitalEquilibrium, SmallOscillations};
+use polhode_document::Section;
+use polhode_document::number::tidy_matrix;
 
-use super::document::Section;
 use super::working::{Working, acting, cells, n, v};
-use crate::number::tidy_matrix;
 
 /// What the linear equations say, if there is a steady motion to linearise about.
 pub(super) fn solve(w: &Working<'_>, s: &mut Section) {

@@ -8,34 +8,26 @@ mod attitude;
 mod axes;
 mod body;
 mod contact;
-pub(crate) mod document;
-pub(crate) mod drawing;
 mod driven;
 mod elliptic;
 mod euler;
-mod formula;
 mod free;
-pub(crate) mod graph;
-mod html;
 mod inside;
-mod latex;
 mod linear;
-mod markdown;
 mod pendulum;
 mod rows;
 mod shape;
 mod shape_formula;
 mod spin;
 mod tensor;
-mod text;
 mod top;
 mod working;
 
 use std::borrow::Cow;
 
 use polhode::motion::{MotionError, Scenario, Trajectory};
+use polhode_document::Document;
 
-use document::Document;
 use inside::Inside;
 use working::Working;
 
@@ -108,8 +100,8 @@ fn solved(w: &Working<'_>) -> Document {
 }
 
 /// Step 5, by the kind of motion.
-fn solution(w: &Working<'_>) -> document::Section {
-    let mut section = document::Section::new(5, "Solve for ω(t)");
+fn solution(w: &Working<'_>) -> polhode_document::Section {
+    let mut section = polhode_document::Section::new(5, "Solve for ω(t)");
     if let Some(pendulum) = &w.pendulum {
         pendulum::solve(w, pendulum, &mut section);
     }

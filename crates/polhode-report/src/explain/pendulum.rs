@@ -3,11 +3,11 @@
 use polhode::body::Particle;
 use polhode::math::{Body, Direction};
 use polhode::motion::{Pendulum, Swing};
+use polhode_document::Section;
+use polhode_document::number::{error, tidy_beside};
+use polhode_document::unit;
 
-use super::document::Section;
 use super::working::{Working, factor, leaves, n, v};
-use crate::number::{error, tidy_beside};
-use crate::unit;
 
 /// Sums of more particles than this are not written out.
 const MOST_TERMS: usize = 6;

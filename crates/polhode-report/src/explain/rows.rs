@@ -8,8 +8,7 @@
 use std::f64::consts::TAU;
 
 use polhode::motion::{MotionError, Rotor, Run, Sample, Scenario, Trajectory};
-
-use crate::number::number;
+use polhode_document::number::number;
 
 /// Instants, and the words for them.
 #[derive(Clone, Debug, Default)]

@@ -4,8 +4,8 @@ use polhode::body::mesh::TriangleMesh;
 use polhode::body::shape::Extent;
 use polhode::body::{BodyPart, Form};
 use polhode::math::{Part, Position};
+use polhode_document::Section;
 
-use super::document::Section;
 use super::shape_formula::{Derived, of};
 use super::working::n;
 

@@ -3,12 +3,12 @@
 use polhode::math::{Space, Velocity};
 use polhode::motion::torque::{ConstantTorque, TorqueModel};
 use polhode::motion::{KineticEnergySplit, MovingParticle, Prescribed, Rotor};
+use polhode_document::Section;
+use polhode_document::number::tidy;
+use polhode_document::unit::{angle, rate};
 
-use super::document::Section;
 use super::working::{Working, acting, cells, exactly, n, v};
-use crate::number::tidy;
 use crate::torque::Description;
-use crate::unit::{angle, rate};
 
 /// Velocities of more particles than this are left out.
 const MOST_PARTICLES: usize = 12;
@@ -166,7 +166,11 @@ fn energy(w: &Working<'_>, moving: &[MovingParticle<Space>], velocity: Velocity<
         n(velocity.norm()),
         n(translation)
     ));
-    s.line(format!("cross   = {} J{}", crate::number::error(split.cross), rounding_note(split.cross)));
+    s.line(format!(
+        "cross   = {} J{}",
+        polhode_document::number::error(split.cross),
+        rounding_note(split.cross)
+    ));
     let how = if exact { "½ Σ mα (ω × rα)²" } else { "½ ω · {I} · ω" };
     s.line(format!("T_rot   = {how} = {} J, about the centre of mass", n(rotation)));
     s.line(format!("T       = {} J", n(total)));

@@ -3,12 +3,12 @@
 use polhode::body::{Particle, Symmetry};
 use polhode::math::{Body, Direction};
 use polhode::motion::angular_momentum;
+use polhode_document::Section;
+use polhode_document::number::{tidy, tidy_beside, tidy_matrix};
+use polhode_document::unit::angle;
 
-use super::document::Section;
 use super::inside::Inside;
 use super::working::{Working, cells, exactly, factor, n, v};
-use crate::number::{tidy, tidy_beside, tidy_matrix};
-use crate::unit::angle;
 
 /// The body axes; 1, 2, 3 are the principal ones.
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -282,6 +282,6 @@ fn by_particles(w: &Working<'_>, s: &mut Section) {
     s.line(format!(
         "check: Σ mα rα × vα = {} kg·m²/s in body axes (differs by {})",
         exactly(tidy((attitude.inverse() * l).to_array())),
-        crate::number::error(gap)
+        polhode_document::number::error(gap)
     ));
 }

@@ -5,14 +5,14 @@ use std::f64::consts::{PI, TAU};
 use polhode::math::AngularVelocity;
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{HeavyTop, TopPath};
+use polhode_document::Section;
+use polhode_document::graph::Graph;
+use polhode_document::unit::rate;
 
-use super::document::Section;
 use super::free::once_in;
-use super::graph::Graph;
 use super::tensor::along_body_axis;
 use super::working::{Working, factor, n, v};
 use crate::heavy_top;
-use crate::unit::rate;
 
 /// The top that the scenario's body is.
 pub(super) fn of(w: &Working<'_>) -> Option<HeavyTop> {

@@ -13,11 +13,11 @@ use polhode::motion::{
     Ending, ErrorEffort, GlobalError, MotionError, MovingParticle, Pendulum, Required, Rotor, Scenario,
     State, StateError, Swing, Trajectory, rigid_velocity,
 };
+use polhode_document::number::{alike, number, tidy_beside};
 
 use super::rows::Rows;
 use crate::free_facts::FreeFacts;
 use crate::motion;
-use crate::number::{alike, number, tidy_beside};
 
 /// The state of the solution at t0, and the motion after it where there is one.
 pub(super) struct Working<'a> {
@@ -243,12 +243,12 @@ pub(super) fn factor(x: f64) -> String {
 /// `(x, y, z)` without what rounding left of its zeros.
 pub(super) fn v(values: [f64; 3]) -> String {
     let scale = values.iter().fold(0.0, |max, x| f64::max(max, x.abs()));
-    crate::number::vector(tidy_beside(values, scale), DIGITS)
+    polhode_document::number::vector(tidy_beside(values, scale), DIGITS)
 }
 
 /// `(x, y, z)` as it is: of numbers whose smallness matters.
 pub(super) fn exactly(values: [f64; 3]) -> String {
-    crate::number::vector(values, DIGITS)
+    polhode_document::number::vector(values, DIGITS)
 }
 
 /// Rows of numbers as cells; each column alike.

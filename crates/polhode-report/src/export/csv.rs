@@ -2,8 +2,9 @@
 //!
 //! What the numbers are stands in columns of their own, in the words of the JSON contract.
 
+use polhode_document::csv_name;
+
 use super::{ExportBody, elements, number};
-use crate::layout::printable;
 
 /// The names of the columns, with their units.
 const COLUMNS: [&str; 24] = [
@@ -35,16 +36,13 @@ const COLUMNS: [&str; 24] = [
 
 /// The whole table.
 pub(super) fn write(bodies: &[ExportBody]) -> String {
-    // What a mesh was taken for, and what was not looked at, stand in columns that other tables lack.
-    let unchecked = bodies.iter().map(|body| body.not_checked).find(|checks| !checks.is_empty());
-    let column = unchecked.map(|checks| format!("not_checked_{}", checks.join("_")));
+    // A mesh that was taken as something other than its solid adds a column to the table.
     let taken_as = bodies.iter().any(|body| body.taken_as.is_some()).then_some("mesh_taken_as");
-    let columns: Vec<_> = COLUMNS.into_iter().chain(taken_as).chain(column.as_deref()).collect();
+    let columns: Vec<_> = COLUMNS.into_iter().chain(taken_as).collect();
     let mut text = columns.join(",") + "\n";
     for body in bodies {
         let mut cells = row(body);
         cells.extend(taken_as.map(|_| body.taken_as.clone().unwrap_or_default()));
-        cells.extend(column.as_ref().map(|_| (!body.not_checked.is_empty()).to_string()));
         text += &(cells.join(",") + "\n");
     }
     text
@@ -54,7 +52,7 @@ fn row(body: &ExportBody) -> Vec<String> {
     let properties = &body.properties;
     let principal = properties.principal();
     let known = |x: Option<f64>| x.filter(|x| x.is_finite()).map(number).unwrap_or_default();
-    let mut cells = vec![quoted(&body.name), number(properties.mass())];
+    let mut cells = vec![csv_name(&body.name), number(properties.mass())];
     cells.extend(properties.center_of_mass().to_array().map(number));
     cells.extend(["center_of_mass", "body", "negative_integral"].map(str::to_owned));
     cells.extend(elements(properties).map(number));
@@ -63,39 +61,4 @@ fn row(body: &ExportBody) -> Vec<String> {
     cells.extend(principal.rotation().canonical_quaternion().map(number));
     cells.extend([body.volume, body.surface_area, body.density].map(known));
     cells
-}
-
-/// The name on one line, quoted where it has to be.
-///
-/// Spreadsheets take a text that begins with the sign of a formula for one, quoted or not, and run it: such a name gets an apostrophe
-/// before it, which they take for the mark of a text. Tabs and line ends, which do the same, are escapes by then.
-pub fn quoted(name: &str) -> String {
-    /// The signs by which a formula begins, and their full-width forms.
-    const FORMULA: [char; 8] = ['=', '+', '-', '@', '\u{ff1d}', '\u{ff0b}', '\u{ff0d}', '\u{ff20}'];
-    let mark = if name.trim_start().starts_with(FORMULA) { "'" } else { "" };
-    let name = mark.to_owned() + &printable(name);
-    if name.contains([',', '"']) { format!("\"{}\"", name.replace('"', "\"\"")) } else { name }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::quoted;
-
-    #[test]
-    fn a_name_is_no_formula() {
-        for (name, cell) in [
-            ("wheel", "wheel"),
-            ("a=b-c", "a=b-c"),
-            ("a,b", "\"a,b\""),
-            ("=HYPERLINK(\"x\",\"y\")", "\"'=HYPERLINK(\"\"x\"\",\"\"y\"\")\""),
-            ("+1", "'+1"),
-            ("-1", "'-1"),
-            ("@SUM(A1)", "'@SUM(A1)"),
-            (" \t=1+1", "' \\t=1+1"),
-            ("\r=1", "'\\r=1"),
-            ("\u{ff1d}1", "'\u{ff1d}1"),
-        ] {
-            assert_eq!(quoted(name), cell);
-        }
-    }
 }

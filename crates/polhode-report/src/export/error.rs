@@ -2,9 +2,10 @@
 
 use std::fmt;
 
+use polhode_document::layout::printable;
+use polhode_document::number::exact;
+
 use super::ExportFormat;
-use crate::layout::printable;
-use crate::number::exact;
 
 /// Why bodies cannot be written in a format: what, the value and the rule that it breaks.
 #[derive(Clone, Debug, PartialEq)]

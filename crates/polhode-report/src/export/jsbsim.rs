@@ -5,7 +5,7 @@
 
 use super::xml::{attribute, check_names, warning};
 use super::{ExportBody, ExportError, ExportFormat, elements, number};
-use crate::VERSION;
+use polhode_document::VERSION;
 
 /// kg to lb: the avoirdupois pound is 0.453 592 37 kg.
 const POUND: f64 = 0.453_592_37;

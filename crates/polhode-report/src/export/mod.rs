@@ -32,7 +32,7 @@ use polhode::body::MassProperties;
 use polhode::math::Body;
 
 use crate::InertiaReport;
-use crate::number::exact;
+use polhode_document::number::exact;
 
 /// A format that mass properties can be written in.
 ///
@@ -131,8 +131,6 @@ pub struct ExportBody {
     pub surface_area: Option<f64>,
     /// Mass per volume, kg/m³.
     pub density: Option<f64>,
-    /// What was not looked at because the user said so: `closed`, `overlaps`, …
-    pub not_checked: &'static [&'static str],
     /// What a mesh was taken for other than the solid that it bounds: `convex_hull`, `sheet`.
     pub taken_as: Option<String>,
 }
@@ -141,15 +139,7 @@ impl ExportBody {
     /// A body of which nothing else is known.
     pub fn new(name: impl Into<String>, properties: MassProperties<Body>) -> Self {
         let (volume, surface_area, density) = (None, None, None);
-        Self {
-            name: name.into(),
-            properties,
-            volume,
-            surface_area,
-            density,
-            not_checked: &[],
-            taken_as: None,
-        }
+        Self { name: name.into(), properties, volume, surface_area, density, taken_as: None }
     }
 
     /// The body of a report.
@@ -158,7 +148,6 @@ impl ExportBody {
             volume: report.volume,
             surface_area: report.surface_area,
             density: report.density,
-            not_checked: report.not_checked,
             taken_as: report.taken_as().map(str::to_owned),
             ..Self::new(name, report.properties)
         }

@@ -2,7 +2,7 @@
 
 use super::xml::check_names;
 use super::{ExportBody, ExportError, ExportFormat, elements, number, numbers};
-use crate::VERSION;
+use polhode_document::VERSION;
 
 /// The only body, which its comments call by its name in ASCII.
 fn one(format: ExportFormat, bodies: &[ExportBody]) -> Result<(&ExportBody, String), ExportError> {

@@ -5,10 +5,10 @@
 //! parallel-axis theorem, Ixy = Lxy + M x y.
 
 use polhode::math::Position;
+use polhode_document::layout::printable;
 
 use super::{ExportBody, ExportError, ExportFormat, number, numbers};
-use crate::VERSION;
-use crate::layout::printable;
+use polhode_document::VERSION;
 
 /// One report after the other.
 pub(super) fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {

@@ -4,7 +4,7 @@
 
 use super::xml::{attribute, check_names, warning};
 use super::{ExportBody, ExportError, ExportFormat, elements, number, numbers};
-use crate::VERSION;
+use polhode_document::VERSION;
 
 /// The whole file.
 pub(super) fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {

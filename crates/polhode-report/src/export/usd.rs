@@ -5,9 +5,10 @@
 
 use std::collections::BTreeSet;
 
+use polhode_document::layout::printable;
+
 use super::{ExportBody, ExportError, ExportFormat, number, numbers};
-use crate::VERSION;
-use crate::layout::printable;
+use polhode_document::VERSION;
 
 /// The whole file.
 pub(super) fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {

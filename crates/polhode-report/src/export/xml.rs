@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 
 use polhode::body::Symmetry;
+use polhode_document::layout::is_unseen;
 
 use super::{ExportBody, ExportError, ExportFormat};
-use crate::layout::is_unseen;
 
 /// The text as an attribute's value, between double quotes.
 ///

@@ -1,12 +1,12 @@
 //! Numbers that were found, with their errors.
 
 use polhode::body::{Finding, Severity};
+use polhode_document::Section;
+use polhode_document::number::{count, number, with_error};
 use polhode_identify::{Estimate, Number, PrincipalEstimate, ResidualTest, Undetermined};
 use serde_json::{Value, json};
 
 use super::picture;
-use crate::explain::document::Section;
-use crate::number::{count, number, with_error};
 
 pub(super) fn cell(value: f64, sd: Option<f64>) -> String {
     sd.map_or_else(|| "not known".to_owned(), |sd| with_error(value, sd))

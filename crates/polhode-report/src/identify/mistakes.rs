@@ -1,11 +1,10 @@
 //! Mistakes that could have been made in swing tests, and whether they would show.
 
+use polhode_document::Section;
+use polhode_document::layout::printable;
+use polhode_document::number::number;
 use polhode_identify::swing::{Mistake, MistakeKind, SwingEstimate};
 use serde_json::{Value, json};
-
-use crate::explain::document::Section;
-use crate::layout::printable;
-use crate::number::number;
 
 /// Mistakes that would not show, as a sentence; `None` if all would.
 pub(super) fn unseen(found: &SwingEstimate) -> Option<String> {

@@ -12,13 +12,12 @@ mod tumble;
 
 use polhode::body::MassProperties;
 use polhode::math::Body;
+use polhode_document::Document;
 use polhode_identify::IdentifyError;
 use polhode_identify::payload::{PayloadLog, identify_payload, next_motion};
 use polhode_identify::swing::{SwingPlan, identify_swings, next_swing};
 use polhode_identify::tumble::{Flight, TumbleOptions, identify_tumbles, next_flight};
 use serde_json::Value;
-
-use crate::explain::document::Document;
 
 pub use payload::PayloadReport;
 pub use scenario::{BodySize, NoBody};

@@ -1,10 +1,10 @@
 //! Motions of a wrist, in words.
 
+use polhode_document::number::number;
 use polhode_identify::payload::NextMotion;
 use serde_json::{Value, json};
 
 use super::next::Named;
-use crate::number::number;
 
 impl Named for NextMotion {
     fn name(&self) -> String {

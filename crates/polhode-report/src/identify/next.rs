@@ -1,10 +1,9 @@
 //! The next experiment that would help most.
 
+use polhode_document::Section;
+use polhode_document::number::{count, number};
 use polhode_identify::{Candidate, Knowledge, NextExperiment};
 use serde_json::{Value, json};
-
-use crate::explain::document::Section;
-use crate::number::{count, number};
 
 /// Experiments that are shown.
 const SHOWN: usize = 6;

@@ -2,6 +2,11 @@
 
 use polhode::body::{Finding, MassProperties, Severity};
 use polhode::math::Body;
+use polhode_document::drawing::{Drawing, Scatter, Series};
+use polhode_document::finding;
+use polhode_document::layout::printable;
+use polhode_document::number::{counted, number, with_error};
+use polhode_document::{Document, Section};
 use polhode_identify::payload::{Edge, EdgeKind, NextMotion, Payload, PayloadFinding, Thin};
 use polhode_identify::{NextExperiment, ResidualTest};
 use serde_json::{Value, json};
@@ -9,11 +14,7 @@ use serde_json::{Value, json};
 use super::scenario::NoBody;
 use super::{estimate, next};
 use crate::body_part::BodyPart;
-use crate::explain::document::{Document, Section};
-use crate::explain::drawing::{Drawing, Scatter, Series};
-use crate::layout::printable;
-use crate::number::{counted, number, with_error};
-use crate::{VERSION, finding};
+use polhode_document::VERSION;
 
 /// A payload that was found, with what it was found from.
 #[derive(Clone, Debug)]

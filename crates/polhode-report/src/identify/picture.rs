@@ -1,10 +1,9 @@
 //! Pictures of what was found.
 
+use polhode_document::Section;
+use polhode_document::drawing::{Correlations, Drawing, Triangle};
 use polhode_identify::{Estimate, PrincipalEstimate};
 use serde_json::{Value, json};
-
-use crate::explain::document::Section;
-use crate::explain::drawing::{Correlations, Drawing, Triangle};
 
 /// Probabilities of the regions of moments: one and two standard deviations of one number.
 const PROBABILITIES: [f64; 2] = [0.68, 0.95];

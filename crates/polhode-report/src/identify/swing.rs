@@ -2,6 +2,11 @@
 
 use polhode::body::{Finding, MassProperties, Severity};
 use polhode::math::Body;
+use polhode_document::drawing::{Drawing, Scatter, Series};
+use polhode_document::finding;
+use polhode_document::layout::printable;
+use polhode_document::number::{count, number, with_error};
+use polhode_document::{Document, Section};
 use polhode_identify::swing::{Measurement, NextSwing, SwingEstimate, SwingResult, SwingTest};
 use polhode_identify::{NextExperiment, Number, ON_EARTH, PrincipalEstimate};
 use serde_json::{Value, json};
@@ -10,11 +15,7 @@ use super::next::Named;
 use super::scenario::NoBody;
 use super::{estimate, mistakes, next};
 use crate::body_part::BodyPart;
-use crate::explain::document::{Document, Section};
-use crate::explain::drawing::{Drawing, Scatter, Series};
-use crate::layout::printable;
-use crate::number::{count, number, with_error};
-use crate::{VERSION, finding};
+use polhode_document::VERSION;
 
 /// A body that was found by its swings.
 #[derive(Clone, Debug)]

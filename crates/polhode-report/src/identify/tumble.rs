@@ -1,6 +1,11 @@
 //! Tumbles.
 
 use polhode::body::{Finding, Severity};
+use polhode_document::drawing::{Drawing, Scatter, Series};
+use polhode_document::finding;
+use polhode_document::layout::printable;
+use polhode_document::number::{count, counted, number};
+use polhode_document::{Document, Section};
 use polhode_identify::NextExperiment;
 use polhode_identify::tumble::{Flaw, FlightFit, NextFlight, Tumble};
 use serde_json::{Value, json};
@@ -9,11 +14,7 @@ use super::next::Named;
 use super::scenario::{BodySize, NoBody};
 use super::{estimate, next};
 use crate::body_part::BodyPart;
-use crate::explain::document::{Document, Section};
-use crate::explain::drawing::{Drawing, Scatter, Series};
-use crate::layout::printable;
-use crate::number::{count, counted, number};
-use crate::{VERSION, finding};
+use polhode_document::VERSION;
 
 /// A body that was found by its tumbles, with what it was found from.
 #[derive(Clone, Debug)]

@@ -1,13 +1,13 @@
 //! The grade card of a program: all cases of the suite.
 
 use polhode::infer::judge::AccuracyOrder;
+use polhode_document::layout::printable;
+use polhode_document::number::{error, number};
+use polhode_document::{Document, Section};
 use serde_json::{Value, json};
 
 use super::{JudgedRun, accuracy_order, graph, json, words};
-use crate::VERSION;
-use crate::explain::document::{Document, Section};
-use crate::layout::printable;
-use crate::number::{error, number};
+use polhode_document::VERSION;
 
 /// The grade card of a program: all cases of the suite.
 #[derive(Clone, Debug)]

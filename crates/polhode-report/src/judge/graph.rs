@@ -1,7 +1,8 @@
 //! The error over the time.
 
+use polhode_document::graph::Graph;
+
 use super::JudgedRun;
-use crate::explain::graph::Graph;
 
 /// How many points are drawn: the largest error of each part of the time.
 const POINTS: usize = 240;

@@ -5,12 +5,12 @@ use polhode::infer::judge::{
     AccuracyOrder, AttitudeSense, Cause, Growth, OmegaAxes, QuaternionOrder, RateErrors, Reading, Readings,
     Split,
 };
+use polhode_document::finding;
+use polhode_document::json::numbers;
 use serde_json::{Value, json};
 
 use super::{JudgedRun, words};
-use crate::VERSION;
-use crate::finding;
-use crate::json::numbers;
+use polhode_document::VERSION;
 
 /// `{"polhode": …, "title": …, "runs": […], "order_of_accuracy": …, "findings": […]}`
 pub(super) fn report(

@@ -13,8 +13,7 @@ use polhode::infer::judge::{
     AccuracyOrder, Causes, DeclaredReading, JudgeError, Judgement, MotionLog, StepErrors, causes,
 };
 use polhode::motion::Scenario;
-
-use crate::layout::printable;
+use polhode_document::layout::printable;
 
 pub use card::{Card, CardCase, CardRun};
 pub use hint::judge_hint;

@@ -3,12 +3,12 @@
 use polhode::body::Finding;
 use polhode::infer::judge::AccuracyOrder;
 use polhode::motion::Scenario;
+use polhode_document::layout::printable;
+use polhode_document::number::{count, error, number};
+use polhode_document::{Document, Section};
 use serde_json::Value;
 
 use super::{JudgedRun, accuracy_order, graph, json, words};
-use crate::explain::document::{Document, Section};
-use crate::layout::printable;
-use crate::number::{count, error, number};
 
 /// One scenario and the runs of it that other programs made, judged.
 #[derive(Clone, Debug)]

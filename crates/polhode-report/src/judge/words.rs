@@ -1,10 +1,10 @@
 //! Sentences about one run.
 
 use polhode::infer::judge::{AttitudeSense, Growth, PartKind, Reading, SignedAxes, SplitPart, Untried};
+use polhode_document::layout::printable;
+use polhode_document::number::{error, number, vector};
 
 use super::JudgedRun;
-use crate::layout::printable;
-use crate::number::{error, number, vector};
 
 /// `2.1e-9 rad off at the end, 3.2e-9 rad at most; grows as t^1.00`
 pub(super) fn how_far(run: &JudgedRun) -> String {

@@ -7,17 +7,17 @@ mod underflow;
 
 use polhode::body::Finding;
 use polhode::motion::{Sample, Scenario, Trajectory};
+use polhode_document::SourceInfo;
+use polhode_document::sparkline;
 use serde_json::Value;
-
-use crate::source::SourceInfo;
-use crate::sparkline;
 
 /// A motion, ready to be read.
 ///
 /// ```
 /// use polhode::prelude::*;
 /// use polhode::motion::Run;
-/// use polhode_report::{MotionReport, SourceInfo};
+/// use polhode_document::SourceInfo;
+/// use polhode_report::MotionReport;
 /// let inertia = InertiaTensor::diagonal([1.0, 2.0, 3.0])?;
 /// let omega = AngularVelocity::new(0.01, 1.0, 0.01);
 /// let scenario = Scenario::new(MassProperties::new(1.0, Position::ZERO, inertia)?)

@@ -6,17 +6,16 @@ use polhode::motion::{
     Method, ParticleForce, Pendulum, Sample, Scenario, Solution, Solver, State, Swing, Trajectory, Wheel,
 };
 use polhode::observe::Drift;
+use polhode_document::finding;
+use polhode_document::json::{numbers, vector};
 use serde_json::{Map, Value, json};
 
 use super::MotionReport;
 use super::facts::{Facts, Needed, Top};
 use crate::block::{self, Geometry};
 use crate::free_facts::FreeFacts;
-use crate::json::{numbers, vector};
 use crate::torque::Description;
-use crate::{
-    VERSION, contact, event, finding, gimbals, global_error, heavy_top, history, orbit, symmetric_top,
-};
+use crate::{VERSION, contact, event, gimbals, global_error, heavy_top, history, orbit, symmetric_top};
 
 pub(super) fn of(report: &MotionReport<'_>) -> Value {
     let (scenario, samples) = (report.scenario, report.trajectory.samples());
@@ -61,7 +60,7 @@ fn turns_about(scenario: &Scenario, facts: &Facts<'_>) -> Value {
     json!({
         "what": if scenario.pivot().is_some() { "pivot" } else { "center_of_mass" },
         "point": vector(point),
-        "tensor": crate::json::matrix(facts.rotor.inertia().matrix()),
+        "tensor": polhode_document::json::matrix(facts.rotor.inertia().matrix()),
         "principal": block::principal(facts.rotor.principal()),
     })
 }

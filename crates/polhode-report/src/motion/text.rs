@@ -2,16 +2,20 @@
 
 use polhode::motion::{Pendulum, Sample, Scenario, Solution, Solver, State, Swing, Wheel};
 use polhode::observe::FreeRegime;
+use polhode_document::finding;
+use polhode_document::layout::{WIDTH, broken, columns, labelled, plain_spaces, printable};
+use polhode_document::number::{
+    count, error, has_digits, number, quaternion, tidy, ungrouped, vector, within,
+};
+use polhode_document::sparkline::Sparkline;
+use polhode_document::unit;
+use polhode_document::unit::{CLOSED, DIGITS, cone, duration, rate};
 
 use super::MotionReport;
 use super::facts::{Facts, Needed, Top};
-use crate::layout::{WIDTH, broken, columns, labelled, plain_spaces, printable};
-use crate::number::{count, error, has_digits, number, quaternion, tidy, ungrouped, vector, within};
 use crate::periods::in_both_conventions;
-use crate::sparkline::Sparkline;
 use crate::torque::{Description, off_at_start, wheel_name};
-use crate::unit::{self, CLOSED, DIGITS, cone, duration, rate};
-use crate::{contact, event, finding, gimbals, global_error, heavy_top, history, intermediate, omega, orbit};
+use crate::{contact, event, gimbals, global_error, heavy_top, history, intermediate, omega, orbit};
 
 /// Forces on more particles than this fill the screen: JSON has them all.
 const MOST_PARTICLES: usize = 8;
@@ -192,7 +196,7 @@ fn torque_needed(needed: &Needed) -> String {
 
 fn force_row(k: usize, f: &polhode::motion::ParticleForce) -> Vec<String> {
     let scale = f.force.norm();
-    let shown = |v: [f64; 3]| vector(crate::number::tidy_beside(v, scale), 6);
+    let shown = |v: [f64; 3]| vector(polhode_document::number::tidy_beside(v, scale), 6);
     vec![
         format!("F{} = {}", k + 1, shown(f.force.to_array())),
         format!("along r {}", shown(f.along.to_array())),

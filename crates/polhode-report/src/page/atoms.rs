@@ -4,8 +4,8 @@ use polhode::body::BodyPart;
 use polhode::math::{Body, Position};
 use serde_json::{Value, json};
 
+use super::packed::f32s;
 use super::placed::at;
-use crate::base64::f32s;
 
 /// Part of its covalent radius that a ball shows: sticks are seen between them.
 const SHOWN: f64 = 0.45;

@@ -1,10 +1,10 @@
 //! The body: its mass, its inertia about the point that it turns about, and its shape for display.
 
+use polhode_document::json::{finite, numbers};
 use serde_json::{Value, json};
 
 use super::shapes::{self, Budget};
 use super::turning::{Turning, ellipsoid, equivalent_box};
-use crate::json::{finite, numbers};
 
 /// Without `budget` it has no shapes.
 pub(super) fn json(turning: &Turning<'_>, budget: Option<&mut Budget>) -> Value {

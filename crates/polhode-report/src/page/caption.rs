@@ -2,6 +2,9 @@
 
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{FreeMotion, HeavyTop, Regime, Scenario, Solution, TopPath, Trajectory};
+use polhode_document::layout::printable;
+use polhode_document::number::{number, typeset};
+use polhode_document::unit::time;
 use serde_json::{Value, json};
 
 use super::cones::{ConeAngles, Precession, is_moving};
@@ -9,10 +12,7 @@ use super::top::time_round;
 use crate::contact;
 use crate::free_facts::FreeFacts;
 use crate::gimbals;
-use crate::layout::printable;
-use crate::number::{number, typeset};
 use crate::torque::{Description, wheel_name};
-use crate::unit::time;
 
 /// Digits of a number in a caption.
 const DIGITS: usize = 4;

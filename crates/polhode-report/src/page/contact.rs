@@ -5,13 +5,13 @@ use polhode::motion::contact::{
     ContactChange, ContactSample, ContactTrajectory, Ground, GroundShape, GroundSide,
 };
 use polhode::motion::{Scenario, Trajectory};
+use polhode_document::json::{finite, numbers};
 use serde_json::{Value, json};
 
 use super::PageSubject;
 use super::motion::Shown;
 use super::rows::Rows;
 use super::surface;
-use crate::json::{finite, numbers};
 
 /// Null of any other motion.
 pub(super) fn json(

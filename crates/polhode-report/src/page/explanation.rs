@@ -1,12 +1,11 @@
 //! The worked solution, its formulas as MathML.
 
+use polhode_document::Picture;
+use polhode_document::layout::plain_spaces;
+use polhode_document::mathml;
+use polhode_document::number::{alike, tidy_matrix};
+use polhode_document::{Block, Document, Section};
 use serde_json::{Value, json};
-
-use crate::explain::document::{Block, Document, Section};
-use crate::layout::plain_spaces;
-use crate::mathml;
-use crate::number::{alike, tidy_matrix};
-use crate::plot::Picture;
 
 /// Digits of a matrix element.
 const DIGITS: usize = 6;

@@ -3,6 +3,10 @@
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{Crossing, FreeMotion, Regime, Scenario, Solution, Swing, Wheel};
 use polhode::observe::{Cones, Drift, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin, SymmetricTop};
+use polhode_document::layout::printable;
+use polhode_document::number::{count, error, number, tidy, tidy_matrix, typeset, vector};
+use polhode_document::unit;
+use polhode_document::unit::DIGITS;
 use serde_json::{Value, json};
 
 use super::motion::Shown;
@@ -15,12 +19,9 @@ use crate::event;
 use crate::free_facts::FreeFacts;
 use crate::gimbals;
 use crate::history;
-use crate::layout::printable;
-use crate::number::{count, error, number, tidy, tidy_matrix, typeset, vector};
 use crate::periods::Periods;
 use crate::sampling::largest_turn;
 use crate::torque::{Description, off_at_start};
-use crate::unit::{self, DIGITS};
 
 /// Between two samples a body that turns by more, rad, may have turned otherwise than the picture shows.
 const LARGEST_TURN: f64 = 1.0;

@@ -15,6 +15,7 @@ mod facts;
 mod free;
 mod motion;
 mod outline;
+mod packed;
 mod placed;
 mod rows;
 mod scene;
@@ -35,8 +36,8 @@ pub use turning::equivalent_box;
 use self::data::Room;
 use self::rows::Rows;
 use self::turning::Turning;
-use crate::explain::document::Document;
-use crate::mathml::escaped;
+use polhode_document::Document;
+use polhode_document::mathml::escaped;
 
 /// What a page shows.
 ///

@@ -2,13 +2,13 @@
 
 use polhode::motion::contact::{ContactSample, ContactTrajectory};
 use polhode::motion::{Crossing, Pointing, Sample, Trajectory, Wheel};
+use polhode_document::json::finite;
+use polhode_document::layout::printable;
 use serde_json::{Value, json};
 
 use super::PageSubject;
 use super::rows::Rows;
 use crate::balance::{Balance, Driven, balances, has_potential};
-use crate::json::finite;
-use crate::layout::printable;
 use crate::plot::series;
 use crate::torque::named_wheels;
 

@@ -1,8 +1,7 @@
 //! A shape at its place.
 
+use polhode_document::json::{finite, numbers};
 use serde_json::{Value, json};
-
-use crate::json::{finite, numbers};
 
 /// What is thin is shown with a thickness, so that it can be seen: this part of its smallest size.
 pub(super) const THIN: f64 = 1.0 / 40.0;

@@ -2,8 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::base64::f64s;
-
+use super::packed::f64s;
 /// Rows of f64: in the JSON as base64, or beside it as bytes.
 #[derive(Debug)]
 pub(super) enum Rows {

@@ -2,13 +2,13 @@
 
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{HeavyTop, Scenario, Solution};
+use polhode_document::json::{finite, numbers};
 use serde_json::{Value, json};
 
 use super::caption::Captions;
 use super::top::time_round;
 use super::{PageInput, PageSubject};
 use crate::free_facts::FreeFacts;
-use crate::json::{finite, numbers};
 
 /// A precession of more nutations is not what the eye follows.
 const MOST_NUTATIONS: f64 = 100.0;

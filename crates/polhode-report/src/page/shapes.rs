@@ -3,17 +3,17 @@
 use polhode::body::mesh::TriangleMesh;
 use polhode::body::{BodyPart, Form, Particle, PlacedForm, PrincipalFrame};
 use polhode::math::{Body, Direction, Part, Position};
+use polhode_document::json::numbers;
+use polhode_document::number::{count, number};
 use serde_json::{Value, json};
 
 use super::atoms;
 use super::decimate::decimated;
 use super::outline;
+use super::packed::{f32s, u32s};
 use super::placed::{THIN, at};
 use super::surface;
 use super::turning::{Turning, ellipsoid};
-use crate::base64::{f32s, u32s};
-use crate::json::numbers;
-use crate::number::{count, number};
 
 /// Particles of a part that are shown; more would be a cloud.
 const MOST_BALLS: usize = 2_000;
@@ -214,7 +214,8 @@ fn balls(part: &BodyPart, turning: &Turning<'_>, budget: &mut Budget) -> Option<
     if !centers.iter().chain(&radii).all(|x| x.is_finite()) {
         return None;
     }
-    let label = |p: &&Particle<_>| crate::layout::plain_spaces(&format!("{} kg", number(p.mass(), 4)));
+    let label =
+        |p: &&Particle<_>| polhode_document::layout::plain_spaces(&format!("{} kg", number(p.mass(), 4)));
     let own = json!({
         "kind": "balls",
         "centers": f32s(centers),

@@ -1,8 +1,9 @@
 //! Numbers of the page in units of a size that people say: milliradians per second, microjoules, picoseconds, days.
 
-use crate::number::{number, typeset, vector};
-use crate::si_prefix::fitting;
-use crate::unit::{self, DIGITS};
+use polhode_document::number::{number, typeset, vector};
+use polhode_document::si_prefix::fitting;
+use polhode_document::unit;
+use polhode_document::unit::DIGITS;
 
 /// A number, and its unit.
 pub(super) type Sized = (String, String);
@@ -68,7 +69,7 @@ fn largest(values: [f64; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::layout::plain_spaces;
+    use polhode_document::layout::plain_spaces;
 
     fn text((value, unit): Sized) -> String {
         plain_spaces(&format!("{value} {unit}")).trim_end().to_owned()

@@ -3,10 +3,10 @@
 use polhode::body::{BodyPart, Form, PlacedForm};
 use polhode::math::{Body, Direction, Part, Position};
 use polhode::motion::contact::{BodySurface, SurfaceShape};
+use polhode_document::json::numbers;
 use serde_json::{Value, json};
 
 use super::placed::{THIN, at};
-use crate::json::numbers;
 
 /// Lengths that are so near to each other, relative, are the same for the eye.
 const ALIKE: f64 = 1e-3;

@@ -3,10 +3,10 @@
 use std::f64::consts::TAU;
 
 use polhode::motion::{HeavyTop, TopPath};
+use polhode_document::json::{finite, numbers};
 use serde_json::{Value, json};
 
 use super::PageSubject;
-use crate::json::{finite, numbers};
 use crate::plot::axis_path::TopAxis;
 
 /// Null where `--plot axis` does not exist.

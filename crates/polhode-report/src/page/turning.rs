@@ -3,9 +3,9 @@
 use polhode::body::{BodyPart, PrincipalFrame};
 use polhode::math::{Body, Direction, Position};
 use polhode::motion::contact::BodySurface;
+use polhode_document::json::finite;
 
 use super::PageSubject;
-use crate::json::finite;
 
 /// A body and the point that it turns about.
 #[derive(Debug)]

@@ -9,19 +9,19 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use polhode::math::{Body, Direction, Position, Space};
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{Rotor, Sample, Scenario};
+use polhode_document::figure::axes::{Area, Axes, Axis};
+use polhode_document::figure::legend::Key;
+use polhode_document::figure::range::range;
+use polhode_document::figure::sheet::{Anchor, Colour, Mark, Pen, Point, Sheet};
+use polhode_document::figure::ticks::Ticks;
+use polhode_document::number::ungrouped;
 
-use super::axes::{Area, Axes, Axis};
 use super::chart::Heading;
 use super::error::PlotError;
 use super::figure::Figure;
-use super::legend::Key;
 use super::plotted::PlottedMotion;
-use super::range::range;
-use super::sheet::{Anchor, Colour, Mark, Pen, Point, Sheet};
 use super::sphere::{FAR, TRACE, arrow};
-use super::ticks::Ticks;
 use super::view::View;
-use crate::number::ungrouped;
 
 const BOUND: Pen = Pen::solid(Colour::AXES[0], 1.1).dashed(&[4.0, 3.0]);
 const START: Pen = Pen::solid(Colour::AXES[1], 6.0);

@@ -1,25 +1,26 @@
 //! A chart: the curves of a figure against time, in panels under each other.
 //!
-//! Constants are said in words ([`super::constant`]). What varies shares a panel with what is of its size ([`super::scale`]). Where a curve
-//! would fill its panel with stripes, the panel shows its envelope, and another beside it the beginning in full. Samples that do not
-//! resolve what they show are dots.
+//! Constants are stated in words ([`super::constant`]). Curves of one size share a panel
+//! ([`polhode_document::figure::scale`]). Where a curve would fill its panel with stripes, the panel
+//! shows its envelope, and another beside it the beginning in full. Samples that do not resolve what
+//! they show are dots.
 
 use polhode::motion::Ending;
+use polhode_document::figure::axes::{Area, Axes, Axis};
+use polhode_document::figure::legend::Key;
+use polhode_document::figure::range::range;
+use polhode_document::figure::scale;
+use polhode_document::figure::sheet::{Anchor, Colour, Sheet};
+use polhode_document::figure::{font, prefix};
+use polhode_document::number::number;
 
-use super::axes::{Area, Axes, Axis};
 use super::constant::Constant;
 use super::curve::Curve;
 use super::event_marks::EventMarks;
-use super::legend::Key;
 use super::oscillation::Oscillation;
 use super::panel::Panel;
 use super::plotted::PlottedMotion;
-use super::range::range;
-use super::scale;
-use super::sheet::{Anchor, Colour, Sheet};
 use super::time::{time_axis, unit_of_time};
-use super::{font, prefix};
-use crate::number::number;
 use crate::sampling::turn_that_hides;
 
 /// Writes the heading of a figure with its keys; gives the area below.
@@ -186,7 +187,7 @@ impl<'a> Chart<'a> {
         let letters = if self.events.has_letters() { LINE - 2.0 } else { 0.0 };
         let frame = self.column(sheet, left.below(LINE + letters), width, None);
         let title = |sheet: &mut Sheet, frame: Area, above: f64, words: &str| {
-            let words = font::fitted(words, super::sheet::SMALL, frame.width() + 12.0);
+            let words = font::fitted(words, polhode_document::figure::sheet::SMALL, frame.width() + 12.0);
             let at = [0.5 * (frame.left + frame.right), frame.top - 6.0 - above];
             sheet.text(at, Anchor::Middle, Colour::TEXT, &words);
         };
@@ -293,9 +294,9 @@ fn telling(curves: &[Curve]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sheet::Pen;
     use super::*;
-    use crate::layout::plain_spaces;
+    use polhode_document::figure::sheet::Pen;
+    use polhode_document::layout::plain_spaces;
 
     fn curve(values: Vec<f64>) -> Curve {
         let piece = values.into_iter().enumerate().map(|(k, x)| [k as f64, x]).collect();

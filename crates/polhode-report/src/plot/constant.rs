@@ -1,7 +1,7 @@
 //! Curves that are constant: they are said, with their value and by how much they vary, and not drawn.
 
-use super::prefix;
-use crate::number::{error, typeset};
+use polhode_document::figure::prefix;
+use polhode_document::number::{error, typeset};
 
 /// What varies by less of its own size is constant.
 const SPREAD: f64 = 1e-6;
@@ -71,7 +71,7 @@ impl Constant {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::layout::plain_spaces;
+    use polhode_document::layout::plain_spaces;
 
     #[test]
     fn what_varies_by_less_than_a_millionth_is_constant() {

@@ -1,8 +1,8 @@
 //! A curve against time.
 
-use super::line::Point;
-use super::range::range;
-use super::sheet::Pen;
+use polhode_document::figure::line::Point;
+use polhode_document::figure::range::range;
+use polhode_document::figure::sheet::Pen;
 
 /// A curve, and what it is called.
 #[derive(Clone, Debug)]

@@ -3,12 +3,13 @@
 //! A sample's departure is rounding noise in a closed form and a staircase in an integration: dots show either, and a line the
 //! largest so far.
 
-use super::axes::{Axes, Axis};
+use polhode_document::figure::axes::{Axes, Axis};
+use polhode_document::figure::legend::Key;
+use polhode_document::figure::range::range;
+use polhode_document::figure::sheet::{Colour, Pen, Point, Sheet};
+
 use super::chart::Heading;
-use super::legend::Key;
 use super::plotted::PlottedMotion;
-use super::range::range;
-use super::sheet::{Colour, Pen, Point, Sheet};
 use super::time::time_axis;
 use crate::balance::balances;
 

@@ -1,8 +1,9 @@
 //! The envelope of a curve that oscillates too fast to be drawn: the band between its least and greatest values nearby.
 
-use super::line::Point;
+use polhode_document::figure::line::Point;
+use polhode_document::figure::range::range;
+
 use super::oscillation::turning_points;
-use super::range::range;
 
 /// The upper and the lower edge of a band.
 pub(super) type Band = [Vec<Point>; 2];

@@ -36,11 +36,6 @@ pub enum PlotError {
         /// Why not.
         error: CurveError,
     },
-    /// A PNG cannot be made.
-    Pixels {
-        /// Why not.
-        why: String,
-    },
 }
 
 impl PlotError {
@@ -50,7 +45,6 @@ impl PlotError {
             Self::NotThere { .. } => "a plot without a name draws all figures that the motion has",
             Self::TooFewSamples { .. } | Self::TooCoarse { .. } => "sample more often, or for a shorter time",
             Self::Curve { .. } => "try a shorter duration, or another figure",
-            Self::Pixels { .. } => "write SVG",
         }
     }
 }
@@ -66,12 +60,11 @@ impl fmt::Display for PlotError {
                 f,
                 "the figure {} cannot be drawn: the body turns by up to {} rad from a sample to the next",
                 figure.name(),
-                crate::number::number(*turn, 3)
+                polhode_document::number::number(*turn, 3)
             ),
             Self::Curve { figure, error } => {
                 write!(f, "the figure {} cannot be drawn: {error}", figure.name())
             }
-            Self::Pixels { why } => write!(f, "a PNG cannot be made: {why}"),
         }
     }
 }

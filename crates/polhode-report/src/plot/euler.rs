@@ -7,13 +7,13 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use polhode::motion::Sample;
+use polhode_document::figure::sheet::{Colour, Pen, Point};
 
 use super::chart::{Chart, Quantity};
 use super::curve::Curve;
 use super::error::PlotError;
 use super::figure::Figure;
 use super::plotted::PlottedMotion;
-use super::sheet::{Colour, Pen, Point};
 use crate::sampling::largest_turn;
 
 /// Near an end of θ sin θ is below this: within 1.1°.

@@ -1,12 +1,11 @@
 //! Where events happen: dotted lines over the curves, letters above the frame, and names in the legend.
 
 use polhode::motion::Trajectory;
-
-use super::axes::Axes;
-use super::font;
-use super::legend::Key;
-use super::sheet::{Anchor, Colour, Mark, Pen, SMALL, Sheet, Text};
-use crate::layout::printable;
+use polhode_document::figure::axes::Axes;
+use polhode_document::figure::font;
+use polhode_document::figure::legend::Key;
+use polhode_document::figure::sheet::{Anchor, Colour, Mark, Pen, SMALL, Sheet, Text};
+use polhode_document::layout::printable;
 
 /// More lines than these would hide the curves: then there are short marks at the upper edge alone.
 const MOST_LINES: usize = 40;

@@ -1,18 +1,19 @@
 //! The figures of a motion: which there are, and each on a sheet.
 
 use polhode::motion::{FreeMotion, Regime, Scenario, Trajectory};
+use polhode_document::Picture;
+use polhode_document::figure::axes::Area;
+use polhode_document::figure::legend::{Key, heading};
+use polhode_document::figure::sheet::{Anchor, Colour, LARGE, Mark, Sheet, Text};
+use polhode_document::layout::printable;
 
-use super::axes::Area;
 use super::axis_path::TopAxis;
 use super::chart::Chart;
 use super::error::PlotError;
 use super::figure::Figure;
-use super::legend::{Key, heading};
 use super::plotted::PlottedMotion;
-use super::sheet::{Anchor, Colour, LARGE, Mark, Sheet, Text};
-use super::{Picture, axis_path, drift, euler, plane, series, sphere, wheels};
+use super::{axis_path, drift, euler, plane, series, sphere, wheels};
 use crate::balance::Driven;
-use crate::layout::printable;
 
 /// A motion, ready to be drawn.
 ///
@@ -145,7 +146,7 @@ impl<'a> MotionFigures<'a> {
         let mut sheet = Sheet::new(2.0 * WIDTH, head, self.spoken("motion"));
         if head > 0.0 {
             let room = sheet.width - 2.0 * MARGIN;
-            let title = super::font::fitted(&self.motion.title, LARGE + 2.0, room);
+            let title = polhode_document::figure::font::fitted(&self.motion.title, LARGE + 2.0, room);
             let text = Text::small([MARGIN, 26.0], Anchor::Start, Colour::BLACK, &title);
             sheet.marks.push(Mark::Text(Text { size: LARGE + 2.0, ..text }));
         }

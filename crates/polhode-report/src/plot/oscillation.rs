@@ -1,7 +1,7 @@
 //! How a curve oscillates: where it turns, and whether its samples show that.
 
-use super::line::Point;
-use super::range::range;
+use polhode_document::figure::line::Point;
+use polhode_document::figure::range::range;
 
 /// A turn by less of the curve's range is none.
 const RIPPLE: f64 = 0.01;

@@ -2,12 +2,13 @@
 //!
 //! A motion that runs away is drawn up to where it leaves the panel, which is as high as the rest of it needs.
 
-use super::axes::{Area, Axes, Axis};
+use polhode_document::figure::axes::{Area, Axes, Axis};
+use polhode_document::figure::range::range;
+use polhode_document::figure::sheet::{Mark, Pen, Point, Sheet};
+
 use super::curve::Curve;
 use super::envelope;
 use super::oscillation::Oscillation;
-use super::range::range;
-use super::sheet::{Mark, Pen, Point, Sheet};
 
 /// Turning points in an interval of an envelope: a little more than a period.
 const TURNS: f64 = 2.2;

@@ -2,12 +2,12 @@
 
 use polhode::motion::{FreeMotion, Regime};
 use polhode::observe::{CurveError, Herpolhode};
+use polhode_document::figure::axes::{Axes, Axis};
+use polhode_document::figure::legend::Key;
+use polhode_document::figure::prefix;
+use polhode_document::figure::sheet::{Colour, Pen, Point, Sheet};
 
-use super::axes::{Axes, Axis};
 use super::chart::Heading;
-use super::legend::Key;
-use super::prefix;
-use super::sheet::{Colour, Pen, Point, Sheet};
 use super::time::unit_of_time;
 
 /// No more of it than an eye can follow: periods of ω, and turns about L.

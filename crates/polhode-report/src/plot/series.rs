@@ -5,12 +5,12 @@ use polhode::math::{Direction, Principal, Vector};
 use polhode::motion::contact::ContactSample;
 use polhode::motion::gimbal::GimbalSample;
 use polhode::motion::{Pointing, Reference, Sample, Scenario};
+use polhode_document::figure::sheet::{Colour, Pen, Point};
 
 use super::chart::Quantity;
 use super::curve::Curve;
 use super::figure::Figure;
 use super::plotted::PlottedMotion;
-use super::sheet::{Colour, Pen, Point};
 use crate::balance::has_potential;
 
 /// The curves of ω, an energy, L, a torque or angles.

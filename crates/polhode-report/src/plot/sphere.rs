@@ -9,11 +9,11 @@ use polhode::body::Symmetry;
 use polhode::math::{Direction, Principal};
 use polhode::motion::FreeMotion;
 use polhode::observe::{CurveError, MomentumTrace};
+use polhode_document::figure::axes::Area;
+use polhode_document::figure::legend::Key;
+use polhode_document::figure::sheet::{Anchor, Colour, Mark, Pen, Point, Sheet, Text};
 
-use super::axes::Area;
 use super::chart::Heading;
-use super::legend::Key;
-use super::sheet::{Anchor, Colour, Mark, Pen, Point, Sheet, Text};
 use super::view::View;
 
 /// The curves about an axis divide the way to the separatrix into so many parts.

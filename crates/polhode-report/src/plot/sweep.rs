@@ -2,12 +2,13 @@
 
 mod questions;
 
-use super::Picture;
-use super::axes::{Area, Axes, Axis};
-use super::font;
-use super::legend::{Key, heading};
-use super::sheet::{Anchor, Colour, LARGE, Mark, Pen, Point, SMALL, Sheet, Text};
-use crate::layout::printable;
+use polhode_document::Picture;
+use polhode_document::figure::axes::{Area, Axes, Axis};
+use polhode_document::figure::font;
+use polhode_document::figure::legend::{Key, heading};
+use polhode_document::figure::sheet::{Anchor, Colour, LARGE, Mark, Pen, Point, SMALL, Sheet, Text};
+use polhode_document::layout::printable;
+
 use crate::sweep::{SweepSample, SweepStatistic, SweepSummary};
 
 /// The figures of a sweep: [`SweepFigures::histograms`] of its outcomes, [`SweepFigures::pairs`] of inputs and outcomes, and

@@ -6,10 +6,12 @@ use polhode::math::formula::{Binary, Formula, Instruction, Unary};
 use polhode::motion::torque::{EnergySink, FormulaTorque};
 use polhode::motion::{EventAction, Measure, Motor, Prescribed, Run, Sense, StateVariables};
 use polhode::prelude::*;
+use polhode_document::Picture;
+use polhode_document::figure::axes::{Area, Axes, Axis};
+use polhode_document::figure::line::{SEEN, distance};
+use polhode_document::figure::sheet::{self, Mark, Point};
+use polhode_document::figure::svg;
 
-use super::axes::{Area, Axes, Axis};
-use super::line::{SEEN, distance};
-use super::sheet::{Mark, Point};
 use super::*;
 use crate::balance::balances;
 

@@ -1,7 +1,7 @@
 //! Times: the unit in which they are read, and their axis.
 
-use super::axes::Axis;
-use crate::unit::longer;
+use polhode_document::figure::axes::Axis;
+use polhode_document::unit::longer;
 
 /// The axis of an interval of time, and the length of its unit, s.
 pub(super) fn time_axis(times: [f64; 2], width: f64) -> (Axis, f64) {

@@ -1,8 +1,7 @@
 //! A unit sphere seen from far away.
 
 use polhode::math::{Direction, Frame};
-
-use super::sheet::Point;
+use polhode_document::figure::sheet::Point;
 
 /// From where a sphere is seen, and where its picture is.
 pub(super) struct View<F: Frame> {

@@ -1,12 +1,12 @@
 //! The wheels inside a body: their momenta, and the speeds of those that a motor turns.
 
-use crate::layout::printable;
 use polhode::motion::{Sample, Wheel};
+use polhode_document::figure::sheet::Pen;
+use polhode_document::layout::printable;
 
 use super::chart::Quantity;
 use super::curve::Curve;
 use super::plotted::PlottedMotion;
-use super::sheet::Pen;
 
 pub(super) fn quantities(motion: &PlottedMotion<'_>) -> Vec<Quantity> {
     let momenta = curves(motion, ["h", "momentum"], |wheel, s| Some(wheel.momentum_at(s.state.time)));

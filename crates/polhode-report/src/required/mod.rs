@@ -7,9 +7,9 @@ mod text;
 use polhode::body::Particle;
 use polhode::math::{Body, Torque};
 use polhode::motion::{MotionError, Required, Rotor, Scenario};
+use polhode_document::SourceInfo;
 use serde_json::Value;
 
-use crate::source::SourceInfo;
 use shaft::ShaftReport;
 
 /// The torque, the power, the work and the forces that a prescribed motion needs.
@@ -27,7 +27,8 @@ use shaft::ShaftReport;
 /// # let attitude = Attitude::identity();
 /// # let led = Prescribed::fixed_axis(attitude, Direction::new(0.0, 3.0, 4.0), 2.0, 0.0)?;
 /// # let scenario = Scenario::new(body).made_of(vec![part]).prescribed_as(led)?;
-/// use polhode_report::{RequiredReport, SourceInfo};
+/// use polhode_document::SourceInfo;
+/// use polhode_report::RequiredReport;
 /// let report = RequiredReport::new(SourceInfo::new("body.toml", "scenario"), &scenario, &[], &[])?;
 /// // N = ω × I ω = 4 (3/5) (4/5) (2.5 − 2)
 /// assert!(report.to_text().contains("N = (0.96, 0, 0) N·m"));
@@ -164,5 +165,5 @@ impl<'a> RequiredReport<'a> {
 
 /// The components of a torque without what rounding left of zeros.
 fn tidy<F>(torque: Torque<F>, scale: f64) -> [f64; 3] {
-    crate::number::tidy_beside(torque.to_array(), scale)
+    polhode_document::number::tidy_beside(torque.to_array(), scale)
 }

@@ -2,12 +2,11 @@
 
 use polhode::math::{Acceleration, Attitude, Force, Space};
 use polhode::motion::{CorrectionMass, MotionError, MountedShaft, Reactions, Required, Shaft};
+use polhode_document::json::vector;
+use polhode_document::layout::labelled;
+use polhode_document::number::{number, tidy_beside, vector as shown};
+use polhode_document::unit;
 use serde_json::{Value, json};
-
-use crate::json::vector;
-use crate::layout::labelled;
-use crate::number::{number, tidy_beside, vector as shown};
-use crate::unit;
 
 /// The bearings and the balance of a shaft.
 #[derive(Clone, Debug)]

@@ -1,11 +1,12 @@
 //! The report as JSON.
 
 use polhode::motion::{ParticleForce, Required};
+use polhode_document::finding;
+use polhode_document::json::{numbers, vector};
 use serde_json::{Value, json};
 
 use super::RequiredReport;
-use crate::json::{numbers, vector};
-use crate::{VERSION, finding};
+use polhode_document::VERSION;
 
 pub(super) fn of(report: &RequiredReport<'_>) -> Value {
     let (first, last) = (report.first(), report.last());

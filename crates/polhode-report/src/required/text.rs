@@ -1,12 +1,12 @@
 //! The report as text.
 
 use polhode::motion::{ParticleForce, Required};
+use polhode_document::finding;
+use polhode_document::layout::{columns, labelled, plain_spaces};
+use polhode_document::number::{count, exact, number, tidy_beside, vector};
+use polhode_document::unit;
 
 use super::{RequiredReport, tidy};
-use crate::finding;
-use crate::layout::{columns, labelled, plain_spaces};
-use crate::number::{count, exact, number, tidy_beside, vector};
-use crate::unit;
 
 /// Digits of a number that stands alone.
 const DIGITS: usize = 7;
@@ -55,7 +55,7 @@ fn heading(report: &RequiredReport<'_>) -> String {
         _ => "at the start".to_owned(),
     };
     let title = report.scenario.title().unwrap_or("Torque of a prescribed motion");
-    format!("{}   {what}, prescribed motion\n", crate::layout::printable(title))
+    format!("{}   {what}, prescribed motion\n", polhode_document::layout::printable(title))
 }
 
 fn t(s: &Required) -> String {

@@ -2,9 +2,8 @@
 
 use polhode::body::{InertiaTensor, PrincipalFrame, Symmetry};
 use polhode::math::{Body, Direction};
-
-use crate::number::{GROUP, number};
-use crate::unit::DIGITS;
+use polhode_document::number::{GROUP, number};
+use polhode_document::unit::DIGITS;
 
 /// True if some distribution of mass has these moments.
 pub(super) fn is_possible(principal: &PrincipalFrame<Body>) -> bool {

@@ -9,10 +9,10 @@ mod tumbler;
 use polhode::body::Finding;
 use polhode::motion::{FreeMotion, MotionError};
 use polhode::observe::Herpolhode;
+use polhode_document::SourceInfo;
+use polhode_document::sparkline;
 use serde_json::Value;
 
-use crate::source::SourceInfo;
-use crate::sparkline;
 use states::Printed;
 
 pub use tumbler::TumblerReport;

@@ -2,12 +2,12 @@
 
 use polhode::math::{AngularVelocity, Body};
 use polhode::motion::{State, StateError};
+use polhode_document::json::{numbers, vector};
+use polhode_document::layout::columns;
+use polhode_document::number::{error, exact};
 use serde_json::{Value, json};
 
 use crate::global_error;
-use crate::json::{numbers, vector};
-use crate::layout::columns;
-use crate::number::{error, exact};
 
 /// A state with the sign that its quaternion is printed with.
 #[derive(Clone, Copy, Debug)]

@@ -4,14 +4,15 @@ use polhode::motion::{FreeMotion, PermanentAxis, Regime, State};
 use polhode::observe::{
     AxisConvention, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin, TumblingPeriods,
 };
+use polhode_document::SourceInfo;
+use polhode_document::finding;
+use polhode_document::json::{numbers, vector};
 use serde_json::{Map, Value, json};
 
 use super::{SpinReport, body, invariable_plane, states};
 use crate::free_facts::FreeFacts;
-use crate::json::{numbers, vector};
 use crate::periods::Periods;
-use crate::source::SourceInfo;
-use crate::{VERSION, block, finding, symmetric_top};
+use crate::{VERSION, block, symmetric_top};
 
 pub(super) fn of(report: &SpinReport) -> Value {
     let principal = report.motion.principal();

@@ -3,15 +3,17 @@
 use polhode::body::Symmetry;
 use polhode::motion::{FreeMotion, PermanentAxis, Regime};
 use polhode::observe::{Cones, FreeRegime, GeometricPhase, LeastEnergySpin, SymmetricTop};
+use polhode_document::SourceInfo;
+use polhode_document::finding;
+use polhode_document::layout::{labelled, plain_spaces};
+use polhode_document::number::{number, tidy, ungrouped, vector};
+use polhode_document::sparkline::Sparkline;
+use polhode_document::unit;
+use polhode_document::unit::{CLOSED, DIGITS, duration};
 
 use super::{SpinReport, body, invariable_plane, states};
 use crate::free_facts::FreeFacts;
-use crate::layout::{labelled, plain_spaces};
-use crate::number::{number, tidy, ungrouped, vector};
-use crate::source::SourceInfo;
-use crate::sparkline::Sparkline;
-use crate::unit::{self, CLOSED, DIGITS, duration};
-use crate::{finding, intermediate, omega, periods as conventions};
+use crate::{intermediate, omega, periods as conventions};
 
 /// The motion, with a picture of ω of so many columns if there is to be one.
 pub(super) fn write(report: &SpinReport, picture: Option<usize>) -> String {

@@ -3,17 +3,17 @@
 use polhode::body::PrincipalFrame;
 use polhode::math::{AngularVelocity, Body};
 use polhode::observe::{AxisConvention, TumblerError, TumblingPeriods, TumblingSolution};
+use polhode_document::SourceInfo;
+use polhode_document::json::vector;
+use polhode_document::layout::{labelled, plain_spaces};
+use polhode_document::number::number;
+use polhode_document::unit::DIGITS;
+use polhode_document::unit::duration;
 use serde_json::{Value, json};
 
 use super::summary::tumbling;
 use super::text::heading;
 use super::{body, summary};
-use crate::json::vector;
-use crate::layout::{labelled, plain_spaces};
-use crate::number::number;
-use crate::source::SourceInfo;
-use crate::unit::DIGITS;
-use crate::unit::duration;
 use crate::{VERSION, block, omega};
 
 /// All spins of a body that have two periods, ready to be read.

@@ -9,18 +9,19 @@ use polhode::body::Finding;
 use polhode::motion::torque::{EnergySink, TorqueModel};
 use polhode::motion::{MotionError, Rotor, Scenario, State};
 use polhode::observe::PermanentRotation;
+use polhode_document::SourceInfo;
 use serde_json::Value;
 
-pub use ground::GroundStabilityReport;
-
-use crate::source::SourceInfo;
 use search::{Found, Prevented, search};
+
+pub use ground::GroundStabilityReport;
 
 /// Whether steady motions of a scenario's body last, ready to be read.
 ///
 /// ```
 /// use polhode::prelude::*;
-/// use polhode_report::{SourceInfo, StabilityReport};
+/// use polhode_document::SourceInfo;
+/// use polhode_report::StabilityReport;
 /// let inertia = InertiaTensor::diagonal([1.0, 2.0, 3.0])?;
 /// let body = Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia)?);
 /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.0, 1.0, 0.0) };

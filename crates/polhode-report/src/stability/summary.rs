@@ -4,12 +4,13 @@ use polhode::observe::{
     DissipativeLimit, OrbitalEquilibrium, OscillationMode, PermanentRotation, SmallOscillations, Stability,
     SteadyTop,
 };
+use polhode_document::finding;
+use polhode_document::json::{numbers, vector};
 use serde_json::{Value, json};
 
 use super::search::{Found, Place};
 use super::{Judged, StabilityReport};
-use crate::json::{numbers, vector};
-use crate::{VERSION, block, finding};
+use crate::{VERSION, block};
 
 pub(super) fn of(report: &StabilityReport) -> Value {
     let mut later = report.judged.iter().map(|judged| at(report, judged));

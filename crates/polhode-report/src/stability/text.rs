@@ -6,12 +6,12 @@ use std::f64::consts::TAU;
 
 use polhode::motion::MotionError;
 use polhode::observe::{DissipativeLimit, PermanentRotation, Stability};
+use polhode_document::finding;
+use polhode_document::layout::{columns, labelled, plain_spaces};
+use polhode_document::number::{number, tidy_beside, vector};
 
 use super::search::Prevented;
 use super::{Judged, StabilityReport};
-use crate::finding;
-use crate::layout::{columns, labelled, plain_spaces};
-use crate::number::{number, tidy_beside, vector};
 
 pub(super) fn write(report: &StabilityReport) -> String {
     let mut text = report.source.heading() + "\n";

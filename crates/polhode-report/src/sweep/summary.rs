@@ -1,13 +1,13 @@
 //! `summary.json` of a sweep.
 
+use polhode_document::json::numbers;
 use serde_json::{Map, Value, json};
 
 use super::{
     SweepHistogram, SweepIntervals, SweepQuantile, SweepQuestion, SweepShare, SweepStatistic, SweepStep,
     SweepSummary,
 };
-use crate::VERSION;
-use crate::json::numbers;
+use polhode_document::VERSION;
 
 pub(super) fn of(summary: &SweepSummary) -> Value {
     let (confidence, why) = match summary.intervals {

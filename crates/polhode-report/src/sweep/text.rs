@@ -1,8 +1,9 @@
 //! A sweep on one screen.
 
+use polhode_document::layout::{columns, labelled, plain_spaces, printable};
+use polhode_document::number::{count, error, number, ungrouped};
+
 use super::{SweepIntervals, SweepQuestion, SweepShare, SweepStatistic, SweepSummary};
-use crate::layout::{columns, labelled, plain_spaces, printable};
-use crate::number::{count, error, number, ungrouped};
 
 /// Dependencies that are shown: weaker ones say little.
 const LEAST_CORRELATION: f64 = 0.1;

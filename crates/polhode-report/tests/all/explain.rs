@@ -1,10 +1,14 @@
 //! The worked solutions: their numbers against formulas computed here, and their form.
 
-use crate::common::Solution;
 use polhode::math::{Direction, Position, Rotation};
 use polhode::motion::Scenario;
 use polhode::motion::Suspension;
-use polhode_report::{Block, Document, InertiaReport, MotionReport, SourceInfo, explain, pretty};
+use polhode_document::SourceInfo;
+use polhode_document::json::pretty;
+use polhode_document::{Block, Document};
+use polhode_report::{InertiaReport, MotionReport, explain};
+
+use crate::common::Solution;
 
 /// All text of one section.
 fn section(document: &Document, number: usize) -> String {

@@ -6,7 +6,8 @@ use std::f64::consts::{FRAC_PI_4, PI, TAU};
 use polhode::math::{AngularVelocity, Attitude, Body, Direction};
 use polhode::motion::torque::{TorqueModel, Torsion};
 use polhode::motion::{FreeMotion, Scenario};
-use polhode_report::{Block, explain};
+use polhode_document::Block;
+use polhode_report::explain;
 
 use crate::common::{pendulum, run, spinning, symmetric_top, tensor};
 

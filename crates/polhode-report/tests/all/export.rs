@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use polhode::prelude::*;
-use polhode_report::{ExportBody, ExportError, ExportFormat, InertiaReport, SourceInfo, export};
+use polhode_document::SourceInfo;
+use polhode_report::{ExportBody, ExportError, ExportFormat, InertiaReport, export};
 use roxmltree::{Document, Node};
 
 type Matrix = [[f64; 3]; 3];
@@ -492,7 +493,7 @@ fn rods_and_points_carry_a_warning() {
 #[test]
 fn every_file_says_what_it_is_and_who_wrote_it() {
     let body = generic();
-    let version = format!("polhode {}: mass properties", polhode_report::VERSION);
+    let version = format!("polhode {}: mass properties", polhode_document::VERSION);
     for &format in ExportFormat::ALL {
         assert_eq!(ExportFormat::named(&format.name().to_uppercase()), Some(format));
         let text = write(format, &body);

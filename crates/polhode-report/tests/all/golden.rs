@@ -8,9 +8,10 @@ use polhode::body::{InertiaTensor, MassProperties, PrincipalFrame};
 use polhode::math::{AngularVelocity, Attitude, Body, Position, Rotation};
 use polhode::motion::{FreeMotion, Scenario, State};
 use polhode::observe::{AxisConvention, TumblingPeriods};
+use polhode_document::SourceInfo;
+use polhode_document::json::pretty;
 use polhode_report::{
-    ExportBody, ExportFormat, InertiaReport, MotionReport, SourceInfo, SpinReport, TumblerReport, explain,
-    export, pretty,
+    ExportBody, ExportFormat, InertiaReport, MotionReport, SpinReport, TumblerReport, explain, export,
 };
 
 /// Lines that tell of rounding or of the integrator's steps: they change with the core, and other tests bound them.

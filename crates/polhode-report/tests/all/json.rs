@@ -3,7 +3,9 @@
 use polhode::body::{Finding, Severity};
 use polhode::motion::{Run, SplittingOrder};
 use polhode::prelude::*;
-use polhode_report::{InertiaReport, MotionReport, SourceInfo, explain, pretty};
+use polhode_document::SourceInfo;
+use polhode_document::json::pretty;
+use polhode_report::{InertiaReport, MotionReport, explain};
 use serde_json::Value;
 
 fn keys(value: &Value) -> Vec<&str> {

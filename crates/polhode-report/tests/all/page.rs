@@ -1,9 +1,11 @@
 //! The page as a viewer meets it: what its script holds, and that nothing from outside gets out of it.
 
+use base64::prelude::{BASE64_STANDARD, Engine as _};
 use polhode::body::shape::{Cone, Tetrahedron};
 use polhode::motion::{ClosedForm, EventAction, Measure, Pointing, Reference, Sense, Solution};
 use polhode::prelude::*;
-use polhode_report::{Document, PageInput, PageSubject, explain_motion, page, page_rows};
+use polhode_document::Document;
+use polhode_report::{PageInput, PageSubject, explain_motion, page, page_rows};
 use serde_json::Value;
 
 const OPEN: &str = "<script id=\"polhode-data\" type=\"application/json\">";
@@ -44,21 +46,8 @@ pub(crate) fn page_of(scenario: &Scenario) -> (Value, Trajectory) {
     (data(&html_of(scenario, &trajectory, "title = \"x\"")), trajectory)
 }
 
-/// Base64 by the definition: six bits a digit, most significant first.
 pub(crate) fn bytes(text: &Value) -> Vec<u8> {
-    let mut bits: Vec<bool> = Vec::new();
-    for c in text.as_str().unwrap().bytes().filter(|c| *c != b'=') {
-        let digit = match c {
-            b'A'..=b'Z' => c - b'A',
-            b'a'..=b'z' => c - b'a' + 26,
-            b'0'..=b'9' => c - b'0' + 52,
-            b'+' => 62,
-            b'/' => 63,
-            other => panic!("{other} is no digit of base64"),
-        };
-        bits.extend((0..6).rev().map(|k| digit >> k & 1 == 1));
-    }
-    bits.chunks_exact(8).map(|byte| byte.iter().fold(0, |sum, bit| sum << 1 | u8::from(*bit))).collect()
+    BASE64_STANDARD.decode(text.as_str().unwrap()).unwrap()
 }
 
 fn doubles(text: &Value) -> Vec<f64> {
@@ -274,7 +263,7 @@ fn every_formula_is_set() {
 
 /// The characters of the bundled font, as its style sheet says.
 fn is_in_font(c: char) -> bool {
-    let css = include_str!("../../assets/math.css");
+    let css = include_str!("../../../polhode-document/assets/math.css");
     let ranges = css.split_once("unicode-range:").unwrap().1.split_once(';').unwrap().0;
     let number = |hex: &str| u32::from_str_radix(hex, 16).unwrap();
     ranges.split(',').map(|range| range.trim().strip_prefix("U+").unwrap()).any(|range| {

@@ -5,7 +5,8 @@ use std::f64::consts::PI;
 use polhode::motion::Suspension;
 use polhode::motion::torque::{Attracted, Drag, DragLaw, GravityGradient, UniformGravity};
 use polhode::prelude::*;
-use polhode_report::{Block, explain};
+use polhode_document::Block;
+use polhode_report::explain;
 
 use crate::common;
 

@@ -4,7 +4,8 @@ use polhode::motion::contact::{
     ContactLaw, ContactSample, ContactTrajectory, Friction, GroundSide, StartVelocity,
 };
 use polhode::prelude::*;
-use polhode_report::{Block, explain};
+use polhode_document::Block;
+use polhode_report::explain;
 
 use crate::common::Solution;
 use crate::common::ground::{

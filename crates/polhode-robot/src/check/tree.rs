@@ -61,7 +61,12 @@ impl Tree {
                 }
             }
         }
-        let mut mass_below: Vec<bool> = model.links.iter().map(|link| has_mass(model.format, link)).collect();
+        let mut mass: Vec<bool> = model.links.iter().map(|link| has_mass(model.format, link)).collect();
+        // The bodies that are not read have mass, and may be fixed to the link.
+        for link in model.unread_bodies.iter().filter_map(|unread| names.get(unread.link.as_deref()?)) {
+            mass[*link] = true;
+        }
+        let mut mass_below = mass.clone();
         let mut welded_mass = mass_below.clone();
         for &k in order.iter().rev() {
             mass_below[k] |= hanging[k].iter().any(|(child, _)| mass_below[*child]);
@@ -73,7 +78,7 @@ impl Tree {
             for &(child, _) in hanging[k].iter().filter(|(child, fixed)| *fixed && !moves_itself[*child]) {
                 group[child] = group[k];
             }
-            group_mass[group[k]] |= has_mass(model.format, &model.links[k]);
+            group_mass[group[k]] |= mass[k];
         }
         let is_weighed = model.links.iter().any(|link| link.inertial.is_some());
         let is_bounded = model.texts().any(|text| text.contains("boundmass"));

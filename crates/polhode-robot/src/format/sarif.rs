@@ -23,7 +23,7 @@ impl Run<'_> {
             "runs": [{
                 "tool": { "driver": {
                     "name": "polhode",
-                    "semanticVersion": polhode_report::VERSION,
+                    "semanticVersion": polhode_document::VERSION,
                     "rules": rules().map(descriptor).collect::<Vec<_>>(),
                 } },
                 "columnKind": "unicodeCodePoints",

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fmt;
 
 use polhode::body::BodyError;
-use polhode_report::plain::printable;
+use polhode_document::layout::printable;
 
 use crate::body::LinkError;
 use crate::model::Span;
@@ -18,6 +18,13 @@ pub enum LumpError {
         link: String,
         /// Why not.
         error: LinkError,
+    },
+    /// Bodies that belong to what is joined and are not read.
+    UnreadBodies {
+        /// Name of the element that they are made from.
+        element: String,
+        /// Place of the element.
+        span: Span,
     },
     /// No link has mass.
     Massless {
@@ -181,7 +188,8 @@ impl LumpError {
     pub fn span(&self) -> Option<Span> {
         match self {
             Self::Link { error, .. } => Some(error.span()),
-            Self::NoLink { span, .. }
+            Self::UnreadBodies { span, .. }
+            | Self::NoLink { span, .. }
             | Self::Twice { span, .. }
             | Self::TwoParents { span, .. }
             | Self::TwoRoots { span, .. }
@@ -207,6 +215,9 @@ impl LumpError {
     pub fn hint(&self) -> String {
         match self {
             Self::Link { error, .. } => error.hint().to_owned(),
+            Self::UnreadBodies { .. } => {
+                "save the model as MuJoCo has compiled it (mj_saveLastXML), and use that".to_owned()
+            }
             Self::Massless { .. } => "give a link an inertial".to_owned(),
             Self::UnknownLink { meant, links, .. } => suggested(meant.as_deref(), "its links are", links),
             Self::TwoJoints { .. } => "give each a name of its own".to_owned(),
@@ -248,6 +259,9 @@ impl fmt::Display for LumpError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Link { link, error } => write!(f, "the link {link:?} is no body: {error}"),
+            Self::UnreadBodies { element, .. } => {
+                write!(f, "the bodies of <{element}> are not read, and their mass would be missing")
+            }
             Self::Massless { subtree: None } => f.write_str("no link has mass"),
             Self::Massless { subtree: Some(link) } => {
                 write!(f, "neither the link {link:?} nor what hangs from it has mass")

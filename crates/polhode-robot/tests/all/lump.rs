@@ -143,6 +143,7 @@ fn model(links: Vec<Link>, joints: Vec<Joint>) -> RobotModel {
         name: None,
         links,
         joints,
+        unread_bodies: Vec::new(),
         notes: Vec::new(),
     }
 }

@@ -22,8 +22,6 @@ mod lump;
 mod mimic;
 mod mjcf;
 mod mjcf_compiler;
-mod mjcf_composite;
-mod mjcf_flexcomp;
 mod mjcf_made;
 mod osim;
 mod packages;

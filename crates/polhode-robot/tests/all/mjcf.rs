@@ -3,6 +3,11 @@
 use crate::common::{
     Matrix, applied, assert_close, assert_near, matrix_about, matrix_about_axis, plus, read, times, written,
 };
+use polhode_robot::body::link_mass;
+use polhode_robot::check::check;
+use polhode_robot::inertia::{of_link, of_lumps};
+use polhode_robot::link_table::LinkTable;
+use polhode_robot::lump::Lumping;
 use polhode_robot::model::{GeometryShape, JointKind, Pose, Role, Slot, Tensor};
 
 #[track_caller]
@@ -184,6 +189,48 @@ fn what_is_not_read_is_noted() {
             left("read.left_out", "b")
         ]
     );
+}
+
+#[test]
+fn bodies_that_mujoco_makes_are_refused_by_name() {
+    let text = r#"<mujoco><worldbody>
+<body name="arm"><geom size="0.1"/>
+  <body name="hand"><joint name="j"/>
+    <composite type="cable" curve="s" count="9 1 1" initial="none"><geom type="capsule" size="0.01"/></composite></body>
+  <body name="tool"><geom size="0.1"/></body></body>
+<flexcomp name="cloth" dim="2" count="3 3 1"/></worldbody></mujoco>"#;
+    let model = read(text);
+    assert_eq!((model.links.len(), model.notes.len()), (3, 2));
+    let places = ["<composite", "<flexcomp"].map(|element| text.find(element).unwrap());
+    for (note, (place, subject)) in model.notes.iter().zip(places.into_iter().zip(["hand", ""])) {
+        assert_eq!((note.code, note.span.start, note.subject.as_str()), ("read.left_out", place, subject));
+        assert!(note.message.contains("mj_saveLastXML"), "{}", note.message);
+    }
+    // The bodies may be fixed to the hand, so that it has mass.
+    assert!(check(&model, &[]).iter().all(|finding| finding.code == "read.left_out"));
+
+    let error = |lumping| of_lumps(&model, lumping, &[]).unwrap_err();
+    for lumping in [Lumping::All, Lumping::Fixed, Lumping::Subtree("arm"), Lumping::Subtree("hand")] {
+        let error = error(lumping);
+        assert_eq!(error.span().unwrap().start, places[0], "{lumping:?}");
+        assert_eq!(
+            error.to_string(),
+            "the bodies of <composite> are not read, and their mass would be missing"
+        );
+        assert!(error.hint().contains("mj_saveLastXML"));
+    }
+    assert_eq!(LinkTable::of(&model, &[]).unwrap_err(), error(Lumping::All));
+    assert!(of_lumps(&model, Lumping::Subtree("tool"), &[]).is_ok());
+    assert!(of_link(&model, "arm").is_ok());
+}
+
+#[test]
+fn a_total_mass_is_refused_where_bodies_are_missing() {
+    let model = read(
+        "<mujoco><compiler settotalmass='9'/><worldbody><body name='b'><geom size='1'/></body><flexcomp name='f'/></worldbody></mujoco>",
+    );
+    let error = link_mass(model.format, &model.links[0]).unwrap_err();
+    assert!(error.to_string().contains("<flexcomp> is not read"), "{error}");
 }
 
 #[test]

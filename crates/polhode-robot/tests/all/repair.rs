@@ -20,6 +20,7 @@ fn model() -> RobotModel {
         name: None,
         links: Vec::new(),
         joints: Vec::new(),
+        unread_bodies: Vec::new(),
         notes: Vec::new(),
     }
 }

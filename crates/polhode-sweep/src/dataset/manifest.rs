@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use polhode_report::pretty;
+use polhode_document::json::pretty;
 use serde_json::{Value, json};
 
 use crate::error::SweepError;

@@ -24,7 +24,8 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::thread;
 
-use polhode_report::{SweepFigures, SweepSummary, pretty};
+use polhode_document::json::pretty;
+use polhode_report::{SweepFigures, SweepSummary};
 
 use crate::batch::{Batch, Values};
 use crate::error::SweepError;

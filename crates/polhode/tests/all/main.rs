@@ -45,6 +45,7 @@ mod mesh_shapes;
 mod mesh_union;
 mod mesh_weld;
 mod metamorphic;
+mod moment_triangle;
 mod motion;
 mod on_ground;
 mod orbits;

@@ -121,7 +121,6 @@ static INERTIA: Subcommand = Subcommand {
             &["again", "torn again", "holed again", "again unnamed"],
             &["--write-mesh"],
         ),
-        choice("--quick", &["--quick"], &["stl"], &[]),
         choice("--unit", &["--unit", "mm"], MESHES, &[]),
         choice("--mass-unit", &["--mass-unit", "g"], &["particles", "cad"], &["--unit"]),
         choice("--isotopes", &["--isotopes", "average"], &["molecule"], &[]),

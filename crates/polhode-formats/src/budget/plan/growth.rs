@@ -24,6 +24,7 @@ pub(super) fn table(value: &Value<'_>) -> Result<(GrowthTable, Vec<String>), For
         codes.push((code.to_owned(), fraction));
     }
     let names = codes.iter().map(|(code, _)| code.clone()).collect();
-    let table = GrowthTable::new(codes).map_err(|error| value.error(FormatErrorKind::Budget(error)))?;
+    let table = GrowthTable::new(codes)
+        .map_err(|error| value.error(FormatErrorKind::subject(&error, error.hint())))?;
     Ok((table, names))
 }

@@ -70,7 +70,8 @@ impl States {
 
     fn table(self, at: impl FnOnce(FormatErrorKind) -> FormatError) -> Result<LiquidTable, FormatError> {
         let levels = Some(self.levels).filter(|levels| !levels.is_empty());
-        LiquidTable::new(self.rows, levels).map_err(|error| at(FormatErrorKind::Sequence(error)))
+        LiquidTable::new(self.rows, levels)
+            .map_err(|error| at(FormatErrorKind::subject(&error, error.hint())))
     }
 }
 

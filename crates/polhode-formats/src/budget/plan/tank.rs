@@ -221,5 +221,5 @@ fn vessel(
     let settles = table.require("settles", "settles = \"-z\"")?.choice(&DOWN.map(|(name, _)| name))?;
     let down = DOWN.iter().find(|(name, _)| *name == settles).map_or(Down::MinusZ, |(_, down)| *down);
     let vessel = Vessel::new(shape, known.value, down);
-    Ok((vessel.map_err(|error| table.error(FormatErrorKind::Sequence(error)))?, known))
+    Ok((vessel.map_err(|error| table.error(FormatErrorKind::subject(&error, error.hint())))?, known))
 }

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use base64::prelude::{BASE64_STANDARD, Engine as _};
 use polhode_formats::ContentError;
 use polhode_formats::mesh::{MeshContents, gltf};
 use serde_json::{Value, json};
@@ -129,7 +130,7 @@ impl File {
     pub(super) fn embedded(&self) -> Vec<u8> {
         let mut doc = self.doc.clone();
         doc["buffers"][0]["uri"] =
-            format!("data:application/gltf-buffer;base64,{}", base64(&self.bytes)).into();
+            format!("data:application/gltf-buffer;base64,{}", BASE64_STANDARD.encode(&self.bytes)).into();
         serde_json::to_vec_pretty(&doc).unwrap()
     }
 
@@ -173,16 +174,4 @@ impl File {
     pub(super) fn error(&self) -> String {
         self.read().unwrap_err().to_string()
     }
-}
-
-pub(super) fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::new();
-    for three in bytes.chunks(3) {
-        let word = three.iter().chain(&[0, 0]).take(3).fold(0_usize, |word, &b| word << 8 | usize::from(b));
-        for i in 0..4 {
-            text.push(if i <= three.len() { char::from(DIGITS[word >> (18 - 6 * i) & 63]) } else { '=' });
-        }
-    }
-    text
 }

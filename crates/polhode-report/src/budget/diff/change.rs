@@ -1,11 +1,11 @@
 //! What became of a row.
 
 use polhode_budget::{CopyErrors, Subtotal};
+use polhode_document::layout::printable;
+use polhode_document::number::number;
 use serde_json::{Value, json};
 
 use super::errors::Deviation;
-use crate::layout::printable;
-use crate::number::number;
 
 /// What became of a row.
 #[derive(Clone, Debug, PartialEq)]

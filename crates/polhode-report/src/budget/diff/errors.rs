@@ -1,8 +1,7 @@
 //! How well the numbers of a row are known, and what changed of that.
 
 use polhode_budget::{LiquidErrors, Measured, PartUncertainty, Row, Spread, Uncertainty};
-
-use crate::number::number;
+use polhode_document::number::number;
 
 /// The standard deviation of a number of a row, before and after, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,11 +1,11 @@
 //! What is to happen over time, in the words of the file.
 
 use polhode::motion::{Exit, Outflow};
+use polhode_document::number::{number, vector};
 
 use super::item::Item;
 use super::words::{direction, names, point};
 use crate::budget::statements::{StatedChange, StatedSequence};
-use crate::number::{number, vector};
 
 /// What is said of a sequence, item by item.
 pub(super) fn items(sequence: &StatedSequence, digits: usize) -> Vec<Item> {

@@ -1,11 +1,11 @@
 //! Limits in the words of the file.
 
 use polhode_budget::{About, Limit, Measure, PrincipalAxis, ProductSign};
+use polhode_document::number::number;
 
 use super::words::{direction, point};
 use crate::budget::basis_name;
 use crate::budget::limits::shown_unit;
-use crate::number::number;
 
 /// `center distance along z: most 2 mm, of predicted masses`
 pub(super) fn in_words(limit: &Limit, digits: usize) -> String {

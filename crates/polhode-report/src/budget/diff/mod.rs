@@ -12,16 +12,16 @@ mod tank;
 mod words;
 
 use polhode_budget::{Basis, Estimate, NUMBERS};
+use polhode_document::layout::printable;
+use polhode_document::number::{count, number, tidy, with_error};
+use polhode_document::{Document, Section};
 use serde_json::{Value, json};
 
 use super::case::{Case, ten};
 use super::principal;
 use super::{BudgetReport, basis_name};
-use crate::VERSION;
-use crate::explain::document::{Document, Section};
-use crate::layout::printable;
-use crate::number::{count, number, tidy, with_error};
 use change::{Change, from_to, signed};
+use polhode_document::VERSION;
 use stated::Stated;
 
 /// What changed from one budget to another, row by row and in the whole.

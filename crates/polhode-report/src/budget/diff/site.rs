@@ -1,9 +1,9 @@
 //! Sites of ballast in the words of the file.
 
 use polhode_budget::{BallastPlace, Round, Site};
+use polhode_document::number::number;
 
 use super::words::{direction, point};
-use crate::number::number;
 
 /// `at (0, 0, -10) mm, radius 80 mm, normal z, rim; most 0.2 kg`
 pub(super) fn in_words(site: &Site, digits: usize) -> String {

@@ -3,6 +3,9 @@
 use std::collections::HashMap;
 
 use polhode_budget::Group;
+use polhode_document::Section;
+use polhode_document::layout::printable;
+use polhode_document::number::{count, number, quaternion};
 use serde_json::{Value, json};
 
 use super::item::Item;
@@ -10,9 +13,6 @@ use super::words::point;
 use super::{happening, limit, site, tank};
 use crate::budget::case::Case;
 use crate::budget::{BudgetReport, basis_name};
-use crate::explain::document::Section;
-use crate::layout::printable;
-use crate::number::{count, number, quaternion};
 
 /// Something that is stated differently, in words; `None` where it is not stated.
 #[derive(Clone, Debug, PartialEq, Eq)]

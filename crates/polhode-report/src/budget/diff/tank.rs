@@ -3,11 +3,11 @@
 use polhode::body::MassProperties;
 use polhode::math::Part;
 use polhode_budget::{Down, Liquid, LiquidTable, Measured, TankShape, Vessel};
+use polhode_document::number::{number, vector};
 
 use super::item::Item;
 use super::words::{names, point};
 use crate::budget::statements::StatedTank;
-use crate::number::{number, vector};
 
 /// What is said of a tank, item by item: what it is, and each row of its table. How much is in it, and how well that is known, shows in its row of the list.
 pub(super) fn items(tank: &StatedTank, digits: usize) -> Vec<Item> {

@@ -1,8 +1,7 @@
 //! Points, directions and amounts in words, with so many digits.
 
 use polhode::math::{Body, Direction};
-
-use crate::number::vector;
+use polhode_document::number::vector;
 
 /// `(10, 0, -2.5) mm`
 pub(super) fn point(at: [f64; 3], digits: usize) -> String {

@@ -3,13 +3,13 @@
 use polhode::math::{Acceleration, Position, Space, Velocity};
 use polhode::motion::contact::{ContactChange, Friction, Grip};
 use polhode::observe::{BallOnPlane, SlipEnd};
+use polhode_document::Section;
+use polhode_document::number::tidy_beside;
+use polhode_document::unit::angle;
 
-use super::super::document::Section;
 use super::super::free::once_in;
 use super::super::working::{exactly, factor, n, v};
 use super::OnGround;
-use crate::number::tidy_beside;
-use crate::unit::angle;
 
 pub(super) fn solve(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
     s.say(

@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use polhode::motion::contact::{GroundSide, SurfaceShape};
 use polhode::motion::{HeavyTop, TopPath};
 use polhode::observe::BallInBowl;
+use polhode_document::Section;
 
-use super::super::document::Section;
 use super::super::free::once_in;
 use super::super::working::{n, v};
 use super::OnGround;

@@ -3,11 +3,11 @@
 use polhode::math::{Body, Direction, Velocity};
 use polhode::motion::contact::{Grip, GroundShape, SurfaceShape};
 use polhode::observe::TippeTop;
+use polhode_document::Section;
+use polhode_document::number::tidy_beside;
 
-use super::super::document::Section;
 use super::super::working::{exactly, n};
 use super::{OnGround, bowl};
-use crate::number::tidy_beside;
 
 /// A constant: what it is, its value and unit, and why it stays.
 struct Constant {

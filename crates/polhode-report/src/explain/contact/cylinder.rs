@@ -3,8 +3,8 @@
 use polhode::math::{Body, Direction, Space};
 use polhode::motion::contact::{GroundShape, GroundSide};
 use polhode::observe::BallOnPlane;
+use polhode_document::Section;
 
-use super::super::document::Section;
 use super::super::working::n;
 use super::{OnGround, ball, unsolved, wheel};
 

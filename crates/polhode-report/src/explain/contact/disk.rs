@@ -5,14 +5,14 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use polhode::math::{Body, Direction};
 use polhode::motion::contact::{ContactChange, Footing};
 use polhode::observe::{CirclingDisk, StableSpins, SteadyOnGround};
+use polhode_document::Section;
+use polhode_document::number::tidy_beside;
+use polhode_document::unit::{angle, rate};
 
-use super::super::document::Section;
 use super::super::free::once_in;
 use super::super::tensor::along_body_axis;
 use super::super::working::{cells, factor, n, v};
 use super::{OnGround, about};
-use crate::number::tidy_beside;
-use crate::unit::{angle, rate};
 
 /// The tilt, and the rates along e, q and of the precession, at t0.
 struct Motion {

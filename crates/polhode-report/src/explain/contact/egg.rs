@@ -4,12 +4,12 @@ use polhode::math::{AngularVelocity, Attitude, Body, Direction, Rotation};
 use polhode::motion::State;
 use polhode::motion::contact::ContactStart;
 use polhode::observe::{SpinningEgg, SteadyPath};
+use polhode_document::Section;
+use polhode_document::unit::{angle, rate};
 
-use super::super::document::Section;
 use super::super::tensor::along_body_axis;
 use super::super::working::{n, v};
 use super::{OnGround, disk, vertex};
-use crate::unit::{angle, rate};
 
 pub(super) fn solve(
     g: &OnGround<'_, '_>,

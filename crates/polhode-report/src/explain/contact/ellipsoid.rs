@@ -1,8 +1,8 @@
 //! Step 5 of an ellipsoid: a rattleback, an egg, or whatever spins on a point below its centre of mass.
 
 use polhode::observe::{SpinningEgg, SteadyPath};
+use polhode_document::Section;
 
-use super::super::document::Section;
 use super::{OnGround, egg, rattleback, unsolved, vertex};
 
 pub(super) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {

@@ -1,12 +1,12 @@
 //! Steps 3 and 4 on the ground: {I} about the point of contact too, and the equations of motion with the constraint put in.
 
 use polhode::math::{Body, Direction};
+use polhode_document::Section;
+use polhode_document::number::{tidy_beside, tidy_matrix};
 
-use super::super::document::Section;
 use super::super::tensor;
 use super::super::working::{exactly, n, v};
 use super::{OnGround, constants};
-use crate::number::{tidy_beside, tidy_matrix};
 
 /// Step 3.
 pub(super) fn inertia(g: &OnGround<'_, '_>) -> Section {

@@ -25,8 +25,8 @@ use polhode::motion::contact::{
     GroundShape, StartVelocity, SurfaceShape,
 };
 use polhode::observe::{BallOnPlane, CirclingDisk, SteadyOnGround, TippeTop};
+use polhode_document::{Document, Section};
 
-use super::document::{Document, Section};
 use super::working::Working;
 use super::{answer, body};
 

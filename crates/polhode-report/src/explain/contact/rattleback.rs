@@ -3,11 +3,11 @@
 use std::f64::consts::TAU;
 
 use polhode::observe::{RattleMode, Rattleback, SteadyOnGround, VertexSpin};
+use polhode_document::Section;
+use polhode_document::unit::{angle, rate};
 
-use super::super::document::Section;
 use super::super::working::{factor, n};
 use super::{OnGround, disk, vertex};
-use crate::unit::{angle, rate};
 
 pub(super) fn solve(
     g: &OnGround<'_, '_>,

@@ -3,13 +3,13 @@
 use polhode::math::{Body, Direction};
 use polhode::motion::Trajectory;
 use polhode::motion::contact::{ContactEvent, ContactSample};
+use polhode_document::Section;
+use polhode_document::number::error;
 
 use super::super::attitude;
-use super::super::document::Section;
 use super::super::working::{cells, n};
 use super::OnGround;
 use crate::event;
-use crate::number::error;
 
 /// More changes than these are not listed.
 const MOST: usize = 12;

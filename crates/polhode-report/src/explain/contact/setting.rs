@@ -2,13 +2,13 @@
 
 use polhode::math::{Attitude, Direction, Space, Velocity};
 use polhode::motion::contact::{Grip, SurfaceShape};
+use polhode_document::Section;
+use polhode_document::number::tidy_beside;
+use polhode_document::unit::rate;
 
-use super::super::document::Section;
 use super::super::working::{exactly, factor, n, v};
 use super::OnGround;
 use crate::contact;
-use crate::number::tidy_beside;
-use crate::unit::rate;
 
 /// Step 1.
 pub(super) fn axes(g: &OnGround<'_, '_>) -> Section {

@@ -5,13 +5,13 @@ use std::f64::consts::PI;
 use polhode::math::{Body, Direction};
 use polhode::motion::contact::Grip;
 use polhode::observe::{EndState, Place, TippeTop};
+use polhode_document::Section;
+use polhode_document::graph::Graph;
+use polhode_document::unit::angle;
 
-use super::super::document::Section;
-use super::super::graph::Graph;
 use super::super::tensor::along_body_axis;
 use super::super::working::{cells, factor, n, v};
 use super::OnGround;
-use crate::unit::angle;
 
 pub(super) fn solve(g: &OnGround<'_, '_>, top: &TippeTop, e: Direction<Body>, s: &mut Section) -> String {
     let l = g.w.rotor.angular_momentum(g.start.state.omega);

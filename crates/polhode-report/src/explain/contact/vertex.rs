@@ -2,12 +2,12 @@
 
 use polhode::motion::contact::Footing;
 use polhode::observe::{StableSpins, SteadyOnGround, VertexSpin};
+use polhode_document::Section;
+use polhode_document::number::tidy_beside;
+use polhode_document::unit::rate;
 
-use super::super::document::Section;
 use super::super::working::n;
 use super::{OnGround, disk};
-use crate::number::tidy_beside;
-use crate::unit::rate;
 
 /// Its height, its radii, and at which spins it stays.
 pub(super) fn stands(

@@ -3,8 +3,8 @@
 use polhode::math::{Acceleration, AngularVelocity, Body, Direction, Space};
 use polhode::motion::contact::{GroundShape, SurfaceShape};
 use polhode::observe::BallOnPlane;
+use polhode_document::Section;
 
-use super::super::document::Section;
 use super::{OnGround, ball};
 
 /// A rim upright on a slope, its axis across it.

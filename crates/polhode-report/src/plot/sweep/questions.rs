@@ -1,12 +1,13 @@
 //! What the questions of a sweep are about: who says yes, and how the share settles.
 
-use super::super::Picture;
-use super::super::axes::{Area, Axes, Axis};
-use super::super::legend::{Key, heading};
-use super::super::sheet::{Colour, Mark, Pen, Point, Sheet};
+use polhode_document::Picture;
+use polhode_document::figure::axes::{Area, Axes, Axis};
+use polhode_document::figure::legend::{Key, heading};
+use polhode_document::figure::sheet::{Colour, Mark, Pen, Point, Sheet};
+use polhode_document::layout::printable;
+use polhode_document::number::number;
+
 use super::{Shown, SweepFigures, axis_of};
-use crate::layout::printable;
-use crate::number::number;
 use crate::sweep::SweepQuestion;
 
 /// Questions that are shown.
@@ -43,7 +44,7 @@ impl SweepFigures<'_> {
         else {
             sheet.text(
                 [area.left, area.top + 20.0],
-                super::super::sheet::Anchor::Start,
+                polhode_document::figure::sheet::Anchor::Start,
                 Colour::FAINT,
                 "no outcome in it is a number that varies",
             );

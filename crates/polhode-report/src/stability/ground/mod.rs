@@ -7,9 +7,8 @@ use polhode::body::Finding;
 use polhode::motion::contact::{ContactStart, Grip};
 use polhode::motion::{GroundContact, MotionError, Scenario};
 use polhode::observe::SteadyOnGround;
+use polhode_document::SourceInfo;
 use serde_json::Value;
-
-use crate::source::SourceInfo;
 
 /// Which steady motion the start of a scenario with a `[contact]` is near to, and whether that lasts.
 #[derive(Clone, Debug)]

@@ -1,11 +1,12 @@
 //! The stability of a body on the ground as JSON.
 
 use polhode::observe::{EndState, RattleMode, SteadyPath, TippeTop};
+use polhode_document::finding;
+use polhode_document::json::{numbers, vector};
 use serde_json::{Value, json};
 
 use super::GroundStabilityReport;
-use crate::json::{numbers, vector};
-use crate::{VERSION, finding};
+use polhode_document::VERSION;
 
 pub(super) fn of(report: &GroundStabilityReport) -> Value {
     let steady = &report.steady;

@@ -4,12 +4,12 @@ use std::f64::consts::TAU;
 
 use polhode::motion::contact::Footing;
 use polhode::observe::{EndState, Place, Rattleback, StableSpins, SteadyMode, SteadyPath, TippeTop};
+use polhode_document::finding;
+use polhode_document::layout::{columns, labelled, plain_spaces};
+use polhode_document::number::number;
+use polhode_document::unit::rate;
 
 use super::GroundStabilityReport;
-use crate::finding;
-use crate::layout::{columns, labelled, plain_spaces};
-use crate::number::number;
-use crate::unit::rate;
 
 pub(super) fn write(report: &GroundStabilityReport) -> String {
     let steady = &report.steady;

@@ -4,12 +4,12 @@ use std::f64::consts::TAU;
 
 use polhode::motion::TopPath;
 use polhode::observe::{OrbitalEquilibrium, OscillationMode, SmallOscillations, SteadyTop};
+use polhode_document::layout::labelled;
+use polhode_document::number::{number, vector};
+use polhode_document::unit::rate;
 
 use super::indented;
-use crate::layout::labelled;
-use crate::number::{number, vector};
 use crate::stability::search::{Found, Place};
-use crate::unit::rate;
 
 pub(super) fn write(found: &Found) -> String {
     let oscillations = &found.oscillations;

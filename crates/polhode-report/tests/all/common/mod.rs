@@ -9,7 +9,8 @@ use polhode::body::{BodyPart, Finding, PlacedForm, Severity};
 use polhode::motion::torque::Schedule;
 use polhode::motion::{Motor, Prescribed, Run, Suspension};
 use polhode::prelude::*;
-use polhode_report::{Document, explain, explain_motion};
+use polhode_document::Document;
+use polhode_report::{explain, explain_motion};
 
 /// A body of particles.
 pub fn particles(list: &[(f64, [f64; 3])]) -> BodyPart {

@@ -40,7 +40,6 @@ impl<'a> Reader<'_, 'a, '_> {
             class,
             prefix: prefix.as_str().into(),
             origin,
-            is_named: true,
             ..branch.clone()
         };
         let Some(name) = name else {

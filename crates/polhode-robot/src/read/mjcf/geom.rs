@@ -12,7 +12,7 @@ use super::mesh::{Asset, Fitted, Solid};
 use super::{Branch, Reader};
 
 /// The density of a geom that says none, kg/m³.
-pub(super) const WATER: f64 = 1000.0;
+const WATER: f64 = 1000.0;
 
 /// A geom, and its mass as far as it counts.
 pub(super) struct Geom {
@@ -210,7 +210,7 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
     ///
     /// # Errors
     /// If there is none of that name, or more than any model has are made.
-    pub(super) fn asset(&mut self, name: &str, context: usize) -> Result<&'c Asset, String> {
+    fn asset(&mut self, name: &str, context: usize) -> Result<&'c Asset, String> {
         /// Points that MuJoCo makes itself, of all meshes. A file could ask for as many thousands as it has bytes.
         const MOST_POINTS: usize = 5_000_000;
         let contexts = self.contexts;

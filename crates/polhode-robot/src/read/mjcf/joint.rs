@@ -33,25 +33,12 @@ impl<'a> Reader<'_, 'a, '_> {
         let unread = source.word("type").filter(|word| kind == JointKind::Other && *word != "ball");
         let unread = unread.map(|word| format!("type {word:?} is no kind of joint"));
         let coordinate = Coordinate { unread, ..coordinate(&source, kind, &context.settings) };
-        self.add_joint(index, branch, name, kind, (axis, anchor), coordinate);
-    }
-
-    /// A joint of a link, that the element of a branch says.
-    pub(super) fn add_joint(
-        &mut self,
-        index: usize,
-        branch: &Branch<'a>,
-        name: Name,
-        kind: JointKind,
-        place: ([f64; 3], [f64; 3]),
-        coordinate: Coordinate,
-    ) {
         if let Some((_, jointed)) = self.jointed.get_mut(index) {
             *jointed = true;
         }
         self.joint_order.push(self.elements);
         self.joint_origins.push(branch.origin);
-        self.hang(index, name, branch.element.span(), kind, place, coordinate);
+        self.hang(index, name, element.span(), kind, (axis, anchor), coordinate);
     }
 
     /// Joins a link to the one above it.

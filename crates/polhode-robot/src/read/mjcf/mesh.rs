@@ -20,7 +20,7 @@ use super::builtin::Builtin;
 use super::compiler::Settings;
 use super::defaults::Source;
 use super::field::Field;
-use super::surface::{Surface, size};
+use super::surface::Surface;
 
 /// How a mesh is a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -141,15 +141,6 @@ impl Asset {
         }
     }
 
-    /// Bytes of its file, or of the vertices that stand in the model.
-    pub(super) fn size(&self) -> usize {
-        match (&self.inline, &self.file) {
-            (Some(surface), _) => surface.vertices.len().saturating_mul(50),
-            (None, Some((_, Ok(path)))) => size(path),
-            _ => 0,
-        }
-    }
-
     /// Whether it is given as a file.
     pub(super) const fn is_file(&self) -> bool {
         self.file.is_some()
@@ -179,7 +170,7 @@ impl Asset {
     ///
     /// # Errors
     /// In words, why it cannot be read.
-    pub(super) fn surface(&self) -> Result<Surface, String> {
+    fn surface(&self) -> Result<Surface, String> {
         if self.field.is_some() && self.scale != [1.0; 3] {
             return Err("its mesh is made by a plugin and has a scale: MuJoCo refuses the file".to_owned());
         }

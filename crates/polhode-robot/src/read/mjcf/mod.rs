@@ -9,12 +9,10 @@ mod attach;
 mod attributes;
 mod builtin;
 mod compiler;
-mod composite;
 mod context;
 mod defaults;
 mod equality;
 mod field;
-mod flexcomp;
 mod geom;
 mod inertial;
 mod joint;
@@ -31,7 +29,7 @@ use std::rc::Rc;
 use polhode_formats::ContentError;
 
 use crate::finding::Severity;
-use crate::model::{Link, Name, Note, Pose, RobotModel, Span};
+use crate::model::{Link, Name, Note, Pose, RobotModel, Span, UnreadBodies};
 use crate::read::pose::Reading;
 use crate::read::unread;
 use crate::read::uri::Roots;
@@ -53,7 +51,7 @@ pub(super) fn read(
     model.name = root.word("model").map(str::to_owned);
     let blind = model.notes.iter().any(|note| note.code == "read.include");
     let contexts = context::all(root, folders, roots, &mut model.notes);
-    Reader::new(&contexts, folders, roots, model).read(root, blind)
+    Reader::new(&contexts, model).read(root, blind)
 }
 
 /// A place on the way down the tree.
@@ -73,8 +71,6 @@ struct Branch<'a> {
     suffix: Rc<str>,
     /// Its copy or attached model, among [`Reader::origins`].
     origin: usize,
-    /// It stands in the world or in a body with a name of its own, and not in the copies of one: MuJoCo makes particles nowhere else.
-    is_named: bool,
 }
 
 impl Branch<'_> {
@@ -86,9 +82,6 @@ impl Branch<'_> {
 
 struct Reader<'c, 'a, 'm> {
     contexts: &'c [Context<'a>],
-    /// The folders of the files, and what may be opened.
-    folders: &'c [PathBuf],
-    roots: &'c Roots,
     solids: HashMap<(usize, String), Result<Rc<Solid>, String>>,
     /// Points of the meshes that MuJoCo makes itself.
     made_points: usize,
@@ -114,16 +107,9 @@ struct Reader<'c, 'a, 'm> {
 }
 
 impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
-    fn new(
-        contexts: &'c [Context<'a>],
-        folders: &'c [PathBuf],
-        roots: &'c Roots,
-        model: &'m mut RobotModel,
-    ) -> Self {
+    fn new(contexts: &'c [Context<'a>], model: &'m mut RobotModel) -> Self {
         Self {
             contexts,
-            folders,
-            roots,
             solids: HashMap::new(),
             made_points: 0,
             jointed: Vec::new(),
@@ -173,7 +159,6 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
             prefix,
             suffix,
             origin: 0,
-            is_named: true,
         }];
         while let Some(branch) = branches.pop() {
             self.elements += 1;
@@ -189,8 +174,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
                 "attach" => self.attach(&branch, &mut branches),
                 "geom" => self.add_geom(&branch),
                 "joint" | "freejoint" => self.joint(&branch),
-                "flexcomp" => self.flexcomp(&branch)?,
-                "composite" => self.composite(&branch)?,
+                "composite" | "flexcomp" => self.generator(&branch),
                 "include" => self.left_out(&branch),
                 "worldbody" | "mujocoinclude" => Self::below(&branch, &mut branches),
                 _ => {}
@@ -266,20 +250,14 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         };
         let context = branch.context;
         let mass = BodyMass { context, from_geoms, inertial: instead, position, ..Default::default() };
-        let index = self.take_up(link, branch.link, in_parent, mass);
-        let class = element.word("childclass").or(branch.class);
-        let is_named = element.word("name").is_some_and(|name| !name.is_empty());
-        Branch { link: Some(index), frame: Pose::IDENTITY, class, is_named, ..branch.clone() }
-    }
-
-    /// A link that hangs in that frame of its parent, or of the world; says its number.
-    fn take_up(&mut self, link: Link, parent: Option<usize>, in_parent: Pose, mass: BodyMass) -> usize {
+        let index = self.model.links.len();
         self.model.links.push(link);
         self.masses.push(mass);
-        self.jointed.push((parent, false));
+        self.jointed.push((branch.link, false));
         self.frames_in_parents.push(in_parent);
         self.link_order.push(self.elements);
-        self.model.links.len() - 1
+        let class = element.word("childclass").or(branch.class);
+        Branch { link: Some(index), frame: Pose::IDENTITY, class, ..branch.clone() }
     }
 
     fn add_geom(&mut self, branch: &Branch<'a>) {
@@ -323,6 +301,23 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         if let Some(body) = branch.link.and_then(|link| self.masses.get_mut(link)) {
             body.unknown.get_or_insert("an <include> in it could not be read".to_owned());
         }
+    }
+
+    /// Notes an element from which MuJoCo makes bodies, none of which is read.
+    fn generator(&mut self, branch: &Branch<'a>) {
+        self.not_made(branch, "save the model as MuJoCo has compiled it (mj_saveLastXML), and check that");
+        let (element, span) = (branch.element.name().to_owned(), branch.element.span());
+        let link = branch.link.map(|link| self.name_of(Some(link)).to_owned());
+        self.model.unread_bodies.push(UnreadBodies { element, link, span });
+    }
+
+    /// Notes that the bodies of an element are missing.
+    fn not_made(&mut self, branch: &Branch<'a>, why: &str) {
+        let what = branch.element.name();
+        self.incomplete = Some(format!("<{what}> is not read"));
+        let subject = self.name_of(branch.link).to_owned();
+        let message = format!("<{what}> is not read, and what it makes is not checked: {why}");
+        self.note("read.left_out", &subject, branch.element.span(), message);
     }
 
     /// The name of a link; empty for the world.

@@ -59,7 +59,7 @@ impl<'a> Reader<'_, 'a, '_> {
                 suffix: suffix.clone(),
                 within: Some(branch.origin),
             });
-            let copied = Branch { frame, class, suffix, origin, is_named: false, ..branch.clone() };
+            let copied = Branch { frame, class, suffix, origin, ..branch.clone() };
             branches.extend(inner.iter().map(|&element| Branch { element, ..copied.clone() }));
         }
         Ok(())

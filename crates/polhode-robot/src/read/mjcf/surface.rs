@@ -13,11 +13,6 @@ pub(super) struct Surface {
     pub(super) triangles: Vec<[u32; 3]>,
 }
 
-/// Bytes of a file.
-pub(super) fn size(path: &Path) -> usize {
-    std::fs::metadata(path).map_or(0, |file| usize::try_from(file.len()).unwrap_or(usize::MAX))
-}
-
 impl Surface {
     /// What `vertex` and `face` of an asset say; `None` without vertices.
     pub(super) fn inline(element: Element<'_>) -> Option<Self> {
@@ -50,29 +45,6 @@ impl Surface {
             "msh" => Self::of_msh(&std::fs::read(path).map_err(|error| error.to_string())?),
             _ => Err(format!("MuJoCo reads no .{ending} meshes")),
         }
-    }
-
-    /// The lines of an OBJ file, each a triangle whose second and third corner are one.
-    pub(super) fn lines(path: &Path) -> Result<Self, String> {
-        if path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("obj")) {
-            return Err("lines are read from OBJ files alone".to_owned());
-        }
-        let text = std::fs::read_to_string(path).map_err(|error| error.to_string())?;
-        let mut surface = Self::of_obj(&text)?;
-        if !surface.triangles.is_empty() {
-            return Err("it has triangles beside its lines".to_owned());
-        }
-        for line in text.lines() {
-            let mut words = line.split_ascii_whitespace();
-            if words.next() != Some("l") {
-                continue;
-            }
-            let corner = |word: &str| word.split('/').next()?.parse::<u32>().ok()?.checked_sub(1);
-            let corners: Option<Vec<u32>> = words.map(corner).collect();
-            let corners = corners.ok_or("a line of it has a vertex that is not there")?;
-            surface.triangles.extend(corners.array_windows().map(|[a, b]| [*a, *b, *b]));
-        }
-        Ok(surface)
     }
 
     pub(super) fn corners(&self) -> impl Iterator<Item = [[f64; 3]; 3]> {

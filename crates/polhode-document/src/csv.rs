@@ -1,0 +1,38 @@
+//! Names as fields of CSV.
+
+use crate::layout::printable;
+
+/// Name as a field of CSV, on one line, in quotes where it has to be.
+///
+/// Spreadsheets run a text that begins with the sign of a formula, in quotes or not. Such a name gets
+/// an apostrophe in front, which marks a text. Tabs and line ends, which would also run, are escaped.
+pub fn csv_name(name: &str) -> String {
+    /// The signs by which a formula begins, and their full-width forms.
+    const FORMULA: [char; 8] = ['=', '+', '-', '@', '\u{ff1d}', '\u{ff0b}', '\u{ff0d}', '\u{ff20}'];
+    let mark = if name.trim_start().starts_with(FORMULA) { "'" } else { "" };
+    let name = mark.to_owned() + &printable(name);
+    if name.contains([',', '"']) { format!("\"{}\"", name.replace('"', "\"\"")) } else { name }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::csv_name;
+
+    #[test]
+    fn a_name_is_no_formula() {
+        for (name, cell) in [
+            ("wheel", "wheel"),
+            ("a=b-c", "a=b-c"),
+            ("a,b", "\"a,b\""),
+            ("=HYPERLINK(\"x\",\"y\")", "\"'=HYPERLINK(\"\"x\"\",\"\"y\"\")\""),
+            ("+1", "'+1"),
+            ("-1", "'-1"),
+            ("@SUM(A1)", "'@SUM(A1)"),
+            (" \t=1+1", "' \\t=1+1"),
+            ("\r=1", "'\\r=1"),
+            ("\u{ff1d}1", "'\u{ff1d}1"),
+        ] {
+            assert_eq!(csv_name(name), cell);
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! A worked solution as a document: sections of paragraphs, formulas, numbers and tables, to be rendered.
+
+mod formula;
+mod html;
+mod latex;
+mod markdown;
+mod text;
+
+use crate::VERSION;
+use polhode::body::Finding;
+use serde_json::{Value, json};
+
+use super::drawing::Drawing;
+use super::graph::Graph;
+use crate::finding;
+use crate::json::matrix;
+use crate::layout::printable;
+
+/// A worked solution.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Document {
+    /// What it is about.
+    pub title: String,
+    /// The answer, before the working.
+    pub answer: Vec<String>,
+    /// The steps, in order.
+    pub sections: Vec<Section>,
+    /// What was noticed about the scenario and its motion.
+    pub findings: Vec<Finding>,
+}
+
+/// One step of the solution.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Section {
+    /// The step's number; 0 is the body itself.
+    pub number: u8,
+    /// What the step does.
+    pub title: String,
+    /// The step.
+    pub blocks: Vec<Block>,
+}
+
+/// A piece of a section.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Block {
+    /// Words.
+    Paragraph(String),
+    /// A formula in symbols.
+    Formula {
+        /// In Unicode.
+        text: String,
+        /// In LaTeX.
+        latex: String,
+    },
+    /// Lines of working: formulas with their numbers and units.
+    Lines(Vec<String>),
+    /// A matrix of numbers.
+    Matrix {
+        /// Its symbol.
+        name: String,
+        /// Its rows.
+        rows: [[f64; 3]; 3],
+        /// The unit of its elements; empty for ratios.
+        unit: &'static str,
+    },
+    /// A curve.
+    Graph(Graph),
+    /// Another picture.
+    Drawing(Drawing),
+    /// A table.
+    Table {
+        /// What stands above each column, with its unit.
+        headers: Vec<String>,
+        /// The cells.
+        rows: Vec<Vec<String>>,
+    },
+}
+
+impl Document {
+    /// `{"polhode": …, "title": …, "answer": […], "sections": [{"number": …, "title": …, "blocks": […]}], "findings": […]}`
+    pub fn to_json(&self) -> Value {
+        let sections: Value = self.sections.iter().map(Section::to_json).collect();
+        let plain = |s: &String| crate::layout::plain_spaces(s);
+        json!({
+            "polhode": VERSION,
+            "title": self.title,
+            "answer": self.answer.iter().map(plain).collect::<Vec<_>>(),
+            "sections": sections,
+            "findings": finding::to_json(&self.findings),
+        })
+    }
+}
+
+impl Section {
+    /// Empty section with a number and a title.
+    pub fn new(number: u8, title: &str) -> Self {
+        Self { number, title: title.to_owned(), blocks: Vec::new() }
+    }
+
+    /// Names from outside may be in it: what is unseen in them is shown.
+    pub fn say(&mut self, text: impl AsRef<str>) {
+        self.blocks.push(Block::Paragraph(printable(text.as_ref())));
+    }
+
+    /// Adds a formula in symbols: as Unicode text, and in LaTeX.
+    pub fn formula(&mut self, text: &str, latex: &str) {
+        self.blocks.push(Block::Formula { text: text.to_owned(), latex: latex.to_owned() });
+    }
+
+    /// One line of numbers; consecutive ones stand together.
+    pub fn line(&mut self, line: impl AsRef<str>) {
+        let line = printable(line.as_ref());
+        if let Some(Block::Lines(lines)) = self.blocks.last_mut() {
+            lines.push(line);
+        } else {
+            self.blocks.push(Block::Lines(vec![line]));
+        }
+    }
+
+    /// The line `lhs = term + term + … = result`.
+    pub fn sum(&mut self, lhs: &str, terms: &[String], result: &str) {
+        self.line(format!("{lhs} = {} = {result}", terms.join(" + ")));
+    }
+
+    /// Adds a matrix of numbers with its symbol and the unit of its elements.
+    pub fn matrix(&mut self, name: impl Into<String>, rows: [[f64; 3]; 3], unit: &'static str) {
+        self.blocks.push(Block::Matrix { name: name.into(), rows, unit });
+    }
+
+    /// Adds a curve.
+    pub fn graph(&mut self, graph: Graph) {
+        self.blocks.push(Block::Graph(graph));
+    }
+
+    /// Adds a picture.
+    pub fn draw(&mut self, drawing: Drawing) {
+        self.blocks.push(Block::Drawing(drawing));
+    }
+
+    /// Adds a table: a header for each column, and rows of cells.
+    pub fn table(&mut self, headers: &[&str], rows: Vec<Vec<String>>) {
+        let headers = headers.iter().map(|h| (*h).to_owned()).collect();
+        self.blocks.push(Block::Table { headers, rows });
+    }
+
+    fn to_json(&self) -> Value {
+        json!({
+            "number": self.number,
+            "title": self.title,
+            "blocks": self.blocks.iter().map(Block::to_json).collect::<Value>(),
+        })
+    }
+}
+
+impl Block {
+    fn to_json(&self) -> Value {
+        let plain = |s: &String| crate::layout::plain_spaces(s);
+        match self {
+            Self::Paragraph(text) => json!({ "kind": "paragraph", "text": plain(text) }),
+            Self::Formula { text, latex } => json!({ "kind": "formula", "text": text, "latex": latex }),
+            Self::Lines(lines) => {
+                json!({ "kind": "lines", "lines": lines.iter().map(plain).collect::<Vec<_>>() })
+            }
+            Self::Matrix { name, rows, unit } => {
+                json!({ "kind": "matrix", "name": name, "rows": matrix(*rows), "unit": unit })
+            }
+            Self::Graph(graph) => json!({
+                "kind": "graph",
+                "title": plain(&graph.title),
+                "across": graph.across,
+                "up": graph.up,
+                "points": graph.points,
+                "level": { "from": graph.level.0[0], "to": graph.level.0[1], "at": graph.level.0[2], "name": graph.level.1 },
+            }),
+            Self::Drawing(drawing) => drawing.to_json(),
+            Self::Table { headers, rows } => {
+                let rows: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(plain).collect()).collect();
+                json!({ "kind": "table", "headers": headers, "rows": rows })
+            }
+        }
+    }
+}

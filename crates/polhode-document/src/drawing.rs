@@ -1,0 +1,332 @@
+//! Pictures of documents besides graphs.
+
+use polhode::body::{MOMENT_TRIANGLE, place_in_moment_triangle};
+use serde_json::{Value, json};
+
+use super::graph::{COLUMNS, Canvas};
+use crate::layout::{plain_spaces, printable, width};
+
+/// A picture on a page. Texts have the dots in letters, and nothing of the rest, of which they have the numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Drawing {
+    /// Dots over an axis.
+    Scatter(Scatter),
+    /// The moments on their triangle.
+    Triangle(Triangle),
+    /// How errors hang together.
+    Correlations(Correlations),
+    /// Bars beside each other.
+    Bars(Bars),
+    /// Solids in space.
+    Solids(Solids),
+}
+
+/// Dots over an axis, and a band about zero.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scatter {
+    /// What it shows.
+    pub title: String,
+    /// The name and the unit of what runs to the right.
+    pub across: [&'static str; 2],
+    /// The name and the unit of what is drawn over it.
+    pub up: [&'static str; 2],
+    /// Dots of several kinds.
+    pub series: Vec<Series>,
+    /// The band is from − to + this.
+    pub band: f64,
+    /// What the band is.
+    pub band_name: &'static str,
+}
+
+/// Dots of one kind.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    /// What they are.
+    pub name: String,
+    /// What they are in letters.
+    pub mark: char,
+    /// From left to right.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// The triangle of moments with a body on it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Triangle {
+    /// i1/i3 and i2/i3.
+    pub ratios: [f64; 2],
+    /// Where they are with a probability: its outline. The smallest first.
+    pub regions: Vec<(f64, Vec<[f64; 2]>)>,
+    /// i1/i3 and i2/i3 of other bodies that it may be.
+    pub cloud: Vec<[f64; 2]>,
+}
+
+/// Panels of bars.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bars {
+    /// What they show.
+    pub title: String,
+    /// What stands below the picture.
+    pub caption: &'static str,
+    /// What the kinds of bars are.
+    pub kinds: Vec<&'static str>,
+    /// From left to right, and then down.
+    pub panels: Vec<BarPanel>,
+}
+
+/// Bars over one axis, one below the other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BarPanel {
+    /// What they are parts of.
+    pub title: String,
+    /// The name and the unit of what runs to the right.
+    pub across: [&'static str; 2],
+    /// From above.
+    pub bars: Vec<Bar>,
+}
+
+/// A bar with its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bar {
+    /// What it is.
+    pub name: String,
+    /// Where it begins.
+    pub from: f64,
+    /// Where it ends.
+    pub to: f64,
+    /// How large it is, in words.
+    pub size: String,
+    /// Its place among the kinds: each has a colour.
+    pub kind: usize,
+}
+
+/// Boxes in space, and axes through a point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solids {
+    /// What they are.
+    pub title: String,
+    /// What stands below the picture.
+    pub caption: String,
+    /// In any order.
+    pub solids: Vec<Solid>,
+    /// Names of the groups that solids are of.
+    pub groups: Vec<String>,
+    /// A point, m.
+    pub center: [f64; 3],
+    /// Unit vectors through it.
+    pub axes: [[f64; 3]; 3],
+}
+
+/// A box.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solid {
+    /// What it is.
+    pub name: String,
+    /// Its middle, m.
+    pub center: [f64; 3],
+    /// From the middle to three of its faces, m: across each other.
+    pub halves: [[f64; 3]; 3],
+    /// Its group's place among the names; beyond them it is of none.
+    pub group: usize,
+}
+
+/// A matrix of correlations.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Correlations {
+    /// The numbers.
+    pub names: Vec<String>,
+    /// Row by row; `None` of a number that has no error.
+    pub rows: Vec<Vec<Option<f64>>>,
+}
+
+impl Drawing {
+    /// What stands below the picture.
+    pub fn caption(&self) -> Option<String> {
+        let triangle = match self {
+            Self::Triangle(triangle) => triangle,
+            Self::Bars(bars) => return (!bars.caption.is_empty()).then(|| bars.caption.to_owned()),
+            Self::Solids(solids) => return Some(solids.caption.clone()),
+            Self::Scatter(_) | Self::Correlations(_) => return None,
+        };
+        let percent = |p: f64| format!("{:.0} %", 100.0 * p);
+        let regions: Vec<String> = triangle.regions.iter().map(|(p, _)| percent(*p)).collect();
+        let of_regions = if regions.is_empty() {
+            String::new()
+        } else {
+            format!(
+                " Where (i1/i3, i2/i3) are with a probability of {}: the ellipse of their covariance, each of its points at its place in the triangle, and cut off where no body is possible.",
+                regions.join(" and ")
+            )
+        };
+        let of_cloud = match triangle.cloud.len() {
+            0 => String::new(),
+            count => format!(" Dots are {count} bodies that the errors allow, each a possible one."),
+        };
+        Some(format!(
+            "A body is where masses in the corners, as large as its second moments ∫x² dm along the principal axes, balance. Inside are all possible bodies, on the edges laminae, in the corners rods.{of_regions}{of_cloud}"
+        ))
+    }
+
+    /// In letters, if it can be.
+    pub fn lines(&self) -> Vec<String> {
+        match self {
+            Self::Scatter(scatter) => scatter.lines(),
+            Self::Bars(bars) => bars.lines(),
+            Self::Triangle(_) | Self::Correlations(_) | Self::Solids(_) => Vec::new(),
+        }
+    }
+
+    /// `{"kind": …, …}` with the numbers of the picture.
+    pub fn to_json(&self) -> Value {
+        match self {
+            Self::Scatter(scatter) => json!({
+                "kind": "scatter",
+                "title": plain_spaces(&scatter.title),
+                "across": scatter.across,
+                "up": scatter.up,
+                "series": scatter.series.iter().map(|s| json!({ "name": s.name, "points": s.points })).collect::<Value>(),
+                "band": { "half_width": scatter.band, "name": scatter.band_name },
+            }),
+            Self::Triangle(triangle) => triangle.to_json(),
+            Self::Correlations(all) => {
+                json!({ "kind": "correlations", "names": all.names, "rows": all.rows })
+            }
+            Self::Bars(bars) => bars.to_json(),
+            Self::Solids(solids) => solids.to_json(),
+        }
+    }
+}
+
+impl Series {
+    /// Its points; of more than two for each of so many columns the least and the greatest of each column.
+    pub fn seen(&self, columns: usize, [left, right]: [f64; 2]) -> Vec<[f64; 2]> {
+        if self.points.len() <= 2 * columns {
+            return self.points.clone();
+        }
+        let column = |point: &[f64; 2]| ((point[0] - left) / (right - left) * columns as f64) as usize;
+        let by_height = |a: &&[f64; 2], b: &&[f64; 2]| a[1].total_cmp(&b[1]);
+        let ends = |part: &[[f64; 2]]| -> Vec<[f64; 2]> {
+            let both = [part.iter().min_by(by_height), part.iter().max_by(by_height)];
+            both.into_iter().flatten().copied().collect()
+        };
+        self.points.chunk_by(|a, b| column(a) == column(b)).flat_map(ends).collect()
+    }
+}
+
+impl Triangle {
+    /// `{"kind": "triangle", "ratios": […], "place": […], "regions": [{"probability": …, "outline": […]}]}`
+    pub fn to_json(&self) -> Value {
+        let region = |(probability, outline): &(f64, Vec<[f64; 2]>)| json!({ "probability": probability, "outline": outline });
+        let [first, second] = self.ratios;
+        json!({
+            "kind": "triangle",
+            "ratios": self.ratios,
+            "place": place_in_moment_triangle([first, second, 1.0]),
+            "corners": MOMENT_TRIANGLE,
+            "regions": self.regions.iter().map(region).collect::<Value>(),
+            "cloud": self.cloud,
+        })
+    }
+}
+
+impl Scatter {
+    /// All that is drawn, from left to right and from below.
+    pub fn ends(&self) -> [[f64; 2]; 2] {
+        let none = [f64::INFINITY, f64::NEG_INFINITY];
+        let wider = |[a, b]: [f64; 2], x: f64| [a.min(x), b.max(x)];
+        let points = self.series.iter().flat_map(|series| &series.points);
+        let start = [none, [-self.band, self.band]];
+        points.fold(start, |[x, y], point| [wider(x, point[0]), wider(y, point[1])])
+    }
+
+    fn lines(&self) -> Vec<String> {
+        let mut canvas = Canvas::new(self.ends());
+        let [[left, right], _] = self.ends();
+        for height in [-self.band, self.band] {
+            canvas.level(left, right, height);
+        }
+        for series in &self.series {
+            series.seen(COLUMNS, [left, right]).into_iter().for_each(|point| canvas.put(point, series.mark));
+        }
+        let mut lines = vec![printable(&self.title)];
+        lines.extend(canvas.lines(self.across, self.up));
+        let names = self.series.iter().map(|series| format!("{}  {}", series.mark, printable(&series.name)));
+        let names: Vec<String> = names.chain([format!("- - -  {}", self.band_name)]).collect();
+        lines.push(names.join("   "));
+        lines
+    }
+}
+
+/// Columns of the longest bar, and of the longest name.
+const LONGEST: usize = 40;
+const NAME: usize = 32;
+
+impl Bars {
+    /// Of one panel, whose axis is that of all; several would be many lines, of which a table has the numbers.
+    fn lines(&self) -> Vec<String> {
+        let [panel] = &self.panels[..] else { return Vec::new() };
+        let [least, greatest] = panel.ends();
+        let column = |x: f64| ((x - least) / (greatest - least) * LONGEST as f64).round() as usize;
+        let names: Vec<String> = panel.bars.iter().map(|bar| shortened(&printable(&bar.name))).collect();
+        let beside = names.iter().map(|name| width(name)).max().unwrap_or(0);
+        let mut lines = vec![format!("{} ({})", printable(&panel.title), panel.across[1])];
+        for (bar, name) in panel.bars.iter().zip(names) {
+            let (from, to) = (column(bar.from.min(bar.to)), column(bar.from.max(bar.to)));
+            let drawn = format!("{}{}", " ".repeat(from), "█".repeat((to - from).max(1)));
+            let gap = beside - width(&name);
+            lines.push(format!("{name}{:gap$} │{drawn:<1$}  {2}", "", LONGEST + 1, bar.size));
+        }
+        lines
+    }
+
+    fn to_json(&self) -> Value {
+        let bar = |bar: &Bar| json!({ "name": plain_spaces(&bar.name), "from": bar.from, "to": bar.to });
+        let panel = |panel: &BarPanel| {
+            json!({
+                "title": plain_spaces(&panel.title),
+                "across": panel.across,
+                "bars": panel.bars.iter().map(bar).collect::<Value>(),
+            })
+        };
+        json!({
+            "kind": "bars",
+            "title": plain_spaces(&self.title),
+            "panels": self.panels.iter().map(panel).collect::<Value>(),
+        })
+    }
+}
+
+impl BarPanel {
+    /// From the least to the greatest, with zero between them.
+    pub fn ends(&self) -> [f64; 2] {
+        let wider = |[a, b]: [f64; 2], x: f64| [a.min(x), b.max(x)];
+        self.bars.iter().flat_map(|bar| [bar.from, bar.to]).fold([0.0; 2], wider)
+    }
+}
+
+fn shortened(name: &str) -> String {
+    if width(name) <= NAME {
+        return name.to_owned();
+    }
+    name.chars().take(NAME - 1).chain(['…']).collect()
+}
+
+impl Solids {
+    /// `{"kind": "bars", …}` with the numbers of the panels.
+    pub fn to_json(&self) -> Value {
+        let solid = |solid: &Solid| {
+            json!({
+                "name": solid.name,
+                "group": self.groups.get(solid.group),
+                "center": solid.center,
+                "halves": solid.halves,
+            })
+        };
+        json!({
+            "kind": "solids",
+            "title": plain_spaces(&self.title),
+            "solids": self.solids.iter().map(solid).collect::<Value>(),
+            "center": self.center,
+            "axes": self.axes,
+        })
+    }
+}

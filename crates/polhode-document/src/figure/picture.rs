@@ -1,0 +1,43 @@
+//! A picture, to be written as SVG or PNG.
+
+#[cfg(feature = "png")]
+use super::png;
+use super::sheet::{MAKER, Sheet};
+use super::svg;
+
+/// Drawn picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Marks of the picture.
+    pub sheet: Sheet,
+}
+
+impl Picture {
+    /// Writes SVG. Text stays text, in the reader's sans-serif.
+    pub fn to_svg(&self) -> String {
+        svg::write(&self.sheet)
+    }
+
+    /// Returns the picture with the command that makes it, which is written into the file.
+    #[must_use]
+    pub fn made_by(mut self, command: &str) -> Self {
+        self.sheet.maker = Some(command.to_owned());
+        self
+    }
+
+    /// Returns true if the beginning of a file says that this command made the picture.
+    pub fn is_made_by(head: &[u8], command: &str) -> bool {
+        let holds = |text: &[u8]| head.windows(text.len()).any(|window| window == text);
+        holds(format!("<desc>{}</desc>", svg::escaped(command)).as_bytes())
+            || holds(&[MAKER.as_bytes(), &[0; 5], command.as_bytes(), b"\n"].concat())
+    }
+
+    /// Writes PNG, 288 pixels to an inch, on white.
+    ///
+    /// # Errors
+    /// [`png::PngError`] if the picture is too large for the memory.
+    #[cfg(feature = "png")]
+    pub fn to_png(&self) -> Result<Vec<u8>, png::PngError> {
+        png::write(&self.sheet)
+    }
+}

@@ -1,0 +1,9 @@
+//! Between what values lie.
+
+/// The least and the greatest of what is finite; zeros if nothing is.
+pub fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    let finite = values.filter(|x| x.is_finite());
+    let [least, greatest] =
+        finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| [least.min(x), most.max(x)]);
+    if least <= greatest { [least, greatest] } else { [0.0, 0.0] }
+}

@@ -1,0 +1,39 @@
+//! Documents and figures: what reports say, as plain text, Markdown, HTML, LaTeX, JSON and SVG.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`Document`] | sections of paragraphs, formulas, numbers, tables and pictures, with a writer for each format |
+//! | [`drawing`], [`graph`] | pictures of a document, as data |
+//! | [`figure`] | a sheet of marks with axes and letters, written as SVG or PNG: a [`Picture`] |
+//! | [`mathml`] | formulas and matrices for a browser |
+//! | [`number`], [`mod@unit`], [`si_prefix`] | numbers as text |
+//! | [`layout`], [`sparkline`] | plain text for a terminal of 100 columns |
+//! | [`json`], [`finding`] | parts of JSON that many reports have |
+//!
+//! The crate knows no file, no clock and no subject.
+#![forbid(unsafe_code)]
+
+mod csv;
+mod document;
+pub mod drawing;
+mod extra;
+pub mod figure;
+pub mod finding;
+pub mod graph;
+pub mod json;
+pub mod layout;
+pub mod mathml;
+pub mod number;
+pub mod si_prefix;
+mod source;
+pub mod sparkline;
+pub mod unit;
+
+pub use csv::csv_name;
+pub use document::{Block, Document, Section};
+pub use extra::Extra;
+pub use figure::picture::Picture;
+pub use source::SourceInfo;
+
+/// Version that reports state.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");

@@ -1,0 +1,327 @@
+//! Numbers as people read them.
+
+/// A space that no line breaks at, between groups of digits. [`crate::layout::plain_spaces`] makes it an ordinary one.
+pub const GROUP: char = '\u{a0}';
+
+/// Where fixed notation ends and powers of ten begin.
+const FIXED: std::ops::RangeInclusive<i32> = -3..=5;
+
+/// Parts of a vector below this part of its largest are what rounding left of a zero.
+const ROUNDING: f64 = 1e-14;
+
+/// A number with at most `digits` significant digits: no trailing zeros, groups of three, `-0` as `0`; what is not
+/// finite is a dash.
+pub fn number(x: f64, digits: usize) -> String {
+    group(&ungrouped(x, digits))
+}
+
+/// A number with at most `digits` significant digits and no trailing zeros, in one piece: for columns. What is not finite is a
+/// dash.
+pub fn ungrouped(x: f64, digits: usize) -> String {
+    if !x.is_finite() {
+        return "—".to_owned();
+    }
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    let exponent = exponent(x, digits);
+    if FIXED.contains(&exponent) {
+        return trimmed(&fixed(x, digits, exponent)).to_owned();
+    }
+    let scientific = format!("{x:.*e}", digits.saturating_sub(1));
+    match scientific.split_once('e') {
+        Some((mantissa, power)) => format!("{}e{power}", trimmed(mantissa)),
+        None => scientific,
+    }
+}
+
+/// The shortest decimal that reads back bit for bit; what is not finite is a dash.
+pub fn exact(x: f64) -> String {
+    if !x.is_finite() {
+        return "—".to_owned();
+    }
+    let shortest = format!("{x:?}");
+    shortest.strip_suffix(".0").map_or(shortest.clone(), str::to_owned)
+}
+
+/// Numbers of one kind, alike: the same decimals if they are near each other, else each on its own.
+pub fn alike(values: &[f64], digits: usize) -> Vec<String> {
+    let nonzero = || values.iter().map(|x| x.abs()).filter(|x| *x > 0.0);
+    let largest = nonzero().fold(0.0, f64::max);
+    let least = nonzero().fold(f64::INFINITY, f64::min);
+    let near = values.iter().all(|x| x.is_finite()) && least >= 1e-3 * largest;
+    if largest == 0.0 || !near || !FIXED.contains(&exponent(largest, digits)) {
+        return values.iter().map(|&x| ungrouped(x, digits)).collect();
+    }
+    let exponent = exponent(largest, digits);
+    let all: Vec<String> = values.iter().map(|&x| fixed(x, digits, exponent)).collect();
+    let spare = |s: &String| s.len() - trimmed(s).len();
+    let spare = all.iter().zip(values).filter(|(_, x)| **x != 0.0).map(|(s, _)| spare(s)).min().unwrap_or(0);
+    let shown =
+        |(s, x): (&String, &f64)| if *x == 0.0 { "0".to_owned() } else { s[..s.len() - spare].to_owned() };
+    all.iter().zip(values).map(shown).collect()
+}
+
+/// `(x, y, z)`
+pub fn vector(values: [f64; 3], digits: usize) -> String {
+    let [x, y, z] = values.map(|x| number(x, digits));
+    format!("({x}, {y}, {z})")
+}
+
+/// A number with an error: no digit beyond the first that the error changes, at most `digits`; 0 where the error is larger, which whoever shows
+/// it rules out ([`has_digits`]) unless other numbers stand beside it.
+pub fn within(x: f64, error: f64, digits: usize) -> String {
+    if !(error > 0.0) || x == 0.0 || !x.is_finite() {
+        return number(x, digits);
+    }
+    let spare = (x.abs() / error).log10().floor();
+    if spare < 0.0 { "0".to_owned() } else { number(x, digits.min(spare as usize + 1)) }
+}
+
+/// Whether an error leaves a digit of the size of a number or of a vector.
+pub fn has_digits(size: f64, error: f64) -> bool {
+    error < size || error == 0.0
+}
+
+/// `(x, y, z)`, each with the same error.
+pub fn vector_within(values: [f64; 3], error: f64, digits: usize) -> String {
+    let [x, y, z] = values.map(|x| within(x, error, digits));
+    format!("({x}, {y}, {z})")
+}
+
+/// A whole number with a comma between thousands.
+pub fn count(n: u64) -> String {
+    let digits = n.to_string();
+    let mut text = String::new();
+    for (k, digit) in digits.chars().enumerate() {
+        if k > 0 && (digits.len() - k).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// `1 flight`, `1,200 flights`
+pub fn counted(n: usize, noun: &str) -> String {
+    if n == 1 { format!("1 {noun}") } else { format!("{} {noun}s", count(n as u64)) }
+}
+
+/// An estimate of an error: two digits are more than it is worth.
+pub fn error(x: f64) -> String {
+    ungrouped(x, 2)
+}
+
+/// Of more decimals than this numbers are shown with exponents.
+const DECIMALS: i32 = 7;
+
+/// `1.2340 ± 0.0012`: as many digits as the error has two of, and of a value that is not zero one at least.
+pub fn with_error(value: f64, sd: f64) -> String {
+    /// A smaller part of the error than this is what rounding left of a zero.
+    const NOTHING: f64 = 1e-9;
+    if !(sd.is_finite() && sd > 0.0) {
+        return number(value, 6);
+    }
+    let value = if value.abs() < NOTHING * sd { 0.0 } else { value };
+    let places = power(sd) - 1;
+    if value != 0.0 && value.abs() < 0.5 * 10.0_f64.powi(places) {
+        return format!("{} ± {}", ungrouped(value, 1), ungrouped(sd, 2));
+    }
+    if (-DECIMALS..=0).contains(&places) {
+        let decimals = usize::try_from(-places).unwrap_or(0);
+        return format!("{value:.decimals$} ± {sd:.decimals$}");
+    }
+    let shown = ungrouped(sd, 2);
+    let size = if value == 0.0 { places } else { power(value) };
+    let digits = usize::try_from(size - places + 1).unwrap_or(1).clamp(1, 15);
+    format!("{} ± {shown}", ungrouped(value, digits))
+}
+
+/// n of x = d.ddd · 10ⁿ.
+fn power(x: f64) -> i32 {
+    format!("{x:e}").split_once('e').and_then(|(_, n)| n.parse().ok()).unwrap_or(0)
+}
+
+/// The vector without what rounding left of its zeros.
+pub fn tidy(v: [f64; 3]) -> [f64; 3] {
+    tidy_beside(v, v.iter().fold(0.0, |max, x| f64::max(max, x.abs())))
+}
+
+/// The vector without parts that are rounding beside `scale`.
+pub fn tidy_beside(v: [f64; 3], scale: f64) -> [f64; 3] {
+    v.map(|x| if x.abs() <= ROUNDING * scale { 0.0 } else { x })
+}
+
+/// The vector without parts that are rounding of `scale`, or below the relative error `noise` of it.
+pub fn without_noise(v: [f64; 3], scale: f64, noise: f64) -> [f64; 3] {
+    v.map(|x| if x.abs() <= noise.max(ROUNDING) * scale { 0.0 } else { x })
+}
+
+/// `w, x, y, z` of a unit quaternion whose attitude has an error, rad: that changes its components by half of it at most.
+pub fn quaternion(q: [f64; 4], error: f64, digits: usize) -> String {
+    q.map(|x| within(x, 0.5 * error.max(2.0 * ROUNDING), digits)).join(", ")
+}
+
+/// The matrix without what rounding left of zeros off its diagonal.
+pub fn tidy_matrix(m: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    let largest = m.iter().flatten().fold(0.0, |max, x| f64::max(max, x.abs()));
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| if i != j && m[i][j].abs() <= ROUNDING * largest { 0.0 } else { m[i][j] })
+    })
+}
+
+/// The power of ten of x once it is rounded to so many digits.
+fn exponent(x: f64, digits: usize) -> i32 {
+    let scientific = format!("{x:.*e}", digits.saturating_sub(1));
+    scientific.split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0)
+}
+
+fn fixed(x: f64, digits: usize, exponent: i32) -> String {
+    let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
+    let text = format!("{x:.decimals$}");
+    // A part too small for these decimals has no sign either.
+    if text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.')) { text.replace('-', "") } else { text }
+}
+
+fn trimmed(s: &str) -> &str {
+    if s.contains('.') { s.trim_end_matches('0').trim_end_matches('.') } else { s }
+}
+
+/// Groups of three on both sides of the point, where there are more than four digits.
+fn group(s: &str) -> String {
+    let (mantissa, power) = s.find('e').map_or((s, ""), |at| s.split_at(at));
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let (sign, whole) = whole.strip_prefix('-').map_or(("", whole), |rest| ("-", rest));
+    let mut text = String::from(sign);
+    for (k, digit) in whole.chars().enumerate() {
+        if k > 0 && whole.len() > 4 && (whole.len() - k).is_multiple_of(3) {
+            text.push(GROUP);
+        }
+        text.push(digit);
+    }
+    for (k, digit) in fraction.chars().enumerate() {
+        if k == 0 {
+            text.push('.');
+        } else if fraction.len() > 4 && k.is_multiple_of(3) {
+            text.push(GROUP);
+        }
+        text.push(digit);
+    }
+    text + power
+}
+
+/// Numbers as they are set: `-4.5e-5` as −4.5×10⁻⁵.
+pub fn typeset(text: &str) -> String {
+    let mut out = String::new();
+    let mut before = ' ';
+    let mut rest = text.chars().peekable();
+    let mut in_power = false;
+    while let Some(c) = rest.next() {
+        let next = rest.peek().copied().unwrap_or(' ');
+        let continues = in_power && c.is_ascii_digit();
+        in_power = continues;
+        match c {
+            'e' if before.is_ascii_digit() && (next == '-' || next.is_ascii_digit()) => {
+                out.push_str("×10");
+                if next == '-' {
+                    rest.next();
+                    out.push('⁻');
+                }
+                in_power = true;
+            }
+            _ if continues => out.push(superscript(c)),
+            '-' if next.is_ascii_digit() => out.push('−'),
+            c => out.push(c),
+        }
+        before = c;
+    }
+    out
+}
+
+fn superscript(digit: char) -> char {
+    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    digit.to_digit(10).and_then(|k| digits.get(k as usize)).copied().unwrap_or(digit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plain(x: f64, digits: usize) -> String {
+        number(x, digits).replace(GROUP, " ")
+    }
+
+    #[test]
+    fn numbers_keep_their_significant_digits() {
+        assert_eq!(plain(0.412_618_3, 7), "0.412 618 3");
+        assert_eq!(plain(2700.0, 7), "2700");
+        assert_eq!(plain(123_456.78, 7), "123 456.8");
+        assert_eq!(plain(-4.580_5e-6, 6), "-4.5805e-6");
+        assert_eq!(plain(999_999.96, 7), "1e6");
+        assert_eq!(plain(6.371e6, 6), "6.371e6");
+        assert_eq!(plain(0.001, 6), "0.001");
+        assert_eq!(plain(1.0 / 3.0, 4), "0.3333");
+        assert_eq!(plain(-0.0, 6), "0");
+        assert_eq!(plain(5e-324, 6), "4.940 66e-324");
+        assert_eq!(plain(f64::NAN, 6), "—");
+        assert_eq!(plain(f64::NEG_INFINITY, 6), "—");
+    }
+
+    #[test]
+    fn exact_numbers_read_back() {
+        for (x, text) in
+            [(39.105_734_197_268_72, "39.10573419726872"), (2.0, "2"), (1e300, "1e300"), (-0.0, "-0")]
+        {
+            assert_eq!(exact(x), text);
+            assert_eq!(text.parse::<f64>().unwrap().to_bits(), x.to_bits());
+        }
+    }
+
+    #[test]
+    fn a_column_shares_its_decimals_or_goes_its_own_way() {
+        assert_eq!(alike(&[12.961_562, -17.608_532, 15.0], 8), ["12.961562", "-17.608532", "15.000000"]);
+        assert_eq!(alike(&[0.5, 0.0, -0.25], 6), ["0.50", "0", "-0.25"]);
+        assert_eq!(alike(&[1.0, 1e-9, 0.0], 6), ["1", "1e-9", "0"]);
+        assert_eq!(alike(&[3.3248e-5, -4.5805e-6, 0.0], 5), ["3.3248e-5", "-4.5805e-6", "0"]);
+        assert_eq!(alike(&[0.0, 0.0], 5), ["0", "0"]);
+    }
+
+    #[test]
+    fn counts_and_zeros() {
+        assert_eq!(count(2001), "2,001");
+        assert_eq!(count(20_480_123), "20,480,123");
+        assert_eq!(count(7), "7");
+        assert_eq!(tidy([1e-17, -2e-17, 0.3]), [0.0, 0.0, 0.3]);
+        assert_eq!(
+            tidy_matrix([[1e-20, 1e-16, 0.0], [1e-16, 1.0, 0.5], [0.0, 0.5, 1.0]])[0],
+            [1e-20, 0.0, 0.0]
+        );
+    }
+
+    #[test]
+    fn numbers_are_set() {
+        for (text, set) in [
+            ("-4.5e-5", "−4.5×10⁻⁵"),
+            ("(1e12, -0.5, 3)", "(1×10¹², −0.5, 3)"),
+            ("axis 3 = (0, -1, 0)", "axis 3 = (0, −1, 0)"),
+            ("2 bodies, time-like: 1 each", "2 bodies, time-like: 1 each"),
+            ("", ""),
+        ] {
+            assert_eq!(typeset(text), set);
+        }
+    }
+
+    #[test]
+    fn a_value_has_the_digits_of_its_error() {
+        assert_eq!(with_error(1.234_56, 0.001_23), "1.2346 ± 0.0012");
+        assert_eq!(with_error(0.5, 0.002_71), "0.5000 ± 0.0027");
+        assert_eq!(with_error(-0.003_1, 0.02), "-0.003 ± 0.020");
+        assert_eq!(with_error(-0.000_3, 0.02), "-3e-4 ± 0.02");
+        assert_eq!(with_error(2.0, 100.0), "2 ± 100");
+        assert_eq!(with_error(6.0, 100.0), "6 ± 100");
+        assert_eq!(with_error(-1e-15, 0.02), "0.000 ± 0.020");
+        assert_eq!(with_error(123.456, 3.2), "123.5 ± 3.2");
+        assert_eq!(with_error(12_345.6, 321.0), "12346 ± 321");
+        assert_eq!(with_error(1.234e-12, 3.21e-14), "1.234e-12 ± 3.2e-14");
+    }
+}

@@ -9,7 +9,9 @@ use super::site::{Place, Round, Site};
 /// Coordinates on a site.
 pub(super) type At = [f64; 2];
 
-/// Points r = center + s e₁ + t e₂ with s² + t² ≤ 1, or = 1 on a circle. A line has e₂ = 0, a point also e₁ = 0.
+/// Points r = center + s e₁ + t e₂ with s² + t² ≤ 1, or = 1 on a circle.
+///
+/// A line has e₂ = 0, a point also e₁ = 0.
 #[derive(Clone, Debug)]
 pub(super) struct Chart {
     center: Vector,
@@ -21,7 +23,7 @@ pub(super) struct Chart {
 
 /// A function on a chart for a unit mass: q + g·u + uᵀ Q u, with Q₁₁, Q₁₂, Q₂₂.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Planar {
+pub(super) struct Quadratic {
     constant: f64,
     slope: [f64; 2],
     square: [f64; 3],
@@ -60,6 +62,12 @@ impl Chart {
         Ok(Self { center, offset, axes, is_rim: matches!(site.place, Place::Circle(_)) })
     }
 
+    /// Returns upper bounds on |x|, |y| and |z| on the chart, from the origin of the problem.
+    pub(super) fn extent(&self) -> Vector {
+        let [a, b] = &self.axes;
+        core::array::from_fn(|k| self.offset[k].abs() + a[k].abs() + b[k].abs())
+    }
+
     pub(super) fn is_point(&self) -> bool {
         self.axes == [[0.0; 3]; 2]
     }
@@ -80,7 +88,7 @@ impl Chart {
         core::array::from_fn(|k| self.offset[k] + s * a[k] + t * b[k])
     }
 
-    /// Returns points to begin with: the ends of a line, or three on a rim.
+    /// Returns starting points: the ends of a line, or three points on a rim.
     pub(super) fn seeds(&self) -> Vec<At> {
         if self.is_point() {
             vec![[0.0; 2]]
@@ -91,18 +99,18 @@ impl Chart {
         }
     }
 
-    /// Returns the point of the site that is nearest along the radius.
+    /// Returns the nearest point of the site, in its coordinates.
     pub(super) fn nearest(&self, [s, t]: At) -> At {
         let norm = s.hypot(t);
         if norm > 1.0 || (self.is_rim && norm > 0.0) { [s / norm, t / norm] } else { [s, t] }
     }
 
-    /// Returns the directions in which a point can move, and how far either way, up to a reach.
-    pub(super) fn freedoms(&self, [s, t]: At, reach: f64) -> Vec<(At, [f64; 2])> {
-        let (norm, reach) = (s.hypot(t), reach.min(0.5));
+    /// Returns the directions in which a point can move, with the least and the greatest distance.
+    pub(super) fn directions(&self, [s, t]: At, radius: f64) -> Vec<(At, [f64; 2])> {
+        let (norm, radius) = (s.hypot(t), radius.min(0.5));
         let out = if norm > 1e-6 { [s / norm, t / norm] } else { [1.0, 0.0] };
-        let outward = (out, [-reach, reach.min(1.0 - norm).max(0.0)]);
-        let around = ([-out[1], out[0]], [-reach, reach]);
+        let outward = (out, [-radius, radius.min(1.0 - norm).max(0.0)]);
+        let around = ([-out[1], out[0]], [-radius, radius]);
         match (self.is_rim, self.is_line()) {
             _ if self.is_point() => Vec::new(),
             (true, _) => vec![around],
@@ -111,26 +119,26 @@ impl Chart {
         }
     }
 
-    /// Returns a function of the moments, without its constant, on this chart.
-    pub(super) fn planar(&self, of: &Functional) -> Planar {
+    /// Returns a function of the moments, without its constant, for a unit mass on this chart.
+    pub(super) fn quadratic(&self, of: &Functional) -> Quadratic {
         let [a, b] = &self.axes;
-        Planar {
+        Quadratic {
             constant: of.at(&weights(self.offset)),
             slope: [of.slope(&self.offset, a), of.slope(&self.offset, b)],
             square: [of.form(a, a), of.form(a, b), of.form(b, b)],
         }
     }
 
-    /// Returns where a function is least, and its value there.
+    /// Returns the minimum of a function on the chart: where it is, and its value.
     pub(super) fn least(&self, of: &Functional) -> (At, f64) {
-        let planar = self.planar(of);
-        let [s, t] = if self.is_point() { [0.0; 2] } else { planar.least(self.is_rim) };
+        let quadratic = self.quadratic(of);
+        let [s, t] = if self.is_point() { [0.0; 2] } else { quadratic.least(self.is_rim) };
         let at = if self.is_line() { [s, 0.0] } else { [s, t] };
-        (at, planar.value(at))
+        (at, quadratic.value(at))
     }
 }
 
-impl Planar {
+impl Quadratic {
     pub(super) fn value(&self, [s, t]: At) -> f64 {
         let [a, b, c] = self.square;
         self.constant + self.slope[0] * s + self.slope[1] * t + a * s * s + 2.0 * b * s * t + c * t * t
@@ -141,8 +149,8 @@ impl Planar {
         [self.slope[0] + 2.0 * (a * s + b * t), self.slope[1] + 2.0 * (b * s + c * t)]
     }
 
-    /// Returns where the function is least on the disc or the rim: (Q + λ) u = −½ g (Moré and Sorensen, SIAM J. Sci.
-    /// Stat. Comput. 4, 1983, 553).
+    /// Returns the minimizer on the disc or the rim: (Q + λ) u = −½ g (Moré and Sorensen, SIAM J.
+    /// Sci. Stat. Comput. 4, 1983, 553).
     fn least(&self, is_rim: bool) -> At {
         let ([a, b, c], g) = (self.square, self.slope);
         let (mean, half) = (0.5 * (a + c), 0.5 * (a - c));
@@ -171,7 +179,7 @@ impl Planar {
             if norm(at(sigma)) > 1.0 { least = sigma } else { most = sigma }
         }
         let [s, t] = at(most);
-        // Where every λ leaves u inside, g has no part along the eigenvector: u goes along it up to the rim.
+        // Hard case: g has no part along the eigenvector, so u follows it up to the rim.
         let s = if s.hypot(t) < 1.0 { (1.0 - t * t).max(0.0).sqrt().copysign(s) } else { s };
         let norm = s.hypot(t);
         back([s / norm, t / norm])
@@ -200,7 +208,7 @@ mod tests {
         ];
         for (slope, square) in cases {
             for rim in [false, true] {
-                let f = Planar { constant: 0.7, slope, square };
+                let f = Quadratic { constant: 0.7, slope, square };
                 let mut grid = f64::INFINITY;
                 for k in 0..2000 {
                     let (sin, cos) = (core::f64::consts::TAU * f64::from(k) / 2000.0).sin_cos();

@@ -1,11 +1,11 @@
-//! Why ballast cannot be looked for, or was not found.
+//! Errors of the search for ballast.
 
 use core::fmt;
 
 use crate::error::BudgetError;
 use crate::limit::LimitError;
 
-/// Why there is no answer.
+/// Error of a question that the search cannot answer.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum BallastError {

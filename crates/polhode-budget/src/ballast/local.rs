@@ -1,6 +1,6 @@
-//! Local search by sequential linear programming.
+//! Local search by sequential linear programming with a trust region.
 
-use super::chart::{At, Planar};
+use super::chart::{At, Quadratic};
 use super::problem::{Lot, Problem, total};
 use super::row::Row;
 use super::simplex::{Inequality, Program, Solution};
@@ -10,46 +10,48 @@ use super::simplex::{Inequality, Program, Solution};
 pub(super) struct Step {
     pub(super) is_feasible: bool,
     pub(super) lots: Vec<Lot>,
-    /// Prices of the rows, kg per unit of each.
-    pub(super) prices: Vec<f64>,
-    /// Prices of the most mass of each site.
-    pub(super) of_sites: Vec<f64>,
+    /// Dual variables of the rows, kg per unit of each.
+    pub(super) duals: Vec<f64>,
+    /// Dual variables of the most mass of each site.
+    pub(super) site_duals: Vec<f64>,
 }
 
-/// How far the first step goes, as a part of the sites and of the mass of the body.
-const REACH: f64 = 0.3;
+/// First radius of the trust region, as a part of the sites and of the mass of the body.
+const FIRST_RADIUS: f64 = 0.3;
 
-/// The search ends where steps shorter than this make nothing better; where no step meets the limits, than the other.
-const SHORTEST: [f64; 2] = [1e-10, 1e-5];
+/// Least radius of the trust region: where steps meet the limits, and where none does.
+const LEAST_RADIUS: [f64; 2] = [1e-10, 1e-5];
 
 /// The search ends where a step is lighter by less than this part.
 const LIGHTER: f64 = 1e-14;
 
-/// The most tangents of cones that are kept besides those where ballast is.
+/// The most tangents of cones that are kept from earlier steps.
 const CUTS: usize = 12;
 
-/// A broken limit costs this many times its price.
+/// Penalty of a violated limit, as a multiple of its dual variable.
 const PENALTY: f64 = 4.0;
 
 /// The most steps.
 const STEPS: usize = 100;
 
-/// Lots of any mass that are nearer than this part of their site become one.
+/// Lots are merged if their distance is below this part of their site.
 const NEAR: f64 = 1e-2;
 
 impl Problem {
-    /// Returns the lightest ballast that meets rows, linear in the masses and places of lots, which change by no more than a
-    /// reach. If that is infinite, places stay.
-    pub(super) fn step(&self, lots: &[Lot], rows: &[Row], reach: f64) -> Step {
+    /// Returns the lightest ballast that meets linearized conditions within a trust region.
+    ///
+    /// The variables are the changes of the masses and places of the lots. If the radius is
+    /// infinite, places stay.
+    pub(super) fn step(&self, lots: &[Lot], rows: &[Row], radius: f64) -> Step {
         let mut moves: Vec<(usize, Option<At>, [f64; 2])> = Vec::new();
         for (k, lot) in lots.iter().enumerate() {
-            let mass = reach * self.mass;
+            let mass = radius * self.mass;
             if lot.size.is_none() {
                 moves.push((k, None, [-lot.mass.min(mass), mass]));
             }
-            if reach.is_finite() && lot.mass > 0.0 {
-                let freedoms = self.charts[lot.site].freedoms(lot.at, reach).into_iter();
-                moves.extend(freedoms.map(|(along, range)| (k, Some(along), range)));
+            if radius.is_finite() && lot.mass > 0.0 {
+                let directions = self.charts[lot.site].directions(lot.at, radius).into_iter();
+                moves.extend(directions.map(|(along, range)| (k, Some(along), range)));
             }
         }
         let mut program = Program {
@@ -63,12 +65,13 @@ impl Problem {
             program.rows.push(Inequality { by, constant: value + from_low, is_zero });
         };
         for row in rows {
-            let planars: Vec<Planar> = self.charts.iter().map(|chart| chart.planar(&row.of)).collect();
+            let quadratics: Vec<Quadratic> =
+                self.charts.iter().map(|chart| chart.quadratic(&row.of)).collect();
             let [value, noise] = self.value(row, lots);
             let inside = if row.is_zero { 0.0 } else { noise };
             add((value - inside) / row.scale, row.is_zero, &|lot, along| {
-                let (planar, [s, t]) = (&planars[lot.site], planars[lot.site].gradient(lot.at));
-                along.map_or_else(|| planar.value(lot.at), |[a, b]| lot.mass * (a * s + b * t)) / row.scale
+                let (quadratic, [s, t]) = (&quadratics[lot.site], quadratics[lot.site].gradient(lot.at));
+                along.map_or_else(|| quadratic.value(lot.at), |[a, b]| lot.mass * (a * s + b * t)) / row.scale
             });
         }
         let is_limited = |site: &usize| self.most[*site] > 0.0 && self.most[*site].is_finite();
@@ -79,7 +82,7 @@ impl Problem {
                 if lot.site == *site && along.is_none() { -self.most[*site].recip() } else { 0.0 }
             });
         }
-        let Solution { is_feasible, x, mut prices } = program.solve();
+        let Solution { is_feasible, x, mut duals } = program.solve();
         let mut changed = lots.to_vec();
         for ((k, along, [low, _]), x) in moves.iter().zip(&x) {
             let lot = &mut changed[*k];
@@ -89,17 +92,17 @@ impl Problem {
             }
         }
         changed.iter_mut().for_each(|lot| lot.at = self.charts[lot.site].nearest(lot.at));
-        let mut of_sites = vec![0.0; self.most.len()];
-        for (site, price) in limited.iter().zip(prices.split_off(rows.len())) {
-            of_sites[*site] = price / self.most[*site];
+        let mut site_duals = vec![0.0; self.most.len()];
+        for (site, dual) in limited.iter().zip(duals.split_off(rows.len())) {
+            site_duals[*site] = dual / self.most[*site];
         }
-        prices.iter_mut().zip(rows).for_each(|(price, row)| *price /= row.scale);
-        Step { is_feasible, lots: changed, prices, of_sites }
+        duals.iter_mut().zip(rows).for_each(|(dual, row)| *dual /= row.scale);
+        Step { is_feasible, lots: changed, duals, site_duals }
     }
 
-    /// Returns ballast near some that breaks limits less or is lighter, and by how much it breaks them.
-    pub(super) fn improved(&self, mut lots: Vec<Lot>) -> (Vec<Lot>, f64) {
-        let (mut now, mut reach, mut weight) = (self.broken(&lots), REACH, 0.0_f64);
+    /// Returns a local minimum of the mass and the violation of the limits, with the violation.
+    pub(super) fn local_minimum(&self, mut lots: Vec<Lot>) -> (Vec<Lot>, f64) {
+        let (mut now, mut radius, mut weight) = (self.violation(&lots), FIRST_RADIUS, 0.0_f64);
         let mut cuts: Vec<Row> = Vec::new();
         let has_masses = lots.iter().any(|lot| lot.size.is_none());
         let moves = has_masses || lots.iter().any(|lot| !self.charts[lot.site].is_point());
@@ -108,23 +111,23 @@ impl Problem {
                 break;
             }
             let rows = [&self.tangents(&lots)[..], &cuts].concat();
-            let step = self.step(&lots, &rows, reach);
+            let step = self.step(&lots, &rows, radius);
             cuts.extend(self.cuts(&step.lots));
             cuts.drain(..cuts.len().saturating_sub(CUTS));
-            let prices = rows.iter().zip(&step.prices).map(|(row, price)| price.abs() * row.scale);
-            weight = prices.fold(total(&lots).max(weight / PENALTY), f64::max) * PENALTY;
-            let merit = |lots: &[Lot], broken: f64| {
-                if step.is_feasible { total(lots) / weight + broken } else { broken }
+            let duals = rows.iter().zip(&step.duals).map(|(row, dual)| dual.abs() * row.scale);
+            weight = duals.fold(total(&lots).max(weight / PENALTY), f64::max) * PENALTY;
+            let merit = |lots: &[Lot], violation: f64| {
+                if step.is_feasible { total(lots) / weight + violation } else { violation }
             };
-            let next = self.broken(&step.lots);
+            let next = self.violation(&step.lots);
             let is_better = merit(&step.lots, next) < merit(&lots, now);
             let is_least =
                 now == 0.0 && step.is_feasible && total(&step.lots) >= total(&lots) * (1.0 - LIGHTER);
             if is_better {
                 (lots, now) = (step.lots, next);
             }
-            reach *= if is_better { 2.0 } else { 0.25 };
-            if is_least || reach < SHORTEST[usize::from(!step.is_feasible)] {
+            radius *= if is_better { 2.0 } else { 0.25 };
+            if is_least || radius < LEAST_RADIUS[usize::from(!step.is_feasible)] {
                 break;
             }
         }
@@ -132,7 +135,7 @@ impl Problem {
         (lots, now)
     }
 
-    /// Returns the lots with those that are near each other as one at their centre of mass, without the least.
+    /// Returns the lots with near ones merged at their centre of mass, without those of no weight.
     pub(super) fn merged(&self, lots: &[Lot]) -> Vec<Lot> {
         let mut merged: Vec<Lot> = Vec::with_capacity(lots.len());
         let least = 1e-6 * total(lots);

@@ -1,8 +1,9 @@
 //! Ballast by which limits are met: the lightest that a local search finds, with a lower bound.
 //!
-//! Ballast is exact, and at sites: points, lines, discs and circles. All of them but points take several masses, and all
-//! can have pieces of given sizes. The mass and the first and second moments of the whole are linear in the masses, so most
-//! limits are linear or cones. Products about the moving centre, W − S S/M, are not.
+//! Ballast has no uncertainty and is at sites: points, lines, discs and circles. Points take one
+//! mass, other sites several; all can be restricted to pieces of given sizes. The mass and the first
+//! and second moments of the whole are linear in the masses, so most limits are linear or cones.
+//! Products about the moving centre, W − S S/M, are not.
 
 mod bound;
 mod chart;
@@ -33,8 +34,10 @@ pub struct Ballast {
     pub sites: Vec<Site>,
     /// The most of all together, kg.
     pub most: Option<f64>,
-    /// Margin to the limits in standard deviations, to first order in the errors of the list: of each side of a coordinate, a
-    /// mass, a moment and a product about a fixed point; of a distance and an unbalance in every direction, at least.
+    /// Margin to the limits in standard deviations, to first order in the errors of the list.
+    ///
+    /// It is kept of each side of a coordinate, a mass, a moment and a product about a fixed point;
+    /// of a distance and an unbalance at least, in every direction.
     pub deviations: f64,
 }
 
@@ -61,9 +64,9 @@ pub struct FoundBallast {
 /// Limits that no ballast was found for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoBallast {
-    /// The most that was looked for, kg: what is allowed, or a thousand times the mass of the list.
+    /// Greatest mass that was searched, kg: the allowed mass, or a thousand times that of the list.
     pub up_to: f64,
-    /// Lower bound on the mass of ballast that meets the limits, kg; infinite if none up to this mass does.
+    /// Lower bound on the mass of ballast that meets the limits, kg; infinite if none does.
     pub bound: f64,
 }
 
@@ -86,15 +89,15 @@ const GAP: f64 = 1e-9;
 impl Budget {
     /// Searches for the least ballast by which limits are met.
     ///
-    /// The search is local and deterministic, from several starts. Its result meets the limits except for rounding: to a
-    /// part of 1e-11 of what ballast changes. [`FoundBallast::is_least`] says whether the lower bound proves it the least,
-    /// as it does if limits are linear or cones and sites take any mass.
+    /// The search is local, from several starts. Its result meets the limits to a relative 1e-11 of
+    /// the change by the ballast. [`FoundBallast::is_least`] returns whether the lower bound proves
+    /// it the least. It usually does if limits are linear or cones and sites take any mass.
     ///
     /// # Errors
     /// [`BallastError`] if a site or a limit is not valid, or ballast cannot be found for a limit.
     pub fn ballast(&self, ballast: &Ballast, limits: &[Limit]) -> Result<BallastAnswer, BallastError> {
         let problem = Problem::new(self, ballast, limits)?;
-        let bound = |near: &[Lot], cap: f64| problem.linear(cap).solved(near).1;
+        let bound = |near: &[Lot], cap: f64| problem.relaxation(cap).relaxed(near).1;
         let none = |bound| Ok(BallastAnswer::NotFound(NoBallast { up_to: problem.cap, bound }));
         let of_all = bound(&[], problem.cap);
         if of_all == f64::INFINITY {
@@ -118,7 +121,7 @@ impl Budget {
         }
         pieces.sort_by_key(|piece| piece.site);
         let mass = pieces.iter().map(Piece::total).sum();
-        // A bound above the mass would be one of rounding.
+        // A bound above the mass has no meaning except rounding.
         let bounds =
             [0.0, of_all, bound(&lots, mass)].into_iter().filter(|bound| *bound <= mass * (1.0 + GAP));
         let bound = problem.attainable(bounds.fold(0.0, f64::max)).min(mass);
@@ -134,7 +137,7 @@ impl Piece {
 }
 
 impl FoundBallast {
-    /// Returns by how much the mass may be above the least, as a part of it.
+    /// Returns the gap between the mass and its lower bound, as a part of the mass.
     pub fn gap(&self) -> f64 {
         if self.mass > 0.0 { (self.mass - self.bound) / self.mass } else { 0.0 }
     }

@@ -15,10 +15,10 @@ pub(super) struct Problem {
     pub(super) charts: Vec<Chart>,
     /// The most mass of each site, kg.
     pub(super) most: Vec<f64>,
-    /// Masses of pieces at each site, ascending; none where any mass will do.
+    /// Sizes of pieces at each site, ascending; none where any mass is allowed.
     pub(super) sizes: Vec<Vec<f64>>,
     pub(super) rules: Vec<Rule>,
-    /// Magnitude of each rule: what it is without ballast, and how the least ballast that it may take changes it.
+    /// Magnitude of each rule: its value without ballast, and its change by the least ballast.
     scales: Vec<f64>,
     /// The mass of the body, kg.
     pub(super) mass: f64,
@@ -40,10 +40,13 @@ pub(super) struct Lot {
 /// The most ballast that is looked for, in masses of the body.
 const CAP: f64 = 1e3;
 
-/// Noise of a limit: these parts of its terms, and of what its constant is the difference of. Limits are kept inside by it, and are
-/// met if they are broken by no more than these multiples of it: others than equalities, and equalities.
+/// Relative noise of a limit: of its terms, and of the numbers whose difference its constant is.
+///
+/// Inequalities are kept inside by the noise.
 const NOISE: [f64; 2] = [1e-12, 8.0 * f64::EPSILON];
-const BROKEN: [f64; 2] = [0.01, 10.0];
+
+/// Greatest violation of a limit that counts as met, in its noise: inequalities, equalities.
+const VIOLATION: [f64; 2] = [0.01, 10.0];
 
 /// A sum of sizes may exceed the most of a site by this part.
 pub(super) const ROUNDING: f64 = 1e-14;
@@ -90,7 +93,7 @@ impl Problem {
         Ok(problem)
     }
 
-    /// Returns lots without mass on all sites that take some.
+    /// Returns lots without mass at fixed points of all sites that take some.
     pub(super) fn seeds(&self) -> Vec<Lot> {
         let sites = self.charts.iter().enumerate().filter(|(site, _)| self.most[*site] > 0.0);
         let seeds = |(site, chart): (usize, &Chart)| {
@@ -99,6 +102,7 @@ impl Problem {
         sites.flat_map(seeds).collect()
     }
 
+    /// Returns the magnitude of each rule.
     fn scaled(&self) -> Vec<f64> {
         let rows: Vec<Row> = self.rules.iter().map(|rule| rule.tangent(&[0.0; 10])).collect();
         let change = |row: &Row| {
@@ -126,14 +130,14 @@ impl Problem {
         self.rules.iter().zip(&self.scales).map(scaled).collect()
     }
 
-    /// Returns the tangents of cones alone: they hold of all ballast.
+    /// Returns the tangents of cones alone: they hold for all ballast.
     pub(super) fn cuts(&self, lots: &[Lot]) -> Vec<Row> {
         let rows = self.tangents(lots).into_iter().zip(&self.rules);
         rows.filter(|(_, rule)| matches!(rule, Rule::Cone(_))).map(|(row, _)| row).collect()
     }
 
-    /// Returns the same with products in linear conditions that hold of all ballast up to a mass.
-    pub(super) fn linear(&self, cap: f64) -> Self {
+    /// Returns the problem with linear relaxations of products, for ballast up to a mass.
+    pub(super) fn relaxation(&self, cap: f64) -> Self {
         let end = |u: &Vector, body: &Moments, sign: f64| {
             let out = Functional::first(u.map(|u| -sign * u), [0.0; 3]);
             let far = self.charts.iter().map(|chart| -chart.least(&out).1).fold(f64::NEG_INFINITY, f64::max);
@@ -175,25 +179,25 @@ impl Problem {
         terms.fold(start, |[value, noise], term| [value + term, noise + NOISE[0] * term.abs()])
     }
 
-    /// Returns by how much limits are broken, or nearly so: the sum over all, as parts of their magnitudes.
-    pub(super) fn broken(&self, lots: &[Lot]) -> f64 {
-        let broken = |row: &Row| {
+    /// Returns the total violation of the limits, each as a part of its magnitude.
+    pub(super) fn violation(&self, lots: &[Lot]) -> f64 {
+        let violation = |row: &Row| {
             let [value, noise] = self.value(row, lots);
             (if row.is_zero { value.abs() - noise } else { 0.5 * noise - value }).max(0.0) / row.scale
         };
-        self.tangents(lots).iter().map(broken).sum()
+        self.tangents(lots).iter().map(violation).sum()
     }
 
     /// Returns whether lots are no more than sites take, and meet all limits except for rounding.
     pub(super) fn is_met(&self, lots: &[Lot]) -> bool {
         let holds = |row: &Row| {
             let [value, noise] = self.value(row, lots);
-            (if row.is_zero { value.abs() } else { -value }) <= BROKEN[usize::from(row.is_zero)] * noise
+            (if row.is_zero { value.abs() } else { -value }) <= VIOLATION[usize::from(row.is_zero)] * noise
         };
         self.fits(lots) && self.tangents(lots).iter().all(holds)
     }
 
-    /// Returns whether lots are no more than sites take: of sizes, one piece at a point.
+    /// Returns whether the sites take the lots; a point takes one piece of given size.
     pub(super) fn fits(&self, lots: &[Lot]) -> bool {
         (0..self.charts.len()).all(|site| {
             let own = lots.iter().filter(|lot| lot.site == site);

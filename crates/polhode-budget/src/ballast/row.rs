@@ -157,14 +157,15 @@ impl Functional {
 impl Rule {
     /// Returns the condition linearized at the moments of some ballast, with the exact value there.
     ///
-    /// A cone's is f₀ − θ·f ≥ 0 with θ along f, which every ballast inside the cone fulfils. A product's is about
-    /// the centre c of body and ballast: ∫ u·(r − c) v·(r − c) dm = P + M (u·(S/M − c)) (v·(S/M − c)).
+    /// A cone's is f₀ − θ·f ≥ 0 with θ along f, which holds for all ballast inside the cone. A
+    /// product's is about the centre c of body and ballast:
+    /// ∫ u·(r − c) v·(r − c) dm = P + M (u·(S/M − c)) (v·(S/M − c)).
     pub(super) fn tangent(&self, ballast: &Moments) -> Row {
         match self {
             Self::Linear(row) => *row,
             Self::Cone(all) => {
                 let values: Vec<f64> = all[1..].iter().map(|f| f.constant + f.at(ballast)).collect();
-                let norm = values.iter().map(|x| x * x).sum::<f64>().sqrt().max(f64::MIN_POSITIVE);
+                let norm = values.iter().fold(0.0_f64, |norm, x| norm.hypot(*x)).max(f64::MIN_POSITIVE);
                 let cosines = values.iter().map(|x| x / norm);
                 let of = all[1..].iter().zip(cosines).fold(all[0], |sum, (f, by)| sum.plus(-by, f));
                 Row::new(of, false)
@@ -177,7 +178,9 @@ impl Rule {
         }
     }
 
-    /// Returns a product's condition with ∫ (u·r − a) (v·r − b) dm in place of P, which is this less M (u·c − a) (v·c − b).
+    /// Returns a product's condition with ∫ (u·r − a) (v·r − b) dm in place of P.
+    ///
+    /// P is this integral minus M (u·c − a) (v·c − b).
     pub(super) fn about(&self, [a, b]: [f64; 2]) -> Row {
         let Self::Product { axes: [u, v], body, sign, bound, is_zero } = self else {
             return Row::new(ONE, false);
@@ -190,7 +193,7 @@ impl Rule {
     }
 }
 
-/// Returns the conditions of a limit on a body with ballast, kept this many standard deviations inside.
+/// Returns the conditions of a limit, with a margin in standard deviations.
 pub(super) fn rules(
     limit: &Limit,
     estimate: &Estimate<Body>,
@@ -281,7 +284,7 @@ pub(super) fn rules(
     if is_norm {
         let errors = rows.iter().map(|row| margin(row).powi(2)).sum::<f64>().sqrt();
         let Some(first) = most.map(|most| side(most, errors)) else { return Ok(Vec::new()) };
-        // The sides of a square around the cone follow from it: they keep linear programs from leaving it far.
+        // The sides of a square around the cone: they keep linear programs near the cone.
         let sides = rows.iter().flat_map(|row| [-1.0, 1.0].map(|by| linear(first.plus(by, row), false)));
         let cone = core::iter::once(&first).chain(&rows).map(|row| row.added_to(&body));
         return Ok(sides.chain([Rule::Cone(cone.collect())]).collect());

@@ -1,25 +1,25 @@
-//! Starts of the local search, and exchanges of pieces of given sizes.
+//! Multistart of the local search, and exchanges of pieces of given sizes.
 
 use super::problem::{Lot, Problem, ROUNDING, total};
 
-/// Masses of the ballast that starts have at a single place where products are limited, as parts of the body.
+/// Masses of starts at a single place, as parts of the body; used where products are limited.
 const ALONE: [f64; 3] = [0.2, 2.0, 20.0];
 
-/// The most exchanges; one in which lots move counts as this many for each of them.
+/// The most exchanges. One in which lots move counts as `MOVES` for each lot.
 const WORK: usize = 500_000;
 const MOVES: usize = 16;
 
-/// Shares of the least piece from which on a remainder is one.
+/// Remainders that are rounded up to one piece, as parts of the least piece.
 const SHARES: [f64; 3] = [1.0, 0.5, 0.0];
 
-/// More pieces at one place move together, but a few.
+/// More pieces than this at one place move together, except `SINGLES`.
 const FEW: f64 = 12.0;
 const SINGLES: usize = 2;
 
-/// Exchanges at three sites are tried after no more than this many at two.
+/// Exchanges at three sites are tried if those at two are no more than this.
 const TRIPLES: usize = 5_000;
 
-/// Changes of the mass below this part are none.
+/// Relative difference below which masses are equal.
 const SAME: f64 = 1e-10;
 
 pub(super) struct Search<'a> {
@@ -40,25 +40,29 @@ impl<'a> Search<'a> {
             starts.extend(seeds.map(|lot| (part, vec![Lot { mass: mass(lot.site), ..lot }])));
         }
         for (part, start) in starts {
-            // Heavy ballast is tried if no other was found.
+            // Heavy starts are tried only if no lighter one succeeded.
             if search.best.is_some() && (search.limit() == 0.0 || part > ALONE[0]) {
                 break;
             }
-            let (lots, _) = problem.solved(&start);
+            let (lots, _) = problem.relaxed(&start);
             if problem.sizes.iter().all(Vec::is_empty) {
                 for lots in [problem.merged(&lots), lots] {
-                    search.offer(&problem.improved(lots).0);
+                    search.offer(&problem.local_minimum(lots).0);
                 }
                 continue;
             }
             for share in SHARES {
-                search.exchange(problem.in_pieces(&lots, share));
+                search.exchange(problem.rounded(&lots, share));
             }
+        }
+        // Pieces may meet the limits far from where masses do.
+        if search.best.is_none() {
+            search.exchange(Vec::new());
         }
         search.best
     }
 
-    /// Takes ballast that meets all limits and is lighter than what was found, or has fewer lots.
+    /// Replaces the incumbent by ballast that meets all limits and is lighter, or has fewer lots.
     fn offer(&mut self, lots: &[Lot]) {
         let fewer = self.best.as_ref().is_some_and(|best| lots.len() < best.len());
         let limit = self.limit() * if fewer { 1.0 + 2.0 * SAME } else { 1.0 };
@@ -67,27 +71,29 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Returns the mass below which ballast is lighter than what was found.
+    /// Returns the mass below which ballast is lighter than the incumbent.
     fn limit(&self) -> f64 {
         self.best.as_ref().map_or(f64::INFINITY, |best| total(best) * (1.0 - SAME))
     }
 
-    /// Exchanges pieces at up to two sites, or three of points, as long as limits are broken less, or are met and ballast becomes
-    /// lighter. Exchanges are tried by the mass of all pieces if limits are met, and otherwise by how much they are broken.
+    /// Exchanges pieces at up to two sites, or three if all are points, while that helps.
+    ///
+    /// An exchange helps if it lowers the violation, or meets the limits with a lower mass. They are
+    /// tried in the order of the mass of all pieces if the limits are met, else of the violation.
     fn exchange(&mut self, start: Vec<Lot>) {
         let problem = self.problem;
-        let (mut lots, mut broken) = problem.improved(start);
+        let (mut lots, mut violation) = problem.local_minimum(start);
         let seeds = problem.seeds().into_iter();
         let free: Vec<Lot> = seeds.filter(|lot| problem.sizes[lot.site].is_empty()).collect();
         let moves = !lots.iter().all(|lot| lot.size.is_some() && problem.charts[lot.site].is_point());
         'better: loop {
-            if broken == 0.0 {
+            if violation == 0.0 {
                 self.offer(&lots);
             }
             let limit = self.limit();
             let key = |lots: &[Lot]| {
                 let sized: f64 = lots.iter().filter(|lot| lot.size.is_some()).map(|lot| lot.mass).sum();
-                (sized < limit).then(|| if broken == 0.0 { sized } else { problem.broken(lots) })
+                (sized < limit).then(|| if violation == 0.0 { sized } else { problem.violation(lots) })
             };
             let mut all = vec![(0, lots.clone())];
             for depth in 0..3 {
@@ -104,9 +110,10 @@ impl<'a> Search<'a> {
                     if self.work > WORK {
                         return;
                     }
-                    let next = problem.improved([&trial[..], &free].concat());
-                    if if next.1 == 0.0 { total(&next.0) < limit } else { next.1 < 0.9 * broken } {
-                        (lots, broken) = next;
+                    let next = problem.local_minimum([&trial[..], &free].concat());
+                    let helps = if next.1 == 0.0 { total(&next.0) < limit } else { next.1 < 0.9 * violation };
+                    if helps {
+                        (lots, violation) = next;
                         continue 'better;
                     }
                 }
@@ -117,8 +124,10 @@ impl<'a> Search<'a> {
 }
 
 impl Problem {
-    /// Returns pieces in place of masses: the largest sizes first, and one of the least for a share of it.
-    fn in_pieces(&self, lots: &[Lot], share: f64) -> Vec<Lot> {
+    /// Returns pieces in place of masses: the largest sizes first.
+    ///
+    /// A remainder of at least `share` of the least size is rounded up to one piece.
+    fn rounded(&self, lots: &[Lot], share: f64) -> Vec<Lot> {
         let mut all: Vec<Lot> = Vec::new();
         for lot in lots {
             let sizes = &self.sizes[lot.site];
@@ -151,8 +160,10 @@ impl Problem {
         all
     }
 
-    /// Returns what exchanges of a piece at each site, from one on, give: a piece or none is taken away, and another put
-    /// where limits are then broken least.
+    /// Returns the results of all exchanges of one piece, at the sites from `from` on.
+    ///
+    /// A piece or none is taken away, and another or none is put where the violation is then least.
+    /// Each result has the first site for a further exchange.
     fn exchanged(&self, lots: &[Lot], from: usize) -> Vec<(usize, Vec<Lot>)> {
         let mut all = Vec::new();
         for (site, sizes) in self.sizes.iter().enumerate().skip(from) {
@@ -171,8 +182,9 @@ impl Problem {
                 if let Some(size) = puts {
                     places.extend(lots.iter().filter(|lot| lot.site == site).map(|lot| lot.at));
                     let put = |at| [&lots[..], &[Lot { site, at, mass: size, size: puts }]].concat();
-                    let broken = |lots: &Vec<Lot>| self.broken(lots);
-                    let best = places.into_iter().map(put).min_by(|a, b| broken(a).total_cmp(&broken(b)));
+                    let violation = |lots: &Vec<Lot>| self.violation(lots);
+                    let best =
+                        places.into_iter().map(put).min_by(|a, b| violation(a).total_cmp(&violation(b)));
                     lots = best.unwrap_or(lots);
                 }
                 if takes != puts && self.fits(&lots) {

@@ -1,4 +1,4 @@
-//! Linear programs of a few dozen rows: the simplex method with bounded variables on a dense tableau.
+//! Linear programs of a few dozen rows: the bounded simplex method on a dense tableau.
 
 /// The least c·x with A x + b ≥ 0 or = 0 and 0 ≤ x ≤ u, for rows of the order of 1.
 #[derive(Debug, Default)]
@@ -17,29 +17,31 @@ pub(super) struct Inequality {
     pub(super) is_zero: bool,
 }
 
-/// The solution, or the least sum of what rows are below 0.
+/// Optimal solution, or the point of least total violation if there is none.
 #[derive(Debug)]
 pub(super) struct Solution {
     pub(super) is_feasible: bool,
     pub(super) x: Vec<f64>,
-    /// Dual variables of the rows; if there is no solution, those of the least sum.
-    pub(super) prices: Vec<f64>,
+    /// Dual variables of the rows; if infeasible, those of the least total violation.
+    pub(super) duals: Vec<f64>,
 }
 
-/// Rows broken by less than the first are kept; by the second, if rounding leaves no better.
-const BROKEN: [f64; 2] = [1e-14, 1e-10];
+/// Feasibility tolerances: the first, and the second where rounding permits no better.
+const FEASIBLE: [f64; 2] = [1e-14, 1e-10];
 
-/// Elements below this are no pivots, and costs below it no descent, of columns of the order of 1.
+/// Least pivot and least reduced cost of an entering variable, for columns of the order of 1.
 const PIVOT: f64 = 1e-9;
 const DESCENT: f64 = 1e-12;
 
-/// Rows x_B + T x_N = right of the basic variables x_B, with the right sides in the last column, and the row of the cost.
-/// A variable at its upper bound is replaced by its distance from it, so that all x_N are 0.
+/// Rows x_B + T x_N = right of the basic variables x_B, and the row of reduced costs.
+///
+/// The last column has the right sides. A variable at its upper bound is complemented, that is,
+/// replaced by its distance from the bound, so that all x_N are 0.
 struct Tableau {
     rows: Vec<Vec<f64>>,
     basis: Vec<usize>,
     upper: Vec<f64>,
-    is_turned: Vec<bool>,
+    is_complemented: Vec<bool>,
     tolerance: f64,
 }
 
@@ -67,24 +69,24 @@ impl Program {
             rows: self.rows.iter().enumerate().map(row).chain([cost]).collect(),
             basis: (n..n + m).collect(),
             upper: upper.chain(self.rows.iter().map(slack)).collect(),
-            is_turned: vec![false; n + m],
-            tolerance: BROKEN[0],
+            is_complemented: vec![false; n + m],
+            tolerance: FEASIBLE[0],
         };
         tableau.run();
-        let broken = tableau.broken();
+        let violated = tableau.violated();
         let row_of = |k: usize| tableau.basis.iter().position(|basic| *basic == k);
         let x = (0..n).map(|k| {
             let x = row_of(k).map_or(0.0, |i| tableau.right(i).max(0.0));
-            units[k] * if tableau.is_turned[k] { (tableau.upper[k] - x).max(0.0) } else { x }
+            units[k] * if tableau.is_complemented[k] { (tableau.upper[k] - x).max(0.0) } else { x }
         });
-        let price = |k: usize| {
-            // A broken row has the price 1, and a kept one with room 0.
-            let row = row_of(k).map(|i| f64::from(u8::from(broken.contains(&i))));
-            let own = row.unwrap_or_else(|| tableau.gradient(&broken, k));
-            let own = if tableau.is_turned[k] { -own } else { own };
+        let dual = |k: usize| {
+            // A basic slack has the dual 1 if its row is violated, and 0 otherwise.
+            let row = row_of(k).map(|i| f64::from(u8::from(violated.contains(&i))));
+            let own = row.unwrap_or_else(|| tableau.gradient(&violated, k));
+            let own = if tableau.is_complemented[k] { -own } else { own };
             if self.rows[k - n].is_zero { own } else { own.max(0.0) }
         };
-        Solution { is_feasible: broken.is_empty(), x: x.collect(), prices: (n..n + m).map(price).collect() }
+        Solution { is_feasible: violated.is_empty(), x: x.collect(), duals: (n..n + m).map(dual).collect() }
     }
 }
 
@@ -94,14 +96,14 @@ impl Tableau {
     }
 
     /// Returns the rows whose basic variables are negative.
-    fn broken(&self) -> Vec<usize> {
+    fn violated(&self) -> Vec<usize> {
         (0..self.basis.len()).filter(|i| self.right(*i) < -self.tolerance).collect()
     }
 
-    /// Returns how the cost, or the sum of what is missing in broken rows, changes with a variable.
-    fn gradient(&self, broken: &[usize], k: usize) -> f64 {
+    /// Returns the derivative of the cost, or of the total violation, by a variable.
+    fn gradient(&self, violated: &[usize], k: usize) -> f64 {
         let of_cost = [self.basis.len()];
-        let rows = if broken.is_empty() { &of_cost } else { broken };
+        let rows = if violated.is_empty() { &of_cost } else { violated };
         rows.iter().map(|i| self.rows[*i][k]).sum()
     }
 
@@ -110,26 +112,27 @@ impl Tableau {
         let patience = 2 * (all + self.basis.len());
         for step in 0..2 * patience {
             if step == patience {
-                self.tolerance = BROKEN[1];
+                self.tolerance = FEASIBLE[1];
             }
             for i in 0..self.basis.len() {
                 if self.right(i) > self.upper[self.basis[i]] + self.tolerance {
-                    self.turn_basic(i);
+                    self.complement_basic(i);
                 }
             }
-            let broken = self.broken();
-            let gradients = (0..all).filter(|k| self.upper[*k] > 0.0).map(|k| (self.gradient(&broken, k), k));
+            let violated = self.violated();
+            let gradients =
+                (0..all).filter(|k| self.upper[*k] > 0.0).map(|k| (self.gradient(&violated, k), k));
             let mut down = gradients.filter(|(by, _)| *by < -DESCENT);
-            // Bland's rule cannot cycle, but is slower, and rounding must not break rows again.
+            // Bland's rule cannot cycle, but is slower.
             let best = if step < patience { down.min_by(|a, b| a.0.total_cmp(&b.0)) } else { down.next() };
             let Some((_, enters)) = best else {
-                if broken.is_empty() || broken.iter().any(|i| self.right(*i) < -BROKEN[1]) {
+                if violated.is_empty() || violated.iter().any(|i| self.right(*i) < -FEASIBLE[1]) {
                     break;
                 }
-                self.tolerance = BROKEN[1];
+                self.tolerance = FEASIBLE[1];
                 continue;
             };
-            // Broken rows leave the basis where they become 0; others where they would be broken, or reach their upper bound.
+            // Ratio test: a violated row leaves the basis at 0, another one at either of its bounds.
             let (mut far, mut leaves, mut pivot) = (self.upper[enters], None, 0.0);
             for i in 0..self.basis.len() {
                 let (by, right) = (self.rows[i][enters], self.right(i));
@@ -147,32 +150,33 @@ impl Tableau {
             match leaves {
                 Some((i, turns)) => {
                     if turns {
-                        self.turn_basic(i);
+                        self.complement_basic(i);
                     }
                     self.pivot(i, enters);
                 }
-                None if far.is_finite() => self.turn(enters),
+                None if far.is_finite() => self.complement(enters),
                 None => break,
             }
         }
     }
 
-    /// Replaces a variable at 0 by its distance from its upper bound.
-    fn turn(&mut self, k: usize) {
+    /// Complements a nonbasic variable.
+    fn complement(&mut self, k: usize) {
         let all = self.upper.len();
         for row in &mut self.rows {
             row[all] -= row[k] * self.upper[k];
             row[k] = -row[k];
         }
-        self.is_turned[k] = !self.is_turned[k];
+        self.is_complemented[k] = !self.is_complemented[k];
     }
 
-    fn turn_basic(&mut self, i: usize) {
+    /// Complements the basic variable of a row.
+    fn complement_basic(&mut self, i: usize) {
         let (k, all) = (self.basis[i], self.upper.len());
         self.rows[i].iter_mut().for_each(|x| *x = -*x);
         self.rows[i][k] = 1.0;
         self.rows[i][all] += self.upper[k];
-        self.is_turned[k] = !self.is_turned[k];
+        self.is_complemented[k] = !self.is_complemented[k];
     }
 
     fn pivot(&mut self, i: usize, enters: usize) {

@@ -3,7 +3,7 @@
 use polhode::math::{Body, Direction, Position};
 use polhode_budget::{
     About, Ballast, BallastAnswer, BallastPlace, Basis, Budget, FoundBallast, GivenPart, GivenTensor, Limit,
-    Measure, PartsList, ProductSign, Round, Row, Site,
+    Measure, PartsList, ProductSign, Row, Site,
 };
 
 const X: Direction<Body> = Direction::new(1.0, 0.0, 0.0);

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 mod ballast;
+mod ballast_bounds;
 mod ballast_places;
 mod ballast_sizes;
 mod draws;

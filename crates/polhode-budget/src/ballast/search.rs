@@ -55,8 +55,8 @@ impl<'a> Search<'a> {
                 search.exchange(problem.rounded(&lots, share));
             }
         }
-        // Pieces may meet the limits far from where masses do.
-        if search.best.is_none() {
+        // Pieces may be best far from where masses of any size are.
+        if problem.sizes.iter().any(|sizes| !sizes.is_empty()) {
             search.exchange(Vec::new());
         }
         search.best
@@ -162,10 +162,12 @@ impl Problem {
 
     /// Returns the results of all exchanges of one piece, at the sites from `from` on.
     ///
-    /// A piece or none is taken away, and another or none is put where the violation is then least.
-    /// Each result has the first site for a further exchange.
+    /// A piece or none is taken away, and another or none is put where the violation is then least,
+    /// or at each of a few places if there is at most one piece next to sites for any mass. Each result has the first site for a further exchange.
     fn exchanged(&self, lots: &[Lot], from: usize) -> Vec<(usize, Vec<Lot>)> {
         let mut all = Vec::new();
+        let pieces = lots.iter().filter(|lot| lot.size.is_some()).count();
+        let tries_places = pieces <= 1 && self.sizes.iter().any(Vec::is_empty);
         for (site, sizes) in self.sizes.iter().enumerate().skip(from) {
             let choices = || sizes.iter().copied().map(Some).chain([None]);
             for (takes, puts) in choices().flat_map(|takes| choices().map(move |puts| (takes, puts))) {
@@ -179,17 +181,22 @@ impl Problem {
                     lots[least].mass -= size;
                     lots.retain(|lot| lot.size.is_none_or(|size| lot.mass > 0.5 * size));
                 }
+                let mut results = vec![lots];
                 if let Some(size) = puts {
+                    let lots = &results[0];
                     places.extend(lots.iter().filter(|lot| lot.site == site).map(|lot| lot.at));
                     let put = |at| [&lots[..], &[Lot { site, at, mass: size, size: puts }]].concat();
-                    let violation = |lots: &Vec<Lot>| self.violation(lots);
-                    let best =
-                        places.into_iter().map(put).min_by(|a, b| violation(a).total_cmp(&violation(b)));
-                    lots = best.unwrap_or(lots);
+                    let mut put: Vec<Vec<Lot>> = places.into_iter().map(put).collect();
+                    // The violation without the other masses does not tell which place is best.
+                    if !tries_places {
+                        put.sort_by(|a, b| self.violation(a).total_cmp(&self.violation(b)));
+                        put.truncate(1);
+                    }
+                    results = put;
                 }
-                if takes != puts && self.fits(&lots) {
-                    all.push((site + usize::from(self.charts[site].is_point()), lots));
-                }
+                results.retain(|lots| takes != puts && self.fits(lots));
+                let next = site + usize::from(self.charts[site].is_point());
+                all.extend(results.into_iter().map(|lots| (next, lots)));
             }
         }
         all

@@ -227,7 +227,7 @@ fn bounds_of_linear_and_conic_limits_are_those_of_the_least() {
 
 #[test]
 fn bounds_of_pieces_hold() {
-    let [heavier, proved] = compared(202, 100, true, false);
+    let [heavier, proved] = compared(202, 80, true, false);
     println!("{heavier} {proved}");
     assert!(heavier <= 2, "{heavier} {proved}");
 }
@@ -241,7 +241,7 @@ fn bounds_of_products_about_the_center_hold() {
 
 #[test]
 fn bounds_of_pieces_with_products_hold() {
-    let [heavier, proved] = compared(204, 100, true, true);
+    let [heavier, proved] = compared(204, 40, true, true);
     println!("{heavier} {proved}");
     assert!(heavier <= 2, "{heavier} {proved}");
 }

@@ -31,7 +31,7 @@ pub(super) struct Problem {
 pub(super) struct Lot {
     pub(super) site: usize,
     pub(super) at: At,
-    /// Of all pieces, kg.
+    /// Mass of all pieces, kg.
     pub(super) mass: f64,
     /// The mass of each piece, if it is given.
     pub(super) size: Option<f64>,

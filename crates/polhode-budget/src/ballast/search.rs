@@ -163,7 +163,8 @@ impl Problem {
     /// Returns the results of all exchanges of one piece, at the sites from `from` on.
     ///
     /// A piece or none is taken away, and another or none is put where the violation is then least,
-    /// or at each of a few places if there is at most one piece next to sites for any mass. Each result has the first site for a further exchange.
+    /// or at each of a few places if there is at most one piece next to sites for any mass.
+    /// Each result has the first site for a further exchange.
     fn exchanged(&self, lots: &[Lot], from: usize) -> Vec<(usize, Vec<Lot>)> {
         let mut all = Vec::new();
         let pieces = lots.iter().filter(|lot| lot.size.is_some()).count();

@@ -227,7 +227,7 @@ fn bounds_of_linear_and_conic_limits_are_those_of_the_least() {
 
 #[test]
 fn bounds_of_pieces_hold() {
-    let [heavier, proved] = compared(202, 80, true, false);
+    let [heavier, proved] = compared(202, 40, true, false);
     assert!(heavier <= 1, "{heavier} {proved}");
 }
 
@@ -239,6 +239,6 @@ fn bounds_of_products_about_the_center_hold() {
 
 #[test]
 fn bounds_of_pieces_with_products_hold() {
-    let [heavier, proved] = compared(204, 40, true, true);
+    let [heavier, proved] = compared(204, 15, true, true);
     assert!(heavier <= 3, "{heavier} {proved}");
 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use polhode_budget::Group;
 use polhode_document::Section;
 use polhode_document::layout::printable;
-use polhode_document::number::{count, number, quaternion};
+use polhode_document::number::{number, quaternion};
 use serde_json::{Value, json};
 
 use super::item::Item;

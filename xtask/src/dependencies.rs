@@ -10,7 +10,7 @@ use crate::process::{cargo, output};
 const MOST: [(&str, &[&str], usize); 3] = [
     ("polhode", &[], 10),
     ("polhode-cli", &["--no-default-features", "--features", "png"], 101),
-    ("polhode-cli", &[], 145), // with the server of `polhode live`, nalgebra for `polhode identify` and clarabel for ballast
+    ("polhode-cli", &[], 118), // with the server of `polhode live` and nalgebra for `polhode identify`
 ];
 
 /// Checks the number of crates, and the licences on every platform, tests and build scripts included.

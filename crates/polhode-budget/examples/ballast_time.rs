@@ -14,7 +14,6 @@ const Z: Direction<Body> = Direction::new(0.0, 0.0, 1.0);
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let only = std::env::args().nth(1).unwrap_or_default();
-    let effort = std::env::args().nth(2).and_then(|effort| effort.parse().ok());
     for (name, sites, limits) in cases() {
         if only == "list" {
             println!("{name}");
@@ -24,20 +23,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             continue;
         }
         let start = Instant::now();
-        let answer = body()?.ballast(&Ballast { sites, effort, ..Ballast::default() }, &limits);
+        let answer = body()?.ballast(&Ballast { sites, ..Ballast::default() }, &limits);
         let time = start.elapsed().as_secs_f64();
         let said = match answer {
-            Ok(BallastAnswer::Least(least)) => {
-                format!("{:.9} kg, gap {:.1e}, {} regions", least.mass, least.gap(), least.regions)
+            Ok(BallastAnswer::Found(found)) => {
+                let proved = if found.is_least() { "proved" } else { "not proved" };
+                format!("{:.9} kg, gap {:.1e}, {proved}", found.mass, found.gap())
             }
-            Ok(BallastAnswer::None(none)) => format!("none, {} regions", none.regions),
-            Ok(BallastAnswer::Undecided(all)) => format!(
-                "{:.9} kg, undecided from {:.9}, {} regions, of {:?}",
-                all.found.map_or(f64::NAN, |found| found.mass),
-                all.bound,
-                all.regions,
-                all.effort
-            ),
+            Ok(BallastAnswer::NotFound(none)) if none.is_proved() => "none: proved".to_owned(),
+            Ok(BallastAnswer::NotFound(none)) => format!("none found, bound {:.9} kg", none.bound),
             Err(error) => error.to_string(),
         };
         println!("{name:32} {time:8.2} s  {said}");

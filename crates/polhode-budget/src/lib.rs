@@ -39,7 +39,7 @@
 //! | bodies of which only the estimate is known | [`Correlated`] |
 //! | what is left over time, or by how full the tanks are | [`Sequence`], [`Tank`] |
 //! | whether limits are met, with what margin and probability | [`Budget::limits`], [`Limit`], [`Answer`] |
-//! | the least ballast that meets limits, with a proof | [`Budget::ballast`], [`FoundBallast`] |
+//! | ballast that meets limits, with a lower bound | [`Budget::ballast`], [`FoundBallast`] |
 
 mod ballast;
 mod budget;
@@ -69,7 +69,6 @@ mod uncertainty;
 
 pub use ballast::{
     Ballast, BallastAnswer, BallastError, BallastPlace, FoundBallast, NoBallast, Piece, Round, Site,
-    UndecidedBallast,
 };
 pub use budget::Budget;
 pub use comparison::{ComparedNumber, Comparison};

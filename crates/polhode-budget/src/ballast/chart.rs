@@ -1,39 +1,43 @@
-//! The points of a place, and functions of the moments on it.
+//! Points of a site, and functions of the moments on it.
 
-use polhode::math::{Body, Direction, Position};
+use polhode::math::{Body, Position};
 
 use super::error::BallastError;
-use super::interval::Interval;
-use super::planar::Planar;
-use super::row::{Functional, weights};
+use super::row::{Functional, Vector, weights};
 use super::site::{Place, Round, Site};
 
-/// A place as r = center + s e₁ + t e₂ with s² + t² ≤ 1, or = 1.
-#[derive(Clone, Debug, PartialEq)]
+/// Coordinates on a site.
+pub(super) type At = [f64; 2];
+
+/// Points r = center + s e₁ + t e₂ with s² + t² ≤ 1, or = 1 on a circle.
+///
+/// A line has e₂ = 0, a point also e₁ = 0.
+#[derive(Clone, Debug)]
 pub(super) struct Chart {
-    center: [f64; 3],
-    axes: [[f64; 3]; 2],
-    /// Only s² + t² = 1.
-    rim: bool,
+    center: Vector,
+    /// The centre, from the origin of the problem.
+    offset: Vector,
+    axes: [Vector; 2],
+    is_rim: bool,
 }
 
-/// Part of a place: from where to where s and t are; of a rim, the angle.
-pub(super) type Part = [[f64; 2]; 2];
-
-/// More than parts are rounded by, in the coordinates of a place that is not far from the origin.
-const ROUNDING: f64 = 1e-14;
-
-/// Steps of Newton's method.
-const STEPS: usize = 8;
+/// A function on a chart for a unit mass: q + g·u + uᵀ Q u, with Q₁₁, Q₁₂, Q₂₂.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Quadratic {
+    constant: f64,
+    slope: [f64; 2],
+    square: [f64; 3],
+}
 
 impl Chart {
-    pub(super) fn new(site: &Site) -> Result<Self, BallastError> {
-        let wrong = |what, value, rule| BallastError::Value { site: site.name.clone(), what, value, rule };
+    pub(super) fn new(site: &Site, origin: Vector) -> Result<Self, BallastError> {
+        let wrong =
+            |what, value, rule| BallastError::Value { site: Some(site.name.clone()), what, value, rule };
         let finite = |at: Position<Body>| match at.to_array().into_iter().find(|x| !x.is_finite()) {
             None => Ok(at.to_array()),
             Some(value) => Err(wrong("the position", value, "finite")),
         };
-        let round = |round: &Round, rim| {
+        let round = |round: &Round| {
             let n = round.normal.direction();
             let n = n.ok_or_else(|| {
                 wrong("the length of the normal", round.normal.norm(), "finite and not zero")
@@ -41,196 +45,186 @@ impl Chart {
             if !(round.radius > 0.0 && round.radius.is_finite()) {
                 return Err(wrong("the radius", round.radius, "positive and finite"));
             }
-            let other =
-                if n.x.abs() < 0.6 { Direction::new(1.0, 0.0, 0.0) } else { Direction::new(0.0, 1.0, 0.0) };
-            let u = n.cross(other).direction().unwrap_or(other);
-            let axes = [u, n.cross(u)].map(|u| (u * round.radius).to_array());
-            Ok(Self { center: finite(round.center)?, axes, rim })
+            let axes = crate::limit::across_axes(n).map(|u| (u * round.radius).to_array());
+            Ok((finite(round.center)?, axes))
         };
-        match &site.place {
-            Place::Point(at) => Ok(Self { center: finite(*at)?, axes: [[0.0; 3]; 2], rim: false }),
+        let (center, axes) = match &site.place {
+            Place::Point(at) => (finite(*at)?, [[0.0; 3]; 2]),
             Place::Line([a, b]) => {
                 let (a, b) = (finite(*a)?, finite(*b)?);
-                let center = core::array::from_fn(|k| 0.5 * a[k] + 0.5 * b[k]);
                 let half = core::array::from_fn(|k| 0.5 * b[k] - 0.5 * a[k]);
-                Ok(Self { center, axes: [half, [0.0; 3]], rim: false })
+                (core::array::from_fn(|k| 0.5 * a[k] + 0.5 * b[k]), [half, [0.0; 3]])
             }
-            Place::Disc(disc) => round(disc, false),
-            Place::Circle(circle) => round(circle, true),
-        }
+            Place::Disc(disc) => round(disc)?,
+            Place::Circle(circle) => round(circle)?,
+        };
+        let offset = core::array::from_fn(|k| center[k] - origin[k]);
+        Ok(Self { center, offset, axes, is_rim: matches!(site.place, Place::Circle(_)) })
+    }
+
+    /// Returns upper bounds on |x|, |y| and |z| on the chart, from the origin of the problem.
+    pub(super) fn extent(&self) -> Vector {
+        let [a, b] = &self.axes;
+        core::array::from_fn(|k| self.offset[k].abs() + a[k].abs() + b[k].abs())
     }
 
     pub(super) fn is_point(&self) -> bool {
         self.axes == [[0.0; 3]; 2]
     }
 
-    fn point(&self, [s, t]: [f64; 2]) -> [f64; 3] {
+    fn is_line(&self) -> bool {
+        self.axes[1] == [0.0; 3]
+    }
+
+    /// Returns a point in the body.
+    pub(super) fn point(&self, [s, t]: At) -> Vector {
         let [a, b] = &self.axes;
         core::array::from_fn(|k| self.center[k] + s * a[k] + t * b[k])
     }
 
-    /// All of it.
-    pub(super) fn whole(&self) -> Part {
-        use core::f64::consts::PI;
-        match (self.rim, self.axes.map(|axis| axis != [0.0; 3])) {
-            (true, _) => [[-PI, PI], [0.0; 2]],
-            (false, has) => has.map(|has| if has { [-1.0, 1.0] } else { [0.0; 2] }),
-        }
+    /// Returns a point from the origin of the problem.
+    pub(super) fn local(&self, [s, t]: At) -> Vector {
+        let [a, b] = &self.axes;
+        core::array::from_fn(|k| self.offset[k] + s * a[k] + t * b[k])
     }
 
-    /// s and t, or the angle, of the foot of a point.
-    pub(super) fn coordinates(&self, r: [f64; 3]) -> [f64; 2] {
-        let [s, t] = self.foot(r);
-        if self.rim { [libm::atan2(t, s), 0.0] } else { [s, t] }
-    }
-
-    /// Parts of it about a point, this far: a disc or a line, and points of the rim.
-    pub(super) fn about(&self, r: [f64; 3], far: f64) -> Vec<Self> {
-        let u = self.coordinates(r);
-        let within = |center: [f64; 2]| {
-            let axes = self.axes.map(|axis| axis.map(|x| far * x));
-            Self { center: self.point(center), axes, rim: false }
-        };
-        let arc = |angle: f64| {
-            (-4_i32..=4).map(move |k| {
-                let (sin, cos) = libm::sincos(angle + far * f64::from(k) / 4.0);
-                Self { center: self.point([cos, sin]), axes: [[0.0; 3]; 2], rim: false }
-            })
-        };
-        if self.rim {
-            return arc(u[0]).collect();
-        }
-        let (norm, inside) = (u[0].hypot(u[1]), 1.0 - far);
-        let pulled = within(if norm > inside { u.map(|u| u * inside / norm) } else { u });
-        let is_near_rim = norm > inside && self.axes[1] != [0.0; 3];
-        let rim = is_near_rim.then(|| arc(libm::atan2(u[1], u[0])));
-        core::iter::once(pulled).chain(rim.into_iter().flatten()).collect()
-    }
-
-    /// An ellipse, or of a line a line, that a part is within.
-    pub(super) fn covering(&self, part: &Part) -> Self {
-        let [[low, high], t] = part;
-        let (middle, half) = (0.5 * low + 0.5 * high, 0.5 * (high - low));
-        let (out, along) = (self.axes[0], self.axes[1]);
-        let scaled = |by: f64, axis: [f64; 3]| axis.map(|x| by * x);
-        let far = self.center.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        let rounding = ROUNDING + 8.0 * f64::EPSILON * far / self.size().max(f64::MIN_POSITIVE);
-        if self.rim {
-            // Through the ends and the middle of the arc, of the least area: an arc less than a half is in it as (x − x₀)²/a² + (1 − x²)/b² is convex in x.
-            if half > core::f64::consts::FRAC_PI_2 {
-                return self.clone();
-            }
-            let ((sin, cos), (high, low)) = (libm::sincos(middle), libm::sincos(half));
-            let turned = |s: f64, t: f64| core::array::from_fn(|k| s * out[k] + t * along[k]);
-            let a = 2.0 / 3.0 * (1.0 - low) + rounding;
-            let b = high * 2.0 / 3.0_f64.sqrt() + rounding;
-            let (x, y) = (turned(cos, sin), turned(-sin, cos));
-            let center = core::array::from_fn(|k| self.center[k] + (1.0 - a) * x[k]);
-            return Self { center, axes: [scaled(a + rounding, x), scaled(b + rounding, y)], rim: false };
-        }
-        let center = self.point([middle, 0.5 * t[0] + 0.5 * t[1]]);
-        if along == [0.0; 3] {
-            return Self { center, axes: [scaled(half + rounding, out), along], rim: false };
-        }
-        let root = core::f64::consts::SQRT_2;
-        let (a, b) = (root * half + rounding, root * 0.5 * (t[1] - t[0]) + rounding);
-        if a * b >= 1.0 {
-            return self.clone();
-        }
-        Self { center, axes: [scaled(a, out), scaled(b, along)], rim: false }
-    }
-
-    /// Whether a point is in it, but for rounding.
-    pub(super) fn holds(&self, r: [f64; 3]) -> bool {
-        let near = self.nearest(r);
-        self.are_near(near, r, 1e-9)
-    }
-
-    /// Points to begin with.
-    pub(super) fn seeds(&self) -> Vec<[f64; 3]> {
+    /// Returns starting points: the ends of a line, or three points on a rim.
+    pub(super) fn seeds(&self) -> Vec<At> {
         if self.is_point() {
-            return vec![self.center];
-        }
-        let around: &[[f64; 2]] = if self.axes[1] == [0.0; 3] {
-            &[[1.0, 0.0], [-1.0, 0.0]]
+            vec![[0.0; 2]]
+        } else if self.is_line() {
+            vec![[1.0, 0.0], [-1.0, 0.0]]
         } else {
-            &[[1.0, 0.0], [-0.5, 0.866_025_403_784_438_6], [-0.5, -0.866_025_403_784_438_6]]
-        };
-        around.iter().map(|u| self.point(*u)).collect()
+            vec![[1.0, 0.0], [-0.5, 0.75_f64.sqrt()], [-0.5, -(0.75_f64.sqrt())]]
+        }
     }
 
-    /// Whether two points are nearer than a part of the size of the place.
-    pub(super) fn are_near(&self, a: [f64; 3], b: [f64; 3], part: f64) -> bool {
-        a.iter().zip(b).all(|(a, b)| (a - b).abs() <= part * self.size())
+    /// Returns the nearest point of the site, in its coordinates.
+    pub(super) fn nearest(&self, [s, t]: At) -> At {
+        let norm = s.hypot(t);
+        if norm > 1.0 || (self.is_rim && norm > 0.0) { [s / norm, t / norm] } else { [s, t] }
     }
 
-    /// The length of its greatest axis.
-    pub(super) fn size(&self) -> f64 {
-        self.axes.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()))
-    }
-
-    /// s and t of the foot of a point.
-    fn foot(&self, r: [f64; 3]) -> [f64; 2] {
-        let d: [f64; 3] = core::array::from_fn(|k| r[k] - self.center[k]);
-        let inner = |a: &[f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        self.axes.map(|axis| {
-            let square = inner(&axis, &axis);
-            if square > 0.0 { inner(&axis, &d) / square } else { 0.0 }
-        })
-    }
-
-    /// The point of the place that is nearest to a point; of its rim, along the radius.
-    pub(super) fn nearest(&self, r: [f64; 3]) -> [f64; 3] {
-        let u = self.foot(r);
-        let norm = u[0].hypot(u[1]);
-        let factor = if norm > 1.0 || (self.rim && norm > 0.0) { 1.0 / norm } else { 1.0 };
-        self.point(u.map(|u| u * factor))
-    }
-
-    /// Along what a point of the place can move without leaving it, either way: on a rim, along that.
-    pub(super) fn freedoms(&self, r: [f64; 3]) -> Vec<[f64; 3]> {
-        let [s, t] = self.foot(r);
-        let [a, b] = self.axes;
-        let is_inside = !self.rim && s.hypot(t) < 1.0 - 1e-9;
-        match (is_inside, b == [0.0; 3]) {
+    /// Returns the directions in which a point can move, with the least and the greatest distance.
+    pub(super) fn directions(&self, [s, t]: At, radius: f64) -> Vec<(At, [f64; 2])> {
+        let (norm, radius) = (s.hypot(t), radius.min(0.5));
+        let out = if norm > 1e-6 { [s / norm, t / norm] } else { [1.0, 0.0] };
+        let outward = (out, [-radius, radius.min(1.0 - norm).max(0.0)]);
+        let around = ([-out[1], out[0]], [-radius, radius]);
+        match (self.is_rim, self.is_line()) {
             _ if self.is_point() => Vec::new(),
-            (true, true) => vec![a],
-            (true, false) => vec![a, b],
-            (false, true) => Vec::new(),
-            (false, false) => vec![core::array::from_fn(|k| s * b[k] - t * a[k])],
+            (true, _) => vec![around],
+            (false, true) => vec![outward],
+            (false, false) => vec![outward, around],
         }
     }
 
-    /// Where a function of a place is about least, and a number that it is nowhere below.
-    pub(super) fn least(&self, of: &Functional, origin: [f64; 3]) -> ([f64; 3], f64) {
-        let planar = self.planar(of, origin);
-        if self.is_point() {
-            return (self.center, planar.constant.low);
+    /// Returns a function of the moments, without its constant, for a unit mass on this chart.
+    pub(super) fn quadratic(&self, of: &Functional) -> Quadratic {
+        let [a, b] = &self.axes;
+        Quadratic {
+            constant: of.at(&weights(self.offset)),
+            slope: [of.slope(&self.offset, a), of.slope(&self.offset, b)],
+            square: [of.form(a, a), of.form(a, b), of.form(b, b)],
         }
-        let least = planar.least(self.rim);
-        (self.point(least.at), planar.bound(&least, self.rim))
     }
 
-    /// Where a function of a place is about least near a point, by Newton's method.
-    pub(super) fn least_about(&self, of: &Functional, origin: [f64; 3], r: [f64; 3]) -> [f64; 3] {
-        let planar = self.planar(of, origin);
-        let mut u = self.foot(r);
-        for _ in 0..STEPS {
-            let Some(next) = planar.nearer(u, self.rim, self.axes[1] == [0.0; 3]) else { break };
-            u = next;
-        }
-        self.nearest(self.point(u))
+    /// Returns the minimum of a function on the chart: where it is, and its value.
+    pub(super) fn least(&self, of: &Functional) -> (At, f64) {
+        let quadratic = self.quadratic(of);
+        let [s, t] = if self.is_point() { [0.0; 2] } else { quadratic.least(self.is_rim) };
+        let at = if self.is_line() { [s, 0.0] } else { [s, t] };
+        (at, quadratic.value(at))
+    }
+}
+
+impl Quadratic {
+    pub(super) fn value(&self, [s, t]: At) -> f64 {
+        let [a, b, c] = self.square;
+        self.constant + self.slope[0] * s + self.slope[1] * t + a * s * s + 2.0 * b * s * t + c * t * t
     }
 
-    fn planar(&self, of: &Functional, origin: [f64; 3]) -> Planar {
-        let center: [Interval; 3] =
-            core::array::from_fn(|k| Interval::from(self.center[k]) - Interval::from(origin[k]));
-        let axes = self.axes.map(|axis| axis.map(Interval::from));
-        let constant = of.constant + of.at(&weights(center));
-        let slope = axes.map(|e| of.slope(&center, &e));
-        let [a, b] = &axes;
-        // The form of a and b counts both ab and ba.
-        let square = [of.form(a, a), of.form(a, b), of.form(b, b)];
-        Planar { constant, slope, square }
+    pub(super) fn gradient(&self, [s, t]: At) -> [f64; 2] {
+        let [a, b, c] = self.square;
+        [self.slope[0] + 2.0 * (a * s + b * t), self.slope[1] + 2.0 * (b * s + c * t)]
+    }
+
+    /// Returns the minimizer on the disc or the rim: (Q + λ) u = −½ g (Moré and Sorensen, SIAM J.
+    /// Sci. Stat. Comput. 4, 1983, 553).
+    fn least(&self, is_rim: bool) -> At {
+        let ([a, b, c], g) = (self.square, self.slope);
+        let (mean, half) = (0.5 * (a + c), 0.5 * (a - c));
+        let radius = half.hypot(b);
+        // The eigenvector of the lesser eigenvalue.
+        let (sin, cos) = libm::sincos(0.5 * libm::atan2(-b, -half));
+        let low = mean - radius;
+        let along = [cos * g[0] + sin * g[1], -sin * g[0] + cos * g[1]];
+        let back = |[s, t]: At| [cos * s - sin * t, sin * s + cos * t];
+        // With λ = σ − low: u = −½ (g₁/σ, g₂/(high − low + σ)).
+        let at = |sigma: f64| {
+            let by = |g: f64, d: f64| if g == 0.0 { 0.0 } else { -0.5 * g / d };
+            [by(along[0], sigma), by(along[1], 2.0 * radius + sigma)]
+        };
+        let norm = |[s, t]: At| s.hypot(t);
+        if !is_rim && low > 0.0 && norm(at(low)) <= 1.0 {
+            return back(at(low));
+        }
+        let mut most = 0.5 * norm(along).max(f64::MIN_POSITIVE);
+        let mut least = if is_rim { 0.0 } else { low.max(0.0) };
+        loop {
+            let sigma = 0.5 * (least + most);
+            if sigma <= least || sigma >= most {
+                break;
+            }
+            if norm(at(sigma)) > 1.0 { least = sigma } else { most = sigma }
+        }
+        let [s, t] = at(most);
+        // Hard case: g has no part along the eigenvector, so u follows it up to the rim.
+        let s = if s.hypot(t) < 1.0 { (1.0 - t * t).max(0.0).sqrt().copysign(s) } else { s };
+        let norm = s.hypot(t);
+        back([s / norm, t / norm])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn least_values_are_those_of_a_fine_grid() {
+        let cases = [
+            ([0.3, -0.2], [1.0, 0.4, 2.0]),
+            ([3.0, -0.2], [1.0, 0.4, 2.0]),
+            ([0.3, -0.2], [-1.0, 0.7, 0.5]),
+            ([0.0, 0.0], [-1.0, 0.7, 0.5]),
+            ([0.0, 0.3], [-1.0, 0.0, 0.5]),
+            ([1e-9, 0.3], [-1.0, 0.0, 0.5]),
+            ([0.4, 0.1], [0.0, 0.0, 0.0]),
+            ([0.4, 0.0], [0.7, 0.0, 0.0]),
+            ([0.4, 0.0], [-0.7, 0.0, 0.0]),
+            ([0.0, 0.0], [0.0, 0.0, 0.0]),
+            ([0.2, 0.3], [-2.0, 0.0, -2.0]),
+            ([0.2, 0.3], [2.0, 0.0, 2.0]),
+        ];
+        for (slope, square) in cases {
+            for rim in [false, true] {
+                let f = Quadratic { constant: 0.7, slope, square };
+                let mut grid = f64::INFINITY;
+                for k in 0..2000 {
+                    let (sin, cos) = (core::f64::consts::TAU * f64::from(k) / 2000.0).sin_cos();
+                    for radius in if rim { 100..=100 } else { 0..=100 } {
+                        let radius = f64::from(radius) / 100.0;
+                        grid = grid.min(f.value([radius * cos, radius * sin]));
+                    }
+                }
+                let [s, t] = f.least(rim);
+                assert!(s.hypot(t) <= 1.0 + 1e-15 && (!rim || s.hypot(t) > 1.0 - 1e-15));
+                let found = f.value([s, t]);
+                assert!(
+                    found <= grid + 1e-14 && found > grid - 1e-3,
+                    "{slope:?} {square:?} {rim}: {found} {grid}"
+                );
+            }
+        }
     }
 }

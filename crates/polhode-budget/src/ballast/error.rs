@@ -1,36 +1,25 @@
-//! Why ballast cannot be looked for, or was not found.
+//! Errors of the search for ballast.
 
 use core::fmt;
 
 use crate::error::BudgetError;
 use crate::limit::LimitError;
 
-/// Why there is no answer.
+/// Error of a question that the search cannot answer.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum BallastError {
     /// There is no site.
     NoSites,
-    /// This was built without the feature `ballast`.
-    NoSolver,
-    /// A number of a site that cannot be.
+    /// A number that is not allowed.
     Value {
-        /// The site.
-        site: String,
-        /// What it is.
+        /// Name of the site, or `None` for a number of the question.
+        site: Option<String>,
+        /// Name of the number.
         what: &'static str,
-        /// As it was given.
+        /// The number that was given.
         value: f64,
-        /// What it has to be.
-        rule: &'static str,
-    },
-    /// A number of the question that cannot be.
-    Question {
-        /// What it is.
-        what: &'static str,
-        /// As it was given.
-        value: f64,
-        /// What it has to be.
+        /// Condition that it has to meet.
         rule: &'static str,
     },
     /// A limit that ballast cannot be found for.
@@ -55,13 +44,10 @@ impl fmt::Display for BallastError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoSites => write!(f, "there is no site for ballast"),
-            Self::NoSolver => {
-                write!(f, "this program was built without the feature `ballast`, and seeks none")
-            }
             Self::Value { site, what, value, rule } => {
-                write!(f, "{what} of the site \"{site}\" is {value}, and has to be {rule}")
+                let of = site.as_ref().map_or_else(String::new, |site| format!(" of the site \"{site}\""));
+                write!(f, "{what}{of} is {value}, and has to be {rule}")
             }
-            Self::Question { what, value, rule } => write!(f, "{what} is {value}, and has to be {rule}"),
             Self::Limit { limit, why } => {
                 write!(f, "no ballast can be sought for the limit \"{limit}\": {why}")
             }

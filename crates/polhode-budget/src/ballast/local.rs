@@ -1,184 +1,159 @@
-//! Ballast near ballast: pieces in place of what a region has, moved and weighed anew.
+//! Local search by sequential linear programming with a trust region.
 
-use super::problem::{Column, Problem};
-use super::region::{Cell, Region};
-use super::relaxation::{Placed, Until, Work};
-use super::row::{Functional, weights};
-use super::sums::Pieces;
+use super::chart::{At, Quadratic};
+use super::problem::{Lot, Problem, total};
+use super::row::Row;
+use super::simplex::{Inequality, Program, Solution};
 
-/// How far pieces may move in each step, as a part of their site: moments of places in between are wrong by the square.
-const REACHES: [(f64, Until); 4] =
-    [(0.3, Until::Roughly), (0.1, Until::Roughly), (0.03, Until::Roughly), (0.01, Until::Solved)];
-
-/// A piece farther from where it is best, as a part of its site, is not moved there.
-const SETTLED: f64 = 0.1;
-
-/// How far pieces at one place are moved apart, as a part of their site.
-const SPREAD: f64 = 0.4;
-
-/// So many pieces of a part of a site have places of their own; of more, those of one place are one,
-const FEW: u64 = 12;
-
-/// but so many.
-const SINGLES: u64 = 2;
-
-/// How many pieces of a size each place gets, by what is left of its mass: whole ones, then one by one where most is left.
-fn dealt(size: f64, count: u64, left: &mut [f64]) -> Vec<u64> {
-    let mut counts = vec![0; left.len()];
-    let mut rest = count;
-    for (own, left) in counts.iter_mut().zip(left.iter_mut()) {
-        *own = ((*left / size).max(0.0).floor() as u64).min(rest);
-        *left -= *own as f64 * size;
-        rest -= *own;
-    }
-    while rest > 0 {
-        let Some(at) = (0..left.len()).max_by(|i, j| left[*i].total_cmp(&left[*j])) else { break };
-        // Where pieces are more than their mass, all that are over are at one place.
-        let over = if left[at] > 0.0 { 1 } else { rest };
-        counts[at] += over;
-        left[at] -= over as f64 * size;
-        rest -= over;
-    }
-    counts
+/// The solution of one program.
+#[derive(Debug)]
+pub(super) struct Step {
+    pub(super) is_feasible: bool,
+    pub(super) lots: Vec<Lot>,
+    /// Dual variables of the rows, kg per unit of each.
+    pub(super) duals: Vec<f64>,
+    /// Dual variables of the most mass of each site.
+    pub(super) site_duals: Vec<f64>,
 }
 
+/// First radius of the trust region, as a part of the sites and of the mass of the body.
+const FIRST_RADIUS: f64 = 0.3;
+
+/// Least radius of the trust region: where steps meet the limits, and where none does.
+const LEAST_RADIUS: [f64; 2] = [1e-10, 1e-5];
+
+/// The search ends where a step is lighter by less than this part.
+const LIGHTER: f64 = 1e-14;
+
+/// The most tangents of cones that are kept from earlier steps.
+const CUTS: usize = 12;
+
+/// Penalty of a violated limit, as a multiple of its dual variable.
+const PENALTY: f64 = 4.0;
+
+/// The most steps.
+const STEPS: usize = 100;
+
+/// Lots are merged if their distance is below this part of their site.
+const NEAR: f64 = 1e-2;
+
 impl Problem {
-    /// Pieces of the sizes that sites have, few or many, in place of what a region has.
-    pub(super) fn in_pieces(&self, region: &Region, placed: &[Placed], many: bool) -> Vec<(Column, f64)> {
-        let mut all = Vec::new();
-        for (k, cell) in region.leaves() {
-            let own: Vec<_> = placed.iter().filter(|piece| piece.cell == k && piece.mass > 0.0).collect();
-            let total: f64 = own.iter().map(|piece| piece.mass).sum();
-            let Some(sums) = self.sums[cell.site].as_ref().filter(|_| self.has_free_pieces(cell.site)) else {
-                all.extend(own.iter().map(|piece| (piece.column, piece.mass)));
-                continue;
-            };
-            let Some(pieces) = sums.pieces(sums.near(total, cell.sums), many) else { continue };
-            let is_few = pieces.iter().map(|one| one.count).sum::<u64>() <= FEW;
-            let mut left: Vec<f64> = own.iter().map(|piece| piece.mass).collect();
-            for Pieces { size, count } in pieces {
-                for (count, piece) in dealt(size, count, &mut left).into_iter().zip(&own) {
-                    let at = self.charts[cell.site].nearest(piece.column.at);
-                    let singles = if is_few { count } else { count.min(SINGLES) };
-                    let stack = (count > singles).then_some((count - singles) as f64 * size);
-                    let all_of_it = stack.into_iter().chain((0..singles).map(|_| size));
-                    all.extend(all_of_it.map(|mass| (Column { at, ..piece.column }, mass)));
-                }
+    /// Returns the lightest ballast that meets linearized conditions within a trust region.
+    ///
+    /// The variables are the changes of the masses and places of the lots. If the radius is
+    /// infinite, places stay.
+    pub(super) fn step(&self, lots: &[Lot], rows: &[Row], radius: f64) -> Step {
+        let mut moves: Vec<(usize, Option<At>, [f64; 2])> = Vec::new();
+        for (k, lot) in lots.iter().enumerate() {
+            let mass = radius * self.mass;
+            if lot.size.is_none() {
+                moves.push((k, None, [-lot.mass.min(mass), mass]));
+            }
+            if radius.is_finite() && lot.mass > 0.0 {
+                let directions = self.charts[lot.site].directions(lot.at, radius).into_iter();
+                moves.extend(directions.map(|(along, range)| (k, Some(along), range)));
             }
         }
-        all
-    }
-
-    /// Pieces moved near their places, and weighed anew where any mass will do, such that limits are met with the least mass.
-    pub(super) fn moved(&self, pieces: &[(Column, f64)], work: &mut Work) -> Option<Vec<(Column, f64)>> {
-        let (mut pieces, mut is_solved) = (pieces.to_vec(), false);
-        for (reach, until) in REACHES {
-            let region = self.around(&pieces, reach);
-            let mut own = Work::new(work.left);
-            let relaxed = self.relaxed(&region, &mut own, until);
-            (work.left, work.is_spent) = (own.left, own.is_spent);
-            let Some(placed) = relaxed.and_then(|relaxed| relaxed.pieces) else {
-                is_solved = false;
-                continue;
-            };
-            is_solved = true;
-            pieces.clear();
-            // A piece is at a point, or in parts of a part of a site.
-            let owners = region.owners();
-            let is_of = |k: usize, piece: &&Placed| piece.cell == k || owners[piece.cell] == Some(k);
-            for (k, cell) in region.cells.iter().enumerate() {
-                let is_piece = match owners[k] {
-                    None => cell.chart.is_point(),
-                    Some(owner) => owners[owner].is_none(),
-                };
-                if !is_piece {
-                    continue;
-                }
-                let own = placed.iter().filter(|piece| is_of(k, piece));
-                let total: f64 = own.clone().map(|piece| piece.mass).sum();
-                if total > 0.0 {
-                    let mean = |k: usize| own.clone().map(|p| p.mass / total * p.column.at[k]).sum();
-                    let at = self.charts[cell.site].nearest(core::array::from_fn(mean));
-                    pieces.push((Column { site: cell.site, at }, total));
-                }
-            }
-        }
-        is_solved.then_some(pieces)
-    }
-
-    /// Pieces at one place moved apart, to either side: what they have in common does not say to which each is to go.
-    pub(super) fn spread(&self, pieces: &[(Column, f64)]) -> Vec<(Column, f64)> {
-        let mut spread = pieces.to_vec();
-        for (k, (column, _)) in pieces.iter().enumerate().filter(|(_, (of, _))| self.has_free_pieces(of.site))
-        {
-            let chart = &self.charts[column.site];
-            let before = pieces[..k].iter().filter(|(other, _)| other == column).count();
-            if let (1.., Some(along)) = (before, chart.freedoms(column.at).first()) {
-                let by = if before % 2 == 1 { SPREAD } else { -SPREAD };
-                spread[k].0.at = chart.nearest(core::array::from_fn(|k| column.at[k] + by * along[k]));
-            }
-        }
-        spread
-    }
-
-    /// Pieces on lines, discs and circles, each where a price is least about it.
-    pub(super) fn settled(&self, pieces: &[(Column, f64)], price: &Functional) -> Vec<(Column, f64)> {
-        let settled = |(column, mass): &(Column, f64)| {
-            let chart = &self.charts[column.site];
-            let at = chart.least_about(price, self.origin, column.at);
-            let at = if chart.are_near(at, column.at, SETTLED) { at } else { column.at };
-            (Column { at, ..*column }, *mass)
+        let mut program = Program {
+            cost: moves.iter().map(|(_, along, _)| if along.is_none() { 1.0 } else { 0.0 }).collect(),
+            upper: moves.iter().map(|(.., [low, high])| high - low).collect(),
+            rows: Vec::new(),
         };
-        pieces.iter().map(settled).collect()
-    }
-
-    /// Each piece in a part of its site about it; of other sites, points that take any mass.
-    fn around(&self, pieces: &[(Column, f64)], reach: f64) -> Region {
-        let mut cells: Vec<Cell> = (0..self.charts.len()).map(|site| self.cell(site, self.cap)).collect();
-        for (site, chart) in self.charts.iter().enumerate() {
-            let own: Vec<_> = pieces.iter().filter(|(column, _)| column.site == site).collect();
-            let has_sizes = self.sums[site].is_some();
-            if chart.is_point() {
-                if has_sizes {
-                    cells[site].masses = [own.iter().map(|(_, mass)| mass).sum(); 2];
-                }
-                continue;
-            }
-            if own.is_empty() {
-                cells[site].masses = [0.0; 2];
-            }
-            for (column, mass) in own {
-                let place = cells.len();
-                cells[site].parts.push(place);
-                let masses = if has_sizes { [*mass; 2] } else { cells[site].masses };
-                let part = Cell { masses: [0.0, self.cap], parts: Vec::new(), ..cells[site].clone() };
-                let charts = chart.about(column.at, reach);
-                let parts = (1..=charts.len()).map(|k| place + k).collect();
-                cells.push(Cell { masses, parts, ..part.clone() });
-                cells.extend(charts.into_iter().map(|chart| Cell { chart, ..part.clone() }));
+        let mut add = |value: f64, is_zero: bool, by: &dyn Fn(&Lot, Option<At>) -> f64| {
+            let by: Vec<f64> = moves.iter().map(|(k, along, _)| by(&lots[*k], *along)).collect();
+            let from_low: f64 = by.iter().zip(&moves).map(|(by, (.., [low, _]))| by * low).sum();
+            program.rows.push(Inequality { by, constant: value + from_low, is_zero });
+        };
+        for row in rows {
+            let quadratics: Vec<Quadratic> =
+                self.charts.iter().map(|chart| chart.quadratic(&row.of)).collect();
+            let [value, noise] = self.value(row, lots);
+            let inside = if row.is_zero { 0.0 } else { noise };
+            add((value - inside) / row.scale, row.is_zero, &|lot, along| {
+                let (quadratic, [s, t]) = (&quadratics[lot.site], quadratics[lot.site].gradient(lot.at));
+                along.map_or_else(|| quadratic.value(lot.at), |[a, b]| lot.mass * (a * s + b * t)) / row.scale
+            });
+        }
+        let is_limited = |site: &usize| self.most[*site] > 0.0 && self.most[*site].is_finite();
+        let limited: Vec<usize> = (0..self.most.len()).filter(is_limited).collect();
+        for site in &limited {
+            let own = lots.iter().filter(|lot| lot.site == *site).map(|lot| lot.mass).sum::<f64>();
+            add(1.0 - own / self.most[*site], false, &|lot, along| {
+                if lot.site == *site && along.is_none() { -self.most[*site].recip() } else { 0.0 }
+            });
+        }
+        let Solution { is_feasible, x, mut duals } = program.solve();
+        let mut changed = lots.to_vec();
+        for ((k, along, [low, _]), x) in moves.iter().zip(&x) {
+            let lot = &mut changed[*k];
+            match along {
+                None => lot.mass = (lot.mass + (low + x)).max(0.0),
+                Some([a, b]) => lot.at = [lot.at[0] + a * (low + x), lot.at[1] + b * (low + x)],
             }
         }
-        let total: f64 = pieces.iter().map(|(_, mass)| mass).sum();
-        let boxes = self.boxes(2.0 * total);
-        let boxes = self.center(pieces).into_iter().zip(boxes).map(|(at, [low, high])| {
-            let half = reach * (high - low);
-            [at - half, at + half]
-        });
-        Region { boxes: boxes.collect(), cells }
+        changed.iter_mut().for_each(|lot| lot.at = self.charts[lot.site].nearest(lot.at));
+        let mut site_duals = vec![0.0; self.most.len()];
+        for (site, dual) in limited.iter().zip(duals.split_off(rows.len())) {
+            site_duals[*site] = dual / self.most[*site];
+        }
+        duals.iter_mut().zip(rows).for_each(|(dual, row)| *dual /= row.scale);
+        Step { is_feasible, lots: changed, duals, site_duals }
     }
 
-    /// By how much moments in a cell are beside those of pieces in it, as a part of what limits are made of: the most of all limits.
-    pub(super) fn apart(&self, region: &Region, placed: &[Placed], cell: usize) -> f64 {
-        let own: Vec<Placed> = placed.iter().filter(|piece| piece.cell == cell).copied().collect();
-        let pieces = self.in_pieces(region, &own, false);
-        let of = |row: &Functional, column: &Column| row.at(&weights(self.local(column.at))).middle();
-        let beside = |row: &Functional| {
-            let own: f64 = own.iter().map(|p| p.mass * of(row, &p.column)).sum();
-            let other: f64 = pieces.iter().map(|(column, mass)| mass * of(row, column)).sum();
-            let size: f64 = placed.iter().map(|p| (p.mass * of(row, &p.column)).abs()).sum();
-            (own - other).abs() / (size + row.constant.size()).max(f64::MIN_POSITIVE)
-        };
-        let functions = self.functions();
-        functions.iter().map(beside).fold(0.0, f64::max)
+    /// Returns a local minimum of the mass and the violation of the limits, with the violation.
+    pub(super) fn local_minimum(&self, mut lots: Vec<Lot>) -> (Vec<Lot>, f64) {
+        let (mut now, mut radius, mut weight) = (self.violation(&lots), FIRST_RADIUS, 0.0_f64);
+        let mut cuts: Vec<Row> = Vec::new();
+        let has_masses = lots.iter().any(|lot| lot.size.is_none());
+        let moves = has_masses || lots.iter().any(|lot| !self.charts[lot.site].is_point());
+        for _ in 0..if moves { STEPS } else { 0 } {
+            if now == 0.0 && !has_masses {
+                break;
+            }
+            let rows = [&self.tangents(&lots)[..], &cuts].concat();
+            let step = self.step(&lots, &rows, radius);
+            cuts.extend(self.cuts(&step.lots));
+            cuts.drain(..cuts.len().saturating_sub(CUTS));
+            let duals = rows.iter().zip(&step.duals).map(|(row, dual)| dual.abs() * row.scale);
+            weight = duals.fold(total(&lots).max(weight / PENALTY), f64::max) * PENALTY;
+            let merit = |lots: &[Lot], violation: f64| {
+                if step.is_feasible { total(lots) / weight + violation } else { violation }
+            };
+            let next = self.violation(&step.lots);
+            let is_better = merit(&step.lots, next) < merit(&lots, now);
+            let is_least =
+                now == 0.0 && step.is_feasible && total(&step.lots) >= total(&lots) * (1.0 - LIGHTER);
+            if is_better {
+                (lots, now) = (step.lots, next);
+            }
+            radius *= if is_better { 2.0 } else { 0.25 };
+            if is_least || radius < LEAST_RADIUS[usize::from(!step.is_feasible)] {
+                break;
+            }
+        }
+        lots.retain(|lot| lot.mass > 0.0);
+        (lots, now)
+    }
+
+    /// Returns the lots with near ones merged at their centre of mass, without those of no weight.
+    pub(super) fn merged(&self, lots: &[Lot]) -> Vec<Lot> {
+        let mut merged: Vec<Lot> = Vec::with_capacity(lots.len());
+        let least = 1e-6 * total(lots);
+        for lot in lots.iter().filter(|lot| lot.mass > least) {
+            let is_near = |other: &&mut Lot| {
+                let far = (other.at[0] - lot.at[0]).hypot(other.at[1] - lot.at[1]);
+                other.site == lot.site && far < NEAR
+            };
+            match merged.iter_mut().find(is_near) {
+                None => merged.push(*lot),
+                Some(other) => {
+                    let share = lot.mass / (other.mass + lot.mass);
+                    let at = core::array::from_fn(|k| other.at[k] + share * (lot.at[k] - other.at[k]));
+                    *other =
+                        Lot { at: self.charts[lot.site].nearest(at), mass: other.mass + lot.mass, ..*lot };
+                }
+            }
+        }
+        merged
     }
 }

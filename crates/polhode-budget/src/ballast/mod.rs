@@ -1,29 +1,19 @@
-//! The least ballast by which limits are met, with the proof that none is lighter.
+//! Ballast by which limits are met: the lightest that a local search finds, with a lower bound.
 //!
-//! Ballast is exact, and at sites: points, lines, discs and circles, of which all but points take several masses, at all of them also in pieces of given sizes. The mass and the first and second moments of the whole are
-//! linear in the masses, so limits on these are linear: on the mass, on a coordinate c = S/M of the centre (S ≤ most·M), on moments and products about a fixed point; and cones, if they are on a distance of
-//! the centre or on an unbalance. Products about the moving centre, W − S S/M, are not: there it is proved in regions of the centre that nothing is lighter; and with sizes in regions of what pieces come to, and of where they are.
+//! Ballast has no uncertainty and is at sites: points, lines, discs and circles. Points take one
+//! mass, other sites several; all can be restricted to pieces of given sizes. The mass and the first
+//! and second moments of the whole are linear in the masses, so most limits are linear or cones.
+//! Products about the moving centre, W − S S/M, are not.
 
+mod bound;
 mod chart;
 mod error;
-mod guide;
-mod interval;
-mod linear;
 mod local;
-mod parting;
-mod planar;
-mod polish;
 mod problem;
-mod proof;
-mod region;
-mod relaxation;
 mod row;
 mod search;
+mod simplex;
 mod site;
-mod solver;
-mod step;
-mod sums;
-mod unit;
 
 pub use error::BallastError;
 pub use site::{Place as BallastPlace, Round, Site};
@@ -34,158 +24,108 @@ use polhode::math::{Body, Position};
 use crate::budget::Budget;
 use crate::limit::Limit;
 use crate::subtrees::combined;
-use problem::{Column, Problem};
-use proof::Tree;
-use search::{Outcome, Search};
-use sums::Pieces;
+use problem::{Lot, Problem};
+use search::Search;
 
 /// Ballast to be found.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ballast {
-    /// Where it may be.
+    /// Places where it may be.
     pub sites: Vec<Site>,
     /// The most of all together, kg.
     pub most: Option<f64>,
-    /// How many standard deviations, to first order in the errors of the list, the whole is kept inside its limits: of each side of a coordinate, a mass, a moment and a product about a fixed point; of a
-    /// distance and an unbalance in every direction, at least.
+    /// Margin to the limits in standard deviations, to first order in the errors of the list.
+    ///
+    /// It is kept of each side of a coordinate, a mass, a moment and a product about a fixed point;
+    /// of a distance and an unbalance at least, in every direction.
     pub deviations: f64,
-    /// How many variables all conic programs together have at most that are solved, or [`EFFORT`](Self::EFFORT): so long the search takes, and not a time, so that every machine has the same answer.
-    pub effort: Option<usize>,
 }
 
-/// What ballast there is to be.
+/// Result of the search for ballast.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BallastAnswer {
-    /// The least.
-    Least(FoundBallast),
-    /// None meets the limits.
-    None(NoBallast),
-    /// The search ended before one of these was proved.
-    Undecided(UndecidedBallast),
+    /// Ballast that meets all limits.
+    Found(FoundBallast),
+    /// No ballast was found that does.
+    NotFound(NoBallast),
 }
 
-/// Ballast that meets all limits, and what none that does is below.
+/// Ballast that meets all limits, and a lower bound of all that do.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoundBallast {
-    /// Where it is, in the order of the sites; none if the limits are met without.
+    /// Pieces in the order of the sites; none if the limits are met without.
     pub pieces: Vec<Piece>,
-    /// All of it, kg.
+    /// Mass of all pieces, kg.
     pub mass: f64,
-    /// What no ballast that meets the limits is below, kg.
+    /// Lower bound on the mass of ballast that meets the limits, kg.
     pub bound: f64,
-    /// How many regions of sizes, of places and of centres the proof has; 1 of a linear or conic question.
-    pub regions: usize,
-    proof: Proof,
 }
 
-/// What is known where the search ended before its end.
-#[derive(Clone, Debug, PartialEq)]
-pub struct UndecidedBallast {
-    /// The lightest that was found.
-    pub found: Option<FoundBallast>,
-    /// What no ballast that meets the limits is below, kg.
-    pub bound: f64,
-    /// How many regions were looked at.
-    pub regions: usize,
-    /// How much was allowed, if that is why it ended: with more [`effort`](Ballast::effort) more may be known. Else regions are as narrow as numbers are.
-    pub effort: Option<usize>,
-}
-
-/// That there is no ballast.
-#[derive(Clone, Debug, PartialEq)]
+/// Limits that no ballast was found for.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoBallast {
-    /// None up to this mass, kg: what is allowed, or a thousand times the mass of the list.
+    /// Greatest mass that was searched, kg: the allowed mass, or a thousand times that of the list.
     pub up_to: f64,
-    /// How many regions of sizes, of places and of centres the proof has.
-    pub regions: usize,
-    proof: Proof,
+    /// Lower bound on the mass of ballast that meets the limits, kg; infinite if none does.
+    pub bound: f64,
 }
 
-/// What is to be put into a place.
+/// Pieces of one mass at one place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
-    /// Which of the sites.
+    /// Index of the site.
     pub site: usize,
-    /// Where, m.
+    /// Position, m.
     pub position: Position<Body>,
-    /// Of one, kg.
+    /// Mass of one, kg.
     pub mass: f64,
-    /// How many of this mass are there: 1 where any mass may be.
+    /// Number of pieces; 1 where any mass may be.
     pub count: u64,
 }
 
-/// A proof, which can be checked against its question.
-#[derive(Clone, Debug, PartialEq)]
-struct Proof {
-    problem: Problem,
-    tree: Tree,
-    cap: f64,
-}
-
-/// By how much the least mass may be above what is proved, as a part of it: of linear and conic questions and of sizes alone or at points.
+/// Ballast is the least if it is above the lower bound by no more than this part.
 const GAP: f64 = 1e-9;
 
-/// The same where products about the moving centre are limited, and of sizes on lines, discs and circles beside masses that may be any.
-const GAP_OF_PRODUCTS: f64 = 1e-6;
-
-impl Ballast {
-    /// The effort where it is not said: some seconds.
-    pub const EFFORT: usize = 100_000;
-}
-
 impl Budget {
-    /// The least ballast by which limits are met, to a part of 1e-9; or of 1e-6 if products about the centre of mass are among them, or if sizes on lines, discs and circles stand beside sites of any mass.
+    /// Searches for the least ballast by which limits are met.
     ///
-    /// Limits are met but for rounding: to a part of 1e-11 of what ballast changes.
+    /// The search is local, from several starts. Its result meets the limits to a relative 1e-11 of
+    /// the change by the ballast. [`FoundBallast::is_least`] returns whether the lower bound proves
+    /// it the least. It usually does if limits are linear or cones and sites take any mass.
     ///
     /// # Errors
-    /// [`BallastError`] of a site or a limit that cannot be, and of a limit that ballast cannot be found for.
+    /// [`BallastError`] if a site or a limit is not valid, or ballast cannot be found for a limit.
     pub fn ballast(&self, ballast: &Ballast, limits: &[Limit]) -> Result<BallastAnswer, BallastError> {
-        if !solver::IS_THERE {
-            return Err(BallastError::NoSolver);
-        }
         let problem = Problem::new(self, ballast, limits)?;
-        let gap = problem.gap();
-        let effort = ballast.effort.unwrap_or(Ballast::EFFORT);
-        let Outcome { found, tree, cap, looked_at, is_spent, .. } = Search::new(&problem, gap, effort).run();
-        let found: Option<Vec<Piece>> = found.map(|found| {
-            let of = |(column, mass): &(Column, f64)| {
-                let position = Position::from_array(column.at);
-                let site = column.site;
-                let pieces = problem.pieces_of(site, *mass).unwrap_or_default();
-                pieces.into_iter().map(move |Pieces { size, count }| Piece {
-                    site,
-                    position,
-                    mass: size,
-                    count,
-                })
+        let bound = |near: &[Lot], cap: f64| problem.relaxation(cap).relaxed(near).1;
+        let none = |bound| Ok(BallastAnswer::NotFound(NoBallast { up_to: problem.cap, bound }));
+        let of_all = bound(&[], problem.cap);
+        if of_all == f64::INFINITY {
+            return none(of_all);
+        }
+        let Some(lots) = Search::best(&problem) else { return none(of_all) };
+        let mut pieces: Vec<Piece> = Vec::new();
+        for lot in &lots {
+            let position = Position::from_array(problem.charts[lot.site].point(lot.at));
+            let piece = Piece {
+                site: lot.site,
+                position,
+                mass: lot.size.unwrap_or(lot.mass),
+                count: lot.count() as u64,
             };
-            found.iter().flat_map(of).collect()
-        });
-        let proof = Proof { problem, tree, cap };
-        let regions = proof.tree.leaves();
-        let undecided = |found, bound| UndecidedBallast {
-            found,
-            bound,
-            regions: looked_at,
-            effort: is_spent.then_some(effort),
-        };
-        let Some(pieces) = found else {
-            let bound = proof.bound(cap);
-            return Ok(if bound == f64::INFINITY {
-                BallastAnswer::None(NoBallast { up_to: cap, regions, proof })
-            } else {
-                BallastAnswer::Undecided(undecided(None, bound))
-            });
-        };
+            let is_same = |other: &&mut Piece| Piece { count: piece.count, ..**other } == piece;
+            match pieces.iter_mut().find(is_same) {
+                Some(other) => other.count += piece.count,
+                None => pieces.push(piece),
+            }
+        }
+        pieces.sort_by_key(|piece| piece.site);
         let mass = pieces.iter().map(Piece::total).sum();
-        let bound = proof.bound(mass).min(mass);
-        let found = FoundBallast { pieces, mass, bound, regions, proof };
-        Ok(if found.is_least() {
-            BallastAnswer::Least(found)
-        } else {
-            BallastAnswer::Undecided(undecided(Some(found), bound))
-        })
+        // A bound above the mass has no meaning except rounding.
+        let bounds =
+            [0.0, of_all, bound(&lots, mass)].into_iter().filter(|bound| *bound <= mass * (1.0 + GAP));
+        let bound = problem.attainable(bounds.fold(0.0, f64::max)).min(mass);
+        Ok(BallastAnswer::Found(FoundBallast { pieces, mass, bound }))
     }
 }
 
@@ -197,76 +137,33 @@ impl Piece {
 }
 
 impl FoundBallast {
-    /// By how much it may be above the least, as a part of it.
+    /// Returns the gap between the mass and its lower bound, as a part of the mass.
     pub fn gap(&self) -> f64 {
         if self.mass > 0.0 { (self.mass - self.bound) / self.mass } else { 0.0 }
     }
 
-    /// Checks the proof, in intervals: that the pieces are at their sites and meet the limits, and that the prices of the limits leave nothing below the bound.
-    pub fn is_proved(&self) -> bool {
-        let problem = &self.proof.problem;
-        let sizes_hold = self.pieces.iter().all(|piece| {
-            let of_size = |sizes: &Vec<f64>| {
-                if sizes.is_empty() { piece.count == 1 } else { sizes.contains(&piece.mass) }
-            };
-            problem.sizes.get(piece.site).is_some_and(of_size)
-        });
-        let pieces: Vec<_> = self
-            .pieces
-            .iter()
-            .map(|piece| (Column { site: piece.site, at: piece.position.to_array() }, piece.total()))
-            .collect();
-        let sum: f64 = self.pieces.iter().map(Piece::total).sum();
-        sizes_hold && problem.is_met(&pieces) && sum == self.mass && self.bound <= self.proof.bound(self.mass)
-    }
-
-    /// The same, and that it is the least but for the part that [`Budget::ballast`] says.
+    /// Returns whether the lower bound proves that no ballast is lighter, except for a part of 1e-9.
     pub fn is_least(&self) -> bool {
-        let gap = self.proof.problem.gap();
-        self.is_proved() && self.mass - self.bound <= gap * self.mass * (1.0 + 1e-6)
+        self.gap() <= GAP
     }
 
-    /// A body with it: the list on either basis.
+    /// Returns a body with the ballast: the list on either basis.
     ///
     /// # Errors
     /// [`BodyError`] if the sum is not finite.
     pub fn with(&self, body: &MassProperties<Body>) -> Result<MassProperties<Body>, BodyError> {
         let mut parts = vec![*body];
         for piece in &self.pieces {
-            parts.push(MassProperties::new(
-                piece.total(),
-                piece.position,
-                InertiaTensor::diagonal([0.0; 3])?,
-            )?);
+            let point = InertiaTensor::diagonal([0.0; 3])?;
+            parts.push(MassProperties::new(piece.total(), piece.position, point)?);
         }
         Ok(combined(&parts)?.unwrap_or(*body))
     }
 }
 
 impl NoBallast {
-    /// Checks the proof, in intervals.
+    /// Returns whether the lower bound proves that there is none up to [`up_to`](Self::up_to).
     pub fn is_proved(&self) -> bool {
-        self.proof.cap >= self.up_to && self.proof.bound(self.up_to) == f64::INFINITY
-    }
-}
-
-impl Proof {
-    /// What no ballast up to a mass is below.
-    fn bound(&self, mass: f64) -> f64 {
-        // The regions of the centre are those of ballast up to the cap.
-        if mass > self.cap {
-            return 0.0;
-        }
-        self.problem.proved(&self.tree, &self.problem.root(self.cap), mass)
-    }
-}
-
-impl Tree {
-    fn leaves(&self) -> usize {
-        match self {
-            Self::Leaf(_) => 1,
-            Self::Split { below, above, .. } => below.leaves() + above.leaves(),
-            Self::Parted { rest, .. } => rest.leaves(),
-        }
+        self.bound == f64::INFINITY
     }
 }

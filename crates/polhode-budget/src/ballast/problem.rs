@@ -1,282 +1,241 @@
-//! The question in numbers: what sites and limits come to, in a region of sizes and centres.
+//! The question in numbers: sites, limits, and how far ballast is from them.
 
-use super::chart::Chart;
+use super::chart::{At, Chart};
 use super::error::BallastError;
-use super::interval::{Interval, dot};
-use super::region::Region;
-use super::row::{Asked, Block, Coordinate, Functional, Kind, Moments, Product, asked, moments};
-use super::sums::Sums;
+use super::row::{Functional, Moments, ONE, Row, Rule, Vector, rules, weights};
 use super::{Ballast, Site};
 use crate::budget::Budget;
+use crate::covariance::dot;
 use crate::growth::Basis;
 use crate::limit::Limit;
 
 /// Ballast to be found.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(super) struct Problem {
-    pub(super) origin: [f64; 3],
-    /// Moments of the basic and of the predicted body.
-    wholes: [Moments; 2],
     pub(super) charts: Vec<Chart>,
+    /// The most mass of each site, kg.
     pub(super) most: Vec<f64>,
-    /// Of the pieces of each site, ascending; none where any mass will do.
+    /// Sizes of pieces at each site, ascending; none where any mass is allowed.
     pub(super) sizes: Vec<Vec<f64>>,
-    /// What pieces at a site come to, if it has sizes.
-    pub(super) sums: Vec<Option<Sums>>,
-    /// What all ballast comes to, if all sites have sizes.
-    pub(super) totals: Option<Sums>,
-    pub(super) blocks: Vec<Block>,
-    pub(super) products: Vec<Product>,
-    pub(super) coordinates: Vec<Coordinate>,
-    /// No more ballast than this is looked for, kg.
+    pub(super) rules: Vec<Rule>,
+    /// Magnitude of each rule: its value without ballast, and its change by the least ballast.
+    scales: Vec<f64>,
+    /// The mass of the body, kg.
+    pub(super) mass: f64,
+    /// The most ballast that is looked for, kg.
     pub(super) cap: f64,
 }
 
-/// A piece of ballast.
+/// Some ballast at one place.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Column {
+pub(super) struct Lot {
     pub(super) site: usize,
-    pub(super) at: [f64; 3],
+    pub(super) at: At,
+    /// Mass of all pieces, kg.
+    pub(super) mass: f64,
+    /// The mass of each piece, if it is given.
+    pub(super) size: Option<f64>,
 }
 
-/// No more ballast than so many times the mass of the body is looked for.
+/// The most ballast that is looked for, in masses of the body.
 const CAP: f64 = 1e3;
+
+/// Relative noise of a limit: of its terms, and of the numbers whose difference its constant is.
+///
+/// Inequalities are kept inside by the noise.
+const NOISE: [f64; 2] = [1e-12, 8.0 * f64::EPSILON];
+
+/// Greatest violation of a limit that counts as met, in its noise: inequalities, equalities.
+const VIOLATION: [f64; 2] = [0.01, 10.0];
+
+/// A sum of sizes may exceed the most of a site by this part.
+pub(super) const ROUNDING: f64 = 1e-14;
 
 impl Problem {
     pub(super) fn new(budget: &Budget, ballast: &Ballast, limits: &[Limit]) -> Result<Self, BallastError> {
         if ballast.sites.is_empty() {
             return Err(BallastError::NoSites);
         }
-        let estimates = [budget.estimate(Basis::Basic)?, budget.estimate(Basis::Predicted)?];
-        let origin = estimates[0].properties.center_of_mass().to_array();
-        let wholes = [0, 1].map(|k| moments(&estimates[k].properties, origin));
-        let mut problem = Self {
-            origin,
-            wholes,
-            charts: ballast.sites.iter().map(Chart::new).collect::<Result<_, _>>()?,
-            most: ballast.sites.iter().map(most).collect::<Result<_, _>>()?,
-            sizes: ballast.sites.iter().map(sizes).collect::<Result<_, _>>()?,
-            sums: Vec::new(),
-            totals: None,
-            blocks: Vec::new(),
-            products: Vec::new(),
-            coordinates: Vec::new(),
-            cap: CAP * estimates[0].properties.mass(),
-        };
-        let site = |k: usize| (&problem.charts[k], problem.most[k], &problem.sizes[k][..]);
-        let sums = |(chart, most, sizes): (&Chart, f64, &[f64])| match sizes {
-            [] => None,
-            sizes if chart.is_point() => Some(Sums::of_one(&[&[0.0], sizes].concat())),
-            sizes => Some(Sums::of_any(sizes, most.min(problem.cap))),
-        };
-        problem.sums = (0..problem.charts.len()).map(|k| sums(site(k))).collect();
-        if problem.sums.iter().all(Option::is_some) {
-            problem.totals =
-                Some(Sums::totals(problem.sums.iter().flatten(), problem.sizes.iter().flatten().copied()));
-        }
-        let largest =
-            problem.sums.iter().zip(&problem.most).map(|(sums, most)| {
-                sums.as_ref().map_or(*most, |sums| sums.at(sums.len() - 1)[1].min(*most))
-            });
-        problem.cap = problem.cap.min(largest.map(Interval::from).sum::<Interval>().high);
-        let question = |what, value, rule| BallastError::Question { what, value, rule };
+        let question = |what, value, rule| BallastError::Value { site: None, what, value, rule };
         if !(ballast.deviations >= 0.0 && ballast.deviations.is_finite()) {
             let rule = "zero or positive, and finite";
             return Err(question("the margin in standard deviations", ballast.deviations, rule));
         }
+        let estimates = [budget.estimate(Basis::Basic)?, budget.estimate(Basis::Predicted)?];
+        let body = estimates[0].properties;
+        let origin = body.center_of_mass().to_array();
+        let sites = &ballast.sites;
+        let charts = sites.iter().map(|site| Chart::new(site, origin)).collect::<Result<Vec<_>, _>>()?;
+        let most = sites.iter().zip(&charts).map(|(site, chart)| capacity(site, chart));
+        let (most, sizes) = most.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
+        let mass = body.mass();
+        let (scales, cap) = (Vec::new(), CAP * mass);
+        let mut problem = Self { charts, most, sizes, rules: Vec::new(), scales, mass, cap };
+        problem.cap = problem.cap.min(problem.most.iter().sum());
         if let Some(most) = ballast.most {
             if !(most >= 0.0 && most.is_finite()) {
                 return Err(question("the most ballast", most, "zero or positive, and finite"));
             }
-            let row = Functional::constant(most.into()) - Functional::mass();
-            problem.blocks.push(Block::positive(row));
+            let of = Functional::ZERO.plus(most, &ONE).plus(-1.0, &Functional::MASS);
+            problem.rules.push(Rule::Linear(Row::new(of, false)));
             problem.cap = problem.cap.min(most);
         }
         for limit in limits {
             limit.check()?;
-            let (estimate, whole) = match limit.basis {
-                Basis::Basic => (&estimates[0], &wholes[0]),
-                Basis::Predicted => (&estimates[1], &wholes[1]),
-            };
-            match asked(limit, estimate, origin, ballast.deviations)? {
-                Asked::Blocks(blocks) => problem.blocks.extend(blocks.into_iter().map(|mut block| {
-                    block.rows.iter_mut().for_each(|row| *row = row.added_to(whole));
-                    block
-                })),
-                Asked::Product { axes, least, most } => {
-                    let coordinates = axes.map(|u| problem.coordinate(u, limit.basis));
-                    problem.products.push(Product { axes, coordinates, basis: limit.basis, least, most });
-                }
-            }
+            let estimate = &estimates[usize::from(limit.basis == Basis::Predicted)];
+            problem.rules.extend(rules(limit, estimate, origin, ballast.deviations)?);
         }
-        problem.require_finite()?;
+        let is_finite = |row: &Row| row.of.by.iter().chain([&row.of.constant]).all(|x| x.is_finite());
+        if !problem.rules.iter().all(|rule| is_finite(&rule.tangent(&[0.0; 10]))) {
+            return Err(BallastError::NotFinite { quantity: "a coefficient of a limit" });
+        }
+        problem.scales = problem.scaled();
         Ok(problem)
     }
 
-    /// Refuses NaN and infinities before a solver sees them.
-    fn require_finite(&self) -> Result<(), BallastError> {
-        let is_finite = |x: &Interval| x.low.is_finite() && x.high.is_finite();
-        if !self.wholes.iter().flatten().all(is_finite) {
-            return Err(BallastError::NotFinite { quantity: "a moment of the parts list" });
-        }
-        let rows = self.blocks.iter().flat_map(|block| &block.rows);
-        if !rows.flat_map(|row| [row.constant].into_iter().chain(row.by)).all(|x| is_finite(&x)) {
-            return Err(BallastError::NotFinite { quantity: "a coefficient of a limit" });
-        }
-        Ok(())
+    /// Returns lots without mass at fixed points of all sites that take some.
+    pub(super) fn seeds(&self) -> Vec<Lot> {
+        let sites = self.charts.iter().enumerate().filter(|(site, _)| self.most[*site] > 0.0);
+        let seeds = |(site, chart): (usize, &Chart)| {
+            chart.seeds().into_iter().map(move |at| Lot { site, at, mass: 0.0, size: None })
+        };
+        sites.flat_map(seeds).collect()
     }
 
-    fn coordinate(&mut self, along: [Interval; 3], basis: Basis) -> usize {
-        let one = Coordinate { along, basis };
-        self.coordinates.iter().position(|other| *other == one).unwrap_or_else(|| {
-            self.coordinates.push(one);
-            self.coordinates.len() - 1
+    /// Returns the magnitude of each rule.
+    fn scaled(&self) -> Vec<f64> {
+        let rows: Vec<Row> = self.rules.iter().map(|rule| rule.tangent(&[0.0; 10])).collect();
+        let change = |row: &Row| {
+            let least = |of| self.charts.iter().map(|chart| chart.least(&of).1).fold(0.0, f64::min);
+            -least(row.of).min(least(Functional::ZERO.plus(-1.0, &row.of)))
+        };
+        let changes: Vec<f64> = rows.iter().map(change).collect();
+        let missing = |row: &Row| if row.is_zero { row.of.constant.abs() } else { -row.of.constant };
+        let needed =
+            rows.iter().zip(&changes).map(|(row, by)| if *by > 0.0 { missing(row) / by } else { 0.0 });
+        let mass = needed.fold(0.0, f64::max);
+        let scale = |(row, by): (&Row, &f64)| (row.of.constant.abs() + mass * by).max(f64::MIN_POSITIVE);
+        rows.iter().zip(&changes).map(scale).collect()
+    }
+
+    /// Returns whether products about the moving centre are limited.
+    pub(super) fn has_products(&self) -> bool {
+        self.rules.iter().any(|rule| matches!(rule, Rule::Product { .. }))
+    }
+
+    /// Returns all conditions linearized where some ballast is.
+    pub(super) fn tangents(&self, lots: &[Lot]) -> Vec<Row> {
+        let ballast = self.moments(lots);
+        let scaled = |(rule, scale): (&Rule, &f64)| Row { scale: *scale, ..rule.tangent(&ballast) };
+        self.rules.iter().zip(&self.scales).map(scaled).collect()
+    }
+
+    /// Returns the tangents of cones alone: they hold for all ballast.
+    pub(super) fn cuts(&self, lots: &[Lot]) -> Vec<Row> {
+        let rows = self.tangents(lots).into_iter().zip(&self.rules);
+        rows.filter(|(_, rule)| matches!(rule, Rule::Cone(_))).map(|(row, _)| row).collect()
+    }
+
+    /// Returns the problem with linear relaxations of products, for ballast up to a mass.
+    pub(super) fn relaxation(&self, cap: f64) -> Self {
+        let end = |u: &Vector, body: &Moments, sign: f64| {
+            let out = Functional::first(u.map(|u| -sign * u), [0.0; 3]);
+            let far = self.charts.iter().map(|chart| -chart.least(&out).1).fold(f64::NEG_INFINITY, f64::max);
+            let first = sign * dot(u, &[body[1], body[2], body[3]]);
+            sign * (first / body[0]).max((first + cap * far) / (body[0] + cap))
+        };
+        let linear = |rule: &Rule| {
+            let Rule::Product { axes, body, sign, is_zero, .. } = rule else { return vec![rule.clone()] };
+            let [[a, c], [b, d]] = axes.map(|u| [-1.0, 1.0].map(|sign| end(&u, body, sign)));
+            let side = |turn: f64| {
+                let corners = if turn * sign > 0.0 { [[a, b], [c, d]] } else { [[a, d], [c, b]] };
+                let of = |corner| Functional::ZERO.plus(turn, &rule.about(corner).of);
+                corners.map(|corner| Rule::Linear(Row::new(of(corner), false)))
+            };
+            let turns: &[f64] = if *is_zero { &[1.0, -1.0] } else { &[1.0] };
+            turns.iter().flat_map(|turn| side(*turn)).collect()
+        };
+        let rules = self.rules.iter().flat_map(linear).collect();
+        let mut linear = Self { rules, cap, ..self.clone() };
+        linear.scales = linear.scaled();
+        linear
+    }
+
+    /// Returns the moments of ballast, from the origin of the problem.
+    fn moments(&self, lots: &[Lot]) -> Moments {
+        let mut all = [0.0; 10];
+        for lot in lots {
+            let w = weights(self.charts[lot.site].local(lot.at));
+            all.iter_mut().zip(w).for_each(|(sum, w)| *sum += lot.mass * w);
+        }
+        all
+    }
+
+    /// Returns the value of a condition, and how uncertain it is by rounding.
+    pub(super) fn value(&self, row: &Row, lots: &[Lot]) -> [f64; 2] {
+        let at = |lot: &Lot| row.of.at(&weights(self.charts[lot.site].local(lot.at)));
+        let terms = lots.iter().map(|lot| lot.mass * at(lot));
+        let start = [row.of.constant, NOISE[0] * row.of.constant.abs() + NOISE[1] * row.of.size];
+        terms.fold(start, |[value, noise], term| [value + term, noise + NOISE[0] * term.abs()])
+    }
+
+    /// Returns the total violation of the limits, each as a part of its magnitude.
+    pub(super) fn violation(&self, lots: &[Lot]) -> f64 {
+        let violation = |row: &Row| {
+            let [value, noise] = self.value(row, lots);
+            (if row.is_zero { value.abs() - noise } else { 0.5 * noise - value }).max(0.0) / row.scale
+        };
+        self.tangents(lots).iter().map(violation).sum()
+    }
+
+    /// Returns whether lots are no more than sites take, and meet all limits except for rounding.
+    pub(super) fn is_met(&self, lots: &[Lot]) -> bool {
+        let holds = |row: &Row| {
+            let [value, noise] = self.value(row, lots);
+            (if row.is_zero { value.abs() } else { -value }) <= VIOLATION[usize::from(row.is_zero)] * noise
+        };
+        self.fits(lots) && self.tangents(lots).iter().all(holds)
+    }
+
+    /// Returns whether the sites take the lots; a point takes one piece of given size.
+    pub(super) fn fits(&self, lots: &[Lot]) -> bool {
+        (0..self.charts.len()).all(|site| {
+            let own = lots.iter().filter(|lot| lot.site == site);
+            let sum: f64 = own.clone().map(|lot| lot.mass).sum();
+            let is_one = self.sizes[site].is_empty() || !self.charts[site].is_point();
+            (is_one || own.count() <= 1) && sum <= self.most[site] * (1.0 + ROUNDING)
         })
     }
+}
 
-    pub(super) const fn whole(&self, basis: Basis) -> &Moments {
-        match basis {
-            Basis::Basic => &self.wholes[0],
-            Basis::Predicted => &self.wholes[1],
-        }
-    }
-
-    /// Between which values the coordinates of the centre are with ballast up to a mass.
-    pub(super) fn boxes(&self, cap: f64) -> Vec<[f64; 2]> {
-        let total = Interval::from(cap);
-        let bounds = |coordinate: &Coordinate| {
-            let [mass, x, y, z, ..] = *self.whole(coordinate.basis);
-            let first = dot(&coordinate.along, &[x, y, z]);
-            // The center goes from where it is towards the sites, the farther the more ballast there is.
-            let end = |sign: f64| {
-                let out = Functional::first(coordinate.along) * Interval::from(-sign);
-                let least = self.charts.iter().map(|chart| chart.least(&out, self.origin).1);
-                let far = Interval::from(-least.fold(f64::INFINITY, f64::min));
-                let first = first * Interval::from(sign);
-                let now = first.over(mass);
-                sign * now.high.max((first + total * far).over(mass + total).high)
-            };
-            [end(-1.0), end(1.0)]
-        };
-        self.coordinates.iter().map(bounds).collect()
-    }
-
-    /// All that ballast up to this mass may be.
-    pub(super) fn root(&self, cap: f64) -> Region {
-        let cells = (0..self.charts.len()).map(|site| self.cell(site, cap)).collect();
-        Region { cells, boxes: self.boxes(cap) }
-    }
-
-    /// The least mass from one on that ballast can have.
-    pub(super) fn attainable(&self, mass: f64) -> f64 {
-        self.totals.as_ref().map_or(mass, |totals| totals.least_from(mass))
-    }
-
-    /// Whether several pieces of given sizes may be at a site, each at its own place.
-    pub(super) fn has_free_pieces(&self, site: usize) -> bool {
-        self.sums[site].is_some() && !self.charts[site].is_point()
-    }
-
-    /// By how much the least mass may be above what is proved, as a part of it.
-    pub(super) fn gap(&self) -> f64 {
-        let moves = self.totals.is_none() && (0..self.charts.len()).any(|site| self.has_free_pieces(site));
-        if self.products.is_empty() && !moves { super::GAP } else { super::GAP_OF_PRODUCTS }
-    }
-
-    /// Whether limits in some region are not linear.
-    pub(super) fn is_split(&self) -> bool {
-        !self.products.is_empty() || self.sums.iter().any(Option::is_some)
-    }
-
-    /// What all limits ask in a region, linear: of a product about the centre, (u·S)(v·S)/M is between the planes of McCormick (Math. Program. 10, 1976, 147) over the region's box.
-    pub(super) fn rows(&self, region: &Region) -> Vec<Block> {
-        let mut all = self.blocks.clone();
-        for (coordinate, [low, high]) in self.coordinates.iter().zip(&region.boxes) {
-            let whole = self.whole(coordinate.basis);
-            let from = |x: f64| Functional::first(coordinate.along) - Functional::mass() * Interval::from(x);
-            if low == high {
-                all.push(Block { kind: Kind::Zero, rows: vec![from(*low).added_to(whole)] });
-                continue;
-            }
-            all.push(Block::positive(from(*low).added_to(whole)));
-            all.push(Block::positive((-from(*high)).added_to(whole)));
-        }
-        for product in &self.products {
-            let ([u, v], whole) = (product.axes, self.whole(product.basis));
-            let [a, b] = product.coordinates.map(|k| region.boxes[k].map(Interval::from));
-            let plane = |a: Interval, b: Interval| {
-                Functional::first(v) * a + Functional::first(u) * b - Functional::mass() * (a * b)
-            };
-            let integral = Functional::second(u, v);
-            let fixed = a[0] == a[1] || b[0] == b[1];
-            let planes = |pairs: [[usize; 2]; 2]| {
-                let planes = pairs.map(|[i, j]| plane(a[i], b[j]));
-                planes.into_iter().take(if fixed { 1 } else { 2 })
-            };
-            if fixed && product.least.is_some() && product.least == product.most {
-                let bound = product.least.map_or(Interval::ZERO, Interval::from);
-                let row = integral - plane(a[0], b[0]) - Functional::constant(bound);
-                all.push(Block { kind: Kind::Zero, rows: vec![row.added_to(whole)] });
-                continue;
-            }
-            // u·W v − most ≤ (u·S)(v·S)/M ≤ both planes that are above it
-            for above in product.most.iter().flat_map(|_| planes([[1, 0], [0, 1]])) {
-                let most = product.most.map_or(Interval::ZERO, Interval::from);
-                all.push(Block::positive((Functional::constant(most) - integral + above).added_to(whole)));
-            }
-            for below in product.least.iter().flat_map(|_| planes([[0, 0], [1, 1]])) {
-                let least = product.least.map_or(Interval::ZERO, Interval::from);
-                all.push(Block::positive((integral - below - Functional::constant(least)).added_to(whole)));
-            }
-        }
-        all
-    }
-
-    /// The moments of the whole with ballast.
-    pub(super) fn with(&self, basis: Basis, pieces: &[(Column, f64)]) -> Moments {
-        let mut all = *self.whole(basis);
-        for (column, mass) in pieces {
-            let by = super::row::weights(self.local(column.at));
-            all.iter_mut().zip(by).for_each(|(sum, w)| *sum = *sum + Interval::from(*mass) * w);
-        }
-        all
-    }
-
-    /// From the origin of the problem.
-    pub(super) fn local(&self, at: [f64; 3]) -> [Interval; 3] {
-        core::array::from_fn(|k| Interval::from(at[k]) - Interval::from(self.origin[k]))
+impl Lot {
+    /// The number of pieces.
+    pub(super) fn count(&self) -> f64 {
+        self.size.map_or(1.0, |size| (self.mass / size).round())
     }
 }
 
-impl Product {
-    /// u·W v − (u·S)(v·S)/M
-    pub(super) fn value(&self, moments: &Moments) -> Interval {
-        let [u, v] = self.axes;
-        let [mass, x, y, z, ..] = *moments;
-        let s = [x, y, z];
-        Functional::second(u, v).at(moments) - (dot(&u, &s) * dot(&v, &s)).over(mass)
-    }
+pub(super) fn total(lots: &[Lot]) -> f64 {
+    lots.iter().map(|lot| lot.mass).sum()
 }
 
-fn most(site: &Site) -> Result<f64, BallastError> {
+/// Returns the most mass of a site, and the sizes of its pieces up to that, ascending.
+fn capacity(site: &Site, chart: &Chart) -> Result<(f64, Vec<f64>), BallastError> {
+    let wrong = |what, value, rule| BallastError::Value { site: Some(site.name.clone()), what, value, rule };
     let most = site.most.unwrap_or(f64::INFINITY);
-    if most >= 0.0 {
-        let fits = |size: &f64| *size <= most;
-        return Ok(if site.sizes.is_empty() || site.sizes.iter().any(fits) { most } else { 0.0 });
+    if !(most >= 0.0) {
+        return Err(wrong("the most mass", most, "zero or positive"));
     }
-    let rule = "zero or positive";
-    Err(BallastError::Value { site: site.name.clone(), what: "the most mass", value: most, rule })
-}
-
-/// The sizes that a site has, up to its most, ascending.
-fn sizes(site: &Site) -> Result<Vec<f64>, BallastError> {
     if let Some(size) = site.sizes.iter().find(|size| !(**size > 0.0 && size.is_finite())) {
-        let rule = "positive and finite";
-        return Err(BallastError::Value { site: site.name.clone(), what: "a size", value: *size, rule });
+        return Err(wrong("a size", *size, "positive and finite"));
     }
-    let mut all: Vec<f64> =
-        site.sizes.iter().copied().filter(|size| site.most.is_none_or(|most| *size <= most)).collect();
-    all.sort_by(f64::total_cmp);
-    all.dedup();
-    Ok(all)
+    let mut sizes: Vec<f64> = site.sizes.iter().copied().filter(|size| *size <= most).collect();
+    sizes.sort_by(f64::total_cmp);
+    sizes.dedup();
+    let most = match sizes.last() {
+        None if !site.sizes.is_empty() => 0.0,
+        Some(largest) if chart.is_point() => *largest,
+        _ => most,
+    };
+    Ok((most, sizes))
 }

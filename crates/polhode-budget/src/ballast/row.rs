@@ -1,342 +1,299 @@
-//! Limits as functions of the moments of the mass: what is linear in them, what is a cone, and what is neither.
+//! Limits as functions of the moments of the mass: linear, a cone, or a product about the moving centre.
 
 use polhode::body::MassProperties;
 use polhode::math::{Body, Direction, Position};
 
 use super::error::BallastError;
-use super::interval::{Interval, dot};
+use polhode::infer::covariance::{dot, form};
 use crate::estimate::Estimate;
-use crate::growth::Basis;
-use crate::limit::{About, Limit, Measure};
+use crate::limit::{About, Limit, Measure, across_axes};
 
 /// Moments of a mass: 1, x, y, z, xx, yy, zz, xy, xz, yz, from the origin of the problem.
-pub(super) type Moments = [Interval; 10];
+pub(super) type Moments = [f64; 10];
+
+pub(super) type Vector = [f64; 3];
+
+/// Symmetric 3×3 matrix: xx, yy, zz, xy, xz, yz.
+type Symmetric = [f64; 6];
 
 /// A constant and a linear function of the moments.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Functional {
-    pub(super) constant: Interval,
+    pub(super) constant: f64,
     pub(super) by: Moments,
-    /// What it is the small difference of: its rounding is a few 1e-16 of that.
+    /// Sum of the magnitudes whose difference the constant is; it is rounded by a few 1e-16 of this.
     pub(super) size: f64,
 }
 
-/// What functions of the moments have to be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    /// None negative.
-    Positive,
-    /// All zero.
-    Zero,
-    /// The first no less than the norm of the others.
-    Cone,
+/// A linear condition on the moments of the ballast.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Row {
+    pub(super) of: Functional,
+    /// Zero, and otherwise not negative.
+    pub(super) is_zero: bool,
+    /// Magnitude that the function is compared with.
+    pub(super) scale: f64,
 }
 
-/// Functions that go together.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Block {
-    pub(super) kind: Kind,
-    pub(super) rows: Vec<Functional>,
+impl Row {
+    pub(super) const fn new(of: Functional, is_zero: bool) -> Self {
+        Self { of, is_zero, scale: 1.0 }
+    }
 }
 
-/// A limit on a product about the centre of mass: u·W v − (u·S)(v·S)/M, with the coordinates of the centre by which it is bounded.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Product {
-    pub(super) axes: [Vector; 2],
-    /// Of the centre's coordinates that are searched.
-    pub(super) coordinates: [usize; 2],
-    pub(super) basis: Basis,
-    /// Of ∫ u v dm.
-    pub(super) least: Option<f64>,
-    pub(super) most: Option<f64>,
+/// A condition on the moments of the ballast.
+#[derive(Clone, Debug)]
+pub(super) enum Rule {
+    Linear(Row),
+    /// The first function is at least the norm of the others.
+    Cone(Vec<Functional>),
+    /// sign (P − bound) ≥ 0 or = 0, with P = u·W v − (u·S)(v·S)/M of the body and the ballast.
+    Product {
+        axes: [Vector; 2],
+        body: Moments,
+        sign: f64,
+        bound: f64,
+        is_zero: bool,
+    },
 }
 
-/// A coordinate of the centre of mass, from the origin of the problem.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Coordinate {
-    pub(super) along: Vector,
-    pub(super) basis: Basis,
-}
-
-pub(super) type Vector = [Interval; 3];
-
-/// What a limit asks of the moments.
-pub(super) enum Asked {
-    Blocks(Vec<Block>),
-    Product { axes: [Vector; 2], least: Option<f64>, most: Option<f64> },
-}
-
-/// The moments of a unit mass.
+/// Moments of a unit mass.
 pub(super) fn weights([x, y, z]: Vector) -> Moments {
-    [Interval::ONE, x, y, z, x.square(), y.square(), z.square(), x * y, x * z, y * z]
+    [1.0, x, y, z, x * x, y * y, z * z, x * y, x * z, y * z]
 }
 
-/// The moments of a body.
-pub(super) fn moments(body: &MassProperties<Body>, origin: [f64; 3]) -> Moments {
-    let mass = Interval::from(body.mass());
+/// Moments of a body.
+pub(super) fn moments(body: &MassProperties<Body>, origin: Vector) -> Moments {
     let c = body.center_of_mass().to_array();
-    let d: Vector = core::array::from_fn(|k| Interval::from(c[k]) - Interval::from(origin[k]));
-    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = body.inertia().matrix().map(|row| row.map(Interval::from));
-    let half = Interval::from(0.5);
-    let own = [half * (yy + zz - xx), half * (xx + zz - yy), half * (xx + yy - zz), -xy, -xz, -yz];
-    let mut all = weights(d).map(|w| mass * w);
-    all[4..].iter_mut().zip(own).for_each(|(sum, own)| *sum = *sum + own);
-    all
+    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = body.inertia().matrix();
+    let half = 0.5 * (xx + yy + zz);
+    let own = [0.0, 0.0, 0.0, 0.0, half - xx, half - yy, half - zz, -xy, -xz, -yz];
+    let w = weights(core::array::from_fn(|k| c[k] - origin[k]));
+    core::array::from_fn(|k| body.mass() * w[k] + own[k])
+}
+
+/// ½ (u vᵀ + v uᵀ)
+fn outer(u: Vector, v: Vector) -> Symmetric {
+    let both = |i: usize, j: usize| 0.5 * (u[i] * v[j] + u[j] * v[i]);
+    [u[0] * v[0], u[1] * v[1], u[2] * v[2], both(0, 1), both(0, 2), both(1, 2)]
+}
+
+fn times([xx, yy, zz, xy, xz, yz]: Symmetric, v: Vector) -> Vector {
+    [dot(&[xx, xy, xz], &v), dot(&[xy, yy, yz], &v), dot(&[xz, yz, zz], &v)]
 }
 
 impl Functional {
-    const ZERO: Self = Self { constant: Interval::ZERO, by: [Interval::ZERO; 10], size: 0.0 };
-
-    pub(super) fn constant(x: Interval) -> Self {
-        Self { constant: x, ..Self::ZERO }
-    }
+    pub(super) const ZERO: Self = Self { constant: 0.0, by: [0.0; 10], size: 0.0 };
 
     /// M
-    pub(super) fn mass() -> Self {
-        let mut by = [Interval::ZERO; 10];
-        by[0] = Interval::ONE;
-        Self { by, ..Self::ZERO }
-    }
-
-    /// u·S
-    pub(super) fn first([x, y, z]: Vector) -> Self {
-        let mut by = [Interval::ZERO; 10];
-        by[1..4].copy_from_slice(&[x, y, z]);
-        Self { by, ..Self::ZERO }
-    }
-
-    /// ∫ (u·r)(v·r) dm
-    pub(super) fn second(u: Vector, v: Vector) -> Self {
-        let both = |i: usize, j: usize| u[i] * v[j] + u[j] * v[i];
-        let mut by = [Interval::ZERO; 10];
-        by[4..].copy_from_slice(&[u[0] * v[0], u[1] * v[1], u[2] * v[2], both(0, 1), both(0, 2), both(1, 2)]);
-        Self { by, ..Self::ZERO }
-    }
+    pub(super) const MASS: Self =
+        Self { by: [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], ..Self::ZERO };
 
     /// ∫ u·(r − p) dm
-    fn first_from(u: Vector, p: Vector) -> Self {
-        Self::first(u) - Self::mass() * dot(&u, &p)
+    pub(super) fn first(u: Vector, p: Vector) -> Self {
+        let mut by = [0.0; 10];
+        by[..4].copy_from_slice(&[-dot(&u, &p), u[0], u[1], u[2]]);
+        Self { by, ..Self::ZERO }
     }
 
-    /// ∫ u·(r − p) v·(r − p) dm
-    fn second_from(u: Vector, v: Vector, p: Vector) -> Self {
-        let (up, vp) = (dot(&u, &p), dot(&v, &p));
-        Self::second(u, v) - Self::first(u) * vp - Self::first(v) * up + Self::mass() * (up * vp)
+    /// ∫ (r − p)·A (r − p) dm
+    fn second(a: Symmetric, p: Vector) -> Self {
+        let [x, y, z] = times(a, p);
+        let [xx, yy, zz, xy, xz, yz] = a;
+        let [m, x, y, z] = [dot(&p, &[x, y, z]), -2.0 * x, -2.0 * y, -2.0 * z];
+        Self { by: [m, x, y, z, xx, yy, zz, 2.0 * xy, 2.0 * xz, 2.0 * yz], ..Self::ZERO }
     }
 
-    /// Of these moments, without the constant.
-    pub(super) fn at(&self, moments: &Moments) -> Interval {
+    /// Returns the sum with a multiple of another function.
+    pub(super) fn plus(&self, factor: f64, other: &Self) -> Self {
+        Self {
+            constant: self.constant + factor * other.constant,
+            by: core::array::from_fn(|k| self.by[k] + factor * other.by[k]),
+            size: self.size.max(factor.abs() * other.size),
+        }
+    }
+
+    /// Returns the linear part at these moments.
+    pub(super) fn at(&self, moments: &Moments) -> f64 {
         dot(&self.by, moments)
     }
 
-    /// uᵀ L v of the quadratic part.
-    pub(super) fn form(&self, u: &Vector, v: &Vector) -> Interval {
+    /// Returns the bilinear form of the quadratic part.
+    pub(super) fn form(&self, u: &Vector, v: &Vector) -> f64 {
         let [.., xx, yy, zz, xy, xz, yz] = self.by;
-        let half = Interval::from(0.5);
-        let off = |l: Interval, i: usize, j: usize| half * l * (u[i] * v[j] + u[j] * v[i]);
-        xx * u[0] * v[0] + yy * u[1] * v[1] + zz * u[2] * v[2] + off(xy, 0, 1) + off(xz, 0, 2) + off(yz, 1, 2)
+        dot(u, &times([xx, yy, zz, 0.5 * xy, 0.5 * xz, 0.5 * yz], *v))
     }
 
-    /// How it changes along e, of a unit mass at r.
-    pub(super) fn slope(&self, r: &Vector, e: &Vector) -> Interval {
+    /// Returns the derivative along e for a unit mass at r.
+    pub(super) fn slope(&self, r: &Vector, e: &Vector) -> f64 {
         let [_, x, y, z, ..] = self.by;
-        dot(&[x, y, z], e) + Interval::from(2.0) * self.form(r, e)
+        dot(&[x, y, z], e) + 2.0 * self.form(r, e)
     }
 
-    /// The same of the mass that is added to these moments.
+    /// Returns the same function of the mass that is added to these moments.
     pub(super) fn added_to(mut self, moments: &Moments) -> Self {
-        let terms = self.by.iter().zip(moments).map(|(l, w)| (*l * *w).size());
-        self.size = self.constant.size() + terms.sum::<f64>();
-        self.constant = self.constant + self.at(moments);
+        let terms = self.by.iter().zip(moments).map(|(l, w)| (l * w).abs());
+        self.size = self.constant.abs() + terms.sum::<f64>();
+        self.constant += self.at(moments);
         self
     }
 
-    /// Its standard deviation to first order, of a body.
-    fn sd(&self, estimate: &Estimate<Body>, origin: [f64; 3]) -> f64 {
-        let by = self.by.map(Interval::middle);
+    /// Returns the standard deviation to first order for a body with uncertain mass, centre and tensor.
+    fn sd(&self, estimate: &Estimate<Body>, origin: Vector) -> f64 {
         let (m, c) = (estimate.properties.mass(), estimate.properties.center_of_mass().to_array());
-        let d: [f64; 3] = core::array::from_fn(|k| c[k] - origin[k]);
-        let inner = |w: [f64; 10]| by.iter().zip(w).map(|(l, w)| l * w).sum::<f64>();
-        // By the mass, the centre and the tensor: W = M (1, d, d dᵀ) + (0, 0, ½ tr I 1 − I).
-        let gradient: [f64; 10] = core::array::from_fn(|k| {
-            let mut w = [0.0; 10];
-            match k {
-                0 => return inner(weights(d.map(Interval::from)).map(Interval::middle)),
-                1..4 => {
-                    w[k] = m;
-                    w[3 + k] = 2.0 * m * d[k - 1];
-                    for (place, i, j) in [(7, 0, 1), (8, 0, 2), (9, 1, 2)] {
-                        w[place] = m * (f64::from(i + 1 == k) * d[j] + f64::from(j + 1 == k) * d[i]);
-                    }
-                }
-                4..7 => {
-                    w[4..7].fill(0.5);
-                    w[k] = -0.5;
-                }
-                _ => w[k] = -1.0,
-            }
-            inner(w)
+        let d: Vector = core::array::from_fn(|k| c[k] - origin[k]);
+        let by = &self.by;
+        // W = M (1, d, d dᵀ) + (0, 0, ½ tr I 1 − I)
+        let gradient: Moments = core::array::from_fn(|k| match k {
+            0 => self.at(&weights(d)),
+            1..4 => m * self.slope(&d, &UNITS[k - 1]),
+            4..7 => 0.5 * (by[4] + by[5] + by[6]) - by[k],
+            _ => -by[k],
         });
-        let variance = polhode::infer::covariance::form(&gradient, &estimate.covariance, &gradient);
-        variance.max(0.0).sqrt()
+        form(&gradient, &estimate.covariance, &gradient).max(0.0).sqrt()
     }
 }
 
-impl core::ops::Add for Functional {
-    type Output = Self;
-    fn add(self, b: Self) -> Self {
-        let by = core::array::from_fn(|k| self.by[k] + b.by[k]);
-        Self { constant: self.constant + b.constant, by, size: self.size.max(b.size) }
+impl Rule {
+    /// Returns the condition linearized at the moments of some ballast, with the exact value there.
+    ///
+    /// A cone's is f₀ − θ·f ≥ 0 with θ along f, which holds for all ballast inside the cone. A
+    /// product's is about the centre c of body and ballast:
+    /// ∫ u·(r − c) v·(r − c) dm = P + M (u·(S/M − c)) (v·(S/M − c)).
+    pub(super) fn tangent(&self, ballast: &Moments) -> Row {
+        match self {
+            Self::Linear(row) => *row,
+            Self::Cone(all) => {
+                let values: Vec<f64> = all[1..].iter().map(|f| f.constant + f.at(ballast)).collect();
+                let norm = values.iter().fold(0.0_f64, |norm, x| norm.hypot(*x)).max(f64::MIN_POSITIVE);
+                let cosines = values.iter().map(|x| x / norm);
+                let of = all[1..].iter().zip(cosines).fold(all[0], |sum, (f, by)| sum.plus(-by, f));
+                Row::new(of, false)
+            }
+            Self::Product { axes: [u, v], body, .. } => {
+                let all: Moments = core::array::from_fn(|k| body[k] + ballast[k]);
+                let of = |u: &Vector| dot(u, &[all[1], all[2], all[3]]) / all[0];
+                self.about([of(u), of(v)])
+            }
+        }
+    }
+
+    /// Returns a product's condition with ∫ (u·r − a) (v·r − b) dm in place of P.
+    ///
+    /// P is this integral minus M (u·c − a) (v·c − b).
+    pub(super) fn about(&self, [a, b]: [f64; 2]) -> Row {
+        let Self::Product { axes: [u, v], body, sign, bound, is_zero } = self else {
+            return Row::new(ONE, false);
+        };
+        let first = |u: &Vector| Functional::first(*u, [0.0; 3]);
+        let square = Functional::second(outer(*u, *v), [0.0; 3]).plus(a * b, &Functional::MASS);
+        let product = square.plus(-a, &first(v)).plus(-b, &first(u));
+        let of = Functional::ZERO.plus(-sign * bound, &ONE).plus(*sign, &product).added_to(body);
+        Row::new(of, *is_zero)
     }
 }
 
-impl core::ops::Sub for Functional {
-    type Output = Self;
-    fn sub(self, b: Self) -> Self {
-        self + b * -Interval::ONE
-    }
-}
-
-impl core::ops::Mul<Interval> for Functional {
-    type Output = Self;
-    fn mul(self, by: Interval) -> Self {
-        Self { constant: self.constant * by, by: self.by.map(|l| l * by), size: self.size * by.size() }
-    }
-}
-
-impl Block {
-    pub(super) fn positive(row: Functional) -> Self {
-        Self { kind: Kind::Positive, rows: vec![row] }
-    }
-}
-
-/// What a limit asks, with the whole kept so many standard deviations inside.
-pub(super) fn asked(
+/// Returns the conditions of a limit, with a margin in standard deviations.
+pub(super) fn rules(
     limit: &Limit,
     estimate: &Estimate<Body>,
-    origin: [f64; 3],
+    origin: Vector,
     deviations: f64,
-) -> Result<Asked, BallastError> {
+) -> Result<Vec<Rule>, BallastError> {
     let refused = |why| BallastError::Limit { limit: limit.name.clone(), why };
     let from = |p: Position<Body>| -> Vector {
         let p = p.to_array();
-        core::array::from_fn(|k| Interval::from(p[k]) - Interval::from(origin[k]))
+        core::array::from_fn(|k| p[k] - origin[k])
     };
-    let unit = |u: Direction<Body>| u.direction().unwrap_or(u).to_array().map(Interval::from);
-    let sd = |row: &Functional| if deviations > 0.0 { row.sd(estimate, origin) } else { 0.0 };
-    // least ≤ f ≤ most, or least M ≤ f ≤ most M.
-    let between = |f: Functional, by: Functional| -> Result<Asked, BallastError> {
-        let sides = |row: Functional| {
-            let margin = Interval::from(deviations) * Interval::from(sd(&row));
-            Block::positive(row - Functional::constant(margin))
-        };
-        let at = |bound: f64| by * Interval::from(bound);
-        Ok(Asked::Blocks(match (limit.least, limit.most) {
-            (Some(least), Some(most)) if least == most => {
-                let row = f - at(least);
-                if sd(&row) > 0.0 {
-                    return Err(refused("an equality cannot be kept with a margin for errors"));
-                }
-                vec![Block { kind: Kind::Zero, rows: vec![row] }]
-            }
-            (least, most) => {
-                let least = least.map(|least| sides(f - at(least)));
-                least.into_iter().chain(most.map(|most| sides(at(most) - f))).collect()
-            }
-        }))
-    };
-    // |f| ≤ most, or most M.
-    let norm = |rows: Vec<Functional>, by: Functional| -> Result<Asked, BallastError> {
-        if limit.least.is_some_and(|least| least > 0.0) {
-            return Err(refused("ballast can keep a distance or an unbalance below a value, not above one"));
-        }
-        let Some(most) = limit.most else { return Ok(Asked::Blocks(Vec::new())) };
-        if most == 0.0 {
-            if rows.iter().any(|row| sd(row) > 0.0) {
-                return Err(refused("an equality cannot be kept with a margin for errors"));
-            }
-            return Ok(Asked::Blocks(vec![Block { kind: Kind::Zero, rows }]));
-        }
-        let greatest = by * Interval::from(most);
-        // In any direction θ: var(g − θ·f) ≤ (sd g + √Σ var f)²
-        let errors = rows.iter().map(|row| sd(row) * sd(row)).sum::<f64>().sqrt() + sd(&greatest);
-        let first = greatest - Functional::constant(Interval::from(deviations) * Interval::from(errors));
-        Ok(Asked::Blocks(vec![Block { kind: Kind::Cone, rows: [vec![first], rows].concat() }]))
-    };
-    let one = Functional::constant(Interval::ONE);
-    match &limit.of {
-        Measure::Mass => between(Functional::mass(), one),
-        Measure::Center { along, from: p } => {
-            between(Functional::first_from(unit(*along), from(*p)), Functional::mass())
-        }
-        Measure::CenterFromPoint(p) => {
-            let rows = UNITS.map(|u| Functional::first_from(u.map(Interval::from), from(*p)));
-            norm(rows.to_vec(), Functional::mass())
-        }
+    let unit = |u: Direction<Body>| u.direction().unwrap_or(u).to_array();
+    let body = moments(&estimate.properties, origin);
+    let margin = |row: &Functional| if deviations > 0.0 { row.sd(estimate, origin) } else { 0.0 };
+    let linear = |of: Functional, is_zero| Rule::Linear(Row::new(of.added_to(&body), is_zero));
+    // least ≤ f ≤ most, or least M ≤ f ≤ most M; or a norm |f| ≤ most, or most M.
+    let (mass, coordinate) = (Functional::MASS, |u: Vector, p: Position<Body>| Functional::first(u, from(p)));
+    let (rows, by, is_norm) = match &limit.of {
+        Measure::Mass => (vec![mass], ONE, false),
+        Measure::Center { along, from } => (vec![coordinate(unit(*along), *from)], mass, false),
+        Measure::CenterFromPoint(p) => (UNITS.map(|u| coordinate(u, *p)).to_vec(), mass, true),
         Measure::CenterFromLine { point, along } => {
-            let rows = across(*along).map(|u| Functional::first_from(u, from(*point)));
-            norm(rows.to_vec(), Functional::mass())
+            (across_axes(*along).map(|u| coordinate(u.to_array(), *point)).to_vec(), mass, true)
         }
         Measure::StaticUnbalance { point, along } => {
-            let rows = across(*along).map(|u| Functional::first_from(u, from(*point)));
-            norm(rows.to_vec(), one)
+            (across_axes(*along).map(|u| coordinate(u.to_array(), *point)).to_vec(), ONE, true)
         }
         Measure::CoupleUnbalance { point, along } => {
-            let rows = across(*along).map(|u| Functional::second_from(unit(*along), u, from(*point)));
-            norm(rows.to_vec(), one)
+            let couple =
+                |u: Direction<Body>| Functional::second(outer(unit(*along), u.to_array()), from(*point));
+            (across_axes(*along).map(couple).to_vec(), ONE, true)
         }
         Measure::Moment { axis, about: About::Point(p) } => {
-            let (u, p) = (unit(*axis), from(*p));
-            let all = UNITS.iter().map(|e| {
-                let e = e.map(Interval::from);
-                Functional::second_from(e, e, p)
-            });
-            between(all.fold(-Functional::second_from(u, u, p), |sum, f| sum + f), one)
+            let [xx, yy, zz, xy, xz, yz] = outer(unit(*axis), unit(*axis));
+            let across = [1.0 - xx, 1.0 - yy, 1.0 - zz, -xy, -xz, -yz];
+            (vec![Functional::second(across, from(*p))], ONE, false)
         }
-        Measure::Product { axes: [u, v], sign, about } => {
-            // ∫ u v dm is the positive integral.
-            let factor = Interval::from(-sign.factor());
-            let (u, v) = (unit(*u), unit(*v));
-            match about {
-                About::Point(p) => between(Functional::second_from(u, v, from(*p)) * factor, one),
-                About::CenterOfMass => {
-                    if deviations > 0.0 {
-                        return Err(refused(
-                            "a margin for errors can be kept of products about a point that is fixed in the body only",
-                        ));
-                    }
-                    let (least, most) = if factor.low > 0.0 {
-                        (limit.least, limit.most)
-                    } else {
-                        (limit.most.map(|x| -x), limit.least.map(|x| -x))
-                    };
-                    Ok(Asked::Product { axes: [u, v], least, most })
-                }
+        Measure::Product { axes: [u, v], sign, about: About::Point(p) } => {
+            let integral = Functional::second(outer(unit(*u), unit(*v)), from(*p));
+            (vec![Functional::ZERO.plus(-sign.factor(), &integral)], ONE, false)
+        }
+        Measure::Product { axes, sign, about: About::CenterOfMass } => {
+            if deviations > 0.0 {
+                return Err(refused(
+                    "a margin for errors can be kept of products about a point that is fixed in the body only",
+                ));
             }
+            let is_zero = limit.least.is_some() && limit.least == limit.most;
+            let side = |(bound, side): (Option<f64>, f64)| {
+                // ∫ u v dm is the positive integral.
+                let (sign, bound) = (-sign.factor() * side, -sign.factor() * bound?);
+                Some(Rule::Product { axes: axes.map(unit), body, sign, bound, is_zero })
+            };
+            let sides = [(limit.least, 1.0), (limit.most.filter(|_| !is_zero), -1.0)];
+            return Ok(sides.into_iter().filter_map(side).collect());
         }
         Measure::Moment { about: About::CenterOfMass, .. } => {
-            Err(refused("ballast can be found for moments about a point that is fixed in the body only"))
+            return Err(refused(
+                "ballast can be found for moments about a point that is fixed in the body only",
+            ));
         }
         Measure::PrincipalMoment(_)
         | Measure::PrincipalRatio(_)
         | Measure::Tilt { .. }
         | Measure::SpinRatio(_)
-        | Measure::SpinStability(_) => Err(refused(
-            "ballast can be found for masses, centres, products and unbalance: an axis is principal where its two products about the centre of mass are zero",
-        )),
+        | Measure::SpinStability(_) => {
+            return Err(refused(
+                "ballast can be found for masses, centres, products and unbalance: an axis is principal where its two products about the centre of mass are zero",
+            ));
+        }
+    };
+    if is_norm && limit.least.is_some_and(|least| least > 0.0) {
+        return Err(refused("ballast can keep a distance or an unbalance below a value, not above one"));
     }
-}
-
-const UNITS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-
-/// Two directions across a line, perpendicular.
-fn across(along: Direction<Body>) -> [Vector; 2] {
-    crate::limit::across_axes(along).map(|u| u.to_array().map(Interval::from))
-}
-
-impl core::ops::Neg for Functional {
-    type Output = Self;
-    fn neg(self) -> Self {
-        self * -Interval::ONE
+    let least = limit.least.filter(|_| !is_norm);
+    let equal = limit.most.filter(|most| if is_norm { *most == 0.0 } else { least == Some(*most) });
+    if let Some(value) = equal {
+        let rows: Vec<Functional> = rows.iter().map(|row| row.plus(-value, &by)).collect();
+        if rows.iter().any(|row| margin(row) > 0.0) {
+            return Err(refused("an equality cannot be kept with a margin for errors"));
+        }
+        return Ok(rows.into_iter().map(|row| linear(row, true)).collect());
     }
+    // In any direction θ: var(g − θ·f) ≤ (sd g + √Σ var f)²
+    let side =
+        |greatest: Functional, errors: f64| greatest.plus(-deviations * (errors + margin(&greatest)), &ONE);
+    let most = limit.most.map(|most| Functional::ZERO.plus(most, &by));
+    if is_norm {
+        let errors = rows.iter().map(|row| margin(row).powi(2)).sum::<f64>().sqrt();
+        let Some(first) = most.map(|most| side(most, errors)) else { return Ok(Vec::new()) };
+        // The sides of a square around the cone: they keep linear programs near the cone.
+        let sides = rows.iter().flat_map(|row| [-1.0, 1.0].map(|by| linear(first.plus(by, row), false)));
+        let cone = core::iter::once(&first).chain(&rows).map(|row| row.added_to(&body));
+        return Ok(sides.chain([Rule::Cone(cone.collect())]).collect());
+    }
+    let above = least.map(|least| rows[0].plus(-least, &by));
+    let below = most.map(|most| most.plus(-1.0, &rows[0]));
+    Ok(above.into_iter().chain(below).map(|row| linear(side(row, 0.0), false)).collect())
 }
+
+pub(super) const ONE: Functional = Functional { constant: 1.0, ..Functional::ZERO };
+
+const UNITS: [Vector; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

@@ -1,339 +1,205 @@
-//! Branch and bound: regions of sizes and of centres are split until none can have lighter ballast.
+//! Multistart of the local search, and exchanges of pieces of given sizes.
 
-use core::cmp::Ordering;
-use std::collections::BinaryHeap;
+use super::problem::{Lot, Problem, ROUNDING, total};
 
-use super::problem::{Column, Problem};
-use super::proof::{Prices, Tree};
-use super::region::{Cell, Region};
-use super::relaxation::{Placed, Relaxed, Until, Work};
-use super::row::Functional;
-use super::step::{Splitting, Step};
+/// Masses of starts at a single place, as parts of the body; used where products are limited.
+const ALONE: [f64; 3] = [0.2, 2.0, 20.0];
 
-/// What was found, and what is proved.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Outcome {
-    /// The lightest that was found.
-    pub(super) found: Option<Vec<(Column, f64)>>,
-    /// The proof of what nothing is below.
-    pub(super) tree: Tree,
-    /// Of ballast up to this, kg.
-    pub(super) cap: f64,
-    /// How many regions were looked at, and how many variables the programs had.
-    pub(super) looked_at: usize,
-    pub(super) effort: usize,
-    /// Whether more of these would have been needed.
-    pub(super) is_spent: bool,
-}
+/// The most exchanges. One in which lots move counts as `MOVES` for each lot.
+const WORK: usize = 500_000;
+const MOVES: usize = 16;
 
-/// The search begins anew, with what is lighter than ballast that was found, where this is a part of 1/64 lighter for each region that is lost.
-const WORTH: f64 = 64.0;
+/// Remainders that are rounded up to one piece, as parts of the least piece.
+const SHARES: [f64; 3] = [1.0, 0.5, 0.0];
 
-/// No more than this part of the effort goes into ballast that is tried, and the rest into what is proved.
-const TRIED: usize = 3;
+/// More pieces than this at one place move together, except `SINGLES`.
+const FEW: f64 = 12.0;
+const SINGLES: usize = 2;
 
-/// In one of so many regions sums are chosen each after what the others then are.
-const ONE_BY_ONE: usize = 4;
+/// Exchanges at three sites are tried if those at two are no more than this.
+const TRIPLES: usize = 5_000;
 
-pub(super) struct Node {
-    pub(super) region: Region,
-    prices: Prices,
-    /// What nothing in it is below.
-    bound: f64,
-    /// How it is split if it has to be.
-    step: Option<Step>,
-    /// What it was split into.
-    parts: Vec<usize>,
-}
-
-/// A region that may have lighter ballast; those of the least bound are the greatest.
-#[derive(PartialEq)]
-struct Open {
-    bound: f64,
-    place: usize,
-}
-
-impl Eq for Open {}
-
-impl Ord for Open {
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.bound.total_cmp(&self.bound).then(other.place.cmp(&self.place))
-    }
-}
-
-impl PartialOrd for Open {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
+/// Relative difference below which masses are equal.
+const SAME: f64 = 1e-10;
 
 pub(super) struct Search<'a> {
-    pub(super) problem: &'a Problem,
-    pub(super) work: Work,
-    /// What `work` had.
-    pub(super) effort: usize,
-    looked_at: usize,
-    /// What ballast that was tried took of the effort, and how often.
-    tried: usize,
-    times: usize,
-    pub(super) nodes: Vec<Node>,
-    open: BinaryHeap<Open>,
-    found: Option<(f64, Vec<(Column, f64)>)>,
-    cap: f64,
-    gap: f64,
+    problem: &'a Problem,
+    work: usize,
+    best: Option<Vec<Lot>>,
 }
 
 impl<'a> Search<'a> {
-    /// Until what is found is proved but for a part of its mass, or programs of so many variables are solved.
-    pub(super) fn new(problem: &'a Problem, gap: f64, effort: usize) -> Self {
-        Self {
-            problem,
-            work: Work::new(effort),
-            effort,
-            looked_at: 0,
-            tried: 0,
-            times: 0,
-            nodes: Vec::new(),
-            open: BinaryHeap::new(),
-            found: None,
-            cap: problem.cap,
-            gap,
+    /// Returns the lightest ballast that the search finds.
+    pub(super) fn best(problem: &'a Problem) -> Option<Vec<Lot>> {
+        let mut search = Self { problem, work: 0, best: None };
+        search.offer(&[]);
+        let mut starts = vec![(0.0, Vec::new())];
+        for part in ALONE.into_iter().filter(|_| problem.has_products()) {
+            let mass = |site: usize| (part * problem.mass).min(problem.most[site]);
+            let seeds = problem.seeds().into_iter();
+            starts.extend(seeds.map(|lot| (part, vec![Lot { mass: mass(lot.site), ..lot }])));
         }
-    }
-
-    pub(super) fn run(mut self) -> Outcome {
-        self.offer(Some(Vec::new()));
-        if self.found.is_some() {
-            let nothing = Prices { of: Vec::new(), of_cells: Vec::new(), of_mass: true };
-            return self.outcome(Tree::Leaf(nothing));
-        }
-        self.guide();
-        self.cap = self.limit();
-        self.look(self.problem.root(self.cap), None);
-        while !self.work.is_spent {
-            // Light ballast moves the centre little, and needs few sizes: the region becomes smaller once some is found, if little is lost.
-            if let Some((mass, _)) = self.found
-                && (self.cap / mass - 1.0) * WORTH > self.nodes.len() as f64
-            {
-                self.cap = mass;
-                self.nodes.clear();
-                self.open.clear();
-                self.look(self.problem.root(self.cap), None);
-            }
-            // The least bound first: when that is closed, all are.
-            let Some(Open { bound, place }) = self.open.pop() else { break };
-            if self.is_closed(bound) {
+        for (part, start) in starts {
+            // Heavy starts are tried only if no lighter one succeeded.
+            if search.best.is_some() && (search.limit() == 0.0 || part > ALONE[0]) {
                 break;
             }
-            let Some(step) = self.nodes[place].step else {
-                // What cannot be split stays open; elsewhere there may be some ballast.
-                if self.found.is_some() { break } else { continue }
-            };
-            let region = &self.nodes[place].region;
-            let parts = match step {
-                Step::Split(branch) => self.problem.split(region, branch).to_vec(),
-                Step::Part { cell, axis, at } => vec![self.problem.parted(region, cell, axis, at)],
-            };
-            self.nodes[place].parts =
-                parts.into_iter().map(|region| self.look(region, Some(place))).collect();
-        }
-        let tree = self.tree(0);
-        self.outcome(tree)
-    }
-
-    fn outcome(self, tree: Tree) -> Outcome {
-        Outcome {
-            found: self.found.map(|(_, pieces)| pieces),
-            tree,
-            cap: self.cap,
-            looked_at: self.looked_at,
-            effort: self.effort - self.work.left,
-            is_spent: self.work.is_spent,
-        }
-    }
-
-    fn is_closed(&self, bound: f64) -> bool {
-        match &self.found {
-            None => bound == f64::INFINITY,
-            Some((mass, _)) => bound >= mass * (1.0 - self.gap),
-        }
-    }
-
-    pub(super) fn limit(&self) -> f64 {
-        self.found.as_ref().map_or(self.cap, |(mass, _)| mass.min(self.cap))
-    }
-
-    /// Looks at a region, and says where its node is.
-    fn look(&mut self, region: Region, within: Option<usize>) -> usize {
-        let none = || Prices { of: Vec::new(), of_cells: Vec::new(), of_mass: true };
-        if region.is_empty() {
-            return self.push(Node {
-                region,
-                prices: none(),
-                bound: f64::INFINITY,
-                step: None,
-                parts: Vec::new(),
-            });
-        }
-        let until = self.until();
-        let relaxed = self.problem.relaxed(&region, &mut self.work, until);
-        let Some(Relaxed { prices, price, pieces }) = relaxed else {
-            let prices = within.map_or_else(none, |within| self.nodes[within].prices.clone());
-            let bound = self.problem.bound(&prices, &region, self.limit());
-            let step = self.splitting(&region).middle(&region);
-            return self.push(Node { region, prices, bound, step, parts: Vec::new() });
-        };
-        let mut step = None;
-        if let Some(pieces) = pieces {
-            if self.tries() {
-                let before = self.work.left;
-                self.try_near(&region, &pieces, &price);
-                self.tried += before - self.work.left;
-                self.times += 1;
-            } else {
-                let near = self.problem.in_pieces(&region, &pieces, false);
-                self.offer(self.problem.corrected(near));
+            let (lots, _) = problem.relaxed(&start);
+            if problem.sizes.iter().all(Vec::is_empty) {
+                for lots in [problem.merged(&lots), lots] {
+                    search.offer(&problem.local_minimum(lots).0);
+                }
+                continue;
             }
-            let bound = self.problem.bound(&prices, &region, self.limit());
-            if !self.is_closed(bound) {
-                step = self.splitting(&region).step(&region, &pieces);
+            for share in SHARES {
+                search.exchange(problem.rounded(&lots, share));
             }
         }
-        let mut prices = prices;
-        let mut bound = self.problem.bound(&prices, &region, self.limit());
-        // The prices of what it is a part of hold here too.
-        if let Some(others) = within.map(|within| self.nodes[within].prices.clone())
-            && let by_others = self.problem.bound(&others, &region, self.limit())
-            && by_others > bound
-        {
-            (prices, bound) = (others, by_others);
+        // Pieces may be best far from where masses of any size are.
+        if problem.sizes.iter().any(|sizes| !sizes.is_empty()) {
+            search.exchange(Vec::new());
         }
-        if step.is_none() && !self.is_closed(bound) {
-            step = self.splitting(&region).middle(&region);
-        }
-        self.push(Node { region, prices, bound, step, parts: Vec::new() })
+        search.best
     }
 
-    /// How regions are split: as parts of the first of all, which this is if there is none yet.
-    fn splitting<'b>(&'b self, region: &'b Region) -> Splitting<'b> {
-        Splitting { problem: self.problem, first: self.nodes.first().map_or(region, |node| &node.region) }
-    }
-
-    fn until(&self) -> Until {
-        let above = |(mass, _): &(f64, Vec<_>)| mass * (1.0 - self.gap);
-        if self.problem.is_split() {
-            Until::Above(self.found.as_ref().map_or(f64::INFINITY, above))
-        } else {
-            Until::Solved
+    /// Replaces the incumbent by ballast that meets all limits and is lighter, or has fewer lots.
+    fn offer(&mut self, lots: &[Lot]) {
+        let fewer = self.best.as_ref().is_some_and(|best| lots.len() < best.len());
+        let limit = self.limit() * if fewer { 1.0 + 2.0 * SAME } else { 1.0 };
+        if total(lots) < limit && self.problem.is_met(lots) {
+            self.best = Some(lots.to_vec());
         }
     }
 
-    fn push(&mut self, node: Node) -> usize {
-        self.looked_at += 1;
-        let place = self.nodes.len();
-        if !self.is_closed(node.bound) {
-            self.open.push(Open { bound: node.bound, place });
-        }
-        self.nodes.push(node);
-        place
+    /// Returns the mass below which ballast is lighter than the incumbent.
+    fn limit(&self) -> f64 {
+        self.best.as_ref().map_or(f64::INFINITY, |best| total(best) * (1.0 - SAME))
     }
 
-    /// Takes ballast if it meets all limits and is lighter than what was found.
-    fn offer(&mut self, pieces: Option<Vec<(Column, f64)>>) {
-        let Some(mut pieces) = pieces else { return };
-        pieces.sort_by_key(|(column, _)| column.site);
-        let Some(mass) = self.problem.mass(&pieces) else { return };
-        let lighter = self.found.as_ref().is_none_or(|(found, _)| mass < *found);
-        if lighter && self.problem.is_met(&pieces) {
-            self.found = Some((mass, pieces));
-        }
-    }
-
-    /// Whether there is effort for more ballast to be tried.
-    fn tries(&self) -> bool {
-        self.tried * TRIED <= self.effort - self.work.left
-    }
-
-    /// Takes pieces near these.
-    pub(super) fn offer_near(&mut self, pieces: &[(Column, f64)], price: Option<&Functional>) {
-        let polished = self.problem.polished(pieces, price, &mut self.work);
-        self.offer(polished);
-    }
-
-    /// Ballast near that of a region: as it is, with the nearest sizes, and with the centre where it is but along one coordinate, so that products about it are linear.
-    fn try_near(&mut self, region: &Region, placed: &[Placed], price: &Functional) {
+    /// Exchanges pieces at up to two sites, or three if all are points, while that helps.
+    ///
+    /// An exchange helps if it lowers the violation, or meets the limits with a lower mass. They are
+    /// tried in the order of the mass of all pieces if the limits are met, else of the violation.
+    fn exchange(&mut self, start: Vec<Lot>) {
         let problem = self.problem;
-        if !problem.is_split() {
-            let pieces = problem.in_pieces(region, placed, false);
-            self.offer_near(&pieces, Some(price));
-            return;
-        }
-        let one_by_one = self.times.is_multiple_of(ONE_BY_ONE);
-        let Some((fixed, placed)) = self.with_sums(region, placed, one_by_one) else { return };
-        let center = problem.center(&problem.in_pieces(&fixed, &placed, false));
-        for free in 0..center.len().max(1) {
-            let mut fixed = fixed.clone();
-            for (k, (at, [low, high])) in center.iter().zip(&region.boxes).enumerate() {
-                if k != free || center.len() == 1 {
-                    fixed.boxes[k] = [at.clamp(*low, *high); 2];
+        let (mut lots, mut violation) = problem.local_minimum(start);
+        let seeds = problem.seeds().into_iter();
+        let free: Vec<Lot> = seeds.filter(|lot| problem.sizes[lot.site].is_empty()).collect();
+        let moves = !lots.iter().all(|lot| lot.size.is_some() && problem.charts[lot.site].is_point());
+        'better: loop {
+            if violation == 0.0 {
+                self.offer(&lots);
+            }
+            let limit = self.limit();
+            let key = |lots: &[Lot]| {
+                let sized: f64 = lots.iter().filter(|lot| lot.size.is_some()).map(|lot| lot.mass).sum();
+                (sized < limit).then(|| if violation == 0.0 { sized } else { problem.violation(lots) })
+            };
+            let mut all = vec![(0, lots.clone())];
+            for depth in 0..3 {
+                if depth == 2 && (moves || all.len() > TRIPLES) {
+                    break;
+                }
+                all = all.iter().flat_map(|(site, one)| problem.exchanged(one, *site)).collect();
+                self.work += all.len();
+                let keyed = all.iter().filter_map(|(_, lots)| Some((key(lots)?, lots)));
+                let mut tried: Vec<(f64, &Vec<Lot>)> = keyed.collect();
+                tried.sort_by(|a, b| a.0.total_cmp(&b.0));
+                for (_, trial) in tried {
+                    self.work += if moves { MOVES * trial.len() } else { 0 };
+                    if self.work > WORK {
+                        return;
+                    }
+                    let next = problem.local_minimum([&trial[..], &free].concat());
+                    let helps = if next.1 == 0.0 { total(&next.0) < limit } else { next.1 < 0.9 * violation };
+                    if helps {
+                        (lots, violation) = next;
+                        continue 'better;
+                    }
                 }
             }
-            let relaxed = problem.relaxed(&fixed, &mut self.work, Until::Solved);
-            let price = relaxed.as_ref().map(|relaxed| relaxed.price);
-            let placed = relaxed.and_then(|relaxed| relaxed.pieces).unwrap_or_else(|| placed.clone());
-            let few = problem.in_pieces(&fixed, &placed, false);
-            let many = problem.in_pieces(&fixed, &placed, true);
-            self.offer_near(&few, price.as_ref());
-            if many.len() > few.len() {
-                self.offer_near(&many, price.as_ref());
-            }
+            return;
         }
     }
+}
 
-    /// A region in which each sum is one that there is near what it was: all at once, or each after what the others then are.
-    fn with_sums(
-        &mut self,
-        region: &Region,
-        placed: &[Placed],
-        one_by_one: bool,
-    ) -> Option<(Region, Vec<Placed>)> {
-        let (mut region, mut placed) = (region.clone(), placed.to_vec());
-        loop {
-            let totals = region.summed(placed.iter().map(|piece| (piece.cell, piece.mass)));
-            let near = |(k, cell): (usize, &Cell)| {
-                let sums = self.problem.sums[cell.site].as_ref()?;
-                let index = sums.nearest(totals[k], cell.sums);
-                let beside = (totals[k] - sums.at(index)[1]).max(sums.at(index)[0] - totals[k]).max(0.0);
-                (cell.sums[0] < cell.sums[1]).then_some((beside, k, index))
-            };
-            let mut open: Vec<_> = region.leaves().filter_map(near).collect();
-            if open.is_empty() {
-                return Some((region, placed));
+impl Problem {
+    /// Returns pieces in place of masses: the largest sizes first.
+    ///
+    /// A remainder of at least `share` of the least size is rounded up to one piece.
+    fn rounded(&self, lots: &[Lot], share: f64) -> Vec<Lot> {
+        let mut all: Vec<Lot> = Vec::new();
+        for lot in lots {
+            let sizes = &self.sizes[lot.site];
+            if sizes.is_empty() {
+                all.push(*lot);
             }
-            open.sort_by(|a, b| a.0.total_cmp(&b.0));
-            let now = open.iter().filter(|(beside, ..)| *beside <= 1e-7 * self.cap).count().max(1);
-            for (_, cell, index) in &open[..if one_by_one { now } else { open.len() }] {
-                region.cells[*cell].sums = [*index; 2];
+            if self.charts[lot.site].is_point() {
+                let target = (1.5 - share) * lot.mass;
+                let beside = |mass: &f64| (mass - target).abs();
+                let nearest = sizes.iter().copied().min_by(|a, b| beside(a).total_cmp(&beside(b)));
+                let nearest = nearest.filter(|size| 2.0 * target > *size);
+                all.extend(nearest.map(|mass| Lot { mass, size: Some(mass), ..*lot }));
+                continue;
             }
-            self.problem.tighten(&mut region);
-            if region.is_empty() {
-                return None;
+            let mut rest = lot.mass;
+            for (k, size) in sizes.iter().enumerate().rev() {
+                let over = if k == 0 { 1.0 - share } else { ROUNDING };
+                let count = (rest / size + over).floor();
+                rest -= count * size;
+                let singles = if count > FEW { SINGLES } else { count as usize };
+                let pile = (count - singles as f64) * size;
+                let masses = core::iter::once(pile).chain((0..singles).map(|_| *size));
+                all.extend(masses.filter(|mass| *mass > 0.0).map(|mass| Lot {
+                    mass,
+                    size: Some(*size),
+                    ..*lot
+                }));
             }
-            let until = self.until();
-            placed = self.problem.relaxed(&region, &mut self.work, until)?.pieces?;
         }
+        all
     }
 
-    fn tree(&self, place: usize) -> Tree {
-        let node = &self.nodes[place];
-        match (&node.parts[..], node.step) {
-            ([below, above], Some(Step::Split(branch))) => {
-                Tree::Split { branch, below: Box::new(self.tree(*below)), above: Box::new(self.tree(*above)) }
+    /// Returns the results of all exchanges of one piece, at the sites from `from` on.
+    ///
+    /// A piece or none is taken away, and another or none is put where the violation is then least,
+    /// or at each of a few places if there is at most one piece next to sites for any mass.
+    /// Each result has the first site for a further exchange.
+    fn exchanged(&self, lots: &[Lot], from: usize) -> Vec<(usize, Vec<Lot>)> {
+        let mut all = Vec::new();
+        let pieces = lots.iter().filter(|lot| lot.size.is_some()).count();
+        let tries_places = pieces <= 1 && self.sizes.iter().any(Vec::is_empty);
+        for (site, sizes) in self.sizes.iter().enumerate().skip(from) {
+            let choices = || sizes.iter().copied().map(Some).chain([None]);
+            for (takes, puts) in choices().flat_map(|takes| choices().map(move |puts| (takes, puts))) {
+                let mut lots = lots.to_vec();
+                let mut places = self.charts[site].seeds();
+                if let Some(size) = takes {
+                    let own = (0..lots.len()).filter(|k| lots[*k].site == site && lots[*k].size == takes);
+                    let least = own.min_by(|i, j| lots[*i].mass.total_cmp(&lots[*j].mass));
+                    let Some(least) = least.filter(|_| takes != puts) else { continue };
+                    places.push(lots[least].at);
+                    lots[least].mass -= size;
+                    lots.retain(|lot| lot.size.is_none_or(|size| lot.mass > 0.5 * size));
+                }
+                let mut results = vec![lots];
+                if let Some(size) = puts {
+                    let lots = &results[0];
+                    places.extend(lots.iter().filter(|lot| lot.site == site).map(|lot| lot.at));
+                    let put = |at| [&lots[..], &[Lot { site, at, mass: size, size: puts }]].concat();
+                    let mut put: Vec<Vec<Lot>> = places.into_iter().map(put).collect();
+                    // The violation without the other masses does not tell which place is best.
+                    if !tries_places {
+                        put.sort_by(|a, b| self.violation(a).total_cmp(&self.violation(b)));
+                        put.truncate(1);
+                    }
+                    results = put;
+                }
+                results.retain(|lots| takes != puts && self.fits(lots));
+                let next = site + usize::from(self.charts[site].is_point());
+                all.extend(results.into_iter().map(|lots| (next, lots)));
             }
-            ([rest], Some(Step::Part { cell, axis, at })) => {
-                Tree::Parted { cell, axis, at, rest: Box::new(self.tree(*rest)) }
-            }
-            _ => Tree::Leaf(node.prices.clone()),
         }
+        all
     }
 }

@@ -1,21 +1,21 @@
-//! Where ballast may be.
+//! Sites of ballast.
 
 use polhode::math::{Body, Direction, Position};
 
 /// A place for ballast.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Site {
-    /// What to call it.
+    /// Name of the site.
     pub name: String,
-    /// Where it is.
+    /// Place of the ballast.
     pub place: Place,
-    /// The most mass that it takes, kg.
+    /// Greatest mass that it takes, kg.
     pub most: Option<f64>,
-    /// The masses that pieces have, kg: a point takes one or none, other places any number. Without, any mass.
+    /// Sizes of pieces, kg: a point takes at most one, other places any number. Empty: any mass.
     pub sizes: Vec<f64>,
 }
 
-/// The form of a place, in the body. Of all but a point, several masses may be in it.
+/// Form of a place, in the body. All but a point take several masses.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Place {
     /// A point, m.
@@ -31,21 +31,24 @@ pub enum Place {
 /// A circle in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Round {
-    /// Its middle, m.
+    /// Centre, m.
     pub center: Position<Body>,
-    /// A direction across its plane, of any length.
+    /// Normal of its plane, of any length.
     pub normal: Direction<Body>,
-    /// m
+    /// Radius, m.
     pub radius: f64,
 }
 
 impl Site {
-    /// Any mass at a place.
+    /// Returns a site for any mass.
     pub fn new(name: impl Into<String>, place: Place) -> Self {
         Self { name: name.into(), place, most: None, sizes: Vec::new() }
     }
 
-    /// The holes of a bolt circle, each a point, evenly from a direction on, right-handed about the normal, named by their numbers from 1. None if a direction is zero or along the normal.
+    /// Returns the holes of a bolt circle as points, named by their numbers from 1.
+    ///
+    /// They follow each other evenly from the first direction on, right-handed about the normal.
+    /// There are none if a direction is zero or along the normal.
     pub fn bolt_circle(name: &str, round: Round, first: Direction<Body>, holes: u32) -> Vec<Self> {
         let Some(n) = round.normal.direction() else { return Vec::new() };
         let Some(u) = (first - n * n.dot(first)).direction() else { return Vec::new() };

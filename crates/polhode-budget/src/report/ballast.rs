@@ -1,5 +1,6 @@
-//! The least ballast by which limits are met.
+//! Ballast by which limits are met.
 
+use crate::{Ballast, BallastAnswer, FoundBallast, Limit};
 use polhode_document::Section;
 use polhode_document::layout::printable;
 use polhode_document::number::{count, number, tidy};
@@ -8,9 +9,8 @@ use serde_json::{Value, json};
 use super::case::Case;
 use super::found::Found;
 use super::limits::{allowed, shown_unit};
-use crate::{Ballast, BallastAnswer, FoundBallast, Limit, UndecidedBallast};
 
-pub(crate) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Option<Section> {
+pub(super) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Option<Section> {
     let Found { answer, left_out } = case.ballast.as_ref()?;
     let mut section = Section::new(0, "Ballast");
     let mut reasons: Vec<&str> = left_out.iter().map(|(_, why)| *why).collect();
@@ -21,22 +21,19 @@ pub(crate) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Optio
     }
     let sought = sought(left_out, limits);
     let found = match answer {
-        BallastAnswer::Least(least) => least,
-        BallastAnswer::None(none) => {
-            section.say(format!(
-                "No ballast at these sites, up to {} kg, meets {sought}. That is proved: the prices of the limits leave none in {}.",
-                number(none.up_to, 6),
-                regions(none.regions)
-            ));
-            return Some(section);
-        }
-        BallastAnswer::Undecided(UndecidedBallast { found: Some(found), .. }) => found,
-        BallastAnswer::Undecided(undecided) => {
-            section.say(format!(
-                "No ballast was found that meets {sought}, and none below {} kg does; whether more would is not decided{}.",
-                number(undecided.bound, 9),
-                ended(undecided)
-            ));
+        BallastAnswer::Found(found) => found,
+        BallastAnswer::NotFound(none) => {
+            let up_to = number(none.up_to, 6);
+            section.say(if none.is_proved() {
+                format!(
+                    "No ballast at these sites, up to {up_to} kg, meets {sought}. The lower bound proves that."
+                )
+            } else {
+                format!(
+                    "No ballast was found at these sites, up to {up_to} kg, that meets {sought}. That none exists is not proved: the lower bound is {} kg.",
+                    number(none.bound, 9)
+                )
+            });
             return Some(section);
         }
     };
@@ -61,21 +58,16 @@ pub(crate) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Optio
     };
     section.table(head, found.pieces.iter().map(row).collect());
     let others = others(case, found, left_out, limits, "with it");
-    section.say(match answer {
-        BallastAnswer::Undecided(undecided) => format!(
-            "{} kg is the lightest that was found, and none below {} kg meets {sought} (gap {}), as the prices of the limits prove, checked in intervals; what is between is not decided{}{others}.",
-            number(found.mass, 9),
-            number(found.bound, 9),
-            number(found.gap(), 2),
-            ended(undecided)
-        ),
-        _ => format!(
-            "{} kg is the least: none below {} kg meets {sought} (gap {}), as the prices of the limits prove, checked in intervals, in {}{others}.",
-            number(found.mass, 9),
-            number(found.bound, 9),
-            number(found.gap(), 2),
-            regions(found.regions),
-        ),
+    let mass = number(found.mass, 9);
+    let bound = format!(
+        "no ballast below {} kg meets {sought} (gap {})",
+        number(found.bound, 9),
+        number(found.gap(), 2)
+    );
+    section.say(if found.is_least() {
+        format!("{mass} kg is the least: {bound}{others}.")
+    } else {
+        format!("{mass} kg is the lightest that was found, not proved least: {bound}{others}.")
     });
     if ballast.deviations > 0.0 {
         section.say(format!(
@@ -95,36 +87,32 @@ pub(crate) fn section(case: &Case, ballast: &Ballast, limits: &[Limit]) -> Optio
 }
 
 /// `Least ballast 0.123 kg, in 2 pieces: proved`, of the limits that it was sought for.
-pub(crate) fn in_words(case: &Case, limits: &[Limit]) -> Option<String> {
+pub(super) fn in_words(case: &Case, limits: &[Limit]) -> Option<String> {
     let Found { answer, left_out } = case.ballast.as_ref()?;
     let sought = sought(left_out, limits);
-    Some(match answer {
-        BallastAnswer::None(_) => format!("No ballast at these sites meets {sought}"),
-        BallastAnswer::Least(least) if least.pieces.is_empty() => {
-            let others = others(case, least, left_out, limits, "without");
-            let is_one = !left_out.is_empty() && limits.len() == left_out.len() + 1;
-            let is = if is_one { "is" } else { "are" };
-            format!("No ballast is needed: {sought} {is} met without{others}")
+    let found = match answer {
+        BallastAnswer::NotFound(none) if none.is_proved() => {
+            return Some(format!("No ballast at these sites meets {sought}"));
         }
-        BallastAnswer::Least(least) => {
-            let of = if left_out.is_empty() { String::new() } else { format!(" for {sought}") };
-            let others = others(case, least, left_out, limits, "with it");
-            format!("Least ballast {} kg, in {}{of}: proved{others}", number(least.mass, 4), pieces(least))
+        BallastAnswer::NotFound(_) => {
+            return Some(format!("No ballast was found that meets {sought}; that none exists is not proved"));
         }
-        BallastAnswer::Undecided(UndecidedBallast { found: Some(found), .. }) => {
-            let of = if left_out.is_empty() { String::new() } else { format!(" for {sought}") };
-            format!(
-                "Ballast of {} kg, in {}{of}: not proved to be the least, which is {} kg or more{}",
-                number(found.mass, 4),
-                pieces(found),
-                number(found.bound, 4),
-                others(case, found, left_out, limits, "with it")
-            )
-        }
-        BallastAnswer::Undecided(undecided) => format!(
-            "No ballast was found that meets {sought}; whether there is some of {} kg or more is not decided",
-            number(undecided.bound, 4)
-        ),
+        BallastAnswer::Found(found) => found,
+    };
+    if found.pieces.is_empty() {
+        let others = others(case, found, left_out, limits, "without");
+        let is_one = !left_out.is_empty() && limits.len() == left_out.len() + 1;
+        let is = if is_one { "is" } else { "are" };
+        return Some(format!("No ballast is needed: {sought} {is} met without{others}"));
+    }
+    let of = if left_out.is_empty() { String::new() } else { format!(" for {sought}") };
+    let others = others(case, found, left_out, limits, "with it");
+    let (mass, pieces) = (number(found.mass, 4), pieces(found));
+    Some(if found.is_least() {
+        format!("Least ballast {mass} kg, in {pieces}{of}: proved{others}")
+    } else {
+        let bound = number(found.bound, 4);
+        format!("Ballast of {mass} kg, in {pieces}{of}: not proved least, lower bound {bound} kg{others}")
     })
 }
 
@@ -169,60 +157,42 @@ fn pieces(found: &FoundBallast) -> String {
     format!("{} piece{}", count(all), if all == 1 { "" } else { "s" })
 }
 
-/// Why the search ended.
-fn ended(undecided: &UndecidedBallast) -> String {
-    let regions = regions(undecided.regions);
-    match undecided.effort {
-        Some(effort) => format!(
-            ", as the search ended after {regions}, with all its effort: `effort` in [ballast] was {}",
-            count(effort as u64)
-        ),
-        None => format!(", as {regions} were looked at, and what is left cannot be split further"),
-    }
-}
-
-fn regions(n: usize) -> String {
-    if n == 1 { "one region".to_owned() } else { format!("{} regions", count(n as u64)) }
-}
-
-pub(crate) fn to_json(case: &Case, ballast: Option<&Ballast>, limits: &[Limit]) -> Value {
+pub(super) fn to_json(case: &Case, ballast: Option<&Ballast>, limits: &[Limit]) -> Value {
     let (Some(Found { answer, left_out }), Some(ballast)) = (case.ballast.as_ref(), ballast) else {
         return Value::Null;
     };
     let left_out: Vec<&str> = left_out.iter().map(|(name, _)| name.as_str()).collect();
-    let of_found = |found: &FoundBallast, regions: usize, is_proved: bool| {
-        let piece = |piece: &crate::Piece| {
-            json!({
-                "site": ballast.sites.get(piece.site).map(|site| &site.name),
-                "position": piece.position.to_array(),
-                "mass": piece.mass,
-                "count": piece.count,
-            })
-        };
-        let met = limits.iter().filter(|limit| left_out.contains(&limit.name.as_str()));
-        let met: Vec<&str> =
-            met.filter(|limit| is_met(case, found, limit)).map(|limit| limit.name.as_str()).collect();
+    let found = match answer {
+        BallastAnswer::Found(found) => found,
+        BallastAnswer::NotFound(none) if none.is_proved() => {
+            return json!({
+                "mass": null, "none_up_to": none.up_to, "proved": true, "not_sought_for": left_out,
+            });
+        }
+        BallastAnswer::NotFound(none) => {
+            return json!({
+                "mass": null, "bound": none.bound, "proved": false, "not_sought_for": left_out,
+            });
+        }
+    };
+    let piece = |piece: &crate::Piece| {
         json!({
-            "mass": found.mass,
-            "bound": found.bound,
-            "gap": found.gap(),
-            "proved": is_proved,
-            "regions": regions,
-            "pieces": found.pieces.iter().map(piece).collect::<Value>(),
-            "not_sought_for": left_out,
-            "not_sought_for_but_met": met,
+            "site": ballast.sites.get(piece.site).map(|site| &site.name),
+            "position": piece.position.to_array(),
+            "mass": piece.mass,
+            "count": piece.count,
         })
     };
-    match answer {
-        BallastAnswer::Least(least) => of_found(least, least.regions, true),
-        BallastAnswer::None(none) => json!({
-            "mass": null, "none_up_to": none.up_to, "proved": true, "regions": none.regions, "not_sought_for": left_out,
-        }),
-        BallastAnswer::Undecided(UndecidedBallast { found: Some(found), regions, .. }) => {
-            of_found(found, *regions, false)
-        }
-        BallastAnswer::Undecided(undecided) => json!({
-            "mass": null, "bound": undecided.bound, "proved": false, "regions": undecided.regions, "not_sought_for": left_out,
-        }),
-    }
+    let met = limits.iter().filter(|limit| left_out.contains(&limit.name.as_str()));
+    let met: Vec<&str> =
+        met.filter(|limit| is_met(case, found, limit)).map(|limit| limit.name.as_str()).collect();
+    json!({
+        "mass": found.mass,
+        "bound": found.bound,
+        "gap": found.gap(),
+        "proved": found.is_least(),
+        "pieces": found.pieces.iter().map(piece).collect::<Value>(),
+        "not_sought_for": left_out,
+        "not_sought_for_but_met": met,
+    })
 }

@@ -127,7 +127,9 @@ impl BudgetReport {
         (ROWS / rows.max(1)).clamp(LEAST, Self::DRAWS)
     }
 
-    /// With the least ballast by which each configuration meets the limits; those for which none can be sought are left out, and named.
+    /// Returns the report with ballast by which each configuration meets the limits.
+    ///
+    /// Limits for which none can be sought are left out, and named.
     ///
     /// # Errors
     /// As [`Budget::ballast`], and if it can be sought for none of them.

@@ -1,8 +1,8 @@
 //! The integration tests of `polhode-budget`, as one program: each links the whole library.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
-#[cfg(feature = "ballast")]
 mod ballast;
+mod ballast_bounds;
 mod ballast_places;
 mod ballast_sizes;
 mod draws;

@@ -23,10 +23,8 @@ pub(crate) fn ballast(sites: &Value<'_>, asked: Option<&Value<'_>>) -> Result<Ba
     }
     if let Some(asked) = asked {
         let table = asked.table()?;
-        table.allow(&["most", "deviations", "effort"])?;
+        table.allow(&["most", "deviations"])?;
         ballast.most = table.get("most").map(|value| value.positive(Dimension::MASS)).transpose()?;
-        ballast.effort =
-            table.get("effort").map(|value| value.count()).transpose()?.map(|effort| effort as usize);
         if let Some(value) = table.get("deviations") {
             ballast.deviations = value.number()?;
             if !(ballast.deviations >= 0.0) {

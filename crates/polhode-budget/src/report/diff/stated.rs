@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use polhode_document::Section;
 use polhode_document::layout::printable;
-use polhode_document::number::{count, number, quaternion};
+use polhode_document::number::{number, quaternion};
 use serde_json::{Value, json};
 
 use super::item::Item;
@@ -49,8 +49,6 @@ fn of_report(report: &BudgetReport, digits: usize) -> Vec<Item> {
         let most = ballast.most.map(|most| format!("{} kg", number(most, digits)));
         all.extend(most.map(|most| Item::new("ballast, most", most)));
         all.push(Item::new("ballast, deviations", number(ballast.deviations, digits)));
-        let effort = ballast.effort.map(|effort| count(effort as u64));
-        all.extend(effort.map(|effort| Item::new("ballast, effort", effort)));
     }
     all.extend(stated.tanks.iter().flat_map(|one| tank::items(one, digits)));
     all.extend(stated.sequence.iter().flat_map(|one| happening::items(one, digits)));

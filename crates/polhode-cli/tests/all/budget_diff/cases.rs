@@ -136,7 +136,6 @@ pub(super) const CASES: &[Case] = &[
     ),
     ("[ballast]", "most", &[("\"0.7 kg\"", "\"0.8 kg\"")], &["ballast, most 0.7 kg 0.8 kg"]),
     ("[ballast]", "deviations", &[("deviations = 1.5", "deviations = 2")], &["ballast, deviations 1.5 2"]),
-    ("[ballast]", "effort", &[("effort = 30000", "effort = 40000")], &["ballast, effort 30,000 40,000"]),
     ("[[tank]]", "name", &[("\"fuel\"", "\"oil\"")], &["tank oil none", "tank fuel", "burn of the tank oil"]),
     (
         "[[tank]]",

@@ -72,7 +72,6 @@ sizes = ["10 g", "20 g"]
 [ballast]
 most = "0.7 kg"
 deviations = 1.5
-effort = 30000
 [[tank]]
 name = "fuel"
 frame = "tank"

@@ -18,7 +18,6 @@ mod statistics;
 pub use batch::{Batch, BatchError, Column, Values};
 pub use dataset::{Dataset, Progress};
 pub use error::SweepError;
-pub use outcome::{simulate, trajectories};
 pub use plan::{Plan, Sampling, Variable};
 pub use polhode_report::SweepSummary;
-pub use rows::inputs;
+pub use rows::{inputs, simulate, trajectories};

@@ -24,6 +24,8 @@ use polhode_formats::scenario::{Distribution, Law, Template, Vary};
 
 pub use polhode_formats::scenario::Sampling;
 
+use crate::outcome::columns_of;
+
 use draw::{Draw, MOST_COORDINATES};
 pub(crate) use question::Condition;
 use uniform::{Coordinate, Sets};
@@ -122,7 +124,7 @@ impl Plan {
         let variables: Vec<Variable> =
             vary.iter().flat_map(|(_, vary)| vary.target.columns().iter().map(column)).collect();
         let digest = digest::digest(&template)?;
-        let outcomes = crate::outcome::columns_of(template.nominal());
+        let outcomes = columns_of(template.nominal(), &[]);
         let condition = |question| Condition::new(&template, question, &variables, &outcomes);
         let questions = sweep.questions.iter().map(condition).collect::<Result<_, _>>()?;
         let vary = vary.into_iter().map(|(draw, vary)| (vary, draw)).collect();

@@ -24,10 +24,9 @@ use polhode_report::{
     SweepAttitude, SweepCorrelation, SweepQuantile, SweepSample, SweepShare, SweepStatistic, SweepSummary,
 };
 
-use crate::batch::{Batch, Values};
+use crate::batch::{Batch, MEMBER, Values};
 use crate::error::SweepError;
 use crate::plan::{Plan, Sampling};
-use crate::rows::MEMBER;
 use crate::sampling;
 use answers::Count;
 use attitude::MeanAttitude;

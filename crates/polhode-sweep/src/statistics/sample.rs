@@ -2,8 +2,7 @@
 
 use polhode_report::SweepSample;
 
-use crate::batch::{Batch, Values};
-use crate::rows::MEMBER;
+use crate::batch::{Batch, MEMBER, Values};
 
 /// How many, about.
 const SIZE: u64 = 4096;

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::cell::{Cell, SheetRow, cell_name};
 use super::fields;
-use super::xlsx::cells::Cells;
+use super::xlsx::{Cells, Workbook};
 use crate::error::{FormatError, FormatErrorKind, Place, Spot};
 use crate::scenario::source::Source;
 use crate::text::{cut, visible};
@@ -44,6 +44,18 @@ pub(super) enum Origin<'a> {
 }
 
 impl<'a> Sheet<'a> {
+    /// A sheet of a workbook as a table, and what is to be said of it.
+    pub(super) fn of_workbook(
+        workbook: &'a Workbook,
+        path: &'a Path,
+        name: &str,
+    ) -> Option<(Self, Vec<String>)> {
+        let (rows, cells, lines) = workbook.sheet(name)?;
+        let origin = Origin::Workbook { path, sheet: name.to_owned() };
+        let (rows, body) = (rows.into(), Body::Workbook(cells));
+        Some((Self { origin, rows, body, decimal_comma: false }, lines))
+    }
+
     pub(super) fn path(&self) -> &Path {
         match &self.origin {
             Origin::Text(source) => source.path,

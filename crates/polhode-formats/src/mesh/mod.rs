@@ -7,6 +7,7 @@ pub mod collada;
 mod fill;
 pub mod gltf;
 mod holes_left;
+mod length;
 mod notes;
 pub mod obj;
 pub mod off;
@@ -15,7 +16,6 @@ pub mod ply;
 pub mod points;
 mod polygon;
 mod repair;
-mod repair_bound;
 mod scan;
 mod solid;
 pub mod stl;
@@ -36,8 +36,8 @@ use crate::error::FormatError;
 use crate::file;
 
 pub use assumed_unit::{AssumedMetres, longest_side};
-pub use repair::{MeshLength, MeshRepair};
-pub use repair_bound::RepairBound;
+pub use length::MeshLength;
+pub use repair::{MeshRepair, RepairBound};
 pub use solid::{MeshSolid, SolidPart};
 pub use union::UnitedMesh;
 

@@ -16,7 +16,7 @@ use polhode_formats::mesh::MeshContents;
 use polhode_report::display::decimated;
 use serde::Serialize;
 
-use crate::mesh::PartNames;
+use crate::part_names::PartNames;
 use crate::rows::{Row, Rows};
 
 /// Places that a finding marks.

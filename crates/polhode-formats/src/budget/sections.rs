@@ -2,16 +2,16 @@
 
 use std::ops::Range;
 
-use crate::budget::cell::{Cell, Content};
-use crate::budget::plan;
-use crate::budget::shape::quoted;
-use crate::budget::sheet::Sheet;
+use super::cell::{Cell, Content};
+use super::plan;
+use super::shape::quoted;
+use super::sheet::Sheet;
 use crate::error::FormatError;
 
 /// The TOML that sheets stand for, and of which cell each part of it is.
 #[derive(Default)]
-pub(in crate::budget) struct Sections<'s, 'a> {
-    pub(in crate::budget) toml: String,
+pub(super) struct Sections<'s, 'a> {
+    pub(super) toml: String,
     cells: Vec<(Range<usize>, &'s Sheet<'a>, Cell<'a>)>,
 }
 
@@ -19,13 +19,13 @@ pub(in crate::budget) struct Sections<'s, 'a> {
 const PLAN: &str = "plan";
 
 /// Whether a sheet of this name is a section of a plan.
-pub(in crate::budget) fn is_section(name: &str) -> bool {
+pub(super) fn is_section(name: &str) -> bool {
     name == PLAN || plan::TABLES.contains(&name) || plan::LISTS.contains(&name)
 }
 
 impl<'s, 'a> Sections<'s, 'a> {
     /// Adds a sheet; that of the plan has to be the first.
-    pub(in crate::budget) fn add(&mut self, name: &str, sheet: &'s Sheet<'a>) -> Result<(), FormatError> {
+    pub(super) fn add(&mut self, name: &str, sheet: &'s Sheet<'a>) -> Result<(), FormatError> {
         if plan::LISTS.contains(&name) {
             return self.list(name, sheet);
         }
@@ -96,7 +96,7 @@ impl<'s, 'a> Sections<'s, 'a> {
     }
 
     /// An error of the TOML, at the cell that it is about.
-    pub(in crate::budget) fn moved(&self, error: FormatError) -> FormatError {
+    pub(super) fn moved(&self, error: FormatError) -> FormatError {
         let Some((_, sheet, _)) = self.cells.first() else { return error };
         error.moved(sheet.path(), |place| {
             let at = |range: &Range<usize>| range.contains(&place.span.start);

@@ -1,17 +1,22 @@
 //! Files and folders that use each other in a circle.
 //!
 //! The files and folders of one folder are nodes. A folder stands for everything inside it, so that a
-//! circle through its files counts as one through the folder. The uses are the paths that begin with
-//! `crate`, `super` or `self`, in `use` lines and in expressions, and a name that a module takes from
-//! another leads there. A module and those inside it are one place: neither using the other counts.
+//! circle through its files counts as one through the folder.
+//!
+//! In Rust the uses are the paths in `use` lines, in expressions and in types. A name that a module takes
+//! from another leads there. A module and those inside it are one place: neither using the other counts.
+//! In Python and TypeScript the uses are the relative imports.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use crate::{Outcome, files, read, root, short};
 
-/// Path of a module from the root of its crate: `motion`, `model`, `rotor`.
+/// Path of a module from the root of its crate or package: `motion`, `model`, `rotor`.
 type Module = Vec<String>;
+
+/// Modules and their texts.
+type Texts = [(Module, String)];
 
 /// Nodes of each folder, the nodes that each uses, and a file that does so.
 type Uses = BTreeMap<Module, BTreeMap<String, BTreeMap<String, Module>>>;
@@ -19,19 +24,17 @@ type Uses = BTreeMap<Module, BTreeMap<String, BTreeMap<String, Module>>>;
 /// Names that modules take from others, with the paths from the root of the crate.
 type Taken = BTreeMap<Module, BTreeMap<String, Module>>;
 
-/// Looks for circles in every crate.
+/// Looks for circles in every crate, in the Python package and in the viewer.
 pub(crate) fn check() -> Outcome {
     let mut found = Vec::new();
     let crates = root().join("crates");
     for entry in std::fs::read_dir(&crates).map_err(|error| format!("{}: {error}", short(&crates)))? {
         let sources = entry.map_err(|error| error.to_string())?.path().join("src");
-        let mut texts = Vec::new();
-        for path in files(&sources, "rs")?.into_iter().filter(|path| !path.ends_with("tests.rs")) {
-            texts.push((module(path.strip_prefix(&sources).unwrap_or(&path)), code(&read(&path)?)));
-        }
-        let circles = circles(&uses(&texts));
-        found.extend(circles.into_iter().map(|circle| format!("\n  {}: {circle}", short(&sources))));
+        found.extend(circles_of(&sources, "rs", |texts| uses(&rust(texts)))?);
     }
+    let package = crates.join("polhode-py/python/polhode");
+    found.extend(circles_of(&package, "py", |texts| imports(texts, python))?);
+    found.extend(circles_of(&root().join("viewer/src"), "ts", |texts| imports(texts, typescript))?);
     if found.is_empty() {
         Ok(())
     } else {
@@ -39,11 +42,83 @@ pub(crate) fn check() -> Outcome {
     }
 }
 
-/// The module of a file.
-fn module(file: &Path) -> Module {
+/// Describes the circles of the files below a folder.
+fn circles_of(sources: &Path, extension: &str, uses: impl Fn(&Texts) -> Uses) -> Result<Vec<String>, String> {
+    let mut texts = Vec::new();
+    for path in files(sources, extension)? {
+        texts.push((place(path.strip_prefix(sources).unwrap_or(&path)), read(&path)?));
+    }
+    let circles = circles(&uses(&texts)).into_iter();
+    Ok(circles.map(|circle| format!("\n  {}: {circle}", short(sources))).collect())
+}
+
+/// The path of a file, without its extension.
+fn place(file: &Path) -> Module {
     let text = file.with_extension("").to_string_lossy().replace('\\', "/");
-    let names = text.split('/').filter(|name| !["mod", "lib", "main"].contains(name));
-    names.map(str::to_owned).collect()
+    text.split('/').map(str::to_owned).collect()
+}
+
+/// The modules of Rust files and their code, without tests.
+fn rust(texts: &Texts) -> Vec<(Module, String)> {
+    let is_module = |name: &String| !["mod", "lib", "main"].contains(&name.as_str());
+    let of_program = texts.iter().filter(|(place, _)| !place.iter().any(|name| name == "tests"));
+    of_program
+        .map(|(place, text)| (place.iter().filter(|name| is_module(name)).cloned().collect(), code(text)))
+        .collect()
+}
+
+/// The uses of files that say what they import.
+fn imports(texts: &Texts, imported: impl Fn(&[String], &str) -> Vec<Module>) -> Uses {
+    let modules: BTreeSet<&Module> = texts.iter().map(|(module, _)| module).collect();
+    let mut uses = Uses::new();
+    for (here, text) in texts {
+        let folder = &here[..here.len().saturating_sub(1)];
+        for there in imported(folder, text).iter().filter(|there| modules.contains(there)) {
+            add(&mut uses, here, there);
+        }
+    }
+    uses
+}
+
+/// The modules that a Python file of this folder imports by `from .`.
+fn python(folder: &[String], text: &str) -> Vec<Module> {
+    let mut paths = Vec::new();
+    for (at, start) in text.match_indices("from .") {
+        let is_line = text[..at].rsplit('\n').next().is_some_and(|before| before.trim().is_empty());
+        let Some((from, names)) = text[at + start.len()..].split_once(" import ").filter(|_| is_line) else {
+            continue;
+        };
+        let path = |name: &str| folder.iter().cloned().chain(name.split('.').map(str::to_owned)).collect();
+        if !from.is_empty() {
+            paths.push(path(from));
+            continue;
+        }
+        let names = match names.strip_prefix('(') {
+            Some(group) => group.split(')').next(),
+            None => names.lines().next(),
+        };
+        let names = names.unwrap_or_default().split(',').filter_map(|name| name.split_whitespace().next());
+        paths.extend(names.map(path));
+    }
+    paths
+}
+
+/// The files that a TypeScript file of this folder imports.
+fn typescript(folder: &[String], text: &str) -> Vec<Module> {
+    let path = |name: &str| {
+        let mut path = folder.to_vec();
+        for part in name.split('/').filter(|part| *part != ".") {
+            if part == ".." {
+                path.pop();
+            } else {
+                path.push(part.to_owned());
+            }
+        }
+        path
+    };
+    let is_import = |at: usize| ["from ", "import ", "import("].iter().any(|word| text[..at].ends_with(word));
+    let names = text.match_indices("\".").filter(|(at, _)| is_import(*at));
+    names.filter_map(|(at, _)| text[at + 1..].split('"').next()).map(path).collect()
 }
 
 /// The text of a file in one line, without comments and its module of tests.
@@ -53,21 +128,33 @@ fn code(text: &str) -> String {
     lines.collect::<Vec<_>>().join(" ")
 }
 
-fn uses(texts: &[(Module, String)]) -> Uses {
+/// The uses of Rust modules.
+fn uses(texts: &Texts) -> Uses {
     let modules: BTreeSet<&Module> = texts.iter().map(|(module, _)| module).collect();
     let taken: Taken = texts.iter().map(|(here, code)| (here.clone(), taken(here, code, &modules))).collect();
     let mut uses = Uses::new();
     for (here, code) in texts {
-        let paths = used(code).into_iter().map(|(path, _)| path).chain(named(code));
-        for there in paths.filter_map(|path| target(absolute(here, &path)?, &modules, &taken)) {
-            let shared = here.iter().zip(&there).take_while(|(a, b)| a == b).count();
-            if let (Some(from), Some(to)) = (here.get(shared), there.get(shared)) {
-                let folder = uses.entry(here[..shared].to_vec()).or_default();
-                folder.entry(from.clone()).or_default().entry(to.clone()).or_insert(here.clone());
-            }
+        let by_name = |path: &[String]| {
+            let from = taken.get(here)?.get(path.first()?)?;
+            Some(from.iter().chain(&path[1..]).cloned().collect())
+        };
+        let lines = used(code).into_iter().filter_map(|(path, _)| absolute(here, &path));
+        let others =
+            named(code).into_iter().filter_map(|path| absolute(here, &path).or_else(|| by_name(&path)));
+        for there in lines.chain(others).filter_map(|path| target(path, &modules, &taken)) {
+            add(&mut uses, here, &there);
         }
     }
     uses
+}
+
+/// Adds a use, of the nodes of the innermost folder that has both in it.
+fn add(uses: &mut Uses, here: &Module, there: &Module) {
+    let shared = here.iter().zip(there).take_while(|(a, b)| a == b).count();
+    if let (Some(from), Some(to)) = (here.get(shared), there.get(shared)) {
+        let folder = uses.entry(here[..shared].to_vec()).or_default();
+        folder.entry(from.clone()).or_default().entry(to.clone()).or_insert_with(|| here.clone());
+    }
 }
 
 /// The file that a path leads to, through the names that modules take from others.
@@ -148,16 +235,9 @@ fn expand(before: &[String], tree: &str, paths: &mut Vec<(Vec<String>, String)>)
 /// The paths in expressions and types, except those of `pub(in …)`.
 fn named(code: &str) -> Vec<Vec<String>> {
     let is_of_name = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
-    let mut paths = Vec::new();
-    for first in ["crate::", "super::", "self::"] {
-        for (at, _) in code.match_indices(first) {
-            if !code[..at].ends_with(is_of_name) && !code[..at].ends_with("(in ") {
-                let path = code[at..].split(|c| !is_of_name(c)).next().unwrap_or_default();
-                paths.push(path.split("::").filter(|name| !name.is_empty()).map(str::to_owned).collect());
-            }
-        }
-    }
-    paths
+    let code = code.replace("(in ", "(in:");
+    let paths = code.split(|c| !is_of_name(c)).filter(|path| path.contains("::") && !path.starts_with("in:"));
+    paths.map(|path| path.split("::").filter(|name| !name.is_empty()).map(str::to_owned).collect()).collect()
 }
 
 /// A path from the root of the crate; `None` of another crate's.
@@ -208,9 +288,12 @@ fn circle(nodes: &BTreeMap<String, BTreeMap<String, Module>>) -> Option<Vec<Stri
 mod tests {
     use super::*;
 
-    fn found(texts: &[(&str, &str)]) -> Vec<String> {
-        let texts: Vec<_> = texts.iter().map(|(file, text)| (module(Path::new(file)), code(text))).collect();
-        circles(&uses(&texts))
+    fn texts(files: &[(&str, &str)]) -> Vec<(Module, String)> {
+        files.iter().map(|(file, text)| (place(Path::new(file)), (*text).to_owned())).collect()
+    }
+
+    fn found(files: &[(&str, &str)]) -> Vec<String> {
+        circles(&uses(&rust(&texts(files))))
     }
 
     #[test]
@@ -248,5 +331,31 @@ mod tests {
         let root = ("m/mod.rs", "mod a;\npub use a::One;\npub use self::b::Two as Other;\n");
         let files = [root, ("m/a.rs", "use super::Other;\n"), ("m/b.rs", "use super::{One, other};\n")];
         assert_eq!(found(&files), ["m/a → m/b → m/a"]);
+    }
+
+    #[test]
+    fn a_name_that_a_file_takes_begins_paths_in_expressions() {
+        let a = ("m/a.rs", "use crate::m;\nfn one() {\n    m::b::two();\n}\n");
+        let b = ("m/b.rs", "fn two() {\n    super::a::one();\n}\n");
+        assert_eq!(found(&[("m/mod.rs", ""), a, b]), ["m/a → m/b → m/a"]);
+    }
+
+    #[test]
+    fn imports_of_python_are_read() {
+        let found = |files: &[(&str, &str)]| circles(&imports(&texts(files), python));
+        let a = ("_a.py", "def one():\n    from . import (\n        _native,\n        _b as other,\n    )\n");
+        let b = ("_b.py", "from ._a import one  # later\n");
+        assert_eq!(found(&[("__init__.py", "from ._a import one\n"), a, b]), ["_a → _b → _a"]);
+        assert!(found(&[a, ("_b.py", "\"\"\"\n>>> from ._a import one\n\"\"\"\n")]).is_empty());
+    }
+
+    #[test]
+    fn imports_of_typescript_are_read() {
+        let found = |files: &[(&str, &str)]| circles(&imports(&texts(files), typescript));
+        let a = ("scene/a.ts", "import type { Two } from \"../save/b\";\n");
+        let b = ("save/b.ts", "const one = await import(\"../scene/c\");\nimport { d } from \"./d\";\n");
+        let others = [("scene/c.ts", ""), ("save/d.ts", "import { gone } from \"three\";\n")];
+        assert_eq!(found(&[a, b, others[0], others[1]]), ["save/b → scene/a → save"]);
+        assert!(found(&[a, ("save/b.ts", "const text = \"../scene/c\";\n"), others[0]]).is_empty());
     }
 }

@@ -3,9 +3,9 @@
 //! The files and folders of one folder are nodes. A folder stands for everything inside it, so that a
 //! circle through its files counts as one through the folder.
 //!
-//! In Rust the uses are the paths in `use` lines, in expressions and in types. A name that a module takes
+//! The uses in Rust are the paths in `use` lines, in expressions and in types. A name that a module takes
 //! from another leads there. A module and those inside it are one place: neither using the other counts.
-//! In Python and TypeScript the uses are the relative imports.
+//! The uses in Python and TypeScript are the relative imports.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;

@@ -34,7 +34,7 @@ const USAGE: &str = "\
 usage: cargo xtask TASK
 
   test       everything, in order, up to the first failure; --ray is a gate of its own: sweeps on Ray and Dask whose workers are killed, Linux alone
-  layers     the modules' order: which may import which, what each may do, how long files are, and that no files import each other in a circle
+  layers     the modules' order: which may import which, what each may do, how long files are, and that no files or folders use each other in a circle
   licences   how many crates are linked, and under which licences
   examples   the built command on every scenario in examples/
   readme     the README's commands

@@ -60,6 +60,7 @@ mod row;
 mod rows;
 mod sensitivity;
 mod sequence;
+mod sequence_error;
 mod subtrees;
 mod tank;
 mod tank_row;
@@ -87,7 +88,8 @@ pub use principal::{PrincipalUncertainty, Tilt};
 pub use row::{CopyErrors, GivenPart, Place, Quantity, Row, Subtotal};
 pub use rows::Rows;
 pub use sensitivity::{Sensitivities, Sensitivity, Source};
-pub use sequence::{Burn, Change, Sequence, SequenceError, SequenceRow};
+pub use sequence::{Burn, Change, Sequence, SequenceRow};
+pub use sequence_error::SequenceError;
 pub use subtrees::Subtrees;
 pub use tank::{
     Down, Fill, Liquid, LiquidErrors, LiquidTable, Measured, Slice, Tank, TankShape, UncertainLiquid, Vessel,

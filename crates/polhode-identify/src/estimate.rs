@@ -3,7 +3,11 @@
 use core::f64::consts::PI;
 use core::fmt;
 
-use crate::least_squares::Information;
+use nalgebra::DMatrix;
+
+use crate::decomposition::symmetric_eigen;
+use crate::error::IdentifyError;
+use crate::least_squares::{Information, KNOWN, changes_along};
 
 /// Numbers that were found, and their errors.
 ///
@@ -37,6 +41,9 @@ pub struct Number {
 
 /// Standard deviation of an angle of which nothing is known, uniform in ±π: π/√3 rad.
 pub const ANGLE: f64 = PI / 1.732_050_807_568_877_2;
+
+/// An eigenvalue of correlations below this is rounding.
+const NONE: f64 = 1e-14;
 
 /// Reason of a number that is not determined.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -112,6 +119,25 @@ impl Estimate {
                 .map(|column| column.iter().copied().collect())
                 .collect(),
         }
+    }
+
+    /// The covariance and the unknown directions, as an information.
+    pub(crate) fn information(&self) -> Result<Information, IdentifyError> {
+        let n = self.numbers.len();
+        let c = &self.covariance;
+        let unit = |k: usize| if c[k][k] > 0.0 { c[k][k].sqrt() } else { 1.0 };
+        let correlations = DMatrix::from_fn(n, n, |i, j| c[i][j] / (unit(i) * unit(j)));
+        let eigen = symmetric_eigen("the covariance of the estimate", correlations)?;
+        let known: Vec<_> = eigen
+            .eigenvalues
+            .iter()
+            .zip(eigen.eigenvectors.column_iter())
+            .filter(|(value, _)| **value > NONE)
+            .map(|(value, column)| DMatrix::from_fn(n, 1, |i, _| column[i] * value.sqrt() * unit(i)))
+            .collect();
+        let unknown: Vec<_> =
+            self.unknown.iter().map(|direction| DMatrix::from_column_slice(n, 1, direction)).collect();
+        Ok(Information::with(n, &known, &unknown))
     }
 
     /// A number by its name.
@@ -195,16 +221,4 @@ fn is_along(direction: &[f64], numbers: &[f64]) -> bool {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let cosine = dot(direction, numbers) / (dot(direction, direction) * dot(numbers, numbers)).sqrt();
     1.0 - f64::abs(cosine) < KNOWN
-}
-
-/// How far a combination may change along an unknown direction, relative to its terms, by rounding.
-const KNOWN: f64 = 1e-6;
-
-/// Whether a gradient has a part along a direction.
-pub(crate) fn changes_along(gradient: &[f64], direction: &[f64]) -> bool {
-    let (sum, size) = gradient
-        .iter()
-        .zip(direction)
-        .fold((0.0, 0.0), |(sum, size), (a, b)| (sum + a * b, size + f64::abs(a * b)));
-    f64::abs(sum) > KNOWN * size
 }

@@ -157,7 +157,7 @@ mod tests {
     fn what_is_least_known_is_the_longest_axis() {
         let estimate = estimate([0.01, 0.04, 0.0025, 0.0001, 0.0025, 0.09], Vec::new());
         let units = BodyUnits::of_tensor(&estimate, 0, true).unwrap();
-        let known = Information::of_estimate(&estimate).and_then(|all| units.knowledge(&all)).unwrap();
+        let known = estimate.information().and_then(|all| units.knowledge(&all)).unwrap();
         assert_eq!(known.unknown, 0);
         // √2 · 0.3/4, of the element 23
         assert!((known.largest_sd - 2.0_f64.sqrt() * 0.3 / 4.0).abs() < 1e-12, "{known:?}");
@@ -171,7 +171,7 @@ mod tests {
     fn what_is_exact_has_no_error() {
         let estimate = estimate([0.0; 6], vec![vec![1.0, 0.0, 0.0, 0.0, 0.0, 0.0]]);
         let units = BodyUnits::of_tensor(&estimate, 0, true).unwrap();
-        let exact = Information::of_estimate(&estimate).unwrap();
+        let exact = estimate.information().unwrap();
         let known = units.knowledge(&exact).unwrap();
         assert_eq!((known.unknown, known.largest_sd, known.mean_sd), (1, 0.0, 0.0));
         let row = DMatrix::from_row_slice(1, 6, &[2.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
@@ -185,7 +185,7 @@ mod tests {
         let (size, other) = (vec![2.0, 3.0, 4.0, 0.0, 0.0, 0.0], vec![1.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
         let estimate = estimate([0.01, 0.01, 0.0, 0.0001, 0.0025, 0.0025], vec![size, other]);
         let shape = BodyUnits::of_tensor(&estimate, 0, false).unwrap();
-        let all = Information::of_estimate(&estimate).unwrap();
+        let all = estimate.information().unwrap();
         let known = shape.knowledge(&all).unwrap();
         assert_eq!(known.unknown, 1);
         assert_eq!(known.moment_sd, [None, None, Some(0.0)]);

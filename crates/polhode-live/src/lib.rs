@@ -33,6 +33,7 @@ mod limits;
 mod mesh;
 mod motion;
 mod opened;
+mod part_names;
 mod protocol;
 mod route;
 mod rows;

@@ -6,6 +6,7 @@ use polhode::body::mesh::{ClosedMesh, MeshFlaws, TriangleMesh};
 use polhode_shape::mesh::{MeshContents, MeshFormat, MeshSolid, SolidPart};
 
 use crate::inspect::{MARKS, MeshInspection};
+use crate::part_names::PartNames;
 
 /// What the file of a mesh has, all its parts as one surface.
 #[derive(Debug)]
@@ -82,33 +83,6 @@ impl Read {
 
     fn flawed(&self, name: &str, flaws: &MeshFlaws) -> MeshInspection {
         MeshInspection::of(name, &self.contents, &self.parts, flaws, self.unit())
-    }
-}
-
-/// The parts of a file by the triangles of all of them, numbered through.
-#[derive(Debug)]
-pub(crate) struct PartNames(Vec<(String, usize)>);
-
-impl PartNames {
-    fn of(contents: &MeshContents) -> Self {
-        let named = contents.parts.iter().map(|part| (part.name.clone(), part.mesh.triangles().len()));
-        Self(named.collect())
-    }
-
-    /// How many there are, if there are several.
-    pub(crate) fn several(&self) -> Option<usize> {
-        Some(self.0.len()).filter(|count| *count > 1)
-    }
-
-    /// The name of the part that has a triangle, from 1, of several parts.
-    pub(crate) fn of_triangle(&self, triangle: usize) -> Option<&str> {
-        self.several()?;
-        let mut last = 0;
-        let part = self.0.iter().find(|(_, count)| {
-            last += count;
-            triangle <= last
-        });
-        part.map(|(name, _)| name.as_str()).filter(|name| !name.is_empty())
     }
 }
 

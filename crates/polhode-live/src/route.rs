@@ -154,7 +154,8 @@ impl Route {
                     }
                     Content::Mesh(_) => inspection(&*document.looked_at(stop)?),
                     Content::Robot => {
-                        json(&Inspection::Robot { robot: RobotInspection::of(&document, stop)? })
+                        let (name, path, roots) = (&document.name, &document.path, document.roots.clone());
+                        json(&Inspection::Robot { robot: RobotInspection::of(name, path, roots, stop)? })
                     }
                 }
             }

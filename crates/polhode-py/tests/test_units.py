@@ -257,7 +257,7 @@ def test_what_has_no_one_meaning_is_refused() -> None:
     for wrong, says in (
         (omega * PINT.hertz, "omega is in hertz, which may be turns or radians"),
         (omega * astropy.kHz, "omega is in kHz, which may be turns or radians"),
-        ([1.0 * PINT.radian / PINT.second, 2.0, 3.0], r"omega\[1\] has no unit, and others beside it have one"),
+        ([1.0 * PINT.radian / PINT.second, 2.0, 3.0], r"omega\[1\] has no unit, and others have one"),
         (omega * astropy.ct / astropy.s, "omega has the unit ct / s, which is no product of kg, m, s, A and rad"),
         (omega * PINT.delta_degC / PINT.second, "omega has the unit"),
         (np.array([1.0, np.nan, 3.0]) * astropy.rad / astropy.s, r"omega\[1\] = nan must be finite"),

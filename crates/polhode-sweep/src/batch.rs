@@ -34,6 +34,9 @@ pub enum Values {
     Text(Vec<Option<String>>),
 }
 
+/// Name of the column with the numbers of members.
+pub(crate) const MEMBER: &str = "member";
+
 /// Why columns are no table.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BatchError {

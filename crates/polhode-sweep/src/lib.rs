@@ -21,10 +21,9 @@ pub use batch::{Batch, BatchError, Column, Values};
 pub use dataset::{Dataset, Progress};
 pub use error::SweepError;
 pub use figures::SweepFigures;
-pub use outcome::{simulate, trajectories};
 pub use plan::{Plan, Sampling, Variable};
 pub use report::{
     SweepAttitude, SweepCorrelation, SweepHistogram, SweepIntervals, SweepQuantile, SweepQuestion,
     SweepSample, SweepShare, SweepStatistic, SweepStep, SweepSummary,
 };
-pub use rows::inputs;
+pub use rows::{inputs, simulate, trajectories};

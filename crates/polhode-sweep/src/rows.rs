@@ -1,12 +1,16 @@
-//! The inputs of members, as rows.
+//! Rows of members: from their numbers to inputs, and from inputs to outcomes.
+//!
+//! A row of outcomes is a function of the plan and of the row's own inputs. It knows no other row,
+//! no clock and no thread, so that a table can be cut and computed anywhere.
 
 use std::ops::Range;
 
-use crate::batch::{Batch, Column, Values};
-use crate::plan::Plan;
+use polhode::motion::Scenario;
+use polhode_source::FormatError;
 
-/// The column of members' numbers.
-pub(crate) const MEMBER: &str = "member";
+use crate::batch::{Batch, BatchError, Column, MEMBER, Values};
+use crate::outcome::{self, Outcome};
+use crate::plan::Plan;
 
 /// The inputs of some members: `member`, and a column for each variable of the plan, in SI.
 pub fn inputs(plan: &Plan, members: Range<u64>) -> Batch {
@@ -31,4 +35,69 @@ pub fn inputs(plan: &Plan, members: Range<u64>) -> Batch {
     });
     // A plan's variables have different names: this cannot fail, and an empty table would be seen at once.
     Batch::new(std::iter::once(member).chain(columns).collect()).unwrap_or_default()
+}
+
+/// Adds outcomes to the rows of `inputs`: how each member ended, the kind of motion, periods, final
+/// state, extrema, events, cost.
+///
+/// A member without a body or a motion, and one whose computation fails, is a row that says so in `status` and `cause`.
+///
+/// # Errors
+/// [`BatchError`] if the column `member` or a variable of the plan is missing or holds something
+/// else, or a variable has the name of an outcome.
+pub fn simulate(plan: &Plan, inputs: &Batch) -> Result<Batch, BatchError> {
+    let members = Members::of(plan, inputs)?;
+    let outcomes: Vec<Outcome> =
+        members.scenarios(plan).map(|scenario| Outcome::of(scenario.as_ref())).collect();
+    let outcomes = outcome::columns_of(plan.nominal(), &outcomes);
+    Batch::new(members.columns.into_iter().chain(outcomes).collect())
+}
+
+/// The motions of the members of `inputs`: a row for each of the sample times, as far as a motion goes.
+///
+/// # Errors
+/// As [`simulate`].
+pub fn trajectories(plan: &Plan, inputs: &Batch) -> Result<Batch, BatchError> {
+    let members = Members::of(plan, inputs)?;
+    let samples = members.scenarios(plan).map(|scenario| scenario.ok().map(|s| outcome::samples(&s)));
+    outcome::table(&members.numbers, samples.map(Option::unwrap_or_default))
+}
+
+/// The inputs of some members.
+struct Members {
+    /// `member` and the variables of the plan.
+    columns: Vec<Column>,
+    numbers: Vec<u64>,
+    /// Row by row.
+    values: Vec<Vec<f64>>,
+}
+
+impl Members {
+    fn of(plan: &Plan, inputs: &Batch) -> Result<Self, BatchError> {
+        let wrong = |column: &Column, expected| BatchError::Kind { column: column.name.clone(), expected };
+        let member = inputs.column(MEMBER)?;
+        let Values::Whole(numbers) = &member.values else { return Err(wrong(member, "whole numbers")) };
+        let mut columns = vec![member.clone()];
+        let mut values = vec![Vec::with_capacity(plan.variables().len()); numbers.len()];
+        for variable in plan.variables() {
+            let column = inputs.column(&variable.name)?;
+            let Values::Numbers(numbers) = &column.values else {
+                return Err(wrong(column, "numbers, one in each row"));
+            };
+            for (row, &number) in values.iter_mut().zip(numbers) {
+                row.push(number);
+            }
+            columns.push(Column {
+                name: variable.name.clone(),
+                unit: variable.unit.clone(),
+                description: variable.description.clone(),
+                values: column.values.clone(),
+            });
+        }
+        Ok(Self { columns, numbers: numbers.clone(), values })
+    }
+
+    fn scenarios(&self, plan: &Plan) -> impl Iterator<Item = Result<Scenario, FormatError>> {
+        self.values.iter().map(|values| plan.scenario(values))
+    }
 }

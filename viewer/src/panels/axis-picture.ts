@@ -1,10 +1,10 @@
 /** The path of a top's axis, with the axis of the 3-D view on it. */
-import { type AxisPath, axisAt, axisPath, pieces } from "../axis-path";
 import type { TopData } from "../data";
 import { element, svgElement } from "../dom";
 import { number } from "../format";
 import type { Motion } from "../motion";
 import { fromAbove, isUpright, onSphere, unrolled, type View } from "../plot/axis-drawing";
+import { type AxisPath, axisAt, axisPath, pieces } from "../plot/axis-path";
 import { type Mark, svgElements, svgText, wrapped } from "../plot/drawing";
 import { saveButtons } from "../save/plot-buttons";
 

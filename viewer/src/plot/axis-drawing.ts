@@ -3,9 +3,9 @@
  * means little, it is seen from above instead, with θ as the distance from the middle.
  */
 import type { Vector } from "../attitude";
-import { type AxisPath, anglesOf, azimuthAt, directionOf, dot } from "../axis-path";
 import type { TopData } from "../data";
 import { mark } from "../format";
+import { type AxisPath, anglesOf, azimuthAt, directionOf, dot } from "./axis-path";
 import { type Box, type Mark, ring, through } from "./drawing";
 import { extent, padded, ticks } from "./scale";
 

@@ -1,39 +1,10 @@
-/** Frames of the 3-D view for files: what the renderer has drawn, with its names. */
+/** Frames of the 3-D view for files. */
 import { WebGLRenderer } from "three";
 import { element } from "../dom";
-import { Labels, type PlacedLabel } from "../scene/labels";
+import { compose } from "../scene/compose";
+import { Labels } from "../scene/labels";
 import type { View } from "../scene/scene";
-import { ink as colour } from "../theme";
 import type { Order } from "./film";
-
-/** Draws with `pen`, at so many pixels for one of the page, on paper or on nothing. */
-export function compose(pen: CanvasRenderingContext2D, drawn: HTMLCanvasElement, names: PlacedLabel[], ratio: number, paper: boolean): void {
-  const { width, height } = drawn;
-  pen.resetTransform();
-  pen.clearRect(0, 0, width, height);
-  if (paper) {
-    pen.fillStyle = colour("paper");
-    pen.fillRect(0, 0, width, height);
-  }
-  pen.drawImage(drawn, 0, 0);
-  pen.scale(ratio, ratio);
-  pen.textAlign = "center";
-  pen.textBaseline = "middle";
-  for (const { text, ink, x, y, led, tipX, tipY, endX, endY } of names) {
-    pen.font = [...text].length <= 2 ? '19px "Polhode Math"' : "600 13px system-ui, sans-serif";
-    pen.fillStyle = colour(ink);
-    pen.strokeStyle = colour(ink);
-    if (led) {
-      pen.globalAlpha = 0.6;
-      pen.beginPath();
-      pen.moveTo(tipX, tipY);
-      pen.lineTo(endX, endY);
-      pen.stroke();
-      pen.globalAlpha = 1;
-    }
-    pen.fillText(text, x, y);
-  }
-}
 
 /** Draws frames of any size, with a renderer and names of its own: what is on the screen does not change, and nothing on it counts. */
 export class Frames {

@@ -4,9 +4,9 @@
  */
 import { Group, Vector3 } from "three";
 import { rotate, type Quaternion, type Vector } from "../attitude";
-import { axisPath, directionOf } from "../axis-path";
 import type { PageData, TopData } from "../data";
 import { length, type Motion } from "../motion";
+import { axisPath, directionOf } from "../plot/axis-path";
 import { Arrow } from "./arrows";
 import type { Label } from "./labels";
 import type { Layer } from "./layers";

@@ -5,7 +5,7 @@ use super::error::BallastError;
 use super::row::{Functional, Moments, ONE, Row, Rule, Vector, rules, weights};
 use super::{Ballast, Site};
 use crate::budget::Budget;
-use crate::covariance::dot;
+use polhode::infer::covariance::dot;
 use crate::growth::Basis;
 use crate::limit::Limit;
 

@@ -32,6 +32,7 @@ mod plan;
 mod prescribed;
 mod printed;
 mod rows;
+mod sections;
 mod shape;
 mod sheet;
 mod taken;

@@ -10,7 +10,7 @@ use polhode_source::{FormatError, FormatErrorKind, Place, Spot};
 
 use super::cell::{Cell, SheetRow, cell_name};
 use super::fields;
-use super::xlsx::cells::Cells;
+use super::xlsx::{Cells, Workbook};
 
 /// A table. Cells that are empty are left out, and so are rows of such.
 ///
@@ -45,6 +45,18 @@ pub(crate) enum Origin<'a> {
 }
 
 impl<'a> Sheet<'a> {
+    /// A sheet of a workbook as a table, and what is to be said of it.
+    pub(crate) fn of_workbook(
+        workbook: &'a Workbook,
+        path: &'a Path,
+        name: &str,
+    ) -> Option<(Self, Vec<String>)> {
+        let (rows, cells, lines) = workbook.sheet(name)?;
+        let origin = Origin::Workbook { path, sheet: name.to_owned() };
+        let (rows, body) = (rows.into(), Body::Workbook(cells));
+        Some((Self { origin, rows, body, decimal_comma: false }, lines))
+    }
+
     pub(crate) fn path(&self) -> &Path {
         match &self.origin {
             Origin::Text(source) => source.path,

@@ -13,8 +13,9 @@ use super::heading::Columns;
 use super::joined::Naming;
 use super::plan::table_file::Sheets;
 use super::plan::{self, Plan};
+use super::sections::{Sections, is_section};
 use super::sheet::Sheet;
-use super::xlsx::{Sections, Workbook, is_section};
+use super::xlsx::Workbook;
 use super::{BudgetFile, of_table, unused};
 
 /// The sheet of the parts, where there are others beside it.
@@ -30,10 +31,11 @@ pub(crate) fn read(
     let fail = |error| FormatError::of_content(path, bytes, error);
     let workbook = Workbook::read(bytes).map_err(fail)?;
     let names = workbook.names();
+    let sheet = |name: &str| Sheet::of_workbook(&workbook, path, name);
     let (sections, others): (Vec<&str>, Vec<&str>) = names.iter().copied().partition(|name| is_section(name));
     let sheets: Vec<(&str, Sheet<'_>)> =
-        sections.iter().filter_map(|name| Some((*name, workbook.sheet(path, name)?.0))).collect();
-    let plan = of_sections(path, &sheets, told, access, &|name| workbook.sheet(path, name))?;
+        sections.iter().filter_map(|name| Some((*name, sheet(name)?.0))).collect();
+    let plan = of_sections(path, &sheets, told, access, &sheet)?;
     let plan = access.plan(plan);
     let wanted: Vec<&str> = others
         .into_iter()
@@ -53,7 +55,7 @@ pub(crate) fn read(
             return Err(fail(ContentError::new(kind, ContentPlace::Whole).hint(hint)));
         }
     };
-    let Some((mut sheet, mut lines)) = workbook.sheet(path, name) else {
+    let Some((mut parts, mut lines)) = sheet(name) else {
         return Err(fail(missing(format!("sheet \"{name}\""))));
     };
     let not_read: Vec<&str> =
@@ -61,10 +63,10 @@ pub(crate) fn read(
     if !not_read.is_empty() {
         lines.push(format!("sheets that were not read: {}", not_read.join(", ")));
     }
-    let columns = Columns::of(&sheet, &plan.ignore)?;
+    let columns = Columns::of(&parts, &plan.ignore)?;
     unused::ignored(&columns, &plan, &not_read)?;
-    sheet.decimal_comma = plan.decimal_comma.unwrap_or(false);
-    of_table(plan, &sheet, &columns, lines)
+    parts.decimal_comma = plan.decimal_comma.unwrap_or(false);
+    of_table(plan, &parts, &columns, lines)
 }
 
 fn of_sections(

@@ -4,7 +4,7 @@ use polhode::body::{BodyError, MassProperties};
 use polhode::math::{Body, Part, Position, Rotation, Velocity};
 use polhode::motion::MassRates;
 
-use super::SequenceError;
+use crate::sequence_error::SequenceError;
 use crate::tank::{Fill, Slice, Tank};
 use crate::tensor::{elements, plus, rows, steiner};
 

@@ -3,7 +3,6 @@
 //! Everything is prescribed: at every time the body is the rows that are there and the liquid that is left. Mass properties and their rates are exact at every time, as
 //! what leaves a tank next is the slice at the surface of its liquid. Errors are those of the parts list, and of what is in its tanks at first ([`Budget::estimate`]).
 
-mod error;
 mod loaded;
 mod timeline;
 
@@ -11,10 +10,9 @@ use polhode::body::MassProperties;
 use polhode::math::Body;
 use polhode::motion::{MassHistory, MassRates, MassRow, Outflow};
 
-pub use error::SequenceError;
-
 use crate::budget::Budget;
 use crate::growth::Basis;
+use crate::sequence_error::SequenceError;
 use crate::tank::Tank;
 use timeline::Timeline;
 

@@ -6,9 +6,10 @@ use polhode::body::MassProperties;
 use polhode::math::Body;
 
 use super::loaded::{PlacedTank, rates};
-use super::{Change, Sequence, SequenceError, SequenceRow};
+use super::{Change, Sequence, SequenceRow};
 use crate::budget::Budget;
 use crate::error::BudgetError;
+use crate::sequence_error::SequenceError;
 use crate::subtrees::combined;
 use crate::tank::Slice;
 use crate::tensor::scaled;

@@ -4,7 +4,7 @@ use polhode::body::MassProperties;
 use polhode::math::Part;
 
 use super::{Fill, Slice};
-use crate::sequence::SequenceError;
+use crate::sequence_error::SequenceError;
 use crate::tensor::{elements, plus, scaled, steiner};
 
 /// The liquid of a tank at some masses.

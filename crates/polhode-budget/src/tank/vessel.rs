@@ -10,7 +10,7 @@ use polhode::math::Position;
 
 use super::shape::{Down, TankShape};
 use super::{Fill, Slice};
-use crate::sequence::SequenceError;
+use crate::sequence_error::SequenceError;
 
 const NODES: usize = 24;
 

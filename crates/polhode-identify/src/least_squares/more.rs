@@ -3,37 +3,15 @@
 use nalgebra::DMatrix;
 
 use super::Information;
-use crate::decomposition::{Svd, qr, svd, symmetric_eigen};
+use crate::decomposition::{Svd, qr, svd};
 use crate::error::IdentifyError;
-use crate::estimate::Estimate;
 
-/// An eigenvalue of correlations below this is rounding.
-const NONE: f64 = 1e-14;
 /// A component of an unknown direction below this, relative to the largest, is rounding: other rows would seem to say something of it.
 const NO_PART: f64 = 1e-12;
 /// What rows say of an unknown direction, relative to their terms, is rounding below this.
 const ROUNDING: f64 = 1e-7;
 
 impl Information {
-    /// What an estimate says.
-    pub(crate) fn of_estimate(estimate: &Estimate) -> Result<Self, IdentifyError> {
-        let n = estimate.numbers.len();
-        let c = &estimate.covariance;
-        let unit = |k: usize| if c[k][k] > 0.0 { c[k][k].sqrt() } else { 1.0 };
-        let correlations = DMatrix::from_fn(n, n, |i, j| c[i][j] / (unit(i) * unit(j)));
-        let eigen = symmetric_eigen("the covariance of the estimate", correlations)?;
-        let known: Vec<_> = eigen
-            .eigenvalues
-            .iter()
-            .zip(eigen.eigenvectors.column_iter())
-            .filter(|(value, _)| **value > NONE)
-            .map(|(value, column)| DMatrix::from_fn(n, 1, |i, _| column[i] * value.sqrt() * unit(i)))
-            .collect();
-        let unknown: Vec<_> =
-            estimate.unknown.iter().map(|direction| DMatrix::from_column_slice(n, 1, direction)).collect();
-        Ok(Self::with(n, &known, &unknown))
-    }
-
     /// With rows R of derivatives besides, in standard deviations.
     ///
     /// Before, x = L z + U y, with z of variance 1 and y unknown. With R U = P S Qᵀ the rows Pᵀ R say y along Q, and nothing of z; the others say something of z:
@@ -90,7 +68,7 @@ impl Information {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::estimate::Number;
+    use crate::estimate::{Estimate, Number};
 
     fn estimate(information: &Information) -> Estimate {
         let names = ["a", "b", "c"].map(|name| (name.to_owned(), "1"));
@@ -106,8 +84,7 @@ mod tests {
         let both = DMatrix::from_fn(4, 3, |i, j| if i < 2 { first[(i, j)] } else { second[(i - 2, j)] });
         let before = Information::of(&first).unwrap();
         assert_eq!(before.unknown.ncols(), 1);
-        let (after, at_once) =
-            (Information::of_estimate(&estimate(&before)), Information::of(&both).unwrap());
+        let (after, at_once) = (estimate(&before).information(), Information::of(&both).unwrap());
         let after = after.and_then(|before| before.with_rows(&second)).unwrap();
         assert_eq!(after.unknown.ncols(), 0);
         for i in 0..3 {

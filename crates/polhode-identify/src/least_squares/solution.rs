@@ -7,7 +7,6 @@ use super::rows::stacked;
 use crate::coordinates::Coordinates;
 use crate::decomposition::{Svd, svd};
 use crate::error::IdentifyError;
-use crate::estimate::changes_along;
 
 /// Where the sum of squares is least.
 #[derive(Clone, Debug)]
@@ -137,4 +136,16 @@ impl Information {
         let g = DMatrix::from_column_slice(gradient.len(), 1, gradient);
         Some((g.transpose() * &self.covariance * g)[(0, 0)].max(0.0).sqrt())
     }
+}
+
+/// Threshold below which a change along an unknown direction is rounding, relative to its terms.
+pub(crate) const KNOWN: f64 = 1e-6;
+
+/// Returns true if a gradient has a component along a direction.
+pub(crate) fn changes_along(gradient: &[f64], direction: &[f64]) -> bool {
+    let (sum, size) = gradient
+        .iter()
+        .zip(direction)
+        .fold((0.0, 0.0), |(sum, size), (a, b)| (sum + a * b, size + f64::abs(a * b)));
+    f64::abs(sum) > KNOWN * size
 }

@@ -11,7 +11,6 @@ use super::regression::Regression;
 use super::small::{cross, dot};
 use crate::error::IdentifyError;
 use crate::knowledge::BodyUnits;
-use crate::least_squares::Information;
 use crate::next::{Comparison, NextExperiment};
 use crate::residuals::ResidualTest;
 
@@ -54,7 +53,7 @@ pub fn next_motion(
     let Some(of_center) = BodyUnits::of_payload(&found.about_center) else { return Ok(None) };
     let numbers: Vec<f64> = found.about_origin.numbers.iter().map(|number| number.value).collect();
     let units = of_center.after(&to_center(&numbers).1);
-    let information = Information::of_estimate(&found.about_origin)?;
+    let information = found.about_origin.information()?;
     let mut next = Comparison::new(&units, &information);
     for motion in candidates(log) {
         let rows = rows(log, found, &numbers, motion);

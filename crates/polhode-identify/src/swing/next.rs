@@ -11,7 +11,7 @@ use super::plan::{SwingPlan, SwingTest};
 use super::problem::{Stage, Swings};
 use crate::error::IdentifyError;
 use crate::knowledge::BodyUnits;
-use crate::least_squares::{Information, Problem, rows_of};
+use crate::least_squares::{Problem, rows_of};
 use crate::next::{Comparison, NextExperiment};
 
 /// What could be measured next.
@@ -65,7 +65,7 @@ pub fn next_swing(
     found: &SwingEstimate,
 ) -> Result<Option<NextExperiment<NextSwing>>, IdentifyError> {
     let Some(units) = BodyUnits::of_tensor(&found.estimate, TENSOR, true) else { return Ok(None) };
-    let information = Information::of_estimate(&found.estimate)?;
+    let information = found.estimate.information()?;
     let mut next = Comparison::new(&units, &information);
     let places = plan.places();
     for (k, test) in templates(plan) {

@@ -11,7 +11,7 @@ use super::sensor::GyroErrors;
 use super::tumble::Tumble;
 use crate::error::IdentifyError;
 use crate::knowledge::BodyUnits;
-use crate::least_squares::{Information, Problem, rows_of};
+use crate::least_squares::{Problem, rows_of};
 use crate::next::{Comparison, NextExperiment};
 use crate::residuals::Noise;
 
@@ -55,7 +55,7 @@ pub fn next_flight(
     found: &Tumble,
 ) -> Result<Option<NextExperiment<NextFlight>>, IdentifyError> {
     let Some(units) = BodyUnits::of_tensor(&found.estimate, 0, found.scale_is_known) else { return Ok(None) };
-    let information = Information::of_estimate(&found.estimate)?;
+    let information = found.estimate.information()?;
     let mut next = Comparison::new(&units, &information);
     let has_gyro = flights.iter().any(|flight| !flight.gyro().is_empty());
     let has_attitudes = flights.iter().any(|flight| !flight.attitudes().is_empty());

@@ -16,7 +16,7 @@ use polhode_scenario::report::display::decimated;
 use polhode_shape::mesh::MeshContents;
 use serde::Serialize;
 
-use crate::mesh::PartNames;
+use crate::part_names::PartNames;
 use crate::rows::{Row, Rows};
 
 /// Places that a finding marks.

@@ -3,6 +3,7 @@
 //! Nothing is written. A model that was dropped opens no file but those that were dropped with it.
 
 use std::collections::HashMap;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
 use polhode::body::PrincipalFrame;
@@ -21,7 +22,6 @@ use serde_json::Value;
 
 use super::links::{LinkShapes, NotShown};
 use crate::answer::Refusal;
-use crate::documents::Document;
 use crate::{limits, watch};
 use hyper::StatusCode;
 
@@ -86,20 +86,24 @@ struct Change {
 }
 
 impl RobotInspection {
-    /// Of the document's file as it is now; `stop` ends it.
-    pub(crate) fn of(document: &Document, stop: &AtomicBool) -> Result<Self, Refusal> {
-        let roots = document.roots.clone();
+    /// Inspects a file, which may open others in these folders besides its own; `name` is for messages, and `stop` ends it.
+    pub(crate) fn of(
+        name: &str,
+        path: &Path,
+        roots: Vec<PathBuf>,
+        stop: &AtomicBool,
+    ) -> Result<Self, Refusal> {
         let options = ReadOptions { confined: !roots.is_empty(), roots, checked: None };
         let unreadable = |error: FormatError| {
             let place = error.place().map_or_else(String::new, |place| format!(", line {}", place.line));
-            let message = format!("{:?} cannot be read{place}: {}", document.name, error.message());
+            let message = format!("{name:?} cannot be read{place}: {}", error.message());
             let refusal = Refusal::new(StatusCode::UNPROCESSABLE_ENTITY, message);
             match error.hint() {
                 Some(hint) => refusal.hint(hint),
                 None => refusal,
             }
         };
-        let model = read_model(&document.path, &options).map_err(unreadable)?;
+        let model = read_model(path, &options).map_err(unreadable)?;
         let goes_on = watch::within(limits::INSPECTION, stop);
         let shapes = Shapes::watched(&goes_on);
         let found = inspect(&model, &shapes).findings;
@@ -115,7 +119,7 @@ impl RobotInspection {
         };
         findings.extend(not_shown.iter().filter(|shape| !is_said(shape)).map(|shape| hidden(shape, &places)));
         let repaired = proved(&model, &found, |text| {
-            read_text(text, &document.path, &options).map(|model| inspect(&model, &shapes).findings)
+            read_text(text, path, &options).map(|model| inspect(&model, &shapes).findings)
         });
         // A repair that cannot be read again proves nothing.
         let repair = repaired.ok().filter(|(repaired, _)| !repaired.applied.is_empty());
@@ -141,7 +145,7 @@ impl RobotInspection {
             }
         });
         let links = links.collect();
-        let name = model.name.clone().unwrap_or_else(|| document.name.clone());
+        let name = model.name.clone().unwrap_or_else(|| name.to_owned());
         Ok(Self { name, links, findings, repair })
     }
 }

@@ -67,7 +67,7 @@ def real(name: str, value: object, what: str = "real numbers") -> Floats:
 
 def _array(name: str, value: object, what: str, rule: str = INEXACT) -> npt.NDArray[Any]:
     """An array of what is given, which need not be numbers; nothing is rounded or dropped on the way."""
-    value = _units.in_si(name, value)
+    value = _in_si(name, value)
     # A table has a unit among its columns if it likes.
     if not hasattr(value, "iloc") and any(getattr(value, word, None) is not None for word in ("unit", "units")):
         raise TypeError(f"{name} has a unit of its own, which is neither Pint's nor Astropy's and would be lost: give plain numbers in SI units")
@@ -104,6 +104,62 @@ def _look(name: str, value: Iterable[Any], place: tuple[int, ...], rule: str = I
             raise TypeError(f"{here} = {element} must be a number, not a truth value")
         elif isinstance(element, (int, np.integer)) and not -EXACT <= element <= EXACT:
             raise PolhodeError(f"{here} = {shown(element)} must be {rule}")
+
+
+def _in_si(name: str, value: Any) -> Any:
+    """A quantity as numbers in the SI unit that an argument has; what has no unit as it is.
+
+    >>> _in_si("omega", [1.0, 2.0, 3.0])
+    [1.0, 2.0, 3.0]
+    """
+    if type(value).__module__.startswith("xarray") and _units.has_units(value.data):
+        value = value.data
+    if not _units.has_units(value):
+        return value
+    dimension = _units.dimension_of(name)
+    if dimension is None:
+        raise TypeError(f"{name} has a unit of its own, and is not a physical quantity of one kind: give plain numbers")
+    return _numbers(name, value, dimension)
+
+
+def as_text(name: str, value: Any) -> Any:
+    """A quantity as texts of a number and its SI unit, which whoever reads them checks; lists and arrays as lists of these; what has no unit as it is."""
+    if isinstance(value, (list, tuple)):
+        return type(value)(as_text(f"{name}[{k}]", element) for k, element in enumerate(value)) if _units.has_units(value) else value
+    if _units.library_of(value) is None:
+        return value
+    magnitude, powers = _si(name, value)
+    unit = " ".join(symbol if power == 1 else f"{symbol}^{power}" for symbol, power in powers.items())
+
+    def texts(number: Any) -> Any:
+        return [*map(texts, number)] if isinstance(number, list) else f"{number!r} {unit}" if unit else number
+
+    return texts(np.asarray(magnitude).tolist())
+
+
+def _numbers(name: str, value: Any, dimension: _units.Dimension) -> Any:
+    if isinstance(value, (list, tuple)):
+        bare = next((k for k, element in enumerate(value) if not _units.has_units(element)), None)
+        if bare is not None:
+            raise PolhodeError(f"{name}[{bare}] has no unit, and others have one: give all of them, or none")
+        return [_numbers(f"{name}[{k}]", element, dimension) for k, element in enumerate(value)]
+    magnitude, powers = _si(name, value)
+    found = {symbol: power for symbol, power in powers.items() if symbol != "rad"}
+    if found != {symbol: power for symbol, power in zip(("kg", "m", "s"), dimension.powers) if power}:
+        said = " ".join(symbol if power == 1 else f"{symbol}^{power}" for symbol, power in powers.items())
+        given = str(value.unit if _units.library_of(value) == "astropy" else value.units) or "no unit"
+        raise PolhodeError(f"{name} is in {given}, {said or 'a plain number'} in SI, where {dimension.words} belongs", f"give {dimension.unit}")
+    if dimension is _units.NUMBER and powers:
+        raise PolhodeError(f"{name} is an angle, where {dimension.words} belongs")
+    return magnitude
+
+
+def _si(name: str, value: Any) -> tuple[Any, dict[str, int]]:
+    """The numbers of a quantity in SI, and the powers of its base units."""
+    refuse_masked(name, value)
+    number, factor, bases = _units.taken_apart(name, value)
+    # What numbers are refused does not depend on units; in float64, whatever they were, so that the factor is not rounded to fewer bits.
+    return real(name, number) * factor, bases
 
 
 def kind_of(value: object) -> str:

@@ -10,7 +10,7 @@ from typing import Any, Iterator, Mapping
 
 import numpy as np
 
-from . import _arrays, _html, _native, _units
+from . import _arrays, _html, _native
 from ._arrays import Floats
 from ._mass_properties import Finding, MassProperties, findings_of, warn_of
 from ._record import Record
@@ -25,7 +25,7 @@ def positions(joints: object) -> list[tuple[str, float | str]]:
     def value(name: str, given: object) -> float | str:
         place = f"joints[{name!r}]"
         # The joint knows whether it turns or slides.
-        given = _units.as_text(place, given)
+        given = _arrays.as_text(place, given)
         return given if isinstance(given, str) else _arrays.number(place, given)
 
     return [(_arrays.text("the name of a joint", name), value(name, given)) for name, given in (joints or {}).items()]

@@ -11,7 +11,7 @@ import numpy as np
 from . import _arrays
 from ._error import PolhodeError
 from ._toml import pair
-from ._units import as_text, has_units
+from ._units import has_units
 
 #: A number in SI, or a text of a number and a unit, such as ``"12 mm"``.
 Quantity = float | str
@@ -69,7 +69,7 @@ def plain(name: str, value: object) -> Any:
     if isinstance(value, np.integer):
         return int(value)
     if has_units(value):
-        return plain(name, as_text(name, value))
+        return plain(name, _arrays.as_text(name, value))
     array = _arrays.real(name, value)
     _arrays.refuse(name, array, ~np.isfinite(array), "finite")
     return _tuples(array.tolist())

@@ -9,7 +9,7 @@ from typing import Mapping
 
 import numpy as np
 
-from . import _arrays, _units
+from . import _arrays
 
 
 def text_of(plan: Mapping[str, object]) -> str:
@@ -40,7 +40,7 @@ def _pairs(place: str, table: Mapping[str, object]) -> list[str]:
 def _value(place: str, value: object) -> str:
     if isinstance(value, Mapping):
         return f"{{ {', '.join(_pairs(place, value))} }}" if value else "{}"
-    value = _units.as_text(place, value)
+    value = _arrays.as_text(place, value)
     if isinstance(value, (np.ndarray, np.generic)):
         value = value.tolist()
     if isinstance(value, bool):

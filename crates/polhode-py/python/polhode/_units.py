@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from . import _arrays
 from ._error import PolhodeError
 
 
@@ -68,7 +67,7 @@ _BASE = {
 _PINT = {"kg": "kilogram", "m": "meter", "s": "second", "rad": "radian", "A": "ampere"}
 
 
-def _library(value: object) -> str | None:
+def library_of(value: object) -> str | None:
     """Whose quantity it is."""
     for kind in type(value).__mro__:
         name = kind.__module__.partition(".")[0]
@@ -81,44 +80,13 @@ def has_units(value: object) -> bool:
     """Whether it is a quantity, or a list with one in it."""
     if isinstance(value, (list, tuple)):
         return not set(map(type, value)) <= {float, int, np.float64} and any(map(has_units, value))
-    return _library(value) is not None
-
-
-def in_si(name: str, value: Any) -> Any:
-    """A quantity as numbers in the SI unit that an argument has; what has no unit as it is.
-
-    >>> in_si("omega", [1.0, 2.0, 3.0])
-    [1.0, 2.0, 3.0]
-    """
-    if type(value).__module__.startswith("xarray") and has_units(value.data):
-        value = value.data
-    if not has_units(value):
-        return value
-    dimension = dimension_of(name)
-    if dimension is None:
-        raise TypeError(f"{name} has a unit of its own, and is no physical quantity of one kind: give plain numbers")
-    return _numbers(name, value, dimension)
+    return library_of(value) is not None
 
 
 def without(name: str, value: object) -> None:
     """Refuses a quantity where a plain number belongs, whatever arguments of that name are elsewhere."""
     if has_units(value):
         raise PolhodeError(f"{name} must be {NUMBER.words}, and has a unit")
-
-
-def as_text(name: str, value: Any) -> Any:
-    """A quantity as texts of a number and its SI unit, which whoever reads them checks; lists and arrays as lists of these; what has no unit as it is."""
-    if isinstance(value, (list, tuple)):
-        return type(value)(as_text(f"{name}[{k}]", element) for k, element in enumerate(value)) if has_units(value) else value
-    if _library(value) is None:
-        return value
-    magnitude, powers = _si(name, value)
-    unit = " ".join(symbol if power == 1 else f"{symbol}^{power}" for symbol, power in powers.items())
-
-    def texts(number: Any) -> Any:
-        return [*map(texts, number)] if isinstance(number, list) else f"{number!r} {unit}" if unit else number
-
-    return texts(np.asarray(magnitude).tolist())
 
 
 def dimension_of(name: str) -> Dimension | None:
@@ -130,27 +98,9 @@ def dimension_of(name: str) -> Dimension | None:
     return DIMENSIONS.get(name.partition("[")[0])
 
 
-def _numbers(name: str, value: Any, dimension: Dimension) -> Any:
-    if isinstance(value, (list, tuple)):
-        bare = next((k for k, element in enumerate(value) if not has_units(element)), None)
-        if bare is not None:
-            raise PolhodeError(f"{name}[{bare}] has no unit, and others beside it have one: give all of them, or none")
-        return [_numbers(f"{name}[{k}]", element, dimension) for k, element in enumerate(value)]
-    magnitude, powers = _si(name, value)
-    found = {symbol: power for symbol, power in powers.items() if symbol != "rad"}
-    if found != {symbol: power for symbol, power in zip(("kg", "m", "s"), dimension.powers) if power}:
-        said = " ".join(symbol if power == 1 else f"{symbol}^{power}" for symbol, power in powers.items())
-        given = str(value.unit if _library(value) == "astropy" else value.units) or "no unit"
-        raise PolhodeError(f"{name} is in {given}, {said or 'a plain number'} in SI, where {dimension.words} belongs", f"give {dimension.unit}")
-    if dimension is NUMBER and powers:
-        raise PolhodeError(f"{name} is an angle, where {dimension.words} belongs")
-    return magnitude
-
-
-def _si(name: str, value: Any) -> tuple[Any, dict[str, int]]:
-    """The numbers of a quantity in SI, and the powers of its base units."""
-    library = _library(value)
-    _arrays.refuse_masked(name, value)
+def taken_apart(name: str, value: Any) -> tuple[Any, float, dict[str, int]]:
+    """The numbers of a quantity, the factor that takes them to SI, and the powers of its base units."""
+    library = library_of(value)
     try:
         given, powers = _of_pint(value) if library == "pint" else _of_astropy(value)
     except Exception as error:  # whatever the library says of units that it cannot convert
@@ -168,8 +118,7 @@ def _si(name: str, value: Any) -> tuple[Any, dict[str, int]]:
         number, factor = value.magnitude, (1.0 * value.units).to(product).magnitude
     else:
         number, factor = value.value, float(value.unit.to(_product(bases)))
-    # What numbers are refused does not depend on units; in float64, whatever they were, so that the factor is not rounded to fewer bits.
-    return _arrays.real(name, number) * factor, bases
+    return number, factor, bases
 
 
 def _of_pint(value: Any) -> tuple[str, dict[str, Any]]:

@@ -6,6 +6,7 @@ pub mod collada;
 mod fill;
 pub mod gltf;
 mod holes_left;
+mod length;
 mod notes;
 pub mod obj;
 pub mod off;
@@ -14,7 +15,6 @@ pub mod ply;
 pub mod points;
 mod polygon;
 mod repair;
-mod repair_bound;
 mod scan;
 mod solid;
 pub mod stl;
@@ -35,8 +35,8 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use crate::brep::BrepFormat;
 
 pub use assumed_unit::{AssumedMetres, longest_side};
-pub use repair::{MeshLength, MeshRepair};
-pub use repair_bound::RepairBound;
+pub use length::MeshLength;
+pub use repair::{MeshRepair, RepairBound};
 pub use solid::{MeshSolid, SolidPart};
 pub use union::UnitedMesh;
 

@@ -5,56 +5,11 @@ use std::path::Path;
 use polhode::body::mesh::{HolesLeft, MeshEffect, TriangleMesh, WeldedMesh};
 use polhode::body::{BodyError, Finding, Severity};
 use polhode_source::text::counted;
-use polhode_source::unit;
-use polhode_source::unit::{Dimension, UnitError};
 use polhode_source::{FormatError, FormatErrorKind};
 use serde_json::{Value, json};
 
-use super::{MeshContents, MeshPart, MeshSolid, RepairBound, holes_left, solid};
-
-/// A length beside a mesh.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum MeshLength {
-    /// In m.
-    Metres(f64),
-    /// In parts of the mesh's size: the diagonal of the box about all of its triangles.
-    OfSize(f64),
-}
-
-impl MeshLength {
-    /// A length with its unit, or a plain number for a part of the mesh's size.
-    ///
-    /// ```
-    /// use polhode_shape::mesh::MeshLength;
-    /// assert_eq!(MeshLength::parse("0.01 mm"), Ok(MeshLength::Metres(0.00001)));
-    /// assert_eq!(MeshLength::parse("3e-7"), Ok(MeshLength::OfSize(3e-7)));
-    /// assert!(MeshLength::parse("2 kg").is_err());
-    /// ```
-    ///
-    /// # Errors
-    /// [`UnitError`] for what is neither.
-    pub fn parse(text: &str) -> Result<Self, UnitError> {
-        if let Ok(part) = text.trim().parse() {
-            return Ok(Self::OfSize(part));
-        }
-        unit::parse(text, Dimension::LENGTH).map(Self::Metres)
-    }
-
-    /// The number itself.
-    pub const fn value(self) -> f64 {
-        match self {
-            Self::Metres(value) | Self::OfSize(value) => value,
-        }
-    }
-
-    /// In the mesh's own unit.
-    pub fn beside(self, diagonal: f64, unit: f64) -> f64 {
-        match self {
-            Self::Metres(length) => length / unit,
-            Self::OfSize(part) => part * diagonal,
-        }
-    }
-}
+use super::length::MeshLength;
+use super::{MeshContents, MeshPart, MeshSolid, holes_left, solid};
 
 /// What was mended of a mesh file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -215,6 +170,42 @@ impl MeshRepair {
     }
 }
 
+/// Bounds on the error that a repair leaves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RepairBound {
+    /// Bound on the error of the enclosed volume, m³.
+    pub volume: f64,
+    /// Bound on the distance of that volume from the corners of the mesh, m.
+    pub beyond: f64,
+}
+
+impl RepairBound {
+    /// Combines the bounds of several repairs, one after another.
+    ///
+    /// Welding by up to d moves the rim of a hole by no more, so that the missing volume lies in a ball
+    /// of r + d. By Minkowski, Σ (r + d)³ ≤ (³√Σr³ + d ³√N)³ for N holes. A ball has a corner of the mesh
+    /// on it, and so is nowhere farther out than 2 r.
+    pub fn of(repairs: &[MeshRepair]) -> Self {
+        let (mut all, mut moved) = (Self { volume: 0.0, beyond: 0.0 }, 0.0_f64);
+        for repair in repairs {
+            let (volume, beyond) = match *repair {
+                MeshRepair::Welded { bound, .. } => {
+                    moved = moved.max(bound.beyond);
+                    (bound.volume, bound.beyond)
+                }
+                MeshRepair::Filled { bound, .. } if moved == 0.0 => (bound.volume, bound.beyond),
+                MeshRepair::Filled { holes, bound, .. } => {
+                    let unit = 4.0 / 3.0 * std::f64::consts::PI;
+                    let radii = libm::cbrt(bound.volume / unit) + moved * libm::cbrt(holes as f64);
+                    (unit * radii.powi(3), bound.beyond + moved)
+                }
+            };
+            all = Self { volume: all.volume + volume, beyond: all.beyond.max(beyond) };
+        }
+        all
+    }
+}
+
 /// "the volume may be off by …, at most", perhaps "all together"
 fn at_most(volume: f64, whole: f64, effect: Option<MeshEffect>, together: &str) -> String {
     let off = format!("the volume may be off by {volume:.1e} m³ ({:.1e} of it)", volume / whole);
@@ -313,5 +304,41 @@ fn repair(welded: &[WeldedMesh], unit: f64) -> MeshRepair {
         largest_distance: most(|mesh| mesh.largest_distance),
         vanished: count(|mesh| mesh.vanished),
         bound: RepairBound { volume, beyond: most(|mesh| mesh.farthest_move) },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A weld widens balls: equal ones reach the bound, others stay below it.
+    #[test]
+    fn a_weld_widens_the_balls_of_the_holes_that_are_filled_after_it() {
+        let (welded, moved) = (2e-5, 0.03);
+        let weld = MeshRepair::Welded {
+            vertices: 3,
+            points: 1,
+            largest_distance: 0.05,
+            vanished: 0,
+            bound: RepairBound { volume: welded, beyond: moved },
+        };
+        let ball = |r: f64| 4.0 / 3.0 * std::f64::consts::PI * r * r * r;
+        for radii in [vec![0.7], vec![0.2, 0.2, 0.2], vec![0.9, 0.1], vec![1.3, 0.4, 0.2, 0.05]] {
+            let largest = radii.iter().copied().fold(0.0, f64::max);
+            let fill = MeshRepair::Filled {
+                holes: radii.len(),
+                triangles: 7,
+                largest,
+                left: polhode::body::mesh::HolesLeft::default(),
+                bound: RepairBound { volume: radii.iter().copied().map(ball).sum(), beyond: 2.0 * largest },
+            };
+            assert_eq!(RepairBound::of(&[fill]), fill.bound());
+            let both = RepairBound::of(&[weld, fill]);
+            let exact: f64 = welded + radii.iter().map(|r| ball(r + moved)).sum::<f64>();
+            let excess = both.volume / exact - 1.0;
+            let are_equal = radii.iter().all(|r| *r == largest);
+            assert!(excess > -1e-14 && excess < if are_equal { 1e-14 } else { 0.2 }, "{radii:?}: {excess}");
+            assert_eq!(both.beyond, 2.0 * largest + moved);
+        }
     }
 }

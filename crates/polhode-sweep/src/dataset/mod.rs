@@ -29,11 +29,10 @@ use polhode_document::json::pretty;
 use crate::batch::{Batch, Values};
 use crate::error::SweepError;
 use crate::figures::SweepFigures;
-use crate::outcome;
 use crate::parquet;
 use crate::plan::Plan;
 use crate::report::SweepSummary;
-use crate::rows::inputs;
+use crate::rows::{inputs, simulate, trajectories};
 use crate::statistics;
 use folder::{
     Folder, HISTOGRAMS, MANIFEST, MEMBERS, PAIRS, PLAN, QUESTIONS, SUMMARY, TRAJECTORIES, part_name,
@@ -274,9 +273,9 @@ impl Dataset {
         let was_damaged = self.place(MEMBERS, part).exists();
         let inputs = inputs(plan, self.rows(part));
         if self.wants_trajectories() {
-            self.write_trajectories(part, &outcome::trajectories(plan, &inputs)?)?;
+            self.write_trajectories(part, &trajectories(plan, &inputs)?)?;
         }
-        self.write(part, &outcome::simulate(plan, &inputs)?)?;
+        self.write(part, &simulate(plan, &inputs)?)?;
         Ok(was_damaged)
     }
 

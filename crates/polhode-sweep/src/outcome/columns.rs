@@ -14,7 +14,7 @@ struct Number {
 }
 
 /// A table of outcomes of a plan of this scenario.
-pub(super) fn of(nominal: &Scenario, outcomes: &[Outcome]) -> Vec<Column> {
+pub(crate) fn of(nominal: &Scenario, outcomes: &[Outcome]) -> Vec<Column> {
     let events = nominal.events();
     let text = |name: &str, description: &str, value: fn(&Outcome) -> Option<String>| Column {
         name: name.to_owned(),

@@ -14,7 +14,7 @@ use super::instant::Instant;
 
 /// What becomes of one member. What it does not have, or did not come to, is `None`.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Outcome {
+pub(crate) struct Outcome {
     pub(super) status: Status,
     pub(super) cause: Option<String>,
     /// kg
@@ -72,7 +72,7 @@ pub(super) struct Pointed {
 
 impl Outcome {
     /// Of a member's scenario, or of what is wrong with it.
-    pub(super) fn of(scenario: Result<&Scenario, &FormatError>) -> Self {
+    pub(crate) fn of(scenario: Result<&Scenario, &FormatError>) -> Self {
         let scenario = match scenario {
             Ok(scenario) => scenario,
             // Without the path: the row is the same wherever the plan lies.

@@ -2,11 +2,10 @@
 
 use polhode::motion::{Scenario, State};
 
-use crate::batch::{Batch, BatchError, Column, Values};
-use crate::rows::MEMBER;
+use crate::batch::{Batch, BatchError, Column, MEMBER, Values};
 
 /// The states of a motion at its sample times, as far as it goes.
-pub(super) fn samples(scenario: &Scenario) -> Vec<State> {
+pub(crate) fn samples(scenario: &Scenario) -> Vec<State> {
     match scenario.simulate() {
         Some(Ok(trajectory)) => trajectory.samples().iter().map(|sample| sample.state).collect(),
         Some(Err(_)) | None => Vec::new(),
@@ -30,7 +29,7 @@ const ATTITUDE: &str = "R_space_body as a unit quaternion, Hamilton, scalar firs
 const OMEGA: &str = "angular velocity relative to space, along body axes";
 
 /// The rows of members, each of whom has some.
-pub(super) fn table(members: &[u64], samples: impl Iterator<Item = Vec<State>>) -> Result<Batch, BatchError> {
+pub(crate) fn table(members: &[u64], samples: impl Iterator<Item = Vec<State>>) -> Result<Batch, BatchError> {
     let mut numbers = Vec::new();
     let mut values: [Vec<f64>; 8] = Default::default();
     for (&member, states) in members.iter().zip(samples) {

@@ -22,6 +22,8 @@ use polhode::motion::Scenario;
 use polhode_scenario::read::{Distribution, Law, Template, Vary};
 use polhode_source::FormatError;
 
+use crate::outcome::columns_of;
+
 use draw::{Draw, MOST_COORDINATES};
 use uniform::{Coordinate, Sets};
 
@@ -123,7 +125,7 @@ impl Plan {
         let variables: Vec<Variable> =
             vary.iter().flat_map(|(_, vary)| vary.target.columns().iter().map(column)).collect();
         let digest = digest::digest(&template)?;
-        let outcomes = crate::outcome::columns_of(template.nominal());
+        let outcomes = columns_of(template.nominal(), &[]);
         let condition = |question| Condition::new(&template, question, &variables, &outcomes);
         let questions = sweep.questions.iter().map(condition).collect::<Result<_, _>>()?;
         let vary = vary.into_iter().map(|(draw, vary)| (vary, draw)).collect();

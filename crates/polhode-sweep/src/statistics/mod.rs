@@ -20,13 +20,12 @@ mod tally;
 
 use std::ops::Range;
 
-use crate::batch::{Batch, Values};
+use crate::batch::{Batch, MEMBER, Values};
 use crate::error::SweepError;
 use crate::plan::{Plan, Sampling};
 use crate::report::{
     SweepAttitude, SweepCorrelation, SweepQuantile, SweepSample, SweepShare, SweepStatistic, SweepSummary,
 };
-use crate::rows::MEMBER;
 use crate::sampling;
 use answers::Count;
 use attitude::MeanAttitude;

@@ -1,8 +1,7 @@
 //! A few members, drawn by their numbers: for pictures and for what depends on what.
 
-use crate::batch::{Batch, Values};
+use crate::batch::{Batch, MEMBER, Values};
 use crate::report::SweepSample;
-use crate::rows::MEMBER;
 
 /// How many, about.
 const SIZE: u64 = 4096;

@@ -6,10 +6,9 @@ use std::ops::Range;
 use super::answers::Answers;
 use super::sample::Sampled;
 use super::{Design, values, values_of};
-use crate::batch::{Batch, Values};
+use crate::batch::{Batch, MEMBER, Values};
 use crate::error::SweepError;
 use crate::plan::Plan;
-use crate::rows::MEMBER;
 
 /// Failures that a summary shows.
 const SHOWN: usize = 5;

@@ -1,6 +1,6 @@
 //! What a part looks like.
 
-use super::mesh::TriangleMesh;
+use super::triangle_mesh::TriangleMesh;
 use crate::math::frame::{Body, Part};
 use crate::math::rotation::Rotation;
 use crate::math::vector::Position;

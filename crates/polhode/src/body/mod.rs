@@ -36,6 +36,7 @@ pub(crate) mod particles;
 pub(crate) mod principal;
 pub mod shape;
 pub(crate) mod solid;
+mod triangle_mesh;
 
 pub use assembly::{BodyPart, PlacedPart, assemble};
 pub use assembly_derivatives::{AssemblyDerivatives, PartDerivatives};

@@ -1,7 +1,7 @@
 //! Numbers and vectors of which only the operations are known.
 //!
 //! A law that is written with them can be evaluated (f64), recognised as a polynomial, or recorded as a graph whose Taylor coefficients
-//! follow: `motion/model/torque/law.rs`.
+//! follow: `motion/model/law.rs`.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -57,7 +57,8 @@ pub use run::ending::{Ending, MethodReason};
 pub use run::ensemble::{
     Ensemble, EnsembleOutcome, EnsembleStates, Member, MemberCrossing, MemberFailure, MemberStop,
 };
-pub use run::global_error::{ErrorEffort, GlobalError};
+pub use run::estimated_error::GlobalError;
+pub use run::global_error::ErrorEffort;
 pub use run::sample::Sample;
 pub use run::simulation::Simulation;
 pub use run::solution::Solution;
@@ -65,11 +66,11 @@ pub use run::trajectory::Trajectory;
 pub use solve::closed_form::ClosedForm;
 pub use solve::free::{FreeMotion, FreeMotionDerivatives, FreeMotions, PermanentAxis, Regime};
 pub use solve::heavy_top::{HeavyTop, SteadyPrecession, TopPath};
+pub use solve::limits::{LOOSEST_TOLERANCE, TIGHTEST_TOLERANCE};
 pub use solve::method::Method;
 pub use solve::pendulum_motion::PendulumMotion;
 pub use solve::propagate::splitting::SplittingOrder;
 pub use solve::propagate::step_statistics::StepStatistics;
-pub use solve::propagate::stepper::{LOOSEST_TOLERANCE, TIGHTEST_TOLERANCE};
 pub use solve::solver::Solver;
 pub use solve::swinging_body::SwingingBody;
 pub use task::asked::{ActingTorque, Forward, GroundContact, Suspension, Task};

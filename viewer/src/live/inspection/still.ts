@@ -1,8 +1,8 @@
 /** Things that stand still, in three dimensions: what was found in a file. A frame is drawn only if something changed. */
 import { type Group, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { element } from "../../dom";
-import { compose } from "../../save/frame";
 import { OrbitCamera } from "../../scene/camera";
+import { compose } from "../../scene/compose";
 import { dispose } from "../../scene/dispose";
 import { type Label, Labels } from "../../scene/labels";
 import { Light } from "../../scene/light";

@@ -7,23 +7,19 @@
 pub(crate) mod cells;
 mod format;
 mod plain;
-mod sections;
 mod strings;
 mod value;
-
-use std::path::Path;
 
 use polhode_source::package::archive::Archive;
 use polhode_source::package::relation::{Relation, relations};
 use polhode_source::package::xml::{Token, Xml};
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
-use super::sheet::{Body, Origin, Sheet};
+use super::cell::SheetRow;
 use cells::RawSheet;
 use strings::Strings;
 
 pub(crate) use cells::Cells;
-pub(crate) use sections::{Sections, is_section};
 
 /// A workbook.
 #[derive(Debug)]
@@ -88,18 +84,15 @@ impl Workbook {
         self.sheets.iter().filter(|sheet| !sheet.raw.is_empty()).map(|sheet| sheet.name.as_str()).collect()
     }
 
-    /// A sheet as a table, and what is to be said of it.
-    pub(crate) fn sheet<'a>(&'a self, path: &'a Path, name: &str) -> Option<(Sheet<'a>, Vec<String>)> {
+    /// The rows and the cells of a sheet, and what is to be said of it.
+    pub(crate) fn sheet(&self, name: &str) -> Option<(&[SheetRow], Cells<'_>, Vec<String>)> {
         let named = self.sheets.iter().find(|sheet| sheet.name == name)?;
-        let cells = Cells::of(&named.raw, &self.strings);
-        let origin = Origin::Workbook { path, sheet: named.name.clone() };
         let mut lines = Vec::new();
         if named.is_hidden {
             lines.push(format!("read although hidden: the sheet {name}"));
         }
         lines.extend(named.raw.hidden_columns());
-        let (rows, body) = (named.raw.rows().into(), Body::Workbook(cells));
-        Some((Sheet { origin, rows, body, decimal_comma: false }, lines))
+        Some((named.raw.rows(), Cells::of(&named.raw, &self.strings), lines))
     }
 }
 

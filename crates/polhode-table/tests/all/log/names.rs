@@ -1,6 +1,6 @@
 //! Which columns are read where several could be.
 
-use polhode::infer::judge::{AttitudeSense, OmegaAxes, QuaternionOrder};
+use polhode::infer::judge::{AttitudeSense, QuaternionOrder};
 use polhode_table::log::{Columns, ColumnsError};
 
 use super::{read, refused, told};

@@ -2,7 +2,7 @@
 
 use super::parametrised::Parametrised;
 use super::rule::CubatureRule;
-use crate::body::mesh::TriangleMesh;
+use crate::body::triangle_mesh::TriangleMesh;
 use crate::math::symmetric3::power_of_two_near;
 
 /// Where a solid is, in coordinates ξ in which it lies about 0 and is about 1 large: x = reference + unit ξ.

@@ -5,11 +5,11 @@ use super::close_pairs::distance;
 use super::clusters::across;
 use super::edges::{Edges, end_of, start_of};
 use super::patches::{join, root};
-use super::predicate::normal;
 use super::threads::Threads;
 use super::weld::{NONE, Welded, is_proper};
 use super::weld_near::compact;
 use crate::body::error::{BodyError, positive};
+use crate::body::triangle_mesh::normal;
 
 /// A mesh whose small holes were closed: [`TriangleMesh::filled`].
 #[derive(Clone, Debug, PartialEq)]

@@ -1,9 +1,10 @@
 //! Convex hulls.
 
 use super::TriangleMesh;
-use super::predicate::{normal, side};
+use super::predicate::side;
 use super::weld::NONE;
 use crate::body::error::{BodyError, finite};
+use crate::body::triangle_mesh::normal;
 use crate::math::symmetric3::power_of_two_near;
 
 /// The smallest convex solid around points.

@@ -5,6 +5,8 @@
 
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
+use crate::body::triangle_mesh::normal;
+
 /// Positive if p lies on the side of the plane through a, b, c to which their normal (b − a) × (c − a) points; 0 in the plane.
 #[inline(always)]
 pub(crate) fn side([a, b, c]: [[f64; 3]; 3], p: [f64; 3]) -> f64 {
@@ -62,13 +64,6 @@ pub(crate) fn facing([a, b, c]: [[f64; 3]; 3]) -> Option<(usize, f64)> {
         let area = turn(across(axis, a), across(axis, b), across(axis, c));
         (area != 0.0).then_some((axis, area.signum()))
     })
-}
-
-/// (b − a) × (c − a), rounded.
-pub(crate) fn normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
-    let from = |q: [f64; 3]| [q[0] - a[0], q[1] - a[1], q[2] - a[2]];
-    let ([bx, by, bz], [cx, cy, cz]) = (from(b), from(c));
-    [by * cz - bz * cy, bz * cx - bx * cz, bx * cy - by * cx]
 }
 
 #[cfg(test)]

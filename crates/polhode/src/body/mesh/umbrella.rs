@@ -5,8 +5,9 @@
 //! triangles have, the triangles have nothing but corners and edges in common: each lies in a wedge of its own.
 
 use super::fan::{Angle, Fan};
-use super::predicate::{normal, side};
+use super::predicate::side;
 use super::weld::{NONE, Welded};
+use crate::body::triangle_mesh::normal;
 
 /// Triangles of a corner from which on they are looked at together.
 const MANY: u32 = 64;

@@ -4,10 +4,10 @@ use super::TriangleMesh;
 use super::close_pairs::{ClosePairs, distance};
 use super::clusters::{across, clusters, mean};
 use super::edges::{Edges, end_of, start_of};
-use super::predicate::normal;
 use super::threads::Threads;
 use super::weld::{NONE, Welded, is_proper};
 use crate::body::error::{BodyError, positive};
+use crate::body::triangle_mesh::normal;
 
 /// A mesh whose torn edges were joined: [`TriangleMesh::welded`].
 #[derive(Clone, Debug, PartialEq)]

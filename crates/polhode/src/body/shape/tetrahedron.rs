@@ -3,7 +3,7 @@
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, finite};
 use crate::body::form::Form;
-use crate::body::mesh::TriangleMesh;
+use crate::body::triangle_mesh::TriangleMesh;
 use crate::math::frame::Part;
 use crate::math::symmetric3::{Symmetric3, power_of_two_near};
 use crate::math::vector::{Direction, Position};

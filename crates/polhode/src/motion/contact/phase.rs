@@ -6,7 +6,7 @@ use super::smooth::Smooth;
 use super::watch::{Kind, Sides, Watch, watches};
 use crate::math::root::vanishing;
 use crate::motion::solve::collocation::{Collocation, ROOM, StepWork, Wanted};
-use crate::motion::solve::propagate::stepper::TIGHTEST_TOLERANCE;
+use crate::motion::solve::limits::TIGHTEST_TOLERANCE;
 use crate::motion::solve::series::{Expansion, System};
 use crate::motion::solve::solver::Solver;
 

@@ -18,9 +18,8 @@ use crate::motion::model::event_detection::{EventDetector, Found, Watched};
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
-use crate::motion::solve::propagate::bound::MOST_STEPS;
+use crate::motion::solve::limits::{LOOSEST_TOLERANCE, MOST_STEPS, TIGHTEST_TOLERANCE};
 use crate::motion::solve::propagate::step_statistics::StepStatistics;
-use crate::motion::solve::propagate::stepper::{LOOSEST_TOLERANCE, TIGHTEST_TOLERANCE};
 use crate::motion::solve::solver::Solver;
 use crate::motion::solve::start::require_ascending;
 

@@ -12,9 +12,8 @@ use crate::math::vector::{AngularMomentum, Direction, Vector};
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 use crate::motion::model::state::State;
-use crate::motion::solve::propagate::bound::MOST_STEPS;
+use crate::motion::solve::limits::{LOOSEST_TOLERANCE, MOST_STEPS, TIGHTEST_TOLERANCE};
 use crate::motion::solve::propagate::step_statistics::StepStatistics;
-use crate::motion::solve::propagate::stepper::{LOOSEST_TOLERANCE, TIGHTEST_TOLERANCE};
 use crate::motion::solve::start::require_ascending;
 
 /// What M has on its diagonal, by axis.

@@ -1,12 +1,12 @@
 //! How what an event measures changes: with time along a motion, with the state, and with the inertia.
 
 use super::event::{Event, Measure};
+use super::law::LawInput;
 use super::pointing::Reference;
 use super::rotor::Rotor;
 use super::state::State;
 use super::state_variables::StateVariables;
 use super::torque::formula::evaluate;
-use super::torque::law::LawInput;
 use super::torque::tangent::Tangent;
 use crate::math::algebra::VectorAlgebra;
 use crate::math::derivative::derivative;

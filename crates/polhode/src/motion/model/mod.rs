@@ -6,6 +6,7 @@ pub(crate) mod event_detection;
 pub(crate) mod event_function;
 pub(crate) mod event_slope;
 pub(crate) mod kinematics;
+pub(crate) mod law;
 pub(crate) mod mass_history;
 pub(crate) mod orbit;
 pub(crate) mod orbital_elements;

@@ -1,8 +1,8 @@
 //! What formulas of a state are made of.
 
+use super::law::LawInput;
 use super::rotor::Rotor;
 use super::state::State;
-use super::torque::law::LawInput;
 use crate::math::algebra::{Scalar, VectorAlgebra};
 use crate::math::formula::Binary;
 use crate::math::vector::Direction;

@@ -4,6 +4,7 @@ pub(crate) mod derivative_log;
 pub(crate) mod derivatives;
 pub(crate) mod ending;
 pub(crate) mod ensemble;
+pub(crate) mod estimated_error;
 pub(crate) mod global_error;
 pub(crate) mod integration;
 pub(crate) mod sample;

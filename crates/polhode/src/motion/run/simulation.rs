@@ -14,8 +14,9 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
 use crate::motion::solve::closed_form::ClosedForm;
+use crate::motion::solve::limits::MOST_STEPS;
 use crate::motion::solve::method::Method;
-use crate::motion::solve::propagate::bound::{MOST_STEPS, PATIENCE};
+use crate::motion::solve::propagate::bound::PATIENCE;
 use crate::motion::solve::propagate::stepper::{Rule, Stepper};
 use crate::motion::solve::solver::Solver;
 use crate::motion::solve::start::{require_ascending, require_few_pulses, require_finite};
@@ -240,8 +241,7 @@ impl<'a> Simulation<'a> {
 
     /// The first torque without a power series, and why it has none.
     pub(super) fn rough_torque(&self) -> Option<(usize, &'static str)> {
-        let body =
-            self.history.map(|history| (history.body(self.start.time, self.pivot(), Vec::new()), history));
+        let body = self.history.map(|history| (history.body(self.start.time, self.pivot()), history));
         let roughness = |torque: &TorqueModel| {
             let of_changing =
                 || body.as_ref().and_then(|(body, history)| body.roughness(torque, history.ball()));

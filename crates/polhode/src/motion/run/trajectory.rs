@@ -1,7 +1,7 @@
 //! Trajectories: the motion at given times, by the best method there is.
 
 use super::ending::{Ending, MethodReason};
-use super::global_error::GlobalError;
+use super::estimated_error::GlobalError;
 use super::sample::{Sample, continuous};
 use super::solution::Solution;
 use crate::motion::contact::{ContactSample, ContactTrajectory};

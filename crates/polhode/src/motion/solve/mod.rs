@@ -5,6 +5,7 @@ pub(crate) mod closed_form;
 pub(in crate::motion) mod collocation;
 pub(crate) mod free;
 pub(crate) mod heavy_top;
+pub(crate) mod limits;
 pub(crate) mod method;
 pub(crate) mod pendulum_motion;
 mod phase;

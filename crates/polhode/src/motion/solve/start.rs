@@ -1,6 +1,6 @@
 //! What must hold before a motion begins.
 
-use super::propagate::bound::MOST_STEPS;
+use super::limits::MOST_STEPS;
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;

@@ -1,4 +1,4 @@
-//! A changing body as what the solvers know: a law, whose torque on a ball of one kg·m² is ω̇.
+//! A changing body between two changes, and its equations of motion.
 
 use super::MassHistory;
 use super::instant::{Elements, Instant, difference, steiner, sum, times};
@@ -6,14 +6,12 @@ use super::moments::{Polynomial, disc};
 use super::outflow::Outflow;
 use crate::math::algebra::{Components, Scalar};
 use crate::math::frame::{Body, Space};
-use crate::math::rotation::Attitude;
 use crate::math::vector::{AngularMomentum, Position, Torque, Vector};
+use crate::motion::model::law::LawInput;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
-use crate::motion::model::torque::TorqueModel;
-use crate::motion::model::torque::law::LawInput;
 
-/// A body from one change to the next, and the torques that act on it.
+/// A body from one change to the next.
 #[derive(Clone, Debug)]
 pub(in crate::motion) struct ChangingBody {
     epoch: f64,
@@ -23,7 +21,6 @@ pub(in crate::motion) struct ChangingBody {
     reference: Position<Body>,
     is_held: bool,
     loss: Loss,
-    pub(in crate::motion) torques: Vec<TorqueModel>,
 }
 
 /// How it loses mass.
@@ -43,13 +40,8 @@ struct Drain {
 }
 
 impl MassHistory {
-    /// The body just after a time, until the next change, under torques without schedules.
-    pub(in crate::motion) fn body(
-        &self,
-        time: f64,
-        pivot: Option<Position<Body>>,
-        torques: Vec<TorqueModel>,
-    ) -> ChangingBody {
+    /// The body just after a time, until the next change.
+    pub(in crate::motion) fn body(&self, time: f64, pivot: Option<Position<Body>>) -> ChangingBody {
         let piece = self.piece(time);
         let reference = pivot.unwrap_or(self.reference);
         let moments = piece.moments.about((reference - self.reference).to_array());
@@ -65,15 +57,7 @@ impl MassHistory {
             Outflow::InPlace => Loss::InPlace,
             Outflow::Exits(exits) => Loss::Exits(exits.iter().map(drain).collect()),
         };
-        ChangingBody {
-            epoch: piece.epoch,
-            moments,
-            rates,
-            reference,
-            is_held: pivot.is_some(),
-            loss,
-            torques,
-        }
+        ChangingBody { epoch: piece.epoch, moments, rates, reference, is_held: pivot.is_some(), loss }
     }
 }
 
@@ -143,27 +127,18 @@ impl ChangingBody {
         Some(if self.is_held { Rotor::pivoted(&body, self.reference) } else { Rotor::free(&body) })
     }
 
-    /// The torque of all that acts from outside, body axes; NaN where the body is not known. Twists are continued
-    /// from an attitude near that of the state, if one is given.
-    pub(in crate::motion) fn torque(&self, state: &State, near: Option<Attitude>) -> Torque<Body> {
-        if self.torques.is_empty() {
-            return Torque::ZERO;
-        }
-        let Some(rotor) = self.rotor(state.time) else { return Torque::from_array([f64::NAN; 3]) };
-        let torque = |model: &TorqueModel| match near {
-            None => model.torque(&rotor, state),
-            Some(near) => model.model().value_near(&rotor, state, near),
-        };
-        self.torques.iter().fold(Torque::ZERO, |sum, model| sum + torque(model))
-    }
-
     /// Power and torque, the latter in space axes, that change ½ ω·I ω and I ω: with what leaves, and with what moves inside.
-    pub(in crate::motion) fn balances<I>(&self, at: &I, state: &State) -> (f64, AngularMomentum<Space>)
+    pub(in crate::motion) fn balances<I>(
+        &self,
+        at: &I,
+        state: &State,
+        torque: Torque<Body>,
+    ) -> (f64, AngularMomentum<Space>)
     where
         I: LawInput<Scalar = f64>,
     {
         let omega = Components(state.omega.to_array());
-        let torque = Components(self.torque(state, None).to_array());
+        let torque = Components(torque.to_array());
         let (power, torque) = self.instant(at).balances(omega, torque);
         (power, state.attitude * AngularMomentum::<Body>::from_array(torque.0))
     }

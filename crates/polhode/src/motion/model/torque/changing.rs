@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use super::graph::Graph;
-use super::law::Values;
 use super::model::AnyLaw;
 use super::polynomial::{PolynomialVector, Unknowns};
 use super::recorder::{Recorder, VectorNode};
@@ -14,13 +13,22 @@ use super::{OwnTorque, TorqueModel};
 use crate::math::frame::{Body, Space};
 use crate::math::rotation::Attitude;
 use crate::math::vector::{AngularMomentum, Direction, Torque};
+use crate::motion::model::law::Values;
 use crate::motion::model::mass_history::changing_body::ChangingBody;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 
+/// A changing body, and the torques that act on it.
+#[derive(Clone, Debug)]
+pub(in crate::motion) struct DrivenBody {
+    body: ChangingBody,
+    /// Torques from outside, without schedules.
+    torques: Vec<TorqueModel>,
+}
+
 impl OwnTorque {
     /// The law of a changing body.
-    pub(in crate::motion) fn of_changing(body: Arc<ChangingBody>) -> Self {
+    pub(in crate::motion) fn of_changing(body: Arc<DrivenBody>) -> Self {
         Self::smooth("changing mass", body)
     }
 }
@@ -38,24 +46,50 @@ impl ChangingBody {
         let (graph, _) = Graph::recorded(ball, record);
         graph.asks_for_rotor.then_some("a law that asks for the rotor, and the body changes")
     }
+}
+
+impl DrivenBody {
+    pub(in crate::motion) fn new(body: ChangingBody, torques: Vec<TorqueModel>) -> Self {
+        Self { body, torques }
+    }
+
+    /// The body as it is at a time.
+    pub(in crate::motion) fn rotor(&self, time: f64) -> Option<Rotor> {
+        self.body.rotor(time)
+    }
+
+    /// The torque of all that acts from outside, body axes; NaN where the body is not known. Twists are continued
+    /// from an attitude near that of the state, if one is given.
+    fn torque(&self, state: &State, near: Option<Attitude>) -> Torque<Body> {
+        if self.torques.is_empty() {
+            return Torque::ZERO;
+        }
+        let Some(rotor) = self.body.rotor(state.time) else { return Torque::from_array([f64::NAN; 3]) };
+        let torque = |model: &TorqueModel| match near {
+            None => model.torque(&rotor, state),
+            Some(near) => model.model().value_near(&rotor, state, near),
+        };
+        self.torques.iter().fold(Torque::ZERO, |sum, model| sum + torque(model))
+    }
 
     /// As [`ChangingBody::balances`], of the ball that turns in its place.
     pub(in crate::motion) fn evidence(&self, ball: &Rotor, state: &State) -> (f64, AngularMomentum<Space>) {
-        self.balances(&Values { rotor: ball, state, near: None }, state)
+        let torque = self.torque(state, None);
+        self.body.balances(&Values { rotor: ball, state, near: None }, state, torque)
     }
 
     /// The torque on the ball that turns in its place. Twists are continued from an attitude `near` that of the state.
     pub(in crate::motion) fn value_near(&self, ball: &Rotor, state: &State, near: Attitude) -> Torque<Body> {
         let torque: Direction<Body> = self.torque(state, Some(near)).as_quantity();
-        self.acceleration(&Values { rotor: ball, state, near: Some(near) }, torque).as_quantity()
+        self.body.acceleration(&Values { rotor: ball, state, near: Some(near) }, torque).as_quantity()
     }
 }
 
 /// It has a graph, and no derivatives.
-impl AnyLaw for ChangingBody {
+impl AnyLaw for DrivenBody {
     fn value(&self, rotor: &Rotor, state: &State) -> Torque<Body> {
         let torque: Direction<Body> = self.torque(state, None).as_quantity();
-        self.acceleration(&Values { rotor, state, near: None }, torque).as_quantity()
+        self.body.acceleration(&Values { rotor, state, near: None }, torque).as_quantity()
     }
 
     fn polynomial(&self, _: &Unknowns<'_>) -> PolynomialVector {
@@ -63,11 +97,11 @@ impl AnyLaw for ChangingBody {
     }
 
     fn record<'r>(&self, recorder: &Recorder<'r>) -> VectorNode<'r> {
-        recorder.of_changing(self, |recorder| {
+        recorder.of_changing(&self.body, |recorder| {
             let torques = self.torques.iter().map(|torque| torque.model().record(recorder));
             let torque =
                 torques.reduce(|sum, n| sum + n).unwrap_or_else(|| recorder.constant(Direction::ZERO));
-            self.acceleration(recorder, torque)
+            self.body.acceleration(recorder, torque)
         })
     }
 

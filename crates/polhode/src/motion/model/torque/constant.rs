@@ -1,9 +1,9 @@
 //! A constant torque, in body or in space axes.
 
-use super::law::{Law, LawInput};
 use super::model::Model;
 use crate::math::frame::{Body, Space};
 use crate::math::vector::Torque;
+use crate::motion::model::law::{Law, LawInput};
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 

@@ -1,10 +1,10 @@
 //! Drag: a torque against ω.
 
-use super::law::{Law, LawInput};
 use super::model::Model;
 use crate::math::algebra::VectorAlgebra;
 use crate::math::symmetric3::Symmetric3;
 use crate::motion::error::MotionError;
+use crate::motion::model::law::{Law, LawInput};
 use crate::motion::model::require;
 
 /// A torque that resists turning, in proportion to ω or to its square, and not alike about every axis.

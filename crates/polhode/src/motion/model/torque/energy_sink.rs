@@ -1,9 +1,9 @@
 //! Energy lost inside a body: L is kept, T is not.
 
-use super::law::{Law, LawInput};
 use super::model::Model;
 use crate::math::vector::Direction;
 use crate::motion::error::MotionError;
+use crate::motion::model::law::{Law, LawInput};
 use crate::motion::model::require;
 
 /// Dissipation inside a body that bends, sloshes or carries a damper, whose angular momentum it cannot change: an *energy sink*.

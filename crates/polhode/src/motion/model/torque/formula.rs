@@ -1,11 +1,11 @@
 //! A torque that is given by formulas.
 
-use super::law::{Law, LawInput};
 use super::model::Model;
 use crate::math::algebra::Scalar;
 use crate::math::formula::{Formula, Instruction};
 use crate::math::frame::{Body, Space};
 use crate::math::vector::{Direction, Torque, Vector};
+use crate::motion::model::law::{Law, LawInput};
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::state_variables::StateVariables;

@@ -1,11 +1,11 @@
 //! Uniform gravity on a body held at a pivot.
 
-use super::law::{Law, LawInput};
 use super::model::Model;
 use crate::math::algebra::VectorAlgebra;
 use crate::math::frame::Space;
 use crate::math::rotation::Attitude;
 use crate::math::vector::Acceleration;
+use crate::motion::model::law::{Law, LawInput};
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 

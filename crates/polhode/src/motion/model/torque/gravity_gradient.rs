@@ -11,13 +11,13 @@
 //!
 //! Source of the latter: P. C. Hughes, Spacecraft Attitude Dynamics (1986), ch. 8.1.
 
-use super::law::{Law, LawInput, OrbitPosition};
 use super::model::Model;
 use crate::body::particles::Particle;
 use crate::math::algebra::{Scalar, VectorAlgebra};
 use crate::math::frame::Body;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::{Direction, Position};
+use crate::motion::model::law::{Law, LawInput, OrbitPosition};
 use crate::motion::model::orbit::Orbit;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;

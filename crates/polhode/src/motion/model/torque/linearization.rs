@@ -8,12 +8,12 @@
 
 use super::TorqueModel;
 use super::graph::Graph;
-use super::law::LawInput;
 use super::parameter::ParameterKind;
 use super::recorder::Recorder;
 use super::variation::{Along, Variation};
 use super::varied::VariedVector;
 use crate::math::algebra::VectorAlgebra;
+use crate::motion::model::law::LawInput;
 use crate::motion::model::rotor::Rotor;
 
 /// A graph of the derivatives of Ω and of L × Ω + N, principal axes. Without friction it has those of N alone: Ω is ω, and what L × ω has

@@ -1,11 +1,11 @@
 //! A magnet in a field.
 
-use super::law::{Law, LawInput, OrbitPosition};
 use super::model::Model;
 use crate::math::algebra::{Scalar, VectorAlgebra};
 use crate::math::frame::{Body, Space};
 use crate::math::rotation::Attitude;
 use crate::math::vector::Direction;
+use crate::motion::model::law::{Law, LawInput, OrbitPosition};
 use crate::motion::model::orbit::Orbit;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
@@ -127,11 +127,11 @@ impl Model for Magnetic {
 
 #[cfg(test)]
 mod tests {
-    use super::super::law::generic_rotor;
     use super::*;
     use crate::math::Torque;
     use crate::math::rotation::Rotation;
     use crate::math::vector::{AngularVelocity, Position};
+    use crate::motion::model::law::generic_rotor;
 
     #[test]
     fn the_torque_is_minus_the_gradient_of_the_potential() {

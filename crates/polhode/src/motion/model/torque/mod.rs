@@ -1,6 +1,6 @@
 //! Torques: a sum of small models, each in its own file.
 
-mod changing;
+pub(crate) mod changing;
 mod condensed;
 pub(crate) mod constant;
 pub(crate) mod drag;
@@ -10,7 +10,6 @@ pub(crate) mod graph;
 pub(crate) mod gravity;
 pub(crate) mod gravity_gradient;
 pub(crate) mod jacobian;
-pub(crate) mod law;
 pub(crate) mod linearization;
 pub(crate) mod magnetic;
 pub(crate) mod model;
@@ -37,6 +36,7 @@ use super::wheel::Wheel;
 use crate::math::frame::Body;
 use crate::math::vector::Torque;
 
+pub use super::law::{Law, LawInput, OrbitPosition};
 pub use super::schedule::Schedule;
 pub use constant::ConstantTorque;
 pub use drag::{Drag, DragLaw};
@@ -45,7 +45,6 @@ pub use formula::FormulaTorque;
 pub use gravity::UniformGravity;
 pub use gravity_gradient::{Attracted, GravityGradient};
 pub use jacobian::TorqueJacobian;
-pub use law::{Law, LawInput, OrbitPosition};
 pub use magnetic::{Magnetic, MagneticField};
 pub use own::{MemberState, OwnTorque};
 pub use parameter::TorqueParameter;

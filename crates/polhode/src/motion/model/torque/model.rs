@@ -2,7 +2,6 @@
 
 use core::fmt;
 
-use super::law::Law;
 use super::polynomial::{PolynomialVector, Unknowns};
 use super::recorder::{Recorder, VectorNode};
 use super::tangent::Tangent;
@@ -11,6 +10,7 @@ use super::varied::VariedVector;
 use crate::math::frame::Body;
 use crate::math::rotation::Attitude;
 use crate::math::vector::Torque;
+use crate::motion::model::law::Law;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 

@@ -5,7 +5,6 @@ use core::sync::atomic::{AtomicU64, Ordering};
 use std::sync::Arc;
 
 use super::graph::Graph;
-use super::law::Law;
 use super::model::{AnyLaw, Model};
 use super::polynomial::{PolynomialVector, Unknowns};
 use super::recorder::{Recorder, VectorNode};
@@ -16,6 +15,7 @@ use crate::body::inertia::InertiaTensor;
 use crate::body::mass_properties::MassProperties;
 use crate::math::frame::Body;
 use crate::math::vector::{Position, Torque};
+use crate::motion::model::law::Law;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 

@@ -7,13 +7,13 @@
 use core::cell::RefCell;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::law::{LawInput, OrbitPosition};
 use crate::math::algebra::{Components, Scalar};
 use crate::math::formula::{Binary, Unary};
 use crate::math::frame::{Body, Principal, Space};
 use crate::math::rotation::{Attitude, Rotation};
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Direction;
+use crate::motion::model::law::{LawInput, OrbitPosition};
 use crate::motion::model::orbit::Orbit;
 use crate::motion::model::rotor::Rotor;
 

@@ -190,10 +190,10 @@ impl Model for Tabulated {
 
 #[cfg(test)]
 mod tests {
-    use super::super::law::generic_rotor;
     use super::*;
     use crate::math::rotation::Attitude;
     use crate::math::vector::AngularVelocity;
+    use crate::motion::model::law::generic_rotor;
 
     fn at(table: &Tabulated, time: f64) -> [f64; 3] {
         let state = State { time, attitude: Attitude::identity(), omega: AngularVelocity::ZERO };

@@ -1,12 +1,12 @@
 //! A state that moves, with the derivatives of what a law is a function of.
 
-use super::law::{LawInput, OrbitPosition, Values};
 use crate::math::algebra::{Components, Scalar};
 use crate::math::frame::{Body, Space};
 use crate::math::jet::Jet;
 use crate::math::rotation::Attitude;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::{AngularVelocity, Direction};
+use crate::motion::model::law::{LawInput, OrbitPosition, Values};
 use crate::motion::model::orbit::Orbit;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;

@@ -1,10 +1,10 @@
 //! A force fixed to the body.
 
-use super::law::{Law, LawInput};
 use super::model::Model;
 use crate::math::algebra::VectorAlgebra;
 use crate::math::frame::Body;
 use crate::math::vector::{Force, Position};
+use crate::motion::model::law::{Law, LawInput};
 
 /// A thruster: a force along body axes at a point of the body, N = (r − c) × F.
 ///

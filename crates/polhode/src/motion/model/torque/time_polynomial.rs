@@ -1,9 +1,9 @@
 //! A torque that is a polynomial in time.
 
-use super::law::{Law, LawInput};
 use super::model::Model;
 use crate::math::frame::{Body, Space};
 use crate::math::vector::{Direction, Torque};
+use crate::motion::model::law::{Law, LawInput};
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 
@@ -86,10 +86,10 @@ impl Model for TimePolynomial {
 
 #[cfg(test)]
 mod tests {
-    use super::super::law::{Values, generic_rotor};
     use super::*;
     use crate::math::rotation::Attitude;
     use crate::math::vector::AngularVelocity;
+    use crate::motion::model::law::{Values, generic_rotor};
 
     #[test]
     fn the_law_is_what_is_evaluated() {

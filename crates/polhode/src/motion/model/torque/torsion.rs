@@ -1,12 +1,12 @@
 //! A spring that is twisted as the body turns.
 
-use super::law::{Law, LawInput, Values};
 use super::model::Model;
 use crate::math::algebra::{Scalar, VectorAlgebra};
 use crate::math::frame::{Body, Space};
 use crate::math::rotation::{Attitude, Rotation};
 use crate::math::vector::{Direction, Torque};
 use crate::motion::error::MotionError;
+use crate::motion::model::law::{Law, LawInput, Values};
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
@@ -138,9 +138,9 @@ impl Model for Torsion {
 
 #[cfg(test)]
 mod tests {
-    use super::super::law::generic_rotor;
     use super::*;
     use crate::math::vector::{AngularVelocity, Vector};
+    use crate::motion::model::law::generic_rotor;
 
     fn generic() -> [Torsion; 2] {
         let rest = Attitude::from_quaternion([0.8, 0.1, -0.4, 0.5]).unwrap();

@@ -1,12 +1,12 @@
 //! The state as a law is recorded together with its derivative: by the state, by the inertia, or by a parameter.
 
-use super::law::{LawInput, OrbitPosition};
 use super::recorder::{NumberNode, Recorder, VectorNode};
 use super::varied::{VariedNumber, VariedVector};
 use crate::math::algebra::{Scalar as _, VectorAlgebra};
 use crate::math::frame::{Body, Principal, Space};
 use crate::math::rotation::Attitude;
 use crate::math::vector::Direction;
+use crate::motion::model::law::{LawInput, OrbitPosition};
 use crate::motion::model::orbit::Orbit;
 use crate::motion::model::rotor::Rotor;
 

@@ -2,11 +2,11 @@
 
 use super::compared_samples::ComparedSamples;
 use super::perturbed::Distance;
-use super::{GlobalError, NONE, ROUNDING};
 use crate::motion::model::state::State;
+use crate::motion::run::estimated_error::{GlobalError, NONE, ROUNDING};
 use crate::motion::run::trajectory::Trajectory;
+use crate::motion::solve::limits::TIGHTEST_TOLERANCE;
 use crate::motion::solve::propagate::noise::StepNoise;
-use crate::motion::solve::propagate::stepper::TIGHTEST_TOLERANCE;
 
 /// Amplitude of the rounding of a step in a comparison run, in units of ε.
 const STEP_NOISE: f64 = 2.0;

@@ -1,13 +1,14 @@
 //! How the error is estimated: other runs, and how far they are apart.
 
+use super::ErrorEffort;
 use super::compared_samples::ComparedSamples;
 use super::comparison::{INPUT_AMPLITUDES, INPUT_RUNS, INPUT_SEED, error_by_steps};
 use super::inputs::Inputs;
 use super::perturbed::{Distance, LINEAR, Perturbed};
-use super::{ErrorEffort, GlobalError, NONE};
 use crate::motion::error::MotionError;
 use crate::motion::model::state::State;
 use crate::motion::model::state::StateError;
+use crate::motion::run::estimated_error::{GlobalError, NONE};
 use crate::motion::run::sample::Sample;
 use crate::motion::run::simulation::Simulation;
 use crate::motion::run::solution::Solution;

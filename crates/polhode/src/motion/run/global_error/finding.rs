@@ -1,8 +1,8 @@
 //! What the error of a motion says to the one who reads it.
 
-use super::GlobalError;
 use crate::body::finding::{Finding, Severity};
 use crate::motion::model::state::StateError;
+use crate::motion::run::estimated_error::GlobalError;
 use crate::motion::run::solution::Solution;
 use crate::motion::run::trajectory::Trajectory;
 use crate::motion::solve::solver::Solver;

@@ -1,12 +1,12 @@
 //! The error of a free motion, which needs no simulation.
 
-use super::GlobalError;
 use super::compared_samples::ComparedSamples;
 use super::estimation::input_error;
 use super::inputs::Change;
 use crate::math::symmetric3::Symmetric3;
 use crate::motion::error::MotionError;
 use crate::motion::model::state::StateError;
+use crate::motion::run::estimated_error::GlobalError;
 use crate::motion::run::trajectory::Trajectory;
 use crate::motion::solve::free::FreeMotion;
 use crate::motion::solve::reach::ALLOWED;

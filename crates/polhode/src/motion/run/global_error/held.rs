@@ -1,8 +1,9 @@
 //! The error of a motion that has series of its own, on the ground or in gimbals: other runs of it, with larger rounding and from other inputs.
 
+use super::ErrorEffort;
 use super::comparison::{ComparisonRun, error_by_steps};
-use super::{ErrorEffort, GlobalError};
 use crate::motion::model::state::State;
+use crate::motion::run::estimated_error::GlobalError;
 use crate::motion::run::trajectory::Trajectory;
 
 /// How much later or earlier an end may be and still be the same one, relative.

@@ -1,14 +1,15 @@
 //! The error of a motion in gimbals: other runs of it, with larger rounding and from other inputs.
 
+use super::ErrorEffort;
 use super::comparison::ComparisonRun;
 use super::held::{of_held, reached};
 use super::inputs::Change;
-use super::{ErrorEffort, GlobalError};
 use crate::body::inertia::InertiaTensor;
 use crate::body::mass_properties::MassProperties;
 use crate::math::vector::Vector;
 use crate::motion::gimbal::GimbalSimulation;
 use crate::motion::model::state::State;
+use crate::motion::run::estimated_error::GlobalError;
 use crate::motion::run::trajectory::Trajectory;
 
 /// Estimates of the error of a trajectory that a simulation has computed.

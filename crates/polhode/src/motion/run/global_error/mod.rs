@@ -33,8 +33,6 @@ mod inputs;
 pub(crate) mod on_ground;
 mod perturbed;
 
-use crate::motion::model::state::StateError;
-
 /// How much work an estimate is worth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[non_exhaustive]
@@ -50,53 +48,6 @@ pub enum ErrorEffort {
     Thorough,
 }
 
-/// Estimates of the error of each sample of a trajectory.
-///
-/// The attitude's grow along the way: an angle that happens to be right between two times that are not is no merit.
-///
-/// # Accuracy
-/// The target at every tolerance: the true error is at most twice the stated one. `book/error.md`
-/// has what it bounds, what it costs, and how good it is for motions of all torque models, chaotic,
-/// damped and stiff ones among them.
-///
-/// ```
-/// use polhode::prelude::*;
-/// use polhode::motion::{ErrorEffort, Orbit};
-/// use polhode::motion::torque::{Attracted, GravityGradient};
-/// // A satellite that tumbles in the gravity gradient is chaotic: an error grows five million times within 100 s.
-/// let body = MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal([1.0, 2.0, 2.5])?)?;
-/// let rotor = Rotor::free(&body);
-/// let orbit = Orbit::circular_at_rate(1.0, 0.5, Direction::new(1.0, 0.0, 0.0), Direction::new(0.0, 1.0, 0.0))?;
-/// let torques = [TorqueModel::GravityGradient(Box::new(GravityGradient { orbit, attracted: Attracted::Tensor }))];
-/// let simulation = Simulation {
-///     rotor: &rotor,
-///     history: None,
-///     torques: &torques,
-///     switched_off: &[],
-///     start: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.5, 0.9) },
-///     events: &[],
-///     event_sides: &[],
-///     times: &[50.0, 100.0],
-///     method: Method::Auto,
-///     tolerance: 1e-13,
-/// };
-/// let motion = simulation.run()?;
-/// let error = simulation.global_error(&motion, ErrorEffort::Cheap).ok_or("it is computed")?;
-/// assert!(error.end().attitude > 1e-9);
-/// assert!(Drift::of(&motion).ok_or("it has samples")?.momentum < 1e-13); // which drift does not see
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct GlobalError {
-    is_thorough: bool,
-    computation: Vec<StateError>,
-    inputs: Vec<StateError>,
-}
-
-/// What rounding a state to doubles leaves, attitude in rad and ω relative.
-const ROUNDING: StateError = StateError { attitude: 5e-16, omega: 3e-16 };
-const NONE: StateError = StateError { attitude: 0.0, omega: 0.0 };
-
 impl ErrorEffort {
     const fn is_thorough(self, work: u64, few: u64) -> bool {
         match self {
@@ -104,33 +55,5 @@ impl ErrorEffort {
             Self::Cheap => false,
             Self::Auto => work <= few,
         }
-    }
-}
-
-impl GlobalError {
-    /// True if it was [`ErrorEffort::Thorough`].
-    pub const fn is_thorough(&self) -> bool {
-        self.is_thorough
-    }
-
-    /// Estimates of the error of the computation, at each sample.
-    pub fn computation(&self) -> &[StateError] {
-        &self.computation
-    }
-
-    /// What the last bit of the inputs (the body's moments, lever, ω and attitude at the start) is worth, at each sample: half a unit in
-    /// the last place of each, rounded either way at random. Of a cheap estimate, at most so much.
-    pub fn inputs(&self) -> &[StateError] {
-        &self.inputs
-    }
-
-    /// The error of the computation at the last sample.
-    pub fn end(&self) -> StateError {
-        self.computation.last().copied().unwrap_or(ROUNDING)
-    }
-
-    /// What the last bit of the inputs is worth at the last sample.
-    pub fn inputs_end(&self) -> StateError {
-        self.inputs.last().copied().unwrap_or(NONE)
     }
 }

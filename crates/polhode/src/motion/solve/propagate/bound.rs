@@ -3,9 +3,7 @@
 use super::piece::Piece;
 use crate::motion::error::MotionError;
 use crate::motion::model::state::State;
-
-/// Minutes of work; more is a mistake in the units.
-pub(crate) const MOST_STEPS: u64 = 100_000_000;
+use crate::motion::solve::limits::MOST_STEPS;
 
 /// Steps after which the step has found its size.
 const FIRST_STEPS: u64 = 64;

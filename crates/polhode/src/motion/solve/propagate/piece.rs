@@ -8,9 +8,9 @@ use crate::math::rotation::Attitude;
 use crate::math::vector::{AngularMomentum, AngularVelocity, Torque};
 use crate::motion::error::MotionError;
 use crate::motion::model::mass_history::MassHistory;
-use crate::motion::model::mass_history::changing_body::ChangingBody;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
+use crate::motion::model::torque::changing::DrivenBody;
 use crate::motion::model::torque::{OwnTorque, TorqueModel};
 
 /// What acts from one time until something changes. Within it everything is as smooth as the torques themselves.
@@ -20,7 +20,7 @@ pub(super) struct Piece<'a> {
     /// The torques that act, without their schedules; none on a changing body, which has them in itself.
     pub(super) torques: Vec<&'a TorqueModel>,
     /// The body whose mass properties change, if they do: a ball turns in its place.
-    pub(super) changing: Option<(Arc<ChangingBody>, TorqueModel)>,
+    pub(super) changing: Option<(Arc<DrivenBody>, TorqueModel)>,
     /// Σ α of the energy sinks.
     pub(super) sink: f64,
     /// The largest torque that there can be, with the motors', N·m.
@@ -68,6 +68,21 @@ impl<'a> Piece<'a> {
         }
     }
 
+    /// The piece at the start of a motion. Refuses a body that cannot spin, and torques that it cannot
+    /// balance.
+    pub(super) fn first(
+        rotor: &'a Rotor,
+        torques: impl Iterator<Item = &'a TorqueModel> + Clone,
+        start: &State,
+    ) -> Result<Self, MotionError> {
+        if !rotor.is_spinnable() {
+            return Err(MotionError::NotSpinnable);
+        }
+        let piece = Self::new(rotor, torques, start);
+        piece.require_balanced_sink(start)?;
+        Ok(piece)
+    }
+
     /// The same of a body with such a history, which has no wheels and no friction inside.
     pub(super) fn of_changing(
         rotor: &Rotor,
@@ -78,7 +93,7 @@ impl<'a> Piece<'a> {
         let (time, ball) = (state.time, history.ball());
         let pivot = rotor.is_pivoted().then(|| rotor.point());
         let acting = torques.clone().filter_map(|torque| torque.acting(time)).cloned();
-        let body = Arc::new(history.body(time, pivot, acting.collect()));
+        let body = Arc::new(DrivenBody::new(history.body(time, pivot), acting.collect()));
         let law = TorqueModel::Own(OwnTorque::of_changing(Arc::clone(&body)));
         let changes = torques.map(|torque| torque.next_change(time));
         Self {

@@ -20,23 +20,11 @@ use crate::math::vector::{AngularVelocity, Direction, Torque};
 use crate::motion::error::MotionError;
 use crate::motion::model::euler::euler;
 use crate::motion::model::mass_history::MassHistory;
-use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
 use crate::motion::model::torque::parameter::ParameterKind;
-
-/// The tightest tolerance that rounding leaves room for.
-pub const TIGHTEST_TOLERANCE: f64 = 1e-15;
-/// The loosest tolerance that still means a solution.
-pub const LOOSEST_TOLERANCE: f64 = 1e-2;
-
-/// # Errors
-/// A parameter's error if it is outside these.
-pub(in crate::motion) fn require_tolerance(tolerance: f64) -> Result<(), MotionError> {
-    let holds = (TIGHTEST_TOLERANCE..=LOOSEST_TOLERANCE).contains(&tolerance);
-    require::that("the tolerance", tolerance, holds, "between 1e-15 and 1e-2")
-}
+use crate::motion::solve::limits::require_tolerance;
 
 /// The integrators.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,7 +90,12 @@ impl<'a> Stepper<'a> {
         let switched_on: Vec<bool> = (0..torques.len()).map(|k| !switched_off.contains(&k)).collect();
         let torques_on = acting(torques, &switched_on);
         let piece = Rc::new(match history {
-            None => first_piece(rule, rotor, torques_on, &start, tolerance)?,
+            None => {
+                if !matches!(rule, Rule::Splitting { .. }) {
+                    require_tolerance(tolerance)?;
+                }
+                Piece::first(rotor, torques_on, &start)?
+            }
             Some(history) => {
                 require_tolerance(tolerance)?;
                 Piece::of_changing(rotor, history, torques_on, &start)
@@ -436,28 +429,6 @@ impl Steps<'_> {
             Self::Splitting(splitting) => splitting.at(time),
         }
     }
-}
-
-/// What acts at the start.
-///
-/// # Errors
-/// As [`Stepper::new`].
-pub(super) fn first_piece<'a>(
-    rule: Rule,
-    rotor: &'a Rotor,
-    torques: impl Iterator<Item = &'a TorqueModel> + Clone,
-    start: &State,
-    tolerance: f64,
-) -> Result<Piece<'a>, MotionError> {
-    if !matches!(rule, Rule::Splitting { .. }) {
-        require_tolerance(tolerance)?;
-    }
-    if !rotor.is_spinnable() {
-        return Err(MotionError::NotSpinnable);
-    }
-    let piece = Piece::new(rotor, torques, start);
-    piece.require_balanced_sink(start)?;
-    Ok(piece)
 }
 
 /// The torques that are switched on.

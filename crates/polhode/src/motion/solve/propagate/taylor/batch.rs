@@ -21,10 +21,10 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
 use crate::motion::model::wheel::{Motor, Wheel};
-use crate::motion::solve::propagate::bound::{Bound, MOST_STEPS};
+use crate::motion::solve::limits::{MOST_STEPS, require_tolerance};
+use crate::motion::solve::propagate::bound::Bound;
 use crate::motion::solve::propagate::half_turn::Torsions;
 use crate::motion::solve::propagate::piece::Piece;
-use crate::motion::solve::propagate::stepper::{Rule, first_piece};
 use crate::motion::solve::start::{require_few_pulses, require_finite};
 
 /// What bodies that are expanded side by side have in common: their numbers differ, and nothing else.
@@ -458,7 +458,8 @@ impl<'a> Lane<'a> {
         require_finite(rotor, torques, &[], &start)?;
         let end = work.times.last().copied().unwrap_or(start.time);
         require_few_pulses(rotor, torques, &|_| false, [start.time, end])?;
-        let piece = first_piece(Rule::Taylor, rotor, torques.iter(), &start, work.tolerance)?;
+        require_tolerance(work.tolerance)?;
+        let piece = Piece::first(rotor, torques.iter(), &start)?;
         let torsions = Torsions::of(piece.torques.iter().copied(), start.attitude);
         if torsions.is_half_turn(start.attitude) && end > start.time {
             return Err(MotionError::HalfTurn { time: start.time });

@@ -1,9 +1,10 @@
 //! What a torque law is: N as a function of the time, the attitude and ω, stated once.
 //!
-//! A [`Law`] is written over any [`LawInput`], which gives it what the state of a body is made of, and whose numbers and vectors know only
-//! their operations. So one statement is evaluated in a state ([`LawInput`] of f64), is recognised as linear or quadratic
-//! (`polynomial.rs`), is recorded as a graph (`graph.rs`), from which Taylor's method has its series, of one body or of several, and is
-//! differentiated (`jacobian.rs`).
+//! A [`Law`] is written over any [`LawInput`], which gives it the components of a body's state, and whose
+//! numbers and vectors know only their operations. So one statement is evaluated in a state
+//! ([`LawInput`] of f64), is recognised as linear or quadratic (`torque/polynomial.rs`), is recorded as a
+//! graph (`torque/graph.rs`), from which Taylor's method has its series, of one body or of several, and
+//! is differentiated (`torque/jacobian.rs`).
 
 use crate::math::algebra::{Scalar, VectorAlgebra};
 use crate::math::frame::{Body, Space};

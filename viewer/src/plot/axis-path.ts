@@ -1,10 +1,10 @@
 /** The path of a top's axis in space: θ from the vertical, φ round it. */
-import { rotate, type Vector } from "./attitude";
-import { indexAt } from "./clock";
-import type { TopData } from "./data";
-import { at, type Motion } from "./motion";
-import { extrema } from "./plot/envelope";
-import { extent } from "./plot/scale";
+import { rotate, type Vector } from "../attitude";
+import { indexAt } from "../clock";
+import type { TopData } from "../data";
+import { at, type Motion } from "../motion";
+import { extrema } from "./envelope";
+import { extent } from "./scale";
 
 /** From one point of the path to the next, rad. */
 const FINE = 0.03;

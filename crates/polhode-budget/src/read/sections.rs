@@ -2,17 +2,16 @@
 
 use std::ops::Range;
 
+use super::cell::{Cell, Content};
+use super::plan;
+use super::shape::quoted;
+use super::sheet::Sheet;
 use polhode_source::FormatError;
-
-use crate::read::cell::{Cell, Content};
-use crate::read::plan;
-use crate::read::shape::quoted;
-use crate::read::sheet::Sheet;
 
 /// The TOML that sheets stand for, and of which cell each part of it is.
 #[derive(Default)]
 pub(crate) struct Sections<'s, 'a> {
-    pub toml: String,
+    pub(crate) toml: String,
     cells: Vec<(Range<usize>, &'s Sheet<'a>, Cell<'a>)>,
 }
 

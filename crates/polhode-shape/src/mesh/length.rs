@@ -1,0 +1,47 @@
+//! Lengths that the repair of a mesh is given.
+
+use polhode_source::unit::{self, Dimension, UnitError};
+
+/// A length for the repair of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MeshLength {
+    /// Length, m.
+    Metres(f64),
+    /// Fraction of the mesh's size: of the diagonal of the box about all of its triangles.
+    OfSize(f64),
+}
+
+impl MeshLength {
+    /// A length with its unit, or a plain number for a part of the mesh's size.
+    ///
+    /// ```
+    /// use polhode_shape::mesh::MeshLength;
+    /// assert_eq!(MeshLength::parse("0.01 mm"), Ok(MeshLength::Metres(0.00001)));
+    /// assert_eq!(MeshLength::parse("3e-7"), Ok(MeshLength::OfSize(3e-7)));
+    /// assert!(MeshLength::parse("2 kg").is_err());
+    /// ```
+    ///
+    /// # Errors
+    /// [`UnitError`] for what is neither.
+    pub fn parse(text: &str) -> Result<Self, UnitError> {
+        if let Ok(part) = text.trim().parse() {
+            return Ok(Self::OfSize(part));
+        }
+        unit::parse(text, Dimension::LENGTH).map(Self::Metres)
+    }
+
+    /// The number itself.
+    pub const fn value(self) -> f64 {
+        match self {
+            Self::Metres(value) | Self::OfSize(value) => value,
+        }
+    }
+
+    /// Returns the length in the mesh's own unit.
+    pub(super) fn beside(self, diagonal: f64, unit: f64) -> f64 {
+        match self {
+            Self::Metres(length) => length / unit,
+            Self::OfSize(part) => part * diagonal,
+        }
+    }
+}

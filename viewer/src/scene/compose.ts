@@ -1,0 +1,32 @@
+/** A picture of the 3-D view: what the renderer has drawn, with its names. */
+import { ink as colour } from "../theme";
+import type { PlacedLabel } from "./labels";
+
+/** Draws with `pen`, at `ratio` pixels for one of the page, on paper or on a transparent ground. */
+export function compose(pen: CanvasRenderingContext2D, drawn: HTMLCanvasElement, names: PlacedLabel[], ratio: number, paper: boolean): void {
+  const { width, height } = drawn;
+  pen.resetTransform();
+  pen.clearRect(0, 0, width, height);
+  if (paper) {
+    pen.fillStyle = colour("paper");
+    pen.fillRect(0, 0, width, height);
+  }
+  pen.drawImage(drawn, 0, 0);
+  pen.scale(ratio, ratio);
+  pen.textAlign = "center";
+  pen.textBaseline = "middle";
+  for (const { text, ink, x, y, led, tipX, tipY, endX, endY } of names) {
+    pen.font = [...text].length <= 2 ? '19px "Polhode Math"' : "600 13px system-ui, sans-serif";
+    pen.fillStyle = colour(ink);
+    pen.strokeStyle = colour(ink);
+    if (led) {
+      pen.globalAlpha = 0.6;
+      pen.beginPath();
+      pen.moveTo(tipX, tipY);
+      pen.lineTo(endX, endY);
+      pen.stroke();
+      pen.globalAlpha = 1;
+    }
+    pen.fillText(text, x, y);
+  }
+}

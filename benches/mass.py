@@ -241,7 +241,7 @@ A whole answer from a binary STL file, seconds: start of the process, reading, i
 
 The full diagnosis of 1.3 million triangles (edges, components, cavities, duplicates, overlaps; `cargo bench -p polhode --bench mesh`) takes 0.25 s
 on one thread and 0.17 s on two; without indices 0.34 and 0.24 s. OBJ is read at 0.3 to 0.4 GB/s on one thread of a busy machine
-(`cargo bench -p polhode-formats --bench obj`).
+(`cargo bench -p polhode-shape --bench obj`).
 """
     (ROOT / "book/mass-properties.md").write_text(page)
     sys.stdout.write(page)

@@ -1,6 +1,6 @@
 // Builds the pages: the one that polhode writes, one HTML file with its style and script inside and a placeholder for the data, and that of
 // `polhode live`, whose style and script are files of their own; and what notebooks have around the first. Writes
-// crates/polhode-report/assets/viewer.html, crates/polhode-live/assets/ and crates/polhode-py/python/polhode/; with --check it only compares, and
+// crates/polhode-scenario/assets/viewer.html, crates/polhode-live/assets/ and crates/polhode-py/python/polhode/; with --check it only compares, and
 // fails if those files are not this build.
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, relative, resolve } from "node:path";
@@ -73,7 +73,7 @@ const wheel = resolve(assets("polhode-py"), "../python/polhode");
 const display = await bundle("src/notebook/display.ts", { format: "iife", target: "es2022" });
 inside("script", display);
 const built = {
-  [`${assets("polhode-report")}/viewer.html`]: replay,
+  [`${assets("polhode-scenario")}/viewer.html`]: replay,
   [`${assets("polhode-live")}/live.html`]: live,
   [`${assets("polhode-live")}/live.css`]: await style("src/live/live.css"),
   [`${assets("polhode-live")}/live.js`]: await script("src/live/main.ts", version("@codemirror/view")),

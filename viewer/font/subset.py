@@ -1,10 +1,10 @@
-"""Makes crates/polhode-report/assets/stix-two-math.woff2: of STIX Two Math what formulas of polhode need, with its MATH table; and writes
+"""Makes crates/polhode-document/assets/stix-two-math.woff2: of STIX Two Math what formulas of polhode need, with its MATH table; and writes
 the characters that are in it into math.css, as unicode-range.
 
     pip install fonttools==4.68.0 brotli==1.2.1
     npm ci && python3 font/subset.py
 
-A character that is not among them is shown in another font: tests of polhode-report's `mathml` say that no formula has one.
+A character that is not among them is shown in another font: tests of polhode-document's `mathml` say that no formula has one.
 """
 
 import re
@@ -16,7 +16,7 @@ from fontTools.ttLib import TTFont
 
 VIEWER = Path(__file__).resolve().parent.parent
 SOURCE = VIEWER / "node_modules/@fontsource/stix-two-math/files/stix-two-math-latin-400-normal.woff2"
-ASSETS = VIEWER.parent / "crates/polhode-report/assets"
+ASSETS = VIEWER.parent / "crates/polhode-document/assets"
 
 RANGES = [
     (0x20, 0x7E),  # ASCII

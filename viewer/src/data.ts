@@ -1,5 +1,5 @@
 /**
- * What a page shows: the contract between `polhode-report`, which writes it, and the viewer, which reads it.
+ * What a page shows: the contract between `polhode-scenario`, which writes it, and the viewer, which reads it.
  *
  * The page holds it as JSON in `<script id="polhode-data" type="application/json">`, every `<` written as `\u003c`. All is SI and
  * radians. Quaternions are (w, x, y, z) and take components in body axes to components in space axes. Long rows of numbers are base64

@@ -5,7 +5,7 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 import { samples } from "./sample.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
-export const template = resolve(here, "../../crates/polhode-report/assets/viewer.html");
+export const template = resolve(here, "../../crates/polhode-scenario/assets/viewer.html");
 
 export function pageOf(data) {
   const json = JSON.stringify(data).replaceAll("<", "\\u003c");

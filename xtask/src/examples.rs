@@ -89,7 +89,7 @@ fn outside() -> Outcome {
 }
 
 const MANIFEST: &str = "outside/Cargo.toml";
-const PROGRAM: &str = "crates/polhode-formats/examples/eddy_brake.rs";
+const PROGRAM: &str = "crates/polhode-scenario/examples/eddy_brake.rs";
 
 /// The most lines of the program outside the workspace.
 const MOST_LINES: usize = 40;

@@ -4,8 +4,8 @@ use std::time::Instant;
 
 use crate::process::{self, FEATURES, cargo, joined};
 use crate::{
-    Outcome, api, book, circles, dependencies, dist, examples, layers, packages, python, readme, solutions,
-    viewer, workflows,
+    Outcome, api, arrows, book, circles, dependencies, dist, examples, layers, packages, python, readme,
+    solutions, viewer, workflows,
 };
 
 /// A name and a task.
@@ -14,7 +14,7 @@ type Step = (&'static str, fn() -> Outcome);
 /// The steps up to what everything else is run with, cheapest first.
 const FIRST: [Step; 6] = [
     ("format", || process::run(&mut cargo(&["fmt", "--all", "--check"]))),
-    ("layers", || layers::check().and_then(|()| circles::check())),
+    ("layers", || layers::check().and_then(|()| arrows::check()).and_then(|()| circles::check())),
     ("licences", dependencies::check),
     ("packages", packages::check),
     ("lints", || {

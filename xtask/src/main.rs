@@ -2,6 +2,7 @@
 
 mod api;
 mod archive;
+mod arrows;
 mod book;
 mod circles;
 mod corpus;
@@ -62,7 +63,7 @@ fn main() -> ExitCode {
     let outcome = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["test"] => gate::run(),
         ["test", "--ray"] => python::check_with_ray(),
-        ["layers"] => layers::check().and_then(|()| circles::check()),
+        ["layers"] => layers::check().and_then(|()| arrows::check()).and_then(|()| circles::check()),
         ["licences"] => dependencies::check(),
         ["examples"] => examples::check(),
         ["readme"] => readme::check(),

@@ -20,7 +20,7 @@ pub(crate) fn check() -> Outcome {
     node()?;
     let chromium = chromium()?;
     run_beside(&mut npm(&["ci", "--no-audit", "--no-fund"]))?;
-    // It begins with the types, and that crates/polhode-report/assets/viewer.html and crates/polhode-live/assets are the builds.
+    // It begins with the types, and that crates/polhode-scenario/assets/viewer.html and crates/polhode-live/assets are the builds.
     run_beside(npm(&["test"]).env("CHROMIUM", chromium))
 }
 

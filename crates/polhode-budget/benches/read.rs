@@ -1,4 +1,4 @@
-//! How long a parts list of 100,000 rows takes, from its file to a `Budget`: `cargo bench -p polhode-formats --bench budget`.
+//! How long a parts list of 100,000 rows takes, from its file to a `Budget`: `cargo bench -p polhode-budget --bench read`.
 //!
 //! Seconds are those of the processor, which other programs do not lengthen, where the system counts them.
 

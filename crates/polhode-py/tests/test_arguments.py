@@ -204,9 +204,12 @@ def test_batches_say_what_they_are_given() -> None:
             call()
 
 
+LIBRARIES = ["polhode", *(f"polhode-{name}" for name in "budget document identify judge robot scenario shape source sweep table".split())]
+
+
 def test_hints_name_keywords(tmp_path: Path) -> None:
     """Of every hint that the library's crates hold, and of two that are really given."""
-    crates = [ROOT / "crates" / name / "src" for name in ("polhode", "polhode-formats", "polhode-report", "polhode-robot", "polhode-sweep")]
+    crates = [ROOT / "crates" / name / "src" for name in LIBRARIES]
     sources = [path.read_text() for crate in crates for path in crate.rglob("*.rs")]
     lines = [line for source in sources for line in source.splitlines() if re.search(r"(?<![\w-])--[a-z]", line) and not line.strip().startswith("//")]
     assert len(lines) > 10

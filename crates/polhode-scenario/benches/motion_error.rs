@@ -1,4 +1,4 @@
-//! What the estimate of a motion's error costs, in times of the motion itself. `cargo bench -p polhode-formats --bench motion_error`.
+//! What the estimate of a motion's error costs, in times of the motion itself. `cargo bench -p polhode-scenario --bench motion_error`.
 //!
 //! Each line: what, the motion's own time, and the estimates' times over it.
 

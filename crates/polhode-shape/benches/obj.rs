@@ -1,4 +1,4 @@
-//! OBJ files in bytes per second, on one thread. `cargo bench -p polhode-formats --bench obj`.
+//! OBJ files in bytes per second, on one thread. `cargo bench -p polhode-shape --bench obj`.
 //!
 //! Each line: what, the least time of many runs as a rate, the unit.
 

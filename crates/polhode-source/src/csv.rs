@@ -104,6 +104,7 @@ fn number(text: &str, field: Range<usize>) -> Result<f64, ContentError> {
     }
 }
 
+/// Creates the error for something that a table lacks, such as a column; it has no line.
 pub fn missing(what: &str) -> ContentError {
     ContentError::new(ContentErrorKind::Missing { what: what.to_owned() }, ContentPlace::Whole)
 }

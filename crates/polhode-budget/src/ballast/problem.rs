@@ -5,9 +5,9 @@ use super::error::BallastError;
 use super::row::{Functional, Moments, ONE, Row, Rule, Vector, rules, weights};
 use super::{Ballast, Site};
 use crate::budget::Budget;
-use polhode::infer::covariance::dot;
 use crate::growth::Basis;
 use crate::limit::Limit;
+use polhode::infer::covariance::dot;
 
 /// Ballast to be found.
 #[derive(Clone, Debug)]

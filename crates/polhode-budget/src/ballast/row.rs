@@ -4,9 +4,9 @@ use polhode::body::MassProperties;
 use polhode::math::{Body, Direction, Position};
 
 use super::error::BallastError;
-use polhode::infer::covariance::{dot, form};
 use crate::estimate::Estimate;
 use crate::limit::{About, Limit, Measure, across_axes};
+use polhode::infer::covariance::{dot, form};
 
 /// Moments of a mass: 1, x, y, z, xx, yy, zz, xy, xz, yz, from the origin of the problem.
 pub(super) type Moments = [f64; 10];

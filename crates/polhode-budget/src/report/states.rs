@@ -43,7 +43,7 @@ impl BudgetReport {
         self.by_fill().map(|rows| to_csv(&rows))
     }
 
-    pub fn over_time(&self) -> Option<Vec<Vec<Cell>>> {
+    pub(crate) fn over_time(&self) -> Option<Vec<Vec<Cell>>> {
         // A file has one sequence, of the configuration that it begins as.
         let mut cases = self.cases.iter();
         let all = cases.find_map(|case| case.changing.as_ref()?.over_time())?;
@@ -61,7 +61,7 @@ impl BudgetReport {
         Some(table)
     }
 
-    pub fn by_fill(&self) -> Option<Vec<Vec<Cell>>> {
+    pub(crate) fn by_fill(&self) -> Option<Vec<Vec<Cell>>> {
         let columns = ["configuration", "tank", "fill", "liquid_kg", "level_m"];
         let mut table = vec![
             columns.iter().chain(&MassRow::COLUMNS[1..]).chain(&PER_KG).map(|name| Cell::of(name)).collect(),

@@ -170,11 +170,11 @@ fn line(row: &[Cell]) -> String {
 }
 
 impl Cell {
-    pub fn of(text: &str) -> Self {
+    pub(crate) fn of(text: &str) -> Self {
         Self::Text(text.to_owned())
     }
 
-    pub fn of_option(text: Option<&str>) -> Self {
+    pub(crate) fn of_option(text: Option<&str>) -> Self {
         text.map_or(Self::Empty, Self::of)
     }
 

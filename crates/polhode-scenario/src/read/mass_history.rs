@@ -13,13 +13,15 @@ use polhode_source::{FormatError, FormatErrorKind};
 use super::mass_table;
 
 /// A history, and what happens to which part.
-pub struct PartHistory<'a> {
+#[derive(Debug)]
+pub(crate) struct PartHistory<'a> {
     pub history: MassHistory,
     pub value: Value<'a>,
     happenings: Vec<Happening>,
 }
 
 /// What happens to a part, and from when on, s.
+#[derive(Debug)]
 struct Happening {
     what: String,
     from: f64,
@@ -27,7 +29,7 @@ struct Happening {
 
 impl PartHistory<'_> {
     /// What of it comes too late to be seen in a run that ends so, where the history as a whole does not.
-    pub fn idle(&self, end: f64) -> Vec<Finding> {
+    pub(crate) fn idle(&self, end: f64) -> Vec<Finding> {
         if !self.history.changes_between(0.0, end) {
             return Vec::new();
         }
@@ -43,7 +45,7 @@ impl PartHistory<'_> {
 }
 
 /// Reads `[mass_history]`: `[[mass_history.burn]]`, `[[mass_history.drop]]` or `table`, and `[[mass_history.exit]]` or `in_place`.
-pub fn read<'a>(
+pub(crate) fn read<'a>(
     root: &Table<'a>,
     parts: &[BodyPart],
     body: &MassProperties<Body>,

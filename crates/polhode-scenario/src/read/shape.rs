@@ -34,7 +34,7 @@ pub const SHAPES: [(&str, &[&str]); 17] = [
 ];
 
 /// A shape, by what its density may be.
-pub enum Geometry {
+pub(crate) enum Geometry {
     /// A solid whose density may vary.
     Solid(Box<dyn Parametrised>),
     /// A polyhedron, whose density may vary too.
@@ -54,7 +54,7 @@ impl Geometry {
         Self::Thin(Box::new(shape))
     }
 
-    pub fn as_shape(&self) -> &dyn Shape {
+    pub(crate) fn as_shape(&self) -> &dyn Shape {
         match self {
             Self::Solid(shape) => shape.as_ref(),
             Self::Mesh(mesh) => mesh.as_ref(),
@@ -64,7 +64,7 @@ impl Geometry {
     }
 
     /// What a density can be spread over that is not the same everywhere.
-    pub fn as_solid(&self) -> Option<Solid<'_>> {
+    pub(crate) fn as_solid(&self) -> Option<Solid<'_>> {
         match self {
             Self::Solid(shape) => Some(Solid::Shape(shape.as_ref())),
             Self::Mesh(mesh) => Some(Solid::Mesh(mesh)),
@@ -74,7 +74,7 @@ impl Geometry {
 }
 
 /// The shape of that name, as its table measures it.
-pub fn shape(name: &str, table: &Table<'_>) -> Result<Geometry, FormatError> {
+pub(crate) fn shape(name: &str, table: &Table<'_>) -> Result<Geometry, FormatError> {
     let radius = || table.require("radius", "radius = \"4 mm\"");
     let length = || table.require("length", "length = \"40 mm\"");
     let size = || table.require("size", "size = [\"30 mm\", \"20 mm\", \"10 mm\"]");

@@ -20,7 +20,7 @@ pub struct Target {
     pub key: String,
     /// Where the key stands.
     pub place: Range<usize>,
-    pub varied: Varied,
+    pub(crate) varied: Varied,
     /// The parts of the body, from 0, to which it belongs; none of the body as a whole.
     pub parts: Vec<usize>,
     /// The values as they are written, SI.
@@ -44,7 +44,7 @@ pub struct TargetColumn {
 
 /// Where the values go.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Varied {
+pub(crate) enum Varied {
     /// Numbers of the file, by the ways to them; an element of a symmetric matrix has two.
     Numbers(Vec<Vec<Way>>),
     /// A rotation of the file.

@@ -5,7 +5,7 @@ use polhode::observe::Drift;
 
 /// What turns a body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Driven {
+pub(crate) struct Driven {
     /// A torque acts, or would have to, or the ground or gimbals do.
     pub by_torques: bool,
     /// Wheels spin inside.
@@ -15,7 +15,7 @@ pub struct Driven {
 }
 
 impl Driven {
-    pub fn of(scenario: &Scenario) -> Self {
+    pub(crate) fn of(scenario: &Scenario) -> Self {
         Self {
             by_torques: scenario.prescribed().is_some()
                 || !scenario.torques().is_empty()
@@ -27,12 +27,12 @@ impl Driven {
     }
 
     /// True if the motion is not that of a free rigid body.
-    pub const fn at_all(self) -> bool {
+    pub(crate) const fn at_all(self) -> bool {
         self.by_torques || self.by_wheels || self.by_mass
     }
 
     /// What the work done since the start is called.
-    pub const fn work(self) -> &'static str {
+    pub(crate) const fn work(self) -> &'static str {
         if self.by_torques || self.by_mass { "work" } else { "work of the motors" }
     }
 }

@@ -324,7 +324,7 @@ fn the_book_has_every_unit_under_its_dimension() {
         }
     }
     // The table of units is private: its lines are `("in inch", "0.0254", Dimension::LENGTH),`.
-    let table = read("crates/polhode-formats/src/unit/table.rs");
+    let table = read("crates/polhode-source/src/unit/table.rs");
     let lines = table.lines().filter(|line| line.contains("\", Dimension::"));
     let known: BTreeSet<_> = lines
         .filter_map(|line| line.split('"').nth(1))

@@ -97,6 +97,7 @@ fn mistakes_have_their_place() {
     assert!(folder.read(head, "axes = 'body'\n").unwrap_err().to_string().contains("interpolation"));
 }
 
+#[cfg(feature = "parquet")]
 #[test]
 fn parquet_is_read_as_text_is() {
     use parquet::basic::Compression;

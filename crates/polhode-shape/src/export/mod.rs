@@ -170,7 +170,7 @@ impl ExportBody {
 /// ```
 /// use polhode::body::{InertiaTensor, MassProperties};
 /// use polhode::math::Position;
-/// use polhode_report::{ExportBody, ExportFormat, export};
+/// use polhode_shape::{ExportBody, ExportFormat, export};
 /// let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2])?;
 /// let body = MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia)?;
 /// let urdf = export(ExportFormat::Urdf, &[ExportBody::new("bracket", body)])?;

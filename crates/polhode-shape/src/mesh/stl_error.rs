@@ -5,10 +5,12 @@ use std::fmt;
 
 use polhode_source::text::counted;
 
-/// Bytes of a binary file before its records, and of a record.
-pub const HEADER: usize = 80;
-pub const PREAMBLE: usize = HEADER + 4;
-pub const RECORD: usize = 50;
+/// Length of the header of a binary file, bytes.
+pub(crate) const HEADER: usize = 80;
+/// Length of the header and the triangle count that precede the records, bytes.
+pub(crate) const PREAMBLE: usize = HEADER + 4;
+/// Length of the record of one triangle, bytes.
+pub(crate) const RECORD: usize = 50;
 
 /// Why bytes are not an STL file.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -45,7 +45,7 @@ impl Element {
         self.row().weight
     }
 
-    pub fn row(self) -> &'static Row {
+    pub(crate) fn row(self) -> &'static Row {
         // A number that exists is from 1 to 118.
         &ROWS[usize::from(self.0) - 1]
     }

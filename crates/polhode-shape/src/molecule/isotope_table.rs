@@ -4,7 +4,7 @@
 
 /// What is known of an element.
 #[derive(Debug)]
-pub struct Row {
+pub(crate) struct Row {
     pub symbol: &'static str,
     /// Standard atomic weight, abridged where the standard is an interval.
     pub weight: Option<f64>,

@@ -50,7 +50,7 @@ impl std::fmt::Debug for VoxelValues<'_> {
 }
 
 impl<'v> VoxelValues<'v> {
-    pub fn of(voxels: &'v Voxels<'v>) -> Self {
+    pub(crate) fn of(voxels: &'v Voxels<'v>) -> Self {
         // That it is a usize has been looked at.
         let count = voxels.layout.counts.iter().product();
         Self { voxels, stream: None, count }

@@ -6,17 +6,22 @@ use polhode::body::MassProperties;
 use polhode::math::Body;
 
 /// A body as it stands in a scenario file.
+#[derive(Debug)]
 pub struct BodyPart<'a> {
     /// What it is, and what its numbers mean: each line becomes a comment.
     pub comments: Vec<String>,
+    /// Name of the part.
     pub name: &'a str,
+    /// Mass, kg.
     pub mass: f64,
+    /// Centre of mass from the origin of the body, body axes, m.
     pub center: [f64; 3],
-    /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz about the centre of mass.
+    /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz about the centre of mass, body axes, kg m².
     pub inertia: [f64; 6],
 }
 
 impl<'a> BodyPart<'a> {
+    /// Creates a part with one comment from the mass properties of a body.
     pub fn of_body(comment: String, name: &'a str, body: &MassProperties<Body>) -> Self {
         let [[xx, xy, xz], [_, yy, yz], [.., zz]] = body.inertia().matrix();
         Self {

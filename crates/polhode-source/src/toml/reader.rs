@@ -44,6 +44,7 @@ impl<'a> Table<'a> {
         Self { source, entries, span: 0..0, name: "the file".to_owned() }
     }
 
+    /// Returns true if the scenario is displayed; members of a sweep are not.
     pub fn is_shown(&self) -> bool {
         self.source.is_shown
     }
@@ -122,6 +123,7 @@ impl<'a> Table<'a> {
         }
     }
 
+    /// Creates the error for a required key that is absent, or misspelt.
     pub fn missing(&self, key: &'static str, example: &'static str) -> FormatError {
         // A key that is nearly the missing one is a slip of the pen.
         let slip =
@@ -151,18 +153,22 @@ pub struct Value<'a> {
 }
 
 impl<'a> Value<'a> {
+    /// Returns the key; an element of an array has the key of the array.
     pub fn key(&self) -> &'static str {
         self.key
     }
 
+    /// Returns the bytes of the text that the value occupies; for a headed table, its header.
     pub fn span(&self) -> Range<usize> {
         self.value.span.clone()
     }
 
+    /// Returns the line and column of the value.
     pub fn place(&self) -> Place {
         self.source.place(self.span())
     }
 
+    /// Returns the text that contains the value, with its path.
     pub fn source(&self) -> Source<'a> {
         self.source
     }
@@ -217,10 +223,12 @@ impl<'a> Value<'a> {
         Ok(path)
     }
 
+    /// Returns true for an array, also for an array of tables.
     pub fn is_array(&self) -> bool {
         matches!(self.value.kind, Kind::List(_))
     }
 
+    /// Returns the value as a table; a value of another type is an error.
     pub fn table(&self) -> Result<Table<'a>, FormatError> {
         match &self.value.kind {
             Kind::Table(entries) => {
@@ -286,6 +294,7 @@ impl<'a> Value<'a> {
             .map_err(|_| self.mismatch(expected, format!("an array of {found}")).with_hint(hint()))
     }
 
+    /// Returns the value as a string; a value of another type is an error.
     pub fn string(&self) -> Result<&'a str, FormatError> {
         match &self.value.kind {
             Kind::Text(text) => Ok(text),
@@ -293,6 +302,7 @@ impl<'a> Value<'a> {
         }
     }
 
+    /// Returns the value as a boolean; a value of another type is an error.
     pub fn boolean(&self) -> Result<bool, FormatError> {
         match &self.value.kind {
             Kind::Truth(value) => Ok(*value),
@@ -428,6 +438,7 @@ impl<'a> Value<'a> {
         Ok(rows)
     }
 
+    /// Creates an error at the place of the value.
     pub fn error(&self, kind: FormatErrorKind) -> FormatError {
         self.source.error(self.span(), kind)
     }
@@ -437,14 +448,17 @@ impl<'a> Value<'a> {
         self.source.formula(self.span(), self.string().unwrap_or_default(), error)
     }
 
+    /// Creates an error about mass properties at the place of the value.
     pub fn body(&self, error: BodyError) -> FormatError {
         self.error(FormatErrorKind::Body(error))
     }
 
+    /// Creates an error about a motion at the place of the value.
     pub fn motion(&self, error: MotionError) -> FormatError {
         self.error(FormatErrorKind::Motion(error))
     }
 
+    /// Creates an error about a rotation at the place of the value.
     pub fn rotation(&self, error: RotationError) -> FormatError {
         self.error(FormatErrorKind::Rotation(error))
     }

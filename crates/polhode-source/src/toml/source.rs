@@ -15,7 +15,9 @@ use crate::{FormatError, FormatErrorKind, Place};
 /// The text of a file, and its path, for messages and for the files that it names.
 #[derive(Clone, Copy, Debug)]
 pub struct Source<'a> {
+    /// Path of the file; paths in the text are relative to its folder.
     pub path: &'a Path,
+    /// Text of the file, UTF-8.
     pub text: &'a str,
     /// From which byte on the text is another file's, and that file: paths there are relative to it.
     pub rest: Option<(usize, &'a Path)>,
@@ -31,6 +33,7 @@ pub struct Source<'a> {
     pub kept: Option<&'a (dyn Any + Send + Sync)>,
     /// The keys of the file itself that are tables: messages say how these are written.
     pub headings: &'a [&'static str],
+    /// Cancellation check, called repeatedly during long computations.
     pub watch: Watch<'a>,
 }
 
@@ -61,6 +64,7 @@ impl<'a> Source<'a> {
         }
     }
 
+    /// Returns the line and column of a range of bytes of the text.
     pub fn place(&self, span: Range<usize>) -> Place {
         Place::in_text(self.text, span)
     }
@@ -88,6 +92,7 @@ impl<'a> Source<'a> {
         text + self.text.get(at..node.span.end).unwrap_or_default()
     }
 
+    /// Creates an error at a range of bytes of the text.
     pub fn error(&self, span: Range<usize>, kind: FormatErrorKind) -> FormatError {
         FormatError::new(self.path, Some(self.place(span)), kind)
     }

@@ -21,20 +21,35 @@ use crate::unit::Dimension;
 pub struct Node {
     /// Bytes of the text; of a table with a header, the header's.
     pub span: Range<usize>,
+    /// Type of the value, with its content.
     pub kind: Kind,
+    /// Result of the first reading, kept for later readings.
     pub known: OnceLock<Known>,
 }
 
 /// What a value is.
 #[derive(Clone, Debug)]
 pub enum Kind {
+    /// String without its quotes, escapes resolved.
     Text(String),
-    Whole { digits: String, radix: u32 },
+    /// Integer of any size.
+    Whole {
+        /// Digits without the prefix of the radix; they may have a sign.
+        digits: String,
+        /// Base of the digits: 2, 8, 10 or 16.
+        radix: u32,
+    },
+    /// Floating-point number as digits, or `inf` or `nan`.
     Float(String),
+    /// Boolean.
     Truth(bool),
+    /// Date or time; no key accepts one.
     Date,
+    /// Array, also an array of tables.
     List(Vec<Arc<Node>>),
+    /// Table, inline or with a header.
     Table(Entries),
+    /// Value that takes the place of the written one.
     Replaced(Replacement),
 }
 
@@ -75,7 +90,9 @@ impl Known {
 /// One step of the way to a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Step {
+    /// Key of a table.
     Key(Arc<str>),
+    /// Element of an array, from 0.
     Element(usize),
 }
 
@@ -128,7 +145,9 @@ pub type Entries = BTreeMap<Arc<str>, Entry>;
 /// A value, and where its key stands.
 #[derive(Clone, Debug)]
 pub struct Entry {
+    /// Bytes of the text that the key occupies.
     pub key: Range<usize>,
+    /// Value of the key.
     pub node: Arc<Node>,
 }
 

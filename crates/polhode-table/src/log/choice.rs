@@ -31,7 +31,7 @@ pub(crate) struct Header {
 
 /// What is read of a row, and what it means.
 #[derive(Debug)]
-pub struct Plan {
+pub(crate) struct Plan {
     /// The columns of the time, the attitude and the angular velocity.
     pub slots: Vec<Slot>,
     pub time: Scale,
@@ -46,14 +46,14 @@ pub struct Plan {
 
 /// A column that is read.
 #[derive(Clone, Debug)]
-pub struct Slot {
+pub(crate) struct Slot {
     pub column: usize,
     pub name: String,
 }
 
 /// What the numbers of an attitude are.
 #[derive(Clone, Copy, Debug)]
-pub enum Form {
+pub(crate) enum Form {
     /// There is no attitude.
     None,
     Quaternion,
@@ -65,7 +65,7 @@ pub enum Form {
 }
 
 impl Form {
-    pub const fn count(self) -> usize {
+    pub(crate) const fn count(self) -> usize {
         match self {
             Self::None => 0,
             Self::Quaternion => 4,
@@ -191,7 +191,7 @@ fn value(what: &str, value: String, rule: String, place: ContentPlace) -> Conten
 
 /// What a log has to have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wanted {
+pub(crate) enum Wanted {
     /// Attitudes, perhaps with angular velocities.
     Attitude,
     /// Angular velocities or attitudes, or both.

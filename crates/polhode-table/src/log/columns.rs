@@ -23,15 +23,15 @@ use super::name::spelt_unit;
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Columns {
-    pub time: Option<Said>,
-    pub attitude: Option<Said>,
+    pub(crate) time: Option<Said>,
+    pub(crate) attitude: Option<Said>,
     /// No columns: there is no angular velocity, or it is not to be read.
-    pub omega: Option<Said>,
+    pub(crate) omega: Option<Said>,
 }
 
 /// What is said of some columns.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Said {
+pub(crate) struct Said {
     pub key: Key,
     /// In the order of their meaning: as the words say, row by row, turn by turn.
     pub columns: Vec<String>,
@@ -44,7 +44,7 @@ pub struct Said {
 
 /// What columns can be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Key {
+pub(crate) enum Key {
     Time,
     Quaternion,
     Matrix,
@@ -109,7 +109,7 @@ impl Key {
         }
     }
 
-    pub const fn count(self) -> usize {
+    pub(crate) const fn count(self) -> usize {
         match self {
             Self::Time => 1,
             Self::Quaternion => 4,
@@ -118,7 +118,7 @@ impl Key {
         }
     }
 
-    pub const fn dimension(self) -> Dimension {
+    pub(crate) const fn dimension(self) -> Dimension {
         match self {
             Self::Time => Dimension::TIME,
             Self::Quaternion | Self::Matrix => Dimension::NONE,

@@ -4,7 +4,7 @@ use polhode::math::{Body, Direction, Rotation};
 
 /// Three turns, each about an axis of the frame as the turns before have left it, or about axes that stand still.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Sequence {
+pub(crate) struct Sequence {
     /// The axes in the order of the turns, from 0.
     pub axes: [usize; 3],
     pub extrinsic: bool,
@@ -12,12 +12,12 @@ pub struct Sequence {
 
 impl Sequence {
     /// Yaw, pitch, roll.
-    pub const YAW_PITCH_ROLL: Self = Self { axes: [2, 1, 0], extrinsic: false };
+    pub(crate) const YAW_PITCH_ROLL: Self = Self { axes: [2, 1, 0], extrinsic: false };
     /// Precession, nutation, spin.
-    pub const PRECESSION_NUTATION_SPIN: Self = Self { axes: [2, 0, 2], extrinsic: false };
+    pub(crate) const PRECESSION_NUTATION_SPIN: Self = Self { axes: [2, 0, 2], extrinsic: false };
 
     /// `3-2-1`, `321`, `zyx` or `z-y-x`, intrinsic; two turns about one axis in a row are none.
-    pub fn parse(word: &str) -> Option<Self> {
+    pub(crate) fn parse(word: &str) -> Option<Self> {
         let axis = |c: char| match c.to_ascii_lowercase() {
             '1' | 'x' => Some(0),
             '2' | 'y' => Some(1),
@@ -30,13 +30,13 @@ impl Sequence {
     }
 
     /// `3-2-1`, `extrinsic 1-2-3`
-    pub fn shown(self) -> String {
+    pub(crate) fn shown(self) -> String {
         let [a, b, c] = self.axes.map(|axis| axis + 1);
         format!("{}{a}-{b}-{c}", if self.extrinsic { "extrinsic " } else { "" })
     }
 
     /// The quaternion, scalar first, of finite angles in rad, in the order of the turns.
-    pub fn quaternion(self, angles: [f64; 3]) -> [f64; 4] {
+    pub(crate) fn quaternion(self, angles: [f64; 3]) -> [f64; 4] {
         let turn = |k: usize| {
             let mut axis = [0.0; 3];
             axis[self.axes[k]] = 1.0;

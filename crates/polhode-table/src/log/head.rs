@@ -12,7 +12,7 @@ use super::name::spelt_unit;
 
 /// What the head of a log says.
 #[derive(Clone, Debug, Default)]
-pub struct Head {
+pub(crate) struct Head {
     pub scenario: Option<PathBuf>,
     pub step: Option<f64>,
     pub engine: Option<String>,
@@ -26,7 +26,7 @@ pub struct Head {
 
 /// Units of columns whose names have none.
 #[derive(Clone, Debug, Default)]
-pub struct Units {
+pub(crate) struct Units {
     time: Option<String>,
     angle: Option<String>,
     rate: Option<String>,
@@ -34,7 +34,7 @@ pub struct Units {
 
 impl Units {
     /// The unit of such columns.
-    pub fn of(&self, key: Key) -> Option<String> {
+    pub(crate) fn of(&self, key: Key) -> Option<String> {
         match key {
             Key::Time => self.time.clone(),
             Key::Euler => self.angle.clone(),
@@ -75,7 +75,7 @@ impl Units {
 
 impl Head {
     /// Adds what `key = value` says, which stands there.
-    pub fn add(&mut self, key: &str, value: &str, place: &ContentPlace) -> Result<(), ContentError> {
+    pub(crate) fn add(&mut self, key: &str, value: &str, place: &ContentPlace) -> Result<(), ContentError> {
         let value = unquoted(value.trim());
         let refused = |rule: String| {
             let kind = ContentErrorKind::Value { what: key.to_owned(), value: value.to_owned(), rule };
@@ -118,7 +118,7 @@ impl Head {
     }
 
     /// The key and the value of a comment that is `key = value`, where the key is one word.
-    pub fn pair(comment: &str) -> Option<(&str, &str)> {
+    pub(crate) fn pair(comment: &str) -> Option<(&str, &str)> {
         let (key, value) = comment.trim_start_matches('#').split_once('=')?;
         let key = key.trim();
         let is_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.' | '-');

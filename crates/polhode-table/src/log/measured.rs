@@ -28,7 +28,7 @@ pub struct MeasuredLog {
 }
 
 impl MeasuredLog {
-    pub fn of(plan: Plan, rows: Rows) -> Self {
+    pub(crate) fn of(plan: Plan, rows: Rows) -> Self {
         Self {
             times: rows.times,
             omega: plan.omega.is_some().then_some(rows.omega),

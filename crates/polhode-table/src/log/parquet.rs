@@ -20,7 +20,7 @@ use super::rows::{MOST, Problem, RowError, Rows};
 const BATCH: usize = 1 << 16;
 
 /// Reads a file.
-pub fn read(
+pub(crate) fn read(
     bytes: Bytes,
     told: Option<&Columns>,
     wanted: Wanted,

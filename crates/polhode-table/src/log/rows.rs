@@ -12,7 +12,7 @@ pub(crate) const MOST: usize = 13;
 
 /// Rows of a motion in SI.
 #[derive(Debug, Default)]
-pub struct Rows {
+pub(crate) struct Rows {
     pub times: Vec<f64>,
     pub attitude: Vec<[f64; 4]>,
     pub omega: Vec<[f64; 3]>,
@@ -22,7 +22,7 @@ pub struct Rows {
 
 /// What is wrong with a row, and which row it is, from 0.
 #[derive(Debug)]
-pub struct RowError {
+pub(crate) struct RowError {
     pub row: usize,
     pub place: ContentPlace,
     pub problem: Problem,
@@ -30,7 +30,7 @@ pub struct RowError {
 
 /// What can be wrong with a row; slots are those of its plan.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Problem {
+pub(crate) enum Problem {
     NotNumber {
         slot: usize,
         found: String,
@@ -68,7 +68,7 @@ pub enum Problem {
 
 impl Rows {
     /// Adds a row of finite numbers, which stands there.
-    pub fn push(&mut self, plan: &Plan, numbers: &[f64], place: Range<usize>) -> Result<(), Problem> {
+    pub(crate) fn push(&mut self, plan: &Plan, numbers: &[f64], place: Range<usize>) -> Result<(), Problem> {
         let [time, numbers @ ..] = numbers else { return Ok(()) };
         let time = plan.time.apply(*time);
         match self.times.last() {
@@ -100,7 +100,7 @@ impl Rows {
     }
 
     /// Adds rows that follow; an error counts them from 0.
-    pub fn append(&mut self, mut next: Self) -> Result<(), RowError> {
+    pub(crate) fn append(&mut self, mut next: Self) -> Result<(), RowError> {
         if let (Some(&before), Some(&time)) = (self.times.last(), next.times.first())
             && time <= before
         {
@@ -117,7 +117,7 @@ impl Rows {
     }
 
     /// Makes room for so many rows in all.
-    pub fn reserve(&mut self, plan: &Plan, rows: usize) {
+    pub(crate) fn reserve(&mut self, plan: &Plan, rows: usize) {
         self.times.reserve(rows.saturating_sub(self.times.len()));
         self.attitude.reserve(rows.saturating_sub(self.attitude.len()));
         if plan.omega.is_some() {
@@ -133,7 +133,7 @@ fn array<const N: usize>(numbers: &[f64]) -> [f64; N] {
 
 impl RowError {
     /// In words, with the names of the columns.
-    pub fn told(self, plan: &Plan) -> ContentError {
+    pub(crate) fn told(self, plan: &Plan) -> ContentError {
         let row = self.row + 1;
         let of = |slot: usize| format!("{} of row {row}", plan.slots.get(slot).map_or("", |slot| &slot.name));
         let value = |what: String, value: String, rule: &str| ContentErrorKind::Value {

@@ -73,6 +73,7 @@ pub fn form<const N: usize>(g: &[f64; N], c: &[[f64; N]; N], h: &[f64; N]) -> f6
     g.iter().zip(c).map(|(g, row)| g * dot(row, h)).sum()
 }
 
+/// Returns the scalar product of two vectors of N elements.
 pub fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -18,6 +18,7 @@ impl Random {
         Self { state, other: None }
     }
 
+    /// Returns the next standard normal number: mean 0, standard deviation 1.
     pub fn normal(&mut self) -> f64 {
         if let Some(other) = self.other.take() {
             return other;

@@ -1,7 +1,7 @@
 //! Formulas: instructions for a machine with a stack, made once and run over one point or many.
 //!
 //! The instructions are performed from first to last. Each takes its operands from the top of the stack and leaves its
-//! result there; in the end one number is left, the value. What a text means is the reader's business, in `polhode-formats`.
+//! result there; in the end one number is left, the value. What a text means is the reader's business, in `polhode-source`.
 //!
 //! Functions are `libm`'s, and powers of small whole numbers are products: the same bits on every platform, for one point
 //! and for many.

@@ -52,7 +52,7 @@ pub enum PlannedChange {
 }
 
 impl PlannedChange {
-    pub const fn time(&self) -> f64 {
+    pub(crate) const fn time(&self) -> f64 {
         match self {
             Self::Drop { time, .. } | Self::Deploy { time, .. } => *time,
         }

@@ -7,8 +7,11 @@ mod formula;
 mod gravity;
 mod gravity_gradient;
 mod magnetic;
+#[cfg(feature = "parquet")]
+mod parquet;
 pub(crate) mod schedule;
 mod table;
+mod table_columns;
 mod thruster;
 mod torsion;
 

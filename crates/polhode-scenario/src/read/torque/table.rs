@@ -3,22 +3,19 @@
 //! Columns name their units: `time_s`, `torque_x_n_m`, `torque_y_n_m`, `torque_z_n_m`, or with other units in brackets, `time [ms]`,
 //! `torque_x [mN m]`, in any order; others are not read.
 
-use std::ops::Range;
 use std::sync::Arc;
 
-use ::parquet::file::reader::{FileReader as _, SerializedFileReader};
-use ::parquet::record::Field;
-use bytes::Bytes;
 use polhode::motion::torque::{Interpolation, Schedule, Tabulated, TorqueAxes, TorqueModel};
 use polhode_source::FormatError;
 use polhode_source::csv;
 use polhode_source::csv::{fields, missing};
 use polhode_source::toml::reader::{Table, Value};
 use polhode_source::toml::tree::Known;
-use polhode_source::unit;
-use polhode_source::unit::Dimension;
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentPlace};
 
+#[cfg(feature = "parquet")]
+use super::parquet::of_parquet;
+use super::table_columns::{HEADER, columns, push};
 use super::{allow, schedule};
 use crate::read::rows::TorqueRows;
 
@@ -103,120 +100,9 @@ fn of_text(bytes: &[u8]) -> Result<TorqueRows, ContentError> {
     Ok(rows)
 }
 
-fn of_parquet(bytes: &[u8]) -> Result<TorqueRows, ContentError> {
-    let broken = |error: ::parquet::errors::ParquetError| {
-        let kind = ContentErrorKind::Unsupported { what: format!("this Parquet file ({error})") };
-        ContentError::new(kind, ContentPlace::Whole)
-            .hint("write it without compression, or with LZ4 or Snappy")
-    };
-    let file = SerializedFileReader::new(Bytes::copy_from_slice(bytes)).map_err(broken)?;
-    // A row has a field for each of these, whatever is nested in it.
-    let schema = file.metadata().file_metadata().schema();
-    let names: Vec<&str> = schema.get_fields().iter().map(|field| field.name()).collect();
-    let columns = columns(&names, |_| ContentPlace::Whole)?;
-    let mut rows = TorqueRows::default();
-    for row in file.get_row_iter(None).map_err(broken)? {
-        let row = row.map_err(broken)?;
-        let fields: Vec<&Field> = row.get_column_iter().map(|(_, field)| field).collect();
-        let mut numbers = [0.0; 4];
-        for (slot, column) in numbers.iter_mut().zip(&columns) {
-            let field = fields.get(column.place).copied().unwrap_or(&Field::Null);
-            *slot = number(field).ok_or_else(|| {
-                let what = names.get(column.place).copied().unwrap_or_default().to_owned();
-                let rule = format!("a finite number; it is that of row {}", rows.times.len() + 1);
-                let kind = ContentErrorKind::Value { what, value: field.to_string(), rule };
-                ContentError::new(kind, ContentPlace::Whole)
-            })?;
-        }
-        push(&mut rows, &columns, numbers, 0..0)
-            .map_err(|error| ContentError { place: ContentPlace::Whole, ..error })?;
-    }
-    Ok(rows)
-}
-
-/// A finite number.
-fn number(field: &Field) -> Option<f64> {
-    let number = match *field {
-        Field::Double(x) => x,
-        Field::Float(x) => f64::from(x),
-        Field::Int(n) => f64::from(n),
-        Field::Long(n) => n as f64,
-        _ => return None,
-    };
-    number.is_finite().then_some(number)
-}
-
-/// Adds a row, in the columns' units.
-fn push(
-    rows: &mut TorqueRows,
-    columns: &[Column; 4],
-    row: [f64; 4],
-    line: Range<usize>,
-) -> Result<(), ContentError> {
-    let [time, torque @ ..]: [f64; 4] = std::array::from_fn(|k| row[k] * columns[k].unit);
-    csv::ascending(&rows.times, time, line)?;
-    rows.times.push(time);
-    rows.torques.push(torque);
-    Ok(())
-}
-
-/// A column that is read.
-#[derive(Clone, Copy, Debug, Default)]
-struct Column {
-    place: usize,
-    /// What one of its unit is in SI.
-    unit: f64,
-}
-
-/// The columns, and a header that has them.
-const NAMES: [&str; 4] = ["time", "torque_x", "torque_y", "torque_z"];
-const HEADER: &str = "time_s,torque_x_n_m,torque_y_n_m,torque_z_n_m";
-
-/// Where the four columns stand, and in which units.
-fn columns(names: &[&str], place: impl Fn(usize) -> ContentPlace) -> Result<[Column; 4], ContentError> {
-    let mut columns = [None; 4];
-    for (k, name) in names.iter().enumerate() {
-        let Some((n, unit)) = split(name) else { continue };
-        let dimension = if n == 0 { Dimension::TIME } else { Dimension::TORQUE };
-        let refused = |what: String, value: &str, rule: String| {
-            ContentError::new(ContentErrorKind::Value { what, value: value.to_owned(), rule }, place(k))
-        };
-        if unit.is_empty() {
-            let question = format!("in which unit is {}?", NAMES[n]);
-            let kind = ContentErrorKind::Unclear { question, found: String::new() };
-            let hint = format!(
-                "name the unit in the header: {HEADER}, or {} [{}]",
-                NAMES[n],
-                ["ms", "mN m"][n.min(1)]
-            );
-            return Err(ContentError::new(kind, place(k)).hint(hint));
-        }
-        let unit = unit::factor(&unit, dimension).map_err(|wrong| {
-            refused(format!("the unit of {}", NAMES[n]), &unit, format!("a unit that polhode knows: {wrong}"))
-        })?;
-        if columns[n].replace(Column { place: k, unit }).is_some() {
-            return Err(refused("the column".to_owned(), name, "named once".to_owned()));
-        }
-    }
-    let mut found = [Column::default(); 4];
-    for ((slot, column), name) in found.iter_mut().zip(columns).zip(NAMES) {
-        let lacking = || missing(&format!("column {name}")).hint(format!("the columns are {HEADER}"));
-        *slot = column.ok_or_else(lacking)?;
-    }
-    Ok(found)
-}
-
-/// Which column a name is, and its unit: of `torque_x [mN m]` 1 and `mN m`; `n_m` is N m, as in the tables that polhode writes.
-fn split(name: &str) -> Option<(usize, String)> {
-    let name = name.trim();
-    let n = NAMES.iter().rposition(|known| name.starts_with(known))?;
-    let rest = name[NAMES[n].len()..].trim();
-    if let Some(unit) = rest.strip_prefix(['[', '(']) {
-        return Some((n, unit.trim_end_matches([']', ')']).trim().to_owned()));
-    }
-    match rest.strip_prefix('_') {
-        Some("n_m") => Some((n, "N m".to_owned())),
-        Some(unit) => Some((n, unit.replace('_', " "))),
-        None => rest.is_empty().then(|| (n, String::new())),
-    }
+#[cfg(not(feature = "parquet"))]
+fn of_parquet(_: &[u8]) -> Result<TorqueRows, ContentError> {
+    let what = "Parquet: this program was built without it".to_owned();
+    let error = ContentError::new(polhode_source::ContentErrorKind::Unsupported { what }, ContentPlace::Whole);
+    Err(error.hint("write the table as CSV"))
 }

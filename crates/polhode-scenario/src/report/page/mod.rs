@@ -44,7 +44,7 @@ use polhode_document::mathml::escaped;
 /// ```
 /// use polhode::math::{AngularVelocity, Attitude};
 /// use polhode::motion::{FreeMotion, State, Trajectory};
-/// use polhode_report::{PageInput, PageSubject, page};
+/// use polhode_scenario::report::{PageInput, PageSubject, page};
 /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.01, 1.0, 0.02) };
 /// let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start)?;
 /// let times: Vec<f64> = (0..=200).map(|k| 0.2 * f64::from(k)).collect();

@@ -20,7 +20,7 @@ use crate::report::balance::Driven;
 /// ```
 /// use polhode::math::{AngularVelocity, Attitude};
 /// use polhode::motion::{FreeMotion, State, Trajectory};
-/// use polhode_report::{Figure, MotionFigures};
+/// use polhode_scenario::report::{Figure, MotionFigures};
 /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.01, 1.0, 0.01) };
 /// let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start)?;
 /// let times: Vec<f64> = (0..=400).map(|k| 0.1 * f64::from(k)).collect();
@@ -32,7 +32,7 @@ use crate::report::balance::Driven;
 /// ```
 #[derive(Clone, Debug)]
 pub struct MotionFigures<'a> {
-    pub motion: PlottedMotion<'a>,
+    pub(crate) motion: PlottedMotion<'a>,
     /// Of a body that gravity turns about a pivot.
     axis: Option<TopAxis>,
 }

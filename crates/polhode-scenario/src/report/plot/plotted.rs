@@ -8,7 +8,7 @@ use crate::report::balance::Driven;
 
 /// A motion, and what its figures ask of it.
 #[derive(Clone, Debug)]
-pub struct PlottedMotion<'a> {
+pub(crate) struct PlottedMotion<'a> {
     pub title: String,
     pub trajectory: &'a Trajectory,
     /// About the point that the body turns about.
@@ -20,16 +20,16 @@ pub struct PlottedMotion<'a> {
 }
 
 impl<'a> PlottedMotion<'a> {
-    pub fn samples(&self) -> &'a [Sample] {
+    pub(crate) fn samples(&self) -> &'a [Sample] {
         self.trajectory.samples()
     }
 
-    pub fn is_prescribed(&self) -> bool {
+    pub(crate) fn is_prescribed(&self) -> bool {
         matches!(self.trajectory.solution(), Solution::Prescribed(_))
     }
 
     /// From the first to the last sample, s.
-    pub fn duration(&self) -> f64 {
+    pub(crate) fn duration(&self) -> f64 {
         match self.samples() {
             [first, .., last] => last.state.time - first.state.time,
             _ => 0.0,

@@ -1,6 +1,6 @@
 //! The estimate of a motion's error, held against its true error: `book/error.md`.
 //!
-//! `POLHODE_GOLDEN=write cargo test -p polhode-formats --test all motion_errors` writes the page anew; read the difference.
+//! `POLHODE_GOLDEN=write cargo test -p polhode-scenario --test all motion_errors` writes the page anew; read the difference.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;

@@ -3,7 +3,7 @@
 //! Bodies with distinct, nearly equal and nearly spherical moments, free and held at a pivot, with
 //! wheels; constant torques in body and in space, linear damping, gravity at a pivot, gravity
 //! gradient along an orbit, always or from one time to another; 0.01 to 100 turns; one sample or
-//! hundreds. Springs, formulas, ellipses and events are in `polhode-formats`, `motion_errors`.
+//! hundreds. Springs, formulas, ellipses and events are in `polhode-scenario`, `motion_errors`.
 //!
 //! The gate takes 36 scenarios of up to 5 turns. The large test, in parts of 50 scenarios of up to 100 turns:
 //!

@@ -21,20 +21,41 @@ pub(crate) fn is_wrapper() -> bool {
     std::env::var_os(WRAPS).is_some() && std::env::args_os().nth(1).is_some_and(|first| is_rustc(&first))
 }
 
-/// Lints, and then compiles.
+/// Lints, and then compiles; a warning of the compiler is an error too.
 pub(crate) fn run() -> ExitCode {
-    let arguments: Vec<OsString> = std::env::args_os().skip(1).collect();
-    let Some((rustc, arguments)) = arguments.split_first() else { return ExitCode::FAILURE };
+    let mut arguments: Vec<OsString> = std::env::args_os().skip(1).collect();
+    if arguments.is_empty() {
+        return ExitCode::FAILURE;
+    }
+    let rustc = arguments.remove(0);
+    let has = |name: &str| arguments.iter().any(|argument| argument == name);
     // What has no name of its own asks rustc about itself.
-    if arguments.iter().any(|argument| argument == "--crate-name")
-        && !arguments.iter().any(|argument| argument == "-")
-    {
-        let status = Command::new("clippy-driver").arg(rustc).args(of_lints(arguments)).status();
-        if let Some(failed) = failed("clippy-driver", status) {
-            return failed;
+    if has("--crate-name") && !has("-") {
+        if !is_linted_as_test(&arguments, &manifest()) {
+            let status = Command::new("clippy-driver").arg(&rustc).args(of_lints(&arguments)).status();
+            if let Some(failed) = failed("clippy-driver", status) {
+                return failed;
+            }
         }
+        arguments.push("-Dwarnings".into());
     }
     failed("rustc", Command::new(rustc).args(arguments).status()).unwrap_or(ExitCode::SUCCESS)
+}
+
+/// Returns true for a library whose tests are compiled too: Clippy sees all of its code there.
+fn is_linted_as_test(arguments: &[OsString], manifest: &str) -> bool {
+    let is_library = arguments.windows(2).any(|pair| pair[0] == "--crate-type" && pair[1] == "lib");
+    let is_test = arguments.iter().any(|argument| argument == "--test");
+    let of_library =
+        manifest.split("\n[").find(|section| section.trim_start_matches('[').starts_with("lib]"));
+    let is_tested = !of_library.is_some_and(|section| section.contains("\ntest = false"));
+    is_library && !is_test && is_tested
+}
+
+/// The manifest of the crate that cargo compiles.
+fn manifest() -> String {
+    let folder = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
+    std::fs::read_to_string(Path::new(&folder).join("Cargo.toml")).unwrap_or_default()
 }
 
 fn is_rustc(path: &OsStr) -> bool {
@@ -79,6 +100,16 @@ fn of_lints(arguments: &[OsString]) -> Vec<OsString> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_library_is_linted_once() {
+        let library = ["--crate-name", "a", "--crate-type", "lib"].map(OsString::from);
+        let test = ["--crate-name", "a", "--test"].map(OsString::from);
+        let binary = ["--crate-name", "a", "--crate-type", "bin"].map(OsString::from);
+        assert!(is_linted_as_test(&library, "[lib]\ndoctest = false\n\n[[bin]]\ntest = false\n"));
+        assert!(!is_linted_as_test(&library, "[lib]\ntest = false\n"));
+        assert!(!is_linted_as_test(&test, "") && !is_linted_as_test(&binary, ""));
+    }
 
     #[test]
     fn a_lint_makes_metadata_apart_and_tells_cargo_of_warnings_only() {

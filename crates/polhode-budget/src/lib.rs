@@ -36,7 +36,7 @@
 //! | principal moments, axes and tilt, with theirs | [`Estimate::principal`], [`PrincipalUncertainty`] |
 //! | which errors matter | [`Budget::sensitivities`] |
 //! | what first order leaves out | [`Budget::draws`], [`Draws::compare`] |
-//! | bodies of which only the estimate is known | [`Correlated`] |
+//! | bodies of which only the estimate is known | [`Correlated`](polhode::infer::correlated::Correlated) |
 //! | what is left over time, or by how full the tanks are | [`Sequence`], [`Tank`] |
 //! | whether limits are met, with what margin and probability | [`Budget::limits`], [`Limit`], [`Answer`] |
 //! | ballast that meets limits, with a lower bound | [`Budget::ballast`], [`FoundBallast`] |

@@ -24,7 +24,7 @@ impl BudgetReport {
         self.with_rows(&|case| (0..case.statements.len()).map(|k| row(case, k)).collect())
     }
 
-    /// Writes [`BudgetReport::to_json`] as [`pretty`](polhode_document::json::pretty) prints it.
+    /// Writes [`BudgetReport::to_json`] as [`pretty`] prints it.
     ///
     /// Rows are written one by one, to save memory.
     ///

@@ -1,21 +1,14 @@
-//! Results of polhode, for people and for programs.
+//! What is known of a scenario, for people and for programs.
 //!
-//! Eight reports, each with a face for either reader, and a page:
-//!
-//! - [`InertiaReport`]: how much mass, where, and how it resists being turned;
 //! - [`MotionReport`]: how the body moves, and the evidence that the numbers are good;
 //! - [`SpinReport`]: a free motion in closed form, at any time;
+//! - [`StabilityReport`]: which spins and rests are stable;
 //! - [`RequiredReport`]: the torque and the forces that a prescribed motion needs;
-//! - [`SweepSummary`]: what many members come to;
-//! - [`IdentifyReport`]: what was found of a body by measuring it;
-//! - [`BudgetReport`]: what a parts list comes to;
 //! - [`explain()`]: the worked solution, step by step, as a [`Document`](polhode_document::Document);
+//! - [`MotionFigures`]: plots, as SVG and PNG;
 //! - [`page()`]: all of it to look at, as one file for a browser.
 //!
-//! Text is plain Unicode for a terminal of 100 columns: the answer first, the convention in the heading, every number
-//! with its unit. JSON is SI, its keys are stable, and its numbers read back bit for bit; what is not finite or does not
-//! exist is `null`. This crate formats: it reads no files, and what it knows of physics it asks the core.
-#![forbid(unsafe_code)]
+//! A report reads no files. What it knows of physics it asks the core.
 
 mod balance;
 mod contact;

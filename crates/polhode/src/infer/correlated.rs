@@ -6,8 +6,9 @@ use crate::infer::random::{Random, log_normal};
 
 /// Numbers with means and a covariance, as functions of independent standard normal ones.
 ///
-/// With the columns l of Cholesky's factor, L Lᵀ = C, they are μ + Σ l_k w_k. The w_k are the normal numbers z_k themselves; but where the first is a mass, w_1 = (m − μ_1)/σ_1 of a
-/// log-normal m, the law of [`Budget::draws`](polhode_budget::Budget::draws). All w_k have the mean 0 and the variance 1 and are independent, so mean and covariance are exactly those that are given.
+/// With the columns l of Cholesky's factor, L Lᵀ = C, they are μ + Σ l_k w_k. The w_k are the normal numbers z_k
+/// themselves. If the first number is a mass, w_1 = (m − μ_1)/σ_1 of a log-normal m, as for the parts of a parts list.
+/// All w_k have mean 0 and variance 1 and are independent, so mean and covariance are exactly those given.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Correlated {
     mean: Vec<f64>,
@@ -36,8 +37,10 @@ impl Correlated {
         Ok(Self { is_mass_first: true, ..Self::normal(mean, covariance)? })
     }
 
-    /// The same, but where the last six numbers, xx, yy, zz, xy, xz, yz of a tensor about the centre of mass, are those of no body: they become the nearest that is, as in
-    /// [`Budget::draws`](polhode_budget::Budget::draws). Mean and covariance are then not quite those that are given.
+    /// Draws in which the last six numbers, the elements xx, yy, zz, xy, xz, yz of a tensor about the centre of mass,
+    /// are always those of a body.
+    ///
+    /// An impossible tensor becomes the nearest possible one. Mean and covariance then differ a little from those given.
     #[must_use]
     pub fn possible(self) -> Self {
         Self { is_possible: true, ..self }

@@ -103,6 +103,7 @@ fn of_text(bytes: &[u8]) -> Result<TorqueRows, ContentError> {
 #[cfg(not(feature = "parquet"))]
 fn of_parquet(_: &[u8]) -> Result<TorqueRows, ContentError> {
     let what = "Parquet: this program was built without it".to_owned();
-    let error = ContentError::new(polhode_source::ContentErrorKind::Unsupported { what }, ContentPlace::Whole);
+    let error =
+        ContentError::new(polhode_source::ContentErrorKind::Unsupported { what }, ContentPlace::Whole);
     Err(error.hint("write the table as CSV"))
 }

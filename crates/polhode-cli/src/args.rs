@@ -5,12 +5,16 @@ use std::ffi::OsString;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory as _, Parser, Subcommand};
 
+#[cfg(feature = "budget")]
 use crate::budget::BudgetCommand;
+#[cfg(feature = "robot")]
 use crate::check::Check;
 use crate::explain::Explain;
 use crate::failure::Failure;
+#[cfg(feature = "identify")]
 use crate::identify::Identify;
 use crate::inertia::Inertia;
+#[cfg(feature = "judge")]
 use crate::judge::Judge;
 #[cfg(feature = "live")]
 use crate::live::Live;
@@ -19,6 +23,7 @@ use crate::shell::{Completions, Man};
 use crate::simulate::Simulate;
 use crate::spin::Spin;
 use crate::stability::Stability;
+#[cfg(feature = "sweep")]
 use crate::sweep::Sweep;
 use crate::torque::Torque;
 
@@ -27,7 +32,7 @@ use crate::torque::Torque;
 /// Exit status: 0 fine, 1 check or judge found something, 2 bad input or usage, 3 the computation could not reach its tolerance; of
 /// several files the worst, 2 before 3 before 1. Data goes to standard output, everything else to standard error.
 #[derive(Debug, Parser)]
-#[command(name = "polhode", version, after_help = EXAMPLES, max_term_width = 100)]
+#[command(name = "polhode", version, after_help = examples(), max_term_width = 100)]
 pub(crate) struct Polhode {
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -44,19 +49,32 @@ Examples:
   polhode explain examples/notes/11-10-dumbbell.toml
   polhode judge examples/judge/mujoco-rk4.csv";
 
+/// Returns [`EXAMPLES`] without those of commands that are left out.
+fn examples() -> String {
+    let commands = [(cfg!(feature = "robot"), "polhode check"), (cfg!(feature = "judge"), "polhode judge")];
+    let is_there =
+        |line: &&str| commands.iter().all(|(is_built, command)| *is_built || !line.contains(command));
+    EXAMPLES.lines().filter(is_there).collect::<Vec<_>>().join("\n")
+}
+
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     New(New),
     Inertia(Box<Inertia>),
+    #[cfg(feature = "robot")]
     Check(Check),
     Simulate(Simulate),
     Spin(Box<Spin>),
     Stability(Stability),
     Torque(Torque),
+    #[cfg(feature = "sweep")]
     Sweep(Sweep),
     Explain(Explain),
+    #[cfg(feature = "judge")]
     Judge(Box<Judge>),
+    #[cfg(feature = "identify")]
     Identify(Identify),
+    #[cfg(feature = "budget")]
     Budget(Box<BudgetCommand>),
     #[cfg(feature = "live")]
     Live(Live),
@@ -69,15 +87,20 @@ impl Command {
         match self {
             Self::New(command) => command.run(),
             Self::Inertia(command) => command.run(),
+            #[cfg(feature = "robot")]
             Self::Check(command) => command.run(),
             Self::Simulate(command) => command.run(),
             Self::Spin(command) => command.run(),
             Self::Stability(command) => command.run(),
             Self::Torque(command) => command.run(),
+            #[cfg(feature = "sweep")]
             Self::Sweep(command) => command.run(),
             Self::Explain(command) => command.run(),
+            #[cfg(feature = "judge")]
             Self::Judge(command) => command.run(),
+            #[cfg(feature = "identify")]
             Self::Identify(command) => command.run(),
+            #[cfg(feature = "budget")]
             Self::Budget(command) => command.run(),
             #[cfg(feature = "live")]
             Self::Live(command) => command.run(),

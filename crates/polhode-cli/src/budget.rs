@@ -20,11 +20,11 @@ use serde_json::Value;
 
 use crate::budget_history;
 use crate::budget_statements::statements;
-use crate::check::outputs::is_same;
 use crate::failure::Failure;
 use crate::numbers::{point, rotation};
 use crate::partial;
 use crate::progress::DrawProgress;
+use crate::same_file::is_same;
 use crate::stderr::shown;
 use crate::stdout::{self, columns, print, print_exact};
 

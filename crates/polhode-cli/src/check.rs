@@ -3,7 +3,7 @@
 mod files;
 mod fix;
 mod output;
-pub(crate) mod outputs;
+mod outputs;
 mod parallel;
 mod policy;
 

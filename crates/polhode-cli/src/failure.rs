@@ -7,7 +7,6 @@ use std::path::Path;
 use polhode::motion::MotionError;
 use polhode_document::VERSION;
 use polhode_source::{FormatError, Place};
-use polhode_sweep::SweepError;
 use serde_json::{Value, json};
 
 use crate::stderr::{shown, tell};
@@ -27,8 +26,6 @@ pub(crate) enum Failure {
     Several(Vec<Failure>),
     /// A result that cannot be written.
     Output { path: String, error: io::Error },
-    /// A sweep that cannot be run or kept.
-    Sweep(SweepError),
     /// A sweep that was stopped with Ctrl-C or SIGTERM: what is there, how to go on, and the exit status.
     Stopped { done: String, hint: String, status: u8 },
     /// Another program that was run instead, and failed with this status.
@@ -147,7 +144,6 @@ impl Failure {
                 let room = full.contains(&error.kind()).then_some(room);
                 format!("error: cannot write {path}: {error}\n{}", hint(room))
             }
-            Self::Sweep(error) => format!("error: {error}\n{}", hint(error.hint().map(str::to_owned))),
             Self::Stopped { done, hint: advice, .. } => {
                 format!("stopped: {done}\n{}", hint(Some(advice.clone())))
             }
@@ -159,12 +155,6 @@ impl Failure {
 impl From<FormatError> for Failure {
     fn from(error: FormatError) -> Self {
         Self::Input(Box::new(error))
-    }
-}
-
-impl From<SweepError> for Failure {
-    fn from(error: SweepError) -> Self {
-        Self::Sweep(error)
     }
 }
 

@@ -6,8 +6,11 @@ mod kind;
 mod mesh;
 mod model;
 mod molecule;
+#[cfg(not(feature = "robot"))]
+mod no_robot;
 mod output;
 mod particles;
+#[cfg(feature = "robot")]
 mod robot;
 mod substance;
 mod voxel;
@@ -31,6 +34,8 @@ use self::cad::CadFlags;
 use self::kind::Kind;
 use self::mesh::MeshFlags;
 use self::molecule::MoleculeFlags;
+#[cfg(not(feature = "robot"))]
+use self::no_robot as robot;
 use self::output::OutputFlags;
 use self::robot::RobotFlags;
 use self::substance::SubstanceFlags;
@@ -47,19 +52,15 @@ use crate::stdout::print;
 /// Of a scenario's body (TOML) or of a mesh (STL). The tensor is about the centre of mass, along body axes; its
 /// off-diagonals are minus the integrals, I_xy = -∫xy dm.
 #[derive(Debug, Args)]
-#[command(after_help = "\
+#[command(after_help = ["\
 Examples:
   polhode inertia bracket.stl --unit mm --material aluminium
   polhode inertia bracket.stl --unit mm --mass \"85 g\" --about \"0,0,12 mm\" --json
-  polhode inertia arm.obj --part \"rod=steel\" --part \"grip=85 g\" --as urdf
-  polhode inertia robot.urdf --link forearm
-  polhode inertia robot.urdf --lump all --joint elbow=\"30 deg\" --write mjcf
-  polhode inertia robot.urdf --subtree palm --joint left_finger=\"5 mm\"
-  polhode inertia robot.urdf --table
+  polhode inertia arm.obj --part \"rod=steel\" --part \"grip=85 g\" --as urdf", robot::EXAMPLES, "
   polhode inertia torn.stl --unit mm --material steel --weld \"0.01 mm\" --write-mesh whole.stl
   polhode inertia gripper.stl --unit mm --material steel --union
   polhode inertia parts/*.stl --unit mm --material steel --csv
-  polhode inertia examples/notes/11-05-principal-axes.toml --axes")]
+  polhode inertia examples/notes/11-05-principal-axes.toml --axes"].concat())]
 pub(crate) struct Inertia {
     /// Scenarios, meshes, molecules, particles, voxel grids, CAD reports, robots; what each is, its ending says.
     #[arg(required = true, value_name = "FILE")]
@@ -101,8 +102,9 @@ pub(crate) struct Inertia {
 impl Inertia {
     pub(crate) fn run(self) -> Result<(), Failure> {
         self.mesh.check_output(self.files.len())?;
-        if self.robot.table {
-            return self.tables();
+        let fits = |file: &Path| self.kind(file).map(drop);
+        if let Some(done) = robot::tables(&self.files, &self.robot, &self.output, fits) {
+            return done;
         }
         let (mut answers, mut written) = (Vec::new(), Vec::new());
         let mut progress = FileProgress::new(self.files.len());
@@ -127,21 +129,6 @@ impl Inertia {
             Err(failure) => failures.push(failure),
         }
         Failure::unless_empty(failures)
-    }
-
-    /// A table of each robot's links.
-    fn tables(&self) -> Result<(), Failure> {
-        let table = |file: &Path| {
-            self.kind(file)?;
-            robot::table(file, &self.robot)
-        };
-        let tables: Vec<_> = self
-            .files
-            .iter()
-            .map(|file| (file.as_path(), table(file).map_err(|failure| failure.about(file))))
-            .collect();
-        print(&self.output.tables(&tables))?;
-        Failure::unless_empty(tables.into_iter().filter_map(|(_, table)| table.err()).collect())
     }
 
     /// What a file is, if the flags fit that.

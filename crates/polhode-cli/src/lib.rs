@@ -2,21 +2,32 @@
 //!
 //! A library with one function, as the Python package has the same command.
 #![forbid(unsafe_code)]
+#![cfg_attr(
+    not(feature = "default"),
+    allow(dead_code, reason = "helpers may serve only commands that are left out")
+)]
 
 mod args;
 mod browser;
+#[cfg(feature = "budget")]
 mod budget;
+#[cfg(feature = "budget")]
 mod budget_history;
+#[cfg(feature = "budget")]
 mod budget_statements;
+#[cfg(feature = "robot")]
 mod check;
 mod explain;
 mod failure;
 mod folder;
+#[cfg(feature = "identify")]
 mod identify;
 mod inertia;
+#[cfg(feature = "judge")]
 mod judge;
 #[cfg(feature = "live")]
 mod live;
+#[cfg(feature = "robot")]
 mod model_file;
 mod new;
 mod numbers;
@@ -24,12 +35,14 @@ mod page;
 mod partial;
 mod plot;
 mod progress;
+mod same_file;
 mod shell;
 mod simulate;
 mod spin;
 mod stability;
 mod stderr;
 mod stdout;
+#[cfg(feature = "sweep")]
 mod sweep;
 mod table;
 mod torque;

@@ -275,7 +275,8 @@ fn beside(target: &Path, kind: &str, number: &str) -> PathBuf {
     target.with_file_name(name)
 }
 
-fn parent(target: &Path) -> &Path {
+/// Returns the folder of a file, `.` for a bare file name.
+pub(crate) fn parent(target: &Path) -> &Path {
     target.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 

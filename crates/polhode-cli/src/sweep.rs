@@ -13,7 +13,7 @@ use clap::Args;
 use polhode::body::Severity;
 use polhode_document::json::pretty;
 use polhode_document::layout::printable;
-use polhode_sweep::{Dataset, Plan};
+use polhode_sweep::{Dataset, Plan, SweepError};
 
 use crate::failure::Failure;
 use crate::stderr::{shown, tell};
@@ -133,4 +133,10 @@ fn stop_on_signals() -> (Arc<AtomicBool>, Arc<AtomicUsize>) {
 /// The plan's name, in the current folder.
 fn default_folder(plan: &Path) -> PathBuf {
     PathBuf::from(plan.file_stem().unwrap_or_default())
+}
+
+impl From<SweepError> for Failure {
+    fn from(error: SweepError) -> Self {
+        Self::usage(error.to_string(), error.hint().unwrap_or_default())
+    }
 }

@@ -5,7 +5,6 @@ use std::io::ErrorKind;
 use polhode::body::BodyError;
 use polhode::math::RotationError;
 use polhode::motion::MotionError;
-use polhode_identify::IdentifyError;
 use polhode_source::{FormatError, FormatErrorKind, Place};
 use pyo3::PyErr;
 use pyo3::exceptions::PyOSError;
@@ -30,12 +29,6 @@ impl Raise for BodyError {
 }
 
 impl Raise for MotionError {
-    fn raise(self) -> PyErr {
-        refused(&self, self.hint())
-    }
-}
-
-impl Raise for IdentifyError {
     fn raise(self) -> PyErr {
         refused(&self, self.hint())
     }

@@ -302,3 +302,9 @@ fn wrench_log(given: &WrenchArrays<'_>, options: &WrenchOptions) -> PyResult<Pay
         None => log,
     })
 }
+
+impl Raise for IdentifyError {
+    fn raise(self) -> PyErr {
+        refused(&self, self.hint())
+    }
+}

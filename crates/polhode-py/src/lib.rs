@@ -3,11 +3,17 @@
 //! Python checks what it is given and makes arrays of it (`_arrays.py`), has the classes that users see, and their documentation.
 //! Here are plain functions on arrays and texts, which compute detached from Python. Nothing is computed here that the library does
 //! not compute.
+#![cfg_attr(
+    not(feature = "default"),
+    allow(dead_code, reason = "helpers may serve only functions that are left out")
+)]
 
 mod actions;
 mod arrays;
 mod brep;
+#[cfg(feature = "budget")]
 mod budget;
+#[cfg(feature = "robot")]
 mod check;
 mod command;
 mod derivatives;
@@ -17,21 +23,31 @@ mod explain;
 mod files;
 mod finding;
 mod free_motion;
+#[cfg(feature = "identify")]
 mod identify;
 mod interrupt;
+#[cfg(feature = "judge")]
 mod judge;
+#[cfg(feature = "live")]
+mod knob;
 mod mass_derivatives;
 mod mass_properties;
 mod mesh;
+#[cfg(not(feature = "default"))]
+mod missing;
 mod motion;
+#[cfg(not(feature = "robot"))]
+mod no_robot;
 mod pickle;
 mod required;
+#[cfg(feature = "robot")]
 mod robot;
 mod rotation;
 mod scenario;
 mod shape;
 mod stability;
 mod substance;
+#[cfg(feature = "sweep")]
 mod sweep;
 mod threads;
 mod tumbler;
@@ -46,8 +62,10 @@ mod _native {
 
     #[pymodule_export]
     use crate::brep::step_solids;
+    #[cfg(feature = "budget")]
     #[pymodule_export]
     use crate::budget::budget_list;
+    #[cfg(feature = "robot")]
     #[pymodule_export]
     use crate::check::check_file;
     #[pymodule_export]
@@ -62,32 +80,45 @@ mod _native {
     use crate::files::{cad_file, molecule_file, particle_file, scenario_file, voxel_file};
     #[pymodule_export]
     use crate::free_motion::PyFreeMotion;
+    #[cfg(feature = "identify")]
     #[pymodule_export]
     use crate::identify::{find_flights, identify_flights, identify_plan, identify_wrenches};
+    #[cfg(feature = "judge")]
     #[pymodule_export]
     use crate::judge::{judge_arrays, judge_file};
+    #[cfg(feature = "live")]
+    #[pymodule_export]
+    use crate::knob::scenario_knobs;
     #[pymodule_export]
     use crate::mass_derivatives::{PyMeshDerivatives, body_derivatives, particle_derivatives};
     #[pymodule_export]
     use crate::mass_properties::PyMassProperties;
     #[pymodule_export]
     use crate::mesh::{mesh_arrays, mesh_corners, mesh_file};
+    #[cfg(not(feature = "default"))]
+    #[pymodule_export]
+    use crate::missing::missing;
     #[pymodule_export]
     use crate::motion::{PyMotion, motion_page, simulate};
+    #[cfg(not(feature = "robot"))]
+    #[pymodule_export]
+    use crate::no_robot::is_robot;
     #[pymodule_export]
     use crate::required::required_torque;
+    #[cfg(feature = "robot")]
     #[pymodule_export]
     use crate::robot::{is_robot, robot_file, robot_groups, robot_links, robot_table};
     #[pymodule_export]
     use crate::rotation::quaternions_of_matrices;
     #[pymodule_export]
-    use crate::scenario::{check_scenario, scenario_keys, scenario_knobs, scenario_tables};
+    use crate::scenario::{check_scenario, scenario_keys, scenario_tables};
     #[pymodule_export]
     use crate::shape::shape;
     #[pymodule_export]
     use crate::stability::scenario_stability;
     #[pymodule_export]
     use crate::substance::materials;
+    #[cfg(feature = "sweep")]
     #[pymodule_export]
     use crate::sweep::{PyDataset, PyPlan};
     #[pymodule_export]

@@ -36,18 +36,6 @@ pub(crate) fn scenario_keys(text: &str) -> Vec<(String, Vec<&'static str>)> {
     Draft::new("scenario.toml".as_ref(), []).keys(text)
 }
 
-/// The numbers of a text that can be turned, whose files are found beside `path`, the most telling first: a list of objects as JSON, which has `key`,
-/// `label`, `value`, `unit`, `si`, `what`, `low`, `high` and `scale`.
-#[pyfunction]
-pub(crate) fn scenario_knobs(py: Python<'_>, path: PathBuf, text: String) -> PyResult<String> {
-    let draft = py.detach(|| {
-        let mut draft = Draft::trusting(&path, &text);
-        draft.read(text).map(|_| draft)
-    });
-    let knobs = polhode_live::knobs(&draft.map_err(Raise::raise)?.numbers());
-    serde_json::to_string(&knobs).map_err(|error| refused(&error, None))
-}
-
 /// A scenario's file, or its text.
 pub(crate) fn read(path: PathBuf, text: Option<String>) -> Result<ScenarioFile, polhode_source::FormatError> {
     match text {

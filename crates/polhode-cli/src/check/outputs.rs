@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use polhode_robot::model::{GeometryShape, RobotModel};
 
 use crate::failure::Failure;
+use crate::partial::parent;
+use crate::same_file::is_same;
 use crate::stderr::shown;
 
 /// Options and the files that they name.
@@ -102,24 +104,9 @@ fn require_place(option: &str, out: &Path, force: bool) -> Result<(), Failure> {
             format!("{shown} is there already"),
             "choose another file, or replace it with --force",
         )),
-        _ if !folder(out).is_dir() => {
+        _ if !parent(out).is_dir() => {
             Err(Failure::usage(format!("{shown} is in a folder that is not there"), "make the folder first"))
         }
         _ => Ok(()),
     }
-}
-
-/// Whether two names are of one file, by way of links perhaps, there or to come.
-pub(crate) fn is_same(one: &Path, other: &Path) -> bool {
-    let agree = |of: fn(&Path) -> Option<PathBuf>| of(one).is_some_and(|path| Some(path) == of(other));
-    one == other || agree(entry) || agree(|path| fs::canonicalize(path).ok())
-}
-
-/// A name in the real path of its folder.
-fn entry(path: &Path) -> Option<PathBuf> {
-    Some(fs::canonicalize(folder(path)).ok()?.join(path.file_name()?))
-}
-
-fn folder(path: &Path) -> &Path {
-    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }

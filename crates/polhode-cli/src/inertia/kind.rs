@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use clap::builder::PossibleValue;
 use polhode_shape::mesh::MeshFormat;
 
-use crate::model_file::is_model;
+use super::robot::is_model;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
@@ -63,7 +63,8 @@ impl ValueEnum for Kind {
             return Some(PossibleValue::new(format.name()).help(format.about().trim_end_matches('.')));
         }
         let (_, name, help, _) = OTHERS.iter().find(|(kind, ..)| kind == self)?;
-        Some(PossibleValue::new(*name).help(*help))
+        let is_left_out = *self == Self::Robot && !cfg!(feature = "robot");
+        Some(PossibleValue::new(*name).help(*help).hide(is_left_out))
     }
 }
 

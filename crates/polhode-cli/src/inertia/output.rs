@@ -7,7 +7,6 @@ use clap::builder::{PossibleValuesParser, TypedValueParser as _};
 use polhode::body::Finding;
 use polhode_document::json::pretty;
 use polhode_document::layout::printable;
-use polhode_robot::link_table::LinkTable;
 use polhode_shape::export;
 use polhode_shape::report::InertiaReport;
 use polhode_shape::{ExportBody, ExportFormat};
@@ -22,10 +21,10 @@ use crate::stderr::{shown, tell};
 pub(super) struct OutputFlags {
     /// Print JSON: one object for one file, an array for several; a file that fails has an object with its error.
     #[arg(long)]
-    json: bool,
+    pub(super) json: bool,
     /// Print a table, one line a file.
     #[arg(long)]
-    csv: bool,
+    pub(super) csv: bool,
     /// Print it as another program reads it; frame, point and sign are stated beside the numbers.
     #[arg(long = "as", visible_alias = "write", value_name = "FORMAT", value_parser = formats())]
     as_format: Option<ExportFormat>,
@@ -51,31 +50,6 @@ impl OutputFlags {
             }
             report.findings.iter().for_each(|finding| tell_of(file, finding));
         }
-    }
-
-    /// The tables of robots, in the order of their files: JSON and CSV have those that failed as [`Self::text`] has them.
-    pub(super) fn tables(&self, tables: &[(&Path, Result<LinkTable, Failure>)]) -> String {
-        let each = || tables.iter().filter_map(|(file, table)| Some((*file, table.as_ref().ok()?)));
-        if self.json {
-            let value = |(file, table): &(&Path, Result<LinkTable, Failure>)| match table {
-                Ok(table) => table.to_json(),
-                Err(failure) => failure.to_json(file),
-            };
-            return match tables {
-                [one] => pretty(&value(one)) + "\n",
-                several => pretty(&Value::Array(several.iter().map(value).collect())) + "\n",
-            };
-        }
-        if !self.csv {
-            return each().map(|(_, table)| table.to_text()).collect::<Vec<_>>().join("\n");
-        }
-        for (file, table) in each() {
-            let description = printable(&table.whole.source.description);
-            tell(&format!("info: {}: {description}\n", shown(file)));
-            table.findings().iter().for_each(|finding| tell_of(file, finding));
-        }
-        let rows: String = each().map(|(_, table)| table.to_csv()).collect();
-        if rows.is_empty() { rows } else { LinkTable::csv_head() + &rows }
     }
 
     /// The answers as text, in the order of their files. One that failed has an object of its own in JSON, and is left out elsewhere.
@@ -110,7 +84,7 @@ impl OutputFlags {
 }
 
 /// Says on standard error what was noticed in a file.
-fn tell_of(file: &Path, Finding { severity, message, code, .. }: &Finding) {
+pub(super) fn tell_of(file: &Path, Finding { severity, message, code, .. }: &Finding) {
     let severity = severity.name();
     tell(&format!("{severity}: {}: {} [{code}]\n", shown(file), printable(message)));
 }

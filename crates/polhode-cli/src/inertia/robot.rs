@@ -1,8 +1,9 @@
 //! The mass properties of a robot's links: of one, of those that fixed joints hold together, of what hangs from one, or of all.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use polhode_document::json::pretty;
 use polhode_document::layout::printable;
 use polhode_robot::inertia::{InertiaError, of_link, of_lumps};
 use polhode_robot::line_index::{FilePlace, Places};
@@ -12,10 +13,22 @@ use polhode_robot::model::RobotModel;
 use polhode_robot::read::{ReadOptions, read_model};
 use polhode_shape::report::InertiaReport;
 use polhode_source::unit::Dimension;
+use serde_json::Value;
 
+use super::output::{OutputFlags, tell_of};
 use crate::failure::Failure;
 use crate::numbers::quantity;
-use crate::stderr::shown;
+use crate::stderr::{shown, tell};
+use crate::stdout::print;
+
+pub(super) use crate::model_file::is_model;
+
+/// Lines among the examples of the help, each after a line break.
+pub(super) const EXAMPLES: &str = "
+  polhode inertia robot.urdf --link forearm
+  polhode inertia robot.urdf --lump all --joint elbow=\"30 deg\" --write mjcf
+  polhode inertia robot.urdf --subtree palm --joint left_finger=\"5 mm\"
+  polhode inertia robot.urdf --table";
 
 /// Flags for robot models.
 #[derive(Debug, Args)]
@@ -31,7 +44,7 @@ pub(super) struct RobotFlags {
     subtree: Option<String>,
     /// Every link of a robot, a row each, and the whole robot: for people, or with --json or --csv.
     #[arg(long, group = "of_robot", conflicts_with_all = ["about", "along", "axes", "as_format"])]
-    pub(super) table: bool,
+    table: bool,
     /// The value of a joint, in rad or m or with its unit: elbow="30 deg"; joints that follow it do so, others are at zero.
     #[arg(long = "joint", value_name = "NAME=VALUE", requires = "of_robot", conflicts_with = "link", value_parser = joint, allow_hyphen_values = true)]
     joints: Vec<(String, String)>,
@@ -107,11 +120,55 @@ pub(super) fn reports(file: &Path, flags: &RobotFlags) -> Result<Vec<InertiaRepo
     of_lumps(&model, lumping, &positions).map_err(|error| failure(&model, &error))
 }
 
-/// All links of a robot.
-pub(super) fn table(file: &Path, flags: &RobotFlags) -> Result<LinkTable, Failure> {
-    let model = read_model(file, &ReadOptions::default())?;
-    let positions = flags.positions(&model)?;
-    LinkTable::of(&model, &positions).map_err(|error| failure(&model, &error))
+/// Prints a table of the links of each robot, if `--table` is given; `fits` refuses a file that the flags do not fit.
+pub(super) fn tables(
+    files: &[PathBuf],
+    flags: &RobotFlags,
+    output: &OutputFlags,
+    fits: impl Fn(&Path) -> Result<(), Failure>,
+) -> Option<Result<(), Failure>> {
+    if !flags.table {
+        return None;
+    }
+    let table = |file: &Path| {
+        fits(file)?;
+        let model = read_model(file, &ReadOptions::default())?;
+        let positions = flags.positions(&model)?;
+        LinkTable::of(&model, &positions).map_err(|error| failure(&model, &error))
+    };
+    let tables: Vec<_> = files
+        .iter()
+        .map(|file| (file.as_path(), table(file).map_err(|failure| failure.about(file))))
+        .collect();
+    let printed = print(&text_of(&tables, output));
+    Some(printed.and_then(|()| {
+        Failure::unless_empty(tables.into_iter().filter_map(|(_, table)| table.err()).collect())
+    }))
+}
+
+/// Returns the tables in the order of their files. A file that failed has an object with its error in JSON, and is left out elsewhere.
+fn text_of(tables: &[(&Path, Result<LinkTable, Failure>)], output: &OutputFlags) -> String {
+    let each = || tables.iter().filter_map(|(file, table)| Some((*file, table.as_ref().ok()?)));
+    if output.json {
+        let value = |(file, table): &(&Path, Result<LinkTable, Failure>)| match table {
+            Ok(table) => table.to_json(),
+            Err(failure) => failure.to_json(file),
+        };
+        return match tables {
+            [one] => pretty(&value(one)) + "\n",
+            several => pretty(&Value::Array(several.iter().map(value).collect())) + "\n",
+        };
+    }
+    if !output.csv {
+        return each().map(|(_, table)| table.to_text()).collect::<Vec<_>>().join("\n");
+    }
+    for (file, table) in each() {
+        let description = printable(&table.whole.source.description);
+        tell(&format!("info: {}: {description}\n", shown(file)));
+        table.findings().iter().for_each(|finding| tell_of(file, finding));
+    }
+    let rows: String = each().map(|(_, table)| table.to_csv()).collect();
+    if rows.is_empty() { rows } else { LinkTable::csv_head() + &rows }
 }
 
 /// NAME=VALUE, apart; the value waits for its joint to say whether it is an angle or a length.

@@ -1,0 +1,74 @@
+//! The interface of `robot.rs` in a program without robot models: no flags, and a refusal.
+
+use std::fs::File;
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use polhode_shape::report::InertiaReport;
+
+use super::output::OutputFlags;
+use crate::failure::Failure;
+
+/// Lines among the examples of the help: none.
+pub(super) const EXAMPLES: &str = "";
+
+/// Flags for robot models: none.
+#[derive(Debug, Args)]
+pub(super) struct RobotFlags {}
+
+impl RobotFlags {
+    /// Returns the first flag that is given: none.
+    pub(super) const fn given(&self) -> Option<&'static str> {
+        None
+    }
+}
+
+/// Returns true for the file extensions of robot models. Files `.sdf` and `.xml` must also begin with `<`: SDF is the name of a format of
+/// molecules too.
+pub(super) fn is_model(path: &Path) -> bool {
+    let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
+    match extension.as_deref() {
+        Some("urdf" | "usda" | "osim" | "world" | "mjcf") => true,
+        Some("sdf" | "xml") => path.is_file() && first_character(path) == Some(b'<'),
+        _ => false,
+    }
+}
+
+/// Returns the first byte that is neither white space nor part of a byte-order mark.
+fn first_character(path: &Path) -> Option<u8> {
+    const LONGEST: u64 = 4096;
+    let mut start = Vec::new();
+    File::open(path).ok()?.take(LONGEST).read_to_end(&mut start).ok()?;
+    start.into_iter().find(|byte| byte.is_ascii() && *byte != 0 && !byte.is_ascii_whitespace())
+}
+
+/// Refuses a robot model.
+pub(super) fn reports(_: &Path, _: &RobotFlags) -> Result<Vec<InertiaReport>, Failure> {
+    let hint = "install polhode with its default features, or build it with --features robot";
+    Err(Failure::usage("this program was built without robot models", hint))
+}
+
+/// Prints no table of links: `--table` is a flag of robot models.
+pub(super) fn tables(
+    _: &[PathBuf],
+    _: &RobotFlags,
+    _: &OutputFlags,
+    _: impl Fn(&Path) -> Result<(), Failure>,
+) -> Option<Result<(), Failure>> {
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_robot_model_is_refused_with_the_feature_that_is_missing() {
+        assert!(is_model(Path::new("arm.URDF")));
+        assert!(!is_model(Path::new("water.sdf")));
+        let Err(refusal) = reports(Path::new("arm.urdf"), &RobotFlags {}) else { unreachable!() };
+        assert_eq!(refusal.line(), "this program was built without robot models");
+        assert_eq!(refusal.report(), 2);
+    }
+}

@@ -1,0 +1,27 @@
+//! The message for what this build leaves out.
+
+use pyo3::exceptions::PyAttributeError;
+use pyo3::prelude::*;
+
+/// Features of the default build, and whether this build has them.
+const FEATURES: [(&str, bool); 7] = [
+    ("budget", cfg!(feature = "budget")),
+    ("identify", cfg!(feature = "identify")),
+    ("judge", cfg!(feature = "judge")),
+    ("live", cfg!(feature = "live")),
+    ("png", cfg!(feature = "png")),
+    ("robot", cfg!(feature = "robot")),
+    ("sweep", cfg!(feature = "sweep")),
+];
+
+/// Refuses a name that the module does not have. Python calls it as the module's `__getattr__` (PEP 562).
+///
+/// # Errors
+/// Always `AttributeError`, which names the features that are left out.
+#[pyfunction(name = "__getattr__")]
+pub(crate) fn missing(name: &str) -> PyResult<Py<PyAny>> {
+    let left_out = FEATURES.iter().filter(|(_, is_built)| !is_built).map(|(name, _)| *name);
+    let left_out = left_out.collect::<Vec<_>>().join(", ");
+    let message = format!("no {name} in this build of polhode, which leaves out the features {left_out}");
+    Err(PyAttributeError::new_err(message))
+}

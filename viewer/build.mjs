@@ -36,6 +36,7 @@ const script = (entry, codemirror) =>
       THREE_VERSION: JSON.stringify(version("three")),
       UPLOT_VERSION: JSON.stringify(version("uplot")),
       OMGGIF_VERSION: JSON.stringify(version("omggif")),
+      FFLATE_VERSION: JSON.stringify(version("fflate")),
       CODEMIRROR_VERSION: JSON.stringify(codemirror),
     },
   });
@@ -45,6 +46,7 @@ const banner = `<!--
 polhode viewer, MIT OR Apache-2.0. Built from viewer/ by "npm run build"; do not edit.
 Contains three.js ${version("three")}, MIT licence, copyright 2010-2026 three.js authors,
 uPlot ${version("uplot")}, MIT licence, copyright 2022 Leon Sorokin, omggif ${version("omggif")}, MIT licence, copyright 2013 Dean McNamee,
+fflate ${version("fflate")}, MIT licence, copyright 2026 Arjun Barrett,
 and a part of STIX Two Math, SIL Open Font License 1.1, copyright 2001-2021 The STIX Fonts Project Authors. Their licences stand under "About".
 -->`;
 // A function as replacement: "$&" in a script is not a pattern.

@@ -2,6 +2,7 @@
  * The page's data as typed arrays. Everything is checked once, here: what comes out has the lengths that the contract promises and
  * finite numbers, so no other file has to ask.
  */
+import { bytesOf } from "./base64";
 import type { Base64, Indices, PageData, Row, Row32 } from "./data";
 
 /** Data that are not what the contract says. */
@@ -68,17 +69,11 @@ function areFinite(numbers: Float32Array | Float64Array): boolean {
   return sum === 0;
 }
 
-/** What newer browsers have. */
-interface FromBase64 {
-  fromBase64?: (text: string) => Uint8Array<ArrayBuffer>;
-}
-
 // All machines that run a browser are little-endian; typed arrays have the machine's order.
 function decode(text: Base64, what: string, size: number): Uint8Array<ArrayBuffer> {
   let bytes: Uint8Array<ArrayBuffer>;
   try {
-    const { fromBase64 } = Uint8Array as FromBase64;
-    bytes = fromBase64 ? fromBase64(text) : Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+    bytes = bytesOf(text);
   } catch {
     throw new BadData(`${what}: not base64`);
   }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import base64
 import subprocess
 import sys
 from pathlib import Path
@@ -11,7 +12,7 @@ from typing import Any
 import numpy as np
 import polhode
 import pytest
-from polhode import Knob, PolhodeError, _display, _packed, _widget
+from polhode import Knob, PolhodeError, _display, _widget
 from polhode.scenario import Drag, FormulaTorque, FunctionTorque, Part, Run, Start
 
 
@@ -23,6 +24,10 @@ def racket() -> polhode.Scenario:
         torques=[Drag(name="air", law="linear", coefficient=1e-4)],
         run=Run(duration=2, samples=21),
     )
+
+
+def base64_of(data: str) -> str:
+    return base64.b64encode(_display.pack(data)).decode()
 
 
 def turned(widget: Any, turn: int, **values: float) -> dict[str, Any]:
@@ -78,7 +83,7 @@ def test_the_motion_is_that_of_the_values(racket: polhode.Scenario) -> None:
     heavier = Part(name="racket", shape="box", size=["20 cm", "13 cm", "3 cm"], mass="1.2 kg")
     wanted = polhode.simulate(racket.replace(body=heavier, start=Start(omega=["0.01 rad/s", "7.5 rad/s", "0.02 rad/s"])))
     assert widget.motion == wanted and polhode.simulate(widget.scenario) == wanted
-    assert widget.packed == _packed.pack(wanted._output_data)
+    assert widget.packed == _display.pack(wanted._output_data)
 
 
 def test_what_is_refused_leaves_the_motion(racket: polhode.Scenario) -> None:
@@ -157,7 +162,7 @@ def test_where_there_are_no_widgets_the_motion_is_an_output(racket: polhode.Scen
     widget = polhode.widget(racket, ["start.omega[1]"])
     data, _ = widget._repr_mimebundle_()
     assert data["text/plain"] == "MotionWidget(a scenario: ωy = 5 rad/s)" and "application/vnd.jupyter.widget-view+json" in data
-    assert _packed.pack_text(widget.motion._output_data) in data["text/html"]
+    assert base64_of(widget.motion._output_data) in data["text/html"]
 
 
 def test_a_notebook_has_the_motion_that_was_shown_last_beside_the_widget(racket: polhode.Scenario, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -176,12 +181,12 @@ def test_a_notebook_has_the_motion_that_was_shown_last_beside_the_widget(racket:
     (name, stored), (none, live) = shown
     assert name is not None and none is None and live["text/html"] == "" and "application/vnd.jupyter.widget-view+json" in live
     assert "data-beside" in stored["text/html"] and 'class="polhode-viewer"' in stored["text/html"] and stored["text/plain"] == ""
-    assert _packed.pack_text(widget.motion._output_data) in stored["text/html"]
+    assert base64_of(widget.motion._output_data) in stored["text/html"]
     # Without a loop at once, with the viewer that it has brought.
     widget.values = {"start.spin.body[1]": 7.0}
     again, last = shown[-1]
     assert again == name and last["text/html"] != stored["text/html"] and 'class="polhode-viewer"' in last["text/html"]
-    assert _packed.pack_text(widget.motion._output_data) in last["text/html"]
+    assert base64_of(widget.motion._output_data) in last["text/html"]
     with pytest.raises(PolhodeError):
         widget.values = {"start.spin.body[1]": float("nan")}
     assert len(shown) == 3
@@ -194,7 +199,7 @@ def test_a_notebook_has_the_motion_that_was_shown_last_beside_the_widget(racket:
 
     # In a kernel once, after the last of several turns.
     asyncio.run(turns())
-    assert len(shown) == 4 and _packed.pack_text(widget.motion._output_data) in shown[-1][1]["text/html"]
+    assert len(shown) == 4 and base64_of(widget.motion._output_data) in shown[-1][1]["text/html"]
 
 
 def test_anywidget_is_imported_only_for_a_widget(tmp_path: Path) -> None:

@@ -1,9 +1,8 @@
 /** What the page holds before there is a motion: a ball at rest, which is not shown. */
+import { base64Of } from "../base64";
 import type { PageData } from "../data";
 
-const numbers = (...values: number[]): string => {
-  return btoa(Array.from(new Uint8Array(Float64Array.from(values).buffer), (byte) => String.fromCharCode(byte)).join(""));
-};
+const numbers = (...values: number[]): string => base64Of(new Uint8Array(Float64Array.from(values).buffer));
 
 export const EMPTY: PageData = {
   version: 1,

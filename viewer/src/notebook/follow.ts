@@ -1,7 +1,8 @@
 /** A page in a frame of a notebook: it shows packed data, and then what the document around sends. */
 import { type App, say } from "../app";
+import { bytesOf } from "../base64";
 import type { PageData } from "../data";
-import { bytesOf, unpack } from "../packed";
+import { unpack } from "../packed";
 import { setTheme } from "../theme";
 import type { ToFrame } from "./message";
 

@@ -1,5 +1,6 @@
 /** The viewer, which a notebook holds once for all of its motions. */
-import { bytesOf, inflated } from "../packed";
+import { bytesOf } from "../base64";
+import { inflated } from "../packed";
 
 interface Shared {
   /** By the hash of its text. */
@@ -31,7 +32,7 @@ export function known(key: string): Promise<string> | null {
 /** The viewer, deflated; who waits for it gets it. */
 export function bring(key: string, packed: Uint8Array<ArrayBuffer>): Promise<string> {
   const { viewers, waiting } = shared();
-  const viewer = viewers.get(key) ?? inflated(packed).then((bytes) => new TextDecoder().decode(bytes));
+  const viewer = viewers.get(key) ?? inflated(packed);
   viewers.set(key, viewer);
   for (const then of waiting.get(key) ?? []) then(viewer);
   waiting.delete(key);

@@ -5,6 +5,7 @@ import OFL from "../../../crates/polhode-document/assets/stix-two-math.OFL.txt";
 declare const THREE_VERSION: string;
 declare const UPLOT_VERSION: string;
 declare const OMGGIF_VERSION: string;
+declare const FFLATE_VERSION: string;
 /** Of the page of `polhode live`: its version of CodeMirror's view; empty in the page that is one file. */
 declare const CODEMIRROR_VERSION: string;
 
@@ -41,6 +42,7 @@ export function about(host: HTMLElement, source: string): void {
     element("p", {}, `three.js ${THREE_VERSION}: MIT licence, copyright © 2010–2026 three.js authors.`),
     element("p", {}, `uPlot ${UPLOT_VERSION}: MIT licence, copyright © 2022 Leon Sorokin.`),
     element("p", {}, `omggif ${OMGGIF_VERSION}: MIT licence, copyright © 2013 Dean McNamee.`),
+    element("p", {}, `fflate ${FFLATE_VERSION}: MIT licence, copyright © 2026 Arjun Barrett.`),
     ...(CODEMIRROR_VERSION === "" ? [] : [element("p", {}, `CodeMirror ${CODEMIRROR_VERSION} with style-mod, w3c-keyname, crelt, Lezer and find-cluster-break: MIT licence, copyright © 2018–2026 Marijn Haverbeke and others.`)]),
     element("p", {}, "STIX Two Math, a part of it: SIL Open Font License 1.1, copyright © 2001–2021 The STIX Fonts Project Authors."),
     element("details", {}, element("summary", {}, "The MIT licence"), element("p", { class: "licence" }, MIT)),

@@ -1,9 +1,9 @@
 /** Draws what was ordered, frame by frame at its exact times: a slow machine makes the same film. */
+import { Zip, ZipPassThrough } from "fflate";
 import { frameCount, frameTime, type Order } from "./film";
 import type { Frames } from "./frame";
 import { GifWriter } from "./gif";
 import { VideoWriter } from "./video";
-import { Zip } from "./zip";
 
 /** Frames that a GIF's colours are chosen by. */
 const SAMPLES = 8;
@@ -59,25 +59,40 @@ function* sampled(order: Order, frames: Frames, count: number): Generator<Canvas
   for (let j = 0; j < all; j += 1) yield frames.draw(frameTime(order, Math.floor(((j + 0.5) * count) / all)));
 }
 
-/** Pictures named by their number. */
+/** The date of every file in a ZIP, local time as in the format: the same pictures make the same bytes. */
+const DATE = new Date(1980, 0, 1);
+
+/** A ZIP of pictures named by their number, stored: a PNG is compressed already. */
 class PngWriter {
-  readonly #zip = new Zip();
+  readonly #parts: Blob[] = [];
+  readonly #zip: Zip;
   readonly #digits: number;
+  #size = 0;
 
   constructor(count: number) {
     this.#digits = Math.max(4, String(count).length);
+    this.#zip = new Zip((problem, bytes) => {
+      if (problem) throw problem;
+      this.#parts.push(new Blob([bytes]));
+      this.#size += bytes.length;
+    });
   }
 
   get size(): number {
-    return this.#zip.size;
+    return this.#size;
   }
 
   async add({ canvas }: CanvasRenderingContext2D, k: number): Promise<void> {
-    await this.#zip.add(`frame-${String(k + 1).padStart(this.#digits, "0")}.png`, await png(canvas));
+    const file = new ZipPassThrough(`frame-${String(k + 1).padStart(this.#digits, "0")}.png`);
+    file.mtime = DATE;
+    const picture = await png(canvas);
+    this.#zip.add(file);
+    file.push(new Uint8Array(await picture.arrayBuffer()), true);
   }
 
   finish(): Blob {
-    return this.#zip.finish();
+    this.#zip.end();
+    return new Blob(this.#parts, { type: "application/zip" });
   }
 }
 

@@ -15,7 +15,7 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from . import _native, _packed
+from . import _native
 
 _FALLBACK = "A motion in three dimensions. It is shown where this notebook is trusted and scripts run: in Jupyter by “Trust Notebook”, and on pages that nbconvert makes."
 
@@ -35,8 +35,13 @@ def html(title: str, data: str, *, beside_widget: bool = False, brings_viewer: b
         brought = f'<script type="text/plain" class="polhode-viewer" data-key="{key}">{base64.b64encode(packed).decode("ascii")}</script>'
     return (
         f'<div class="polhode-motion" data-viewer="{key}"{" data-beside" if beside_widget else ""} style="min-height: 40px"><p>{escape(title)}: {_FALLBACK}</p>{brought}'
-        f'<script type="text/plain" class="polhode-packed">{_packed.pack_text(data)}</script><script>{_script()}</script></div>'
+        f'<script type="text/plain" class="polhode-packed">{base64.b64encode(pack(data)).decode("ascii")}</script><script>{_script()}</script></div>'
     )
+
+
+def pack(data: str) -> bytes:
+    """Returns what a page holds as JSON, deflated; ``viewer/src/packed.ts`` reads it."""
+    return zlib.compress(data.encode(), 9)
 
 
 def data_of(page: str) -> str:

@@ -13,7 +13,7 @@ from typing import Any
 import anywidget
 import traitlets
 
-from . import _display, _packed
+from . import _display
 from ._arrays import number
 from ._error import PolhodeError, PolhodeWarning
 from ._knob import with_values
@@ -69,7 +69,7 @@ class MotionWidget(anywidget.AnyWidget):
             knobs=knobs,
             asked={"turn": 0, "values": values},
             answer={"turn": 0, "values": values, "refusal": None, "notes": notes},
-            packed=_packed.pack(motion._output_data),
+            packed=_display.pack(motion._output_data),
         )
         self.on_msg(self._bring)
         self.observe(self._turned, "asked")
@@ -103,7 +103,7 @@ class MotionWidget(anywidget.AnyWidget):
         """Computes the motion of values, and shows it; or raises, and changes nothing."""
         scenario = with_values(self._first, self.knobs, values)
         motion, notes = self._simulated(scenario)
-        packed = _packed.pack(motion._output_data)
+        packed = _display.pack(motion._output_data)
         self._shown = scenario, motion
         with self.hold_sync():
             self.packed = packed

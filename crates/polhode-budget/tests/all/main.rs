@@ -1,5 +1,5 @@
 //! The integration tests of `polhode-budget`, as one program: each links the whole library.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may")]
 
 mod ballast;
 mod ballast_bounds;

@@ -1,5 +1,11 @@
 //! The integration tests of `polhode-identify`, as one program: each links the whole library.
-#![allow(clippy::unwrap_used, clippy::panic, clippy::disallowed_methods, reason = "a test may")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::disallowed_methods,
+    reason = "a test may"
+)]
 
 mod next;
 mod noise;

@@ -4,7 +4,7 @@ mod card;
 mod graph;
 mod hint;
 mod json;
-mod report;
+mod verdicts;
 mod words;
 
 use std::path::Path;
@@ -17,7 +17,7 @@ use polhode_document::layout::printable;
 
 pub use card::{Card, CardCase, CardRun};
 pub use hint::judge_hint;
-pub use report::JudgeReport;
+pub use verdicts::JudgeReport;
 
 /// A run of another program, judged.
 #[derive(Clone, Debug)]

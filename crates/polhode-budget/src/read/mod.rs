@@ -181,10 +181,10 @@ fn of_bytes(path: &Path, bytes: &[u8], access: Access<'_>) -> Result<BudgetFile,
 /// ```
 /// use polhode_budget::read;
 /// let text = "name,mass [g],x [mm]\nbattery,270 ± 5,12\nradio,94,-20\n";
-/// let file = budget::from_text("list.csv".as_ref(), text)?;
+/// let file = read::from_text("list.csv".as_ref(), text)?;
 /// assert_eq!(file.configurations[0].budget.mass_properties(file.questions.basis).unwrap().mass(), 0.364);
 ///
-/// let error = budget::from_text("list.csv".as_ref(), &text.replace("94", "94 mm")).unwrap_err();
+/// let error = read::from_text("list.csv".as_ref(), &text.replace("94", "94 mm")).unwrap_err();
 /// assert_eq!(error.to_string(), "list.csv:3:7: \"mm\" is a length where a mass belongs");
 /// # Ok::<(), polhode_source::FormatError>(())
 /// ```

@@ -231,10 +231,10 @@ fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
 /// radius = "20 mm"
 /// mass = "0.5 kg"
 /// "#;
-/// let scenario = scenario::parse(text, "ball.toml".as_ref())?;
+/// let scenario = read::parse(text, "ball.toml".as_ref())?;
 /// assert!((scenario.body().inertia().matrix()[0][0] - 0.4 * 0.5 * 0.02 * 0.02).abs() < 1e-19);
 ///
-/// let error = scenario::parse(&text.replace("20 mm", "20 kg"), "ball.toml".as_ref()).unwrap_err();
+/// let error = read::parse(&text.replace("20 mm", "20 kg"), "ball.toml".as_ref()).unwrap_err();
 /// assert_eq!(error.to_string(), "ball.toml:4:10: \"kg\" is a mass where a length belongs");
 /// # Ok::<(), polhode_source::FormatError>(())
 /// ```

@@ -1,4 +1,4 @@
-//! Which crate may use which: the ground knows no subject, and no subject knows another but shapes and scenarios.
+//! Checks which crates use which. A ground crate uses no slice, and a slice uses no other slice except shape and scenario.
 
 use crate::{Outcome, read, root};
 

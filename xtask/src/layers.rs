@@ -59,7 +59,7 @@ const FORBIDDEN: [(&str, &[&str], &str); 9] = [
     ("crates/polhode-budget/src/report/", &OUTSIDE, REPORT),
 ];
 
-/// What neither a document nor a report meets.
+/// Words for files, clock and terminal, which documents and reports do not use.
 const OUTSIDE: [&str; 5] = ["std::fs", "std::env", "std::time", "print!", "println!"];
 
 const REPORT: &str = "a report meets no files, no terminal and no clock";

@@ -1,4 +1,4 @@
-//! Whether another program computes the motion of a rigid body rightly.
+//! Judges whether another program computes the motion of a rigid body correctly.
 //!
 //! [`JudgeReport`] holds a log against the exact motion and says what is wrong; [`suite`] has the scenarios by which
 //! programs are graded.

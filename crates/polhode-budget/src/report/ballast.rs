@@ -145,7 +145,7 @@ fn is_left_out(left_out: &[(String, &str)], limit: &Limit) -> bool {
     left_out.iter().any(|(name, _)| *name == limit.name)
 }
 
-/// Whether the whole with this ballast meets a limit; not if its number is undefined.
+/// Returns true if the whole with this ballast meets a limit. An undefined number does not meet it.
 fn is_met(case: &Case, least: &FoundBallast, limit: &Limit) -> bool {
     let body = least.with(&case.estimate(limit.basis).properties);
     body.is_ok_and(|body| limit.of.value(&body).is_ok_and(|value| limit.is_met(value)))

@@ -1,4 +1,4 @@
-//! What is known of a scenario, for people and for programs.
+//! Reports on scenarios, for people and for programs.
 //!
 //! - [`MotionReport`]: how the body moves, and the evidence that the numbers are good;
 //! - [`SpinReport`]: a free motion in closed form, at any time;

@@ -1,6 +1,6 @@
 //! The screens as a reader sees them, word for word.
 //!
-//! `POLHODE_GOLDEN=write cargo test -p polhode-scenario --test all golden` writes them anew; read the difference.
+//! `POLHODE_GOLDEN=write cargo test -p polhode-scenario --test all golden` writes them again; read the difference.
 
 use std::path::Path;
 

@@ -33,7 +33,7 @@ fn polhodes_own_table_says_everything() {
     assert_eq!(read.read[2].what, "angular velocity along body axes, rad/s");
 }
 
-/// At a generic point, by the definitions: turns one after the other about the axes that the orbit and its plane have.
+/// Checks the columns of an orbit at a generic point against their definitions, with rotations about one axis at a time.
 #[test]
 fn a_body_on_an_orbit_has_its_attitude_there() {
     let text = "[orbit]\nsemi_major_axis = '8200 km'\neccentricity = 0.13\ninclination = '51 deg'\nnode = '-20 deg'\n\

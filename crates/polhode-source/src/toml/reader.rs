@@ -186,7 +186,7 @@ impl<'a> Value<'a> {
         self.value.known.get()
     }
 
-    /// What is in the file that it names, or what its reader made of it, if that was a `T`.
+    /// Returns the contents of the file that it names, or the value that its reader made of it, if that is a `T`.
     pub fn known_as<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
         self.known().and_then(Known::get)
     }

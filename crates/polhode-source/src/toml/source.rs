@@ -29,7 +29,7 @@ pub struct Source<'a> {
     pub within: Option<&'a Confinement>,
     /// Where the reader writes down what it asks for, if somebody wants to know.
     pub asked: Option<&'a Asked>,
-    /// What the caller has read of a file that the text may name; its reader knows the type.
+    /// Contents of a file that the text may name, if the caller has read it. The file's reader knows the type.
     pub kept: Option<&'a (dyn Any + Send + Sync)>,
     /// The keys of the file itself that are tables: messages say how these are written.
     pub headings: &'a [&'static str],

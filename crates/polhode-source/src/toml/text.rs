@@ -31,7 +31,7 @@ pub fn text_of(path: &Path) -> Result<String, FormatError> {
 /// Reads the tree of a text, in which numbers that stand together have their units together.
 ///
 /// # Errors
-/// [`FormatError`] if it is no TOML, or a number has no unit beside others that have one.
+/// [`FormatError`] if the text is not TOML, or if a number in a list has no unit and others have one.
 pub fn document(source: Source<'_>) -> Result<Entries, FormatError> {
     let entries = tree::parse(source.text).map_err(|error| source.syntax(&error))?;
     list_units::check(source, &entries)?;

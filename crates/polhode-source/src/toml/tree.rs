@@ -73,12 +73,12 @@ pub enum Known {
     Rotation([f64; 4]),
     /// What is in the file that it names.
     File(Arc<dyn Any + Send + Sync>),
-    /// What its reader made of it.
+    /// The value that its reader made of it.
     Value(Arc<dyn Any + Send + Sync>),
 }
 
 impl Known {
-    /// What is in a file, or what a reader made of a value, if it is a `T`.
+    /// Returns the contents of the file, or the value that a reader made of it, if that is a `T`.
     pub fn get<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
         match self {
             Self::File(known) | Self::Value(known) => known.clone().downcast().ok(),

@@ -6,9 +6,10 @@ use crate::infer::random::{Random, log_normal};
 
 /// Numbers with means and a covariance, as functions of independent standard normal ones.
 ///
-/// With the columns l of Cholesky's factor, L Lᵀ = C, they are μ + Σ l_k w_k. The w_k are the normal numbers z_k
-/// themselves. If the first number is a mass, w_1 = (m − μ_1)/σ_1 of a log-normal m, as for the parts of a parts list.
-/// All w_k have mean 0 and variance 1 and are independent, so mean and covariance are exactly those given.
+/// Cholesky's factor L of the covariance, L Lᵀ = C, has columns l; the numbers are x = μ + Σ l w. Each w is a standard
+/// normal number z. If the first number is a mass m, its w is (m − μ)/σ with a log-normal m, as for the parts of a
+/// parts list. Every w has mean 0 and variance 1, and they are independent, so x has exactly the given mean and
+/// covariance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Correlated {
     mean: Vec<f64>,

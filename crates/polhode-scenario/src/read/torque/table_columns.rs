@@ -26,7 +26,7 @@ pub(super) fn push(
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Column {
     pub(super) place: usize,
-    /// What one of its unit is in SI.
+    /// The column's unit in SI.
     unit: f64,
 }
 
@@ -34,7 +34,7 @@ pub(super) struct Column {
 const NAMES: [&str; 4] = ["time", "torque_x", "torque_y", "torque_z"];
 pub(super) const HEADER: &str = "time_s,torque_x_n_m,torque_y_n_m,torque_z_n_m";
 
-/// Where the four columns stand, and in which units.
+/// Finds the four columns and their units.
 pub(super) fn columns(
     names: &[&str],
     place: impl Fn(usize) -> ContentPlace,
@@ -71,7 +71,9 @@ pub(super) fn columns(
     Ok(found)
 }
 
-/// Which column a name is, and its unit: of `torque_x [mN m]` 1 and `mN m`; `n_m` is N m, as in the tables that polhode writes.
+/// Returns the number of the column that a name means, and its unit: 1 and `mN m` for `torque_x [mN m]`.
+///
+/// The ending `n_m` means N m, as in the tables that polhode writes.
 fn split(name: &str) -> Option<(usize, String)> {
     let name = name.trim();
     let n = NAMES.iter().rposition(|known| name.starts_with(known))?;

@@ -1,5 +1,6 @@
 //! Meshes: what is accepted is finite, is the same when it is read again or from another format, and bounds a possible body.
 
+use polhode_source::files::Disk;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -52,7 +53,7 @@ pub fn collada(data: &[u8]) {
 }
 
 fn mesh(data: &[u8], format: MeshFormat) {
-    let read = || MeshContents::parse(data, Path::new("/nowhere/mesh"), format);
+    let read = || MeshContents::parse(&Disk, data, Path::new("/nowhere/mesh"), format);
     match read() {
         Ok(contents) => {
             assert_eq!(Ok(&contents), read().as_ref());
@@ -80,8 +81,8 @@ fn accepted(contents: MeshContents, format: MeshFormat) {
     let Ok(one) = contents.clone().as_one() else { return };
     let Some(all) = one.parts.first().map(|part| part.mesh.clone()) else { return };
     let same = |a: &TriangleMesh, b: &TriangleMesh| a.corners().eq(b.corners());
-    let again =
-        MeshContents::parse(as_off(&all).as_bytes(), Path::new("a.off"), MeshFormat::Off).and_then(|again| {
+    let again = MeshContents::parse(&Disk, as_off(&all).as_bytes(), Path::new("a.off"), MeshFormat::Off)
+        .and_then(|again| {
             assert!(same(&again.parts[0].mesh, &all), "OFF says something else");
             MeshSolid::of(again, Path::new("a.off"), MeshFormat::Off, Some(0.001))
         });

@@ -1,6 +1,7 @@
 //! Scenarios, their tables, and plans: what is accepted is simulated a little, and every number of
 //! its table is finite. Logs of motions.
 
+use polhode_source::files::Disk;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -152,7 +153,7 @@ pub fn run_log(data: &[u8]) {
 
 pub fn plan(data: &[u8]) {
     let Ok(text) = str::from_utf8(data) else { return };
-    let Ok(plan) = Plan::parse(text.to_owned(), Path::new("/nowhere/plan.toml")) else { return };
+    let Ok(plan) = Plan::parse(&Disk, text.to_owned(), Path::new("/nowhere/plan.toml")) else { return };
     for member in [0, 1, plan.members() / 2, plan.members().saturating_sub(1)] {
         let values = plan.values(member);
         assert_eq!(values.len(), plan.variables().len());

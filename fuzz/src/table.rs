@@ -10,6 +10,7 @@ use polhode_shape::particles;
 use polhode_shape::particles::ParticleOptions;
 use polhode_shape::voxel;
 use polhode_shape::voxel::VoxelOptions;
+use polhode_source::files::Memory;
 
 use super::physical::{assert_physical, assert_written_is_read};
 
@@ -98,7 +99,9 @@ pub fn budget(data: &[u8]) {
     } else {
         ("/nowhere/a.csv", data)
     };
-    let read = || budget::from_bytes_alone(Path::new(path), data);
+    let nothing = Memory::default();
+    let alone = budget::Access { files: &nothing, roots: &[] };
+    let read = || budget::from_bytes(alone, Path::new(path), data);
     let file = match read() {
         Ok(file) => file,
         Err(error) => {

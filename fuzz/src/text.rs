@@ -7,6 +7,7 @@ use polhode_identify::read as identify;
 use polhode_shape::cad;
 use polhode_shape::cad::{CadOptions, DecimalMark, GeometryProgram, GeometryReport, ProductConvention};
 use polhode_source::expression::{Expression, formula_of_state, formula_of_time};
+use polhode_source::files::Disk;
 use polhode_source::unit;
 use polhode_source::unit::Dimension;
 
@@ -19,7 +20,7 @@ pub fn identify(data: &[u8]) {
     let examples = folders.map(|folder| folder.join("examples/identify")).find(|folder| folder.is_dir());
     let path = examples.unwrap_or_default().join("plan.toml");
     // As text: a limit that is not given may be NaN.
-    let read = || identify::from_text(&path, text).map(|plan| format!("{plan:?}"));
+    let read = || identify::from_text(&Disk, &path, text).map(|plan| format!("{plan:?}"));
     match read() {
         Ok(plan) => assert_eq!(Ok(plan), read()),
         Err(error) => assert!(!error.to_string().is_empty() && error.hint() != Some(String::new())),

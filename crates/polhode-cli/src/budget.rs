@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use polhode::math::{Body, Part, Position, Rotation};
 use polhode_budget::read as budget;
-use polhode_budget::read::{BudgetFile, OverTime, Questions};
+use polhode_budget::read::{Access, BudgetFile, OverTime, Questions};
 use polhode_budget::report::{
     BudgetDiff, BudgetOptions, BudgetReport, Cell as BudgetCell, NoConfiguration, PlanOptions,
     Sheet as BudgetSheet,
@@ -15,6 +15,7 @@ use polhode_budget::{Basis, LimitError};
 use polhode_document::Document;
 use polhode_document::json::pretty;
 use polhode_document::layout::printable;
+use polhode_source::files::Disk;
 use polhode_table::output::workbook;
 use serde_json::Value;
 
@@ -151,20 +152,21 @@ enum BasisName {
 
 impl BudgetCommand {
     pub(crate) fn run(self) -> Result<(), Failure> {
+        let access = Access { files: &Disk, roots: &self.roots };
         if let Some(target) = &self.scenario {
-            let file = budget::read_within(&self.file, &self.roots)?;
+            let file = budget::read_in(access, &self.file)?;
             let basis = self.basis.map_or(file.questions.basis, BasisName::basis);
             require_not_read(&self.file, &file, &[target, &target.with_extension("csv")])?;
             return budget_history::write(&file, &self.file, basis, target, self.force);
         }
-        let file = budget::read_within(&self.file, &self.roots)?;
+        let file = budget::read_in(access, &self.file)?;
         let plan = self.plan_options(&file)?;
         let changes = self.over_time(&file).is_some_and(OverTime::has_changes);
         let over_time = file.prescribed.as_ref().and_then(|all| all.over_time.as_ref());
         let begins = over_time.and_then(|all| all.configuration.clone());
         let report = self.report(&self.file, file, false)?;
         if let Some(other) = &self.diff {
-            let before = self.report(other, budget::read_within(other, &self.roots)?, true)?;
+            let before = self.report(other, budget::read_in(access, other)?, true)?;
             let diff = BudgetDiff::new(&before, &report);
             return print(&self.printed(|| diff.to_json(), || diff.to_document()));
         }

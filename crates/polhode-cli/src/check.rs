@@ -21,8 +21,8 @@ use polhode_robot::read::{CheckedFolder, ReadOptions, read_model, read_text};
 use polhode_robot::repair::proved;
 use polhode_robot::report::{CheckReport, Prospect};
 use polhode_robot::rule::{list, rule, rules};
-use polhode_source::Confinement;
 use polhode_source::FormatError;
+use polhode_source::files::Disk;
 
 use crate::failure::Failure;
 use crate::progress::FileProgress;
@@ -111,7 +111,7 @@ impl Check {
         if let Some(code) = &self.explain {
             return explain(code.as_deref());
         }
-        Confinement::require_folders(&self.roots)?;
+        polhode_source::file::require_folders(&Disk, &self.roots)?;
         self.fix.require_models(&self.files)?;
         let (policy, fail_on) = self.policy.read()?;
         let found = files::models(&self.files);
@@ -133,7 +133,7 @@ impl Check {
         outputs.require_places()?;
 
         let folders: Vec<_> =
-            self.files.iter().filter_map(|file| CheckedFolder::new(file)).map(Arc::new).collect();
+            self.files.iter().filter_map(|file| CheckedFolder::new(&Disk, file)).map(Arc::new).collect();
         let reading = |path: &Path| self.reading(&folders, path);
         let read = |input: Result<PathBuf, Unread>| match input {
             Ok(path) => {
@@ -146,7 +146,7 @@ impl Check {
             Ok(path) | Err(Unread { path, .. }) => path,
         });
         // All meshes before the models: these would wait for each other where they have meshes in common.
-        let meshes = mesh_files(inputs.iter().filter_map(|input| input.model.as_ref().ok()));
+        let meshes = mesh_files(&Disk, inputs.iter().filter_map(|input| input.model.as_ref().ok()));
         let shapes = Shapes::with_threads((parallel::threads() / meshes.len().max(1)).max(1));
         side_by_side(meshes, |mesh| shapes.read_ahead(&mesh), PathBuf::as_path);
         let outcome = |Input { path, model }: Input| Outcome {
@@ -210,7 +210,7 @@ impl Check {
         file: &Path,
         model: RobotModel,
         out: Option<&Path>,
-        by: (&Shapes<'_>, &Policy, &ReadOptions),
+        by: (&Shapes<'_>, &Policy, &ReadOptions<'_>),
     ) -> Result<CheckReport, Failure> {
         let (shapes, policy, _) = by;
         let Inspection { geometry, findings } = inspect_for(&model, shapes, &self.programs());
@@ -232,7 +232,7 @@ impl Check {
         &self,
         text: &str,
         file: &Path,
-        (shapes, policy, reading): (&Shapes<'_>, &Policy, &ReadOptions),
+        (shapes, policy, reading): (&Shapes<'_>, &Policy, &ReadOptions<'_>),
     ) -> Result<Vec<Finding>, FormatError> {
         let model = read_text(text, file, reading)?;
         let findings = inspect_for(&model, shapes, &self.programs()).findings;
@@ -254,9 +254,9 @@ impl Check {
     }
 
     /// Options for a model, with the folder of the command line that it was found in.
-    fn reading(&self, folders: &[Arc<CheckedFolder>], path: &Path) -> ReadOptions {
+    fn reading(&self, folders: &[Arc<CheckedFolder>], path: &Path) -> ReadOptions<'_> {
         let checked = folders.iter().find(|folder| folder.names(path)).cloned();
-        ReadOptions { roots: self.roots.clone(), confined: false, checked }
+        ReadOptions { roots: self.roots.clone(), checked, ..ReadOptions::default() }
     }
 }
 

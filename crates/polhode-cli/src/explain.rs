@@ -1,5 +1,6 @@
 //! `polhode explain`
 
+use polhode_source::files::Disk;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -45,7 +46,7 @@ pub(crate) struct Explain {
 
 impl Explain {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let file = ScenarioFile::read(&self.file)?;
+        let file = ScenarioFile::read(&Disk, &self.file)?;
         let failed = |error| match file.placed(&error) {
             Some(placed) => placed.into(),
             None => Failure::Motion { path: shown(&self.file), error },

@@ -2,6 +2,7 @@
 
 mod simple;
 
+use polhode_source::files::Disk;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -80,9 +81,9 @@ impl Identify {
             ));
         }
         let plan = match self.simple.asked(&self.files, self.body)? {
-            Asked::File(plan) => identify::read(&plan)?,
+            Asked::File(plan) => identify::read(&Disk, &plan)?,
             Asked::Text(text) if self.simple.prints_plan() => return self.print_plan(&text),
-            Asked::Text(text) => identify::from_text(Path::new(FLAGS), &text)?,
+            Asked::Text(text) => identify::from_text(&Disk, Path::new(FLAGS), &text)?,
         };
         let report = self.report(&plan)?;
         print(&if self.body {

@@ -16,6 +16,7 @@ mod substance;
 mod voxel;
 mod written;
 
+use polhode_source::files::Disk;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -134,14 +135,14 @@ impl Inertia {
     /// What a file is, if the flags fit that.
     fn kind(&self, file: &Path) -> Result<Kind, Failure> {
         if self.format.is_none_or(Kind::is_mesh)
-            && let Some(format) = BrepFormat::of_content(file)
+            && let Some(format) = BrepFormat::of_content(&Disk, file)
         {
             return Err(Failure::usage(format.refusal(), format.hint(file)));
         }
         if self.format.is_none()
             && let Some(format) = BrepFormat::of_path(file)
         {
-            read_file(file, |bytes| match bytes {
+            read_file(&Disk, file, |bytes| match bytes {
                 [] => Err(nothing_of(format)),
                 _ => Ok(()),
             })?;

@@ -3,6 +3,7 @@
 mod read_as;
 mod suite;
 
+use polhode_source::files::Disk;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,8 +14,8 @@ use polhode_document::Document;
 use polhode_document::json::pretty;
 use polhode_judge::{JudgeReport, JudgedRun, judge_hint};
 use polhode_scenario::read::{ScenarioFile, text_of};
+use polhode_source::files::{Confined, Files as _, NotOpened, is_path_of};
 use polhode_source::unit::Dimension;
-use polhode_source::{Confinement, NotOpened};
 use polhode_table::log as run_log;
 use polhode_table::log::RunLog;
 use serde_json::Value;
@@ -119,7 +120,7 @@ impl Judge {
     }
 
     fn report(&self) -> Result<JudgeReport, Failure> {
-        Confinement::require_folders(&self.roots)?;
+        polhode_source::file::require_folders(&Disk, &self.roots)?;
         let is_scenario =
             |path: &PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
         let (scenarios, runs): (Vec<&PathBuf>, Vec<&PathBuf>) =
@@ -142,11 +143,11 @@ impl Judge {
         let columns = self.read_as.columns.as_ref();
         let logs = runs
             .iter()
-            .map(|path| Ok((path.as_path(), run_log::read(path, columns)?)))
+            .map(|path| Ok((path.as_path(), run_log::read(&Disk, path, columns)?)))
             .collect::<Result<Vec<_>, Failure>>()?;
         let scenario = match scenarios.first() {
             Some(path) => {
-                let file = ScenarioFile::read(path)?;
+                let file = ScenarioFile::read(&Disk, path)?;
                 logs.iter().try_for_each(|(run, log)| self.require_of(&file, run, log))?;
                 file
             }
@@ -163,7 +164,7 @@ impl Judge {
 
     /// The scenario that runs name, relative to them. A log is data: it opens no file outside its folder and the roots.
     fn named(&self, logs: &[(&Path, RunLog)]) -> Result<ScenarioFile, Failure> {
-        let mut found: Option<(PathBuf, Confinement)> = None;
+        let mut found: Option<(PathBuf, Confined<'_>)> = None;
         for (run, log) in logs {
             let path = shown(run);
             let Some(said) = &log.scenario else {
@@ -173,14 +174,14 @@ impl Judge {
                     hint,
                 ));
             };
-            let confinement = Confinement::of(run, &self.roots);
-            let scenario = confinement.file(folder(run), said).map_err(|why| {
+            let files = Confined::beside(&Disk, run, &self.roots);
+            let scenario = files.named(folder(run), said).map_err(|why| {
                 let message = format!("the scenario {:?} that it names is not opened: {why}", said.display());
                 let hint = match why {
                     NotOpened::Outside => {
                         "name the scenario before the run: polhode judge SCENARIO.toml RUN; or allow its folder: --root DIR"
                     }
-                    NotOpened::Missing | NotOpened::NotRegular => {
+                    NotOpened::Missing | NotOpened::NotRegular | NotOpened::NotGiven => {
                         "name the scenario before the run: polhode judge SCENARIO.toml RUN"
                     }
                 };
@@ -196,13 +197,13 @@ impl Judge {
                     return Err(Failure::usage(message, "judge the runs of one scenario at a time"));
                 }
                 Some(_) => {}
-                None => found = Some((scenario, confinement)),
+                None => found = Some((scenario, files)),
             }
         }
-        let (scenario, confinement) = found.ok_or_else(|| {
+        let (scenario, files) = found.ok_or_else(|| {
             Failure::usage("no log to judge was given", "name the log that a program wrote")
         })?;
-        Ok(ScenarioFile::read_within(&scenario, &confinement)?)
+        Ok(ScenarioFile::read(&files, &scenario)?)
     }
 
     /// Checks that the scenario that a run names is the given one: the same path, or a file with the same text.
@@ -210,10 +211,10 @@ impl Judge {
     /// A file that may not be opened, or is missing, counts as a different one.
     fn require_of(&self, scenario: &ScenarioFile, run: &Path, log: &RunLog) -> Result<(), Failure> {
         let Some(said) = &log.scenario else { return Ok(()) };
-        if Confinement::is_path_of(folder(run), said, &scenario.path) {
+        if is_path_of(&Disk, folder(run), said, &scenario.path) {
             return Ok(());
         }
-        let named = match Confinement::of(run, &self.roots).file(folder(run), said) {
+        let named = match Confined::beside(&Disk, run, &self.roots).named(folder(run), said) {
             Ok(named) => named,
             Err(why) => {
                 let message = format!(
@@ -225,7 +226,7 @@ impl Judge {
                     NotOpened::Outside => {
                         "allow the folder of the scenario that the log names: --root DIR; or remove the line `scenario = …` from the log"
                     }
-                    NotOpened::Missing | NotOpened::NotRegular => {
+                    NotOpened::Missing | NotOpened::NotRegular | NotOpened::NotGiven => {
                         "correct the line `scenario = …` of the log, or remove it"
                     }
                 };
@@ -233,7 +234,7 @@ impl Judge {
             }
         };
         let is_same = fs::canonicalize(&scenario.path).is_ok_and(|given| given == named)
-            || text_of(&named).is_ok_and(|text| text == scenario.text);
+            || text_of(&Disk, &named).is_ok_and(|text| text == scenario.text);
         if is_same {
             return Ok(());
         }

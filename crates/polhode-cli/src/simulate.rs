@@ -1,5 +1,6 @@
 //! `polhode simulate`
 
+use polhode_source::files::Disk;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -69,7 +70,7 @@ pub(crate) struct Simulate {
 
 impl Simulate {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let file = ScenarioFile::read(&self.file)?;
+        let file = ScenarioFile::read(&Disk, &self.file)?;
         let (scenario, text) = (&file.scenario, &file.text);
         let target = self.output.clone().unwrap_or_else(|| default_folder(&self.file));
         let replace = Replace::results_of(&self.file, self.force);

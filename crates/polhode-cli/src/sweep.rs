@@ -13,6 +13,7 @@ use clap::Args;
 use polhode::body::Severity;
 use polhode_document::json::pretty;
 use polhode_document::layout::printable;
+use polhode_source::files::Disk;
 use polhode_sweep::{Dataset, Plan, SweepError};
 
 use crate::failure::Failure;
@@ -65,7 +66,7 @@ impl Sweep {
         if let Some(url) = &self.on {
             return cluster::hand_over(&self, url, &target);
         }
-        let plan = Plan::read(&self.plan)?;
+        let plan = Plan::read(&Disk, &self.plan)?;
         warn(&plan);
         let dataset = match (self.resume, self.force) {
             (true, _) => Dataset::resume(&target, &plan),

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use polhode_scenario::read::ScenarioFile;
 use polhode_source::FormatError;
+use polhode_source::files::Memory;
 use serde_json::{Value, json};
 
 /// A case of the suite.
@@ -38,7 +39,11 @@ impl SuiteCase {
     /// # Errors
     /// [`FormatError`] as of every scenario; the suite's own have none.
     pub fn scenario(&self) -> Result<ScenarioFile, FormatError> {
-        ScenarioFile::parse(self.text.to_owned(), Path::new(&format!("{}.toml", self.name)))
+        ScenarioFile::parse(
+            &Memory::default(),
+            self.text.to_owned(),
+            Path::new(&format!("{}.toml", self.name)),
+        )
     }
 
     /// What it tests: the comment that its file begins with.

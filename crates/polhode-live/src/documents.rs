@@ -1,5 +1,6 @@
 //! What was opened or dropped.
 
+use polhode_source::files::Disk;
 use std::fs;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::mem;
@@ -89,7 +90,7 @@ impl Documents {
         let [own, all] = [stamp(own.clone()), stamp(own.chain(draft.files()))];
         let bytes = fs::read(path).map_err(|error| unreadable(error.to_string()))?;
         let kind = Kind::of(path, &bytes).ok_or_else(|| {
-            if let Some(format) = BrepFormat::of(path) {
+            if let Some(format) = BrepFormat::of(&Disk, path) {
                 return unreadable(format.refusal()).hint(format.hint(path));
             }
             unreadable("its name does not say what it is".to_owned()).hint(
@@ -97,7 +98,7 @@ impl Documents {
             )
         })?;
         let made = |text: String, mut draft: Draft| -> Result<Content, Refusal> {
-            let read = draft.read_watched(text.clone(), &watch::within(limits::INSPECTION, stop));
+            let read = draft.read_watched(&Disk, text.clone(), &watch::within(limits::INSPECTION, stop));
             read.map_err(|error| unreadable(error.to_string()))?;
             let (draft, stamp) = (Mutex::new(draft), Mutex::new(all));
             Ok(Content::Scenario { draft, made: Some(text), stamp, is_mesh: kind == Kind::Mesh })

@@ -253,12 +253,14 @@ fn rounded(value: f64) -> f64 {
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests")]
 
+    use polhode_source::files::Disk;
+
     use super::*;
 
     const TEXT: &str = "# A top.\n[[body.part]]\nname = \"stem\" # of steel\nshape = \"box\"\nsize = [\"1 m\", \"2 m\",   \"3 m\"]\nmass = \"5 kg\"\n\n[start]\nspin = { body = [\"1 deg/s\", \"2 deg/s\", \"3 deg/s\"] } # slow\n";
 
     fn read(text: &str) -> Option<ScenarioFile> {
-        ScenarioFile::parse(text.to_owned(), "a.toml".as_ref()).ok()
+        ScenarioFile::parse(&Disk, text.to_owned(), "a.toml".as_ref()).ok()
     }
 
     fn with(edits: &[Edit]) -> String {

@@ -206,6 +206,7 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "tests")]
 
     use polhode_scenario::read::Draft;
+    use polhode_source::files::Disk;
 
     use super::*;
 
@@ -213,7 +214,7 @@ mod tests {
     fn the_spin_comes_first_and_sizes_are_in_their_units() {
         let text = "[[body.part]]\nname = \"bar\"\nshape = \"cylinder\"\nradius = \"6 mm\"\nlength = \"120 mm\"\ndensity = 7800\nposition = [\"1 mm\", 0, \"-2 mm\"]\n[start]\nspin = { body = [\"0.01 rad/s\", \"30 deg/s\", \"6 rad/s\"] }\n[run]\nduration = \"20 s\"\nsamples = 11\n";
         let mut draft = Draft::new("a.toml".as_ref(), []);
-        draft.read(text.to_owned()).unwrap();
+        draft.read(&Disk, text.to_owned()).unwrap();
         let knobs = knobs(&draft.numbers());
         let named: Vec<_> =
             knobs.iter().map(|knob| (knob.label.as_str(), knob.value, knob.unit.as_str())).collect();

@@ -1,5 +1,6 @@
 //! The file of a mesh, read and looked at once: a solid, or what is wrong with it.
 
+use polhode_source::files::Disk;
 use std::path::Path;
 
 use polhode::body::mesh::{ClosedMesh, MeshFlaws, TriangleMesh};
@@ -66,7 +67,7 @@ struct Read {
 impl Read {
     fn of(path: &Path, bytes: &[u8]) -> Result<Self, String> {
         let format = MeshFormat::of_path(path).ok_or("it is no mesh")?;
-        let contents = MeshContents::parse(bytes, path, format).map_err(|error| error.message())?;
+        let contents = MeshContents::parse(&Disk, bytes, path, format).map_err(|error| error.message())?;
         let (assumed, parts) = (assumed_unit(&contents), PartNames::of(&contents));
         let contents = contents.as_one().map_err(|error| error.to_string())?;
         Ok(Self { format, contents, parts, assumed })

@@ -1,5 +1,6 @@
 //! A change of the text, and the motion of what it says then.
 
+use polhode_source::files::Disk;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -36,8 +37,9 @@ pub(crate) fn answer(
     let mut own = draft.lock().unwrap_or_else(PoisonError::into_inner).clone();
     let mut edits_on = own.clone();
     let goes_on = watch::within(most, stop);
-    let changed =
-        edited(&request.text, &request.edits, |text| edits_on.read_watched(text.to_owned(), &goes_on).ok());
+    let changed = edited(&request.text, &request.edits, |text| {
+        edits_on.read_watched(&Disk, text.to_owned(), &goes_on).ok()
+    });
     let mut answer = MotionAnswer {
         text: request.text.clone(),
         motion: None,
@@ -50,7 +52,7 @@ pub(crate) fn answer(
         Ok(text) => answer.text = text,
         Err(error) => answer.errors.push(TextError { message: error.to_string(), ..TextError::default() }),
     }
-    match own.read_watched(answer.text.clone(), &goes_on) {
+    match own.read_watched(&Disk, answer.text.clone(), &goes_on) {
         Ok(file) => {
             answer.switches = switches(&file.scenario, &answer.text);
             match computed(&file, request.error, begun, most, stop) {

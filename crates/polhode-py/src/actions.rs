@@ -1,5 +1,6 @@
 //! What acts on the members of an ensemble: torques, some of which Python computes, wheels and events.
 
+use polhode_source::files::Disk;
 use std::path::{Path, PathBuf};
 
 use polhode::motion::torque::TorqueModel;
@@ -87,7 +88,8 @@ impl SharedActions {
         functions: &Functions,
     ) -> PyResult<Self> {
         require_torques(torques)?;
-        let actions = Actions::parse(format!("{torques}{others}"), path, is_held).map_err(Raise::raise)?;
+        let actions =
+            Actions::parse(&Disk, format!("{torques}{others}"), path, is_held).map_err(Raise::raise)?;
         let mut torques = actions.scenario().torques().to_vec();
         let mut events = actions.scenario().events().to_vec();
         functions.replace(&mut torques, &mut events, placed)?;
@@ -106,7 +108,8 @@ impl SharedActions {
 /// The torques of a text that holds nothing else, on a free body.
 pub(crate) fn read_torques(text: &str) -> PyResult<Vec<TorqueModel>> {
     require_torques(text)?;
-    let actions = Actions::parse(text.to_owned(), Path::new("torques"), false).map_err(Raise::raise)?;
+    let actions =
+        Actions::parse(&Disk, text.to_owned(), Path::new("torques"), false).map_err(Raise::raise)?;
     if actions.pivot().is_none() && actions.scenario().switched_off().is_empty() {
         return Ok(actions.scenario().torques().to_vec());
     }

@@ -1,5 +1,6 @@
 //! Bodies in files other than meshes, each kind with the options that it may need.
 
+use polhode_source::files::Disk;
 use std::path::{Path, PathBuf};
 
 use polhode::body::BodyError;
@@ -50,7 +51,7 @@ pub(crate) fn particle_file(
 ) -> PyResult<PyMassProperties> {
     let options = ParticleOptions { mass_unit, length_unit, total_mass: mass };
     let (read, path) = watched_apart(py, move |_| {
-        let table = read_file(&path, |bytes| particles::read(bytes, &options));
+        let table = read_file(&Disk, &path, |bytes| particles::read(bytes, &options));
         (table.map(|table| (table.mass_properties(), table)), path)
     })?;
     let (properties, table) = read.map_err(Raise::raise)?;
@@ -89,7 +90,7 @@ pub(crate) fn cad_file(
         length_unit,
     };
     let CadReport { product, properties, volume, surface_area, density, proof, findings } =
-        py.detach(|| read_text_file(&path, |text| cad::read(text, &options))).map_err(Raise::raise)?;
+        py.detach(|| read_text_file(&Disk, &path, |text| cad::read(text, &options))).map_err(Raise::raise)?;
     let source = of_file(&path, "cad")
         .described(format!("mass properties by {}", product.name()))
         .with("product", product.name());
@@ -121,7 +122,7 @@ pub(crate) fn molecule_file(py: Python<'_>, path: PathBuf, average: bool) -> PyR
         "mol" => MoleculeFormat::Mol,
         _ => MoleculeFormat::Sdf,
     };
-    let (molecules, path) = watched_apart(py, move |_| (molecule::read(&path, format), path))?;
+    let (molecules, path) = watched_apart(py, move |_| (molecule::read(&Disk, &path, format), path))?;
     let molecules = molecules.map_err(Raise::raise)?;
     let report = |(number, molecule): (usize, &molecule::Molecule)| {
         let block = MoleculeReport {
@@ -162,7 +163,7 @@ pub(crate) fn voxel_file(
     let of_file_at = path.clone();
     let read = watched_apart(py, move |_| {
         let misread = |error| FormatError::of_content(&of_file_at, &[], error);
-        let mut voxels = voxel::open(&of_file_at)?;
+        let mut voxels = voxel::open(&Disk, &of_file_at)?;
         let grid = voxels.grid(&options).map_err(misread)?;
         let kind = voxels.type_name();
         Ok::<_, FormatError>((

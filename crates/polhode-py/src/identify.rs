@@ -1,5 +1,6 @@
 //! What a body is, by measurements of its motion.
 
+use polhode_source::files::Disk;
 use std::path::{Path, PathBuf};
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
@@ -56,8 +57,8 @@ pub(crate) fn identify_plan<'py>(
     is_written: bool,
 ) -> PyResult<Identified<'py>> {
     let read = || match &text {
-        None => identify::read(&path),
-        Some(text) => identify::from_text(&path, text),
+        None => identify::read(&Disk, &path),
+        Some(text) => identify::from_text(&Disk, &path, text),
     };
     let found = py.detach(|| {
         let plan = read().map_err(|error| match is_written || error.path() != path {

@@ -1,5 +1,6 @@
 //! Is the motion of another program right?
 
+use polhode_source::files::Disk;
 use std::path::{Path, PathBuf};
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
@@ -139,7 +140,7 @@ pub(crate) fn judge_file<'py>(
     let columns = columns.map(Columns::parse).transpose();
     let columns = columns.map_err(|error| refused(format!("columns: {error}"), Some(&error.hint())))?;
     let (scenario, run) = py.detach(|| {
-        let read = run_log::read(&run, columns.as_ref()).map_err(Raise::raise)?;
+        let read = run_log::read(&Disk, &run, columns.as_ref()).map_err(Raise::raise)?;
         let ignored = read.not_read();
         let RunLog { log, says, step, engine, .. } = read;
         let declared = said.declared(&says)?;
@@ -153,8 +154,8 @@ pub(crate) fn judge_file<'py>(
 
 fn scenario(path: &Path, text: Option<String>) -> PyResult<ScenarioFile> {
     match text {
-        None => ScenarioFile::read(path),
-        Some(text) => ScenarioFile::parse(text, path),
+        None => ScenarioFile::read(&Disk, path),
+        Some(text) => ScenarioFile::parse(&Disk, text, path),
     }
     .map_err(Raise::raise)
 }

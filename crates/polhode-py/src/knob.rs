@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use polhode_scenario::read::Draft;
+use polhode_source::files::Disk;
 use pyo3::prelude::*;
 
 use crate::error::{Raise, refused};
@@ -13,7 +14,7 @@ use crate::error::{Raise, refused};
 pub(crate) fn scenario_knobs(py: Python<'_>, path: PathBuf, text: String) -> PyResult<String> {
     let draft = py.detach(|| {
         let mut draft = Draft::trusting(&path, &text);
-        draft.read(text).map(|_| draft)
+        draft.read(&Disk, text).map(|_| draft)
     });
     let knobs = polhode_live::knobs(&draft.map_err(Raise::raise)?.numbers());
     serde_json::to_string(&knobs).map_err(|error| refused(&error, None))

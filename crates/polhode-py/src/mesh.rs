@@ -1,5 +1,6 @@
 //! Meshes: of files, and of arrays.
 
+use polhode_source::files::Disk;
 use std::path::{Path, PathBuf};
 
 use numpy::PyReadonlyArray2;
@@ -75,8 +76,8 @@ pub(crate) fn mesh_file(
     let substance = (given.substance()?, own(&options.parts)?);
     watched_apart(py, move |goes_on| {
         let contents = match options.hull {
-            true => MeshContents::read_for_hull(&path, format),
-            false => MeshContents::read(&path, format),
+            true => MeshContents::read_for_hull(&Disk, &path, format),
+            false => MeshContents::read(&Disk, &path, format),
         };
         let contents = contents.map_err(Raise::raise)?;
         let title = format!("{} {}", format.title(), contents.encoding).trim_end().to_owned();

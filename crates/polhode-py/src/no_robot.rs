@@ -1,5 +1,6 @@
 //! Recognition of robot models in a build that cannot read them.
 
+use polhode_source::files::Disk;
 use std::path::PathBuf;
 
 use polhode_source::read_file;
@@ -14,5 +15,5 @@ pub(crate) fn is_robot(py: Python<'_>, path: PathBuf) -> PyResult<bool> {
         let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
         Ok(start.first() == Some(&b'<') || start.starts_with(b"#usda"))
     };
-    py.detach(|| read_file(&path, is_robot)).map_err(Raise::raise)
+    py.detach(|| read_file(&Disk, &path, is_robot)).map_err(Raise::raise)
 }

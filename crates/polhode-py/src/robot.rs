@@ -1,5 +1,6 @@
 //! Bodies in models of robots: a link, links joined, or a table of all.
 
+use polhode_source::files::Disk;
 use std::path::{Path, PathBuf};
 
 use polhode_robot::inertia::{InertiaError, of_link, of_lumps};
@@ -132,5 +133,5 @@ pub(crate) fn is_robot(py: Python<'_>, path: PathBuf) -> PyResult<bool> {
         let is_text = start.first() == Some(&b'<') || start.starts_with(b"#usda");
         Ok(is_text && format_of(&String::from_utf8_lossy(bytes)).is_some())
     };
-    py.detach(|| read_file(&path, is_robot)).map_err(Raise::raise)
+    py.detach(|| read_file(&Disk, &path, is_robot)).map_err(Raise::raise)
 }

@@ -1,5 +1,6 @@
 //! Scenarios as texts: their tables, what is noticed of them, and torques and events that Python computes.
 
+use polhode_source::files::Disk;
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -39,8 +40,8 @@ pub(crate) fn scenario_keys(text: &str) -> Vec<(String, Vec<&'static str>)> {
 /// A scenario's file, or its text.
 pub(crate) fn read(path: PathBuf, text: Option<String>) -> Result<ScenarioFile, polhode_source::FormatError> {
     match text {
-        None => ScenarioFile::read(&path),
-        Some(text) => ScenarioFile::parse(text, &path),
+        None => ScenarioFile::read(&Disk, &path),
+        Some(text) => ScenarioFile::parse(&Disk, text, &path),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Plans, their members, and what becomes of them: tables, column by column.
 
+use polhode_source::files::Disk;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -28,14 +29,14 @@ pub(crate) struct PyPlan {
 impl PyPlan {
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        let plan = py.detach(|| Plan::read(&path)).map_err(Raise::raise)?;
+        let plan = py.detach(|| Plan::read(&Disk, &path)).map_err(Raise::raise)?;
         Ok(Self { plan, path })
     }
 
     /// Of a text; the files that it names are found beside `path`.
     #[staticmethod]
     fn parse(py: Python<'_>, text: String, path: PathBuf) -> PyResult<Self> {
-        let plan = py.detach(|| Plan::parse(text, &path)).map_err(Raise::raise)?;
+        let plan = py.detach(|| Plan::parse(&Disk, text, &path)).map_err(Raise::raise)?;
         Ok(Self { plan, path })
     }
 

@@ -7,7 +7,6 @@ mod markdown;
 mod sarif;
 
 use std::borrow::Cow;
-use std::path::Path;
 
 use crate::finding::{Finding, Severity};
 use crate::line_index::{FilePlace, Places};
@@ -119,10 +118,7 @@ impl<'a> FileResult<'a> {
             return Cow::Borrowed(&self.file);
         }
         // Their paths are real ones.
-        let own =
-            model.path.parent().map(|folder| if folder == Path::new("") { Path::new(".") } else { folder });
-        let own = own.and_then(|folder| std::fs::canonicalize(folder).ok());
-        let within = own.and_then(|folder| place.file.strip_prefix(folder).ok());
+        let within = model.folder.as_ref().and_then(|folder| place.file.strip_prefix(folder).ok());
         let folder = self.file.rsplit_once('/').map_or("", |(folder, _)| folder);
         let name = match within {
             Some(within) if folder.is_empty() => within.to_string_lossy().into_owned(),

@@ -25,6 +25,7 @@ use std::thread;
 use polhode::body::MassProperties;
 use polhode::body::mesh::TriangleMesh;
 use polhode::math::Part;
+use polhode_source::files::{Disk, Files};
 
 use crate::model::{Geometry, GeometryShape, Link, Role, Span};
 use crate::pose::{dot, sum};
@@ -94,6 +95,7 @@ pub enum MeshReading {
 /// # Ok::<(), polhode_source::FormatError>(())
 /// ```
 pub struct Shapes<'a> {
+    files: &'a dyn Files,
     meshes: MeshFiles,
     threads: usize,
     goes_on: &'a (dyn Fn() -> bool + Sync),
@@ -128,12 +130,18 @@ impl<'a> Shapes<'a> {
     /// Measures as long as it `goes_on`, which is asked often: after that no mesh is measured.
     pub fn watched(goes_on: &'a (dyn Fn() -> bool + Sync)) -> Self {
         let threads = thread::available_parallelism().map_or(1, usize::from);
-        Self { meshes: MeshFiles::default(), threads, goes_on }
+        Self { files: &Disk, meshes: MeshFiles::default(), threads, goes_on }
     }
 
     /// Measures each mesh on at most so many threads: one is best where several ask.
     pub fn with_threads(threads: usize) -> Self {
         Self { threads, ..Self::default() }
+    }
+
+    /// Takes the mesh files from `files`, and not from this machine.
+    #[must_use]
+    pub fn from_files(self, files: &'a dyn Files) -> Self {
+        Self { files, ..self }
     }
 
     /// Measures a mesh file before a link asks for it.
@@ -237,7 +245,7 @@ impl<'a> Shapes<'a> {
         if !(self.goes_on)() {
             return Err(ENDED.to_owned());
         }
-        self.meshes.mesh(path, |path| Mesh::read(path, self.threads, self.goes_on))
+        self.meshes.mesh(self.files, path, |path| Mesh::read(self.files, path, self.threads, self.goes_on))
     }
 }
 

@@ -26,6 +26,8 @@ pub enum ModelFormat {
 pub struct RobotModel {
     /// The file, as it was given.
     pub path: PathBuf,
+    /// Its folder without links, if there is one.
+    pub folder: Option<PathBuf>,
     /// Its language.
     pub format: ModelFormat,
     /// Its text: every [`Span`] counts bytes of it, and those beyond its end are of the files that it includes.
@@ -61,6 +63,7 @@ impl RobotModel {
     pub(crate) fn empty(path: &Path, format: ModelFormat) -> Self {
         Self {
             path: path.to_owned(),
+            folder: None,
             format,
             text: String::new(),
             is_si: true,

@@ -27,16 +27,19 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use polhode_source::FormatError;
+use polhode_source::files::{Disk, Files};
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use crate::model::{ModelFormat, Note, RobotModel};
-use files::{Files, Naming};
+use files::{ModelFiles, Naming};
 
 pub use checked::CheckedFolder;
 
 /// How a model is read.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct ReadOptions {
+#[derive(Clone, Debug)]
+pub struct ReadOptions<'a> {
+    /// Place that the model and all files that it names are taken from.
+    pub files: &'a dyn Files,
     /// Folders that hold packages, or are packages: `package://NAME/…` and `model://NAME/…` are ROOT/NAME/…, or ROOT/… if ROOT is
     /// NAME. The model's own folder, and the nearest folder around it that has `package.xml` or `model.config`, are roots without being
     /// named. A package that no root holds is an ancestor folder of that name. No other file outside the roots is opened.
@@ -46,6 +49,13 @@ pub struct ReadOptions {
     /// Folder that is checked as a whole. Files below it may be opened. A package that no root or
     /// ancestor holds is looked up below it: exactly one folder of that name has to hold the file.
     pub checked: Option<Arc<CheckedFolder>>,
+}
+
+impl Default for ReadOptions<'_> {
+    /// Files of this machine, and no roots but those that need no naming.
+    fn default() -> Self {
+        Self { files: &Disk, roots: Vec::new(), confined: false, checked: None }
+    }
 }
 
 /// Reads a URDF, SDF, MJCF, USD (`.usda`) or OpenSim file: its root element or first word says which.
@@ -61,18 +71,18 @@ pub struct ReadOptions {
 ///
 /// # Errors
 /// [`FormatError`] if the file cannot be read, is not UTF-8, not well-formed or in none of the languages, or has a document type.
-pub fn read_model(path: &Path, options: &ReadOptions) -> Result<RobotModel, FormatError> {
-    let text = polhode_source::read_text_file(path, |text| Ok(text.to_owned()));
+pub fn read_model(path: &Path, options: &ReadOptions<'_>) -> Result<RobotModel, FormatError> {
+    let text = polhode_source::read_text_file(options.files, path, |text| Ok(text.to_owned()));
     match text {
         Ok(text) => read(text, path, options),
-        Err(error) => Err(binary_usd(path).unwrap_or(error)),
+        Err(error) => Err(binary_usd(options.files, path).unwrap_or(error)),
     }
 }
 
 /// What to do about a file of USD that is not text.
-fn binary_usd(path: &Path) -> Option<FormatError> {
+fn binary_usd(files: &dyn Files, path: &Path) -> Option<FormatError> {
     let ending = path.extension()?.to_str()?.to_ascii_lowercase();
-    if !matches!(ending.as_str(), "usd" | "usdc" | "usdz") || !path.is_file() {
+    if !matches!(ending.as_str(), "usd" | "usdc" | "usdz") || !files.is_file(path) {
         return None;
     }
     let what = "USD that is not text".to_owned();
@@ -86,7 +96,7 @@ fn binary_usd(path: &Path) -> Option<FormatError> {
 ///
 /// # Errors
 /// As [`read_model`].
-pub fn read_text(text: &str, path: &Path, options: &ReadOptions) -> Result<RobotModel, FormatError> {
+pub fn read_text(text: &str, path: &Path, options: &ReadOptions<'_>) -> Result<RobotModel, FormatError> {
     read(text.to_owned(), path, options)
 }
 
@@ -125,7 +135,7 @@ fn language(root: &str) -> Option<ModelFormat> {
     }
 }
 
-fn read(text: String, path: &Path, options: &ReadOptions) -> Result<RobotModel, FormatError> {
+fn read(text: String, path: &Path, options: &ReadOptions<'_>) -> Result<RobotModel, FormatError> {
     if format_of(&text) == Some(ModelFormat::Usd) {
         let mut model = RobotModel::empty(path, ModelFormat::Usd);
         usd::read(&text, &mut model)
@@ -139,7 +149,7 @@ fn read(text: String, path: &Path, options: &ReadOptions) -> Result<RobotModel, 
         Some(ModelFormat::Sdf) => Naming::Sdf,
         _ => Naming::Nothing,
     };
-    let mut files = Files::of(text, path, &roots, naming)?;
+    let mut files = ModelFiles::of(text, path, &roots, naming)?;
     let notes = std::mem::take(&mut files.notes);
     let mut model = files.with_root(|root| {
         let Some(format) = language(root.name()) else {
@@ -160,6 +170,7 @@ fn read(text: String, path: &Path, options: &ReadOptions) -> Result<RobotModel, 
     let mut sources = files.sources.into_iter();
     model.text = sources.next().map_or_else(String::new, |main| main.text);
     model.included = sources.collect();
+    model.folder.clone_from(roots.folder());
     roots.report(&mut model);
     keep_finite(&mut model);
     Ok(model)

@@ -1,5 +1,6 @@
 //! A bracket from a mesh, tumbling in a magnetic field that brakes it, until half of its kinetic energy is gone: a table of its motion.
 
+use polhode_source::files::Disk;
 use std::path::Path;
 
 use polhode::motion::{EventAction, Measure, Sense};
@@ -21,7 +22,7 @@ impl Law for EddyBrake {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let mesh = MeshSolid::read(Path::new("examples/bracket.stl"), MeshFormat::Stl, Some(1e-3))?;
+    let mesh = MeshSolid::read(&Disk, Path::new("examples/bracket.stl"), MeshFormat::Stl, Some(1e-3))?;
     let body = mesh.mass_properties(Substance::Density(2700.0))?.into_body();
     eprintln!("{body}");
 

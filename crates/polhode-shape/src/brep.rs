@@ -1,8 +1,9 @@
 //! Files of exact shapes, STEP and IGES, which are not read: what they are, and what makes a mesh of them.
 
-use std::fs::{self, File};
-use std::io::{self, Read as _};
+use std::io::Read as _;
 use std::path::Path;
+
+use polhode_source::files::Files;
 
 /// A format of exact shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,21 +19,18 @@ const HEAD: u64 = 96;
 
 impl BrepFormat {
     /// What a file is, by its first bytes, or by its name if it cannot be read or says nothing.
-    pub fn of(path: &Path) -> Option<Self> {
-        Self::of_content(path).or_else(|| Self::of_path(path))
+    pub fn of(files: &dyn Files, path: &Path) -> Option<Self> {
+        Self::of_content(files, path).or_else(|| Self::of_path(path))
     }
 
     /// What a file is, by its first bytes alone.
-    pub fn of_content(path: &Path) -> Option<Self> {
+    pub fn of_content(files: &dyn Files, path: &Path) -> Option<Self> {
+        let mut head = Vec::new();
         // What is taken from a pipe is gone.
-        let head = || -> io::Result<Vec<u8>> {
-            let mut head = Vec::new();
-            if fs::metadata(path)?.is_file() {
-                File::open(path)?.take(HEAD).read_to_end(&mut head)?;
-            }
-            Ok(head)
-        };
-        head().ok().and_then(|head| Self::of_bytes(&head))
+        if files.is_file(path) {
+            files.open(path).ok()?.take(HEAD).read_to_end(&mut head).ok()?;
+        }
+        Self::of_bytes(&head)
     }
 
     /// The format of files with this extension, in any case.

@@ -13,7 +13,7 @@ const LARGEST_FILE: u64 = 256 << 20;
 
 /// The bytes of the file that a value names, relative to the scenario.
 pub fn bytes(table: &Value<'_>, path: &Path) -> Result<Vec<u8>, FormatError> {
-    file::bytes(path, table.string()?, LARGEST_FILE).map_err(|kind| {
+    file::bytes(table.files(), path, table.string()?, LARGEST_FILE).map_err(|kind| {
         let missing = matches!(kind, FormatErrorKind::Io { .. });
         let error = table.error(kind);
         let hint = format!("paths are relative to the scenario: this one is {path:?}");

@@ -2,11 +2,11 @@
 //!
 //! A file is read, never mapped into memory: one that somebody shortens meanwhile is then an error and not a signal that ends the process.
 
-use std::fs::{self, File, Metadata};
-use std::io::{self, Read};
-use std::path::Path;
+use std::io::{self, Read as _};
+use std::path::{Path, PathBuf};
 
-use crate::error::FormatErrorKind;
+use crate::error::{FormatError, FormatErrorKind};
+use crate::files::{Files, Kind, Look, OpenFile};
 
 /// A pipe or a device can be endless, and has no length to know it by.
 const LARGEST_STREAM: u64 = 1 << 30;
@@ -17,22 +17,22 @@ const SHORTER: &str = "it became shorter while it was read";
 ///
 /// A directory is refused in words, a file of more than `limit` bytes before it fills the memory, one for which there is not enough memory
 /// instead of ending the process, and one that changes while it is read.
-pub fn bytes(path: &Path, written: &str, limit: u64) -> Result<Vec<u8>, FormatErrorKind> {
+pub fn bytes(files: &dyn Files, path: &Path, written: &str, limit: u64) -> Result<Vec<u8>, FormatErrorKind> {
     let failed = |error: io::Error| failed(written, &error);
-    let metadata = fs::metadata(path).map_err(failed)?;
-    if metadata.is_dir() {
+    let look = files.look(path).map_err(failed)?;
+    if look.is_folder() {
         return Err(failed(io::ErrorKind::IsADirectory.into()));
     }
-    let limit = if metadata.is_file() { limit } else { limit.min(LARGEST_STREAM) };
+    let limit = if look.is_file() { limit } else { limit.min(LARGEST_STREAM) };
     let too_large =
         || failed(io::Error::new(io::ErrorKind::FileTooLarge, format!("it has more than {limit} bytes")));
-    let file = File::open(path).map_err(failed)?;
+    let mut file = files.open(path).map_err(failed)?;
     // Of what was opened, which may be another file by now.
-    let before = file.metadata().map_err(failed)?;
-    if before.is_file() && before.len() > limit {
+    let before = file.look().map_err(failed)?;
+    if before.is_file() && before.length > limit {
         return Err(too_large());
     }
-    let bytes = all(&file, limit.saturating_add(1), &before).map_err(failed)?;
+    let bytes = all(&mut *file, limit.saturating_add(1), &before).map_err(failed)?;
     if bytes.len() as u64 > limit {
         return Err(too_large());
     }
@@ -43,21 +43,21 @@ pub fn bytes(path: &Path, written: &str, limit: u64) -> Result<Vec<u8>, FormatEr
 ///
 /// # Errors
 /// What the system says; [`io::ErrorKind::OutOfMemory`]; and as [`unchanged`].
-pub fn all(file: &File, most: u64, before: &Metadata) -> io::Result<Vec<u8>> {
+pub fn all(file: &mut dyn OpenFile, most: u64, before: &Look) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    let expected = if before.is_file() { before.len().min(most) } else { 0 };
+    let expected = if before.is_file() { before.length.min(most) } else { 0 };
     let reserved = usize::try_from(expected).is_ok_and(|expected| bytes.try_reserve_exact(expected).is_ok());
     if !reserved {
         let why = format!("out of memory: it has {expected} bytes");
         return Err(io::Error::new(io::ErrorKind::OutOfMemory, why));
     }
-    file.take(most).read_to_end(&mut bytes)?;
+    (&mut *file).take(most).read_to_end(&mut bytes)?;
     // Files that the system makes up as they are read, as in /proc, say that they have no bytes.
     if expected > 0 {
         if (bytes.len() as u64) < expected {
             return Err(io::Error::new(io::ErrorKind::UnexpectedEof, SHORTER));
         }
-        unchanged(file, before)?;
+        unchanged(file.look()?, before)?;
     }
     Ok(bytes)
 }
@@ -66,14 +66,12 @@ pub fn all(file: &File, most: u64, before: &Metadata) -> io::Result<Vec<u8>> {
 ///
 /// # Errors
 /// What the system says; [`io::ErrorKind::UnexpectedEof`] if it is shorter now, another kind if it was written to otherwise.
-pub fn unchanged(file: &File, before: &Metadata) -> io::Result<()> {
-    let now = file.metadata()?;
-    if now.len() < before.len() {
+pub fn unchanged(now: Look, before: &Look) -> io::Result<()> {
+    if now.length < before.length {
         return Err(io::Error::new(io::ErrorKind::UnexpectedEof, SHORTER));
     }
-    let times = (before.modified(), now.modified());
-    let later = matches!(times, (Ok(before), Ok(now)) if before != now);
-    if later || now.len() != before.len() {
+    let is_later = before.changed.zip(now.changed).is_some_and(|(before, now)| before != now);
+    if is_later || now.length != before.length {
         return Err(io::Error::other("it was written to while it was read"));
     }
     Ok(())
@@ -91,21 +89,39 @@ pub fn failed(written: &str, error: &io::Error) -> FormatErrorKind {
     FormatErrorKind::Io { file: written.to_owned(), kind: error.kind(), why }
 }
 
+/// Checks the folders that a user allows.
+///
+/// # Errors
+/// [`FormatError`] of one that does not exist or is a file.
+pub fn require_folders(files: &dyn Files, roots: &[PathBuf]) -> Result<(), FormatError> {
+    let require = |root: &PathBuf| match files.look(root)?.kind {
+        Kind::Folder => Ok(()),
+        Kind::File | Kind::Other => Err(io::Error::from(io::ErrorKind::NotADirectory)),
+    };
+    let failed = |root: &PathBuf, error| {
+        FormatError::new(root, None, failed(&root.to_string_lossy(), &error))
+            .with_hint("a root is a folder: --root DIR")
+    };
+    roots.iter().try_for_each(|root| require(root).map_err(|error| failed(root, error)))
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "a test may")]
 mod tests {
+    use std::fs::{self, File};
     use std::io::{Seek as _, Write as _};
 
     use super::*;
+    use crate::files::Disk;
 
     /// What reading says of a file that is changed after the system was asked for its length.
     fn changed(name: &str, change: impl Fn(&File)) -> io::Result<Vec<u8>> {
         let path = std::env::temp_dir().join(format!("polhode-changed-{}-{name}", std::process::id()));
         fs::write(&path, [7; 1000]).unwrap();
-        let file = File::options().read(true).write(true).open(&path).unwrap();
-        let before = file.metadata().unwrap();
+        let mut file = File::options().read(true).write(true).open(&path).unwrap();
+        let before = OpenFile::look(&file).unwrap();
         change(&file);
-        let read = all(&file, u64::MAX, &before);
+        let read = all(&mut file, u64::MAX, &before);
         fs::remove_file(path).unwrap();
         read
     }
@@ -134,7 +150,7 @@ mod tests {
         let huge =
             (0..63).rev().map(|bits| 1_u64 << bits).find(|&length| file.set_len(length).is_ok()).unwrap();
         assert!(huge >= 1 << 40);
-        let error = bytes(&path, "huge.stl", 1 << 30).unwrap_err();
+        let error = bytes(&Disk, &path, "huge.stl", 1 << 30).unwrap_err();
         assert!(error.to_string().contains("more than 1073741824 bytes"));
         fs::remove_file(path).unwrap();
     }

@@ -5,7 +5,7 @@
 //! | [`FormatError`] | path, line, column, what is there, the rule, what to write instead |
 //! | [`ContentError`] | the same of bytes whose file is not known yet |
 //! | [`read_file`], [`read_text_file`], [`mod@file`] | files, with limits |
-//! | [`Confinement`] | folders that data files may name files in |
+//! | [`files`] | where files come from: this machine, memory, some folders of another |
 //! | [`mod@unit`] | quantities in text |
 //! | [`expression`] | formulas in text |
 //! | [`toml`] | TOML: tables, values and rotations with their places |
@@ -16,12 +16,12 @@
 //! | [`text`] | excerpts in which nothing is unseen |
 #![forbid(unsafe_code)]
 
-mod confinement;
 mod content;
 pub mod csv;
 mod error;
 pub mod expression;
 pub mod file;
+pub mod files;
 mod json;
 pub mod package;
 mod reading;
@@ -32,7 +32,6 @@ pub mod toml;
 pub mod unit;
 pub mod xml;
 
-pub use confinement::{Confinement, NotOpened};
 pub use content::{ContentError, ContentErrorKind, ContentPlace, told_unit};
 pub use error::{FormatError, FormatErrorKind, Place, Spot};
 pub use json::json_value;

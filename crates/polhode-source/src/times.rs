@@ -7,6 +7,7 @@ use std::path::Path;
 
 use crate::error::{FormatError, FormatErrorKind, Place};
 use crate::file;
+use crate::files::Files;
 use crate::text::{cut, is_utf16};
 use crate::unit::{self, Dimension};
 
@@ -20,8 +21,8 @@ const LARGEST_FILE: u64 = 256 << 20;
 ///
 /// # Errors
 /// [`FormatError`] if it cannot be read, holds no time, or a line is none.
-pub fn read(path: &Path) -> Result<Vec<f64>, FormatError> {
-    let bytes = file::bytes(path, &path.to_string_lossy(), LARGEST_FILE);
+pub fn read(files: &dyn Files, path: &Path) -> Result<Vec<f64>, FormatError> {
+    let bytes = file::bytes(files, path, &path.to_string_lossy(), LARGEST_FILE);
     from_bytes(&bytes.map_err(|kind| FormatError::new(path, None, kind))?, path)
 }
 

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a measurement may")]
 
+use polhode_source::files::Disk;
 use std::time::Instant;
 
 use polhode_sweep::Plan;
@@ -46,7 +47,7 @@ fn main() {
         ("start and body, sobol", "sobol", format!("{START}{BODY}")),
     ] {
         let text = format!("{SCENARIO}sampling = \"{sampling}\"\n{vary}");
-        let plan = Plan::parse(text, "bench.toml".as_ref()).unwrap();
+        let plan = Plan::parse(&Disk, text, "bench.toml".as_ref()).unwrap();
         const MEMBERS: u64 = 100_000;
         let begin = Instant::now();
         let values: Vec<_> = (0..MEMBERS).map(|member| plan.values(member)).collect();

@@ -63,12 +63,13 @@ mod tests {
     use std::path::Path;
 
     use super::*;
+    use polhode_source::files::Disk;
 
     #[test]
     fn a_head_stays_where_it_is() {
         let text =
             "\u{feff}# title = \"µ\"\r\n## for people\n\n#growth.C = 0.1,,,,\n# draws = 3;;\nname,mass\n";
-        let (toml, end) = toml(Source::new(Path::new("a.csv"), text)).unwrap();
+        let (toml, end) = toml(Source::new(&Disk, Path::new("a.csv"), text)).unwrap();
         assert_eq!(&text[end..], "name,mass\n");
         assert_eq!(toml.len(), end);
         for kept in ["title = \"µ\"", "growth.C = 0.1", "draws = 3"] {

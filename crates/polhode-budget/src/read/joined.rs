@@ -2,7 +2,7 @@
 
 use polhode_source::text::cut;
 use polhode_source::toml::reader::Table;
-use polhode_source::toml::source::Source;
+use polhode_source::toml::source::{Rest, Source};
 use polhode_source::toml::tree::Entries;
 use polhode_source::toml::{list_units, tree};
 use polhode_source::{FormatError, FormatErrorKind, Place, Spot};
@@ -33,8 +33,8 @@ impl Naming<'_> {
         let text = format!("{}\n{}", self.source.text, beside.text);
         let from = text.len() - beside.text.len();
         let padded = format!("{}{}", " ".repeat(from), beside.text);
-        let source =
-            Source { text: &text, rest: Some((from, beside.path)), within: beside.within, ..self.source };
+        let rest = Some(Rest { from, path: beside.path, files: beside.files });
+        let source = Source { text: &text, rest, ..self.source };
         let mut entries = self.entries.clone();
         entries.extend(tree::parse(&padded).map_err(|error| source.syntax(&error))?);
         let of_other = |place: &Place| {

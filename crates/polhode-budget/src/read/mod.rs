@@ -44,16 +44,16 @@ mod xlsx;
 use std::path::{Path, PathBuf};
 
 use polhode::math::{Body, Part, Position, Rotation};
-use polhode_source::Confinement;
 use polhode_source::FormatError;
 use polhode_source::file;
+use polhode_source::files::Files;
 use polhode_source::toml::reader::Table;
 use polhode_source::toml::source::Source;
 use polhode_source::toml::{list_units, tree};
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use crate::{Ballast, Basis, Budget, Limit};
-use access::Access;
+pub use access::Access;
 use heading::Columns;
 use plan::Plan;
 use rows::Rows;
@@ -133,40 +133,28 @@ impl BudgetFile {
     }
 }
 
-/// Reads a parts list, or a plan that names one.
+/// Reads a parts list, or a plan that names one; its files lie in its own folder.
 ///
 /// # Errors
 /// [`FormatError`], with the place, if it, or a file that it names, cannot be read or makes no possible body.
 pub fn read(path: &Path) -> Result<BudgetFile, FormatError> {
-    read_within(path, &[])
+    read_in(Access::BESIDE, path)
 }
 
-/// The same of a parts list whose files may also lie in the folders `roots`, besides the list's own.
+/// Reads a parts list, or a plan that names one.
 ///
 /// # Errors
 /// As [`read()`].
-pub fn read_within(path: &Path, roots: &[PathBuf]) -> Result<BudgetFile, FormatError> {
-    Confinement::require_folders(roots)?;
-    of_bytes(path, &bytes_of(path)?, Access::within(roots))
+pub fn read_in(access: Access<'_>, path: &Path) -> Result<BudgetFile, FormatError> {
+    file::require_folders(access.files, access.roots)?;
+    from_bytes(access, path, &bytes_of(access.files, path)?)
 }
 
 /// Reads a parts list from the bytes of its file; files that it names are relative to the path, which errors name.
 ///
 /// # Errors
 /// As [`read()`].
-pub fn from_bytes(path: &Path, bytes: &[u8]) -> Result<BudgetFile, FormatError> {
-    of_bytes(path, bytes, Access::within(&[]))
-}
-
-/// The same of bytes that nobody is trusted for: no other file is opened, and what names one is refused.
-///
-/// # Errors
-/// As [`read()`].
-pub fn from_bytes_alone(path: &Path, bytes: &[u8]) -> Result<BudgetFile, FormatError> {
-    of_bytes(path, bytes, Access::ALONE)
-}
-
-fn of_bytes(path: &Path, bytes: &[u8], access: Access<'_>) -> Result<BudgetFile, FormatError> {
+pub fn from_bytes(access: Access<'_>, path: &Path, bytes: &[u8]) -> Result<BudgetFile, FormatError> {
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
         return named::of_plan(path, text(path, bytes)?, access);
     }
@@ -192,24 +180,24 @@ fn of_bytes(path: &Path, bytes: &[u8], access: Access<'_>) -> Result<BudgetFile,
 /// # Errors
 /// As [`read()`].
 pub fn from_text(path: &Path, text: &str) -> Result<BudgetFile, FormatError> {
-    of_text(path, text, Access::within(&[]))
+    of_text(path, text, Access::BESIDE)
 }
 
 fn of_text(path: &Path, text: &str, access: Access<'_>) -> Result<BudgetFile, FormatError> {
-    let folders = access.folders(path);
-    let source = Source { files: access.files(), within: Some(&folders), ..Source::new(path, text) };
+    let files = access.of(path);
+    let source = Source::new(&files, path, text);
     let (toml, from) = head::toml(source)?;
     let entries = tree::parse(&toml).map_err(|error| source.syntax(&error).with_hint(head::SYNTAX))?;
     list_units::check(source, &entries)?;
     let plan = plan::plan(&Table::root(source, &entries), &[], None)?;
-    of_csv(source, from, access.plan(plan))
+    of_csv(source, from, plan, access)
 }
 
 /// Bytes of a file: a larger one is no parts list.
 const LARGEST_FILE: u64 = 256 << 20;
 
-fn bytes_of(path: &Path) -> Result<Vec<u8>, FormatError> {
-    file::bytes(path, &path.to_string_lossy(), LARGEST_FILE)
+fn bytes_of(files: &dyn Files, path: &Path) -> Result<Vec<u8>, FormatError> {
+    file::bytes(files, path, &path.to_string_lossy(), LARGEST_FILE)
         .map_err(|kind| FormatError::new(path, None, kind))
 }
 
@@ -223,12 +211,17 @@ fn text<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a str, FormatError> {
     str::from_utf8(bytes).map_err(|error| FormatError::not_utf8(path, bytes, error.valid_up_to()))
 }
 
-fn of_csv(source: Source<'_>, from: usize, plan: Plan) -> Result<BudgetFile, FormatError> {
+fn of_csv(
+    source: Source<'_>,
+    from: usize,
+    plan: Plan,
+    access: Access<'_>,
+) -> Result<BudgetFile, FormatError> {
     let (mut sheet, separator) = csv::sheet(source, from, heading::is_of_names)?;
     let columns = Columns::of(&sheet, &plan.ignore)?;
     unused::ignored(&columns, &plan, &[])?;
     sheet.decimal_comma = decimal::comma(&sheet, &columns, &plan, separator)?;
-    of_table(plan, &sheet, &columns, Vec::new())
+    of_table(plan, &sheet, &columns, Vec::new(), access)
 }
 
 fn of_table(
@@ -236,8 +229,9 @@ fn of_table(
     sheet: &Sheet<'_>,
     columns: &Columns,
     mut lines: Vec<String>,
+    access: Access<'_>,
 ) -> Result<BudgetFile, FormatError> {
-    let mut rows = Rows::new(sheet, columns, &plan);
+    let mut rows = Rows::new(sheet, columns, &plan, access);
     let all = rows.all()?;
     let configurations = assemble::budgets(all, &plan, &rows, &mut lines)?;
     unused::declared(columns, &plan, &configurations)?;

@@ -14,7 +14,7 @@ use super::{BudgetFile, bytes_of, head, of_csv, text, workbook, xlsx};
 
 /// Reads a plan from its text, and the parts that it names.
 pub(crate) fn of_plan(path: &Path, plan_text: &str, access: Access<'_>) -> Result<BudgetFile, FormatError> {
-    let source = Source { files: access.files(), ..Source::new(path, plan_text) };
+    let source = Source::new(access.files, path, plan_text);
     let entries = document(source)?;
     let root = Table::root(source, &entries);
     let value = root.require("parts", "parts = \"parts.csv\"")?;
@@ -25,7 +25,7 @@ pub(crate) fn of_plan(path: &Path, plan_text: &str, access: Access<'_>) -> Resul
     // What is wrong with the plan itself comes before what is wrong with the file.
     root.allow(&[&plan::KEYS[..], &["parts"]].concat())?;
     let file = value.path()?;
-    let bytes = bytes_of(&file).map_err(|error| match error.kind() {
+    let bytes = bytes_of(access.files, &file).map_err(|error| match error.kind() {
         kind @ FormatErrorKind::Io { .. } => value
             .error(kind.clone())
             .with_hint(format!("paths are relative to the plan: this one is {file:?}")),
@@ -35,8 +35,8 @@ pub(crate) fn of_plan(path: &Path, plan_text: &str, access: Access<'_>) -> Resul
         if xlsx::is_archive(&bytes) {
             return workbook::read(&file, &bytes, Some(&naming), access);
         }
-        let folders = access.folders(&file);
-        let parts = Source { within: Some(&folders), ..Source::new(&file, text(&file, &bytes)?) };
+        let files = access.of(&file);
+        let parts = Source::new(&files, &file, text(&file, &bytes)?);
         let (toml, from) = head::toml(parts)?;
         // The head stands in it where it stands in the file, and errors show the file's own lines.
         let shown = |error: FormatError| {
@@ -45,7 +45,7 @@ pub(crate) fn of_plan(path: &Path, plan_text: &str, access: Access<'_>) -> Resul
             if is_syntax { error.with_hint(head::SYNTAX) } else { error }
         };
         let plan = naming.plan(Source { text: &toml, ..parts }, None, &shown)?;
-        of_csv(parts, from, access.plan(plan))
+        of_csv(parts, from, plan, access)
     };
     // Of what both say the error names the place in the plan already.
     let is_open = |error: &FormatError| error.path() == file && error.origin().is_none();

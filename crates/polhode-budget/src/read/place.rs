@@ -1,6 +1,7 @@
 //! Where the frame of a row is in that of its parent.
 
 use polhode::math::{Part, Position, Rotation, RotationError};
+use polhode_source::files::Memory;
 use polhode_source::toml::reader::Table;
 use polhode_source::toml::rotation;
 use polhode_source::toml::source::Source;
@@ -115,7 +116,8 @@ impl<'s, 'a> Reader<'s, 'a> {
         let braced = inside.starts_with('{');
         let (open, close) = if braced { ("", "") } else { ("{ ", " }") };
         let text = format!("rotate = {open}{inside}{close}");
-        let source = Source::new(self.sheet.path(), &text);
+        let nothing = Memory::default();
+        let source = Source::new(&nothing, self.sheet.path(), &text);
         let read = || {
             let entries = tree::parse(&text).map_err(|error| {
                 source

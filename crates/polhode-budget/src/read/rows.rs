@@ -7,6 +7,7 @@ use polhode::math::Part;
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use polhode_source::{FormatError, FormatErrorKind};
 
+use super::access::Access;
 use super::cell::Cell;
 use super::cells::{Cells, Reader};
 use super::heading::Columns;
@@ -24,6 +25,7 @@ use crate::{CopyErrors, Growth, Quantity, Row, Spread, Subtotal, Uncertainty};
 pub(crate) struct Rows<'s, 'a> {
     pub reader: Reader<'s, 'a>,
     pub plan: &'s Plan,
+    pub access: Access<'s>,
     pub taken: Taken,
     /// What files and shapes came to, by what says them.
     pub known: HashMap<String, MassProperties<Part>>,
@@ -61,9 +63,14 @@ impl ReadRows {
 }
 
 impl<'s, 'a> Rows<'s, 'a> {
-    pub(crate) fn new(sheet: &'s Sheet<'a>, columns: &'s Columns, plan: &'s Plan) -> Self {
+    pub(crate) fn new(
+        sheet: &'s Sheet<'a>,
+        columns: &'s Columns,
+        plan: &'s Plan,
+        access: Access<'s>,
+    ) -> Self {
         let reader = Reader::new(sheet, columns, plan.coverage_factor.unwrap_or(1.0));
-        Self { reader, plan, taken: Taken::default(), known: HashMap::new() }
+        Self { reader, plan, access, taken: Taken::default(), known: HashMap::new() }
     }
 
     /// All rows below the headings.

@@ -1,6 +1,5 @@
 //! Parts by their form: a shape, a mesh, a report of a CAD program, or the body of a scenario.
 
-use std::collections::BTreeSet;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -10,11 +9,11 @@ use polhode_scenario::read::ScenarioFile;
 use polhode_scenario::read::part::part;
 use polhode_shape::cad;
 use polhode_shape::mesh::MeshFormat;
+use polhode_source::files::{Confined, Files as _, NotOpened};
 use polhode_source::toml::reader::Table;
 use polhode_source::toml::source::Source;
 use polhode_source::toml::{list_units, tree};
 use polhode_source::unit;
-use polhode_source::{Confinement, NotOpened};
 use polhode_source::{FormatError, FormatErrorKind};
 
 use super::cell::Cell;
@@ -78,9 +77,6 @@ impl<'s, 'a> Rows<'s, 'a> {
                 if let Some(other) = mass.map(|mass| mass.cell).into_iter().chain(others).next() {
                     return Err(self.reader.invalid(other, "left out where a file says it"));
                 }
-                if self.plan.is_alone {
-                    return Err(self.reader.invalid(cell, "left out: no other file is opened for this list"));
-                }
                 let path = self.beside(text);
                 self.require_within(cell)?;
                 match form {
@@ -102,17 +98,20 @@ impl<'s, 'a> Rows<'s, 'a> {
         self.reader.sheet.path().parent().unwrap_or(Path::new("")).join(name)
     }
 
-    /// The folders that files of the parts may lie in.
-    fn confinement(&self) -> Confinement {
-        Confinement::of(self.reader.sheet.path(), &self.plan.roots)
+    /// The files that parts may name.
+    fn files(&self) -> Confined<'s> {
+        self.access.of(self.reader.sheet.path())
     }
 
     fn require_within(&self, cell: &Cell<'a>) -> Result<(), FormatError> {
         let folder = self.reader.sheet.path().parent().unwrap_or(Path::new(""));
-        match self.confinement().file(folder, Path::new(&*cell.text)) {
+        match self.files().named(folder, Path::new(&*cell.text)) {
             Err(NotOpened::Outside) => {
                 let error = self.reader.invalid(cell, "a file in the folder of the parts list, or below it");
                 Err(error.with_hint("--root DIR allows files in another folder"))
+            }
+            Err(NotOpened::NotGiven) => {
+                Err(self.reader.invalid(cell, "left out: no other file is opened for this list"))
             }
             Err(NotOpened::NotRegular) => Err(self.reader.invalid(cell, "a regular file")),
             // The reader of the file says that it is missing.
@@ -169,11 +168,8 @@ impl<'s, 'a> Rows<'s, 'a> {
         if let Some(known) = self.known.get(&table.text) {
             return Ok(*known);
         }
-        let nothing = BTreeSet::new();
-        let files = self.plan.is_alone.then_some(&nothing);
-        let within = self.confinement();
-        let source =
-            Source { files, within: Some(&within), ..Source::new(self.reader.sheet.path(), &table.text) };
+        let files = self.files();
+        let source = Source::new(&files, self.reader.sheet.path(), &table.text);
         let mut findings = Vec::new();
         let mut read = || {
             let entries = tree::parse(&table.text).map_err(|error| source.syntax(&error))?;
@@ -200,7 +196,8 @@ impl<'s, 'a> Rows<'s, 'a> {
         if let Some(known) = self.known.get(&key) {
             return Ok(*known);
         }
-        let read = polhode_source::read_text_file(path, |text| cad::read(text, &self.plan.cad));
+        let read =
+            polhode_source::read_text_file(&self.files(), path, |text| cad::read(text, &self.plan.cad));
         let report = read.map_err(|error| self.named_in(error, cell))?;
         self.taken
             .findings
@@ -220,7 +217,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         if let Some(known) = self.known.get(&key) {
             return Ok(*known);
         }
-        let scenario = ScenarioFile::read_within(path, &self.confinement());
+        let scenario = ScenarioFile::read(&self.files(), path);
         let scenario = scenario.map_err(|error| self.named_in(error, cell))?.scenario;
         let taken = scenario.taken_at_start();
         let findings = scenario.findings().iter().chain(&taken);
@@ -304,7 +301,7 @@ impl<'s, 'a> Reader<'s, 'a> {
 /// What a file is by its name.
 fn form_of(name: &str) -> Form {
     let path = Path::new(name);
-    if MeshFormat::of_path(path).is_some() || polhode_shape::brep::BrepFormat::of(path).is_some() {
+    if MeshFormat::of_path(path).is_some() || polhode_shape::brep::BrepFormat::of_path(path).is_some() {
         return Form::Mesh;
     }
     match path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {

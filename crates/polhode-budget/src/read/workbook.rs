@@ -36,7 +36,6 @@ pub(crate) fn read(
     let sheets: Vec<(&str, Sheet<'_>)> =
         sections.iter().filter_map(|name| Some((*name, sheet(name)?.0))).collect();
     let plan = of_sections(path, &sheets, told, access, &sheet)?;
-    let plan = access.plan(plan);
     let wanted: Vec<&str> = others
         .into_iter()
         .filter(|name| !plan.ignore.iter().any(|other| other == name) && !plan.has_sheet(name))
@@ -66,7 +65,7 @@ pub(crate) fn read(
     let columns = Columns::of(&parts, &plan.ignore)?;
     unused::ignored(&columns, &plan, &not_read)?;
     parts.decimal_comma = plan.decimal_comma.unwrap_or(false);
-    of_table(plan, &parts, &columns, lines)
+    of_table(plan, &parts, &columns, lines, access)
 }
 
 fn of_sections(
@@ -82,9 +81,8 @@ fn of_sections(
     for (name, sheet) in first.into_iter().chain(then) {
         sections.add(name, sheet)?;
     }
-    let folders = access.folders(path);
-    let source =
-        Source { files: access.files(), within: Some(&folders), ..Source::new(path, &sections.toml) };
+    let files = access.of(path);
+    let source = Source::new(&files, path, &sections.toml);
     let tables = |name: &str| if is_section(name) { None } else { all(name) };
     if let Some(told) = told {
         return told.plan(source, Some(&tables), &|error| sections.moved(error));

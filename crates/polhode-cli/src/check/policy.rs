@@ -1,5 +1,6 @@
 //! What fails, what is allowed and what is known, from flags and files.
 
+use polhode_source::files::Disk;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -68,11 +69,11 @@ impl PolicyFlags {
     /// What counts, and the least severity that fails.
     pub(super) fn read(&self) -> Result<(Policy, Severity), Failure> {
         let config = match self.config_file() {
-            Some(path) => read_text_file(path, |text| Ok(Config::read(path, text)))??,
+            Some(path) => read_text_file(&Disk, path, |text| Ok(Config::read(path, text)))??,
             None => Config::default(),
         };
         let baseline = match &self.baseline {
-            Some(path) => Some(read_text_file(path, |text| Ok(Baseline::read(path, text)))??),
+            Some(path) => Some(read_text_file(&Disk, path, |text| Ok(Baseline::read(path, text)))??),
             None => None,
         };
         let seconds = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());

@@ -1,5 +1,6 @@
 //! The mass properties in a CAD program's report.
 
+use polhode_source::files::Disk;
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
@@ -80,7 +81,7 @@ pub(super) fn report(
         mass_unit,
         length_unit,
     };
-    let read = read_text_file(file, |text| match GeometryProgram::of_text(text) {
+    let read = read_text_file(&Disk, file, |text| match GeometryProgram::of_text(text) {
         // Its tensor has one sign and one point, and only a substance is open.
         Some(program) if substance.is_some() => {
             GeometryReport::read(program, text, length_unit).map(Read::Geometry)
@@ -166,6 +167,6 @@ fn measured(file: &Path, shape: GeometryReport, substance: Substance) -> Result<
 
 /// True of measures that have no unit of length, as those of a mesh have none.
 pub(super) fn leaves_unit_open(file: &Path) -> bool {
-    let program = read_text_file(file, |text| Ok(GeometryProgram::of_text(text)));
+    let program = read_text_file(&Disk, file, |text| Ok(GeometryProgram::of_text(text)));
     matches!(program, Ok(Some(GeometryProgram::MeshLab)))
 }

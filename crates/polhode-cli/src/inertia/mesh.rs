@@ -1,5 +1,6 @@
 //! The mass properties of a mesh file.
 
+use polhode_source::files::Disk;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -157,8 +158,8 @@ fn model(
     findings: &mut Vec<Finding>,
 ) -> Result<Model, Failure> {
     let mut contents = match flags.hull {
-        true => MeshContents::read_for_hull(file, format)?,
-        false => MeshContents::read(file, format)?,
+        true => MeshContents::read_for_hull(&Disk, file, format)?,
+        false => MeshContents::read(&Disk, file, format)?,
     };
     let (given, count) = (contents.triangles(), contents.parts.len());
     let encoding = contents.encoding;

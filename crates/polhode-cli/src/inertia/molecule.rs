@@ -1,5 +1,6 @@
 //! The mass properties and rotational constants of molecules.
 
+use polhode_source::files::Disk;
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
@@ -45,7 +46,7 @@ pub(super) fn reports(
         Some(Which::Average) => Isotopes::Average,
         _ => Isotopes::Abundant,
     };
-    let molecules = molecule::read(file, format)?;
+    let molecules = molecule::read(&Disk, file, format)?;
     let several = molecules.len() > 1;
     molecules
         .iter()

@@ -1,5 +1,6 @@
 //! The mass properties of a table of particles.
 
+use polhode_source::files::Disk;
 use std::path::Path;
 
 use polhode_document::SourceInfo;
@@ -17,7 +18,7 @@ pub(super) fn report(
     mass_unit: Option<f64>,
 ) -> Result<InertiaReport, Failure> {
     let options = ParticleOptions { mass_unit, length_unit, total_mass };
-    let table = read_file(file, |bytes| particles::read(bytes, &options))?;
+    let table = read_file(&Disk, file, |bytes| particles::read(bytes, &options))?;
     let properties = table
         .mass_properties()
         .map_err(|error| Failure::usage(error.to_string(), "check the units of the table"))?;

@@ -1,5 +1,6 @@
 //! The mass properties of a voxel grid.
 
+use polhode_source::files::Disk;
 use std::path::Path;
 
 use clap::Args;
@@ -51,7 +52,7 @@ pub(super) fn report(
     let options = VoxelOptions { spacing: flags.spacing, unit, origin: flags.origin };
     let scale = flags.per_value.unwrap_or(1.0);
     let misread = |error| FormatError::of_content(file, &[], error);
-    let mut voxels = voxel::open(file)?;
+    let mut voxels = voxel::open(&Disk, file)?;
     let grid = voxels.grid(&options).map_err(misread)?;
     let (counts, kind) = (voxels.counts(), voxels.type_name());
     let result = voxels.mass_properties(&grid, scale).map_err(misread)?;

@@ -1,5 +1,6 @@
 //! The suite: written for programs, and their runs of it graded.
 
+use polhode_source::files::Disk;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, Write as _};
@@ -108,7 +109,7 @@ fn judged(
     let wanted = scenario.scenario.run().map(|run| run.times.as_slice()).unwrap_or_default();
     let mut judged = Vec::new();
     for (path, step) in runs {
-        let log = run_log::read(path, judge.read_as.columns.as_ref()).map_err(Failure::from);
+        let log = run_log::read(&Disk, path, judge.read_as.columns.as_ref()).map_err(Failure::from);
         if let Some(short) = log.as_ref().ok().and_then(|log| too_short(log.log.times(), wanted)) {
             let reason = reason.map_or_else(String::new, |reason| format!(" ({reason})"));
             return Ok(CardRun::Unreadable(format!("{short}{reason}")));

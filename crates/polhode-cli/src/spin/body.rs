@@ -1,5 +1,6 @@
 //! What spins, and how it starts.
 
+use polhode_source::files::Disk;
 use std::path::Path;
 
 use polhode::body::{BodyError, Finding, InertiaTensor, MassProperties, PrincipalFrame, Symmetry};
@@ -35,7 +36,7 @@ pub(super) enum Subject {
 
 impl Subject {
     pub(super) fn of_file(file: &Path) -> Result<Self, Failure> {
-        let ScenarioFile { scenario, text, .. } = ScenarioFile::read(file)?;
+        let ScenarioFile { scenario, text, .. } = ScenarioFile::read(&Disk, file)?;
         let path = file.display().to_string();
         let why = if !scenario.torques().is_empty() {
             "a torque acts on the body"

@@ -1,5 +1,6 @@
 //! The times that are asked for.
 
+use polhode_source::files::Disk;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -29,7 +30,7 @@ impl TimeFlags {
             Some(file) if file == Path::new("-") => {
                 all.extend(times::read_from(io::stdin().lock(), Path::new("standard input"))?);
             }
-            Some(file) => all.extend(times::read(file)?),
+            Some(file) => all.extend(times::read(&Disk, file)?),
             None => {}
         }
         Ok(all)

@@ -1,5 +1,6 @@
 //! `polhode budget --sweep`: a parts list as a plan of a sweep.
 
+use polhode_source::files::Disk;
 use polhode_sweep::Plan;
 
 use crate::common::{Scratch, json, numbers, refused, stdout};
@@ -17,7 +18,7 @@ fn members_have_the_covariance_of_the_list() {
     stdout(
         &scratch.run(&[&asked[..], &["--sweep", "plan.toml", "--draws", "20000", "--seed", "3"]].concat()),
     );
-    let plan = Plan::read(&scratch.0.join("plan.toml")).unwrap();
+    let plan = Plan::read(&Disk, &scratch.0.join("plan.toml")).unwrap();
     assert_eq!((plan.members(), plan.seed()), (MEMBERS as u64, Some(3)));
     assert!(plan.findings().iter().all(|finding| finding.code != "sweep.members"));
     let values: Vec<Vec<f64>> = (0..plan.members()).map(|member| plan.values(member)).collect();
@@ -57,7 +58,7 @@ fn the_plan_is_run() {
     assert!(error.contains("is read, and would be overwritten"), "{error}");
     let summary = json(&scratch.run(&["sweep", "plan.toml", "-o", "out", "--json"]));
     assert_eq!(summary["status"]["complete"]["count"], 60);
-    let plan = Plan::read(&scratch.0.join("plan.toml")).unwrap();
+    let plan = Plan::read(&Disk, &scratch.0.join("plan.toml")).unwrap();
     assert_eq!((plan.members(), plan.seed()), (60, Some(4)));
     assert_eq!(plan.nominal().start().omega.x, 0.1);
     assert_eq!(plan.nominal().run().unwrap().times.last(), Some(&10.0));
@@ -93,7 +94,7 @@ fn members_of_a_flat_body_are_possible() {
         let drawn = &report["configurations"][0]["estimate"];
         let covariance: Vec<Vec<f64>> = drawn["covariance"].as_array().unwrap().iter().map(numbers).collect();
         stdout(&scratch.run(&["budget", "list.csv", "--sweep", "plan.toml", "--draws", "500", "--force"]));
-        let plan = Plan::read(&scratch.0.join("plan.toml")).unwrap();
+        let plan = Plan::read(&Disk, &scratch.0.join("plan.toml")).unwrap();
         let said =
             plan.text().lines().any(|line| line.starts_with("# By it ") && line.contains(" of 1000 draws"));
         assert_eq!(said, is_flat, "{name}: {}", plan.text());
@@ -117,7 +118,7 @@ fn members_of_a_flat_body_are_possible() {
         scratch.write("without.toml", &without);
         let summary = json(&scratch.run(&["sweep", "plan.toml", "-o", name, "--json"]));
         assert_eq!(summary["status"]["complete"]["count"], MEMBERS, "{name}");
-        let without = Plan::read(&scratch.0.join("without.toml")).unwrap();
+        let without = Plan::read(&Disk, &scratch.0.join("without.toml")).unwrap();
         let failed =
             (0..MEMBERS).filter(|member| without.scenario(&without.values(*member)).is_err()).count();
         assert_eq!(failed > 0, is_flat, "{name}: {failed}");
@@ -152,6 +153,6 @@ fn a_list_whose_body_changes_is_no_plan() {
     }
     scratch.write("list.csv", &format!("{begin}{tank}{rows}"));
     stdout(&scratch.run(&[&written[..], &["a"]].concat()));
-    let plan = Plan::read(&scratch.0.join("plan.toml")).unwrap();
+    let plan = Plan::read(&Disk, &scratch.0.join("plan.toml")).unwrap();
     assert_eq!(plan.nominal().start().omega.z, 3.0);
 }

@@ -52,7 +52,7 @@ impl Logs {
             })?),
             _ => None,
         };
-        let measured = read_measured(&path, parsed.as_ref())?;
+        let measured = read_measured(log.files(), &path, parsed.as_ref())?;
         let made = readings(log, &measured)?;
         let said = |read: &ReadColumns| format!("{}: {}", read.what, read.columns.join(", "));
         self.read.push(ReadLog {

@@ -25,6 +25,7 @@ mod wrench_quantity;
 
 use std::path::Path;
 
+use polhode_source::files::Files;
 use polhode_source::toml::reader::{Table, Value};
 use polhode_source::toml::source::Source;
 use polhode_source::toml::{document, text_of};
@@ -87,16 +88,16 @@ const KINDS: [&str; 3] = ["tumble", "swing", "payload"];
 ///
 /// # Errors
 /// [`FormatError`], with the place, if it, or a file that it names, cannot be read or describes nothing that could be measured.
-pub fn read(path: &Path) -> Result<Plan, FormatError> {
-    from_text(path, &text_of(path)?)
+pub fn read(files: &dyn Files, path: &Path) -> Result<Plan, FormatError> {
+    from_text(files, path, &text_of(files, path)?)
 }
 
 /// Reads a plan from its text; logs are relative to the path, which errors name.
 ///
 /// # Errors
 /// As [`read()`].
-pub fn from_text(path: &Path, text: &str) -> Result<Plan, FormatError> {
-    let source = Source::new(path, text);
+pub fn from_text(files: &dyn Files, path: &Path, text: &str) -> Result<Plan, FormatError> {
+    let source = Source::new(files, path, text);
     let entries = document(source)?;
     let root = Table::root(source, &entries);
     root.allow(&[&["title"], &KINDS[..]].concat())?;

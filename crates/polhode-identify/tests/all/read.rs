@@ -1,5 +1,6 @@
 //! Plans of payloads and their logs: units, columns, mistakes with their places.
 
+use polhode_source::files::Disk;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;
@@ -23,7 +24,7 @@ impl Folder {
         fs::write(self.0.join("log.csv"), log).unwrap();
         let plan = self.0.join("plan.toml");
         fs::write(&plan, format!("[payload]\nlog = 'log.csv'\n{keys}")).unwrap();
-        match read(&plan)?.measurement {
+        match read(&Disk, &plan)?.measurement {
             Measurement::Payload(plan) => Ok(plan),
             other => panic!("{other:?}"),
         }
@@ -361,7 +362,7 @@ fn tumble(name: &str, plan: &str) -> Result<polhode_identify::read::TumblePlan, 
     fs::write(folder.0.join("tracked.csv"), tracked).unwrap();
     let path = folder.0.join("plan.toml");
     fs::write(&path, format!("[tumble]\n{plan}")).unwrap();
-    match read(&path)?.measurement {
+    match read(&Disk, &path)?.measurement {
         Measurement::Tumble(plan) => Ok(plan),
         other => panic!("{other:?}"),
     }

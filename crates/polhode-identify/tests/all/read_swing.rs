@@ -1,5 +1,6 @@
 //! Plans of swing tests: what is read, and where mistakes are.
 
+use polhode_source::files::Disk;
 use std::fs;
 use std::path::Path;
 
@@ -42,7 +43,7 @@ counted = { swings = 20, time = "20.1 s", sd = "0.05 s", amplitude = "5 deg", am
 fn read(name: &str, text: &str) -> Result<Plan, FormatError> {
     let path = std::env::temp_dir().join(format!("polhode-swing-{name}-{}.toml", std::process::id()));
     fs::write(&path, text).unwrap();
-    let plan = identify::read(&path);
+    let plan = identify::read(&Disk, &path);
     fs::remove_file(&path).unwrap();
     plan
 }
@@ -192,7 +193,7 @@ fn what_is_missing_is_said() {
     missing("axis = [1, 0, 0]\n", "axis");
     missing(", sd = \"1 g\"", "sd");
     missing(", amplitude_sd = \"0.5 deg\"", "amplitude_sd");
-    assert!(identify::read(Path::new("/nowhere/plan.toml")).is_err());
+    assert!(identify::read(&Disk, Path::new("/nowhere/plan.toml")).is_err());
 }
 
 #[test]
@@ -205,7 +206,7 @@ fn logs_of_swings_are_read() {
         let (head, tail) = GOOD.split_at(GOOD.find("counted").unwrap());
         let rest = &tail[tail.find('\n').unwrap()..];
         fs::write(folder.join("plan.toml"), format!("{head}{logged}{rest}")).unwrap();
-        identify::read(&folder.join("plan.toml"))
+        identify::read(&Disk, &folder.join("plan.toml"))
     };
     let logged = |keys: &str| {
         let read = plan(&format!("logged = {{ log = \"log.csv\", {keys} }}"))?;

@@ -93,7 +93,7 @@ impl RobotInspection {
         roots: Vec<PathBuf>,
         stop: &AtomicBool,
     ) -> Result<Self, Refusal> {
-        let options = ReadOptions { confined: !roots.is_empty(), roots, checked: None };
+        let options = ReadOptions { confined: !roots.is_empty(), roots, ..ReadOptions::default() };
         let unreadable = |error: FormatError| {
             let place = error.place().map_or_else(String::new, |place| format!(", line {}", place.line));
             let message = format!("{name:?} cannot be read{place}: {}", error.message());

@@ -1,5 +1,6 @@
 //! What a lesson has to be: its scenario moves at every step, and what its steps name is there.
 
+use polhode_source::files::Disk;
 use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -149,7 +150,7 @@ impl Source<'_> {
             let raw = self.text.get(set.as_ref().value.span()).unwrap_or_default();
             let edit = Edit::Set { set: set.as_ref().key.clone(), value: Some(raw.to_owned()) };
             let mut reader = draft.clone();
-            text = edited(&text, &[edit], |text| reader.read(text.to_owned()).ok()).map_err(|error| {
+            text = edited(&text, &[edit], |text| reader.read(&Disk, text.to_owned()).ok()).map_err(|error| {
                 self.at(&set.span(), format!("it cannot be set: {error}"))
                     .hint("key = \"body.part[0].size[2]\", value = \"4 mm\": a value as a scenario has it, on one line")
             })?;
@@ -231,7 +232,7 @@ fn moving(draft: &Draft, text: &str) -> Result<Named, Unmoved> {
         }
     };
     let mut reader = draft.clone();
-    let file = reader.read(text.to_owned()).map_err(unread)?;
+    let file = reader.read(&Disk, text.to_owned()).map_err(unread)?;
     draft = reader;
     let stop = AtomicBool::new(false);
     let trajectory = computed(&file, false, Instant::now(), limits::MOTION, &stop);

@@ -9,6 +9,7 @@ use polhode::body::{BodyError, MassProperties};
 use polhode_shape::mesh::collada;
 use polhode_shape::mesh::collada::UpAxis;
 use polhode_shape::mesh::{MeshContents, MeshFormat};
+use polhode_source::files::Files;
 use polhode_source::read_text_file;
 
 use super::{ENDED, MeshReading, Solid, VolumeKind, z_up};
@@ -36,19 +37,20 @@ pub(super) struct Measured {
 
 impl Mesh {
     pub(super) fn read(
+        files: &dyn Files,
         path: &Path,
         threads: usize,
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Self, String> {
         let (contents, turned_in) = match MeshFormat::of_path(path) {
             Some(MeshFormat::Collada) => {
-                let read = read_text_file(path, collada::read_with_axis);
+                let read = read_text_file(files, path, collada::read_with_axis);
                 let is_y_up = matches!(read, Ok((_, Some(UpAxis::Y))));
                 (read.map(|(contents, _)| contents), is_y_up.then_some(MeshReading::Other))
             }
             Some(format) => {
                 let turned_in = (format == MeshFormat::Gltf).then_some(MeshReading::Usual);
-                (MeshContents::read(path, format), turned_in)
+                (MeshContents::read(files, path, format), turned_in)
             }
             None => {
                 let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();

@@ -3,10 +3,11 @@
 use std::cmp::Reverse;
 use std::collections::{HashMap, HashSet};
 use std::ffi::OsString;
-use std::fs::{self, File};
 use std::io::{self, BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+
+use polhode_source::files::{Files, Look};
 
 use super::Mesh;
 use crate::model::{GeometryShape, RobotModel};
@@ -29,12 +30,13 @@ impl MeshFiles {
     /// The mesh in a file, read now if it has not been.
     pub(super) fn mesh(
         &self,
+        files: &dyn Files,
         path: &Path,
         read: impl FnOnce(&Path) -> Result<Mesh, String>,
     ) -> Result<Arc<Mesh>, String> {
         let known = locked(&self.by_path).get(path).cloned();
         let mesh = known.unwrap_or_else(|| {
-            let mesh = self.file(path);
+            let mesh = self.file(files, path);
             locked(&self.by_path).entry(path.to_owned()).or_insert(mesh).clone()
         });
         mesh.get_or_init(|| read(path).map(Arc::new)).clone()
@@ -42,13 +44,13 @@ impl MeshFiles {
 
     /// What is known of a file with the same bytes and ending, or else nothing yet. glTF names other files, so that equal bytes say nothing
     /// of it.
-    fn file(&self, path: &Path) -> Arc<MeshOnce> {
+    fn file(&self, files: &dyn Files, path: &Path) -> Arc<MeshOnce> {
         let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
-        let size = fs::metadata(path).ok().filter(fs::Metadata::is_file).map(|metadata| metadata.len());
+        let size = files.look(path).ok().filter(Look::is_file).map(|look| look.length);
         let (Some(size), false) = (size, ending == "gltf" || ending == "glb") else { return Arc::default() };
         let alike = Arc::clone(locked(&self.by_size).entry((size, ending)).or_default());
         let mut alike = locked(&alike);
-        let same = alike.iter().find(|(other, _)| have_same_bytes(path, other).unwrap_or(false));
+        let same = alike.iter().find(|(other, _)| have_same_bytes(files, [path, other]).unwrap_or(false));
         if let Some((_, mesh)) = same {
             return Arc::clone(mesh);
         }
@@ -63,9 +65,9 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 /// Piece by piece: most files of one size are different from the first pieces on.
-fn have_same_bytes(one: &Path, other: &Path) -> io::Result<bool> {
+fn have_same_bytes(files: &dyn Files, [one, other]: [&Path; 2]) -> io::Result<bool> {
     let [mut one, mut other] =
-        [File::open(one)?, File::open(other)?].map(|file| BufReader::with_capacity(PIECE, file));
+        [files.open(one)?, files.open(other)?].map(|file| BufReader::with_capacity(PIECE, file));
     loop {
         let [a, b] = [one.fill_buf()?, other.fill_buf()?];
         let length = a.len().min(b.len());
@@ -81,14 +83,14 @@ fn have_same_bytes(one: &Path, other: &Path) -> io::Result<bool> {
 const PIECE: usize = 1 << 16;
 
 /// The mesh files of models, each once, the largest first: in this order threads that share them end at about the same time.
-pub fn mesh_files<'a>(models: impl Iterator<Item = &'a RobotModel>) -> Vec<PathBuf> {
+pub fn mesh_files<'a>(files: &dyn Files, models: impl Iterator<Item = &'a RobotModel>) -> Vec<PathBuf> {
     let mut seen = HashSet::new();
     let geometry = models.flat_map(|model| &model.links).flat_map(|link| &link.geometry);
     let paths = geometry.filter_map(|geometry| match &geometry.shape {
         GeometryShape::Mesh { path: Ok(path), .. } => Some(path),
         _ => None,
     });
-    let mut files: Vec<_> = paths.filter(|path| seen.insert(path.as_path())).cloned().collect();
-    files.sort_by_cached_key(|path| Reverse(fs::metadata(path).map_or(0, |metadata| metadata.len())));
-    files
+    let mut meshes: Vec<_> = paths.filter(|path| seen.insert(path.as_path())).cloned().collect();
+    meshes.sort_by_cached_key(|path| Reverse(files.look(path).map_or(0, |look| look.length)));
+    meshes
 }

@@ -1,9 +1,10 @@
 //! Folder that is checked: searched once for packages that no root holds.
 
 use std::collections::HashMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
+
+use polhode_source::files::Files;
 
 use super::package::package_name;
 
@@ -28,8 +29,9 @@ impl Eq for CheckedFolder {}
 
 impl CheckedFolder {
     /// Returns `None` if the folder does not exist.
-    pub fn new(named: &Path) -> Option<Self> {
-        let path = fs::canonicalize(named).ok().filter(|path| path.is_dir())?;
+    pub fn new(files: &dyn Files, named: &Path) -> Option<Self> {
+        let path = files.canonical(named).ok()?;
+        files.look(&path).is_ok_and(|look| look.is_folder()).then_some(())?;
         Some(Self { named: named.to_owned(), path, packages: OnceLock::new() })
     }
 
@@ -43,29 +45,27 @@ impl CheckedFolder {
     }
 
     /// Folders below, or the folder itself, that are called so.
-    pub(super) fn packages(&self, name: &str) -> &[PathBuf] {
-        let packages = self.packages.get_or_init(|| packages(&self.path));
+    pub(super) fn packages(&self, files: &dyn Files, name: &str) -> &[PathBuf] {
+        let packages = self.packages.get_or_init(|| packages(files, &self.path));
         packages.get(name).map_or(&[], Vec::as_slice)
     }
 }
 
 /// All folders by their names, sorted. Hidden folders are left out. Links are not followed, so the search ends.
-fn packages(root: &Path) -> HashMap<String, Vec<PathBuf>> {
+fn packages(files: &dyn Files, root: &Path) -> HashMap<String, Vec<PathBuf>> {
     let mut packages: HashMap<String, Vec<PathBuf>> = HashMap::new();
     let mut folders = vec![root.to_owned()];
     while let Some(folder) = folders.pop() {
         let own = folder.file_name().map(|name| name.to_string_lossy().into_owned());
-        let stated =
-            package_name(&folder, |file| file.starts_with(root)).filter(|name| own.as_ref() != Some(name));
+        let stated = package_name(files, &folder, |file| file.starts_with(root))
+            .filter(|name| own.as_ref() != Some(name));
         for name in own.into_iter().chain(stated) {
             packages.entry(name).or_default().push(folder.clone());
         }
-        let Ok(entries) = fs::read_dir(&folder) else { continue };
-        let is_folder = |entry: &fs::DirEntry| {
-            !entry.file_name().as_encoded_bytes().starts_with(b".")
-                && entry.file_type().is_ok_and(|kind| kind.is_dir())
+        let is_seen = |folder: &PathBuf| {
+            folder.file_name().is_some_and(|name| !name.as_encoded_bytes().starts_with(b"."))
         };
-        folders.extend(entries.flatten().filter(is_folder).map(|entry| entry.path()));
+        folders.extend(files.folders(&folder).into_iter().flatten().filter(is_seen));
     }
     packages.values_mut().for_each(|folders| folders.sort());
     packages

@@ -5,6 +5,7 @@ use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 use polhode_source::FormatError;
+use polhode_source::files::Files;
 use polhode_source::read_text_file;
 use polhode_source::xml::{plain, second_root};
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
@@ -26,7 +27,7 @@ pub(super) enum Naming {
 }
 
 /// The texts of a model, the main one first.
-pub(super) struct Files {
+pub(super) struct ModelFiles {
     pub(super) sources: Vec<Source>,
     /// The texts made plain.
     copies: Vec<String>,
@@ -46,9 +47,14 @@ struct Waiting {
     main: usize,
 }
 
-impl Files {
+impl ModelFiles {
     /// Reads all files of a model.
-    pub(super) fn of(text: String, path: &Path, roots: &Roots, naming: Naming) -> Result<Self, FormatError> {
+    pub(super) fn of(
+        text: String,
+        path: &Path,
+        roots: &Roots<'_>,
+        naming: Naming,
+    ) -> Result<Self, FormatError> {
         let mut files = Self {
             sources: vec![],
             copies: vec![],
@@ -63,7 +69,7 @@ impl Files {
         // those that are read once and may be named often
         let mut models = HashMap::new();
         if naming == Naming::Sdf
-            && let Ok(own) = std::fs::canonicalize(path)
+            && let Ok(own) = roots.files.canonical(path)
         {
             models.insert(own, 0);
         }
@@ -71,7 +77,7 @@ impl Files {
         let mut number = 0;
         while number < waiting.len() {
             let Some(Waiting { source, main }) = waiting.get(number) else { break };
-            let (main, folder) = (*main, folder(&source.path));
+            let (main, folder) = (*main, folder(roots.files, &source.path));
             let main_folder = files.folders.get(main).unwrap_or(&folder).clone();
             let (copy, named) = files.named(source, naming)?;
             for Named { byte, element, file, is_model } in named {
@@ -97,12 +103,13 @@ impl Files {
                     files.links.insert((number, byte), target);
                     continue;
                 }
-                let is_own = waiting.get(main).is_some_and(|file| same(&file.source.path, &found));
+                let is_own =
+                    waiting.get(main).is_some_and(|file| same(roots.files, &file.source.path, &found));
                 let is_known = !is_model && (is_own || !included.insert((main, found.clone())));
                 if is_known || waiting.len() >= MOST_FILES {
                     return Err(refused(&waiting, number, element, &file, is_known));
                 }
-                let text = read_text_file(&found, |text| Ok(text.to_owned()))?;
+                let text = read_text_file(roots.files, &found, |text| Ok(text.to_owned()))?;
                 let target = waiting.len();
                 let start = next;
                 next += text.len() + 1;
@@ -241,13 +248,13 @@ fn source_span(files: &[Waiting], number: usize, span: &Span) -> Span {
 }
 
 /// The folder of a file.
-fn folder(path: &Path) -> PathBuf {
+fn folder(files: &dyn Files, path: &Path) -> PathBuf {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    std::fs::canonicalize(folder).unwrap_or_else(|_| folder.to_owned())
+    files.canonical(folder).unwrap_or_else(|_| folder.to_owned())
 }
 
-fn same(path: &Path, canonical: &Path) -> bool {
-    std::fs::canonicalize(path).is_ok_and(|path| path == canonical)
+fn same(files: &dyn Files, path: &Path, canonical: &Path) -> bool {
+    files.canonical(path).is_ok_and(|path| path == canonical)
 }
 
 /// MuJoCo refuses a file that is included twice; in itself it would never end.

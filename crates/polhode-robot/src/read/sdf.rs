@@ -21,7 +21,7 @@ use crate::model::{
     RobotModel, Role, Tensor,
 };
 use crate::pose::of_roll_pitch_yaw;
-use crate::read::files::Files;
+use crate::read::files::ModelFiles;
 use crate::read::pose::Reading;
 use crate::read::unread;
 use crate::read::uri::Roots;
@@ -32,8 +32,8 @@ use gather::{gather, require_few, require_short};
 /// Fills the model with what the root says.
 pub(super) fn read(
     root: Element<'_>,
-    files: &Files,
-    roots: &Roots,
+    files: &ModelFiles,
+    roots: &Roots<'_>,
     model: &mut RobotModel,
 ) -> Result<(), ContentError> {
     let mut frames = Frames::default();
@@ -41,7 +41,7 @@ pub(super) fn read(
     let gathered = gather(root, &mut frames, model, most_name_bytes)?;
     frames.resolve(&mut model.notes);
     let (mut name_bytes, mut shapes) = (0, 0);
-    let measured = Shapes::default();
+    let measured = Shapes::default().from_files(roots.files);
     for (element, scope, frame) in gathered.links {
         let folder = files.folder(element);
         let link = link(element, scope, frame, &frames, (roots, folder, &measured), &mut model.notes);
@@ -91,7 +91,7 @@ fn link(
     scope: usize,
     frame: usize,
     frames: &Frames<'_>,
-    (roots, folder, measured): (&Roots, &Path, &Shapes<'_>),
+    (roots, folder, measured): (&Roots<'_>, &Path, &Shapes<'_>),
     notes: &mut Vec<Note>,
 ) -> Link {
     let name = full_name(element, scope, frames);
@@ -162,7 +162,7 @@ fn inertial(element: Element<'_>) -> Inertial {
     }
 }
 
-fn shape(element: Element<'_>, (roots, folder): (&Roots, &Path)) -> GeometryShape {
+fn shape(element: Element<'_>, (roots, folder): (&Roots<'_>, &Path)) -> GeometryShape {
     let Some(shape) = element.child("geometry").and_then(|geometry| geometry.children().next()) else {
         return GeometryShape::Other("no geometry".to_owned());
     };

@@ -20,7 +20,7 @@ use crate::read::uri::Roots;
 use crate::read::xml::{Element, Written, slot};
 
 /// Fills the model with what the root says.
-pub(super) fn read(root: Element<'_>, roots: &Roots, model: &mut RobotModel) -> Result<(), ContentError> {
+pub(super) fn read(root: Element<'_>, roots: &Roots<'_>, model: &mut RobotModel) -> Result<(), ContentError> {
     if let Some(span) = macros(root) {
         return Err(xacro(&model.path, span));
     }
@@ -133,7 +133,7 @@ fn xacro(path: &Path, span: Span) -> ContentError {
         .hint(format!("expand it first: xacro {file} > {out}"))
 }
 
-fn link(element: Element<'_>, roots: &Roots, notes: &mut Vec<Note>) -> Link {
+fn link(element: Element<'_>, roots: &Roots<'_>, notes: &mut Vec<Note>) -> Link {
     let name = name(element, "name");
     unread::urdf(element, &name.text, notes);
     let inertial = element.child("inertial").map(inertial);
@@ -191,7 +191,7 @@ fn origin(element: Element<'_>) -> Pose {
     reading.pose(position, of_roll_pitch_yaw(angles))
 }
 
-fn shape(element: Element<'_>, roots: &Roots) -> GeometryShape {
+fn shape(element: Element<'_>, roots: &Roots<'_>) -> GeometryShape {
     let Some(shape) = element.child("geometry").and_then(|geometry| geometry.children().next()) else {
         return GeometryShape::Other("no geometry".to_owned());
     };

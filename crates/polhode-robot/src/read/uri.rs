@@ -3,9 +3,10 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
+
+use polhode_source::files::Files;
 
 use crate::model::{GeometryShape, Note, RobotModel};
 use crate::read::ReadOptions;
@@ -15,7 +16,8 @@ use crate::read::xml::{Element, with_root};
 
 /// Folders that a model's files may lie in.
 #[derive(Debug)]
-pub(super) struct Roots {
+pub(super) struct Roots<'a> {
+    pub(super) files: &'a dyn Files,
     /// The model's own folder, if it can be said.
     folder: Option<PathBuf>,
     /// All of them, canonical, each with the names of the package that it is.
@@ -27,29 +29,35 @@ pub(super) struct Roots {
     found: RefCell<BTreeMap<String, String>>,
 }
 
-impl Roots {
+impl<'a> Roots<'a> {
     /// The roots of a model: its own folder; the nearest folder around it that is a package, having `package.xml` or
     /// `model.config`; and those that the user gives, or these alone.
-    pub(super) fn of(model: &Path, options: &ReadOptions) -> Self {
+    pub(super) fn of(model: &Path, options: &ReadOptions<'a>) -> Self {
+        let files = options.files;
         let folder =
             model.parent().map(|folder| if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
-        let folder = folder.and_then(|folder| fs::canonicalize(folder).ok());
+        let folder = folder.and_then(|folder| files.canonical(folder).ok());
         let package =
-            folder.as_deref().and_then(|folder| folder.ancestors().find(|folder| is_package(folder)));
+            folder.as_deref().and_then(|folder| folder.ancestors().find(|folder| is_package(files, folder)));
         // a model's own package is what it means by that name, wherever others of the name are
         let mut roots: Vec<PathBuf> = Vec::new();
         if !options.confined {
             roots.extend(package.map(Path::to_owned));
             roots.extend(folder.clone());
         }
-        roots.extend(options.roots.iter().filter_map(|root| fs::canonicalize(root).ok()));
+        roots.extend(options.roots.iter().filter_map(|root| files.canonical(root).ok()));
         let mut seen = std::collections::HashSet::new();
         roots.retain(|root| seen.insert(root.clone()));
         let holds = |path: &Path| roots.iter().any(|root| path.starts_with(root));
-        let roots = roots.iter().map(|root| (root.clone(), names(root, holds))).collect();
+        let roots = roots.iter().map(|root| (root.clone(), names(files, root, holds))).collect();
         let confined = options.confined;
         let checked = options.checked.clone().filter(|_| !confined);
-        Self { folder, roots, confined, checked, found: RefCell::default() }
+        Self { files, folder, roots, confined, checked, found: RefCell::default() }
+    }
+
+    /// The model's own folder, canonical.
+    pub(super) const fn folder(&self) -> &Option<PathBuf> {
+        &self.folder
     }
 
     /// Notes where packages were found that no root is or holds.
@@ -72,18 +80,18 @@ impl Roots {
     ///
     /// `within` is a folder below the model's own that relative paths start at: `meshdir` of MJCF.
     pub(super) fn resolve(&self, uri: &str, within: &Path) -> Result<PathBuf, String> {
-        self.resolved(uri, within, |file| file.is_file().then(|| file.to_owned()))
+        self.resolved(uri, within, |file| self.files.is_file(file).then(|| file.to_owned()))
     }
 
     /// The SDF file of a model that a URI names: itself a file, or a folder whose `model.config` says which.
     pub(super) fn resolve_model(&self, uri: &str, within: &Path) -> Result<PathBuf, String> {
         self.resolved(uri.trim_end_matches('/'), within, |found| {
-            if found.is_file() {
+            if self.files.is_file(found) {
                 return Some(found.to_owned());
             }
-            let file = model_file(found, |path| self.holds(path))
-                .and_then(|file| fs::canonicalize(found.join(file)).ok())?;
-            (self.holds(&file) && file.is_file()).then_some(file)
+            let file = model_file(self.files, found, |path| self.holds(path))
+                .and_then(|file| self.files.canonical(&found.join(file)).ok())?;
+            (self.holds(&file) && self.files.is_file(&file)).then_some(file)
         })
     }
 
@@ -142,7 +150,7 @@ impl Roots {
         if !holds(&path) {
             return Err(true);
         }
-        match fs::canonicalize(&path) {
+        match self.files.canonical(&path) {
             Ok(file) if holds(&file) => Ok(file),
             Ok(_) => Err(true),
             Err(_) => Err(false),
@@ -196,8 +204,9 @@ impl Roots {
         path: &str,
         take: &impl Fn(&Path) -> Option<PathBuf>,
     ) -> Option<PathBuf> {
-        let is_package =
-            |folder: &Path| names(folder, |file| file.starts_with(folder)).iter().any(|name| name == package);
+        let is_package = |folder: &Path| {
+            names(self.files, folder, |file| file.starts_with(folder)).iter().any(|name| name == package)
+        };
         let ancestors = self.folder.iter().flat_map(|folder| folder.ancestors());
         let (folder, file) = ancestors
             .filter(|folder| is_package(folder))
@@ -217,7 +226,7 @@ impl Roots {
         path: &str,
         take: &impl Fn(&Path) -> Option<PathBuf>,
     ) -> Result<Option<PathBuf>, String> {
-        let folders = self.checked.iter().flat_map(|checked| checked.packages(package));
+        let folders = self.checked.iter().flat_map(|checked| checked.packages(self.files, package));
         let files: Vec<_> =
             folders.filter_map(|folder| Some((folder, self.file_in(folder, path, take)?))).collect();
         match files.as_slice() {
@@ -294,23 +303,23 @@ impl Roots {
 }
 
 /// Whether ROS or Gazebo would call the folder a package or a model.
-fn is_package(folder: &Path) -> bool {
-    ["package.xml", "model.config"].iter().any(|file| folder.join(file).is_file())
+fn is_package(files: &dyn Files, folder: &Path) -> bool {
+    ["package.xml", "model.config"].iter().any(|file| files.is_file(&folder.join(file)))
 }
 
 /// The file that `model.config` names: of several, that of the latest SDFormat, as libsdformat takes it. Without one, `model.sdf`.
-fn model_file(folder: &Path, holds: impl Fn(&Path) -> bool) -> Option<String> {
+fn model_file(files: &dyn Files, folder: &Path, holds: impl Fn(&Path) -> bool) -> Option<String> {
     /// It has some hundred bytes.
     const MOST: u64 = 1 << 16;
     // It may be a link to somewhere else.
-    let Ok(config) = fs::canonicalize(folder.join("model.config")) else {
+    let Ok(config) = files.canonical(&folder.join("model.config")) else {
         return Some("model.sdf".to_owned());
     };
-    if !holds(&config) || !config.is_file() {
+    if !holds(&config) || !files.is_file(&config) {
         return None;
     }
     let mut text = String::new();
-    let file = fs::File::open(config).ok()?;
+    let file = files.open(&config).ok()?;
     std::io::Read::read_to_string(&mut std::io::Read::take(file, MOST), &mut text).ok()?;
     let named = with_root(&text, |root| {
         let version = |element: &Element<'_>| {
@@ -325,9 +334,9 @@ fn model_file(folder: &Path, holds: impl Fn(&Path) -> bool) -> Option<String> {
 }
 
 /// Names of a folder as a package: its last component, and the name in its `package.xml`.
-fn names(folder: &Path, holds: impl Fn(&Path) -> bool) -> Vec<String> {
+fn names(files: &dyn Files, folder: &Path, holds: impl Fn(&Path) -> bool) -> Vec<String> {
     let own = folder.file_name().map(|name| name.to_string_lossy().into_owned());
-    own.into_iter().chain(package_name(folder, holds)).collect()
+    own.into_iter().chain(package_name(files, folder, holds)).collect()
 }
 
 /// The path without `.` and `..`, by its words alone.

@@ -8,6 +8,7 @@ use polhode_robot::check::LinkGeometry;
 use polhode_robot::geometry::{MeshReading, Shapes, Volume, VolumeKind, mesh_files};
 use polhode_robot::model::{Geometry, GeometryShape, Link, Name, Pose, Role};
 use polhode_robot::read::{ReadOptions, read_text};
+use polhode_source::files::Disk;
 
 /// A pose about a generic axis, and the same as a place and a matrix.
 fn generic(k: usize) -> (Pose, [f64; 3], Matrix) {
@@ -384,5 +385,5 @@ fn mesh_files_come_once_and_the_largest_first() {
         model
     };
     let models = [robot(&[&none, &small]), robot(&[&small, &large, &small])];
-    assert_eq!(mesh_files(models.iter()), [large, small, none]);
+    assert_eq!(mesh_files(&Disk, models.iter()), [large, small, none]);
 }

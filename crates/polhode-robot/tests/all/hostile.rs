@@ -158,8 +158,7 @@ fn found(model: &Path, uri: &str, roots: &[&Path]) -> Result<PathBuf, String> {
     fs::write(model, text).unwrap();
     let options = ReadOptions {
         roots: roots.iter().map(|root| root.to_path_buf()).collect(),
-        confined: false,
-        checked: None,
+        ..ReadOptions::default()
     };
     let model = read_model(model, &options).unwrap();
     match &model.links[0].geometry[0].shape {
@@ -373,7 +372,7 @@ fn a_confined_model_has_its_roots_and_no_others() {
         let text = format!(
             "<robot><link name=\"a\"><visual><geometry><mesh filename=\"{uri}\"/></geometry></visual></link></robot>"
         );
-        let options = ReadOptions { roots: vec![inner.clone()], confined, checked: None };
+        let options = ReadOptions { roots: vec![inner.clone()], confined, ..ReadOptions::default() };
         let model = read_text(&text, &inner.join("arm.urdf"), &options).unwrap();
         match &model.links[0].geometry[0].shape {
             GeometryShape::Mesh { path, .. } => path.is_ok(),

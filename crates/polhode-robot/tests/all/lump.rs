@@ -136,6 +136,7 @@ fn model(links: Vec<Link>, joints: Vec<Joint>) -> RobotModel {
     let (path, text) = ("robot.urdf".into(), String::new());
     RobotModel {
         path,
+        folder: None,
         format: ModelFormat::Urdf,
         text,
         is_si: true,

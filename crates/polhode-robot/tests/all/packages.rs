@@ -1,6 +1,7 @@
 //! Packages that no root is or holds: found in an ancestor folder of their name, or below the
 //! checked folder. Other files stay closed.
 
+use polhode_source::files::Disk;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -26,8 +27,8 @@ fn urdf(uri: &str) -> String {
     )
 }
 
-fn in_folder(folder: &Folder, checked: &str) -> ReadOptions {
-    let checked = CheckedFolder::new(&folder.path(checked)).map(Arc::new);
+fn in_folder(folder: &Folder, checked: &str) -> ReadOptions<'static> {
+    let checked = CheckedFolder::new(&Disk, &folder.path(checked)).map(Arc::new);
     assert!(checked.is_some());
     ReadOptions { checked, ..ReadOptions::default() }
 }
@@ -67,7 +68,7 @@ fn an_ancestor_folder_with_the_packages_name_is_the_package() {
     assert_eq!(mesh(&model), Ok(folder.path("source/meshes/block.stl")));
     // not where the roots are all that may be opened
     let roots = vec![folder.path("thing_description/urdf")];
-    let confined = ReadOptions { roots, confined: true, checked: None };
+    let confined = ReadOptions { roots, confined: true, ..ReadOptions::default() };
     let model = read_model(&folder.path("thing_description/urdf/deep/thing.urdf"), &confined).unwrap();
     assert!(mesh(&model).unwrap_err().contains("no root holds it"));
 }

@@ -286,7 +286,8 @@ fn no_link_leads_out_of_a_confined_folder() {
     );
     symlink(folder.path("outside/package.xml"), folder.path("inside/package.xml")).unwrap();
     symlink(folder.path("outside/model.config"), folder.path("inside/linked/model.config")).unwrap();
-    let options = ReadOptions { roots: vec![folder.path("inside")], confined: true, checked: None };
+    let options =
+        ReadOptions { roots: vec![folder.path("inside")], confined: true, ..ReadOptions::default() };
     let model = |text: &str, file: &str| read_text(text, &folder.path(file), &options).unwrap();
     let urdf = "<robot><link name=\"a\"><visual><geometry><mesh filename=\"package://secret/part.stl\"/></geometry></visual></link></robot>";
     let shape = format!("{:?}", model(urdf, "inside/a.urdf").links[0].geometry[0].shape);
@@ -317,7 +318,7 @@ fn a_models_own_package_goes_before_others_of_its_name() {
         ],
     );
     let text = "<robot><link name=\"a\"><visual><geometry><mesh filename=\"package://arm/part.stl\"/></geometry></visual></link></robot>";
-    let options = ReadOptions { roots: vec![folder.path("old")], confined: false, checked: None };
+    let options = ReadOptions { roots: vec![folder.path("old")], confined: false, ..ReadOptions::default() };
     let model = read_text(text, &folder.path("new/arm/arm.urdf"), &options).unwrap();
     let shape = format!("{:?}", model.links[0].geometry[0].shape);
     assert!(shape.contains("new/arm/part.stl") || shape.contains("new\\\\arm"), "{shape}");

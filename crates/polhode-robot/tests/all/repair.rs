@@ -13,6 +13,7 @@ const TEXT: &str =
 fn model() -> RobotModel {
     RobotModel {
         path: "robot.urdf".into(),
+        folder: None,
         format: ModelFormat::Urdf,
         text: TEXT.to_owned(),
         is_si: true,

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use polhode::body::{BodyPart, Finding, InertiaTensor, MassProperties};
 use polhode::math::{AngularVelocity, Body, Position};
 use polhode::motion::{ActingTorque, Event, MotionError, Rotor, Scenario};
+use polhode_source::files::{Disk, Files};
 use polhode_source::toml::reader::Table;
 use polhode_source::toml::source::Source;
 use polhode_source::toml::tree::Entries;
@@ -53,8 +54,8 @@ impl Actions {
     ///
     /// # Errors
     /// [`FormatError`] as [`read`](super::read), and where there are other tables.
-    pub fn parse(text: String, path: &Path, is_held: bool) -> Result<Self, FormatError> {
-        let source = Source::new(path, &text);
+    pub fn parse(files: &dyn Files, text: String, path: &Path, is_held: bool) -> Result<Self, FormatError> {
+        let source = Source::new(files, path, &text);
         let entries = document(source)?;
         let root = Table::root(source, &entries);
         root.allow(&["orbit", "torque", "wheel", "event"])?;
@@ -105,7 +106,7 @@ impl Actions {
         if !self.has_wheels {
             return Ok(rotor);
         }
-        let root = Table::root(Source::new(&self.path, &self.text), &self.entries);
+        let root = Table::root(Source::new(&Disk, &self.path, &self.text), &self.entries);
         let wheels = wheel::turning(&rotor, &wheel::wheels(&root)?, omega)?;
         rotor.with_wheels(&wheels).map_err(|error| root.error(FormatErrorKind::Motion(error)))
     }
@@ -160,6 +161,8 @@ mod tests {
     use polhode::math::Direction;
     use polhode::motion::{Motor, Wheel};
 
+    use polhode_source::files::Memory;
+
     use super::*;
     use crate::read as scenario;
 
@@ -196,7 +199,8 @@ then = { switch = "brake", on = true }
              inertia = [[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]]\nproducts = \"negative_integral\"\n"
         );
         let whole = scenario::parse(&whole, "whole.toml".as_ref()).unwrap();
-        let actions = Actions::parse(ACTIONS.to_owned(), "actions.toml".as_ref(), true).unwrap();
+        let actions =
+            Actions::parse(&Memory::default(), ACTIONS.to_owned(), "actions.toml".as_ref(), true).unwrap();
         let found = actions.scenario();
         assert_eq!((found.torques(), found.events()), (whole.torques(), whole.events()));
         assert_eq!(
@@ -215,7 +219,8 @@ then = { switch = "brake", on = true }
     #[test]
     fn what_is_refused() {
         let read = |text: &str, is_held| {
-            let error = Actions::parse(text.to_owned(), "actions.toml".as_ref(), is_held).unwrap_err();
+            let error = Actions::parse(&Memory::default(), text.to_owned(), "actions.toml".as_ref(), is_held)
+                .unwrap_err();
             error.to_string()
         };
         let gravity = "[[torque]]\nmodel = \"gravity\"\n";
@@ -225,7 +230,8 @@ then = { switch = "brake", on = true }
         assert!(read(orbit, true).contains("the bodies are held at a pivot"));
         assert!(read(&format!("{orbit}mass = \"points\"\n"), false).contains("not every part"));
         assert!(read("[run]\nduration = 1\n", false).contains("run"));
-        let actions = Actions::parse(ACTIONS.to_owned(), "actions.toml".as_ref(), true).unwrap();
+        let actions =
+            Actions::parse(&Memory::default(), ACTIONS.to_owned(), "actions.toml".as_ref(), true).unwrap();
         let small = MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal([0.1; 3]).unwrap());
         let refused = actions.with_wheels(Rotor::free(&small.unwrap()), AngularVelocity::ZERO).unwrap_err();
         assert!(refused.to_string().starts_with("actions.toml:15:11: "), "{refused}");

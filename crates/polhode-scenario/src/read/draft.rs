@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use polhode_shape::mesh::MeshSolid;
 use polhode_source::FormatError;
+use polhode_source::files::{Disk, Files, Listed, Memory};
 use polhode_source::toml::source::{Source, Watch};
 use polhode_source::toml::tree;
 use polhode_source::toml::tree::{Entries, Kind};
@@ -32,7 +33,7 @@ use super::{ScenarioFile, TOP, document, file_of_root};
 /// assert_eq!((radius.value, radius.unit.as_str()), (0.02, "mm"));
 ///
 /// let other = text.replace("shape = \"sphere\"\nradius = \"20 mm\"", "shape = \"mesh\"\nfile = \"other.stl\"");
-/// assert!(draft.read(other).unwrap_err().to_string().contains("was opened with the scenario"));
+/// assert!(draft.read(&Memory::default(), other).unwrap_err().to_string().contains("was opened with the scenario"));
 /// # Ok::<(), polhode_source::FormatError>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -51,7 +52,7 @@ impl Draft {
 
     /// A draft that may name the files that `text` names: that of a file which its user opened.
     pub fn trusting(path: &Path, text: &str) -> Self {
-        let source = Source::new(path, text);
+        let source = Source::new(&Disk, path, text);
         let mut files = Vec::new();
         for entry in tree::parse(text).iter().flat_map(Entries::values) {
             entry.node.each_leaf(&mut |leaf| {
@@ -89,8 +90,8 @@ impl Draft {
     ///
     /// # Errors
     /// As [`scenario::read`](super::read), and of a file that the draft may not name.
-    pub fn read(&mut self, text: String) -> Result<ScenarioFile, FormatError> {
-        self.read_watched(text, &|| true)
+    pub fn read(&mut self, files: &dyn Files, text: String) -> Result<ScenarioFile, FormatError> {
+        self.read_watched(files, text, &|| true)
     }
 
     /// The same as long as it `goes_on`, which is asked often where a mesh is looked at: of what would take longer it is undecided whether
@@ -100,13 +101,15 @@ impl Draft {
     /// As [`Draft::read`].
     pub fn read_watched(
         &mut self,
+        files: &dyn Files,
         text: String,
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<ScenarioFile, FormatError> {
         let mesh = self.mesh.take();
-        let (files, watch) = (Some(&self.files), Watch(goes_on));
+        let listed = Listed { files, paths: &self.files };
+        let watch = Watch(goes_on);
         let kept = mesh.as_deref().map(|mesh| mesh as &(dyn Any + Send + Sync));
-        let source = Source { files, watch, kept, headings: &TOP, ..Source::new(&self.path, &text) };
+        let source = Source { watch, kept, headings: &TOP, ..Source::new(&listed, &self.path, &text) };
         let mut entries = document(source)?;
         tree::adopt(&mut entries, &self.last);
         let read = file_of_root(source, &entries);
@@ -150,9 +153,9 @@ impl Draft {
     /// What the reader asks a text for; nothing if it is no TOML.
     fn asked(&self, text: &str) -> Option<Vec<Question>> {
         let asked = Asked::default();
-        let nothing = BTreeSet::new();
-        let new = Source::new(&self.path, text);
-        let source = Source { files: Some(&nothing), asked: Some(&asked), headings: &TOP, ..new };
+        let nothing = Memory::default();
+        let new = Source::new(&nothing, &self.path, text);
+        let source = Source { asked: Some(&asked), headings: &TOP, ..new };
         let mut entries = tree::parse(text).ok()?;
         tree::adopt(&mut entries, &self.last);
         // Where it ends is beyond what was asked for.

@@ -60,8 +60,8 @@ use std::path::{Path, PathBuf};
 
 use polhode::motion::{ActingTorque, MotionError, Rotor, Scenario};
 use polhode_shape::mesh::stl;
-use polhode_source::Confinement;
 use polhode_source::file;
+use polhode_source::files::{Disk, Files};
 use polhode_source::toml::reader::Table;
 use polhode_source::toml::source::Source;
 use polhode_source::toml::tree::Entries;
@@ -117,7 +117,7 @@ pub const TOP: [&str; 16] = [
 /// duration = "1 s"
 /// samples = 2
 /// "#;
-/// let file = ScenarioFile::parse(text.to_owned(), "ball.toml".as_ref())?;
+/// let file = ScenarioFile::parse(&Memory::default(), text.to_owned(), "ball.toml".as_ref())?;
 /// let error = file.scenario.simulate().and_then(Result::err).ok_or("it is finite")?;
 /// let placed = file.placed(&error).ok_or("it has no place")?;
 /// assert_eq!(placed.to_string(), "ball.toml:9:16: torque 1 is not finite at the start: (0, inf, 0) N·m in body axes");
@@ -142,27 +142,16 @@ impl ScenarioFile {
     ///
     /// # Errors
     /// As [`read`].
-    pub fn read(path: &Path) -> Result<Self, FormatError> {
-        Self::parse(text_of(path)?, path)
-    }
-
-    /// Reads a scenario that a data file names: its own files have to lie in these folders.
-    ///
-    /// # Errors
-    /// As [`read`], and of a file elsewhere.
-    pub fn read_within(path: &Path, folders: &Confinement) -> Result<Self, FormatError> {
-        let text = text_of(path)?;
-        let source = Source { within: Some(folders), headings: &TOP, ..Source::new(path, &text) };
-        let (scenario, tables, torques) = file_of_root(source, &document(source)?)?;
-        Ok(Self { scenario, tables, torques, path: path.to_owned(), text })
+    pub fn read(files: &dyn Files, path: &Path) -> Result<Self, FormatError> {
+        Self::parse(files, text_of(files, path)?, path)
     }
 
     /// Reads a scenario from its text; `path` is for messages, and for the files that the scenario names.
     ///
     /// # Errors
     /// As [`read`].
-    pub fn parse(text: String, path: &Path) -> Result<Self, FormatError> {
-        let source = Source { headings: &TOP, ..Source::new(path, &text) };
+    pub fn parse(files: &dyn Files, text: String, path: &Path) -> Result<Self, FormatError> {
+        let source = Source { headings: &TOP, ..Source::new(files, path, &text) };
         let (scenario, tables, torques) = file_of_root(source, &document(source)?)?;
         Ok(Self { scenario, tables, torques, path: path.to_owned(), text })
     }
@@ -192,19 +181,19 @@ impl ScenarioFile {
 /// # Errors
 /// [`FormatError`] if it, or a file that it names, cannot be read or describes no body or no motion.
 pub fn read(path: &Path) -> Result<Scenario, FormatError> {
-    ScenarioFile::read(path).map(|file| file.scenario)
+    ScenarioFile::read(&Disk, path).map(|file| file.scenario)
 }
 
 /// Reads the text of a scenario file, of up to 64 MiB.
 ///
 /// # Errors
 /// [`FormatError`] if the file cannot be read, is larger, or is not UTF-8.
-pub fn text_of(path: &Path) -> Result<String, FormatError> {
-    polhode_source::toml::text_of(path).map_err(|error| match error.kind() {
+pub fn text_of(files: &dyn Files, path: &Path) -> Result<String, FormatError> {
+    polhode_source::toml::text_of(files, path).map_err(|error| match error.kind() {
         FormatErrorKind::Io { .. } | FormatErrorKind::Utf16 => error,
         _ => perhaps_mesh(
             error,
-            &file::bytes(path, "", polhode_source::toml::LARGEST_FILE).unwrap_or_default(),
+            &file::bytes(files, path, "", polhode_source::toml::LARGEST_FILE).unwrap_or_default(),
         ),
     })
 }
@@ -242,7 +231,7 @@ fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
 /// # Errors
 /// As [`read`].
 pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
-    ScenarioFile::parse(text.to_owned(), path).map(|file| file.scenario)
+    ScenarioFile::parse(&Disk, text.to_owned(), path).map(|file| file.scenario)
 }
 
 /// The tree of a file.

@@ -32,7 +32,7 @@ pub(crate) fn molecule(
         None => Isotopes::default(),
     };
     let read = || {
-        let molecules = molecule::read(&path, format).map_err(|error| match error.kind() {
+        let molecules = molecule::read(file.files(), &path, format).map_err(|error| match error.kind() {
             // A file that is not there has no lines: the scenario's line is to blame.
             kind @ FormatErrorKind::Io { .. } => file
                 .error(kind.clone())

@@ -169,7 +169,7 @@ impl<'a> MeshFile<'a> {
         let unit = table.get("unit").map(|value| length_unit(&value)).transpose()?;
         let path = value.path()?;
         let Some(format) = MeshFormat::of_path(&path) else {
-            let hint = match BrepFormat::of(&path) {
+            let hint = match BrepFormat::of(value.files(), &path) {
                 Some(format) => format!("{}: {}", format.refusal(), format.hint(&path)),
                 None => {
                     let known = MeshFormat::ALL.iter().flat_map(|format| format.extensions()).copied();
@@ -186,7 +186,7 @@ impl<'a> MeshFile<'a> {
 
     /// What it holds, each part mended by itself, as the command does.
     fn contents(&self) -> Result<(MeshContents, Vec<MeshRepair>), FormatError> {
-        let contents = MeshContents::read_as(&self.path, self.written, self.format)?;
+        let contents = MeshContents::read_as(self.value.files(), &self.path, self.written, self.format)?;
         contents.mended(self.weld, self.fill, self.unit, &self.path)
     }
 

@@ -7,6 +7,7 @@ use polhode::math::formula::Formula;
 use polhode::math::{Body, Position};
 use polhode::motion::Scenario;
 use polhode_source::expression::condition;
+use polhode_source::files::{Disk, Files};
 use polhode_source::toml::source::Source;
 use polhode_source::toml::tree::{Entries, Node, Replacement, replace};
 use polhode_source::unit::Dimension;
@@ -23,6 +24,7 @@ use super::{document, read_root, text_of};
 ///
 /// ```
 /// use polhode_scenario::read::Template;
+/// use polhode_source::files::Memory;
 /// let plan = r#"
 /// [[body.part]]
 /// shape = "sphere"
@@ -34,7 +36,7 @@ use super::{document, read_root, text_of};
 /// sampling = "monte carlo"
 /// vary = [{ key = "body.part[0].mass", uniform = { from = "0.4 kg", to = "600 g" } }]
 /// "#;
-/// let template = Template::parse(plan.to_owned(), "balls.toml".as_ref())?;
+/// let template = Template::parse(&Memory::default(), plan.to_owned(), "balls.toml".as_ref())?;
 /// let mass = template.sweep()?.vary[0].target.clone();
 /// let heavy = template.scenario([(&mass, &[0.6][..])])?;
 /// assert_eq!(heavy.body().mass(), 0.6);
@@ -55,16 +57,16 @@ impl Template {
     ///
     /// # Errors
     /// As [`scenario::read`](super::read).
-    pub fn read(path: &Path) -> Result<Self, FormatError> {
-        Self::parse(text_of(path)?, path)
+    pub fn read(files: &dyn Files, path: &Path) -> Result<Self, FormatError> {
+        Self::parse(files, text_of(files, path)?, path)
     }
 
     /// Reads a scenario, which may have a `[sweep]`, from its text.
     ///
     /// # Errors
     /// As [`scenario::read`](super::read).
-    pub fn parse(text: String, path: &Path) -> Result<Self, FormatError> {
-        let source = Source::new(path, &text);
+    pub fn parse(files: &dyn Files, text: String, path: &Path) -> Result<Self, FormatError> {
+        let source = Source::new(files, path, &text);
         let entries = document(source)?;
         let (nominal, _) = read_root(source, &entries)?;
         let mut files = Vec::new();
@@ -129,8 +131,9 @@ impl Template {
             .map_err(|error| self.source().formula(question.place.clone(), &question.condition, error))
     }
 
+    /// The text again, of which no file is opened: what is in them is known.
     fn source(&self) -> Source<'_> {
-        Source { is_shown: false, ..Source::new(&self.path, &self.text) }
+        Source { is_shown: false, ..Source::new(&Disk, &self.path, &self.text) }
     }
 
     /// Puts other values in the place of a target.
@@ -236,7 +239,7 @@ mod tests {
             if path.extension().is_none_or(|extension| extension != "toml") {
                 continue;
             }
-            let template = Template::read(&path).unwrap();
+            let template = Template::read(&Disk, &path).unwrap();
             let mut found = Vec::new();
             for (key, entry) in &template.entries {
                 numbers(&entry.node, &[Step::Key(key.clone())], &mut found);
@@ -268,7 +271,7 @@ mod tests {
     #[test]
     fn nothing_changed_is_nothing_changed() {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/bracket.toml");
-        let template = Template::read(&path).unwrap();
+        let template = Template::read(&Disk, &path).unwrap();
         assert_eq!(template.files().len(), 1);
         assert_eq!(comparable(template.scenario([]).unwrap()), comparable(template.nominal().clone()));
     }

@@ -1,5 +1,6 @@
 //! The files of a scenario, and those that it names: found, missing, broken.
 
+use polhode_source::files::Disk;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -76,22 +77,22 @@ fn a_draft_that_knows_a_mesh_reads_no_file_in_the_unit_that_it_knows() {
     let text = |unit: &str| {
         format!("[[body.part]]\nshape = 'mesh'\nfile = 'part.stl'\nunit = '{unit}'\ndensity = '4 g/cm^3'\n")
     };
-    let contents = MeshContents::parse(stl(&CORNER).as_bytes(), &path, MeshFormat::Stl).unwrap();
+    let contents = MeshContents::parse(&Disk, stl(&CORNER).as_bytes(), &path, MeshFormat::Stl).unwrap();
     let solid = MeshSolid::of(contents, &path, MeshFormat::Stl, Some(0.001)).unwrap();
     let draft = || scenario::Draft::new(&path, [path.clone()]);
     let mut knowing = draft().knowing(path.clone(), Some(0.001), solid.clone());
     // There is no such file. What was read stays known.
     for _again in 0..2 {
-        assert!((knowing.read(text("mm")).unwrap().scenario.body().mass() - 4e-6).abs() < 1e-20);
+        assert!((knowing.read(&Disk, text("mm")).unwrap().scenario.body().mass() - 4e-6).abs() < 1e-20);
     }
     let is_missing = |read: Result<_, polhode_source::FormatError>| {
         matches!(read.map(|_: scenario::ScenarioFile| ()).unwrap_err().kind(), FormatErrorKind::Io { .. })
     };
-    assert!(is_missing(draft().knowing(path.clone(), Some(0.001), solid.clone()).read(text("m"))));
+    assert!(is_missing(draft().knowing(path.clone(), Some(0.001), solid.clone()).read(&Disk, text("m"))));
     knowing.forget();
-    assert!(is_missing(knowing.read(text("mm"))));
+    assert!(is_missing(knowing.read(&Disk, text("mm"))));
     let other = path.with_file_name("other.stl");
-    assert!(is_missing(draft().knowing(other, Some(0.001), solid).read(text("mm"))));
+    assert!(is_missing(draft().knowing(other, Some(0.001), solid).read(&Disk, text("mm"))));
 }
 
 #[test]
@@ -101,10 +102,10 @@ fn a_draft_that_is_ended_says_that_a_mesh_is_undecided() {
     let text =
         "[[body.part]]\nshape = 'mesh'\nfile = 'part.stl'\nunit = 'mm'\ndensity = '4 g/cm^3'\n".to_owned();
     let mut draft = scenario::Draft::new(&path, [path.clone()]);
-    let error = draft.read_watched(text.clone(), &|| false).unwrap_err();
+    let error = draft.read_watched(&Disk, text.clone(), &|| false).unwrap_err();
     assert!(error.message().contains("it was not found out whether parts of it overlap"), "{error}");
     // It is not taken for known.
-    assert!(draft.read(text).is_ok());
+    assert!(draft.read(&Disk, text).is_ok());
 }
 
 #[test]
@@ -171,16 +172,16 @@ fn text_in_utf16_is_named_as_such_in_every_format() {
         fs::write(&path, &bytes).unwrap();
         let mut errors = vec![
             scenario::read(&path).unwrap_err(),
-            read_text_file(&path, |text| cad::read(text, &cad::CadOptions::default())).unwrap_err(),
-            read_file(&path, |bytes| particles::read(bytes, &particles::ParticleOptions::default()))
+            read_text_file(&Disk, &path, |text| cad::read(text, &cad::CadOptions::default())).unwrap_err(),
+            read_file(&Disk, &path, |bytes| particles::read(bytes, &particles::ParticleOptions::default()))
                 .unwrap_err(),
-            times::read(&path).unwrap_err(),
+            times::read(&Disk, &path).unwrap_err(),
         ];
         for &format in MeshFormat::ALL {
-            errors.push(MeshContents::read(&path, format).unwrap_err());
+            errors.push(MeshContents::read(&Disk, &path, format).unwrap_err());
         }
         for format in [MoleculeFormat::Xyz, MoleculeFormat::Mol, MoleculeFormat::Sdf, MoleculeFormat::Pdb] {
-            errors.push(molecule::read(&path, format).unwrap_err());
+            errors.push(molecule::read(&Disk, &path, format).unwrap_err());
         }
         for error in errors {
             assert_eq!(error.kind(), &FormatErrorKind::Utf16, "{error}");

@@ -30,6 +30,7 @@ use polhode::body::mesh::TriangleMesh;
 use polhode::body::{BodyError, Finding, Severity};
 use polhode_source::FormatError;
 use polhode_source::file;
+use polhode_source::files::Files;
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use crate::brep::BrepFormat;
@@ -65,7 +66,7 @@ pub struct MeshPart {
 }
 
 /// How the bytes of a file are read; the path is for messages, and its folder for the files that it names.
-type Reader = fn(&[u8], &Path) -> Result<MeshContents, FormatError>;
+type Reader = fn(&dyn Files, &[u8], &Path) -> Result<MeshContents, FormatError>;
 
 /// The formats: name in lower case, name as its makers write it, file extensions, reader. All that reads meshes follows from this list.
 macro_rules! formats {
@@ -119,25 +120,25 @@ macro_rules! formats {
 
 formats! {
     /// STL, binary or ASCII.
-    Stl: "stl", "STL", ["stl"], stl::contents;
+    Stl: "stl", "STL", ["stl"], |_, bytes, path| stl::contents(bytes, path);
     /// Wavefront OBJ; its groups are parts.
-    Obj: "obj", "OBJ", ["obj"], |bytes, path| located(obj::read(bytes), bytes, path);
+    Obj: "obj", "OBJ", ["obj"], |_, bytes, path| located(obj::read(bytes), bytes, path);
     /// Stanford PLY, ASCII or binary of either endianness.
-    Ply: "ply", "PLY", ["ply"], |bytes, path| located(ply::read(bytes), bytes, path);
+    Ply: "ply", "PLY", ["ply"], |_, bytes, path| located(ply::read(bytes), bytes, path);
     /// Points, one in a line, for their convex hull.
-    Points: "points", "points", [], |bytes, path| {
+    Points: "points", "points", [], |_, bytes, path| {
         located(points::read(bytes).and_then(points::with_faces), bytes, path)
     };
     /// Geomview OFF.
-    Off: "off", "OFF", ["off"], |bytes, path| located(off::read(bytes), bytes, path);
+    Off: "off", "OFF", ["off"], |_, bytes, path| located(off::read(bytes), bytes, path);
     /// glTF 2.0, as JSON or GLB; its nodes are parts.
-    Gltf: "gltf", "glTF", ["gltf", "glb"], |bytes, path| {
-        located(gltf::read(bytes, path.parent().unwrap_or(Path::new(""))), bytes, path)
+    Gltf: "gltf", "glTF", ["gltf", "glb"], |files, bytes, path| {
+        located(gltf::read(files, bytes, path.parent().unwrap_or(Path::new(""))), bytes, path)
     };
     /// 3MF; its build items are parts.
-    ThreeMf: "3mf", "3MF", ["3mf"], |bytes, path| located(threemf::read(bytes), bytes, path);
+    ThreeMf: "3mf", "3MF", ["3mf"], |_, bytes, path| located(threemf::read(bytes), bytes, path);
     /// COLLADA; the geometries of its scene are parts.
-    Collada: "dae", "COLLADA", ["dae"], |bytes, path| {
+    Collada: "dae", "COLLADA", ["dae"], |_, bytes, path| {
         let text = str::from_utf8(bytes).map_err(|e| FormatError::not_utf8(path, bytes, e.valid_up_to()))?;
         located(collada::read(text), bytes, path)
     };
@@ -165,46 +166,57 @@ impl MeshContents {
     ///
     /// # Errors
     /// [`FormatError`] if the file cannot be read or does not follow its format.
-    pub fn read(path: &Path, format: MeshFormat) -> Result<Self, FormatError> {
-        Self::read_as(path, &path.to_string_lossy(), format)
+    pub fn read(files: &dyn Files, path: &Path, format: MeshFormat) -> Result<Self, FormatError> {
+        Self::read_as(files, path, &path.to_string_lossy(), format)
     }
 
     /// Reads a mesh file of which only the convex hull is needed: a PLY or OBJ file may have points alone.
     ///
     /// # Errors
     /// [`FormatError`] if the file cannot be read or does not follow its format.
-    pub fn read_for_hull(path: &Path, format: MeshFormat) -> Result<Self, FormatError> {
+    pub fn read_for_hull(files: &dyn Files, path: &Path, format: MeshFormat) -> Result<Self, FormatError> {
         let read = match format {
             MeshFormat::Points => points::read,
             MeshFormat::Ply => ply::read_or_cloud,
             MeshFormat::Obj => obj::read_or_cloud,
-            _ => return Self::read(path, format),
+            _ => return Self::read(files, path, format),
         };
-        let bytes = file::bytes(path, &path.to_string_lossy(), u64::MAX)
+        let bytes = file::bytes(files, path, &path.to_string_lossy(), u64::MAX)
             .map_err(|kind| FormatError::new(path, None, kind))?;
         located(read(&bytes), &bytes, path)
     }
 
     /// Reads the mesh that a user calls `written`.
-    pub fn read_as(path: &Path, written: &str, format: MeshFormat) -> Result<Self, FormatError> {
+    pub fn read_as(
+        files: &dyn Files,
+        path: &Path,
+        written: &str,
+        format: MeshFormat,
+    ) -> Result<Self, FormatError> {
         let is_text = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gltf"));
         let limit = if is_text { gltf::LARGEST_TEXT } else { u64::MAX };
-        let bytes = file::bytes(path, written, limit).map_err(|kind| FormatError::new(path, None, kind))?;
-        Self::parse(&bytes, path, format)
+        let bytes =
+            file::bytes(files, path, written, limit).map_err(|kind| FormatError::new(path, None, kind))?;
+        Self::parse(files, &bytes, path, format)
     }
 
     /// Reads the bytes of a mesh file; `path` is for messages, and its folder for the files that a glTF names.
     ///
     /// # Errors
     /// [`FormatError`] if the bytes do not follow the format.
-    pub fn parse(bytes: &[u8], path: &Path, format: MeshFormat) -> Result<Self, FormatError> {
+    pub fn parse(
+        files: &dyn Files,
+        bytes: &[u8],
+        path: &Path,
+        format: MeshFormat,
+    ) -> Result<Self, FormatError> {
         if let Some(shapes) = BrepFormat::of_bytes(bytes) {
             let what = format!("{}, whatever the file is called: its shapes are exact", shapes.title());
             let kind = ContentErrorKind::Unsupported { what };
             let error = ContentError::new(kind, ContentPlace::Whole).hint(shapes.hint(path));
             return Err(FormatError::of_content(path, bytes, error));
         }
-        format.reader()(bytes, path)
+        format.reader()(files, bytes, path)
     }
 
     fn with_parts(self) -> Result<Self, ContentError> {

@@ -6,6 +6,7 @@ use polhode::body::mesh::{ClosedMesh, MeshFlaws, TriangleMesh};
 use polhode::body::shape::{Shape, Substance};
 use polhode::body::{BodyError, Finding, MassProperties, Severity};
 use polhode::math::Part;
+use polhode_source::files::Files;
 use polhode_source::text::{counted, escaped};
 use polhode_source::{FormatError, FormatErrorKind};
 
@@ -47,18 +48,13 @@ impl MeshSolid {
     ///
     /// # Errors
     /// [`FormatError`] if the file cannot be read, does not follow its format, or does not bound a solid.
-    pub fn read(path: &Path, format: MeshFormat, unit: Option<f64>) -> Result<Self, FormatError> {
-        Self::read_as(path, &path.to_string_lossy(), format, unit)
-    }
-
-    /// Reads the mesh that a user calls `written`.
-    pub fn read_as(
+    pub fn read(
+        files: &dyn Files,
         path: &Path,
-        written: &str,
         format: MeshFormat,
         unit: Option<f64>,
     ) -> Result<Self, FormatError> {
-        Self::of(MeshContents::read_as(path, written, format)?, path, format, unit)
+        Self::of(MeshContents::read(files, path, format)?, path, format, unit)
     }
 
     /// Mass, centre and tensor of all solids together, of one density; a mass is that of all.

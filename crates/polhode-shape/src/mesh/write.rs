@@ -6,6 +6,7 @@ use std::path::Path;
 
 use polhode::body::mesh::TriangleMesh;
 use polhode_source::FormatError;
+use polhode_source::files::Memory;
 
 use super::{MeshContents, MeshFormat, MeshPart, MeshSolid};
 
@@ -21,10 +22,11 @@ impl MeshFormat {
     /// ```
     /// use polhode::body::mesh::TriangleMesh;
     /// use polhode_shape::mesh::{MeshContents, MeshFormat, MeshPart};
+    /// use polhode_source::files::Memory;
     /// let mesh = TriangleMesh::of_triangles(&[[[0.1, 0.0, 0.0], [2.0, 0.0, 0.7], [0.0, 3.0, 0.0]]])?;
     /// let parts = [MeshPart { name: "flake".to_owned(), mesh }];
     /// let bytes = MeshFormat::Obj.bytes(&parts).ok_or("OBJ is written")?;
-    /// assert_eq!(MeshContents::parse(&bytes, "flake.obj".as_ref(), MeshFormat::Obj)?.parts, parts);
+    /// assert_eq!(MeshContents::parse(&Memory::default(), &bytes, "flake.obj".as_ref(), MeshFormat::Obj)?.parts, parts);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn bytes(self, parts: &[MeshPart]) -> Option<Vec<u8>> {
@@ -45,7 +47,7 @@ impl MeshFormat {
         let refused =
             |error: FormatError| error.with_hint(format!("so it would be written; {}", self.alternative()));
         let bytes = self.bytes(parts).unwrap_or_default();
-        let contents = MeshContents::parse(&bytes, path, self).map_err(refused)?;
+        let contents = MeshContents::parse(&Memory::default(), &bytes, path, self).map_err(refused)?;
         let solid = MeshSolid::of(contents, path, self, None).map_err(refused)?;
         Ok((bytes, solid))
     }
@@ -173,7 +175,8 @@ mod tests {
             ["", "a", "a", "a_2", "", " a\n"].iter().zip(0..).map(|(name, k)| part(name, k.into())).collect();
         assert_eq!(group_names(&parts), ["part_1", "a", "a_3", "a_2", "part_5", "a_4"]);
         let bytes = MeshFormat::Obj.bytes(&parts).unwrap();
-        let again = MeshContents::parse(&bytes, "a.obj".as_ref(), MeshFormat::Obj).unwrap();
+        let again =
+            MeshContents::parse(&Memory::default(), &bytes, "a.obj".as_ref(), MeshFormat::Obj).unwrap();
         assert!(again.parts.iter().map(|part| &part.mesh).eq(parts.iter().map(|part| &part.mesh)));
         assert_eq!(group_names(&parts[..1]), [""]);
     }
@@ -193,7 +196,8 @@ mod tests {
         let names: Vec<_> = solid.parts.iter().map(|part| part.name.as_str()).collect();
         assert_eq!(names, ["wheel 1", "wheel 2", "wheel 2_2", "part_4", "3", "a"]);
         let alone = MeshFormat::Obj.bytes(&parts[5..]).unwrap();
-        let alone = MeshContents::parse(&alone, "a.obj".as_ref(), MeshFormat::Obj).unwrap();
+        let alone =
+            MeshContents::parse(&Memory::default(), &alone, "a.obj".as_ref(), MeshFormat::Obj).unwrap();
         assert_eq!(alone.parts[0].name, "a");
     }
 }

@@ -23,6 +23,7 @@ use polhode::math::{Body, Position};
 use polhode::observe::RotationalConstants;
 use polhode_source::ContentError;
 use polhode_source::file;
+use polhode_source::files::Files;
 use polhode_source::{FormatError, FormatErrorKind};
 
 use isotope::{Label, label};
@@ -194,8 +195,8 @@ impl MoleculeFormat {
 ///
 /// # Errors
 /// [`FormatError`] if the file cannot be read or is not in its format.
-pub fn read(path: &Path, format: MoleculeFormat) -> Result<Vec<Molecule>, FormatError> {
-    let bytes = file::bytes(path, &path.to_string_lossy(), u64::MAX);
+pub fn read(files: &dyn Files, path: &Path, format: MoleculeFormat) -> Result<Vec<Molecule>, FormatError> {
+    let bytes = file::bytes(files, path, &path.to_string_lossy(), u64::MAX);
     parse(&bytes.map_err(|kind| FormatError::new(path, None, kind))?, format, path)
 }
 

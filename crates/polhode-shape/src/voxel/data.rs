@@ -1,14 +1,15 @@
 //! The numbers of a voxel file, one after another, compressed or not.
 //!
-//! They are read in blocks, from memory or from an open file, as often as they are asked for from the first on; so memory does not grow with
+//! They are read in blocks, from memory or from a file, as often as they are asked for from the first on; so memory does not grow with
 //! their number, however few bytes they were compressed to.
 
 use std::borrow::Cow;
-use std::fs::{File, Metadata};
-use std::io::{self, BufReader, ErrorKind, Read, Seek, SeekFrom};
+use std::io::{self, BufReader, ErrorKind, Read, SeekFrom};
+use std::path::PathBuf;
 
 use flate2::read::MultiGzDecoder;
 use polhode_source::file;
+use polhode_source::files::{Files, Look};
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::{Layout, Voxels};
@@ -17,8 +18,12 @@ use super::{Layout, Voxels};
 #[derive(Debug)]
 pub(crate) enum Source<'a> {
     Memory(Cow<'a, [u8]>),
-    /// An open file, and what the system said of it at first.
-    File(File, Box<Metadata>),
+    /// A file, and what it was at first.
+    File {
+        files: &'a dyn Files,
+        path: PathBuf,
+        before: Look,
+    },
 }
 
 /// Bytes that are read at once: a multiple of those of any number.
@@ -95,8 +100,8 @@ impl<'v> Stream<'v> {
                 let start = usize::try_from(layout.start).unwrap_or(usize::MAX);
                 Box::new(bytes.get(start..).unwrap_or_default())
             }
-            Source::File(file, _) => {
-                let mut file = file;
+            Source::File { files, path, .. } => {
+                let mut file = files.open(path).map_err(|e| layout.broken(&e, 0))?;
                 file.seek(SeekFrom::Start(layout.start)).map_err(|e| layout.broken(&e, 0))?;
                 Box::new(BufReader::with_capacity(BLOCK as usize, file))
             }
@@ -131,8 +136,10 @@ impl<'v> Stream<'v> {
                 let hint = "the compressed data hold more bytes than the sizes say";
                 return Err(layout.wrong_count(present + 1, hint));
             }
-            if let Source::File(file, before) = source {
-                file::unchanged(file, before).map_err(|error| layout.broken(&error, present))?;
+            if let Source::File { files, path, before } = source {
+                let now = files.look(path);
+                now.and_then(|now| file::unchanged(now, before))
+                    .map_err(|error| layout.broken(&error, present))?;
             }
         }
         Ok(())

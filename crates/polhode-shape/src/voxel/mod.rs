@@ -20,7 +20,6 @@ mod data;
 mod npy;
 mod nrrd;
 
-use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -28,6 +27,7 @@ use polhode::body::BodyError;
 use polhode::body::density::{VoxelGrid, VoxelMassProperties};
 use polhode_source::FormatError;
 use polhode_source::file;
+use polhode_source::files::Files;
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use data::Source;
@@ -98,27 +98,26 @@ pub fn read(bytes: &[u8]) -> Result<Voxels<'_>, ContentError> {
 ///
 /// # Errors
 /// [`FormatError`] if it cannot be read, and as [`read()`].
-pub fn open(path: &Path) -> Result<Voxels<'static>, FormatError> {
+pub fn open<'a>(files: &'a dyn Files, path: &Path) -> Result<Voxels<'a>, FormatError> {
     let written = path.to_string_lossy();
     let failed = |error| FormatError::new(path, None, file::failed(&written, &error));
-    let before = std::fs::metadata(path).map_err(failed)?;
-    if !before.is_file() {
+    if !files.look(path).map_err(failed)?.is_file() {
         // A pipe is read once, the numbers are twice.
-        let bytes =
-            file::bytes(path, &written, u64::MAX).map_err(|kind| FormatError::new(path, None, kind))?;
+        let bytes = file::bytes(files, path, &written, u64::MAX);
+        let bytes = bytes.map_err(|kind| FormatError::new(path, None, kind))?;
         let layout =
             layout(&bytes, bytes.len() as u64).map_err(|e| FormatError::of_content(path, &bytes, e))?;
         return Ok(Voxels { layout, source: Source::Memory(bytes.into()) });
     }
-    let file = File::open(path).map_err(failed)?;
-    let before = file.metadata().map_err(failed)?;
+    let file = files.open(path).map_err(failed)?;
+    let before = file.look().map_err(failed)?;
     let mut head = Vec::new();
-    (&file).take(HEAD).read_to_end(&mut head).map_err(failed)?;
-    if (head.len() as u64) < before.len().min(HEAD) {
+    file.take(HEAD).read_to_end(&mut head).map_err(failed)?;
+    if (head.len() as u64) < before.length.min(HEAD) {
         return Err(failed(io::ErrorKind::UnexpectedEof.into()));
     }
-    let layout = layout(&head, before.len()).map_err(|e| FormatError::of_content(path, &head, e))?;
-    Ok(Voxels { layout, source: Source::File(file, Box::new(before)) })
+    let layout = layout(&head, before.length).map_err(|e| FormatError::of_content(path, &head, e))?;
+    Ok(Voxels { layout, source: Source::File { files, path: path.to_owned(), before } })
 }
 
 /// What the first bytes of a file of this length say.

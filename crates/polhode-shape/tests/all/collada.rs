@@ -3,6 +3,7 @@
 use polhode::body::mesh::ClosedMesh;
 use polhode_shape::mesh::collada::{UpAxis, read, read_with_axis};
 use polhode_shape::mesh::{MeshContents, MeshFormat, MeshSolid};
+use polhode_source::files::Disk;
 use polhode_source::{ContentError, ContentErrorKind as Kind, ContentPlace};
 
 /// A slanted prism.
@@ -465,16 +466,18 @@ fn what_is_wrong_is_refused_where_it_stands() {
 #[test]
 fn errors_have_lines() {
     let text = plain().replace("<p>9 0", "<p>9 6");
-    let error = MeshContents::parse(text.as_bytes(), "yard.dae".as_ref(), MeshFormat::Collada).unwrap_err();
+    let error =
+        MeshContents::parse(&Disk, text.as_bytes(), "yard.dae".as_ref(), MeshFormat::Collada).unwrap_err();
     let place = error.place().unwrap();
     let line = text.lines().position(|line| line.contains("<p>9 6")).unwrap() + 1;
     let column = text.lines().nth(line - 1).unwrap().find("6 7").unwrap() + 1;
     assert_eq!((place.line, place.column), (line, column));
     let empty = plain().replace(NODE, "<node/>");
-    let error = MeshContents::parse(empty.as_bytes(), "yard.dae".as_ref(), MeshFormat::Collada).unwrap_err();
+    let error =
+        MeshContents::parse(&Disk, empty.as_bytes(), "yard.dae".as_ref(), MeshFormat::Collada).unwrap_err();
     assert!(error.message().contains("no triangles"));
     let latin = [text.as_bytes(), b"<!-- \xe9 -->"].concat();
-    let error = MeshContents::parse(&latin, "yard.dae".as_ref(), MeshFormat::Collada).unwrap_err();
+    let error = MeshContents::parse(&Disk, &latin, "yard.dae".as_ref(), MeshFormat::Collada).unwrap_err();
     assert!(error.hint().unwrap().contains("UTF-8"));
 }
 

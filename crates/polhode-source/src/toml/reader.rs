@@ -10,10 +10,10 @@ use polhode::math::RotationError;
 use polhode::motion::MotionError;
 
 use super::meant;
-use super::source::Source;
+use super::source::{Rest, Source};
 use super::tree::{Entries, Kind, Known, Node, Replacement};
-use crate::NotOpened;
 use crate::expression::ExpressionError;
+use crate::files::{Files, NotOpened};
 use crate::nearest;
 use crate::text::{cut, visible};
 use crate::unit;
@@ -199,28 +199,30 @@ impl<'a> Value<'a> {
 
     /// The path of the file that it names, relative to the file in which it stands.
     pub fn path(&self) -> Result<PathBuf, FormatError> {
-        let of = self.source.rest.filter(|(from, _)| self.span().start >= *from);
-        let source = Source { path: of.map_or(self.source.path, |(_, path)| path), ..self.source };
-        let path = source.beside(self.string()?);
-        if self.source.files.is_some_and(|files| !files.contains(&path)) {
-            let error = self.invalid("a file that was opened with the scenario, or dropped beside it");
-            return Err(error.with_hint("no other file is opened for a text that comes from a page"));
+        let name = Path::new(self.string()?);
+        let folder = self.rest().map_or(self.source.path, |rest| rest.path).parent();
+        let folder = folder.unwrap_or(Path::new(""));
+        match self.files().named(folder, name) {
+            // The reader of the file says that it is missing.
+            Ok(_) | Err(NotOpened::Missing) => Ok(folder.join(name)),
+            Err(NotOpened::Outside) => Err(self
+                .invalid("a file in the folder of the data file that names it, or below it")
+                .with_hint("--root DIR allows files in another folder")),
+            Err(NotOpened::NotRegular) => Err(self.invalid("a regular file")),
+            Err(NotOpened::NotGiven) => Err(self
+                .invalid("a file that was opened with the scenario, or dropped beside it")
+                .with_hint("no other file is opened for a text that comes from a page")),
         }
-        // Of a plan and a data file in one text only the values of the latter are confined.
-        if let Some(within) = self.source.within.filter(|_| self.source.rest.is_none() || of.is_some()) {
-            let folder = source.path.parent().unwrap_or(Path::new(""));
-            match within.file(folder, Path::new(self.string()?)) {
-                Err(NotOpened::Outside) => {
-                    let error =
-                        self.invalid("a file in the folder of the data file that names it, or below it");
-                    return Err(error.with_hint("--root DIR allows files in another folder"));
-                }
-                Err(NotOpened::NotRegular) => return Err(self.invalid("a regular file")),
-                // The reader of the file says that it is missing.
-                Ok(_) | Err(NotOpened::Missing) => {}
-            }
-        }
-        Ok(path)
+    }
+
+    /// Returns the place that the file which it names is taken from.
+    pub fn files(&self) -> &'a dyn Files {
+        self.rest().map_or(self.source.files, |rest| rest.files)
+    }
+
+    /// The other file in the same text, if it stands there.
+    fn rest(&self) -> Option<Rest<'a>> {
+        self.source.rest.filter(|rest| self.span().start >= rest.from)
     }
 
     /// Returns true for an array, also for an array of tables.

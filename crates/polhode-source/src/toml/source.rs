@@ -1,15 +1,14 @@
 //! The text of a scenario file: places in it, and errors at them.
 
 use std::any::Any;
-use std::collections::BTreeSet;
 use std::fmt;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::asked::Asked;
 use super::tree::{Kind, Node, Replacement};
-use crate::Confinement;
 use crate::expression::ExpressionError;
+use crate::files::Files;
 use crate::{FormatError, FormatErrorKind, Place};
 
 /// The text of a file, and its path, for messages and for the files that it names.
@@ -19,14 +18,12 @@ pub struct Source<'a> {
     pub path: &'a Path,
     /// Text of the file, UTF-8.
     pub text: &'a str,
-    /// From which byte on the text is another file's, and that file: paths there are relative to it.
-    pub rest: Option<(usize, &'a Path)>,
+    /// Place that the files which it names are taken from.
+    pub files: &'a dyn Files,
+    /// The other file whose text the end of this one is.
+    pub rest: Option<Rest<'a>>,
     /// Whether the scenario will be looked at: members of sweeps are not.
     pub is_shown: bool,
-    /// The only files that it may name; `None` where it may name any.
-    pub files: Option<&'a BTreeSet<PathBuf>>,
-    /// The folders that files which it names may lie in; `None` where they may lie anywhere.
-    pub within: Option<&'a Confinement>,
     /// Where the reader writes down what it asks for, if somebody wants to know.
     pub asked: Option<&'a Asked>,
     /// Contents of a file that the text may name, if the caller has read it. The file's reader knows the type.
@@ -35,6 +32,17 @@ pub struct Source<'a> {
     pub headings: &'a [&'static str],
     /// Cancellation check, called repeatedly during long computations.
     pub watch: Watch<'a>,
+}
+
+/// File whose text is the end of a joined text.
+#[derive(Clone, Copy, Debug)]
+pub struct Rest<'a> {
+    /// First byte of it in the joined text.
+    pub from: usize,
+    /// Its path; paths in it are relative to its folder.
+    pub path: &'a Path,
+    /// Place that the files which it names are taken from.
+    pub files: &'a dyn Files,
 }
 
 /// Asked again and again by what takes time: false ends it.
@@ -48,15 +56,14 @@ impl fmt::Debug for Watch<'_> {
 }
 
 impl<'a> Source<'a> {
-    /// Of a scenario that will be looked at, and may name any file.
-    pub const fn new(path: &'a Path, text: &'a str) -> Self {
+    /// Of a scenario that will be looked at.
+    pub const fn new(files: &'a dyn Files, path: &'a Path, text: &'a str) -> Self {
         Self {
             path,
             text,
+            files,
             rest: None,
             is_shown: true,
-            files: None,
-            within: None,
             asked: None,
             kept: None,
             headings: &[],

@@ -6,6 +6,7 @@ use super::list_units;
 use super::source::Source;
 use super::tree::{self, Entries};
 use crate::file;
+use crate::files::Files;
 use crate::text::is_utf16;
 use crate::{FormatError, FormatErrorKind};
 
@@ -16,9 +17,9 @@ pub const LARGEST_FILE: u64 = 64 << 20;
 ///
 /// # Errors
 /// [`FormatError`] if the file cannot be read, is larger, or is not UTF-8.
-pub fn text_of(path: &Path) -> Result<String, FormatError> {
+pub fn text_of(files: &dyn Files, path: &Path) -> Result<String, FormatError> {
     let fail = |kind| FormatError::new(path, None, kind);
-    let bytes = file::bytes(path, &path.to_string_lossy(), LARGEST_FILE).map_err(fail)?;
+    let bytes = file::bytes(files, path, &path.to_string_lossy(), LARGEST_FILE).map_err(fail)?;
     if is_utf16(&bytes) {
         return Err(fail(FormatErrorKind::Utf16));
     }

@@ -58,7 +58,7 @@ use manifest::Manifest;
 /// key = "start.spin.body[1]"
 /// list = ["1 rad/s", "2 rad/s"]
 /// "#;
-/// let plan = Plan::parse(text.to_owned(), "plan.toml".as_ref())?;
+/// let plan = Plan::parse(&Disk, text.to_owned(), "plan.toml".as_ref())?;
 /// let folder = std::env::temp_dir().join(format!("polhode-dataset-{}", std::process::id()));
 /// let dataset = Dataset::create(&folder, &plan)?;
 /// for part in dataset.missing()? {

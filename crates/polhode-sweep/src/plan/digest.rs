@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use polhode_scenario::read::Template;
 use polhode_source::FormatError;
+use polhode_source::files::Files;
 use polhode_source::read_file;
 
 use sha2::{Digest, Sha256};
@@ -13,7 +14,7 @@ const FORMAT: &str = "polhode plan 1";
 
 /// SHA-256 of the format, the program's version, the text, and the files that the text names, each with its length before it; and of
 /// the mass properties of each part, which know what is in the files that those files name.
-pub(crate) fn digest(template: &Template) -> Result<String, FormatError> {
+pub(crate) fn digest(files: &dyn Files, template: &Template) -> Result<String, FormatError> {
     let mut hash = Sha256::new();
     let mut put = |bytes: &[u8]| {
         hash.update((bytes.len() as u64).to_le_bytes());
@@ -23,7 +24,7 @@ pub(crate) fn digest(template: &Template) -> Result<String, FormatError> {
     put(env!("CARGO_PKG_VERSION").as_bytes());
     put(template.text().as_bytes());
     for file in template.files() {
-        read_file(file, |bytes| {
+        read_file(files, file, |bytes| {
             put(bytes);
             Ok(())
         })?;

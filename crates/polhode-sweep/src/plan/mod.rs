@@ -21,6 +21,7 @@ use polhode::body::{Finding, Severity};
 use polhode::motion::Scenario;
 use polhode_scenario::read::{Distribution, Law, Template, Vary};
 use polhode_source::FormatError;
+use polhode_source::files::Files;
 
 use crate::outcome::columns_of;
 
@@ -53,7 +54,7 @@ pub(crate) use question::Condition;
 /// key = "start.spin.body[1]"
 /// normal = { mean = "2 rad/s", sd = "10 deg/s" }
 /// "#;
-/// let plan = Plan::parse(text.to_owned(), "spins.toml".as_ref())?;
+/// let plan = Plan::parse(&Disk, text.to_owned(), "spins.toml".as_ref())?;
 /// let values = plan.values(123_456);
 /// assert_eq!(plan.variables()[0].name, "start_spin_body_y_rad_s");
 /// assert_eq!(plan.scenario(&values)?.start().omega.to_array(), [0.1, values[0], -0.3]);
@@ -94,19 +95,19 @@ impl Plan {
     ///
     /// # Errors
     /// [`FormatError`] if it is no scenario with a `[sweep]`, or if none of its members is one.
-    pub fn read(path: &Path) -> Result<Self, FormatError> {
-        Self::new(Template::read(path)?)
+    pub fn read(files: &dyn Files, path: &Path) -> Result<Self, FormatError> {
+        Self::new(files, Template::read(files, path)?)
     }
 
     /// Reads a plan from its text; `path` is for messages, and for the files that it names.
     ///
     /// # Errors
     /// As [`Plan::read`].
-    pub fn parse(text: String, path: &Path) -> Result<Self, FormatError> {
-        Self::new(Template::parse(text, path)?)
+    pub fn parse(files: &dyn Files, text: String, path: &Path) -> Result<Self, FormatError> {
+        Self::new(files, Template::parse(files, text, path)?)
     }
 
-    fn new(template: Template) -> Result<Self, FormatError> {
+    fn new(files: &dyn Files, template: Template) -> Result<Self, FormatError> {
         let sweep = template.sweep()?;
         let vary: Vec<_> = sweep.vary.into_iter().map(|vary| (Draw::new(&vary), vary)).collect();
         let mut coordinates = Vec::new();
@@ -124,7 +125,7 @@ impl Plan {
         };
         let variables: Vec<Variable> =
             vary.iter().flat_map(|(_, vary)| vary.target.columns().iter().map(column)).collect();
-        let digest = digest::digest(&template)?;
+        let digest = digest::digest(files, &template)?;
         let outcomes = columns_of(template.nominal(), &[]);
         let condition = |question| Condition::new(&template, question, &variables, &outcomes);
         let questions = sweep.questions.iter().map(condition).collect::<Result<_, _>>()?;

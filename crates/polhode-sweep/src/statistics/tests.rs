@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::rows::inputs;
+use polhode_source::files::Disk;
 
 fn plan(seed: u32) -> Plan {
     let text = format!(
@@ -24,7 +25,7 @@ uniform = {{ from = -2, to = 3 }}
 spin = {{ body = [0, 0, 0] }}
 "#
     );
-    Plan::parse(text, "plan.toml".as_ref()).unwrap_or_else(|error| panic!("{error}"))
+    Plan::parse(&Disk, text, "plan.toml".as_ref()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Of a normal and a uniform distribution, in 400 sweeps.
@@ -80,7 +81,7 @@ attitude = {{ roll_pitch_yaw = [0.3, -0.4, 0.5] }}
 "#,
         if replicates > 1 { format!("replicates = {replicates}") } else { String::new() }
     );
-    Plan::parse(text, "plan.toml".as_ref()).unwrap_or_else(|error| panic!("{error}"))
+    Plan::parse(&Disk, text, "plan.toml".as_ref()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Probabilities and means, in 100 sweeps of each kind; by sets as by independent members.

@@ -1,5 +1,6 @@
 //! The page of the book about plans: its plan is read, and it has every key that the reader knows and no other.
 
+use polhode_source::files::Disk;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
@@ -25,7 +26,7 @@ fn first_cells(page: &str, from: &str, to: &str) -> BTreeSet<String> {
 
 /// The keys that the reader knows where `zzz` stands.
 fn known(sweep: &str) -> BTreeSet<String> {
-    let error = Plan::parse(format!("{BALL}{sweep}"), "probe.toml".as_ref()).unwrap_err();
+    let error = Plan::parse(&Disk, format!("{BALL}{sweep}"), "probe.toml".as_ref()).unwrap_err();
     match error.kind() {
         FormatErrorKind::UnknownKey { key, known, .. } if key == "zzz" => {
             known.iter().map(|key| (*key).to_owned()).collect()
@@ -41,8 +42,8 @@ fn the_plans_of_the_page_are_read() {
         page.split("```toml\n").skip(1).map(|rest| rest.split("```").next().unwrap()).collect();
     assert!(!blocks.is_empty());
     for block in blocks {
-        let plan =
-            Plan::parse(block.to_owned(), "book.toml".as_ref()).unwrap_or_else(|error| panic!("{error}"));
+        let plan = Plan::parse(&Disk, block.to_owned(), "book.toml".as_ref())
+            .unwrap_or_else(|error| panic!("{error}"));
         assert!(plan.findings().is_empty());
     }
 }
@@ -58,7 +59,8 @@ fn the_page_has_every_key_and_no_other() {
     let rows = first_cells(&page, "### Sampling", "\n### ");
     let samplings: BTreeSet<String> =
         rows.iter().filter_map(|name| Some(name.strip_prefix('"')?.strip_suffix('"')?.to_owned())).collect();
-    let error = Plan::parse(format!("{BALL}[sweep]\nsampling = 'zzz'"), "probe.toml".as_ref()).unwrap_err();
+    let error =
+        Plan::parse(&Disk, format!("{BALL}[sweep]\nsampling = 'zzz'"), "probe.toml".as_ref()).unwrap_err();
     let rule = error.message();
     let names = rule.split("one of ").nth(1).unwrap().split(", ").map(str::to_owned).collect();
     assert_eq!(samplings, names);
@@ -69,8 +71,11 @@ fn the_columns_are_those_of_the_page() {
     let text = "[[body.part]]\nname = 'bus'\nshape = 'tensor'\nmass = 3\ninertia = [[1, 0.1, 0], [0.1, 2, 0], [0, 0, 2.5]]\n\
                 [start]\nspin = { body = [1, 2, 3] }\n[sweep]\nmembers = 1\nsampling = 'sobol'\n";
     let columns = |key: &str, law: &str| -> Vec<String> {
-        let plan =
-            Plan::parse(format!("{text}[[sweep.vary]]\nkey = '{key}'\n{law}\n"), "probe.toml".as_ref());
+        let plan = Plan::parse(
+            &Disk,
+            format!("{text}[[sweep.vary]]\nkey = '{key}'\n{law}\n"),
+            "probe.toml".as_ref(),
+        );
         plan.unwrap().variables().iter().map(|variable| variable.name.clone()).collect()
     };
     let page = page();

@@ -1,5 +1,6 @@
 //! Datasets: the same files whoever makes them and however often they are interrupted, and statistics of what is in them.
 
+use polhode_source::files::Disk;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -55,7 +56,7 @@ key = "start.spin.body[2]"
 uniform = {{ from = -2, to = 3 }}
 "#
     );
-    Plan::parse(text, "plan.toml".as_ref()).unwrap_or_else(|error| panic!("{error}"))
+    Plan::parse(&Disk, text, "plan.toml".as_ref()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Every file of a folder, by its path inside.
@@ -180,7 +181,7 @@ fn a_folder_is_one_sweeps_and_one_writers() {
     assert!(error.to_string().contains("600 members, this plan has 601"), "{error}");
     // The same text with other whitespace is another plan: its copy would not be this one.
     let text = format!("{}\n", plan_a.text());
-    let spaced = Plan::parse(text, "plan.toml".as_ref()).unwrap();
+    let spaced = Plan::parse(&Disk, text, "plan.toml".as_ref()).unwrap();
     let error = Dataset::resume(&folder, &spaced).unwrap_err();
     assert!(matches!(error, SweepError::Changed { .. }), "{error}");
     assert_eq!(files(&folder), before);
@@ -207,7 +208,7 @@ fn a_folder_is_one_sweeps_and_one_writers() {
 fn a_plan_without_times_is_refused() {
     let scratch = Scratch::new("no-run");
     let text = plan("sobol", 8, "").text().replace("[run]\nduration = \"37 s\"\nsamples = 5\n", "");
-    let plan = Plan::parse(text, "plan.toml".as_ref()).unwrap();
+    let plan = Plan::parse(&Disk, text, "plan.toml".as_ref()).unwrap();
     let error = Dataset::create(&scratch.join("d"), &plan).unwrap_err();
     assert!(matches!(error, SweepError::NoRun) && error.hint().is_some(), "{error}");
     assert!(!scratch.join("d").exists());

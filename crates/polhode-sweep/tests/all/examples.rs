@@ -1,5 +1,6 @@
 //! The plans of examples/sweeps: every one is read, its members are bodies, and one of them moves.
 
+use polhode_source::files::Disk;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -17,7 +18,7 @@ fn plans() -> Vec<PathBuf> {
 #[test]
 fn every_plan_is_read_and_its_members_move() {
     for path in plans() {
-        let plan = Plan::read(&path).unwrap_or_else(|error| panic!("{error}"));
+        let plan = Plan::read(&Disk, &path).unwrap_or_else(|error| panic!("{error}"));
         assert!(plan.findings().is_empty(), "{}: {:?}", path.display(), plan.findings());
         for member in (0..plan.members()).step_by((plan.members() / 80).max(1) as usize) {
             let scenario = plan.scenario(&plan.values(member)).unwrap_or_else(|error| panic!("{error}"));
@@ -34,7 +35,7 @@ fn a_plan_cut_anywhere_is_answered() {
     for path in plans() {
         let text = fs::read_to_string(&path).unwrap();
         for end in (0..text.len()).filter(|&end| text.is_char_boundary(end)) {
-            if let Err(error) = Plan::parse(text[..end].to_owned(), &path) {
+            if let Err(error) = Plan::parse(&Disk, text[..end].to_owned(), &path) {
                 let place = error.place().unwrap();
                 assert!(place.span.end <= end && place.line <= text[..end].matches('\n').count() + 1);
             }

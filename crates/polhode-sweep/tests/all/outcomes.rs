@@ -1,6 +1,7 @@
 //! What becomes of members: rows of outcomes against the motions themselves.
 
 use polhode::motion::{ErrorEffort, FreeMotion, Trajectory};
+use polhode_source::files::Disk;
 use polhode_sweep::{Batch, BatchError, Column, Plan, Values, inputs, simulate, trajectories};
 
 const BODY: &str = r#"
@@ -61,7 +62,8 @@ uniform = { from = -6, to = 1 }
 "#;
 
 fn plan(rest: &str) -> Plan {
-    Plan::parse(format!("{BODY}{rest}"), "plan.toml".as_ref()).unwrap_or_else(|error| panic!("{error}"))
+    Plan::parse(&Disk, format!("{BODY}{rest}"), "plan.toml".as_ref())
+        .unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn all(plan: &Plan) -> Batch {

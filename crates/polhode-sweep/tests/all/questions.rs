@@ -1,5 +1,6 @@
 //! Questions of a plan, sets of points, and numbers that vary as one.
 
+use polhode_source::files::Disk;
 use polhode_sweep::{Plan, inputs, simulate};
 
 const BODY: &str = r#"
@@ -22,7 +23,7 @@ samples = 11
 "#;
 
 fn plan(sweep: &str) -> Result<Plan, polhode_source::FormatError> {
-    Plan::parse(format!("{BODY}{sweep}"), "plan.toml".as_ref())
+    Plan::parse(&Disk, format!("{BODY}{sweep}"), "plan.toml".as_ref())
 }
 
 #[track_caller]

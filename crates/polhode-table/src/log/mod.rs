@@ -68,7 +68,6 @@ mod name;
 pub mod parquet;
 mod rows;
 
-use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
@@ -76,6 +75,7 @@ use ::bytes::Bytes;
 use polhode::infer::judge::{DeclaredReading, LogError, MotionLog};
 use polhode_source::FormatError;
 use polhode_source::file;
+use polhode_source::files::Files;
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use blocks::{Blocks, Failure};
@@ -130,34 +130,40 @@ pub struct ReadColumns {
 /// # Errors
 /// [`FormatError`], with the place, if the file cannot be read, lacks columns or leaves open which they are, a row is not complete or
 /// not finite, the time does not go on, or an attitude is none.
-pub fn read(path: &Path, columns: Option<&Columns>) -> Result<RunLog, FormatError> {
-    of_file(path, columns, Wanted::Attitude, finished)
+pub fn read(files: &dyn Files, path: &Path, columns: Option<&Columns>) -> Result<RunLog, FormatError> {
+    of_file(files, path, columns, Wanted::Attitude, finished)
 }
 
 /// Reads what an instrument logged: angular velocities or attitudes, or both. As [`read()`] otherwise.
 ///
 /// # Errors
 /// As [`read()`].
-pub fn read_measured(path: &Path, columns: Option<&Columns>) -> Result<MeasuredLog, FormatError> {
-    of_file(path, columns, Wanted::Either, |_, plan, rows| Ok(MeasuredLog::of(plan, rows)))
+pub fn read_measured(
+    files: &dyn Files,
+    path: &Path,
+    columns: Option<&Columns>,
+) -> Result<MeasuredLog, FormatError> {
+    of_file(files, path, columns, Wanted::Either, |_, plan, rows| Ok(MeasuredLog::of(plan, rows)))
 }
 
 /// The numbers of a file, and what becomes of them.
 fn of_file<T>(
+    files: &dyn Files,
     path: &Path,
     columns: Option<&Columns>,
     wanted: Wanted,
     finish: impl Fn(Head, Plan, Rows) -> Result<T, ContentError>,
 ) -> Result<T, FormatError> {
     let whole = || {
-        file::bytes(path, &path.to_string_lossy(), u64::MAX)
+        file::bytes(files, path, &path.to_string_lossy(), u64::MAX)
             .map_err(|kind| FormatError::new(path, None, kind))
     };
-    let is_file = fs::metadata(path).is_ok_and(|metadata| metadata.is_file());
     let failed =
         |error: &io::Error| FormatError::new(path, None, file::failed(&path.to_string_lossy(), error));
-    let streamed =
-        if is_file { streamed(path, columns, wanted).map_err(|error| failed(&error))? } else { None };
+    let streamed = match files.is_file(path) {
+        true => streamed(files, path, columns, wanted).map_err(|error| failed(&error))?,
+        false => None,
+    };
     let finish = |(head, plan, rows)| finish(head, plan, rows);
     match streamed {
         // The place of an error is shown with its line.
@@ -177,19 +183,20 @@ type Numbers = (Head, Plan, Rows);
 
 /// Reads a file of text block by block; `None` of one that has to be in memory as a whole.
 fn streamed(
+    files: &dyn Files,
     path: &Path,
     columns: Option<&Columns>,
     wanted: Wanted,
 ) -> io::Result<Option<Result<Numbers, ContentError>>> {
-    let file = File::open(path)?;
-    let before = file.metadata()?;
+    let mut file = files.open(path)?;
+    let before = file.look()?;
     let mut start = Vec::new();
-    (&file).take(PARQUET.len() as u64).read_to_end(&mut start)?;
+    (&mut file).take(PARQUET.len() as u64).read_to_end(&mut start)?;
     if start == PARQUET {
         return Ok(None);
     }
-    let read = of_text(start.as_slice().chain(&file), Some(before.len()), columns, wanted);
-    file::unchanged(&file, &before)?;
+    let read = of_text(start.as_slice().chain(&mut file), Some(before.length), columns, wanted);
+    file::unchanged(file.look()?, &before)?;
     match read {
         Ok(log) => Ok(Some(Ok(log))),
         Err(Failure::Content(error)) => Ok(Some(Err(error))),

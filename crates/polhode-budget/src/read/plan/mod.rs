@@ -13,8 +13,6 @@ mod states;
 pub(crate) mod table_file;
 pub(crate) mod tank;
 
-use std::path::PathBuf;
-
 use polhode_shape::cad::CadOptions;
 use polhode_source::FormatError;
 use polhode_source::toml::reader::{Table, Value};
@@ -53,10 +51,6 @@ pub(crate) struct Plan {
     pub tanks: Vec<PlannedTank>,
     pub sequence: Option<PlannedSequence>,
     pub places: Places,
-    /// Whether no other file may be opened: the text comes from where nobody is trusted.
-    pub is_alone: bool,
-    /// Folders that files of the parts may lie in, besides the list's own.
-    pub roots: Vec<PathBuf>,
 }
 
 /// Where things are declared that nothing may use: an error at each.

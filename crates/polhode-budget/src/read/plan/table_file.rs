@@ -39,14 +39,15 @@ pub(crate) fn table_of(
     let said = |sheet: &Sheet<'_>| counted(sheet.rows.len().saturating_sub(1), "row");
     if name.to_ascii_lowercase().ends_with(".csv") {
         let path = value.path()?;
-        let bytes = bytes_of(&path).map_err(|error| match error.kind() {
+        let bytes = bytes_of(value.files(), &path).map_err(|error| match error.kind() {
             kind @ FormatErrorKind::Io { .. } => value
                 .error(kind.clone())
                 .with_hint(format!("paths are relative to the file that names them: this one is {path:?}")),
             _ => error,
         })?;
         let read = || {
-            let (mut sheet, _) = csv::sheet(Source::new(&path, text(&path, &bytes)?), 0, is_of_mass)?;
+            let (mut sheet, _) =
+                csv::sheet(Source::new(value.files(), &path, text(&path, &bytes)?), 0, is_of_mass)?;
             sheet.decimal_comma = decimal_comma.unwrap_or(false);
             Ok((of_sheet(&sheet, sign)?, vec![format!("{} of what is in a tank", said(&sheet))]))
         };

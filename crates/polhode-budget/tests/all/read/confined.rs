@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use polhode_budget::read::{read, read_within};
+use polhode_budget::read::{Access, read, read_in};
 
 use super::Folder;
 
@@ -47,7 +47,8 @@ fn files_lie_in_the_folder_of_the_list() {
         let path = list(column, &format!("../elsewhere/{file}"));
         let roots = [folder.0.join("elsewhere")];
         // Whether the file is understood is another matter.
-        let read = read_within(&path, &roots).map_err(|error| folder.message(&error));
+        let read = read_in(Access { roots: &roots, ..Access::BESIDE }, &path)
+            .map_err(|error| folder.message(&error));
         assert!(!read.is_err_and(|error| error.contains("in the folder of the")));
     }
     #[cfg(unix)]

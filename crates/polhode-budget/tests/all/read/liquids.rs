@@ -1,7 +1,8 @@
 //! What is in tanks, with its errors in every form, and tables of tanks in files and sheets of their own.
 
-use polhode_budget::read::BudgetFile;
+use polhode_budget::read::{Access, BudgetFile};
 use polhode_budget::{Basis, LiquidErrors, Measured, PartUncertainty};
+use polhode_source::files::Memory;
 
 use super::workbook_file::Book;
 use super::{Folder, csv};
@@ -312,7 +313,9 @@ fn a_table_that_is_none_is_refused_where_it_is() {
     let head: String =
         plan("table = \"grain.csv\"").lines().skip(1).map(|line| format!("# {line}\n")).collect();
     let list = format!("{head}name,mass\na,5\nb,6\n");
-    let error = polhode_budget::read::from_bytes_alone(&folder.0.join("a.csv"), list.as_bytes()).unwrap_err();
+    let alone = Access { files: &Memory::default(), roots: &[] };
+    let error =
+        polhode_budget::read::from_bytes(alone, &folder.0.join("a.csv"), list.as_bytes()).unwrap_err();
     assert!(error.to_string().contains("a file that was opened with the scenario"), "{error}");
 }
 

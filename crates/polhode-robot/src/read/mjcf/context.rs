@@ -27,7 +27,7 @@ pub(super) struct Context<'a> {
 pub(super) fn all<'a>(
     root: Element<'a>,
     folders: &[PathBuf],
-    roots: &Roots,
+    roots: &Roots<'_>,
     notes: &mut Vec<Note>,
 ) -> Vec<Context<'a>> {
     let mut contexts: Vec<Context<'a>> = Vec::new();
@@ -49,7 +49,12 @@ pub(super) fn all<'a>(
 
 impl<'a> Context<'a> {
     /// Of the root of a model; its paths are relative to the folders of the files.
-    pub(super) fn of(root: Element<'a>, folders: &[PathBuf], roots: &Roots, notes: &mut Vec<Note>) -> Self {
+    pub(super) fn of(
+        root: Element<'a>,
+        folders: &[PathBuf],
+        roots: &Roots<'_>,
+        notes: &mut Vec<Note>,
+    ) -> Self {
         super::attributes::unknown(root, notes);
         let settings = Settings::of(root, notes);
         let classes = Classes::of(root);

@@ -201,7 +201,8 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
         if let Some(known) = self.solids.get(&key) {
             return known.clone();
         }
-        let solid = self.asset(name, context).and_then(Asset::solid).map(std::rc::Rc::new);
+        let files = self.files;
+        let solid = self.asset(name, context).and_then(|asset| asset.solid(files)).map(std::rc::Rc::new);
         self.solids.insert(key, solid.clone());
         solid
     }

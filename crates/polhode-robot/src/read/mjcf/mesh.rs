@@ -10,6 +10,8 @@ use std::path::{Path, PathBuf};
 
 use polhode::body::mesh::ConvexHull;
 
+use polhode_source::files::Files;
+
 use crate::model::{GeometryShape, Name, Pose};
 use crate::moments::Moments;
 use crate::pose::{dot, of_x_and_y, sum, unit};
@@ -69,7 +71,7 @@ impl Asset {
         source: &Source<'_, '_>,
         settings: &Settings<'_>,
         folder: &Path,
-        roots: &Roots,
+        roots: &Roots<'_>,
     ) -> (String, Self) {
         let file = element.attribute("file");
         let base =
@@ -150,11 +152,11 @@ impl Asset {
     ///
     /// # Errors
     /// In words, why it cannot be told.
-    pub(super) fn solid(&self) -> Result<Solid, String> {
+    pub(super) fn solid(&self, files: &dyn Files) -> Result<Solid, String> {
         if let Some(why) = &self.refused {
             return Err(why.clone());
         }
-        let surface = self.surface()?;
+        let surface = self.surface(files)?;
         let triangles: Vec<[[f64; 3]; 3]> =
             if self.inertia == MeshInertia::Convex || surface.triangles.is_empty() {
                 let hull = ConvexHull::of(&surface.vertices).map_err(|error| format!("its mesh: {error}"))?;
@@ -170,7 +172,7 @@ impl Asset {
     ///
     /// # Errors
     /// In words, why it cannot be read.
-    fn surface(&self) -> Result<Surface, String> {
+    fn surface(&self, files: &dyn Files) -> Result<Surface, String> {
         if self.field.is_some() && self.scale != [1.0; 3] {
             return Err("its mesh is made by a plugin and has a scale: MuJoCo refuses the file".to_owned());
         }
@@ -180,7 +182,7 @@ impl Asset {
             (None, None, Some(surface), _) => surface.clone(),
             (None, None, None, Some((uri, path))) => {
                 let said = |why: String| format!("its mesh {:?} cannot be read: {why}", uri.text);
-                Surface::read(path.as_ref().map_err(|why| said(why.clone()))?).map_err(said)?
+                Surface::read(files, path.as_ref().map_err(|why| said(why.clone()))?).map_err(said)?
             }
             (None, None, None, None) => return Err("its mesh has no file and no vertices".to_owned()),
         };

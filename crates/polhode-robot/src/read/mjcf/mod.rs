@@ -27,6 +27,7 @@ use std::path::PathBuf;
 use std::rc::Rc;
 
 use polhode_source::ContentError;
+use polhode_source::files::Files;
 
 use crate::finding::Severity;
 use crate::model::{Link, Name, Note, Pose, RobotModel, Span, UnreadBodies};
@@ -45,13 +46,13 @@ use mesh::Solid;
 pub(super) fn read(
     root: Element<'_>,
     folders: &[PathBuf],
-    roots: &Roots,
+    roots: &Roots<'_>,
     model: &mut RobotModel,
 ) -> Result<(), ContentError> {
     model.name = root.word("model").map(str::to_owned);
     let blind = model.notes.iter().any(|note| note.code == "read.include");
     let contexts = context::all(root, folders, roots, &mut model.notes);
-    Reader::new(&contexts, model).read(root, blind)
+    Reader::new(roots.files, &contexts, model).read(root, blind)
 }
 
 /// A place on the way down the tree.
@@ -81,6 +82,7 @@ impl Branch<'_> {
 }
 
 struct Reader<'c, 'a, 'm> {
+    files: &'c dyn Files,
     contexts: &'c [Context<'a>],
     solids: HashMap<(usize, String), Result<Rc<Solid>, String>>,
     /// Points of the meshes that MuJoCo makes itself.
@@ -107,8 +109,9 @@ struct Reader<'c, 'a, 'm> {
 }
 
 impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
-    fn new(contexts: &'c [Context<'a>], model: &'m mut RobotModel) -> Self {
+    fn new(files: &'c dyn Files, contexts: &'c [Context<'a>], model: &'m mut RobotModel) -> Self {
         Self {
+            files,
             contexts,
             solids: HashMap::new(),
             made_points: 0,

@@ -2,6 +2,9 @@
 
 use std::path::Path;
 
+use polhode_source::files::Files;
+use polhode_source::{read_file, read_text_file};
+
 use polhode_shape::mesh::{MeshContents, MeshFormat};
 
 use crate::read::xml::Element;
@@ -28,11 +31,12 @@ impl Surface {
     }
 
     /// Of a file.
-    pub(super) fn read(path: &Path) -> Result<Self, String> {
+    pub(super) fn read(files: &dyn Files, path: &Path) -> Result<Self, String> {
         let ending = path.extension().map_or_else(String::new, |end| end.to_string_lossy().to_lowercase());
         match ending.as_str() {
             "stl" => {
-                let contents = MeshContents::read(path, MeshFormat::Stl).map_err(|error| error.message())?;
+                let contents =
+                    MeshContents::read(files, path, MeshFormat::Stl).map_err(|error| error.message())?;
                 let mut all = Self::default();
                 for part in &contents.parts {
                     let first = all.vertices.len() as u32;
@@ -41,8 +45,14 @@ impl Surface {
                 }
                 Ok(all)
             }
-            "obj" => Self::of_obj(&std::fs::read_to_string(path).map_err(|error| error.to_string())?),
-            "msh" => Self::of_msh(&std::fs::read(path).map_err(|error| error.to_string())?),
+            "obj" => {
+                let read = read_text_file(files, path, |text| Ok(Self::of_obj(text)));
+                read.map_err(|error| error.message())?
+            }
+            "msh" => {
+                let read = read_file(files, path, |bytes| Ok(Self::of_msh(bytes)));
+                read.map_err(|error| error.message())?
+            }
             _ => Err(format!("MuJoCo reads no .{ending} meshes")),
         }
     }

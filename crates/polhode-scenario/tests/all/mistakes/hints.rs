@@ -1,6 +1,7 @@
 //! A hint, obeyed, is right: every example is spoilt at every place in several ways, the hint is followed to the letter, and what
 //! comes of it is read, with the meaning that it had where the hint could know it.
 
+use polhode_source::files::Disk;
 use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -38,7 +39,7 @@ fn meaning(text: &str, path: &Path) -> Result<String, FormatError> {
     let plan = match text.contains("[sweep]") {
         true => format!(
             "{:?}",
-            scenario::Template::parse(text.to_owned(), path)?
+            scenario::Template::parse(&Disk, text.to_owned(), path)?
                 .sweep()?
                 .vary
                 .iter()

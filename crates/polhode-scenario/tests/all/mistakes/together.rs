@@ -1,6 +1,7 @@
 //! What stands together goes together: units in a list, and the orbit of several torques.
 
 use super::{BALL, RUN, parse, refuses};
+use polhode_source::files::Disk;
 
 #[test]
 fn numbers_of_a_list_have_their_units_all_or_none() {
@@ -71,7 +72,7 @@ fn a_satellite_has_one_orbit() {
     let start = "[orbit]\nradius='7000 km'\n[start]\nrelative_to='orbit'\n";
     let run = "[run]\nduration='2 orbits'\nsamples=2\n";
     let plan = format!("{BALL}{start}{GRADIENT}{MAGNET}{run}{plan}key='orbit.radius'\n{uniform}");
-    let template = polhode_scenario::read::Template::parse(plan, "plan.toml".as_ref()).unwrap();
+    let template = polhode_scenario::read::Template::parse(&Disk, plan, "plan.toml".as_ref()).unwrap();
     let target = template.sweep().unwrap().vary[0].target.clone();
     let member = template.scenario([(&target, &[6.95e6][..])]).unwrap();
     let shown = format!("{:?}", member.torques());

@@ -1,6 +1,5 @@
 //! Buffers: bytes beside the document, in the GLB, in the document as base64, or in a file of its folder.
 
-use std::fs::File;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 use std::rc::Rc;
@@ -8,7 +7,7 @@ use std::rc::Rc;
 use base64::engine::general_purpose::{GeneralPurpose, NO_PAD};
 use base64::{Engine as _, alphabet};
 use polhode_source::file;
-use polhode_source::{Confinement, NotOpened};
+use polhode_source::files::{Confined, Files, NotOpened};
 use polhode_source::{ContentError, ContentErrorKind};
 
 use super::json::Json;
@@ -18,6 +17,7 @@ use super::json::Json;
 pub(crate) struct Buffers<'a> {
     root: Json<'a>,
     chunk: Option<&'a [u8]>,
+    from: &'a dyn Files,
     folder: &'a Path,
     loaded: Vec<Option<Bytes<'a>>>,
     files: Vec<(PathBuf, Rc<Vec<u8>>)>,
@@ -50,9 +50,14 @@ impl View<'_> {
 }
 
 impl<'a> Buffers<'a> {
-    pub(crate) fn new(root: Json<'a>, chunk: Option<&'a [u8]>, folder: &'a Path) -> Self {
+    pub(crate) fn new(
+        root: Json<'a>,
+        chunk: Option<&'a [u8]>,
+        from: &'a dyn Files,
+        folder: &'a Path,
+    ) -> Self {
         let loaded = vec![None; root.count("buffers")];
-        Self { root, chunk, folder, loaded, files: Vec::new() }
+        Self { root, chunk, from, folder, loaded, files: Vec::new() }
     }
 
     /// The view that this value, an index, means.
@@ -123,19 +128,21 @@ impl<'a> Buffers<'a> {
         };
         let failed = |e: &std::io::Error| uri.refused("uri", &format!("a file that can be read ({e})"));
         let path = inside(uri.text()?).ok_or_else(outside)?;
-        let folder = if self.folder.as_os_str().is_empty() { Path::new(".") } else { self.folder };
-        let confinement = Confinement::within([folder.to_owned()]);
-        let path = confinement.file(folder, &path).map_err(|why| match why {
+        let files = Confined::within(self.from, [self.folder.to_owned()]);
+        let path = files.named(self.folder, &path).map_err(|why| match why {
             NotOpened::Outside => outside(),
-            NotOpened::Missing => failed(&io::ErrorKind::NotFound.into()),
+            NotOpened::Missing | NotOpened::NotGiven => failed(&io::ErrorKind::NotFound.into()),
             NotOpened::NotRegular => uri.refused("uri", "an ordinary file"),
         })?;
         if let Some((_, bytes)) = self.files.iter().find(|(known, _)| *known == path) {
             return Ok(bytes.clone());
         }
-        let file = File::open(&path).map_err(|e| failed(&e))?;
-        let bytes =
-            file.metadata().and_then(|before| file::all(&file, u64::MAX, &before)).map_err(|e| failed(&e))?;
+        let read = || {
+            let mut file = files.open(&path)?;
+            let before = file.look()?;
+            file::all(&mut *file, u64::MAX, &before)
+        };
+        let bytes = read().map_err(|e| failed(&e))?;
         let bytes = Rc::new(bytes);
         self.files.push((path, bytes.clone()));
         Ok(bytes)

@@ -24,6 +24,7 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use polhode::body::Severity;
+use polhode_source::files::Files;
 use polhode_source::json_value;
 use polhode_source::package::unfolding::Budget;
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
@@ -43,6 +44,7 @@ use primitive::Surface;
 /// ```
 /// use std::path::Path;
 /// use polhode_shape::mesh::gltf::read;
+/// use polhode_source::files::Memory;
 ///
 /// // Two nodes place the same three corners: as they are, and 2 m along z.
 /// let file = br#"{
@@ -53,7 +55,7 @@ use primitive::Surface;
 ///     "bufferViews": [{"buffer": 0, "byteLength": 9}],
 ///     "buffers": [{"byteLength": 9, "uri": "data:application/octet-stream;base64,AAEAAwAABQAC"}]
 /// }"#;
-/// let contents = read(file, Path::new("."))?;
+/// let contents = read(&Memory::default(), file, Path::new(""))?;
 /// assert_eq!((contents.unit, contents.parts.len()), (Some(1.0), 2));
 /// let corners = contents.parts[1].mesh.corners().next();
 /// assert_eq!(corners, Some([[0.0, 1.0, 2.0], [3.0, 0.0, 2.0], [5.0, 0.0, 4.0]]));
@@ -63,7 +65,7 @@ use primitive::Surface;
 /// # Errors
 /// [`ContentError`] for bytes that are no glTF 2.0, a document that contradicts itself or its buffers, one that
 /// needs an extension that is not read, a buffer outside the folder, and a scene without a triangle.
-pub fn read(bytes: &[u8], folder: &Path) -> Result<MeshContents, ContentError> {
+pub fn read(files: &dyn Files, bytes: &[u8], folder: &Path) -> Result<MeshContents, ContentError> {
     let container = glb::open(bytes)?;
     let document = parsed(container.json, container.is_binary)?;
     let root = Json::root(&document);
@@ -72,7 +74,7 @@ pub fn read(bytes: &[u8], folder: &Path) -> Result<MeshContents, ContentError> {
 
     let forest = Forest::of(&root)?;
     let mut scene = Scene {
-        buffers: Buffers::new(root.clone(), container.chunk, folder),
+        buffers: Buffers::new(root.clone(), container.chunk, files, folder),
         root,
         budget: Budget::placing(bytes.len() as u64),
         surfaces: HashMap::new(),

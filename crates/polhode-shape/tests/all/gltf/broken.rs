@@ -1,5 +1,6 @@
 //! Documents that contradict themselves, files that are cut or changed, and buffers that are elsewhere.
 
+use polhode_source::files::Disk;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -215,7 +216,7 @@ fn buffers_beside_the_document_and_nowhere_else() {
     fs::write(top.join("outside.bin"), &file.bytes).unwrap();
     let read = |uri: &str| {
         let file = file.clone().with(|doc| doc["buffers"][0]["uri"] = uri.into());
-        gltf::read(&serde_json::to_vec(&file.doc).unwrap(), &inner)
+        gltf::read(&Disk, &serde_json::to_vec(&file.doc).unwrap(), &inner)
     };
     for good in ["my%20solid.bin", "my solid.bin", "./my%20solid.bin", "parts/solid.bin"] {
         assert_eq!(corners(&read(good).unwrap()), expected(), "{good}");
@@ -253,13 +254,13 @@ fn buffers_beside_the_document_and_nowhere_else() {
         assert_eq!(corners(&read("alias.bin").unwrap()), expected());
     }
     let mute = serde_json::to_vec(&file.doc).unwrap();
-    assert_eq!(gltf::read(&mute, &inner).unwrap_err().to_string(), "buffers[0]: the file has no uri");
+    assert_eq!(gltf::read(&Disk, &mute, &inner).unwrap_err().to_string(), "buffers[0]: the file has no uri");
 }
 
 #[test]
 fn containers_that_are_broken() {
     let glb = File::plain().glb();
-    let error = |bytes: &[u8]| gltf::read(bytes, Path::new(".")).unwrap_err().to_string();
+    let error = |bytes: &[u8]| gltf::read(&Disk, bytes, Path::new(".")).unwrap_err().to_string();
     let patched = |at: usize, with: &[u8]| {
         let mut bytes = glb.clone();
         bytes[at..at + with.len()].copy_from_slice(with);
@@ -285,11 +286,13 @@ fn containers_that_are_broken() {
         "the chunk of JSON, line 1, column 1: expected JSON, found \"expected value\""
     );
     let text = b"{\n  \"asset\": {\"version\": \"2.0\"},\n  \"nodes\": [1 2]\n}";
-    let error = gltf::read(text, Path::new(".")).unwrap_err();
+    let error = gltf::read(&Disk, text, Path::new(".")).unwrap_err();
     assert_eq!(error.place, polhode_source::ContentPlace::Text(47..48));
     assert_eq!(&text[47..48], b"2");
-    assert!(gltf::read(&[b'['; 100_000], Path::new(".")).is_err());
-    assert!(gltf::read(format!("{{\"a\":{}", "[".repeat(100_000)).as_bytes(), Path::new(".")).is_err());
+    assert!(gltf::read(&Disk, &[b'['; 100_000], Path::new(".")).is_err());
+    assert!(
+        gltf::read(&Disk, format!("{{\"a\":{}", "[".repeat(100_000)).as_bytes(), Path::new(".")).is_err()
+    );
 }
 
 /// Cut anywhere, and with any byte changed: an answer or an error, and never more than the bytes carry.
@@ -297,18 +300,18 @@ fn containers_that_are_broken() {
 fn no_bytes_do_harm() {
     let glb = File::plain().glb();
     for length in 0..glb.len() {
-        assert!(gltf::read(&glb[..length], Path::new(".")).is_err());
+        assert!(gltf::read(&Disk, &glb[..length], Path::new(".")).is_err());
     }
     let embedded = File::plain().embedded();
     for length in 0..embedded.len() {
-        assert!(gltf::read(&embedded[..length], Path::new(".")).is_err());
+        assert!(gltf::read(&Disk, &embedded[..length], Path::new(".")).is_err());
     }
     let mut read = 0;
     for k in 0..glb.len() {
         for mask in [0x01, 0x04, 0x10, 0x80, 0xff] {
             let mut bytes = glb.clone();
             bytes[k] ^= mask;
-            if let Ok(contents) = gltf::read(&bytes, Path::new(".")) {
+            if let Ok(contents) = gltf::read(&Disk, &bytes, Path::new(".")) {
                 read += 1;
                 let made: usize = contents
                     .parts
@@ -368,7 +371,7 @@ fn no_value_does_harm() {
             let mut doc = file.doc.clone();
             *doc.pointer_mut(pointer).unwrap() = other.clone();
             let file = File { doc, bytes: file.bytes.clone() };
-            answers += usize::from(gltf::read(&file.glb(), Path::new(".")).is_ok());
+            answers += usize::from(gltf::read(&Disk, &file.glb(), Path::new(".")).is_ok());
         }
     }
     assert!(answers > 20 && answers < all.len() * others.len() / 2);
@@ -379,8 +382,9 @@ fn no_value_does_harm() {
 fn a_text_has_a_limit() {
     let path = std::env::temp_dir().join(format!("polhode-large-{}.gltf", std::process::id()));
     fs::File::create(&path).unwrap().set_len(1 << 30).unwrap();
-    let read =
-        |path: &Path| polhode_shape::mesh::MeshContents::read(path, polhode_shape::mesh::MeshFormat::Gltf);
+    let read = |path: &Path| {
+        polhode_shape::mesh::MeshContents::read(&Disk, path, polhode_shape::mesh::MeshFormat::Gltf)
+    };
     let error = read(&path).unwrap_err();
     assert!(error.to_string().contains("it has more than 268435456 bytes"), "{error}");
     fs::remove_file(&path).unwrap();
@@ -389,6 +393,6 @@ fn a_text_has_a_limit() {
 #[test]
 fn a_key_stands_once() {
     let text = br#"{"asset": {"version": "2.0"}, "scene": 0, "scene": 1}"#;
-    let error = gltf::read(text, Path::new("")).unwrap_err();
+    let error = gltf::read(&Disk, text, Path::new("")).unwrap_err();
     assert!(error.kind.to_string().contains("stands twice in one object"), "{}", error.kind);
 }

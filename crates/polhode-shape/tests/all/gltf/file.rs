@@ -5,6 +5,7 @@ use std::path::Path;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use polhode_shape::mesh::{MeshContents, gltf};
 use polhode_source::ContentError;
+use polhode_source::files::Disk;
 use serde_json::{Value, json};
 
 pub(super) const I8: u64 = 5120;
@@ -155,8 +156,10 @@ impl File {
     }
 
     pub(super) fn read(&self) -> Result<MeshContents, ContentError> {
-        let (embedded, glb) =
-            (gltf::read(&self.embedded(), Path::new(".")), gltf::read(&self.glb(), Path::new(".")));
+        let (embedded, glb) = (
+            gltf::read(&Disk, &self.embedded(), Path::new(".")),
+            gltf::read(&Disk, &self.glb(), Path::new(".")),
+        );
         match (embedded, glb) {
             (Ok(embedded), Ok(glb)) => {
                 assert_eq!((embedded.encoding, glb.encoding), ("json", "binary"));

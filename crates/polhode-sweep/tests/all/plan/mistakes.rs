@@ -1,5 +1,6 @@
 //! What every mistake in a plan is answered with.
 
+use polhode_source::files::Disk;
 use polhode_sweep::Plan;
 
 use super::{SCENARIO, SPIN};
@@ -10,7 +11,7 @@ fn refuses(sweep: &str, message: &str, hint: &str) {
     let marked = format!("{SCENARIO}{sweep}");
     let start = marked.find('«').unwrap();
     let end = marked.find('»').unwrap() - '«'.len_utf8();
-    let error = match Plan::parse(marked.replace(['«', '»'], ""), "plan.toml".as_ref()) {
+    let error = match Plan::parse(&Disk, marked.replace(['«', '»'], ""), "plan.toml".as_ref()) {
         Ok(_) => panic!("it is accepted:\n{sweep}"),
         Err(error) => error,
     };
@@ -69,7 +70,7 @@ fn a_plan_says_how_many_and_how() {
         "the key vary is missing in [sweep]",
         "write [[sweep.vary]]",
     );
-    let scenario = Plan::parse(SCENARIO.to_owned(), "plan.toml".as_ref()).unwrap_err();
+    let scenario = Plan::parse(&Disk, SCENARIO.to_owned(), "plan.toml".as_ref()).unwrap_err();
     assert_eq!(scenario.message(), "the key sweep is missing in the file");
 }
 
@@ -259,7 +260,7 @@ fn a_law_fits_its_number() {
     let text = format!(
         "{zero}[sweep]\nmembers = 3\nsampling = 'sobol'\n[[sweep.vary]]\nkey = 'body.part[0].center_of_mass[0]'\nrelative = 0.1\n"
     );
-    let error = Plan::parse(text, "plan.toml".as_ref()).unwrap_err();
+    let error = Plan::parse(&Disk, text, "plan.toml".as_ref()).unwrap_err();
     assert_eq!(error.message(), "relative = 0.1 must be left out, since the number is written as zero");
 }
 
@@ -337,7 +338,7 @@ fn a_column_has_one_name() {
     let vary = |name: &str| format!("[[sweep.vary]]\nkey = 'body.part[\"{name}\"].mass'\nrelative = 0.1\n");
     let parts = format!("{}{}", part("tank 1"), part("tank-1"));
     let sweep = format!("[sweep]\nmembers = 3\nsampling = 'sobol'\n{}{}", vary("tank 1"), vary("tank-1"));
-    let error = Plan::parse(format!("{parts}{sweep}"), "plan.toml".as_ref()).unwrap_err();
+    let error = Plan::parse(&Disk, format!("{parts}{sweep}"), "plan.toml".as_ref()).unwrap_err();
     let expected = "plan.toml:18:7: key = 'body.part[\"tank-1\"].mass' must be of another name: line 15 has the column \
                     body_part_tank_1_mass_kg already";
     assert_eq!(error.to_string(), expected);
@@ -366,7 +367,7 @@ fn a_grid_has_values_and_no_distributions() {
     let three: String = (0..3).map(|k| vary(&format!("start.spin.body[{k}]"), many)).collect();
     let message = "sweep.vary = 1000000 × 1000000 × 1000000 must be at most 1000000000000 combinations";
     let text = format!("{SCENARIO}[sweep]\nsampling = 'grid'\n{three}");
-    let error = Plan::parse(text, "plan.toml".as_ref()).unwrap_err();
+    let error = Plan::parse(&Disk, text, "plan.toml".as_ref()).unwrap_err();
     assert_eq!((error.message().as_str(), error.place().unwrap().line), (message, 20));
 }
 
@@ -378,11 +379,11 @@ fn sobol_has_so_many_dimensions_and_no_more() {
     let vary: String =
         (0..5).map(|k| format!("[[sweep.vary]]\nkey = 'body.part[{k}]'\ndispersion = 0.1\n")).collect();
     let text = |sampling: &str| format!("{body}[sweep]\nmembers = 8\nsampling = '{sampling}'\n{vary}");
-    let error = Plan::parse(text("sobol"), "plan.toml".as_ref()).unwrap_err();
+    let error = Plan::parse(&Disk, text("sobol"), "plan.toml".as_ref()).unwrap_err();
     let expected =
         "plan.toml:37:7: key = 'body.part[4]' must be among the first 64 numbers that are drawn for a member";
     assert_eq!(error.to_string(), expected);
-    assert!(Plan::parse(text("latin hypercube"), "plan.toml".as_ref()).is_ok());
+    assert!(Plan::parse(&Disk, text("latin hypercube"), "plan.toml".as_ref()).is_ok());
 }
 
 #[test]
@@ -393,7 +394,7 @@ fn members_that_are_no_bodies_are_a_finding_unless_all_are() {
              uniform = {{ from = {from}, to = {to} }}\n"
         )
     };
-    let plan = Plan::parse(mass("-1", "1"), "plan.toml".as_ref()).unwrap();
+    let plan = Plan::parse(&Disk, mass("-1", "1"), "plan.toml".as_ref()).unwrap();
     let finding = plan.findings().pop().unwrap();
     assert_eq!((finding.code, finding.severity), ("sweep.members", polhode::body::Severity::Warning));
     assert!(
@@ -404,9 +405,9 @@ fn members_that_are_no_bodies_are_a_finding_unless_all_are() {
     assert!(finding.message.ends_with("must be positive"), "{}", finding.message);
     assert_eq!(finding.place.as_deref(), Some("line 7"));
 
-    let error = Plan::parse(mass("-2", "-1"), "plan.toml".as_ref()).unwrap_err();
+    let error = Plan::parse(&Disk, mass("-2", "-1"), "plan.toml".as_ref()).unwrap_err();
     assert!(error.message().starts_with("mass = -1."), "{error}");
     assert_eq!(error.place().unwrap().line, 7);
-    let good = Plan::parse(mass("1", "2"), "plan.toml".as_ref()).unwrap();
+    let good = Plan::parse(&Disk, mass("1", "2"), "plan.toml".as_ref()).unwrap();
     assert!(good.findings().is_empty());
 }

@@ -4,6 +4,7 @@ mod correlated;
 mod mistakes;
 mod statistics;
 
+use polhode_source::files::Disk;
 use polhode_sweep::{Plan, Sampling};
 
 const SCENARIO: &str = r#"
@@ -26,7 +27,8 @@ samples = 11
 "#;
 
 fn plan(sweep: &str) -> Plan {
-    Plan::parse(format!("{SCENARIO}{sweep}"), "plan.toml".as_ref()).unwrap_or_else(|error| panic!("{error}"))
+    Plan::parse(&Disk, format!("{SCENARIO}{sweep}"), "plan.toml".as_ref())
+        .unwrap_or_else(|error| panic!("{error}"))
 }
 
 #[test]
@@ -198,7 +200,7 @@ dispersion = "20 %"
 key = "body.part[1].mass"
 relative = 0.1
 "#;
-    let plan = Plan::parse(format!("{scenario}{sweep}"), "plan.toml".as_ref()).unwrap();
+    let plan = Plan::parse(&Disk, format!("{scenario}{sweep}"), "plan.toml".as_ref()).unwrap();
     assert_eq!(plan.variables()[0].name, "body_part_bus_inertia_xx_kg_m2");
     assert_eq!(plan.variables()[6].name, "body_part_1_mass_kg");
     for member in 0..100 {
@@ -227,7 +229,7 @@ random = { sd = "30 deg" }
 key = "body.inertia"
 dispersion = "30 %"
 "#;
-    let plan = Plan::parse(format!("{scenario}{sweep}"), "plan.toml".as_ref()).unwrap();
+    let plan = Plan::parse(&Disk, format!("{scenario}{sweep}"), "plan.toml".as_ref()).unwrap();
     for member in 0..50 {
         let scenario = plan.scenario(&plan.values(member)).unwrap();
         let l = scenario.start().attitude * (*scenario.body().inertia() * scenario.start().omega);
@@ -263,8 +265,8 @@ uniform = { from = -0.3, to = 0.3 }
     let headed = SCENARIO.replace("attitude = { axis = [1, -2, 3], angle = \"50 deg\" }\n", "")
         + "[start.attitude]\nquaternion = [1, 0, 0, 0]\n";
     let scenarios = [SCENARIO, &dotted, &headed].map(|scenario| {
-        let plan =
-            Plan::parse(format!("{scenario}{sweep}"), "plan.toml".as_ref()).unwrap_or_else(|e| panic!("{e}"));
+        let plan = Plan::parse(&Disk, format!("{scenario}{sweep}"), "plan.toml".as_ref())
+            .unwrap_or_else(|e| panic!("{e}"));
         let scenario = |member| plan.scenario(&plan.values(member)).unwrap();
         (0..20).map(scenario).collect::<Vec<_>>()
     });
@@ -283,16 +285,16 @@ fn the_digest_names_everything_that_results_depend_on() {
     let text = "[[body.part]]\nshape = 'mesh'\nfile = 'tetrahedron.off'\ndensity = 3\n[sweep]\nmembers = 3\n\
                 sampling = 'sobol'\n[[sweep.vary]]\nkey = 'body.part[0].density'\nuniform = { from = 2, to = 4 }\n";
     std::fs::write(&path, text).unwrap();
-    let plan = Plan::read(&path).unwrap();
-    assert_eq!(plan.digest(), Plan::read(&path).unwrap().digest());
+    let plan = Plan::read(&Disk, &path).unwrap();
+    assert_eq!(plan.digest(), Plan::read(&Disk, &path).unwrap().digest());
     // A member opens no file again.
     std::fs::write(&mesh, "OFF\n").unwrap();
     let heavy = plan.scenario(&[6.0]).unwrap();
     assert!((heavy.body().mass() - 1.0).abs() < 1e-15);
     std::fs::write(&mesh, off.replace("0 0 1", "0 0 2")).unwrap();
-    let other_file = Plan::read(&path).unwrap().digest();
+    let other_file = Plan::read(&Disk, &path).unwrap().digest();
     std::fs::write(&path, text.replace("to = 4", "to = 5")).unwrap();
-    let other_text = Plan::read(&path).unwrap().digest();
+    let other_text = Plan::read(&Disk, &path).unwrap().digest();
     assert!(plan.digest() != other_file && other_file != other_text);
     std::fs::remove_dir_all(&folder).unwrap();
 }

@@ -1,5 +1,6 @@
 //! Text as programs write it: separators, comments, quotes, JSON lines, and large files.
 
+use polhode_source::files::Disk;
 use std::fs;
 use std::path::Path;
 
@@ -112,7 +113,7 @@ fn a_large_file_is_read_as_a_small_one_is() {
     assert!(text.len() > 2 * (8 << 20), "{}", text.len());
     let path = std::env::temp_dir().join(format!("polhode-run-log-{}.csv", std::process::id()));
     fs::write(&path, text).unwrap();
-    let log = run_log::read(&path, None).unwrap();
+    let log = run_log::read(&Disk, &path, None).unwrap();
     assert_eq!(log, read(text));
     assert_eq!(log.log.times().len(), rows);
     for k in (0..rows).step_by(97) {
@@ -129,13 +130,13 @@ fn a_large_file_is_read_as_a_small_one_is() {
         let mut lines: Vec<&str> = text.lines().collect();
         lines[row] = wrong;
         fs::write(&path, lines.join("\n")).unwrap();
-        let error = run_log::read(&path, None).unwrap_err();
+        let error = run_log::read(&Disk, &path, None).unwrap_err();
         assert!(error.message().starts_with(message), "{error}");
         assert_eq!(error.place().unwrap().line, row + 1);
     }
     fs::remove_file(&path).unwrap();
-    assert!(run_log::read(&path, None).unwrap_err().message().contains("there is no such file"));
-    assert!(run_log::read(&std::env::temp_dir(), None).unwrap_err().message().contains("directory"));
+    assert!(run_log::read(&Disk, &path, None).unwrap_err().message().contains("there is no such file"));
+    assert!(run_log::read(&Disk, &std::env::temp_dir(), None).unwrap_err().message().contains("directory"));
 }
 
 #[test]

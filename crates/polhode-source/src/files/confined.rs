@@ -1,0 +1,142 @@
+//! Files that lie in some folders.
+
+use std::fmt;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::{Files, Look, OpenFile, lexical};
+
+/// Files in some folders: that of a data file, and those that the user allows (`--root`).
+///
+/// A log, a parts list, a mesh or a robot model is data: it opens no other files, by whatever path, address or link.
+///
+/// ```
+/// use polhode_source::files::{Confined, Disk, Files, NotOpened};
+/// let folder = std::env::temp_dir().join(format!("polhode-confined-{}", std::process::id()));
+/// std::fs::create_dir_all(folder.join("inner"))?;
+/// std::fs::write(folder.join("inner/a.stl"), "")?;
+/// let files = Confined::beside(&Disk, &folder.join("list.csv"), &[]);
+/// assert!(files.named(&folder, "inner/../inner/a.stl".as_ref()).is_ok());
+/// assert_eq!(files.named(&folder, "b.stl".as_ref()), Err(NotOpened::Missing));
+/// assert_eq!(files.named(&folder, "inner".as_ref()), Err(NotOpened::NotRegular));
+/// assert_eq!(files.named(&folder, "../b.stl".as_ref()), Err(NotOpened::Outside));
+/// assert_eq!(files.named(&folder, "/etc/hostname".as_ref()), Err(NotOpened::Outside));
+/// assert!(files.open("/etc/hostname".as_ref()).is_err());
+/// # std::fs::remove_dir_all(folder)?;
+/// # Ok::<(), std::io::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Confined<'a> {
+    files: &'a dyn Files,
+    /// Canonical paths.
+    folders: Vec<PathBuf>,
+}
+
+/// Reason why a file that another file names is not opened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NotOpened {
+    /// It lies outside the folders.
+    Outside,
+    /// It does not exist.
+    Missing,
+    /// It is a folder, a pipe or a device.
+    NotRegular,
+    /// It is none of the files that were given.
+    NotGiven,
+}
+
+impl<'a> Confined<'a> {
+    /// Allows the folder of a data file, and the roots; [`require_folders`](crate::file::require_folders) checks these.
+    pub fn beside(files: &'a dyn Files, file: &Path, roots: &[PathBuf]) -> Self {
+        let folder = or_here(file.parent().unwrap_or(Path::new(""))).to_owned();
+        Self::within(files, std::iter::once(folder).chain(roots.iter().cloned()))
+    }
+
+    /// Allows these folders; one that does not exist holds nothing.
+    pub fn within(files: &'a dyn Files, folders: impl IntoIterator<Item = PathBuf>) -> Self {
+        Self {
+            files,
+            folders: folders
+                .into_iter()
+                .filter_map(|folder| files.canonical(or_here(&folder)).ok())
+                .collect(),
+        }
+    }
+
+    /// Returns true if a canonical path lies in one of the folders.
+    fn holds(&self, path: &Path) -> bool {
+        self.folders.iter().any(|folder| path.starts_with(folder))
+    }
+
+    /// # Errors
+    /// Permission is denied where the path does not lie in one of the folders.
+    fn require(&self, path: &Path) -> io::Result<PathBuf> {
+        let path = self.files.canonical(path)?;
+        if self.holds(&path) { Ok(path) } else { Err(io::ErrorKind::PermissionDenied.into()) }
+    }
+}
+
+impl Files for Confined<'_> {
+    fn open(&self, path: &Path) -> io::Result<Box<dyn OpenFile>> {
+        self.files.open(&self.require(path)?)
+    }
+
+    fn look(&self, path: &Path) -> io::Result<Look> {
+        self.files.look(&self.require(path)?)
+    }
+
+    fn canonical(&self, path: &Path) -> io::Result<PathBuf> {
+        self.require(path)
+    }
+
+    fn folders(&self, folder: &Path) -> io::Result<Vec<PathBuf>> {
+        self.files.folders(&self.require(folder)?)
+    }
+
+    /// The canonical path of a file that is named relative to a folder, or by an absolute path.
+    ///
+    /// Nothing outside the folders is looked at: the path has to lie in them by its words, and with its links
+    /// resolved. The file has to be a regular one: a pipe or a device may be endless, and opening one may wait for ever.
+    fn named(&self, folder: &Path, name: &Path) -> Result<PathBuf, NotOpened> {
+        self.files.named(folder, name)?;
+        let folder = self.files.canonical(or_here(folder)).map_err(|_| NotOpened::Missing)?;
+        let path = lexical(&folder.join(name));
+        if !self.holds(&path) {
+            return Err(NotOpened::Outside);
+        }
+        let path = self.files.canonical(&path).map_err(|_| NotOpened::Missing)?;
+        if !self.holds(&path) {
+            return Err(NotOpened::Outside);
+        }
+        if self.files.is_file(&path) { Ok(path) } else { Err(NotOpened::NotRegular) }
+    }
+}
+
+/// Returns true if a name, relative to a folder or absolute, is the path of a given file. The named file itself is not
+/// looked at.
+pub fn is_path_of(files: &dyn Files, folder: &Path, name: &Path, given: &Path) -> bool {
+    let absolute = |folder: &Path, name: &Path| {
+        files.canonical(or_here(folder)).ok().map(|folder| lexical(&folder.join(name)))
+    };
+    let own =
+        given.file_name().and_then(|file| absolute(given.parent().unwrap_or(Path::new("")), file.as_ref()));
+    let named = absolute(folder, name);
+    named.is_some() && (named == own || named == files.canonical(given).ok())
+}
+
+fn or_here(folder: &Path) -> &Path {
+    if folder.as_os_str().is_empty() { Path::new(".") } else { folder }
+}
+
+impl fmt::Display for NotOpened {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Outside => "it lies outside the folder of the file that names it",
+            Self::Missing => "the file does not exist",
+            Self::NotRegular => "it is not a regular file",
+            Self::NotGiven => "it was not opened together with the file that names it",
+        })
+    }
+}
+
+impl std::error::Error for NotOpened {}

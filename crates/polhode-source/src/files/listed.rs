@@ -1,0 +1,39 @@
+//! Files that are on a list.
+
+use std::collections::BTreeSet;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::{Files, Look, NotOpened, OpenFile};
+
+/// Files of which a text may name those on a list only: those that were opened together with it.
+#[derive(Clone, Copy, Debug)]
+pub struct Listed<'a> {
+    /// Place that they are taken from.
+    pub files: &'a dyn Files,
+    /// Their paths, as the text leads to them.
+    pub paths: &'a BTreeSet<PathBuf>,
+}
+
+impl Files for Listed<'_> {
+    fn open(&self, path: &Path) -> io::Result<Box<dyn OpenFile>> {
+        self.files.open(path)
+    }
+
+    fn look(&self, path: &Path) -> io::Result<Look> {
+        self.files.look(path)
+    }
+
+    fn canonical(&self, path: &Path) -> io::Result<PathBuf> {
+        self.files.canonical(path)
+    }
+
+    fn folders(&self, folder: &Path) -> io::Result<Vec<PathBuf>> {
+        self.files.folders(folder)
+    }
+
+    fn named(&self, folder: &Path, name: &Path) -> Result<PathBuf, NotOpened> {
+        let path = folder.join(name);
+        if self.paths.contains(&path) { self.files.named(folder, name) } else { Err(NotOpened::NotGiven) }
+    }
+}

@@ -1,6 +1,5 @@
 //! Meshes: what is accepted is finite, is the same when it is read again or from another format, and bounds a possible body.
 
-use polhode_source::files::Disk;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -8,6 +7,7 @@ use polhode::body::mesh::{ConvexHull, TriangleMesh};
 use polhode::body::shape::{Shape as _, Substance};
 use polhode::math::Rotation;
 use polhode_shape::mesh::{MeshContents, MeshFormat, MeshSolid, points};
+use polhode_source::files::Disk;
 
 use super::physical::{assert_physical, assert_written_is_read};
 

@@ -1,7 +1,6 @@
 //! Scenarios, their tables, and plans: what is accepted is simulated a little, and every number of
 //! its table is finite. Logs of motions.
 
-use polhode_source::files::Disk;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -10,6 +9,7 @@ use polhode::motion::{ErrorEffort, Scenario, Trajectory};
 use polhode_judge::suite::CASES;
 use polhode_judge::{JudgeReport, JudgedRun};
 use polhode_scenario::read as scenario;
+use polhode_source::files::Disk;
 use polhode_sweep::Plan;
 use polhode_table::{log as run_log, output as table};
 

@@ -1,12 +1,12 @@
 //! `polhode explain`
 
-use polhode_source::files::Disk;
 use std::path::PathBuf;
 
 use clap::Args;
 use polhode_document::json::pretty;
 use polhode_scenario::read::ScenarioFile;
 use polhode_scenario::report::explain;
+use polhode_source::files::Disk;
 
 use crate::failure::Failure;
 use crate::stderr::shown;

@@ -2,7 +2,6 @@
 
 mod simple;
 
-use polhode_source::files::Disk;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -11,6 +10,7 @@ use polhode_identify::IdentifyError;
 use polhode_identify::read as identify;
 use polhode_identify::read::{Measurement, Plan};
 use polhode_identify::report::{BodySize, IdentifyReport};
+use polhode_source::files::Disk;
 use polhode_source::unit::Dimension;
 
 use crate::failure::Failure;

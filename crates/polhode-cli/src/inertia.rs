@@ -16,7 +16,6 @@ mod substance;
 mod voxel;
 mod written;
 
-use polhode_source::files::Disk;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -27,6 +26,7 @@ use polhode_shape::brep::BrepFormat;
 use polhode_shape::mesh::MeshFormat;
 use polhode_shape::molecule::MoleculeFormat;
 use polhode_shape::report::InertiaReport;
+use polhode_source::files::Disk;
 use polhode_source::read_file;
 use polhode_source::unit::Dimension;
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};

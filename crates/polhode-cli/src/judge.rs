@@ -3,7 +3,6 @@
 mod read_as;
 mod suite;
 
-use polhode_source::files::Disk;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -14,6 +13,7 @@ use polhode_document::Document;
 use polhode_document::json::pretty;
 use polhode_judge::{JudgeReport, JudgedRun, judge_hint};
 use polhode_scenario::read::{ScenarioFile, text_of};
+use polhode_source::files::Disk;
 use polhode_source::files::{Confined, Files as _, NotOpened, is_path_of};
 use polhode_source::unit::Dimension;
 use polhode_table::log as run_log;

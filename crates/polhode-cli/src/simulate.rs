@@ -1,6 +1,5 @@
 //! `polhode simulate`
 
-use polhode_source::files::Disk;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -10,6 +9,7 @@ use polhode_document::SourceInfo;
 use polhode_document::json::pretty;
 use polhode_scenario::read::{ScenarioFile, TableFormat};
 use polhode_scenario::report::{MotionFigures, MotionReport};
+use polhode_source::files::Disk;
 
 use crate::browser::open;
 use crate::failure::Failure;

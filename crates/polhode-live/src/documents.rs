@@ -1,6 +1,5 @@
 //! What was opened or dropped.
 
-use polhode_source::files::Disk;
 use std::fs;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::mem;
@@ -10,6 +9,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use polhode_scenario::read::Draft;
 use polhode_shape::brep::BrepFormat;
+use polhode_source::files::Disk;
 
 use crate::answer::Refusal;
 use crate::inspect::MeshInspection;

@@ -1,10 +1,10 @@
 //! The file of a mesh, read and looked at once: a solid, or what is wrong with it.
 
-use polhode_source::files::Disk;
 use std::path::Path;
 
 use polhode::body::mesh::{ClosedMesh, MeshFlaws, TriangleMesh};
 use polhode_shape::mesh::{MeshContents, MeshFormat, MeshSolid, SolidPart};
+use polhode_source::files::Disk;
 
 use crate::inspect::{MARKS, MeshInspection};
 use crate::part_names::PartNames;

@@ -1,6 +1,5 @@
 //! A change of the text, and the motion of what it says then.
 
-use polhode_source::files::Disk;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -11,6 +10,7 @@ use polhode_document::VERSION;
 use polhode_scenario::read::{Draft, ScenarioFile};
 use polhode_scenario::report::{PageInput, PageSubject, explain_motion, page_rows};
 use polhode_source::FormatError;
+use polhode_source::files::Disk;
 
 use crate::answer::Refusal;
 use crate::edit::edited;

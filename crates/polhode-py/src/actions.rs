@@ -1,11 +1,11 @@
 //! What acts on the members of an ensemble: torques, some of which Python computes, wheels and events.
 
-use polhode_source::files::Disk;
 use std::path::{Path, PathBuf};
 
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{Event, EventFunction, Member, Rotor, State};
 use polhode_scenario::read::Actions;
+use polhode_source::files::Disk;
 use pyo3::prelude::*;
 
 use crate::error::{Raise, refused};

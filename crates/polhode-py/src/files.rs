@@ -1,6 +1,5 @@
 //! Bodies in files other than meshes, each kind with the options that it may need.
 
-use polhode_source::files::Disk;
 use std::path::{Path, PathBuf};
 
 use polhode::body::BodyError;
@@ -19,6 +18,7 @@ use polhode_shape::report::MoleculeReport;
 use polhode_shape::voxel;
 use polhode_shape::voxel::VoxelOptions;
 use polhode_source::FormatError;
+use polhode_source::files::Disk;
 use polhode_source::{read_file, read_text_file};
 use pyo3::prelude::*;
 

@@ -1,6 +1,5 @@
 //! What a body is, by measurements of its motion.
 
-use polhode_source::files::Disk;
 use std::path::{Path, PathBuf};
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
@@ -18,6 +17,7 @@ use polhode_identify::report::IdentifyReport;
 use polhode_identify::tumble::{
     AttitudeReading, Flight, FlightSearch, GyroErrors, GyroReading, TumbleOptions,
 };
+use polhode_source::files::Disk;
 use pyo3::prelude::*;
 
 use crate::actions::read_torques;

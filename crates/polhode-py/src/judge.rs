@@ -1,6 +1,5 @@
 //! Is the motion of another program right?
 
-use polhode_source::files::Disk;
 use std::path::{Path, PathBuf};
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
@@ -10,6 +9,7 @@ use polhode::infer::judge::{
 };
 use polhode_judge::{JudgeReport, JudgedRun, judge_hint};
 use polhode_scenario::read::ScenarioFile;
+use polhode_source::files::Disk;
 use polhode_table::log as run_log;
 use polhode_table::log::{Columns, RunLog, matrix_quaternion};
 use pyo3::prelude::*;

@@ -1,6 +1,5 @@
 //! Meshes: of files, and of arrays.
 
-use polhode_source::files::Disk;
 use std::path::{Path, PathBuf};
 
 use numpy::PyReadonlyArray2;
@@ -17,6 +16,7 @@ use polhode_shape::mesh::{
 };
 use polhode_shape::report::InertiaReport;
 use polhode_source::expression::Expression;
+use polhode_source::files::Disk;
 use pyo3::prelude::*;
 
 use crate::arrays::rows;

@@ -1,8 +1,8 @@
 //! Recognition of robot models in a build that cannot read them.
 
-use polhode_source::files::Disk;
 use std::path::PathBuf;
 
+use polhode_source::files::Disk;
 use polhode_source::read_file;
 use pyo3::prelude::*;
 

@@ -1,6 +1,5 @@
 //! Bodies in models of robots: a link, links joined, or a table of all.
 
-use polhode_source::files::Disk;
 use std::path::{Path, PathBuf};
 
 use polhode_robot::inertia::{InertiaError, of_link, of_lumps};
@@ -10,6 +9,7 @@ use polhode_robot::lump::{Lumping, slides};
 use polhode_robot::model::RobotModel;
 use polhode_robot::read::{ReadOptions, format_of, read_model};
 use polhode_shape::report::InertiaReport;
+use polhode_source::files::Disk;
 use polhode_source::read_file;
 use polhode_source::unit;
 use polhode_source::unit::Dimension;

@@ -1,6 +1,5 @@
 //! Scenarios as texts: their tables, what is noticed of them, and torques and events that Python computes.
 
-use polhode_source::files::Disk;
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -9,6 +8,7 @@ use polhode::math::{Body, Space, Torque};
 use polhode::motion::torque::{MemberState, TorqueModel};
 use polhode::motion::{ActingTorque, Event, EventFunction, Measure, Method, Rotor, Run, Scenario, State};
 use polhode_scenario::read::{Draft, ScenarioFile};
+use polhode_source::files::Disk;
 use pyo3::prelude::*;
 
 use crate::arrays::{rows, table};

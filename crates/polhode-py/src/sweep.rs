@@ -1,11 +1,11 @@
 //! Plans, their members, and what becomes of them: tables, column by column.
 
-use polhode_source::files::Disk;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use numpy::{PyArray1, PyArrayMethods as _, PyReadonlyArray1};
+use polhode_source::files::Disk;
 use polhode_sweep::{Batch, BatchError, Column, Dataset, Plan, SweepError, Values};
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;

@@ -1,11 +1,11 @@
 //! A bracket from a mesh, tumbling in a magnetic field that brakes it, until half of its kinetic energy is gone: a table of its motion.
 
-use polhode_source::files::Disk;
 use std::path::Path;
 
 use polhode::motion::{EventAction, Measure, Sense};
 use polhode::prelude::*;
 use polhode_shape::mesh::{MeshFormat, MeshSolid};
+use polhode_source::files::Disk;
 
 /// N = k B × (B × ω): eddy currents brake what turns across the field B, which is fixed in space.
 #[derive(Debug)]

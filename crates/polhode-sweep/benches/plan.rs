@@ -2,9 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a measurement may")]
 
-use polhode_source::files::Disk;
 use std::time::Instant;
 
+use polhode_source::files::Disk;
 use polhode_sweep::Plan;
 
 const SCENARIO: &str = r#"

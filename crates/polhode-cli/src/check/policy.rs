@@ -1,6 +1,5 @@
 //! What fails, what is allowed and what is known, from flags and files.
 
-use polhode_source::files::Disk;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -11,6 +10,7 @@ use polhode_robot::policy::baseline::{self, Baseline};
 use polhode_robot::policy::config::Config;
 use polhode_robot::policy::date::Date;
 use polhode_robot::policy::{Judged, Policy};
+use polhode_source::files::Disk;
 use polhode_source::read_text_file;
 
 use super::outputs::Outputs;

@@ -1,6 +1,5 @@
 //! The mass properties in a CAD program's report.
 
-use polhode_source::files::Disk;
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
@@ -14,6 +13,7 @@ use polhode_shape::cad::{
 };
 use polhode_shape::mesh::AssumedMetres;
 use polhode_shape::report::InertiaReport;
+use polhode_source::files::Disk;
 use polhode_source::read_text_file;
 
 use crate::failure::Failure;

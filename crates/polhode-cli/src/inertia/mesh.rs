@@ -1,6 +1,5 @@
 //! The mass properties of a mesh file.
 
-use polhode_source::files::Disk;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -15,6 +14,7 @@ use polhode_shape::mesh::{
 };
 use polhode_shape::report::InertiaReport;
 use polhode_source::expression::Expression;
+use polhode_source::files::Disk;
 use polhode_source::unit::Dimension;
 
 use super::field;

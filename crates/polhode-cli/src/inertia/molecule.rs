@@ -1,6 +1,5 @@
 //! The mass properties and rotational constants of molecules.
 
-use polhode_source::files::Disk;
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
@@ -10,6 +9,7 @@ use polhode_shape::molecule;
 use polhode_shape::molecule::{Isotopes, Molecule, MoleculeFormat};
 use polhode_shape::report::InertiaReport;
 use polhode_shape::report::MoleculeReport;
+use polhode_source::files::Disk;
 
 use crate::failure::Failure;
 

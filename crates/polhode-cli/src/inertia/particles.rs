@@ -1,12 +1,12 @@
 //! The mass properties of a table of particles.
 
-use polhode_source::files::Disk;
 use std::path::Path;
 
 use polhode_document::SourceInfo;
 use polhode_shape::particles;
 use polhode_shape::particles::ParticleOptions;
 use polhode_shape::report::InertiaReport;
+use polhode_source::files::Disk;
 use polhode_source::read_file;
 
 use crate::failure::Failure;

@@ -1,6 +1,5 @@
 //! The mass properties of a voxel grid.
 
-use polhode_source::files::Disk;
 use std::path::Path;
 
 use clap::Args;
@@ -12,6 +11,7 @@ use polhode_shape::report::InertiaReport;
 use polhode_shape::voxel;
 use polhode_shape::voxel::VoxelOptions;
 use polhode_source::FormatError;
+use polhode_source::files::Disk;
 use polhode_source::unit::Dimension;
 
 use crate::failure::Failure;

@@ -1,6 +1,5 @@
 //! The suite: written for programs, and their runs of it graded.
 
-use polhode_source::files::Disk;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, Write as _};
@@ -12,6 +11,7 @@ use polhode_document::number::ungrouped as number;
 use polhode_judge::suite;
 use polhode_judge::suite::{CASES, SuiteCase};
 use polhode_judge::{Card, CardCase, CardRun};
+use polhode_source::files::Disk;
 use polhode_table::log as run_log;
 use polhode_table::log::RunLog;
 use polhode_table::output as table;

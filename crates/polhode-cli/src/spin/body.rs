@@ -1,6 +1,5 @@
 //! What spins, and how it starts.
 
-use polhode_source::files::Disk;
 use std::path::Path;
 
 use polhode::body::{BodyError, Finding, InertiaTensor, MassProperties, PrincipalFrame, Symmetry};
@@ -8,6 +7,7 @@ use polhode::math::{AngularMomentum, AngularVelocity, Attitude, Body, Position};
 use polhode::motion::{FreeMotion, Rotor, Scenario, State};
 use polhode_document::SourceInfo;
 use polhode_scenario::read::ScenarioFile;
+use polhode_source::files::Disk;
 
 use crate::failure::Failure;
 use crate::page::{Page, Shown};

@@ -1,10 +1,10 @@
 //! The times that are asked for.
 
-use polhode_source::files::Disk;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use polhode_source::files::Disk;
 use polhode_source::times;
 
 use crate::failure::Failure;

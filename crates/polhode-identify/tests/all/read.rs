@@ -1,6 +1,5 @@
 //! Plans of payloads and their logs: units, columns, mistakes with their places.
 
-use polhode_source::files::Disk;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;
@@ -9,6 +8,7 @@ use polhode::math::{Acceleration, Attitude, Direction};
 use polhode_identify::payload::{PayloadRow, gravity_along};
 use polhode_identify::read::{Measurement, PayloadPlan, read};
 use polhode_source::FormatError;
+use polhode_source::files::Disk;
 
 /// A folder of its own, gone at the end.
 struct Folder(PathBuf);

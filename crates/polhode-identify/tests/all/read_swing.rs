@@ -1,6 +1,5 @@
 //! Plans of swing tests: what is read, and where mistakes are.
 
-use polhode_source::files::Disk;
 use std::fs;
 use std::path::Path;
 
@@ -8,6 +7,7 @@ use polhode_identify::read as identify;
 use polhode_identify::read::{Measurement, Plan};
 use polhode_identify::swing::{Damping, Measurement as Measured, Rig, identify_swings};
 use polhode_source::FormatError;
+use polhode_source::files::Disk;
 
 const GOOD: &str = r#"title = "A plate"
 [swing]

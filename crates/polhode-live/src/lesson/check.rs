@@ -1,6 +1,5 @@
 //! What a lesson has to be: its scenario moves at every step, and what its steps name is there.
 
-use polhode_source::files::Disk;
 use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -10,6 +9,7 @@ use std::time::Instant;
 use polhode_scenario::read::Draft;
 use polhode_scenario::report::explain_motion;
 use polhode_source::FormatError;
+use polhode_source::files::Disk;
 use toml::Spanned;
 
 use super::LessonStep;

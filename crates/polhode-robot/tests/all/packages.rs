@@ -1,7 +1,6 @@
 //! Packages that no root is or holds: found in an ancestor folder of their name, or below the
 //! checked folder. Other files stay closed.
 
-use polhode_source::files::Disk;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -9,6 +8,7 @@ use polhode_robot::geometry::Shapes;
 use polhode_robot::inspect::inspect;
 use polhode_robot::model::{GeometryShape, RobotModel};
 use polhode_robot::read::{CheckedFolder, ReadOptions, read_model};
+use polhode_source::files::Disk;
 
 use crate::common::Folder;
 

@@ -5,8 +5,9 @@ use polhode_robot::finding::{Finding, Severity};
 use polhode_robot::geometry::Shapes;
 use polhode_robot::inspect::inspect;
 use polhode_robot::lump::{LumpError, Lumping};
-use polhode_robot::model::RobotModel;
+use polhode_robot::model::{RobotModel, Role};
 use polhode_robot::read::{ReadOptions, read_model, read_text};
+use polhode_source::files::Memory;
 
 use crate::common::{Folder, read, refused};
 
@@ -261,6 +262,23 @@ fn shapes_of_a_model_that_is_included_often_are_counted() {
     let read = |file: &str| read_model(&folder.path(file), &ReadOptions::default());
     assert_eq!(read("few.sdf").unwrap().links.len(), 3);
     assert!(read("many.sdf").unwrap_err().message().contains("more than 300000 elements"));
+}
+
+#[test]
+fn a_model_in_memory_finds_its_meshes_there() {
+    let mesh = "OFF\n4 4 0\n0 0 0\n0.3 0 0\n0 0.4 0\n0 0 0.5\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+    let urdf = "<robot name=\"r\"><link name=\"a\"><collision><geometry>\
+                <mesh filename=\"package://arm/meshes/a.off\"/></geometry></collision></link></robot>";
+    let memory = Memory::from([
+        ("arm/package.xml", "<package><name>arm</name></package>"),
+        ("arm/urdf/arm.urdf", urdf),
+        ("arm/meshes/a.off", mesh),
+    ]);
+    let options = ReadOptions { files: &memory, ..ReadOptions::default() };
+    let model = read_model("arm/urdf/arm.urdf".as_ref(), &options).unwrap();
+    let shapes = Shapes::default().from_files(&memory);
+    let volume = shapes.link(&model.links[0], Role::Collision).volume.unwrap().volume;
+    assert!((volume - 0.3 * 0.4 * 0.5 / 6.0).abs() < 1e-17, "{volume}");
 }
 
 #[test]

@@ -1,6 +1,5 @@
 //! The files of a scenario, and those that it names: found, missing, broken.
 
-use polhode_source::files::Disk;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -11,6 +10,7 @@ use polhode_shape::molecule;
 use polhode_shape::molecule::MoleculeFormat;
 use polhode_shape::{cad, particles};
 use polhode_source::FormatErrorKind;
+use polhode_source::files::{Disk, Memory};
 use polhode_source::times;
 use polhode_source::{read_file, read_text_file};
 
@@ -106,6 +106,23 @@ fn a_draft_that_is_ended_says_that_a_mesh_is_undecided() {
     assert!(error.message().contains("it was not found out whether parts of it overlap"), "{error}");
     // It is not taken for known.
     assert!(draft.read(&Disk, text).is_ok());
+}
+
+#[test]
+fn a_scenario_in_memory_is_the_one_on_the_disk() {
+    let folder = folder("memory");
+    fs::write(folder.join("part.stl"), stl(&CORNER)).unwrap();
+    let text = "[[body.part]]\nshape = 'mesh'\nfile = 'part.stl'\nunit = 'mm'\ndensity = '4 g/cm^3'\n";
+    let on_disk = scenario::parse(text, &folder.join("a.toml")).unwrap();
+    let memory = Memory::from([("in/a.toml", text), ("in/part.stl", &stl(&CORNER))]);
+    let read = |path: &str| scenario::ScenarioFile::read(&memory, path.as_ref());
+    assert_eq!(read("in/a.toml").unwrap().scenario.body(), on_disk.body());
+    // A file that is on the disk is not in memory.
+    let error = read(folder.join("part.stl").to_str().unwrap()).unwrap_err();
+    assert!(error.message().contains("there is no such file"), "{error}");
+    let other = Memory::from([("in/a.toml", text)]);
+    let error = scenario::ScenarioFile::read(&other, "in/a.toml".as_ref()).unwrap_err();
+    assert!(error.to_string().starts_with("in/a.toml:3:8: file = \"part.stl\" must be"), "{error}");
 }
 
 #[test]

@@ -1,11 +1,11 @@
 //! The page of the book about plans: its plan is read, and it has every key that the reader knows and no other.
 
-use polhode_source::files::Disk;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
 use polhode_source::FormatErrorKind;
+use polhode_source::files::Disk;
 use polhode_sweep::Plan;
 
 const BALL: &str = "[[body.part]]\nshape = 'sphere'\nradius = 1\nmass = 1\n";

@@ -1,11 +1,11 @@
 //! Datasets: the same files whoever makes them and however often they are interrupted, and statistics of what is in them.
 
-use polhode_source::files::Disk;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use polhode_source::files::Disk;
 use polhode_sweep::{Dataset, Plan, SweepError, SweepSummary, Values, inputs, simulate, trajectories};
 
 /// A folder of a test's own, removed when it is done.

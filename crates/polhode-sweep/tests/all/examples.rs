@@ -1,9 +1,9 @@
 //! The plans of examples/sweeps: every one is read, its members are bodies, and one of them moves.
 
-use polhode_source::files::Disk;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use polhode_source::files::Disk;
 use polhode_sweep::Plan;
 
 fn plans() -> Vec<PathBuf> {

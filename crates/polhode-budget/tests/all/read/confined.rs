@@ -2,7 +2,8 @@
 
 use std::fs;
 
-use polhode_budget::read::{Access, read, read_in};
+use polhode_budget::read::{Access, BudgetFile, read, read_in};
+use polhode_source::files::Memory;
 
 use super::Folder;
 
@@ -58,6 +59,25 @@ fn files_lie_in_the_folder_of_the_list() {
         let error = folder.message(&read(&list("mesh", "link.off")).unwrap_err());
         assert!(error.contains("in the folder of the"), "{error}");
     }
+}
+
+#[test]
+fn a_list_in_memory_is_the_one_on_the_disk() {
+    let folder = Folder::new("in-memory");
+    let list = "name,file,density,unit\na,part.off,2700,m\nb,body.toml,,\n";
+    folder.write("part.off", TETRAHEDRON);
+    folder.write("body.toml", SCENARIO);
+    let on_disk = read(&folder.write("parts.csv", list)).unwrap();
+    let memory =
+        Memory::from([("in/parts.csv", list), ("in/part.off", TETRAHEDRON), ("in/body.toml", SCENARIO)]);
+    let access = Access { files: &memory, roots: &[] };
+    let in_memory = read_in(access, "in/parts.csv".as_ref()).unwrap();
+    let body = |file: &BudgetFile| {
+        file.configurations[0].budget.mass_properties(file.questions.basis).unwrap().clone()
+    };
+    assert_eq!(body(&in_memory), body(&on_disk));
+    let missing = Memory::from([("in/parts.csv", list), ("part.off", TETRAHEDRON)]);
+    assert!(read_in(Access { files: &missing, roots: &[] }, "in/parts.csv".as_ref()).is_err());
 }
 
 /// The scenario that a list names opens nothing elsewhere either; a plan that the user names may name any list.

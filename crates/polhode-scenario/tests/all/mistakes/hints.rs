@@ -1,12 +1,12 @@
 //! A hint, obeyed, is right: every example is spoilt at every place in several ways, the hint is followed to the letter, and what
 //! comes of it is read, with the meaning that it had where the hint could know it.
 
-use polhode_source::files::Disk;
 use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use polhode_scenario::read as scenario;
+use polhode_source::files::Disk;
 use polhode_source::{FormatError, FormatErrorKind};
 
 /// An example that is read, its text, and what it says.

@@ -1,10 +1,10 @@
 //! Documents that contradict themselves, files that are cut or changed, and buffers that are elsewhere.
 
-use polhode_source::files::Disk;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use polhode_shape::mesh::gltf;
+use polhode_source::files::Disk;
 use serde_json::{Value, json};
 
 use crate::gltf::file::{F32, File, corners, expected};

@@ -1,10 +1,10 @@
 //! Text as programs write it: separators, comments, quotes, JSON lines, and large files.
 
-use polhode_source::files::Disk;
 use std::fs;
 use std::path::Path;
 
 use polhode::infer::judge::{OmegaAxes, QuaternionOrder};
+use polhode_source::files::Disk;
 use polhode_table::log as run_log;
 
 use super::{angle, attitudes, omega, read, refused, table, time, told};

@@ -3,7 +3,9 @@
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use crate::stderr::{shown, tell};
+use polhode_source::shown;
+
+use crate::stderr::tell;
 
 /// Opens a page with the program that BROWSER names, or with the system's own. That there is none is a remark: the page is written.
 pub(crate) fn open(page: &Path) {

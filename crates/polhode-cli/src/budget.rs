@@ -16,17 +16,17 @@ use polhode_document::Document;
 use polhode_document::json::pretty;
 use polhode_document::layout::printable;
 use polhode_source::files::Disk;
+use polhode_source::given::{point, rotation};
+use polhode_source::shown;
 use polhode_table::output::workbook;
 use serde_json::Value;
 
 use crate::budget_history;
 use crate::budget_statements::statements;
 use crate::failure::Failure;
-use crate::numbers::{point, rotation};
 use crate::partial;
 use crate::progress::DrawProgress;
 use crate::same_file::is_same;
-use crate::stderr::shown;
 use crate::stdout::{self, columns, print, print_exact};
 
 /// What is printed instead of a workbook: without naming them `requires` would let these pass.

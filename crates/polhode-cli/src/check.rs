@@ -26,12 +26,13 @@ use polhode_source::files::Disk;
 
 use crate::failure::Failure;
 use crate::progress::FileProgress;
-use crate::stderr::{shown, tell};
+use crate::stderr::tell;
 use crate::stdout::print;
 use files::{Unread, name, real_name};
 use fix::FixFlags;
 use output::{Outcome, OutputFlags, Results};
 use outputs::Outputs;
+use polhode_source::shown;
 use policy::PolicyFlags;
 
 /// Are the inertias of a robot or simulation model right? URDF, SDF, MJCF, USD, OpenSim.

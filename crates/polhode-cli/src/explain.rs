@@ -7,9 +7,9 @@ use polhode_document::json::pretty;
 use polhode_scenario::read::ScenarioFile;
 use polhode_scenario::report::explain;
 use polhode_source::files::Disk;
+use polhode_source::shown;
 
 use crate::failure::Failure;
-use crate::stderr::shown;
 use crate::stdout::print;
 
 /// Work a scenario through, step by step, with every formula and number.
@@ -49,7 +49,7 @@ impl Explain {
         let file = ScenarioFile::read(&Disk, &self.file)?;
         let failed = |error| match file.placed(&error) {
             Some(placed) => placed.into(),
-            None => Failure::Motion { path: shown(&self.file), error },
+            None => Failure::motion(shown(&self.file), error),
         };
         let document = explain(&file.scenario).map_err(failed)?;
         let text = if self.json {

@@ -1,27 +1,22 @@
 //! How the command fails: what it prints, and its exit status.
 
-use std::fmt::Write as _;
 use std::io;
 use std::path::Path;
 
 use polhode::motion::MotionError;
 use polhode_document::VERSION;
-use polhode_source::{FormatError, Place};
+use polhode_source::{Failure as Request, FormatError};
 use serde_json::{Value, json};
 
-use crate::stderr::{shown, tell};
+use crate::stderr::tell;
 
 /// Why the command failed.
 #[derive(Debug)]
 pub(crate) enum Failure {
-    /// A file that cannot be read.
-    Input(Box<FormatError>),
-    /// A motion that cannot be computed.
-    Motion { path: String, error: MotionError },
+    /// A request that has no result.
+    Request(Request),
     /// A motion that is written as far as it could be computed.
     Incomplete { path: String, error: MotionError },
-    /// A flag that makes no sense here, or a file that does not fit it.
-    Usage { message: String, file: Option<String>, place: Option<[usize; 2]>, hint: Option<String> },
     /// Some of several files failed; all have been tried.
     Several(Vec<Failure>),
     /// A result that cannot be written.
@@ -38,27 +33,18 @@ pub(crate) enum Failure {
 
 impl Failure {
     pub(crate) fn usage(message: impl Into<String>, hint: impl Into<String>) -> Self {
-        let hint = Some(hint.into()).filter(|hint: &String| !hint.is_empty());
-        Self::Usage { message: message.into(), file: None, place: None, hint }
+        Self::Request(Request::usage(message, hint))
     }
 
-    /// As [`Failure::usage`], at a line and column of a file.
-    pub(crate) fn located(
-        message: impl Into<String>,
-        file: &Path,
-        place: [usize; 2],
-        hint: impl Into<String>,
-    ) -> Self {
-        let (message, file, hint) = (message.into(), Some(shown(file)), Some(hint.into()));
-        Self::Usage { message, file, place: Some(place), hint }
+    /// A motion that cannot be computed, of a file or an argument.
+    pub(crate) fn motion(path: impl Into<String>, error: MotionError) -> Self {
+        Self::Request(Request::Motion { path: path.into(), error })
     }
 
     /// The failure of one of several files, which it names if it has not done so yet.
     pub(crate) fn about(self, file: &Path) -> Self {
         match self {
-            Self::Usage { message, file: None, place, hint } => {
-                Self::Usage { message, file: Some(shown(file)), place, hint }
-            }
+            Self::Request(request) => Self::Request(request.about(file)),
             other => other,
         }
     }
@@ -80,7 +66,7 @@ impl Failure {
         /// From the best to the worst.
         const ORDER: [u8; 4] = [0, 1, 3, 2];
         match self {
-            Self::Motion { error, .. } if error.is_numerical() => 3,
+            Self::Request(request) if request.is_numerical() => 3,
             Self::Incomplete { .. } => 3,
             Self::ClosedPipe => 0,
             Self::Findings => 1,
@@ -96,14 +82,8 @@ impl Failure {
     /// In the place of the file's object, among those of the files that are fine.
     pub(crate) fn to_json(&self, file: &Path) -> Value {
         let (message, place, hint) = match self {
-            Self::Input(error) => {
-                let place = error.place().filter(|_| error.path() == file);
-                (error.message(), place.map(|place| [place.line, place.column]), error.hint())
-            }
-            Self::Motion { error, .. } | Self::Incomplete { error, .. } => {
-                (error.to_string(), None, error.hint().map(str::to_owned))
-            }
-            Self::Usage { message, place, hint, .. } => (message.clone(), *place, hint.clone()),
+            Self::Request(request) => (request.message(), request.place_in(file), request.hint()),
+            Self::Incomplete { error, .. } => (error.to_string(), None, error.hint().map(str::to_owned)),
             other => (other.text().trim_start_matches("error: ").trim_end().to_owned(), None, None),
         };
         let [line, column] = place.map_or([None; 2], |place| place.map(Some));
@@ -111,31 +91,17 @@ impl Failure {
         json!({ "polhode": VERSION, "file": file.to_string_lossy(), "error": error })
     }
 
-    /// What is wrong, in one line.
-    pub(crate) fn line(&self) -> String {
-        let text = self.text();
-        text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned()
-    }
-
     fn text(&self) -> String {
         match self {
-            Self::Input(error) => input(error),
+            Self::Request(request) => request.to_string(),
             Self::Several(failures) => {
                 // What is printed already has no text.
                 let texts = failures.iter().map(Self::text).filter(|text| !text.is_empty());
                 texts.collect::<Vec<_>>().join("\n")
             }
-            Self::Motion { path, error } => {
-                format!("error: {error}\n  --> {path}\n{}", hint(error.hint().map(str::to_owned)))
-            }
             Self::Incomplete { path, error } => {
                 let kept = "note: what comes before is written, and marked incomplete";
                 format!("error: {error}\n  --> {path}\n{kept}\n{}", hint(error.hint().map(str::to_owned)))
-            }
-            Self::Usage { message, file, place, hint: advice } => {
-                let at = place.map_or_else(String::new, |[line, column]| format!(":{line}:{column}"));
-                let file = file.as_ref().map_or_else(String::new, |file| format!("  --> {file}{at}\n"));
-                format!("error: {message}\n{file}{}", hint(advice.clone()))
             }
             Self::Output { path, error } => {
                 let full =
@@ -152,40 +118,16 @@ impl Failure {
     }
 }
 
+impl From<Request> for Failure {
+    fn from(request: Request) -> Self {
+        Self::Request(request)
+    }
+}
+
 impl From<FormatError> for Failure {
     fn from(error: FormatError) -> Self {
-        Self::Input(Box::new(error))
+        Self::Request(error.into())
     }
-}
-
-fn input(error: &FormatError) -> String {
-    let mut text = format!("error: {}\n", error.message());
-    match error.cell() {
-        Some(cell) => _ = writeln!(text, "  --> {}: {}", shown(error.path()), shown(Path::new(cell))),
-        None => snippet(&mut text, error.path(), error.place(), ""),
-    }
-    if let Some((path, place)) = error.origin() {
-        snippet(&mut text, path, Some(place), "named here: ");
-    }
-    if let Some((path, cell)) = error.origin_cell() {
-        let _ = writeln!(text, "  --> named here: {}: {}", shown(path), shown(Path::new(cell)));
-    }
-    text + &hint(error.hint())
-}
-
-/// The line of the file, and a mark under what is wrong with it.
-fn snippet(text: &mut String, path: &Path, place: Option<&Place>, note: &str) {
-    let path = shown(path);
-    let Some(Place { line, column, excerpt, marked, .. }) = place else {
-        let _ = writeln!(text, "  --> {path}");
-        return;
-    };
-    let margin = line.to_string().len();
-    let (before, mark) = (" ".repeat(marked.start), "^".repeat(marked.len().max(1)));
-    let _ = writeln!(text, "{:margin$}--> {note}{path}:{line}:{column}", "");
-    let _ = writeln!(text, "{:margin$} |", "");
-    let _ = writeln!(text, "{line} | {excerpt}");
-    let _ = writeln!(text, "{:margin$} | {before}{mark}", "");
 }
 
 fn hint(hint: Option<String>) -> String {
@@ -209,10 +151,8 @@ mod tests {
     }
 
     #[test]
-    fn a_failure_names_its_file_once() {
+    fn a_failure_in_json_has_the_name_of_its_file() {
         let file = Path::new("a\u{1b}\nb.stl");
-        let text = Failure::usage("the mesh has no part", "name it").about(file).about(Path::new("c")).text();
-        assert_eq!(text, "error: the mesh has no part\n  --> a\\u{1b}\\nb.stl\nhint: name it\n");
         let value = Failure::usage("no", "yes").to_json(file);
         assert_eq!(value["file"], "a\u{1b}\nb.stl");
         assert_eq!(value["error"]["message"], "no");

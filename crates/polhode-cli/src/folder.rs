@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
+use polhode_source::shown;
+
 use crate::failure::Failure;
 use crate::partial::{Partial, exists, output};
-use crate::stderr::shown;
 
 /// The file by which a folder of results is known, and how it begins.
 const SIGNATURE: (&str, &[u8]) = ("summary.json", b"{\n  \"polhode\": ");

@@ -11,11 +11,11 @@ use polhode_identify::read as identify;
 use polhode_identify::read::{Measurement, Plan};
 use polhode_identify::report::{BodySize, IdentifyReport};
 use polhode_source::files::Disk;
+use polhode_source::given::{positive, quantity};
+use polhode_source::shown;
 use polhode_source::unit::Dimension;
 
 use crate::failure::Failure;
-use crate::numbers::{positive, quantity};
-use crate::stderr::shown;
 use crate::stdout::{columns, print};
 use simple::{Asked, Simple};
 
@@ -148,7 +148,7 @@ impl Identify {
     fn refused(&self, error: IdentifyError) -> Failure {
         let hint = error.hint().unwrap_or_default();
         match error {
-            IdentifyError::Motion(error) => Failure::Motion { path: shown(self.place()), error },
+            IdentifyError::Motion(error) => Failure::motion(shown(self.place()), error),
             error => Failure::usage(error.to_string(), hint).about(self.place()),
         }
     }

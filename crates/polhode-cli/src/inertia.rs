@@ -27,7 +27,9 @@ use polhode_shape::mesh::MeshFormat;
 use polhode_shape::molecule::MoleculeFormat;
 use polhode_shape::report::InertiaReport;
 use polhode_source::files::Disk;
+use polhode_source::given::{point, positive, rotation, unit_named};
 use polhode_source::read_file;
+use polhode_source::shown;
 use polhode_source::unit::Dimension;
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
@@ -43,9 +45,7 @@ use self::substance::SubstanceFlags;
 use self::voxel::VoxelFlags;
 use self::written::MeshFile;
 use crate::failure::Failure;
-use crate::numbers::{point, positive, rotation, unit_named};
 use crate::progress::FileProgress;
-use crate::stderr::shown;
 use crate::stdout::print;
 
 /// Mass, centre of mass, inertia tensor, principal moments and axes.

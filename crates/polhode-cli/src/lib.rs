@@ -20,6 +20,7 @@ mod check;
 mod explain;
 mod failure;
 mod folder;
+mod form;
 #[cfg(feature = "identify")]
 mod identify;
 mod inertia;
@@ -30,7 +31,6 @@ mod live;
 #[cfg(feature = "robot")]
 mod model_file;
 mod new;
-mod numbers;
 mod page;
 mod partial;
 mod plot;

@@ -4,10 +4,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 use polhode_live::{LessonError, LessonInfo, Live as Server, LiveError, LiveOptions, lessons};
+use polhode_source::{Failure as Request, shown};
 
 use crate::browser;
 use crate::failure::Failure;
-use crate::stderr::shown;
 use crate::stdout::print;
 
 /// Change a body and its motion on a page, and see at once what becomes of it.
@@ -73,8 +73,8 @@ fn failed(error: LiveError) -> Failure {
     let hint = error.hint().map(str::to_owned);
     match error {
         LiveError::Lesson(LessonError { path, place, message, .. }) => {
-            Failure::Usage { message, file: Some(shown(&path)), place, hint }
+            Request::Usage { message, file: Some(shown(&path)), place, hint }.into()
         }
-        error => Failure::Usage { message: error.to_string(), file: None, place: None, hint },
+        error => Failure::usage(error.to_string(), hint.unwrap_or_default()),
     }
 }

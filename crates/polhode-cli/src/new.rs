@@ -5,10 +5,11 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use polhode_source::shown;
+
 use crate::failure::Failure;
 use crate::page::check_file;
 use crate::partial;
-use crate::stderr::shown;
 use crate::stdout::print;
 
 /// Write a scenario to begin with: one that runs, with a word on every line that matters.

@@ -9,11 +9,11 @@ use polhode::math::Body;
 use polhode::motion::{Scenario, Trajectory};
 use polhode_document::VERSION;
 use polhode_scenario::report::{PageInput, PageSubject, explain_motion, page};
+use polhode_source::shown;
 
 use crate::failure::Failure;
 use crate::folder::{Folder, PAGE};
 use crate::partial;
-use crate::stderr::shown;
 
 /// What a page is made of, and by which command.
 #[derive(Debug)]

@@ -9,8 +9,9 @@ use std::io::{self, BufWriter, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 
+use polhode_source::shown;
+
 use crate::failure::Failure;
-use crate::stderr::shown;
 
 /// What this process has in the making. Whoever holds the lock decides whether it is published or removed.
 static IN_THE_MAKING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());

@@ -7,10 +7,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use polhode_document::Picture;
 use polhode_scenario::report::{Figure, MotionFigures, PlotError};
+use polhode_source::shown;
 
 use crate::failure::Failure;
 use crate::partial;
-use crate::stderr::shown;
 
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Plots")]

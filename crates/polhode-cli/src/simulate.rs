@@ -10,15 +10,15 @@ use polhode_document::json::pretty;
 use polhode_scenario::read::{ScenarioFile, TableFormat};
 use polhode_scenario::report::{MotionFigures, MotionReport};
 use polhode_source::files::Disk;
+use polhode_source::given::{Times, times};
+use polhode_source::shown;
 
 use crate::browser::open;
 use crate::failure::Failure;
 use crate::folder::{Folder, PAGE, Replace};
-use crate::numbers::{Times, times};
 use crate::page::{Page, Shown};
 use crate::plot::PlotFlags;
 use crate::progress::Progress;
-use crate::stderr::shown;
 use crate::stdout::{columns, print};
 use crate::table::{self, Format};
 
@@ -130,7 +130,7 @@ impl Simulate {
         }) {
             Some(motion) => motion.map_err(|error| match file.placed(&error) {
                 Some(placed) => placed.into(),
-                None => Failure::Motion { path, error },
+                None => Failure::motion(path, error),
             }),
             None => Err(Failure::usage(
                 format!("{path} has no [run] section, so there is no time to simulate"),
@@ -153,7 +153,7 @@ impl Simulate {
         times.sort_by(f64::total_cmp);
         times.dedup();
         let asked = scenario.clone().sampled(Run { times, ..run.clone() });
-        let failed = |error| Failure::Motion { path: shown(&self.file), error };
+        let failed = |error| Failure::motion(shown(&self.file), error);
         let samples = match asked.simulate() {
             Some(trajectory) => trajectory.map_err(failed)?.samples().to_vec(),
             None => Vec::new(),

@@ -17,11 +17,11 @@ use polhode_scenario::report::{MotionFigures, SpinReport, TumblerReport};
 use polhode_source::unit::Dimension;
 
 use crate::failure::Failure;
-use crate::numbers::{numbers, positive, rotation};
 use crate::plot::{Drawn, PlotFlags};
 use crate::stdout::{columns, print};
 use body::{Moments, Omega, Subject};
 use files::FileFlags;
+use polhode_source::given::{numbers, positive, rotation};
 use when::TimeFlags;
 
 /// Free motion at once: its kind, its periods, and the state at any time, past or future.
@@ -145,7 +145,7 @@ impl Spin {
         self.files.check_html()?;
         self.plots.check(self.files.force(), None)?;
         let report = SpinReport::new(subject.source(), motion).found(subject.findings()).at(&times);
-        let report = report.map_err(|error| Failure::Motion { path: "--at".to_owned(), error })?;
+        let report = report.map_err(|error| Failure::motion("--at".to_owned(), error))?;
         let json = pretty(&report.to_json()) + "\n";
         let plots = self.plots(subject, &motion)?;
         let page = subject.page(self.file.as_deref(), motion.start(), motion.principal())?;

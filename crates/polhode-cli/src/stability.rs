@@ -7,9 +7,9 @@ use polhode_document::SourceInfo;
 use polhode_document::json::pretty;
 use polhode_scenario::read as scenario;
 use polhode_scenario::report::{GroundStabilityReport, StabilityReport};
+use polhode_source::shown;
 
 use crate::failure::Failure;
-use crate::stderr::shown;
 use crate::stdout::print;
 
 /// Say which steady motions of a scenario's body last: permanent rotations, and small oscillations about an equilibrium.
@@ -65,7 +65,7 @@ impl Stability {
         let source = SourceInfo::new(self.file.display().to_string(), "scenario").described(title);
         if let Some(ground) = scenario.ground() {
             let report = GroundStabilityReport::of_scenario(source, &scenario, ground)
-                .map_err(|error| Failure::Motion { path, error })?;
+                .map_err(|error| Failure::motion(path, error))?;
             let text = if self.json { pretty(&report.to_json()) + "\n" } else { report.to_text() };
             return print(&text);
         }

@@ -14,10 +14,11 @@ use polhode::body::Severity;
 use polhode_document::json::pretty;
 use polhode_document::layout::printable;
 use polhode_source::files::Disk;
+use polhode_source::shown;
 use polhode_sweep::{Dataset, Plan, SweepError};
 
 use crate::failure::Failure;
-use crate::stderr::{shown, tell};
+use crate::stderr::tell;
 use crate::stdout::print;
 use progress::SweepProgress;
 

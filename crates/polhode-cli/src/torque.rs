@@ -10,16 +10,16 @@ use polhode_document::SourceInfo;
 use polhode_document::json::pretty;
 use polhode_scenario::read as scenario;
 use polhode_scenario::report::RequiredReport;
+use polhode_source::given::{Times, positive, quantity, times};
+use polhode_source::shown;
 use polhode_source::unit;
 use polhode_source::unit::Dimension;
 use polhode_table::output::parquet;
 use polhode_table::output::required::RequiredTable;
 
 use crate::failure::Failure;
-use crate::numbers::{Times, positive, quantity, times};
 use crate::page::check_file;
 use crate::partial;
-use crate::stderr::shown;
 use crate::stdout::print;
 use crate::table::Format;
 
@@ -72,7 +72,7 @@ impl Torque {
         let source = SourceInfo::new(self.file.display().to_string(), "scenario").described(title);
         let at: Vec<f64> = self.at.iter().flat_map(|Times(times)| times.iter().copied()).collect();
         let report = RequiredReport::new(source, &scenario, &at, &self.point)
-            .map_err(|error| Failure::Motion { path, error })?;
+            .map_err(|error| Failure::motion(path, error))?;
         let mut written = String::new();
         if let Some((file, format)) = &target {
             let table =

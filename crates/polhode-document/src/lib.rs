@@ -3,6 +3,7 @@
 //! | module | holds |
 //! |---|---|
 //! | [`Document`] | sections of paragraphs, formulas, numbers, tables and pictures, with a writer for each format |
+//! | [`Report`] | the result of a request: its JSON and its document |
 //! | [`drawing`], [`graph`] | pictures of a document, as data |
 //! | [`figure`] | a sheet of marks with axes and letters, written as SVG or PNG: a [`Picture`] |
 //! | [`mathml`] | formulas and matrices for a browser |
@@ -24,6 +25,7 @@ pub mod json;
 pub mod layout;
 pub mod mathml;
 pub mod number;
+mod report;
 pub mod si_prefix;
 mod source;
 pub mod sparkline;
@@ -33,6 +35,7 @@ pub use csv::csv_name;
 pub use document::{Block, Document, Section};
 pub use extra::Extra;
 pub use figure::picture::Picture;
+pub use report::Report;
 pub use source::SourceInfo;
 
 /// Version that reports state.

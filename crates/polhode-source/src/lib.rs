@@ -4,6 +4,8 @@
 //! |---|---|
 //! | [`FormatError`] | path, line, column, what is there, the rule, what to write instead |
 //! | [`ContentError`] | the same of bytes whose file is not known yet |
+//! | [`Failure`] | what a slice answers to a request that has no result |
+//! | [`given`] | quantities and lists as a user gives them |
 //! | [`read_file`], [`read_text_file`], [`mod@file`] | files, with limits |
 //! | [`files`] | where files come from: this machine, memory, some folders of another |
 //! | [`mod@unit`] | quantities in text |
@@ -20,8 +22,10 @@ mod content;
 pub mod csv;
 mod error;
 pub mod expression;
+mod failure;
 pub mod file;
 pub mod files;
+pub mod given;
 mod json;
 pub mod package;
 mod reading;
@@ -34,6 +38,7 @@ pub mod xml;
 
 pub use content::{ContentError, ContentErrorKind, ContentPlace, told_unit};
 pub use error::{FormatError, FormatErrorKind, Place, Spot};
+pub use failure::{Failure, shown};
 pub use json::json_value;
 pub use reading::{read_file, read_text_file};
 pub use suggestion::nearest;

@@ -7,9 +7,11 @@ use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 
+use polhode_source::shown;
+
 use crate::failure::Failure;
 use crate::model_file::is_model;
-use crate::stderr::{shown, tell};
+use crate::stderr::tell;
 
 /// A file or folder of which there is no report.
 #[derive(Debug)]

@@ -8,11 +8,11 @@ use polhode_robot::finding::Finding;
 use polhode_robot::repair::proved;
 use polhode_robot::report::{CheckReport, Fixed};
 use polhode_source::FormatError;
+use polhode_source::shown;
 
 use super::files::real_name;
 use crate::failure::Failure;
 use crate::partial;
-use crate::stderr::shown;
 
 /// Flags for repairs.
 #[derive(Debug, Args)]

@@ -11,12 +11,13 @@ use polhode_robot::finding::Severity;
 use polhode_robot::format::{FileResult, Run, Unreadable};
 use polhode_robot::policy::Remark;
 use polhode_robot::report::CheckReport;
+use polhode_source::shown;
 use serde_json::Value;
 
 use super::files::name;
 use crate::failure::Failure;
 use crate::partial;
-use crate::stderr::{shown, tell};
+use crate::stderr::tell;
 use crate::stdout::{print, print_exact};
 
 /// Flags for the form of results.

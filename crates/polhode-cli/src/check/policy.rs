@@ -12,11 +12,12 @@ use polhode_robot::policy::date::Date;
 use polhode_robot::policy::{Judged, Policy};
 use polhode_source::files::Disk;
 use polhode_source::read_text_file;
+use polhode_source::shown;
 
 use super::outputs::Outputs;
 use crate::failure::Failure;
 use crate::partial;
-use crate::stderr::{shown, tell};
+use crate::stderr::tell;
 
 /// The configuration that is read without being named.
 const USUAL: &str = "polhode.toml";

@@ -4,11 +4,11 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use polhode_source::given::{positive, quantity};
 use polhode_source::unit::Dimension;
 use serde_json::Value;
 
 use crate::failure::Failure;
-use crate::numbers::{positive, quantity};
 
 /// What is said without a plan.
 #[derive(Debug, Args)]

@@ -15,6 +15,7 @@ use polhode_shape::mesh::{
 use polhode_shape::report::InertiaReport;
 use polhode_source::expression::Expression;
 use polhode_source::files::Disk;
+use polhode_source::given::{positive, quantity};
 use polhode_source::unit::Dimension;
 
 use super::field;
@@ -23,7 +24,6 @@ use super::substance::{PartSubstance, SubstanceFlags, assumed, part};
 use super::voxel::in_body;
 use super::written::{MeshFile, written_format};
 use crate::failure::Failure;
-use crate::numbers::{positive, quantity};
 use crate::page;
 
 /// What says a mesh's density otherwise than --field, or leaves no solid for it, and so for --tolerance: of an option that requires

@@ -10,10 +10,11 @@ use polhode_document::layout::printable;
 use polhode_shape::export;
 use polhode_shape::report::InertiaReport;
 use polhode_shape::{ExportBody, ExportFormat};
+use polhode_source::shown;
 use serde_json::Value;
 
 use crate::failure::Failure;
-use crate::stderr::{shown, tell};
+use crate::stderr::tell;
 
 /// Flags for the form of the answer.
 #[derive(Debug, Args)]

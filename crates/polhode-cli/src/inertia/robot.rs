@@ -12,13 +12,14 @@ use polhode_robot::lump::{Lumping, slides};
 use polhode_robot::model::RobotModel;
 use polhode_robot::read::{ReadOptions, read_model};
 use polhode_shape::report::InertiaReport;
+use polhode_source::given::quantity;
 use polhode_source::unit::Dimension;
+use polhode_source::{Failure as Request, shown};
 use serde_json::Value;
 
 use super::output::{OutputFlags, tell_of};
 use crate::failure::Failure;
-use crate::numbers::quantity;
-use crate::stderr::{shown, tell};
+use crate::stderr::tell;
 use crate::stdout::print;
 
 pub(super) use crate::model_file::is_model;
@@ -200,7 +201,7 @@ fn failure(model: &RobotModel, error: &InertiaError) -> Failure {
     match error.span() {
         Some(span) => {
             let FilePlace { file, line, column, .. } = Places::of(model).place(&span);
-            Failure::located(message, file, [line, column], hint)
+            Request::located(message, file, [line, column], hint).into()
         }
         None => Failure::usage(message, hint).about(&model.path),
     }

@@ -7,7 +7,7 @@ use polhode_shape::material;
 use polhode_shape::material::UnknownMaterial;
 use polhode_source::unit::Dimension;
 
-use crate::numbers::{positive, quantity};
+use polhode_source::given::{positive, quantity};
 
 /// What the whole body is made of.
 #[derive(Debug, Args)]

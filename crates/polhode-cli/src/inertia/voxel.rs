@@ -12,10 +12,10 @@ use polhode_shape::voxel;
 use polhode_shape::voxel::VoxelOptions;
 use polhode_source::FormatError;
 use polhode_source::files::Disk;
+use polhode_source::given::{list, numbers, positive, quantity};
 use polhode_source::unit::Dimension;
 
 use crate::failure::Failure;
-use crate::numbers::{list, numbers, positive, quantity};
 
 /// Flags for voxel grids.
 #[derive(Debug, Args)]

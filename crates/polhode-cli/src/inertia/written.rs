@@ -7,12 +7,12 @@ use polhode::body::shape::{Shape, Substance};
 use polhode::body::{Finding, Form, MassProperties, Severity};
 use polhode::math::Body;
 use polhode_shape::mesh::{MeshFormat, MeshPart};
+use polhode_source::shown;
 
 use super::model::{Piece, unfit};
 use super::voxel::in_body;
 use crate::failure::Failure;
 use crate::partial;
-use crate::stderr::shown;
 
 /// The file of --write-mesh, which is written when the answer is known.
 pub(super) struct MeshFile {

@@ -8,10 +8,10 @@ use polhode::motion::{FreeMotion, Rotor, Scenario, State};
 use polhode_document::SourceInfo;
 use polhode_scenario::read::ScenarioFile;
 use polhode_source::files::Disk;
+use polhode_source::shown;
 
 use crate::failure::Failure;
 use crate::page::{Page, Shown};
-use crate::stderr::shown;
 
 /// Moments of inertia about x, y and z, kg·m².
 #[derive(Clone, Copy, Debug)]
@@ -109,7 +109,7 @@ impl Subject {
     pub(super) fn motion(&self, start: State) -> Result<FreeMotion, Failure> {
         let motion = match self {
             Self::Scenario { path, scenario, .. } => FreeMotion::of(&Rotor::free(scenario.body()), start)
-                .map_err(|error| Failure::Motion { path: path.clone(), error })?,
+                .map_err(|error| Failure::motion(path.clone(), error))?,
             Self::Moments(moments) => FreeMotion::of_moments(*moments, start)
                 .map_err(|error| Failure::usage(error.to_string(), "check --moments and --omega"))?,
             Self::Tensor(body) => FreeMotion::of(&Rotor::free(body), start)
@@ -183,7 +183,7 @@ impl Subject {
         Ok(match self {
             Self::Scenario { path, scenario, text } => {
                 let started = Scenario::clone(scenario).not_sampled().starting(start);
-                let scenario = started.map_err(|error| Failure::Motion { path: path.clone(), error })?;
+                let scenario = started.map_err(|error| Failure::motion(path.clone(), error))?;
                 let file = file.unwrap_or(Path::new(path));
                 SpinPage::Scenario { scenario: Box::new(scenario), text, file }
             }

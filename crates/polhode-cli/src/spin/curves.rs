@@ -3,12 +3,12 @@
 use clap::Args;
 use polhode::motion::FreeMotion;
 use polhode::observe::{CurveError, Herpolhode, MomentumTrace, Polhode, RollingCones};
+use polhode_source::given::quantity;
 use polhode_source::unit::Dimension;
 use polhode_table::output::curve;
 
 use crate::failure::Failure;
 use crate::folder::Folder;
-use crate::numbers::quantity;
 
 #[derive(Debug, Args)]
 pub(super) struct CurveFlags {

@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode::motion::{FreeMotion, Method, Regime, Run, Trajectory};
+use polhode_source::given::{positive, quantity};
+use polhode_source::shown;
 use polhode_source::times;
 use polhode_source::unit::Dimension;
 use polhode_table::output::Surroundings;
@@ -13,9 +15,7 @@ use polhode_table::output::Surroundings;
 use super::curves::CurveFlags;
 use crate::failure::Failure;
 use crate::folder::{Folder, PAGE, Replace};
-use crate::numbers::{positive, quantity};
 use crate::page::{Page, check_file, write_file};
-use crate::stderr::shown;
 use crate::table::{self, Format};
 
 /// Samples of a page that is not of a table.
@@ -92,7 +92,7 @@ impl FileFlags {
         let fine = motion.period().map_or(0.0, |period| EACH * span / period);
         let samples = fine.clamp(2001.0, 100_001.0) as usize;
         let times: Vec<f64> = Run::evenly(span, samples, Method::Exact, 0.0).times;
-        let failed = |error| Failure::Motion { path: "the plot".to_owned(), error };
+        let failed = |error| Failure::motion("the plot".to_owned(), error);
         Trajectory::of_motion_with_error(*motion, &times).map_err(failed)
     }
 
@@ -162,7 +162,7 @@ impl FileFlags {
             return Ok(trajectory);
         }
         let times = Run::evenly(span_of_page(motion, at), PAGE_SAMPLES, Method::Exact, 0.0).times;
-        let failed = |error| Failure::Motion { path: "the page".to_owned(), error };
+        let failed = |error| Failure::motion("the page".to_owned(), error);
         Trajectory::of_motion_with_error(*motion, &times).map_err(failed)
     }
 
@@ -180,7 +180,7 @@ impl FileFlags {
                 Run::evenly(duration, samples, Method::Exact, 0.0).times
             }
         };
-        let failed = |error| Failure::Motion { path: "the table".to_owned(), error };
+        let failed = |error| Failure::motion("the table".to_owned(), error);
         Trajectory::of_motion_with_error(*motion, &times).map(Some).map_err(failed)
     }
 }

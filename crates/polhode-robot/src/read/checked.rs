@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use polhode_source::files::Files;
+use polhode_source::files::{Files, Kind};
 
 use super::package::package_name;
 
@@ -62,10 +62,11 @@ fn packages(files: &dyn Files, root: &Path) -> HashMap<String, Vec<PathBuf>> {
         for name in own.into_iter().chain(stated) {
             packages.entry(name).or_default().push(folder.clone());
         }
-        let is_seen = |folder: &PathBuf| {
-            folder.file_name().is_some_and(|name| !name.as_encoded_bytes().starts_with(b"."))
-        };
-        folders.extend(files.folders(&folder).into_iter().flatten().filter(is_seen));
+        let is_seen =
+            |path: &Path| path.file_name().is_some_and(|name| !name.as_encoded_bytes().starts_with(b"."));
+        let inner = files.entries(&folder).into_iter().flatten();
+        let inner = inner.filter(|(path, kind)| *kind == Kind::Folder && is_seen(path));
+        folders.extend(inner.map(|(path, _)| path));
     }
     packages.values_mut().for_each(|folders| folders.sort());
     packages

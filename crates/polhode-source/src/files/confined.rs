@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::{Files, Look, OpenFile, lexical};
+use super::{Files, Kind, Look, OpenFile, lexical};
 
 /// Files in some folders: that of a data file, and those that the user allows (`--root`).
 ///
@@ -89,8 +89,8 @@ impl Files for Confined<'_> {
         self.require(path)
     }
 
-    fn folders(&self, folder: &Path) -> io::Result<Vec<PathBuf>> {
-        self.files.folders(&self.require(folder)?)
+    fn entries(&self, folder: &Path) -> io::Result<Vec<(PathBuf, Kind)>> {
+        self.files.entries(&self.require(folder)?)
     }
 
     /// The canonical path of a file that is named relative to a folder, or by an absolute path.

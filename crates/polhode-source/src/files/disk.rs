@@ -1,6 +1,6 @@
 //! Files of this machine.
 
-use std::fs::{self, File, Metadata};
+use std::fs::{self, File, FileType, Metadata};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -23,10 +23,12 @@ impl Files for Disk {
         fs::canonicalize(path)
     }
 
-    fn folders(&self, folder: &Path) -> io::Result<Vec<PathBuf>> {
-        let entries = fs::read_dir(folder)?;
-        let is_folder = |entry: &fs::DirEntry| entry.file_type().is_ok_and(|kind| kind.is_dir());
-        Ok(entries.flatten().filter(is_folder).map(|entry| entry.path()).collect())
+    fn entries(&self, folder: &Path) -> io::Result<Vec<(PathBuf, Kind)>> {
+        let of = |entry: io::Result<fs::DirEntry>| {
+            let entry = entry?;
+            Ok((entry.path(), kind(entry.file_type()?)))
+        };
+        fs::read_dir(folder)?.map(of).collect()
     }
 
     fn named(&self, folder: &Path, name: &Path) -> Result<PathBuf, NotOpened> {
@@ -41,10 +43,13 @@ impl OpenFile for File {
 }
 
 fn look(metadata: &Metadata) -> Look {
-    let kind = match (metadata.is_file(), metadata.is_dir()) {
+    Look { kind: kind(metadata.file_type()), length: metadata.len(), changed: metadata.modified().ok() }
+}
+
+fn kind(of: FileType) -> Kind {
+    match (of.is_file(), of.is_dir()) {
         (true, _) => Kind::File,
         (_, true) => Kind::Folder,
         _ => Kind::Other,
-    };
-    Look { kind, length: metadata.len(), changed: metadata.modified().ok() }
+    }
 }

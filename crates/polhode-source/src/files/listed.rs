@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::{Files, Look, NotOpened, OpenFile};
+use super::{Files, Kind, Look, NotOpened, OpenFile};
 
 /// Files of which a text may name those on a list only: those that were opened together with it.
 #[derive(Clone, Copy, Debug)]
@@ -28,8 +28,8 @@ impl Files for Listed<'_> {
         self.files.canonical(path)
     }
 
-    fn folders(&self, folder: &Path) -> io::Result<Vec<PathBuf>> {
-        self.files.folders(folder)
+    fn entries(&self, folder: &Path) -> io::Result<Vec<(PathBuf, Kind)>> {
+        self.files.entries(folder)
     }
 
     fn named(&self, folder: &Path, name: &Path) -> Result<PathBuf, NotOpened> {

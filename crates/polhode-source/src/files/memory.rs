@@ -67,18 +67,18 @@ impl Files for Memory {
         self.look(path).map(|_| lexical(path))
     }
 
-    fn folders(&self, folder: &Path) -> io::Result<Vec<PathBuf>> {
+    fn entries(&self, folder: &Path) -> io::Result<Vec<(PathBuf, Kind)>> {
         let plain = self.canonical(folder)?;
-        let mut folders = Vec::new();
+        let mut entries = Vec::new();
         for file in self.files.keys() {
             let Ok(rest) = file.strip_prefix(&plain) else { continue };
             let mut words = rest.components();
-            if let (Some(first), Some(_)) = (words.next(), words.next()) {
-                folders.push(folder.join(first));
-            }
+            let Some(first) = words.next() else { continue };
+            let kind = if words.next().is_some() { Kind::Folder } else { Kind::File };
+            entries.push((folder.join(first), kind));
         }
-        folders.dedup();
-        Ok(folders)
+        entries.dedup();
+        Ok(entries)
     }
 
     fn named(&self, folder: &Path, name: &Path) -> Result<PathBuf, NotOpened> {

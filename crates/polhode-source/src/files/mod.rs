@@ -47,11 +47,11 @@ pub trait Files: fmt::Debug + Sync {
     /// As [`Files::look`].
     fn canonical(&self, path: &Path) -> io::Result<PathBuf>;
 
-    /// Returns the paths of the folders in a folder, in no order. Links are left out.
+    /// Returns the paths of what is in a folder, in no order, with its kind; links are [`Kind::Other`].
     ///
     /// # Errors
     /// As [`Files::look`], and if it is no folder.
-    fn folders(&self, folder: &Path) -> io::Result<Vec<PathBuf>>;
+    fn entries(&self, folder: &Path) -> io::Result<Vec<(PathBuf, Kind)>>;
 
     /// Returns the path of a file that another file names: relative to its folder, or absolute.
     ///

@@ -1,8 +1,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 use super::*;
-use crate::rows::inputs;
 use polhode_source::files::Disk;
+
+use crate::rows::inputs;
 
 fn plan(seed: u32) -> Plan {
     let text = format!(

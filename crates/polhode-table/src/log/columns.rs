@@ -2,6 +2,7 @@
 
 use std::error::Error;
 use std::fmt;
+use std::str::FromStr;
 
 use polhode::infer::judge::{AttitudeSense, OmegaAxes, QuaternionOrder};
 use polhode_source::nearest;
@@ -257,6 +258,14 @@ fn split<'a>(text: &'a str, separators: &[char]) -> Result<Vec<&'a str>, Columns
 pub(crate) fn unquoted(text: &str) -> &str {
     let within = |quote: char| text.strip_prefix(quote)?.strip_suffix(quote);
     within('"').or_else(|| within('\'')).unwrap_or(text)
+}
+
+impl FromStr for Columns {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        Self::parse(text).map_err(|error| format!("{error} (hint: {})", error.hint()))
+    }
 }
 
 impl fmt::Display for ColumnsError {

@@ -1,12 +1,129 @@
-//! Numbers in flags: quantities with their units, and lists of them.
+//! Numbers as a user gives them to a command or a function: quantities with their units, and lists of them.
+//!
+//! Errors are words without a place: what asks says which argument it is.
+
+use std::fmt;
+use std::marker::PhantomData;
+use std::str::FromStr;
 
 use polhode::math::{Body, Frame, Position, Rotation};
-use polhode_source::times;
-use polhode_source::unit;
-use polhode_source::unit::Dimension;
+use serde::de::{self, Visitor};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use crate::times;
+use crate::unit;
+use crate::unit::Dimension;
+
+/// Argument as a user writes it, and what it means.
+///
+/// It serializes as its text; a number in place of a text means that number in SI units.
+///
+/// ```
+/// use polhode_source::given::{Given, Positive, Time};
+/// let step: Given<Positive<Time>> = "2 ms".parse()?;
+/// assert_eq!((step.text.as_str(), step.value.0.0), ("2 ms", 2e-3));
+/// assert_eq!("0 s".parse::<Given<Positive<Time>>>(), Err("it must be positive".to_owned()));
+/// assert!("3 kg".parse::<Given<Time>>().is_err());
+/// # Ok::<(), String>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Given<T> {
+    /// What the user wrote.
+    pub text: String,
+    /// What it means.
+    pub value: T,
+}
+
+impl<T: FromStr<Err = String>> FromStr for Given<T> {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        Ok(Self { value: text.parse()?, text: text.to_owned() })
+    }
+}
+
+impl<T> Serialize for Given<T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.text)
+    }
+}
+
+impl<'de, T: FromStr<Err = String>> Deserialize<'de> for Given<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Text<T>(PhantomData<T>);
+        impl<T: FromStr<Err = String>> Visitor<'_> for Text<T> {
+            type Value = Given<T>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a text such as an option of the command has, or a number in SI units")
+            }
+
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<Given<T>, E> {
+                text.parse().map_err(E::custom)
+            }
+
+            fn visit_f64<E: de::Error>(self, number: f64) -> Result<Given<T>, E> {
+                self.visit_str(&number.to_string())
+            }
+
+            fn visit_u64<E: de::Error>(self, number: u64) -> Result<Given<T>, E> {
+                self.visit_str(&number.to_string())
+            }
+
+            fn visit_i64<E: de::Error>(self, number: i64) -> Result<Given<T>, E> {
+                self.visit_str(&number.to_string())
+            }
+        }
+        deserializer.deserialize_any(Text(PhantomData))
+    }
+}
+
+/// Quantities: their names, dimensions and SI units.
+macro_rules! quantities {
+    ($($name:ident: $dimension:ident, $about:literal;)*) => {$(
+        #[doc = $about]
+        #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+        pub struct $name(pub f64);
+
+        impl FromStr for $name {
+            type Err = String;
+
+            fn from_str(text: &str) -> Result<Self, String> {
+                quantity(text, Dimension::$dimension).map(Self)
+            }
+        }
+
+        impl From<$name> for f64 {
+            fn from(given: $name) -> Self {
+                given.0
+            }
+        }
+    )*};
+}
+
+quantities! {
+    Angle: ANGLE, "Angle, rad.";
+    Length: LENGTH, "Length, m.";
+    Mass: MASS, "Mass, kg.";
+    Time: TIME, "Time, s.";
+}
+
+/// Quantity that is positive.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct Positive<T>(pub T);
+
+impl<T: FromStr<Err = String> + Into<f64> + Copy> FromStr for Positive<T> {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let value: T = text.parse()?;
+        positive(value.into())?;
+        Ok(Self(value))
+    }
+}
 
 /// A number, with its unit or in SI.
-pub(crate) fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
+pub fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
     unit::parse(text, dimension).map_err(|error| match error.hint() {
         Some(hint) => format!("{error} (hint: {hint})"),
         None => error.to_string(),
@@ -14,7 +131,7 @@ pub(crate) fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> 
 }
 
 /// One of a unit of this name, in SI.
-pub(crate) fn unit_named(name: &str, dimension: Dimension) -> Result<f64, String> {
+pub fn unit_named(name: &str, dimension: Dimension) -> Result<f64, String> {
     unit::factor(name, dimension).map_err(|error| match error.hint_for_name() {
         Some(hint) => format!("{error} (hint: {hint})"),
         None => error.to_string(),
@@ -22,7 +139,7 @@ pub(crate) fn unit_named(name: &str, dimension: Dimension) -> Result<f64, String
 }
 
 /// Numbers with commas between, as many as there are, each with its unit; `(1, 2, 3) deg/s` gives all of them one.
-pub(crate) fn list(text: &str, dimension: Dimension) -> Result<Vec<f64>, String> {
+pub fn list(text: &str, dimension: Dimension) -> Result<Vec<f64>, String> {
     let without = text.trim().trim_start_matches('(').replace(')', " ");
     match without.split(',').find(|part| unit::may_be_several(part)) {
         Some(part) => Err(format!(
@@ -34,10 +151,10 @@ pub(crate) fn list(text: &str, dimension: Dimension) -> Result<Vec<f64>, String>
 
 /// Times in s.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Times(pub(crate) Vec<f64>);
+pub struct Times(pub Vec<f64>);
 
 /// Times with commas between, each with its unit, in which `0:1:0.1` are those from 0 to 1 in steps of 0.1.
-pub(crate) fn times(text: &str) -> Result<Times, String> {
+pub fn times(text: &str) -> Result<Times, String> {
     if !text.contains(':') {
         return list(text, Dimension::TIME).map(Times);
     }
@@ -86,11 +203,7 @@ fn each(text: &str, dimension: Dimension) -> Result<Vec<f64>, String> {
 }
 
 /// As [`list`], of `N` numbers.
-pub(crate) fn numbers<const N: usize>(
-    text: &str,
-    form: &str,
-    dimension: Dimension,
-) -> Result<[f64; N], String> {
+pub fn numbers<const N: usize>(text: &str, form: &str, dimension: Dimension) -> Result<[f64; N], String> {
     let found = if text.trim().is_empty() { 0 } else { text.split(',').count() };
     if found != N {
         return Err(format!("{N} numbers belong here ({form}), not {found}"));
@@ -99,18 +212,18 @@ pub(crate) fn numbers<const N: usize>(
 }
 
 /// A quaternion, scalar first, of any length but zero.
-pub(crate) fn rotation<A: Frame, B: Frame>(text: &str) -> Result<Rotation<A, B>, String> {
+pub fn rotation<A: Frame, B: Frame>(text: &str) -> Result<Rotation<A, B>, String> {
     let q = numbers(text, "w,x,y,z", Dimension::NONE)?;
     Rotation::from_quaternion(q).map_err(|e| e.to_string())
 }
 
 /// A point of a body: x,y,z from its origin.
-pub(crate) fn point(text: &str) -> Result<Position<Body>, String> {
+pub fn point(text: &str) -> Result<Position<Body>, String> {
     numbers(text, "x,y,z", Dimension::LENGTH).map(Position::from_array)
 }
 
 /// The number, if it is positive.
-pub(crate) fn positive(value: f64) -> Result<f64, String> {
+pub fn positive(value: f64) -> Result<f64, String> {
     if value > 0.0 { Ok(value) } else { Err("it must be positive".to_owned()) }
 }
 

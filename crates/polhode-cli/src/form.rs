@@ -1,0 +1,47 @@
+//! Forms in which reports are printed.
+
+use clap::Args;
+use polhode_document::Report;
+use polhode_document::json::pretty;
+use polhode_document::layout::WIDTH;
+
+use crate::failure::Failure;
+use crate::stdout::{columns, print};
+
+/// The form of a report: text unless it is said.
+#[derive(Clone, Copy, Debug, Default, Args)]
+pub(crate) struct Form {
+    /// Print JSON.
+    #[arg(long, group = "form")]
+    json: bool,
+    /// Print Markdown.
+    #[arg(long, group = "form")]
+    markdown: bool,
+    /// Print one HTML page with plots, which needs nothing else.
+    #[arg(long, group = "form")]
+    html: bool,
+}
+
+impl Form {
+    /// Prints a report.
+    ///
+    /// # Errors
+    /// [`Failure::Findings`] if something was found in it.
+    pub(crate) fn print(self, report: &dyn Report) -> Result<(), Failure> {
+        print(&self.text(report))?;
+        if report.has_failed() { Err(Failure::Findings) } else { Ok(()) }
+    }
+
+    /// Returns a report as it is printed.
+    pub(crate) fn text(self, report: &dyn Report) -> String {
+        if self.json {
+            pretty(&report.to_json()) + "\n"
+        } else if self.markdown {
+            report.to_document().to_markdown()
+        } else if self.html {
+            report.to_document().to_html()
+        } else {
+            report.to_document().to_text(columns().unwrap_or(WIDTH))
+        }
+    }
+}

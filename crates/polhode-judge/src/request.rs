@@ -1,0 +1,164 @@
+//! What is asked of `judge`.
+
+use std::path::PathBuf;
+use std::str::FromStr;
+
+use polhode::infer::judge::{AttitudeSense, DeclaredReading, OmegaAxes, QuaternionOrder, SignedAxes};
+use polhode_source::given::{Angle, Given, Positive, Time};
+use polhode_table::log::Columns;
+use serde::{Deserialize, Serialize};
+
+/// Logs of other programs to judge, and what the user says of them.
+///
+/// ```
+/// use polhode_document::Report as _;
+/// use polhode_judge::{Request, run};
+/// use polhode_source::files::Memory;
+/// let scenario = "[[body.part]]\nshape = \"box\"\nsize = [0.1, 0.2, 0.3]\nmass = 2\n[start]\nspin = { body = [0, 3, 0] }\n[run]\nduration = 1\n";
+/// let rows: String = (0..=100)
+///     .map(|k| (0.01 * f64::from(k), 0.015 * f64::from(k)))
+///     .map(|(t, half)| format!("{t},{},0,{},0\n", half.cos(), half.sin()))
+///     .collect();
+/// let files = Memory::from([("box.toml", scenario.to_owned()), ("run.csv", format!("time,qw,qx,qy,qz\n{rows}"))]);
+/// let request = Request { files: vec!["box.toml".into(), "run.csv".into()], ..Request::default() };
+/// let report = run(&request, &files)?;
+/// assert!(!report.has_failed());
+/// # Ok::<(), polhode_source::Failure>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+#[cfg_attr(feature = "arguments", derive(clap::Args))]
+pub struct Request {
+    /// The scenario (a TOML file) and the runs of it; the runs alone where they name their scenario.
+    #[cfg_attr(feature = "arguments", arg(value_name = "SCENARIO|RUN", required_unless_present_any = ["suite", "write_suite"]))]
+    pub files: Vec<PathBuf>,
+    /// What the user says of a run's numbers.
+    #[serde(flatten)]
+    #[cfg_attr(feature = "arguments", command(flatten))]
+    pub read_as: ReadAs,
+    /// The program's time step, s or with its unit [default: what the run says, else the distance of its rows].
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "T"))]
+    pub step: Option<Given<Positive<Time>>>,
+    /// Folder that the scenario which a log names, and the files of that scenario, may lie in besides the log's own folder.
+    #[serde(rename = "root")]
+    #[cfg_attr(feature = "arguments", arg(long = "root", value_name = "DIR"))]
+    pub roots: Vec<PathBuf>,
+    /// Greatest error of an attitude, rad or with its unit, and of ω as a part of its largest:
+    /// above it the exit status is 1, and a case of the suite has failed [default: 0.01 rad].
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "ANGLE"))]
+    pub limit: Option<Given<Positive<Angle>>>,
+    /// Grade the runs of the suite's cases in this folder: NAME.csv, or NAME@STEP.csv for several steps (also .parquet and .jsonl); cases
+    /// that a program cannot run are lines `NAME: reason` of not-run.txt.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "DIR", conflicts_with_all = ["files", "write_suite"]))]
+    pub suite: Option<PathBuf>,
+}
+
+impl Request {
+    /// Returns the greatest error that is right, rad: 0.01 unless the user gives one.
+    pub fn limit(&self) -> f64 {
+        /// What can just be seen.
+        const LIMIT: f64 = 0.01;
+        self.limit.as_ref().map_or(LIMIT, |limit| limit.value.0.into())
+    }
+}
+
+/// What the user says of a run's numbers; the rest is found.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, rename_all = "kebab-case")]
+#[cfg_attr(feature = "arguments", derive(clap::Args))]
+pub struct ReadAs {
+    /// Which columns are what: time, quaternion wxyz|xyzw, matrix or euler 3-2-1 [deg], and omega body|space [deg/s].
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "WHAT=NAMES, …"))]
+    pub columns: Option<Given<Columns>>,
+    /// The order of quaternions [default: found].
+    #[cfg_attr(feature = "arguments", arg(long, value_enum))]
+    pub quaternion: Option<Order>,
+    /// Which way rotations go: body components to space, or the inverse [default: found].
+    #[cfg_attr(feature = "arguments", arg(long, value_enum))]
+    pub sense: Option<Sense>,
+    /// Along which axes the angular velocity is [default: found].
+    #[cfg_attr(feature = "arguments", arg(long, value_enum))]
+    pub omega: Option<Axes>,
+    /// The run's axes x, y, z as axes of the scenario, such as x,z,-y [default: found].
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "A,B,C", allow_hyphen_values = true))]
+    pub axes: Option<Given<AxesOfRun>>,
+    /// The run's time at the scenario's time 0, s or with its unit [default: found].
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "T", allow_hyphen_values = true))]
+    pub time_origin: Option<Given<Time>>,
+}
+
+/// Order of the components of quaternions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
+pub enum Order {
+    #[allow(missing_docs, reason = "the name says it, and the help of the command would repeat it")]
+    Wxyz,
+    #[allow(missing_docs, reason = "the name says it, and the help of the command would repeat it")]
+    Xyzw,
+}
+
+/// Sense of rotations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
+pub enum Sense {
+    #[allow(missing_docs, reason = "the name says it, and the help of the command would repeat it")]
+    BodyToSpace,
+    #[allow(missing_docs, reason = "the name says it, and the help of the command would repeat it")]
+    SpaceToBody,
+}
+
+/// Axes that angular velocities are along.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
+pub enum Axes {
+    #[allow(missing_docs, reason = "the name says it, and the help of the command would repeat it")]
+    Body,
+    #[allow(missing_docs, reason = "the name says it, and the help of the command would repeat it")]
+    Space,
+}
+
+/// Axes of a run as axes of its scenario, such as `x,z,-y`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxesOfRun(pub SignedAxes);
+
+impl FromStr for AxesOfRun {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        SignedAxes::parse(text).map(Self).ok_or_else(|| {
+            "three axes of x, y and z, each once, that are right-handed belong here (hint: y upwards is x,z,-y; of left-handed axes reverse all three, \
+             as for rotations that is the same)"
+                .to_owned()
+        })
+    }
+}
+
+impl ReadAs {
+    /// Returns what is said of a run's numbers; the user's word counts more than the run's.
+    pub fn declared(&self, says: &DeclaredReading) -> DeclaredReading {
+        let order = self.quaternion.map(|order| match order {
+            Order::Wxyz => QuaternionOrder::ScalarFirst,
+            Order::Xyzw => QuaternionOrder::ScalarLast,
+        });
+        let sense = self.sense.map(|sense| match sense {
+            Sense::BodyToSpace => AttitudeSense::BodyToSpace,
+            Sense::SpaceToBody => AttitudeSense::SpaceToBody,
+        });
+        let omega_axes = self.omega.map(|axes| match axes {
+            Axes::Body => OmegaAxes::Body,
+            Axes::Space => OmegaAxes::Space,
+        });
+        let said = DeclaredReading {
+            order,
+            sense,
+            omega_axes,
+            axes: self.axes.as_ref().map(|axes| axes.value.0),
+            time_origin: self.time_origin.as_ref().map(|time| time.value.into()),
+            ..DeclaredReading::default()
+        };
+        said.or(says)
+    }
+}

@@ -1,0 +1,55 @@
+//! A request answered.
+
+use polhode_document::{Document, Report};
+use polhode_source::Failure;
+use polhode_source::files::Files;
+use serde_json::Value;
+
+use crate::grade::grade;
+use crate::report::{Card, JudgeReport};
+use crate::request::Request;
+use crate::runs::Judge;
+
+/// Judges the runs of a request against their scenario, or grades those of the suite.
+///
+/// # Errors
+/// [`Failure`] for files that cannot be read, runs that are of no or of several scenarios, and runs that cannot be judged.
+pub fn run(request: &Request, files: &dyn Files) -> Result<Judged, Failure> {
+    let judge = Judge { request, files };
+    match &request.suite {
+        Some(folder) => grade(folder, judge).map(Judged::Suite),
+        None => judge.report().map(|report| Judged::Runs(Box::new(report), request.limit())),
+    }
+}
+
+/// Result of a [`Request`].
+#[derive(Debug)]
+pub enum Judged {
+    /// Of runs of one scenario, and the greatest error that is right, rad.
+    Runs(Box<JudgeReport>, f64),
+    /// Of runs of the suite's cases.
+    Suite(Card),
+}
+
+impl Report for Judged {
+    fn to_json(&self) -> Value {
+        match self {
+            Self::Runs(report, _) => report.to_json(),
+            Self::Suite(card) => card.to_json(),
+        }
+    }
+
+    fn to_document(&self) -> Document {
+        match self {
+            Self::Runs(report, _) => report.to_document(),
+            Self::Suite(card) => card.to_document(),
+        }
+    }
+
+    fn has_failed(&self) -> bool {
+        match self {
+            Self::Runs(report, limit) => report.is_beyond(*limit),
+            Self::Suite(card) => card.has_failed(),
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! Runs of one scenario: logs read, their scenario found, each judged.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use polhode::infer::judge::JudgeError;
+use polhode_scenario::read::{ScenarioFile, text_of};
+use polhode_source::file::require_folders;
+use polhode_source::files::{Confined, Files, NotOpened, is_path_of};
+use polhode_source::{Failure, shown};
+use polhode_table::log::{self, RunLog};
+
+use crate::report::{JudgeReport, JudgedRun, judge_hint};
+use crate::request::Request;
+
+/// A request, and where its files are.
+#[derive(Clone, Copy)]
+pub(crate) struct Judge<'a> {
+    pub request: &'a Request,
+    pub files: &'a dyn Files,
+}
+
+impl<'a> Judge<'a> {
+    pub(crate) fn report(self) -> Result<JudgeReport, Failure> {
+        require_folders(self.files, &self.request.roots)?;
+        let is_scenario =
+            |path: &PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+        let (scenarios, runs): (Vec<&PathBuf>, Vec<&PathBuf>) =
+            self.request.files.iter().partition(|path| is_scenario(path));
+        if let [_, second, ..] = scenarios[..] {
+            let message = format!("{} is a second scenario", shown(second));
+            return Err(Failure::usage(message, "judge the runs of one scenario at a time"));
+        }
+        if runs.is_empty() {
+            let hint = "name the log that a program wrote: polhode judge SCENARIO.toml RUN.csv";
+            return Err(Failure::usage("no log to judge was given", hint));
+        }
+        if let (Some(_), [_, second, ..]) = (&self.request.step, &runs[..]) {
+            let message = format!("--step is of one run, and {} is another", shown(second));
+            return Err(Failure::usage(
+                message,
+                "write the step into each run: a line `# step = 0.001` before the header",
+            ));
+        }
+        let columns = self.request.read_as.columns.as_ref().map(|columns| &columns.value);
+        let logs = runs
+            .iter()
+            .map(|path| Ok((path.as_path(), log::read(self.files, path, columns)?)))
+            .collect::<Result<Vec<_>, Failure>>()?;
+        let scenario = match scenarios.first() {
+            Some(path) => {
+                let file = ScenarioFile::read(self.files, path)?;
+                logs.iter().try_for_each(|(run, log)| self.require_of(&file, run, log))?;
+                file
+            }
+            None => self.named(&logs)?,
+        };
+        let judged = logs.into_iter().map(|(path, log)| self.judged(&scenario, path, log, None));
+        let mut judged = judged.collect::<Result<Vec<_>, _>>()?;
+        let names: BTreeSet<String> = judged.iter().map(|run| run.name.clone()).collect();
+        if names.len() < judged.len() {
+            judged.iter_mut().for_each(|run| run.path.iter().for_each(|path| run.name.clone_from(path)));
+        }
+        Ok(JudgeReport::new(&scenario.scenario, judged))
+    }
+
+    /// The scenario that runs name, relative to them. A log is data: it opens no file outside its folder and the roots.
+    fn named(self, logs: &[(&Path, RunLog)]) -> Result<ScenarioFile, Failure> {
+        let mut found: Option<(PathBuf, Confined<'a>)> = None;
+        for (run, log) in logs {
+            let path = shown(run);
+            let Some(said) = &log.scenario else {
+                let hint = "name the scenario before it, or in it: a line `# scenario = \"t-handle.toml\"` before the header";
+                return Err(Failure::usage(
+                    format!("{path} does not say of which scenario it is a run"),
+                    hint,
+                ));
+            };
+            let files = Confined::beside(self.files, run, &self.request.roots);
+            let scenario = files.named(folder(run), said).map_err(|why| {
+                let message = format!("the scenario {:?} that it names is not opened: {why}", said.display());
+                let hint = match why {
+                    NotOpened::Outside => {
+                        "name the scenario before the run: polhode judge SCENARIO.toml RUN; or allow its folder: --root DIR"
+                    }
+                    NotOpened::Missing | NotOpened::NotRegular | NotOpened::NotGiven => {
+                        "name the scenario before the run: polhode judge SCENARIO.toml RUN"
+                    }
+                };
+                Failure::usage(message, hint).about(run)
+            })?;
+            match &found {
+                Some((other, _)) if *other != scenario => {
+                    let message = format!(
+                        "{path} is a run of {}, and the one before of {}",
+                        shown(&scenario),
+                        shown(other)
+                    );
+                    return Err(Failure::usage(message, "judge the runs of one scenario at a time"));
+                }
+                Some(_) => {}
+                None => found = Some((scenario, files)),
+            }
+        }
+        let (scenario, files) = found.ok_or_else(|| {
+            Failure::usage("no log to judge was given", "name the log that a program wrote")
+        })?;
+        Ok(ScenarioFile::read(&files, &scenario)?)
+    }
+
+    /// Checks that the scenario that a run names is the given one: the same path, or a file with the same text.
+    ///
+    /// A file that may not be opened, or is missing, counts as a different one.
+    fn require_of(self, scenario: &ScenarioFile, run: &Path, log: &RunLog) -> Result<(), Failure> {
+        let Some(said) = &log.scenario else { return Ok(()) };
+        if is_path_of(self.files, folder(run), said, &scenario.path) {
+            return Ok(());
+        }
+        let named = match Confined::beside(self.files, run, &self.request.roots).named(folder(run), said) {
+            Ok(named) => named,
+            Err(why) => {
+                let message = format!(
+                    "it names the scenario {:?}, which was not compared with {}: {why}",
+                    said.display(),
+                    shown(&scenario.path)
+                );
+                let hint = match why {
+                    NotOpened::Outside => {
+                        "allow the folder of the scenario that the log names: --root DIR; or remove the line `scenario = …` from the log"
+                    }
+                    NotOpened::Missing | NotOpened::NotRegular | NotOpened::NotGiven => {
+                        "correct the line `scenario = …` of the log, or remove it"
+                    }
+                };
+                return Err(Failure::usage(message, hint).about(run));
+            }
+        };
+        let is_same = self.files.canonical(&scenario.path).is_ok_and(|given| given == named)
+            || text_of(self.files, &named).is_ok_and(|text| text == scenario.text);
+        if is_same {
+            return Ok(());
+        }
+        let message = format!(
+            "it says that it is a run of {:?}, and {} is given",
+            said.display(),
+            shown(&scenario.path)
+        );
+        let hint = "give the scenario that it is of, or remove the line `scenario = …` from the log";
+        Err(Failure::usage(message, hint).about(run))
+    }
+
+    /// A run with what there is to say of it. `step` is the step that its name says.
+    pub(crate) fn judged(
+        self,
+        file: &ScenarioFile,
+        path: &Path,
+        log: RunLog,
+        step: Option<f64>,
+    ) -> Result<JudgedRun, Failure> {
+        let declared = self.request.read_as.declared(&log.says);
+        let step = self.request.step.as_ref().map(|step| step.value.0.into()).or(step).or(log.step);
+        let judged = JudgedRun::of(Some(path), &file.scenario, &log.log, &declared, step)
+            .map_err(|error| refused(file, path, error))?;
+        Ok(JudgedRun { ignored: log.not_read(), engine: log.engine, ..judged })
+    }
+}
+
+/// The folder of a file.
+fn folder(file: &Path) -> &Path {
+    file.parent().unwrap_or(Path::new(""))
+}
+
+/// Why a run cannot be judged, and what helps: what is wrong with the scenario's own motion is not the run's fault.
+fn refused(file: &ScenarioFile, path: &Path, error: JudgeError) -> Failure {
+    match error {
+        JudgeError::Motion(error) => match file.placed(&error) {
+            Some(placed) => placed.into(),
+            None => Failure::of_motion(&file.path, error),
+        },
+        JudgeError::NoMotion | JudgeError::Changing | JudgeError::OnGround | JudgeError::InGimbals => {
+            Failure::usage(error.to_string(), judge_hint(&error).unwrap_or_default()).about(&file.path)
+        }
+        error => Failure::usage(error.to_string(), judge_hint(&error).unwrap_or_default()).about(path),
+    }
+}

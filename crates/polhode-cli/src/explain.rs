@@ -1,13 +1,9 @@
 //! `polhode explain`
 
-use std::path::PathBuf;
-
 use clap::Args;
 use polhode_document::json::pretty;
-use polhode_scenario::read::ScenarioFile;
-use polhode_scenario::report::explain;
+use polhode_scenario::request::explain::{Request, run};
 use polhode_source::files::Disk;
-use polhode_source::shown;
 
 use crate::failure::Failure;
 use crate::stdout::print;
@@ -25,8 +21,8 @@ Examples:
   polhode explain examples/heavy-top.toml --html > heavy-top.html
   polhode explain examples/drag.toml --latex > drag.tex && pdflatex drag.tex")]
 pub(crate) struct Explain {
-    /// The scenario, a TOML file.
-    file: PathBuf,
+    #[command(flatten)]
+    request: Request,
     /// Print Markdown with typeset formulas, for GitHub, Jupyter and pandoc.
     #[arg(long, group = "form")]
     markdown: bool,
@@ -46,12 +42,7 @@ pub(crate) struct Explain {
 
 impl Explain {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let file = ScenarioFile::read(&Disk, &self.file)?;
-        let failed = |error| match file.placed(&error) {
-            Some(placed) => placed.into(),
-            None => Failure::motion(shown(&self.file), error),
-        };
-        let document = explain(&file.scenario).map_err(failed)?;
+        let document = run(&self.request, &Disk)?.0;
         let text = if self.json {
             pretty(&document.to_json()) + "\n"
         } else if self.markdown {

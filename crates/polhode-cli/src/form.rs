@@ -3,7 +3,6 @@
 use clap::Args;
 use polhode_document::Report;
 use polhode_document::json::pretty;
-use polhode_document::layout::WIDTH;
 
 use crate::failure::Failure;
 use crate::stdout::{columns, print};
@@ -41,7 +40,7 @@ impl Form {
         } else if self.html {
             report.to_document().to_html()
         } else {
-            report.to_document().to_text(columns().unwrap_or(WIDTH))
+            report.to_text(columns())
         }
     }
 }

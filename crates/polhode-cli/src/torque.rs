@@ -3,17 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use polhode::body::Particle;
-use polhode::math::{Body, Position};
 use polhode::motion::Scenario;
-use polhode_document::SourceInfo;
 use polhode_document::json::pretty;
-use polhode_scenario::read as scenario;
-use polhode_scenario::report::RequiredReport;
-use polhode_source::given::{Times, positive, quantity, times};
+use polhode_scenario::request::torque::{Request, run};
+use polhode_source::files::Disk;
 use polhode_source::shown;
-use polhode_source::unit;
-use polhode_source::unit::Dimension;
 use polhode_table::output::parquet;
 use polhode_table::output::required::RequiredTable;
 
@@ -36,14 +30,8 @@ Examples:
     group = clap::ArgGroup::new("written").args(["table", "output"]).multiple(true)
 )]
 pub(crate) struct Torque {
-    /// The scenario, a TOML file with [prescribed] or [shaft].
-    file: PathBuf,
-    /// Print the torque at these times too: in s, or each with its unit; 0:1:0.1 are those from 0 to 1 in steps of 0.1.
-    #[arg(long, value_name = "T,…", value_parser = times, allow_hyphen_values = true)]
-    at: Vec<Times>,
-    /// Print the force on a mass fixed to the body here too: mass, x, y, z in body axes, in SI or each with its unit.
-    #[arg(long, value_name = "M,X,Y,Z", value_parser = point, allow_hyphen_values = true)]
-    point: Vec<Particle<Body>>,
+    #[command(flatten)]
+    request: Request,
     /// Write a table with a row for each sample of [run], in this format [default: by the name of -o, else csv].
     #[arg(long, value_enum, value_name = "FORMAT")]
     table: Option<Format>,
@@ -60,23 +48,16 @@ pub(crate) struct Torque {
 
 impl Torque {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let scenario = scenario::read(&self.file)?;
-        let path = shown(&self.file);
-        require_motion(&scenario, &path)?;
         let target = self.target();
+        let report = run(&self.request, &Disk)?;
         if let Some((file, _)) = &target {
-            require_run(&scenario, &path)?;
+            require_run(report.scenario(), &shown(&self.request.file))?;
             check_file(file, self.force)?;
         }
-        let title = scenario.title().unwrap_or("scenario");
-        let source = SourceInfo::new(self.file.display().to_string(), "scenario").described(title);
-        let at: Vec<f64> = self.at.iter().flat_map(|Times(times)| times.iter().copied()).collect();
-        let report = RequiredReport::new(source, &scenario, &at, &self.point)
-            .map_err(|error| Failure::motion(path, error))?;
         let mut written = String::new();
         if let Some((file, format)) = &target {
-            let table =
-                RequiredTable::new(report.samples(), report.rotor(), report.points(), scenario.shaft());
+            let shaft = report.scenario().shaft();
+            let table = RequiredTable::new(report.samples(), report.rotor(), report.points(), shaft);
             self.write(&table, file, *format)?;
             written = format!("wrote {}\n", shown(file));
         }
@@ -95,7 +76,7 @@ impl Torque {
         match (&self.output, self.table) {
             (Some(file), format) => Some((file.clone(), format.unwrap_or_else(|| by_name(file)))),
             (None, Some(format)) => {
-                let name = self.file.file_stem().unwrap_or_default().to_string_lossy();
+                let name = self.request.file.file_stem().unwrap_or_default().to_string_lossy();
                 let ending = if format == Format::Csv { "csv" } else { "parquet" };
                 Some((PathBuf::from(format!("{name}-torque.{ending}")), format))
             }
@@ -105,30 +86,12 @@ impl Torque {
 
     /// Writes the table, whole or not at all.
     fn write(&self, table: &RequiredTable, file: &Path, format: Format) -> Result<(), Failure> {
-        let source = ("polhode.source".to_owned(), self.file.display().to_string());
+        let source = ("polhode.source".to_owned(), self.request.file.display().to_string());
         partial::write(file, self.force, |out| match format {
             Format::Csv => table.write_csv(out),
             Format::Parquet => parquet::write_required(table, &[source], out),
         })
     }
-}
-
-/// Says what is missing where no motion is given.
-fn require_motion(scenario: &Scenario, path: &str) -> Result<(), Failure> {
-    if scenario.prescribed().is_some() {
-        return Ok(());
-    }
-    let hint = "write [prescribed] with axis = [0, 0, 1] and rate = \"3 rad/s\", or [shaft]";
-    Err(if scenario.run().is_some() {
-        let message =
-            format!("{path} has a [run] but no [prescribed] motion: its motion is computed, not given");
-        Failure::usage(
-            message,
-            format!("`polhode simulate` computes it; for the torque of a given motion {hint}"),
-        )
-    } else {
-        Failure::usage(format!("{path} has no [prescribed] motion, so no torque is asked for"), hint)
-    })
 }
 
 fn require_run(scenario: &Scenario, path: &str) -> Result<(), Failure> {
@@ -139,27 +102,4 @@ fn require_run(scenario: &Scenario, path: &str) -> Result<(), Failure> {
             "write [run] with duration = \"10 s\" and samples = 1001",
         )),
     }
-}
-
-/// `0.5 kg, 0, 10 cm, 0`
-fn point(text: &str) -> Result<Particle<Body>, String> {
-    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
-    let [mass, place @ ..] = parts.as_slice() else {
-        return Err("a mass and a place belong here".to_owned());
-    };
-    if place.len() != 3 {
-        return Err(format!(
-            "a mass and three coordinates belong here (m,x,y,z), not {} numbers",
-            parts.len()
-        ));
-    }
-    let mass = positive(quantity(mass, Dimension::MASS)?)?;
-    if let Some((bare, with)) = unit::bare_beside_units(parts.iter().copied()) {
-        return Err(format!("{with:?} has a unit and {bare:?} has none (hint: give each its own, or none)"));
-    }
-    let mut at = [0.0; 3];
-    for (slot, text) in at.iter_mut().zip(place) {
-        *slot = quantity(text, Dimension::LENGTH)?;
-    }
-    Particle::new(mass, Position::from_array(at)).map_err(|error| error.to_string())
 }

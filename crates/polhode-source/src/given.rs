@@ -153,6 +153,14 @@ pub fn list(text: &str, dimension: Dimension) -> Result<Vec<f64>, String> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Times(pub Vec<f64>);
 
+impl FromStr for Times {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        times(text)
+    }
+}
+
 /// Times with commas between, each with its unit, in which `0:1:0.1` are those from 0 to 1 in steps of 0.1.
 pub fn times(text: &str) -> Result<Times, String> {
     if !text.contains(':') {

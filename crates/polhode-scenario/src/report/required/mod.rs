@@ -35,9 +35,9 @@ use shaft::ShaftReport;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct RequiredReport<'a> {
+pub struct RequiredReport {
     source: SourceInfo,
-    scenario: &'a Scenario,
+    scenario: Scenario,
     start: Required,
     /// At the times of the run; at the start only without one.
     samples: Vec<Required>,
@@ -48,7 +48,7 @@ pub struct RequiredReport<'a> {
     shaft: Option<ShaftReport>,
 }
 
-impl<'a> RequiredReport<'a> {
+impl RequiredReport {
     /// The report of a scenario, with the torque at more times, s, and the forces on more points: on the particles of the body,
     /// where it has no other parts, and on these.
     ///
@@ -57,7 +57,7 @@ impl<'a> RequiredReport<'a> {
     /// where a formula is not finite.
     pub fn new(
         source: SourceInfo,
-        scenario: &'a Scenario,
+        scenario: &Scenario,
         at: &[f64],
         points: &[Particle<Body>],
     ) -> Result<Self, MotionError> {
@@ -83,6 +83,7 @@ impl<'a> RequiredReport<'a> {
         let own = if scenario.is_all_particles() { scenario.particles() } else { Vec::new() };
         let points = [own.as_slice(), points].concat();
         let shaft = scenario.shaft().map(|mounted| ShaftReport::new(mounted, &samples)).transpose()?;
+        let scenario = scenario.clone();
         Ok(Self { source, scenario, start, samples, at, points, shaft })
     }
 
@@ -94,6 +95,11 @@ impl<'a> RequiredReport<'a> {
     /// The points whose forces are asked for.
     pub fn points(&self) -> &[Particle<Body>] {
         &self.points
+    }
+
+    /// The scenario that prescribes the motion.
+    pub const fn scenario(&self) -> &Scenario {
+        &self.scenario
     }
 
     /// The body and the point that it turns about.

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::RequiredReport;
 
-pub(crate) fn of(report: &RequiredReport<'_>) -> Value {
+pub(crate) fn of(report: &RequiredReport) -> Value {
     let (first, last) = (report.first(), report.last());
     let [rms_body, rms_space] = report.rms();
     json!({
@@ -33,7 +33,7 @@ pub(crate) fn of(report: &RequiredReport<'_>) -> Value {
     })
 }
 
-fn state(report: &RequiredReport<'_>, s: &Required) -> Value {
+fn state(report: &RequiredReport, s: &Required) -> Value {
     let force = |particle| {
         let f: ParticleForce = s.force_on(particle, report.rotor());
         json!({

@@ -11,7 +11,7 @@ use super::{RequiredReport, tidy};
 /// Digits of a number that stands alone.
 const DIGITS: usize = 7;
 
-pub(crate) fn write(report: &RequiredReport<'_>) -> String {
+pub(crate) fn write(report: &RequiredReport) -> String {
     let (samples, scale) = (report.samples(), report.scale());
     let first = report.first();
     let mut text = heading(report);
@@ -47,7 +47,7 @@ pub(crate) fn write(report: &RequiredReport<'_>) -> String {
     plain_spaces(&text)
 }
 
-fn heading(report: &RequiredReport<'_>) -> String {
+fn heading(report: &RequiredReport) -> String {
     let what = match report.samples() {
         [.., last] if report.samples().len() > 1 => {
             format!("{} … {} s, {} samples", t(report.first()), t(last), count(report.samples().len() as u64))
@@ -74,7 +74,7 @@ fn small(x: f64, scale: f64) -> String {
     number(tidy_beside([x, 0.0, 0.0], 10.0 * scale)[0], DIGITS)
 }
 
-fn power(report: &RequiredReport<'_>) -> String {
+fn power(report: &RequiredReport) -> String {
     let rate = report.samples.iter().map(|s| s.state.omega.norm()).fold(0.0, f64::max);
     let (first, most, scale) = (report.first(), report.most_power(), report.scale() * rate);
     let start = format!("N · ω = {} W at the start", small(first.power, scale));
@@ -85,12 +85,12 @@ fn power(report: &RequiredReport<'_>) -> String {
 }
 
 /// The greatest kinetic energy.
-fn energy(report: &RequiredReport<'_>) -> f64 {
+fn energy(report: &RequiredReport) -> f64 {
     report.samples.iter().map(|s| s.kinetic_energy).fold(0.0, f64::max)
 }
 
 /// The forces on the points at the start.
-fn forces(report: &RequiredReport<'_>) -> String {
+fn forces(report: &RequiredReport) -> String {
     let mut text = String::new();
     for (k, particle) in report.points.iter().enumerate() {
         let ParticleForce { force, along, across, .. } = report.first().force_on(particle, report.rotor());
@@ -110,7 +110,7 @@ fn forces(report: &RequiredReport<'_>) -> String {
 }
 
 /// The times that were asked for: every number reads back bit for bit.
-fn at(report: &RequiredReport<'_>) -> String {
+fn at(report: &RequiredReport) -> String {
     if report.at.is_empty() {
         return String::new();
     }

@@ -1,0 +1,56 @@
+//! Worked solutions.
+
+use std::path::PathBuf;
+
+use polhode_document::{Document, Report};
+use polhode_source::Failure;
+use polhode_source::files::Files;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use super::failed;
+use crate::read::ScenarioFile;
+use crate::report;
+
+/// Scenario to work through.
+///
+/// ```
+/// use polhode_document::Report as _;
+/// use polhode_scenario::request::explain::{Request, run};
+/// use polhode_source::files::Memory;
+/// let text = "[[body.part]]\nshape = 'box'\nsize = [0.1, 0.2, 0.3]\nmass = 2\n[start]\nspin = { body = [0.1, 3, 0] }\n";
+/// let request = Request { file: "box.toml".into() };
+/// let solution = run(&request, &Memory::from([("box.toml", text)]))?;
+/// assert!(solution.to_document().to_markdown().contains("inertia tensor"));
+/// # Ok::<(), polhode_source::Failure>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[cfg_attr(feature = "arguments", derive(clap::Args))]
+pub struct Request {
+    /// The scenario, a TOML file.
+    pub file: PathBuf,
+}
+
+/// Works a scenario through, step by step.
+///
+/// # Errors
+/// [`Failure`] if a file cannot be read or the motion cannot be computed.
+pub fn run(request: &Request, files: &dyn Files) -> Result<Solution, Failure> {
+    let file = ScenarioFile::read(files, &request.file)?;
+    report::explain(&file.scenario).map(Solution).map_err(|error| failed(&file, error))
+}
+
+/// A worked solution.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution(pub Document);
+
+impl Report for Solution {
+    fn to_json(&self) -> Value {
+        self.0.to_json()
+    }
+
+    fn to_document(&self) -> Document {
+        self.0.clone()
+    }
+}

@@ -1,0 +1,41 @@
+//! What is asked of scenarios, and the functions that answer: a request and files in, a report out.
+//!
+//! | module | answers |
+//! |---|---|
+//! | [`simulate`] | how the body moves |
+//! | [`stability`] | which steady motions last |
+//! | [`torque`] | what a given motion needs |
+//! | [`explain`] | the motion, worked through |
+
+pub mod explain;
+pub mod simulate;
+pub mod stability;
+pub mod torque;
+
+use polhode::motion::{MotionError, Scenario};
+use polhode_document::{Document, Section, SourceInfo};
+use polhode_source::Failure;
+use std::path::Path;
+
+use crate::read::ScenarioFile;
+
+/// A failure of a scenario's motion: at its place in the file, if it has one.
+fn failed(file: &ScenarioFile, error: MotionError) -> Failure {
+    match file.placed(&error) {
+        Some(placed) => placed.into(),
+        None => Failure::of_motion(&file.path, error),
+    }
+}
+
+/// Where a report's scenario came from.
+fn source(file: &Path, scenario: &Scenario) -> SourceInfo {
+    let title = scenario.title().unwrap_or("scenario");
+    SourceInfo::new(file.display().to_string(), "scenario").described(title)
+}
+
+/// A report's lines as a document.
+fn document(title: &str, text: &str) -> Document {
+    let mut section = Section::new(0, title);
+    text.lines().for_each(|line| section.line(line));
+    Document { title: title.to_owned(), answer: Vec::new(), sections: vec![section], findings: Vec::new() }
+}

@@ -1,0 +1,99 @@
+//! Steady motions, and which of them last.
+
+use std::path::PathBuf;
+
+use polhode_document::{Document, Report};
+use polhode_source::files::Files;
+use polhode_source::{Failure, shown};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use super::{document, source};
+use crate::read::ScenarioFile;
+use crate::report::{GroundStabilityReport, StabilityReport};
+
+/// Scenario whose steady motions are asked for.
+///
+/// ```
+/// use polhode_document::Report as _;
+/// use polhode_scenario::request::stability::{Request, run};
+/// use polhode_source::files::Memory;
+/// let text = "[[body.part]]\nshape = 'box'\nsize = [0.1, 0.2, 0.3]\nmass = 2\n[start]\nspin = { body = [0.1, 3, 0] }\n";
+/// let request = Request { file: "box.toml".into() };
+/// let report = run(&request, &Memory::from([("box.toml", text)]))?;
+/// assert_eq!(report.to_json()["permanent_rotations"].as_array().unwrap().len(), 3);
+/// # Ok::<(), polhode_source::Failure>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[cfg_attr(feature = "arguments", derive(clap::Args))]
+pub struct Request {
+    /// The scenario, a TOML file.
+    pub file: PathBuf,
+}
+
+/// Finds the steady motions of a scenario's body, and says which of them last.
+///
+/// # Errors
+/// [`Failure`] if a file cannot be read, and for motions that are prescribed, of changing bodies, or in gimbals.
+pub fn run(request: &Request, files: &dyn Files) -> Result<Stability, Failure> {
+    let ScenarioFile { scenario, path, .. } = ScenarioFile::read(files, &request.file)?;
+    let name = shown(&path);
+    if scenario.prescribed().is_some() {
+        let hint = "leave out [prescribed], or ask polhode explain for the torque that the motion needs";
+        return Err(Failure::usage(
+            format!("the motion of {name} is prescribed: nothing can depart from it"),
+            hint,
+        ));
+    }
+    if scenario.history().is_some() {
+        let hint = "polhode simulate computes its motion; leave out [mass_history] for the body as it is at the start";
+        return Err(Failure::usage(
+            format!("the mass properties of {name} change: no motion of it is steady"),
+            hint,
+        ));
+    }
+    if scenario.gimbals().is_some() {
+        return Err(Failure::usage(
+            format!("{name} hangs its body in gimbals: which of its steady motions last is not known here"),
+            "polhode simulate computes its motion: start a little off the steady one",
+        ));
+    }
+    let source = source(&path, &scenario);
+    Ok(match scenario.ground() {
+        Some(ground) => {
+            let report = GroundStabilityReport::of_scenario(source, &scenario, ground);
+            Stability::OnGround(Box::new(report.map_err(|error| Failure::of_motion(&path, error))?))
+        }
+        None => Stability::Free(Box::new(StabilityReport::of_scenario(source, &scenario))),
+    })
+}
+
+/// Steady motions of a body.
+#[derive(Clone, Debug)]
+pub enum Stability {
+    /// Of one that touches nothing: permanent rotations and small oscillations.
+    Free(Box<StabilityReport>),
+    /// Of one on the ground: the steady motion that it starts near to.
+    OnGround(Box<GroundStabilityReport>),
+}
+
+impl Report for Stability {
+    fn to_json(&self) -> Value {
+        match self {
+            Self::Free(report) => report.to_json(),
+            Self::OnGround(report) => report.to_json(),
+        }
+    }
+
+    fn to_document(&self) -> Document {
+        document("Stability", &self.to_text(None))
+    }
+
+    fn to_text(&self, _columns: Option<usize>) -> String {
+        match self {
+            Self::Free(report) => report.to_text(),
+            Self::OnGround(report) => report.to_text(),
+        }
+    }
+}

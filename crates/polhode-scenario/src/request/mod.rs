@@ -3,12 +3,14 @@
 //! | module | answers |
 //! |---|---|
 //! | [`simulate`] | how the body moves |
+//! | [`spin`] | how a free body moves, exactly, or which spins have two periods |
 //! | [`stability`] | which steady motions last |
 //! | [`torque`] | what a given motion needs |
 //! | [`explain`] | the motion, worked through |
 
 pub mod explain;
 pub mod simulate;
+pub mod spin;
 pub mod stability;
 pub mod torque;
 

@@ -6,24 +6,15 @@ use polhode::body::{BodyError, Finding, InertiaTensor, MassProperties, Principal
 use polhode::math::{AngularMomentum, AngularVelocity, Attitude, Body, Position};
 use polhode::motion::{FreeMotion, Rotor, Scenario, State};
 use polhode_document::SourceInfo;
-use polhode_scenario::read::ScenarioFile;
-use polhode_source::files::Disk;
-use polhode_source::shown;
+use polhode_source::files::Files;
+use polhode_source::{Failure, shown};
 
-use crate::failure::Failure;
-use crate::page::{Page, Shown};
-
-/// Moments of inertia about x, y and z, kg·m².
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Moments(pub(super) [f64; 3]);
-
-/// ω along body axes, rad/s.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Omega(pub(super) [f64; 3]);
+use super::given::{Moments, Omega};
+use crate::read::ScenarioFile;
 
 /// A body, from a scenario or from flags.
 #[derive(Debug)]
-pub(super) enum Subject {
+pub(crate) enum Subject {
     Scenario {
         path: String,
         scenario: Box<Scenario>,
@@ -35,8 +26,8 @@ pub(super) enum Subject {
 }
 
 impl Subject {
-    pub(super) fn of_file(file: &Path) -> Result<Self, Failure> {
-        let ScenarioFile { scenario, text, .. } = ScenarioFile::read(&Disk, file)?;
+    pub(crate) fn of_file(files: &dyn Files, file: &Path) -> Result<Self, Failure> {
+        let ScenarioFile { scenario, text, .. } = ScenarioFile::read(files, file)?;
         let path = file.display().to_string();
         let why = if !scenario.torques().is_empty() {
             "a torque acts on the body"
@@ -62,7 +53,7 @@ impl Subject {
     }
 
     /// Moments about body axes; those of no body only if `allowed`.
-    pub(super) fn of_moments(moments: Moments, allowed: bool) -> Result<Self, Failure> {
+    pub(crate) fn of_moments(moments: Moments, allowed: bool) -> Result<Self, Failure> {
         let Moments(moments) = moments;
         match InertiaTensor::<Body>::diagonal(moments) {
             Err(BodyError::TriangleInequality { moments: [i1, i2, i3] }) if !allowed => {
@@ -79,14 +70,14 @@ impl Subject {
         }
     }
 
-    pub(super) fn of_tensor(tensor: InertiaTensor<Body>) -> Result<Self, Failure> {
+    pub(crate) fn of_tensor(tensor: InertiaTensor<Body>) -> Result<Self, Failure> {
         let body = MassProperties::new(1.0, Position::ZERO, tensor);
         body.map(|body| Self::Tensor(Box::new(body)))
             .map_err(|error| Failure::usage(error.to_string(), "check --inertia"))
     }
 
     /// The state at t = 0.
-    pub(super) fn start(&self, omega: Option<Omega>, attitude: Option<Attitude>) -> Result<State, Failure> {
+    pub(crate) fn start(&self, omega: Option<Omega>, attitude: Option<Attitude>) -> Result<State, Failure> {
         let start = match (self, omega) {
             (Self::Scenario { scenario, .. }, _) => scenario.start(),
             (Self::Moments(_) | Self::Tensor(_), Some(_)) => {
@@ -106,10 +97,10 @@ impl Subject {
         })
     }
 
-    pub(super) fn motion(&self, start: State) -> Result<FreeMotion, Failure> {
+    pub(crate) fn motion(&self, start: State) -> Result<FreeMotion, Failure> {
         let motion = match self {
             Self::Scenario { path, scenario, .. } => FreeMotion::of(&Rotor::free(scenario.body()), start)
-                .map_err(|error| Failure::motion(path.clone(), error))?,
+                .map_err(|error| Failure::Motion { path: path.clone(), error })?,
             Self::Moments(moments) => FreeMotion::of_moments(*moments, start)
                 .map_err(|error| Failure::usage(error.to_string(), "check --moments and --omega"))?,
             Self::Tensor(body) => FreeMotion::of(&Rotor::free(body), start)
@@ -133,7 +124,7 @@ impl Subject {
     }
 
     /// Principal moments and axes of a body that is possible.
-    pub(super) fn principal(&self) -> Result<PrincipalFrame<Body>, Failure> {
+    pub(crate) fn principal(&self) -> Result<PrincipalFrame<Body>, Failure> {
         match self {
             Self::Scenario { scenario, .. } => Ok(scenario.body().principal()),
             Self::Tensor(body) => Ok(body.principal()),
@@ -144,7 +135,7 @@ impl Subject {
         }
     }
 
-    pub(super) fn source(&self) -> Option<SourceInfo> {
+    pub(crate) fn source(&self) -> Option<SourceInfo> {
         let Self::Scenario { path, scenario, .. } = self else { return None };
         let title = scenario.title().unwrap_or("scenario");
         Some(
@@ -156,7 +147,7 @@ impl Subject {
     }
 
     /// What a plot is about.
-    pub(super) fn title(&self) -> String {
+    pub(crate) fn title(&self) -> String {
         match self {
             Self::Scenario { path, scenario, .. } => {
                 scenario.title().map(str::to_owned).unwrap_or_else(|| path.clone())
@@ -166,33 +157,23 @@ impl Subject {
         }
     }
 
-    pub(super) fn findings(&self) -> Vec<Finding> {
+    pub(crate) fn findings(&self) -> Vec<Finding> {
         match self {
             Self::Scenario { scenario, .. } => scenario.findings().to_vec(),
             Self::Moments(_) | Self::Tensor(_) => Vec::new(),
         }
     }
 
-    /// What is shown on a page, moving as `start` says.
-    pub(super) fn page<'a>(
-        &'a self,
-        file: Option<&'a Path>,
-        start: State,
-        principal: &'a PrincipalFrame<Body>,
-    ) -> Result<SpinPage<'a>, Failure> {
-        Ok(match self {
-            Self::Scenario { path, scenario, text } => {
-                let started = Scenario::clone(scenario).not_sampled().starting(start);
-                let scenario = started.map_err(|error| Failure::motion(path.clone(), error))?;
-                let file = file.unwrap_or(Path::new(path));
-                SpinPage::Scenario { scenario: Box::new(scenario), text, file }
-            }
-            Self::Moments(_) | Self::Tensor(_) => SpinPage::Moments(principal),
-        })
+    /// The scenario with this start, and its text and path; `None` of moments and tensors.
+    pub(crate) fn started(&self, start: State) -> Result<Option<(Scenario, &str, &Path)>, Failure> {
+        let Self::Scenario { path, scenario, text } = self else { return Ok(None) };
+        let started = Scenario::clone(scenario).not_sampled().starting(start);
+        let scenario = started.map_err(|error| Failure::Motion { path: path.clone(), error })?;
+        Ok(Some((scenario, text, Path::new(path))))
     }
 
     /// What a table says about where it is from.
-    pub(super) fn metadata(&self) -> Vec<(String, String)> {
+    pub(crate) fn metadata(&self) -> Vec<(String, String)> {
         let pair = |key: &str, value: &str| (key.to_owned(), value.to_owned());
         match self {
             Self::Scenario { path, scenario, .. } => {
@@ -203,25 +184,6 @@ impl Subject {
                 vec![pair("polhode.source", &format!("moments {a}, {b}, {c} kg·m²"))]
             }
             Self::Tensor(body) => vec![pair("polhode.source", &elements(body))],
-        }
-    }
-}
-
-/// What a page of a spin shows: a scenario with the start of the flags.
-#[derive(Debug)]
-pub(super) enum SpinPage<'a> {
-    Scenario { scenario: Box<Scenario>, text: &'a str, file: &'a Path },
-    Moments(&'a PrincipalFrame<Body>),
-}
-
-impl SpinPage<'_> {
-    pub(super) fn page(&self) -> Page<'_> {
-        match self {
-            Self::Scenario { scenario, text, file } => Page {
-                command: format!("spin {}", file.display()),
-                shown: Shown::Scenario { scenario, text, file },
-            },
-            Self::Moments(principal) => Page { command: "spin".to_owned(), shown: Shown::Moments(principal) },
         }
     }
 }

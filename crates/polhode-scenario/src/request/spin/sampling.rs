@@ -1,0 +1,133 @@
+//! Samples of a free motion: for tables, plots and pages.
+
+use std::f64::consts::TAU;
+
+use polhode::motion::{FreeMotion, Method, Regime, Run, Trajectory};
+use polhode_source::Failure;
+use polhode_source::given::{Given, Positive, Time};
+use polhode_source::times;
+use serde::{Deserialize, Serialize};
+
+/// Samples of a page that is not of a table.
+const PAGE_SAMPLES: usize = 2_001;
+
+/// Evenly spaced samples where nobody says how many.
+const SAMPLES: u64 = 1001;
+
+/// Samples of a table of free motion.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, rename_all = "kebab-case")]
+#[cfg_attr(feature = "arguments", derive(clap::Args))]
+#[cfg_attr(feature = "arguments", command(next_help_heading = "Files"))]
+pub struct Sampling {
+    /// Write a trajectory table from t = 0 to this time.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "T", allow_hyphen_values = true))]
+    pub duration: Option<Given<Positive<Time>>>,
+    /// Rows of the table, evenly spaced [default: 1001].
+    #[cfg_attr(feature = "arguments", arg(
+        long,
+        value_name = "N",
+        requires = "duration",
+        conflicts_with = "every",
+        value_parser = clap::value_parser!(u64).range(2..=times::MOST)
+    ))]
+    pub samples: Option<u64>,
+    /// Time between rows of the table.
+    #[cfg_attr(
+        feature = "arguments",
+        arg(long, value_name = "DT", requires = "duration", allow_hyphen_values = true)
+    )]
+    pub every: Option<Given<Positive<Time>>>,
+}
+
+impl Sampling {
+    /// Returns the duration of the table, s, if one is asked for.
+    pub fn duration(&self) -> Option<f64> {
+        self.duration.as_ref().map(|duration| duration.value.0.into())
+    }
+
+    /// The motion as plots show it: up to --duration, else some periods.
+    pub fn to_be_drawn(&self, motion: &FreeMotion) -> Result<Trajectory, Failure> {
+        const PERIODS: f64 = 3.0;
+        const EACH: f64 = 128.0;
+        let start = motion.start();
+        let span = self.duration().unwrap_or_else(|| match (motion.regime(), motion.period()) {
+            (_, Some(period)) => PERIODS * period,
+            (Regime::AtRest, _) => 1.0,
+            // Until nothing happens any more: sech 8 is 7e-4.
+            (Regime::Separatrix, _) => 2.0 * 8.0 / motion.polhode_rate(),
+            _ => PERIODS * TAU / start.omega.norm(),
+        });
+        let fine = motion.period().map_or(0.0, |period| EACH * span / period);
+        let samples = fine.clamp(2001.0, 100_001.0) as usize;
+        let times: Vec<f64> = Run::evenly(span, samples, Method::Exact, 0.0).times;
+        let failed = |error| Failure::Motion { path: "the plot".to_owned(), error };
+        Trajectory::of_motion_with_error(*motion, &times).map_err(failed)
+    }
+
+    /// Names a requested time that is not on the page, and the span that is.
+    pub fn not_shown(&self, motion: &FreeMotion, at: &[f64]) -> String {
+        let span = self.duration().unwrap_or_else(|| span_of_page(motion, at));
+        match at.iter().find(|time| !(0.0..=span).contains(*time)) {
+            Some(time) => {
+                format!("the page shows 0 to {span:.6} s, not t = {time} s: --duration sets the span\n")
+            }
+            None => String::new(),
+        }
+    }
+
+    /// The motion that a page shows: the table's, else up to the last time that is asked for, else some periods.
+    pub fn shown(&self, motion: &FreeMotion, at: &[f64]) -> Result<Trajectory, Failure> {
+        if let Some(trajectory) = self.trajectory(motion)? {
+            return Ok(trajectory);
+        }
+        let times = Run::evenly(span_of_page(motion, at), PAGE_SAMPLES, Method::Exact, 0.0).times;
+        let failed = |error| Failure::Motion { path: "the page".to_owned(), error };
+        Trajectory::of_motion_with_error(*motion, &times).map_err(failed)
+    }
+
+    /// The samples of the table; `None` if none is asked for.
+    ///
+    /// # Errors
+    /// [`Failure`] for more samples than fit the memory.
+    pub fn trajectory(&self, motion: &FreeMotion) -> Result<Option<Trajectory>, Failure> {
+        let Some(duration) = self.duration() else { return Ok(None) };
+        let times = match self.every.as_ref().map(|every| f64::from(every.value.0)) {
+            Some(every) => times::every(every, duration).ok_or_else(|| {
+                Failure::usage(
+                    format!("--every {every} s makes more than {} rows of {duration} s", times::MOST),
+                    "all rows are held in memory: sample less often, or write it in pieces",
+                )
+            })?,
+            None => {
+                let samples = self.samples.unwrap_or(SAMPLES) as usize;
+                Run::evenly(duration, samples, Method::Exact, 0.0).times
+            }
+        };
+        let failed = |error| Failure::Motion { path: "the table".to_owned(), error };
+        Trajectory::of_motion_with_error(*motion, &times).map(Some).map_err(failed)
+    }
+}
+
+/// Duration of the motion on a page, s: up to the last of these times if samples can follow it, else some periods.
+fn span_of_page(motion: &FreeMotion, at: &[f64]) -> f64 {
+    let most = longest(motion);
+    let asked = at.iter().copied().fold(0.0, f64::max);
+    if asked > 0.0 && asked <= most { asked } else { sensible(motion).min(most) }
+}
+
+/// Some periods of ω, or some turns where it has none, s.
+fn sensible(motion: &FreeMotion) -> f64 {
+    const PERIODS: f64 = 4.0;
+    let turn = TAU / motion.start().omega.norm();
+    let duration = PERIODS * motion.period().unwrap_or(2.0 * turn).max(turn);
+    if duration.is_finite() { duration } else { 1.0 }
+}
+
+/// For so long samples are near enough together to follow the body, s: a quarter of a radian.
+fn longest(motion: &FreeMotion) -> f64 {
+    const TURN: f64 = 0.25;
+    let [a1, _, a3] = motion.amplitudes();
+    let longest = TURN * PAGE_SAMPLES as f64 / a1.hypot(a3);
+    if longest.is_finite() { longest } else { f64::MAX }
+}

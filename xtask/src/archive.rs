@@ -3,7 +3,7 @@
 use std::io::{Cursor, Write as _};
 
 use flate2::{Compression, GzBuilder};
-use sha2::{Digest as _, Sha256};
+use hmac_sha256::Hash as Sha256;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
 /// A file to be packed.
@@ -50,7 +50,7 @@ pub(crate) fn zip(files: &[Packed]) -> Result<Vec<u8>, String> {
 
 /// A line as `sha256sum` writes and checks it.
 pub(crate) fn sha256_line(name: &str, bytes: &[u8]) -> String {
-    let hash: String = Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+    let hash: String = Sha256::hash(bytes).iter().map(|byte| format!("{byte:02x}")).collect();
     format!("{hash}  {name}\n")
 }
 

@@ -5,7 +5,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::process::{FEATURES, build_folder, cargo, copy, empty_folder, run};
+use crate::process::{FEATURES, build_folder, cargo, copy, empty_folder, run, run_beside};
 use crate::{Outcome, python, read, root};
 
 /// The Python that has Sphinx.
@@ -49,24 +49,14 @@ pub(crate) fn environment() -> Result<Environment, String> {
     Ok(Environment(python))
 }
 
-/// The documentation of the crates, without a warning.
-fn document_crates() -> Outcome {
-    let doc = ["doc", "--workspace", "--lib", "--no-deps", "--locked", "--features", FEATURES];
-    run(cargo(&doc).env("RUSTDOCFLAGS", "-D warnings"))
-}
-
-/// The folder of that documentation, with nothing in it but a place for each crate: by it rustdoc knows that a link to it leads there.
-pub(crate) fn empty_documentation() -> Result<PathBuf, String> {
+/// Documents the crates, without a warning, in an empty folder: pages of items that were removed would stay.
+pub(crate) fn document_crates() -> Outcome {
     let folder = documentation()?;
-    let failed = |error| format!("{}: {error}", folder.display());
     if folder.exists() {
-        std::fs::remove_dir_all(&folder).map_err(failed)?;
+        std::fs::remove_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     }
-    for entry in std::fs::read_dir(root().join("crates")).map_err(failed)? {
-        let name = entry.map_err(failed)?.file_name();
-        std::fs::create_dir_all(folder.join(name.to_string_lossy().replace('-', "_"))).map_err(failed)?;
-    }
-    Ok(folder)
+    let doc = ["doc", "--workspace", "--lib", "--no-deps", "--locked", "--features", FEATURES];
+    run_beside(cargo(&doc).env("RUSTDOCFLAGS", "-D warnings"))
 }
 
 pub(crate) fn documentation() -> Result<PathBuf, String> {

@@ -18,9 +18,8 @@ const FIRST: [Step; 6] = [
     ("licences", dependencies::check),
     ("packages", packages::check),
     ("lints", || {
-        // What the next step runs, and benches, which nothing runs.
-        let all = ["test", "--workspace", "--all-targets", "--no-run", "--locked", "--features", FEATURES];
-        process::run(&mut cargo(&all))
+        let all = ["clippy", "--workspace", "--all-targets", "--locked", "--features", FEATURES];
+        process::run(cargo(&all).args(["--", "-D", "warnings"]))
     }),
     ("tests", tests),
 ];
@@ -37,7 +36,6 @@ const THEN: [Step; 4] = [
 /// what Python's need.
 pub(crate) fn run() -> Outcome {
     let start = Instant::now();
-    process::lint()?;
     std::thread::scope(|scope| {
         let viewer = scope.spawn(|| run_step(&("viewer", viewer::check)));
         let environment = scope.spawn(python::environment);
@@ -61,16 +59,17 @@ pub(crate) fn run() -> Outcome {
     Ok(())
 }
 
-/// Two programs of tests at a time: at the end of each the last test is alone, and those of the command wait for it. With the examples of the documentation
-/// that is made.
+/// Runs two programs of tests at a time: at the end of each the last test is alone.
+/// Then makes the documentation; the lints have checked the dependencies that it needs.
 fn tests() -> Outcome {
     let of =
         |what: &[&str]| cargo(&[&["test", "--workspace", "--locked", "--features", FEATURES], what].concat());
+    process::run(&mut of(&["--no-run"]))?;
     std::thread::scope(|scope| {
         let units = scope.spawn(|| {
             process::run_beside(&mut of(&["--lib", "--bins"]))
-                .and_then(|()| book::empty_documentation())
-                .and_then(|folder| process::run_beside(&mut process::documented(of(&["--doc"]), &folder)))
+                .and_then(|()| process::run_beside(&mut of(&["--doc"])))
+                .and_then(|()| book::document_crates())
         });
         let tested = process::run(&mut of(&["--test", "*"]));
         joined(units).and(tested)

@@ -8,13 +8,11 @@ mod circles;
 mod corpus;
 mod dependencies;
 mod dist;
-mod document;
 mod engines;
 mod examples;
 mod gate;
 mod layers;
 mod licence;
-mod lint;
 mod notices;
 mod packages;
 mod process;
@@ -53,12 +51,6 @@ usage: cargo xtask TASK
   solutions  the worked solutions of examples/, read by pandoc and MathJax; after `npm ci` in viewer/";
 
 fn main() -> ExitCode {
-    if lint::is_wrapper() {
-        return lint::run();
-    }
-    if let Some(exit) = document::in_place_of_rustdoc() {
-        return exit;
-    }
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let outcome = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["test"] => gate::run(),

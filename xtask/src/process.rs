@@ -2,43 +2,15 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::{Mutex, OnceLock};
+use std::sync::Mutex;
 
-use crate::{Outcome, document, lint, root, short};
+use crate::{Outcome, root, short};
 
 /// Cargo, at the root.
 pub(crate) fn cargo(arguments: &[&str]) -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.args(arguments).current_dir(root());
-    linted(&mut command);
     command
-}
-
-/// What lints and documents, set where the whole gate runs: a copy of this program, which itself is compiled anew there.
-static LINTER: OnceLock<PathBuf> = OnceLock::new();
-
-/// From now on what is compiled of the workspace is linted, and what is tested of its documentation is documented; a warning is an error.
-pub(crate) fn lint() -> Outcome {
-    let this = std::env::current_exe().map_err(|error| format!("where is this program? {error}"))?;
-    let copy = empty_folder("lint")?.join(format!("xtask{}", std::env::consts::EXE_SUFFIX));
-    std::fs::copy(&this, &copy).map_err(|error| format!("{}: {error}", copy.display()))?;
-    LINTER.get_or_init(|| copy);
-    Ok(())
-}
-
-/// The same for a command that calls cargo.
-pub(crate) fn linted(command: &mut Command) {
-    if let Some(linter) = LINTER.get() {
-        lint::wrap(command, linter);
-    }
-}
-
-/// Cargo for the tests of the documentation, by which that is made too, where [`lint`] was called.
-pub(crate) fn documented(mut tests: Command, folder: &Path) -> Command {
-    if let Some(this) = LINTER.get() {
-        document::wrap(&mut tests, this, folder);
-    }
-    tests
 }
 
 /// Runs a command with the terminal as it is.

@@ -5,7 +5,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::process::{FEATURES, empty_folder, joined, linted, output, polhode, run, run_beside};
+use crate::process::{FEATURES, empty_folder, joined, output, polhode, run, run_beside};
 use crate::{Outcome, files, read, root, viewer};
 
 /// The oldest Python that the tests run with; the package is for 3.10 too.
@@ -92,7 +92,6 @@ pub(crate) fn install_wheel(Environment { folder, python }: &Environment) -> Res
     // Compiled as the tests are, from the same libraries: a release build would compile all of them once more.
     let mut wheel = Command::new(python);
     wheel.args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"]).args([&wheels, &package]);
-    linted(&mut wheel);
     let optimised = optimised(&read(&root().join("Cargo.toml"))?);
     run(
         wheel.env("MATURIN_PEP517_ARGS", format!("--profile dev --features {FEATURES},as-tested{optimised}"))

@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
+use hmac_sha256::Hash as Sha256;
 use serde_json::Value;
-use sha2::{Digest as _, Sha256};
 
 /// The contents of all models so far: a copy does not count.
 pub(super) type Seen = BTreeSet<[u8; 32]>;
@@ -156,7 +156,7 @@ impl Counts {
             *self.refused.entry("files that cannot be opened".to_owned()).or_default() += 1;
             return;
         };
-        if !seen.insert(Sha256::digest(&bytes).into()) {
+        if !seen.insert(Sha256::hash(&bytes)) {
             self.copies += 1;
             return;
         }

@@ -7,7 +7,7 @@ use polhode_source::FormatError;
 use polhode_source::files::Files;
 use polhode_source::read_file;
 
-use sha2::{Digest, Sha256};
+use hmac_sha256::Hash as Sha256;
 
 /// Counted up when members of the same plan become others.
 const FORMAT: &str = "polhode plan 1";

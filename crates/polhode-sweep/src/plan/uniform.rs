@@ -4,7 +4,7 @@ use polhode_scenario::read::Sampling;
 
 use super::permutation::Permutation;
 use super::sobol;
-use sha2::{Digest, Sha256};
+use hmac_sha256::Hash as Sha256;
 
 /// One of the uniform numbers that a member is made of.
 #[derive(Clone, Debug)]
@@ -84,7 +84,7 @@ pub(crate) fn unit(n: u64) -> f64 {
 
 /// A key for draws of a purpose.
 fn key(seed: u64, name: &str, index: usize, purpose: &str) -> u64 {
-    let hash = Sha256::digest(format!("{seed}\n{name}\n{index}\n{purpose}"));
+    let hash = Sha256::hash(format!("{seed}\n{name}\n{index}\n{purpose}").as_bytes());
     hash.iter().take(8).fold(0, |key, byte| key << 8 | u64::from(*byte))
 }
 

@@ -14,7 +14,7 @@ pub(crate) fn inertia(g: &OnGround<'_, '_>) -> Section {
     s.say("About the point of contact, by parallel axes; it holds at t0, as r changes:");
     s.formula(
         "{J} = {I} + m (r² 1 − r rᵀ)",
-        r"\lbrace \mathbf J \rbrace = \lbrace \mathbf I \rbrace + m (r^2 \operatorname{1} - \mathbf r \mathbf r^{\text{T}})",
+        r"\lbrace \mathbf J \rbrace = \lbrace \mathbf I \rbrace + m (r^2 \text{ 1} - \mathbf r \mathbf r^{\text{T}})",
     );
     let place = g.w.body().center_of_mass() + g.arm;
     s.matrix("{J}", g.w.body().inertia_about(place).matrix(), "kg·m²");

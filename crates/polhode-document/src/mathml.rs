@@ -1,18 +1,30 @@
 //! Formulas as MathML Core, which browsers set without help.
 //!
-//! A formula comes from its LaTeX; one with something unknown in it is shown as text. Only attributes
-//! of MathML are used, no styles: the viewer lets nothing else into the page.
-
-mod latex;
+//! pulldown-latex makes a formula from its LaTeX; one that it cannot read is shown as text. Only attributes
+//! of MathML are used, no classes and styles: the viewer lets nothing else into the page.
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
+use pulldown_latex::config::DisplayMode;
+use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
 
 /// The rule of formulas in a style sheet, with the name of the font's file.
-const FONT_RULE: &str = include_str!("../../assets/math.css");
+const FONT_RULE: &str = include_str!("../assets/math.css");
 
 const FONT_FILE: &str = "./stix-two-math.woff2";
 
-const FONT: &[u8] = include_bytes!("../../assets/stix-two-math.woff2");
+const FONT: &[u8] = include_bytes!("../assets/stix-two-math.woff2");
+
+/// Markup of pulldown-latex 0.8.0 that is not MathML Core, not XML, not in the font or a class, and its replacement.
+/// `mover` always holds an accent: limits are below, or below and above.
+const CORRECTIONS: [(&str, &str); 7] = [
+    (r#"<msup><mspace width="0.1667em" />"#, r#"<mspace width="0.1667em" /><msup>"#),
+    ("<mover>", r#"<mover accent="true">"#),
+    ("<mo><</mo>", "<mo>&lt;</mo>"),
+    ("‾", "¯"),
+    ("&nbsp;", "&#xa0;"),
+    (r#" class="menv-alignlike menv-align""#, r#" columnalign="right left""#),
+    (r#" class="menv-arraylike""#, ""),
+];
 
 /// The style of formulas, the font in it.
 pub fn style() -> String {
@@ -20,9 +32,20 @@ pub fn style() -> String {
     FONT_RULE.replace(FONT_FILE, &font)
 }
 
-/// A formula in symbols, on a line of its own; `text` is shown if the LaTeX has something unknown.
+/// A formula in symbols, on a line of its own; `text` is shown if the LaTeX cannot be read.
 pub fn formula(latex: &str, text: &str) -> String {
-    display(&latex::to_mathml(latex).unwrap_or_else(|| element("mtext", text)))
+    from_latex(latex).unwrap_or_else(|| display(&element("mtext", text)))
+}
+
+/// MathML of a formula; `None` if it cannot be read. Vectors are upright and bold, Greek ones too.
+fn from_latex(latex: &str) -> Option<String> {
+    let latex = latex.replace(r"\boldsymbol", r"\mathbf");
+    let storage = Storage::new();
+    let config = RenderConfig { display_mode: DisplayMode::Block, ..RenderConfig::default() };
+    let mut out = String::new();
+    push_mathml(&mut out, Parser::new(&latex, &storage), config).ok()?;
+    let is_read = !out.contains("<merror");
+    is_read.then(|| CORRECTIONS.iter().fold(out, |out, (wrong, right)| out.replace(wrong, right)))
 }
 
 /// `name = matrix unit`
@@ -32,7 +55,7 @@ pub fn matrix(name: &str, rows: &[Vec<String>], unit: &str) -> String {
     let unit =
         if unit.is_empty() { String::new() } else { format!("{}{}", space(0.5), element("mtext", unit)) };
     let name = match name {
-        "{I}" => latex::to_mathml(r"\lbrace \mathbf I \rbrace").unwrap_or_default(),
+        "{I}" => "<mo stretchy=\"false\">{</mo><mi>𝐈</mi><mo stretchy=\"false\">}</mo>".to_owned(),
         other => element("mtext", other),
     };
     display(&format!("{name}<mo>=</mo><mrow><mo>(</mo><mtable>{rows}</mtable><mo>)</mo></mrow>{unit}"))
@@ -40,18 +63,6 @@ pub fn matrix(name: &str, rows: &[Vec<String>], unit: &str) -> String {
 
 fn display(inside: &str) -> String {
     format!("<math display=\"block\"><mrow>{inside}</mrow></math>")
-}
-
-/// The bold letter of a Latin or Greek one, as a character (Unicode, Mathematical Alphanumeric Symbols).
-fn bold(letter: char) -> Option<char> {
-    let (first, place) = match letter {
-        'A'..='Z' => ('A', 0x1D400),
-        'a'..='z' => ('a', 0x1D41A),
-        'Α'..='Ω' => ('Α', 0x1D6A8),
-        'α'..='ω' => ('α', 0x1D6C2),
-        _ => return None,
-    };
-    char::from_u32(place + u32::from(letter) - u32::from(first))
 }
 
 /// `<name>text</name>`, the text inert.
@@ -107,12 +118,21 @@ mod tests {
     }
 
     #[test]
-    fn bold_letters_are_characters() {
-        for (letter, wanted) in [('I', '𝐈'), ('r', '𝐫'), ('ω', '𝛚'), ('Ω', '𝛀'), ('Σ', '𝚺')]
-        {
-            assert_eq!(bold(letter), Some(wanted));
+    fn corrected_markup() {
+        let space = "<mspace width=\"0.1667em\" />";
+        for (latex, wanted) in [
+            (r"a \sin^2 x", &*format!("<mi>a</mi>{space}<msup><mi>sin</mi><mn>2</mn></msup>")),
+            (r"\dot x + \bar z", "<mover accent=\"true\"><mi>x</mi><mi>˙</mi></mover>"),
+            (r"\dot x + \bar z", "<mover accent=\"true\"><mi>z</mi><mi>¯</mi></mover>"),
+            ("x < y", "<mo>&lt;</mo>"),
+            (r"x \text{ or } y", "<mtext>&#xa0;or&#xa0;</mtext>"),
+            (r"\boldsymbol\omega \times \mathbf r", "<mi>𝛚</mi>"),
+            (r"\begin{aligned} a &= b \cr c &= d \end{aligned}", "<mtable columnalign=\"right left\"><mtr>"),
+            (r"\begin{vmatrix} a & b \end{vmatrix}", "<mtable><mtr>"),
+        ] {
+            let markup = from_latex(latex).unwrap();
+            assert!(markup.contains(wanted), "{latex}: {markup}");
         }
-        assert_eq!(bold('1'), None);
     }
 
     #[test]

@@ -1,39 +1,25 @@
 //! `polhode check`
 
-mod files;
-mod fix;
-mod output;
 mod outputs;
-mod parallel;
-mod policy;
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::time::{SystemTime, UNIX_EPOCH};
 
-use clap::{ArgGroup, Args, ValueEnum};
-use polhode_robot::finding::Finding;
-use polhode_robot::geometry::{Shapes, mesh_files};
-use polhode_robot::inspect::{Inspection, inspect_for};
-use polhode_robot::model::RobotModel;
-use polhode_robot::policy::{Judged, Policy};
-use polhode_robot::program::Program;
-use polhode_robot::read::{CheckedFolder, ReadOptions, read_model, read_text};
-use polhode_robot::repair::proved;
-use polhode_robot::report::{CheckReport, Prospect};
+use clap::{ArgGroup, Args};
+use polhode_document::layout::printable_lines;
+use polhode_robot::policy::date::Date;
 use polhode_robot::rule::{list, rule, rules};
-use polhode_source::FormatError;
+use polhode_robot::{Checked, Format, Inputs, Progress, Request};
 use polhode_source::files::Disk;
+use polhode_source::shown;
 
 use crate::failure::Failure;
+use crate::partial;
 use crate::progress::FileProgress;
 use crate::stderr::tell;
-use crate::stdout::print;
-use files::{Unread, name, real_name};
-use fix::FixFlags;
-use output::{Outcome, OutputFlags, Results};
+use crate::stdout::{print, print_exact};
 use outputs::Outputs;
-use polhode_source::shown;
-use policy::PolicyFlags;
 
 /// Are the inertias of a robot or simulation model right? URDF, SDF, MJCF, USD, OpenSim.
 ///
@@ -62,24 +48,24 @@ Examples:
   polhode check --explain inertia.triangle"
 )]
 pub(crate) struct Check {
-    /// Models, and folders to search for them.
-    #[arg(required_unless_present_any = ["explain", "out"], value_name = "FILE")]
-    files: Vec<PathBuf>,
-    /// A folder that holds packages, for package:// and model://; may be repeated. No mesh is
-    /// opened outside of these, the folders that are checked, the model's own and an ancestor
-    /// folder with the package's name.
-    #[arg(long = "root", value_name = "DIR")]
-    roots: Vec<PathBuf>,
-    /// Program that has to accept the models; may be repeated. A link that it refuses, such as a
-    /// moving one without mass, is an error instead of a note.
-    #[arg(long = "for", value_enum, value_name = "PROGRAM")]
-    programs: Vec<ForProgram>,
     #[command(flatten)]
-    output: OutputFlags,
+    request: Request,
     #[command(flatten)]
-    policy: PolicyFlags,
-    #[command(flatten)]
-    fix: FixFlags,
+    form: Form,
+    /// Write the results to FILE, whole or not at all, and print nothing.
+    #[arg(long, short, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Write what is found as a baseline; findings do not fail then.
+    #[arg(long, value_name = "FILE")]
+    write_baseline: Option<PathBuf>,
+    /// Print the diff of all fixes that are the only consistent ones, the evidence of each above
+    /// it, and write nothing; with OUT also write the fixed model there, after the diff. Every
+    /// other byte stays as it is.
+    #[arg(long = "fix", value_name = "OUT", num_args = 0..=1, conflicts_with_all = ["baseline", "write_baseline"])]
+    out: Option<Option<PathBuf>>,
+    /// Replace what --fix, --output or --write-baseline writes if it is there; never the model itself.
+    #[arg(long, requires = "written")]
+    force: bool,
     /// Print what a rule asks, why, how to mend what breaks it, and an example; without CODE all rules, a line each.
     #[arg(long, value_name = "CODE", num_args = 0..=1, conflicts_with_all = [
         "files", "roots", "programs", "json", "table", "format", "output", "fail_on", "strict", "config", "baseline", "write_baseline", "out", "force",
@@ -87,201 +73,177 @@ pub(crate) struct Check {
     explain: Option<Option<String>>,
 }
 
-/// A program that reads models.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum ForProgram {
-    Mujoco,
-    Gazebo,
-    Drake,
-    Isaac,
+/// Flags for the form of results.
+#[derive(Debug, Args)]
+struct Form {
+    /// The form: text, or what a program reads.
+    #[arg(long, value_enum, value_name = "FORM", conflicts_with_all = ["json", "table"])]
+    format: Option<Format>,
+    /// Print JSON: one object for one file, an array for several or for a folder.
+    #[arg(long)]
+    json: bool,
+    /// Print a table, a line a link: mass, centre, principal moments, equivalent box, density, verdict.
+    #[arg(long, conflicts_with = "json")]
+    table: bool,
 }
 
-impl From<ForProgram> for Program {
-    fn from(program: ForProgram) -> Self {
-        match program {
-            ForProgram::Mujoco => Self::Mujoco,
-            ForProgram::Gazebo => Self::Gazebo,
-            ForProgram::Drake => Self::Drake,
-            ForProgram::Isaac => Self::Isaac,
+impl Form {
+    fn format(&self) -> Format {
+        match self {
+            Self { json: true, .. } => Format::Json,
+            Self { table: true, .. } => Format::Table,
+            Self { format, .. } => format.unwrap_or_default(),
         }
     }
 }
 
 impl Check {
-    pub(crate) fn run(self) -> Result<(), Failure> {
+    pub(crate) fn run(mut self) -> Result<(), Failure> {
         if let Some(code) = &self.explain {
             return explain(code.as_deref());
         }
-        polhode_source::file::require_folders(&Disk, &self.roots)?;
-        self.fix.require_models(&self.files)?;
-        let (policy, fail_on) = self.policy.read()?;
-        let found = files::models(&self.files);
-        let named: Vec<PathBuf> = found.iter().filter_map(|input| input.as_ref().ok()).cloned().collect();
-        let one = matches!(self.files.as_slice(), [file] if !file.is_dir());
-        let is_excluded = |path: &Path| policy.config.exclude.iter().any(|glob| glob.matches(&name(path)));
-        let count = found.len();
-        let inputs: Vec<Result<PathBuf, Unread>> =
-            found.into_iter().filter(|input| !input.as_ref().is_ok_and(|path| is_excluded(path))).collect();
-        let excluded = count - inputs.len();
-        let models: Vec<&Path> = inputs.iter().filter_map(|input| input.as_deref().ok()).collect();
-        self.fix.require_one(models.len())?;
-        let target = self.fix.file();
-        self.output.require_no_other_form(self.fix.is_given())?;
-        self.output.require_no_table(self.fix.is_diff())?;
+        self.require_models()?;
+        let seconds = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
+        self.request.today = Some(Date::of_days(seconds / 86_400));
+        self.request.fix = self.out.is_some();
+        let inputs = Inputs::find(&self.request, &Disk)?;
+        for [again, first] in inputs.repeated() {
+            tell(&format!("{} is {}, which is checked once\n", shown(again), shown(first)));
+        }
+        self.require_fix_fits(inputs.models().count())?;
         let outputs = self.outputs();
-        outputs.require_not_read("the model itself", named.iter().map(PathBuf::as_path))?;
-        self.policy.require_not_written(&outputs)?;
+        outputs.require_not_read("the model itself", inputs.models().chain(inputs.excluded()))?;
+        outputs.require_not_read("the configuration", inputs.config().into_iter())?;
+        // A baseline is written anew in its place, with what it knows.
+        let known = self.request.baseline.iter().map(PathBuf::as_path);
+        outputs.without("--write-baseline").require_not_read("the baseline", known)?;
         outputs.require_places()?;
-
-        let folders: Vec<_> =
-            self.files.iter().filter_map(|file| CheckedFolder::new(&Disk, file)).map(Arc::new).collect();
-        let reading = |path: &Path| self.reading(&folders, path);
-        let read = |input: Result<PathBuf, Unread>| match input {
-            Ok(path) => {
-                let model = read_model(&path, &reading(&path));
-                Input { model: model.map_err(|error| Failure::from(error).about(&path)), path }
-            }
-            Err(Unread { path, failure }) => Input { path, model: Err(failure) },
-        };
-        let inputs = side_by_side(inputs, read, |input| match input {
-            Ok(path) | Err(Unread { path, .. }) => path,
-        });
-        // All meshes before the models: these would wait for each other where they have meshes in common.
-        let meshes = mesh_files(&Disk, inputs.iter().filter_map(|input| input.model.as_ref().ok()));
-        let shapes = Shapes::with_threads((parallel::threads() / meshes.len().max(1)).max(1));
-        side_by_side(meshes, |mesh| shapes.read_ahead(&mesh), PathBuf::as_path);
-        let outcome = |Input { path, model }: Input| Outcome {
-            report: model.and_then(|model| {
-                self.report(&path, model, target, (&shapes, &policy, &reading(&path)))
-                    .map_err(|failure| failure.about(&path))
-            }),
-            path,
-        };
-        let outcomes = side_by_side(inputs, outcome, |input| &input.path);
-        for Outcome { path, report } in &outcomes {
-            match report {
+        let checked = inputs.check(&mut FileProgress::new(0));
+        for file in &checked.files {
+            match &file.report {
                 Ok(report) => outputs.require_not_part_of(&report.model)?,
-                Err(failure) => outputs.require_not_named(path, failure)?,
+                Err(failure) => outputs.require_not_named(&file.path, failure)?,
             }
         }
+        self.write(checked)
+    }
 
-        let judged: Vec<(String, &Judged)> = outcomes
-            .iter()
-            .filter_map(|outcome| Some((name(&outcome.path), &outcome.report.as_ref().ok()?.judged)))
-            .collect();
-        let judged = || judged.iter().map(|(file, judged)| (file.as_str(), *judged));
-        let remarks = policy.remarks(judged(), |file| Path::new(file).exists());
-        let results = Results { outcomes: &outcomes, one, excluded, remarks: &remarks, fail_on };
-        if self.fix.is_diff() && !self.output.is_json() {
-            self.output.write_diff(&results)?;
+    /// Writes and prints what is asked for.
+    fn write(&self, mut checked: Checked) -> Result<(), Failure> {
+        let form = self.form.format();
+        let diff = if form == Format::Json { String::new() } else { checked.to_diff() };
+        if matches!(self.out, Some(None)) && form != Format::Json {
+            for file in &checked.files {
+                let left =
+                    file.report.as_ref().map_or_else(|_| String::new(), |report| report.not_repaired());
+                if !left.is_empty() {
+                    tell(&format!("{}\n{left}", shown(&file.path)));
+                }
+            }
+            tell(checked.about_policy().trim_start());
+            match &self.output {
+                Some(path) => partial::write(path, false, |file| file.write_all(diff.as_bytes()))?,
+                None => print_exact(&diff)?,
+            }
         } else {
-            self.output.announce(&results)?;
-            if let (Some(target), [Outcome { report: Ok(report), .. }]) = (target, outcomes.as_slice()) {
-                fix::write(report, target, self.fix.force)?;
+            if self.output.is_none() && !diff.is_empty() {
+                print(&format!("{diff}\n"))?;
             }
-            self.output.write(&results, self.fix.force)?;
+            if let Some(out) = self.fixed() {
+                if let Some(fix) = checked.fixes().next() {
+                    partial::write(out, self.force, |file| file.write_all(fix.new.as_bytes()))?;
+                }
+                checked = checked.with_fix_in(out);
+            }
+            tell(&checked.left_out_of(form));
+            let text = checked.to_form(form);
+            match &self.output {
+                Some(path) => {
+                    let gap = if diff.is_empty() { "" } else { "\n" };
+                    let text = printable_lines(&format!("{diff}{gap}{text}"));
+                    partial::write(path, self.force, |file| file.write_all(text.as_bytes()))?;
+                }
+                None => print(&text)?,
+            }
         }
-
-        let fails = |findings: &[Finding]| findings.iter().any(|finding| finding.severity >= fail_on);
-        // A diff repairs nothing yet.
-        let remaining = |report: &CheckReport| match report.fixed.as_ref().filter(|fixed| fixed.out.is_some())
-        {
-            Some(fixed) => fails(&fixed.remaining),
-            None => fails(report.findings()),
-        };
-        let mut found =
-            remarks.iter().any(|remark| remark.severity.is_some_and(|severity| severity >= fail_on))
-                || outcomes.iter().filter_map(|outcome| outcome.report.as_ref().ok()).any(remaining);
-        if outcomes.iter().all(|outcome| outcome.report.is_ok()) {
-            found &= !self.policy.write_baseline(judged(), self.fix.force)?;
-        } else if let Some(path) = self.policy.baseline_out() {
-            tell(&format!("{} is not written: not all files could be read\n", shown(path)));
+        let mut has_failed = checked.has_failed();
+        if let Some(path) = &self.write_baseline {
+            if checked.files.iter().all(|file| file.report.is_ok()) {
+                let (text, count) = checked.to_baseline();
+                partial::write(path, self.force, |file| file.write_all(text.as_bytes()))?;
+                let noun = if count == 1 { "finding" } else { "findings" };
+                tell(&format!("wrote {}: {count} {noun}, known from now on with --baseline\n", shown(path)));
+                has_failed = false;
+            } else {
+                tell(&format!("{} is not written: not all files could be read\n", shown(path)));
+            }
         }
         let mut failures: Vec<Failure> =
-            outcomes.into_iter().filter_map(|outcome| outcome.report.err()).collect();
-        if found {
-            failures.push(Failure::Findings);
-        }
+            checked.files.into_iter().filter_map(|file| file.report.err()).map(Failure::from).collect();
+        failures.extend(has_failed.then_some(Failure::Findings));
         Failure::unless_empty(failures)
     }
 
-    /// What is found in a file, and repaired if that is asked for.
-    fn report(
-        &self,
-        file: &Path,
-        model: RobotModel,
-        out: Option<&Path>,
-        by: (&Shapes<'_>, &Policy, &ReadOptions<'_>),
-    ) -> Result<CheckReport, Failure> {
-        let (shapes, policy, _) = by;
-        let Inspection { geometry, findings } = inspect_for(&model, shapes, &self.programs());
-        let judged = judge(policy, file, &model, findings);
-        let mut report = CheckReport::new(model, geometry, judged);
-        let check = |text: &str| self.findings_in(text, file, by);
-        if self.fix.is_given() {
-            return fix::fixed(report, out, check);
-        }
-        if report.findings().iter().any(|finding| finding.repair.is_some()) {
-            let fixed = proved(&report.model, report.findings(), check);
-            report.prospect = fixed.ok().map(|(repaired, remaining)| Prospect::of(&repaired, &remaining));
-        }
-        Ok(report)
-    }
-
-    /// What is found in a text in place of the file's.
-    fn findings_in(
-        &self,
-        text: &str,
-        file: &Path,
-        (shapes, policy, reading): (&Shapes<'_>, &Policy, &ReadOptions<'_>),
-    ) -> Result<Vec<Finding>, FormatError> {
-        let model = read_text(text, file, reading)?;
-        let findings = inspect_for(&model, shapes, &self.programs()).findings;
-        Ok(judge(policy, file, &model, findings).open)
+    /// Where the fixed model goes, if anywhere.
+    fn fixed(&self) -> Option<&Path> {
+        self.out.as_ref()?.as_deref()
     }
 
     /// What is written, in the order in which it is.
     fn outputs(&self) -> Outputs<'_> {
         let options = [
-            ("--fix", self.fix.file()),
-            ("--output", self.output.file()),
-            ("--write-baseline", self.policy.baseline_out()),
+            ("--fix", self.fixed()),
+            ("--output", self.output.as_deref()),
+            ("--write-baseline", self.write_baseline.as_deref()),
         ];
-        Outputs::new(options, self.fix.force)
+        Outputs::new(options, self.force)
     }
 
-    fn programs(&self) -> Vec<Program> {
-        self.programs.iter().copied().map(Program::from).collect()
+    /// A model has to be named before --fix, which takes the file after it.
+    fn require_models(&self) -> Result<(), Failure> {
+        match self.fixed() {
+            Some(out) if self.request.files.is_empty() => Err(Failure::usage(
+                format!("no model is named: {} is the file that --fix is to write", shown(out)),
+                format!("name the model first: polhode check {} --fix", shown(out)),
+            )),
+            _ => Ok(()),
+        }
     }
 
-    /// Options for a model, with the folder of the command line that it was found in.
-    fn reading(&self, folders: &[Arc<CheckedFolder>], path: &Path) -> ReadOptions<'_> {
-        let checked = folders.iter().find(|folder| folder.names(path)).cloned();
-        ReadOptions { roots: self.roots.clone(), checked, ..ReadOptions::default() }
+    /// Refuses a file for several models, --force without a file, and a form that has no place for fixes.
+    fn require_fix_fits(&self, models: usize) -> Result<(), Failure> {
+        let (message, hint) = match (&self.out, self.form.format()) {
+            (None, _) => return Ok(()),
+            (Some(None), _) if self.force => (
+                "--fix without a file writes nothing, and --force replaces a file".to_owned(),
+                "name the file, or leave --force out",
+            ),
+            (Some(Some(_)), _) if models != 1 => {
+                (format!("--fix writes one model, and {models} are named"), "repair them one by one")
+            }
+            (Some(None), Format::Table) => (
+                "--fix without a file prints a diff, and --table asks for a table".to_owned(),
+                "leave one of them out, or name the file after --fix",
+            ),
+            (Some(_), Format::Text | Format::Json | Format::Table) => return Ok(()),
+            (Some(_), Format::Sarif | Format::Junit | Format::Github | Format::Gitlab | Format::Markdown) => (
+                "--fix says what it did as text, as a table or as JSON, and --format asks for another form"
+                    .to_owned(),
+                "check the repaired model then",
+            ),
+        };
+        Err(Failure::usage(message, hint))
     }
 }
 
-/// A file that is named, or found in a folder.
-struct Input {
-    path: PathBuf,
-    model: Result<RobotModel, Failure>,
-}
+impl Progress for FileProgress {
+    fn begin(&mut self, count: usize) {
+        *self = Self::new(count);
+    }
 
-/// What comes of each item, on all threads; how far that is, is shown by their files.
-fn side_by_side<I: Send, T: Send>(
-    items: Vec<I>,
-    work: impl Fn(I) -> T + Sync,
-    file: impl Fn(&I) -> &Path,
-) -> Vec<T> {
-    let files: Vec<PathBuf> = items.iter().map(|item| file(item).to_owned()).collect();
-    let mut progress = FileProgress::new(files.len());
-    let done = |k: usize| files.get(k).into_iter().for_each(|file| progress.next(file));
-    parallel::map(items, parallel::threads(), work, done)
-}
-
-/// The file itself is called as it is named.
-fn judge(policy: &Policy, file: &Path, model: &RobotModel, findings: Vec<Finding>) -> Judged {
-    policy.judge(|path| if path == file { name(path) } else { real_name(path) }, model, findings)
+    fn done(&mut self, file: &Path) {
+        self.next(file);
+    }
 }
 
 /// A rule, or all of them.

@@ -81,13 +81,16 @@ impl Failure {
 
     /// In the place of the file's object, among those of the files that are fine.
     pub(crate) fn to_json(&self, file: &Path) -> Value {
-        let (message, place, hint) = match self {
-            Self::Request(request) => (request.message(), request.place_in(file), request.hint()),
-            Self::Incomplete { error, .. } => (error.to_string(), None, error.hint().map(str::to_owned)),
-            other => (other.text().trim_start_matches("error: ").trim_end().to_owned(), None, None),
+        let without_place =
+            |message: String, hint: Option<&str>| Request::usage(message, hint.unwrap_or_default());
+        let error = match self {
+            Self::Request(request) => request.to_json(file),
+            Self::Incomplete { error, .. } => without_place(error.to_string(), error.hint()).to_json(file),
+            other => {
+                let message = other.text().trim_start_matches("error: ").trim_end().to_owned();
+                without_place(message, None).to_json(file)
+            }
         };
-        let [line, column] = place.map_or([None; 2], |place| place.map(Some));
-        let error = json!({ "line": line, "column": column, "message": message, "hint": hint });
         json!({ "polhode": VERSION, "file": file.to_string_lossy(), "error": error })
     }
 

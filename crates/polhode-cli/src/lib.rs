@@ -28,8 +28,6 @@ mod inertia;
 mod judge;
 #[cfg(feature = "live")]
 mod live;
-#[cfg(feature = "robot")]
-mod model_file;
 mod new;
 mod page;
 mod partial;

@@ -4,8 +4,8 @@ use polhode::body::shape::Substance;
 use polhode::body::{Finding, InertiaTensor, MassProperties, Severity};
 use polhode::math::{Body, Position};
 use polhode_document::SourceInfo;
-use polhode_scenario::report::{PartRow, parts};
 use polhode_shape::report::InertiaReport;
+use polhode_shape::report::{PartRow, parts};
 use pyo3::prelude::*;
 
 use crate::error::Raise;

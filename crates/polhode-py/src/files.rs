@@ -2,19 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
-use polhode::body::BodyError;
-use polhode_document::Extra;
 use polhode_document::SourceInfo;
-use polhode_scenario::read as scenario;
-use polhode_scenario::report::{error_estimate, sign_proof};
+use polhode_scenario::read::ScenarioFile;
 use polhode_shape::cad;
-use polhode_shape::cad::{CadOptions, CadReport, DecimalMark, ProductConvention};
+use polhode_shape::cad::{CadOptions, DecimalMark, ProductConvention};
 use polhode_shape::molecule;
 use polhode_shape::molecule::{Isotopes, MoleculeFormat};
 use polhode_shape::particles;
 use polhode_shape::particles::ParticleOptions;
-use polhode_shape::report::InertiaReport;
-use polhode_shape::report::MoleculeReport;
+use polhode_shape::report::{InertiaReport, error_estimate};
 use polhode_shape::voxel;
 use polhode_shape::voxel::VoxelOptions;
 use polhode_source::FormatError;
@@ -30,14 +26,8 @@ use crate::shape::in_body;
 /// The body of a scenario.
 #[pyfunction]
 pub(crate) fn scenario_file(py: Python<'_>, path: PathBuf) -> PyResult<PyMassProperties> {
-    let (scenario, path) = watched_apart(py, move |_| (scenario::read(&path), path))?;
-    let scenario = scenario.map_err(Raise::raise)?;
-    let title = scenario.title().unwrap_or("scenario");
-    let source = of_file(&path, "scenario")
-        .described(title)
-        .with("title", scenario.title().map(str::to_owned))
-        .with("parts", scenario.parts().len());
-    Ok(PyMassProperties::of(InertiaReport::of_scenario(source, &scenario)))
+    let scenario = watched_apart(py, move |_| ScenarioFile::read(&Disk, &path))?;
+    Ok(PyMassProperties::of(scenario.map_err(Raise::raise)?.inertia()))
 }
 
 /// A table of particles.
@@ -50,18 +40,11 @@ pub(crate) fn particle_file(
     mass_unit: Option<f64>,
 ) -> PyResult<PyMassProperties> {
     let options = ParticleOptions { mass_unit, length_unit, total_mass: mass };
-    let (read, path) = watched_apart(py, move |_| {
+    let report = watched_apart(py, move |_| {
         let table = read_file(&Disk, &path, |bytes| particles::read(bytes, &options));
-        (table.map(|table| (table.mass_properties(), table)), path)
+        table.map(|table| table.into_report(&path))
     })?;
-    let (properties, table) = read.map_err(Raise::raise)?;
-    let properties = properties.map_err(Raise::raise)?;
-    let source = of_file(&path, "particles")
-        .described(table.described())
-        .with("particles", table.particles.len())
-        .with("tensors", !table.tensors.is_empty());
-    let report = InertiaReport { findings: table.findings, ..InertiaReport::new(source, properties) };
-    Ok(PyMassProperties::of(report))
+    Ok(PyMassProperties::of(report.map_err(Raise::raise)?.map_err(Raise::raise)?))
 }
 
 /// A CAD program's report.
@@ -89,26 +72,8 @@ pub(crate) fn cad_file(
         mass_unit,
         length_unit,
     };
-    let CadReport { product, properties, volume, surface_area, density, proof, findings } =
-        py.detach(|| read_text_file(&Disk, &path, |text| cad::read(text, &options))).map_err(Raise::raise)?;
-    let source = of_file(&path, "cad")
-        .described(format!("mass properties by {}", product.name()))
-        .with("product", product.name());
-    let proof = sign_proof(
-        proof.convention.name(),
-        proof.by.name(),
-        [proof.residual_negative, proof.residual_positive],
-        proof.rounding,
-    );
-    let report = InertiaReport::new(source, properties);
-    Ok(PyMassProperties::of(InertiaReport {
-        volume,
-        surface_area,
-        density,
-        extras: vec![proof],
-        findings,
-        ..report
-    }))
+    let report = py.detach(|| read_text_file(&Disk, &path, |text| cad::read(text, &options)));
+    Ok(PyMassProperties::of(report.map_err(Raise::raise)?.into_report(&path)))
 }
 
 /// The molecules of a file.
@@ -124,29 +89,8 @@ pub(crate) fn molecule_file(py: Python<'_>, path: PathBuf, average: bool) -> PyR
     };
     let (molecules, path) = watched_apart(py, move |_| (molecule::read(&Disk, &path, format), path))?;
     let molecules = molecules.map_err(Raise::raise)?;
-    let report = |(number, molecule): (usize, &molecule::Molecule)| {
-        let block = MoleculeReport {
-            formula: molecule.formula(),
-            atoms: molecule.atoms.len(),
-            isotopes: isotopes.name(),
-            constants: molecule.rotational_constants(isotopes)?,
-        };
-        let name = if molecule.name.is_empty() { &block.formula } else { &molecule.name };
-        let source = of_file(&path, format.name())
-            .with("name", molecule.name.clone())
-            .with("atoms", molecule.atoms.len());
-        // Reports count from 1.
-        let source = match molecules.len() {
-            1 => source.described(format!("molecule {name}")),
-            _ => source.described(format!("molecule {}, {name}", number + 1)).with("molecule", number + 1),
-        };
-        let extra = Extra { key: "molecule", json: block.to_json(), text: block.to_text() };
-        let report = InertiaReport::new(source, molecule.mass_properties(isotopes)?);
-        let findings = molecule.findings_with(isotopes);
-        Ok(PyMassProperties::of(InertiaReport { extras: vec![extra], findings, ..report }))
-    };
-    let reports = || molecules.iter().enumerate().map(report).collect::<Result<Vec<_>, BodyError>>();
-    py.detach(reports).map_err(Raise::raise)
+    let reports = py.detach(|| molecule::reports(&molecules, isotopes, &path, format));
+    Ok(reports.map_err(Raise::raise)?.into_iter().map(PyMassProperties::of).collect())
 }
 
 /// A voxel grid; `per_value` is the density that a value of 1 stands for, kg/m³.

@@ -9,12 +9,11 @@ use polhode::body::shape::{Extent, Shape, Substance};
 use polhode::body::{BodyError, Finding, MassProperties, Severity};
 use polhode_document::Extra;
 use polhode_document::SourceInfo;
-use polhode_scenario::report::{PartRow, error_estimate, parts};
 use polhode_shape::mesh::{
     AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshPart, MeshRepair, MeshSolid, RepairBound,
     SolidPart, UnitedMesh,
 };
-use polhode_shape::report::InertiaReport;
+use polhode_shape::report::{InertiaReport, PartRow, error_estimate, parts};
 use polhode_source::expression::Expression;
 use polhode_source::files::Disk;
 use pyo3::prelude::*;

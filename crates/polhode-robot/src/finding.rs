@@ -1,9 +1,12 @@
 //! What is wrong with a model.
 
+use serde::{Deserialize, Serialize};
+
 use crate::span::Span;
 
 /// How bad it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Severity {
     /// Worth knowing; no reason to fail.
     Note,
@@ -21,6 +24,17 @@ impl Severity {
             Self::Suspect => "suspect",
             Self::Note => "note",
         }
+    }
+}
+
+#[cfg(feature = "arguments")]
+impl clap::ValueEnum for Severity {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[Self::Impossible, Self::Suspect, Self::Note]
+    }
+
+    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
+        Some(self.name().into())
     }
 }
 

@@ -8,43 +8,12 @@ mod sarif;
 
 use std::borrow::Cow;
 
+use crate::checked::{Checked, FileChecked};
 use crate::finding::{Finding, Severity};
 use crate::line_index::{FilePlace, Places};
 use crate::model::{RobotModel, Span};
-use crate::policy::{Reason, Remark};
-use crate::report::CheckReport;
+use crate::policy::Reason;
 use crate::text::many;
-
-/// What came of all files.
-#[derive(Debug)]
-pub struct Run<'a> {
-    /// In their order.
-    pub files: Vec<FileResult<'a>>,
-    /// How many files the configuration leaves out.
-    pub excluded: usize,
-    /// What is to be said of the configuration and the baseline.
-    pub remarks: &'a [Remark],
-    /// The least severity that fails.
-    pub fail_on: Severity,
-}
-
-/// What came of a file.
-#[derive(Debug)]
-pub struct FileResult<'a> {
-    /// Its name: relative, with slashes.
-    pub file: String,
-    /// What was found, or why it could not be read.
-    pub outcome: Result<&'a CheckReport, Unreadable>,
-}
-
-/// Why a file could not be read.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Unreadable {
-    /// In a line.
-    pub message: String,
-    /// Line and column, where they can be said.
-    pub place: Option<(usize, usize)>,
-}
 
 /// A finding as all formats have it.
 #[derive(Debug)]
@@ -75,10 +44,10 @@ struct Edit<'a> {
     new: &'a str,
 }
 
-impl<'a> FileResult<'a> {
+impl FileChecked {
     /// Everything that was found, in the order of the file, settled or not.
-    fn items(&'a self) -> Vec<Item<'a>> {
-        let Ok(report) = &self.outcome else { return Vec::new() };
+    fn items<'a>(&'a self) -> Vec<Item<'a>> {
+        let Ok(report) = &self.report else { return Vec::new() };
         let places = Places::of(&report.model);
         let start = |span: &Span| line_and_column(places.place(span));
         let end = |span: &Span| line_and_column(places.end(span));
@@ -108,18 +77,24 @@ impl<'a> FileResult<'a> {
         let settled = report.judged.settled.iter();
         let settled = settled.map(|settled| item(&settled.finding, &settled.id, Some(&settled.why)));
         let mut items: Vec<Item<'a>> = open.chain(settled).collect();
-        items.sort_by_cached_key(|item| (item.file != self.file, item.file.clone(), item.start));
+        items.sort_by_cached_key(|item| (item.file != self.name, item.file.clone(), item.start));
         items
     }
 
+    /// Why the file could not be read, with the line and column where they can be said.
+    fn unreadable(&self) -> Option<(String, Option<[usize; 2]>)> {
+        let failure = self.report.as_ref().err()?;
+        Some((failure.message(), failure.place_in(&self.path)))
+    }
+
     /// The file of a place: this one, or one that the model includes, named from the same folder.
-    fn name_of(&'a self, model: &RobotModel, place: FilePlace<'a>) -> Cow<'a, str> {
+    fn name_of<'a>(&'a self, model: &RobotModel, place: FilePlace<'a>) -> Cow<'a, str> {
         if !place.is_included {
-            return Cow::Borrowed(&self.file);
+            return Cow::Borrowed(&self.name);
         }
         // Their paths are real ones.
         let within = model.folder.as_ref().and_then(|folder| place.file.strip_prefix(folder).ok());
-        let folder = self.file.rsplit_once('/').map_or("", |(folder, _)| folder);
+        let folder = self.name.rsplit_once('/').map_or("", |(folder, _)| folder);
         let name = match within {
             Some(within) if folder.is_empty() => within.to_string_lossy().into_owned(),
             Some(within) => format!("{folder}/{}", within.to_string_lossy()),
@@ -133,7 +108,12 @@ fn line_and_column(place: FilePlace<'_>) -> (usize, usize) {
     (place.line, place.column)
 }
 
-impl Run<'_> {
+impl Checked {
+    /// What was found in all files, and what is said of the configuration and the baseline.
+    fn items(&self) -> impl Iterator<Item = Item<'_>> {
+        self.files.iter().flat_map(FileChecked::items).chain(self.remarks())
+    }
+
     /// What is said of the configuration and the baseline.
     fn remarks(&self) -> impl Iterator<Item = Item<'_>> {
         self.remarks.iter().filter_map(|remark| {
@@ -155,8 +135,7 @@ impl Run<'_> {
 
     /// What was not looked at, or is not shown, by the configuration's choice: in a line each.
     pub fn left_out(&self) -> Vec<String> {
-        let reports = self.files.iter().filter_map(|file| file.outcome.as_ref().ok());
-        let off = reports.map(|report| report.judged.off).sum();
+        let off = self.reports().map(|report| report.judged.off).sum();
         let mut lines = Vec::new();
         if self.excluded > 0 {
             lines.push(format!("left out: {}, by exclude of the configuration", many(self.excluded, "file")));
@@ -170,17 +149,12 @@ impl Run<'_> {
     /// How many count, from impossible to note, how many are allowed, and how many known.
     fn counts(&self) -> ([usize; 3], usize, usize) {
         let (mut open, mut allowed, mut known) = ([0; 3], 0, 0);
-        for file in &self.files {
-            for item in file.items() {
-                match item.settled {
-                    Some(Reason::Known) => known += 1,
-                    Some(Reason::Allowed(_)) => allowed += 1,
-                    None => open[rank(item.severity)] += 1,
-                }
+        for item in self.items() {
+            match item.settled {
+                Some(Reason::Known) => known += 1,
+                Some(Reason::Allowed(_)) => allowed += 1,
+                None => open[rank(item.severity)] += 1,
             }
-        }
-        for item in self.remarks() {
-            open[rank(item.severity)] += 1;
         }
         (open, allowed, known)
     }

@@ -1,8 +1,9 @@
 //! Robot and simulation models (URDF, SDF, MJCF, USD, OpenSim): are these inertias right?
 //!
+//! [`run`] answers a [`Request`]: it checks models, and says what is wrong with them.
+//!
 //! - [`model`]: what a file says: links, inertials, geometry, joints, and where each number stands
 //! - [`read`]: files in, models out
-//! - [`mod@format`]: results as other programs read them: SARIF, JUnit, GitHub, GitLab, Markdown
 //! - [`geometry`]: what the shapes of a link enclose
 //! - [`mod@check`]: the checks
 //! - [`mod@rule`]: all rules in one table, each with its reason, its remedy and an example
@@ -22,10 +23,12 @@
 
 pub mod body;
 pub mod check;
+mod checked;
 mod coordinate;
 mod diff;
 pub mod finding;
-pub mod format;
+mod format;
+mod found;
 pub mod geometry;
 pub mod inertia;
 pub mod inspect;
@@ -35,6 +38,7 @@ pub mod link_table;
 pub mod lump;
 pub mod model;
 pub mod moments;
+mod parallel;
 mod placement;
 pub mod policy;
 mod pose;
@@ -43,7 +47,19 @@ pub mod read;
 pub mod remarks;
 pub mod repair;
 pub mod report;
+mod request;
 pub mod rule;
+mod run;
 mod span;
 mod table;
 mod text;
+
+pub use checked::{Checked, FileChecked, Fix, Format};
+pub use request::Request;
+pub use run::{Inputs, Progress, run};
+
+/// JSON schema of [`Request`].
+pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
+
+/// JSON schema of [`Checked::to_json`].
+pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");

@@ -1,9 +1,12 @@
 //! Programs that read models, and refuse or change some that their languages allow.
 
+use serde::{Deserialize, Serialize};
+
 use crate::model::ModelFormat;
 
 /// A simulator that reads robot models.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Program {
     /// MuJoCo 3.
     Mujoco,
@@ -37,5 +40,21 @@ impl Program {
             Self::Drake => matches!(format, ModelFormat::Urdf | ModelFormat::Sdf | ModelFormat::Mjcf),
             Self::Isaac => matches!(format, ModelFormat::Urdf | ModelFormat::Mjcf | ModelFormat::Usd),
         }
+    }
+}
+
+#[cfg(feature = "arguments")]
+impl clap::ValueEnum for Program {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
+        Some(match self {
+            Self::Mujoco => "mujoco".into(),
+            Self::Gazebo => "gazebo".into(),
+            Self::Drake => "drake".into(),
+            Self::Isaac => "isaac".into(),
+        })
     }
 }

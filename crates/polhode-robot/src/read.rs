@@ -13,6 +13,7 @@
 mod checked;
 mod files;
 mod mjcf;
+mod model_file;
 mod osim;
 mod package;
 mod pose;
@@ -34,6 +35,7 @@ use crate::model::{ModelFormat, Note, RobotModel};
 use files::{ModelFiles, Naming};
 
 pub use checked::CheckedFolder;
+pub use model_file::is_model;
 
 /// How a model is read.
 #[derive(Clone, Debug)]

@@ -10,6 +10,7 @@
 //! | [`voxel`] | densities on a grid: NPY and NRRD |
 //! | [`material`] | materials by name |
 //!
+//! [`run`] answers a [`Request`]: it reads files, and returns the mass properties of their bodies.
 //! [`InertiaReport`] says how much mass there is, where, and how it resists being turned; [`export`](fn@export) writes a
 //! body for another program.
 #![forbid(unsafe_code)]
@@ -17,6 +18,7 @@
 pub mod brep;
 pub mod cad;
 mod export;
+mod inertia;
 pub mod material;
 pub mod mesh;
 pub mod molecule;
@@ -25,4 +27,15 @@ pub mod report;
 pub mod voxel;
 
 pub use export::{ExportBody, ExportError, ExportFormat, export};
+pub use inertia::{
+    Bodies, CadChoice, Corner, DensityFormula, FileBodies, Host, Kind, LengthUnit, Mark, MassUnit, MassesOf,
+    MaterialNamed, MeshChoice, MeshFile, MoleculeChoice, PartSubstance, Point, Request, Sign, Spacing,
+    SubstanceChoice, Turn, VoxelChoice, noticed, run, run_in,
+};
 pub use report::{InertiaReport, MoleculeReport};
+
+/// JSON schema of [`Request`].
+pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
+
+/// JSON schema of [`Bodies::to_json`]; reports of scenarios and robot models fit it too.
+pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");

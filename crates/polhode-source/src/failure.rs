@@ -4,6 +4,7 @@ use std::fmt::{self, Write as _};
 use std::path::Path;
 
 use polhode::motion::MotionError;
+use serde_json::{Value, json};
 
 use crate::error::{FormatError, Place};
 use crate::text::escaped;
@@ -108,6 +109,12 @@ impl Failure {
             Self::Motion { .. } => None,
             Self::Usage { place, .. } => *place,
         }
+    }
+
+    /// Returns `line` and `column` in the file, `message` and `hint`; `null` for what there is not.
+    pub fn to_json(&self, file: &Path) -> Value {
+        let [line, column] = self.place_in(file).map_or([None; 2], |place| place.map(Some));
+        json!({ "line": line, "column": column, "message": self.message(), "hint": self.hint() })
     }
 }
 

@@ -103,8 +103,10 @@ macro_rules! quantities {
 
 quantities! {
     Angle: ANGLE, "Angle, rad.";
+    Density: DENSITY, "Density, kg/m³.";
     Length: LENGTH, "Length, m.";
     Mass: MASS, "Mass, kg.";
+    Number: NONE, "Number without a unit.";
     Time: TIME, "Time, s.";
 }
 

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use polhode_robot::model::{GeometryShape, RobotModel};
-use polhode_source::{Failure as Request, shown};
+use polhode_source::shown;
 
 use crate::failure::Failure;
 use crate::partial::parent;
@@ -78,9 +78,13 @@ impl<'a> Outputs<'a> {
     }
 
     /// Refuses to write over a file in which a model breaks off, or that it names: what it is made of is not known where it cannot be read.
-    pub(super) fn require_not_named(&self, model: &Path, failure: &Failure) -> Result<(), Failure> {
+    pub(super) fn require_not_named(
+        &self,
+        model: &Path,
+        failure: &polhode_source::Failure,
+    ) -> Result<(), Failure> {
         let torn =
-            if let Failure::Request(Request::Input(error)) = failure { Some(error.path()) } else { None };
+            if let polhode_source::Failure::Input(error) = failure { Some(error.path()) } else { None };
         self.require_not_read("a file that the model includes", torn.into_iter())?;
         let there = self.files.iter().filter(|(_, out)| out.is_file());
         let names: Vec<_> = there.filter_map(|(_, out)| Some((*out, out.file_name()?.to_str()?))).collect();

@@ -11,18 +11,23 @@ use polhode_robot::link_table::LinkTable;
 use polhode_robot::lump::{Lumping, slides};
 use polhode_robot::model::RobotModel;
 use polhode_robot::read::{ReadOptions, read_model};
+use polhode_shape::noticed;
 use polhode_shape::report::InertiaReport;
+use polhode_source::files::Disk;
 use polhode_source::given::quantity;
 use polhode_source::unit::Dimension;
-use polhode_source::{Failure as Request, shown};
+use polhode_source::{Failure, shown};
 use serde_json::Value;
 
-use super::output::{OutputFlags, tell_of};
-use crate::failure::Failure;
+use super::output::OutputFlags;
+use crate::failure::Failure as CommandFailure;
 use crate::stderr::tell;
 use crate::stdout::print;
 
-pub(super) use crate::model_file::is_model;
+/// Returns true for robot models, by their extension and root element.
+pub(super) fn is_model(path: &Path) -> bool {
+    polhode_robot::read::is_model(&Disk, path)
+}
 
 /// Lines among the examples of the help, each after a line break.
 pub(super) const EXAMPLES: &str = "
@@ -127,7 +132,7 @@ pub(super) fn tables(
     flags: &RobotFlags,
     output: &OutputFlags,
     fits: impl Fn(&Path) -> Result<(), Failure>,
-) -> Option<Result<(), Failure>> {
+) -> Option<Result<(), CommandFailure>> {
     if !flags.table {
         return None;
     }
@@ -143,7 +148,9 @@ pub(super) fn tables(
         .collect();
     let printed = print(&text_of(&tables, output));
     Some(printed.and_then(|()| {
-        Failure::unless_empty(tables.into_iter().filter_map(|(_, table)| table.err()).collect())
+        CommandFailure::unless_empty(
+            tables.into_iter().filter_map(|(_, table)| Some(table.err()?.into())).collect(),
+        )
     }))
 }
 
@@ -153,7 +160,7 @@ fn text_of(tables: &[(&Path, Result<LinkTable, Failure>)], output: &OutputFlags)
     if output.json {
         let value = |(file, table): &(&Path, Result<LinkTable, Failure>)| match table {
             Ok(table) => table.to_json(),
-            Err(failure) => failure.to_json(file),
+            Err(failure) => CommandFailure::from(failure.clone()).to_json(file),
         };
         return match tables {
             [one] => pretty(&value(one)) + "\n",
@@ -166,7 +173,7 @@ fn text_of(tables: &[(&Path, Result<LinkTable, Failure>)], output: &OutputFlags)
     for (file, table) in each() {
         let description = printable(&table.whole.source.description);
         tell(&format!("info: {}: {description}\n", shown(file)));
-        table.findings().iter().for_each(|finding| tell_of(file, finding));
+        table.findings().iter().for_each(|finding| tell(&noticed(file, finding)));
     }
     let rows: String = each().map(|(_, table)| table.to_csv()).collect();
     if rows.is_empty() { rows } else { LinkTable::csv_head() + &rows }
@@ -201,7 +208,7 @@ fn failure(model: &RobotModel, error: &InertiaError) -> Failure {
     match error.span() {
         Some(span) => {
             let FilePlace { file, line, column, .. } = Places::of(model).place(&span);
-            Request::located(message, file, [line, column], hint).into()
+            Failure::located(message, file, [line, column], hint)
         }
         None => Failure::usage(message, hint).about(&model.path),
     }

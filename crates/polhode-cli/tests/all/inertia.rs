@@ -1,8 +1,11 @@
 //! `polhode inertia` of every kind of file.
 
+use std::path::Path;
+
 use serde_json::Value;
 
 use crate::common::{Scratch, example, json, number, refused, stdout};
+use crate::schema::require_fits;
 
 /// A tetrahedron (2, 3, 1) m along the axes as OBJ, and the same again 10 m further along x as a second group.
 pub(crate) const TWO: &str = "\
@@ -293,5 +296,27 @@ fn a_verdict_is_the_same_at_every_size() {
             let report = json(&say("touch.stl", &[[0.0; 3], *touching], 0, &["--json"]));
             near(&report["mass"], 2.0);
         }
+    }
+}
+
+#[test]
+fn reports_of_scenarios_and_robots_fit_the_schema() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let mut files: Vec<String> = std::fs::read_dir(&folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path().to_str().unwrap().to_owned())
+        .filter(|path| path.ends_with(".toml"))
+        .collect();
+    files.sort();
+    let arguments: Vec<&str> =
+        ["inertia", "--json"].into_iter().chain(files.iter().map(String::as_str)).collect();
+    let scenarios = Scratch::new("schema").run(&arguments);
+    assert!(files.len() > 30);
+    require_fits(polhode_shape::REPORT_SCHEMA, &json(&scenarios));
+    for lump in ["all", "fixed"] {
+        let robot = folder.join("robots/gripper.urdf");
+        let joined =
+            Scratch::new("schema").run(&["inertia", "--json", "--lump", lump, robot.to_str().unwrap()]);
+        require_fits(polhode_shape::REPORT_SCHEMA, &json(&joined));
     }
 }

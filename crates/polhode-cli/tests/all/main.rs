@@ -42,6 +42,8 @@ mod picture;
 mod plot;
 mod resources;
 mod robot;
+#[path = "../../../polhode-robot/tests/all/common/schema.rs"]
+mod schema;
 mod spin;
 mod stability;
 mod stability_ground;

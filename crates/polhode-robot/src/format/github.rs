@@ -2,23 +2,22 @@
 
 use std::fmt::Write as _;
 
-use super::{FileResult, Item, Run, about};
+use super::{Item, about};
+use crate::checked::Checked;
 use crate::finding::Severity;
 use crate::policy::Reason;
 use crate::text::many;
 
-impl Run<'_> {
+impl Checked {
     /// A line for each finding that counts; what is allowed or known is a line of the log.
     pub fn to_github(&self) -> String {
         let mut text = String::new();
         for file in &self.files {
-            if let Err(unreadable) = &file.outcome {
-                let (line, column) = unreadable.place.unwrap_or((1, 1));
-                command(&mut text, "error", &file.file, [line, column], "unreadable", &unreadable.message);
+            if let Some((message, place)) = file.unreadable() {
+                command(&mut text, "error", &file.name, place.unwrap_or([1; 2]), "unreadable", &message);
             }
         }
-        let items: Vec<Item<'_>> =
-            self.files.iter().flat_map(FileResult::items).chain(self.remarks()).collect();
+        let items: Vec<Item<'_>> = self.items().collect();
         for item in items.iter().filter(|item| item.settled.is_none()) {
             let name = match item.severity {
                 Severity::Impossible => "error",

@@ -2,26 +2,20 @@
 
 use serde_json::{Value, json};
 
-use super::{FileResult, Item, Run, about};
+use super::{Item, about};
+use crate::checked::Checked;
 use crate::finding::Severity;
 
-impl Run<'_> {
+impl Checked {
     /// A list of what counts. GitLab shows what is new beside the target branch.
     pub fn to_gitlab(&self) -> Value {
         let unreadable = self.files.iter().filter_map(|file| {
-            let unreadable = file.outcome.as_ref().err()?;
-            let line = unreadable.place.map_or(1, |(line, _)| line);
-            Some(issue(
-                &unreadable.message,
-                "unreadable",
-                &format!("unreadable:{}", file.file),
-                "blocker",
-                &file.file,
-                line,
-            ))
+            let (message, place) = file.unreadable()?;
+            let id = format!("unreadable:{}", file.name);
+            let line = place.map_or(1, |[line, _]| line);
+            Some(issue(&message, "unreadable", &id, "blocker", &file.name, line))
         });
-        let items: Vec<Item<'_>> =
-            self.files.iter().flat_map(FileResult::items).chain(self.remarks()).collect();
+        let items: Vec<Item<'_>> = self.items().collect();
         let open = items.iter().filter(|item| item.settled.is_none()).map(|item| {
             let severity = match item.severity {
                 Severity::Impossible => "critical",

@@ -3,15 +3,16 @@
 
 use std::fmt::Write as _;
 
-use super::{FileResult, Item, Run, about};
+use super::{Item, about};
+use crate::checked::{Checked, FileChecked};
 use crate::policy::Reason;
 
-impl Run<'_> {
+impl Checked {
     /// Findings that fail are failures, others cases that pass and say what was found; what is allowed or known is skipped. A file without
     /// findings is one case that passes.
     pub fn to_junit(&self) -> String {
         let suites: Vec<Suite> =
-            self.files.iter().map(|file| self.suite(file)).chain(self.about_policy()).collect();
+            self.files.iter().map(|file| self.suite(file)).chain(self.policy_suites()).collect();
         let sum = |of: fn(&Suite) -> usize| suites.iter().map(of).sum::<usize>();
         let mut text = format!(
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"polhode check\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n",
@@ -30,21 +31,20 @@ impl Run<'_> {
         text + "</testsuites>\n"
     }
 
-    fn suite(&self, file: &FileResult<'_>) -> Suite {
-        let mut suite = Suite { file: file.file.clone(), ..Suite::default() };
-        match &file.outcome {
-            Err(unreadable) => {
+    fn suite(&self, file: &FileChecked) -> Suite {
+        let mut suite = Suite { file: file.name.clone(), ..Suite::default() };
+        match file.unreadable() {
+            Some((message, place)) => {
                 suite.errors = 1;
-                let place =
-                    unreadable.place.map_or(String::new(), |(line, column)| format!(":{line}:{column}"));
+                let place = place.map_or(String::new(), |[line, column]| format!(":{line}:{column}"));
                 let inner = format!(
                     "<error type=\"unreadable\" message=\"{}\">{}{place}</error>",
-                    escaped(&unreadable.message),
-                    escaped(&file.file)
+                    escaped(&message),
+                    escaped(&file.name)
                 );
                 suite.case("is read", &inner);
             }
-            Ok(_) => {
+            None => {
                 for item in file.items() {
                     self.add(&mut suite, &item);
                 }
@@ -57,7 +57,7 @@ impl Run<'_> {
     }
 
     /// What is said of the configuration and the baseline, each a suite, and one of what is left out.
-    fn about_policy(&self) -> impl Iterator<Item = Suite> {
+    fn policy_suites(&self) -> impl Iterator<Item = Suite> {
         let remarks = self.remarks().map(|item| {
             let mut suite = Suite { file: item.file.to_string(), ..Suite::default() };
             self.add(&mut suite, &item);

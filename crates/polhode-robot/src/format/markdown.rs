@@ -2,11 +2,12 @@
 
 use std::fmt::Write as _;
 
-use super::{FileResult, Item, Run};
+use super::Item;
+use crate::checked::Checked;
 use crate::policy::Reason;
 use crate::text::many;
 
-impl Run<'_> {
+impl Checked {
     /// The counts, what is left out, the table of what counts, and what is allowed.
     pub fn to_markdown(&self) -> String {
         let ([impossible, suspect, note], allowed, known) = self.counts();
@@ -18,18 +19,12 @@ impl Run<'_> {
         for line in self.left_out() {
             let _ = writeln!(text, "\n{}.", cell(&line));
         }
-        let items: Vec<Item<'_>> =
-            self.files.iter().flat_map(FileResult::items).chain(self.remarks()).collect();
+        let items: Vec<Item<'_>> = self.items().collect();
         let mut rows = String::new();
         for file in &self.files {
-            if let Err(unreadable) = &file.outcome {
-                let line = unreadable.place.map_or(String::new(), |(line, _)| format!(":{line}"));
-                let _ = writeln!(
-                    rows,
-                    "| unreadable | {}{line} | | {} |",
-                    cell(&file.file),
-                    cell(&unreadable.message)
-                );
+            if let Some((message, place)) = file.unreadable() {
+                let line = place.map_or(String::new(), |[line, _]| format!(":{line}"));
+                let _ = writeln!(rows, "| unreadable | {}{line} | | {} |", cell(&file.name), cell(&message));
             }
         }
         for item in items.iter().filter(|item| item.settled.is_none()) {

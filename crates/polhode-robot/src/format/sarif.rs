@@ -4,16 +4,16 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
-use super::{FileResult, Item, Run, about};
+use super::{Item, about};
+use crate::checked::{Checked, FileChecked};
 use crate::finding::Severity;
 use crate::policy::Reason;
 use crate::rule::{Rule, rules};
 
-impl Run<'_> {
+impl Checked {
     /// A log with one run. Columns count characters; what is allowed or known is a suppressed result.
     pub fn to_sarif(&self) -> Value {
-        let items: Vec<Item<'_>> =
-            self.files.iter().flat_map(FileResult::items).chain(self.remarks()).collect();
+        let items: Vec<Item<'_>> = self.items().collect();
         let unreadable: Vec<Value> = self.files.iter().filter_map(notification).collect();
         let left_out = self.left_out().into_iter();
         let left_out = left_out.map(|line| json!({ "level": "note", "message": { "text": line } }));
@@ -102,16 +102,16 @@ fn region(start: (usize, usize), end: (usize, usize)) -> Value {
 }
 
 /// A file that could not be read.
-fn notification(file: &FileResult<'_>) -> Option<Value> {
-    let unreadable = file.outcome.as_ref().err()?;
+fn notification(file: &FileChecked) -> Option<Value> {
+    let (message, place) = file.unreadable()?;
     let mut physical = Map::new();
-    physical.insert("artifactLocation".to_owned(), json!({ "uri": uri(&file.file) }));
-    if let Some((line, column)) = unreadable.place {
+    physical.insert("artifactLocation".to_owned(), json!({ "uri": uri(&file.name) }));
+    if let Some([line, column]) = place {
         physical.insert("region".to_owned(), json!({ "startLine": line, "startColumn": column }));
     }
     Some(json!({
         "level": "error",
-        "message": { "text": unreadable.message },
+        "message": { "text": message },
         "locations": [{ "physicalLocation": physical }],
     }))
 }

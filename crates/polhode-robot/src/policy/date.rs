@@ -2,8 +2,11 @@
 
 use std::fmt;
 
-/// A day of the Gregorian calendar, in order.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+use serde::{Deserialize, Serialize};
+
+/// A day of the Gregorian calendar, in order. It serializes as its text, 2027-01-31.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
 pub struct Date {
     year: i64,
     month: u8,
@@ -40,6 +43,25 @@ impl fmt::Display for Date {
     }
 }
 
+impl From<Date> for String {
+    fn from(date: Date) -> Self {
+        date.to_string()
+    }
+}
+
+impl TryFrom<String> for Date {
+    type Error = &'static str;
+
+    fn try_from(text: String) -> Result<Self, Self::Error> {
+        match text.parse() {
+            Ok(toml::value::Datetime { date: Some(day), time: None, .. }) => {
+                Ok(Self::new(day.year, day.month, day.day))
+            }
+            _ => Err("a day belongs here, such as 2027-01-31"),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -58,6 +80,8 @@ mod tests {
         ] {
             assert_eq!(Date::of_days(days).to_string(), written);
         }
+        assert_eq!(Date::try_from("2027-01-31".to_owned()), Ok(Date::new(2027, 1, 31)));
+        assert!(Date::try_from("2027-01-31T12:00:00".to_owned()).is_err());
         assert!(Date::new(2026, 12, 31) < Date::new(2027, 1, 1));
     }
 }

@@ -30,6 +30,7 @@ mod policy;
 mod reading;
 mod refused;
 mod repair;
+mod request;
 mod round_trip;
 mod rules;
 mod sdf;

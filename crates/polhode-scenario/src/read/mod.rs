@@ -59,7 +59,9 @@ mod wheel;
 use std::path::{Path, PathBuf};
 
 use polhode::motion::{ActingTorque, MotionError, Rotor, Scenario};
+use polhode_document::SourceInfo;
 use polhode_shape::mesh::stl;
+use polhode_shape::report::InertiaReport;
 use polhode_source::file;
 use polhode_source::files::{Disk, Files};
 use polhode_source::toml::reader::Table;
@@ -154,6 +156,16 @@ impl ScenarioFile {
         let source = Source { headings: &TOP, ..Source::new(files, path, &text) };
         let (scenario, tables, torques) = file_of_root(source, &document(source)?)?;
         Ok(Self { scenario, tables, torques, path: path.to_owned(), text })
+    }
+
+    /// Returns the report of the body at the start.
+    pub fn inertia(&self) -> InertiaReport {
+        let title = self.scenario.title();
+        let source = SourceInfo::new(self.path.display().to_string(), "scenario")
+            .described(title.unwrap_or("scenario"))
+            .with("title", title.map(str::to_owned))
+            .with("parts", self.scenario.parts().len());
+        InertiaReport::of_scenario(source, &self.scenario)
     }
 
     /// An error of the scenario's motion at its place in the file, if it is about one of the torques.

@@ -13,7 +13,6 @@
 mod balance;
 mod contact;
 pub mod display;
-mod error_estimate;
 mod event;
 mod explain;
 mod forces;
@@ -27,18 +26,14 @@ mod motion;
 mod omega;
 mod orbit;
 mod page;
-mod parts;
 mod periods;
 mod plot;
 mod required;
 mod sampling;
-mod sign_proof;
 mod spin;
 mod stability;
 mod symmetric_top;
 mod torque;
-
-pub use error_estimate::error_estimate;
 
 pub use explain::{explain, explain_motion};
 
@@ -46,12 +41,9 @@ pub use motion::MotionReport;
 pub use page::{
     PageInput, PageSubject, has_triangles, page, page_data, page_data_within, page_of, page_rows,
 };
-pub use parts::{PartRow, parts};
 pub use periods::Periods;
 pub use plot::{Figure, MotionFigures, PlotError};
 pub use required::RequiredReport;
-pub use sign_proof::sign_proof;
-
 pub use spin::{SpinReport, TumblerReport};
 pub use stability::{GroundStabilityReport, StabilityReport};
 

@@ -1,5 +1,7 @@
 //! Lengths that the repair of a mesh is given.
 
+use std::str::FromStr;
+
 use polhode_source::unit::{self, Dimension, UnitError};
 
 /// A length for the repair of a mesh.
@@ -9,6 +11,23 @@ pub enum MeshLength {
     Metres(f64),
     /// Fraction of the mesh's size: of the diagonal of the box about all of its triangles.
     OfSize(f64),
+}
+
+impl FromStr for MeshLength {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        Self::parse(text).map_err(|error| match error.hint() {
+            Some(hint) => format!("{error} (hint: {hint})"),
+            None => error.to_string(),
+        })
+    }
+}
+
+impl From<MeshLength> for f64 {
+    fn from(length: MeshLength) -> Self {
+        length.value()
+    }
 }
 
 impl MeshLength {

@@ -13,6 +13,7 @@ mod isotope_table;
 mod line;
 pub mod mol;
 pub mod pdb;
+mod report;
 pub mod xyz;
 
 use std::collections::BTreeMap;
@@ -31,6 +32,7 @@ use line::{Field, decimals};
 
 pub use element::Element;
 pub use isotope::{Isotope, Isotopes, Species};
+pub use report::reports;
 
 /// The ångström, m.
 const ANGSTROM: f64 = 1e-10;

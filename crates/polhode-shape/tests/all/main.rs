@@ -11,6 +11,9 @@ mod off;
 mod particles;
 mod ply;
 mod points;
+mod request;
+#[path = "../../../polhode-robot/tests/all/common/schema.rs"]
+mod schema;
 mod stl;
 mod threemf;
 mod voxel;

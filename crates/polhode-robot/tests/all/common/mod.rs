@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, dead_code, reason = "a test may; not each of them uses all")]
 
+pub(crate) mod schema;
+
 use std::path::PathBuf;
 
 use polhode_robot::model::{RobotModel, Slot};

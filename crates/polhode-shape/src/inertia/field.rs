@@ -4,13 +4,13 @@ use std::cell::RefCell;
 
 use polhode::body::density::{Cubature, DensityField, FieldError, Solid, mass_properties_of_field};
 use polhode_document::Extra;
-use polhode_scenario::report::{PartRow, error_estimate};
-use polhode_shape::mesh::SolidPart;
+use polhode_source::Failure;
 use polhode_source::expression::Expression;
 
+use super::host::Host;
 use super::voxel::in_body;
-use crate::failure::Failure;
-use crate::progress::SampleProgress;
+use crate::mesh::SolidPart;
+use crate::report::{PartRow, error_estimate};
 
 /// The parts with their masses, and how far these may be off.
 pub(super) struct Found {
@@ -23,14 +23,15 @@ pub(super) fn found(
     parts: &[SolidPart],
     formula: &Expression,
     tolerance: Option<f64>,
+    host: &mut dyn Host,
 ) -> Result<Found, Failure> {
     let cubature =
         Cubature { tolerance: tolerance.unwrap_or(Cubature::default().tolerance), ..Cubature::default() };
     let mut total = FieldError { mass: 0.0, center_of_mass: 0.0, inertia: 0.0 };
     let mut rows = Vec::new();
     for part in parts {
-        let progress = RefCell::new(SampleProgress::new(part.mesh.surface().triangles().len()));
-        let watched = Watched { formula, progress };
+        host.begin_cubature(part.mesh.surface().triangles().len());
+        let watched = Watched { formula, host: RefCell::new(&mut *host) };
         let body = mass_properties_of_field(Solid::Mesh(&part.mesh), &watched, cubature)
             .map_err(|error| Failure::usage(error.to_string(), hint(&error)))?;
         let FieldError { mass, center_of_mass, inertia } = body.error_estimate;
@@ -48,7 +49,7 @@ pub(super) fn found(
 /// A formula that shows how often it was asked.
 struct Watched<'a> {
     formula: &'a Expression,
-    progress: RefCell<SampleProgress>,
+    host: RefCell<&'a mut dyn Host>,
 }
 
 impl DensityField for Watched<'_> {
@@ -58,7 +59,7 @@ impl DensityField for Watched<'_> {
 
     fn densities(&self, points: &[[f64; 3]], densities: &mut [f64]) {
         self.formula.densities(points, densities);
-        self.progress.borrow_mut().looked_at(points.len());
+        self.host.borrow_mut().sampled(points.len());
     }
 }
 

@@ -3,9 +3,9 @@
 use polhode::body::BodyError;
 use polhode::body::shape::Shape;
 use polhode_document::SourceInfo;
+use polhode_source::Failure;
 
 use super::field;
-use crate::failure::Failure;
 
 /// What a file's mesh is taken as.
 pub(super) struct Model {

@@ -1,24 +1,23 @@
 //! The mesh that is written as it was used.
 
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use polhode::body::shape::{Shape, Substance};
 use polhode::body::{Finding, Form, MassProperties, Severity};
 use polhode::math::Body;
-use polhode_shape::mesh::{MeshFormat, MeshPart};
-use polhode_source::shown;
+use polhode_source::{Failure, shown};
 
 use super::model::{Piece, unfit};
 use super::voxel::in_body;
-use crate::failure::Failure;
-use crate::partial;
+use crate::mesh::{MeshFormat, MeshPart};
 
-/// The file of --write-mesh, which is written when the answer is known.
-pub(super) struct MeshFile {
-    target: PathBuf,
-    force: bool,
-    bytes: Vec<u8>,
+/// Mesh as it was used: welded, filled and wound outward, in the file's unit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MeshFile {
+    /// File that it is for.
+    pub path: PathBuf,
+    /// Contents of the file.
+    pub bytes: Vec<u8>,
 }
 
 impl MeshFile {
@@ -27,7 +26,6 @@ impl MeshFile {
         pieces: &[Piece],
         unit: f64,
         target: &Path,
-        force: bool,
         findings: &mut Vec<Finding>,
     ) -> Result<Self, Failure> {
         let format = written_format(target)?;
@@ -44,11 +42,7 @@ impl MeshFile {
         let used = at_one_density(pieces.iter().map(|piece| piece.shape.as_ref()))?;
         let written = at_one_density(written.iter().map(|mesh| mesh as &dyn Shape))?;
         findings.extend(rounded(&used, &written, target));
-        Ok(Self { target: target.to_owned(), force, bytes })
-    }
-
-    pub(super) fn write(&self) -> Result<(), Failure> {
-        partial::write(&self.target, self.force, |out| out.write_all(&self.bytes))
+        Ok(Self { path: target.to_owned(), bytes })
     }
 }
 

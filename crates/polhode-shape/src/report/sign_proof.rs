@@ -5,10 +5,13 @@ use polhode_document::layout::labelled;
 use polhode_document::number::error;
 use serde_json::json;
 
+use crate::cad::SignProof;
+
 /// The block `products_of_inertia`: what the products in a CAD report are (`negative` or `positive` integrals), what decided it,
 /// how far the report is off under each of the two signs, in units of its rounding, and that rounding, relative.
-pub fn sign_proof(convention: &str, by: &str, residuals: [f64; 2], rounding: f64) -> Extra {
-    let [negative, positive] = residuals;
+pub fn sign_proof(proof: &SignProof) -> Extra {
+    let (convention, by) = (proof.convention.name(), proof.by.name());
+    let [negative, positive] = [proof.residual_negative, proof.residual_positive];
     let sign = if convention == "positive" { "+∫xy dm" } else { "-∫xy dm" };
     let mut text = labelled("products given", &format!("{sign}, by {by}"));
     if negative.is_finite() && positive.is_finite() {
@@ -24,7 +27,7 @@ pub fn sign_proof(convention: &str, by: &str, residuals: [f64; 2], rounding: f64
         "decided_by": by,
         "residual_negative": finite(negative),
         "residual_positive": finite(positive),
-        "rounding": finite(rounding),
+        "rounding": finite(proof.rounding),
     });
     Extra { key: "products_of_inertia", json, text }
 }

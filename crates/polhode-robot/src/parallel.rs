@@ -5,12 +5,12 @@ use std::sync::{Mutex, PoisonError, mpsc};
 use std::thread;
 
 /// As many as the machine gives this process.
-pub(super) fn threads() -> usize {
+pub(crate) fn threads() -> usize {
     thread::available_parallelism().map_or(1, NonZero::get)
 }
 
 /// What comes of each item, on so many threads; `done` is told of each when it is, by its number.
-pub(super) fn map<I: Send, T: Send>(
+pub(crate) fn map<I: Send, T: Send>(
     items: Vec<I>,
     threads: usize,
     work: impl Fn(I) -> T + Sync,

@@ -2,59 +2,17 @@
 
 use std::path::Path;
 
-use clap::{Args, ValueEnum};
 use polhode::body::shape::{Extent, Substance};
-use polhode_document::Extra;
 use polhode_document::SourceInfo;
-use polhode_scenario::report::sign_proof;
-use polhode_shape::cad;
-use polhode_shape::cad::{
-    CadOptions, CadReport, DecimalMark, GeometryProgram, GeometryReport, ProductConvention,
-};
-use polhode_shape::mesh::AssumedMetres;
-use polhode_shape::report::InertiaReport;
-use polhode_source::files::Disk;
-use polhode_source::read_text_file;
+use polhode_source::files::Files;
+use polhode_source::{Failure, read_text_file};
 
-use crate::failure::Failure;
-
-/// Flags for CAD reports: answers to what a report may leave open.
-#[derive(Debug, Args)]
-pub(super) struct CadFlags {
-    /// What the products of inertia in a CAD report are, where nothing in it proves it.
-    #[arg(long, value_name = "SIGN")]
-    products: Option<Sign>,
-    /// The decimal mark of a CAD report, where its numbers leave it open.
-    #[arg(long, value_name = "MARK")]
-    decimal: Option<Mark>,
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Sign {
-    /// -∫xy dm: the elements of the tensor.
-    Negative,
-    /// +∫xy dm
-    Positive,
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Mark {
-    /// 1.5
-    Point,
-    /// 1,5
-    Comma,
-}
-
-impl CadFlags {
-    /// The first that is given.
-    pub(super) const fn given(&self) -> Option<&'static str> {
-        match self {
-            Self { products: Some(_), .. } => Some("--products"),
-            Self { decimal: Some(_), .. } => Some("--decimal"),
-            _ => None,
-        }
-    }
-}
+use super::choice::{Mark, Sign};
+use super::request::Request;
+use crate::cad;
+use crate::cad::{CadOptions, CadReport, DecimalMark, GeometryProgram, GeometryReport, ProductConvention};
+use crate::mesh::AssumedMetres;
+use crate::report::{InertiaReport, sign_proof};
 
 /// Contents of a text: a report with a mass, or the measures of a shape.
 enum Read {
@@ -62,13 +20,9 @@ enum Read {
     Geometry(GeometryReport),
 }
 
-pub(super) fn report(
-    file: &Path,
-    flags: &CadFlags,
-    substance: Option<Substance>,
-    length_unit: Option<f64>,
-    mass_unit: Option<f64>,
-) -> Result<InertiaReport, Failure> {
+pub(super) fn report(files: &dyn Files, file: &Path, request: &Request) -> Result<InertiaReport, Failure> {
+    let (flags, substance) = (&request.cad, request.substance.given());
+    let (length_unit, mass_unit) = (request.length_unit(), request.mass_unit());
     let options = CadOptions {
         decimal: flags.decimal.map(|mark| match mark {
             Mark::Point => DecimalMark::Point,
@@ -81,7 +35,7 @@ pub(super) fn report(
         mass_unit,
         length_unit,
     };
-    let read = read_text_file(&Disk, file, |text| match GeometryProgram::of_text(text) {
+    let read = read_text_file(files, file, |text| match GeometryProgram::of_text(text) {
         // Its tensor has one sign and one point, and only a substance is open.
         Some(program) if substance.is_some() => {
             GeometryReport::read(program, text, length_unit).map(Read::Geometry)
@@ -114,24 +68,25 @@ pub(super) fn report(
             return Err(Failure::usage("the file has no mass", "give --density or --mass"));
         }
     };
-    let CadReport { product, properties, volume, surface_area, density, proof, findings } = report;
-    let source = SourceInfo::new(file.display().to_string(), "cad")
-        .described(format!("mass properties by {}", product.name()))
-        .with("product", product.name());
-    let proof: Extra = sign_proof(
-        proof.convention.name(),
-        proof.by.name(),
-        [proof.residual_negative, proof.residual_positive],
-        proof.rounding,
-    );
-    Ok(InertiaReport {
-        volume,
-        surface_area,
-        density,
-        extras: vec![proof],
-        findings,
-        ..InertiaReport::new(source, properties)
-    })
+    Ok(report.into_report(file))
+}
+
+impl CadReport {
+    /// The report of the body in a file.
+    pub fn into_report(self, file: &Path) -> InertiaReport {
+        let Self { product, properties, volume, surface_area, density, proof, findings } = self;
+        let source = SourceInfo::new(file.display().to_string(), "cad")
+            .described(format!("mass properties by {}", product.name()))
+            .with("product", product.name());
+        InertiaReport {
+            volume,
+            surface_area,
+            density,
+            extras: vec![sign_proof(&proof)],
+            findings,
+            ..InertiaReport::new(source, properties)
+        }
+    }
 }
 
 /// The report of a shape's measures, made of a substance.
@@ -166,7 +121,7 @@ fn measured(file: &Path, shape: GeometryReport, substance: Substance) -> Result<
 }
 
 /// True of measures that have no unit of length, as those of a mesh have none.
-pub(super) fn leaves_unit_open(file: &Path) -> bool {
-    let program = read_text_file(&Disk, file, |text| Ok(GeometryProgram::of_text(text)));
+pub(super) fn leaves_unit_open(files: &dyn Files, file: &Path) -> bool {
+    let program = read_text_file(files, file, |text| Ok(GeometryProgram::of_text(text)));
     matches!(program, Ok(Some(GeometryProgram::MeshLab)))
 }

@@ -1,117 +1,41 @@
 //! The mass properties of a mesh file.
 
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use clap::Args;
 use polhode::body::mesh::{ConvexHull, MeshShell};
 use polhode::body::shape::{Extent, Shape, Substance};
-use polhode::body::{Finding, MassProperties};
+use polhode::body::{Finding, MassProperties, Severity};
 use polhode_document::SourceInfo;
-use polhode_scenario::report::{PartRow, parts};
-use polhode_shape::mesh::{
-    AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshRepair, MeshSolid, RepairBound, UnitedMesh,
-};
-use polhode_shape::report::InertiaReport;
-use polhode_source::expression::Expression;
-use polhode_source::files::Disk;
-use polhode_source::given::{positive, quantity};
-use polhode_source::unit::Dimension;
+use polhode_source::Failure;
+use polhode_source::files::Files;
+use polhode_source::given::{Given, Length, Positive};
 
+use super::choice::PartSubstance;
 use super::field;
+use super::host::Host;
 use super::model::{Model, Piece, unfit};
-use super::substance::{PartSubstance, SubstanceFlags, assumed, part};
+use super::request::Request;
 use super::voxel::in_body;
-use super::written::{MeshFile, written_format};
-use crate::failure::Failure;
-use crate::page;
-
-/// What says a mesh's density otherwise than --field, or leaves no solid for it, and so for --tolerance: of an option that requires
-/// another, clap asks nothing where that other conflicts with what is given.
-const WITHOUT_FIELD: [&str; 5] = ["density", "mass", "material", "part", "shell"];
-
-/// Flags for meshes.
-#[derive(Debug, Args)]
-pub(super) struct MeshFlags {
-    /// What one part of a mesh is made of: its name in the file, and its density, mass or material; may be repeated.
-    #[arg(long, value_name = "NAME=WHAT", value_parser = part)]
-    part: Vec<PartSubstance>,
-    /// The convex hull of each part of a mesh, closed or not, instead of the mesh. Clouds of points
-    /// have one too: .xyz files, and .ply and .obj files without faces.
-    #[arg(long, conflicts_with = "shell")]
-    hull: bool,
-    /// A sheet of this thickness along a mesh, closed or not, instead of the solid in it.
-    #[arg(long, value_name = "THICKNESS", value_parser = thickness)]
-    shell: Option<f64>,
-    /// Density of a mesh as a formula of x, y, z in metres, in kg/m³, such as "2700 - 300*hypot(x, y)".
-    #[arg(long, value_name = "FORMULA", value_parser = formula, conflicts_with_all = WITHOUT_FIELD, allow_hyphen_values = true)]
-    field: Option<Expression>,
-    /// The estimated relative error that is good enough for --field [default: 1e-10].
-    #[arg(long, value_name = "ERROR", requires = "field", conflicts_with_all = WITHOUT_FIELD, value_parser = tolerance)]
-    tolerance: Option<f64>,
-    /// Join vertices of open edges that are at most so far apart: a length such as "0.01 mm", or a plain number, a part of the mesh's size (the
-    /// diagonal of its box).
-    #[arg(long, value_name = "TOL", value_parser = beside_mesh, conflicts_with_all = ["hull", "shell"])]
-    weld: Option<MeshLength>,
-    /// Close holes that are at most so large across, after a weld: a length such as "2 mm", or a plain number, a part of the mesh's size.
-    #[arg(long, value_name = "SIZE", value_parser = beside_mesh, conflicts_with_all = ["hull", "shell"])]
-    fill: Option<MeshLength>,
-    /// Take what lies in several parts of a mesh, or more than once in one, once: parts that overlap or repeat are one body, after a weld and a
-    /// fill.
-    #[arg(long, conflicts_with_all = ["shell", "part", "field", "tolerance", "write_mesh", "force"])]
-    union: bool,
-    /// Write the mesh as it was used, welded, filled and wound outward, in the file's unit: .stl (binary), .obj or .ply.
-    #[arg(long, value_name = "FILE", conflicts_with = "shell")]
-    write_mesh: Option<PathBuf>,
-    /// Replace what --write-mesh names, if it is there.
-    #[arg(long, requires = "write_mesh", conflicts_with = "shell")]
-    force: bool,
-}
-
-impl MeshFlags {
-    pub(super) const fn is_hull(&self) -> bool {
-        self.hull
-    }
-
-    /// Where the mesh goes, and in which format; of one file.
-    pub(super) fn check_output(&self, files: usize) -> Result<(), Failure> {
-        let Some(file) = &self.write_mesh else { return Ok(()) };
-        if files > 1 {
-            return Err(Failure::usage(
-                "--write-mesh is for one mesh, and several files are given",
-                "name one",
-            ));
-        }
-        written_format(file)?;
-        page::check_file(file, self.force)
-    }
-
-    /// The first that is given.
-    pub(super) fn given(&self) -> Option<&'static str> {
-        let flags = [
-            (!self.part.is_empty(), "--part"),
-            (self.hull, "--hull"),
-            (self.shell.is_some(), "--shell"),
-            (self.field.is_some(), "--field"),
-            (self.weld.is_some(), "--weld"),
-            (self.fill.is_some(), "--fill"),
-            (self.union, "--union"),
-            (self.write_mesh.is_some(), "--write-mesh"),
-        ];
-        flags.into_iter().find(|(given, _)| *given).map(|(_, flag)| flag)
-    }
-}
+use super::written::MeshFile;
+use crate::mesh::{
+    AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshRepair, MeshSolid, RepairBound, SolidPart,
+    UnitedMesh,
+};
+use crate::report::{InertiaReport, PartRow, parts};
 
 pub(super) fn report(
+    files: &dyn Files,
     file: &Path,
     format: MeshFormat,
-    unit: Option<f64>,
-    substance: &SubstanceFlags,
-    flags: &MeshFlags,
+    request: &Request,
+    host: &mut dyn Host,
 ) -> Result<(InertiaReport, Option<MeshFile>), Failure> {
+    let (unit, choice) = (request.length_unit(), &request.mesh);
     let mut findings = Vec::new();
-    let Model { source, unit: in_m, pieces, field } = model(file, format, unit, flags, &mut findings)?;
-    let rows = weighed(&pieces, substance, flags, &mut findings, field.is_some())?;
+    let model = model(files, file, format, request, host, &mut findings)?;
+    let Model { source, unit: in_m, pieces, field } = model;
+    let rows = weighed(&pieces, request, &mut findings, field.is_some())?;
     let rows = match &field {
         Some(found) => found.rows.clone(),
         None => rows,
@@ -122,9 +46,8 @@ pub(super) fn report(
         _ => MassProperties::combined(&bodies).map_err(unfit)?,
     };
     let volume: f64 = pieces.iter().map(Piece::volume).sum();
-    let target = flags.write_mesh.as_ref();
-    let written =
-        target.map(|target| MeshFile::of(&pieces, in_m, target, flags.force, &mut findings)).transpose()?;
+    let target = choice.write_mesh.as_ref();
+    let written = target.map(|target| MeshFile::of(&pieces, in_m, target, &mut findings)).transpose()?;
     let mut source = source;
     if unit.is_none() && !format.has_unit() {
         let words = format!("{}, in m as no unit is given", source.description);
@@ -132,7 +55,7 @@ pub(super) fn report(
         let assumed = AssumedMetres {
             properties: &properties,
             extent: Some(Extent::Volume(volume)),
-            mass_given: substance.mass().is_some(),
+            mass_given: request.substance.mass().is_some(),
             others: None,
             remedy: "--unit mm, or --unit m if it is so",
         };
@@ -151,15 +74,17 @@ pub(super) fn report(
 
 /// The model of a mesh file.
 fn model(
+    files: &dyn Files,
     file: &Path,
     format: MeshFormat,
-    unit: Option<f64>,
-    flags: &MeshFlags,
+    request: &Request,
+    host: &mut dyn Host,
     findings: &mut Vec<Finding>,
 ) -> Result<Model, Failure> {
-    let mut contents = match flags.hull {
-        true => MeshContents::read_for_hull(&Disk, file, format)?,
-        false => MeshContents::read(&Disk, file, format)?,
+    let (unit, choice) = (request.length_unit(), &request.mesh);
+    let mut contents = match choice.hull {
+        true => MeshContents::read_for_hull(files, file, format)?,
+        false => MeshContents::read(files, file, format)?,
     };
     let (given, count) = (contents.triangles(), contents.parts.len());
     let encoding = contents.encoding;
@@ -174,7 +99,7 @@ fn model(
         let source = if given == triangles { source } else { source.with("triangles_in_file", given) };
         source.with("parts", parts).with("unit_m", unit)
     };
-    if let Some(thickness) = flags.shell {
+    if let Some(Positive(Length(thickness))) = choice.shell.as_ref().map(|shell| shell.value) {
         let contents = contents.in_metres(unit);
         let shells = contents.parts.iter().map(|part| MeshShell::new(&part.mesh, thickness));
         let shells = shells.collect::<Result<Vec<_>, _>>().map_err(unfit)?;
@@ -190,22 +115,26 @@ fn model(
             field: None,
         });
     }
-    let is_cloud = flags.hull && given == 0;
+    let is_cloud = choice.hull && given == 0;
     let points: usize = contents.parts.iter().map(|part| part.mesh.coordinates().len()).sum();
-    if flags.hull {
+    if choice.hull {
         for part in &mut contents.parts {
             part.mesh = ConvexHull::of(part.mesh.coordinates()).map_err(unfit)?;
         }
     }
-    let (contents, repairs) = contents.mended(flags.weld, flags.fill, unit, file)?;
+    let length = |given: &Option<Given<Positive<MeshLength>>>| given.as_ref().map(|given| given.value.0);
+    let (contents, repairs) = contents.mended(length(&choice.weld), length(&choice.fill), unit, file)?;
     let name = file.display().to_string();
     let explained = |error| MeshRepair::explained(&repairs, error);
-    if flags.union {
+    if choice.union {
         let united = UnitedMesh::of(contents, file, unit).map_err(explained)?;
         findings.extend(united.findings_of(&repairs, &name));
         findings.extend(united.findings_in(&name));
-        let what =
-            if flags.hull { "taken as the union of convex hulls" } else { "taken as the union of its parts" };
+        let what = if choice.hull {
+            "taken as the union of convex hulls"
+        } else {
+            "taken as the union of its parts"
+        };
         let (union, numbers) = united.for_programs();
         let source =
             described(what, given, count, united.unit).with("taken_as", "union").with(union, numbers);
@@ -218,7 +147,7 @@ fn model(
     findings.extend(MeshRepair::findings(&repairs, &solid, &name));
     findings.extend(solid.findings_in(&name));
     let turned = solid.parts.iter().any(|part| part.mesh.inverted());
-    let what = match (flags.hull, turned) {
+    let what = match (choice.hull, turned) {
         (true, _) if is_cloud => format!("taken as the convex hull of {points} points"),
         (true, _) => "taken as its convex hull".to_owned(),
         (false, true) => "closed, wound inward (turned)".to_owned(),
@@ -226,20 +155,21 @@ fn model(
     };
     let vertices: usize = solid.parts.iter().map(|part| part.mesh.vertices()).sum();
     // of a hull and of what was mended, what they are of
-    let triangles = match flags.hull || !repairs.is_empty() {
+    let triangles = match choice.hull || !repairs.is_empty() {
         true => solid.parts.iter().map(|part| part.mesh.surface().triangles().len()).sum(),
         false => given,
     };
-    let taken_as = if flags.hull { "convex_hull" } else { "solid" };
+    let taken_as = if choice.hull { "convex_hull" } else { "solid" };
     let source = described(&what, triangles, solid.parts.len(), solid.unit)
         .with("vertices", vertices)
         .with("taken_as", taken_as);
     let source = mended(source, &repairs);
-    let field = match &flags.field {
-        Some(formula) => Some(field::found(&solid.parts, formula, flags.tolerance)?),
+    let tolerance = choice.tolerance.as_ref().map(|tolerance| tolerance.value.0.0);
+    let field = match &choice.field {
+        Some(formula) => Some(field::found(&solid.parts, &formula.value.0, tolerance, host)?),
         None => None,
     };
-    let piece = |part: polhode_shape::mesh::SolidPart| Piece { name: part.name, shape: Box::new(part.mesh) };
+    let piece = |part: SolidPart| Piece { name: part.name, shape: Box::new(part.mesh) };
     Ok(Model { source, unit: solid.unit, pieces: solid.parts.into_iter().map(piece).collect(), field })
 }
 
@@ -256,15 +186,15 @@ fn mended(source: SourceInfo, repairs: &[MeshRepair]) -> SourceInfo {
 /// Each part with its mass.
 fn weighed(
     pieces: &[Piece],
-    substance: &SubstanceFlags,
-    flags: &MeshFlags,
+    request: &Request,
     findings: &mut Vec<Finding>,
     by_field: bool,
 ) -> Result<Vec<PartRow>, Failure> {
     if by_field {
         return Ok(Vec::new());
     }
-    if let Some(unknown) = flags.part.iter().find(|given| pieces.iter().all(|p| p.name != given.name)) {
+    let (substance, choice) = (&request.substance, &request.mesh);
+    if let Some(unknown) = choice.parts().find(|given| pieces.iter().all(|p| p.name != given.name)) {
         let names: Vec<_> = pieces.iter().map(|piece| format!("{:?}", piece.name)).collect();
         return Err(Failure::usage(
             format!("the mesh has no part named {:?}", unknown.name),
@@ -272,9 +202,9 @@ fn weighed(
         ));
     }
     let own =
-        |piece: &Piece| flags.part.iter().find(|given| given.name == piece.name).map(|given| given.substance);
+        |piece: &Piece| choice.parts().find(|given| given.name == piece.name).map(|given| given.substance);
     let mut names = BTreeSet::new();
-    if let Some(twice) = flags.part.iter().find(|given| !names.insert(&given.name)) {
+    if let Some(twice) = choice.parts().find(|given| !names.insert(&given.name)) {
         return Err(Failure::usage(
             format!("--part {} is given twice", twice.name),
             "a part is made of one thing: leave one of them out",
@@ -282,7 +212,7 @@ fn weighed(
     }
     let called = |given: &PartSubstance| pieces.iter().filter(|piece| piece.name == given.name).count();
     let is_mass = |given: &&PartSubstance| matches!(given.substance, Substance::Mass(_));
-    if let Some(shared) = flags.part.iter().filter(is_mass).find(|given| called(given) > 1) {
+    if let Some(shared) = choice.parts().filter(is_mass).find(|given| called(given) > 1) {
         return Err(Failure::usage(
             format!(
                 "{} parts of the mesh are named {:?}: is the mass that of each?",
@@ -316,25 +246,13 @@ fn weighed(
     pieces.iter().map(row).collect()
 }
 
-fn thickness(text: &str) -> Result<f64, String> {
-    positive(quantity(text, Dimension::LENGTH)?)
-}
-
-fn beside_mesh(text: &str) -> Result<MeshLength, String> {
-    let length = MeshLength::parse(text).map_err(|error| match error.hint() {
-        Some(hint) => format!("{error} (hint: {hint})"),
-        None => error.to_string(),
-    })?;
-    positive(length.value()).map(|_| length)
-}
-
-fn tolerance(text: &str) -> Result<f64, String> {
-    positive(quantity(text, Dimension::NONE)?)
-}
-
-fn formula(text: &str) -> Result<Expression, String> {
-    Expression::parse(text, &["x", "y", "z"]).map_err(|error| match error.hint() {
-        Some(hint) => format!("{error} (hint: {hint})"),
-        None => error.to_string(),
-    })
+/// What is assumed where nothing is given, and said.
+fn assumed(findings: &mut Vec<Finding>) -> Substance {
+    findings.push(Finding {
+        code: "mass.assumed",
+        severity: Severity::Warning,
+        message: "neither density, mass nor material is given: 1 kg/m³ is assumed".to_owned(),
+        place: Some("--density, --mass or --material".to_owned()),
+    });
+    Substance::Density(1.0)
 }

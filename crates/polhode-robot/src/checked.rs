@@ -1,0 +1,186 @@
+//! What came of the models of a request.
+
+use std::path::{Path, PathBuf};
+
+use polhode_document::VERSION;
+use polhode_document::json::pretty;
+use polhode_source::Failure;
+use serde_json::{Value, json};
+
+use crate::finding::{Finding, Severity};
+use crate::policy::{Judged, Remark, baseline};
+use crate::report::CheckReport;
+use crate::text::many;
+
+/// Result of a [`Request`](crate::Request).
+#[derive(Debug)]
+pub struct Checked {
+    /// Results of the files, in the order of the request.
+    pub files: Vec<FileChecked>,
+    /// Remarks on the configuration and the baseline.
+    pub remarks: Vec<Remark>,
+    /// Number of files that the configuration leaves out.
+    pub excluded: usize,
+    /// Least severity that fails.
+    pub fail_on: Severity,
+    /// One file was named, and no folder.
+    pub(crate) is_one: bool,
+}
+
+/// Result for one file.
+#[derive(Debug)]
+pub struct FileChecked {
+    /// Path of the model.
+    pub path: PathBuf,
+    /// Name in reports: relative to the working folder if the file is in it, with slashes.
+    pub name: String,
+    /// Findings, or why there are none.
+    pub report: Result<CheckReport, Failure>,
+}
+
+/// Model with its fixes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fix<'a> {
+    /// Path of the model.
+    pub path: &'a Path,
+    /// Text as it was.
+    pub old: &'a str,
+    /// Text with the fixes; every other byte is as it was.
+    pub new: &'a str,
+}
+
+/// Form of results.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
+pub enum Format {
+    /// For people.
+    #[default]
+    Text,
+    /// As --json.
+    Json,
+    /// SARIF 2.1.0, for code scanning and editors.
+    Sarif,
+    /// XML of JUnit: a suite for each file.
+    Junit,
+    /// Commands of GitHub's workflows: annotations.
+    Github,
+    /// GitLab's code quality report.
+    Gitlab,
+    /// A table for a summary or a comment.
+    Markdown,
+    /// A table, a line a link.
+    #[cfg_attr(feature = "arguments", value(skip))]
+    Table,
+}
+
+impl FileChecked {
+    /// The findings with the file's name.
+    pub(crate) fn judged(&self) -> Option<(&str, &Judged)> {
+        Some((self.name.as_str(), &self.report.as_ref().ok()?.judged))
+    }
+}
+
+impl Checked {
+    /// Returns the reports of the files that could be read.
+    pub fn reports(&self) -> impl Iterator<Item = &CheckReport> {
+        self.files.iter().filter_map(|file| file.report.as_ref().ok())
+    }
+
+    /// Returns true if something counts that is as severe as what fails: after the fixes, if these are written.
+    pub fn has_failed(&self) -> bool {
+        let fails = |findings: &[Finding]| findings.iter().any(|finding| finding.severity >= self.fail_on);
+        let remains = |report: &CheckReport| match &report.fixed {
+            Some(fixed) if fixed.out.is_some() => fails(&fixed.remaining),
+            _ => fails(report.findings()),
+        };
+        let remarks = self.remarks.iter().filter_map(|remark| remark.severity);
+        remarks.into_iter().any(|severity| severity >= self.fail_on) || self.reports().any(remains)
+    }
+
+    /// Returns the models with their fixes, if these were asked for.
+    pub fn fixes(&self) -> impl Iterator<Item = Fix<'_>> {
+        self.reports().filter_map(|report| {
+            let new = &report.fixed.as_ref()?.repaired.text;
+            Some(Fix { path: &report.model.path, old: &report.model.text, new })
+        })
+    }
+
+    /// The result after the fixed model is written to `out`.
+    #[must_use]
+    pub fn with_fix_in(mut self, out: &Path) -> Self {
+        for report in self.files.iter_mut().filter_map(|file| file.report.as_mut().ok()) {
+            if let Some(fixed) = &mut report.fixed {
+                fixed.out = Some(out.display().to_string());
+            }
+        }
+        self
+    }
+
+    /// Returns the diff of all fixes.
+    pub fn to_diff(&self) -> String {
+        self.reports().filter_map(|report| report.fixed.as_ref()).map(|fixed| fixed.diff.as_str()).collect()
+    }
+
+    /// Returns the text of a baseline that knows all findings, and how many these are.
+    pub fn to_baseline(&self) -> (String, usize) {
+        baseline::text(self.files.iter().filter_map(FileChecked::judged))
+    }
+
+    /// Returns the results in a form.
+    pub fn to_form(&self, form: Format) -> String {
+        let texts = |text: fn(&CheckReport) -> String| {
+            self.reports().map(text).collect::<Vec<_>>().join("\n") + &self.about_policy()
+        };
+        match form {
+            Format::Text => texts(CheckReport::to_text),
+            Format::Table => texts(CheckReport::to_table),
+            Format::Json => pretty(&self.to_json()) + "\n",
+            Format::Sarif => pretty(&self.to_sarif()) + "\n",
+            Format::Junit => self.to_junit(),
+            Format::Github => self.to_github(),
+            Format::Gitlab => pretty(&self.to_gitlab()) + "\n",
+            Format::Markdown => self.to_markdown(),
+        }
+    }
+
+    /// Returns lines for people that have no place in a form.
+    pub fn left_out_of(&self, form: Format) -> String {
+        match form {
+            Format::Json => self.about_policy().trim_start().to_owned(),
+            // its list has room for issues alone
+            Format::Gitlab => self.left_out().iter().map(|line| format!("{line}\n")).collect(),
+            Format::Text
+            | Format::Table
+            | Format::Sarif
+            | Format::Junit
+            | Format::Github
+            | Format::Markdown => String::new(),
+        }
+    }
+
+    /// Returns an object if one file was named, and a list otherwise; a file that cannot be read has an object with its error.
+    pub fn to_json(&self) -> Value {
+        let value = |file: &FileChecked| match &file.report {
+            Ok(report) => report.to_json(),
+            Err(failure) => {
+                json!({ "polhode": VERSION, "file": file.path.to_string_lossy(), "error": failure.to_json(&file.path) })
+            }
+        };
+        match self.files.as_slice() {
+            [file] if self.is_one => value(file),
+            files => files.iter().map(value).collect(),
+        }
+    }
+
+    /// Returns lines for people on files that are left out, allowances that are of no use, and what a baseline knows and is not there.
+    pub fn about_policy(&self) -> String {
+        let excluded = many(self.excluded, "file");
+        let excluded =
+            (self.excluded > 0).then(|| format!("left out: {excluded}, by exclude of the configuration\n"));
+        let remark = |Remark { file, place: (line, column), code, severity, message }: &Remark| {
+            Some(format!("{}: {file}:{line}:{column} [{code}]: {message}\n", (*severity)?.name()))
+        };
+        let text: String = excluded.into_iter().chain(self.remarks.iter().filter_map(remark)).collect();
+        if text.is_empty() || self.files.is_empty() { text } else { format!("\n{text}") }
+    }
+}

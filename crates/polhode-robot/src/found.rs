@@ -1,0 +1,145 @@
+//! The models that a request names: files as they are, folders searched; and how files are called.
+
+use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet};
+use std::io;
+use std::path::{Component, Path, PathBuf};
+
+use polhode_source::files::{Files, Kind};
+use polhode_source::{Failure, shown};
+
+use crate::read::is_model;
+
+/// A model, or a file or folder of which there is no report.
+pub(crate) type Found = Result<PathBuf, (PathBuf, Failure)>;
+
+/// Returns all models, in the order of the request, those of a folder by name, and the other names of those that are named twice.
+///
+/// A folder that cannot be searched, or is searched in vain, is in the place of its models. In a folder only files that are models by
+/// ending and root element count, and hidden folders are left out. Links are followed; a folder that has been searched is not searched
+/// again, so that links in a circle end.
+pub(crate) fn models(files: &dyn Files, named: &[PathBuf]) -> (Vec<Found>, Vec<[PathBuf; 2]>) {
+    let mut models = Vec::new();
+    for path in named {
+        if !is_folder(files, path) {
+            models.push(Ok(path.clone()));
+            continue;
+        }
+        let before = models.len();
+        search(files, path, &mut models);
+        if models.len() == before {
+            let hint = "a model ends in .urdf, .sdf, .world, .xml, .usda or .osim; name a file with another ending by itself";
+            models.push(unread(path, format!("{} holds no model", shown(path)), hint));
+        }
+    }
+    let (mut names, mut repeated): (BTreeMap<PathBuf, PathBuf>, _) = (BTreeMap::new(), Vec::new());
+    let is_first = |input: &Found| {
+        let Ok(path) = input else { return true };
+        let Ok(real) = files.canonical(path) else { return true };
+        match names.entry(real) {
+            Entry::Vacant(place) => {
+                place.insert(path.clone());
+                true
+            }
+            Entry::Occupied(first) => {
+                repeated.push([path.clone(), first.get().clone()]);
+                false
+            }
+        }
+    };
+    models.retain(is_first);
+    (models, repeated)
+}
+
+pub(crate) fn is_folder(files: &dyn Files, path: &Path) -> bool {
+    files.look(path).is_ok_and(|look| look.is_folder())
+}
+
+fn unread(path: &Path, message: String, hint: &str) -> Found {
+    Err((path.to_owned(), Failure::usage(message, hint).about(path)))
+}
+
+fn search(files: &dyn Files, root: &Path, models: &mut Vec<Found>) {
+    let mut searched = BTreeSet::new();
+    let mut folders = vec![root.to_owned()];
+    while let Some(folder) = folders.pop() {
+        let is_new = files.canonical(&folder).map(|real| searched.insert(real));
+        let entries = match is_new {
+            Ok(false) => continue,
+            Ok(true) => visible(files, &folder),
+            Err(error) => Err(error),
+        };
+        match entries {
+            Ok(entries) => {
+                let (inner, own): (Vec<_>, Vec<_>) =
+                    entries.into_iter().partition(|(_, is_folder)| *is_folder);
+                models.extend(
+                    own.into_iter().map(|(file, _)| file).filter(|file| is_model(files, file)).map(Ok),
+                );
+                folders.extend(inner.into_iter().rev().map(|(folder, _)| folder));
+            }
+            Err(error) => {
+                let message = format!("cannot search {}: {error}", shown(&folder));
+                models.push(unread(&folder, message, "name the files instead"));
+            }
+        }
+    }
+}
+
+/// What is in a folder and is not hidden, by name, and whether it is a folder or a link to one.
+fn visible(files: &dyn Files, folder: &Path) -> io::Result<Vec<(PathBuf, bool)>> {
+    let is_seen =
+        |path: &Path| path.file_name().is_some_and(|name| !name.as_encoded_bytes().starts_with(b"."));
+    let mut entries: Vec<(PathBuf, bool)> = Vec::new();
+    for (path, kind) in files.entries(folder)?.into_iter().filter(|(path, _)| is_seen(path)) {
+        let is_folder = kind == Kind::Folder || kind == Kind::Other && is_folder(files, &path);
+        entries.push((path, is_folder));
+    }
+    entries.sort();
+    Ok(entries)
+}
+
+/// What globs, baselines and reports call files.
+#[derive(Debug)]
+pub(crate) struct Names<'a> {
+    files: &'a dyn Files,
+    /// The working folder.
+    here: PathBuf,
+}
+
+impl<'a> Names<'a> {
+    pub(crate) fn new(files: &'a dyn Files) -> Self {
+        let here = files.canonical(Path::new(".")).unwrap_or_default();
+        // the form of paths that Windows has for itself
+        let plain = here.to_str().and_then(|here| here.strip_prefix(r"\\?\")).map(PathBuf::from);
+        Self { files, here: plain.unwrap_or(here) }
+    }
+
+    /// Relative to the working folder if the file is in it, with slashes.
+    pub(crate) fn of(&self, path: &Path) -> String {
+        let path = path.strip_prefix(&self.here).unwrap_or(path);
+        let mut name = String::new();
+        for component in path.components() {
+            match component {
+                Component::CurDir => {}
+                Component::RootDir => name.push('/'),
+                other => {
+                    if !name.is_empty() && !name.ends_with('/') {
+                        name.push('/');
+                    }
+                    name.push_str(&other.as_os_str().to_string_lossy());
+                }
+            }
+        }
+        name
+    }
+
+    /// The same without `..`, as it is in diffs, and of files that a model includes.
+    pub(crate) fn real(&self, path: &Path) -> String {
+        let leads_up = path.components().any(|component| component == Component::ParentDir);
+        match self.files.canonical(path).ok().filter(|_| leads_up) {
+            Some(real) => self.of(&real),
+            None => self.of(path),
+        }
+    }
+}

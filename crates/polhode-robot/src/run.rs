@@ -1,0 +1,221 @@
+//! A request answered.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use polhode_source::files::Files;
+use polhode_source::{Failure, FormatError, read_text_file};
+
+use crate::checked::{Checked, FileChecked};
+use crate::finding::{Finding, Severity};
+use crate::found::{Found, Names, is_folder, models};
+use crate::geometry::{Shapes, mesh_files};
+use crate::inspect::{Inspection, inspect_for};
+use crate::model::RobotModel;
+use crate::parallel;
+use crate::policy::baseline::Baseline;
+use crate::policy::config::Config;
+use crate::policy::{Judged, Policy};
+use crate::read::{CheckedFolder, ReadOptions, read_model, read_text};
+use crate::repair::proved;
+use crate::report::{CheckReport, Fixed, Prospect};
+use crate::request::Request;
+
+/// The configuration that is read without being named.
+const USUAL: &str = "polhode.toml";
+
+/// Checks the models of a request.
+///
+/// A model that cannot be read has its failure in the result.
+///
+/// # Errors
+/// [`Failure`] for a root that is not a folder, and a configuration or baseline that cannot be read.
+pub fn run(request: &Request, files: &dyn Files) -> Result<Checked, Failure> {
+    Ok(Inputs::find(request, files)?.check(&mut ()))
+}
+
+/// Follows a check: models are read, then their meshes measured, then the models checked.
+pub trait Progress {
+    /// Begins to work on `count` files.
+    fn begin(&mut self, count: usize);
+    /// Takes note that one of them is done.
+    fn done(&mut self, file: &Path);
+}
+
+impl Progress for () {
+    fn begin(&mut self, _: usize) {}
+    fn done(&mut self, _: &Path) {}
+}
+
+/// Models of a request, found and not read yet.
+#[derive(Debug)]
+pub struct Inputs<'a> {
+    request: &'a Request,
+    files: &'a dyn Files,
+    names: Names<'a>,
+    policy: Policy,
+    config: Option<PathBuf>,
+    found: Vec<Found>,
+    excluded: Vec<PathBuf>,
+    repeated: Vec<[PathBuf; 2]>,
+}
+
+impl<'a> Inputs<'a> {
+    /// Reads what counts, and searches the folders.
+    ///
+    /// # Errors
+    /// As [`run`].
+    pub fn find(request: &'a Request, files: &'a dyn Files) -> Result<Self, Failure> {
+        polhode_source::file::require_folders(files, &request.roots)?;
+        let usual = || Some(PathBuf::from(USUAL)).filter(|usual| files.is_file(usual));
+        let config = request.config.clone().or_else(usual);
+        let policy = Policy {
+            config: match &config {
+                Some(path) => read_text_file(files, path, |text| Ok(Config::read(path, text)))??,
+                None => Config::default(),
+            },
+            baseline: match &request.baseline {
+                Some(path) => Some(read_text_file(files, path, |text| Ok(Baseline::read(path, text)))??),
+                None => None,
+            },
+            today: request.today.unwrap_or_default(),
+        };
+        let names = Names::new(files);
+        let (found, repeated) = models(files, &request.files);
+        let is_excluded = |input: &mut Found| {
+            let is_in = |path: &PathBuf| {
+                let name = names.of(path);
+                policy.config.exclude.iter().any(|glob| glob.matches(&name))
+            };
+            input.as_ref().is_ok_and(is_in)
+        };
+        let mut found = found;
+        let excluded = found.extract_if(.., is_excluded).filter_map(Result::ok).collect();
+        Ok(Self { request, files, names, policy, config, found, excluded, repeated })
+    }
+
+    /// Returns the models that are checked.
+    pub fn models(&self) -> impl Iterator<Item = &Path> {
+        self.found.iter().filter_map(|input| input.as_deref().ok())
+    }
+
+    /// Returns the models that the configuration leaves out.
+    pub fn excluded(&self) -> impl Iterator<Item = &Path> {
+        self.excluded.iter().map(PathBuf::as_path)
+    }
+
+    /// Returns further names of files, each with the name under which the file is checked.
+    pub fn repeated(&self) -> &[[PathBuf; 2]] {
+        &self.repeated
+    }
+
+    /// Returns the configuration that was read.
+    pub fn config(&self) -> Option<&Path> {
+        self.config.as_deref()
+    }
+
+    /// Reads and checks the models, on all threads.
+    pub fn check(mut self, progress: &mut dyn Progress) -> Checked {
+        let request = self.request;
+        let is_one = matches!(request.files.as_slice(), [file] if !is_folder(self.files, file));
+        let folders = request.files.iter().filter_map(|file| CheckedFolder::new(self.files, file));
+        let folders: Vec<Arc<CheckedFolder>> = folders.map(Arc::new).collect();
+        let reading = |path: &Path| ReadOptions {
+            files: self.files,
+            roots: request.roots.clone(),
+            checked: folders.iter().find(|folder| folder.names(path)).cloned(),
+            confined: false,
+        };
+        let read = |input: Found| match input {
+            Ok(path) => {
+                let model = read_model(&path, &reading(&path));
+                (model.map_err(|error| Failure::from(error).about(&path)), path)
+            }
+            Err((path, failure)) => (Err(failure), path),
+        };
+        let found = std::mem::take(&mut self.found);
+        let inputs = side_by_side(found, progress, read, |input| match input {
+            Ok(path) | Err((path, _)) => path,
+        });
+        // All meshes before the models: these would wait for each other where they have meshes in common.
+        let meshes = mesh_files(self.files, inputs.iter().filter_map(|(model, _)| model.as_ref().ok()));
+        let threads = (parallel::threads() / meshes.len().max(1)).max(1);
+        let shapes = Shapes::with_threads(threads).from_files(self.files);
+        side_by_side(meshes, progress, |mesh| shapes.read_ahead(&mesh), PathBuf::as_path);
+        let outcome = |(model, path): (Result<RobotModel, Failure>, PathBuf)| FileChecked {
+            name: self.names.of(&path),
+            report: model.and_then(|model| {
+                let failed = |failure: Failure| failure.about(&path);
+                self.report(&path, model, &shapes, &reading(&path)).map_err(failed)
+            }),
+            path,
+        };
+        let outcomes = side_by_side(inputs, progress, outcome, |(_, path)| path);
+        let judged = outcomes.iter().filter_map(FileChecked::judged);
+        let remarks = self.policy.remarks(judged, |file| self.files.look(Path::new(file)).is_ok());
+        let fail_on = match request.fail_on {
+            _ if request.strict => Severity::Note,
+            Some(severity) => severity,
+            None => self.policy.config.fail_on.unwrap_or(Severity::Suspect),
+        };
+        Checked { files: outcomes, is_one, excluded: self.excluded.len(), remarks, fail_on }
+    }
+
+    /// What is found in a file, and fixed if that is asked for.
+    fn report(
+        &self,
+        file: &Path,
+        model: RobotModel,
+        shapes: &Shapes<'_>,
+        reading: &ReadOptions<'_>,
+    ) -> Result<CheckReport, Failure> {
+        let Inspection { geometry, findings } = inspect_for(&model, shapes, &self.request.programs);
+        let judged = self.judge(file, &model, findings);
+        let mut report = CheckReport::new(model, geometry, judged);
+        let has_repairs = report.findings().iter().any(|finding| finding.repair.is_some());
+        if !self.request.fix && !has_repairs {
+            return Ok(report);
+        }
+        // What is to be written is read and checked first, in the place of the model: a repair that does not remove its finding is left out.
+        let check = |text: &str| {
+            let model = read_text(text, file, reading)?;
+            let findings = inspect_for(&model, shapes, &self.request.programs).findings;
+            Ok(self.judge(file, &model, findings).open)
+        };
+        let fixed = proved(&report.model, report.findings(), check);
+        if self.request.fix {
+            let (repaired, remaining) = fixed.map_err(|error| unreadable(&error))?;
+            let diff = repaired.diff(&report.model, report.findings(), &self.names.real(&report.model.path));
+            report.fixed = Some(Fixed { out: None, repaired, diff, remaining });
+        } else {
+            report.prospect = fixed.ok().map(|(repaired, remaining)| Prospect::of(&repaired, &remaining));
+        }
+        Ok(report)
+    }
+
+    /// The file itself is called as it is named.
+    fn judge(&self, file: &Path, model: &RobotModel, findings: Vec<Finding>) -> Judged {
+        let name = |path: &Path| if path == file { self.names.of(path) } else { self.names.real(path) };
+        self.policy.judge(name, model, findings)
+    }
+}
+
+fn unreadable(error: &FormatError) -> Failure {
+    Failure::usage(
+        format!("the repaired model could not be read again, so it was not written: {}", error.message()),
+        "this is a mistake of polhode's: please report it, with the model",
+    )
+}
+
+/// Returns what comes of each item, on all threads; `progress` is told of their files.
+fn side_by_side<I: Send, T: Send>(
+    items: Vec<I>,
+    progress: &mut dyn Progress,
+    work: impl Fn(I) -> T + Sync,
+    file: impl Fn(&I) -> &Path,
+) -> Vec<T> {
+    let files: Vec<PathBuf> = items.iter().map(|item| file(item).to_owned()).collect();
+    progress.begin(files.len());
+    let done = |k: usize| files.get(k).into_iter().for_each(|file| progress.done(file));
+    parallel::map(items, parallel::threads(), work, done)
+}

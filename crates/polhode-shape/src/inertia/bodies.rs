@@ -1,0 +1,106 @@
+//! Bodies of files, and their forms.
+
+use std::path::{Path, PathBuf};
+
+use polhode::body::Finding;
+use polhode_document::VERSION;
+use polhode_document::layout::printable;
+use polhode_source::{Failure, shown};
+use serde_json::{Value, json};
+
+use super::written::MeshFile;
+use crate::export::{ExportBody, ExportFormat, export};
+use crate::report::InertiaReport;
+
+/// Result of a [`Request`](crate::Request).
+#[derive(Debug)]
+pub struct Bodies {
+    /// Results of the files, in the order of the request.
+    pub files: Vec<FileBodies>,
+    /// Mesh as it was used, if the request names a file for it.
+    pub mesh: Option<MeshFile>,
+}
+
+/// Result for one file.
+#[derive(Debug)]
+pub struct FileBodies {
+    /// Path of the file.
+    pub path: PathBuf,
+    /// A report for each of its bodies, or why there is none.
+    pub reports: Result<Vec<InertiaReport>, Failure>,
+}
+
+impl Bodies {
+    fn reports(&self) -> impl Iterator<Item = (&Path, &InertiaReport)> {
+        self.files.iter().flat_map(|FileBodies { path, reports }| {
+            reports.iter().flatten().map(|report| (path.as_path(), report))
+        })
+    }
+
+    /// Returns an object for one body, and a list for several; a file that failed has an object with its error.
+    pub fn to_json(&self) -> Value {
+        let of = |FileBodies { path, reports }: &FileBodies| match reports {
+            Ok(reports) => reports.iter().map(InertiaReport::to_json).collect(),
+            Err(failure) => {
+                let error = failure.to_json(path);
+                vec![json!({ "polhode": VERSION, "file": path.to_string_lossy(), "error": error })]
+            }
+        };
+        let mut values: Vec<Value> = self.files.iter().flat_map(of).collect();
+        if values.len() == 1 { values.remove(0) } else { Value::Array(values) }
+    }
+
+    /// Returns all reports for people.
+    pub fn to_text(&self) -> String {
+        self.reports().map(|(_, report)| report.to_text()).collect::<Vec<_>>().join("\n")
+    }
+
+    /// Returns the bodies as another program reads them.
+    ///
+    /// # Errors
+    /// [`Failure`] if the format has no place for one of them.
+    pub fn to_format(&self, format: ExportFormat) -> Result<String, Failure> {
+        let reports: Vec<_> = self.reports().collect();
+        if reports.is_empty() {
+            return Ok(String::new());
+        }
+        let body = |(file, report): &(&Path, &InertiaReport)| {
+            ExportBody::of_report(name(file, report, &reports), report)
+        };
+        let bodies: Vec<_> = reports.iter().map(body).collect();
+        export(format, &bodies).map_err(|error| Failure::usage(error.to_string(), error.hint()))
+    }
+
+    /// Returns lines for people on what was noticed, for which [`Bodies::to_format`] has no room.
+    pub fn noticed(&self) -> String {
+        let mut text = String::new();
+        for (file, report) in self.reports() {
+            let source = &report.source;
+            // What was assumed or joined stands in the heading of the text.
+            if ["unit_assumed", "joints"].iter().any(|key| source.fields.contains_key(*key)) {
+                text += &format!("info: {}: {}\n", shown(file), printable(&source.description));
+            }
+            text.extend(report.findings.iter().map(|finding| noticed(file, finding)));
+        }
+        text
+    }
+}
+
+/// Returns a line for people on what was noticed in a file.
+pub fn noticed(file: &Path, Finding { severity, message, code, .. }: &Finding) -> String {
+    format!("{}: {}: {} [{code}]\n", severity.name(), shown(file), printable(message))
+}
+
+/// What a body is called: its link in a robot, else the file's name without its ending, or all of its path where two have the same.
+fn name(file: &Path, report: &InertiaReport, all: &[(&Path, &InertiaReport)]) -> String {
+    if let Some(Value::String(link)) = report.source.fields.get("link") {
+        return link.clone();
+    }
+    let stem =
+        |file: &Path| file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    let own = stem(file);
+    if all.iter().filter(|(other, _)| stem(other) == own).count() > 1 {
+        return file.display().to_string();
+    }
+    own
+}

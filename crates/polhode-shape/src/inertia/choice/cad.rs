@@ -1,0 +1,49 @@
+//! Answers to what CAD reports leave open.
+
+use serde::{Deserialize, Serialize};
+
+/// Answers to what a CAD report may leave open.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, rename_all = "kebab-case")]
+#[cfg_attr(feature = "arguments", derive(clap::Args))]
+pub struct CadChoice {
+    /// What the products of inertia in a CAD report are, where nothing in it proves it.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "SIGN"))]
+    pub products: Option<Sign>,
+    /// The decimal mark of a CAD report, where its numbers leave it open.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "MARK"))]
+    pub decimal: Option<Mark>,
+}
+
+/// Sign of products of inertia.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
+pub enum Sign {
+    /// -∫xy dm: the elements of the tensor.
+    Negative,
+    /// +∫xy dm
+    Positive,
+}
+
+/// Decimal mark.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
+pub enum Mark {
+    /// 1.5
+    Point,
+    /// 1,5
+    Comma,
+}
+
+impl CadChoice {
+    /// The first that is given.
+    pub(in crate::inertia) const fn given(&self) -> Option<&'static str> {
+        match self {
+            Self { products: Some(_), .. } => Some("--products"),
+            Self { decimal: Some(_), .. } => Some("--decimal"),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! How meshes are taken.
+
+use std::path::PathBuf;
+use std::str::FromStr;
+
+use polhode_source::expression::Expression;
+use polhode_source::given::{Given, Length, Number, Positive};
+use serde::{Deserialize, Serialize};
+
+use super::substance::PartSubstance;
+use crate::mesh::MeshLength;
+
+/// What says a mesh's density otherwise than --field, or leaves no solid for it, and so for --tolerance: of an option that requires
+/// another, clap asks nothing where that other conflicts with what is given.
+#[cfg(feature = "arguments")]
+const WITHOUT_FIELD: [&str; 5] = ["density", "mass", "material", "part", "shell"];
+
+/// How meshes are taken.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, rename_all = "kebab-case")]
+#[cfg_attr(feature = "arguments", derive(clap::Args))]
+pub struct MeshChoice {
+    /// What one part of a mesh is made of: its name in the file, and its density, mass or material; may be repeated.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "NAME=WHAT"))]
+    pub part: Vec<Given<PartSubstance>>,
+    /// The convex hull of each part of a mesh, closed or not, instead of the mesh. Clouds of points
+    /// have one too: .xyz files, and .ply and .obj files without faces.
+    #[cfg_attr(feature = "arguments", arg(long, conflicts_with = "shell"))]
+    pub hull: bool,
+    /// A sheet of this thickness along a mesh, closed or not, instead of the solid in it.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "THICKNESS"))]
+    pub shell: Option<Given<Positive<Length>>>,
+    /// Density of a mesh as a formula of x, y, z in metres, in kg/m³, such as "2700 - 300*hypot(x, y)".
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "FORMULA", conflicts_with_all = WITHOUT_FIELD, allow_hyphen_values = true))]
+    pub field: Option<Given<DensityFormula>>,
+    /// The estimated relative error that is good enough for --field [default: 1e-10].
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "ERROR", requires = "field", conflicts_with_all = WITHOUT_FIELD))]
+    pub tolerance: Option<Given<Positive<Number>>>,
+    /// Join vertices of open edges that are at most so far apart: a length such as "0.01 mm", or a plain number, a part of the mesh's size (the
+    /// diagonal of its box).
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "TOL", conflicts_with_all = ["hull", "shell"]))]
+    pub weld: Option<Given<Positive<MeshLength>>>,
+    /// Close holes that are at most so large across, after a weld: a length such as "2 mm", or a plain number, a part of the mesh's size.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "SIZE", conflicts_with_all = ["hull", "shell"]))]
+    pub fill: Option<Given<Positive<MeshLength>>>,
+    /// Take what lies in several parts of a mesh, or more than once in one, once: parts that overlap or repeat are one body, after a weld and a
+    /// fill.
+    #[cfg_attr(feature = "arguments", arg(long, conflicts_with_all = ["shell", "part", "field", "tolerance", "write_mesh", "force"]))]
+    pub union: bool,
+    /// Write the mesh as it was used, welded, filled and wound outward, in the file's unit: .stl (binary), .obj or .ply.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "FILE", conflicts_with = "shell"))]
+    pub write_mesh: Option<PathBuf>,
+}
+
+/// Density as a formula of x, y, z in metres, kg/m³.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DensityFormula(pub Expression);
+
+impl FromStr for DensityFormula {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        Expression::parse(text, &["x", "y", "z"]).map(Self).map_err(|error| match error.hint() {
+            Some(hint) => format!("{error} (hint: {hint})"),
+            None => error.to_string(),
+        })
+    }
+}
+
+impl MeshChoice {
+    /// The substances of parts.
+    pub(in crate::inertia) fn parts(&self) -> impl Iterator<Item = &PartSubstance> {
+        self.part.iter().map(|part| &part.value)
+    }
+
+    /// The first that is given.
+    pub(in crate::inertia) fn given(&self) -> Option<&'static str> {
+        let flags = [
+            (!self.part.is_empty(), "--part"),
+            (self.hull, "--hull"),
+            (self.shell.is_some(), "--shell"),
+            (self.field.is_some(), "--field"),
+            (self.weld.is_some(), "--weld"),
+            (self.fill.is_some(), "--fill"),
+            (self.union, "--union"),
+            (self.write_mesh.is_some(), "--write-mesh"),
+        ];
+        flags.into_iter().find(|(given, _)| *given).map(|(_, flag)| flag)
+    }
+}

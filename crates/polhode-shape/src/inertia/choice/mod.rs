@@ -1,0 +1,13 @@
+//! What a user may say of files, by their kind.
+
+mod cad;
+mod mesh;
+mod molecule;
+mod substance;
+mod voxel;
+
+pub use cad::{CadChoice, Mark, Sign};
+pub use mesh::{DensityFormula, MeshChoice};
+pub use molecule::{MassesOf, MoleculeChoice};
+pub use substance::{MaterialNamed, PartSubstance, SubstanceChoice};
+pub use voxel::{Corner, Spacing, VoxelChoice};

@@ -1,0 +1,105 @@
+//! What a body in a file that does not say so is made of.
+
+use std::str::FromStr;
+
+use polhode::body::Material;
+use polhode::body::shape::Substance;
+use polhode_source::given::{Density, Given, Mass, Positive};
+use serde::{Deserialize, Serialize};
+
+use crate::material;
+use crate::material::UnknownMaterial;
+
+/// What the whole body is made of: at most one of them.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, rename_all = "kebab-case")]
+#[cfg_attr(feature = "arguments", derive(clap::Args), group(multiple = false))]
+pub struct SubstanceChoice {
+    /// Density of a mesh, such as "2700 kg/m^3" or "2.7 g/cm^3".
+    #[cfg_attr(feature = "arguments", arg(long))]
+    pub density: Option<Given<Positive<Density>>>,
+    /// Mass of a mesh or of a cloud of points, such as "85 g".
+    #[cfg_attr(feature = "arguments", arg(long))]
+    pub mass: Option<Given<Positive<Mass>>>,
+    /// Material of a mesh by name, such as aluminium or steel.
+    #[cfg_attr(feature = "arguments", arg(long))]
+    pub material: Option<Given<MaterialNamed>>,
+}
+
+impl SubstanceChoice {
+    pub(in crate::inertia) fn given(&self) -> Option<Substance> {
+        let density = self.density.as_ref().map(|density| density.value.0.0);
+        let density = density.or_else(|| Some(self.material.as_ref()?.value.0.density));
+        density.map(Substance::Density).or(self.mass().map(Substance::Mass))
+    }
+
+    /// The mass alone, kg.
+    pub(in crate::inertia) fn mass(&self) -> Option<f64> {
+        self.mass.as_ref().map(|mass| mass.value.0.0)
+    }
+}
+
+/// Material that has a name.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MaterialNamed(pub Material);
+
+impl FromStr for MaterialNamed {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        material::named(text).map(Self).map_err(|unknown| {
+            format!(
+                "no such material: {} (known: {})",
+                unknown.hint_or("give its density, as 2700 kg/m^3"),
+                UnknownMaterial::known()
+            )
+        })
+    }
+}
+
+/// One part's substance: `wheel=steel`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartSubstance {
+    /// Name of the part in the file.
+    pub name: String,
+    /// What it is made of.
+    pub substance: Substance,
+}
+
+impl FromStr for PartSubstance {
+    type Err = String;
+
+    /// `NAME=DENSITY`, `NAME=MASS` or `NAME=MATERIAL`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let form = "a part's name, =, and its density, mass or material, such as \"wheel=2.7 g/cm^3\"";
+        let (name, what) = text.rsplit_once('=').ok_or_else(|| format!("expected {form}"))?;
+        let density = || what.parse().map(|Positive(Density(density))| Substance::Density(density));
+        let mass = || what.parse().map(|Positive(Mass(mass))| Substance::Mass(mass));
+        let material = || what.parse().map(|MaterialNamed(material)| Substance::Density(material.density));
+        let substance = density()
+            .or_else(|_: String| mass())
+            .or_else(|_: String| material())
+            .map_err(|_: String| format!("{what:?} is no density, mass or material: expected {form}"))?;
+        // a bare number is neither
+        if what.trim().parse::<f64>().is_ok() {
+            return Err(format!("{what:?} has no unit: it could be a density or a mass"));
+        }
+        Ok(Self { name: name.trim().to_owned(), substance })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_part_has_a_density_a_mass_or_a_material() {
+        let of = |text: &str| text.parse().map(|part: PartSubstance| (part.name, part.substance));
+        assert_eq!(of("wheel=2.5 g/cm^3"), Ok(("wheel".to_owned(), Substance::Density(2500.0))));
+        assert_eq!(of(" a=b = 250 g"), Ok(("a=b".to_owned(), Substance::Mass(0.25))));
+        assert_eq!(of("hub=steel"), Ok(("hub".to_owned(), Substance::Density(7850.0))));
+        for wrong in ["wheel", "wheel=7850", "wheel=-1 kg", "wheel=cheese"] {
+            assert!(of(wrong).is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,29 @@
+//! The mass properties and rotational constants of molecules.
+
+use std::path::Path;
+
+use polhode::body::BodyError;
+use polhode_source::Failure;
+use polhode_source::files::Files;
+
+use super::choice::MassesOf;
+use super::request::Request;
+use crate::molecule;
+use crate::molecule::{Isotopes, MoleculeFormat};
+use crate::report::InertiaReport;
+
+/// One report for each molecule of the file.
+pub(super) fn reports(
+    files: &dyn Files,
+    file: &Path,
+    format: MoleculeFormat,
+    request: &Request,
+) -> Result<Vec<InertiaReport>, Failure> {
+    let isotopes = match request.molecule.isotopes {
+        Some(MassesOf::Average) => Isotopes::Average,
+        Some(MassesOf::Abundant) | None => Isotopes::Abundant,
+    };
+    let molecules = molecule::read(files, file, format)?;
+    let unfit = |error: BodyError| Failure::usage(error.to_string(), "check the atoms' places");
+    molecule::reports(&molecules, isotopes, file, format).map_err(unfit)
+}

@@ -1,0 +1,138 @@
+//! What is asked of `inertia`.
+
+use std::path::PathBuf;
+use std::str::FromStr;
+
+use polhode::math::{Body, Part, Position, Rotation};
+use polhode_source::given::{Given, point, positive, rotation, unit_named};
+use polhode_source::unit::Dimension;
+use serde::{Deserialize, Serialize};
+
+use super::choice::{CadChoice, MeshChoice, MoleculeChoice, SubstanceChoice, VoxelChoice};
+use super::kind::Kind;
+
+/// Files of bodies, and what they leave open.
+///
+/// ```
+/// use polhode_shape::{Request, run};
+/// use polhode_source::files::Memory;
+/// let mesh = "v 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+/// let files = Memory::from([("wedge.obj", mesh)]);
+/// let mut request = Request { files: vec!["wedge.obj".into()], ..Request::default() };
+/// request.substance.density = Some("4 kg/m^3".parse()?);
+/// let bodies = run(&request, &files)?;
+/// assert_eq!(bodies.to_json()["mass"], 4.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+#[cfg_attr(feature = "arguments", derive(clap::Args))]
+pub struct Request {
+    /// Scenarios, meshes, molecules, particles, voxel grids, CAD reports, robots; what each is, its ending says.
+    #[cfg_attr(feature = "arguments", arg(required = true, value_name = "FILE"))]
+    pub files: Vec<PathBuf>,
+    /// What the whole body is made of.
+    #[serde(flatten)]
+    #[cfg_attr(feature = "arguments", command(flatten))]
+    pub substance: SubstanceChoice,
+    /// How meshes are taken.
+    #[serde(flatten)]
+    #[cfg_attr(feature = "arguments", command(flatten))]
+    pub mesh: MeshChoice,
+    /// The unit of length in a file that does not say it, such as mm or in [default for meshes: m].
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "UNIT"))]
+    pub unit: Option<Given<LengthUnit>>,
+    /// The unit of mass in a file that does not say it, such as g or lbm.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "UNIT"))]
+    pub mass_unit: Option<Given<MassUnit>>,
+    /// How molecules are read.
+    #[serde(flatten)]
+    #[cfg_attr(feature = "arguments", command(flatten))]
+    pub molecule: MoleculeChoice,
+    /// How CAD reports are read.
+    #[serde(flatten)]
+    #[cfg_attr(feature = "arguments", command(flatten))]
+    pub cad: CadChoice,
+    /// How voxel grids are read.
+    #[serde(flatten)]
+    #[cfg_attr(feature = "arguments", command(flatten))]
+    pub voxel: VoxelChoice,
+    /// What the files are, if their endings do not say it.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "KIND"))]
+    pub format: Option<Kind>,
+    /// Also the tensor about this point: x,y,z from the origin, each with its unit or in metres.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, conflicts_with_all = ["csv", "as_format"]))]
+    pub about: Option<Given<Point>>,
+    /// Also the tensor along axes turned by this unit quaternion (scalar first, turned axes to body axes).
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "W,X,Y,Z", allow_hyphen_values = true, conflicts_with_all = ["csv", "as_format"]))]
+    pub along: Option<Given<Turn>>,
+    /// Print the principal axes too; JSON and tables have them always.
+    #[cfg_attr(feature = "arguments", arg(long, conflicts_with = "as_format"))]
+    pub axes: bool,
+}
+
+impl Request {
+    /// Returns the metres in the unit of length that is given.
+    pub(super) fn length_unit(&self) -> Option<f64> {
+        self.unit.as_ref().map(|unit| unit.value.0)
+    }
+
+    /// Returns the kilograms in the unit of mass that is given.
+    pub(super) fn mass_unit(&self) -> Option<f64> {
+        self.mass_unit.as_ref().map(|unit| unit.value.0)
+    }
+}
+
+/// Unit of length, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LengthUnit(pub f64);
+
+impl FromStr for LengthUnit {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if !text.starts_with(char::is_alphabetic) {
+            return Err("the name of a unit of length belongs here, such as mm".to_owned());
+        }
+        positive(unit_named(text, Dimension::LENGTH)?).map(Self)
+    }
+}
+
+/// Unit of mass, kg.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MassUnit(pub f64);
+
+impl FromStr for MassUnit {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if !text.starts_with(char::is_alphabetic) {
+            return Err("the name of a unit of mass belongs here, such as g".to_owned());
+        }
+        positive(unit_named(text, Dimension::MASS)?).map(Self)
+    }
+}
+
+/// Point of a body, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point(pub Position<Body>);
+
+impl FromStr for Point {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        point(text).map(Self)
+    }
+}
+
+/// Rotation from turned axes to body axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn(pub Rotation<Body, Part>);
+
+impl FromStr for Turn {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        rotation(text).map(Self)
+    }
+}

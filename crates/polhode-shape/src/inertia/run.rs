@@ -1,0 +1,205 @@
+//! A request answered.
+
+use std::path::Path;
+
+use polhode_source::files::Files;
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{Failure, read_file, shown};
+
+use super::bodies::{Bodies, FileBodies};
+use super::host::Host;
+use super::kind::Kind;
+use super::request::Request;
+use super::written::{MeshFile, written_format};
+use super::{cad, mesh, molecule, particles, voxel};
+use crate::brep::BrepFormat;
+use crate::mesh::MeshFormat;
+use crate::molecule::MoleculeFormat;
+use crate::report::InertiaReport;
+
+/// Returns the mass properties of the bodies in files: meshes, molecules, particles, voxel grids and CAD reports.
+///
+/// A file that cannot be read has its failure in the result.
+///
+/// # Errors
+/// [`Failure`] for a mesh that is to be written of several files, or in a format that is not written.
+pub fn run(request: &Request, files: &dyn Files) -> Result<Bodies, Failure> {
+    run_in(request, files, &mut ())
+}
+
+/// Answers a request as [`run`] does; `host` reads scenarios and robot models, and follows.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_in(request: &Request, files: &dyn Files, host: &mut dyn Host) -> Result<Bodies, Failure> {
+    if let Some(target) = &request.mesh.write_mesh {
+        if request.files.len() > 1 {
+            let message = "--write-mesh is for one mesh, and several files are given";
+            return Err(Failure::usage(message, "name one"));
+        }
+        written_format(target)?;
+    }
+    let mut bodies = Bodies { files: Vec::new(), mesh: None };
+    for path in &request.files {
+        host.begin(path);
+        let reports = request.reports(path, files, host, &mut bodies.mesh);
+        let reports = reports.map_err(|failure| failure.about(path));
+        bodies.files.push(FileBodies { path: path.clone(), reports });
+    }
+    Ok(bodies)
+}
+
+impl Request {
+    /// Returns the kind of a file.
+    ///
+    /// # Errors
+    /// [`Failure`] if it is unknown, or if an option does not fit it.
+    pub fn kind(&self, file: &Path, files: &dyn Files, host: &dyn Host) -> Result<Kind, Failure> {
+        if self.format.is_none_or(Kind::is_mesh)
+            && let Some(format) = BrepFormat::of_content(files, file)
+        {
+            return Err(Failure::usage(format.refusal(), format.hint(file)));
+        }
+        if self.format.is_none()
+            && let Some(format) = BrepFormat::of_path(file)
+        {
+            read_file(files, file, |bytes| match bytes {
+                [] => Err(nothing_of(format)),
+                _ => Ok(()),
+            })?;
+            return Err(Failure::usage(format.refusal(), format.hint(file)));
+        }
+        let of_path = || match Kind::of_path(file) {
+            _ if host.is_robot(file) => Some(Kind::Robot),
+            // The ending .xyz is of molecules and of clouds of points, of which only the hull is a body.
+            Some(Kind::Xyz) if self.mesh.hull => Some(Kind::Mesh(MeshFormat::Points)),
+            kind => kind,
+        };
+        let Some(kind) = self.format.or_else(of_path) else {
+            return Err(Failure::usage(
+                format!("{} has an unknown file extension", shown(file)),
+                format!("say what it is by --format; scenarios are .toml, meshes {}", mesh_extensions()),
+            ));
+        };
+        self.refuse_options_for(kind, file, host)?;
+        self.refuse_idle_units(kind, file, files)?;
+        Ok(kind)
+    }
+
+    /// The reports of a file: one, or one for each of its bodies. The mesh that is to be written goes to `written`.
+    fn reports(
+        &self,
+        file: &Path,
+        files: &dyn Files,
+        host: &mut dyn Host,
+        written: &mut Option<MeshFile>,
+    ) -> Result<Vec<InertiaReport>, Failure> {
+        let molecules = |format| molecule::reports(files, file, format, self);
+        let reports = match self.kind(file, files, host)? {
+            kind @ (Kind::Scenario | Kind::Robot) => host.reports(file, kind)?,
+            Kind::Particles => vec![particles::report(files, file, self)?],
+            Kind::Cad => vec![cad::report(files, file, self)?],
+            Kind::Xyz => molecules(MoleculeFormat::Xyz)?,
+            Kind::Mol => {
+                let format = MoleculeFormat::of_path(file).filter(|format| *format == MoleculeFormat::Sdf);
+                molecules(format.unwrap_or(MoleculeFormat::Mol))?
+            }
+            Kind::Pdb => molecules(MoleculeFormat::Pdb)?,
+            Kind::Npy => vec![voxel::report(files, file, "npy", self)?],
+            Kind::Nrrd => vec![voxel::report(files, file, "nrrd", self)?],
+            Kind::Mesh(format) => {
+                let (report, mesh) = mesh::report(files, file, format, self, host)?;
+                *written = mesh;
+                vec![report]
+            }
+        };
+        reports.into_iter().map(|report| self.finished(report)).collect()
+    }
+
+    /// The report with the point and the axes that are asked for.
+    fn finished(&self, report: InertiaReport) -> Result<InertiaReport, Failure> {
+        let about = self.about.as_ref().map(|point| point.value.0).or(report.about);
+        if let Some(point) = about
+            && report.properties.inertia_about(point).matrix().iter().flatten().any(|e| !e.is_finite())
+        {
+            return Err(Failure::usage(
+                "the tensor about that point is too large for a number",
+                "check --about",
+            ));
+        }
+        let axes = self.along.as_ref().map(|turn| turn.value.0);
+        Ok(InertiaReport { about, axes, show_axes: self.axes, ..report })
+    }
+
+    /// An option that means nothing for this kind of file is an error, not ignored.
+    fn refuse_options_for(&self, kind: Kind, file: &Path, host: &dyn Host) -> Result<(), Failure> {
+        const SUBSTANCE: &str = "--density, --mass or --material";
+        let mesh = kind.is_mesh();
+        let voxels = matches!(kind, Kind::Npy | Kind::Nrrd);
+        let listed = matches!(kind, Kind::Cad | Kind::Particles);
+        // Points without masses share --mass.
+        let has_substance =
+            mesh || kind == Kind::Cad || kind == Kind::Particles && self.substance.mass().is_some();
+        let checks = [
+            (self.substance.given().and(Some(SUBSTANCE)), has_substance, "a mesh or the measures of a shape"),
+            (
+                self.unit.as_ref().and(Some("--unit")),
+                mesh || kind == Kind::Nrrd || listed,
+                "a mesh, an NRRD grid, particles or a CAD report",
+            ),
+            (self.mass_unit.as_ref().and(Some("--mass-unit")), listed, "particles or a CAD report"),
+            (self.mesh.given(), mesh, "a mesh"),
+            (self.cad.given(), kind == Kind::Cad, "a CAD report"),
+            (self.molecule.given(), matches!(kind, Kind::Xyz | Kind::Mol | Kind::Pdb), "a molecule"),
+            (host.robot_option(), kind == Kind::Robot, "a robot model"),
+            (self.voxel.given(), voxels, "a voxel grid"),
+        ];
+        let refused =
+            checks.into_iter().find_map(|(option, fits, owner)| Some((option.filter(|_| !fits)?, owner)));
+        match refused {
+            None => Ok(()),
+            Some((option, owner)) => Err(Failure::usage(
+                format!("{option} is for {owner}, and {} is {}", shown(file), kind.in_words()),
+                match kind {
+                    Kind::Scenario => "a scenario says what each of its parts is made of, and in which units",
+                    _ => "leave it out, or say by --format what the file is",
+                },
+            )),
+        }
+    }
+
+    /// A unit for a file that names its units itself is an error, not ignored.
+    fn refuse_idle_units(&self, kind: Kind, file: &Path, files: &dyn Files) -> Result<(), Failure> {
+        let is_readable = |request: &Self| match kind {
+            Kind::Particles => particles::report(files, file, request).is_ok(),
+            Kind::Cad if cad::leaves_unit_open(files, file) => false,
+            Kind::Cad => cad::report(files, file, request).is_ok(),
+            _ => false,
+        };
+        let idle = if self.unit.is_some() && is_readable(&Self { unit: None, ..self.clone() }) {
+            "--unit"
+        } else if self.mass_unit.is_some() && is_readable(&Self { mass_unit: None, ..self.clone() }) {
+            "--mass-unit"
+        } else {
+            return Ok(());
+        };
+        let path = file.display();
+        Err(Failure::usage(
+            format!("{idle} is for a file that does not name its unit, and {path} does, or needs none"),
+            "leave it out",
+        ))
+    }
+}
+
+/// That a file has no bytes.
+fn nothing_of(format: BrepFormat) -> ContentError {
+    let kind =
+        ContentErrorKind::Expected { what: format!("a {} file", format.title()), found: String::new() };
+    ContentError::new(kind, ContentPlace::Whole).hint("the file is empty: export it again")
+}
+
+/// `.stl, .obj, …`
+fn mesh_extensions() -> String {
+    let all = MeshFormat::ALL.iter().flat_map(|format| format.extensions());
+    all.map(|extension| format!(".{extension}")).collect::<Vec<_>>().join(", ")
+}
